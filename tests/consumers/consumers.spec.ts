@@ -44,7 +44,7 @@ const COPIED = [
 const LIKE = 0.9;
 
 /** What pages, bundlers and Node start from. */
-const ENTRIES = ['index.js', 'facts.js', 'react.js', 'element.js', 'bake.worker.js', 'command.js'];
+const ENTRIES = ['index.js', 'facts.js', 'svg.js', 'react.js', 'element.js', 'bake.worker.js', 'command.js'];
 
 let files: string[] = [];
 test.beforeAll(() => {
@@ -57,6 +57,7 @@ const MOST_BYTES = [
   ['HatchingMaterial, prepareHatchingGeometry, TonalArtMap', 'three-hatching', 40_500],
   ['applyHatching', 'three-hatching', 48_400],
   ['Hatched', 'three-hatching/react', 51_400],
+  ['drawSVG', 'three-hatching/svg', 47_000],
 ] as const;
 
 /** The size of the worker's text. A minifier that writes it twice makes it double. */
@@ -101,7 +102,7 @@ test.describe('the tarball', () => {
   });
 
   test('imports three and nothing else; the worker imports nothing, the command what Node has, the components React and us', () => {
-    const imported = withImports('index.js').flatMap(importsOf);
+    const imported = ['index.js', 'svg.js'].flatMap((name) => withImports(name)).flatMap(importsOf);
     expect(imported.filter((name) => name !== 'three' && !name.startsWith('./'))).toEqual([]);
     expect(importsOf('bake.worker.js')).toEqual([]);
     const ofReact = [

@@ -6,7 +6,16 @@ import { beforeAll, expect, test } from 'vitest';
 import { root } from './docs/documents.js';
 
 const folder = join(root, 'tests/output/declarations');
-const ENTRIES = ['index', 'facts', 'react/index', 'element/element', 'element/react', 'element/preact', 'element/vue'];
+const ENTRIES = [
+  'index',
+  'facts',
+  'svg/index',
+  'react/index',
+  'element/element',
+  'element/react',
+  'element/preact',
+  'element/vue',
+];
 
 /** A declaration at the top of a file, without comments. What is private in it has no type. */
 interface Declaration {

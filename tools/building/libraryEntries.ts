@@ -5,6 +5,7 @@ const ENTRIES: readonly [name: RegExp, source: string, built: string][] = [
   [/^three-hatching$/, 'index', 'index'],
   [/^three-hatching\/facts$/, 'facts', 'facts'],
   [/^three-hatching\/react$/, 'react/index', 'react'],
+  [/^three-hatching\/svg$/, 'svg/index', 'svg'],
   [/^three-hatching\/element$/, 'element/element', 'element'],
   // A query tells Vite how to load the file.
   [/^three-hatching\/bake\.worker(?=$|\?)/, 'worker/bake.worker', 'bake.worker'],

@@ -56,7 +56,7 @@ export default defineConfig(
       sourcemap: false,
       emptyOutDir: ENTRIES[mode] === undefined,
       lib: {
-        entry: ENTRIES[mode] ?? { index: 'src/index.ts', facts: 'src/facts.ts' },
+        entry: ENTRIES[mode] ?? { index: 'src/index.ts', facts: 'src/facts.ts', svg: 'src/svg/index.ts' },
         formats: ['es'],
       },
       rolldownOptions: {

@@ -22,6 +22,8 @@ export const ROOMS = {
   mistakes: [],
   tam: ['mistakes', 'strokes', 'hatchImages', 'mapFiles', 'worker'],
   'material/facts': [],
+  engraving: ['material/facts'],
+  vector: ['slices', 'engraving'],
   geometry: ['mistakes', 'mesh', 'adjacency', 'features', 'form', 'bake', 'worker', 'material/facts'],
   material: ['mistakes', 'strokes', 'bake', 'tam', 'geometry', '/shaders'],
   'material/shaders': ['facts'],
@@ -65,6 +67,7 @@ export const ROOMS = {
   ],
   'scene/jointForms': [],
   'scene/flattering': ['/src/scene/assertTree.ts', '/src/scene/surfaceMeshes.ts'],
+  svg: ['slices', 'features', 'bake', 'worker', 'mistakes', 'geometry', 'engraving', 'vector', 'material', 'outlines'],
   'index.ts': [
     'adjacency',
     'strokes',
@@ -133,5 +136,5 @@ export const ROOMS = {
 /** Rooms that know no three.js. */
 export const WITHOUT_THREE = [
   ...['slices', 'mesh', 'adjacency', 'normals', 'features', 'form', 'bake', 'occlusion', 'lighting'],
-  ...['strokes', 'hatchImages', 'mapFiles', 'worker', 'command'],
+  ...['strokes', 'hatchImages', 'mapFiles', 'worker', 'command', 'engraving', 'vector'],
 ];

@@ -68,6 +68,7 @@ export default defineConfig({
         'occlusion',
         'composition',
         'looks',
+        'svg',
         'media',
         'form',
         'deformation',

@@ -1,0 +1,17 @@
+/** Shares a tone among families of lines that cross, as crossedTones.glsl and hatchLayer.glsl have it. Printed over one another they give it again. */
+
+/** The share of the tone above that from which others cross which the lower layer still takes. */
+const KEPT_SHARE = 0.4;
+
+/** The part of a tone that a layer prints itself, where others cross it from the tone `from` on. */
+export const takenOf = (tone: number, from: number): number =>
+  Math.min(tone, from) + KEPT_SHARE * Math.max(tone - from, 0);
+
+/** The tone that it leaves to the others: exactly 0 up to where they begin. */
+export const leftOf = (tone: number, taken: number): number => Math.max(tone - taken, 0) / Math.max(1 - taken, 1e-4);
+
+/** A tone as two families share it: that which runs better across the first has the share `shareB`. */
+export function sharedByTwo(tone: number, shareB: number): readonly [number, number] {
+  const blankB = 1 - shareB * tone;
+  return [1 - blankB, 1 - (1 - tone) / Math.max(blankB, 1e-4)];
+}

@@ -1,0 +1,108 @@
+/** Contours and feature edges, as shaders/outlines has them. */
+import { clamp01, combined, dot, lengthOf, mix, normalize, smoothstep, type Vec3 } from './vectors.js';
+
+/** Weight of a contour by the bend of the surface along the line of sight: it ends in a cusp, and the pen lifts there. */
+export const taperAt = (bend: number, taper: number): number =>
+  taper > 0 ? smoothstep(0, taper, bend) : Number(bend >= 0);
+
+/**
+ * The part of an edge, as shares from start to end, on which one side faces the eye and the other does not; null if there is none.
+ *
+ * @param left and `right`: n·v of the two sides at the start and at the end
+ */
+export function contourAlong(
+  left: readonly [number, number],
+  right: readonly [number, number],
+): readonly [number, number] | null {
+  const startsOn = left[0] * right[0] < 0;
+  const endsOn = left[1] * right[1] < 0;
+  const turnOf = (side: readonly [number, number]) => (side[0] * side[1] < 0 ? side[0] / (side[0] - side[1]) : -1);
+  const [leftTurn, rightTurn] = [turnOf(left), turnOf(right)];
+  if (startsOn && endsOn) return [0, 1];
+  const turn = Math.max(leftTurn, rightTurn);
+  if (startsOn) return 0 < turn ? [0, turn] : null;
+  if (endsOn) return turn < 1 ? [turn, 1] : null;
+  const least = Math.min(leftTurn, rightTurn);
+  return least >= 0 && least < turn ? [least, turn] : null;
+}
+
+/** Up to the first of these, of (1 − N·L) / 2, an outline is as heavy as on the lit side, from the second on as in the shade. */
+const LIT = 0.15;
+const SHADED = 0.85;
+/** How far the surface just inside of a contour leans towards the eye. */
+const INSIDE = 0.5;
+/** The N·L just inside above which a contour is lost falls from 1 by as much as this, and tapers over the second. */
+const LOST_RANGE = 0.7;
+const LOST_TAPER = 0.12;
+
+/** The light, the eye and how outlines answer to them. Directions are unit, or without length where there is none. */
+export interface OutlineLight {
+  light: Vec3;
+  sight: Vec3;
+  shadeWeights: readonly [lit: number, shaded: number];
+  lostEdges: number;
+}
+
+/**
+ * Factors on the weight of an outline before a surface, and before the paper.
+ *
+ * @param normal unit, in the space of the directions
+ * @param contour the share of the piece that is a contour or a border
+ */
+export function shadeWeight(
+  normal: Vec3,
+  contour: number,
+  { light, sight, shadeWeights, lostEdges }: OutlineLight,
+): readonly [inner: number, outer: number] {
+  const weight = mix(shadeWeights[0], shadeWeights[1], smoothstep(LIT, SHADED, 0.5 - 0.5 * dot(normal, light)));
+  const inside = dot(normalize(combined(1, normal, INSIDE, sight)), light);
+  const lost = 1 - LOST_RANGE * lostEdges;
+  return [weight, weight * (1 - contour * smoothstep(lost, lost + LOST_TAPER, inside))];
+}
+
+/** The lift of an outline towards the eye before it is compared with surfaces, as shares of the bounding radius. */
+const LIFT_SHARE = 0.004;
+const MOST_RISE = 0.11;
+/** How steeply the faces beside an edge may rise towards the eye. */
+const EDGE_SLOPE = 3;
+
+/** A piece of an outline, as far as its visibility goes. Lengths in world units. */
+export interface LiftedPiece {
+  isSmooth: boolean;
+  /** Curvature along the line of sight times the bounding radius. */
+  bend: number;
+  /** How deep the surface beside the piece is along the line of sight. */
+  extent: number;
+}
+
+/** How far an outline is moved towards the eye, so that its own surface does not hide it. radius: of the bounding sphere. */
+export function liftOf({ isSmooth, bend, extent }: LiftedPiece, halfWidth: number, radius: number): number {
+  const own = LIFT_SHARE * radius + extent;
+  if (!isSmooth) return own + 2 * EDGE_SLOPE * halfWidth;
+  const rise = Math.sqrt((2 * halfWidth * radius) / Math.max(bend, 1e-3));
+  return own + 2 * halfWidth + Math.min(rise, MOST_RISE * radius);
+}
+
+/** A surface that lies as far behind an outline as these shares of the height of the view begins to count as paper, and does. */
+const BEGINS_AS_PAPER = 0.25;
+const IS_PAPER = 0.75;
+
+/** Whether what lies so far behind an outline, as a share of the height of the view, is as good as paper. */
+export const paperness = (gap: number): number => smoothstep(BEGINS_AS_PAPER, IS_PAPER, clamp01(gap));
+
+/** The unsteadiness of a hand: a slow shift on the screen that belongs to the place on the object. anchor: over the bounding radius. */
+export function wobbleAt(p: Vec3, wobble: number): readonly [number, number] {
+  const a = Math.sin(dot(p, [11.3, 7.1, -5.9]) + 1.7 * Math.sin(dot(p, [-4.3, 6.7, 9.1])));
+  const b = Math.sin(dot(p, [-6.1, 9.7, 12.7]) + 1.3 * Math.sin(dot(p, [8.9, -3.7, 5.3])) + 2);
+  const c = Math.sin(dot(p, [23, -19, 17]) + 4);
+  return [wobble * (0.8 * a + 0.2 * c), wobble * (0.8 * b - 0.2 * c)];
+}
+
+/** How deep a triangle is across a piece of contour on it, along the line of sight. */
+export function depthAcross(corners: readonly [Vec3, Vec3, Vec3], start: Vec3, end: Vec3, toEye: Vec3): number {
+  const v = normalize(toEye);
+  const along = normalize(combined(1, end, -1, start));
+  const sideways = combined(1, v, -dot(v, along), along);
+  const depths = corners.map((corner) => dot(combined(1, corner, -1, corners[0]), sideways));
+  return lengthOf(sideways) === 0 ? 0 : Math.max(...depths) - Math.min(...depths);
+}

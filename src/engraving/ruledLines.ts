@@ -1,0 +1,85 @@
+/**
+ * One family of lines, as shaders/techniques/engraved/ruledLines.glsl has it: level sets of a function at equal distances, whose width is
+ * the tone. A fragment asks which lines are near; here a line asks how much room it has.
+ */
+
+/** Where a function rises less than so much along the surface, new lines are born on the object too. */
+const SPARSEST_SLOPE = 0.4;
+
+/** The logarithm to base 2 at powers of two, and linear between them. x: above 0. */
+export function octaves(x: number): number {
+  const whole = Math.floor(Math.log2(x));
+  // The logarithm may be off by a rounding at a power of two.
+  const exponent = 2 ** whole > x ? whole - 1 : 2 ** (whole + 1) <= x ? whole + 1 : whole;
+  return exponent + x / 2 ** exponent - 1;
+}
+
+/** The inverse. */
+export function powerOf2(octave: number): number {
+  const whole = Math.floor(octave);
+  return 2 ** whole * (1 + octave - whole);
+}
+
+/** The share of its steepest rise by which lines of the first family are spaced on the object. slope: its change along the surface. */
+export const riseOf = (slope: number): number => Math.min(slope / SPARSEST_SLOPE, 1);
+
+/** How far apart lines are asked to be. */
+export interface LineSpacing {
+  /** Pixels, or 256ths of a tile. */
+  lineSpacing: number;
+  /** Pixels. */
+  finestSpacing: number;
+  /** 0: spaced on the object, 1: on the screen. */
+  sizedOnScreen: number;
+}
+
+/**
+ * The octave of the distance between lines at a place.
+ *
+ * @param rise of the function along the surface, per tile
+ * @param perPixel its change from one pixel to the next
+ * @param coarsest the octave of the lines that lie farthest apart
+ */
+export function octaveOf(spacing: LineSpacing, rise: number, perPixel: number, coarsest: number): number {
+  const { lineSpacing, finestSpacing, sizedOnScreen } = spacing;
+  const onObject = octaves((lineSpacing / 256) * Math.max(rise, 1e-12));
+  const onScreen = octaves(lineSpacing * perPixel);
+  const wanted = onObject + sizedOnScreen * (onScreen - onObject);
+  return Math.min(Math.max(wanted, octaves(finestSpacing * perPixel)), coarsest);
+}
+
+/**
+ * The room that a line has, in units of the function. Old lines have as much as they would at just this spacing; those that are born between
+ * them have what is left.
+ *
+ * @param rank the largest power of two that the value of the line is a multiple of, as an exponent
+ */
+export function roomOf(rank: number, octave: number): number {
+  const top = Math.ceil(octave);
+  if (rank >= top) return powerOf2(octave);
+  return rank === top - 1 ? 2 ** top - powerOf2(octave) : 0;
+}
+
+/** A number in [0, 1) that spreads rising whole numbers evenly (van der Corput). */
+export function evenlySpread(index: number): number {
+  let sum = 0;
+  let digit = 0.5;
+  for (let rest = Math.abs(index) >>> 0; rest > 0; rest >>>= 1) {
+    sum += digit * (rest & 1);
+    digit /= 2;
+  }
+  return sum;
+}
+
+/**
+ * Whether a pen of one width draws a line: where the result is above 0. Lines lie pen / tone apart. Between two octaves of distance as many of
+ * the young lines are drawn as that takes, in an order that spreads their ends.
+ *
+ * @param spacing the distance that the tone asks for, in units of the function
+ * @param index which of the lines of its rank it is
+ */
+export function penMargin(rank: number, index: number, spacing: number, coarsest: number): number {
+  const top = Math.min(Math.ceil(Math.log2(spacing)), coarsest);
+  if (rank >= top) return 1;
+  return rank === top - 1 ? 2 ** top / spacing - 1 - evenlySpread(index) : -1;
+}

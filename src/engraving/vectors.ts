@@ -1,0 +1,34 @@
+/** Vectors as lists of numbers, and what GLSL has as functions. */
+export type Vec3 = readonly [x: number, y: number, z: number];
+
+export const dot = (a: Vec3, b: Vec3): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+
+export const cross = (a: Vec3, b: Vec3): Vec3 => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+];
+
+/** s a + t b. */
+export const combined = (s: number, a: Vec3, t: number, b: Vec3): Vec3 => [
+  s * a[0] + t * b[0],
+  s * a[1] + t * b[1],
+  s * a[2] + t * b[2],
+];
+
+export const lengthOf = (a: Vec3): number => Math.sqrt(dot(a, a));
+
+/** Of length 1; a vector without a length stays as it is. */
+export function normalize(a: Vec3): Vec3 {
+  const length = lengthOf(a) || 1;
+  return [a[0] / length, a[1] / length, a[2] / length];
+}
+
+export const clamp01 = (x: number): number => Math.min(1, Math.max(0, x));
+
+export const mix = (a: number, b: number, t: number): number => a + t * (b - a);
+
+export function smoothstep(from: number, to: number, x: number): number {
+  const t = clamp01((x - from) / (to - from));
+  return t * t * (3 - 2 * t);
+}

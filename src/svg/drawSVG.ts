@@ -1,0 +1,62 @@
+import type { Camera, Object3D } from 'three';
+import { asPhase } from '../slices/asPhase.js';
+import { runSliced } from '../slices/runSliced.js';
+import type { DrawingPlan } from '../vector/DrawnScene.js';
+import { drawLines } from '../vector/drawLines.js';
+import { type DrawSVGOptions, planOf } from './DrawSVGOptions.js';
+import type { LeftOut } from './leftOut.js';
+import { readScene } from './readScene.js';
+
+/** A drawing as lines. Lengths are in millimetres. */
+export interface SVGDrawing {
+  /** The document. */
+  svg: string;
+  /** Paths in it, and points of their middle lines. */
+  paths: number;
+  points: number;
+  /** Pieces of lines that were traced on surfaces, before any was hidden or left out. */
+  segments: number;
+  /** How far the pen goes lifted: in the order in which paths were found, and as they are ordered. */
+  travelBefore: number;
+  travelAfter: number;
+  /** How long all paths are together. */
+  drawn: number;
+  /** How long it took, by the clock. */
+  seconds: number;
+  /** What the drawing does not show as the canvas does. */
+  leftOut: readonly LeftOut[];
+}
+
+/**
+ * Draws a hatched scene as lines of a vector file, as a camera sees it: engraved lines and outlines are curves on the surfaces, so they
+ * can leave as they are. It needs neither a renderer nor a page, and gives the same bytes in both.
+ *
+ * Meshes are drawn that have a `HatchingMaterial` of the technique `engraved`, and `HatchingOutlines`. What cannot leave as lines is
+ * named in `leftOut`.
+ *
+ *     await applyHatching(scene, 'engraving');
+ *     const { svg } = await drawSVG(scene, camera, { sheet: 'A4', margin: 12 });
+ *
+ * @throws TypeError or RangeError, as the reason of the rejected promise, for wrong options
+ */
+export async function drawSVG(scene: Object3D, camera: Camera, options: DrawSVGOptions = {}): Promise<SVGDrawing> {
+  const plan = planOf(options);
+  if (!scene?.isObject3D) throw new TypeError('drawSVG: scene must be an Object3D, such as a Scene.');
+  if (!('isCamera' in (camera ?? {})))
+    throw new TypeError('drawSVG: camera must be a PerspectiveCamera or an OrthographicCamera.');
+  const { signal, onProgress, shadows = true } = options;
+  const start = performance.now();
+  const drawing = await runSliced(draw(scene, camera, shadows, plan), { signal, onProgress });
+  return { ...drawing, seconds: (performance.now() - start) / 1000 };
+}
+
+function* draw(
+  scene: Object3D,
+  camera: Camera,
+  shadows: boolean,
+  plan: DrawingPlan,
+): Generator<number, Omit<SVGDrawing, 'seconds'>, void> {
+  const { drawn, leftOut } = yield* asPhase(readScene(scene, camera, shadows), 0, 0.1);
+  const drawing = yield* asPhase(drawLines(drawn, plan), 0.1, 1);
+  return { ...drawing, leftOut };
+}

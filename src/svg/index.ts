@@ -1,0 +1,8 @@
+/**
+ * Drawings that leave as lines: vector files for print and plotters.
+ *
+ * @module three-hatching/svg
+ */
+export type { DrawSVGOptions } from './DrawSVGOptions.js';
+export { drawSVG, type SVGDrawing } from './drawSVG.js';
+export type { LeftOut } from './leftOut.js';

@@ -1,0 +1,90 @@
+import {
+  type Camera,
+  type Color,
+  type DirectionalLight,
+  type HemisphereLight,
+  type Light,
+  type Object3D,
+  type PointLight,
+  type SpotLight,
+  Vector3,
+} from 'three';
+import { arriving, type Lamp } from '../engraving/radiance.js';
+import { combined, type Vec3 } from '../engraving/vectors.js';
+import { type Arriving, LightsAround } from '../material/exposure/LightsAround.js';
+import type { MeanLight } from '../vector/outlineChains.js';
+import type { Illumination } from '../vector/Toner.js';
+
+const luminance = ({ r, g, b }: Color): number => 0.2126 * r + 0.7152 * g + 0.0722 * b;
+
+const placeOf = ({ matrixWorld }: Object3D): Vec3 => new Vector3().setFromMatrixPosition(matrixWorld).toArray();
+
+/** The unit vector from one object to another. */
+const wayBetween = (from: Object3D, to: Object3D): Vec3 =>
+  new Vector3(...placeOf(to))
+    .sub(new Vector3(...placeOf(from)))
+    .normalize()
+    .toArray();
+
+/** The lights of a scene that a camera sees, as numbers. */
+export interface SceneLights {
+  lamps: Lamp[];
+  around: Illumination['around'];
+  meanLight: MeanLight;
+}
+
+/** @param shadows whether lights that cast shadows do so */
+export function readLights(scene: Object3D, camera: Camera, shadows: boolean): SceneLights {
+  const lamps: Lamp[] = [];
+  const others: Light[] = [];
+  scene.traverseVisible((object) => {
+    if (!('isLight' in object) || !object.layers.test(camera.layers)) return;
+    const lamp = lampOf(object as Light, shadows);
+    if (lamp) lamps.push(lamp);
+    else others.push(object as Light);
+  });
+  const sky = new LightsAround({ lights: others, scene });
+  const found: Arriving = { direct: 0, indirect: 0, reflected: 0 };
+  const [place, normal] = [new Vector3(), new Vector3()];
+  const around = (direction: Vec3): number => {
+    sky.arriveAt(place, normal.set(...direction), false, found);
+    return found.indirect;
+  };
+  return { lamps, around, meanLight: (at) => meanLightAt(at, lamps, others) };
+}
+
+/** The light as one with a direction; undefined for others. */
+function lampOf(light: Light, shadows: boolean): Lamp | undefined {
+  const sent = light.intensity * luminance(light.color);
+  const castsShadow = shadows && light.castShadow;
+  const lamp = { luminance: sent, at: placeOf(light), castsShadow, distance: 0, decay: 0, cone: null };
+  if ('isDirectionalLight' in light) {
+    return { ...lamp, at: wayBetween((light as DirectionalLight).target, light), isFar: true };
+  }
+  if (!('isPointLight' in light || 'isSpotLight' in light)) return undefined;
+  const { distance, decay } = light as PointLight;
+  if (!('isSpotLight' in light)) return { ...lamp, isFar: false, distance, decay };
+  const { angle, penumbra, target } = light as unknown as SpotLight;
+  const cone = {
+    axis: wayBetween(target, light as unknown as SpotLight),
+    outer: Math.cos(angle),
+    inner: Math.cos(angle * (1 - penumbra)),
+  };
+  return { ...lamp, isFar: false, distance, decay, cone };
+}
+
+/** The direction that the light comes from, as outlines are shaded by it. */
+function meanLightAt(place: Vec3, lamps: readonly Lamp[], others: readonly Light[]): Vec3 {
+  let sum: Vec3 = [0, 0, 0];
+  for (const lamp of lamps) {
+    const { direction, luminance: sent } = arriving(lamp, place);
+    sum = combined(1, sum, sent, direction);
+  }
+  for (const light of others) {
+    if (!('isHemisphereLight' in light)) continue;
+    const { color, groundColor, intensity } = light as HemisphereLight;
+    const up = new Vector3(...placeOf(light)).normalize().toArray();
+    sum = combined(1, sum, 0.5 * intensity * (luminance(color) - luminance(groundColor)), up);
+  }
+  return sum;
+}

@@ -1,0 +1,67 @@
+import type { IUniform, Vector2 } from 'three';
+import type { CurveCubics } from '../engraving/tone.js';
+import { localDarkness } from '../engraving/tone.js';
+import { isFitted } from '../material/exposure/isFitted.js';
+import type { ToneFit } from '../material/exposure/ToneFit.js';
+import { fittedCurve } from '../material/fitToneCurve.js';
+import type { HatchingMaterial } from '../material/HatchingMaterial.js';
+import { createHatchingUniforms, writeComputedUniforms, writeSizeUniforms } from '../material/hatchingUniforms.js';
+import type { EngravedLook } from '../vector/Engraver.js';
+import type { SurfaceLook } from '../vector/Toner.js';
+
+/** What the shaders would be given for a material. Sizes are in CSS pixels. */
+function uniformsOf(material: HatchingMaterial): Record<string, IUniform> {
+  const uniforms = createHatchingUniforms();
+  writeComputedUniforms(material, uniforms);
+  writeSizeUniforms(material, null, 1, uniforms);
+  return uniforms;
+}
+
+/**
+ * How a material lays its lines.
+ *
+ * @param hasForm whether the geometry was prepared with its form
+ */
+export function engravedLookOf(material: HatchingMaterial, hasForm: boolean): EngravedLook {
+  const { lineSpacing, finestSpacing, crossFrom } = uniformsOf(material);
+  const { lineField, crossAngle, handmade, sizedOnScreen, shadowStrokes } = material;
+  const followsForm = lineField === 'auto' || lineField === 'form' || lineField === 'acrossForm';
+  // As the material draws them until a geometry has its form.
+  const withForm = lineField === 'acrossForm' ? lineField : 'form';
+  return {
+    lineField: !followsForm ? lineField : hasForm ? withForm : 'light',
+    spacing: { lineSpacing: lineSpacing.value, finestSpacing: finestSpacing.value, sizedOnScreen },
+    crossFrom: crossFrom.value,
+    crossAngle,
+    handmade,
+    crossesInShadows: shadowStrokes === 'cross',
+  };
+}
+
+/** How a material shows the light of a scene. fit: of the exposure to the scene. */
+export function surfaceLookOf(material: HatchingMaterial, receivesShadows: boolean, fit: ToneFit): SurfaceLook {
+  const uniforms = uniformsOf(material);
+  const { color, emissive, emissiveIntensity, localTone, toneModel, toneCurve } = material;
+  const { shininess, reflectedLight, occlusion, hollowTone, toneSteps, exposureCompensation } = material;
+  const luminance = ({ r, g, b }: { r: number; g: number; b: number }) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
+  const emitted = emissiveIntensity * luminance(emissive);
+  const isFit = isFitted(material);
+  const exposure = uniforms.exposure.value as Vector2;
+  return {
+    model: toneModel === 'shadow' ? 'lambert' : toneModel,
+    curve: curveOf(toneCurve),
+    steps: toneModel === 'toon' ? toneSteps : 0,
+    exposure: isFit ? [exposureCompensation * fit.scale, exposureCompensation * fit.offset] : [exposure.x, exposure.y],
+    highlightRamp: (uniforms.highlightRamp.value as Vector2).toArray() as [number, number],
+    toneEnds: (uniforms.toneEnds.value as Vector2).toArray() as [number, number],
+    occlusion,
+    hollowTone,
+    darkness: localTone > 0 ? localDarkness(luminance(color), emitted, localTone, isFit ? 1 / fit.white : 1) : 0,
+    ...{ shininess, reflectedLight, emitted, receivesShadows },
+  };
+}
+
+function curveOf(curve: HatchingMaterial['toneCurve']): 'perceptual' | CurveCubics | null {
+  if (curve === 'perceptual') return curve;
+  return fittedCurve(curve) ?? null;
+}

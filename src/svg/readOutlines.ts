@@ -1,0 +1,94 @@
+import { type Camera, DataUtils, Matrix3, Matrix4, type Mesh, Vector3 } from 'three';
+import { POINT_BITS, POINT_MASK, POINT_WORDS, PRIMITIVE_WORDS } from '../bake/outlineLayout.js';
+import { unpackPoints } from '../bake/unpackPoints.js';
+import { BORDER, CONTRARY, CREASE, MATERIAL_BORDER } from '../features/edgeFlags.js';
+import type { OutlineData } from '../geometry/OutlineData.js';
+import type { HatchingOutlineMaterial } from '../outlines/HatchingOutlineMaterial.js';
+import type { FeatureEdge, OutlineLook, OutlineMesh } from '../vector/OutlineMesh.js';
+import { placesOf } from './placesOf.js';
+import { rowsOf } from './readSurface.js';
+
+/** How outlines look. hasMaterials: whether the mesh has several, whose borders are drawn. */
+export function outlineLookOf(material: HatchingOutlineMaterial, hasMaterials: boolean): OutlineLook {
+  const { outlineWidth, contours, innerContours, borders, creases, materialBorders, taper, lostEdges, wobble } =
+    material;
+  return {
+    width: outlineWidth,
+    materialBorders: hasMaterials ? materialBorders : 0,
+    shadeWeights: material.shadeWeights.toArray() as [number, number],
+    ...{ contours, innerContours, borders, creases, taper, lostEdges, wobble },
+  };
+}
+
+/**
+ * Reads what the outlines of a mesh are found on.
+ *
+ * @param firstTriangle the triangle of the scene that the first of the mesh is
+ */
+export function readOutlines(mesh: Mesh, data: OutlineData, camera: Camera, firstTriangle: number): OutlineMesh {
+  const points = data.points.image.data as Uint32Array<ArrayBuffer>;
+  const primitives = data.primitives.image.data as Uint32Array;
+  const { triangleCount, edgeCount } = data;
+  const triangles = new Uint32Array(3 * triangleCount);
+  for (let t = 0; t < triangleCount; t++) {
+    for (let k = 0; k < 3; k++) triangles[3 * t + k] = primitives[PRIMITIVE_WORDS * t + k];
+  }
+  const first = PRIMITIVE_WORDS * triangleCount;
+  const edges = Array.from({ length: edgeCount }, (_, i) => edgeAt(primitives, first + PRIMITIVE_WORDS * i));
+  const { positions, normals } = unpackPoints(points, pointCountOf(triangles, edges));
+  return {
+    ...{ positions, normals, triangles, firstTriangle, edges },
+    curvatures: curvaturesOf(points, positions.length / 3),
+    placeOf: placesOf(positions.length / 3, (point, axis) => positions[3 * point + axis]),
+    radius: data.radius || 1,
+    toWorld: mesh.matrixWorld.elements,
+    normalToWorld: rowsOf(new Matrix3().getNormalMatrix(mesh.matrixWorld)),
+    scale: Math.cbrt(Math.abs(mesh.matrixWorld.determinant())) || 1,
+    eye: eyeIn(mesh, camera),
+  };
+}
+
+/** Textures are padded to whole rows, so that only what refers to points says how many there are. */
+function pointCountOf(triangles: Uint32Array, edges: readonly FeatureEdge[]): number {
+  let most = triangles.reduce((a, b) => Math.max(a, b), -1);
+  for (const { leftStart, leftEnd, rightStart, rightEnd } of edges)
+    most = Math.max(most, leftStart, leftEnd, rightStart, rightEnd);
+  return most + 1;
+}
+
+function edgeAt(words: Uint32Array, o: number): FeatureEdge {
+  const flags = (words[o] >>> POINT_BITS) | ((words[o + 1] >>> POINT_BITS) << 4);
+  return {
+    leftStart: words[o] & POINT_MASK,
+    leftEnd: words[o + 1] & POINT_MASK,
+    rightStart: words[o + 2] & POINT_MASK,
+    rightEnd: words[o + 3] & POINT_MASK,
+    isBorder: (flags & BORDER) !== 0,
+    isCrease: (flags & CREASE) !== 0,
+    isMaterialBorder: (flags & MATERIAL_BORDER) !== 0,
+    isContrary: (flags & CONTRARY) !== 0,
+  };
+}
+
+function curvaturesOf(words: Uint32Array, count: number): Float32Array {
+  const curvatures = new Float32Array(6 * count);
+  for (let p = 0; p < count; p++) {
+    for (let pair = 0; pair < 3; pair++) {
+      const word = words[POINT_WORDS * p + 4 + pair];
+      curvatures[6 * p + 2 * pair] = DataUtils.fromHalfFloat(word & 0xffff);
+      curvatures[6 * p + 2 * pair + 1] = DataUtils.fromHalfFloat(word >>> 16);
+    }
+  }
+  return curvatures;
+}
+
+/** The eye in the space of a mesh: a place and 1, or a direction and 0. */
+function eyeIn(mesh: Mesh, camera: Camera): OutlineMesh['eye'] {
+  const toObject = new Matrix4().copy(mesh.matrixWorld).invert();
+  if (camera.projectionMatrix.elements[15] === 1) {
+    const { x, y, z } = new Vector3().setFromMatrixColumn(camera.matrixWorld, 2).transformDirection(toObject);
+    return [x, y, z, 0];
+  }
+  const { x, y, z } = new Vector3().setFromMatrixPosition(camera.matrixWorld).applyMatrix4(toObject);
+  return [x, y, z, 1];
+}

@@ -1,0 +1,245 @@
+import {
+  BackSide,
+  type Camera,
+  DoubleSide,
+  type Material,
+  type Matrix4,
+  type Mesh,
+  type Object3D,
+  type PerspectiveCamera,
+} from 'three';
+import type { Vec3 } from '../engraving/vectors.js';
+import { isFormed } from '../geometry/formGeometry.js';
+import { outlineDataOf } from '../geometry/OutlineData.js';
+import { ExposureFit } from '../material/exposure/ExposureFit.js';
+import type { ToneFit } from '../material/exposure/ToneFit.js';
+import type { HatchingMaterial } from '../material/HatchingMaterial.js';
+import type { HatchingOutlineMaterial } from '../outlines/HatchingOutlineMaterial.js';
+import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
+import { asPhase } from '../slices/asPhase.js';
+import { CASTS_BACK, CASTS_FRONT, SEEN_BACK, SEEN_FRONT } from '../vector/Bvh.js';
+import type { DrawnScene, EngravedSurface, OutlinedMesh } from '../vector/DrawnScene.js';
+import { drawnWithout, type LeftOut, sentence, whyNoLines, whyNothing } from './leftOut.js';
+import { readLights, type SceneLights } from './readLights.js';
+import { engravedLookOf, surfaceLookOf } from './readLook.js';
+import { outlineLookOf, readOutlines } from './readOutlines.js';
+import { fieldOf, readSurface, surfaceFrame } from './readSurface.js';
+
+/** How far rays of shadows begin above what they are cast on, as a share of the size of the largest mesh that casts them. */
+const SHADOW_BIAS = 0.01;
+
+/**
+ * Reads a scene as plain data, and names what is not in it. Brings the world matrices of scene and camera up to date. Yields its progress.
+ */
+export function* readScene(
+  scene: Object3D,
+  camera: Camera,
+  shadows: boolean,
+): Generator<number, { drawn: DrawnScene; leftOut: LeftOut[] }, void> {
+  scene.updateMatrixWorld();
+  camera.updateMatrixWorld();
+  const reader = new SceneReader(scene, camera, readLights(scene, camera, shadows));
+  const objects: Object3D[] = [];
+  scene.traverseVisible((object) => {
+    if (object.layers.test(camera.layers)) objects.push(object);
+  });
+  for (const [i, object] of objects.entries())
+    yield* asPhase(reader.readMesh(object), (0.8 * i) / objects.length, (0.8 * (i + 1)) / objects.length);
+  for (const [i, object] of objects.entries()) {
+    yield 0.8 + (0.2 * i) / objects.length;
+    reader.readOutlinesOf(object);
+  }
+  return { drawn: reader.drawn(), leftOut: reader.leftOut };
+}
+
+/** Triangles are read so many at a time. */
+const CHUNK = 4096;
+
+class SceneReader {
+  readonly leftOut: LeftOut[] = [];
+  private readonly corners: number[] = [];
+  private readonly sides: number[] = [];
+  private readonly surfaces: EngravedSurface[] = [];
+  private readonly outlines: OutlinedMesh[] = [];
+  /** The first triangle of each mesh that is drawn. */
+  private readonly firstTriangles = new Map<Object3D, number>();
+  private readonly fit: ToneFit;
+  private casterSize = 0;
+
+  constructor(
+    scene: Object3D,
+    private readonly camera: Camera,
+    private readonly lights: SceneLights,
+  ) {
+    this.fit = new ExposureFit().update(scene, camera.layers.mask);
+  }
+
+  drawn(): DrawnScene {
+    const { corners, sides, surfaces, outlines, camera, lights, casterSize } = this;
+    return {
+      camera: {
+        view: camera.matrixWorldInverse.elements,
+        world: camera.matrixWorld.elements,
+        projection: camera.projectionMatrix.elements,
+        near: (camera as PerspectiveCamera).near ?? 0,
+      },
+      corners: Float64Array.from(corners),
+      sides: Uint8Array.from(sides),
+      ...{ surfaces, outlines },
+      illumination: { lamps: lights.lamps, around: lights.around, bias: SHADOW_BIAS * casterSize },
+      meanLight: lights.meanLight,
+    };
+  }
+
+  *readMesh(object: Object3D): Generator<number, void, void> {
+    if ('isHatchingBackground' in object)
+      this.note(object, 'is left out: the field of lines behind a subject cannot leave as lines yet');
+    else if ('isLine' in object || 'isPoints' in object || ('isSprite' in object && !isOutlines(object)))
+      this.note(object, 'is left out: it is no mesh');
+    else if ('isMesh' in object) yield* this.readSurfaces(object as Mesh);
+  }
+
+  private note(object: Object3D, what: string): void {
+    this.leftOut.push(sentence(object, what));
+  }
+
+  private *readSurfaces(mesh: Mesh): Generator<number, void, void> {
+    const parts = partsOf(mesh);
+    if (parts.length === 0) return;
+    const nothing = whyNothing(mesh);
+    if (nothing) {
+      this.note(mesh, nothing);
+      return;
+    }
+    this.firstTriangles.set(mesh, this.sides.length);
+    if (mesh.castShadow) this.noteCaster(mesh);
+    for (const [i, { material, start, end }] of parts.entries()) {
+      const corners = cornersOf(mesh, start, end);
+      const from = i / parts.length;
+      const middle = (i + 0.4) / parts.length;
+      const firstTriangle = yield* asPhase(this.addTriangles(mesh, material, corners), from, middle);
+      const noLines = whyNoLines(mesh, material);
+      if (noLines) this.note(mesh, noLines);
+      else {
+        const adding = this.addSurface(mesh, material as HatchingMaterial, corners, firstTriangle);
+        yield* asPhase(adding, middle, (i + 1) / parts.length);
+      }
+    }
+  }
+
+  private noteCaster({ geometry, matrixWorld }: Mesh): void {
+    if (!geometry.boundingSphere) geometry.computeBoundingSphere();
+    const size = geometry.boundingSphere!.radius * matrixWorld.getMaxScaleOnAxis();
+    if (size > this.casterSize) this.casterSize = size;
+  }
+
+  /** Adds triangles to what hides and casts shadows. Returns the number of the first. */
+  private *addTriangles(mesh: Mesh, material: Material, corners: Uint32Array): Generator<number, number, void> {
+    const first = this.sides.length;
+    const { position } = mesh.geometry.attributes;
+    const isMirrored = mesh.matrixWorld.determinant() < 0;
+    const bits = sidesOf(material) | (mesh.castShadow ? castingOf(material) : 0);
+    for (let c = 0; c < corners.length; c += 3) {
+      if (c % (3 * CHUNK) === 0) yield c / corners.length;
+      const [i, j, k] = corners.subarray(c, c + 3);
+      for (const vertex of isMirrored ? [j, i, k] : [i, j, k])
+        this.corners.push(
+          ...placed(mesh.matrixWorld, position.getX(vertex), position.getY(vertex), position.getZ(vertex)),
+        );
+      this.sides.push(bits);
+    }
+    return first;
+  }
+
+  private *addSurface(
+    mesh: Mesh,
+    material: HatchingMaterial,
+    corners: Uint32Array,
+    firstTriangle: number,
+  ): Generator<number, void, void> {
+    const { camera, lights, fit } = this;
+    for (const what of drawnWithout(mesh, material)) this.note(mesh, what);
+    const frame = surfaceFrame(mesh, material, camera.matrixWorldInverse);
+    const engraved = engravedLookOf(material, isFormed(mesh.geometry));
+    const surface = yield* readSurface(mesh.geometry, { corners, firstTriangle }, frame, sidesOf(material));
+    this.surfaces.push({
+      surface,
+      engraved,
+      field: fieldOf(engraved, material, lights.lamps, frame),
+      look: surfaceLookOf(material, mesh.receiveShadow, fit),
+      ink: colorOf(material),
+    });
+  }
+
+  readOutlinesOf(object: Object3D): void {
+    if (!isOutlines(object)) return;
+    const { mesh, material } = object;
+    const firstTriangle = mesh ? this.firstTriangles.get(mesh) : undefined;
+    if (!mesh || firstTriangle === undefined) return;
+    const data = outlineDataOf(mesh.geometry);
+    if (!data) {
+      this.note(mesh, 'has no outlines: its geometry was prepared without them');
+      return;
+    }
+    if (material.suggestiveContours > 0) this.note(mesh, 'is drawn without suggestive contours');
+    if (material.tooth > 0) this.note(mesh, 'has outlines of ink: the tooth of the paper cannot leave as lines');
+    if (material.overshoot > 0) this.note(mesh, 'has outlines that do not overshoot');
+    this.outlines.push({
+      mesh: readOutlines(mesh, data, this.camera, firstTriangle),
+      look: outlineLookOf(material, Array.isArray(mesh.material)),
+      ink: colorOf(material),
+    });
+  }
+}
+
+const isOutlines = (object: Object3D): object is HatchingOutlines => 'isHatchingOutlines' in object;
+
+const colorOf = ({ ink }: HatchingMaterial | HatchingOutlineMaterial): string => `#${ink.getHexString()}`;
+
+/** A point of an object in the world. */
+function placed({ elements: e }: Matrix4, x: number, y: number, z: number): Vec3 {
+  return [
+    e[0] * x + e[4] * y + e[8] * z + e[12],
+    e[1] * x + e[5] * y + e[9] * z + e[13],
+    e[2] * x + e[6] * y + e[10] * z + e[14],
+  ];
+}
+
+/** The sides of triangles that a material draws. */
+function sidesOf({ side }: Material): number {
+  if (side === DoubleSide) return SEEN_FRONT | SEEN_BACK;
+  return side === BackSide ? SEEN_BACK : SEEN_FRONT;
+}
+
+/** The sides that cast shadows, by three's rule: of one-sided surfaces the side that is not drawn. */
+function castingOf({ side, shadowSide }: Material): number {
+  const casts = shadowSide ?? (side === DoubleSide ? DoubleSide : side === BackSide ? 0 : BackSide);
+  if (casts === DoubleSide) return CASTS_FRONT | CASTS_BACK;
+  return casts === BackSide ? CASTS_BACK : CASTS_FRONT;
+}
+
+/** A part of a mesh that one material draws: its corners from `start` up to `end`. */
+interface MeshPart {
+  material: Material;
+  start: number;
+  end: number;
+}
+
+function partsOf({ geometry, material }: Mesh): MeshPart[] {
+  const { index, attributes, drawRange, groups } = geometry;
+  const count = (index ?? attributes.position)?.count ?? 0;
+  const [first, last] = [drawRange.start, Math.min(count, drawRange.start + drawRange.count)];
+  const parts = Array.isArray(material)
+    ? groups.map(({ start, count: size, materialIndex = 0 }) => ({
+        material: material[materialIndex],
+        start: Math.max(first, start),
+        end: Math.min(last, start + size),
+      }))
+    : [{ material, start: first, end: last }];
+  return parts.filter((part) => part.material?.visible && part.end - part.start >= 3);
+}
+
+function cornersOf({ geometry: { index } }: Mesh, start: number, end: number): Uint32Array {
+  const count = 3 * Math.floor((end - start) / 3);
+  return Uint32Array.from({ length: count }, (_, c) => (index ? index.getX(start + c) : start + c));
+}

@@ -1,0 +1,163 @@
+import type { Vec3 } from '../engraving/vectors.js';
+import { type BvhNodes, buildBvh } from './buildBvh.js';
+
+/** Which sides of a triangle are seen, and which cast shadows: bits. The front is that around which its corners run counter-clockwise. */
+export const SEEN_FRONT = 1;
+export const SEEN_BACK = 2;
+export const CASTS_FRONT = 4;
+export const CASTS_BACK = 8;
+
+/** Deep enough for any number of triangles that fit into memory. */
+const STACK = 256;
+const NO_TRIANGLE = -1;
+
+/** The triangles of a scene, and what rays meet of them. */
+export class Bvh {
+  /** Nine numbers per triangle, in the order of the leaves. */
+  private readonly sorted: Float64Array;
+  private readonly sortedSides: Uint8Array;
+  private readonly stack = new Int32Array(STACK);
+  /** The ray at hand. */
+  private origin: Vec3 = [0, 0, 0];
+  private direction: Vec3 = [0, 0, 1];
+  private inverse: Vec3 = [0, 0, 1];
+  /** The bits of the sides that count, where the ray meets a front, and where it meets a back. */
+  private ofFront = 0;
+  private ofBack = 0;
+  /** Rays that were asked about. */
+  rays = 0;
+
+  private constructor(
+    private readonly nodes: BvhNodes,
+    corners: Float64Array,
+    sides: Uint8Array,
+  ) {
+    this.sorted = new Float64Array(corners.length);
+    this.sortedSides = new Uint8Array(sides.length);
+    for (const [i, triangle] of nodes.order.entries()) {
+      this.sorted.set(corners.subarray(9 * triangle, 9 * triangle + 9), 9 * i);
+      this.sortedSides[i] = sides[triangle];
+    }
+  }
+
+  /**
+   * Builds the hierarchy over triangles.
+   *
+   * @param corners nine numbers per triangle, world space
+   * @param sides bits per triangle
+   */
+  static *build(corners: Float64Array, sides: Uint8Array): Generator<number, Bvh, void> {
+    return new Bvh(yield* buildBvh(corners), corners, sides);
+  }
+
+  /**
+   * Whether anything that is seen lies between origin + start · way and origin + end · way, for an eye at the far end.
+   *
+   * @param except a triangle that does not count
+   */
+  isHidden(origin: Vec3, way: Vec3, start: number, end: number, except = NO_TRIANGLE): boolean {
+    // The far end sees the front of what the ray meets from behind.
+    this.setRay(origin, way, SEEN_BACK, SEEN_FRONT);
+    return this.meet(start, end, except, true) < Infinity;
+  }
+
+  /** The same of what casts shadows, for a light at the far end. */
+  isShaded(origin: Vec3, way: Vec3, start: number, end: number): boolean {
+    this.setRay(origin, way, CASTS_BACK, CASTS_FRONT);
+    return this.meet(start, end, NO_TRIANGLE, true) < Infinity;
+  }
+
+  /** How far along its way a ray from an eye at the origin meets the first that is seen, from `start` on; endless if it meets nothing. */
+  firstMet(origin: Vec3, way: Vec3, start: number): number {
+    this.setRay(origin, way, SEEN_FRONT, SEEN_BACK);
+    return this.meet(start, Infinity, NO_TRIANGLE, false);
+  }
+
+  private setRay(origin: Vec3, way: Vec3, ofFront: number, ofBack: number): void {
+    this.rays++;
+    this.origin = origin;
+    this.direction = way;
+    this.inverse = [1 / way[0], 1 / way[1], 1 / way[2]];
+    this.ofFront = ofFront;
+    this.ofBack = ofBack;
+  }
+
+  /** The nearest place within (start, end), or any if that is enough. */
+  private meet(start: number, end: number, except: number, isAnyEnough: boolean): number {
+    const { stack, sorted } = this;
+    const { child, leafCount, order } = this.nodes;
+    let best = Infinity;
+    let far = end;
+    let top = 0;
+    if (sorted.length > 0) stack[top++] = 0;
+    while (top > 0) {
+      const node = stack[--top];
+      if (!this.entersBox(6 * node, start, far)) continue;
+      const first = child[node];
+      const count = leafCount[node];
+      if (count === 0) {
+        stack[top++] = first;
+        stack[top++] = first + 1;
+      }
+      for (let i = first; i < first + count; i++) {
+        const t = this.meetsTriangle(i);
+        if (!(t > start && t < far) || order[i] === except) continue;
+        if (isAnyEnough) return t;
+        best = far = t;
+      }
+    }
+    return best;
+  }
+
+  private entersBox(box: number, start: number, end: number): boolean {
+    const { bounds } = this.nodes;
+    const { origin, inverse } = this;
+    let near = start;
+    let far = end;
+    for (let a = 0; a < 3; a++) {
+      const t0 = (bounds[box + a] - origin[a]) * inverse[a];
+      const t1 = (bounds[box + 3 + a] - origin[a]) * inverse[a];
+      // 0 · ∞ is no number, and keeps the other bound.
+      if (t0 < t1) {
+        if (t0 > near) near = t0;
+        if (t1 < far) far = t1;
+      } else {
+        if (t1 > near) near = t1;
+        if (t0 < far) far = t0;
+      }
+    }
+    // A box without thickness must not be lost by a rounding.
+    return near <= far + 1e-12 * Math.abs(far);
+  }
+
+  /** Where along the ray a triangle lies, if the side counts that it shows (Möller and Trumbore, 1997); otherwise no number. */
+  private meetsTriangle(i: number): number {
+    const c = this.sorted;
+    const o = 9 * i;
+    const [dx, dy, dz] = this.direction;
+    const e1x = c[o + 3] - c[o];
+    const e1y = c[o + 4] - c[o + 1];
+    const e1z = c[o + 5] - c[o + 2];
+    const e2x = c[o + 6] - c[o];
+    const e2y = c[o + 7] - c[o + 1];
+    const e2z = c[o + 8] - c[o + 2];
+    const px = dy * e2z - dz * e2y;
+    const py = dz * e2x - dx * e2z;
+    const pz = dx * e2y - dy * e2x;
+    // Minus n·d: above 0 where the ray meets the front.
+    const determinant = e1x * px + e1y * py + e1z * pz;
+    const counted = determinant > 0 ? this.ofFront : this.ofBack;
+    if (determinant === 0 || (this.sortedSides[i] & counted) === 0) return Number.NaN;
+    const sx = this.origin[0] - c[o];
+    const sy = this.origin[1] - c[o + 1];
+    const sz = this.origin[2] - c[o + 2];
+    const u = (sx * px + sy * py + sz * pz) / determinant;
+    if (!(u >= 0 && u <= 1)) return Number.NaN;
+    const qx = sy * e1z - sz * e1y;
+    const qy = sz * e1x - sx * e1z;
+    const qz = sx * e1y - sy * e1x;
+    const v = (dx * qx + dy * qy + dz * qz) / determinant;
+    if (!(v >= 0 && u + v <= 1)) return Number.NaN;
+    return (e2x * qx + e2y * qy + e2z * qz) / determinant;
+  }
+}

@@ -1,0 +1,65 @@
+import type { LiftedPiece } from '../engraving/outlines.js';
+
+/** A line on a surface, point by point. A closed one ends with its first point. */
+export interface Chain {
+  count: number;
+  /** Pixels of the picture: two numbers per point. */
+  screen: Float64Array;
+  /** World space: three numbers per point. */
+  world: Float64Array;
+  /** Half the width at each point, pixels. */
+  halves: Float64Array;
+  /** Above 0 where there is a line at all, linear between points. */
+  margins: Float64Array;
+  /** The triangle of the scene that the piece after each point lies on; −1 for edges. */
+  triangles: Int32Array;
+  isClosed: boolean;
+  /** Of outlines: what is known of the piece at each point, and half the width before a surface in place of the paper. */
+  outline: { pieces: readonly LiftedPiece[]; innerHalves: Float64Array; radius: number } | null;
+}
+
+/** Collects the points of a chain. */
+export class ChainBuilder {
+  private readonly screen: number[] = [];
+  private readonly world: number[] = [];
+  private readonly halves: number[] = [];
+  private readonly margins: number[] = [];
+  private readonly triangles: number[] = [];
+
+  get count(): number {
+    return this.halves.length;
+  }
+
+  get hasLine(): boolean {
+    return this.margins.some((margin) => margin > 0);
+  }
+
+  push(screen: readonly number[], world: readonly number[], half: number, margin: number, triangle: number): void {
+    this.screen.push(screen[0], screen[1]);
+    this.world.push(world[0], world[1], world[2]);
+    this.halves.push(half);
+    this.margins.push(margin);
+    this.triangles.push(triangle);
+  }
+
+  /** Makes the last point what two triangles give in the mean, and the line go on over the second. */
+  share(half: number, margin: number, triangle: number): void {
+    const last = this.count - 1;
+    this.halves[last] = 0.5 * (this.halves[last] + half);
+    this.margins[last] = 0.5 * (this.margins[last] + margin);
+    this.triangles[last] = triangle;
+  }
+
+  finish(isClosed: boolean): Chain {
+    return {
+      count: this.count,
+      screen: Float64Array.from(this.screen),
+      world: Float64Array.from(this.world),
+      halves: Float64Array.from(this.halves),
+      margins: Float64Array.from(this.margins),
+      triangles: Int32Array.from(this.triangles),
+      isClosed,
+      outline: null,
+    };
+  }
+}

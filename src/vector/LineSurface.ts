@@ -1,0 +1,82 @@
+import type { FormAt } from '../engraving/readForm.js';
+import type { Mat3 } from '../engraving/screenGradient.js';
+import { combined, cross, normalize, type Vec3 } from '../engraving/vectors.js';
+
+/** Where the numbers of a vertex lie among its `STRIDE` ones. */
+export const WORLD = 0;
+export const VIEW = 3;
+export const FIELD = 6;
+/** At the scale of a stroke, field space. */
+export const FIELD_NORMAL = 9;
+/** World space. */
+export const TONE_NORMAL = 12;
+export const OCCLUSION = 15;
+/** The two functions of the form: gradient per tile and rest, as `formVarying` has them. */
+export const FORM = 16;
+export const STRIDE = 24;
+
+/** A surface whose lines are drawn: triangles of vertices of which all numbers are linear over a triangle. */
+export interface LineSurface {
+  /** `STRIDE` numbers per vertex. Vertices at one place have the same WORLD, VIEW and FIELD, bit by bit. */
+  vertices: number[];
+  /** The place of each vertex. */
+  placeOf: number[];
+  /** The vertex of each corner; the front is counter-clockwise as seen. */
+  triangles: number[];
+  /** The triangle of the scene that each triangle is a part of. */
+  parents: number[];
+  /** Which sides are drawn. */
+  drawsFront: boolean;
+  drawsBack: boolean;
+  /** Takes normals of the field to the view, as a factor on the right. */
+  viewToField: Mat3;
+}
+
+/** A place on a surface. Normals are unit. */
+export interface SurfacePlace {
+  world: Vec3;
+  view: Vec3;
+  field: Vec3;
+  fieldNormal: Vec3;
+  toneNormal: Vec3;
+  /** Of the flat triangle, field space, of any length. */
+  flatNormal: Vec3;
+  occlusion: number;
+  form: FormAt;
+  formCrossing: FormAt;
+}
+
+/** The numbers at a share of the way from one vertex to another. */
+export function between(vertices: readonly number[], a: number, b: number, share: number): Float64Array {
+  const [i, j] = [STRIDE * a, STRIDE * b];
+  const numbers = new Float64Array(STRIDE);
+  for (let k = 0; k < STRIDE; k++) numbers[k] = vertices[i + k] + share * (vertices[j + k] - vertices[i + k]);
+  return numbers;
+}
+
+/** @param side 1, or −1 where the back is seen, whose tone normal looks the other way */
+export function placeFrom(n: ArrayLike<number>, flatNormal: Vec3, side: number): SurfacePlace {
+  const at = (offset: number): Vec3 => [n[offset], n[offset + 1], n[offset + 2]];
+  const toneNormal = normalize(at(TONE_NORMAL));
+  return {
+    world: at(WORLD),
+    view: at(VIEW),
+    field: at(FIELD),
+    fieldNormal: normalize(at(FIELD_NORMAL)),
+    toneNormal: side < 0 ? [-toneNormal[0], -toneNormal[1], -toneNormal[2]] : toneNormal,
+    flatNormal,
+    occlusion: n[OCCLUSION],
+    form: { gradient: at(FORM), rest: n[FORM + 3] },
+    formCrossing: { gradient: at(FORM + 4), rest: n[FORM + 7] },
+  };
+}
+
+/** The normal of a flat triangle, field space. */
+export function flatNormalOf({ vertices, triangles }: LineSurface, triangle: number): Vec3 {
+  const at = (k: number): Vec3 => {
+    const o = STRIDE * triangles[3 * triangle + k] + FIELD;
+    return [vertices[o], vertices[o + 1], vertices[o + 2]];
+  };
+  const [a, b, c] = [at(0), at(1), at(2)];
+  return cross(combined(1, b, -1, a), combined(1, c, -1, a));
+}

@@ -1,0 +1,79 @@
+import type { Vec3 } from '../engraving/vectors.js';
+import type { Matrix } from './Projection.js';
+
+/** What outlines are found on. */
+export interface OutlineMesh {
+  /** Points, each a fan of corners with one normal: three numbers of the position and of the unit normal, object space. */
+  positions: ArrayLike<number>;
+  normals: ArrayLike<number>;
+  /** Six numbers per point, xx xy xz yy yz zz: the curvature tensor times the bounding radius. */
+  curvatures: ArrayLike<number>;
+  /** The place of each point. */
+  placeOf: ArrayLike<number>;
+  /** The points of each triangle, and the triangle of the scene that the first of them is. */
+  triangles: ArrayLike<number>;
+  firstTriangle: number;
+  edges: readonly FeatureEdge[];
+  /** Of the bounding sphere, object units. */
+  radius: number;
+  toWorld: Matrix;
+  /** Rows of the matrix that takes normals to the world. */
+  normalToWorld: readonly [Vec3, Vec3, Vec3];
+  /** World units per object unit, the mean over directions. */
+  scale: number;
+  /** Where the eye is, and 1; or the direction to it, and 0. Object space. */
+  eye: readonly [x: number, y: number, z: number, w: number];
+}
+
+/** An edge with the points at its ends, as the triangles on its two sides have them. */
+export interface FeatureEdge {
+  leftStart: number;
+  leftEnd: number;
+  rightStart: number;
+  rightEnd: number;
+  isBorder: boolean;
+  isCrease: boolean;
+  isMaterialBorder: boolean;
+  /** The windings of the two sides contradict each other. */
+  isContrary: boolean;
+}
+
+/** How outlines look. */
+export interface OutlineLook {
+  /** Pixels. */
+  width: number;
+  contours: number;
+  innerContours: number;
+  borders: number;
+  creases: number;
+  materialBorders: number;
+  taper: number;
+  shadeWeights: readonly [number, number];
+  lostEdges: number;
+  /** Pixels. */
+  wobble: number;
+}
+
+/** An end of a piece of outline. */
+export interface PieceEnd {
+  /** Object space; the normal is of any length. */
+  position: Vec3;
+  normal: Vec3;
+  bend: number;
+  /** Weights before the paper, and before a surface. */
+  weight: number;
+  innerWeight: number;
+  /** Names the place: two ends that have it in common lie there. */
+  key: string;
+}
+
+export interface OutlinePiece {
+  start: PieceEnd;
+  end: PieceEnd;
+  /** On a surface, not an edge. */
+  isSmooth: boolean;
+  /** The share of the piece that is a contour or a border. */
+  contour: number;
+  /** How deep the surface beside the piece is along the line of sight, object units. */
+  extent: number;
+}

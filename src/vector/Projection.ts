@@ -1,0 +1,99 @@
+import type { Vec3 } from '../engraving/vectors.js';
+
+/** A matrix of 16 numbers, column by column. */
+export type Matrix = ArrayLike<number>;
+
+/** A point moved by a matrix. */
+export const transformed = (m: Matrix, x: number, y: number, z: number): Vec3 => [
+  m[0] * x + m[4] * y + m[8] * z + m[12],
+  m[1] * x + m[5] * y + m[9] * z + m[13],
+  m[2] * x + m[6] * y + m[10] * z + m[14],
+];
+
+/** The matrices of a camera. */
+export interface CameraMatrices {
+  /** From world to view, and back. */
+  view: Matrix;
+  world: Matrix;
+  projection: Matrix;
+  /** The distance of the near plane, world units. */
+  near: number;
+}
+
+/** What a camera makes of places in the world: pixels of the picture, from its upper left corner down. */
+export class Projection {
+  readonly isOrthographic: boolean;
+  /** Where the camera is, and the direction towards it along its axis; world space. */
+  readonly eye: Vec3;
+  readonly backwards: Vec3;
+
+  /** @param width and `height` of the picture, pixels */
+  constructor(
+    readonly camera: CameraMatrices,
+    readonly width: number,
+    readonly height: number,
+  ) {
+    const { world, projection } = camera;
+    this.isOrthographic = projection[15] === 1;
+    this.eye = [world[12], world[13], world[14]];
+    const length = Math.hypot(world[8], world[9], world[10]) || 1;
+    this.backwards = [world[8] / length, world[9] / length, world[10] / length];
+  }
+
+  toView([x, y, z]: Vec3): Vec3 {
+    return transformed(this.camera.view, x, y, z);
+  }
+
+  /** Where a place in view space lies on the picture. */
+  project(x: number, y: number, z: number): readonly [number, number] {
+    const p = this.camera.projection;
+    const w = p[11] * z + p[15];
+    return [
+      (0.5 + (0.5 * (p[0] * x + p[4] * y + p[8] * z + p[12])) / w) * this.width,
+      (0.5 - (0.5 * (p[1] * x + p[5] * y + p[9] * z + p[13])) / w) * this.height,
+    ];
+  }
+
+  /** How far before the camera a place in the world lies, along its axis. */
+  depthOf(x: number, y: number, z: number): number {
+    const v = this.camera.view;
+    return -(v[2] * x + v[6] * y + v[10] * z + v[14]);
+  }
+
+  /** View units to a pixel at a depth. */
+  unitsPerPixel(depth: number): number {
+    return (2 * (this.isOrthographic ? 1 : depth)) / (this.camera.projection[5] * this.height);
+  }
+
+  /** The way from a place in the world to the near plane: its whole length is 1, that to the eye or to the plane of the camera. */
+  wayToEye(x: number, y: number, z: number): { way: Vec3; end: number } {
+    const depth = this.depthOf(x, y, z);
+    const end = 1 - this.camera.near / depth;
+    if (!this.isOrthographic) return { way: [this.eye[0] - x, this.eye[1] - y, this.eye[2] - z], end };
+    const [bx, by, bz] = this.backwards;
+    return { way: [bx * depth, by * depth, bz * depth], end };
+  }
+
+  /** The ray through a pixel: the depth rises by 1 along its direction. */
+  rayThrough(px: number, py: number): { origin: Vec3; direction: Vec3 } {
+    const { projection: p, world } = this.camera;
+    const nx = (2 * px) / this.width - 1;
+    const ny = 1 - (2 * py) / this.height;
+    const viewAt = (z: number): Vec3 => {
+      const w = p[11] * z + p[15];
+      return [(nx * w - p[8] * z - p[12]) / p[0], (ny * w - p[9] * z - p[13]) / p[5], z];
+    };
+    const origin = transformed(world, ...viewAt(0));
+    const ahead = transformed(world, ...viewAt(-1));
+    return { origin, direction: [ahead[0] - origin[0], ahead[1] - origin[1], ahead[2] - origin[2]] };
+  }
+
+  /** The share of a piece in space at a share of it on the picture, from the depths of its ends. */
+  shareInSpace(share: number, startDepth: number, endDepth: number): number {
+    return this.isOrthographic ? share : (share * startDepth) / (endDepth + share * (startDepth - endDepth));
+  }
+
+  contains(px: number, py: number): boolean {
+    return px >= 0 && py >= 0 && px <= this.width && py <= this.height;
+  }
+}

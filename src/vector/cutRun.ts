@@ -1,0 +1,45 @@
+import type { Chain } from './Chain.js';
+import { type LinePath, PATH_STRIDE } from './LinePath.js';
+import type { Projection } from './Projection.js';
+import { placeOn, type Run } from './visibleRuns.js';
+
+/** Points nearer to each other than this are one. Pixels. */
+const SAME = 1e-4;
+
+/** A run as a path, with the depth of each of its points. */
+export interface CutRun {
+  path: LinePath;
+  depths: number[];
+}
+
+/** Cuts a run out of a chain. A run of a closed chain may go on beyond its last point. */
+export function cutRun(chain: Chain, [from, to]: Run, projection: Projection): CutRun {
+  const { halves, count, isClosed } = chain;
+  const points: number[] = [];
+  const depths: number[] = [];
+  const add = (place: number) => {
+    // The last point of a closed chain is its first.
+    const within = place > count - 1 ? place - (count - 1) : place;
+    const piece = Math.min(Math.floor(within), count - 2);
+    const share = within - piece;
+    const at = placeOn(chain, piece, share, projection);
+    const half = halves[piece] + share * (halves[piece + 1] - halves[piece]);
+    const last = points.length - PATH_STRIDE;
+    if (last >= 0 && Math.hypot(at.x - points[last], at.y - points[last + 1]) < SAME) {
+      // A step of the width stays as the wider.
+      points[last + 2] = points[last + 3] = Math.max(points[last + 2], half);
+      return;
+    }
+    points.push(at.x, at.y, half, half);
+    depths.push(projection.depthOf(...at.world));
+  };
+  add(from);
+  for (let place = Math.floor(from) + 1; place < to; place++) add(place);
+  add(to);
+  const isWhole = isClosed && from === 0 && to === count - 1;
+  if (isWhole && points.length > 2 * PATH_STRIDE) {
+    points.length -= PATH_STRIDE;
+    depths.length--;
+  }
+  return { path: { points, isClosed: isWhole }, depths };
+}

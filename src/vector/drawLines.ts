@@ -1,0 +1,48 @@
+import { asPhase } from '../slices/asPhase.js';
+import { Bvh } from './Bvh.js';
+import type { DrawingPlan, DrawnScene } from './DrawnScene.js';
+import { finishPaths, type PathCounts } from './finishPaths.js';
+import { LAYERS, LineDrawer } from './LineDrawer.js';
+import { Projection } from './Projection.js';
+import type { Placement } from './pathData.js';
+import { type SVGLayer, writeSVG } from './writeSVG.js';
+
+/** A drawing, and what is counted in it. */
+export interface LineDrawing extends PathCounts {
+  svg: string;
+  /** Pieces of lines that were traced, before any was hidden or left out. */
+  segments: number;
+}
+
+const MILLIMETRES_PER_INCH = 25.4;
+
+/** Draws a scene as lines. Yields its progress from 0 to 1. */
+export function* drawLines(scene: DrawnScene, plan: DrawingPlan): Generator<number, LineDrawing, void> {
+  const { projection, placement } = placePicture(scene, plan);
+  const bvh = yield* asPhase(Bvh.build(scene.corners, scene.sides), 0, 0.08);
+  const pen = plan.pen === null ? null : plan.pen / placement.scale;
+  const drawer = new LineDrawer(scene, pen, projection, bvh);
+  yield* asPhase(drawer.drawOutlines(), 0.08, 0.2);
+  yield* asPhase(drawer.drawSurfaces(), 0.2, 0.9);
+  const layers = LAYERS.flatMap((name) => drawer.layers.filter((layer) => layer.name === name));
+  const { written, counts } = yield* asPhase(finishPaths(layers, plan, projection, placement), 0.9, 1);
+  const named = layers.map(({ name, ink }, i): SVGLayer => {
+    const isAlone = layers.filter((layer) => layer.name === name).length === 1;
+    return { name: isAlone ? name : `${name} ${ink}`, ink, paths: written[i] };
+  });
+  return { svg: writeSVG(plan, named), segments: drawer.segments, ...counts };
+}
+
+/** The picture of the camera as large as it fits on the sheet within the margin, in the middle. */
+function placePicture({ camera }: DrawnScene, plan: DrawingPlan): { projection: Projection; placement: Placement } {
+  // The middle of a stroke keeps so far from the edge that all of it lies on the sheet.
+  const margin = Math.max(plan.margin, (plan.pen ?? 0) / 2);
+  const aspect = camera.projection[5] / camera.projection[0];
+  const height = Math.min(plan.height - 2 * margin, (plan.width - 2 * margin) / aspect);
+  const width = height * aspect;
+  const scale = MILLIMETRES_PER_INCH / plan.dpi;
+  return {
+    projection: new Projection(camera, width / scale, height / scale),
+    placement: { scale, left: (plan.width - width) / 2, top: (plan.height - height) / 2 },
+  };
+}

@@ -1,0 +1,97 @@
+import { asPhase } from '../slices/asPhase.js';
+import { clipRing } from './clipRing.js';
+import type { DrawingPlan } from './DrawnScene.js';
+import { type LinePath, PATH_STRIDE, pathLength } from './LinePath.js';
+import { asDrawn, type OrderedPath, orderPaths, type PathEnds, travelOf } from './orderPaths.js';
+import type { Projection } from './Projection.js';
+import { type Placement, pathData } from './pathData.js';
+import { simplify } from './simplify.js';
+import { strokeOutline } from './strokeOutline.js';
+
+/** What is counted of the paths of a drawing. Lengths in millimetres. */
+export interface PathCounts {
+  paths: number;
+  points: number;
+  travelBefore: number;
+  travelAfter: number;
+  drawn: number;
+}
+
+/** Paths are as exact as that, millimetres. */
+const TOLERANCE = 0.02;
+/** Filled paths that are shorter are left out, millimetres; of a pen, those shorter than two of its widths. */
+const SHORTEST = 0.1;
+const SHORTEST_IN_PENS = 2;
+
+/** Simplifies, orders and writes the paths of layers: path data for each. Yields its progress. */
+export function* finishPaths(
+  layers: readonly { paths: readonly LinePath[] }[],
+  plan: DrawingPlan,
+  projection: Projection,
+  placement: Placement,
+): Generator<number, { written: string[][]; counts: PathCounts }, void> {
+  const counts: PathCounts = { paths: 0, points: 0, travelBefore: 0, travelAfter: 0, drawn: 0 };
+  const written: string[][] = [];
+  const { scale } = placement;
+  const shortest = plan.pen === null ? SHORTEST : SHORTEST_IN_PENS * plan.pen;
+  for (const [i, layer] of layers.entries()) {
+    const kept: LinePath[] = [];
+    for (const path of layer.paths) {
+      if (kept.length % 64 === 63) yield i / layers.length;
+      if (pathLength(path) * scale < shortest || !hasInk(path)) continue;
+      kept.push(simplify(path, TOLERANCE / scale));
+    }
+    const ends = kept.map((path) => endsOf(path, placement));
+    const order =
+      plan.order === 'drawn'
+        ? asDrawn(ends)
+        : yield* asPhase(orderPaths(ends), i / layers.length, (i + 1) / layers.length);
+    counts.travelBefore += travelOf(ends, asDrawn(ends));
+    counts.travelAfter += travelOf(ends, order);
+    const data: string[] = [];
+    for (const [k, step] of order.entries()) {
+      if (k % 32 === 31) yield (i + 1) / layers.length;
+      const path = turned(kept[step.path], step);
+      const text = dataOf(path, plan, projection, placement);
+      if (text === '') continue;
+      data.push(text);
+      counts.paths++;
+      counts.points += path.points.length / PATH_STRIDE;
+      counts.drawn += pathLength(path) * scale;
+    }
+    written.push(data);
+  }
+  return { written, counts };
+}
+
+const hasInk = ({ points }: LinePath): boolean => points.some((value, i) => i % PATH_STRIDE > 1 && value > 0);
+
+function endsOf({ points, isClosed }: LinePath, { scale, left, top }: Placement): PathEnds {
+  const at = (o: number) => [left + scale * points[o], top + scale * points[o + 1]] as const;
+  return { start: at(0), end: at(isClosed ? 0 : points.length - PATH_STRIDE) };
+}
+
+/** A path as it is drawn in an order. */
+function turned(path: LinePath, { isReversed }: OrderedPath): LinePath {
+  if (!isReversed) return path;
+  const points: number[] = [];
+  for (let o = path.points.length - PATH_STRIDE; o >= 0; o -= PATH_STRIDE) {
+    const [x, y, left, right] = path.points.slice(o, o + PATH_STRIDE);
+    points.push(x, y, right, left);
+  }
+  return { points, isClosed: path.isClosed };
+}
+
+/** What of a path goes into the file. */
+function dataOf(path: LinePath, { pen }: DrawingPlan, { width, height }: Projection, placement: Placement): string {
+  if (pen !== null) return pathData(placesOf(path), path.isClosed, placement);
+  return strokeOutline(path)
+    .map((ring) => pathData(clipRing(ring, width, height), true, placement))
+    .join('');
+}
+
+function placesOf({ points }: LinePath): number[] {
+  const places: number[] = [];
+  for (let o = 0; o < points.length; o += PATH_STRIDE) places.push(points[o], points[o + 1]);
+  return places;
+}

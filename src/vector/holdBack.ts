@@ -1,0 +1,46 @@
+import type { Bvh } from './Bvh.js';
+import type { CutRun } from './cutRun.js';
+import { PATH_STRIDE } from './LinePath.js';
+import type { Projection } from './Projection.js';
+
+/** Lines thinner than this do not reach beyond their surface by what could be seen. Pixels. */
+const THIN = 0.25;
+/** What lies beside a line belongs to its surface if it is no deeper or nearer than so many half widths. */
+const SAME_SURFACE = 15;
+const HALVINGS = 6;
+
+/**
+ * Holds both sides of a line back to where the surface that it lies on is still seen, so that no ink reaches beyond an outline. Changes the
+ * widths of the path.
+ */
+export function holdBack({ path, depths }: CutRun, bvh: Bvh, projection: Projection): void {
+  const points = path.points as number[];
+  const count = depths.length;
+  for (let i = 0; i < count; i++) {
+    const [before, after] = [PATH_STRIDE * Math.max(i - 1, 0), PATH_STRIDE * Math.min(i + 1, count - 1)];
+    const [dx, dy] = [points[after] - points[before], points[after + 1] - points[before + 1]];
+    const length = Math.hypot(dx, dy);
+    if (length === 0) continue;
+    const o = PATH_STRIDE * i;
+    for (const side of [0, 1]) {
+      const half = points[o + 2 + side];
+      if (half < THIN) continue;
+      const sign = side === 0 ? 1 : -1;
+      const room = SAME_SURFACE * half * projection.unitsPerPixel(depths[i]);
+      const fits = (reach: number): boolean => {
+        const x = points[o] + (sign * reach * dy) / length;
+        const y = points[o + 1] - (sign * reach * dx) / length;
+        const { origin, direction } = projection.rayThrough(x, y);
+        return Math.abs(bvh.firstMet(origin, direction, projection.camera.near) - depths[i]) < room;
+      };
+      if (fits(half)) continue;
+      let [low, high] = [0, half];
+      for (let k = 0; k < HALVINGS; k++) {
+        const middle = 0.5 * (low + high);
+        if (fits(middle)) low = middle;
+        else high = middle;
+      }
+      points[o + 2 + side] = low;
+    }
+  }
+}

@@ -1,0 +1,109 @@
+import type { LineSurface } from './LineSurface.js';
+
+/** Stands for a triangle without lines. */
+export const NO_RANK = 0x7fff;
+
+/** No triangle has more lines than this; where a function is so steep, its lines would be one grey. */
+const MOST_IN_TRIANGLE = 1 << 12;
+
+/** The level sets of a function on the triangles of a surface, as pieces between edges. */
+export interface LevelSegments {
+  /** The finest power of two that lines are multiples of, as an exponent. */
+  finest: number;
+  /** Nodes, where a line crosses an edge: the line as a multiple of that power, the places of the edge, and the share of the way. */
+  lines: number[];
+  from: number[];
+  to: number[];
+  shares: number[];
+  /** Segments: the nodes at both ends, and the triangle. */
+  starts: number[];
+  ends: number[];
+  triangles: number[];
+}
+
+/**
+ * Cuts triangles at all values that they need lines of.
+ *
+ * @param values of the function at the vertices
+ * @param ranks per triangle the exponent of the power of two whose multiples it needs, or NO_RANK
+ * @param hasSeams whether values may differ at one place, so that nodes of two sides are joined by where they lie
+ */
+export function* levelSegments(
+  { triangles, placeOf }: LineSurface,
+  values: Float64Array,
+  ranks: Int16Array,
+  hasSeams: boolean,
+): Generator<number, LevelSegments, void> {
+  const finest = ranks.reduce((least, rank) => Math.min(least, rank), NO_RANK);
+  const segments: LevelSegments = {
+    finest,
+    ...{ lines: [], from: [], to: [], shares: [], starts: [], ends: [], triangles: [] },
+  };
+  const nodes = new Map<number, Map<number, number>>();
+  const unit = 2 ** finest;
+  /** The node where a line crosses the edge of two vertices. */
+  const nodeAt = (u: number, v: number, line: number): number => {
+    const [a, b] = placeOf[u] < placeOf[v] ? [u, v] : [v, u];
+    const [i, j] = hasSeams ? [a, b] : [placeOf[a], placeOf[b]];
+    const key = i * 2 ** 26 + j;
+    const ofEdge = nodes.get(key) ?? new Map<number, number>();
+    if (ofEdge.size === 0) nodes.set(key, ofEdge);
+    let node = ofEdge.get(line);
+    if (node === undefined) {
+      node = segments.lines.length;
+      ofEdge.set(line, node);
+      segments.lines.push(line);
+      segments.from.push(placeOf[a]);
+      segments.to.push(placeOf[b]);
+      segments.shares.push((line * unit - values[a]) / (values[b] - values[a]));
+    }
+    return node;
+  };
+  for (let t = 0; t < ranks.length; t++) {
+    if (t % 2048 === 2047) yield t / ranks.length;
+    if (ranks[t] === NO_RANK) continue;
+    const [a, b, c] = [triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]];
+    const least = Math.min(values[a], values[b], values[c]) / unit;
+    const most = Math.max(values[a], values[b], values[c]) / unit;
+    const step = 2 ** (ranks[t] - finest);
+    if (!((most - least) / step < MOST_IN_TRIANGLE)) continue;
+    for (let line = Math.ceil(least / step) * step; line <= most; line += step) {
+      // A corner on the line counts as above it.
+      const [isA, isB, isC] = [values[a] >= line * unit, values[b] >= line * unit, values[c] >= line * unit];
+      if (isA === isB && isB === isC) continue;
+      const [alone, one, two] = isB === isC ? [a, b, c] : isA === isC ? [b, c, a] : [c, a, b];
+      segments.starts.push(nodeAt(alone, one, line));
+      segments.ends.push(nodeAt(alone, two, line));
+      segments.triangles.push(t);
+    }
+  }
+  if (hasSeams) joinAcrossSeams(segments);
+  return segments;
+}
+
+/** How far apart on an edge the two ends may lie that go on in each other, as a share of its length. */
+const SEAM_TOLERANCE = 1e-3;
+
+/** Joins nodes at which one segment ends with those at the same place on the other side of a seam, where the line has another number. */
+function joinAcrossSeams({ from, to, shares, starts, ends }: LevelSegments): void {
+  const uses = new Uint8Array(shares.length);
+  for (const node of [...starts, ...ends]) uses[node]++;
+  const open = new Map<number, number[]>();
+  for (let node = 0; node < shares.length; node++) {
+    if (uses[node] !== 1) continue;
+    const key = from[node] * 2 ** 26 + to[node];
+    const list = open.get(key);
+    if (list) list.push(node);
+    else open.set(key, [node]);
+  }
+  const joined = new Map<number, number>();
+  for (const nodes of open.values()) {
+    nodes.sort((a, b) => shares[a] - shares[b]);
+    for (let i = 0; i + 1 < nodes.length; i++) {
+      if (shares[nodes[i + 1]] - shares[nodes[i]] > SEAM_TOLERANCE) continue;
+      joined.set(nodes[i + 1], nodes[i]);
+      i++;
+    }
+  }
+  for (const list of [starts, ends]) for (const [i, node] of list.entries()) list[i] = joined.get(node) ?? node;
+}

@@ -1,0 +1,149 @@
+/** Where a path begins and ends; any unit of length. */
+export interface PathEnds {
+  start: readonly [number, number];
+  end: readonly [number, number];
+}
+
+/** A path in the order of drawing, perhaps from its end to its start. */
+export interface OrderedPath {
+  path: number;
+  isReversed: boolean;
+}
+
+/** Reversals of stretches of so many paths are tried, in so many passes. */
+const WINDOW = 1000;
+const PASSES = 3;
+/** A gain below this is a rounding. */
+const LEAST_GAIN = 1e-9;
+
+const distance = (a: readonly [number, number], b: readonly [number, number]): number =>
+  Math.hypot(a[0] - b[0], a[1] - b[1]);
+
+/** The way that the pen goes lifted, from the origin on. */
+export function travelOf(paths: readonly PathEnds[], order: readonly OrderedPath[]): number {
+  let [place, sum]: [readonly [number, number], number] = [[0, 0], 0];
+  for (const { path, isReversed } of order) {
+    const { start, end } = paths[path];
+    sum += distance(place, isReversed ? end : start);
+    place = isReversed ? start : end;
+  }
+  return sum;
+}
+
+/** The order as given. */
+export const asDrawn = (paths: readonly PathEnds[]): OrderedPath[] =>
+  paths.map((_, path) => ({ path, isReversed: false }));
+
+/**
+ * Orders paths for a short way of the lifted pen: the nearest end first, then stretches reversed where that is shorter (2-opt, Croes,
+ * 1958). Yields its progress.
+ */
+export function* orderPaths(paths: readonly PathEnds[]): Generator<number, OrderedPath[], void> {
+  const order = yield* nearestFirst(paths);
+  for (let pass = 0; pass < PASSES; pass++) {
+    const gained = yield* reverseStretches(paths, order);
+    if (gained < LEAST_GAIN) break;
+  }
+  return order;
+}
+
+/** Ends of paths in the cells of a grid. An end is twice the number of its path, plus one for the second. */
+class EndGrid {
+  private readonly cells: number[][];
+  private readonly size: number;
+  private readonly columns: number;
+  private readonly least: readonly [number, number];
+  private readonly used: Uint8Array;
+
+  constructor(private readonly paths: readonly PathEnds[]) {
+    const ends = paths.flatMap(({ start, end }) => [start, end]);
+    const lowest = (axis: 0 | 1) => ends.reduce((least, end) => Math.min(least, end[axis]), Infinity);
+    const highest = (axis: 0 | 1) => ends.reduce((most, end) => Math.max(most, end[axis]), -Infinity);
+    this.least = [lowest(0), lowest(1)];
+    const count = Math.max(1, Math.ceil(Math.sqrt(paths.length)));
+    this.size = Math.max(highest(0) - this.least[0], highest(1) - this.least[1], 1e-9) / count;
+    this.columns = count + 1;
+    this.cells = Array.from({ length: this.columns ** 2 }, () => []);
+    this.used = new Uint8Array(paths.length);
+    for (const [i, end] of ends.entries()) {
+      const [column, row] = this.cellOf(end);
+      this.cells[column + this.columns * row].push(i);
+    }
+  }
+
+  private cellOf(place: readonly [number, number]): readonly [number, number] {
+    const at = (axis: 0 | 1) =>
+      Math.min(this.columns - 1, Math.max(0, Math.floor((place[axis] - this.least[axis]) / this.size)));
+    return [at(0), at(1)];
+  }
+
+  /** Takes the path with the end nearest to a place; its number twice, plus one if that is its second end. */
+  take(place: readonly [number, number]): number {
+    const [column, row] = this.cellOf(place);
+    let [best, nearest] = [-1, Infinity];
+    for (let ring = 0; ring < this.columns; ring++) {
+      // What lies in rings farther out is at least so far away, for a place within its cell.
+      if (best >= 0 && (ring - 1) * this.size > nearest) break;
+      for (const cell of this.ringAround(column, row, ring)) {
+        const list = cell.filter((end) => !this.used[end >> 1]);
+        cell.length = 0;
+        cell.push(...list);
+        for (const end of list) {
+          const path = this.paths[end >> 1];
+          const away = distance(place, end & 1 ? path.end : path.start);
+          if (away < nearest || (away === nearest && end < best)) [best, nearest] = [end, away];
+        }
+      }
+    }
+    this.used[best >> 1] = 1;
+    return best;
+  }
+
+  private *ringAround(column: number, row: number, ring: number): Generator<number[], void, void> {
+    for (let y = row - ring; y <= row + ring; y++) {
+      if (y < 0 || y >= this.columns) continue;
+      const isWhole = y === row - ring || y === row + ring;
+      for (let x = column - ring; x <= column + ring; x += isWhole ? 1 : 2 * ring) {
+        if (x >= 0 && x < this.columns) yield this.cells[x + this.columns * y];
+      }
+    }
+  }
+}
+
+function* nearestFirst(paths: readonly PathEnds[]): Generator<number, OrderedPath[], void> {
+  const grid = new EndGrid(paths);
+  const order: OrderedPath[] = [];
+  let place: readonly [number, number] = [0, 0];
+  for (let i = 0; i < paths.length; i++) {
+    const end = grid.take(place);
+    const [path, isReversed] = [end >> 1, (end & 1) === 1];
+    order.push({ path, isReversed });
+    place = isReversed ? paths[path].start : paths[path].end;
+    if (i % 64 === 63) yield i / paths.length;
+  }
+  return order;
+}
+
+function* reverseStretches(paths: readonly PathEnds[], order: OrderedPath[]): Generator<number, number, void> {
+  const from = (i: number) => (order[i].isReversed ? paths[order[i].path].end : paths[order[i].path].start);
+  const to = (i: number) => (order[i].isReversed ? paths[order[i].path].start : paths[order[i].path].end);
+  let gained = 0;
+  for (let i = 0; i < order.length - 1; i++) {
+    if (i % 16 === 15) yield i / order.length;
+    const before = i === 0 ? ([0, 0] as const) : to(i - 1);
+    const step = distance(before, from(i));
+    if (step < LEAST_GAIN) continue;
+    let [most, last] = [LEAST_GAIN, -1];
+    for (let j = i + 1; j < Math.min(order.length, i + WINDOW); j++) {
+      const hasNext = j + 1 < order.length;
+      const old = step + (hasNext ? distance(to(j), from(j + 1)) : 0);
+      const now = distance(before, to(j)) + (hasNext ? distance(from(i), from(j + 1)) : 0);
+      if (old - now > most) [most, last] = [old - now, j];
+    }
+    if (last < 0) continue;
+    const stretch = order.slice(i, last + 1).reverse();
+    for (const [k, { path, isReversed }] of stretch.entries()) order[i + k] = { path, isReversed: !isReversed };
+    gained += most;
+  }
+  return gained;
+}

@@ -1,0 +1,217 @@
+import { type LiftedPiece, shadeWeight, wobbleAt } from '../engraving/outlines.js';
+import { combined, dot, normalize, type Vec3 } from '../engraving/vectors.js';
+import { type Chain, ChainBuilder } from './Chain.js';
+import type { OutlineLook, OutlineMesh, OutlinePiece, PieceEnd } from './OutlineMesh.js';
+import { type Projection, transformed } from './Projection.js';
+
+/** The direction that the light comes from at a place in the world: the mean of all lights by luminance, of any length. */
+export type MeanLight = (place: Vec3) => Vec3;
+
+/** Outlines bend by less than this at a joint, or a new one begins. Radians, in space: on the picture two edges may happen to lie in line. */
+const SHARPEST = (40 * Math.PI) / 180;
+/** Points of outlines lie no farther apart than this, so that their weight can change along the way. Pixels. */
+const LONGEST_PIECE = 6;
+
+/** Weighs pieces by the light, and joins them to chains. Yields its progress. */
+export function* outlineChains(
+  pieces: readonly OutlinePiece[],
+  mesh: OutlineMesh,
+  look: OutlineLook,
+  projection: Projection,
+  meanLight: MeanLight,
+): Generator<number, Chain[], void> {
+  for (const [i, piece] of pieces.entries()) {
+    if (i % 1024 === 1023) yield (0.5 * i) / pieces.length;
+    shade(piece, mesh, look, projection, meanLight);
+  }
+  const chains: Chain[] = [];
+  const walks = new Joints(pieces).walks();
+  for (const [i, { steps, isClosed }] of walks.entries()) {
+    yield 0.5 + (0.5 * i) / walks.length;
+    const drawing = new OutlineDrawing(mesh, look, projection);
+    for (const { piece, isReversed } of steps) {
+      const { start, end } = pieces[piece];
+      drawing.add(pieces[piece], isReversed ? end : start, isReversed ? start : end);
+    }
+    chains.push(drawing.finish(isClosed));
+  }
+  return chains;
+}
+
+function shade(
+  { start, end, contour }: OutlinePiece,
+  { toWorld, normalToWorld }: OutlineMesh,
+  { shadeWeights, lostEdges }: OutlineLook,
+  { eye, backwards, isOrthographic }: Projection,
+  meanLight: MeanLight,
+): void {
+  const middle = transformed(toWorld, ...combined(0.5, start.position, 0.5, end.position));
+  const light = meanLight(middle);
+  const sight = isOrthographic ? backwards : normalize(combined(1, eye, -1, middle));
+  for (const side of [start, end]) {
+    const normal = normalize(normalToWorld.map((row) => dot(row, side.normal)) as unknown as Vec3);
+    const [inner, outer] = shadeWeight(normal, contour, { light: normalize(light), sight, shadeWeights, lostEdges });
+    side.weight *= outer;
+    side.innerWeight *= inner;
+  }
+}
+
+interface Step {
+  piece: number;
+  isReversed: boolean;
+}
+
+/** Which pieces go on in which. An end of a piece is twice its number, plus one for the second. */
+class Joints {
+  private readonly ends = new Map<string, number[]>();
+
+  constructor(private readonly pieces: readonly OutlinePiece[]) {
+    for (const [i, { start, end }] of pieces.entries()) {
+      for (const [k, { key }] of [start, end].entries()) {
+        const list = this.ends.get(key);
+        if (list) list.push(2 * i + k);
+        else this.ends.set(key, [2 * i + k]);
+      }
+    }
+  }
+
+  walks(): { steps: Step[]; isClosed: boolean }[] {
+    const { pieces } = this;
+    const used = new Uint8Array(pieces.length);
+    const walks: { steps: Step[]; isClosed: boolean }[] = [];
+    for (let first = 0; first < pieces.length; first++) {
+      if (used[first]) continue;
+      // Out of its first end as far as it goes, then back.
+      let end = 2 * first;
+      for (let i = 0; i < pieces.length; i++) {
+        const next = this.partner(end);
+        if (next < 0 || next >> 1 === first) break;
+        end = next ^ 1;
+      }
+      const begin = end;
+      const steps: Step[] = [];
+      let next = end;
+      while (next >= 0 && !used[next >> 1]) {
+        used[next >> 1] = 1;
+        steps.push({ piece: next >> 1, isReversed: (next & 1) === 1 });
+        next = this.partner(next ^ 1);
+      }
+      walks.push({ steps, isClosed: next === begin && steps.length > 2 });
+    }
+    return walks;
+  }
+
+  private endOf(code: number): PieceEnd {
+    const { start, end } = this.pieces[code >> 1];
+    return code & 1 ? end : start;
+  }
+
+  /** The end of another piece that goes on from an end; −1 where three meet, at sharp corners and where creases meet contours. */
+  private partner(code: number): number {
+    const list = this.ends.get(this.endOf(code).key)!;
+    if (list.length !== 2 || list[0] >> 1 === list[1] >> 1) return -1;
+    const other = list[0] === code ? list[1] : list[0];
+    const [a, b] = [this.pieces[code >> 1], this.pieces[other >> 1]];
+    if (isCrease(a) !== isCrease(b)) return -1;
+    if (a.isSmooth || b.isSmooth) return other;
+    return -dot(this.outwards(code), this.outwards(other)) < Math.cos(SHARPEST) ? -1 : other;
+  }
+
+  private outwards(code: number): Vec3 {
+    const here = this.endOf(code).position;
+    const there = this.endOf(code ^ 1).position;
+    return normalize(combined(1, here, -1, there));
+  }
+}
+
+const isCrease = ({ isSmooth, contour }: OutlinePiece): boolean => !isSmooth && contour === 0;
+
+/** Draws the pieces of one outline into a chain. */
+class OutlineDrawing {
+  private readonly builder = new ChainBuilder();
+  private readonly pieces: LiftedPiece[] = [];
+  private readonly innerHalves: number[] = [];
+
+  constructor(
+    private readonly mesh: OutlineMesh,
+    private readonly look: OutlineLook,
+    private readonly projection: Projection,
+  ) {}
+
+  add(piece: OutlinePiece, from: PieceEnd, to: PieceEnd): void {
+    if (this.builder.count === 0) this.push(piece, from);
+    else this.join(piece, from);
+    const pixels = this.pixelsBetween(from, to);
+    const parts = Math.min(Math.max(1, Math.ceil(pixels / LONGEST_PIECE)), 4096);
+    for (let i = 1; i < parts; i++) this.push(piece, endAt(from, to, i / parts));
+    this.push(piece, to);
+  }
+
+  finish(isClosed: boolean): Chain {
+    const { pieces, innerHalves, mesh } = this;
+    const radius = mesh.radius * mesh.scale;
+    return {
+      ...this.builder.finish(isClosed),
+      outline: { pieces, innerHalves: Float64Array.from(innerHalves), radius },
+    };
+  }
+
+  private worldOf({ position }: PieceEnd): Vec3 {
+    return transformed(this.mesh.toWorld, ...position);
+  }
+
+  private pixelOf(end: PieceEnd): readonly [number, number] {
+    const view = this.projection.toView(this.worldOf(end));
+    const [x, y] = this.projection.project(...view);
+    if (this.look.wobble === 0) return [x, y];
+    const anchor = combined(1 / this.mesh.radius, end.position, 0, end.position);
+    const [right, up] = wobbleAt(anchor, this.look.wobble);
+    return [x + right, y - up];
+  }
+
+  private pixelsBetween(from: PieceEnd, to: PieceEnd): number {
+    const [a, b] = [this.pixelOf(from), this.pixelOf(to)];
+    return Math.hypot(a[0] - b[0], a[1] - b[1]);
+  }
+
+  private push({ isSmooth, extent }: OutlinePiece, end: PieceEnd): void {
+    const { near } = this.projection.camera;
+    const world = this.worldOf(end);
+    const half = 0.5 * this.look.width * end.weight;
+    const inner = 0.5 * this.look.width * end.innerWeight;
+    // What lies before the near plane has no place on the picture.
+    const isBehind = this.projection.depthOf(...world) >= near;
+    const screen = isBehind ? this.pixelOf(end) : [0, 0];
+    this.builder.push(screen, world, half, isBehind ? Math.max(half, inner) : -1, -1);
+    this.innerHalves.push(inner);
+    this.pieces.push({ isSmooth, bend: end.bend, extent: extent * this.mesh.scale });
+  }
+
+  /** Goes on over another piece from the last point: as wide as both in the mean, and lifted for both. */
+  private join({ isSmooth, extent }: OutlinePiece, end: PieceEnd): void {
+    const half = 0.5 * this.look.width * end.weight;
+    const inner = 0.5 * this.look.width * end.innerWeight;
+    this.builder.share(half, Math.max(half, inner), -1);
+    const last = this.pieces.length - 1;
+    const before = this.pieces[last];
+    this.innerHalves[last] = 0.5 * (this.innerHalves[last] + inner);
+    this.pieces[last] = {
+      isSmooth: isSmooth || before.isSmooth,
+      bend: Math.min(before.bend, end.bend),
+      extent: Math.max(before.extent, extent * this.mesh.scale),
+    };
+  }
+}
+
+/** An end on the way from one to another. */
+function endAt(a: PieceEnd, b: PieceEnd, share: number): PieceEnd {
+  const rest = 1 - share;
+  return {
+    ...a,
+    position: combined(rest, a.position, share, b.position),
+    normal: combined(rest, a.normal, share, b.normal),
+    bend: rest * a.bend + share * b.bend,
+    weight: rest * a.weight + share * b.weight,
+    innerWeight: rest * a.innerWeight + share * b.innerWeight,
+  };
+}

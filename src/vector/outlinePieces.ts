@@ -1,0 +1,165 @@
+import { contourAlong, depthAcross, taperAt } from '../engraving/outlines.js';
+import { combined, dot, mix, type Vec3 } from '../engraving/vectors.js';
+import { asPhase } from '../slices/asPhase.js';
+import type { FeatureEdge, OutlineLook, OutlineMesh, OutlinePiece, PieceEnd } from './OutlineMesh.js';
+
+/** Finds all pieces of outlines on a mesh, before light and visibility. Yields its progress. */
+export function* outlinePieces(mesh: OutlineMesh, look: OutlineLook): Generator<number, OutlinePiece[], void> {
+  const finder = new PieceFinder(mesh, look);
+  yield* asPhase(finder.readPoints(), 0, 0.5);
+  const pieces: OutlinePiece[] = [];
+  const add = (piece: OutlinePiece | null) => {
+    if (piece && Math.max(weightOf(piece.start), weightOf(piece.end)) > 0) pieces.push(piece);
+  };
+  const count = mesh.triangles.length / 3;
+  for (let t = 0; t < count && look.contours > 0; t++) {
+    if (t % 4096 === 4095) yield 0.5 + (0.5 * t) / count;
+    add(finder.contour(t));
+  }
+  for (const edge of mesh.edges) add(finder.featureEdge(edge));
+  return pieces;
+}
+
+const weightOf = ({ weight, innerWeight }: PieceEnd): number => Math.max(weight, innerWeight);
+
+class PieceFinder {
+  /** n·v of each point, and its curvature along the line of sight times the radius. */
+  private readonly facing: Float64Array;
+  private readonly bend: Float64Array;
+
+  constructor(
+    private readonly mesh: OutlineMesh,
+    private readonly look: OutlineLook,
+  ) {
+    this.facing = new Float64Array(mesh.positions.length / 3);
+    this.bend = new Float64Array(mesh.positions.length / 3);
+  }
+
+  *readPoints(): Generator<number, void, void> {
+    const count = this.facing.length;
+    for (let p = 0; p < count; p++) {
+      if (p % 4096 === 4095) yield p / count;
+      const n = this.normalOf(p);
+      const v = this.toEye(this.positionOf(p));
+      const facing = dot(n, v);
+      const w = combined(1, v, -facing, n);
+      const square = dot(w, w);
+      this.facing[p] = facing;
+      this.bend[p] = square > 0 ? dot(w, this.curved(p, w)) / square : 0;
+    }
+  }
+
+  private positionOf(p: number): Vec3 {
+    const { positions } = this.mesh;
+    return [positions[3 * p], positions[3 * p + 1], positions[3 * p + 2]];
+  }
+
+  private normalOf(p: number): Vec3 {
+    const { normals } = this.mesh;
+    return [normals[3 * p], normals[3 * p + 1], normals[3 * p + 2]];
+  }
+
+  private curved(p: number, [x, y, z]: Vec3): Vec3 {
+    const k = this.mesh.curvatures;
+    const o = 6 * p;
+    return [
+      k[o] * x + k[o + 1] * y + k[o + 2] * z,
+      k[o + 1] * x + k[o + 3] * y + k[o + 4] * z,
+      k[o + 2] * x + k[o + 4] * y + k[o + 5] * z,
+    ];
+  }
+
+  private toEye(position: Vec3): Vec3 {
+    const [x, y, z, w] = this.mesh.eye;
+    return combined(1, [x, y, z], -w, position);
+  }
+
+  /** The end that lies at a share of the way from a to b. */
+  private endBetween(a: number, b: number, share: number): PieceEnd {
+    const { placeOf } = this.mesh;
+    const key = share === 0 ? `v${placeOf[a]}` : share === 1 ? `v${placeOf[b]}` : pairKey(a, b);
+    return {
+      position: combined(1 - share, this.positionOf(a), share, this.positionOf(b)),
+      normal: combined(1 - share, this.normalOf(a), share, this.normalOf(b)),
+      bend: mix(this.bend[a], this.bend[b], share),
+      weight: 0,
+      innerWeight: 0,
+      key,
+    };
+  }
+
+  private weigh(end: PieceEnd, ofContour: number, whole: number): void {
+    end.weight = Math.max(ofContour, whole);
+    end.innerWeight = Math.max(this.look.innerContours * ofContour, whole);
+  }
+
+  /** The zero set of n·v, linear over a triangle. */
+  contour(triangle: number): OutlinePiece | null {
+    const { facing, look } = this;
+    const [a, b, c] = [0, 1, 2].map((k) => this.mesh.triangles[3 * triangle + k]);
+    const [isA, isB, isC] = [facing[a] >= 0, facing[b] >= 0, facing[c] >= 0];
+    if (isA === isB && isB === isC) return null;
+    const [alone, one, two] = isB === isC ? [a, b, c] : isA === isC ? [b, c, a] : [c, a, b];
+    const zero = (other: number): PieceEnd => {
+      const end = this.endBetween(alone, other, facing[alone] / (facing[alone] - facing[other]));
+      // Also where it passes through a point: it goes on over the edge, by a piece without a length.
+      return { ...end, key: pairKey(alone, other) };
+    };
+    const [start, end] = [zero(one), zero(two)];
+    for (const side of [start, end]) this.weigh(side, look.contours * taperAt(side.bend, look.taper), 0);
+    const corners = [this.positionOf(a), this.positionOf(b), this.positionOf(c)] as const;
+    const extent = depthAcross(corners, start.position, end.position, this.toEye(corners[0]));
+    return { start, end, isSmooth: true, contour: 1, extent };
+  }
+
+  featureEdge(edge: FeatureEdge): OutlinePiece | null {
+    const { facing, look } = this;
+    const { leftStart, leftEnd, rightStart, rightEnd, isBorder } = edge;
+    // Where the windings contradict each other, the right side's normals look the other way.
+    const sign = edge.isContrary ? -1 : 1;
+    const left = [facing[leftStart], facing[leftEnd]] as const;
+    const right = [sign * facing[rightStart], sign * facing[rightEnd]] as const;
+    // Creases that look away on either side cannot be seen; borders show their backs.
+    if (!isBorder && Math.max(...left, ...right) <= 0) return null;
+    const whole = Math.max(edge.isCrease ? look.creases : 0, edge.isMaterialBorder ? look.materialBorders : 0);
+    const isContour = [left[0] * right[0] < 0, left[1] * right[1] < 0];
+    const normals = [this.seenNormal(leftStart, rightStart, sign), this.seenNormal(leftEnd, rightEnd, sign)] as const;
+    let part: readonly [number, number] | null = [0, 1];
+    let contour = isBorder ? 1 : 0.5 * (Number(isContour[0]) + Number(isContour[1]));
+    if (!isBorder && whole === 0) {
+      part = contourAlong(left, right);
+      contour = 1;
+    }
+    if (!part) return null;
+    const ends = part.map((share) => this.endOnEdge(edge, share, left)) as [PieceEnd, PieceEnd];
+    for (const [i, end] of ends.entries()) {
+      end.normal = normals[i];
+      if (isBorder) this.weigh(end, look.borders, 0);
+      else if (whole > 0) this.weigh(end, isContour[i] ? look.contours : 0, whole);
+      else this.weigh(end, look.contours, 0);
+    }
+    return { start: ends[0], end: ends[1], isSmooth: false, contour, extent: 0 };
+  }
+
+  private endOnEdge(
+    { leftStart, leftEnd, rightStart, rightEnd }: FeatureEdge,
+    share: number,
+    left: readonly [number, number],
+  ): PieceEnd {
+    const end = this.endBetween(leftStart, leftEnd, share);
+    if (share === 0 || share === 1) return end;
+    // Where it ends within the edge, the side that turns away there has a contour through its triangle.
+    const isLeft = Math.abs(share - left[0] / (left[0] - left[1])) < 1e-9;
+    return { ...end, key: isLeft ? pairKey(leftStart, leftEnd) : pairKey(rightStart, rightEnd) };
+  }
+
+  /** The normal of the side that is seen. */
+  private seenNormal(left: number, right: number, sign: number): Vec3 {
+    const [n, m] = [this.normalOf(left), this.normalOf(right)];
+    if (this.facing[left] > 0 && sign * this.facing[right] > 0) return combined(1, n, sign, m);
+    if (this.facing[left] > 0) return n;
+    return sign * this.facing[right] > 0 ? combined(sign, m, 0, m) : combined(-1, n, 0, n);
+  }
+}
+
+const pairKey = (a: number, b: number): string => (a < b ? `${a}_${b}` : `${b}_${a}`);

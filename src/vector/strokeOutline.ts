@@ -1,0 +1,50 @@
+import { type LinePath, PATH_STRIDE } from './LinePath.js';
+
+/** Corners of a ring: x and y in turn. */
+export type Ring = readonly number[];
+
+/** At sharp turns the outline does not reach farther than so many half widths. */
+const LONGEST_MITRE = 1.5;
+
+/** The outline of a path that swells, as rings to be filled by the rule `nonzero`: one, or two of a closed path. */
+export function strokeOutline({ points, isClosed }: LinePath): Ring[] {
+  const count = points.length / PATH_STRIDE;
+  const left: number[] = [];
+  const right: number[] = [];
+  for (let i = 0; i < count; i++) {
+    const o = PATH_STRIDE * i;
+    const [tx, ty, mitre] = tangentAt(points, i, count, isClosed);
+    left.push(points[o] - ty * points[o + 2] * mitre, points[o + 1] + tx * points[o + 2] * mitre);
+    right.push(points[o] + ty * points[o + 3] * mitre, points[o + 1] - tx * points[o + 3] * mitre);
+  }
+  const back: number[] = [];
+  for (let i = count - 1; i >= 0; i--) back.push(right[2 * i], right[2 * i + 1]);
+  // Of a closed path the inner ring runs the other way, and stays open within.
+  return isClosed ? [left, back] : [[...left, ...back]];
+}
+
+/** The direction of a path at a point, unit, and by how much its sides are farther away at a turn. */
+function tangentAt(
+  points: readonly number[],
+  i: number,
+  count: number,
+  isClosed: boolean,
+): readonly [number, number, number] {
+  const before = isClosed ? (i + count - 1) % count : Math.max(i - 1, 0);
+  const after = isClosed ? (i + 1) % count : Math.min(i + 1, count - 1);
+  // The mean of both directions, so that a long piece does not outweigh a short one.
+  let [tx, ty] = [0, 0];
+  for (const [a, b] of [
+    [before, i],
+    [i, after],
+  ]) {
+    const dx = points[PATH_STRIDE * b] - points[PATH_STRIDE * a];
+    const dy = points[PATH_STRIDE * b + 1] - points[PATH_STRIDE * a + 1];
+    const length = Math.hypot(dx, dy);
+    if (length > 0) [tx, ty] = [tx + dx / length, ty + dy / length];
+  }
+  const length = Math.hypot(tx, ty);
+  if (length === 0) return [1, 0, 1];
+  const isEnd = before === i || after === i;
+  return [tx / length, ty / length, isEnd ? 1 : Math.min(2 / Math.max(length, 1), LONGEST_MITRE)];
+}

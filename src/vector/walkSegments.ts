@@ -1,0 +1,51 @@
+/** A walk along segments that share nodes: the segments in order, and whether the last leads back to the first. */
+export interface Walk {
+  /** The node that it begins at. */
+  start: number;
+  segments: number[];
+  isClosed: boolean;
+}
+
+/** Joins segments to walks, each used once. A node has two segments at most; of more, the others begin walks of their own. */
+export function* walkSegments(
+  starts: readonly number[],
+  ends: readonly number[],
+  nodes: number,
+): Generator<Walk, void, void> {
+  const links = new Int32Array(2 * nodes).fill(-1);
+  for (let s = 0; s < starts.length; s++) {
+    for (const node of [starts[s], ends[s]]) {
+      if (links[2 * node] < 0) links[2 * node] = s;
+      else if (links[2 * node + 1] < 0) links[2 * node + 1] = s;
+    }
+  }
+  const otherEnd = (s: number, node: number): number => (starts[s] === node ? ends[s] : starts[s]);
+  const used = new Uint8Array(starts.length);
+  /** The segment that goes on from one at a node. */
+  const after = (s: number, node: number): number => {
+    const [a, b] = [links[2 * node], links[2 * node + 1]];
+    if (a === s) return b;
+    return b === s ? a : -1;
+  };
+  for (let first = 0; first < starts.length; first++) {
+    if (used[first]) continue;
+    // Back to where it begins, or all the way round.
+    let segment = first;
+    let node = starts[first];
+    for (;;) {
+      const before = after(segment, node);
+      if (before < 0 || before === first || used[before]) break;
+      segment = before;
+      node = otherEnd(before, node);
+    }
+    const walk: Walk = { start: node, segments: [], isClosed: false };
+    while (segment >= 0 && !used[segment]) {
+      used[segment] = 1;
+      walk.segments.push(segment);
+      node = otherEnd(segment, node);
+      segment = after(segment, node);
+    }
+    walk.isClosed = walk.segments.length > 2 && node === walk.start;
+    yield walk;
+  }
+}

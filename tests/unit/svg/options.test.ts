@@ -1,0 +1,74 @@
+import { type Camera, Object3D, PerspectiveCamera, Scene, SphereGeometry } from 'three';
+import { describe, expect, test } from 'vitest';
+import type { DrawSVGOptions } from '../../../src/svg/DrawSVGOptions.js';
+import { drawSVG } from '../../../src/svg/drawSVG.js';
+import { cameraAt, hatchedMesh, sceneOf } from '../vector/hatchedScene.js';
+
+const draw = (options: unknown, scene: unknown = new Scene(), camera: unknown = new PerspectiveCamera()) =>
+  drawSVG(scene as Scene, camera as Camera, options as DrawSVGOptions);
+
+describe('wrong options end in one sentence that names them', () => {
+  test.each<[unknown, string]>([
+    [null, 'drawSVG: the options are null.'],
+    [{ size: 3 }, 'drawSVG: unknown option "size".'],
+    [{ kind: 'plot' }, "drawSVG: kind is plot, but must be 'print' or 'pen'."],
+    [{ order: 'short' }, "drawSVG: order is short, but must be 'travel' or 'drawn'."],
+    [{ sheet: 'A9' }, 'drawSVG: sheet is "A9", but must be A3, A4, A5 or [width, height] in millimetres.'],
+    [{ sheet: [100] }, 'drawSVG: sheet is [100]'],
+    [{ sheet: [100, -1] }, 'drawSVG: sheet is [100,-1]'],
+    [{ margin: -1 }, 'drawSVG.margin: -1 is not a number in [0, ∞).'],
+    [{ sheet: [40, 90], margin: 20 }, 'drawSVG: a margin of 20 mm leaves nothing of a sheet of 40 × 90 mm.'],
+    [{ kind: 'pen', penWidth: 0 }, 'drawSVG.penWidth: 0 is not a number in (0, ∞).'],
+    [{ penWidth: 0.3 }, "drawSVG: penWidth is only for kind: 'pen'."],
+    [{ kind: 'pen', paper: 'white' }, "drawSVG: paper is only for kind: 'print'."],
+    [{ paper: {} }, 'drawSVG: paper'],
+    [{ dpi: Number.NaN }, 'drawSVG.dpi: NaN is not a number in (0, ∞).'],
+    [{ shadows: 1 }, 'drawSVG: shadows must be true or false'],
+    [{ signal: 3 }, 'drawSVG: signal is 3'],
+    [{ onProgress: 3 }, 'drawSVG: onProgress is 3'],
+  ])('%j', async (options, sentence) => {
+    const error = await draw(options).catch((reason: Error) => reason);
+    expect(error).toBeInstanceOf(Error);
+    expect((error as Error).message).toContain(sentence);
+  });
+
+  test('a scene that is none, and a camera that is none', async () => {
+    await expect(draw({}, {})).rejects.toThrow('drawSVG: scene must be an Object3D');
+    await expect(draw({}, new Scene(), new Object3D())).rejects.toThrow('drawSVG: camera must be');
+    await expect(draw({}, new Scene(), null)).rejects.toThrow('drawSVG: camera must be');
+  });
+});
+
+test('an empty scene is an empty sheet', async () => {
+  const { svg, paths, leftOut } = await draw({ paper: '#fff' });
+  expect([paths, leftOut]).toEqual([0, []]);
+  expect(svg).toContain('<rect width="210" height="297" fill="#ffffff"/>');
+  expect(svg).not.toContain('<g');
+});
+
+describe('a drawing goes on in slices', () => {
+  test('its progress rises to the end', async () => {
+    const seen: number[] = [];
+    const scene = sceneOf(await hatchedMesh(new SphereGeometry(1, 48, 32)));
+    await drawSVG(scene, cameraAt(0, 1, 2), { onProgress: (progress) => seen.push(progress) });
+    expect(seen.length).toBeGreaterThan(5);
+    for (const [i, progress] of seen.entries()) expect(progress).toBeGreaterThan(i === 0 ? 0 : seen[i - 1]);
+    expect(seen[seen.length - 1]).toBeLessThanOrEqual(1);
+  });
+
+  test('and can be aborted: before it begins, and on the way', async () => {
+    const scene = sceneOf(await hatchedMesh(new SphereGeometry(1, 48, 32)));
+    const reason = new Error('enough');
+    await expect(drawSVG(scene, cameraAt(0, 1, 2), { signal: AbortSignal.abort(reason) })).rejects.toBe(reason);
+    const controller = new AbortController();
+    let calls = 0;
+    const drawing = drawSVG(scene, cameraAt(0, 1, 2), {
+      signal: controller.signal,
+      onProgress: () => {
+        if (++calls === 2) controller.abort(reason);
+      },
+    });
+    await expect(drawing).rejects.toBe(reason);
+    expect(calls).toBe(2);
+  });
+});

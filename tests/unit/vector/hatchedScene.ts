@@ -1,0 +1,69 @@
+import {
+  type BufferGeometry,
+  type Camera,
+  DirectionalLight,
+  Mesh,
+  OrthographicCamera,
+  PerspectiveCamera,
+  PlaneGeometry,
+  Scene,
+} from 'three';
+import { prepareHatchingGeometry } from '../../../src/geometry/prepareHatchingGeometry.js';
+import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
+import type { HatchingMaterialParameters } from '../../../src/material/HatchingMaterialParameters.js';
+import type { HatchingOutlineParameters } from '../../../src/outlines/HatchingOutlineMaterial.js';
+import { HatchingOutlines } from '../../../src/outlines/HatchingOutlines.js';
+
+/** Scenes that are drawn as lines. */
+
+export interface HatchedLook {
+  material?: HatchingMaterialParameters;
+  outlines?: HatchingOutlineParameters | false;
+}
+
+/** A mesh that is engraved, with outlines unless they are left out. */
+export async function hatchedMesh(source: BufferGeometry, { material = {}, outlines = {} }: HatchedLook = {}) {
+  const geometry = await prepareHatchingGeometry(source, { technique: 'engraved', outlines: outlines !== false });
+  const mesh = new Mesh(geometry, new HatchingMaterial({ technique: 'engraved', ...material }));
+  if (outlines !== false) mesh.add(new HatchingOutlines(mesh, outlines));
+  return mesh;
+}
+
+/** A scene in the light of one sun of intensity π. */
+export function sceneOf(...meshes: Mesh[]): Scene {
+  const scene = new Scene();
+  const sun = new DirectionalLight('white', Math.PI);
+  sun.position.set(-0.55, 0.75, 0.6);
+  scene.add(sun, ...meshes);
+  return scene;
+}
+
+/** A camera that looks at the origin, where something of radius 1 fills its picture. */
+export function cameraAt(x: number, y: number, z: number, isOrthographic = false): Camera {
+  const camera = isOrthographic
+    ? new OrthographicCamera(-1.05, 1.05, 1.05, -1.05, 0.1, 50)
+    : new PerspectiveCamera(28, 1, 0.1, 50);
+  camera.position
+    .set(x, y, z)
+    .normalize()
+    .multiplyScalar(1 / Math.sin((14 * Math.PI) / 180) / 0.94);
+  camera.lookAt(0, 0, 0);
+  return camera;
+}
+
+/** A plane that faces the camera and prints one tone, with nothing of a hand. */
+export const planeOfTone = (tone: number, material: HatchingMaterialParameters = {}) =>
+  hatchedMesh(new PlaneGeometry(3, 3, 8, 8), {
+    outlines: false,
+    material: {
+      lineField: 'slant',
+      handmade: 0,
+      crossFrom: 1,
+      reflectedLight: 0,
+      toneCurve: [
+        [0, tone],
+        [1, tone],
+      ],
+      ...material,
+    },
+  });
