@@ -19,7 +19,7 @@ export interface ChainPlace {
 
 /** Places are looked at so far apart, and where they begin or end to be seen is found as exactly as that. Pixels. */
 const STEP = 0.5;
-const TOLERANCE = 0.02;
+const TOLERANCE = 0.005;
 const MOST_HALVINGS = 24;
 
 /** The place on a chain at a share of a piece. */

@@ -55,7 +55,7 @@ describe('simplify', () => {
 
 describe('strokeOutline', () => {
   test('covers as much as its widths say', () => {
-    const points = Array.from({ length: 50 }, (_, i) => [i, 0, 0.2 + i / 100, 0.1]).flat();
+    const points = Array.from({ length: 50 }, (_, i) => [0.8 * i, 0.6 * i, 0.2 + i / 100, 0.1]).flat();
     const [ring] = strokeOutline({ points, isClosed: false });
     // The mean of the widths times the length.
     expect(Math.abs(areaOf(ring))).toBeCloseTo(49 * (0.1 + 0.2 + 0.245), 6);
