@@ -227,3 +227,31 @@ test('tiles meet without a seam, and a large picture can be given up', async ({ 
   expect(changedShare(shown, await readDrawing(page))).toBe(0);
   expect(downloads).toEqual([]);
 });
+
+test('the drawing leaves as lines: an SVG in millimetres, filled for print or for one pen', async ({ page }) => {
+  await openPlayground(page, 'model=vase&technique=engraved&shadows=off&ground=none');
+  const savedAs = async (): Promise<string> => {
+    const file = page.waitForEvent('download');
+    await page.getByRole('button', { name: 'Save SVG, as lines' }).click();
+    const got = await file;
+    expect(got.suggestedFilename()).toBe('vase.svg');
+    return readFile(await got.path(), 'utf8');
+  };
+  await page.locator('#toggle-card').click();
+  await page.getByRole('button', { name: 'Picture', exact: true }).click();
+  const print = await savedAs();
+  await expect(page.getByText(/^Saved as SVG: \d+ × \d+ mm, [\d,]+ paths\./)).toBeVisible();
+  const layers = (text: string) => [...text.matchAll(/inkscape:label="([^"]+)"/g)].map(([, label]) => label);
+  expect(layers(print)).toEqual(['1 outlines', '2 engraved', '3 crossing']);
+  // The page is 96 pixels to an inch.
+  const canvas = (await page.locator('canvas').first().boundingBox())!;
+  expect(Number(/width="([\d.]+)mm"/.exec(print)![1])).toBeCloseTo((canvas.width / 96) * 25.4, 0);
+  expect(print).toContain('<rect');
+  await page.getByLabel('SVG', { exact: true }).selectOption('One pen, for a plotter');
+  await page.getByLabel('Size', { exact: true }).first().selectOption('A5 sheet');
+  const pen = await savedAs();
+  const sheet = /width="([\d.]+)mm" height="([\d.]+)mm"/.exec(pen)!.slice(1).map(Number);
+  expect(sheet.sort((a, b) => a - b)).toEqual([148, 210]);
+  expect(pen).not.toContain('<rect');
+  expect(pen).toContain('stroke-width="0.3"');
+});

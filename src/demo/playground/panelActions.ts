@@ -24,6 +24,7 @@ export function panelActions(
     { label: 'Show the whole model', group: 'View', run: stage.view.frameForUser },
     ...(document.fullscreenEnabled ? [fullScreen] : []),
     { label: () => `Save ${savedFormat(settings)}`, group: 'Picture', run: () => takeAway.run('savePng') },
+    { label: 'Save SVG, as lines', group: 'Picture', run: () => takeAway.run('saveSvg') },
     { label: 'Copy the picture', group: 'Picture', run: () => takeAway.copy() },
     { label: 'Save with the model, as ZIP', group: 'Picture', run: () => takeAway.run('saveDrawing') },
     ...('share' in navigator ? [share] : []),

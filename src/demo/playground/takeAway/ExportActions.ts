@@ -27,6 +27,10 @@ export class ExportActions {
       run: this.savePng,
     });
 
+  /** Saves the drawing as lines, for print or for a plotter. */
+  readonly saveSvg = (): Promise<void> =>
+    this.save(async () => (await import('./saveSvg.js')).saveSvg, { label: 'Save it again', run: this.saveSvg });
+
   /** Records the video that the settings ask for, frame by frame. */
   readonly saveVideo = (): Promise<void> =>
     this.save(async () => (await import('./saveVideo.js')).saveVideo, {

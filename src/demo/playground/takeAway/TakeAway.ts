@@ -9,7 +9,7 @@ import { copyPicture } from './copyPicture.js';
 import type { ExportActions } from './ExportActions.js';
 
 /** The actions of {@link ExportActions} that buttons run. */
-type Action = 'savePng' | 'saveDrawing' | 'saveVideo' | 'saveMap' | 'share' | 'copyLink' | 'copyFacts';
+type Action = 'savePng' | 'saveSvg' | 'saveDrawing' | 'saveVideo' | 'saveMap' | 'share' | 'copyLink' | 'copyFacts';
 
 /** The ways in which the user takes the drawing away. The scripts for them are fetched when they are first used. */
 export class TakeAway {

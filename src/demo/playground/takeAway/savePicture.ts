@@ -1,28 +1,14 @@
 import type { Report } from '../../drawing/Report.js';
-import {
-  cutToDrawing,
-  describePrint,
-  drawPicture,
-  type PrintPlan,
-  planPrint,
-  sheetOnView,
-  ZipWriter,
-} from '../../print/print.js';
+import { describePrint, drawPicture, type PrintPlan, ZipWriter } from '../../print/print.js';
 import type { Settings } from '../../settings/settings.js';
-import { LostContextError } from '../../stage/LostContextError.js';
 import { LAYERS } from '../../stage/layers.js';
-import { PictureSession } from '../../stage/PictureSession.js';
-import type { Stage } from '../../stage/Stage.js';
-import { drawnView } from '../elements/viewSize.js';
+import type { PictureSession } from '../../stage/PictureSession.js';
+import { behindCurtain } from './behindCurtain.js';
 import { download } from './download.js';
-import { raiseCurtain } from './raiseCurtain.js';
 import type { SaveDrawing } from './SaveDrawing.js';
 
 /** The most pixels of a picture that other programs can be expected to paste from the clipboard. */
 const MOST_COPIED_PIXELS = 64_000_000;
-
-const LOST =
-  'The graphics card let go of the drawing while it was being saved. There is no picture; save it again when the drawing is back, smaller if that fails too.';
 
 /** Saves the picture that the settings ask for: one PNG, or its layers in an archive. */
 export const savePicture: SaveDrawing = (stage, settings, name, report, signal) =>
@@ -48,32 +34,6 @@ export const drawForClipboard: SaveDrawing<Blob> = (stage, settings, _name, repo
       throw new Error('the picture is too large for a clipboard. Save it, or choose a smaller size.');
     return drawWhole(session, settings, plan, report, signal);
   });
-
-/** Holds frames behind a curtain while a picture is drawn. @param draw gets the plan of the picture: its part of the view and its size */
-async function behindCurtain<Result>(
-  stage: Stage,
-  settings: Settings,
-  signal: AbortSignal,
-  draw: (session: PictureSession, plan: PrintPlan) => Promise<Result>,
-): Promise<Result> {
-  const curtain = raiseCurtain(stage, settings.paper);
-  const session = new PictureSession(stage);
-  const { view } = stage;
-  const { sheet } = view;
-  try {
-    const whole = planPrint(settings, drawnView(stage));
-    view.sheet = sheetOnView(settings, drawnView(stage));
-    session.hold(Math.max(whole.width, whole.height));
-    const plan = settings.pictureCrop === 'drawing' ? await cutToDrawing(session, whole, signal) : whole;
-    return await draw(session, plan);
-  } catch (error) {
-    throw error instanceof LostContextError ? new LostContextError(LOST) : error;
-  } finally {
-    view.sheet = sheet;
-    session.release();
-    curtain.lower();
-  }
-}
 
 function drawWhole(
   session: PictureSession,

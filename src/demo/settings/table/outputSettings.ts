@@ -88,6 +88,22 @@ export const PICTURE_SETTINGS = inGroup('Picture', 'output', {
     default: 'paper',
     choices: { paper: 'Paper', transparent: 'Transparent', strokes: 'Transparent, strokes alone' },
   },
+  pictureSvg: {
+    kind: 'choice',
+    label: 'SVG',
+    default: 'print',
+    choices: { print: 'Filled, for print', pen: 'One pen, for a plotter' },
+  },
+  picturePen: {
+    kind: 'number',
+    label: 'Pen',
+    when: { pictureSvg: ['pen'] },
+    default: 0.3,
+    unit: 'mm',
+    min: 0.1,
+    max: 2,
+    step: 0.05,
+  },
 });
 
 /** The video that is saved. */

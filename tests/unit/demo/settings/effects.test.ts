@@ -93,7 +93,7 @@ describe('a setting has an effect', () => {
         ground: 'shadow',
         occlusion: 50,
       },
-      { technique: 'adjacencyCrisp' },
+      { technique: 'adjacencyCrisp', pictureSvg: 'pen' },
     ];
     const unused = SETTING_KEYS.filter((key) => !some.some((changes) => used(key, changes)));
     expect(unused).toEqual([]);

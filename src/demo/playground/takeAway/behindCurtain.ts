@@ -1,0 +1,36 @@
+import { cutToDrawing, type PrintPlan, planPrint, sheetOnView } from '../../print/print.js';
+import type { Settings } from '../../settings/settings.js';
+import { LostContextError } from '../../stage/LostContextError.js';
+import { PictureSession } from '../../stage/PictureSession.js';
+import type { Stage } from '../../stage/Stage.js';
+import { drawnView } from '../elements/viewSize.js';
+import { raiseCurtain } from './raiseCurtain.js';
+
+const LOST =
+  'The graphics card let go of the drawing while it was being saved. There is no picture; save it again when the drawing is back, smaller if that fails too.';
+
+/** Holds frames behind a curtain while a picture is drawn. @param draw gets the plan of the picture: its part of the view and its size */
+export async function behindCurtain<Result>(
+  stage: Stage,
+  settings: Settings,
+  signal: AbortSignal,
+  draw: (session: PictureSession, plan: PrintPlan) => Promise<Result>,
+): Promise<Result> {
+  const curtain = raiseCurtain(stage, settings.paper);
+  const session = new PictureSession(stage);
+  const { view } = stage;
+  const { sheet } = view;
+  try {
+    const whole = planPrint(settings, drawnView(stage));
+    view.sheet = sheetOnView(settings, drawnView(stage));
+    session.hold(Math.max(whole.width, whole.height));
+    const plan = settings.pictureCrop === 'drawing' ? await cutToDrawing(session, whole, signal) : whole;
+    return await draw(session, plan);
+  } catch (error) {
+    throw error instanceof LostContextError ? new LostContextError(LOST) : error;
+  } finally {
+    view.sheet = sheet;
+    session.release();
+    curtain.lower();
+  }
+}
