@@ -26,17 +26,12 @@ export function readPreset(text: string | null): HatchingPreset {
   throw new Error(`There is no preset "${name}". There are ${Object.keys(presets).join(', ')}.`);
 }
 
-/** The attributes that change a number of the preset: the property of the material, its range, and its words in messages. */
+/** The attributes that change a number of the preset: the property of the material, and its range in words. */
 export const LOOK_NUMBERS = {
-  'color-fill': { property: 'colorFill', most: 1, words: 'a number from 0, ink alone, to 1, the colours of the model' },
-  'local-tone': { property: 'localTone', most: 1, words: 'a number from 0, all surfaces are white, to 1' },
-  exposure: {
-    property: 'exposureCompensation',
-    above: 0,
-    most: Infinity,
-    words: 'a number above 0: more than 1 for a lighter drawing, less for a darker one',
-  },
-  vignette: { property: 'vignette', most: 1, words: 'a number from 0, no vignette, to 1' },
+  'color-fill': { property: 'colorFill', words: 'from 0, ink alone, to 1, the colours of the model' },
+  'local-tone': { property: 'localTone', words: 'from 0 to 1' },
+  exposure: { property: 'exposureCompensation', words: 'above 0' },
+  vignette: { property: 'vignette', words: 'from 0 to 1' },
 } as const;
 
 export type LookNumber = keyof typeof LOOK_NUMBERS;
@@ -50,11 +45,11 @@ export type LookNumber = keyof typeof LOOK_NUMBERS;
 export function readLookNumber(name: LookNumber, text: string | null): number | undefined {
   const word = text?.trim();
   if (!word) return undefined;
-  const row = LOOK_NUMBERS[name];
   const value = Number(word);
-  const isAbove = 'above' in row ? value > row.above : value >= 0;
-  if (isAbove && value <= row.most && value < Infinity) return value;
-  throw new Error(`The ${name} is "${text}", but must be ${row.words}.`);
+  // A factor, beside shares.
+  const isRight = name === 'exposure' ? value > 0 && value < Infinity : value >= 0 && value <= 1;
+  if (isRight) return value;
+  throw new Error(`The ${name} is "${text}", but must be a number ${LOOK_NUMBERS[name].words}.`);
 }
 
 /**

@@ -145,7 +145,7 @@ test.describe('with reduced motion', () => {
     const numbers = [0, 0, 0, 1, Number.NaN, 0, 0, 1, 0, 0, 0, 1];
     await openModel(page, column({ bend: numbers }));
     await expect(page.locator('#model-note')).toHaveText('1 damaged animation track left out');
-    expect(await page.getByRole('combobox', { name: 'Clip' }).locator('option').allTextContents()).toEqual(['Turn']);
+    await expect(page.getByRole('combobox', { name: 'Clip' }).locator('option')).toHaveText(['Turn']);
 
     // An image of 30,000 × 30,000 pixels, in a few bytes, would decode to gigabytes.
     const png = Buffer.alloc(64);
