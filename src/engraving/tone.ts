@@ -1,9 +1,7 @@
 /** From light to the tone that is printed, as tone.glsl, toneCurve.glsl, occlude.glsl and localColor.glsl have it. */
 import { CAVITY } from '../material/facts/cavity.js';
+import { lightness } from '../material/facts/lightness.js';
 import { clamp01, mix, smoothstep } from './vectors.js';
-
-/** How light a luminance looks beside white, both in [0, 1] (CIE 1976). */
-export const lightness = (y: number): number => (y < 216 / 24389 ? y * 9.032963 : 1.16 * Math.cbrt(y) - 0.16);
 
 /** A curve of points as a sum of cubics, one for each span; of `fitToneCurve`. */
 export interface CurveCubics {

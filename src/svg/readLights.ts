@@ -1,6 +1,5 @@
 import {
   type Camera,
-  type Color,
   type DirectionalLight,
   type HemisphereLight,
   type Light,
@@ -12,10 +11,9 @@ import {
 import { arriving, type Lamp } from '../engraving/radiance.js';
 import { combined, type Vec3 } from '../engraving/vectors.js';
 import { type Arriving, LightsAround } from '../material/exposure/LightsAround.js';
+import { luminanceOf } from '../material/facts/luminanceOf.js';
 import type { MeanLight } from '../vector/outlineChains.js';
 import type { Illumination } from '../vector/Toner.js';
-
-const luminance = ({ r, g, b }: Color): number => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 
 const placeOf = ({ matrixWorld }: Object3D): Vec3 => new Vector3().setFromMatrixPosition(matrixWorld).toArray();
 
@@ -55,7 +53,7 @@ export function readLights(scene: Object3D, camera: Camera, shadows: boolean): S
 
 /** The light as one with a direction; undefined for others. */
 function lampOf(light: Light, shadows: boolean): Lamp | undefined {
-  const sent = light.intensity * luminance(light.color);
+  const sent = light.intensity * luminanceOf(light.color);
   const castsShadow = shadows && light.castShadow;
   const lamp = { luminance: sent, at: placeOf(light), castsShadow, distance: 0, decay: 0, cone: null };
   if ('isDirectionalLight' in light) {
@@ -84,7 +82,7 @@ function meanLightAt(place: Vec3, lamps: readonly Lamp[], others: readonly Light
     if (!('isHemisphereLight' in light)) continue;
     const { color, groundColor, intensity } = light as HemisphereLight;
     const up = new Vector3(...placeOf(light)).normalize().toArray();
-    sum = combined(1, sum, 0.5 * intensity * (luminance(color) - luminance(groundColor)), up);
+    sum = combined(1, sum, 0.5 * intensity * (luminanceOf(color) - luminanceOf(groundColor)), up);
   }
   return sum;
 }

@@ -3,6 +3,7 @@ import type { CurveCubics } from '../engraving/tone.js';
 import { localDarkness } from '../engraving/tone.js';
 import { isFitted } from '../material/exposure/isFitted.js';
 import type { ToneFit } from '../material/exposure/ToneFit.js';
+import { luminanceOf } from '../material/facts/luminanceOf.js';
 import { fittedCurve } from '../material/fitToneCurve.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { createHatchingUniforms, writeComputedUniforms, writeSizeUniforms } from '../material/hatchingUniforms.js';
@@ -43,8 +44,7 @@ export function surfaceLookOf(material: HatchingMaterial, receivesShadows: boole
   const uniforms = uniformsOf(material);
   const { color, emissive, emissiveIntensity, localTone, toneModel, toneCurve } = material;
   const { shininess, reflectedLight, occlusion, hollowTone, toneSteps, exposureCompensation } = material;
-  const luminance = ({ r, g, b }: { r: number; g: number; b: number }) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
-  const emitted = emissiveIntensity * luminance(emissive);
+  const emitted = emissiveIntensity * luminanceOf(emissive);
   const isFit = isFitted(material);
   const exposure = uniforms.exposure.value as Vector2;
   return {
@@ -56,7 +56,7 @@ export function surfaceLookOf(material: HatchingMaterial, receivesShadows: boole
     toneEnds: (uniforms.toneEnds.value as Vector2).toArray() as [number, number],
     occlusion,
     hollowTone,
-    darkness: localTone > 0 ? localDarkness(luminance(color), emitted, localTone, isFit ? 1 / fit.white : 1) : 0,
+    darkness: localTone > 0 ? localDarkness(luminanceOf(color), emitted, localTone, isFit ? 1 / fit.white : 1) : 0,
     ...{ shininess, reflectedLight, emitted, receivesShadows },
   };
 }

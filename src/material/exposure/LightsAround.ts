@@ -1,5 +1,4 @@
 import {
-  type Color,
   type DirectionalLight,
   type HemisphereLight,
   type Light,
@@ -10,6 +9,7 @@ import {
   type SpotLight,
   Vector3,
 } from 'three';
+import { luminanceOf } from '../facts/luminanceOf.js';
 import { type Harmonics, harmonicsOf, irradianceFrom } from './environmentHarmonics.js';
 import type { SceneContents } from './SceneContents.js';
 
@@ -44,7 +44,6 @@ export interface Arriving {
   reflected: number;
 }
 
-const luminance = ({ r, g, b }: Color): number => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 const positionOf = (object: { matrixWorld: Matrix4 }): Vector3 =>
   new Vector3().setFromMatrixPosition(object.matrixWorld);
 
@@ -69,10 +68,10 @@ export class LightsAround {
   }
 
   private add(light: Light): void {
-    const full = light.intensity * luminance(light.color);
+    const full = light.intensity * luminanceOf(light.color);
     if ('isAmbientLight' in light) this.ambient += full;
     else if ('isHemisphereLight' in light) {
-      const ground = light.intensity * luminance((light as HemisphereLight).groundColor);
+      const ground = light.intensity * luminanceOf((light as HemisphereLight).groundColor);
       this.skies.push({
         up: positionOf(light).normalize(),
         mean: (full + ground) / 2,

@@ -1,4 +1,6 @@
 import type { Texture } from 'three';
+import { lightness } from '../facts/lightness.js';
+import { luminanceOf } from '../facts/luminanceOf.js';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
 import { type Luminances, luminances } from './luminances.js';
 import type { SurfaceSamples } from './surfaceSamples.js';
@@ -14,9 +16,6 @@ function pixelsOf(map: Texture): Luminances | undefined {
   return pixels;
 }
 
-/** How light a luminance looks beside white, both in [0, 1], as `lightness.glsl` has it. */
-const lightness = (y: number): number => (y < 216 / 24389 ? y * 9.032963 : 1.16 * Math.cbrt(Math.min(y, 1)) - 0.16);
-
 /**
  * How light the colour of a surface looks at its samples, beside white: by its material, its vertices and its map. A map that cannot be
  * read here, or lies by other coordinates than the first, counts as white.
@@ -25,7 +24,7 @@ export function lightnessOf(
   { color, vertexColors, map }: HatchingMaterialProperties,
   { colors, places }: SurfaceSamples,
 ): (sample: number) => number {
-  const own = 0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b;
+  const own = luminanceOf(color);
   const painted = vertexColors ? colors : undefined;
   const pixels = map && map.channel === 0 && places ? pixelsOf(map) : undefined;
   if (map?.matrixAutoUpdate) map.updateMatrix();
@@ -42,7 +41,7 @@ export function lightnessOf(
         Math.min(pixels.height - 1, Math.floor(row * pixels.height)),
       );
     }
-    return lightness(luminance);
+    return lightness(Math.min(luminance, 1));
   };
 }
 
