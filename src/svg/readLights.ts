@@ -1,19 +1,17 @@
 import {
   type Camera,
   type DirectionalLight,
-  type HemisphereLight,
   type Light,
   type Object3D,
   type PointLight,
   type SpotLight,
   Vector3,
 } from 'three';
-import { arriving, type Lamp } from '../engraving/radiance.js';
-import { combined, type Vec3 } from '../engraving/vectors.js';
-import { type Arriving, LightsAround } from '../material/exposure/LightsAround.js';
+import type { Lamp } from '../engraving/radiance.js';
+import type { Surroundings } from '../engraving/surroundings.js';
+import type { Vec3 } from '../engraving/vectors.js';
+import { LightsAround } from '../material/exposure/LightsAround.js';
 import { luminanceOf } from '../material/facts/luminanceOf.js';
-import type { MeanLight } from '../vector/outlineChains.js';
-import type { Illumination } from '../vector/Toner.js';
 
 const placeOf = ({ matrixWorld }: Object3D): Vec3 => new Vector3().setFromMatrixPosition(matrixWorld).toArray();
 
@@ -27,8 +25,7 @@ const wayBetween = (from: Object3D, to: Object3D): Vec3 =>
 /** The lights of a scene that a camera sees, as numbers. */
 export interface SceneLights {
   lamps: Lamp[];
-  around: Illumination['around'];
-  meanLight: MeanLight;
+  around: Surroundings;
 }
 
 /** @param shadows whether lights that cast shadows do so */
@@ -41,14 +38,7 @@ export function readLights(scene: Object3D, camera: Camera, shadows: boolean): S
     if (lamp) lamps.push(lamp);
     else others.push(object as Light);
   });
-  const sky = new LightsAround({ lights: others, scene });
-  const found: Arriving = { direct: 0, indirect: 0, reflected: 0 };
-  const [place, normal] = [new Vector3(), new Vector3()];
-  const around = (direction: Vec3): number => {
-    sky.arriveAt(place, normal.set(...direction), false, found);
-    return found.indirect;
-  };
-  return { lamps, around, meanLight: (at) => meanLightAt(at, lamps, others) };
+  return { lamps, around: new LightsAround({ lights: others, scene }).surroundings };
 }
 
 /** The light as one with a direction; undefined for others. */
@@ -69,20 +59,4 @@ function lampOf(light: Light, shadows: boolean): Lamp | undefined {
     inner: Math.cos(angle * (1 - penumbra)),
   };
   return { ...lamp, isFar: false, distance, decay, cone };
-}
-
-/** The direction that the light comes from, as outlines are shaded by it. */
-function meanLightAt(place: Vec3, lamps: readonly Lamp[], others: readonly Light[]): Vec3 {
-  let sum: Vec3 = [0, 0, 0];
-  for (const lamp of lamps) {
-    const { direction, luminance: sent } = arriving(lamp, place);
-    sum = combined(1, sum, sent, direction);
-  }
-  for (const light of others) {
-    if (!('isHemisphereLight' in light)) continue;
-    const { color, groundColor, intensity } = light as HemisphereLight;
-    const up = new Vector3(...placeOf(light)).normalize().toArray();
-    sum = combined(1, sum, 0.5 * intensity * (luminanceOf(color) - luminanceOf(groundColor)), up);
-  }
-  return sum;
 }

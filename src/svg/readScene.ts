@@ -87,7 +87,6 @@ class SceneReader {
       sides: Uint8Array.from(sides),
       ...{ surfaces, outlines },
       illumination: { lamps: lights.lamps, around: lights.around, bias: SHADOW_BIAS * casterSize },
-      meanLight: lights.meanLight,
     };
   }
 

@@ -2,7 +2,6 @@ import type { Field } from '../engraving/fieldAxis.js';
 import type { EngravedLook } from './Engraver.js';
 import type { LineSurface } from './LineSurface.js';
 import type { OutlineLook, OutlineMesh } from './OutlineMesh.js';
-import type { MeanLight } from './outlineChains.js';
 import type { CameraMatrices } from './Projection.js';
 import type { Illumination, SurfaceLook } from './Toner.js';
 
@@ -32,7 +31,6 @@ export interface DrawnScene {
   surfaces: readonly EngravedSurface[];
   outlines: readonly OutlinedMesh[];
   illumination: Illumination;
-  meanLight: MeanLight;
 }
 
 /** The sheet and the way of drawing. Lengths in millimetres. */

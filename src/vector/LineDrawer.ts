@@ -62,7 +62,7 @@ export class LineDrawer {
   private *drawOutline({ mesh, look, ink }: OutlinedMesh): Generator<number, void, void> {
     const { scene, projection, bvh } = this;
     const pieces = yield* asPhase(outlinePieces(mesh, look), 0, 0.4);
-    const joining = outlineChains(pieces, mesh, look, projection, scene.meanLight);
+    const joining = outlineChains(pieces, mesh, look, projection, scene.illumination);
     const chains = yield* asPhase(joining, 0.4, 0.5);
     for (const [i, chain] of chains.entries()) {
       yield 0.5 + (0.5 * i) / chains.length;

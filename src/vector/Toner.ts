@@ -1,4 +1,5 @@
 import { arriving, type Lamp, responseTo, seenBehind, type ToneModel } from '../engraving/radiance.js';
+import { radianceAround, type Surroundings } from '../engraving/surroundings.js';
 import { openToLights, openToSky, shadedTone, type ToneLook } from '../engraving/tone.js';
 import { combined, normalize, type Vec3 } from '../engraving/vectors.js';
 import type { Bvh } from './Bvh.js';
@@ -19,8 +20,7 @@ export interface SurfaceLook extends ToneLook {
 /** The lights of a scene. */
 export interface Illumination {
   lamps: readonly Lamp[];
-  /** The radiance of a white surface with a normal under the light from all around. World space. */
-  around(normal: Vec3): number;
+  around: Surroundings;
   /** How far the places that rays of shadows begin at are lifted from the surface, world units. */
   bias: number;
 }
@@ -74,7 +74,9 @@ export class Toner {
     }
     const open = openToLights(occluded, look.occlusion) / Math.PI;
     const sky = openToSky(occluded, look.occlusion);
-    const rest = sky * (this.light.around(toneNormal) + (look.reflectedLight * reflected) / Math.PI) + look.emitted;
+    const rest =
+      sky * (radianceAround(this.light.around, ...toneNormal) + (look.reflectedLight * reflected) / Math.PI) +
+      look.emitted;
     const tone = shadedTone(open * direct + rest, occluded, look);
     const unshadowed = shadowed > 0 ? shadedTone(open * (direct + shadowed) + rest, occluded, look) : tone;
     return { tone, unshadowed, shadows };

@@ -1,11 +1,10 @@
+import { meanLightAt } from '../engraving/meanLight.js';
 import { type LiftedPiece, shadeWeight, wobbleAt } from '../engraving/outlines.js';
 import { combined, dot, normalize, type Vec3 } from '../engraving/vectors.js';
 import { type Chain, ChainBuilder } from './Chain.js';
 import type { OutlineLook, OutlineMesh, OutlinePiece, PieceEnd } from './OutlineMesh.js';
 import { type Projection, transformed } from './Projection.js';
-
-/** The direction that the light comes from at a place in the world: the mean of all lights by luminance, of any length. */
-export type MeanLight = (place: Vec3) => Vec3;
+import type { Illumination } from './Toner.js';
 
 /** Outlines bend by less than this at a joint, or a new one begins. Radians, in space: on the picture two edges may happen to lie in line. */
 const SHARPEST = (40 * Math.PI) / 180;
@@ -18,11 +17,11 @@ export function* outlineChains(
   mesh: OutlineMesh,
   look: OutlineLook,
   projection: Projection,
-  meanLight: MeanLight,
+  lights: Illumination,
 ): Generator<number, Chain[], void> {
   for (const [i, piece] of pieces.entries()) {
     if (i % 1024 === 1023) yield (0.5 * i) / pieces.length;
-    shade(piece, mesh, look, projection, meanLight);
+    shade(piece, mesh, look, projection, lights);
   }
   const chains: Chain[] = [];
   const walks = new Joints(pieces).walks();
@@ -43,10 +42,10 @@ function shade(
   { toWorld, normalToWorld }: OutlineMesh,
   { shadeWeights, lostEdges }: OutlineLook,
   { eye, backwards, isOrthographic }: Projection,
-  meanLight: MeanLight,
+  lights: Illumination,
 ): void {
   const middle = transformed(toWorld, ...combined(0.5, start.position, 0.5, end.position));
-  const light = meanLight(middle);
+  const light = meanLightAt(middle, lights.lamps, lights.around.skies);
   const sight = isOrthographic ? backwards : normalize(combined(1, eye, -1, middle));
   for (const side of [start, end]) {
     const normal = normalize(normalToWorld.map((row) => dot(row, side.normal)) as unknown as Vec3);

@@ -36,6 +36,7 @@ export const ROOMS = {
   ],
   'material/exposure': [
     'facts',
+    '/src/engraving/surroundings.ts',
     '/src/material/HatchingMaterialProperties.ts',
     '/src/material/fitToneCurve.ts',
     '/src/material/FrameStamp.ts',

@@ -9,8 +9,9 @@ import {
   type SpotLight,
   Vector3,
 } from 'three';
+import { radianceAround, type Surroundings } from '../../engraving/surroundings.js';
 import { luminanceOf } from '../facts/luminanceOf.js';
-import { type Harmonics, harmonicsOf, irradianceFrom } from './environmentHarmonics.js';
+import { harmonicsOf } from './environmentHarmonics.js';
 import type { SceneContents } from './SceneContents.js';
 
 /** A light with a direction, as numbers in world space. */
@@ -25,13 +26,6 @@ interface Lamp {
   axis: Vector3 | undefined;
   outer: number;
   inner: number;
-}
-
-/** A hemisphere light: the direction to its sky, the mean of its two luminances and half their difference. */
-interface Sky {
-  up: Vector3;
-  mean: number;
-  difference: number;
 }
 
 /** What arrives at a point, as radiances of a white surface. */
@@ -50,37 +44,45 @@ const positionOf = (object: { matrixWorld: Matrix4 }): Vector3 =>
 /** The lights of a scene as they arrive at points with normals: what the shaders compute, but for shadows. */
 export class LightsAround {
   private readonly lamps: Lamp[] = [];
-  private readonly skies: Sky[] = [];
-  private ambient = 0;
-  private readonly probes: Harmonics = new Float64Array(9);
-  private readonly environment: Harmonics | undefined;
-  private readonly intoEnvironment = new Matrix4();
-  private readonly environmentIntensity: number;
-  private readonly turned = new Vector3();
+  /** What comes from no place. */
+  readonly surroundings: Surroundings;
   private readonly toLamp = new Vector3();
 
   constructor({ lights, scene }: Pick<SceneContents, 'lights' | 'scene'>) {
-    for (const light of lights) this.add(light);
     const { environment = null, environmentIntensity = 1, environmentRotation } = scene as Scene;
-    this.environment = environment ? harmonicsOf(environment) : undefined;
-    this.environmentIntensity = environmentIntensity;
-    if (environmentRotation) this.intoEnvironment.makeRotationFromEuler(environmentRotation).transpose();
+    this.surroundings = { ambient: 0, skies: [], probes: new Float64Array(9), environment: null };
+    if (environment) {
+      const into = new Matrix4();
+      if (environmentRotation) into.makeRotationFromEuler(environmentRotation).transpose();
+      const { elements: e } = into;
+      this.surroundings.environment = {
+        harmonics: harmonicsOf(environment),
+        intensity: environmentIntensity,
+        into: [
+          [e[0], e[4], e[8]],
+          [e[1], e[5], e[9]],
+          [e[2], e[6], e[10]],
+        ],
+      };
+    }
+    for (const light of lights) this.add(light);
   }
 
   private add(light: Light): void {
     const full = light.intensity * luminanceOf(light.color);
-    if ('isAmbientLight' in light) this.ambient += full;
+    const { surroundings } = this;
+    if ('isAmbientLight' in light) surroundings.ambient += full;
     else if ('isHemisphereLight' in light) {
       const ground = light.intensity * luminanceOf((light as HemisphereLight).groundColor);
-      this.skies.push({
-        up: positionOf(light).normalize(),
+      surroundings.skies.push({
+        up: positionOf(light).normalize().toArray(),
         mean: (full + ground) / 2,
         difference: (full - ground) / 2,
       });
     } else if ('isLightProbe' in light) {
       const { coefficients } = (light as LightProbe).sh;
       for (const [i, { x, y, z }] of coefficients.entries())
-        this.probes[i] += light.intensity * (0.2126 * x + 0.7152 * y + 0.0722 * z);
+        surroundings.probes[i] += light.intensity * (0.2126 * x + 0.7152 * y + 0.0722 * z);
     } else if ('isDirectionalLight' in light) {
       const at = positionOf(light)
         .sub(positionOf((light as DirectionalLight).target))
@@ -106,14 +108,8 @@ export class LightsAround {
       direct += sent * cone * (isHalfLambert ? (0.5 * cosine + 0.5) ** 2 : Math.max(cosine, 0));
       reflected += sent * (0.5 - 0.5 * cosine);
     }
-    let indirect = this.ambient + irradianceFrom(this.probes, normal);
-    for (const { up, mean, difference } of this.skies) indirect += mean + difference * normal.dot(up);
-    if (this.environment) {
-      this.turned.copy(normal).transformDirection(this.intoEnvironment);
-      indirect += this.environmentIntensity * irradianceFrom(this.environment, this.turned);
-    }
     result.direct = direct / Math.PI;
-    result.indirect = Math.max(0, indirect) / Math.PI;
+    result.indirect = radianceAround(this.surroundings, normal.x, normal.y, normal.z);
     result.reflected = reflected / Math.PI;
   }
 }

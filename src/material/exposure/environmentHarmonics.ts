@@ -1,8 +1,6 @@
 import { type CubeTexture, type Texture, Vector3 } from 'three';
+import type { Harmonics } from '../../engraving/surroundings.js';
 import { type Luminances, luminances } from './luminances.js';
-
-/** Nine coefficients of spherical harmonics, as three's `SphericalHarmonics3` orders them; of luminance. */
-export type Harmonics = Float64Array;
 
 /** At most so many rows of an image are looked at, and so many columns. */
 const MOST_ROWS = 128;
@@ -18,17 +16,6 @@ export function harmonicsOf(texture: Texture): Harmonics {
   const harmonics = project(texture) ?? ROOM;
   known.set(texture, { version: texture.version, harmonics });
   return harmonics;
-}
-
-/** The irradiance at a surface with a normal, as three's shader chunks have it. */
-export function irradianceFrom(c: Harmonics, { x, y, z }: Vector3): number {
-  return (
-    0.886227 * c[0] +
-    1.023328 * (c[1] * y + c[2] * z + c[3] * x) +
-    0.858086 * (c[4] * x * y + c[5] * y * z + c[7] * x * z) +
-    c[6] * (0.743125 * z * z - 0.247708) +
-    0.429043 * c[8] * (x * x - y * y)
-  );
 }
 
 const direction = /* @__PURE__ */ new Vector3();
