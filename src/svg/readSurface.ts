@@ -89,23 +89,23 @@ export function* readSurface(
   const { position } = geometry.attributes;
   const places = placesOf(position.count, (vertex, axis) => position.getComponent(vertex, axis));
   const vertexCount = position.count;
-  const vertices = new Array<number>(STRIDE * vertexCount).fill(0);
+  const vertices = new Float64Array(STRIDE * vertexCount);
   const writer = new VertexWriter(geometry, frame, vertices);
   for (let v = 0; v < vertexCount; v++) {
     if (v % CHUNK === 0) yield v / vertexCount;
     writer.write(v, places[v]);
   }
   const isMirrored = frame.toWorld.determinant() < 0;
-  const triangles = Array.from(corners);
+  const triangles = Int32Array.from(corners);
   if (isMirrored) {
     for (let c = 0; c < triangles.length; c += 3) [triangles[c], triangles[c + 1]] = [triangles[c + 1], triangles[c]];
   }
   const viewToField = new Matrix3().setFromMatrix4(frame.toView).invert().premultiply(frame.toField);
   return {
     vertices,
-    placeOf: Array.from(places),
+    placeOf: Int32Array.from(places),
     triangles,
-    parents: Array.from({ length: corners.length / 3 }, (_, t) => firstTriangle + t),
+    parents: Int32Array.from({ length: corners.length / 3 }, (_, t) => firstTriangle + t),
     drawsFront: (seen & SEEN_FRONT) !== 0,
     drawsBack: (seen & SEEN_BACK) !== 0,
     viewToField: rowsOf(viewToField),
@@ -127,7 +127,7 @@ class VertexWriter {
   constructor(
     private readonly geometry: BufferGeometry,
     private readonly frame: SurfaceFrame,
-    private readonly vertices: number[],
+    private readonly vertices: Float64Array,
   ) {}
 
   /** @param place the vertex whose position stands for all at the same place */
@@ -135,7 +135,7 @@ class VertexWriter {
     const { frame, vector, vertices } = this;
     const { position, normal } = this.geometry.attributes;
     const o = STRIDE * vertex;
-    const put = (offset: number) => vector.toArray(vertices as unknown as number[], o + offset);
+    const put = (offset: number) => vector.toArray(vertices, o + offset);
     const at = () => vector.fromBufferAttribute(position as BufferAttribute, place);
     at().applyMatrix4(frame.toWorld);
     put(WORLD);

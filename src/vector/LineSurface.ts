@@ -18,13 +18,13 @@ export const STRIDE = 24;
 /** A surface whose lines are drawn: triangles of vertices of which all numbers are linear over a triangle. */
 export interface LineSurface {
   /** `STRIDE` numbers per vertex. Vertices at one place have the same WORLD, VIEW and FIELD, bit by bit. */
-  vertices: number[];
+  vertices: Float64Array;
   /** The place of each vertex. */
-  placeOf: number[];
+  placeOf: Int32Array;
   /** The vertex of each corner; the front is counter-clockwise as seen. */
-  triangles: number[];
+  triangles: Int32Array;
   /** The triangle of the scene that each triangle is a part of. */
-  parents: number[];
+  parents: Int32Array;
   /** Which sides are drawn. */
   drawsFront: boolean;
   drawsBack: boolean;
@@ -47,7 +47,7 @@ export interface SurfacePlace {
 }
 
 /** The numbers at a share of the way from one vertex to another. */
-export function between(vertices: readonly number[], a: number, b: number, share: number): Float64Array {
+export function between(vertices: Float64Array, a: number, b: number, share: number): Float64Array {
   const [i, j] = [STRIDE * a, STRIDE * b];
   const numbers = new Float64Array(STRIDE);
   for (let k = 0; k < STRIDE; k++) numbers[k] = vertices[i + k] + share * (vertices[j + k] - vertices[i + k]);

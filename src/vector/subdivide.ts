@@ -1,4 +1,5 @@
 import { asPhase } from '../slices/asPhase.js';
+import { GrowingArray } from './GrowingArray.js';
 import { FIELD, type LineSurface, STRIDE, VIEW, WORLD } from './LineSurface.js';
 import type { Projection } from './Projection.js';
 
@@ -54,18 +55,22 @@ class Halving {
   /** The new place in the middle of two, and the new vertex between two. */
   private readonly middles = new Map<number, number>();
   private readonly halves = new Map<number, number>();
-  private readonly triangles: number[] = [];
-  private readonly parents: number[] = [];
+  private readonly triangles: GrowingArray<Int32Array>;
+  private readonly parents: GrowingArray<Int32Array>;
   private places: number;
 
   constructor(
     private readonly surface: LineSurface,
+    private readonly vertices: GrowingArray<Float64Array>,
+    private readonly placeOf: GrowingArray<Int32Array>,
     private readonly projection: Projection,
     placeCount: number,
     private readonly pass: number,
     private readonly seen: Seen,
   ) {
     this.places = placeCount;
+    this.triangles = new GrowingArray(new Int32Array(surface.triangles.length), 0);
+    this.parents = new GrowingArray(new Int32Array(surface.parents.length), 0);
   }
 
   /** Returns the number of places, or −1 if nothing was to be halved. Yields its progress. */
@@ -79,13 +84,15 @@ class Halving {
       if (!mayBeSeen(seen, projection, placeOf[a], placeOf[b], placeOf[c])) continue;
       this.split(parents[t], a, b, c);
     }
-    surface.triangles = this.triangles;
-    surface.parents = this.parents;
+    surface.vertices = this.vertices.used();
+    surface.placeOf = this.placeOf.used();
+    surface.triangles = this.triangles.used();
+    surface.parents = this.parents.used();
     return this.halves.size > 0 ? this.places : -1;
   }
 
   private add(parent: number, ...corners: number[]): void {
-    this.triangles.push(...corners);
+    for (const corner of corners) this.triangles.push(corner);
     for (let i = 0; i < corners.length; i += 3) this.parents.push(parent);
   }
 
@@ -110,7 +117,7 @@ class Halving {
     const pixels = Math.hypot(x[a] - x[b], y[a] - y[b]);
     if (pixels <= SHORTEST_HALVED) return false;
     if (pixels > LONGEST) return true;
-    const { vertices } = this.surface;
+    const vertices = this.vertices.data;
     const [i, j] = [STRIDE * va + FIELD, STRIDE * vb + FIELD];
     return (
       Math.hypot(vertices[i] - vertices[j], vertices[i + 1] - vertices[j + 1], vertices[i + 2] - vertices[j + 2]) >
@@ -120,8 +127,8 @@ class Halving {
 
   /** The vertex in the middle of an edge, or −1 if the edge is short. */
   private middleOf(u: number, v: number): number {
-    const { placeOf, vertices } = this.surface;
-    const [a, b] = [placeOf[u], placeOf[v]];
+    const { placeOf, vertices } = this;
+    const [a, b] = [placeOf.data[u], placeOf.data[v]];
     if (!this.isLong(a, b, u, v)) return -1;
     const pair = pairOf(u, v);
     const known = this.halves.get(pair);
@@ -131,13 +138,15 @@ class Halving {
     const vertex = placeOf.length;
     // From the lower to the higher, or the two sides of the edge would round differently.
     const [from, to] = a < b ? [STRIDE * u, STRIDE * v] : [STRIDE * v, STRIDE * u];
-    for (let k = 0; k < STRIDE; k++) vertices.push(0.5 * (vertices[from + k] + vertices[to + k]));
+    vertices.reserve(STRIDE * (vertex + 1));
+    const numbers = vertices.data;
+    for (let k = 0; k < STRIDE; k++) vertices.push(0.5 * (numbers[from + k] + numbers[to + k]));
     if (other === undefined) {
       this.middles.set(key, vertex);
       placeOf.push(this.places++);
     } else {
-      placeOf.push(placeOf[other]);
-      for (let k = WORLD; k < FIELD + 3; k++) vertices[STRIDE * vertex + k] = vertices[STRIDE * other + k];
+      placeOf.push(placeOf.data[other]);
+      for (let k = WORLD; k < FIELD + 3; k++) numbers[STRIDE * vertex + k] = numbers[STRIDE * other + k];
     }
     this.halves.set(pair, vertex);
     return vertex;
@@ -149,11 +158,13 @@ class Halving {
  * on the picture. Changes the surface. Yields its progress.
  */
 export function* subdivide(surface: LineSurface, projection: Projection): Generator<number, void, void> {
+  const vertices = new GrowingArray(surface.vertices);
+  const placeOf = new GrowingArray(surface.placeOf);
   let places = 1 + surface.placeOf.reduce((most, place) => Math.max(most, place), -1);
   for (let pass = 0; pass < MOST_PASSES && places >= 0; pass++) {
     // Each pass has about half of what there is left to do, until nothing is to be halved.
     const [from, to] = [1 - 0.5 ** pass, 1 - 0.5 ** (pass + 1)];
     const seen = yield* asPhase(seenPlaces(surface, projection, places), from, (from + to) / 2);
-    places = yield* asPhase(new Halving(surface, projection, places, pass, seen).run(), (from + to) / 2, to);
+    places = yield* asPhase(new Halving(surface, vertices, placeOf, projection, places, pass, seen).run(), (from + to) / 2, to);
   }
 }

@@ -1,0 +1,31 @@
+/** A typed array that numbers are added to. */
+export class GrowingArray<Numbers extends Float64Array | Int32Array> {
+  length = 0;
+
+  /** @param data what it begins with; `length` of them count */
+  constructor(
+    public data: Numbers,
+    length = data.length,
+  ) {
+    this.length = length;
+  }
+
+  push(number: number): void {
+    if (this.length === this.data.length) this.reserve(this.length + 1);
+    this.data[this.length++] = number;
+  }
+
+  /** Makes room for so many numbers in all. */
+  reserve(count: number): void {
+    if (count <= this.data.length) return;
+    const Kind = this.data.constructor as new (count: number) => Numbers;
+    const larger = new Kind(Math.max(count, 2 * this.data.length, 64));
+    larger.set(this.data);
+    this.data = larger;
+  }
+
+  /** Those that count, not copied. */
+  used(): Numbers {
+    return this.data.subarray(0, this.length) as Numbers;
+  }
+}
