@@ -165,6 +165,10 @@ export function* subdivide(surface: LineSurface, projection: Projection): Genera
     // Each pass has about half of what there is left to do, until nothing is to be halved.
     const [from, to] = [1 - 0.5 ** pass, 1 - 0.5 ** (pass + 1)];
     const seen = yield* asPhase(seenPlaces(surface, projection, places), from, (from + to) / 2);
-    places = yield* asPhase(new Halving(surface, vertices, placeOf, projection, places, pass, seen).run(), (from + to) / 2, to);
+    places = yield* asPhase(
+      new Halving(surface, vertices, placeOf, projection, places, pass, seen).run(),
+      (from + to) / 2,
+      to,
+    );
   }
 }

@@ -2,9 +2,8 @@ import { runSliced, type SlicedOptions } from '../slices/runSliced.js';
 import { disposedError } from './disposedError.js';
 import { awaitEnd } from './lifeLock.js';
 import { type FromWorker, type ToWorker, unpackError } from './protocol.js';
-import { requestBuffers } from './requestBuffers.js';
 import { SILENCE_SECONDS, SilenceWatch } from './SilenceWatch.js';
-import type { TaskName, TaskRequest, TaskResult } from './tasks.js';
+import type { AnyTask, NameIn, RequestOf, ResultOf, TaskSet, Tasks } from './TaskSet.js';
 
 /** Milliseconds after which an idle worker is terminated, because it holds a thread and tens of megabytes. */
 const IDLE_MS = 10_000;
@@ -21,7 +20,7 @@ export type MakeAgain<Request> = () => Request | Promise<Request>;
 /** A request whose promise is pending. */
 interface Pending {
   id: number;
-  task: TaskName;
+  task: string;
   request: unknown;
   makeAgain: MakeAgain<unknown> | undefined;
   /** Where the request is. `lost`: its buffers are gone, and the request is being made again. */
@@ -51,7 +50,7 @@ type State = 'none' | 'starting' | 'ready' | 'unavailable';
  *   new worker and, if that dies too, on the main thread; the others are rejected. The client learns of a death from an event,
  *   from the lock that the worker held, or from its silence.
  */
-export class TaskClient {
+export class TaskClient<All extends Tasks> {
   private worker: Worker | null = null;
   private state: State = 'none';
   private nextId = 0;
@@ -67,11 +66,13 @@ export class TaskClient {
   );
 
   /**
+   * @param set the tasks that the worker can run
    * @param createWorker creates the worker, or returns null if there is none; may throw.
    * @param onIdle called after an idle worker was terminated.
    * @param warn called with a sentence when no worker could be started, or when a worker has died.
    */
   constructor(
+    private readonly set: TaskSet<All>,
     private readonly createWorker: () => Worker | null,
     private readonly onIdle: () => void = () => {},
     private readonly warn: (sentence: string) => void = (sentence) => console.warn(sentence),
@@ -95,15 +96,15 @@ export class TaskClient {
    * @param makeAgain makes the same request again. Without it, or if it fails, the promise is rejected with an Error when the
    *   worker dies.
    */
-  run<Name extends TaskName>(
+  run<Name extends NameIn<All>>(
     task: Name,
-    request: TaskRequest<Name>,
+    request: RequestOf<All, Name>,
     options: SlicedOptions = {},
-    makeAgain?: MakeAgain<TaskRequest<Name>>,
-  ): Promise<TaskResult<Name>> {
+    makeAgain?: MakeAgain<RequestOf<All, Name>>,
+  ): Promise<ResultOf<All, Name>> {
     const { signal } = options;
     if (signal?.aborted) return Promise.reject(signal.reason);
-    return new Promise<unknown>((resolve, reject) => {
+    return new Promise<ResultOf<All, Name>>((resolve, reject) => {
       // An exception in here rejects the promise.
       this.start();
       const id = this.nextId++;
@@ -128,7 +129,7 @@ export class TaskClient {
       };
       this.pending.set(id, entry);
       this.begin(entry);
-    }) as Promise<TaskResult<Name>>;
+    });
   }
 
   /** Terminates the worker and rejects all pending requests. The client stays usable: the next request starts a new worker. */
@@ -224,7 +225,7 @@ export class TaskClient {
     entry.request = undefined;
     this.watch.start();
     try {
-      this.send({ type: 'run', id, task, request }, requestBuffers(task, request));
+      this.send({ type: 'run', id, task, request }, this.set.requestBuffers[task](request as never));
     } catch (error) {
       this.settle(id)?.reject(error);
     }
@@ -239,9 +240,11 @@ export class TaskClient {
       controller.abort();
     };
     const onProgress = (progress: number) => this.report(id, progress);
-    // Loaded only when it is needed: the worker contains this code already, and most pages need it only there.
-    import('./tasks.js')
-      .then(({ taskNamed }) => runSliced(taskNamed(task).run(request), { signal: controller.signal, onProgress }))
+    this.set
+      .fetchTasks()
+      .then((tasks) =>
+        runSliced((tasks[task] as unknown as AnyTask).run(request), { signal: controller.signal, onProgress }),
+      )
       .then(
         (result) => this.finish(id, result),
         (error) => this.settle(id)?.reject(error),

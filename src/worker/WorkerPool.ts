@@ -1,32 +1,34 @@
 import type { SlicedOptions } from '../slices/runSliced.js';
 import { maxWorkers } from './maxWorkers.js';
 import { type MakeAgain, TaskClient } from './TaskClient.js';
-import type { TaskName, TaskRequest, TaskResult } from './tasks.js';
+import type { NameIn, RequestOf, ResultOf, TaskSet, Tasks } from './TaskSet.js';
 
 /**
  * Runs tasks in several workers. Each request goes to the worker with the fewest pending requests; while all workers are busy,
  * another one is started, up to `maxWorkers`. If a worker could not be started, no other is tried.
  */
-export class WorkerPool {
-  private readonly clients: TaskClient[] = [];
+export class WorkerPool<All extends Tasks> {
+  private readonly clients: TaskClient<All>[] = [];
   private readonly warnings = new Set<string>();
 
   /**
+   * @param set the tasks that its workers can run
    * @param createWorker creates a worker, or returns null if there is none; may throw.
    * @param onIdle called after the last idle worker was terminated.
    */
   constructor(
+    private readonly set: TaskSet<All>,
     private readonly createWorker: () => Worker | null,
     private readonly onIdle: () => void = () => {},
   ) {}
 
   /** See `TaskClient.run`. */
-  run<Name extends TaskName>(
+  run<Name extends NameIn<All>>(
     task: Name,
-    request: TaskRequest<Name>,
+    request: RequestOf<All, Name>,
     options: SlicedOptions = {},
-    makeAgain?: MakeAgain<TaskRequest<Name>>,
-  ): Promise<TaskResult<Name>> {
+    makeAgain?: MakeAgain<RequestOf<All, Name>>,
+  ): Promise<ResultOf<All, Name>> {
     return this.choose().run(task, request, options, makeAgain);
   }
 
@@ -35,13 +37,18 @@ export class WorkerPool {
     for (const client of this.clients.splice(0)) client.dispose();
   }
 
-  private choose(): TaskClient {
+  private choose(): TaskClient<All> {
     const { clients } = this;
-    let least: TaskClient | undefined;
+    let least: TaskClient<All> | undefined;
     for (const client of clients) if (!least || client.pendingCount < least.pendingCount) least = client;
     const mayGrow = clients.length < maxWorkers() && clients.every(({ isUnavailable }) => !isUnavailable);
     if (least && (least.pendingCount === 0 || !mayGrow)) return least;
-    const client = new TaskClient(this.createWorker, () => this.remove(client), this.warnOnce);
+    const client: TaskClient<All> = new TaskClient(
+      this.set,
+      this.createWorker,
+      () => this.remove(client),
+      this.warnOnce,
+    );
     clients.push(client);
     return client;
   }
@@ -52,7 +59,7 @@ export class WorkerPool {
     this.warnings.add(sentence);
   };
 
-  private remove(client: TaskClient): void {
+  private remove(client: TaskClient<All>): void {
     this.clients.splice(this.clients.indexOf(client), 1);
     if (this.clients.length === 0) this.onIdle();
   }

@@ -1,40 +1,4 @@
-import { runSliced } from '../slices/runSliced.js';
-import { holdLifeLock } from './lifeLock.js';
-import { type FromWorker, packError, type ToWorker } from './protocol.js';
-import { taskNamed } from './tasks.js';
+import { serveTasks } from './serveTasks.js';
+import { tasks } from './tasks.js';
 
-/** The worker runs requests in slices, so that several can take turns and abort messages can arrive in between. */
-
-/** The members of a worker's global scope that are used here. TypeScript's DOM types only describe a window. */
-interface WorkerScope {
-  onmessage: ((event: MessageEvent<ToWorker>) => void) | null;
-  postMessage(message: FromWorker, transfer?: Transferable[]): void;
-}
-
-const scope = globalThis as unknown as WorkerScope;
-const running = new Map<number, AbortController>();
-
-scope.onmessage = ({ data }) => {
-  if (data.type === 'abort') running.get(data.id)?.abort();
-  else if (data.type === 'ping') scope.postMessage({ type: 'alive' });
-  else void run(data);
-};
-
-async function run({ id, task: name, request }: Extract<ToWorker, { type: 'run' }>): Promise<void> {
-  const controller = new AbortController();
-  running.set(id, controller);
-  try {
-    const task = taskNamed(name);
-    const result = await runSliced(task.run(request), {
-      signal: controller.signal,
-      onProgress: (progress) => scope.postMessage({ type: 'progress', id, progress }),
-    });
-    scope.postMessage({ type: 'done', id, result }, task.resultBuffers(result));
-  } catch (error) {
-    if (!controller.signal.aborted) scope.postMessage({ type: 'failed', id, error: packError(error) });
-  } finally {
-    running.delete(id);
-  }
-}
-
-holdLifeLock().then((lock) => scope.postMessage({ type: 'ready', lock }));
+serveTasks(tasks);

@@ -1,8 +1,6 @@
-import type { TaskName } from './tasks.js';
-
 /** The messages from the client to the worker. `id` is the client's number for a request. */
 export type ToWorker =
-  | { type: 'run'; id: number; task: TaskName; request: unknown }
+  | { type: 'run'; id: number; task: string; request: unknown }
   /** Stops the request. The worker sends no reply. */
   | { type: 'abort'; id: number }
   /** Asks for a sign of life. */

@@ -2,9 +2,11 @@ import { bakeRequestBuffers, jointRequestBuffers } from '../bake/bakeRequestBuff
 import { contourSearchBuffers } from '../features/contourSearchBuffers.js';
 import { imageBuffers } from '../hatchImages/imageBuffers.js';
 import { occlusionMeshBuffers, occlusionSceneBuffers } from '../occlusion/occlusionBuffers.js';
-import type { TaskName, TaskRequest } from './tasks.js';
+import type { TaskSet } from './TaskSet.js';
+import type { BakingTasks } from './tasks.js';
 
-const buffersOf: { [Name in TaskName]: (request: TaskRequest<Name>) => ArrayBuffer[] } = {
+/** The buffers that are transferred with a request, so that the sender loses them. */
+export const requestBuffers: TaskSet<BakingTasks>['requestBuffers'] = {
   bakeCorners: bakeRequestBuffers,
   bakeIndexed: bakeRequestBuffers,
   bakeJointForms: jointRequestBuffers,
@@ -16,6 +18,3 @@ const buffersOf: { [Name in TaskName]: (request: TaskRequest<Name>) => ArrayBuff
   startOcclusion: occlusionMeshBuffers,
   addDirections: ({ scene }) => occlusionSceneBuffers(scene),
 };
-
-/** The buffers that are transferred with a request, so that the sender loses them. `runTask` has checked its type. */
-export const requestBuffers = (name: TaskName, request: unknown): ArrayBuffer[] => buffersOf[name](request as never);

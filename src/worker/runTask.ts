@@ -1,7 +1,9 @@
+import { bakingTasks } from './bakingTasks.js';
 import { disposedError } from './disposedError.js';
 import type { MakeAgain } from './TaskClient.js';
 import type { TaskOptions } from './TaskOptions.js';
-import type { TaskName, TaskRequest, TaskResult } from './tasks.js';
+import type { NameIn, RequestOf, ResultOf, TaskSet, Tasks } from './TaskSet.js';
+import type { BakingTasks } from './tasks.js';
 import type { WorkerPool } from './WorkerPool.js';
 
 type CreateWorker = () => Worker | null;
@@ -9,7 +11,7 @@ type CreateWorker = () => Worker | null;
 const createNoWorker: CreateWorker = () => null;
 
 /** The pool of each `createWorker` function, as long as it has a worker. */
-const pools = /* @__PURE__ */ new Map<CreateWorker, WorkerPool>();
+const pools = /* @__PURE__ */ new Map<CreateWorker, WorkerPool<Tasks>>();
 
 /** How often everything was disposed of. */
 let disposals = 0;
@@ -20,29 +22,38 @@ let disposals = 0;
  *
  * @param makeAgain makes the same request again, so that the task can start over if its worker dies
  */
-export async function runTask<Name extends TaskName>(
+export const runTask = <Name extends NameIn<BakingTasks>>(
   name: Name,
-  request: TaskRequest<Name>,
+  request: RequestOf<BakingTasks, Name>,
   options: TaskOptions = {},
-  makeAgain?: MakeAgain<TaskRequest<Name>>,
-): Promise<TaskResult<Name>> {
+  makeAgain?: MakeAgain<RequestOf<BakingTasks, Name>>,
+): Promise<ResultOf<BakingTasks, Name>> => runTaskOf(bakingTasks, name, request, options, makeAgain);
+
+/** The same for the tasks of any set. */
+export async function runTaskOf<All extends Tasks, Name extends NameIn<All>>(
+  set: TaskSet<All>,
+  name: Name,
+  request: RequestOf<All, Name>,
+  options: TaskOptions = {},
+  makeAgain?: MakeAgain<RequestOf<All, Name>>,
+): Promise<ResultOf<All, Name>> {
   const disposalsBefore = disposals;
   // What runs tasks is fetched with the first of them, and so is the worker.
   const [{ WorkerPool }, createWorker] = await Promise.all([
     import('./WorkerPool.js'),
-    options.createWorker ?? fetchInlineWorker(),
+    options.createWorker ?? fetchInlineWorker(set),
   ]);
   if (disposals !== disposalsBefore) throw disposedError();
-  let pool = pools.get(createWorker);
+  let pool = pools.get(createWorker) as WorkerPool<All> | undefined;
   if (!pool) {
-    pool = new WorkerPool(createWorker, () => pools.delete(createWorker));
-    pools.set(createWorker, pool);
+    pool = new WorkerPool(set, createWorker, () => pools.delete(createWorker));
+    pools.set(createWorker, pool as unknown as WorkerPool<Tasks>);
   }
   return pool.run(name, request, options, makeAgain);
 }
 
-async function fetchInlineWorker(): Promise<CreateWorker> {
-  return typeof Worker === 'undefined' ? createNoWorker : (await import('./inlineWorker.js')).createInlineWorker;
+async function fetchInlineWorker<All extends Tasks>(set: TaskSet<All>): Promise<CreateWorker> {
+  return typeof Worker === 'undefined' ? createNoWorker : set.fetchWorker();
 }
 
 /**

@@ -12,14 +12,7 @@ import { imageBuffers } from '../hatchImages/imageBuffers.js';
 import { addDirections } from '../occlusion/addDirections.js';
 import { occlusionSceneBuffers } from '../occlusion/occlusionBuffers.js';
 import { startOcclusion } from '../occlusion/startOcclusion.js';
-
-/** A long computation that the worker can run. Requests and results are plain data. */
-interface Task<Request, Result> {
-  /** Yields its progress in [0, 1] every few milliseconds of work. */
-  run(request: Request): Generator<number, Result, void>;
-  /** The buffers that are transferred back with the result. */
-  resultBuffers(result: Result): ArrayBuffer[];
-}
+import type { Task } from './TaskSet.js';
 
 const task = <Request, Result>(definition: Task<Request, Result>): Task<Request, Result> => definition;
 
@@ -52,9 +45,4 @@ export const tasks = {
   }),
 };
 
-export type TaskName = keyof typeof tasks;
-export type TaskRequest<Name extends TaskName> = Parameters<(typeof tasks)[Name]['run']>[0];
-export type TaskResult<Name extends TaskName> = Parameters<(typeof tasks)[Name]['resultBuffers']>[0];
-
-/** The task called `name`, without its types, which `runTask` has checked. */
-export const taskNamed = (name: TaskName): Task<unknown, unknown> => tasks[name] as unknown as Task<unknown, unknown>;
+export type BakingTasks = typeof tasks;

@@ -1,6 +1,8 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import type { BakeCornersResult, BakeRequest } from '../../../src/bake/bakeCorners.js';
+import { bakingTasks } from '../../../src/worker/bakingTasks.js';
 import { TaskClient } from '../../../src/worker/TaskClient.js';
+import type { BakingTasks } from '../../../src/worker/tasks.js';
 import { FakeWorker } from './FakeWorker.js';
 
 /** One triangle. `label` tells requests apart. */
@@ -27,7 +29,7 @@ const outcomeOf = async (promise: Promise<unknown>) => {
 };
 
 let workers: FakeWorker[];
-let client: TaskClient;
+let client: TaskClient<BakingTasks>;
 const create = () => {
   const worker = new FakeWorker();
   workers.push(worker);
@@ -38,7 +40,7 @@ const onIdle = vi.fn();
 beforeEach(() => {
   vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout', 'performance'] });
   workers = [];
-  client = new TaskClient(create, onIdle);
+  client = new TaskClient(bakingTasks, create, onIdle);
   onIdle.mockReset();
 });
 afterEach(() => {
@@ -214,7 +216,7 @@ describe('dispose', () => {
   });
 
   test('of a client on the main thread', async () => {
-    client = new TaskClient(() => null);
+    client = new TaskClient(bakingTasks, () => null);
     const promise = client.run('bakeCorners', request());
     client.dispose();
     await expect(promise).rejects.toThrow(/disposed/);
@@ -476,7 +478,7 @@ describe('a function that makes no worker', () => {
     ['a promise', async () => FakeWorker.asWorker(new FakeWorker()), /but returned a Promise/],
     ['nothing', () => {}, /but returned nothing/],
   ])('is refused at once: %s', async (_what, make, says) => {
-    client = new TaskClient(make as () => Worker);
+    client = new TaskClient(bakingTasks, make as () => Worker);
     for (let i = 0; i < 2; i++) {
       const error = await client.run('bakeCorners', request()).catch((reason) => reason);
       expect(error).toBeInstanceOf(TypeError);
@@ -495,7 +497,7 @@ describe('without a worker the main thread computes', () => {
   const isBaked = (value: BakeCornersResult) => expect([...value.positions]).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0]);
 
   test('when there are none: silently', async () => {
-    client = new TaskClient(() => null);
+    client = new TaskClient(bakingTasks, () => null);
     const progress: number[] = [];
     isBaked(await client.run('bakeCorners', request(), { onProgress: (value) => progress.push(value) }));
     expect(progress.at(-1)).toBe(1);
@@ -506,7 +508,7 @@ describe('without a worker the main thread computes', () => {
     const create = vi.fn(() => {
       throw new Error('blocked by the policy');
     });
-    client = new TaskClient(create);
+    client = new TaskClient(bakingTasks, create);
     const both = [client.run('bakeCorners', request()), client.run('bakeCorners', request())];
     for (const promise of both) isBaked(await promise);
     expect(create).toHaveBeenCalledOnce();
@@ -534,7 +536,7 @@ describe('without a worker the main thread computes', () => {
   });
 
   test('errors of the task and aborts come through', async () => {
-    client = new TaskClient(() => null);
+    client = new TaskClient(bakingTasks, () => null);
     await expect(client.run('bakeCorners', request('bad', [Number.NaN, 0, 0, 1, 0, 0, 0, 1, 0]))).rejects.toThrow(
       /^bad: the position/,
     );

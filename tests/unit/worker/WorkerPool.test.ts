@@ -1,6 +1,8 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import type { MapDrawing } from '../../../src/hatchImages/hatchImageOptions.js';
+import { bakingTasks } from '../../../src/worker/bakingTasks.js';
 import { maxWorkers } from '../../../src/worker/maxWorkers.js';
+import type { BakingTasks } from '../../../src/worker/tasks.js';
 import { WorkerPool } from '../../../src/worker/WorkerPool.js';
 import { FakeWorker } from './FakeWorker.js';
 
@@ -9,7 +11,7 @@ const request = (seed = 0): MapDrawing => ({ size: 64, tones: 4, levels: 1, seed
 const result = (id: number) => ({ id }) as never;
 
 let workers: FakeWorker[];
-let pool: WorkerPool;
+let pool: WorkerPool<BakingTasks>;
 const onIdle = vi.fn();
 const run = (seed?: number, signal?: AbortSignal) => {
   const promise = pool.run('generateHatchImages', request(seed), { signal });
@@ -27,7 +29,7 @@ beforeEach(() => {
   vi.stubGlobal('navigator', { hardwareConcurrency: 3 });
   workers = [];
   onIdle.mockReset();
-  pool = new WorkerPool(create, onIdle);
+  pool = new WorkerPool(bakingTasks, create, onIdle);
 });
 afterEach(() => {
   vi.useRealTimers();
@@ -115,7 +117,7 @@ describe('the pool', () => {
     const failing = vi.fn(() => {
       throw new Error('blocked by the policy');
     });
-    pool = new WorkerPool(failing);
+    pool = new WorkerPool(bakingTasks, failing);
     vi.useRealTimers();
     const all = await Promise.all([run(1), run(2), run(3)]);
     expect(all.map(({ images }) => images.length)).toEqual([4, 4, 4]);

@@ -2,13 +2,13 @@ import { BoxGeometry, type BufferGeometry, Group, Mesh } from 'three';
 import { applyHatching, bakeOcclusion, HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { disposeHatchingWorkers } from '../../../src/worker/runTask.js';
-import type { TaskName } from '../../../src/worker/tasks.js';
+import type { BakingTasks } from '../../../src/worker/tasks.js';
 import { FakeWorker } from './FakeWorker.js';
 import { MortalWorker } from './MortalWorker.js';
 
 /** What every long task of the library makes of a worker that dies. */
 
-let died: TaskName[];
+let died: (keyof BakingTasks)[];
 let warn: ReturnType<typeof vi.spyOn>;
 beforeEach(() => {
   died = [];
@@ -20,9 +20,9 @@ afterEach(() => {
 });
 
 /** Makes workers of which so many die of a task, not before it was asked for so often. */
-function mortal(deadly: TaskName, deaths: number, spared = 0): () => Worker {
+function mortal(deadly: keyof BakingTasks, deaths: number, spared = 0): () => Worker {
   let left = spared;
-  const isDeadly = (task: TaskName): boolean => {
+  const isDeadly = (task: keyof BakingTasks): boolean => {
     if (task !== deadly || died.length >= deaths || left-- > 0) return false;
     died.push(task);
     return true;

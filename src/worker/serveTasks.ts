@@ -1,0 +1,44 @@
+import { runSliced } from '../slices/runSliced.js';
+import { holdLifeLock } from './lifeLock.js';
+import { type FromWorker, packError, type ToWorker } from './protocol.js';
+import type { AnyTask, Tasks } from './TaskSet.js';
+
+/** The members of a worker's global scope that are used here. TypeScript's DOM types only describe a window. */
+interface WorkerScope {
+  onmessage: ((event: MessageEvent<ToWorker>) => void) | null;
+  postMessage(message: FromWorker, transfer?: Transferable[]): void;
+}
+
+/**
+ * Makes this thread a worker that runs tasks. It runs requests in slices, so that several can take turns and abort messages can arrive in
+ * between.
+ */
+export function serveTasks(tasks: Tasks): void {
+  const scope = globalThis as unknown as WorkerScope;
+  const running = new Map<number, AbortController>();
+
+  async function run({ id, task: name, request }: Extract<ToWorker, { type: 'run' }>): Promise<void> {
+    const controller = new AbortController();
+    running.set(id, controller);
+    try {
+      const task = tasks[name] as unknown as AnyTask;
+      const result = await runSliced(task.run(request), {
+        signal: controller.signal,
+        onProgress: (progress) => scope.postMessage({ type: 'progress', id, progress }),
+      });
+      scope.postMessage({ type: 'done', id, result }, task.resultBuffers(result));
+    } catch (error) {
+      if (!controller.signal.aborted) scope.postMessage({ type: 'failed', id, error: packError(error) });
+    } finally {
+      running.delete(id);
+    }
+  }
+
+  scope.onmessage = ({ data }) => {
+    if (data.type === 'abort') running.get(data.id)?.abort();
+    else if (data.type === 'ping') scope.postMessage({ type: 'alive' });
+    else void run(data);
+  };
+
+  holdLifeLock().then((lock) => scope.postMessage({ type: 'ready', lock }));
+}
