@@ -3,12 +3,13 @@ import { checkNumber } from '../material/checkNumber.js';
 import { checkColor } from '../material/checkValues.js';
 import type { DrawingPlan } from '../vector/DrawnScene.js';
 import { checkOptions } from '../worker/checkOptions.js';
+import type { TaskOptions } from '../worker/TaskOptions.js';
 
 /** Sheets by name, upright: width and height in millimetres. */
 const SHEETS = { A3: [297, 420], A4: [210, 297], A5: [148, 210] } as const;
 
-/** Options of `drawSVG`. Lengths are in millimetres. */
-export interface DrawSVGOptions {
+/** Options of `drawSVG`. Lengths are in millimetres. A worker of `createWorker` runs `three-hatching/svg.worker`. */
+export interface DrawSVGOptions extends TaskOptions {
   /**
    * `'print'`: filled outlines, whose width is the tone. `'pen'`: lines of one width for a plotter, which make the tone by their number.
    * Default: `'print'`.
@@ -31,10 +32,6 @@ export interface DrawSVGOptions {
   order?: 'travel' | 'drawn' | undefined;
   /** The colour of a rectangle below the drawing; a pen would draw its border. Default: none. */
   paper?: ColorRepresentation | null | undefined;
-  /** Aborts the drawing: the promise rejects with the reason of the signal. */
-  signal?: AbortSignal | undefined;
-  /** Called as the drawing goes on, with a number that rises to 1. */
-  onProgress?: ((progress: number) => void) | undefined;
 }
 
 const NAMES = {
@@ -46,7 +43,7 @@ const NAMES = {
   shadows: true,
   order: true,
   paper: true,
-} satisfies Record<Exclude<keyof DrawSVGOptions, 'signal' | 'onProgress'>, true>;
+} satisfies Record<Exclude<keyof DrawSVGOptions, keyof TaskOptions>, true>;
 
 /** Checks options. @throws TypeError or RangeError that names the wrong one */
 export function planOf(options: DrawSVGOptions): DrawingPlan {

@@ -1,11 +1,13 @@
 import type { Camera, Object3D } from 'three';
-import { asPhase } from '../slices/asPhase.js';
 import { runSliced } from '../slices/runSliced.js';
-import type { DrawingPlan } from '../vector/DrawnScene.js';
-import { drawLines } from '../vector/drawLines.js';
+import { runTaskOf } from '../worker/runTask.js';
 import { type DrawSVGOptions, planOf } from './DrawSVGOptions.js';
 import type { LeftOut } from './leftOut.js';
+import { lineDrawing } from './lineDrawing.js';
 import { readScene } from './readScene.js';
+
+/** The share of the progress in which the scene is read. */
+const READING = 0.1;
 
 /** A drawing as lines. Lengths are in millimetres. */
 export interface SVGDrawing {
@@ -29,7 +31,8 @@ export interface SVGDrawing {
 
 /**
  * Draws a hatched scene as lines of a vector file, as a camera sees it: engraved lines and outlines are curves on the surfaces, so they
- * can leave as they are. It needs neither a renderer nor a page, and gives the same bytes in both.
+ * can leave as they are. It needs neither a renderer nor a page, and gives the same bytes in both. The scene is read at once, in slices,
+ * and drawn in a worker; where there is none, in slices too.
  *
  * Meshes are drawn that have a `HatchingMaterial` of the technique `engraved`, and `HatchingOutlines`. What cannot leave as lines is
  * named in `leftOut`.
@@ -44,19 +47,17 @@ export async function drawSVG(scene: Object3D, camera: Camera, options: DrawSVGO
   if (!scene?.isObject3D) throw new TypeError('drawSVG: scene must be an Object3D, such as a Scene.');
   if (!('isCamera' in (camera ?? {})))
     throw new TypeError('drawSVG: camera must be a PerspectiveCamera or an OrthographicCamera.');
-  const { signal, onProgress, shadows = true } = options;
+  const { signal, onProgress, createWorker, shadows = true } = options;
   const start = performance.now();
-  const drawing = await runSliced(draw(scene, camera, shadows, plan), { signal, onProgress });
-  return { ...drawing, seconds: (performance.now() - start) / 1000 };
-}
-
-function* draw(
-  scene: Object3D,
-  camera: Camera,
-  shadows: boolean,
-  plan: DrawingPlan,
-): Generator<number, Omit<SVGDrawing, 'seconds'>, void> {
-  const { drawn, leftOut } = yield* asPhase(readScene(scene, camera, shadows), 0, 0.1);
-  const drawing = yield* asPhase(drawLines(drawn, plan), 0.1, 1);
-  return { ...drawing, leftOut };
+  const read = (onRead?: (progress: number) => void) =>
+    runSliced(readScene(scene, camera, shadows), { signal, onProgress: onRead });
+  const { drawn, leftOut } = await read((progress) => onProgress?.(READING * progress));
+  const drawing = await runTaskOf(
+    lineDrawing,
+    'drawLines',
+    { scene: drawn, plan },
+    { signal, createWorker, onProgress: (progress) => onProgress?.(READING + (1 - READING) * progress) },
+    async () => ({ scene: (await read()).drawn, plan }),
+  );
+  return { ...drawing, leftOut, seconds: (performance.now() - start) / 1000 };
 }

@@ -41,7 +41,7 @@ export function readOutlines(mesh: Mesh, data: OutlineData, camera: Camera, firs
     curvatures: curvaturesOf(points, positions.length / 3),
     placeOf: placesOf(positions.length / 3, (point, axis) => positions[3 * point + axis]),
     radius: data.radius || 1,
-    toWorld: mesh.matrixWorld.elements,
+    toWorld: [...mesh.matrixWorld.elements],
     normalToWorld: rowsOf(new Matrix3().getNormalMatrix(mesh.matrixWorld)),
     scale: Math.cbrt(Math.abs(mesh.matrixWorld.determinant())) || 1,
     eye: eyeIn(mesh, camera),

@@ -78,9 +78,9 @@ class SceneReader {
     const { corners, sides, surfaces, outlines, camera, lights, casterSize } = this;
     return {
       camera: {
-        view: camera.matrixWorldInverse.elements,
-        world: camera.matrixWorld.elements,
-        projection: camera.projectionMatrix.elements,
+        view: [...camera.matrixWorldInverse.elements],
+        world: [...camera.matrixWorld.elements],
+        projection: [...camera.projectionMatrix.elements],
         near: (camera as PerspectiveCamera).near ?? 0,
       },
       corners: Float64Array.from(corners),

@@ -4,14 +4,14 @@ import type { Matrix } from './Projection.js';
 /** What outlines are found on. */
 export interface OutlineMesh {
   /** Points, each a fan of corners with one normal: three numbers of the position and of the unit normal, object space. */
-  positions: ArrayLike<number>;
-  normals: ArrayLike<number>;
+  positions: Float32Array;
+  normals: Float32Array;
   /** Six numbers per point, xx xy xz yy yz zz: the curvature tensor times the bounding radius. */
-  curvatures: ArrayLike<number>;
+  curvatures: Float32Array;
   /** The place of each point. */
-  placeOf: ArrayLike<number>;
+  placeOf: Uint32Array;
   /** The points of each triangle, and the triangle of the scene that the first of them is. */
-  triangles: ArrayLike<number>;
+  triangles: Uint32Array;
   firstTriangle: number;
   edges: readonly FeatureEdge[];
   /** Of the bounding sphere, object units. */

@@ -10,8 +10,8 @@ type CreateWorker = () => Worker | null;
 
 const createNoWorker: CreateWorker = () => null;
 
-/** The pool of each `createWorker` function, as long as it has a worker. */
-const pools = /* @__PURE__ */ new Map<CreateWorker, WorkerPool<Tasks>>();
+/** For each set of tasks the pool of each `createWorker` function, as long as it has a worker. */
+const poolsOf = /* @__PURE__ */ new Map<object, Map<CreateWorker, WorkerPool<Tasks>>>();
 
 /** How often everything was disposed of. */
 let disposals = 0;
@@ -44,6 +44,8 @@ export async function runTaskOf<All extends Tasks, Name extends NameIn<All>>(
     options.createWorker ?? fetchInlineWorker(set),
   ]);
   if (disposals !== disposalsBefore) throw disposedError();
+  const pools = poolsOf.get(set) ?? new Map<CreateWorker, WorkerPool<Tasks>>();
+  poolsOf.set(set, pools);
   let pool = pools.get(createWorker) as WorkerPool<All> | undefined;
   if (!pool) {
     pool = new WorkerPool(set, createWorker, () => pools.delete(createWorker));
@@ -62,6 +64,6 @@ async function fetchInlineWorker<All extends Tasks>(set: TaskSet<All>): Promise<
  */
 export function disposeHatchingWorkers(): void {
   disposals++;
-  for (const pool of pools.values()) pool.dispose();
-  pools.clear();
+  for (const pools of poolsOf.values()) for (const pool of pools.values()) pool.dispose();
+  poolsOf.clear();
 }

@@ -21,7 +21,11 @@ export function serveTasks(tasks: Tasks): void {
     const controller = new AbortController();
     running.set(id, controller);
     try {
-      const task = tasks[name] as unknown as AnyTask;
+      const task = tasks[name] as unknown as AnyTask | undefined;
+      if (!task)
+        throw new Error(
+          `createWorker started a worker that cannot do this (${name}): drawSVG needs three-hatching/svg.worker, all else three-hatching/bake.worker.`,
+        );
       const result = await runSliced(task.run(request), {
         signal: controller.signal,
         onProgress: (progress) => scope.postMessage({ type: 'progress', id, progress }),

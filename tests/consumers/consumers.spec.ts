@@ -44,7 +44,16 @@ const COPIED = [
 const LIKE = 0.9;
 
 /** What pages, bundlers and Node start from. */
-const ENTRIES = ['index.js', 'facts.js', 'svg.js', 'react.js', 'element.js', 'bake.worker.js', 'command.js'];
+const ENTRIES = [
+  'index.js',
+  'facts.js',
+  'svg.js',
+  'react.js',
+  'element.js',
+  'bake.worker.js',
+  'svg.worker.js',
+  'command.js',
+];
 
 let files: string[] = [];
 test.beforeAll(() => {
@@ -105,6 +114,7 @@ test.describe('the tarball', () => {
     const imported = ['index.js', 'svg.js'].flatMap((name) => withImports(name)).flatMap(importsOf);
     expect(imported.filter((name) => name !== 'three' && !name.startsWith('./'))).toEqual([]);
     expect(importsOf('bake.worker.js')).toEqual([]);
+    expect(importsOf('svg.worker.js')).toEqual([]);
     const ofReact = [
       '@react-three/fiber',
       'react',

@@ -5,6 +5,7 @@ import { shortShaders } from './shortShaders.js';
 /** Further entries, by the mode that builds them. */
 const ENTRIES: Record<string, Record<string, string>> = {
   worker: { 'bake.worker': 'src/worker/bake.worker.ts' },
+  svgWorker: { 'svg.worker': 'src/svg/svg.worker.ts' },
   command: { command: 'src/command/main.ts' },
   react: { react: 'src/react/index.ts' },
   element: { element: 'src/element/element.ts' },
@@ -39,8 +40,8 @@ const nothingOfOthers: Plugin = {
 
 /**
  * The library: ES modules, three external. Built in passes, so that each result stands alone: `index` with the worker
- * inlined; with `--mode worker` the same worker as one file, which a page under a strict Content-Security-Policy can serve
- * from its own origin; with `--mode command` the command for Node; with `--mode react` the components and with `--mode element` the web
+ * inlined; with `--mode worker` and `--mode svgWorker` the same workers as one file each, which a page under a strict Content-Security-Policy
+ * can serve from its own origin; with `--mode command` the command for Node; with `--mode react` the components and with `--mode element` the web
  * component, which import `index` as any page does, so that there is one copy of it.
  */
 export default defineConfig(
