@@ -21,11 +21,16 @@ export function outlineLookOf(material: HatchingOutlineMaterial, hasMaterials: b
 }
 
 /**
- * Reads what the outlines of a mesh are found on.
+ * Reads what the outlines of a mesh are found on. Yields its progress.
  *
  * @param firstTriangle the triangle of the scene that the first of the mesh is
  */
-export function readOutlines(mesh: Mesh, data: OutlineData, camera: Camera, firstTriangle: number): OutlineMesh {
+export function* readOutlines(
+  mesh: Mesh,
+  data: OutlineData,
+  camera: Camera,
+  firstTriangle: number,
+): Generator<number, OutlineMesh, void> {
   const points = data.points.image.data as Uint32Array<ArrayBuffer>;
   const primitives = data.primitives.image.data as Uint32Array;
   const { triangleCount, edgeCount } = data;
@@ -39,7 +44,7 @@ export function readOutlines(mesh: Mesh, data: OutlineData, camera: Camera, firs
   return {
     ...{ positions, normals, triangles, firstTriangle, edges },
     curvatures: curvaturesOf(points, positions.length / 3),
-    placeOf: placesOf(positions.length / 3, (point, axis) => positions[3 * point + axis]),
+    placeOf: yield* placesOf(positions.length / 3, (point, axis) => positions[3 * point + axis]),
     radius: data.radius || 1,
     toWorld: [...mesh.matrixWorld.elements],
     normalToWorld: rowsOf(new Matrix3().getNormalMatrix(mesh.matrixWorld)),

@@ -19,6 +19,7 @@ import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
 import { asPhase } from '../slices/asPhase.js';
 import { CASTS_BACK, CASTS_FRONT, SEEN_BACK, SEEN_FRONT } from '../vector/Bvh.js';
 import type { DrawnScene, EngravedSurface, OutlinedMesh } from '../vector/DrawnScene.js';
+import { GrowingArray } from '../vector/GrowingArray.js';
 import { drawnWithout, type LeftOut, sentence, whyNoLines, whyNothing } from './leftOut.js';
 import { readLights, type SceneLights } from './readLights.js';
 import { engravedLookOf, surfaceLookOf } from './readLook.js';
@@ -45,10 +46,12 @@ export function* readScene(
   });
   for (const [i, object] of objects.entries())
     yield* asPhase(reader.readMesh(object), (0.8 * i) / objects.length, (0.8 * (i + 1)) / objects.length);
-  for (const [i, object] of objects.entries()) {
-    yield 0.8 + (0.2 * i) / objects.length;
-    reader.readOutlinesOf(object);
-  }
+  for (const [i, object] of objects.entries())
+    yield* asPhase(
+      reader.readOutlinesOf(object),
+      0.8 + (0.2 * i) / objects.length,
+      0.8 + (0.2 * (i + 1)) / objects.length,
+    );
   return { drawn: reader.drawn(), leftOut: reader.leftOut };
 }
 
@@ -57,8 +60,8 @@ const CHUNK = 4096;
 
 class SceneReader {
   readonly leftOut: LeftOut[] = [];
-  private readonly corners: number[] = [];
-  private readonly sides: number[] = [];
+  private readonly corners = new GrowingArray(new Float64Array(0));
+  private readonly sides = new GrowingArray(new Uint8Array(0));
   private readonly surfaces: EngravedSurface[] = [];
   private readonly outlines: OutlinedMesh[] = [];
   /** The first triangle of each mesh that is drawn. */
@@ -83,8 +86,8 @@ class SceneReader {
         projection: [...camera.projectionMatrix.elements],
         near: (camera as PerspectiveCamera).near ?? 0,
       },
-      corners: Float64Array.from(corners),
-      sides: Uint8Array.from(sides),
+      corners: corners.taken(),
+      sides: sides.taken(),
       ...{ surfaces, outlines },
       illumination: { lamps: lights.lamps, around: lights.around, bias: SHADOW_BIAS * casterSize },
     };
@@ -142,9 +145,13 @@ class SceneReader {
       if (c % (3 * CHUNK) === 0) yield c / corners.length;
       const [i, j, k] = corners.subarray(c, c + 3);
       for (const vertex of isMirrored ? [j, i, k] : [i, j, k])
-        this.corners.push(
-          ...placed(mesh.matrixWorld, position.getX(vertex), position.getY(vertex), position.getZ(vertex)),
-        );
+        for (const number of placed(
+          mesh.matrixWorld,
+          position.getX(vertex),
+          position.getY(vertex),
+          position.getZ(vertex),
+        ))
+          this.corners.push(number);
       this.sides.push(bits);
     }
     return first;
@@ -170,7 +177,7 @@ class SceneReader {
     });
   }
 
-  readOutlinesOf(object: Object3D): void {
+  *readOutlinesOf(object: Object3D): Generator<number, void, void> {
     if (!isOutlines(object)) return;
     const { mesh, material } = object;
     const firstTriangle = mesh ? this.firstTriangles.get(mesh) : undefined;
@@ -184,7 +191,7 @@ class SceneReader {
     if (material.tooth > 0) this.note(mesh, 'has outlines of ink: the tooth of the paper cannot leave as lines');
     if (material.overshoot > 0) this.note(mesh, 'has outlines that do not overshoot');
     this.outlines.push({
-      mesh: readOutlines(mesh, data, this.camera, firstTriangle),
+      mesh: yield* readOutlines(mesh, data, this.camera, firstTriangle),
       look: outlineLookOf(material, Array.isArray(mesh.material)),
       ink: colorOf(material),
     });

@@ -9,6 +9,7 @@ import type { Mat3 } from '../engraving/screenGradient.js';
 import type { Vec3 } from '../engraving/vectors.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { writeFieldFrame } from '../material/parts/fieldFrame.js';
+import { asPhase } from '../slices/asPhase.js';
 import { SEEN_BACK, SEEN_FRONT } from '../vector/Bvh.js';
 import type { EngravedLook } from '../vector/Engraver.js';
 import {
@@ -87,12 +88,16 @@ export function* readSurface(
   seen: number,
 ): Generator<number, LineSurface, void> {
   const { position } = geometry.attributes;
-  const places = placesOf(position.count, (vertex, axis) => position.getComponent(vertex, axis));
+  const places = yield* asPhase(
+    placesOf(position.count, (vertex, axis) => position.getComponent(vertex, axis)),
+    0,
+    0.3,
+  );
   const vertexCount = position.count;
   const vertices = new Float64Array(STRIDE * vertexCount);
   const writer = new VertexWriter(geometry, frame, vertices);
   for (let v = 0; v < vertexCount; v++) {
-    if (v % CHUNK === 0) yield v / vertexCount;
+    if (v % CHUNK === 0) yield 0.3 + (0.7 * v) / vertexCount;
     writer.write(v, places[v]);
   }
   const isMirrored = frame.toWorld.determinant() < 0;

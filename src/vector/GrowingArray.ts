@@ -1,5 +1,5 @@
 /** A typed array that numbers are added to. */
-export class GrowingArray<Numbers extends Float64Array | Int32Array> {
+export class GrowingArray<Numbers extends Float64Array | Int32Array | Uint8Array> {
   length = 0;
 
   /** @param data what it begins with; `length` of them count */
@@ -22,6 +22,11 @@ export class GrowingArray<Numbers extends Float64Array | Int32Array> {
     const larger = new Kind(Math.max(count, 2 * this.data.length, 64));
     larger.set(this.data);
     this.data = larger;
+  }
+
+  /** Those that count, in a buffer of their own. */
+  taken(): Numbers {
+    return this.length === this.data.length ? this.data : (this.data.slice(0, this.length) as Numbers);
   }
 
   /** Those that count, not copied. */
