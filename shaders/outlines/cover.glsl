@@ -16,6 +16,9 @@ void clearVaryings() {
   vStandings = vec4(0.0);
   vContour = 0.0;
   vTolerance = 0.0;
+  #ifdef HIDDEN
+    vOrigin = vec2(0.0);
+  #endif // HIDDEN
   #ifdef WOBBLE
     vAnchorStart = vec3(0.0);
     vAnchorEnd = vec3(0.0);
@@ -53,6 +56,10 @@ void coverPiece(const in Piece piece, const in int corner) {
   #endif // USE_INSTANCING
   PieceEnd from = piece.start;
   PieceEnd to = piece.end;
+  #ifdef HIDDEN
+    from.overshoot = 0.0;
+    to.overshoot = 0.0;
+  #endif // HIDDEN
   vec3 start = (objectToView() * vec4(from.position, 1.0)).xyz;
   vec3 end = (objectToView() * vec4(to.position, 1.0)).xyz;
 
@@ -89,11 +96,21 @@ void coverPiece(const in Piece piece, const in int corner) {
   vContour = piece.contour;
   vTolerance = toleranceOf(piece, max(unitsToPixel(start), unitsToPixel(end)), scale);
   vStandings = piece.contour > 0.0 ? vec4(-1.0) : vec4(1.0, 0.0, 1.0, 0.0);
+  #ifdef HIDDEN
+    vStandings = vec4(1.0, 0.0, 1.0, 0.0);
+    vec4 origin = projectionMatrix * objectToView() * vec4(0.0, 0.0, 0.0, 1.0);
+    vOrigin = pixelOf(vec4(origin.xyz, max(origin.w, 1e-3)));
+  #endif // HIDDEN
   if (hasSceneDepth && size < SHORT) {
     Spine spine = Spine(a, along, size);
-    // What is not seen at all is not drawn either, though fragments would find out.
-    if (!isSeen(spine, a) && !isSeen(spine, middle) && !isSeen(spine, b)) return;
-    if (piece.contour > 0.0) {
+    // What is not seen at all is not drawn either, though fragments would find out; or what is, if the hidden is drawn.
+    bvec3 seen = bvec3(isSeen(spine, a), isSeen(spine, middle), isSeen(spine, b));
+    #ifdef HIDDEN
+      if (all(seen)) return;
+    #else
+      if (!any(seen)) return;
+    #endif // HIDDEN
+    if (vStandings.x < 0.0) {
       vStandings.xy = standingAt(spine, a, max(halfStart.x, halfStart.y));
       vStandings.zw = standingAt(spine, b, max(halfEnd.x, halfEnd.y));
     }

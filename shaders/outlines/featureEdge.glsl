@@ -45,8 +45,10 @@ Piece featureEdge(
   if ((flags & EDGE_CREASE) != 0u) whole = creases;
   if ((flags & EDGE_MATERIAL_BORDER) != 0u) whole = max(whole, materialBorders);
   bool isBorder = (flags & EDGE_BORDER) != 0u;
-  // Creases that look away on either side cannot be seen; borders show their backs.
-  if (!isBorder && max(max(left.x, left.y), max(right.x, right.y)) <= 0.0) return piece;
+  #ifndef HIDDEN
+    // Creases that look away on either side cannot be seen; borders show their backs.
+    if (!isBorder && max(max(left.x, left.y), max(right.x, right.y)) <= 0.0) return piece;
+  #endif // HIDDEN
 
   vec2 part;
   bool hasContour = !isBorder && contourAlong(left, right, part);

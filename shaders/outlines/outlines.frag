@@ -13,6 +13,9 @@ uniform mat4 projectionMatrix;
 #include "outlines/surroundings"
 #include "outlines/sceneDepth"
 #include "outlines/hierarchy"
+#ifdef HIDDEN
+  #include "outlines/hidden"
+#endif // HIDDEN
 #ifdef WOBBLE
   #include "outlines/wobble"
 #endif // WOBBLE
@@ -42,7 +45,11 @@ void main() {
   if (away > max(max(halves.x, halves.y) * (1.0 + accents), 0.5) + 0.5) discard;
   if (hasSceneDepth) {
     vec2 seen = spine.start + onSpine * spine.along;
-    if (!isSeen(spine, seen)) discard;
+    bool isDrawn = isSeen(spine, seen);
+    #ifdef HIDDEN
+      isDrawn = !isDrawn;
+    #endif // HIDDEN
+    if (!isDrawn) discard;
     vec2 standing = mix(vStandings.xy, vStandings.zw, t);
     if (vStandings.x < 0.0) standing = standingAt(spine, seen, max(halves.x, halves.y));
     halfWidth = halfWidthAs(standing, halves);
@@ -50,6 +57,9 @@ void main() {
   // The round ends fill the joints. Their edges lie within, or two that fade would add up beside each joint.
   float fringe = place == onOutline ? 0.5 : 0.0;
   float coverage = lineCoverage(away, halfWidth, fringe);
+  #ifdef HIDDEN
+    coverage *= hiddenCoverage(place, size, spine.along, pixel - vOrigin, outlineWidth);
+  #endif // HIDDEN
   #ifdef TOOTH
     #ifdef WOBBLE
       float pressed = pressureWave(mix(vAnchorStart, vAnchorEnd, alongLine(t)));

@@ -19,6 +19,9 @@
 #include "emphasis"
 #include "outlines/sceneDepth"
 #include "outlines/hierarchy"
+#ifdef HIDDEN
+  #include "outlines/hidden"
+#endif // HIDDEN
 #include "outlines/width"
 #include "outlines/cover"
 
@@ -46,6 +49,8 @@ void main() {
   }
   if (!isPiece(piece)) return;
 
-  shade(piece);
+  #ifndef HIDDEN
+    shade(piece);
+  #endif // HIDDEN
   coverPiece(piece, gl_VertexID % 3);
 }

@@ -8,6 +8,9 @@ varying vec2 vOvershoots; // by how much the outline runs on beyond start and en
 varying vec4 vStandings; // how start and end stand before what lies behind them (hierarchy.glsl); negative where fragments find out
 varying float vContour; // the share of an outline that is a contour or a border, and not only a crease
 varying float vTolerance; // how far the surface may lie before its own outline, view units
+#ifdef HIDDEN
+  varying vec2 vOrigin; // of the object on the screen, pixels
+#endif // HIDDEN
 #ifdef WOBBLE
   varying vec3 vAnchorStart; // object space, at rest
   varying vec3 vAnchorEnd;

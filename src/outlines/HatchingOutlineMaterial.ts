@@ -13,6 +13,8 @@ import type { Vector2Like } from '../material/vectorValues.js';
 import { toothMap } from '../tam/toothMap.js';
 import {
   HATCHING_OUTLINE_DEFAULTS,
+  HIDDEN_OUTLINES,
+  type HiddenOutlines,
   OUTLINE_NUMBER_NAMES,
   OUTLINE_NUMBERS,
   OUTLINE_SIZES,
@@ -27,6 +29,7 @@ export type HatchingOutlineParameters = MaterialParameters &
     ink?: ColorRepresentation | undefined;
     /** The weights on the lit side and in the shade, each 0 or more. */
     shadeWeights?: Vector2Like | undefined;
+    hidden?: HiddenOutlines | undefined;
     fog?: boolean | undefined;
     clipping?: boolean | undefined;
   };
@@ -90,6 +93,8 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
   /** Weights on the lit side and in the shade, each 0 or more, under all lights of the scene. Default (0.7, 1.7). */
   shadeWeights: Vector2 = new Vector2(...HATCHING_OUTLINE_DEFAULTS.shadeWeights);
 
+  private hiddenLines: HiddenOutlines = HATCHING_OUTLINE_DEFAULTS.hidden;
+
   /** @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour */
   // React Three Fiber resets a removed attribute to its default only if the constructor's length is 0.
   constructor(parameters: HatchingOutlineParameters | undefined = undefined) {
@@ -121,6 +126,22 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
     if (shadeWeights !== undefined) this.shadeWeights.set(...checkPair(shadeWeights));
   }
 
+  /**
+   * How outlines and creases behind a surface are drawn, as in technical drawings: not at all (`'none'`, the default), `'dashed'` or
+   * `'faint'`. They are half as wide as `outlineWidth`, wherever they lie. Drawing them takes one more pass over all edges of the mesh.
+   */
+  get hidden(): HiddenOutlines {
+    return this.hiddenLines;
+  }
+
+  set hidden(value: HiddenOutlines) {
+    if (!HIDDEN_OUTLINES.includes(value))
+      throw new TypeError(
+        `HatchingOutlineMaterial.hidden is ${String(value)}, but must be ${HIDDEN_OUTLINES.map((one) => `'${one}'`).join(', ')}.`,
+      );
+    this.hiddenLines = value;
+  }
+
   override copy(source: this): this {
     // ShaderMaterial.copy would clone every texture among the uniforms, and each clone would be uploaded again.
     Material.prototype.copy.call(this, source);
@@ -130,6 +151,7 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
     for (const name of OUTLINE_NUMBER_NAMES) this[name] = source[name];
     this.ink.copy(source.ink);
     this.shadeWeights.copy(source.shadeWeights);
+    this.hidden = source.hidden;
     return this;
   }
 
@@ -147,6 +169,7 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
     this.uniforms.ink.value = this.ink;
     this.uniforms.shadeWeights.value = this.shadeWeights;
     this.uniforms.opacity.value = this.opacity;
+    this.uniforms.isDashed.value = this.hidden === 'dashed';
     if (this.tooth > 0) this.uniforms.toothMap.value = toothMap();
     this.setDefine('DEFORMED', isDeformed);
     this.uniformsNeedUpdate = true;

@@ -27,6 +27,7 @@ import { describeObject } from '../mistakes/describeObject.js';
 import { tell } from '../mistakes/tell.js';
 import { ContourList } from './ContourList.js';
 import { HatchingOutlineMaterial, type HatchingOutlineParameters } from './HatchingOutlineMaterial.js';
+import { HiddenPass } from './HiddenPass.js';
 import { InstanceList } from './InstanceList.js';
 import { type SceneDepth, sceneDepthOf } from './SceneDepth.js';
 
@@ -84,6 +85,7 @@ export class HatchingOutlines extends Object3D {
   /** What has copied the depth of the scene for these outlines. */
   private readonly depths = new Set<SceneDepth>();
   private hasReported = false;
+  private hiddenPass: HiddenPass | null = null;
 
   /**
    * @param mesh the mesh whose outlines are drawn. Default: the parent, if that is a mesh.
@@ -138,6 +140,7 @@ export class HatchingOutlines extends Object3D {
     super.dispose?.();
     this.geometry.dispose();
     if (this.ownsMaterial) this.material.dispose();
+    this.hiddenPass?.dispose();
     for (const list of this.lists.values()) list.dispose();
     this.lists.clear();
     for (const depth of this.depths) depth.dispose();
@@ -205,11 +208,24 @@ export class HatchingOutlines extends Object3D {
     this.material.writeUniforms(isDeformed, Array.isArray(mesh.material), renderer.getPixelRatio());
   };
 
-  override readonly onAfterRender = (): void => {
-    this.isInstancedMesh = false;
-    this.instanceMatrix = null;
+  override readonly onAfterRender = (renderer: WebGLRenderer, scene: Scene, camera: Camera): void => {
+    this.drawHidden(renderer, scene, camera);
+    this.hideInstances();
     this.moveToCentre();
   };
+
+  /** Draws what is hidden of what has just been drawn. Lists leave out what cannot be seen, so it is looked for among all primitives. */
+  private drawHidden(renderer: WebGLRenderer, scene: Scene, camera: Camera): void {
+    const { geometry, mesh, material } = this;
+    const data = mesh && outlineDataOf(mesh.geometry);
+    if (!data || geometry.drawRange.count <= 0 || (material.hidden ?? 'none') === 'none') return;
+    this.showInstances();
+    material.uniforms.isListed.value = false;
+    material.uniforms.candidates.value = data.primitives;
+    geometry.setDrawRange(0, VERTICES * (data.triangleCount + data.edgeCount));
+    this.hiddenPass ??= new HiddenPass();
+    this.hiddenPass.draw(this, renderer, scene, camera);
+  }
 
   private report(mesh: Mesh, problem: string): void {
     if (this.hasReported) return;
@@ -225,6 +241,12 @@ export class HatchingOutlines extends Object3D {
     this.isInstancedMesh = true;
     this.instanceMatrix = instanceMatrix;
     this.count = count;
+  }
+
+  /** Ends what `showInstances` began. @internal */
+  hideInstances(): void {
+    this.isInstancedMesh = false;
+    this.instanceMatrix = null;
   }
 
   /** Updates the pre-pass of a mesh that deforms. Returns whether there is one. */

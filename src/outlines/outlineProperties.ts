@@ -18,7 +18,12 @@ export const HATCHING_OUTLINE_DEFAULTS = {
   toothSize: 2.5,
   ink: 0x000000,
   shadeWeights: [0.7, 1.7],
+  hidden: 'none',
 } as const;
+
+/** How outlines behind a surface are drawn. */
+export const HIDDEN_OUTLINES = ['none', 'dashed', 'faint'] as const;
+export type HiddenOutlines = (typeof HIDDEN_OUTLINES)[number];
 
 /** The ranges of the numeric properties. Each has a uniform of the same name. */
 export const OUTLINE_NUMBERS = {

@@ -16,6 +16,7 @@ export const createOutlineUniforms = (): Record<string, IUniform> =>
         opacity: { value: 1 },
         shadeWeights: { value: null },
         toothMap: { value: null },
+        isDashed: { value: false },
         // These describe the geometry and the mesh.
         outlinePoints: { value: null },
         outlinePrimitives: { value: null },

@@ -54,7 +54,7 @@ export class FirstFrame {
       for (const one of outlines) one.showInstances();
       // Lights, fog and environment are read from what is at the top, scene or not.
       this.renderer.compile(list, this.camera, topOf(this.root) as Scene);
-      for (const one of outlines) one.onAfterRender();
+      for (const one of outlines) one.hideInstances();
     });
     for (const program of this.programs) if (!known.has(program)) this.awaited.add(program);
   }

@@ -148,7 +148,7 @@ function sizeSource(settings: Settings, { key, property }: Twin, factor: string 
 
 /** The parameters of outlines that are not at their defaults, and all that are measured in pixels. @param factor as above */
 export function outlineParameters(settings: Settings, factor?: string): string[] {
-  const { outlineWidth, wobble, overshoot, toothSize, ink, shadeWeights, ...weights } = outlineLook(settings);
+  const { outlineWidth, wobble, overshoot, toothSize, ink, shadeWeights, hidden, ...weights } = outlineLook(settings);
   const inPixels = { outlineWidth, wobble, overshoot, ...(weights.tooth > 0 && { toothSize }) };
   return [
     ...Object.entries(inPixels)
@@ -157,6 +157,7 @@ export function outlineParameters(settings: Settings, factor?: string): string[]
     ...Object.entries(weights)
       .filter(([name, value]) => value !== HATCHING_OUTLINE_DEFAULTS[name as keyof typeof weights])
       .map(([name, value]) => `${name}: ${round(value)}`),
+    ...(hidden === HATCHING_OUTLINE_DEFAULTS.hidden ? [] : [`hidden: '${hidden}'`]),
     `shadeWeights: [${shadeWeights.map(round).join(', ')}]`,
     `ink: '${ink}'`,
   ];

@@ -30,6 +30,7 @@ export function outlineLook(settings: Settings) {
     suggestiveContours: settings.outlineSuggestive / 100,
     lostEdges: settings.outlineLost / 100,
     accents: settings.outlineAccents / 100,
+    hidden: settings.outlineHidden,
     shadeWeights: [1 - LOST_IN_LIGHT * shade, 1 + GAINED_IN_SHADE * shade] as const,
     wobble: settings.outlineHand,
     overshoot: OVERSHOOT * Math.max(0, settings.outlineHand - LIGHT_HAND),
@@ -57,6 +58,7 @@ export function settingsOfOutlines(parameters: HatchingOutlineParameters): Parti
     outlineSuggestive: percent(all.suggestiveContours),
     outlineLost: percent(all.lostEdges),
     outlineAccents: percent(all.accents),
+    outlineHidden: all.hidden,
     outlineShade: percent((1 - inLight) / LOST_IN_LIGHT),
     outlineHand: all.wobble,
   };

@@ -30,6 +30,7 @@ const changed = {
   toothSize: 3,
   ink: '#123456',
   shadeWeights: [0.1, 3],
+  hidden: 'dashed',
   opacity: 0.5,
   fog: false,
   clipping: false,
@@ -71,6 +72,7 @@ describe('HatchingOutlineMaterial', () => {
       overshoot: 0,
       tooth: 0,
       toothSize: 2.5,
+      hidden: 'none',
     });
   });
 

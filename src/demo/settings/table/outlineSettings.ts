@@ -36,6 +36,13 @@ export const OUTLINE_SETTINGS = inGroup('Outlines', 'hand', {
   outlineShade: weight('Shade', 40, { max: 100, step: 1, ends: ['even', 'thin in light'] }),
   outlineLost: weight('Lost edges', 20, { max: 100, ends: ['closed', 'open in light'] }),
   outlineAccents: weight('Accents', 50, { ends: ['none', 'where forms overlap'] }),
+  outlineHidden: {
+    kind: 'choice',
+    label: 'Hidden',
+    when: DRAWN,
+    default: 'none',
+    choices: { none: 'Not drawn', dashed: 'Dashed', faint: 'Faint' },
+  },
   outlineHand: {
     kind: 'number',
     label: 'Hand',

@@ -1,0 +1,34 @@
+// Outlines behind a surface, as technical draughtsmen keep them: thin, and dashed or faint.
+uniform bool isDashed;
+
+// The weight of what is hidden, whatever it would weigh where it is seen; what weighs less than this there is hidden in part.
+#define HIDDEN_WEIGHT 0.5
+#define WHOLE_FROM 0.2
+// The share of the ink that is left of faint lines.
+#define FAINT 0.4
+// Lengths in widths of an outline.
+#define DASH 3.5
+#define GAP 2.0
+
+float hiddenWeight(const in float weight) {
+  return HIDDEN_WEIGHT * smoothstep(0.0, WHOLE_FROM, weight);
+}
+
+// How much of a pixel is drawn, by dashes and gaps. place: along a piece that is `size` long; fromOrigin: from the place of the object on
+// the screen, so that dashes go along with it. All in pixels.
+float hiddenCoverage(const in float place, const in float size, const in vec2 along, const in vec2 fromOrigin, const in float width) {
+  if (!isDashed) return FAINT;
+  float gap = GAP * width;
+  float period = (DASH + GAP) * width;
+  float x;
+  if (size > 2.0 * period) {
+    // An edge begins and ends with a dash.
+    period = (size + gap) / floor((size + gap) / period + 0.5);
+    x = clamp(place, 0.0, size);
+  } else {
+    // The pieces of a curve are shorter than dashes.
+    x = abs(along.x) > abs(along.y) ? fromOrigin.x : fromOrigin.y;
+  }
+  float dash = period - gap;
+  return clamp(0.5 * dash - abs(mod(x, period) - 0.5 * dash) + 0.5, 0.0, 1.0);
+}

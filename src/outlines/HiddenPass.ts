@@ -1,0 +1,55 @@
+import {
+  type BufferGeometry,
+  type Camera,
+  GreaterDepth,
+  LessEqualDepth,
+  type Object3D,
+  type Scene,
+  type WebGLRenderer,
+} from 'three';
+import type { HatchingOutlineMaterial } from './HatchingOutlineMaterial.js';
+
+/** What draws outlines. */
+type Outlines = Object3D & { geometry: BufferGeometry; material: HatchingOutlineMaterial };
+
+/** The material that draws hidden outlines: it shares the uniforms of another, which it is brought up to date with. */
+export class HiddenPass {
+  private material: HatchingOutlineMaterial | null = null;
+  private source: HatchingOutlineMaterial | null = null;
+  private version = -1;
+
+  /** Draws what of outlines is hidden, right after what is seen of them. */
+  draw(outlines: Outlines, renderer: WebGLRenderer, scene: Scene, camera: Camera): void {
+    const material = this.materialFor(outlines.material);
+    // Where the depth of the scene is known, fragments find out what is hidden.
+    const isKnown: boolean = material.uniforms.hasSceneDepth.value;
+    material.depthTest = !isKnown;
+    material.depthFunc = isKnown ? LessEqualDepth : GreaterDepth;
+    renderer.renderBufferDirect(camera, scene, outlines.geometry, material, outlines, null!);
+  }
+
+  dispose(): void {
+    this.material?.dispose();
+    this.material = null;
+    this.source = null;
+  }
+
+  private materialFor(source: HatchingOutlineMaterial): HatchingOutlineMaterial {
+    if (!this.material || this.source !== source) {
+      this.material?.dispose();
+      this.material = source.clone();
+      this.material.uniforms = source.uniforms;
+      this.source = source;
+      this.version = -1;
+    }
+    const { material } = this;
+    if (this.version !== source.version) {
+      this.version = source.version;
+      material.copy(source);
+      material.depthWrite = false;
+      material.defines = { ...source.defines, HIDDEN: '' };
+      material.needsUpdate = true;
+    }
+    return material;
+  }
+}
