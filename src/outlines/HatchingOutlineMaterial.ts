@@ -7,14 +7,13 @@ import {
   ShaderMaterial,
   Vector2,
 } from 'three';
+import { HIDDEN_OUTLINES, type HiddenOutlines } from '../engraving/hiddenOutlines.js';
 import { checkNumber } from '../material/checkNumber.js';
 import { checkColor } from '../material/checkValues.js';
 import type { Vector2Like } from '../material/vectorValues.js';
 import { toothMap } from '../tam/toothMap.js';
 import {
   HATCHING_OUTLINE_DEFAULTS,
-  HIDDEN_OUTLINES,
-  type HiddenOutlines,
   OUTLINE_NUMBER_NAMES,
   OUTLINE_NUMBERS,
   OUTLINE_SIZES,

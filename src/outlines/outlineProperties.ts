@@ -21,10 +21,6 @@ export const HATCHING_OUTLINE_DEFAULTS = {
   hidden: 'none',
 } as const;
 
-/** How outlines behind a surface are drawn. */
-export const HIDDEN_OUTLINES = ['none', 'dashed', 'faint'] as const;
-export type HiddenOutlines = (typeof HIDDEN_OUTLINES)[number];
-
 /** The ranges of the numeric properties. Each has a uniform of the same name. */
 export const OUTLINE_NUMBERS = {
   outlineWidth: { above: 0 },

@@ -1,4 +1,5 @@
 import { Color, type ColorRepresentation } from 'three';
+import { HIDDEN_OUTLINES, type HiddenOutlines } from '../engraving/hiddenOutlines.js';
 import { checkNumber } from '../material/checkNumber.js';
 import { checkColor } from '../material/checkValues.js';
 import type { DrawingPlan } from '../vector/DrawnScene.js';
@@ -30,6 +31,11 @@ export interface DrawSVGOptions extends TaskOptions {
   shadows?: boolean | undefined;
   /** `'travel'`: a short way of the lifted pen. `'drawn'`: the order in which lines were found. Default: `'travel'`. */
   order?: 'travel' | 'drawn' | undefined;
+  /**
+   * Outlines and creases behind a surface, in a layer of their own: `'none'`, `'dashed'` or `'faint'`. Default: as each
+   * `HatchingOutlineMaterial` has it.
+   */
+  hidden?: HiddenOutlines | undefined;
   /** The colour of a rectangle below the drawing; a pen would draw its border. Default: none. */
   paper?: ColorRepresentation | null | undefined;
 }
@@ -43,6 +49,7 @@ const NAMES = {
   shadows: true,
   order: true,
   paper: true,
+  hidden: true,
 } satisfies Record<Exclude<keyof DrawSVGOptions, keyof TaskOptions>, true>;
 
 /** Checks options. @throws TypeError or RangeError that names the wrong one */
@@ -51,6 +58,7 @@ export function planOf(options: DrawSVGOptions): DrawingPlan {
   const { kind = 'print', sheet = 'A4', order = 'travel', shadows = true, paper = null } = options;
   checkChoice('kind', kind, ['print', 'pen']);
   checkChoice('order', order, ['travel', 'drawn']);
+  if (options.hidden !== undefined) checkChoice('hidden', options.hidden, HIDDEN_OUTLINES);
   if (typeof shadows !== 'boolean') throw new TypeError('drawSVG: shadows must be true or false, or left out.');
   const isPen = kind === 'pen';
   if (!isPen && options.penWidth !== undefined)

@@ -49,8 +49,11 @@ export async function drawSVG(scene: Object3D, camera: Camera, options: DrawSVGO
     throw new TypeError('drawSVG: camera must be a PerspectiveCamera or an OrthographicCamera.');
   const { signal, onProgress, createWorker, shadows = true } = options;
   const start = performance.now();
-  const read = (onRead?: (progress: number) => void) =>
-    runSliced(readScene(scene, camera, shadows), { signal, onProgress: onRead });
+  const read = async (onRead?: (progress: number) => void) => {
+    const found = await runSliced(readScene(scene, camera, shadows), { signal, onProgress: onRead });
+    for (const { look } of found.drawn.outlines) look.hidden = options.hidden ?? look.hidden;
+    return found;
+  };
   const { drawn, leftOut } = await read((progress) => onProgress?.(READING * progress));
   const drawing = await runTaskOf(
     lineDrawing,

@@ -10,13 +10,13 @@ import { rowsOf } from './readSurface.js';
 
 /** How outlines look. hasMaterials: whether the mesh has several, whose borders are drawn. */
 export function outlineLookOf(material: HatchingOutlineMaterial, hasMaterials: boolean): OutlineLook {
-  const { outlineWidth, contours, innerContours, borders, creases, materialBorders, taper, lostEdges, wobble } =
+  const { outlineWidth, contours, innerContours, borders, creases, materialBorders, taper, lostEdges, wobble, hidden } =
     material;
   return {
     width: outlineWidth,
     materialBorders: hasMaterials ? materialBorders : 0,
     shadeWeights: material.shadeWeights.toArray() as [number, number],
-    ...{ contours, innerContours, borders, creases, taper, lostEdges, wobble },
+    ...{ contours, innerContours, borders, creases, taper, lostEdges, wobble, hidden },
   };
 }
 

@@ -1,9 +1,12 @@
+import { DASH, FAINT, GAP } from '../engraving/hiddenOutlines.js';
 import { asPhase } from '../slices/asPhase.js';
 import type { Bvh } from './Bvh.js';
 import type { Chain } from './Chain.js';
-import { cutRun } from './cutRun.js';
+import { type CutRun, cutRun } from './cutRun.js';
 import type { DrawnScene, EngravedSurface, OutlinedMesh } from './DrawnScene.js';
+import { dashes } from './dashes.js';
 import { Engraver, type FamilyName } from './Engraver.js';
+import { hiddenLook, weighHidden } from './hiddenPieces.js';
 import { holdBack } from './holdBack.js';
 import type { LinePath } from './LinePath.js';
 import { outlineChains } from './outlineChains.js';
@@ -16,7 +19,7 @@ import { seenSides, traceFamily } from './traceFamily.js';
 import { type SeenTest, visibleRuns } from './visibleRuns.js';
 
 /** The names of the layers, in their order. */
-export const LAYERS = ['outlines', 'engraved', 'crossing', 'shadows'] as const;
+export const LAYERS = ['outlines', 'engraved', 'crossing', 'shadows', 'hidden'] as const;
 export type LayerName = (typeof LAYERS)[number];
 
 const LAYER_OF: Readonly<Record<FamilyName, LayerName>> = {
@@ -34,6 +37,8 @@ const ABOVE = 1e-6;
 export interface PathLayer {
   name: LayerName;
   ink: string;
+  /** From 0 to 1. */
+  opacity: number;
   paths: LinePath[];
 }
 
@@ -59,7 +64,15 @@ export class LineDrawer {
       yield* asPhase(this.drawOutline(outlined), i / outlines.length, (i + 1) / outlines.length);
   }
 
-  private *drawOutline({ mesh, look, ink }: OutlinedMesh): Generator<number, void, void> {
+  private *drawOutline(outlined: OutlinedMesh): Generator<number, void, void> {
+    if (outlined.look.hidden === 'none') yield* this.drawSeen(outlined);
+    else {
+      yield* asPhase(this.drawSeen(outlined), 0, 0.5);
+      yield* asPhase(this.drawHidden(outlined), 0.5, 1);
+    }
+  }
+
+  private *drawSeen({ mesh, look, ink }: OutlinedMesh): Generator<number, void, void> {
     const { scene, projection, bvh } = this;
     const pieces = yield* asPhase(outlinePieces(mesh, look), 0, 0.4);
     const joining = outlineChains(pieces, mesh, look, projection, scene.illumination);
@@ -68,6 +81,22 @@ export class LineDrawer {
       yield 0.5 + (0.5 * i) / chains.length;
       weighByStanding(chain, bvh, projection);
       this.addChain(this.layerOf('outlines', ink), chain, outlineTest(chain, bvh, projection), false);
+    }
+  }
+
+  /** Draws what is hidden of outlines, in a layer of its own. */
+  private *drawHidden({ mesh, look, ink }: OutlinedMesh): Generator<number, void, void> {
+    const { scene, projection, bvh } = this;
+    const even = hiddenLook(look);
+    const pieces = yield* asPhase(outlinePieces(mesh, even, true), 0, 0.4);
+    weighHidden(pieces);
+    const chains = yield* asPhase(outlineChains(pieces, mesh, even, projection, scene.illumination), 0.4, 0.5);
+    const layer = this.layerOf('hidden', ink, look.hidden === 'faint' ? FAINT : 1);
+    for (const [i, chain] of chains.entries()) {
+      yield 0.5 + (0.5 * i) / chains.length;
+      const isSeen = outlineTest(chain, bvh, projection, look.width / 2);
+      for (const { path } of this.seenParts(chain, (place) => !isSeen(place)))
+        layer.paths.push(...(look.hidden === 'dashed' ? dashes(path, DASH * look.width, GAP * look.width) : [path]));
     }
   }
 
@@ -107,10 +136,10 @@ export class LineDrawer {
     return lines;
   }
 
-  private layerOf(name: LayerName, ink: string): PathLayer {
-    const known = this.layers.find((one) => one.name === name && one.ink === ink);
+  private layerOf(name: LayerName, ink: string, opacity = 1): PathLayer {
+    const known = this.layers.find((one) => one.name === name && one.ink === ink && one.opacity === opacity);
     if (known) return known;
-    const layer: PathLayer = { name, ink, paths: [] };
+    const layer: PathLayer = { name, ink, opacity, paths: [] };
     this.layers.push(layer);
     return layer;
   }
@@ -126,12 +155,17 @@ export class LineDrawer {
   /** Adds what is seen of a chain. isHeld: whether its sides must not reach beyond its surface. */
   private addChain({ paths }: PathLayer, chain: Chain, isSeen: SeenTest, isHeld: boolean): void {
     const { projection, bvh } = this;
-    this.segments += chain.count - 1;
-    for (const run of visibleRuns(chain, projection, isSeen)) {
-      const cut = cutRun(chain, run, projection);
-      if (cut.depths.length < 2) continue;
+    for (const cut of this.seenParts(chain, isSeen)) {
       if (isHeld) holdBack(cut, bvh, projection);
       paths.push(cut.path);
     }
+  }
+
+  private seenParts(chain: Chain, isSeen: SeenTest): CutRun[] {
+    const { projection } = this;
+    this.segments += chain.count - 1;
+    return visibleRuns(chain, projection, isSeen)
+      .map((run) => cutRun(chain, run, projection))
+      .filter(({ depths }) => depths.length >= 2);
   }
 }

@@ -1,3 +1,4 @@
+import type { HiddenOutlines } from '../engraving/hiddenOutlines.js';
 import type { Vec3 } from '../engraving/vectors.js';
 import type { Matrix } from './Projection.js';
 
@@ -52,6 +53,8 @@ export interface OutlineLook {
   lostEdges: number;
   /** Pixels. */
   wobble: number;
+  /** What is drawn of outlines behind a surface. */
+  hidden: HiddenOutlines;
 }
 
 /** An end of a piece of outline. */

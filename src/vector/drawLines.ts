@@ -26,9 +26,9 @@ export function* drawLines(scene: DrawnScene, plan: DrawingPlan): Generator<numb
   yield* asPhase(drawer.drawSurfaces(), 0.2, 0.9);
   const layers = LAYERS.flatMap((name) => drawer.layers.filter((layer) => layer.name === name));
   const { written, counts } = yield* asPhase(finishPaths(layers, plan, projection, placement), 0.9, 1);
-  const named = layers.map(({ name, ink }, i): SVGLayer => {
+  const named = layers.map(({ name, ink, opacity }, i): SVGLayer => {
     const isAlone = layers.filter((layer) => layer.name === name).length === 1;
-    return { name: isAlone ? name : `${name} ${ink}`, ink, paths: written[i] };
+    return { name: isAlone ? name : `${name} ${ink}`, ink, opacity, paths: written[i] };
   });
   return { svg: writeSVG(plan, named), segments: drawer.segments, ...counts };
 }

@@ -3,9 +3,17 @@ import { combined, dot, mix, type Vec3 } from '../engraving/vectors.js';
 import { asPhase } from '../slices/asPhase.js';
 import type { FeatureEdge, OutlineLook, OutlineMesh, OutlinePiece, PieceEnd } from './OutlineMesh.js';
 
-/** Finds all pieces of outlines on a mesh, before light and visibility. Yields its progress. */
-export function* outlinePieces(mesh: OutlineMesh, look: OutlineLook): Generator<number, OutlinePiece[], void> {
-  const finder = new PieceFinder(mesh, look);
+/**
+ * Finds all pieces of outlines on a mesh, before light and visibility. Yields its progress.
+ *
+ * @param withHidden whether creases count that look away on both sides, and so are hidden for sure
+ */
+export function* outlinePieces(
+  mesh: OutlineMesh,
+  look: OutlineLook,
+  withHidden = false,
+): Generator<number, OutlinePiece[], void> {
+  const finder = new PieceFinder(mesh, look, withHidden);
   yield* asPhase(finder.readPoints(), 0, 0.5);
   const pieces: OutlinePiece[] = [];
   const add = (piece: OutlinePiece | null) => {
@@ -30,6 +38,7 @@ class PieceFinder {
   constructor(
     private readonly mesh: OutlineMesh,
     private readonly look: OutlineLook,
+    private readonly withHidden: boolean,
   ) {
     this.facing = new Float64Array(mesh.positions.length / 3);
     this.bend = new Float64Array(mesh.positions.length / 3);
@@ -120,7 +129,7 @@ class PieceFinder {
     const left = [facing[leftStart], facing[leftEnd]] as const;
     const right = [sign * facing[rightStart], sign * facing[rightEnd]] as const;
     // Creases that look away on either side cannot be seen; borders show their backs.
-    if (!isBorder && Math.max(...left, ...right) <= 0) return null;
+    if (!isBorder && !this.withHidden && Math.max(...left, ...right) <= 0) return null;
     const whole = Math.max(edge.isCrease ? look.creases : 0, edge.isMaterialBorder ? look.materialBorders : 0);
     const isContour = [left[0] * right[0] < 0, left[1] * right[1] < 0];
     const normals = [this.seenNormal(leftStart, rightStart, sign), this.seenNormal(leftEnd, rightEnd, sign)] as const;

@@ -7,12 +7,16 @@ import { type ChainPlace, placeOn, type SeenTest } from './visibleRuns.js';
 /** From where on beyond its side an outline looks for what lies behind it, pixels. */
 const BEYOND = 1.5;
 
-/** A test whether places of an outline are seen: lifted towards the eye by so much that their own surface does not hide them. */
-export function outlineTest(chain: Chain, bvh: Bvh, projection: Projection): SeenTest {
+/**
+ * A test whether places of an outline are seen: lifted towards the eye by so much that their own surface does not hide them.
+ *
+ * @param leastHalf half the width, pixels, that it is lifted for at least
+ */
+export function outlineTest(chain: Chain, bvh: Bvh, projection: Projection, leastHalf = 0): SeenTest {
   const { pieces, radius } = chain.outline!;
   return ({ world, piece, share }: ChainPlace) => {
     const half = chain.halves[piece] + share * (chain.halves[piece + 1] - chain.halves[piece]);
-    const units = half * projection.unitsPerPixel(projection.depthOf(...world));
+    const units = Math.max(half, leastHalf) * projection.unitsPerPixel(projection.depthOf(...world));
     const lift = Math.max(liftOf(pieces[piece], units, radius), liftOf(pieces[piece + 1], units, radius));
     const { way, end } = projection.wayToEye(...world);
     return !bvh.isHidden(world, way, lift / Math.hypot(...way), end);

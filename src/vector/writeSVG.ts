@@ -3,6 +3,8 @@ export interface SVGLayer {
   name: string;
   /** As in `#1c1a17`. */
   ink: string;
+  /** From 0 to 1. */
+  opacity: number;
   /** Path data, in the order of drawing. */
   paths: readonly string[];
 }
@@ -30,10 +32,10 @@ export function writeSVG({ width, height, paper, pen }: SVGSheet, layers: readon
     `<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="${INKSCAPE}" width="${w}mm" height="${h}mm" viewBox="0 0 ${w} ${h}">`,
   ];
   if (paper !== null) lines.push(`<rect width="${w}" height="${h}" fill="${paper}"/>`);
-  for (const [i, { name, ink, paths }] of layers.filter((layer) => layer.paths.length > 0).entries()) {
+  for (const [i, { name, ink, opacity, paths }] of layers.filter((layer) => layer.paths.length > 0).entries()) {
     const look =
       pen === null
-        ? `fill="${ink}"`
+        ? `fill="${ink}"${opacity < 1 ? ` opacity="${opacity}"` : ''}`
         : `fill="none" stroke="${ink}" stroke-width="${millimetres(pen)}" stroke-linecap="round" stroke-linejoin="round"`;
     lines.push(`<g id="layer${i + 1}" inkscape:groupmode="layer" inkscape:label="${i + 1} ${name}" ${look}>`);
     for (const data of paths) lines.push(`<path d="${data}"/>`);

@@ -50,7 +50,17 @@ export const ROOMS = {
     '/src/material/fieldFrameName.ts',
   ],
   'material/firstDraw': ['facts', 'deformation', 'exposure', 'parts'],
-  outlines: ['mistakes', 'features', 'bake', 'worker', 'tam/toothMap.ts', 'geometry', 'material', '/shaders'],
+  outlines: [
+    'mistakes',
+    'features',
+    'bake',
+    'worker',
+    'engraving',
+    'tam/toothMap.ts',
+    'geometry',
+    'material',
+    '/shaders',
+  ],
   background: ['mistakes', 'bake', 'material', '/shaders'],
   scene: [
     'mistakes',
