@@ -9,6 +9,9 @@ import type { TaskOptions } from '../worker/TaskOptions.js';
 /** Sheets by name, upright: width and height in millimetres. */
 const SHEETS = { A3: [297, 420], A4: [210, 297], A5: [148, 210] } as const;
 
+/** How long a drawing takes to draw itself. */
+const ANIMATION_SECONDS = 12;
+
 /** Options of `drawSVG`. Lengths are in millimetres. A worker of `createWorker` runs `three-hatching/svg.worker`. */
 export interface DrawSVGOptions extends TaskOptions {
   /**
@@ -36,6 +39,11 @@ export interface DrawSVGOptions extends TaskOptions {
    * `HatchingOutlineMaterial` has it.
    */
   hidden?: HiddenOutlines | undefined;
+  /**
+   * Seconds, above 0, in which the drawing draws itself on a web page, path by path; true for 12. Whoever asks for less motion sees the
+   * whole at once. Default: false.
+   */
+  animate?: number | boolean | undefined;
   /** The colour of a rectangle below the drawing; a pen would draw its border. Default: none. */
   paper?: ColorRepresentation | null | undefined;
 }
@@ -50,6 +58,7 @@ const NAMES = {
   order: true,
   paper: true,
   hidden: true,
+  animate: true,
 } satisfies Record<Exclude<keyof DrawSVGOptions, keyof TaskOptions>, true>;
 
 /** Checks options. @throws TypeError or RangeError that names the wrong one */
@@ -74,8 +83,14 @@ export function planOf(options: DrawSVGOptions): DrawingPlan {
     ...{ width, height, margin, order },
     pen: isPen ? checkNumber('penWidth', options.penWidth ?? 0.3, { above: 0 }, 'drawSVG') : null,
     dpi: checkNumber('dpi', options.dpi ?? 96, { above: 0 }, 'drawSVG'),
+    animate: secondsOf(options.animate ?? false),
     paper: paper === null ? null : `#${new Color(paper).getHexString()}`,
   };
+}
+
+function secondsOf(animate: number | boolean): number | null {
+  if (typeof animate === 'boolean') return animate ? ANIMATION_SECONDS : null;
+  return checkNumber('animate', animate, { above: 0 }, 'drawSVG');
 }
 
 function checkChoice(name: string, value: unknown, choices: readonly string[]): void {

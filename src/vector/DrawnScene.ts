@@ -44,4 +44,6 @@ export interface DrawingPlan {
   dpi: number;
   order: 'travel' | 'drawn';
   paper: string | null;
+  /** Seconds that the drawing takes to draw itself; null for one that stands still. */
+  animate: number | null;
 }

@@ -17,21 +17,30 @@ export interface PathCounts {
   drawn: number;
 }
 
+/** A path as it goes into the file. */
+export interface WrittenPath {
+  /** Path data, millimetres. */
+  data: string;
+  /** How long it is, and the way from its start to its end, millimetres. */
+  length: number;
+  way: readonly [dx: number, dy: number];
+}
+
 /** Paths are as exact as that, millimetres. */
 const TOLERANCE = 0.02;
 /** Filled paths that are shorter are left out, millimetres; of a pen, those shorter than two of its widths. */
 const SHORTEST = 0.1;
 const SHORTEST_IN_PENS = 2;
 
-/** Simplifies, orders and writes the paths of layers: path data for each. Yields its progress. */
+/** Simplifies, orders and writes the paths of layers: Yields its progress. */
 export function* finishPaths(
   layers: readonly { paths: readonly LinePath[] }[],
   plan: DrawingPlan,
   projection: Projection,
   placement: Placement,
-): Generator<number, { written: string[][]; counts: PathCounts }, void> {
+): Generator<number, { written: WrittenPath[][]; counts: PathCounts }, void> {
   const counts: PathCounts = { paths: 0, points: 0, travelBefore: 0, travelAfter: 0, drawn: 0 };
-  const written: string[][] = [];
+  const written: WrittenPath[][] = [];
   const { scale } = placement;
   const shortest = plan.pen === null ? SHORTEST : SHORTEST_IN_PENS * plan.pen;
   for (const [i, layer] of layers.entries()) {
@@ -48,18 +57,21 @@ export function* finishPaths(
         : yield* asPhase(orderPaths(ends), i / layers.length, (i + 1) / layers.length);
     counts.travelBefore += travelOf(ends, asDrawn(ends));
     counts.travelAfter += travelOf(ends, order);
-    const data: string[] = [];
+    const done: WrittenPath[] = [];
     for (const [k, step] of order.entries()) {
       if (k % 32 === 31) yield (i + 1) / layers.length;
       const path = turned(kept[step.path], step);
       const text = dataOf(path, plan, projection, placement);
       if (text === '') continue;
-      data.push(text);
+      const length = pathLength(path) * scale;
+      const last = path.points.length - PATH_STRIDE;
+      const way = [0, 1].map((axis) => scale * (path.points[last + axis] - path.points[axis]));
+      done.push({ data: text, length, way: way as [number, number] });
       counts.paths++;
       counts.points += path.points.length / PATH_STRIDE;
-      counts.drawn += pathLength(path) * scale;
+      counts.drawn += length;
     }
-    written.push(data);
+    written.push(done);
   }
   return { written, counts };
 }

@@ -1,3 +1,6 @@
+import { AnimationClock, animationRules } from './animation.js';
+import type { WrittenPath } from './finishPaths.js';
+
 /** A layer of a drawing: paths of one colour. */
 export interface SVGLayer {
   name: string;
@@ -5,8 +8,8 @@ export interface SVGLayer {
   ink: string;
   /** From 0 to 1. */
   opacity: number;
-  /** Path data, in the order of drawing. */
-  paths: readonly string[];
+  /** In the order of drawing. */
+  paths: readonly WrittenPath[];
 }
 
 /** The sheet and how it is drawn on. */
@@ -18,6 +21,8 @@ export interface SVGSheet {
   paper: string | null;
   /** The width of the pen, millimetres; null where paths are filled. */
   pen: number | null;
+  /** Seconds that the drawing takes to draw itself; null for one that stands still. */
+  animate: number | null;
 }
 
 const INKSCAPE = 'http://www.inkscape.org/namespaces/inkscape';
@@ -26,19 +31,22 @@ const INKSCAPE = 'http://www.inkscape.org/namespaces/inkscape';
 const millimetres = (value: number): string => String(Number(value.toFixed(3)));
 
 /** Writes a drawing as a document. Layers without paths are left out, and the others are numbered, as plotters' programs ask for. */
-export function writeSVG({ width, height, paper, pen }: SVGSheet, layers: readonly SVGLayer[]): string {
+export function writeSVG({ width, height, paper, pen, animate }: SVGSheet, layers: readonly SVGLayer[]): string {
   const [w, h] = [millimetres(width), millimetres(height)];
   const lines = [
     `<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="${INKSCAPE}" width="${w}mm" height="${h}mm" viewBox="0 0 ${w} ${h}">`,
   ];
   if (paper !== null) lines.push(`<rect width="${w}" height="${h}" fill="${paper}"/>`);
+  const drawn = layers.flatMap(({ paths }) => paths).reduce((sum, { length }) => sum + length, 0);
+  const clock = animate === null ? null : new AnimationClock(animate, drawn, pen !== null);
+  if (clock) lines.push(animationRules(pen !== null));
   for (const [i, { name, ink, opacity, paths }] of layers.filter((layer) => layer.paths.length > 0).entries()) {
     const look =
       pen === null
         ? `fill="${ink}"${opacity < 1 ? ` opacity="${opacity}"` : ''}`
         : `fill="none" stroke="${ink}" stroke-width="${millimetres(pen)}" stroke-linecap="round" stroke-linejoin="round"`;
     lines.push(`<g id="layer${i + 1}" inkscape:groupmode="layer" inkscape:label="${i + 1} ${name}" ${look}>`);
-    for (const data of paths) lines.push(`<path d="${data}"/>`);
+    for (const path of paths) lines.push(`<path d="${path.data}"${clock?.attributesOf(path) ?? ''}/>`);
     lines.push('</g>');
   }
   return `${[...lines, '</svg>'].join('\n')}\n`;
