@@ -12,6 +12,7 @@ import type { LinePath } from './LinePath.js';
 import { outlineChains } from './outlineChains.js';
 import { outlinePieces } from './outlinePieces.js';
 import type { Projection } from './Projection.js';
+import { refineEnds } from './refineEnds.js';
 import { outlineTest, weighByStanding } from './seenOutlines.js';
 import { subdivide } from './subdivide.js';
 import { Toner } from './Toner.js';
@@ -156,8 +157,12 @@ export class LineDrawer {
   private addChain({ paths }: PathLayer, chain: Chain, isSeen: SeenTest, isHeld: boolean): void {
     const { projection, bvh } = this;
     for (const cut of this.seenParts(chain, isSeen)) {
-      if (isHeld) holdBack(cut, bvh, projection);
-      paths.push(cut.path);
+      if (!isHeld) paths.push(cut.path);
+      else {
+        const finer = refineEnds(cut);
+        holdBack(finer, bvh, projection);
+        paths.push(finer.path);
+      }
     }
   }
 

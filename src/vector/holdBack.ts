@@ -5,9 +5,12 @@ import type { Projection } from './Projection.js';
 
 /** Lines thinner than this do not reach beyond their surface by what could be seen. Pixels. */
 const THIN = 0.25;
-/** What lies beside a line belongs to its surface if it is no deeper or nearer than so many half widths. */
-const SAME_SURFACE = 15;
-const HALVINGS = 6;
+/** What lies beside a line belongs to its surface for sure if it is no deeper or nearer than so many half widths. */
+const GENTLE = 3;
+/** Elsewhere the surface is followed in steps of so many pixels, and is left where the depth changes by more than so many at once. */
+const STEP = 0.75;
+const CLIFF = 10;
+const HALVINGS = 3;
 
 /**
  * Holds both sides of a line back to where the surface that it lies on is still seen, so that no ink reaches beyond an outline. Changes the
@@ -22,25 +25,41 @@ export function holdBack({ path, depths }: CutRun, bvh: Bvh, projection: Project
     const length = Math.hypot(dx, dy);
     if (length === 0) continue;
     const o = PATH_STRIDE * i;
+    const pixel = projection.unitsPerPixel(depths[i]);
     for (const side of [0, 1]) {
       const half = points[o + 2 + side];
       if (half < THIN) continue;
       const sign = side === 0 ? 1 : -1;
-      const room = SAME_SURFACE * half * projection.unitsPerPixel(depths[i]);
-      const fits = (reach: number): boolean => {
+      const depthAt = (reach: number): number => {
         const x = points[o] + (sign * reach * dy) / length;
         const y = points[o + 1] - (sign * reach * dx) / length;
         const { origin, direction } = projection.rayThrough(x, y);
-        return Math.abs(bvh.firstMet(origin, direction, projection.camera.near) - depths[i]) < room;
+        return bvh.firstMet(origin, direction, projection.camera.near);
       };
-      if (fits(half)) continue;
-      let [low, high] = [0, half];
-      for (let k = 0; k < HALVINGS; k++) {
-        const middle = 0.5 * (low + high);
-        if (fits(middle)) low = middle;
-        else high = middle;
-      }
-      points[o + 2 + side] = low;
+      if (Math.abs(depthAt(half) - depths[i]) < GENTLE * half * pixel) continue;
+      points[o + 2 + side] = reachOnSurface(depthAt, depths[i], half, CLIFF * pixel);
     }
   }
+}
+
+/** How far the surface goes on from a place with a depth, as far as it is asked for. */
+function reachOnSurface(depthAt: (reach: number) => number, start: number, asked: number, cliff: number): number {
+  let depth = start;
+  let reach = 0;
+  while (reach < asked) {
+    const next = Math.min(reach + STEP, asked);
+    const met = depthAt(next);
+    if (!(Math.abs(met - depth) < cliff)) {
+      let [low, high] = [reach, next];
+      for (let k = 0; k < HALVINGS; k++) {
+        const middle = 0.5 * (low + high);
+        if (Math.abs(depthAt(middle) - depth) < cliff) low = middle;
+        else high = middle;
+      }
+      return low;
+    }
+    depth = met;
+    reach = next;
+  }
+  return asked;
 }

@@ -4,6 +4,7 @@ import { between, flatNormalOf, type LineSurface, placeFrom, STRIDE, type Surfac
 import { type LevelSegments, levelSegments, NO_RANK } from './levelSegments.js';
 import type { Projection } from './Projection.js';
 import type { Shadowing, Toner, Tones } from './Toner.js';
+import { tracedSlopes } from './tracedSlopes.js';
 import { type Walk, walkSegments } from './walkSegments.js';
 
 /** What the lines of a surface are traced with. */
@@ -51,8 +52,9 @@ export function* traceFamily(tracing: Tracing, family: FamilyName): Generator<nu
   const { surface, engraver } = tracing;
   const { values, ranks } = yield* readVertices(tracing, family);
   const segments = yield* levelSegments(surface, values, ranks, engraver.hasSeams);
+  const slopes = yield* tracedSlopes(surface, values, (t) => ranks[t] !== NO_RANK, tracing.projection);
   const chains: Chain[] = [];
-  const tracer = new LineTracer(tracing, family, segments);
+  const tracer = new LineTracer(tracing, family, segments, slopes);
   let done = 0;
   for (const walk of walkSegments(segments.starts, segments.ends, segments.lines.length)) {
     const chain = tracer.follow(walk);
@@ -107,6 +109,7 @@ class LineTracer {
     private readonly tracing: Tracing,
     private readonly family: FamilyName,
     private readonly segments: LevelSegments,
+    private readonly slopes: Float32Array,
   ) {
     this.unit = 2 ** segments.finest;
   }
@@ -175,6 +178,8 @@ class LineTracer {
     const place = placeFrom(numbers, flatNormalOf(surface, triangle), sides[triangle]);
     const tones = toner.read(place, toner.hasShadows ? 'traced' : 'none');
     const measure = engraver.measure(this.family, place, tones);
+    // As lines lie on the picture, so that they cover what they should.
+    measure.perPixel = this.slopes[triangle] || measure.perPixel;
     if (pen === null) {
       const half = engraver.halfWidth(measure, line.value, line.rank);
       return { place, tones, half, margin: half };

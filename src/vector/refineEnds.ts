@@ -1,0 +1,53 @@
+import type { CutRun } from './cutRun.js';
+import { PATH_STRIDE } from './LinePath.js';
+
+/** Near its ends a line has points so far apart, over so many times half its width. Pixels. */
+const STEP = 0.6;
+const REACH = 2;
+/** Thinner lines end as they are, pixels. */
+const THIN = 0.4;
+
+/**
+ * Adds points near the ends of an open run, so that each can be held back on its own: what hides a line rarely runs across it, and a broad
+ * line is cut aslant there.
+ */
+export function refineEnds(cut: CutRun): CutRun {
+  if (cut.path.isClosed || cut.depths.length < 2) return cut;
+  return reversed(refinedStart(reversed(refinedStart(cut))));
+}
+
+function refinedStart({ path, depths }: CutRun): CutRun {
+  const { points } = path;
+  const half = points[2];
+  const reach = REACH * half;
+  if (half < THIN) return { path, depths };
+  const finer: number[] = [];
+  const finerDepths: number[] = [];
+  let walked = 0;
+  let i = 0;
+  for (; i + 1 < depths.length && walked < reach; i++) {
+    const o = PATH_STRIDE * i;
+    const length = Math.hypot(points[o + PATH_STRIDE] - points[o], points[o + PATH_STRIDE + 1] - points[o + 1]);
+    const count = Math.max(1, Math.ceil(Math.min(length, reach - walked) / STEP));
+    for (let k = 0; k < count; k++) {
+      const share = Math.min((k * STEP) / length, 1);
+      for (let n = 0; n < PATH_STRIDE; n++)
+        finer.push(points[o + n] + share * (points[o + PATH_STRIDE + n] - points[o + n]));
+      finerDepths.push(depths[i] + share * (depths[i + 1] - depths[i]));
+    }
+    walked += length;
+  }
+  return {
+    path: { points: [...finer, ...points.slice(PATH_STRIDE * i)], isClosed: false },
+    depths: [...finerDepths, ...depths.slice(i)],
+  };
+}
+
+function reversed({ path, depths }: CutRun): CutRun {
+  const points: number[] = [];
+  for (let o = path.points.length - PATH_STRIDE; o >= 0; o -= PATH_STRIDE) {
+    const [x, y, left, right] = path.points.slice(o, o + PATH_STRIDE);
+    points.push(x, y, right, left);
+  }
+  return { path: { points, isClosed: path.isClosed }, depths: [...depths].reverse() };
+}

@@ -1,0 +1,15 @@
+/** What the tests of vector files in a browser draw with. */
+import './toolkit.js';
+import * as THREE from 'three';
+import { drawSVG } from 'three-hatching/svg';
+import { comparedScene, compareLines, inkOfFile } from '../../tools/metrics/linesAgainstCanvas.js';
+import { loadModel } from '../../tools/metrics/loadModel.js';
+
+const vectors = { THREE, drawSVG, compareLines, comparedScene, inkOfFile, loadModel };
+
+declare global {
+  interface Window {
+    vectors: typeof vectors;
+  }
+}
+window.vectors = vectors;
