@@ -1,4 +1,5 @@
 import type { Material, Mesh, Object3D } from 'three';
+import { checkGeometry } from '../geometry/checkGeometry.js';
 import { importanceOf } from '../material/emphasis/importanceOf.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { describeObject } from '../mistakes/describeObject.js';
@@ -15,6 +16,16 @@ export const sentence = (object: Object3D, what: string): LeftOut => ({
   object,
   reason: `The ${describeObject(object)} ${what}.`,
 });
+
+/** What is wrong with the geometry of a mesh, so that it cannot be read; undefined if nothing is. */
+export function faultOf({ geometry }: Mesh): string | undefined {
+  try {
+    checkGeometry(geometry, 'drawSVG');
+    return undefined;
+  } catch (error) {
+    return `is left out: ${(error as Error).message.replace(/^drawSVG: /, '').replace(/\.$/, '')}`;
+  }
+}
 
 /** Why nothing of a mesh can be drawn; undefined if it can. */
 export function whyNothing(mesh: Mesh): string | undefined {

@@ -20,7 +20,7 @@ import { asPhase } from '../slices/asPhase.js';
 import { CASTS_BACK, CASTS_FRONT, SEEN_BACK, SEEN_FRONT } from '../vector/Bvh.js';
 import type { DrawnScene, EngravedSurface, OutlinedMesh } from '../vector/DrawnScene.js';
 import { GrowingArray } from '../vector/GrowingArray.js';
-import { drawnWithout, type LeftOut, sentence, whyNoLines, whyNothing } from './leftOut.js';
+import { drawnWithout, faultOf, type LeftOut, sentence, whyNoLines, whyNothing } from './leftOut.js';
 import { readLights, type SceneLights } from './readLights.js';
 import { engravedLookOf, surfaceLookOf } from './readLook.js';
 import { outlineLookOf, readOutlines } from './readOutlines.js';
@@ -106,6 +106,11 @@ class SceneReader {
   }
 
   private *readSurfaces(mesh: Mesh): Generator<number, void, void> {
+    const fault = faultOf(mesh);
+    if (fault) {
+      this.note(mesh, fault);
+      return;
+    }
     const parts = partsOf(mesh);
     if (parts.length === 0) return;
     const nothing = whyNothing(mesh);

@@ -27,7 +27,9 @@ async function fuzzInNode() {
     stdio: 'inherit',
     env: { ...process.env, FUZZ_CASES: String(count), FUZZ_FIRST: String(first) },
   });
-  const report = ['files', 'library'].map((name) => JSON.parse(readFileSync(`${output}/${name}.json`, 'utf8')));
+  const report = ['files', 'library', 'drawings'].map((name) =>
+    JSON.parse(readFileSync(`${output}/${name}.json`, 'utf8')),
+  );
   console.table(
     Object.fromEntries(
       Object.entries(Object.assign({}, ...report)).map(([kind, { slowest, ...sums }]) => [
