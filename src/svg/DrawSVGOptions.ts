@@ -25,8 +25,11 @@ export interface DrawSVGOptions {
    * 96, as CSS has it.
    */
   dpi?: number | undefined;
-  /** Whether lights with `castShadow` cast shadows, which have hard edges, on meshes with `receiveShadow`. Default: true. */
-  shadows?: boolean | undefined;
+  /**
+   * Whether lights with `castShadow` cast shadows on meshes with `receiveShadow`: `'soft'` or true, as soft as the light's shadow is on
+   * the canvas; `'hard'`, with one ray in the place of up to 24; or false. Default: true.
+   */
+  shadows?: boolean | 'hard' | 'soft' | undefined;
   /** `'travel'`: a short way of the lifted pen. `'drawn'`: the order in which lines were found. Default: `'travel'`. */
   order?: 'travel' | 'drawn' | undefined;
   /** The colour of a rectangle below the drawing; a pen would draw its border. Default: none. */
@@ -54,7 +57,8 @@ export function planOf(options: DrawSVGOptions): DrawingPlan {
   const { kind = 'print', sheet = 'A4', order = 'travel', shadows = true, paper = null } = options;
   checkChoice('kind', kind, ['print', 'pen']);
   checkChoice('order', order, ['travel', 'drawn']);
-  if (typeof shadows !== 'boolean') throw new TypeError('drawSVG: shadows must be true or false, or left out.');
+  if (typeof shadows !== 'boolean' && shadows !== 'hard' && shadows !== 'soft')
+    throw new TypeError("drawSVG: shadows must be true, 'soft', 'hard' or false, or left out.");
   const isPen = kind === 'pen';
   if (!isPen && options.penWidth !== undefined)
     throw new TypeError("drawSVG: penWidth is only for kind: 'pen'. Leave it out, or draw with a pen.");

@@ -53,7 +53,7 @@ export async function drawSVG(scene: Object3D, camera: Camera, options: DrawSVGO
 function* draw(
   scene: Object3D,
   camera: Camera,
-  shadows: boolean,
+  shadows: NonNullable<DrawSVGOptions['shadows']>,
   plan: DrawingPlan,
 ): Generator<number, Omit<SVGDrawing, 'seconds'>, void> {
   const { drawn, leftOut } = yield* asPhase(readScene(scene, camera, shadows), 0, 0.1);

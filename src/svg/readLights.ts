@@ -13,7 +13,9 @@ import { combined, type Vec3 } from '../engraving/vectors.js';
 import { type Arriving, LightsAround } from '../material/exposure/LightsAround.js';
 import { luminanceOf } from '../material/facts/luminanceOf.js';
 import type { MeanLight } from '../vector/outlineChains.js';
+import type { LampShadow } from '../vector/ShadowRays.js';
 import type { Illumination } from '../vector/Toner.js';
+import { readLampShadow } from './readLampShadow.js';
 
 const placeOf = ({ matrixWorld }: Object3D): Vec3 => new Vector3().setFromMatrixPosition(matrixWorld).toArray();
 
@@ -27,6 +29,8 @@ const wayBetween = (from: Object3D, to: Object3D): Vec3 =>
 /** The lights of a scene that a camera sees, as numbers. */
 export interface SceneLights {
   lamps: Lamp[];
+  /** The shadow of each lamp. */
+  shadows: (LampShadow | null)[];
   around: Illumination['around'];
   meanLight: MeanLight;
 }
@@ -34,12 +38,15 @@ export interface SceneLights {
 /** @param shadows whether lights that cast shadows do so */
 export function readLights(scene: Object3D, camera: Camera, shadows: boolean): SceneLights {
   const lamps: Lamp[] = [];
+  const castShadows: (LampShadow | null)[] = [];
   const others: Light[] = [];
   scene.traverseVisible((object) => {
     if (!('isLight' in object) || !object.layers.test(camera.layers)) return;
     const lamp = lampOf(object as Light, shadows);
-    if (lamp) lamps.push(lamp);
-    else others.push(object as Light);
+    if (lamp) {
+      lamps.push(lamp);
+      castShadows.push(readLampShadow(object as Light));
+    } else others.push(object as Light);
   });
   const sky = new LightsAround({ lights: others, scene });
   const found: Arriving = { direct: 0, indirect: 0, reflected: 0 };
@@ -48,7 +55,7 @@ export function readLights(scene: Object3D, camera: Camera, shadows: boolean): S
     sky.arriveAt(place, normal.set(...direction), false, found);
     return found.indirect;
   };
-  return { lamps, around, meanLight: (at) => meanLightAt(at, lamps, others) };
+  return { lamps, shadows: castShadows, around, meanLight: (at) => meanLightAt(at, lamps, others) };
 }
 
 /** The light as one with a direction; undefined for others. */

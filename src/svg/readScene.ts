@@ -30,15 +30,17 @@ const SHADOW_BIAS = 0.01;
 
 /**
  * Reads a scene as plain data, and names what is not in it. Brings the world matrices of scene and camera up to date. Yields its progress.
+ *
+ * @param shadows as of `DrawSVGOptions`
  */
 export function* readScene(
   scene: Object3D,
   camera: Camera,
-  shadows: boolean,
+  shadows: boolean | 'hard' | 'soft',
 ): Generator<number, { drawn: DrawnScene; leftOut: LeftOut[] }, void> {
   scene.updateMatrixWorld();
   camera.updateMatrixWorld();
-  const reader = new SceneReader(scene, camera, readLights(scene, camera, shadows));
+  const reader = new SceneReader(scene, camera, readLights(scene, camera, shadows !== false), shadows !== 'hard');
   const objects: Object3D[] = [];
   scene.traverseVisible((object) => {
     if (object.layers.test(camera.layers)) objects.push(object);
@@ -70,12 +72,14 @@ class SceneReader {
     scene: Object3D,
     private readonly camera: Camera,
     private readonly lights: SceneLights,
+    private readonly hasSoftShadows: boolean,
   ) {
     this.fit = new ExposureFit().update(scene, camera.layers.mask);
   }
 
   drawn(): DrawnScene {
     const { corners, sides, surfaces, outlines, camera, lights, casterSize } = this;
+    const { lamps, shadows, around } = lights;
     return {
       camera: {
         view: camera.matrixWorldInverse.elements,
@@ -86,7 +90,7 @@ class SceneReader {
       corners: Float64Array.from(corners),
       sides: Uint8Array.from(sides),
       ...{ surfaces, outlines },
-      illumination: { lamps: lights.lamps, around: lights.around, bias: SHADOW_BIAS * casterSize },
+      illumination: { lamps, shadows, isSoft: this.hasSoftShadows, around, bias: SHADOW_BIAS * casterSize },
       meanLight: lights.meanLight,
     };
   }
@@ -165,7 +169,7 @@ class SceneReader {
     this.surfaces.push({
       surface,
       engraved,
-      field: fieldOf(engraved, material, lights.lamps, frame),
+      field: fieldOf(engraved, material, lights.lamps, { frame, surface }),
       look: surfaceLookOf(material, mesh.receiveShadow, fit),
       ink: colorOf(material),
     });

@@ -1,5 +1,6 @@
 import { leftOf, sharedByTwo, takenOf } from '../engraving/crossedTones.js';
 import type { CutField, Field } from '../engraving/fieldAxis.js';
+import { lineLeft, meanLineLeft } from '../engraving/groundShadow.js';
 import { handTone, handWidth } from '../engraving/hand.js';
 import {
   type CutFamilies,
@@ -46,6 +47,8 @@ export interface FamilyMeasure {
   coarsest: number;
   /** Units of the function per pixel on the flat triangle, where the lines lie as they lie. */
   perPixel: number;
+  /** The share of the shadow on a ground that has not dissolved. */
+  left: number;
 }
 
 /** One way in which the families of a surface are read. */
@@ -127,18 +130,22 @@ export class Engraver {
       octave: octaveOf(spacing, rise, smooth, coarsest),
       coarsest,
       perPixel: flat,
+      left: tones.left,
     };
   }
 
   /** Half the width that a line has at a place, in pixels. rank: the power of two in its value. */
-  halfWidth({ tone, octave, perPixel }: FamilyMeasure, line: number, rank: number): number {
-    const hand = this.cut === null ? 1 : handWidth(line, this.look.handmade);
+  halfWidth({ tone, octave, perPixel, left }: FamilyMeasure, line: number, rank: number): number {
+    const hand = this.cut === null ? 1 : handWidth(line, this.look.handmade) * lineLeft(line, left);
     // Wider than all its room it would cover nothing more.
     return (0.5 * roomOf(rank, octave) * Math.min(tone * hand, 1)) / perPixel;
   }
 
   /** Where this is above 0, a pen of one width draws a line. pen: its width, pixels. */
-  penMargin({ tone, perPixel, coarsest }: FamilyMeasure, rank: number, index: number, pen: number): number {
+  penMargin(measure: FamilyMeasure, rank: number, index: number, pen: number): number {
+    const { perPixel, coarsest } = measure;
+    // Where a shadow dissolves there are fewer lines, in the place of some that are thinner.
+    const tone = measure.tone * (this.cut === null ? 1 : meanLineLeft(measure.left));
     if (tone <= LEAST_PEN_TONE) return tone - LEAST_PEN_TONE;
     return penMargin(rank, index, (pen / Math.min(tone, MOST_PEN_TONE)) * perPixel, coarsest);
   }

@@ -22,8 +22,11 @@ export interface Tracing {
 const LEAST_TONE = 1e-4;
 /** The rank of the line through the origin, a multiple of all powers of two. */
 const EVERY_RANK = 1000;
-/** The edge of a shadow is found in so many halvings. */
-const HALVINGS = 10;
+/** Shadows are looked for at least so far apart, and the place of an edge is found as exactly as that. Pixels. */
+const SHADOW_STEP = 3;
+const EDGE = 0.02;
+/** From one point of a line to the next a shadow changes by no more than this share, unless that is its edge. */
+const SHADOW_CHANGE = 0.05;
 
 /** Which side of each triangle of a surface is drawn on the picture. Yields its progress. */
 export function* seenSides(surface: LineSurface, projection: Projection): Generator<number, Int8Array, void> {
@@ -182,6 +185,18 @@ class LineTracer {
     return { place, tones, half: pen / 2, margin: engraver.penMargin(measure, line.rank, line.index, pen) };
   }
 
+  get hasShadows(): boolean {
+    return this.tracing.toner.hasShadows;
+  }
+
+  /** How far two places are apart on the picture, pixels. */
+  lengthBetween(one: Measured, other: Measured): number {
+    const { projection } = this.tracing;
+    const [x, y] = projection.project(...one.place.view);
+    const [toX, toY] = projection.project(...other.place.view);
+    return Math.hypot(toX - x, toY - y);
+  }
+
   write(builder: ChainBuilder, { place, half, margin }: Measured, triangle: number): void {
     const { projection, surface } = this.tracing;
     builder.push(projection.project(...place.view), place.world, half, margin, surface.parents[triangle]);
@@ -205,9 +220,15 @@ interface Measured {
   margin: number;
 }
 
+/** What a line is at numbers of a triangle. */
+interface MeasuredPlace {
+  numbers: Float64Array;
+  measured: Measured;
+}
+
 /** Draws one line into a chain, from node to node. */
 class LinePen {
-  private last: { numbers: Float64Array; measured: Measured } | undefined;
+  private last: MeasuredPlace | undefined;
 
   constructor(
     private readonly tracer: LineTracer,
@@ -220,7 +241,7 @@ class LinePen {
     const { tracer, builder, line, last } = this;
     const numbers = tracer.numbersAt(node, triangle);
     const measured = tracer.measure(numbers, triangle, line);
-    if (last && last.measured.tones.shadows !== measured.tones.shadows) this.crossShadow(last, numbers, triangle);
+    if (last && tracer.hasShadows) this.lookBetween(last, { numbers, measured }, triangle);
     tracer.write(builder, measured, triangle);
     this.last = { numbers, measured };
   }
@@ -233,26 +254,20 @@ class LinePen {
     this.last = { numbers, measured };
   }
 
-  /** Writes two points at the edge of a shadow, with what is on either side. */
-  private crossShadow(
-    { numbers: start, measured }: { numbers: Float64Array; measured: Measured },
-    end: Float64Array,
-    triangle: number,
-  ): void {
+  /** Looks for shadows between two places, and writes points where they change: two at one place where an edge is hard. */
+  private lookBetween(start: MeasuredPlace, end: MeasuredPlace, triangle: number): void {
+    const length = this.tracer.lengthBetween(start.measured, end.measured);
+    const change = Math.abs(start.measured.tones.shadows - end.measured.tones.shadows);
+    if (change <= SHADOW_CHANGE ? length <= SHADOW_STEP : length <= EDGE) return;
     const { tracer, builder, line } = this;
-    const at = (share: number) =>
-      tracer.measure(
-        start.map((number, k) => number + share * (end[k] - number)),
-        triangle,
-        line,
-      );
-    let [low, high] = [0, 1];
-    for (let i = 0; i < HALVINGS; i++) {
-      const middle = 0.5 * (low + high);
-      if (at(middle).tones.shadows === measured.tones.shadows) low = middle;
-      else high = middle;
-    }
-    tracer.write(builder, at(low), triangle);
-    tracer.write(builder, at(high), triangle);
+    const numbers = start.numbers.map((number, k) => 0.5 * (number + end.numbers[k]));
+    const measured = tracer.measure(numbers, triangle, line);
+    const middle = { numbers, measured };
+    this.lookBetween(start, middle, triangle);
+    const isBetween =
+      Math.abs(measured.tones.shadows - 0.5 * (start.measured.tones.shadows + end.measured.tones.shadows)) <=
+      SHADOW_CHANGE;
+    if (change > SHADOW_CHANGE || !isBetween) tracer.write(builder, measured, triangle);
+    this.lookBetween(middle, end, triangle);
   }
 }

@@ -23,7 +23,7 @@ describe('wrong options end in one sentence that names them', () => {
     [{ kind: 'pen', paper: 'white' }, "drawSVG: paper is only for kind: 'print'."],
     [{ paper: {} }, 'drawSVG: paper'],
     [{ dpi: Number.NaN }, 'drawSVG.dpi: NaN is not a number in (0, ∞).'],
-    [{ shadows: 1 }, 'drawSVG: shadows must be true or false'],
+    [{ shadows: 1 }, "drawSVG: shadows must be true, 'soft', 'hard' or false"],
     [{ signal: 3 }, 'drawSVG: signal is 3'],
     [{ onProgress: 3 }, 'drawSVG: onProgress is 3'],
   ])('%j', async (options, sentence) => {
