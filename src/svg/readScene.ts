@@ -142,7 +142,7 @@ class SceneReader {
     const first = this.sides.length;
     const { position } = mesh.geometry.attributes;
     const isMirrored = mesh.matrixWorld.determinant() < 0;
-    const bits = sidesOf(material) | (mesh.castShadow ? castingOf(material) : 0);
+    const bits = (material.depthWrite ? sidesOf(material) : 0) | (mesh.castShadow ? castingOf(material) : 0);
     for (let c = 0; c < corners.length; c += 3) {
       if (c % (3 * CHUNK) === 0) yield c / corners.length;
       const [i, j, k] = corners.subarray(c, c + 3);
@@ -171,6 +171,7 @@ class SceneReader {
       engraved,
       field: fieldOf(engraved, material, lights.lamps, { frame, surface }),
       look: surfaceLookOf(material, mesh.receiveShadow, fit),
+      hides: material.depthWrite,
       ink: colorOf(material),
     });
   }

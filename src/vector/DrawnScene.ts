@@ -13,6 +13,8 @@ export interface EngravedSurface {
   /** Of the first family; null for lines that follow the form. */
   field: Field | null;
   look: SurfaceLook;
+  /** Whether it hides what is behind it, and so is among what rays meet. */
+  hides: boolean;
   /** As in `#1c1a17`. */
   ink: string;
 }

@@ -67,7 +67,7 @@ export class LineDrawer {
     for (const [i, chain] of chains.entries()) {
       yield 0.5 + (0.5 * i) / chains.length;
       weighByStanding(chain, bvh, projection);
-      this.addChain(this.layerOf('outlines', ink), chain, outlineTest(chain, bvh, projection), false);
+      this.addChain(this.layerOf('outlines', ink), chain, outlineTest(chain, bvh, projection));
     }
   }
 
@@ -80,7 +80,7 @@ export class LineDrawer {
   private *drawSurface(engraved: EngravedSurface): Generator<number, void, void> {
     const lines = yield* asPhase(this.tracedChains(engraved), 0, 0.5);
     for (const [i, { family, chain }] of lines.entries()) {
-      this.addChain(this.layerOf(LAYER_OF[family], engraved.ink), chain, this.surfaceTest(chain), this.pen === null);
+      this.addChain(this.layerOf(LAYER_OF[family], engraved.ink), chain, this.surfaceTest(chain), engraved);
       yield 0.5 + (0.5 * (i + 1)) / lines.length;
     }
   }
@@ -123,14 +123,14 @@ export class LineDrawer {
     };
   }
 
-  /** Adds what is seen of a chain. isHeld: whether its sides must not reach beyond its surface. */
-  private addChain({ paths }: PathLayer, chain: Chain, isSeen: SeenTest, isHeld: boolean): void {
-    const { projection, bvh } = this;
+  /** Adds what is seen of a chain. surface: that its sides must not reach beyond. */
+  private addChain({ paths }: PathLayer, chain: Chain, isSeen: SeenTest, surface?: EngravedSurface): void {
+    const { projection, bvh, pen } = this;
     this.segments += chain.count - 1;
     for (const run of visibleRuns(chain, projection, isSeen)) {
       const cut = cutRun(chain, run, projection);
       if (cut.depths.length < 2) continue;
-      if (isHeld) holdBack(cut, bvh, projection);
+      if (surface && pen === null) holdBack(cut, bvh, projection, !surface.hides);
       paths.push(cut.path);
     }
   }

@@ -12,8 +12,10 @@ const HALVINGS = 6;
 /**
  * Holds both sides of a line back to where the surface that it lies on is still seen, so that no ink reaches beyond an outline. Changes the
  * widths of the path.
+ *
+ * @param isSheer whether the surface is not among what rays meet, so that nothing may lie where it is seen
  */
-export function holdBack({ path, depths }: CutRun, bvh: Bvh, projection: Projection): void {
+export function holdBack({ path, depths }: CutRun, bvh: Bvh, projection: Projection, isSheer: boolean): void {
   const points = path.points as number[];
   const count = depths.length;
   for (let i = 0; i < count; i++) {
@@ -31,7 +33,8 @@ export function holdBack({ path, depths }: CutRun, bvh: Bvh, projection: Project
         const x = points[o] + (sign * reach * dy) / length;
         const y = points[o + 1] - (sign * reach * dx) / length;
         const { origin, direction } = projection.rayThrough(x, y);
-        return Math.abs(bvh.firstMet(origin, direction, projection.camera.near) - depths[i]) < room;
+        const beyond = bvh.firstMet(origin, direction, projection.camera.near) - depths[i];
+        return beyond > -room && (isSheer || beyond < room);
       };
       if (fits(half)) continue;
       let [low, high] = [0, half];
