@@ -3,6 +3,7 @@ import type { Bvh } from './Bvh.js';
 import type { Chain } from './Chain.js';
 import { cutRun } from './cutRun.js';
 import type { DrawnScene, EngravedSurface, OutlinedMesh } from './DrawnScene.js';
+import { type Casters, castersOf, dropLit } from './dropLit.js';
 import { Engraver, type FamilyName } from './Engraver.js';
 import { holdBack } from './holdBack.js';
 import type { LinePath } from './LinePath.js';
@@ -42,6 +43,7 @@ export class LineDrawer {
   readonly layers: PathLayer[] = [];
   segments = 0;
   private readonly above: number;
+  private readonly casters: Casters | null;
 
   /** @param pen its width, pixels; null where widths are the tone */
   constructor(
@@ -50,6 +52,7 @@ export class LineDrawer {
     private readonly projection: Projection,
     private readonly bvh: Bvh,
   ) {
+    this.casters = castersOf(scene.corners, scene.sides);
     this.above = ABOVE * scene.corners.reduce((size, x) => Math.max(size, Math.abs(x)), 0);
   }
 
@@ -93,7 +96,9 @@ export class LineDrawer {
     look,
   }: EngravedSurface): Generator<number, { family: FamilyName; chain: Chain }[], void> {
     const { projection, bvh, pen, scene } = this;
+    if (look.ground) dropLit(surface, this.casters, scene.illumination, look.ground);
     yield* asPhase(subdivide(surface, projection), 0, 0.08);
+    if (look.ground) dropLit(surface, this.casters, scene.illumination, look.ground);
     const engraver = new Engraver(engraved, field, surface.viewToField, projection);
     const toner = new Toner(look, scene.illumination, bvh, projection);
     const sides = yield* asPhase(seenSides(surface, projection), 0.08, 0.1);
