@@ -21,6 +21,11 @@ export interface DrawSVGOptions {
   /** The width of the pen, above 0, with `kind: 'pen'`. Default: 0.3. */
   penWidth?: number | undefined;
   /**
+   * The width of the thinnest line that a press holds, 0 or more, with `kind: 'print'`: lines that would be thinner are dashes of it, which
+   * keep the tone. 0 lets them taper to nothing. Default: 0.05.
+   */
+  leastWidth?: number | undefined;
+  /**
    * CSS pixels to an inch of the sheet, above 0: what the sizes of materials and outlines become on paper. More makes finer lines. Default:
    * 96, as CSS has it.
    */
@@ -45,6 +50,7 @@ const NAMES = {
   sheet: true,
   margin: true,
   penWidth: true,
+  leastWidth: true,
   dpi: true,
   shadows: true,
   order: true,
@@ -62,6 +68,8 @@ export function planOf(options: DrawSVGOptions): DrawingPlan {
   const isPen = kind === 'pen';
   if (!isPen && options.penWidth !== undefined)
     throw new TypeError("drawSVG: penWidth is only for kind: 'pen'. Leave it out, or draw with a pen.");
+  if (isPen && options.leastWidth !== undefined)
+    throw new TypeError("drawSVG: leastWidth is only for kind: 'print'. A pen has one width.");
   if (isPen && paper !== null)
     throw new TypeError("drawSVG: paper is only for kind: 'print'. A pen would draw the border of the sheet.");
   if (paper !== null) checkColor('drawSVG: paper', paper);
@@ -72,6 +80,7 @@ export function planOf(options: DrawSVGOptions): DrawingPlan {
   return {
     ...{ width, height, margin, order },
     pen: isPen ? checkNumber('penWidth', options.penWidth ?? 0.3, { above: 0 }, 'drawSVG') : null,
+    leastWidth: checkNumber('leastWidth', options.leastWidth ?? 0.05, { from: 0 }, 'drawSVG'),
     dpi: checkNumber('dpi', options.dpi ?? 96, { above: 0 }, 'drawSVG'),
     paper: paper === null ? null : `#${new Color(paper).getHexString()}`,
   };

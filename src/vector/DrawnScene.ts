@@ -44,6 +44,8 @@ export interface DrawingPlan {
   margin: number;
   /** The width of a pen; null for filled outlines whose width is the tone. */
   pen: number | null;
+  /** The width of the thinnest line of a print; 0 for none. */
+  leastWidth: number;
   /** CSS pixels to an inch of the sheet, which the sizes of materials and outlines are measured in. */
   dpi: number;
   order: 'travel' | 'drawn';

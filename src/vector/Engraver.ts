@@ -13,7 +13,7 @@ import {
 import { COARSEST_OCTAVES, readForm } from '../engraving/readForm.js';
 import { type LineSpacing, octaveOf, penMargin, riseOf, roomOf } from '../engraving/ruledLines.js';
 import { changePerPixel, type Mat3, type SeenPlace, screenMap } from '../engraving/screenGradient.js';
-import { combined, lengthOf, type Vec3 } from '../engraving/vectors.js';
+import { combined, lengthOf, smoothstep, type Vec3 } from '../engraving/vectors.js';
 import type { SurfacePlace } from './LineSurface.js';
 import type { Projection } from './Projection.js';
 import type { Tones } from './Toner.js';
@@ -37,6 +37,14 @@ export type FamilyName = (typeof FAMILIES)[number];
 
 /** Lines may lie as far apart as they like. */
 const ANY_OCTAVE = 100;
+
+/**
+ * Lines of a print grow together from the first tone on, and over one another: by so many pixels, and by a share of their room as far as a
+ * hand lays them unevenly.
+ */
+const SOLID_FROM = 0.96;
+const OVERLAP = 0.15;
+const UNEVEN = 0.15;
 
 /** A family at a place. */
 export interface FamilyMeasure {
@@ -137,8 +145,12 @@ export class Engraver {
   /** Half the width that a line has at a place, in pixels. rank: the power of two in its value. */
   halfWidth({ tone, octave, perPixel, left }: FamilyMeasure, line: number, rank: number): number {
     const hand = this.cut === null ? 1 : handWidth(line, this.look.handmade) * lineLeft(line, left);
+    const room = roomOf(rank, octave) / perPixel;
     // Wider than all its room it would cover nothing more.
-    return (0.5 * roomOf(rank, octave) * Math.min(tone * hand, 1)) / perPixel;
+    const half = 0.5 * room * Math.min(tone * hand, 1);
+    // Lines that differ in width would leave slits where all is covered.
+    const solid = tone > SOLID_FROM && room > 0 ? smoothstep(SOLID_FROM, 1, tone) : 0;
+    return half + solid * (0.5 * room * (1 + UNEVEN * this.look.handmade) + OVERLAP - half);
   }
 
   /** Where this is above 0, a pen of one width draws a line. pen: its width, pixels. */

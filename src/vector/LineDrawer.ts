@@ -3,6 +3,7 @@ import type { Bvh } from './Bvh.js';
 import type { Chain } from './Chain.js';
 import { cutRun } from './cutRun.js';
 import type { DrawnScene, EngravedSurface, OutlinedMesh } from './DrawnScene.js';
+import { dashed, endHairlines } from './dashed.js';
 import { type Casters, castersOf, dropLit } from './dropLit.js';
 import { Engraver, type FamilyName } from './Engraver.js';
 import { holdBack } from './holdBack.js';
@@ -45,12 +46,16 @@ export class LineDrawer {
   private readonly above: number;
   private readonly casters: Casters | null;
 
-  /** @param pen its width, pixels; null where widths are the tone */
+  /**
+   * @param pen its width, pixels; null where widths are the tone
+   * @param least the width of the thinnest line of a print, pixels; 0 for none
+   */
   constructor(
     private readonly scene: DrawnScene,
     private readonly pen: number | null,
     private readonly projection: Projection,
     private readonly bvh: Bvh,
+    private readonly least = 0,
   ) {
     this.casters = castersOf(scene.corners, scene.sides);
     this.above = ABOVE * scene.corners.reduce((size, x) => Math.max(size, Math.abs(x)), 0);
@@ -63,13 +68,15 @@ export class LineDrawer {
   }
 
   private *drawOutline({ mesh, look, ink }: OutlinedMesh): Generator<number, void, void> {
-    const { scene, projection, bvh } = this;
+    const { scene, projection, bvh, least } = this;
     const pieces = yield* asPhase(outlinePieces(mesh, look), 0, 0.4);
     const joining = outlineChains(pieces, mesh, look, projection, scene.meanLight);
     const chains = yield* asPhase(joining, 0.4, 0.5);
     for (const [i, chain] of chains.entries()) {
       yield 0.5 + (0.5 * i) / chains.length;
+      this.segments += chain.count - 1;
       weighByStanding(chain, bvh, projection);
+      if (least > 0) endHairlines(chain, least);
       this.addChain(this.layerOf('outlines', ink), chain, outlineTest(chain, bvh, projection));
     }
   }
@@ -82,7 +89,9 @@ export class LineDrawer {
 
   private *drawSurface(engraved: EngravedSurface): Generator<number, void, void> {
     const lines = yield* asPhase(this.tracedChains(engraved), 0, 0.5);
-    for (const [i, { family, chain }] of lines.entries()) {
+    for (const [i, { family, chain: line }] of lines.entries()) {
+      this.segments += line.count - 1;
+      const chain = this.least > 0 ? dashed(line, this.least) : line;
       this.addChain(this.layerOf(LAYER_OF[family], engraved.ink), chain, this.surfaceTest(chain), engraved);
       yield 0.5 + (0.5 * (i + 1)) / lines.length;
     }
@@ -131,7 +140,6 @@ export class LineDrawer {
   /** Adds what is seen of a chain. surface: that its sides must not reach beyond. */
   private addChain({ paths }: PathLayer, chain: Chain, isSeen: SeenTest, surface?: EngravedSurface): void {
     const { projection, bvh, pen } = this;
-    this.segments += chain.count - 1;
     for (const run of visibleRuns(chain, projection, isSeen)) {
       const cut = cutRun(chain, run, projection);
       if (cut.depths.length < 2) continue;

@@ -1,3 +1,4 @@
+import { lotOf } from '../engraving/hand.js';
 import { type Chain, ChainBuilder } from './Chain.js';
 import { type Engraver, type FamilyName, LEAST_PEN_TONE } from './Engraver.js';
 import { between, flatNormalOf, type LineSurface, placeFrom, STRIDE, type SurfacePlace, VIEW } from './LineSurface.js';
@@ -118,7 +119,8 @@ class LineTracer {
   follow({ start, segments: list, isClosed }: Walk): Chain | undefined {
     const { triangles, starts, ends } = this.segments;
     const builder = new ChainBuilder();
-    const pen = new LinePen(this, builder, this.lineAt(start));
+    const line = this.lineAt(start);
+    const pen = new LinePen(this, builder, line);
     let node = start;
     let before = -1;
     for (const segment of list) {
@@ -131,7 +133,7 @@ class LineTracer {
       pen.to(node, triangle);
       before = triangle;
     }
-    return builder.hasLine ? builder.finish(isClosed) : undefined;
+    return builder.hasLine ? builder.finish(isClosed, lotOf(line.value)) : undefined;
   }
 
   /** The value of the line through a node, the power of two in it and which of the lines of that power it is. */
@@ -199,7 +201,7 @@ class LineTracer {
 
   write(builder: ChainBuilder, { place, half, margin }: Measured, triangle: number): void {
     const { projection, surface } = this.tracing;
-    builder.push(projection.project(...place.view), place.world, half, margin, surface.parents[triangle]);
+    builder.push(projection.project(...place.view), place.world, half, margin, surface.parents[triangle], place.field);
   }
 
   parentOf(triangle: number): number {
