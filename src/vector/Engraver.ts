@@ -2,6 +2,7 @@ import { leftOf, sharedByTwo, takenOf } from '../engraving/crossedTones.js';
 import type { CutField, Field } from '../engraving/fieldAxis.js';
 import { lineLeft, meanLineLeft } from '../engraving/groundShadow.js';
 import { handTone, handWidth } from '../engraving/hand.js';
+import { penMargin } from '../engraving/penLines.js';
 import {
   type CutFamilies,
   cutFamilies,
@@ -11,7 +12,7 @@ import {
   readCut,
 } from '../engraving/readCut.js';
 import { COARSEST_OCTAVES, readForm } from '../engraving/readForm.js';
-import { type LineSpacing, octaveOf, penMargin, riseOf, roomOf } from '../engraving/ruledLines.js';
+import { type LineSpacing, octaveOf, riseOf, roomOf } from '../engraving/ruledLines.js';
 import { changePerPixel, type Mat3, type SeenPlace, screenMap } from '../engraving/screenGradient.js';
 import { combined, lengthOf, smoothstep, type Vec3 } from '../engraving/vectors.js';
 import type { SurfacePlace } from './LineSurface.js';
@@ -153,20 +154,29 @@ export class Engraver {
     return half + solid * (0.5 * room * (1 + UNEVEN * this.look.handmade) + OVERLAP - half);
   }
 
-  /** Where this is above 0, a pen of one width draws a line. pen: its width, pixels. */
-  penMargin(measure: FamilyMeasure, rank: number, index: number, pen: number): number {
-    const { perPixel, coarsest } = measure;
-    // Where a shadow dissolves there are fewer lines, in the place of some that are thinner.
-    const tone = measure.tone * (this.cut === null ? 1 : meanLineLeft(measure.left));
+  /** How far apart a pen draws lines, in units of the function. pen: its width, pixels. */
+  penSpacing(measure: FamilyMeasure, pen: number): number {
+    const asked = Math.min(Math.max(this.penTone(measure), LEAST_PEN_TONE), MOST_PEN_TONE);
+    return (pen / asked) * measure.perPixel;
+  }
+
+  /** Where this is above 0, a pen of one width draws a line. */
+  penMargin(measure: FamilyMeasure, { value, rank }: { value: number; rank: number }, pen: number): number {
+    const tone = this.penTone(measure);
     if (tone <= LEAST_PEN_TONE) return tone - LEAST_PEN_TONE;
-    return penMargin(rank, index, (pen / Math.min(tone, MOST_PEN_TONE)) * perPixel, coarsest);
+    // Where numbers change across seams, lines that moved aside by them would break.
+    return penMargin(value, rank, this.penSpacing(measure, pen), !this.hasSeams);
   }
 
   /** The octave of the finest lines that a pen may need at a place. */
-  penOctave({ tone, perPixel, coarsest }: FamilyMeasure, pen: number): number {
-    const asked = Math.min(Math.max(tone, LEAST_PEN_TONE), MOST_PEN_TONE);
+  penOctave(measure: FamilyMeasure, pen: number): number {
     // Half an octave to spare, for tones between the corners of a triangle.
-    return Math.min(Math.log2((pen / asked) * perPixel) - 0.5, coarsest);
+    return Math.log2(this.penSpacing(measure, pen)) - 0.5;
+  }
+
+  /** Where a shadow dissolves a pen draws fewer lines, in the place of some that are thinner. */
+  private penTone({ tone, left }: FamilyMeasure): number {
+    return tone * (this.cut === null ? 1 : meanLineLeft(left));
   }
 
   private read(family: FamilyName, { field, fieldNormal, form, formCrossing }: SurfacePlace): Reading {

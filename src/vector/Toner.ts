@@ -63,6 +63,11 @@ export class Toner {
     this.rays = new ShadowRays(bvh, light.bias, light.isSoft);
   }
 
+  /** Whether the surface shows shadows alone. */
+  get isGround(): boolean {
+    return this.look.ground !== null;
+  }
+
   /** Whether shadows may fall on the surface at all. */
   get hasShadows(): boolean {
     return this.look.receivesShadows && this.light.lamps.some(({ castsShadow }) => castsShadow);

@@ -1,23 +1,13 @@
 import { lotOf } from '../engraving/hand.js';
 import { type Chain, ChainBuilder } from './Chain.js';
-import { type Engraver, type FamilyName, LEAST_PEN_TONE } from './Engraver.js';
+import { type FamilyName, LEAST_PEN_TONE } from './Engraver.js';
 import { between, flatNormalOf, type LineSurface, placeFrom, STRIDE, type SurfacePlace, VIEW } from './LineSurface.js';
 import { type LevelSegments, levelSegments, NO_RANK } from './levelSegments.js';
 import type { Projection } from './Projection.js';
-import type { Shadowing, Toner, Tones } from './Toner.js';
+import { penAside } from './penAside.js';
+import type { Shadowing, Tones } from './Toner.js';
+import type { Tracing } from './Tracing.js';
 import { type Walk, walkSegments } from './walkSegments.js';
-
-/** What the lines of a surface are traced with. */
-export interface Tracing {
-  surface: LineSurface;
-  engraver: Engraver;
-  toner: Toner;
-  projection: Projection;
-  /** Per triangle 1 where its front is seen, −1 where its back is, 0 where nothing is drawn of it. */
-  sides: Int8Array;
-  /** The width of a pen, pixels; null where widths are the tone. */
-  pen: number | null;
-}
 
 /** A tone below this has no lines. */
 const LEAST_TONE = 1e-4;
@@ -54,7 +44,8 @@ export function* seenSides(surface: LineSurface, projection: Projection): Genera
 export function* traceFamily(tracing: Tracing, family: FamilyName): Generator<number, Chain[], void> {
   const { surface, engraver } = tracing;
   const { values, ranks } = yield* readVertices(tracing, family);
-  const segments = yield* levelSegments(surface, values, ranks, engraver.hasSeams);
+  const aside = yield* penAside(tracing, family, ranks);
+  const segments = yield* levelSegments(surface, values, ranks, engraver.hasSeams, aside);
   const chains: Chain[] = [];
   const tracer = new LineTracer(tracing, family, segments);
   let done = 0;
@@ -136,17 +127,17 @@ class LineTracer {
     return builder.hasLine ? builder.finish(isClosed, lotOf(line.value)) : undefined;
   }
 
-  /** The value of the line through a node, the power of two in it and which of the lines of that power it is. */
+  /** The value of the line through a node, and the power of two in it. */
   private lineAt(node: number): Line {
     let number = this.segments.lines[node];
     const value = number * this.unit;
-    if (number === 0) return { value, rank: EVERY_RANK, index: 0 };
+    if (number === 0) return { value, rank: EVERY_RANK };
     let rank = this.segments.finest;
     while (number % 2 === 0) {
       number /= 2;
       rank++;
     }
-    return { value, rank, index: (Math.abs(number) - 1) / 2 };
+    return { value, rank };
   }
 
   /** The vertices of a triangle at the ends of the edge that a node lies on. */
@@ -184,7 +175,7 @@ class LineTracer {
       const half = engraver.halfWidth(measure, line.value, line.rank);
       return { place, tones, half, margin: half };
     }
-    return { place, tones, half: pen / 2, margin: engraver.penMargin(measure, line.rank, line.index, pen) };
+    return { place, tones, half: pen / 2, margin: engraver.penMargin(measure, line, pen) };
   }
 
   get hasShadows(): boolean {
@@ -212,7 +203,6 @@ class LineTracer {
 interface Line {
   value: number;
   rank: number;
-  index: number;
 }
 
 interface Measured {
