@@ -68,6 +68,17 @@ export class Toner {
     return this.look.ground !== null;
   }
 
+  /** Whether many rays tell of shadows. */
+  get hasSoftShadows(): boolean {
+    return this.light.isSoft && this.hasShadows;
+  }
+
+  /** What shadows make the most ink: with light ink none. */
+  get darkest(): Shadowing {
+    const [blank, full] = this.look.toneEnds;
+    return full >= blank ? 'all' : 'none';
+  }
+
   /** Whether shadows may fall on the surface at all. */
   get hasShadows(): boolean {
     return this.look.receivesShadows && this.light.lamps.some(({ castsShadow }) => castsShadow);

@@ -167,15 +167,23 @@ class LineTracer {
 
   /** What the line is at numbers of a triangle. */
   measure(numbers: ArrayLike<number>, triangle: number, line: Line): Measured {
-    const { surface, sides, toner, engraver, pen } = this.tracing;
+    const { surface, sides, toner } = this.tracing;
     const place = placeFrom(numbers, flatNormalOf(surface, triangle), sides[triangle]);
-    const tones = toner.read(place, toner.hasShadows ? 'traced' : 'none');
-    const measure = engraver.measure(this.family, place, tones);
-    if (pen === null) {
-      const half = engraver.halfWidth(measure, line.value, line.rank);
-      return { place, tones, half, margin: half };
+    if (toner.hasSoftShadows) {
+      // Many rays need not be asked where there is no line in any shadow.
+      const darkest = this.measureIn(toner.darkest, place, line);
+      if (darkest.margin <= 0) return { ...darkest, isBlank: true };
     }
-    return { place, tones, half: pen / 2, margin: engraver.penMargin(measure, line, pen) };
+    return this.measureIn(toner.hasShadows ? 'traced' : 'none', place, line);
+  }
+
+  private measureIn(shadowing: Shadowing, place: SurfacePlace, line: Line): Measured {
+    const { toner, engraver, pen } = this.tracing;
+    const tones = toner.read(place, shadowing);
+    const measure = engraver.measure(this.family, place, tones);
+    const half = pen === null ? engraver.halfWidth(measure, line.value, line.rank) : pen / 2;
+    const margin = pen === null ? half : engraver.penMargin(measure, line, pen);
+    return { place, tones, half, margin, isBlank: false };
   }
 
   get hasShadows(): boolean {
@@ -210,6 +218,8 @@ interface Measured {
   tones: Tones;
   half: number;
   margin: number;
+  /** Whether there is no line, in shadow or not. */
+  isBlank: boolean;
 }
 
 /** What a line is at numbers of a triangle. */
@@ -248,18 +258,21 @@ class LinePen {
 
   /** Looks for shadows between two places, and writes points where they change: two at one place where an edge is hard. */
   private lookBetween(start: MeasuredPlace, end: MeasuredPlace, triangle: number): void {
+    const change = shadowChange(start.measured, end.measured);
+    if (change === 0 && start.measured.isBlank && end.measured.isBlank) return;
     const length = this.tracer.lengthBetween(start.measured, end.measured);
-    const change = Math.abs(start.measured.tones.shadows - end.measured.tones.shadows);
     if (change <= SHADOW_CHANGE ? length <= SHADOW_STEP : length <= EDGE) return;
     const { tracer, builder, line } = this;
     const numbers = start.numbers.map((number, k) => 0.5 * (number + end.numbers[k]));
     const measured = tracer.measure(numbers, triangle, line);
     const middle = { numbers, measured };
     this.lookBetween(start, middle, triangle);
-    const isBetween =
-      Math.abs(measured.tones.shadows - 0.5 * (start.measured.tones.shadows + end.measured.tones.shadows)) <=
-      SHADOW_CHANGE;
-    if (change > SHADOW_CHANGE || !isBetween) tracer.write(builder, measured, triangle);
+    const isApart = shadowChange(start.measured, measured) + shadowChange(measured, end.measured) > SHADOW_CHANGE;
+    if (change > SHADOW_CHANGE || isApart) tracer.write(builder, measured, triangle);
     this.lookBetween(middle, end, triangle);
   }
 }
+
+/** By how much a shadow differs from one place to another; nothing where it is not asked for. */
+const shadowChange = (one: Measured, other: Measured): number =>
+  one.isBlank || other.isBlank ? 0 : Math.abs(one.tones.shadows - other.tones.shadows);
