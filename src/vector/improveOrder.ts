@@ -6,6 +6,8 @@ const NEIGHBOURS = 10;
 /** Stretches of so many paths are moved to another place. */
 const LONGEST_MOVED = 3;
 const PASSES = 40;
+/** So many times as far as now an end may have to the one that it is joined with. */
+const FARTHER = 2.5;
 /** A gain below this is a rounding. */
 const LEAST_GAIN = 1e-9;
 
@@ -46,9 +48,12 @@ class Search {
   /** Does the first change at either end of a path, or with it moved, that shortens the way. Returns by how much. */
   improve(path: number): number {
     for (const end of [2 * path, 2 * path + 1]) {
+      const i = this.places[path];
+      const way = end === this.to(i) ? this.way(end, this.from(i + 1)) : this.way(this.to(i - 1), end);
       for (let k = 0; k < this.count; k++) {
         const other = this.nearest[end * this.count + k];
-        if (other < 0) break;
+        // An end that is left for one much farther away hardly ever pays.
+        if (other < 0 || this.way(end, other) > FARTHER * way) break;
         const gain = this.reverse(end, other) || this.move(end, other);
         if (gain > 0) return gain;
       }
