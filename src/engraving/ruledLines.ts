@@ -59,27 +59,3 @@ export function roomOf(rank: number, octave: number): number {
   if (rank >= top) return powerOf2(octave);
   return rank === top - 1 ? 2 ** top - powerOf2(octave) : 0;
 }
-
-/** A number in [0, 1) that spreads rising whole numbers evenly (van der Corput). */
-export function evenlySpread(index: number): number {
-  let sum = 0;
-  let digit = 0.5;
-  for (let rest = Math.abs(index) >>> 0; rest > 0; rest >>>= 1) {
-    sum += digit * (rest & 1);
-    digit /= 2;
-  }
-  return sum;
-}
-
-/**
- * Whether a pen of one width draws a line: where the result is above 0. Lines lie pen / tone apart. Between two octaves of distance as many of
- * the young lines are drawn as that takes, in an order that spreads their ends.
- *
- * @param spacing the distance that the tone asks for, in units of the function
- * @param index which of the lines of its rank it is
- */
-export function penMargin(rank: number, index: number, spacing: number, coarsest: number): number {
-  const top = Math.min(Math.ceil(Math.log2(spacing)), coarsest);
-  if (rank >= top) return 1;
-  return rank === top - 1 ? 2 ** top / spacing - 1 - evenlySpread(index) : -1;
-}

@@ -26,12 +26,20 @@ export interface DrawSVGOptions extends TaskOptions {
   /** The width of the pen, above 0, with `kind: 'pen'`. Default: 0.3. */
   penWidth?: number | undefined;
   /**
+   * The width of the thinnest line that a press holds, 0 or more, with `kind: 'print'`: lines that would be thinner are dashes of it, which
+   * keep the tone. 0 lets them taper to nothing. Default: 0.05.
+   */
+  leastWidth?: number | undefined;
+  /**
    * CSS pixels to an inch of the sheet, above 0: what the sizes of materials and outlines become on paper. More makes finer lines. Default:
    * 96, as CSS has it.
    */
   dpi?: number | undefined;
-  /** Whether lights with `castShadow` cast shadows, which have hard edges, on meshes with `receiveShadow`. Default: true. */
-  shadows?: boolean | undefined;
+  /**
+   * Whether lights with `castShadow` cast shadows on meshes with `receiveShadow`: `'soft'` or true, as soft as the light's shadow is on
+   * the canvas; `'hard'`, with one ray in the place of up to 24; or false. Default: true.
+   */
+  shadows?: boolean | 'hard' | 'soft' | undefined;
   /** `'travel'`: a short way of the lifted pen. `'drawn'`: the order in which lines were found. Default: `'travel'`. */
   order?: 'travel' | 'drawn' | undefined;
   /**
@@ -53,6 +61,7 @@ const NAMES = {
   sheet: true,
   margin: true,
   penWidth: true,
+  leastWidth: true,
   dpi: true,
   shadows: true,
   order: true,
@@ -68,10 +77,13 @@ export function planOf(options: DrawSVGOptions): DrawingPlan {
   checkChoice('kind', kind, ['print', 'pen']);
   checkChoice('order', order, ['travel', 'drawn']);
   if (options.hidden !== undefined) checkChoice('hidden', options.hidden, HIDDEN_OUTLINES);
-  if (typeof shadows !== 'boolean') throw new TypeError('drawSVG: shadows must be true or false, or left out.');
+  if (typeof shadows !== 'boolean' && shadows !== 'hard' && shadows !== 'soft')
+    throw new TypeError("drawSVG: shadows must be true, 'soft', 'hard' or false, or left out.");
   const isPen = kind === 'pen';
   if (!isPen && options.penWidth !== undefined)
     throw new TypeError("drawSVG: penWidth is only for kind: 'pen'. Leave it out, or draw with a pen.");
+  if (isPen && options.leastWidth !== undefined)
+    throw new TypeError("drawSVG: leastWidth is only for kind: 'print'. A pen has one width.");
   if (isPen && paper !== null)
     throw new TypeError("drawSVG: paper is only for kind: 'print'. A pen would draw the border of the sheet.");
   if (paper !== null) checkColor('drawSVG: paper', paper);
@@ -82,6 +94,7 @@ export function planOf(options: DrawSVGOptions): DrawingPlan {
   return {
     ...{ width, height, margin, order },
     pen: isPen ? checkNumber('penWidth', options.penWidth ?? 0.3, { above: 0 }, 'drawSVG') : null,
+    leastWidth: checkNumber('leastWidth', options.leastWidth ?? 0.05, { from: 0 }, 'drawSVG'),
     dpi: checkNumber('dpi', options.dpi ?? 96, { above: 0 }, 'drawSVG'),
     animate: secondsOf(options.animate ?? false),
     paper: paper === null ? null : `#${new Color(paper).getHexString()}`,

@@ -1,6 +1,7 @@
 import type { Material, Mesh, Object3D } from 'three';
 import { checkGeometry } from '../geometry/checkGeometry.js';
 import { importanceOf } from '../material/emphasis/importanceOf.js';
+import { runsAway } from '../material/facts/lookFacts.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { describeObject } from '../mistakes/describeObject.js';
 
@@ -45,9 +46,8 @@ export function whyNothing(mesh: Mesh): string | undefined {
 /** Why the surface of a mesh has no lines, though its outlines may be drawn and it hides what is behind it; undefined if it has. */
 export function whyNoLines(mesh: Mesh, material: Material): string | undefined {
   if (!('isHatchingMaterial' in material)) return 'has no lines: its material is no HatchingMaterial';
-  const { technique, toneModel } = material as HatchingMaterial;
+  const { technique } = material as HatchingMaterial;
   if (technique !== 'engraved') return `has no lines: strokes of the technique '${technique}' are drawn from images`;
-  if (toneModel === 'shadow') return 'has no lines: shadows alone, on a ground, cannot leave as lines yet';
   if (!mesh.geometry.attributes.normal) return 'has no lines: its geometry has no normals';
   return undefined;
 }
@@ -64,7 +64,8 @@ export function drawnWithout(mesh: Mesh, material: HatchingMaterial): string[] {
     found.push(`is drawn in unbroken lines: strokes of the medium '${material.medium}' cannot leave as lines yet`);
   if (material.toneNormal === 'face' || material.flatShading)
     found.push('is drawn with smooth tones, not those of flat faces');
-  if (material.shadowStrokes === 'reorient') found.push('is drawn with lines that do not turn in shadows');
+  if (material.shadowStrokes === 'reorient' && !runsAway(material))
+    found.push('is drawn with lines that do not turn in shadows');
   if (material.opacity < 1 || material.alphaTest > 0 || material.alphaHash) found.push('is drawn as if it were opaque');
   if (material.clippingPlanes && material.clippingPlanes.length > 0) found.push('is drawn without its clipping planes');
   if (fades(mesh, material))

@@ -12,6 +12,8 @@ import type { Surroundings } from '../engraving/surroundings.js';
 import type { Vec3 } from '../engraving/vectors.js';
 import { LightsAround } from '../material/exposure/LightsAround.js';
 import { luminanceOf } from '../material/facts/luminanceOf.js';
+import type { LampShadow } from '../vector/ShadowRays.js';
+import { readLampShadow } from './readLampShadow.js';
 
 const placeOf = ({ matrixWorld }: Object3D): Vec3 => new Vector3().setFromMatrixPosition(matrixWorld).toArray();
 
@@ -25,20 +27,25 @@ const wayBetween = (from: Object3D, to: Object3D): Vec3 =>
 /** The lights of a scene that a camera sees, as numbers. */
 export interface SceneLights {
   lamps: Lamp[];
+  /** The shadow of each lamp. */
+  shadows: (LampShadow | null)[];
   around: Surroundings;
 }
 
 /** @param shadows whether lights that cast shadows do so */
 export function readLights(scene: Object3D, camera: Camera, shadows: boolean): SceneLights {
   const lamps: Lamp[] = [];
+  const castShadows: (LampShadow | null)[] = [];
   const others: Light[] = [];
   scene.traverseVisible((object) => {
     if (!('isLight' in object) || !object.layers.test(camera.layers)) return;
     const lamp = lampOf(object as Light, shadows);
-    if (lamp) lamps.push(lamp);
-    else others.push(object as Light);
+    if (lamp) {
+      lamps.push(lamp);
+      castShadows.push(readLampShadow(object as Light));
+    } else others.push(object as Light);
   });
-  return { lamps, around: new LightsAround({ lights: others, scene }).surroundings };
+  return { lamps, shadows: castShadows, around: new LightsAround({ lights: others, scene }).surroundings };
 }
 
 /** The light as one with a direction; undefined for others. */

@@ -1,8 +1,10 @@
 import type { IUniform, Vector2 } from 'three';
+import type { GroundLook } from '../engraving/groundShadow.js';
 import type { CurveCubics } from '../engraving/tone.js';
 import { localDarkness } from '../engraving/tone.js';
 import { isFitted } from '../material/exposure/isFitted.js';
 import type { ToneFit } from '../material/exposure/ToneFit.js';
+import { runsAway } from '../material/facts/lookFacts.js';
 import { luminanceOf } from '../material/facts/luminanceOf.js';
 import { fittedCurve } from '../material/fitToneCurve.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
@@ -25,17 +27,24 @@ function uniformsOf(material: HatchingMaterial): Record<string, IUniform> {
  */
 export function engravedLookOf(material: HatchingMaterial, hasForm: boolean): EngravedLook {
   const { lineSpacing, finestSpacing, crossFrom } = uniformsOf(material);
-  const { lineField, crossAngle, handmade, sizedOnScreen, shadowStrokes } = material;
+  const isAway = runsAway(material);
+  const { crossAngle, handmade, sizedOnScreen, shadowStrokes, shadowSpacing, toneModel } = material;
+  // Lines that run away from the light cut the ground and nothing else, whatever those of the body do.
+  const lineField = isAway ? 'light' : material.lineField;
   const followsForm = lineField === 'auto' || lineField === 'form' || lineField === 'acrossForm';
   // As the material draws them until a geometry has its form.
   const withForm = lineField === 'acrossForm' ? lineField : 'form';
   return {
     lineField: !followsForm ? lineField : hasForm ? withForm : 'light',
-    spacing: { lineSpacing: lineSpacing.value, finestSpacing: finestSpacing.value, sizedOnScreen },
+    spacing: {
+      lineSpacing: lineSpacing.value * (toneModel === 'shadow' ? shadowSpacing : 1),
+      finestSpacing: finestSpacing.value,
+      sizedOnScreen,
+    },
     crossFrom: crossFrom.value,
     crossAngle,
     handmade,
-    crossesInShadows: shadowStrokes === 'cross',
+    crossesInShadows: shadowStrokes === 'cross' && !isAway,
   };
 }
 
@@ -56,10 +65,17 @@ export function surfaceLookOf(material: HatchingMaterial, receivesShadows: boole
     toneEnds: (uniforms.toneEnds.value as Vector2).toArray() as [number, number],
     occlusion,
     hollowTone,
+    ground: toneModel === 'shadow' ? groundOf(material) : null,
     darkness: localTone > 0 ? localDarkness(luminanceOf(color), emitted, localTone, isFit ? 1 / fit.white : 1) : 0,
     ...{ shininess, reflectedLight, emitted, receivesShadows },
   };
 }
+
+const groundOf = ({ shadowTone, shadowFade, shadowSoftness }: HatchingMaterial): GroundLook => ({
+  tone: shadowTone,
+  fade: shadowFade,
+  softness: shadowSoftness,
+});
 
 function curveOf(curve: HatchingMaterial['toneCurve']): 'perceptual' | CurveCubics | null {
   if (curve === 'perceptual') return curve;

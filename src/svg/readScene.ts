@@ -31,15 +31,17 @@ const SHADOW_BIAS = 0.01;
 
 /**
  * Reads a scene as plain data, and names what is not in it. Brings the world matrices of scene and camera up to date. Yields its progress.
+ *
+ * @param shadows as of `DrawSVGOptions`
  */
 export function* readScene(
   scene: Object3D,
   camera: Camera,
-  shadows: boolean,
+  shadows: boolean | 'hard' | 'soft',
 ): Generator<number, { drawn: DrawnScene; leftOut: LeftOut[] }, void> {
   scene.updateMatrixWorld();
   camera.updateMatrixWorld();
-  const reader = new SceneReader(scene, camera, readLights(scene, camera, shadows));
+  const reader = new SceneReader(scene, camera, readLights(scene, camera, shadows !== false), shadows !== 'hard');
   const objects: Object3D[] = [];
   scene.traverseVisible((object) => {
     if (object.layers.test(camera.layers)) objects.push(object);
@@ -73,12 +75,14 @@ class SceneReader {
     scene: Object3D,
     private readonly camera: Camera,
     private readonly lights: SceneLights,
+    private readonly hasSoftShadows: boolean,
   ) {
     this.fit = new ExposureFit().update(scene, camera.layers.mask);
   }
 
   drawn(): DrawnScene {
     const { corners, sides, surfaces, outlines, camera, lights, casterSize } = this;
+    const { lamps, shadows, around } = lights;
     return {
       camera: {
         view: [...camera.matrixWorldInverse.elements],
@@ -89,7 +93,7 @@ class SceneReader {
       corners: corners.taken(),
       sides: sides.taken(),
       ...{ surfaces, outlines },
-      illumination: { lamps: lights.lamps, around: lights.around, bias: SHADOW_BIAS * casterSize },
+      illumination: { lamps, shadows, isSoft: this.hasSoftShadows, around, bias: SHADOW_BIAS * casterSize },
     };
   }
 
@@ -145,7 +149,7 @@ class SceneReader {
     const first = this.sides.length;
     const { position } = mesh.geometry.attributes;
     const isMirrored = mesh.matrixWorld.determinant() < 0;
-    const bits = sidesOf(material) | (mesh.castShadow ? castingOf(material) : 0);
+    const bits = (material.depthWrite ? sidesOf(material) : 0) | (mesh.castShadow ? castingOf(material) : 0);
     for (let c = 0; c < corners.length; c += 3) {
       if (c % (3 * CHUNK) === 0) yield c / corners.length;
       const [i, j, k] = corners.subarray(c, c + 3);
@@ -176,8 +180,9 @@ class SceneReader {
     this.surfaces.push({
       surface,
       engraved,
-      field: fieldOf(engraved, material, lights.lamps, frame),
+      field: fieldOf(engraved, material, lights.lamps, { frame, surface }),
       look: surfaceLookOf(material, mesh.receiveShadow, fit),
+      hides: material.depthWrite,
       ink: colorOf(material),
     });
   }

@@ -67,6 +67,12 @@ export class Bvh {
     return this.meet(start, end, NO_TRIANGLE, true) < Infinity;
   }
 
+  /** How far along its way a ray of light from the origin first meets what casts shadows, up to `end`; endless if it meets nothing. */
+  firstCaster(origin: Vec3, way: Vec3, end: number): number {
+    this.setRay(origin, way, CASTS_FRONT, CASTS_BACK);
+    return this.meet(0, end, NO_TRIANGLE, false);
+  }
+
   /** How far along its way a ray from an eye at the origin meets the first that is seen, from `start` on; endless if it meets nothing. */
   firstMet(origin: Vec3, way: Vec3, start: number): number {
     this.setRay(origin, way, SEEN_FRONT, SEEN_BACK);

@@ -14,6 +14,10 @@ export interface Chain {
   /** The triangle of the scene that the piece after each point lies on; −1 for edges. */
   triangles: Int32Array;
   isClosed: boolean;
+  /** Field space: three numbers per point of a line on a surface; null for others. */
+  field: Float64Array | null;
+  /** A number in [0, 1) that belongs to the line. */
+  lot: number;
   /** Of outlines: what is known of the piece at each point, and half the width before a surface in place of the paper. */
   outline: { pieces: readonly LiftedPiece[]; innerHalves: Float64Array; radius: number } | null;
 }
@@ -25,6 +29,7 @@ export class ChainBuilder {
   private readonly halves: number[] = [];
   private readonly margins: number[] = [];
   private readonly triangles: number[] = [];
+  private readonly field: number[] = [];
 
   get count(): number {
     return this.halves.length;
@@ -34,12 +39,20 @@ export class ChainBuilder {
     return this.margins.some((margin) => margin > 0);
   }
 
-  push(screen: readonly number[], world: readonly number[], half: number, margin: number, triangle: number): void {
+  push(
+    screen: readonly number[],
+    world: readonly number[],
+    half: number,
+    margin: number,
+    triangle: number,
+    field: readonly number[] = [],
+  ): void {
     this.screen.push(screen[0], screen[1]);
     this.world.push(world[0], world[1], world[2]);
     this.halves.push(half);
     this.margins.push(margin);
     this.triangles.push(triangle);
+    this.field.push(...field);
   }
 
   /** Makes the last point what two triangles give in the mean, and the line go on over the second. */
@@ -50,7 +63,8 @@ export class ChainBuilder {
     this.triangles[last] = triangle;
   }
 
-  finish(isClosed: boolean): Chain {
+  /** @param lot a number in [0, 1) that belongs to the line */
+  finish(isClosed: boolean, lot = 0): Chain {
     return {
       count: this.count,
       screen: Float64Array.from(this.screen),
@@ -59,6 +73,8 @@ export class ChainBuilder {
       margins: Float64Array.from(this.margins),
       triangles: Int32Array.from(this.triangles),
       isClosed,
+      field: this.field.length > 0 ? Float64Array.from(this.field) : null,
+      lot,
       outline: null,
     };
   }

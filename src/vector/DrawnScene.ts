@@ -12,6 +12,8 @@ export interface EngravedSurface {
   /** Of the first family; null for lines that follow the form. */
   field: Field | null;
   look: SurfaceLook;
+  /** Whether it hides what is behind it, and so is among what rays meet. */
+  hides: boolean;
   /** As in `#1c1a17`. */
   ink: string;
 }
@@ -40,6 +42,8 @@ export interface DrawingPlan {
   margin: number;
   /** The width of a pen; null for filled outlines whose width is the tone. */
   pen: number | null;
+  /** The width of the thinnest line of a print; 0 for none. */
+  leastWidth: number;
   /** CSS pixels to an inch of the sheet, which the sizes of materials and outlines are measured in. */
   dpi: number;
   order: 'travel' | 'drawn';

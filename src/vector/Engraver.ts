@@ -1,6 +1,8 @@
 import { leftOf, sharedByTwo, takenOf } from '../engraving/crossedTones.js';
 import type { CutField, Field } from '../engraving/fieldAxis.js';
+import { lineLeft, meanLineLeft } from '../engraving/groundShadow.js';
 import { handTone, handWidth } from '../engraving/hand.js';
+import { penMargin } from '../engraving/penLines.js';
 import {
   type CutFamilies,
   cutFamilies,
@@ -10,9 +12,9 @@ import {
   readCut,
 } from '../engraving/readCut.js';
 import { COARSEST_OCTAVES, readForm } from '../engraving/readForm.js';
-import { type LineSpacing, octaveOf, penMargin, riseOf, roomOf } from '../engraving/ruledLines.js';
+import { type LineSpacing, octaveOf, riseOf, roomOf } from '../engraving/ruledLines.js';
 import { changePerPixel, type Mat3, type SeenPlace, screenMap } from '../engraving/screenGradient.js';
-import { combined, lengthOf, type Vec3 } from '../engraving/vectors.js';
+import { combined, lengthOf, smoothstep, type Vec3 } from '../engraving/vectors.js';
 import type { SurfacePlace } from './LineSurface.js';
 import type { Projection } from './Projection.js';
 import type { Tones } from './Toner.js';
@@ -37,6 +39,14 @@ export type FamilyName = (typeof FAMILIES)[number];
 /** Lines may lie as far apart as they like. */
 const ANY_OCTAVE = 100;
 
+/**
+ * Lines of a print grow together from the first tone on, and over one another: by so many pixels, and by a share of their room as far as a
+ * hand lays them unevenly.
+ */
+const SOLID_FROM = 0.96;
+const OVERLAP = 0.15;
+const UNEVEN = 0.15;
+
 /** A family at a place. */
 export interface FamilyMeasure {
   /** What the family prints. */
@@ -46,6 +56,8 @@ export interface FamilyMeasure {
   coarsest: number;
   /** Units of the function per pixel on the flat triangle, where the lines lie as they lie. */
   perPixel: number;
+  /** The share of the shadow on a ground that has not dissolved. */
+  left: number;
 }
 
 /** One way in which the families of a surface are read. */
@@ -127,27 +139,44 @@ export class Engraver {
       octave: octaveOf(spacing, rise, smooth, coarsest),
       coarsest,
       perPixel: flat,
+      left: tones.left,
     };
   }
 
   /** Half the width that a line has at a place, in pixels. rank: the power of two in its value. */
-  halfWidth({ tone, octave, perPixel }: FamilyMeasure, line: number, rank: number): number {
-    const hand = this.cut === null ? 1 : handWidth(line, this.look.handmade);
+  halfWidth({ tone, octave, perPixel, left }: FamilyMeasure, line: number, rank: number): number {
+    const hand = this.cut === null ? 1 : handWidth(line, this.look.handmade) * lineLeft(line, left);
+    const room = roomOf(rank, octave) / perPixel;
     // Wider than all its room it would cover nothing more.
-    return (0.5 * roomOf(rank, octave) * Math.min(tone * hand, 1)) / perPixel;
+    const half = 0.5 * room * Math.min(tone * hand, 1);
+    // Lines that differ in width would leave slits where all is covered.
+    const solid = tone > SOLID_FROM && room > 0 ? smoothstep(SOLID_FROM, 1, tone) : 0;
+    return half + solid * (0.5 * room * (1 + UNEVEN * this.look.handmade) + OVERLAP - half);
   }
 
-  /** Where this is above 0, a pen of one width draws a line. pen: its width, pixels. */
-  penMargin({ tone, perPixel, coarsest }: FamilyMeasure, rank: number, index: number, pen: number): number {
+  /** How far apart a pen draws lines, in units of the function. pen: its width, pixels. */
+  penSpacing(measure: FamilyMeasure, pen: number): number {
+    const asked = Math.min(Math.max(this.penTone(measure), LEAST_PEN_TONE), MOST_PEN_TONE);
+    return (pen / asked) * measure.perPixel;
+  }
+
+  /** Where this is above 0, a pen of one width draws a line. */
+  penMargin(measure: FamilyMeasure, { value, rank }: { value: number; rank: number }, pen: number): number {
+    const tone = this.penTone(measure);
     if (tone <= LEAST_PEN_TONE) return tone - LEAST_PEN_TONE;
-    return penMargin(rank, index, (pen / Math.min(tone, MOST_PEN_TONE)) * perPixel, coarsest);
+    // Where numbers change across seams, lines that moved aside by them would break.
+    return penMargin(value, rank, this.penSpacing(measure, pen), !this.hasSeams);
   }
 
   /** The octave of the finest lines that a pen may need at a place. */
-  penOctave({ tone, perPixel, coarsest }: FamilyMeasure, pen: number): number {
-    const asked = Math.min(Math.max(tone, LEAST_PEN_TONE), MOST_PEN_TONE);
+  penOctave(measure: FamilyMeasure, pen: number): number {
     // Half an octave to spare, for tones between the corners of a triangle.
-    return Math.min(Math.log2((pen / asked) * perPixel) - 0.5, coarsest);
+    return Math.log2(this.penSpacing(measure, pen)) - 0.5;
+  }
+
+  /** Where a shadow dissolves a pen draws fewer lines, in the place of some that are thinner. */
+  private penTone({ tone, left }: FamilyMeasure): number {
+    return tone * (this.cut === null ? 1 : meanLineLeft(left));
   }
 
   private read(family: FamilyName, { field, fieldNormal, form, formCrossing }: SurfacePlace): Reading {

@@ -4,7 +4,9 @@ import type { Bvh } from './Bvh.js';
 import type { Chain } from './Chain.js';
 import { type CutRun, cutRun } from './cutRun.js';
 import type { DrawnScene, EngravedSurface, OutlinedMesh } from './DrawnScene.js';
+import { dashed, endHairlines } from './dashed.js';
 import { dashes } from './dashes.js';
+import { type Casters, castersOf, dropLit } from './dropLit.js';
 import { Engraver, type FamilyName } from './Engraver.js';
 import { hiddenLook, weighHidden } from './hiddenPieces.js';
 import { holdBack } from './holdBack.js';
@@ -48,14 +50,20 @@ export class LineDrawer {
   readonly layers: PathLayer[] = [];
   segments = 0;
   private readonly above: number;
+  private readonly casters: Casters | null;
 
-  /** @param pen its width, pixels; null where widths are the tone */
+  /**
+   * @param pen its width, pixels; null where widths are the tone
+   * @param least the width of the thinnest line of a print, pixels; 0 for none
+   */
   constructor(
     private readonly scene: DrawnScene,
     private readonly pen: number | null,
     private readonly projection: Projection,
     private readonly bvh: Bvh,
+    private readonly least = 0,
   ) {
+    this.casters = castersOf(scene.corners, scene.sides);
     this.above = ABOVE * scene.corners.reduce((size, x) => Math.max(size, Math.abs(x)), 0);
   }
 
@@ -74,14 +82,16 @@ export class LineDrawer {
   }
 
   private *drawSeen({ mesh, look, ink }: OutlinedMesh): Generator<number, void, void> {
-    const { scene, projection, bvh } = this;
+    const { scene, projection, bvh, least } = this;
     const pieces = yield* asPhase(outlinePieces(mesh, look), 0, 0.4);
     const joining = outlineChains(pieces, mesh, look, projection, scene.illumination);
     const chains = yield* asPhase(joining, 0.4, 0.5);
     for (const [i, chain] of chains.entries()) {
       yield 0.5 + (0.5 * i) / chains.length;
+      this.segments += chain.count - 1;
       weighByStanding(chain, bvh, projection);
-      this.addChain(this.layerOf('outlines', ink), chain, outlineTest(chain, bvh, projection), false);
+      if (least > 0) endHairlines(chain, least);
+      this.addChain(this.layerOf('outlines', ink), chain, outlineTest(chain, bvh, projection));
     }
   }
 
@@ -95,6 +105,7 @@ export class LineDrawer {
     const layer = this.layerOf('hidden', ink, look.hidden === 'faint' ? FAINT : 1);
     for (const [i, chain] of chains.entries()) {
       yield 0.5 + (0.5 * i) / chains.length;
+      this.segments += chain.count - 1;
       const isSeen = outlineTest(chain, bvh, projection, look.width / 2);
       for (const { path } of this.seenParts(chain, (place) => !isSeen(place)))
         layer.paths.push(...(look.hidden === 'dashed' ? dashes(path, DASH * look.width, GAP * look.width) : [path]));
@@ -109,8 +120,10 @@ export class LineDrawer {
 
   private *drawSurface(engraved: EngravedSurface): Generator<number, void, void> {
     const lines = yield* asPhase(this.tracedChains(engraved), 0, 0.5);
-    for (const [i, { family, chain }] of lines.entries()) {
-      this.addChain(this.layerOf(LAYER_OF[family], engraved.ink), chain, this.surfaceTest(chain), this.pen === null);
+    for (const [i, { family, chain: line }] of lines.entries()) {
+      this.segments += line.count - 1;
+      const chain = this.least > 0 ? dashed(line, this.least) : line;
+      this.addChain(this.layerOf(LAYER_OF[family], engraved.ink), chain, this.surfaceTest(chain), engraved);
       yield 0.5 + (0.5 * (i + 1)) / lines.length;
     }
   }
@@ -123,7 +136,9 @@ export class LineDrawer {
     look,
   }: EngravedSurface): Generator<number, { family: FamilyName; chain: Chain }[], void> {
     const { projection, bvh, pen, scene } = this;
+    if (look.ground) dropLit(surface, this.casters, scene.illumination, look.ground);
     yield* asPhase(subdivide(surface, projection), 0, 0.08);
+    if (look.ground) dropLit(surface, this.casters, scene.illumination, look.ground);
     const engraver = new Engraver(engraved, field, surface.viewToField, projection);
     const toner = new Toner(look, scene.illumination, bvh, projection);
     const sides = yield* asPhase(seenSides(surface, projection), 0.08, 0.1);
@@ -153,14 +168,14 @@ export class LineDrawer {
     };
   }
 
-  /** Adds what is seen of a chain. isHeld: whether its sides must not reach beyond its surface. */
-  private addChain({ paths }: PathLayer, chain: Chain, isSeen: SeenTest, isHeld: boolean): void {
-    const { projection, bvh } = this;
+  /** Adds what is seen of a chain. surface: that its sides must not reach beyond. */
+  private addChain({ paths }: PathLayer, chain: Chain, isSeen: SeenTest, surface?: EngravedSurface): void {
+    const { projection, bvh, pen } = this;
     for (const cut of this.seenParts(chain, isSeen)) {
-      if (!isHeld) paths.push(cut.path);
+      if (!surface || pen !== null) paths.push(cut.path);
       else {
         const finer = refineEnds(cut);
-        holdBack(finer, bvh, projection);
+        holdBack(finer, bvh, projection, !surface.hides);
         paths.push(finer.path);
       }
     }
@@ -168,7 +183,6 @@ export class LineDrawer {
 
   private seenParts(chain: Chain, isSeen: SeenTest): CutRun[] {
     const { projection } = this;
-    this.segments += chain.count - 1;
     return visibleRuns(chain, projection, isSeen)
       .map((run) => cutRun(chain, run, projection))
       .filter(({ depths }) => depths.length >= 2);

@@ -1,10 +1,12 @@
+import { type GroundLook, groundTone } from '../engraving/groundShadow.js';
 import { arriving, type Lamp, responseTo, seenBehind, type ToneModel } from '../engraving/radiance.js';
 import { radianceAround, type Surroundings } from '../engraving/surroundings.js';
 import { openToLights, openToSky, shadedTone, type ToneLook } from '../engraving/tone.js';
-import { combined, normalize, type Vec3 } from '../engraving/vectors.js';
+import { combined, dot, normalize, type Vec3 } from '../engraving/vectors.js';
 import type { Bvh } from './Bvh.js';
 import type { SurfacePlace } from './LineSurface.js';
 import type { Projection } from './Projection.js';
+import { type LampShadow, ShadowRays, type ToldShadow } from './ShadowRays.js';
 
 /** How a surface shows the light. */
 export interface SurfaceLook extends ToneLook {
@@ -15,11 +17,17 @@ export interface SurfaceLook extends ToneLook {
   /** Luminance that the surface gives off. */
   emitted: number;
   receivesShadows: boolean;
+  /** How a ground shows shadows alone; null for bodies. */
+  ground: GroundLook | null;
 }
 
 /** The lights of a scene. */
 export interface Illumination {
   lamps: readonly Lamp[];
+  /** The shadow of each; null for those that cast none. */
+  shadows: readonly (LampShadow | null)[];
+  /** Whether shadows are as soft as on the canvas, or hard. */
+  isSoft: boolean;
   around: Surroundings;
   /** How far the places that rays of shadows begin at are lifted from the surface, world units. */
   bias: number;
@@ -30,24 +38,46 @@ export interface Tones {
   tone: number;
   /** As if nothing cast shadows. */
   unshadowed: number;
-  /** Which of the lamps do not arrive, as bits: the same all over one part of a shadow. */
+  /** Which of the lamps do not arrive, as bits: the same all over one part of a shadow. In soft edges each is a share of its bit. */
   shadows: number;
+  /** The share of the shadow on a ground that has not dissolved; 1 on bodies. */
+  left: number;
 }
 
 /** What shadows are taken for: what rays say, none at all, or those of every lamp. */
 export type Shadowing = 'traced' | 'none' | 'all';
 
-/** Farther than any light. */
-const FAR = 1e9;
+const LIT: ToldShadow = { passing: 1, left: 1 };
+const SHADED: ToldShadow = { passing: 0, left: 1 };
 
 /** Works out the tone of a surface under the lights of a scene. */
 export class Toner {
+  private readonly rays: ShadowRays;
+
   constructor(
     private readonly look: SurfaceLook,
     private readonly light: Illumination,
-    private readonly bvh: Bvh,
+    bvh: Bvh,
     private readonly projection: Projection,
-  ) {}
+  ) {
+    this.rays = new ShadowRays(bvh, light.bias, light.isSoft);
+  }
+
+  /** Whether the surface shows shadows alone. */
+  get isGround(): boolean {
+    return this.look.ground !== null;
+  }
+
+  /** Whether many rays tell of shadows. */
+  get hasSoftShadows(): boolean {
+    return this.light.isSoft && this.hasShadows;
+  }
+
+  /** What shadows make the most ink: with light ink none. */
+  get darkest(): Shadowing {
+    const [blank, full] = this.look.toneEnds;
+    return full >= blank ? 'all' : 'none';
+  }
 
   /** Whether shadows may fall on the surface at all. */
   get hasShadows(): boolean {
@@ -62,37 +92,44 @@ export class Toner {
     let shadowed = 0;
     let reflected = 0;
     let shadows = 0;
+    let [taken, lost] = [0, 0];
     for (const [i, lamp] of this.light.lamps.entries()) {
       const { direction, length, luminance, coneless } = arriving(lamp, world);
       reflected += coneless * seenBehind(toneNormal, direction);
       const sent = luminance * responseTo(look.model, toneNormal, direction, toViewer, look.shininess);
       if (sent <= 0) continue;
-      if (this.isShaded(lamp, world, toneNormal, direction, length, shadowing)) {
-        shadowed += sent;
-        shadows |= 1 << (i % 31);
-      } else direct += sent;
+      const place = { world, normal: toneNormal, direction, length };
+      const { passing, left } = this.shadowOf(i, place, shadowing);
+      direct += passing * sent;
+      shadowed += (1 - passing) * sent;
+      shadows += (1 - passing) * left * 2 ** (i % 31);
+      const takes = (1 - passing) * luminance * Math.max(dot(toneNormal, direction), 0);
+      taken += takes;
+      lost += (1 - left) * takes;
     }
     const open = openToLights(occluded, look.occlusion) / Math.PI;
     const sky = openToSky(occluded, look.occlusion);
     const rest =
       sky * (radianceAround(this.light.around, ...toneNormal) + (look.reflectedLight * reflected) / Math.PI) +
       look.emitted;
+    const left = taken > 0 ? 1 - lost / taken : 1;
+    if (look.ground) {
+      const tone = groundTone(open * direct + rest, open * shadowed, left, look, look.ground);
+      return { tone, unshadowed: 0, shadows, left };
+    }
     const tone = shadedTone(open * direct + rest, occluded, look);
     const unshadowed = shadowed > 0 ? shadedTone(open * (direct + shadowed) + rest, occluded, look) : tone;
-    return { tone, unshadowed, shadows };
+    return { tone, unshadowed, shadows, left: 1 };
   }
 
-  private isShaded(
-    { castsShadow }: Lamp,
-    world: Vec3,
-    normal: Vec3,
-    direction: Vec3,
-    length: number,
+  private shadowOf(
+    i: number,
+    place: { world: Vec3; normal: Vec3; direction: Vec3; length: number },
     shadowing: Shadowing,
-  ): boolean {
-    if (!castsShadow || !this.look.receivesShadows || shadowing === 'none') return false;
-    if (shadowing === 'all') return true;
-    const { bias } = this.light;
-    return this.bvh.isShaded(combined(1, world, bias, normal), direction, 0, Math.min(length, FAR));
+  ): ToldShadow {
+    const lamp = this.light.lamps[i];
+    const shadow = this.light.shadows[i];
+    if (!shadow || !lamp.castsShadow || !this.look.receivesShadows || shadowing === 'none') return LIT;
+    return shadowing === 'all' ? SHADED : this.rays.tell(lamp, shadow, place, this.look.ground);
   }
 }

@@ -21,7 +21,7 @@ export function* drawLines(scene: DrawnScene, plan: DrawingPlan): Generator<numb
   const { projection, placement } = placePicture(scene, plan);
   const bvh = yield* asPhase(Bvh.build(scene.corners, scene.sides), 0, 0.08);
   const pen = plan.pen === null ? null : plan.pen / placement.scale;
-  const drawer = new LineDrawer(scene, pen, projection, bvh);
+  const drawer = new LineDrawer(scene, pen, projection, bvh, pen === null ? plan.leastWidth / placement.scale : 0);
   yield* asPhase(drawer.drawOutlines(), 0.08, 0.2);
   yield* asPhase(drawer.drawSurfaces(), 0.2, 0.9);
   const layers = LAYERS.flatMap((name) => drawer.layers.filter((layer) => layer.name === name));

@@ -15,8 +15,10 @@ const HALVINGS = 3;
 /**
  * Holds both sides of a line back to where the surface that it lies on is still seen, so that no ink reaches beyond an outline. Changes the
  * widths of the path.
+ *
+ * @param isSheer whether the surface is not among what rays meet, so that nothing may lie where it is seen
  */
-export function holdBack({ path, depths }: CutRun, bvh: Bvh, projection: Projection): void {
+export function holdBack({ path, depths }: CutRun, bvh: Bvh, projection: Projection, isSheer: boolean): void {
   const points = path.points as number[];
   const count = depths.length;
   for (let i = 0; i < count; i++) {
@@ -34,7 +36,8 @@ export function holdBack({ path, depths }: CutRun, bvh: Bvh, projection: Project
         const x = points[o] + (sign * reach * dy) / length;
         const y = points[o + 1] - (sign * reach * dx) / length;
         const { origin, direction } = projection.rayThrough(x, y);
-        return bvh.firstMet(origin, direction, projection.camera.near);
+        const met = bvh.firstMet(origin, direction, projection.camera.near);
+        return isSheer && met > depths[i] - GENTLE * half * pixel ? depths[i] : met;
       };
       if (Math.abs(depthAt(half) - depths[i]) < GENTLE * half * pixel) continue;
       points[o + 2 + side] = reachOnSurface(depthAt, depths[i], half, CLIFF * pixel);

@@ -21,18 +21,30 @@ export interface LevelSegments {
   triangles: number[];
 }
 
+/** How lines lie beside the values that they are numbered by. */
+export interface LinesAside {
+  /** How far a line lies beside its value at a vertex. */
+  at(value: number, vertex: number): number;
+  /** How far at most at a vertex. */
+  mostAt(vertex: number): number;
+}
+
+const NONE_ASIDE: LinesAside = { at: () => 0, mostAt: () => 0 };
+
 /**
  * Cuts triangles at all values that they need lines of.
  *
  * @param values of the function at the vertices
  * @param ranks per triangle the exponent of the power of two whose multiples it needs, or NO_RANK
  * @param hasSeams whether values may differ at one place, so that nodes of two sides are joined by where they lie
+ * @param aside of lines that do not lie at their values
  */
 export function* levelSegments(
   { triangles, placeOf }: LineSurface,
   values: Float64Array,
   ranks: Int16Array,
   hasSeams: boolean,
+  aside = NONE_ASIDE,
 ): Generator<number, LevelSegments, void> {
   const finest = ranks.reduce((least, rank) => Math.min(least, rank), NO_RANK);
   const segments: LevelSegments = {
@@ -41,6 +53,8 @@ export function* levelSegments(
   };
   const nodes = new Map<number, Map<number, number>>();
   const unit = 2 ** finest;
+  /** By how much the function is above a line at a vertex. */
+  const aboveAt = (v: number, line: number): number => values[v] - line * unit - aside.at(line * unit, v);
   /** The node where a line crosses the edge of two vertices. */
   const nodeAt = (u: number, v: number, line: number): number => {
     const [a, b] = placeOf[u] < placeOf[v] ? [u, v] : [v, u];
@@ -55,7 +69,8 @@ export function* levelSegments(
       segments.lines.push(line);
       segments.from.push(placeOf[a]);
       segments.to.push(placeOf[b]);
-      segments.shares.push((line * unit - values[a]) / (values[b] - values[a]));
+      const [low, high] = [aboveAt(a, line), aboveAt(b, line)];
+      segments.shares.push(low / (low - high));
     }
     return node;
   };
@@ -63,13 +78,14 @@ export function* levelSegments(
     if (t % 2048 === 2047) yield t / ranks.length;
     if (ranks[t] === NO_RANK) continue;
     const [a, b, c] = [triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]];
-    const least = Math.min(values[a], values[b], values[c]) / unit;
-    const most = Math.max(values[a], values[b], values[c]) / unit;
+    const beside = Math.max(aside.mostAt(a), aside.mostAt(b), aside.mostAt(c));
+    const least = (Math.min(values[a], values[b], values[c]) - beside) / unit;
+    const most = (Math.max(values[a], values[b], values[c]) + beside) / unit;
     const step = 2 ** (ranks[t] - finest);
     if (!((most - least) / step < MOST_IN_TRIANGLE)) continue;
     for (let line = Math.ceil(least / step) * step; line <= most; line += step) {
       // A corner on the line counts as above it.
-      const [isA, isB, isC] = [values[a] >= line * unit, values[b] >= line * unit, values[c] >= line * unit];
+      const [isA, isB, isC] = [aboveAt(a, line) >= 0, aboveAt(b, line) >= 0, aboveAt(c, line) >= 0];
       if (isA === isB && isB === isC) continue;
       const [alone, one, two] = isB === isC ? [a, b, c] : isA === isC ? [b, c, a] : [c, a, b];
       segments.starts.push(nodeAt(alone, one, line));

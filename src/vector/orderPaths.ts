@@ -1,20 +1,8 @@
-/** Where a path begins and ends; any unit of length. */
-export interface PathEnds {
-  start: readonly [number, number];
-  end: readonly [number, number];
-}
+import { asPhase } from '../slices/asPhase.js';
+import { improveOrder } from './improveOrder.js';
+import type { OrderedPath, PathEnds } from './PathEnds.js';
 
-/** A path in the order of drawing, perhaps from its end to its start. */
-export interface OrderedPath {
-  path: number;
-  isReversed: boolean;
-}
-
-/** Reversals of stretches of so many paths are tried, in so many passes. */
-const WINDOW = 1000;
-const PASSES = 3;
-/** A gain below this is a rounding. */
-const LEAST_GAIN = 1e-9;
+export type { OrderedPath, PathEnds };
 
 const distance = (a: readonly [number, number], b: readonly [number, number]): number =>
   Math.hypot(a[0] - b[0], a[1] - b[1]);
@@ -34,16 +22,10 @@ export function travelOf(paths: readonly PathEnds[], order: readonly OrderedPath
 export const asDrawn = (paths: readonly PathEnds[]): OrderedPath[] =>
   paths.map((_, path) => ({ path, isReversed: false }));
 
-/**
- * Orders paths for a short way of the lifted pen: the nearest end first, then stretches reversed where that is shorter (2-opt, Croes,
- * 1958). Yields its progress.
- */
+/** Orders paths for a short way of the lifted pen: the nearest end first, then with what betters that. Yields its progress. */
 export function* orderPaths(paths: readonly PathEnds[]): Generator<number, OrderedPath[], void> {
-  const order = yield* nearestFirst(paths);
-  for (let pass = 0; pass < PASSES; pass++) {
-    const gained = yield* reverseStretches(paths, order);
-    if (gained < LEAST_GAIN) break;
-  }
+  const order = yield* asPhase(nearestFirst(paths), 0, 0.3);
+  yield* asPhase(improveOrder(paths, order), 0.3, 1);
   return order;
 }
 
@@ -122,28 +104,4 @@ function* nearestFirst(paths: readonly PathEnds[]): Generator<number, OrderedPat
     if (i % 64 === 63) yield i / paths.length;
   }
   return order;
-}
-
-function* reverseStretches(paths: readonly PathEnds[], order: OrderedPath[]): Generator<number, number, void> {
-  const from = (i: number) => (order[i].isReversed ? paths[order[i].path].end : paths[order[i].path].start);
-  const to = (i: number) => (order[i].isReversed ? paths[order[i].path].start : paths[order[i].path].end);
-  let gained = 0;
-  for (let i = 0; i < order.length - 1; i++) {
-    if (i % 16 === 15) yield i / order.length;
-    const before = i === 0 ? ([0, 0] as const) : to(i - 1);
-    const step = distance(before, from(i));
-    if (step < LEAST_GAIN) continue;
-    let [most, last] = [LEAST_GAIN, -1];
-    for (let j = i + 1; j < Math.min(order.length, i + WINDOW); j++) {
-      const hasNext = j + 1 < order.length;
-      const old = step + (hasNext ? distance(to(j), from(j + 1)) : 0);
-      const now = distance(before, to(j)) + (hasNext ? distance(from(i), from(j + 1)) : 0);
-      if (old - now > most) [most, last] = [old - now, j];
-    }
-    if (last < 0) continue;
-    const stretch = order.slice(i, last + 1).reverse();
-    for (const [k, { path, isReversed }] of stretch.entries()) order[i + k] = { path, isReversed: !isReversed };
-    gained += most;
-  }
-  return gained;
 }

@@ -1,30 +1,24 @@
+import { lotOf } from '../engraving/hand.js';
 import { type Chain, ChainBuilder } from './Chain.js';
-import { type Engraver, type FamilyName, LEAST_PEN_TONE } from './Engraver.js';
+import { type FamilyName, LEAST_PEN_TONE } from './Engraver.js';
 import { between, flatNormalOf, type LineSurface, placeFrom, STRIDE, type SurfacePlace, VIEW } from './LineSurface.js';
 import { type LevelSegments, levelSegments, NO_RANK } from './levelSegments.js';
 import type { Projection } from './Projection.js';
-import type { Shadowing, Toner, Tones } from './Toner.js';
+import { penAside } from './penAside.js';
+import type { Shadowing, Tones } from './Toner.js';
+import type { Tracing } from './Tracing.js';
 import { tracedSlopes } from './tracedSlopes.js';
 import { type Walk, walkSegments } from './walkSegments.js';
-
-/** What the lines of a surface are traced with. */
-export interface Tracing {
-  surface: LineSurface;
-  engraver: Engraver;
-  toner: Toner;
-  projection: Projection;
-  /** Per triangle 1 where its front is seen, −1 where its back is, 0 where nothing is drawn of it. */
-  sides: Int8Array;
-  /** The width of a pen, pixels; null where widths are the tone. */
-  pen: number | null;
-}
 
 /** A tone below this has no lines. */
 const LEAST_TONE = 1e-4;
 /** The rank of the line through the origin, a multiple of all powers of two. */
 const EVERY_RANK = 1000;
-/** The edge of a shadow is found in so many halvings. */
-const HALVINGS = 10;
+/** Shadows are looked for at least so far apart, and the place of an edge is found as exactly as that. Pixels. */
+const SHADOW_STEP = 3;
+const EDGE = 0.02;
+/** From one point of a line to the next a shadow changes by no more than this share, unless that is its edge. */
+const SHADOW_CHANGE = 0.05;
 
 /** Which side of each triangle of a surface is drawn on the picture. Yields its progress. */
 export function* seenSides(surface: LineSurface, projection: Projection): Generator<number, Int8Array, void> {
@@ -51,7 +45,8 @@ export function* seenSides(surface: LineSurface, projection: Projection): Genera
 export function* traceFamily(tracing: Tracing, family: FamilyName): Generator<number, Chain[], void> {
   const { surface, engraver } = tracing;
   const { values, ranks } = yield* readVertices(tracing, family);
-  const segments = yield* levelSegments(surface, values, ranks, engraver.hasSeams);
+  const aside = yield* penAside(tracing, family, ranks);
+  const segments = yield* levelSegments(surface, values, ranks, engraver.hasSeams, aside);
   const slopes = yield* tracedSlopes(surface, values, (t) => ranks[t] !== NO_RANK, tracing.projection);
   const chains: Chain[] = [];
   const tracer = new LineTracer(tracing, family, segments, slopes);
@@ -118,7 +113,8 @@ class LineTracer {
   follow({ start, segments: list, isClosed }: Walk): Chain | undefined {
     const { triangles, starts, ends } = this.segments;
     const builder = new ChainBuilder();
-    const pen = new LinePen(this, builder, this.lineAt(start));
+    const line = this.lineAt(start);
+    const pen = new LinePen(this, builder, line);
     let node = start;
     let before = -1;
     for (const segment of list) {
@@ -131,20 +127,20 @@ class LineTracer {
       pen.to(node, triangle);
       before = triangle;
     }
-    return builder.hasLine ? builder.finish(isClosed) : undefined;
+    return builder.hasLine ? builder.finish(isClosed, lotOf(line.value)) : undefined;
   }
 
-  /** The value of the line through a node, the power of two in it and which of the lines of that power it is. */
+  /** The value of the line through a node, and the power of two in it. */
   private lineAt(node: number): Line {
     let number = this.segments.lines[node];
     const value = number * this.unit;
-    if (number === 0) return { value, rank: EVERY_RANK, index: 0 };
+    if (number === 0) return { value, rank: EVERY_RANK };
     let rank = this.segments.finest;
     while (number % 2 === 0) {
       number /= 2;
       rank++;
     }
-    return { value, rank, index: (Math.abs(number) - 1) / 2 };
+    return { value, rank };
   }
 
   /** The vertices of a triangle at the ends of the edge that a node lies on. */
@@ -174,22 +170,42 @@ class LineTracer {
 
   /** What the line is at numbers of a triangle. */
   measure(numbers: ArrayLike<number>, triangle: number, line: Line): Measured {
-    const { surface, sides, toner, engraver, pen } = this.tracing;
+    const { surface, sides, toner } = this.tracing;
     const place = placeFrom(numbers, flatNormalOf(surface, triangle), sides[triangle]);
-    const tones = toner.read(place, toner.hasShadows ? 'traced' : 'none');
+    if (toner.hasSoftShadows) {
+      // Many rays need not be asked where there is no line in any shadow.
+      const darkest = this.measureIn(toner.darkest, place, triangle, line);
+      if (darkest.margin <= 0) return { ...darkest, isBlank: true };
+    }
+    return this.measureIn(toner.hasShadows ? 'traced' : 'none', place, triangle, line);
+  }
+
+  private measureIn(shadowing: Shadowing, place: SurfacePlace, triangle: number, line: Line): Measured {
+    const { toner, engraver, pen } = this.tracing;
+    const tones = toner.read(place, shadowing);
     const measure = engraver.measure(this.family, place, tones);
     // As lines lie on the picture, so that they cover what they should.
     measure.perPixel = this.slopes[triangle] || measure.perPixel;
-    if (pen === null) {
-      const half = engraver.halfWidth(measure, line.value, line.rank);
-      return { place, tones, half, margin: half };
-    }
-    return { place, tones, half: pen / 2, margin: engraver.penMargin(measure, line.rank, line.index, pen) };
+    const half = pen === null ? engraver.halfWidth(measure, line.value, line.rank) : pen / 2;
+    const margin = pen === null ? half : engraver.penMargin(measure, line, pen);
+    return { place, tones, half, margin, isBlank: false };
+  }
+
+  get hasShadows(): boolean {
+    return this.tracing.toner.hasShadows;
+  }
+
+  /** How far two places are apart on the picture, pixels. */
+  lengthBetween(one: Measured, other: Measured): number {
+    const { projection } = this.tracing;
+    const [x, y] = projection.project(...one.place.view);
+    const [toX, toY] = projection.project(...other.place.view);
+    return Math.hypot(toX - x, toY - y);
   }
 
   write(builder: ChainBuilder, { place, half, margin }: Measured, triangle: number): void {
     const { projection, surface } = this.tracing;
-    builder.push(projection.project(...place.view), place.world, half, margin, surface.parents[triangle]);
+    builder.push(projection.project(...place.view), place.world, half, margin, surface.parents[triangle], place.field);
   }
 
   parentOf(triangle: number): number {
@@ -200,7 +216,6 @@ class LineTracer {
 interface Line {
   value: number;
   rank: number;
-  index: number;
 }
 
 interface Measured {
@@ -208,11 +223,19 @@ interface Measured {
   tones: Tones;
   half: number;
   margin: number;
+  /** Whether there is no line, in shadow or not. */
+  isBlank: boolean;
+}
+
+/** What a line is at numbers of a triangle. */
+interface MeasuredPlace {
+  numbers: Float64Array;
+  measured: Measured;
 }
 
 /** Draws one line into a chain, from node to node. */
 class LinePen {
-  private last: { numbers: Float64Array; measured: Measured } | undefined;
+  private last: MeasuredPlace | undefined;
 
   constructor(
     private readonly tracer: LineTracer,
@@ -225,7 +248,7 @@ class LinePen {
     const { tracer, builder, line, last } = this;
     const numbers = tracer.numbersAt(node, triangle);
     const measured = tracer.measure(numbers, triangle, line);
-    if (last && last.measured.tones.shadows !== measured.tones.shadows) this.crossShadow(last, numbers, triangle);
+    if (last && tracer.hasShadows) this.lookBetween(last, { numbers, measured }, triangle);
     tracer.write(builder, measured, triangle);
     this.last = { numbers, measured };
   }
@@ -238,26 +261,23 @@ class LinePen {
     this.last = { numbers, measured };
   }
 
-  /** Writes two points at the edge of a shadow, with what is on either side. */
-  private crossShadow(
-    { numbers: start, measured }: { numbers: Float64Array; measured: Measured },
-    end: Float64Array,
-    triangle: number,
-  ): void {
+  /** Looks for shadows between two places, and writes points where they change: two at one place where an edge is hard. */
+  private lookBetween(start: MeasuredPlace, end: MeasuredPlace, triangle: number): void {
+    const change = shadowChange(start.measured, end.measured);
+    if (change === 0 && start.measured.isBlank && end.measured.isBlank) return;
+    const length = this.tracer.lengthBetween(start.measured, end.measured);
+    if (change <= SHADOW_CHANGE ? length <= SHADOW_STEP : length <= EDGE) return;
     const { tracer, builder, line } = this;
-    const at = (share: number) =>
-      tracer.measure(
-        start.map((number, k) => number + share * (end[k] - number)),
-        triangle,
-        line,
-      );
-    let [low, high] = [0, 1];
-    for (let i = 0; i < HALVINGS; i++) {
-      const middle = 0.5 * (low + high);
-      if (at(middle).tones.shadows === measured.tones.shadows) low = middle;
-      else high = middle;
-    }
-    tracer.write(builder, at(low), triangle);
-    tracer.write(builder, at(high), triangle);
+    const numbers = start.numbers.map((number, k) => 0.5 * (number + end.numbers[k]));
+    const measured = tracer.measure(numbers, triangle, line);
+    const middle = { numbers, measured };
+    this.lookBetween(start, middle, triangle);
+    const isApart = shadowChange(start.measured, measured) + shadowChange(measured, end.measured) > SHADOW_CHANGE;
+    if (change > SHADOW_CHANGE || isApart) tracer.write(builder, measured, triangle);
+    this.lookBetween(middle, end, triangle);
   }
 }
+
+/** By how much a shadow differs from one place to another; nothing where it is not asked for. */
+const shadowChange = (one: Measured, other: Measured): number =>
+  one.isBlank || other.isBlank ? 0 : Math.abs(one.tones.shadows - other.tones.shadows);

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { handWidth, lotOf } from '../../../src/engraving/hand.js';
 import { fieldLight } from '../../../src/engraving/lightField.js';
-import { evenlySpread, octaves, penMargin, powerOf2, roomOf } from '../../../src/engraving/ruledLines.js';
+import { octaves, powerOf2, roomOf } from '../../../src/engraving/ruledLines.js';
 import type { Vec3 } from '../../../src/engraving/vectors.js';
 import { principalAxis } from '../../reference/engravedReference.js';
 import { lineFactor, lotOf as referenceLot } from '../../reference/engravedStrokes.js';
@@ -47,25 +47,5 @@ describe('rooms of lines', () => {
       expect(roomOf(top, octave) + roomOf(top - 1, octave)).toBeCloseTo(2 ** top, 12);
       expect(roomOf(top - 2, octave)).toBe(0);
     }
-  });
-});
-
-describe('a pen of one width', () => {
-  test('draws as many lines as its tone takes', () => {
-    for (const spacing of [1, 1.2, 1.5, 1.9]) {
-      let drawn = 0;
-      // Lines at whole numbers up to 1024, with ranks and places among their rank.
-      for (let k = 1; k <= 1024; k++) {
-        const rank = Math.log2(k & -k);
-        if (penMargin(rank, (k / 2 ** rank - 1) / 2, spacing, 100) > 0) drawn++;
-      }
-      expect(drawn / 1024).toBeCloseTo(1 / spacing, 2);
-    }
-  });
-
-  test('spreads the ends of lines evenly', () => {
-    const firsts = Array.from({ length: 8 }, (_, i) => evenlySpread(i));
-    expect([...firsts].sort()).toEqual([0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875]);
-    expect(Math.abs(firsts[1] - firsts[0])).toBe(0.5);
   });
 });

@@ -20,10 +20,12 @@ describe('wrong options end in one sentence that names them', () => {
     [{ sheet: [40, 90], margin: 20 }, 'drawSVG: a margin of 20 mm leaves nothing of a sheet of 40 × 90 mm.'],
     [{ kind: 'pen', penWidth: 0 }, 'drawSVG.penWidth: 0 is not a number in (0, ∞).'],
     [{ penWidth: 0.3 }, "drawSVG: penWidth is only for kind: 'pen'."],
+    [{ leastWidth: -1 }, 'drawSVG.leastWidth: -1 is not a number in [0, ∞).'],
+    [{ kind: 'pen', leastWidth: 0.1 }, "drawSVG: leastWidth is only for kind: 'print'."],
     [{ kind: 'pen', paper: 'white' }, "drawSVG: paper is only for kind: 'print'."],
     [{ paper: {} }, 'drawSVG: paper'],
     [{ dpi: Number.NaN }, 'drawSVG.dpi: NaN is not a number in (0, ∞).'],
-    [{ shadows: 1 }, 'drawSVG: shadows must be true or false'],
+    [{ shadows: 1 }, "drawSVG: shadows must be true, 'soft', 'hard' or false"],
     [{ signal: 3 }, 'drawSVG: signal is 3'],
     [{ onProgress: 3 }, 'drawSVG: onProgress is 3'],
   ])('%j', async (options, sentence) => {

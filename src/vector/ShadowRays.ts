@@ -1,0 +1,201 @@
+import type { GroundLook } from '../engraving/groundShadow.js';
+import type { Lamp } from '../engraving/radiance.js';
+import { combined, cross, dot, normalize, type Vec3 } from '../engraving/vectors.js';
+import type { Bvh } from './Bvh.js';
+
+/** The map that the canvas reads the shadow of a light from. */
+export interface LampShadow {
+  /** Texels along a side of the map, and how far the edge is softened, texels. */
+  texels: number;
+  radius: number;
+  /** How dark it is, from 0 to 1. */
+  intensity: number;
+  /** Whether it is a cube around the light. */
+  isCube: boolean;
+  /** What it covers across the light, world units; of a light at a place that at a distance of 1. A cube covers all. */
+  width: number;
+}
+
+/** What rays tell of the shadow of a lamp at a place. */
+export interface ToldShadow {
+  /** The share of the light that arrives. */
+  passing: number;
+  /** The share of the tone of the shadow that has not dissolved; 1 but on a ground. */
+  left: number;
+}
+
+/** Farther than any light. */
+const FAR = 1e9;
+/** Rays to places on a lamp; after those of the rim it is known whether there is an edge. */
+const RAYS = 24;
+const RIM = 6;
+/** On a ground rays start so many texels above the surface. */
+const LIFT = 1.5;
+/** The least width of the edge on a ground, texels on either side. */
+const THINNEST = 0.5;
+/** What casts a shadow on a ground is looked for up to so many widths of the map, and so much of the way to a lamp. */
+const FARTHEST = 3;
+const TOWARDS_LAMP = 0.75;
+/** Rays that start beside a place do so in its plane, unless that leans less than so to the light. */
+const LEAST_LEAN = 0.25;
+/** Maps are softened by at most so many samples on each side of the middle. */
+const MOST_SAMPLES = 4;
+
+const LIT: ToldShadow = { passing: 1, left: 1 };
+const MIDDLE: readonly [number, number] = [0, 0];
+
+/** Places all over a disc of radius 1, as seeds lie in a flower, the outermost first: those of the rim lie evenly around it. */
+const DISC = Array.from({ length: RAYS }, (_, i): readonly [number, number] => {
+  const outward = Math.sqrt((RAYS - i - 0.5) / RAYS);
+  const angle = i < RIM ? (2 * Math.PI * i) / RIM : i * Math.PI * (3 - Math.sqrt(5));
+  return [outward * Math.cos(angle), outward * Math.sin(angle)];
+});
+
+/**
+ * The radius of a disc that softens an edge as much as the kernel of a map.
+ *
+ * @param radius of the light's shadow, and `blend`, the width that neighbours are blended over, in one unit
+ */
+function kernelRadius(radius: number, blend: number): number {
+  const samples = Math.min(Math.ceil(radius), MOST_SAMPLES);
+  const step = samples > 0 ? radius / samples : 0;
+  // A tent of half-width a spreads by a²/6, and a disc of radius r by r²/4.
+  return Math.sqrt((2 / 3) * (step * step * ((samples + 1) ** 2 - 1) + blend * blend));
+}
+
+/** Rays from around a place to around a lamp. */
+interface Bundle {
+  from: Vec3;
+  /** Unit. */
+  towards: Vec3;
+  /** The length of the way, world units. */
+  end: number;
+  /** Unit vectors across the way, and what lies above or below their ends on the surface. */
+  side: Vec3;
+  up: Vec3;
+  besides: Vec3;
+  above: Vec3;
+}
+
+function bundleOf(from: Vec3, normal: Vec3, towards: Vec3, length: number): Bundle {
+  const side = normalize(cross(towards, Math.abs(towards[1]) < 0.9 ? [0, 1, 0] : [1, 0, 0]));
+  const up = cross(towards, side);
+  // A surface does not shade itself beside a place if rays start on it there.
+  const lean = 1 / Math.max(dot(normal, towards), LEAST_LEAN);
+  const onSurface = (way: Vec3): Vec3 => combined(1, way, -lean * dot(way, normal), towards);
+  return { from, towards, end: Math.min(length, FAR), side, up, besides: onSurface(side), above: onSurface(up) };
+}
+
+/** Tells of the shadows of lamps by rays: hard, or as soft as the canvas reads them from maps. */
+export class ShadowRays {
+  /**
+   * @param bias how far rays begin above bodies, world units
+   * @param isSoft without, one ray tells of each shadow
+   */
+  constructor(
+    private readonly bvh: Bvh,
+    private readonly bias: number,
+    private readonly isSoft: boolean,
+  ) {}
+
+  /**
+   * The shadow of a lamp at a place with a normal.
+   *
+   * @param direction towards the lamp, unit, and `length`, the way to it; endless for one that is far away
+   * @param ground how a ground shows shadows alone; null for a body
+   */
+  tell(
+    lamp: Lamp,
+    shadow: LampShadow,
+    place: { world: Vec3; normal: Vec3; direction: Vec3; length: number },
+    ground: GroundLook | null,
+  ): ToldShadow {
+    const { world, normal, direction, length } = place;
+    const width = widthAt(lamp, shadow, direction, length);
+    const from = ground ? world : combined(1, world, this.bias, normal);
+    const bundle = bundleOf(from, normal, direction, length);
+    const told = ground ? this.onGround(bundle, shadow, ground, width) : this.onBody(bundle, shadow, width);
+    return { passing: 1 - shadow.intensity * (1 - told.passing), left: told.left };
+  }
+
+  private onBody(bundle: Bundle, shadow: LampShadow, width: number): ToldShadow {
+    if (this.isSoft) return { passing: this.passing(bundle, mapSoftness(shadow, bundle.end, width), 0, 0), left: 1 };
+    return this.isMet(bundle, MIDDLE, 0, 0, 0) ? { passing: 0, left: 1 } : LIT;
+  }
+
+  private onGround(bundle: Bundle, shadow: LampShadow, { fade, softness }: GroundLook, width: number): ToldShadow {
+    const texel = width / shadow.texels;
+    const lift = LIFT * texel;
+    const opening = this.isSoft ? 0.5 * softness : 0;
+    const edge = softness > 0 ? Math.max(shadow.radius, THINNEST) * texel : mapSoftness(shadow, bundle.end, width);
+    const thinnest = this.isSoft ? edge : 0;
+    const met = this.isMet(bundle, MIDDLE, 0, 0, lift)
+      ? MIDDLE
+      : this.isSoft && DISC.slice(0, RIM).find((place) => this.isMet(bundle, place, thinnest, opening, lift));
+    if (!met) return LIT;
+    const reach = Math.min(width / Math.max(fade, 1 / FARTHEST), TOWARDS_LAMP * bundle.end);
+    const caster = this.casterAlong(bundle, met, met === MIDDLE ? 0 : thinnest, opening, reach);
+    const left = Math.max(1 - (fade * caster) / width, 0);
+    if (left === 0 || !this.isSoft) return { passing: 0, left };
+    // The edge is at least as wide as the map has it.
+    return { passing: this.passing(bundle, Math.max(thinnest - opening * caster, 0), opening, lift), left };
+  }
+
+  /** The share of a lamp that is seen, if rays start within a spread around a place and open as much. */
+  private passing(bundle: Bundle, spread: number, opening: number, lift: number): number {
+    const isDark = this.isMet(bundle, MIDDLE, 0, 0, lift);
+    let met = 0;
+    for (let i = 0; i < RAYS; i++) {
+      if (i === RIM && met === (isDark ? RIM : 0)) return isDark ? 0 : 1;
+      if (this.isMet(bundle, DISC[i], spread, opening, lift)) met++;
+    }
+    return 1 - met / RAYS;
+  }
+
+  private isMet(bundle: Bundle, on: readonly [number, number], spread: number, opening: number, lift: number): boolean {
+    const { from, way } = rayOf(bundle, on, spread, opening);
+    return this.bvh.isShaded(from, way, lift, bundle.end);
+  }
+
+  /** How far along a ray what casts a shadow lies: of all that, what light meets first, up to a reach. */
+  private casterAlong(
+    bundle: Bundle,
+    on: readonly [number, number],
+    spread: number,
+    opening: number,
+    reach: number,
+  ): number {
+    const { from, way } = rayOf(bundle, on, spread, opening);
+    if (reach < bundle.end && this.bvh.isShaded(from, way, reach, bundle.end)) return reach;
+    const met = this.bvh.firstCaster(combined(1, from, reach, way), combined(-1, way, 0, way), reach);
+    return met < reach ? reach - met : 0;
+  }
+}
+
+/** The ray through a place on the disc. */
+function rayOf(
+  { from, towards, end, side, up, besides, above }: Bundle,
+  [x, y]: readonly [number, number],
+  spread: number,
+  opening: number,
+): { from: Vec3; way: Vec3 } {
+  if (x === 0 && y === 0) return { from, way: towards };
+  const start = combined(spread * x, besides, spread * y, above);
+  const way = combined(opening * x, side, opening * y, up);
+  return {
+    from: combined(1, from, 1, start),
+    // All that start around a place see the same lamp.
+    way: combined(1, combined(1, towards, 1, way), -1 / end, start),
+  };
+}
+
+/** What a map covers across the light at a place, world units. */
+function widthAt({ cone }: Lamp, { width, isCube }: LampShadow, direction: Vec3, length: number): number {
+  if (isCube) return 2 * length * Math.max(...direction.map(Math.abs));
+  return length < Infinity && cone ? width * length * dot(direction, cone.axis) : width;
+}
+
+/** By how much a map softens edges, as the radius of a disc, world units. */
+const mapSoftness = ({ isCube, radius, texels }: LampShadow, length: number, width: number): number =>
+  // The kernel of a cube steps through directions, of which each texel has two parts of a whole.
+  isCube ? (kernelRadius(radius, 2) * length) / texels : (kernelRadius(radius, 1) * width) / texels;

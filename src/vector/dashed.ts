@@ -1,0 +1,122 @@
+import type { Chain } from './Chain.js';
+
+/** Dashes begin so far apart on the picture, to within a factor of √2, pixels. */
+const PERIOD = 14;
+/** A line that would have a smaller share of its dashes has none. */
+const LEAST_SHARE = 0.12;
+
+/** A line with points where its dashes begin and end. */
+class DashedLine {
+  private readonly screen: number[] = [];
+  private readonly world: number[] = [];
+  private readonly halves: number[] = [];
+  private readonly margins: number[] = [];
+  private readonly triangles: number[] = [];
+  private isOn = false;
+
+  constructor(
+    private readonly chain: Chain,
+    private readonly least: number,
+  ) {}
+
+  /** Walks over a piece from one end of an interval to the other. */
+  go(piece: number, from: number, to: number, isOn: boolean): void {
+    const isFirst = this.margins.length === 0;
+    if (isFirst || isOn !== this.isOn) this.add(piece, from, isFirst && isOn ? 1 : 0);
+    this.isOn = isOn;
+    // Between two ends without a margin there is a line only if it has one in the middle.
+    if (isOn) this.add(piece, 0.5 * (from + to), 1);
+    if (to === 1) this.add(piece, 1, isOn ? 1 : -1);
+  }
+
+  private add(piece: number, share: number, margin: number): void {
+    const { screen, world, halves, triangles } = this.chain;
+    const at = (values: Float64Array, i: number, j: number) => values[i] + share * (values[j] - values[i]);
+    for (const k of [0, 1]) this.screen.push(at(screen, 2 * piece + k, 2 * piece + 2 + k));
+    for (const k of [0, 1, 2]) this.world.push(at(world, 3 * piece + k, 3 * piece + 3 + k));
+    this.halves.push(Math.max(at(halves, piece, piece + 1), this.least));
+    this.margins.push(margin);
+    this.triangles.push(triangles[share === 1 ? Math.min(piece + 1, this.chain.count - 1) : piece]);
+  }
+
+  finish(): Chain {
+    return {
+      ...this.chain,
+      count: this.halves.length,
+      screen: Float64Array.from(this.screen),
+      world: Float64Array.from(this.world),
+      halves: Float64Array.from(this.halves),
+      margins: Float64Array.from(this.margins),
+      triangles: Int32Array.from(this.triangles),
+    };
+  }
+}
+
+/**
+ * A line of a print whose parts that are thinner than a press holds are dashes of the least width, which keep the tone. Dashes belong to
+ * places on the object, so that they stay where they are as a camera moves.
+ *
+ * @param width the least, pixels
+ */
+export function dashed(chain: Chain, width: number): Chain {
+  const least = width / 2;
+  const { halves, count, field } = chain;
+  if (!field || halves.every((half) => half === 0 || half >= least)) return chain;
+  const line = new DashedLine(chain, least);
+  for (let piece = 0; piece + 1 < count; piece++) {
+    const shares = [halves[piece] / least, halves[piece + 1] / least] as const;
+    let from = 0;
+    for (const to of breaksOf(chain, piece, shares)) {
+      if (to <= from) continue;
+      line.go(piece, from, to, isDash(chain, piece, shares, 0.5 * (from + to)));
+      from = to;
+    }
+  }
+  return line.finish();
+}
+
+/** Where a place on a piece lies among the dashes of its line: whole numbers and a half in their middles; no number where it has no length. */
+function phases({ field, screen, lot }: Chain, piece: number): readonly [number, number] {
+  const [i, j] = [3 * piece, 3 * piece + 3];
+  const steps = [0, 1, 2].map((k) => Math.abs(field![j + k] - field![i + k]));
+  const most = Math.max(...steps);
+  const axis = steps.indexOf(most);
+  const length = Math.hypot(screen[2 * piece + 2] - screen[2 * piece], screen[2 * piece + 3] - screen[2 * piece + 1]);
+  const period = 2 ** Math.round(Math.log2((PERIOD * most) / length));
+  return [field![i + axis] / period + lot, field![j + axis] / period + lot];
+}
+
+/** Where a piece may begin or end to be a dash: rising shares of it, the last of which is 1. */
+function breaksOf(chain: Chain, piece: number, [a, b]: readonly [number, number]): number[] {
+  const breaks = [1];
+  const add = (share: number) => {
+    if (share > 0 && share < 1) breaks.push(share);
+  };
+  if (Math.min(a, b) >= 1 || Math.max(a, b) < LEAST_SHARE) return breaks;
+  for (const share of [1, LEAST_SHARE]) add((share - a) / (b - a));
+  const [start, end] = phases(chain, piece);
+  const [low, high] = [Math.floor(Math.min(start, end)) - 1, Math.ceil(Math.max(start, end)) + 1];
+  for (let middle = low + 0.5; middle < high; middle++) {
+    // Half of a dash is as long as half of its share.
+    for (const side of [-0.5, 0.5]) add((middle + side * a - start) / (end - start - side * (b - a)));
+  }
+  return breaks.sort((x, y) => x - y);
+}
+
+function isDash(chain: Chain, piece: number, [a, b]: readonly [number, number], at: number): boolean {
+  const share = a + at * (b - a);
+  if (share >= 1) return true;
+  if (share < LEAST_SHARE) return false;
+  const [start, end] = phases(chain, piece);
+  const phase = start + at * (end - start);
+  return Math.abs(phase - Math.floor(phase) - 0.5) < 0.5 * share;
+}
+
+/** Makes an outline of a print nowhere thinner than a press holds: it ends where it would be less than half as wide. Changes the chain. */
+export function endHairlines({ halves, margins, count }: Chain, width: number): void {
+  const least = width / 2;
+  for (let i = 0; i < count; i++) {
+    if (margins[i] > 0) margins[i] = halves[i] - 0.5 * least;
+    halves[i] = Math.max(halves[i], least);
+  }
+}
