@@ -1,5 +1,4 @@
 import type { Material, Mesh, Object3D } from 'three';
-import { importanceOf } from '../material/emphasis/importanceOf.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { describeObject } from '../mistakes/describeObject.js';
 
@@ -44,7 +43,7 @@ export function whyNoLines(mesh: Mesh, material: Material): string | undefined {
 const MAPS = ['map', 'alphaMap', 'normalMap', 'bumpMap', 'aoMap', 'lightMap', 'emissiveMap'] as const;
 
 /** What a surface with lines is drawn without. */
-export function drawnWithout(mesh: Mesh, material: HatchingMaterial): string[] {
+export function drawnWithout(material: HatchingMaterial): string[] {
   const found: string[] = [];
   const maps = MAPS.filter((name) => material[name]);
   if (maps.length > 0) found.push(`is drawn without ${maps.join(', ')}: textures cannot leave as lines yet`);
@@ -56,10 +55,5 @@ export function drawnWithout(mesh: Mesh, material: HatchingMaterial): string[] {
   if (material.shadowStrokes === 'reorient') found.push('is drawn with lines that do not turn in shadows');
   if (material.opacity < 1 || material.alphaTest > 0 || material.alphaHash) found.push('is drawn as if it were opaque');
   if (material.clippingPlanes && material.clippingPlanes.length > 0) found.push('is drawn without its clipping planes');
-  if (fades(mesh, material))
-    found.push('is drawn with its full weight: what fades by depth, focus or vignette does not do so yet');
   return found;
 }
-
-const fades = (mesh: Mesh, { depthFade, focus, vignette }: HatchingMaterial): boolean =>
-  (typeof depthFade === 'number' && depthFade > 0) || focus !== null || vignette > 0 || importanceOf(mesh) < 1;

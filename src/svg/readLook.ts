@@ -1,4 +1,5 @@
 import type { IUniform, Vector2 } from 'three';
+import type { Emphasis } from '../engraving/emphasis.js';
 import type { CurveCubics } from '../engraving/tone.js';
 import { localDarkness } from '../engraving/tone.js';
 import { isFitted } from '../material/exposure/isFitted.js';
@@ -39,8 +40,18 @@ export function engravedLookOf(material: HatchingMaterial, hasForm: boolean): En
   };
 }
 
-/** How a material shows the light of a scene. fit: of the exposure to the scene. */
-export function surfaceLookOf(material: HatchingMaterial, receivesShadows: boolean, fit: ToneFit): SurfaceLook {
+/**
+ * How a material shows the light of a scene.
+ *
+ * @param fit of the exposure to the scene
+ * @param emphasis of the object
+ */
+export function surfaceLookOf(
+  material: HatchingMaterial,
+  receivesShadows: boolean,
+  fit: ToneFit,
+  emphasis: Emphasis | null,
+): SurfaceLook {
   const uniforms = uniformsOf(material);
   const { color, emissive, emissiveIntensity, localTone, toneModel, toneCurve } = material;
   const { shininess, reflectedLight, occlusion, hollowTone, toneSteps, exposureCompensation } = material;
@@ -57,7 +68,7 @@ export function surfaceLookOf(material: HatchingMaterial, receivesShadows: boole
     occlusion,
     hollowTone,
     darkness: localTone > 0 ? localDarkness(luminanceOf(color), emitted, localTone, isFit ? 1 / fit.white : 1) : 0,
-    ...{ shininess, reflectedLight, emitted, receivesShadows },
+    ...{ shininess, reflectedLight, emitted, receivesShadows, emphasis },
   };
 }
 

@@ -1,6 +1,7 @@
 import { type Camera, DataUtils, Matrix3, Matrix4, type Mesh, Vector3 } from 'three';
 import { POINT_BITS, POINT_MASK, POINT_WORDS, PRIMITIVE_WORDS } from '../bake/outlineLayout.js';
 import { unpackPoints } from '../bake/unpackPoints.js';
+import type { Emphasis } from '../engraving/emphasis.js';
 import { BORDER, CONTRARY, CREASE, MATERIAL_BORDER } from '../features/edgeFlags.js';
 import type { OutlineData } from '../geometry/OutlineData.js';
 import type { HatchingOutlineMaterial } from '../outlines/HatchingOutlineMaterial.js';
@@ -8,15 +9,24 @@ import type { FeatureEdge, OutlineLook, OutlineMesh } from '../vector/OutlineMes
 import { placesOf } from './placesOf.js';
 import { rowsOf } from './readSurface.js';
 
-/** How outlines look. hasMaterials: whether the mesh has several, whose borders are drawn. */
-export function outlineLookOf(material: HatchingOutlineMaterial, hasMaterials: boolean): OutlineLook {
+/**
+ * How outlines look.
+ *
+ * @param hasMaterials whether the mesh has several, whose borders are drawn
+ * @param emphasis of the mesh
+ */
+export function outlineLookOf(
+  material: HatchingOutlineMaterial,
+  hasMaterials: boolean,
+  emphasis: Emphasis | null,
+): OutlineLook {
   const { outlineWidth, contours, innerContours, borders, creases, materialBorders, taper, lostEdges, wobble } =
     material;
   return {
     width: outlineWidth,
     materialBorders: hasMaterials ? materialBorders : 0,
     shadeWeights: material.shadeWeights.toArray() as [number, number],
-    ...{ contours, innerContours, borders, creases, taper, lostEdges, wobble },
+    ...{ contours, innerContours, borders, creases, taper, lostEdges, wobble, emphasis },
   };
 }
 

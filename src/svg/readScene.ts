@@ -20,6 +20,7 @@ import { asPhase } from '../slices/asPhase.js';
 import { CASTS_BACK, CASTS_FRONT, SEEN_BACK, SEEN_FRONT } from '../vector/Bvh.js';
 import type { DrawnScene, EngravedSurface, OutlinedMesh } from '../vector/DrawnScene.js';
 import { drawnWithout, type LeftOut, sentence, whyNoLines, whyNothing } from './leftOut.js';
+import { readEmphasis, readOutlineEmphasis } from './readEmphasis.js';
 import { readLights, type SceneLights } from './readLights.js';
 import { engravedLookOf, surfaceLookOf } from './readLook.js';
 import { outlineLookOf, readOutlines } from './readOutlines.js';
@@ -158,7 +159,7 @@ class SceneReader {
     firstTriangle: number,
   ): Generator<number, void, void> {
     const { camera, lights, fit } = this;
-    for (const what of drawnWithout(mesh, material)) this.note(mesh, what);
+    for (const what of drawnWithout(material)) this.note(mesh, what);
     const frame = surfaceFrame(mesh, material, camera.matrixWorldInverse);
     const engraved = engravedLookOf(material, isFormed(mesh.geometry));
     const surface = yield* readSurface(mesh.geometry, { corners, firstTriangle }, frame, sidesOf(material));
@@ -166,7 +167,7 @@ class SceneReader {
       surface,
       engraved,
       field: fieldOf(engraved, material, lights.lamps, frame),
-      look: surfaceLookOf(material, mesh.receiveShadow, fit),
+      look: surfaceLookOf(material, mesh.receiveShadow, fit, readEmphasis(mesh, material, camera)),
       ink: colorOf(material),
     });
   }
@@ -186,7 +187,7 @@ class SceneReader {
     if (material.overshoot > 0) this.note(mesh, 'has outlines that do not overshoot');
     this.outlines.push({
       mesh: readOutlines(mesh, data, this.camera, firstTriangle),
-      look: outlineLookOf(material, Array.isArray(mesh.material)),
+      look: outlineLookOf(material, Array.isArray(mesh.material), readOutlineEmphasis(mesh, this.camera)),
       ink: colorOf(material),
     });
   }

@@ -1,3 +1,4 @@
+import type { Emphasis } from '../engraving/emphasis.js';
 import type { Vec3 } from '../engraving/vectors.js';
 import type { Matrix } from './Projection.js';
 
@@ -52,6 +53,8 @@ export interface OutlineLook {
   lostEdges: number;
   /** Pixels. */
   wobble: number;
+  /** What takes weight away; null where all has its full weight. */
+  emphasis: Emphasis | null;
 }
 
 /** An end of a piece of outline. */

@@ -1,7 +1,9 @@
+import { type Emphasis, emphasisAt } from '../engraving/emphasis.js';
 import { arriving, type Lamp, responseTo, seenBehind, type ToneModel } from '../engraving/radiance.js';
 import { openToLights, openToSky, shadedTone, type ToneLook } from '../engraving/tone.js';
 import { combined, normalize, type Vec3 } from '../engraving/vectors.js';
 import type { Bvh } from './Bvh.js';
+import { emphasisedPlace } from './emphasisedPlace.js';
 import type { SurfacePlace } from './LineSurface.js';
 import type { Projection } from './Projection.js';
 
@@ -14,6 +16,8 @@ export interface SurfaceLook extends ToneLook {
   /** Luminance that the surface gives off. */
   emitted: number;
   receivesShadows: boolean;
+  /** What takes weight away; null where all has its full weight. */
+  emphasis: Emphasis | null;
 }
 
 /** The lights of a scene. */
@@ -75,8 +79,10 @@ export class Toner {
     const open = openToLights(occluded, look.occlusion) / Math.PI;
     const sky = openToSky(occluded, look.occlusion);
     const rest = sky * (this.light.around(toneNormal) + (look.reflectedLight * reflected) / Math.PI) + look.emitted;
-    const tone = shadedTone(open * direct + rest, occluded, look);
-    const unshadowed = shadowed > 0 ? shadedTone(open * (direct + shadowed) + rest, occluded, look) : tone;
+    const weight = look.emphasis === null ? 1 : emphasisAt(look.emphasis, emphasisedPlace(world, projection));
+    const toneOf = (radiance: number): number => weight * shadedTone(radiance, occluded, look);
+    const tone = toneOf(open * direct + rest);
+    const unshadowed = shadowed > 0 ? toneOf(open * (direct + shadowed) + rest) : tone;
     return { tone, unshadowed, shadows };
   }
 

@@ -1,6 +1,8 @@
+import { outlineEmphasisAt } from '../engraving/emphasis.js';
 import { type LiftedPiece, shadeWeight, wobbleAt } from '../engraving/outlines.js';
 import { combined, dot, normalize, type Vec3 } from '../engraving/vectors.js';
 import { type Chain, ChainBuilder } from './Chain.js';
+import { emphasisedPlace } from './emphasisedPlace.js';
 import type { OutlineLook, OutlineMesh, OutlinePiece, PieceEnd } from './OutlineMesh.js';
 import { type Projection, transformed } from './Projection.js';
 
@@ -174,11 +176,17 @@ class OutlineDrawing {
     return Math.hypot(a[0] - b[0], a[1] - b[1]);
   }
 
+  /** Half the width before the paper, and before a surface. */
+  private halvesAt({ weight, innerWeight }: PieceEnd, world: Vec3): readonly [number, number] {
+    const { width, emphasis } = this.look;
+    const factor = emphasis === null ? 1 : outlineEmphasisAt(emphasis, emphasisedPlace(world, this.projection));
+    return [0.5 * width * factor * weight, 0.5 * width * factor * innerWeight];
+  }
+
   private push({ isSmooth, extent }: OutlinePiece, end: PieceEnd): void {
     const { near } = this.projection.camera;
     const world = this.worldOf(end);
-    const half = 0.5 * this.look.width * end.weight;
-    const inner = 0.5 * this.look.width * end.innerWeight;
+    const [half, inner] = this.halvesAt(end, world);
     // What lies before the near plane has no place on the picture.
     const isBehind = this.projection.depthOf(...world) >= near;
     const screen = isBehind ? this.pixelOf(end) : [0, 0];
@@ -189,8 +197,7 @@ class OutlineDrawing {
 
   /** Goes on over another piece from the last point: as wide as both in the mean, and lifted for both. */
   private join({ isSmooth, extent }: OutlinePiece, end: PieceEnd): void {
-    const half = 0.5 * this.look.width * end.weight;
-    const inner = 0.5 * this.look.width * end.innerWeight;
+    const [half, inner] = this.halvesAt(end, this.worldOf(end));
     this.builder.share(half, Math.max(half, inner), -1);
     const last = this.pieces.length - 1;
     const before = this.pieces[last];
