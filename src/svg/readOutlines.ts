@@ -2,7 +2,7 @@ import { type Camera, DataUtils, Matrix3, Matrix4, type Mesh, Vector3 } from 'th
 import { POINT_BITS, POINT_MASK, POINT_WORDS, PRIMITIVE_WORDS } from '../bake/outlineLayout.js';
 import { unpackPoints } from '../bake/unpackPoints.js';
 import type { Emphasis } from '../engraving/emphasis.js';
-import { BORDER, CONTRARY, CREASE, MATERIAL_BORDER } from '../features/edgeFlags.js';
+import { BORDER, CONTRARY, CORNER_AT_END, CORNER_AT_START, CREASE, MATERIAL_BORDER } from '../features/edgeFlags.js';
 import type { OutlineData } from '../geometry/OutlineData.js';
 import type { HatchingOutlineMaterial } from '../outlines/HatchingOutlineMaterial.js';
 import type { FeatureEdge, OutlineLook, OutlineMesh } from '../vector/OutlineMesh.js';
@@ -20,13 +20,14 @@ export function outlineLookOf(
   hasMaterials: boolean,
   emphasis: Emphasis | null,
 ): OutlineLook {
-  const { outlineWidth, contours, innerContours, borders, creases, materialBorders, taper, lostEdges, wobble } =
-    material;
+  const { outlineWidth, contours, innerContours, borders, creases, materialBorders, suggestiveContours } = material;
+  const { taper, lostEdges, accents, overshoot, wobble } = material;
   return {
     width: outlineWidth,
     materialBorders: hasMaterials ? materialBorders : 0,
     shadeWeights: material.shadeWeights.toArray() as [number, number],
-    ...{ contours, innerContours, borders, creases, taper, lostEdges, wobble, emphasis },
+    ...{ contours, innerContours, borders, creases, suggestiveContours, taper, lostEdges },
+    ...{ accents, overshoot, wobble, emphasis },
   };
 }
 
@@ -77,6 +78,8 @@ function edgeAt(words: Uint32Array, o: number): FeatureEdge {
     isCrease: (flags & CREASE) !== 0,
     isMaterialBorder: (flags & MATERIAL_BORDER) !== 0,
     isContrary: (flags & CONTRARY) !== 0,
+    isCornerAtStart: (flags & CORNER_AT_START) !== 0,
+    isCornerAtEnd: (flags & CORNER_AT_END) !== 0,
   };
 }
 

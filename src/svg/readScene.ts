@@ -182,9 +182,7 @@ class SceneReader {
       this.note(mesh, 'has no outlines: its geometry was prepared without them');
       return;
     }
-    if (material.suggestiveContours > 0) this.note(mesh, 'is drawn without suggestive contours');
     if (material.tooth > 0) this.note(mesh, 'has outlines of ink: the tooth of the paper cannot leave as lines');
-    if (material.overshoot > 0) this.note(mesh, 'has outlines that do not overshoot');
     this.outlines.push({
       mesh: readOutlines(mesh, data, this.camera, firstTriangle),
       look: outlineLookOf(material, Array.isArray(mesh.material), readOutlineEmphasis(mesh, this.camera)),

@@ -14,8 +14,21 @@ export interface Chain {
   /** The triangle of the scene that the piece after each point lies on; −1 for edges. */
   triangles: Int32Array;
   isClosed: boolean;
-  /** Of outlines: what is known of the piece at each point, and half the width before a surface in place of the paper. */
-  outline: { pieces: readonly LiftedPiece[]; innerHalves: Float64Array; radius: number } | null;
+  /** Of outlines. */
+  outline: ChainOutline | null;
+}
+
+/** What is known of an outline at each of its points. */
+export interface ChainOutline {
+  pieces: readonly LiftedPiece[];
+  /** Half the width before a surface in place of the paper, pixels. */
+  innerHalves: Float64Array;
+  /** The share of a contour or a border times how much heavier an accent makes it. */
+  accents: Float64Array;
+  /** Of a line of weight 1, pixels. */
+  width: number;
+  /** Of the bounding sphere, world units. */
+  radius: number;
 }
 
 /** Collects the points of a chain. */

@@ -9,11 +9,12 @@ import type { LinePath } from './LinePath.js';
 import { outlineChains } from './outlineChains.js';
 import { outlinePieces } from './outlinePieces.js';
 import type { Projection } from './Projection.js';
-import { outlineTest, weighByStanding } from './seenOutlines.js';
+import { outlineTest } from './seenOutlines.js';
 import { subdivide } from './subdivide.js';
 import { Toner } from './Toner.js';
 import { seenSides, traceFamily } from './traceFamily.js';
 import { type SeenTest, visibleRuns } from './visibleRuns.js';
+import { weighByStanding } from './weighByStanding.js';
 
 /** The names of the layers, in their order. */
 export const LAYERS = ['outlines', 'engraved', 'crossing', 'shadows'] as const;

@@ -37,6 +37,9 @@ export interface FeatureEdge {
   isMaterialBorder: boolean;
   /** The windings of the two sides contradict each other. */
   isContrary: boolean;
+  /** A straight line of edges ends, branches or turns there. */
+  isCornerAtStart: boolean;
+  isCornerAtEnd: boolean;
 }
 
 /** How outlines look. */
@@ -48,9 +51,14 @@ export interface OutlineLook {
   borders: number;
   creases: number;
   materialBorders: number;
+  suggestiveContours: number;
   taper: number;
   shadeWeights: readonly [number, number];
   lostEdges: number;
+  /** How much heavier a contour becomes where another one ends behind it. */
+  accents: number;
+  /** How far lines run on beyond corners, pixels. */
+  overshoot: number;
   /** Pixels. */
   wobble: number;
   /** What takes weight away; null where all has its full weight. */
@@ -66,6 +74,8 @@ export interface PieceEnd {
   /** Weights before the paper, and before a surface. */
   weight: number;
   innerWeight: number;
+  /** How far the outline runs on beyond it, pixels. */
+  overshoot: number;
   /** Names the place: two ends that have it in common lie there. */
   key: string;
 }
