@@ -48,8 +48,6 @@ export function drawnWithout(material: HatchingMaterial): string[] {
   const maps = MAPS.filter((name) => material[name]);
   if (maps.length > 0) found.push(`is drawn without ${maps.join(', ')}: textures cannot leave as lines yet`);
   if (material.vertexColors && material.localTone > 0) found.push('is drawn without the colours of its vertices');
-  if (material.medium === 'pen' || material.medium === 'woodcut')
-    found.push(`is drawn in unbroken lines: strokes of the medium '${material.medium}' cannot leave as lines yet`);
   if (material.toneNormal === 'face' || material.flatShading)
     found.push('is drawn with smooth tones, not those of flat faces');
   if (material.shadowStrokes === 'reorient') found.push('is drawn with lines that do not turn in shadows');

@@ -1,5 +1,6 @@
 import type { IUniform, Vector2 } from 'three';
 import type { Emphasis } from '../engraving/emphasis.js';
+import type { CutField } from '../engraving/fieldAxis.js';
 import type { CurveCubics } from '../engraving/tone.js';
 import { localDarkness } from '../engraving/tone.js';
 import { isFitted } from '../material/exposure/isFitted.js';
@@ -8,6 +9,7 @@ import { luminanceOf } from '../material/facts/luminanceOf.js';
 import { fittedCurve } from '../material/fitToneCurve.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { createHatchingUniforms, writeComputedUniforms, writeSizeUniforms } from '../material/hatchingUniforms.js';
+import { withoutForm } from '../material/programDefines.js';
 import type { EngravedLook } from '../vector/Engraver.js';
 import type { SurfaceLook } from '../vector/Toner.js';
 
@@ -26,12 +28,14 @@ function uniformsOf(material: HatchingMaterial): Record<string, IUniform> {
  */
 export function engravedLookOf(material: HatchingMaterial, hasForm: boolean): EngravedLook {
   const { lineSpacing, finestSpacing, crossFrom } = uniformsOf(material);
-  const { lineField, crossAngle, handmade, sizedOnScreen, shadowStrokes } = material;
+  const { lineField, medium, strokeLength, crossAngle, handmade, sizedOnScreen, shadowStrokes } = material;
   const followsForm = lineField === 'auto' || lineField === 'form' || lineField === 'acrossForm';
   // As the material draws them until a geometry has its form.
   const withForm = lineField === 'acrossForm' ? lineField : 'form';
   return {
-    lineField: !followsForm ? lineField : hasForm ? withForm : 'light',
+    lineField: !followsForm ? lineField : hasForm ? withForm : (withoutForm(material) as CutField),
+    medium: medium === 'pen' || medium === 'woodcut' ? medium : 'ink',
+    strokeLength,
     spacing: { lineSpacing: lineSpacing.value, finestSpacing: finestSpacing.value, sizedOnScreen },
     crossFrom: crossFrom.value,
     crossAngle,

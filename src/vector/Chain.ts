@@ -13,6 +13,8 @@ export interface Chain {
   margins: Float64Array;
   /** The triangle of the scene that the piece after each point lies on; −1 for edges. */
   triangles: Int32Array;
+  /** How far the middle of the line lies beside each point, pixels of the picture: two numbers per point; null where it lies there. */
+  shifts: Float64Array | null;
   isClosed: boolean;
   /** Of outlines. */
   outline: ChainOutline | null;
@@ -38,6 +40,7 @@ export class ChainBuilder {
   private readonly halves: number[] = [];
   private readonly margins: number[] = [];
   private readonly triangles: number[] = [];
+  private readonly shifts: number[] = [];
 
   get count(): number {
     return this.halves.length;
@@ -47,7 +50,16 @@ export class ChainBuilder {
     return this.margins.some((margin) => margin > 0);
   }
 
-  push(screen: readonly number[], world: readonly number[], half: number, margin: number, triangle: number): void {
+  /** @param shift of all points, or of none */
+  push(
+    screen: readonly number[],
+    world: readonly number[],
+    half: number,
+    margin: number,
+    triangle: number,
+    shift?: readonly [number, number],
+  ): void {
+    if (shift) this.shifts.push(...shift);
     this.screen.push(screen[0], screen[1]);
     this.world.push(world[0], world[1], world[2]);
     this.halves.push(half);
@@ -71,6 +83,7 @@ export class ChainBuilder {
       halves: Float64Array.from(this.halves),
       margins: Float64Array.from(this.margins),
       triangles: Int32Array.from(this.triangles),
+      shifts: this.shifts.length > 0 ? Float64Array.from(this.shifts) : null,
       isClosed,
       outline: null,
     };

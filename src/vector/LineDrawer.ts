@@ -24,6 +24,8 @@ const LAYER_OF: Readonly<Record<FamilyName, LayerName>> = {
   first: 'engraved',
   crossB: 'crossing',
   crossC: 'crossing',
+  thirdB: 'crossing',
+  thirdC: 'crossing',
   shadowB: 'shadows',
   shadowC: 'shadows',
 };
@@ -129,7 +131,7 @@ export class LineDrawer {
     const { projection, bvh } = this;
     this.segments += chain.count - 1;
     for (const run of visibleRuns(chain, projection, isSeen)) {
-      const cut = cutRun(chain, run, projection);
+      const cut = cutRun(chain, run, projection, this.pen !== null);
       if (cut.depths.length < 2) continue;
       if (isHeld) holdBack(cut, bvh, projection);
       paths.push(cut.path);

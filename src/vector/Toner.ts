@@ -3,8 +3,8 @@ import { arriving, type Lamp, responseTo, seenBehind, type ToneModel } from '../
 import { openToLights, openToSky, shadedTone, type ToneLook } from '../engraving/tone.js';
 import { combined, normalize, type Vec3 } from '../engraving/vectors.js';
 import type { Bvh } from './Bvh.js';
-import { emphasisedPlace } from './emphasisedPlace.js';
 import type { SurfacePlace } from './LineSurface.js';
+import { emphasisedPlace } from './marks/emphasisedPlace.js';
 import type { Projection } from './Projection.js';
 
 /** How a surface shows the light. */

@@ -2,7 +2,7 @@ import { outlineEmphasisAt } from '../engraving/emphasis.js';
 import { type LiftedPiece, shadeWeight, wobbleAt } from '../engraving/outlines.js';
 import { combined, dot, normalize, type Vec3 } from '../engraving/vectors.js';
 import { type Chain, ChainBuilder } from './Chain.js';
-import { emphasisedPlace } from './emphasisedPlace.js';
+import { emphasisedPlace } from './marks/emphasisedPlace.js';
 import type { OutlineLook, OutlineMesh, OutlinePiece, PieceEnd } from './OutlineMesh.js';
 import { type Projection, transformed } from './Projection.js';
 

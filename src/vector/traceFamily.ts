@@ -1,7 +1,16 @@
 import { type Chain, ChainBuilder } from './Chain.js';
-import { type Engraver, type FamilyName, LEAST_PEN_TONE } from './Engraver.js';
+import type { Engraver, FamilyName } from './Engraver.js';
 import { between, flatNormalOf, type LineSurface, placeFrom, STRIDE, type SurfacePlace, VIEW } from './LineSurface.js';
 import { type LevelSegments, levelSegments, NO_RANK } from './levelSegments.js';
+import {
+  finestRank,
+  LEAST_PEN_TONE,
+  type Line,
+  plottedMark,
+  plottedOctave,
+  printedMark,
+  printedOctave,
+} from './marks/lineMarks.js';
 import type { Projection } from './Projection.js';
 import type { Shadowing, Toner, Tones } from './Toner.js';
 import { type Walk, walkSegments } from './walkSegments.js';
@@ -24,6 +33,10 @@ const LEAST_TONE = 1e-4;
 const EVERY_RANK = 1000;
 /** The edge of a shadow is found in so many halvings. */
 const HALVINGS = 10;
+
+/** Strokes are looked at so far apart, pixels; over one triangle in no more steps than these. */
+const STROKE_STEP = 2;
+const MOST_STEPS = 256;
 
 /** Which side of each triangle of a surface is drawn on the picture. Yields its progress. */
 export function* seenSides(surface: LineSurface, projection: Projection): Generator<number, Int8Array, void> {
@@ -88,13 +101,13 @@ function* readVertices(
         for (const shadowing of shadowings) {
           const measure = engraver.measure(family, place, toner.read(place, shadowing));
           tones[v] = Math.max(tones[v], measure.tone);
-          octaves[v] = Math.min(octaves[v], pen === null ? measure.octave : engraver.penOctave(measure, pen));
+          octaves[v] = Math.min(octaves[v], pen === null ? printedOctave(measure) : plottedOctave(measure, pen));
         }
       }
       finest = Math.min(finest, octaves[v]);
       darkest = Math.max(darkest, tones[v]);
     }
-    if (darkest > leastTone) ranks[t] = Math.ceil(finest) - 1;
+    if (darkest > leastTone) ranks[t] = finestRank(finest, engraver.medium);
   }
   return { values, ranks };
 }
@@ -175,16 +188,22 @@ class LineTracer {
     const place = placeFrom(numbers, flatNormalOf(surface, triangle), sides[triangle]);
     const tones = toner.read(place, toner.hasShadows ? 'traced' : 'none');
     const measure = engraver.measure(this.family, place, tones);
-    if (pen === null) {
-      const half = engraver.halfWidth(measure, line.value, line.rank);
-      return { place, tones, half, margin: half };
-    }
-    return { place, tones, half: pen / 2, margin: engraver.penMargin(measure, line.rank, line.index, pen) };
+    const { half, margin, shift } = pen === null ? printedMark(measure, line) : plottedMark(measure, line, pen);
+    const { strokes } = measure;
+    const at = this.tracing.projection.project(...place.view);
+    if (!strokes) return { at, place, tones, half, margin };
+    return { at, place, tones, half, margin, shift: [shift * strokes.uphill[0], shift * strokes.uphill[1]] };
   }
 
-  write(builder: ChainBuilder, { place, half, margin }: Measured, triangle: number): void {
-    const { projection, surface } = this.tracing;
-    builder.push(projection.project(...place.view), place.world, half, margin, surface.parents[triangle]);
+  /** In how many steps a line goes from one place to another over a triangle: in one, but strokes and wedges begin and end within. */
+  stepsTo(from: Measured, to: Measured): number {
+    if (this.tracing.engraver.medium === 'ink') return 1;
+    const pixels = Math.hypot(to.at[0] - from.at[0], to.at[1] - from.at[1]);
+    return Math.min(Math.max(Math.ceil(pixels / STROKE_STEP), 1), MOST_STEPS);
+  }
+
+  write(builder: ChainBuilder, { at, place, half, margin, shift }: Measured, triangle: number): void {
+    builder.push(at, place.world, half, margin, this.tracing.surface.parents[triangle], shift);
   }
 
   parentOf(triangle: number): number {
@@ -192,17 +211,15 @@ class LineTracer {
   }
 }
 
-interface Line {
-  value: number;
-  rank: number;
-  index: number;
-}
-
 interface Measured {
+  /** On the picture. */
+  at: readonly [number, number];
   place: SurfacePlace;
   tones: Tones;
   half: number;
   margin: number;
+  /** How far the middle lies beside, pixels of the picture; undefined where it never does. */
+  shift?: readonly [number, number];
 }
 
 /** Draws one line into a chain, from node to node. */
@@ -217,12 +234,23 @@ class LinePen {
 
   /** Goes on to a node over a triangle. */
   to(node: number, triangle: number): void {
-    const { tracer, builder, line, last } = this;
+    const { tracer, line, last } = this;
     const numbers = tracer.numbersAt(node, triangle);
     const measured = tracer.measure(numbers, triangle, line);
-    if (last && last.measured.tones.shadows !== measured.tones.shadows) this.crossShadow(last, numbers, triangle);
-    tracer.write(builder, measured, triangle);
-    this.last = { numbers, measured };
+    const steps = last ? tracer.stepsTo(last.measured, measured) : 1;
+    for (let i = 1; last && i < steps; i++) {
+      const between = last.numbers.map((number, k) => number + (i / steps) * (numbers[k] - number));
+      this.write({ numbers: between, measured: tracer.measure(between, triangle, line) }, triangle);
+    }
+    this.write({ numbers, measured }, triangle);
+  }
+
+  private write(place: { numbers: Float64Array; measured: Measured }, triangle: number): void {
+    const { tracer, builder, last } = this;
+    if (last && last.measured.tones.shadows !== place.measured.tones.shadows)
+      this.crossShadow(last, place.numbers, triangle);
+    tracer.write(builder, place.measured, triangle);
+    this.last = place;
   }
 
   /** Goes on over the triangle beside. On flat triangles widths differ a little from one to the next: it is the mean of both. */

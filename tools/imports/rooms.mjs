@@ -24,6 +24,7 @@ export const ROOMS = {
   'material/facts': [],
   engraving: ['material/facts'],
   vector: ['slices', 'engraving'],
+  'vector/marks': ['/src/vector/LinePath.ts', '/src/vector/Projection.ts'],
   geometry: ['mistakes', 'mesh', 'adjacency', 'features', 'form', 'bake', 'worker', 'material/facts'],
   material: ['mistakes', 'strokes', 'bake', 'tam', 'geometry', '/shaders'],
   'material/shaders': ['facts'],
