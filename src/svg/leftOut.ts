@@ -34,11 +34,16 @@ export function whyNothing(mesh: Mesh): string | undefined {
 export function whyNoLines(mesh: Mesh, material: Material): string | undefined {
   if (!('isHatchingMaterial' in material)) return 'has no lines: its material is no HatchingMaterial';
   const { technique, toneModel } = material as HatchingMaterial;
-  if (technique !== 'engraved') return `has no lines: strokes of the technique '${technique}' are drawn from images`;
+  if (technique !== 'engraved' && !isStippled(material as HatchingMaterial))
+    return `has no lines: strokes of the technique '${technique}' are drawn from images`;
   if (toneModel === 'shadow') return 'has no lines: shadows alone, on a ground, cannot leave as lines yet';
   if (!mesh.geometry.attributes.normal) return 'has no lines: its geometry has no normals';
   return undefined;
 }
+
+/** Whether a surface is drawn in dots. */
+export const isStippled = ({ technique, medium }: HatchingMaterial): boolean =>
+  technique === 'anchored' && medium === 'stipple';
 
 const MAPS = ['map', 'alphaMap', 'normalMap', 'bumpMap', 'aoMap', 'lightMap', 'emissiveMap'] as const;
 
@@ -50,7 +55,9 @@ export function drawnWithout(material: HatchingMaterial): string[] {
   if (material.vertexColors && material.localTone > 0) found.push('is drawn without the colours of its vertices');
   if (material.toneNormal === 'face' || material.flatShading)
     found.push('is drawn with smooth tones, not those of flat faces');
-  if (material.shadowStrokes === 'reorient') found.push('is drawn with lines that do not turn in shadows');
+  const isInLines = !isStippled(material);
+  if (!isInLines && material.strokeLayers !== 'single') found.push('is drawn in one layer of dots');
+  if (isInLines && material.shadowStrokes === 'reorient') found.push('is drawn with lines that do not turn in shadows');
   if (material.opacity < 1 || material.alphaTest > 0 || material.alphaHash) found.push('is drawn as if it were opaque');
   if (material.clippingPlanes && material.clippingPlanes.length > 0) found.push('is drawn without its clipping planes');
   return found;

@@ -18,12 +18,13 @@ import type { HatchingOutlineMaterial } from '../outlines/HatchingOutlineMateria
 import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
 import { asPhase } from '../slices/asPhase.js';
 import { CASTS_BACK, CASTS_FRONT, SEEN_BACK, SEEN_FRONT } from '../vector/Bvh.js';
-import type { DrawnScene, EngravedSurface, OutlinedMesh } from '../vector/DrawnScene.js';
-import { drawnWithout, type LeftOut, sentence, whyNoLines, whyNothing } from './leftOut.js';
+import type { DrawnScene, EngravedSurface, OutlinedMesh, StippledSurface } from '../vector/DrawnScene.js';
+import { drawnWithout, isStippled, type LeftOut, sentence, whyNoLines, whyNothing } from './leftOut.js';
 import { readEmphasis, readOutlineEmphasis } from './readEmphasis.js';
 import { readLights, type SceneLights } from './readLights.js';
 import { engravedLookOf, surfaceLookOf } from './readLook.js';
 import { outlineLookOf, readOutlines } from './readOutlines.js';
+import { readStippled } from './readStippled.js';
 import { fieldOf, readSurface, surfaceFrame } from './readSurface.js';
 
 /** How far rays of shadows begin above what they are cast on, as a share of the size of the largest mesh that casts them. */
@@ -61,6 +62,7 @@ class SceneReader {
   private readonly corners: number[] = [];
   private readonly sides: number[] = [];
   private readonly surfaces: EngravedSurface[] = [];
+  private readonly stippled: StippledSurface[] = [];
   private readonly outlines: OutlinedMesh[] = [];
   /** The first triangle of each mesh that is drawn. */
   private readonly firstTriangles = new Map<Object3D, number>();
@@ -76,7 +78,7 @@ class SceneReader {
   }
 
   drawn(): DrawnScene {
-    const { corners, sides, surfaces, outlines, camera, lights, casterSize } = this;
+    const { corners, sides, surfaces, stippled, outlines, camera, lights, casterSize } = this;
     return {
       camera: {
         view: camera.matrixWorldInverse.elements,
@@ -86,7 +88,7 @@ class SceneReader {
       },
       corners: Float64Array.from(corners),
       sides: Uint8Array.from(sides),
-      ...{ surfaces, outlines },
+      ...{ surfaces, stippled, outlines },
       illumination: { lamps: lights.lamps, around: lights.around, bias: SHADOW_BIAS * casterSize },
       meanLight: lights.meanLight,
     };
@@ -160,14 +162,21 @@ class SceneReader {
   ): Generator<number, void, void> {
     const { camera, lights, fit } = this;
     for (const what of drawnWithout(material)) this.note(mesh, what);
+    const look = surfaceLookOf(material, mesh.receiveShadow, fit, readEmphasis(mesh, material, camera));
+    const range = { corners, firstTriangle };
+    if (isStippled(material)) {
+      const reading = readStippled(mesh, material, range, camera.matrixWorldInverse, sidesOf(material));
+      this.stippled.push({ ...(yield* reading), look, ink: colorOf(material) });
+      return;
+    }
     const frame = surfaceFrame(mesh, material, camera.matrixWorldInverse);
     const engraved = engravedLookOf(material, isFormed(mesh.geometry));
-    const surface = yield* readSurface(mesh.geometry, { corners, firstTriangle }, frame, sidesOf(material));
+    const surface = yield* readSurface(mesh.geometry, range, frame, sidesOf(material));
     this.surfaces.push({
       surface,
       engraved,
       field: fieldOf(engraved, material, lights.lamps, frame),
-      look: surfaceLookOf(material, mesh.receiveShadow, fit, readEmphasis(mesh, material, camera)),
+      look,
       ink: colorOf(material),
     });
   }

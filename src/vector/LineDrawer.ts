@@ -44,7 +44,8 @@ export interface PathLayer {
 export class LineDrawer {
   readonly layers: PathLayer[] = [];
   segments = 0;
-  private readonly above: number;
+  /** Rays that leave a surface begin so far above it, world units. */
+  readonly above: number;
 
   /** @param pen its width, pixels; null where widths are the tone */
   constructor(
