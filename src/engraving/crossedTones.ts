@@ -1,11 +1,14 @@
 /** Shares a tone among families of lines that cross, as crossedTones.glsl and hatchLayer.glsl have it. Printed over one another they give it again. */
 
-/** The share of the tone above that from which others cross which the lower layer still takes. */
+/** The share of the tone above that from which others cross which the lower layer still takes: more with a pen, whose first strokes lead. */
 const KEPT_SHARE = 0.4;
+export const KEPT_BY_PEN = 0.6;
+/** The tone left by the first layer from which on a third crosses the second. */
+export const THIRD_FROM = 0.375;
 
 /** The part of a tone that a layer prints itself, where others cross it from the tone `from` on. */
-export const takenOf = (tone: number, from: number): number =>
-  Math.min(tone, from) + KEPT_SHARE * Math.max(tone - from, 0);
+export const takenOf = (tone: number, from: number, kept: number = KEPT_SHARE): number =>
+  Math.min(tone, from) + kept * Math.max(tone - from, 0);
 
 /** The tone that it leaves to the others: exactly 0 up to where they begin. */
 export const leftOf = (tone: number, taken: number): number => Math.max(tone - taken, 0) / Math.max(1 - taken, 1e-4);

@@ -59,6 +59,15 @@ export function screenGradient(
   return [scale * (along[0] - centre[0] * along[2]), scale * (along[1] - centre[1] * along[2])];
 }
 
+/** The direction on the picture, x to the right and y down, in which a function with this gradient rises. Unit, or of no length. */
+export function uphillOnPicture(gradient: Vec3, map: ScreenMap): readonly [number, number] {
+  const [x, y] = screenGradient(gradient, map);
+  const { normal, centre } = map;
+  // Turned back; on a front the function rises to the right of where the turned gradient leads.
+  const length = (Math.sqrt(x * x + y * y) || 1) * Math.sign(dot(normal, [centre[0], centre[1], 1]));
+  return length === 0 ? [0, 0] : [y / length, x / length];
+}
+
 /** The length of that gradient: units of the function per pixel. */
 export function changePerPixel(gradient: Vec3, map: ScreenMap): number {
   const [x, y] = screenGradient(gradient, map);

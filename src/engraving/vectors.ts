@@ -18,6 +18,9 @@ export const combined = (s: number, a: Vec3, t: number, b: Vec3): Vec3 => [
 
 export const lengthOf = (a: Vec3): number => Math.sqrt(dot(a, a));
 
+/** The rows of a linear map times a vector. */
+export const timesVector = ([a, b, c]: readonly [Vec3, Vec3, Vec3], v: Vec3): Vec3 => [dot(a, v), dot(b, v), dot(c, v)];
+
 /** Of length 1; a vector without a length stays as it is. */
 export function normalize(a: Vec3): Vec3 {
   const length = lengthOf(a) || 1;

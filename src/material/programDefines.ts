@@ -38,7 +38,7 @@ const AWAY: Partial<Record<HatchingPropertyName, string>> = {
 };
 
 /** What lines that would follow a form are cut by on shapes that have none. */
-function withoutForm({ medium }: HatchingMaterialProperties): LineField {
+export function withoutForm({ medium }: Pick<HatchingMaterialProperties, 'medium'>): LineField {
   if (medium === 'pen') return 'slant';
   return medium === 'woodcut' ? 'towards' : 'light';
 }

@@ -1,7 +1,8 @@
 import type { Material, Mesh, Object3D } from 'three';
+
 import { checkGeometry } from '../geometry/checkGeometry.js';
-import { importanceOf } from '../material/emphasis/importanceOf.js';
 import { runsAway } from '../material/facts/lookFacts.js';
+
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { describeObject } from '../mistakes/describeObject.js';
 
@@ -47,31 +48,31 @@ export function whyNothing(mesh: Mesh): string | undefined {
 export function whyNoLines(mesh: Mesh, material: Material): string | undefined {
   if (!('isHatchingMaterial' in material)) return 'has no lines: its material is no HatchingMaterial';
   const { technique } = material as HatchingMaterial;
-  if (technique !== 'engraved') return `has no lines: strokes of the technique '${technique}' are drawn from images`;
+  if (technique !== 'engraved' && !isStippled(material as HatchingMaterial))
+    return `has no lines: strokes of the technique '${technique}' are drawn from images`;
   if (!mesh.geometry.attributes.normal) return 'has no lines: its geometry has no normals';
   return undefined;
 }
 
+/** Whether a surface is drawn in dots. */
+export const isStippled = ({ technique, medium }: HatchingMaterial): boolean =>
+  technique === 'anchored' && medium === 'stipple';
+
 const MAPS = ['map', 'alphaMap', 'normalMap', 'bumpMap', 'aoMap', 'lightMap', 'emissiveMap'] as const;
 
 /** What a surface with lines is drawn without. */
-export function drawnWithout(mesh: Mesh, material: HatchingMaterial): string[] {
+export function drawnWithout(material: HatchingMaterial): string[] {
   const found: string[] = [];
   const maps = MAPS.filter((name) => material[name]);
   if (maps.length > 0) found.push(`is drawn without ${maps.join(', ')}: textures cannot leave as lines yet`);
   if (material.vertexColors && material.localTone > 0) found.push('is drawn without the colours of its vertices');
-  if (material.medium === 'pen' || material.medium === 'woodcut')
-    found.push(`is drawn in unbroken lines: strokes of the medium '${material.medium}' cannot leave as lines yet`);
   if (material.toneNormal === 'face' || material.flatShading)
     found.push('is drawn with smooth tones, not those of flat faces');
-  if (material.shadowStrokes === 'reorient' && !runsAway(material))
+  const isInLines = !isStippled(material);
+  if (!isInLines && material.strokeLayers !== 'single') found.push('is drawn in one layer of dots');
+  if (isInLines && material.shadowStrokes === 'reorient' && !runsAway(material))
     found.push('is drawn with lines that do not turn in shadows');
   if (material.opacity < 1 || material.alphaTest > 0 || material.alphaHash) found.push('is drawn as if it were opaque');
   if (material.clippingPlanes && material.clippingPlanes.length > 0) found.push('is drawn without its clipping planes');
-  if (fades(mesh, material))
-    found.push('is drawn with its full weight: what fades by depth, focus or vignette does not do so yet');
   return found;
 }
-
-const fades = (mesh: Mesh, { depthFade, focus, vignette }: HatchingMaterial): boolean =>
-  (typeof depthFade === 'number' && depthFade > 0) || focus !== null || vignette > 0 || importanceOf(mesh) < 1;

@@ -1,5 +1,9 @@
 import type { IUniform, Vector2 } from 'three';
+
+import type { Emphasis } from '../engraving/emphasis.js';
+import type { CutField } from '../engraving/fieldAxis.js';
 import type { GroundLook } from '../engraving/groundShadow.js';
+
 import type { CurveCubics } from '../engraving/tone.js';
 import { localDarkness } from '../engraving/tone.js';
 import { isFitted } from '../material/exposure/isFitted.js';
@@ -9,6 +13,7 @@ import { luminanceOf } from '../material/facts/luminanceOf.js';
 import { fittedCurve } from '../material/fitToneCurve.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { createHatchingUniforms, writeComputedUniforms, writeSizeUniforms } from '../material/hatchingUniforms.js';
+import { withoutForm } from '../material/programDefines.js';
 import type { EngravedLook } from '../vector/Engraver.js';
 import type { SurfaceLook } from '../vector/Toner.js';
 
@@ -28,14 +33,17 @@ function uniformsOf(material: HatchingMaterial): Record<string, IUniform> {
 export function engravedLookOf(material: HatchingMaterial, hasForm: boolean): EngravedLook {
   const { lineSpacing, finestSpacing, crossFrom } = uniformsOf(material);
   const isAway = runsAway(material);
-  const { crossAngle, handmade, sizedOnScreen, shadowStrokes, shadowSpacing, toneModel } = material;
+  const { medium, strokeLength, crossAngle, handmade, sizedOnScreen, shadowStrokes, shadowSpacing, toneModel } =
+    material;
   // Lines that run away from the light cut the ground and nothing else, whatever those of the body do.
   const lineField = isAway ? 'light' : material.lineField;
   const followsForm = lineField === 'auto' || lineField === 'form' || lineField === 'acrossForm';
   // As the material draws them until a geometry has its form.
   const withForm = lineField === 'acrossForm' ? lineField : 'form';
   return {
-    lineField: !followsForm ? lineField : hasForm ? withForm : 'light',
+    lineField: !followsForm ? lineField : hasForm ? withForm : (withoutForm(material) as CutField),
+    medium: medium === 'pen' || medium === 'woodcut' ? medium : 'ink',
+    strokeLength,
     spacing: {
       lineSpacing: lineSpacing.value * (toneModel === 'shadow' ? shadowSpacing : 1),
       finestSpacing: finestSpacing.value,
@@ -48,8 +56,18 @@ export function engravedLookOf(material: HatchingMaterial, hasForm: boolean): En
   };
 }
 
-/** How a material shows the light of a scene. fit: of the exposure to the scene. */
-export function surfaceLookOf(material: HatchingMaterial, receivesShadows: boolean, fit: ToneFit): SurfaceLook {
+/**
+ * How a material shows the light of a scene.
+ *
+ * @param fit of the exposure to the scene
+ * @param emphasis of the object
+ */
+export function surfaceLookOf(
+  material: HatchingMaterial,
+  receivesShadows: boolean,
+  fit: ToneFit,
+  emphasis: Emphasis | null,
+): SurfaceLook {
   const uniforms = uniformsOf(material);
   const { color, emissive, emissiveIntensity, localTone, toneModel, toneCurve } = material;
   const { shininess, reflectedLight, occlusion, hollowTone, toneSteps, exposureCompensation } = material;
@@ -67,7 +85,7 @@ export function surfaceLookOf(material: HatchingMaterial, receivesShadows: boole
     hollowTone,
     ground: toneModel === 'shadow' ? groundOf(material) : null,
     darkness: localTone > 0 ? localDarkness(luminanceOf(color), emitted, localTone, isFit ? 1 / fit.white : 1) : 0,
-    ...{ shininess, reflectedLight, emitted, receivesShadows },
+    ...{ shininess, reflectedLight, emitted, receivesShadows, emphasis },
   };
 }
 

@@ -1,22 +1,33 @@
 import { type Camera, DataUtils, Matrix3, Matrix4, type Mesh, Vector3 } from 'three';
 import { POINT_BITS, POINT_MASK, POINT_WORDS, PRIMITIVE_WORDS } from '../bake/outlineLayout.js';
 import { unpackPoints } from '../bake/unpackPoints.js';
-import { BORDER, CONTRARY, CREASE, MATERIAL_BORDER } from '../features/edgeFlags.js';
+import type { Emphasis } from '../engraving/emphasis.js';
+import { BORDER, CONTRARY, CORNER_AT_END, CORNER_AT_START, CREASE, MATERIAL_BORDER } from '../features/edgeFlags.js';
 import type { OutlineData } from '../geometry/OutlineData.js';
 import type { HatchingOutlineMaterial } from '../outlines/HatchingOutlineMaterial.js';
 import type { FeatureEdge, OutlineLook, OutlineMesh } from '../vector/OutlineMesh.js';
 import { placesOf } from './placesOf.js';
 import { rowsOf } from './readSurface.js';
 
-/** How outlines look. hasMaterials: whether the mesh has several, whose borders are drawn. */
-export function outlineLookOf(material: HatchingOutlineMaterial, hasMaterials: boolean): OutlineLook {
-  const { outlineWidth, contours, innerContours, borders, creases, materialBorders, taper, lostEdges, wobble, hidden } =
-    material;
+/**
+ * How outlines look.
+ *
+ * @param hasMaterials whether the mesh has several, whose borders are drawn
+ * @param emphasis of the mesh
+ */
+export function outlineLookOf(
+  material: HatchingOutlineMaterial,
+  hasMaterials: boolean,
+  emphasis: Emphasis | null,
+): OutlineLook {
+  const { outlineWidth, contours, innerContours, borders, creases, materialBorders, suggestiveContours } = material;
+  const { taper, lostEdges, accents, overshoot, wobble, hidden } = material;
   return {
     width: outlineWidth,
     materialBorders: hasMaterials ? materialBorders : 0,
     shadeWeights: material.shadeWeights.toArray() as [number, number],
-    ...{ contours, innerContours, borders, creases, taper, lostEdges, wobble, hidden },
+    ...{ contours, innerContours, borders, creases, suggestiveContours, taper, lostEdges },
+    ...{ accents, overshoot, wobble, emphasis, hidden },
   };
 }
 
@@ -72,6 +83,8 @@ function edgeAt(words: Uint32Array, o: number): FeatureEdge {
     isCrease: (flags & CREASE) !== 0,
     isMaterialBorder: (flags & MATERIAL_BORDER) !== 0,
     isContrary: (flags & CONTRARY) !== 0,
+    isCornerAtStart: (flags & CORNER_AT_START) !== 0,
+    isCornerAtEnd: (flags & CORNER_AT_END) !== 0,
   };
 }
 

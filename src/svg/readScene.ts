@@ -18,12 +18,16 @@ import type { HatchingOutlineMaterial } from '../outlines/HatchingOutlineMateria
 import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
 import { asPhase } from '../slices/asPhase.js';
 import { CASTS_BACK, CASTS_FRONT, SEEN_BACK, SEEN_FRONT } from '../vector/Bvh.js';
-import type { DrawnScene, EngravedSurface, OutlinedMesh } from '../vector/DrawnScene.js';
+
+import type { DrawnScene, EngravedSurface, OutlinedMesh, StippledSurface } from '../vector/DrawnScene.js';
 import { GrowingArray } from '../vector/GrowingArray.js';
-import { drawnWithout, faultOf, type LeftOut, sentence, whyNoLines, whyNothing } from './leftOut.js';
+import { drawnWithout, faultOf, isStippled, type LeftOut, sentence, whyNoLines, whyNothing } from './leftOut.js';
+import { readEmphasis, readOutlineEmphasis } from './readEmphasis.js';
+
 import { readLights, type SceneLights } from './readLights.js';
 import { engravedLookOf, surfaceLookOf } from './readLook.js';
 import { outlineLookOf, readOutlines } from './readOutlines.js';
+import { readStippled } from './readStippled.js';
 import { fieldOf, readSurface, surfaceFrame } from './readSurface.js';
 
 /** How far rays of shadows begin above what they are cast on, as a share of the size of the largest mesh that casts them. */
@@ -65,6 +69,7 @@ class SceneReader {
   private readonly corners = new GrowingArray(new Float64Array(0));
   private readonly sides = new GrowingArray(new Uint8Array(0));
   private readonly surfaces: EngravedSurface[] = [];
+  private readonly stippled: StippledSurface[] = [];
   private readonly outlines: OutlinedMesh[] = [];
   /** The first triangle of each mesh that is drawn. */
   private readonly firstTriangles = new Map<Object3D, number>();
@@ -81,7 +86,7 @@ class SceneReader {
   }
 
   drawn(): DrawnScene {
-    const { corners, sides, surfaces, outlines, camera, lights, casterSize } = this;
+    const { corners, sides, surfaces, stippled, outlines, camera, lights, casterSize } = this;
     const { lamps, shadows, around } = lights;
     return {
       camera: {
@@ -92,7 +97,7 @@ class SceneReader {
       },
       corners: corners.taken(),
       sides: sides.taken(),
-      ...{ surfaces, outlines },
+      ...{ surfaces, stippled, outlines },
       illumination: { lamps, shadows, isSoft: this.hasSoftShadows, around, bias: SHADOW_BIAS * casterSize },
     };
   }
@@ -173,15 +178,22 @@ class SceneReader {
     firstTriangle: number,
   ): Generator<number, void, void> {
     const { camera, lights, fit } = this;
-    for (const what of drawnWithout(mesh, material)) this.note(mesh, what);
+    for (const what of drawnWithout(material)) this.note(mesh, what);
+    const look = surfaceLookOf(material, mesh.receiveShadow, fit, readEmphasis(mesh, material, camera));
+    const range = { corners, firstTriangle };
+    if (isStippled(material)) {
+      const reading = readStippled(mesh, material, range, camera.matrixWorldInverse, sidesOf(material));
+      this.stippled.push({ ...(yield* reading), look, ink: colorOf(material) });
+      return;
+    }
     const frame = surfaceFrame(mesh, material, camera.matrixWorldInverse);
     const engraved = engravedLookOf(material, isFormed(mesh.geometry));
-    const surface = yield* readSurface(mesh.geometry, { corners, firstTriangle }, frame, sidesOf(material));
+    const surface = yield* readSurface(mesh.geometry, range, frame, sidesOf(material));
     this.surfaces.push({
       surface,
       engraved,
       field: fieldOf(engraved, material, lights.lamps, { frame, surface }),
-      look: surfaceLookOf(material, mesh.receiveShadow, fit),
+      look,
       hides: material.depthWrite,
       ink: colorOf(material),
     });
@@ -197,12 +209,10 @@ class SceneReader {
       this.note(mesh, 'has no outlines: its geometry was prepared without them');
       return;
     }
-    if (material.suggestiveContours > 0) this.note(mesh, 'is drawn without suggestive contours');
     if (material.tooth > 0) this.note(mesh, 'has outlines of ink: the tooth of the paper cannot leave as lines');
-    if (material.overshoot > 0) this.note(mesh, 'has outlines that do not overshoot');
     this.outlines.push({
       mesh: yield* readOutlines(mesh, data, this.camera, firstTriangle),
-      look: outlineLookOf(material, Array.isArray(mesh.material)),
+      look: outlineLookOf(material, Array.isArray(mesh.material), readOutlineEmphasis(mesh, this.camera)),
       ink: colorOf(material),
     });
   }

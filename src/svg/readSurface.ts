@@ -53,6 +53,18 @@ export function surfaceFrame(mesh: Mesh, { tilesPerUnit }: HatchingMaterial, wor
   };
 }
 
+/** The same where the space is that of the object, as of dots. */
+export function objectFrame(mesh: Mesh, worldToView: Matrix4): SurfaceFrame {
+  return {
+    toWorld: mesh.matrixWorld,
+    toView: new Matrix4().multiplyMatrices(worldToView, mesh.matrixWorld),
+    normalToWorld: new Matrix3().getNormalMatrix(mesh.matrixWorld),
+    fieldOrigin: new Vector3(),
+    toField: new Matrix3(),
+    normalToField: new Matrix3(),
+  };
+}
+
 /** The field of the first family of lines on a mesh; null for those that follow the form. */
 export function fieldOf(
   { lineField }: EngravedLook,

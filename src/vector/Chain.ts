@@ -13,13 +13,28 @@ export interface Chain {
   margins: Float64Array;
   /** The triangle of the scene that the piece after each point lies on; −1 for edges. */
   triangles: Int32Array;
+  /** How far the middle of the line lies beside each point, pixels of the picture: two numbers per point; null where it lies there. */
+  shifts: Float64Array | null;
   isClosed: boolean;
   /** Field space: three numbers per point of a line on a surface; null for others. */
   field: Float64Array | null;
   /** A number in [0, 1) that belongs to the line. */
   lot: number;
-  /** Of outlines: what is known of the piece at each point, and half the width before a surface in place of the paper. */
-  outline: { pieces: readonly LiftedPiece[]; innerHalves: Float64Array; radius: number } | null;
+  /** Of outlines. */
+  outline: ChainOutline | null;
+}
+
+/** What is known of an outline at each of its points. */
+export interface ChainOutline {
+  pieces: readonly LiftedPiece[];
+  /** Half the width before a surface in place of the paper, pixels. */
+  innerHalves: Float64Array;
+  /** The share of a contour or a border times how much heavier an accent makes it. */
+  accents: Float64Array;
+  /** Of a line of weight 1, pixels. */
+  width: number;
+  /** Of the bounding sphere, world units. */
+  radius: number;
 }
 
 /** Collects the points of a chain. */
@@ -30,6 +45,7 @@ export class ChainBuilder {
   private readonly margins: number[] = [];
   private readonly triangles: number[] = [];
   private readonly field: number[] = [];
+  private readonly shifts: number[] = [];
 
   get count(): number {
     return this.halves.length;
@@ -39,6 +55,7 @@ export class ChainBuilder {
     return this.margins.some((margin) => margin > 0);
   }
 
+  /** @param field of a line on a surface. @param shift of all points, or of none */
   push(
     screen: readonly number[],
     world: readonly number[],
@@ -46,7 +63,9 @@ export class ChainBuilder {
     margin: number,
     triangle: number,
     field: readonly number[] = [],
+    shift?: readonly [number, number],
   ): void {
+    if (shift) this.shifts.push(...shift);
     this.screen.push(screen[0], screen[1]);
     this.world.push(world[0], world[1], world[2]);
     this.halves.push(half);
@@ -72,6 +91,7 @@ export class ChainBuilder {
       halves: Float64Array.from(this.halves),
       margins: Float64Array.from(this.margins),
       triangles: Int32Array.from(this.triangles),
+      shifts: this.shifts.length > 0 ? Float64Array.from(this.shifts) : null,
       isClosed,
       field: this.field.length > 0 ? Float64Array.from(this.field) : null,
       lot,

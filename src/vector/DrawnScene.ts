@@ -1,4 +1,6 @@
 import type { Field } from '../engraving/fieldAxis.js';
+import type { DotSize } from '../engraving/stipple.js';
+import type { DotSet } from './dots/placeDots.js';
 import type { EngravedLook } from './Engraver.js';
 import type { LineSurface } from './LineSurface.js';
 import type { OutlineLook, OutlineMesh } from './OutlineMesh.js';
@@ -18,6 +20,15 @@ export interface EngravedSurface {
   ink: string;
 }
 
+/** A surface whose dots are drawn. The field space of its places is that of the object. */
+export interface StippledSurface {
+  surface: LineSurface;
+  size: DotSize;
+  set: DotSet;
+  look: SurfaceLook;
+  ink: string;
+}
+
 export interface OutlinedMesh {
   mesh: OutlineMesh;
   look: OutlineLook;
@@ -31,6 +42,7 @@ export interface DrawnScene {
   corners: Float64Array;
   sides: Uint8Array;
   surfaces: readonly EngravedSurface[];
+  stippled: readonly StippledSurface[];
   outlines: readonly OutlinedMesh[];
   illumination: Illumination;
 }

@@ -1,8 +1,9 @@
-import { leftOf, sharedByTwo, takenOf } from '../engraving/crossedTones.js';
+import { rowOctaves } from '../engraving/carving.js';
+import { KEPT_BY_PEN, leftOf, sharedByTwo, THIRD_FROM, takenOf } from '../engraving/crossedTones.js';
 import type { CutField, Field } from '../engraving/fieldAxis.js';
-import { lineLeft, meanLineLeft } from '../engraving/groundShadow.js';
-import { handTone, handWidth } from '../engraving/hand.js';
-import { penMargin } from '../engraving/penLines.js';
+
+import { handTone } from '../engraving/hand.js';
+
 import {
   type CutFamilies,
   cutFamilies,
@@ -12,16 +13,30 @@ import {
   readCut,
 } from '../engraving/readCut.js';
 import { COARSEST_OCTAVES, readForm } from '../engraving/readForm.js';
-import { type LineSpacing, octaveOf, riseOf, roomOf } from '../engraving/ruledLines.js';
-import { changePerPixel, type Mat3, type SeenPlace, screenMap } from '../engraving/screenGradient.js';
-import { combined, lengthOf, smoothstep, type Vec3 } from '../engraving/vectors.js';
+
+import { type LineSpacing, octaveOf, powerOf2, riseOf } from '../engraving/ruledLines.js';
+import {
+  changePerPixel,
+  type Mat3,
+  type ScreenMap,
+  type SeenPlace,
+  screenMap,
+  uphillOnPicture,
+} from '../engraving/screenGradient.js';
+import { alongLines } from '../engraving/strokeLengths.js';
+import { combined, lengthOf, type Vec3 } from '../engraving/vectors.js';
+
 import type { SurfacePlace } from './LineSurface.js';
+import type { FamilyMeasure, LineMedium, StrokePlace } from './marks/lineMarks.js';
 import type { Projection } from './Projection.js';
 import type { Tones } from './Toner.js';
 
 /** How the lines of a surface are laid. */
 export interface EngravedLook {
   lineField: CutField | 'form' | 'acrossForm';
+  medium: LineMedium;
+  /** Of media that draw in strokes: pixels, or 256ths of a tile. */
+  strokeLength: number;
   spacing: LineSpacing;
   /** Tone above which lines cross, and the angle at which, radians. */
   crossFrom: number;
@@ -32,33 +47,15 @@ export interface EngravedLook {
   crossesInShadows: boolean;
 }
 
-/** The families: the first, two that cross it in the darks, and two that cross in shadows and lean the other way. */
-export const FAMILIES = ['first', 'crossB', 'crossC', 'shadowB', 'shadowC'] as const;
+/**
+ * The families: the first, two that cross it in the darks, two that cross a pen's in the deepest and lean the other way, and two that do so in
+ * shadows.
+ */
+const FAMILIES = ['first', 'crossB', 'crossC', 'thirdB', 'thirdC', 'shadowB', 'shadowC'] as const;
 export type FamilyName = (typeof FAMILIES)[number];
 
 /** Lines may lie as far apart as they like. */
 const ANY_OCTAVE = 100;
-
-/**
- * Lines of a print grow together from the first tone on, and over one another: by so many pixels, and by a share of their room as far as a
- * hand lays them unevenly.
- */
-const SOLID_FROM = 0.96;
-const OVERLAP = 0.15;
-const UNEVEN = 0.15;
-
-/** A family at a place. */
-export interface FamilyMeasure {
-  /** What the family prints. */
-  tone: number;
-  /** Of the distance between lines. */
-  octave: number;
-  coarsest: number;
-  /** Units of the function per pixel on the flat triangle, where the lines lie as they lie. */
-  perPixel: number;
-  /** The share of the shadow on a ground that has not dissolved. */
-  left: number;
-}
 
 /** One way in which the families of a surface are read. */
 interface Reading {
@@ -90,6 +87,8 @@ export class Engraver {
       first: { cosine: 1, sine: 0, side: null },
       crossB: { cosine, sine, side: 'B' },
       crossC: { cosine, sine, side: 'C' },
+      thirdB: { cosine, sine: -sine, side: 'B' },
+      thirdC: { cosine, sine: -sine, side: 'C' },
       shadowB: { cosine, sine: -sine, side: 'B' },
       shadowC: { cosine, sine: -sine, side: 'C' },
     };
@@ -100,14 +99,21 @@ export class Engraver {
     return this.cut === null;
   }
 
+  get medium(): LineMedium {
+    return this.look.medium;
+  }
+
   /** The families that the surface may have. */
   get families(): readonly FamilyName[] {
-    const { crossFrom, crossesInShadows } = this.look;
+    const { crossFrom, crossesInShadows, medium } = this.look;
     return FAMILIES.filter((name) => {
       if (name === 'first') return true;
       // One family alone crosses those that follow the form.
       if (this.cut === null && name.endsWith('C')) return false;
-      return name.startsWith('shadow') ? crossesInShadows : crossFrom < 1;
+      if (name.startsWith('shadow')) return crossesInShadows;
+      if (name.startsWith('third') && medium !== 'pen') return false;
+      // Where the first has no lines, others take its tone.
+      return crossFrom < 1 || this.cut !== null;
     });
   }
 
@@ -117,66 +123,65 @@ export class Engraver {
 
   measure(family: FamilyName, place: SurfacePlace, tones: Tones): FamilyMeasure {
     const reading = this.read(family, place);
-    const { crossFrom, crossesInShadows, spacing } = this.look;
-    const own = crossesInShadows ? tones.unshadowed : tones.tone;
-    const first = reading.has * takenOf(own, crossFrom);
-    let tone = first;
-    if (family !== 'first') {
-      const left = family.startsWith('shadow') ? leftOf(tones.tone, tones.unshadowed) : leftOf(own, first);
-      tone = sharedByTwo(left, reading.shareB)[family.endsWith('B') ? 0 : 1];
-      // What is as good as nothing has no lines.
-      if (tone <= 1e-4) tone = 0;
-    }
+    const { spacing, medium, handmade } = this.look;
     const { projection, viewToField } = this;
     const { isOrthographic } = projection;
     const unitsPerPixel = projection.unitsPerPixel(-place.view[2]);
     const seen: SeenPlace = { view: place.view, isOrthographic, unitsPerPixel };
-    const smooth = changePerPixel(reading.gradient, screenMap(place.fieldNormal, viewToField, seen));
-    const flat = changePerPixel(reading.gradient, screenMap(place.flatNormal, viewToField, seen, true));
-    const { rise, coarsest, pressure } = reading;
+    const smooth = screenMap(place.fieldNormal, viewToField, seen);
+    const flat = screenMap(place.flatNormal, viewToField, seen, true);
+    const { gradient, rise, coarsest, pressure } = reading;
+    const tone = handTone(pressure, this.toneOf(family, reading, tones));
+    const octave = octaveOf(spacing, rise, changePerPixel(gradient, smooth), coarsest);
     return {
-      tone: handTone(pressure, tone),
-      octave: octaveOf(spacing, rise, smooth, coarsest),
+      ...{ tone, octave },
       coarsest,
-      perPixel: flat,
-      left: tones.left,
+      perPixel: changePerPixel(gradient, flat),
+      widths: this.cut === null ? 0 : handmade,
+      // Those that follow the form have other numbers on the other side of a seam.
+      left: this.cut === null ? 1 : tones.left,
+      isEven: this.cut !== null && medium === 'ink',
+      strokes:
+        medium === 'ink'
+          ? null
+          : this.strokesAt(medium, place, reading, { smooth, flat }, Math.min(octave + rowOctaves(tone), coarsest)),
     };
   }
 
-  /** Half the width that a line has at a place, in pixels. rank: the power of two in its value. */
-  halfWidth({ tone, octave, perPixel, left }: FamilyMeasure, line: number, rank: number): number {
-    const hand = this.cut === null ? 1 : handWidth(line, this.look.handmade) * lineLeft(line, left);
-    const room = roomOf(rank, octave) / perPixel;
-    // Wider than all its room it would cover nothing more.
-    const half = 0.5 * room * Math.min(tone * hand, 1);
-    // Lines that differ in width would leave slits where all is covered.
-    const solid = tone > SOLID_FROM && room > 0 ? smoothstep(SOLID_FROM, 1, tone) : 0;
-    return half + solid * (0.5 * room * (1 + UNEVEN * this.look.handmade) + OVERLAP - half);
+  /** What a family prints, before the hand presses. */
+  private toneOf(family: FamilyName, { has, shareB }: Reading, tones: Tones): number {
+    const { crossFrom, crossesInShadows, medium } = this.look;
+    const isPen = medium === 'pen';
+    const taken = (tone: number, from: number) => (isPen ? takenOf(tone, from, KEPT_BY_PEN) : takenOf(tone, from));
+    const own = crossesInShadows ? tones.unshadowed : tones.tone;
+    const first = has * taken(own, crossFrom);
+    if (family === 'first') return first;
+    const others = leftOf(own, first);
+    const second = isPen ? taken(others, THIRD_FROM) : others;
+    let left = second;
+    if (family.startsWith('shadow')) left = leftOf(tones.tone, tones.unshadowed);
+    // Strokes cross at a slant, which alone would leave rows of rhombs open in the darks: others lean the other way there.
+    else if (family.startsWith('third')) left = leftOf(others, second);
+    const tone = sharedByTwo(left, shareB)[family.endsWith('B') ? 0 : 1];
+    // What is as good as nothing has no lines.
+    return tone <= 1e-4 ? 0 : tone;
   }
 
-  /** How far apart a pen draws lines, in units of the function. pen: its width, pixels. */
-  penSpacing(measure: FamilyMeasure, pen: number): number {
-    const asked = Math.min(Math.max(this.penTone(measure), LEAST_PEN_TONE), MOST_PEN_TONE);
-    return (pen / asked) * measure.perPixel;
-  }
-
-  /** Where this is above 0, a pen of one width draws a line. */
-  penMargin(measure: FamilyMeasure, { value, rank }: { value: number; rank: number }, pen: number): number {
-    const tone = this.penTone(measure);
-    if (tone <= LEAST_PEN_TONE) return tone - LEAST_PEN_TONE;
-    // Where numbers change across seams, lines that moved aside by them would break.
-    return penMargin(value, rank, this.penSpacing(measure, pen), !this.hasSeams);
-  }
-
-  /** The octave of the finest lines that a pen may need at a place. */
-  penOctave(measure: FamilyMeasure, pen: number): number {
-    // Half an octave to spare, for tones between the corners of a triangle.
-    return Math.log2(this.penSpacing(measure, pen)) - 0.5;
-  }
-
-  /** Where a shadow dissolves a pen draws fewer lines, in the place of some that are thinner. */
-  private penTone({ tone, left }: FamilyMeasure): number {
-    return tone * (this.cut === null ? 1 : meanLineLeft(left));
+  private strokesAt(
+    medium: StrokePlace['medium'],
+    { field, fieldNormal }: SurfacePlace,
+    { gradient, value, coarsest }: Reading,
+    { smooth, flat }: { smooth: ScreenMap; flat: ScreenMap },
+    cutOctave: number,
+  ): StrokePlace {
+    const { strokeLength, spacing, handmade } = this.look;
+    const { sizedOnScreen } = spacing;
+    return {
+      along: alongLines(field, fieldNormal, gradient, smooth, { strokeLength, sizedOnScreen }),
+      uphill: uphillOnPicture(gradient, flat),
+      repeat: this.cut === null ? powerOf2(coarsest) : Infinity,
+      ...{ medium, handmade, value, cutOctave },
+    };
   }
 
   private read(family: FamilyName, { field, fieldNormal, form, formCrossing }: SurfacePlace): Reading {
@@ -214,7 +219,3 @@ export class Engraver {
     return { value: a.value - b.value, gradient, rise, coarsest: Math.min(...coarsest), ...rest };
   }
 }
-
-/** A pen of one width draws no line below the first tone, which would stand alone, and lays them no closer than for the second. */
-export const LEAST_PEN_TONE = 0.07;
-const MOST_PEN_TONE = 0.95;

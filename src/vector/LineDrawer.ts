@@ -14,12 +14,15 @@ import type { LinePath } from './LinePath.js';
 import { outlineChains } from './outlineChains.js';
 import { outlinePieces } from './outlinePieces.js';
 import type { Projection } from './Projection.js';
+
 import { refineEnds } from './refineEnds.js';
-import { outlineTest, weighByStanding } from './seenOutlines.js';
+import { outlineTest } from './seenOutlines.js';
+
 import { subdivide } from './subdivide.js';
 import { Toner } from './Toner.js';
 import { seenSides, traceFamily } from './traceFamily.js';
 import { type SeenTest, visibleRuns } from './visibleRuns.js';
+import { weighByStanding } from './weighByStanding.js';
 
 /** The names of the layers, in their order. */
 export const LAYERS = ['outlines', 'engraved', 'crossing', 'shadows', 'hidden'] as const;
@@ -29,6 +32,8 @@ const LAYER_OF: Readonly<Record<FamilyName, LayerName>> = {
   first: 'engraved',
   crossB: 'crossing',
   crossC: 'crossing',
+  thirdB: 'crossing',
+  thirdC: 'crossing',
   shadowB: 'shadows',
   shadowC: 'shadows',
 };
@@ -49,7 +54,8 @@ export interface PathLayer {
 export class LineDrawer {
   readonly layers: PathLayer[] = [];
   segments = 0;
-  private readonly above: number;
+  /** Rays that leave a surface begin so far above it, world units. */
+  readonly above: number;
   private readonly casters: Casters | null;
 
   /**
@@ -184,7 +190,7 @@ export class LineDrawer {
   private seenParts(chain: Chain, isSeen: SeenTest): CutRun[] {
     const { projection } = this;
     return visibleRuns(chain, projection, isSeen)
-      .map((run) => cutRun(chain, run, projection))
+      .map((run) => cutRun(chain, run, projection, this.pen !== null))
       .filter(({ depths }) => depths.length >= 2);
   }
 }

@@ -1,4 +1,6 @@
+import type { Emphasis } from '../engraving/emphasis.js';
 import type { HiddenOutlines } from '../engraving/hiddenOutlines.js';
+
 import type { Vec3 } from '../engraving/vectors.js';
 import type { Matrix } from './Projection.js';
 
@@ -37,6 +39,9 @@ export interface FeatureEdge {
   isMaterialBorder: boolean;
   /** The windings of the two sides contradict each other. */
   isContrary: boolean;
+  /** A straight line of edges ends, branches or turns there. */
+  isCornerAtStart: boolean;
+  isCornerAtEnd: boolean;
 }
 
 /** How outlines look. */
@@ -48,13 +53,20 @@ export interface OutlineLook {
   borders: number;
   creases: number;
   materialBorders: number;
+  suggestiveContours: number;
   taper: number;
   shadeWeights: readonly [number, number];
   lostEdges: number;
+  /** How much heavier a contour becomes where another one ends behind it. */
+  accents: number;
+  /** How far lines run on beyond corners, pixels. */
+  overshoot: number;
   /** Pixels. */
   wobble: number;
   /** What is drawn of outlines behind a surface. */
   hidden: HiddenOutlines;
+  /** What takes weight away; null where all has its full weight. */
+  emphasis: Emphasis | null;
 }
 
 /** An end of a piece of outline. */
@@ -66,6 +78,8 @@ export interface PieceEnd {
   /** Weights before the paper, and before a surface. */
   weight: number;
   innerWeight: number;
+  /** How far the outline runs on beyond it, pixels. */
+  overshoot: number;
   /** Names the place: two ends that have it in common lie there. */
   key: string;
 }

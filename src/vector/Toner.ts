@@ -1,10 +1,13 @@
+import { type Emphasis, emphasisAt } from '../engraving/emphasis.js';
 import { type GroundLook, groundTone } from '../engraving/groundShadow.js';
+
 import { arriving, type Lamp, responseTo, seenBehind, type ToneModel } from '../engraving/radiance.js';
 import { radianceAround, type Surroundings } from '../engraving/surroundings.js';
 import { openToLights, openToSky, shadedTone, type ToneLook } from '../engraving/tone.js';
 import { combined, dot, normalize, type Vec3 } from '../engraving/vectors.js';
 import type { Bvh } from './Bvh.js';
 import type { SurfacePlace } from './LineSurface.js';
+import { emphasisedPlace } from './marks/emphasisedPlace.js';
 import type { Projection } from './Projection.js';
 import { type LampShadow, ShadowRays, type ToldShadow } from './ShadowRays.js';
 
@@ -19,6 +22,8 @@ export interface SurfaceLook extends ToneLook {
   receivesShadows: boolean;
   /** How a ground shows shadows alone; null for bodies. */
   ground: GroundLook | null;
+  /** What takes weight away; null where all has its full weight. */
+  emphasis: Emphasis | null;
 }
 
 /** The lights of a scene. */
@@ -112,13 +117,15 @@ export class Toner {
     const rest =
       sky * (radianceAround(this.light.around, ...toneNormal) + (look.reflectedLight * reflected) / Math.PI) +
       look.emitted;
+    const weight = look.emphasis === null ? 1 : emphasisAt(look.emphasis, emphasisedPlace(world, projection));
     const left = taken > 0 ? 1 - lost / taken : 1;
     if (look.ground) {
-      const tone = groundTone(open * direct + rest, open * shadowed, left, look, look.ground);
+      const tone = weight * groundTone(open * direct + rest, open * shadowed, left, look, look.ground);
       return { tone, unshadowed: 0, shadows, left };
     }
-    const tone = shadedTone(open * direct + rest, occluded, look);
-    const unshadowed = shadowed > 0 ? shadedTone(open * (direct + shadowed) + rest, occluded, look) : tone;
+    const toneOf = (radiance: number): number => weight * shadedTone(radiance, occluded, look);
+    const tone = toneOf(open * direct + rest);
+    const unshadowed = shadowed > 0 ? toneOf(open * (direct + shadowed) + rest) : tone;
     return { tone, unshadowed, shadows, left: 1 };
   }
 

@@ -1,5 +1,7 @@
+import { mix } from '../engraving/vectors.js';
 import type { Chain } from './Chain.js';
 import { type LinePath, PATH_STRIDE } from './LinePath.js';
+import { shiftPath } from './marks/shiftPath.js';
 import type { Projection } from './Projection.js';
 import { placeOn, type Run } from './visibleRuns.js';
 
@@ -12,10 +14,15 @@ export interface CutRun {
   depths: number[];
 }
 
-/** Cuts a run out of a chain. A run of a closed chain may go on beyond its last point. */
-export function cutRun(chain: Chain, [from, to]: Run, projection: Projection): CutRun {
-  const { halves, count, isClosed } = chain;
+/**
+ * Cuts a run out of a chain. A run of a closed chain may go on beyond its last point.
+ *
+ * @param isMoved whether a line that lies beside its chain becomes a path there; otherwise the path stays, and one of its sides is wider
+ */
+export function cutRun(chain: Chain, [from, to]: Run, projection: Projection, isMoved: boolean): CutRun {
+  const { halves, count, isClosed, shifts } = chain;
   const points: number[] = [];
+  const beside: number[] = [];
   const depths: number[] = [];
   const add = (place: number) => {
     // The last point of a closed chain is its first.
@@ -31,6 +38,7 @@ export function cutRun(chain: Chain, [from, to]: Run, projection: Projection): C
       return;
     }
     points.push(at.x, at.y, half, half);
+    if (shifts) beside.push(...[0, 1].map((k) => mix(shifts[2 * piece + k], shifts[2 * piece + 2 + k], share)));
     depths.push(projection.depthOf(...at.world));
   };
   add(from);
@@ -41,5 +49,6 @@ export function cutRun(chain: Chain, [from, to]: Run, projection: Projection): C
     points.length -= PATH_STRIDE;
     depths.length--;
   }
+  if (shifts) shiftPath({ points, isClosed: isWhole }, beside, isMoved);
   return { path: { points, isClosed: isWhole }, depths };
 }

@@ -1,6 +1,8 @@
 import { asPhase } from '../slices/asPhase.js';
 import { Bvh } from './Bvh.js';
 import type { DrawingPlan, DrawnScene } from './DrawnScene.js';
+import { drawDots } from './dots/drawDots.js';
+import { finishDots } from './dots/finishDots.js';
 import { finishPaths, type PathCounts } from './finishPaths.js';
 import { LAYERS, LineDrawer } from './LineDrawer.js';
 import { Projection } from './Projection.js';
@@ -23,13 +25,24 @@ export function* drawLines(scene: DrawnScene, plan: DrawingPlan): Generator<numb
   const pen = plan.pen === null ? null : plan.pen / placement.scale;
   const drawer = new LineDrawer(scene, pen, projection, bvh, pen === null ? plan.leastWidth / placement.scale : 0);
   yield* asPhase(drawer.drawOutlines(), 0.08, 0.2);
-  yield* asPhase(drawer.drawSurfaces(), 0.2, 0.9);
+  yield* asPhase(drawer.drawSurfaces(), 0.2, 0.8);
+  const stippled = yield* asPhase(drawDots(scene, projection, bvh, drawer.above), 0.8, 0.9);
   const layers = LAYERS.flatMap((name) => drawer.layers.filter((layer) => layer.name === name));
-  const { written, counts } = yield* asPhase(finishPaths(layers, plan, projection, placement), 0.9, 1);
+  const { written, counts } = yield* asPhase(finishPaths(layers, plan, projection, placement), 0.9, 0.97);
   const named = layers.map(({ name, ink, opacity }, i): SVGLayer => {
     const isAlone = layers.filter((layer) => layer.name === name).length === 1;
     return { name: isAlone ? name : `${name} ${ink}`, ink, opacity, paths: written[i] };
   });
+  for (const { ink, dots } of stippled) {
+    const finished = yield* asPhase(finishDots(dots, plan, placement), 0.97, 1);
+    named.push({
+      name: stippled.length === 1 ? 'stipple' : `stipple ${ink}`,
+      ink,
+      opacity: 1,
+      paths: finished.written,
+    });
+    for (const name of Object.keys(counts) as (keyof PathCounts)[]) counts[name] += finished.counts[name];
+  }
   return { svg: writeSVG(plan, named), segments: drawer.segments, ...counts };
 }
 

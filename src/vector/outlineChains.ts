@@ -1,7 +1,10 @@
+import { outlineEmphasisAt } from '../engraving/emphasis.js';
 import { meanLightAt } from '../engraving/meanLight.js';
+
 import { type LiftedPiece, shadeWeight, wobbleAt } from '../engraving/outlines.js';
 import { combined, dot, normalize, type Vec3 } from '../engraving/vectors.js';
 import { type Chain, ChainBuilder } from './Chain.js';
+import { emphasisedPlace } from './marks/emphasisedPlace.js';
 import type { OutlineLook, OutlineMesh, OutlinePiece, PieceEnd } from './OutlineMesh.js';
 import { type Projection, transformed } from './Projection.js';
 import type { Illumination } from './Toner.js';
@@ -110,6 +113,8 @@ class Joints {
     const list = this.ends.get(this.endOf(code).key)!;
     if (list.length !== 2 || list[0] >> 1 === list[1] >> 1) return -1;
     const other = list[0] === code ? list[1] : list[0];
+    // A line that runs on beyond a corner ends there.
+    if (this.endOf(code).overshoot > 0 || this.endOf(other).overshoot > 0) return -1;
     const [a, b] = [this.pieces[code >> 1], this.pieces[other >> 1]];
     if (isCrease(a) !== isCrease(b)) return -1;
     if (a.isSmooth || b.isSmooth) return other;
@@ -130,6 +135,8 @@ class OutlineDrawing {
   private readonly builder = new ChainBuilder();
   private readonly pieces: LiftedPiece[] = [];
   private readonly innerHalves: number[] = [];
+  private readonly accents: number[] = [];
+  private last: { piece: OutlinePiece; from: PieceEnd; to: PieceEnd } | undefined;
 
   constructor(
     private readonly mesh: OutlineMesh,
@@ -138,20 +145,29 @@ class OutlineDrawing {
   ) {}
 
   add(piece: OutlinePiece, from: PieceEnd, to: PieceEnd): void {
-    if (this.builder.count === 0) this.push(piece, from);
-    else this.join(piece, from);
+    if (this.builder.count > 0) this.join(piece, from);
+    else {
+      this.runOn(piece, from, to);
+      this.push(piece, from);
+    }
     const pixels = this.pixelsBetween(from, to);
     const parts = Math.min(Math.max(1, Math.ceil(pixels / LONGEST_PIECE)), 4096);
     for (let i = 1; i < parts; i++) this.push(piece, endAt(from, to, i / parts));
     this.push(piece, to);
+    this.last = { piece, from, to };
   }
 
   finish(isClosed: boolean): Chain {
-    const { pieces, innerHalves, mesh } = this;
+    const { pieces, innerHalves, accents, mesh, look, last } = this;
+    if (last) this.runOn(last.piece, last.to, last.from);
     const radius = mesh.radius * mesh.scale;
     return {
       ...this.builder.finish(isClosed),
-      outline: { pieces, innerHalves: Float64Array.from(innerHalves), radius },
+      outline: {
+        ...{ pieces, radius, width: look.width },
+        innerHalves: Float64Array.from(innerHalves),
+        accents: Float64Array.from(accents),
+      },
     };
   }
 
@@ -173,27 +189,46 @@ class OutlineDrawing {
     return Math.hypot(a[0] - b[0], a[1] - b[1]);
   }
 
-  private push({ isSmooth, extent }: OutlinePiece, end: PieceEnd): void {
+  /** Goes straight on beyond an end of a piece, as far as that asks for. */
+  private runOn(piece: OutlinePiece, end: PieceEnd, other: PieceEnd): void {
+    const pixels = this.pixelsBetween(end, other);
+    if (end.overshoot === 0 || pixels === 0) return;
+    const [near, far] = [end, other].map((one) => this.projection.depthOf(...this.worldOf(one)));
+    const share = -end.overshoot / pixels;
+    // So far beyond the end the line would come to lie behind the eye.
+    if (!this.projection.isOrthographic && far + share * (near - far) < 0.5 * far) return;
+    const place = endAt(end, other, this.projection.shareInSpace(share, near, far));
+    this.push(piece, { ...end, position: place.position });
+  }
+
+  /** Half the width before the paper, and before a surface. */
+  private halvesAt({ weight, innerWeight }: PieceEnd, world: Vec3): readonly [number, number] {
+    const { width, emphasis } = this.look;
+    const factor = emphasis === null ? 1 : outlineEmphasisAt(emphasis, emphasisedPlace(world, this.projection));
+    return [0.5 * width * factor * weight, 0.5 * width * factor * innerWeight];
+  }
+
+  private push({ isSmooth, extent, contour }: OutlinePiece, end: PieceEnd): void {
     const { near } = this.projection.camera;
     const world = this.worldOf(end);
-    const half = 0.5 * this.look.width * end.weight;
-    const inner = 0.5 * this.look.width * end.innerWeight;
+    const [half, inner] = this.halvesAt(end, world);
     // What lies before the near plane has no place on the picture.
     const isBehind = this.projection.depthOf(...world) >= near;
     const screen = isBehind ? this.pixelOf(end) : [0, 0];
     this.builder.push(screen, world, half, isBehind ? Math.max(half, inner) : -1, -1);
     this.innerHalves.push(inner);
+    this.accents.push(this.look.accents * contour);
     this.pieces.push({ isSmooth, bend: end.bend, extent: extent * this.mesh.scale });
   }
 
   /** Goes on over another piece from the last point: as wide as both in the mean, and lifted for both. */
-  private join({ isSmooth, extent }: OutlinePiece, end: PieceEnd): void {
-    const half = 0.5 * this.look.width * end.weight;
-    const inner = 0.5 * this.look.width * end.innerWeight;
+  private join({ isSmooth, extent, contour }: OutlinePiece, end: PieceEnd): void {
+    const [half, inner] = this.halvesAt(end, this.worldOf(end));
     this.builder.share(half, Math.max(half, inner), -1);
     const last = this.pieces.length - 1;
     const before = this.pieces[last];
     this.innerHalves[last] = 0.5 * (this.innerHalves[last] + inner);
+    this.accents[last] = 0.5 * (this.accents[last] + this.look.accents * contour);
     this.pieces[last] = {
       isSmooth: isSmooth || before.isSmooth,
       bend: Math.min(before.bend, end.bend),

@@ -1,4 +1,5 @@
 import { contourAlong, depthAcross, taperAt } from '../engraving/outlines.js';
+import { suggestiveShare } from '../engraving/suggestiveContour.js';
 import { combined, dot, mix, type Vec3 } from '../engraving/vectors.js';
 import { asPhase } from '../slices/asPhase.js';
 import type { FeatureEdge, OutlineLook, OutlineMesh, OutlinePiece, PieceEnd } from './OutlineMesh.js';
@@ -20,9 +21,9 @@ export function* outlinePieces(
     if (piece && Math.max(weightOf(piece.start), weightOf(piece.end)) > 0) pieces.push(piece);
   };
   const count = mesh.triangles.length / 3;
-  for (let t = 0; t < count && look.contours > 0; t++) {
+  for (let t = 0; t < count && Math.max(look.contours, look.suggestiveContours) > 0; t++) {
     if (t % 4096 === 4095) yield 0.5 + (0.5 * t) / count;
-    add(finder.contour(t));
+    add(finder.contour(t) ?? finder.suggestiveContour(t));
   }
   for (const edge of mesh.edges) add(finder.featureEdge(edge));
   return pieces;
@@ -93,6 +94,7 @@ class PieceFinder {
       bend: mix(this.bend[a], this.bend[b], share),
       weight: 0,
       innerWeight: 0,
+      overshoot: 0,
       key,
     };
   }
@@ -102,23 +104,62 @@ class PieceFinder {
     end.innerWeight = Math.max(this.look.innerContours * ofContour, whole);
   }
 
-  /** The zero set of n·v, linear over a triangle. */
-  contour(triangle: number): OutlinePiece | null {
-    const { facing, look } = this;
-    const [a, b, c] = [0, 1, 2].map((k) => this.mesh.triangles[3 * triangle + k]);
-    const [isA, isB, isC] = [facing[a] >= 0, facing[b] >= 0, facing[c] >= 0];
+  private cornersOf(triangle: number): readonly [number, number, number] {
+    const { triangles } = this.mesh;
+    return [triangles[3 * triangle], triangles[3 * triangle + 1], triangles[3 * triangle + 2]];
+  }
+
+  /** The places on the edges of a triangle where values of its points are 0; null if they have one sign. */
+  private zeroSet(triangle: number, values: Float64Array): readonly [PieceEnd, PieceEnd] | null {
+    const [a, b, c] = this.cornersOf(triangle);
+    const [isA, isB, isC] = [values[a] >= 0, values[b] >= 0, values[c] >= 0];
     if (isA === isB && isB === isC) return null;
     const [alone, one, two] = isB === isC ? [a, b, c] : isA === isC ? [b, c, a] : [c, a, b];
     const zero = (other: number): PieceEnd => {
-      const end = this.endBetween(alone, other, facing[alone] / (facing[alone] - facing[other]));
+      const end = this.endBetween(alone, other, values[alone] / (values[alone] - values[other]));
       // Also where it passes through a point: it goes on over the edge, by a piece without a length.
       return { ...end, key: pairKey(alone, other) };
     };
-    const [start, end] = [zero(one), zero(two)];
-    for (const side of [start, end]) this.weigh(side, look.contours * taperAt(side.bend, look.taper), 0);
+    return [zero(one), zero(two)];
+  }
+
+  private smoothPiece(triangle: number, [start, end]: readonly [PieceEnd, PieceEnd], contour: number): OutlinePiece {
+    const [a, b, c] = this.cornersOf(triangle);
     const corners = [this.positionOf(a), this.positionOf(b), this.positionOf(c)] as const;
     const extent = depthAcross(corners, start.position, end.position, this.toEye(corners[0]));
-    return { start, end, isSmooth: true, contour: 1, extent };
+    return { start, end, isSmooth: true, contour, extent };
+  }
+
+  /** The zero set of n·v, linear over a triangle. */
+  contour(triangle: number): OutlinePiece | null {
+    const { facing, look } = this;
+    const ends = this.zeroSet(triangle, facing);
+    if (!ends) return null;
+    for (const side of ends) this.weigh(side, look.contours * taperAt(side.bend, look.taper), 0);
+    return this.smoothPiece(triangle, ends, 1);
+  }
+
+  /** The zero set of the bend along the line of sight, where the triangle faces the eye. */
+  suggestiveContour(triangle: number): OutlinePiece | null {
+    const { suggestiveContours } = this.look;
+    const corners = this.cornersOf(triangle);
+    if (suggestiveContours === 0 || corners.some((p) => this.facing[p] <= 0)) return null;
+    const ends = this.zeroSet(triangle, this.bend);
+    if (!ends) return null;
+    const [a, b, c] = corners.map((p) => ({
+      position: this.positionOf(p),
+      normal: this.normalOf(p),
+      bend: this.bend[p],
+    }));
+    const sum = combined(1, combined(1, a.position, 1, b.position), 1, c.position);
+    const toEye = this.toEye(combined(1 / 3, sum, 0, sum));
+    const weight = suggestiveContours * suggestiveShare([a, b, c], toEye, this.mesh.radius);
+    for (const side of ends) {
+      this.weigh(side, 0, weight);
+      // Where a contour crosses the same edge, neither goes on in the other.
+      side.key = `s${side.key}`;
+    }
+    return this.smoothPiece(triangle, ends, 0);
   }
 
   featureEdge(edge: FeatureEdge): OutlinePiece | null {
@@ -141,6 +182,10 @@ class PieceFinder {
     }
     if (!part) return null;
     const ends = part.map((share) => this.endOnEdge(edge, share, left)) as [PieceEnd, PieceEnd];
+    if (isBorder || whole > 0) {
+      if (edge.isCornerAtStart) ends[0].overshoot = look.overshoot;
+      if (edge.isCornerAtEnd) ends[1].overshoot = look.overshoot;
+    }
     for (const [i, end] of ends.entries()) {
       end.normal = normals[i];
       if (isBorder) this.weigh(end, look.borders, 0);

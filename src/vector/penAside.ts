@@ -3,6 +3,7 @@ import { smoothstep } from '../engraving/vectors.js';
 import type { FamilyName } from './Engraver.js';
 import { between, flatNormalOf, placeFrom, STRIDE, VIEW } from './LineSurface.js';
 import { type LinesAside, NO_RANK } from './levelSegments.js';
+import { penSpacing } from './marks/lineMarks.js';
 import type { Tones } from './Toner.js';
 import type { Tracing } from './Tracing.js';
 
@@ -23,7 +24,7 @@ export function* penAside(
 ): Generator<number, LinesAside | undefined, void> {
   const { pen, toner, engraver } = tracing;
   // The tone of shadows alone is nowhere steady.
-  if (pen === null || toner.isGround || engraver.hasSeams) return undefined;
+  if (pen === null || toner.isGround || engraver.hasSeams || engraver.medium !== 'ink') return undefined;
   const { placeOf, triangles } = tracing.surface;
   const octaves = yield* askedOctaves(tracing, family, ranks, pen);
   let steady = steadiness(tracing, ranks, octaves);
@@ -62,7 +63,7 @@ function* askedOctaves(
       const place = placeFrom(between(vertices, v, v, 0), flatNormalOf(surface, t), sides[t]);
       tones[v] ??= toner.read(place, toner.hasShadows ? 'traced' : 'none');
       const measure = engraver.measure(family, place, tones[v]);
-      octaves[placeOf[v]] += Math.log2(engraver.penSpacing(measure, pen));
+      octaves[placeOf[v]] += Math.log2(penSpacing(measure, pen));
       counts[placeOf[v]]++;
     }
   }

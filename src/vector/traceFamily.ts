@@ -1,8 +1,19 @@
 import { lotOf } from '../engraving/hand.js';
 import { type Chain, ChainBuilder } from './Chain.js';
-import { type FamilyName, LEAST_PEN_TONE } from './Engraver.js';
+
+import type { FamilyName } from './Engraver.js';
+
 import { between, flatNormalOf, type LineSurface, placeFrom, STRIDE, type SurfacePlace, VIEW } from './LineSurface.js';
 import { type LevelSegments, levelSegments, NO_RANK } from './levelSegments.js';
+import {
+  finestRank,
+  LEAST_PEN_TONE,
+  type Line,
+  plottedMark,
+  plottedOctave,
+  printedMark,
+  printedOctave,
+} from './marks/lineMarks.js';
 import type { Projection } from './Projection.js';
 import { penAside } from './penAside.js';
 import type { Shadowing, Tones } from './Toner.js';
@@ -19,6 +30,10 @@ const SHADOW_STEP = 3;
 const EDGE = 0.02;
 /** From one point of a line to the next a shadow changes by no more than this share, unless that is its edge. */
 const SHADOW_CHANGE = 0.05;
+
+/** Strokes are looked at so far apart, pixels; over one triangle in no more steps than these. */
+const STROKE_STEP = 2;
+const MOST_STEPS = 256;
 
 /** Which side of each triangle of a surface is drawn on the picture. Yields its progress. */
 export function* seenSides(surface: LineSurface, projection: Projection): Generator<number, Int8Array, void> {
@@ -85,13 +100,13 @@ function* readVertices(
         for (const shadowing of shadowings) {
           const measure = engraver.measure(family, place, toner.read(place, shadowing));
           tones[v] = Math.max(tones[v], measure.tone);
-          octaves[v] = Math.min(octaves[v], pen === null ? measure.octave : engraver.penOctave(measure, pen));
+          octaves[v] = Math.min(octaves[v], pen === null ? printedOctave(measure) : plottedOctave(measure, pen));
         }
       }
       finest = Math.min(finest, octaves[v]);
       darkest = Math.max(darkest, tones[v]);
     }
-    if (darkest > leastTone) ranks[t] = Math.ceil(finest) - 1;
+    if (darkest > leastTone) ranks[t] = finestRank(finest, engraver.medium);
   }
   return { values, ranks };
 }
@@ -181,31 +196,31 @@ class LineTracer {
   }
 
   private measureIn(shadowing: Shadowing, place: SurfacePlace, triangle: number, line: Line): Measured {
-    const { toner, engraver, pen } = this.tracing;
+    const { toner, engraver, pen, projection } = this.tracing;
     const tones = toner.read(place, shadowing);
     const measure = engraver.measure(this.family, place, tones);
     // As lines lie on the picture, so that they cover what they should.
     measure.perPixel = this.slopes[triangle] || measure.perPixel;
-    const half = pen === null ? engraver.halfWidth(measure, line.value, line.rank) : pen / 2;
-    const margin = pen === null ? half : engraver.penMargin(measure, line, pen);
-    return { place, tones, half, margin, isBlank: false };
+    const { half, margin, shift } = pen === null ? printedMark(measure, line) : plottedMark(measure, line, pen);
+    const { strokes } = measure;
+    const at = projection.project(...place.view);
+    if (!strokes) return { at, place, tones, half, margin, isBlank: false };
+    const beside = [shift * strokes.uphill[0], shift * strokes.uphill[1]] as const;
+    return { at, place, tones, half, margin, isBlank: false, shift: beside };
   }
 
   get hasShadows(): boolean {
     return this.tracing.toner.hasShadows;
   }
 
-  /** How far two places are apart on the picture, pixels. */
-  lengthBetween(one: Measured, other: Measured): number {
-    const { projection } = this.tracing;
-    const [x, y] = projection.project(...one.place.view);
-    const [toX, toY] = projection.project(...other.place.view);
-    return Math.hypot(toX - x, toY - y);
+  /** In how many steps a line goes from one place to another over a triangle: in one, but strokes and wedges begin and end within. */
+  stepsTo(from: Measured, to: Measured): number {
+    if (this.tracing.engraver.medium === 'ink') return 1;
+    return Math.min(Math.max(Math.ceil(lengthBetween(from, to) / STROKE_STEP), 1), MOST_STEPS);
   }
 
-  write(builder: ChainBuilder, { place, half, margin }: Measured, triangle: number): void {
-    const { projection, surface } = this.tracing;
-    builder.push(projection.project(...place.view), place.world, half, margin, surface.parents[triangle], place.field);
+  write(builder: ChainBuilder, { at, place, half, margin, shift }: Measured, triangle: number): void {
+    builder.push(at, place.world, half, margin, this.tracing.surface.parents[triangle], place.field, shift);
   }
 
   parentOf(triangle: number): number {
@@ -213,18 +228,17 @@ class LineTracer {
   }
 }
 
-interface Line {
-  value: number;
-  rank: number;
-}
-
 interface Measured {
+  /** On the picture. */
+  at: readonly [number, number];
   place: SurfacePlace;
   tones: Tones;
   half: number;
   margin: number;
   /** Whether there is no line, in shadow or not. */
   isBlank: boolean;
+  /** How far the middle lies beside, pixels of the picture; undefined where it never does. */
+  shift?: readonly [number, number];
 }
 
 /** What a line is at numbers of a triangle. */
@@ -245,12 +259,22 @@ class LinePen {
 
   /** Goes on to a node over a triangle. */
   to(node: number, triangle: number): void {
-    const { tracer, builder, line, last } = this;
+    const { tracer, line, last } = this;
     const numbers = tracer.numbersAt(node, triangle);
     const measured = tracer.measure(numbers, triangle, line);
-    if (last && tracer.hasShadows) this.lookBetween(last, { numbers, measured }, triangle);
-    tracer.write(builder, measured, triangle);
-    this.last = { numbers, measured };
+    const steps = last ? tracer.stepsTo(last.measured, measured) : 1;
+    for (let i = 1; last && i < steps; i++) {
+      const between = last.numbers.map((number, k) => number + (i / steps) * (numbers[k] - number));
+      this.write({ numbers: between, measured: tracer.measure(between, triangle, line) }, triangle);
+    }
+    this.write({ numbers, measured }, triangle);
+  }
+
+  private write(place: MeasuredPlace, triangle: number): void {
+    const { tracer, builder, last } = this;
+    if (last && tracer.hasShadows) this.lookBetween(last, place, triangle);
+    tracer.write(builder, place.measured, triangle);
+    this.last = place;
   }
 
   /** Goes on over the triangle beside. On flat triangles widths differ a little from one to the next: it is the mean of both. */
@@ -265,7 +289,7 @@ class LinePen {
   private lookBetween(start: MeasuredPlace, end: MeasuredPlace, triangle: number): void {
     const change = shadowChange(start.measured, end.measured);
     if (change === 0 && start.measured.isBlank && end.measured.isBlank) return;
-    const length = this.tracer.lengthBetween(start.measured, end.measured);
+    const length = lengthBetween(start.measured, end.measured);
     if (change <= SHADOW_CHANGE ? length <= SHADOW_STEP : length <= EDGE) return;
     const { tracer, builder, line } = this;
     const numbers = start.numbers.map((number, k) => 0.5 * (number + end.numbers[k]));
@@ -281,3 +305,6 @@ class LinePen {
 /** By how much a shadow differs from one place to another; nothing where it is not asked for. */
 const shadowChange = (one: Measured, other: Measured): number =>
   one.isBlank || other.isBlank ? 0 : Math.abs(one.tones.shadows - other.tones.shadows);
+
+/** How far two places are apart on the picture, pixels. */
+const lengthBetween = ({ at: [x, y] }: Measured, { at: [toX, toY] }: Measured): number => Math.hypot(toX - x, toY - y);

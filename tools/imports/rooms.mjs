@@ -24,6 +24,17 @@ export const ROOMS = {
   'material/facts': [],
   engraving: ['material/facts'],
   vector: ['slices', 'engraving'],
+  'vector/marks': ['/src/vector/LinePath.ts', '/src/vector/Projection.ts'],
+  'vector/dots': [
+    ...['/src/vector/Bvh.ts', '/src/vector/DrawnScene.ts', '/src/vector/finishPaths.ts', '/src/vector/LineSurface.ts'],
+    ...[
+      '/src/vector/orderPaths.ts',
+      '/src/vector/pathData.ts',
+      '/src/vector/Projection.ts',
+      '/src/vector/subdivide.ts',
+    ],
+    ...['/src/vector/Toner.ts', '/src/vector/traceFamily.ts'],
+  ],
   geometry: ['mistakes', 'mesh', 'adjacency', 'features', 'form', 'bake', 'worker', 'material/facts'],
   material: ['mistakes', 'strokes', 'bake', 'tam', 'geometry', '/shaders'],
   'material/shaders': ['facts'],
@@ -78,7 +89,10 @@ export const ROOMS = {
   ],
   'scene/jointForms': [],
   'scene/flattering': ['/src/scene/assertTree.ts', '/src/scene/surfaceMeshes.ts'],
-  svg: ['slices', 'features', 'bake', 'worker', 'mistakes', 'geometry', 'engraving', 'vector', 'material', 'outlines'],
+  svg: [
+    ...['slices', 'features', 'bake', 'worker', 'mistakes', 'tam/stippleMap.ts', 'tam/patternSizes.ts', 'geometry'],
+    ...['engraving', 'vector', 'material', 'outlines'],
+  ],
   'index.ts': [
     'adjacency',
     'strokes',

@@ -3,7 +3,7 @@ import { isUsedBy, propertyOf } from '../facts/lookFacts.js';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
 import { importanceOf } from './importanceOf.js';
 import type { SceneExtent } from './SceneExtent.js';
-import { automaticDepthFade } from './seenDepths.js';
+import { automaticDepthFade, type SeenDepths } from './seenDepths.js';
 import { writeSheet } from './writeSheet.js';
 
 type Uniforms = Record<string, IUniform>;
@@ -24,7 +24,7 @@ export const createEmphasisUniforms = (): Uniforms => ({
 });
 
 /** Whether a look takes weight away anywhere, as the techniques of the paper by Suarez et al. do not. */
-const takesWeight = (look: EmphasisLook | null): look is EmphasisLook =>
+export const takesWeight = (look: EmphasisLook | null): look is EmphasisLook =>
   look !== null && isUsedBy(look.technique, propertyOf('depthFade'));
 
 /**
@@ -41,7 +41,9 @@ export function writeEmphasis(look: EmphasisLook | null, u: Uniforms, renderer?:
     u.vignette.value = 0;
     return;
   }
-  writeDepths(look, u.depthFading.value, renderer, camera);
+  // Most scenes do not fade: they need not be measured.
+  const seen = look.depthFade !== 0 && renderer && camera && look.extent?.seenFrom(renderer, camera);
+  writeDepthFading(look, seen || null, camera, u.depthFading.value);
   u.vignette.value = look.vignette;
   const { focus, focusRadius } = look;
   if (!focus) {
@@ -54,11 +56,18 @@ export function writeEmphasis(look: EmphasisLook | null, u: Uniforms, renderer?:
   focusing.w = focusRadius;
 }
 
-function writeDepths(look: EmphasisLook, fading: Vector3, renderer?: WebGLRenderer, camera?: Camera): void {
-  const { depthFade, depthNear, depthFar } = look;
-  // Most scenes do not fade: they need not be measured.
-  const seen = depthFade !== 0 && renderer && camera && look.extent?.seenFrom(renderer, camera);
-  const strength = depthFade !== 'auto' ? depthFade : seen ? automaticDepthFade(seen, camera) : 0;
+/**
+ * Writes the depths from which and up to which a look fades, and how strongly. Allocates nothing.
+ *
+ * @param seen how deep the scene is; null where nobody measured it, and depths are then in view units
+ */
+export function writeDepthFading(
+  { depthFade, depthNear, depthFar }: EmphasisLook,
+  seen: Readonly<SeenDepths> | null,
+  camera: Camera | undefined,
+  fading: Vector3,
+): void {
+  const strength = depthFade !== 'auto' ? depthFade : seen && camera ? automaticDepthFade(seen, camera) : 0;
   const start = seen ? seen.front : 0;
   const unit = seen ? seen.back - seen.front : 1;
   const near = start + unit * depthNear;

@@ -1,0 +1,10 @@
+import type { EmphasisedPlace } from '../../engraving/emphasis.js';
+import type { Vec3 } from '../../engraving/vectors.js';
+import type { Projection } from '../Projection.js';
+
+/** A place of a drawing, as far as its weight depends on it. */
+export function emphasisedPlace(world: Vec3, projection: Projection): EmphasisedPlace {
+  const view = projection.toView(world);
+  const [x, y] = projection.project(...view);
+  return { world, depth: -view[2], onPicture: [x / projection.width, 1 - y / projection.height] };
+}
