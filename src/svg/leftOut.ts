@@ -1,6 +1,5 @@
 import type { Material, Mesh, Object3D } from 'three';
 import { importanceOf } from '../material/emphasis/importanceOf.js';
-import { runsAway } from '../material/facts/lookFacts.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { describeObject } from '../mistakes/describeObject.js';
 
@@ -53,8 +52,6 @@ export function drawnWithout(mesh: Mesh, material: HatchingMaterial): string[] {
     found.push(`is drawn in unbroken lines: strokes of the medium '${material.medium}' cannot leave as lines yet`);
   if (material.toneNormal === 'face' || material.flatShading)
     found.push('is drawn with smooth tones, not those of flat faces');
-  if (material.shadowStrokes === 'reorient' && !runsAway(material))
-    found.push('is drawn with lines that do not turn in shadows');
   if (material.opacity < 1 || material.alphaTest > 0 || material.alphaHash) found.push('is drawn as if it were opaque');
   if (material.clippingPlanes && material.clippingPlanes.length > 0) found.push('is drawn without its clipping planes');
   if (fades(mesh, material))

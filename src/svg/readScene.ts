@@ -20,10 +20,11 @@ import { asPhase } from '../slices/asPhase.js';
 import { CASTS_BACK, CASTS_FRONT, SEEN_BACK, SEEN_FRONT } from '../vector/Bvh.js';
 import type { DrawnScene, EngravedSurface, OutlinedMesh } from '../vector/DrawnScene.js';
 import { drawnWithout, type LeftOut, sentence, whyNoLines, whyNothing } from './leftOut.js';
+import { fieldOf, hasTooManyTurns, turnedLinesOf } from './readField.js';
 import { readLights, type SceneLights } from './readLights.js';
 import { engravedLookOf, surfaceLookOf } from './readLook.js';
 import { outlineLookOf, readOutlines } from './readOutlines.js';
-import { fieldOf, readSurface, surfaceFrame } from './readSurface.js';
+import { readSurface, surfaceFrame } from './readSurface.js';
 
 /** How far rays of shadows begin above what they are cast on, as a share of the size of the largest mesh that casts them. */
 const SHADOW_BIAS = 0.01;
@@ -166,10 +167,14 @@ class SceneReader {
     const frame = surfaceFrame(mesh, material, camera.matrixWorldInverse);
     const engraved = engravedLookOf(material, isFormed(mesh.geometry));
     const surface = yield* readSurface(mesh.geometry, { corners, firstTriangle }, frame, sidesOf(material));
+    const laid = { engraved, material, frame, surface };
+    if (mesh.receiveShadow && hasTooManyTurns(laid, lights.lamps))
+      this.note(mesh, 'is drawn with lines that do not turn in shadows: too many lights cast them');
     this.surfaces.push({
       surface,
       engraved,
-      field: fieldOf(engraved, material, lights.lamps, { frame, surface }),
+      field: fieldOf(laid, lights.lamps),
+      turned: mesh.receiveShadow ? turnedLinesOf(laid, lights.lamps) : [],
       look: surfaceLookOf(material, mesh.receiveShadow, fit),
       hides: material.depthWrite,
       ink: colorOf(material),

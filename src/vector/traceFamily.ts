@@ -167,9 +167,9 @@ class LineTracer {
 
   /** What the line is at numbers of a triangle. */
   measure(numbers: ArrayLike<number>, triangle: number, line: Line): Measured {
-    const { surface, sides, toner } = this.tracing;
+    const { surface, sides, toner, isDrawnIn } = this.tracing;
     const place = placeFrom(numbers, flatNormalOf(surface, triangle), sides[triangle]);
-    if (toner.hasSoftShadows) {
+    if (toner.hasSoftShadows && !isDrawnIn) {
       // Many rays need not be asked where there is no line in any shadow.
       const darkest = this.measureIn(toner.darkest, place, line);
       if (darkest.margin <= 0) return { ...darkest, isBlank: true };
@@ -178,8 +178,9 @@ class LineTracer {
   }
 
   private measureIn(shadowing: Shadowing, place: SurfacePlace, line: Line): Measured {
-    const { toner, engraver, pen } = this.tracing;
+    const { toner, engraver, pen, isDrawnIn } = this.tracing;
     const tones = toner.read(place, shadowing);
+    if (isDrawnIn && !isDrawnIn(tones.turned)) return { place, tones, half: 0, margin: -1, isBlank: false };
     const measure = engraver.measure(this.family, place, tones);
     const half = pen === null ? engraver.halfWidth(measure, line.value, line.rank) : pen / 2;
     const margin = pen === null ? half : engraver.penMargin(measure, line, pen);
@@ -188,6 +189,13 @@ class LineTracer {
 
   get hasShadows(): boolean {
     return this.tracing.toner.hasShadows;
+  }
+
+  /** By how much a shadow differs from one place to another; nothing where it is not asked for, and all where lines turn. */
+  shadowChange(one: Measured, other: Measured): number {
+    if (one.isBlank || other.isBlank) return 0;
+    if (this.tracing.isDrawnIn && one.tones.turned !== other.tones.turned) return 1;
+    return Math.abs(one.tones.shadows - other.tones.shadows);
   }
 
   /** How far two places are apart on the picture, pixels. */
@@ -258,7 +266,7 @@ class LinePen {
 
   /** Looks for shadows between two places, and writes points where they change: two at one place where an edge is hard. */
   private lookBetween(start: MeasuredPlace, end: MeasuredPlace, triangle: number): void {
-    const change = shadowChange(start.measured, end.measured);
+    const change = this.tracer.shadowChange(start.measured, end.measured);
     if (change === 0 && start.measured.isBlank && end.measured.isBlank) return;
     const length = this.tracer.lengthBetween(start.measured, end.measured);
     if (change <= SHADOW_CHANGE ? length <= SHADOW_STEP : length <= EDGE) return;
@@ -267,12 +275,9 @@ class LinePen {
     const measured = tracer.measure(numbers, triangle, line);
     const middle = { numbers, measured };
     this.lookBetween(start, middle, triangle);
-    const isApart = shadowChange(start.measured, measured) + shadowChange(measured, end.measured) > SHADOW_CHANGE;
+    const isApart =
+      tracer.shadowChange(start.measured, measured) + tracer.shadowChange(measured, end.measured) > SHADOW_CHANGE;
     if (change > SHADOW_CHANGE || isApart) tracer.write(builder, measured, triangle);
     this.lookBetween(middle, end, triangle);
   }
 }
-
-/** By how much a shadow differs from one place to another; nothing where it is not asked for. */
-const shadowChange = (one: Measured, other: Measured): number =>
-  one.isBlank || other.isBlank ? 0 : Math.abs(one.tones.shadows - other.tones.shadows);
