@@ -37,7 +37,7 @@ export interface DrawSVGOptions extends TaskOptions {
   dpi?: number | undefined;
   /**
    * Whether lights with `castShadow` cast shadows on meshes with `receiveShadow`: `'soft'` or true, as soft as the light's shadow is on
-   * the canvas; `'hard'`, with one ray in the place of up to 24; or false. Default: true.
+   * the canvas; `'hard'`, with one ray in the place of some 25; or false. Default: true.
    */
   shadows?: boolean | 'hard' | 'soft' | undefined;
   /** `'travel'`: a short way of the lifted pen. `'drawn'`: the order in which lines were found. Default: `'travel'`. */

@@ -1,8 +1,5 @@
 import type { Material, Mesh, Object3D } from 'three';
-
 import { checkGeometry } from '../geometry/checkGeometry.js';
-import { runsAway } from '../material/facts/lookFacts.js';
-
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { describeObject } from '../mistakes/describeObject.js';
 
@@ -70,8 +67,6 @@ export function drawnWithout(material: HatchingMaterial): string[] {
     found.push('is drawn with smooth tones, not those of flat faces');
   const isInLines = !isStippled(material);
   if (!isInLines && material.strokeLayers !== 'single') found.push('is drawn in one layer of dots');
-  if (isInLines && material.shadowStrokes === 'reorient' && !runsAway(material))
-    found.push('is drawn with lines that do not turn in shadows');
   if (material.opacity < 1 || material.alphaTest > 0 || material.alphaHash) found.push('is drawn as if it were opaque');
   if (material.clippingPlanes && material.clippingPlanes.length > 0) found.push('is drawn without its clipping planes');
   return found;

@@ -18,17 +18,16 @@ import type { HatchingOutlineMaterial } from '../outlines/HatchingOutlineMateria
 import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
 import { asPhase } from '../slices/asPhase.js';
 import { CASTS_BACK, CASTS_FRONT, SEEN_BACK, SEEN_FRONT } from '../vector/Bvh.js';
-
 import type { DrawnScene, EngravedSurface, OutlinedMesh, StippledSurface } from '../vector/DrawnScene.js';
 import { GrowingArray } from '../vector/GrowingArray.js';
 import { drawnWithout, faultOf, isStippled, type LeftOut, sentence, whyNoLines, whyNothing } from './leftOut.js';
 import { readEmphasis, readOutlineEmphasis } from './readEmphasis.js';
-
+import { fieldOf, hasTooManyTurns, turnedLinesOf } from './readField.js';
 import { readLights, type SceneLights } from './readLights.js';
 import { engravedLookOf, surfaceLookOf } from './readLook.js';
 import { outlineLookOf, readOutlines } from './readOutlines.js';
 import { readStippled } from './readStippled.js';
-import { fieldOf, readSurface, surfaceFrame } from './readSurface.js';
+import { readSurface, surfaceFrame } from './readSurface.js';
 
 /** How far rays of shadows begin above what they are cast on, as a share of the size of the largest mesh that casts them. */
 const SHADOW_BIAS = 0.01;
@@ -189,10 +188,14 @@ class SceneReader {
     const frame = surfaceFrame(mesh, material, camera.matrixWorldInverse);
     const engraved = engravedLookOf(material, isFormed(mesh.geometry));
     const surface = yield* readSurface(mesh.geometry, range, frame, sidesOf(material));
+    const laid = { engraved, material, frame, surface };
+    if (mesh.receiveShadow && hasTooManyTurns(laid, lights.lamps))
+      this.note(mesh, 'is drawn with lines that do not turn in shadows: too many lights cast them');
     this.surfaces.push({
       surface,
       engraved,
-      field: fieldOf(engraved, material, lights.lamps, { frame, surface }),
+      field: fieldOf(laid, lights.lamps),
+      turned: mesh.receiveShadow ? turnedLinesOf(laid, lights.lamps) : [],
       look,
       hides: material.depthWrite,
       ink: colorOf(material),

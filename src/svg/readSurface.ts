@@ -1,19 +1,13 @@
 import { type BufferAttribute, type BufferGeometry, Matrix3, Matrix4, type Mesh, Vector3 } from 'three';
 import { formLayout } from '../bake/formLayout.js';
 import { hatchNormal } from '../bake/hatchNormal.js';
-import { type Field, firstField } from '../engraving/fieldAxis.js';
-import { awayField } from '../engraving/groundShadow.js';
-import { fieldLight } from '../engraving/lightField.js';
-import type { Lamp } from '../engraving/radiance.js';
 import { formVarying } from '../engraving/readForm.js';
 import type { Mat3 } from '../engraving/screenGradient.js';
 import type { Vec3 } from '../engraving/vectors.js';
-import { runsAway } from '../material/facts/lookFacts.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { writeFieldFrame } from '../material/parts/fieldFrame.js';
 import { asPhase } from '../slices/asPhase.js';
 import { SEEN_BACK, SEEN_FRONT } from '../vector/Bvh.js';
-import type { EngravedLook } from '../vector/Engraver.js';
 import {
   FIELD,
   FIELD_NORMAL,
@@ -65,28 +59,8 @@ export function objectFrame(mesh: Mesh, worldToView: Matrix4): SurfaceFrame {
   };
 }
 
-/** The field of the first family of lines on a mesh; null for those that follow the form. */
-export function fieldOf(
-  { lineField }: EngravedLook,
-  material: HatchingMaterial,
-  lamps: readonly Lamp[],
-  { frame: { toWorld, fieldOrigin, toField }, surface }: { frame: SurfaceFrame; surface: LineSurface },
-): Field | null {
-  if (lineField === 'form' || lineField === 'acrossForm') return null;
-  const toObject = new Matrix4().copy(toWorld).invert();
-  const seen = lamps.map(({ at, isFar, luminance }) => {
-    const way = new Vector3(...at);
-    if (isFar) way.transformDirection(toObject);
-    else way.applyMatrix4(toObject).sub(fieldOrigin);
-    return { toLight: way.applyMatrix3(toField).toArray() as Vec3, luminance, isFar };
-  });
-  const light = fieldLight(seen);
-  if (runsAway(material)) return awayField(light.axis, leaningOf(surface));
-  return firstField(lineField, light, material.strokeRotation);
-}
-
 /** How much the normals of a surface lean along each axis of its field, all together. */
-function leaningOf({ vertices }: LineSurface): Vec3 {
+export function leaningOf({ vertices }: LineSurface): Vec3 {
   const sums = [0, 1, 2].map((axis) => {
     let sum = 0;
     for (let o = FIELD_NORMAL + axis; o < vertices.length; o += STRIDE) sum += Math.abs(vertices[o]);

@@ -7,12 +7,22 @@ import type { OutlineLook, OutlineMesh } from './OutlineMesh.js';
 import type { CameraMatrices } from './Projection.js';
 import type { Illumination, SurfaceLook } from './Toner.js';
 
+/** The lines of a surface where shadows of some lights turn them. */
+export interface TurnedLines {
+  /** The lights that do not arrive, as bits. */
+  shadows: number;
+  engraved: EngravedLook;
+  field: Field | null;
+}
+
 /** A surface whose lines are engraved. */
 export interface EngravedSurface {
   surface: LineSurface;
   engraved: EngravedLook;
   /** Of the first family; null for lines that follow the form. */
   field: Field | null;
+  /** Other lines for other shadows. */
+  turned: readonly TurnedLines[];
   look: SurfaceLook;
   /** Whether it hides what is behind it, and so is among what rays meet. */
   hides: boolean;

@@ -20,6 +20,7 @@ import { outlineTest } from './seenOutlines.js';
 
 import { subdivide } from './subdivide.js';
 import { Toner } from './Toner.js';
+import type { Tracing } from './Tracing.js';
 import { seenSides, traceFamily } from './traceFamily.js';
 import { type SeenTest, visibleRuns } from './visibleRuns.js';
 import { weighByStanding } from './weighByStanding.js';
@@ -135,25 +136,22 @@ export class LineDrawer {
   }
 
   /** All lines on a surface, seen or not. Yields its progress. */
-  *tracedChains({
-    surface,
-    engraved,
-    field,
-    look,
-  }: EngravedSurface): Generator<number, { family: FamilyName; chain: Chain }[], void> {
+  *tracedChains(drawn: EngravedSurface): Generator<number, TracedLine[], void> {
     const { projection, bvh, pen, scene } = this;
+    const { surface, look, turned } = drawn;
     if (look.ground) dropLit(surface, this.casters, scene.illumination, look.ground);
     yield* asPhase(subdivide(surface, projection), 0, 0.08);
     if (look.ground) dropLit(surface, this.casters, scene.illumination, look.ground);
-    const engraver = new Engraver(engraved, field, surface.viewToField, projection);
     const toner = new Toner(look, scene.illumination, bvh, projection);
     const sides = yield* asPhase(seenSides(surface, projection), 0.08, 0.1);
-    const tracing = { surface, engraver, toner, projection, sides, pen };
-    const lines: { family: FamilyName; chain: Chain }[] = [];
-    const step = 0.9 / engraver.families.length;
-    for (const [i, family] of engraver.families.entries()) {
-      const chains = yield* asPhase(traceFamily(tracing, family), 0.1 + step * i, 0.1 + step * (i + 1));
-      for (const chain of chains) lines.push({ family, chain });
+    const lines: TracedLine[] = [];
+    const all = [drawn, ...turned];
+    for (const [i, { engraved, field }] of all.entries()) {
+      const engraver = new Engraver(engraved, field, surface.viewToField, projection);
+      const isTurned = (shadows: number) => turned.findIndex((one) => one.shadows === shadows) + 1 === i;
+      const tracing = { surface, engraver, toner, projection, sides, pen };
+      const tracingAll = tracedFamilies({ ...tracing, isDrawnIn: turned.length > 0 ? isTurned : null });
+      lines.push(...(yield* asPhase(tracingAll, 0.1 + (0.9 * i) / all.length, 0.1 + (0.9 * (i + 1)) / all.length)));
     }
     return lines;
   }
@@ -193,4 +191,20 @@ export class LineDrawer {
       .map((run) => cutRun(chain, run, projection, this.pen !== null))
       .filter(({ depths }) => depths.length >= 2);
   }
+}
+
+/** A line on a surface, and the family that it belongs to. */
+interface TracedLine {
+  family: FamilyName;
+  chain: Chain;
+}
+
+function* tracedFamilies(tracing: Tracing): Generator<number, TracedLine[], void> {
+  const lines: TracedLine[] = [];
+  const { families } = tracing.engraver;
+  for (const [i, family] of families.entries()) {
+    const chains = yield* asPhase(traceFamily(tracing, family), i / families.length, (i + 1) / families.length);
+    for (const chain of chains) lines.push({ family, chain });
+  }
+  return lines;
 }

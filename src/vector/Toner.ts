@@ -47,10 +47,15 @@ export interface Tones {
   shadows: number;
   /** The share of the shadow on a ground that has not dissolved; 1 on bodies. */
   left: number;
+  /** Which of the lamps hardly arrive, so that lines turn, as bits. */
+  turned: number;
 }
 
 /** What shadows are taken for: what rays say, none at all, or those of every lamp. */
 export type Shadowing = 'traced' | 'none' | 'all';
+
+/** Where a surface hardly sees a light, whether it lies in shadow is a matter of rounding. */
+const LEAST_RESPONSE = 0.05;
 
 const LIT: ToldShadow = { passing: 1, left: 1 };
 const SHADED: ToldShadow = { passing: 0, left: 1 };
@@ -97,7 +102,7 @@ export class Toner {
     let shadowed = 0;
     let reflected = 0;
     let shadows = 0;
-    let [taken, lost] = [0, 0];
+    let [taken, lost, turned] = [0, 0, 0];
     for (const [i, lamp] of this.light.lamps.entries()) {
       const { direction, length, luminance, coneless } = arriving(lamp, world);
       reflected += coneless * seenBehind(toneNormal, direction);
@@ -108,7 +113,9 @@ export class Toner {
       direct += passing * sent;
       shadowed += (1 - passing) * sent;
       shadows += (1 - passing) * left * 2 ** (i % 31);
-      const takes = (1 - passing) * luminance * Math.max(dot(toneNormal, direction), 0);
+      const facing = Math.max(dot(toneNormal, direction), 0);
+      if (facing * (1 - 2 * passing) > LEAST_RESPONSE) turned |= 1 << (i % 31);
+      const takes = (1 - passing) * luminance * facing;
       taken += takes;
       lost += (1 - left) * takes;
     }
@@ -121,12 +128,12 @@ export class Toner {
     const left = taken > 0 ? 1 - lost / taken : 1;
     if (look.ground) {
       const tone = weight * groundTone(open * direct + rest, open * shadowed, left, look, look.ground);
-      return { tone, unshadowed: 0, shadows, left };
+      return { tone, unshadowed: 0, shadows, left, turned };
     }
     const toneOf = (radiance: number): number => weight * shadedTone(radiance, occluded, look);
     const tone = toneOf(open * direct + rest);
     const unshadowed = shadowed > 0 ? toneOf(open * (direct + shadowed) + rest) : tone;
-    return { tone, unshadowed, shadows, left: 1 };
+    return { tone, unshadowed, shadows, left: 1, turned };
   }
 
   private shadowOf(

@@ -13,4 +13,6 @@ export interface Tracing {
   sides: Int8Array;
   /** The width of a pen, pixels; null where widths are the tone. */
   pen: number | null;
+  /** Whether lines are drawn where these lights do not arrive, as bits; null where shadows do not matter to that. */
+  isDrawnIn: ((shadows: number) => boolean) | null;
 }

@@ -185,9 +185,9 @@ class LineTracer {
 
   /** What the line is at numbers of a triangle. */
   measure(numbers: ArrayLike<number>, triangle: number, line: Line): Measured {
-    const { surface, sides, toner } = this.tracing;
+    const { surface, sides, toner, isDrawnIn } = this.tracing;
     const place = placeFrom(numbers, flatNormalOf(surface, triangle), sides[triangle]);
-    if (toner.hasSoftShadows) {
+    if (toner.hasSoftShadows && !isDrawnIn) {
       // Many rays need not be asked where there is no line in any shadow.
       const darkest = this.measureIn(toner.darkest, place, triangle, line);
       if (darkest.margin <= 0) return { ...darkest, isBlank: true };
@@ -196,14 +196,15 @@ class LineTracer {
   }
 
   private measureIn(shadowing: Shadowing, place: SurfacePlace, triangle: number, line: Line): Measured {
-    const { toner, engraver, pen, projection } = this.tracing;
+    const { toner, engraver, pen, projection, isDrawnIn } = this.tracing;
     const tones = toner.read(place, shadowing);
+    const at = projection.project(...place.view);
+    if (isDrawnIn && !isDrawnIn(tones.turned)) return { at, place, tones, half: 0, margin: -1, isBlank: false };
     const measure = engraver.measure(this.family, place, tones);
     // As lines lie on the picture, so that they cover what they should.
     measure.perPixel = this.slopes[triangle] || measure.perPixel;
     const { half, margin, shift } = pen === null ? printedMark(measure, line) : plottedMark(measure, line, pen);
     const { strokes } = measure;
-    const at = projection.project(...place.view);
     if (!strokes) return { at, place, tones, half, margin, isBlank: false };
     const beside = [shift * strokes.uphill[0], shift * strokes.uphill[1]] as const;
     return { at, place, tones, half, margin, isBlank: false, shift: beside };
@@ -211,6 +212,13 @@ class LineTracer {
 
   get hasShadows(): boolean {
     return this.tracing.toner.hasShadows;
+  }
+
+  /** By how much a shadow differs from one place to another; nothing where it is not asked for, and all where lines turn. */
+  shadowChange(one: Measured, other: Measured): number {
+    if (one.isBlank || other.isBlank) return 0;
+    if (this.tracing.isDrawnIn && one.tones.turned !== other.tones.turned) return 1;
+    return Math.abs(one.tones.shadows - other.tones.shadows);
   }
 
   /** In how many steps a line goes from one place to another over a triangle: in one, but strokes and wedges begin and end within. */
@@ -287,7 +295,7 @@ class LinePen {
 
   /** Looks for shadows between two places, and writes points where they change: two at one place where an edge is hard. */
   private lookBetween(start: MeasuredPlace, end: MeasuredPlace, triangle: number): void {
-    const change = shadowChange(start.measured, end.measured);
+    const change = this.tracer.shadowChange(start.measured, end.measured);
     if (change === 0 && start.measured.isBlank && end.measured.isBlank) return;
     const length = lengthBetween(start.measured, end.measured);
     if (change <= SHADOW_CHANGE ? length <= SHADOW_STEP : length <= EDGE) return;
@@ -296,15 +304,12 @@ class LinePen {
     const measured = tracer.measure(numbers, triangle, line);
     const middle = { numbers, measured };
     this.lookBetween(start, middle, triangle);
-    const isApart = shadowChange(start.measured, measured) + shadowChange(measured, end.measured) > SHADOW_CHANGE;
+    const isApart =
+      tracer.shadowChange(start.measured, measured) + tracer.shadowChange(measured, end.measured) > SHADOW_CHANGE;
     if (change > SHADOW_CHANGE || isApart) tracer.write(builder, measured, triangle);
     this.lookBetween(middle, end, triangle);
   }
 }
-
-/** By how much a shadow differs from one place to another; nothing where it is not asked for. */
-const shadowChange = (one: Measured, other: Measured): number =>
-  one.isBlank || other.isBlank ? 0 : Math.abs(one.tones.shadows - other.tones.shadows);
 
 /** How far two places are apart on the picture, pixels. */
 const lengthBetween = ({ at: [x, y] }: Measured, { at: [toX, toY] }: Measured): number => Math.hypot(toX - x, toY - y);
