@@ -10,14 +10,12 @@ import { type Casters, castersOf, dropLit } from './dropLit.js';
 import { Engraver, type FamilyName } from './Engraver.js';
 import { hiddenLook, weighHidden } from './hiddenPieces.js';
 import { holdBack } from './holdBack.js';
-import type { LinePath } from './LinePath.js';
 import { outlineChains } from './outlineChains.js';
 import { outlinePieces } from './outlinePieces.js';
 import type { Projection } from './Projection.js';
-
+import type { LinePath } from './paths/LinePath.js';
 import { refineEnds } from './refineEnds.js';
 import { outlineTest } from './seenOutlines.js';
-
 import { subdivide } from './subdivide.js';
 import { Toner } from './Toner.js';
 import type { Tracing } from './Tracing.js';

@@ -1,8 +1,8 @@
 import { mix } from '../engraving/vectors.js';
 import type { Chain } from './Chain.js';
-import { type LinePath, PATH_STRIDE } from './LinePath.js';
 import { shiftPath } from './marks/shiftPath.js';
 import type { Projection } from './Projection.js';
+import { type LinePath, PATH_STRIDE } from './paths/LinePath.js';
 import { placeOn, type Run } from './visibleRuns.js';
 
 /** Points nearer to each other than this are one. Pixels. */

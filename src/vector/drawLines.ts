@@ -6,7 +6,7 @@ import { finishDots } from './dots/finishDots.js';
 import { finishPaths, type PathCounts } from './finishPaths.js';
 import { LAYERS, LineDrawer } from './LineDrawer.js';
 import { Projection } from './Projection.js';
-import type { Placement } from './pathData.js';
+import type { Placement } from './paths/pathData.js';
 import { type SVGLayer, writeSVG } from './writeSVG.js';
 
 /** A drawing, and what is counted in it. */

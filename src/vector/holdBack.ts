@@ -1,7 +1,7 @@
 import type { Bvh } from './Bvh.js';
 import type { CutRun } from './cutRun.js';
-import { PATH_STRIDE } from './LinePath.js';
 import type { Projection } from './Projection.js';
+import { PATH_STRIDE } from './paths/LinePath.js';
 
 /** Lines thinner than this do not reach beyond their surface by what could be seen. Pixels. */
 const THIN = 0.25;

@@ -1,5 +1,5 @@
 import type { CutRun } from './cutRun.js';
-import { PATH_STRIDE } from './LinePath.js';
+import { PATH_STRIDE } from './paths/LinePath.js';
 
 /** Near its ends a line has points so far apart, over so many times half its width. Pixels. */
 const STEP = 0.6;

@@ -1,8 +1,8 @@
 import { asPhase } from '../../slices/asPhase.js';
 import type { DrawingPlan } from '../DrawnScene.js';
 import type { PathCounts, WrittenPath } from '../finishPaths.js';
-import { asDrawn, orderPaths, travelOf } from '../orderPaths.js';
-import type { Placement } from '../pathData.js';
+import { asDrawn, orderPaths, travelOf } from '../order/orderPaths.js';
+import type { Placement } from '../paths/pathData.js';
 import type { Dot } from './placeDots.js';
 
 /** A pen draws no dot smaller than this share of its width, and others as large as its width at least. */

@@ -1,4 +1,4 @@
-import { type LinePath, PATH_STRIDE } from '../LinePath.js';
+import { type LinePath, PATH_STRIDE } from '../paths/LinePath.js';
 
 /**
  * Moves a path beside itself; or leaves it where it is, and makes one side as much wider as the other narrower, so that it stays on the surface

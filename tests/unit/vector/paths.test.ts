@@ -1,10 +1,16 @@
 import { describe, expect, test } from 'vitest';
-import { clipRing } from '../../../src/vector/clipRing.js';
-import { pathLength } from '../../../src/vector/LinePath.js';
-import { asDrawn, type OrderedPath, orderPaths, type PathEnds, travelOf } from '../../../src/vector/orderPaths.js';
-import { pathData } from '../../../src/vector/pathData.js';
-import { simplify } from '../../../src/vector/simplify.js';
-import { strokeOutline } from '../../../src/vector/strokeOutline.js';
+import {
+  asDrawn,
+  type OrderedPath,
+  orderPaths,
+  type PathEnds,
+  travelOf,
+} from '../../../src/vector/order/orderPaths.js';
+import { clipRing } from '../../../src/vector/paths/clipRing.js';
+import { pathLength } from '../../../src/vector/paths/LinePath.js';
+import { pathData } from '../../../src/vector/paths/pathData.js';
+import { simplify } from '../../../src/vector/paths/simplify.js';
+import { strokeOutline } from '../../../src/vector/paths/strokeOutline.js';
 import { walkSegments } from '../../../src/vector/walkSegments.js';
 import { finished } from './finished.js';
 import { ringsOf } from './paths.js';
