@@ -1,5 +1,6 @@
 import { asPhase } from '../slices/asPhase.js';
 import type { Bvh } from './Bvh.js';
+import { backgroundPaths } from './background/backgroundPaths.js';
 import type { Chain } from './Chain.js';
 import { cutRun } from './cutRun.js';
 import type { DrawnScene, EngravedSurface, OutlinedMesh } from './DrawnScene.js';
@@ -17,7 +18,7 @@ import { type SeenTest, visibleRuns } from './visibleRuns.js';
 import { weighByStanding } from './weighByStanding.js';
 
 /** The names of the layers, in their order. */
-export const LAYERS = ['outlines', 'engraved', 'crossing', 'shadows'] as const;
+export const LAYERS = ['outlines', 'engraved', 'crossing', 'shadows', 'background'] as const;
 export type LayerName = (typeof LAYERS)[number];
 
 const LAYER_OF: Readonly<Record<FamilyName, LayerName>> = {
@@ -109,6 +110,13 @@ export class LineDrawer {
       for (const chain of chains) lines.push({ family, chain });
     }
     return lines;
+  }
+
+  *drawBackgrounds(): Generator<number, void, void> {
+    for (const background of this.scene.backgrounds) {
+      const paths = yield* backgroundPaths(background, this.projection, this.bvh, this.pen);
+      for (const path of paths) this.layerOf('background', background.ink).paths.push(path);
+    }
   }
 
   private layerOf(name: LayerName, ink: string): PathLayer {
