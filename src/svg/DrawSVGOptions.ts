@@ -31,6 +31,11 @@ export interface DrawSVGOptions {
   order?: 'travel' | 'drawn' | undefined;
   /** The colour of a rectangle below the drawing; a pen would draw its border. Default: none. */
   paper?: ColorRepresentation | null | undefined;
+  /**
+   * A picture that lies below the lines, in a layer of its own, as large as what the camera sees: a data URL of a PNG or JPEG, such as of the
+   * canvas, for strokes that cannot leave as lines. Only with `kind: 'print'`. Default: none.
+   */
+  picture?: string | null | undefined;
   /** Aborts the drawing: the promise rejects with the reason of the signal. */
   signal?: AbortSignal | undefined;
   /** Called as the drawing goes on, with a number that rises to 1. */
@@ -46,12 +51,13 @@ const NAMES = {
   shadows: true,
   order: true,
   paper: true,
+  picture: true,
 } satisfies Record<Exclude<keyof DrawSVGOptions, 'signal' | 'onProgress'>, true>;
 
 /** Checks options. @throws TypeError or RangeError that names the wrong one */
 export function planOf(options: DrawSVGOptions): DrawingPlan {
   checkOptions('drawSVG', options, NAMES);
-  const { kind = 'print', sheet = 'A4', order = 'travel', shadows = true, paper = null } = options;
+  const { kind = 'print', sheet = 'A4', order = 'travel', shadows = true, paper = null, picture = null } = options;
   checkChoice('kind', kind, ['print', 'pen']);
   checkChoice('order', order, ['travel', 'drawn']);
   if (typeof shadows !== 'boolean') throw new TypeError('drawSVG: shadows must be true or false, or left out.');
@@ -60,6 +66,7 @@ export function planOf(options: DrawSVGOptions): DrawingPlan {
     throw new TypeError("drawSVG: penWidth is only for kind: 'pen'. Leave it out, or draw with a pen.");
   if (isPen && paper !== null)
     throw new TypeError("drawSVG: paper is only for kind: 'print'. A pen would draw the border of the sheet.");
+  if (picture !== null) checkPicture(picture, isPen);
   if (paper !== null) checkColor('drawSVG: paper', paper);
   const [width, height] = sizeOf(sheet);
   const margin = checkNumber('margin', options.margin ?? 10, { from: 0 }, 'drawSVG');
@@ -70,7 +77,19 @@ export function planOf(options: DrawSVGOptions): DrawingPlan {
     pen: isPen ? checkNumber('penWidth', options.penWidth ?? 0.3, { above: 0 }, 'drawSVG') : null,
     dpi: checkNumber('dpi', options.dpi ?? 96, { above: 0 }, 'drawSVG'),
     paper: paper === null ? null : `#${new Color(paper).getHexString()}`,
+    picture,
   };
+}
+
+/** A data URL has no character that would have to be written otherwise in a document. */
+const PICTURE = /^data:image\/(png|jpeg);base64,[A-Za-z0-9+/]+=*$/;
+
+function checkPicture(picture: unknown, isPen: boolean): void {
+  if (isPen) throw new TypeError("drawSVG: picture is only for kind: 'print'. A pen draws no pictures.");
+  if (typeof picture === 'string' && PICTURE.test(picture)) return;
+  throw new TypeError(
+    'drawSVG: picture must be a data URL of a PNG or a JPEG in base64, such as canvas.toDataURL() gives.',
+  );
 }
 
 function checkChoice(name: string, value: unknown, choices: readonly string[]): void {

@@ -76,4 +76,6 @@ export interface DrawingPlan {
   dpi: number;
   order: 'travel' | 'drawn';
   paper: string | null;
+  /** A data URL of a picture below the lines; null for none. */
+  picture: string | null;
 }

@@ -39,7 +39,10 @@ export function* drawLines(scene: DrawnScene, plan: DrawingPlan): Generator<numb
     named.push({ name: stippled.length === 1 ? 'stipple' : `stipple ${ink}`, ink, paths: finished.written });
     for (const name of Object.keys(counts) as (keyof PathCounts)[]) counts[name] += finished.counts[name];
   }
-  return { svg: writeSVG(plan, named), segments: drawer.segments, ...counts };
+  const { left: x, top: y, scale } = placement;
+  const [width, height] = [scale * projection.width, scale * projection.height];
+  const picture = plan.picture === null ? null : { url: plan.picture, x, y, width, height };
+  return { svg: writeSVG({ ...plan, picture }, named), segments: drawer.segments, ...counts };
 }
 
 /** The picture of the camera as large as it fits on the sheet within the margin, in the middle. */
