@@ -54,6 +54,11 @@ export interface DrawSVGOptions extends TaskOptions {
   animate?: number | boolean | undefined;
   /** The colour of a rectangle below the drawing; a pen would draw its border. Default: none. */
   paper?: ColorRepresentation | null | undefined;
+  /**
+   * A picture that lies below the lines, in a layer of its own, as large as what the camera sees: a data URL of a PNG or JPEG, such as of the
+   * canvas, for strokes that cannot leave as lines. Only with `kind: 'print'`. Default: none.
+   */
+  picture?: string | null | undefined;
 }
 
 const NAMES = {
@@ -68,12 +73,13 @@ const NAMES = {
   paper: true,
   hidden: true,
   animate: true,
+  picture: true,
 } satisfies Record<Exclude<keyof DrawSVGOptions, keyof TaskOptions>, true>;
 
 /** Checks options. @throws TypeError or RangeError that names the wrong one */
 export function planOf(options: DrawSVGOptions): DrawingPlan {
   checkOptions('drawSVG', options, NAMES);
-  const { kind = 'print', sheet = 'A4', order = 'travel', shadows = true, paper = null } = options;
+  const { kind = 'print', sheet = 'A4', order = 'travel', shadows = true, paper = null, picture = null } = options;
   checkChoice('kind', kind, ['print', 'pen']);
   checkChoice('order', order, ['travel', 'drawn']);
   if (options.hidden !== undefined) checkChoice('hidden', options.hidden, HIDDEN_OUTLINES);
@@ -86,6 +92,7 @@ export function planOf(options: DrawSVGOptions): DrawingPlan {
     throw new TypeError("drawSVG: leastWidth is only for kind: 'print'. A pen has one width.");
   if (isPen && paper !== null)
     throw new TypeError("drawSVG: paper is only for kind: 'print'. A pen would draw the border of the sheet.");
+  if (picture !== null) checkPicture(picture, isPen);
   if (paper !== null) checkColor('drawSVG: paper', paper);
   const [width, height] = sizeOf(sheet);
   const margin = checkNumber('margin', options.margin ?? 10, { from: 0 }, 'drawSVG');
@@ -98,12 +105,24 @@ export function planOf(options: DrawSVGOptions): DrawingPlan {
     dpi: checkNumber('dpi', options.dpi ?? 96, { above: 0 }, 'drawSVG'),
     animate: secondsOf(options.animate ?? false),
     paper: paper === null ? null : `#${new Color(paper).getHexString()}`,
+    picture,
   };
 }
 
 function secondsOf(animate: number | boolean): number | null {
   if (typeof animate === 'boolean') return animate ? ANIMATION_SECONDS : null;
   return checkNumber('animate', animate, { above: 0 }, 'drawSVG');
+}
+
+/** A data URL has no character that would have to be written otherwise in a document. */
+const PICTURE = /^data:image\/(png|jpeg);base64,[A-Za-z0-9+/]+=*$/;
+
+function checkPicture(picture: unknown, isPen: boolean): void {
+  if (isPen) throw new TypeError("drawSVG: picture is only for kind: 'print'. A pen draws no pictures.");
+  if (typeof picture === 'string' && PICTURE.test(picture)) return;
+  throw new TypeError(
+    'drawSVG: picture must be a data URL of a PNG or a JPEG in base64, such as canvas.toDataURL() gives.',
+  );
 }
 
 function checkChoice(name: string, value: unknown, choices: readonly string[]): void {

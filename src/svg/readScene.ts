@@ -8,6 +8,7 @@ import {
   type Object3D,
   type PerspectiveCamera,
 } from 'three';
+import type { HatchingBackground } from '../background/HatchingBackground.js';
 import type { Vec3 } from '../engraving/vectors.js';
 import { isFormed } from '../geometry/formGeometry.js';
 import { outlineDataOf } from '../geometry/OutlineData.js';
@@ -18,9 +19,16 @@ import type { HatchingOutlineMaterial } from '../outlines/HatchingOutlineMateria
 import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
 import { asPhase } from '../slices/asPhase.js';
 import { CASTS_BACK, CASTS_FRONT, SEEN_BACK, SEEN_FRONT } from '../vector/Bvh.js';
-import type { DrawnScene, EngravedSurface, OutlinedMesh, StippledSurface } from '../vector/DrawnScene.js';
+import type {
+  DrawnBackground,
+  DrawnScene,
+  EngravedSurface,
+  OutlinedMesh,
+  StippledSurface,
+} from '../vector/DrawnScene.js';
 import { GrowingArray } from '../vector/GrowingArray.js';
 import { drawnWithout, faultOf, isStippled, type LeftOut, sentence, whyNoLines, whyNothing } from './leftOut.js';
+import { readBackground } from './readBackground.js';
 import { readEmphasis, readOutlineEmphasis } from './readEmphasis.js';
 import { fieldOf, hasTooManyTurns, turnedLinesOf } from './readField.js';
 import { readLights, type SceneLights } from './readLights.js';
@@ -70,6 +78,7 @@ class SceneReader {
   private readonly surfaces: EngravedSurface[] = [];
   private readonly stippled: StippledSurface[] = [];
   private readonly outlines: OutlinedMesh[] = [];
+  private readonly backgrounds: DrawnBackground[] = [];
   /** The first triangle of each mesh that is drawn. */
   private readonly firstTriangles = new Map<Object3D, number>();
   private readonly fit: ToneFit;
@@ -85,7 +94,7 @@ class SceneReader {
   }
 
   drawn(): DrawnScene {
-    const { corners, sides, surfaces, stippled, outlines, camera, lights, casterSize } = this;
+    const { corners, sides, surfaces, stippled, outlines, backgrounds, camera, lights, casterSize } = this;
     const { lamps, shadows, around } = lights;
     return {
       camera: {
@@ -96,17 +105,21 @@ class SceneReader {
       },
       corners: corners.taken(),
       sides: sides.taken(),
-      ...{ surfaces, stippled, outlines },
+      ...{ surfaces, stippled, outlines, backgrounds },
       illumination: { lamps, shadows, isSoft: this.hasSoftShadows, around, bias: SHADOW_BIAS * casterSize },
     };
   }
 
   *readMesh(object: Object3D): Generator<number, void, void> {
-    if ('isHatchingBackground' in object)
-      this.note(object, 'is left out: the field of lines behind a subject cannot leave as lines yet');
+    if ('isHatchingBackground' in object) this.readBackground(object as unknown as HatchingBackground);
     else if ('isLine' in object || 'isPoints' in object || ('isSprite' in object && !isOutlines(object)))
       this.note(object, 'is left out: it is no mesh');
     else if ('isMesh' in object) yield* this.readSurfaces(object as Mesh);
+  }
+
+  private readBackground(object: HatchingBackground): void {
+    const background = readBackground(object, this.camera, this.lights);
+    if (background) this.backgrounds.push(background);
   }
 
   private note(object: Object3D, what: string): void {

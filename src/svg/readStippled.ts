@@ -18,6 +18,6 @@ export function* readStippled(
     surface,
     // Where nobody says how wide strokes are, dots have a pixel, as the material draws them.
     size: { dotPixels: strokeWidth ?? 1, tilesPerUnit, sizedOnScreen },
-    set: { cells: STIPPLE_MAP_SIZE, texels: stippleMap().image.data as Uint8Array },
+    set: { cells: STIPPLE_MAP_SIZE, texels: (stippleMap().image.data as Uint8Array).slice() },
   };
 }

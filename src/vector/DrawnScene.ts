@@ -39,6 +39,23 @@ export interface StippledSurface {
   ink: string;
 }
 
+/** A field of ruled lines behind a subject. */
+export interface DrawnBackground {
+  /** As of `HatchingBackground`: shares, pixels, radians and sizes of the subject. */
+  tone: number;
+  contrast: number;
+  spacing: number;
+  angle: number;
+  extent: number;
+  /** Where the subject lies on the sheet, from −1 to 1, y up. */
+  seen: { left: number; right: number; bottom: number; top: number };
+  /** Towards the light on the sheet, of length 1 where it comes from the side. */
+  lit: readonly [number, number];
+  /** The lower left corner of the sheet and its size, in widths and heights of the picture. */
+  sheet: readonly [x: number, y: number, width: number, height: number];
+  ink: string;
+}
+
 export interface OutlinedMesh {
   mesh: OutlineMesh;
   look: OutlineLook;
@@ -54,6 +71,7 @@ export interface DrawnScene {
   surfaces: readonly EngravedSurface[];
   stippled: readonly StippledSurface[];
   outlines: readonly OutlinedMesh[];
+  backgrounds: readonly DrawnBackground[];
   illumination: Illumination;
 }
 
@@ -72,4 +90,6 @@ export interface DrawingPlan {
   paper: string | null;
   /** Seconds that the drawing takes to draw itself; null for one that stands still. */
   animate: number | null;
+  /** A data URL of a picture below the lines; null for none. */
+  picture: string | null;
 }

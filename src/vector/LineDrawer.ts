@@ -1,6 +1,7 @@
 import { DASH, FAINT, GAP } from '../engraving/hiddenOutlines.js';
 import { asPhase } from '../slices/asPhase.js';
 import type { Bvh } from './Bvh.js';
+import { backgroundPaths } from './background/backgroundPaths.js';
 import type { Chain } from './Chain.js';
 import { type CutRun, cutRun } from './cutRun.js';
 import type { DrawnScene, EngravedSurface, OutlinedMesh } from './DrawnScene.js';
@@ -24,7 +25,7 @@ import { type SeenTest, visibleRuns } from './visibleRuns.js';
 import { weighByStanding } from './weighByStanding.js';
 
 /** The names of the layers, in their order. */
-export const LAYERS = ['outlines', 'engraved', 'crossing', 'shadows', 'hidden'] as const;
+export const LAYERS = ['outlines', 'engraved', 'crossing', 'shadows', 'background', 'hidden'] as const;
 export type LayerName = (typeof LAYERS)[number];
 
 const LAYER_OF: Readonly<Record<FamilyName, LayerName>> = {
@@ -152,6 +153,13 @@ export class LineDrawer {
       lines.push(...(yield* asPhase(tracingAll, 0.1 + (0.9 * i) / all.length, 0.1 + (0.9 * (i + 1)) / all.length)));
     }
     return lines;
+  }
+
+  *drawBackgrounds(): Generator<number, void, void> {
+    for (const background of this.scene.backgrounds) {
+      const paths = yield* backgroundPaths(background, this.projection, this.bvh, this.pen);
+      for (const path of paths) this.layerOf('background', background.ink).paths.push(path);
+    }
   }
 
   private layerOf(name: LayerName, ink: string, opacity = 1): PathLayer {

@@ -26,7 +26,8 @@ export function* drawLines(scene: DrawnScene, plan: DrawingPlan): Generator<numb
   const drawer = new LineDrawer(scene, pen, projection, bvh, pen === null ? plan.leastWidth / placement.scale : 0);
   yield* asPhase(drawer.drawOutlines(), 0.08, 0.2);
   yield* asPhase(drawer.drawSurfaces(), 0.2, 0.8);
-  const stippled = yield* asPhase(drawDots(scene, projection, bvh, drawer.above), 0.8, 0.9);
+  yield* asPhase(drawer.drawBackgrounds(), 0.8, 0.82);
+  const stippled = yield* asPhase(drawDots(scene, projection, bvh, drawer.above), 0.82, 0.9);
   const layers = LAYERS.flatMap((name) => drawer.layers.filter((layer) => layer.name === name));
   const { written, counts } = yield* asPhase(finishPaths(layers, plan, projection, placement), 0.9, 0.97);
   const named = layers.map(({ name, ink, opacity }, i): SVGLayer => {
@@ -43,7 +44,10 @@ export function* drawLines(scene: DrawnScene, plan: DrawingPlan): Generator<numb
     });
     for (const name of Object.keys(counts) as (keyof PathCounts)[]) counts[name] += finished.counts[name];
   }
-  return { svg: writeSVG(plan, named), segments: drawer.segments, ...counts };
+  const { left: x, top: y, scale } = placement;
+  const [width, height] = [scale * projection.width, scale * projection.height];
+  const picture = plan.picture === null ? null : { url: plan.picture, x, y, width, height };
+  return { svg: writeSVG({ ...plan, picture }, named), segments: drawer.segments, ...counts };
 }
 
 /** The picture of the camera as large as it fits on the sheet within the margin, in the middle. */

@@ -19,6 +19,8 @@ export interface SVGSheet {
   height: number;
   /** The colour of the paper; null for none. */
   paper: string | null;
+  /** A picture below all layers, and where it lies: millimetres; null for none. */
+  picture: { url: string; x: number; y: number; width: number; height: number } | null;
   /** The width of the pen, millimetres; null where paths are filled. */
   pen: number | null;
   /** Seconds that the drawing takes to draw itself; null for one that stands still. */
@@ -31,12 +33,21 @@ const INKSCAPE = 'http://www.inkscape.org/namespaces/inkscape';
 const millimetres = (value: number): string => String(Number(value.toFixed(3)));
 
 /** Writes a drawing as a document. Layers without paths are left out, and the others are numbered, as plotters' programs ask for. */
-export function writeSVG({ width, height, paper, pen, animate }: SVGSheet, layers: readonly SVGLayer[]): string {
+export function writeSVG(
+  { width, height, paper, picture, pen, animate }: SVGSheet,
+  layers: readonly SVGLayer[],
+): string {
   const [w, h] = [millimetres(width), millimetres(height)];
   const lines = [
     `<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="${INKSCAPE}" width="${w}mm" height="${h}mm" viewBox="0 0 ${w} ${h}">`,
   ];
   if (paper !== null) lines.push(`<rect width="${w}" height="${h}" fill="${paper}"/>`);
+  if (picture !== null) {
+    const [x, y] = [millimetres(picture.x), millimetres(picture.y)];
+    const size = `width="${millimetres(picture.width)}" height="${millimetres(picture.height)}"`;
+    lines.push('<g id="picture" inkscape:groupmode="layer" inkscape:label="0 picture">');
+    lines.push(`<image x="${x}" y="${y}" ${size} preserveAspectRatio="none" href="${picture.url}"/>`, '</g>');
+  }
   const drawn = layers.flatMap(({ paths }) => paths).reduce((sum, { length }) => sum + length, 0);
   const clock = animate === null ? null : new AnimationClock(animate, drawn, pen !== null);
   if (clock) lines.push(animationRules(pen !== null));

@@ -25,6 +25,7 @@ export const ROOMS = {
   engraving: ['material/facts'],
   vector: ['slices', 'engraving'],
   'vector/marks': ['/src/vector/LinePath.ts', '/src/vector/Projection.ts'],
+  'vector/background': ['Bvh', 'DrawnScene', 'LinePath', 'Projection'].map((name) => `/src/vector/${name}.ts`),
   'vector/dots': [
     ...['/src/vector/Bvh.ts', '/src/vector/DrawnScene.ts', '/src/vector/finishPaths.ts', '/src/vector/LineSurface.ts'],
     ...[
@@ -91,7 +92,7 @@ export const ROOMS = {
   'scene/flattering': ['/src/scene/assertTree.ts', '/src/scene/surfaceMeshes.ts'],
   svg: [
     ...['slices', 'features', 'bake', 'worker', 'mistakes', 'tam/stippleMap.ts', 'tam/patternSizes.ts', 'geometry'],
-    ...['engraving', 'vector', 'material', 'outlines'],
+    ...['engraving', 'vector', 'material', 'outlines', 'background'],
   ],
   'index.ts': [
     'adjacency',

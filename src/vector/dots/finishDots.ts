@@ -10,6 +10,9 @@ const LEAST_IN_PENS = 0.7;
 /** A pen draws a dot as a circle of this radius at least, so that it moves while it is down. Millimetres. */
 const LEAST_CIRCLE = 0.02;
 
+/** In print the dots of squares of the sheet are one path each, so that they meet without a seam. Millimetres. */
+const SQUARE = 10;
+
 /** Orders dots and writes them as circles: path data, filled in print. Yields its progress. */
 export function* finishDots(
   dots: readonly Dot[],
@@ -25,18 +28,30 @@ export function* finishDots(
   const ends = circles.map(({ x, y }) => ({ start: [x, y] as const, end: [x, y] as const }));
   const isOrdered = order === 'travel' && pen !== null;
   const steps = isOrdered ? yield* asPhase(orderPaths(ends), 0, 1) : asDrawn(ends);
+  const data = steps.map(({ path }) => circleData(circles[path]));
+  const written = pen === null ? joinedBySquares(circles, data) : data;
+  const drawn = circles.reduce((sum, { radius }) => sum + 2 * Math.PI * radius, 0);
   const counts: PathCounts = {
-    paths: circles.length,
+    paths: written.length,
     points: circles.length,
     travelBefore: travelOf(ends, asDrawn(ends)),
     travelAfter: travelOf(ends, steps),
-    drawn: circles.reduce((sum, { radius }) => sum + 2 * Math.PI * radius, 0),
+    drawn,
   };
-  const written = steps.map(({ path }): WrittenPath => {
-    const circle = circles[path];
-    return { data: circleData(circle), length: 2 * Math.PI * circle.radius, way: [2 * circle.radius, 0] };
-  });
-  return { written, counts };
+  // They appear one by one, each in its share of the time.
+  const length = drawn / Math.max(written.length, 1);
+  return { written: written.map((text) => ({ data: text, length, way: [1, 0] })), counts };
+}
+
+function joinedBySquares(circles: readonly Dot[], data: readonly string[]): string[] {
+  const squares = new Map<string, string[]>();
+  for (const [i, { x, y }] of circles.entries()) {
+    const key = `${Math.floor(x / SQUARE)} ${Math.floor(y / SQUARE)}`;
+    const square = squares.get(key);
+    if (square) square.push(data[i]);
+    else squares.set(key, [data[i]]);
+  }
+  return [...squares.values()].map((paths) => paths.join(''));
 }
 
 const millimetres = (value: number): string => String(Number(value.toFixed(3)));

@@ -48,6 +48,9 @@ export interface DotScene {
 
 /** Where all is covered, dots overlap by as much as at this cover. */
 const MOST_COVER = 0.999;
+/** From this cover on the last specks of paper fill: here dots grow over them, up to so many times their area. */
+const FILLING = 0.97;
+const FILLED = 2.5;
 /** Smaller dots are left out, pixels. */
 const LEAST_RADIUS = 0.05;
 /** Octaves to spare, for places between the corners of a triangle. */
@@ -163,7 +166,8 @@ class DotPlacer {
     const octave = dotOctave(pixelArea, own, size);
     if (Math.floor(octave) + 1 !== level) return;
     const area = flattened * dotArea(pixelArea, own, octave) * grownBy(octave - Math.floor(octave), born);
-    const radius = Math.sqrt(area / Math.PI);
+    const filling = 1 + ((FILLED - 1) * Math.max(cover - FILLING, 0)) / (1 - FILLING);
+    const radius = Math.sqrt((filling * area) / Math.PI);
     const [x, y] = projection.project(...place.view);
     if (!(radius >= LEAST_RADIUS) || !projection.contains(x, y)) return;
     const { way, end } = projection.wayToEye(...place.world);
