@@ -19,14 +19,6 @@ export const sentence = (object: Object3D, what: string): LeftOut => ({
 /** Why nothing of a mesh can be drawn; undefined if it can. */
 export function whyNothing(mesh: Mesh): string | undefined {
   const { geometry } = mesh;
-  if ('isBatchedMesh' in mesh) return 'is left out: batches cannot leave as lines yet';
-  if ('isInstancedMesh' in mesh) return 'is left out: instances cannot leave as lines yet';
-  if ('isSkinnedMesh' in mesh) return 'is left out: skins cannot leave as lines yet';
-  if (mesh.morphTargetInfluences?.some((influence) => influence !== 0))
-    return 'is left out: morph targets cannot leave as lines yet';
-  const layout: unknown = geometry.userData.hatching?.layout;
-  if (layout === 'pull')
-    return "is left out: its geometry has the layout 'pull', so prepare it without adjacency and layout";
   if (!geometry.attributes.position) return 'is left out: its geometry has no positions';
   return undefined;
 }

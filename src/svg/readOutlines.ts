@@ -5,8 +5,11 @@ import { BORDER, CONTRARY, CREASE, MATERIAL_BORDER } from '../features/edgeFlags
 import type { OutlineData } from '../geometry/OutlineData.js';
 import type { HatchingOutlineMaterial } from '../outlines/HatchingOutlineMaterial.js';
 import type { FeatureEdge, OutlineLook, OutlineMesh } from '../vector/OutlineMesh.js';
+import { bothPlaces } from './bothPlaces.js';
 import { placesOf } from './placesOf.js';
-import { rowsOf } from './readSurface.js';
+import type { PosedVertices } from './posedVertices.js';
+import { posePoints } from './posePoints.js';
+import { rowsOf } from './rowsOf.js';
 
 /** How outlines look. hasMaterials: whether the mesh has several, whose borders are drawn. */
 export function outlineLookOf(material: HatchingOutlineMaterial, hasMaterials: boolean): OutlineLook {
@@ -20,12 +23,21 @@ export function outlineLookOf(material: HatchingOutlineMaterial, hasMaterials: b
   };
 }
 
-/**
- * Reads what the outlines of a mesh are found on.
- *
- * @param firstTriangle the triangle of the scene that the first of the mesh is
- */
-export function readOutlines(mesh: Mesh, data: OutlineData, camera: Camera, firstTriangle: number): OutlineMesh {
+/** One of the places that a mesh stands in, as it is posed there. */
+export interface OutlinedCopy {
+  toWorld: Matrix4;
+  posed: PosedVertices;
+  /** The triangle of the scene that the first of the mesh is. */
+  firstTriangle: number;
+}
+
+/** Reads what the outlines of a mesh are found on. */
+export function readOutlines(
+  mesh: Mesh,
+  data: OutlineData,
+  { toWorld, posed, firstTriangle }: OutlinedCopy,
+  camera: Camera,
+): OutlineMesh {
   const points = data.points.image.data as Uint32Array<ArrayBuffer>;
   const primitives = data.primitives.image.data as Uint32Array;
   const { triangleCount, edgeCount } = data;
@@ -35,16 +47,20 @@ export function readOutlines(mesh: Mesh, data: OutlineData, camera: Camera, firs
   }
   const first = PRIMITIVE_WORDS * triangleCount;
   const edges = Array.from({ length: edgeCount }, (_, i) => edgeAt(primitives, first + PRIMITIVE_WORDS * i));
-  const { positions, normals } = unpackPoints(points, pointCountOf(triangles, edges));
+  const atRest = unpackPoints(points, pointCountOf(triangles, edges));
+  const curvatures = curvaturesOf(points, atRest.positions.length / 3);
+  const { positions, normals } = posePoints(mesh, points, { ...atRest, curvatures }, posed);
+  const anchors = atRest.positions;
+  const placesAlong = (of: ArrayLike<number>) => placesOf(of.length / 3, (point, axis) => of[3 * point + axis]);
+  const places = placesAlong(anchors);
   return {
-    ...{ positions, normals, triangles, firstTriangle, edges },
-    curvatures: curvaturesOf(points, positions.length / 3),
-    placeOf: placesOf(positions.length / 3, (point, axis) => positions[3 * point + axis]),
+    ...{ positions, normals, anchors, curvatures, triangles, firstTriangle, edges },
+    placeOf: positions === anchors ? places : bothPlaces(places, placesAlong(positions)),
     radius: data.radius || 1,
-    toWorld: mesh.matrixWorld.elements,
-    normalToWorld: rowsOf(new Matrix3().getNormalMatrix(mesh.matrixWorld)),
-    scale: Math.cbrt(Math.abs(mesh.matrixWorld.determinant())) || 1,
-    eye: eyeIn(mesh, camera),
+    toWorld: toWorld.elements,
+    normalToWorld: rowsOf(new Matrix3().getNormalMatrix(toWorld)),
+    scale: Math.cbrt(Math.abs(toWorld.determinant())) || 1,
+    eye: eyeIn(toWorld, camera),
   };
 }
 
@@ -83,8 +99,8 @@ function curvaturesOf(words: Uint32Array, count: number): Float32Array {
 }
 
 /** The eye in the space of a mesh: a place and 1, or a direction and 0. */
-function eyeIn(mesh: Mesh, camera: Camera): OutlineMesh['eye'] {
-  const toObject = new Matrix4().copy(mesh.matrixWorld).invert();
+function eyeIn(toWorld: Matrix4, camera: Camera): OutlineMesh['eye'] {
+  const toObject = new Matrix4().copy(toWorld).invert();
   if (camera.projectionMatrix.elements[15] === 1) {
     const { x, y, z } = new Vector3().setFromMatrixColumn(camera.matrixWorld, 2).transformDirection(toObject);
     return [x, y, z, 0];

@@ -2,6 +2,7 @@ import {
   BackSide,
   type Camera,
   DoubleSide,
+  type InstancedMesh,
   type Material,
   type Matrix4,
   type Mesh,
@@ -20,10 +21,14 @@ import { asPhase } from '../slices/asPhase.js';
 import { CASTS_BACK, CASTS_FRONT, SEEN_BACK, SEEN_FRONT } from '../vector/Bvh.js';
 import type { DrawnScene, EngravedSurface, OutlinedMesh } from '../vector/DrawnScene.js';
 import { drawnWithout, type LeftOut, sentence, whyNoLines, whyNothing } from './leftOut.js';
+import { type MeshCopy, meshCopies } from './meshCopies.js';
+import { type PosedVertices, posedVertices } from './posedVertices.js';
 import { readLights, type SceneLights } from './readLights.js';
 import { engravedLookOf, surfaceLookOf } from './readLook.js';
 import { outlineLookOf, readOutlines } from './readOutlines.js';
-import { fieldOf, readSurface, surfaceFrame } from './readSurface.js';
+import { readSurface } from './readSurface.js';
+import { fieldOf, surfaceFrame } from './surfaceFrame.js';
+import type { TriangleRange } from './TriangleRange.js';
 
 /** How far rays of shadows begin above what they are cast on, as a share of the size of the largest mesh that casts them. */
 const SHADOW_BIAS = 0.01;
@@ -61,8 +66,8 @@ class SceneReader {
   private readonly sides: number[] = [];
   private readonly surfaces: EngravedSurface[] = [];
   private readonly outlines: OutlinedMesh[] = [];
-  /** The first triangle of each mesh that is drawn. */
-  private readonly firstTriangles = new Map<Object3D, number>();
+  /** The places of each mesh that is drawn, and the first triangle of each. */
+  private readonly copies = new Map<Object3D, { copy: MeshCopy; posed: PosedVertices; firstTriangle: number }[]>();
   private readonly fit: ToneFit;
   private casterSize = 0;
 
@@ -111,57 +116,76 @@ class SceneReader {
       this.note(mesh, nothing);
       return;
     }
-    this.firstTriangles.set(mesh, this.sides.length);
-    if (mesh.castShadow) this.noteCaster(mesh);
-    for (const [i, { material, start, end }] of parts.entries()) {
-      const corners = cornersOf(mesh, start, end);
-      const from = i / parts.length;
-      const middle = (i + 0.4) / parts.length;
-      const firstTriangle = yield* asPhase(this.addTriangles(mesh, material, corners), from, middle);
+    const copies = meshCopies(mesh);
+    const hasOwnPoses = (mesh as InstancedMesh).morphTexture != null;
+    let posed: PosedVertices | undefined;
+    for (const [i, copy] of copies.entries()) {
+      if (!posed || hasOwnPoses) posed = posedVertices(mesh, hasOwnPoses ? copy.instance : -1);
+      yield* asPhase(this.readCopy(mesh, copy, posed, parts), i / copies.length, (i + 1) / copies.length);
+    }
+    for (const { material } of parts) {
       const noLines = whyNoLines(mesh, material);
       if (noLines) this.note(mesh, noLines);
-      else {
-        const adding = this.addSurface(mesh, material as HatchingMaterial, corners, firstTriangle);
-        yield* asPhase(adding, middle, (i + 1) / parts.length);
-      }
+      else for (const what of drawnWithout(mesh, material as HatchingMaterial)) this.note(mesh, what);
     }
   }
 
-  private noteCaster({ geometry, matrixWorld }: Mesh): void {
+  private *readCopy(
+    mesh: Mesh,
+    copy: MeshCopy,
+    posed: PosedVertices,
+    parts: readonly MeshPart[],
+  ): Generator<number, void, void> {
+    const known = this.copies.get(mesh) ?? [];
+    this.copies.set(mesh, [...known, { copy, posed, firstTriangle: this.sides.length }]);
+    if (mesh.castShadow) this.noteCaster(mesh, copy);
+    for (const [i, part] of parts.entries()) {
+      const corners = cornersOf(mesh, part, copy);
+      const from = i / parts.length;
+      const middle = (i + 0.4) / parts.length;
+      const firstTriangle = yield* asPhase(this.addTriangles(mesh, copy, posed, part.material, corners), from, middle);
+      if (whyNoLines(mesh, part.material) !== undefined) continue;
+      const adding = this.addSurface(mesh, copy, posed, part.material as HatchingMaterial, { corners, firstTriangle });
+      yield* asPhase(adding, middle, (i + 1) / parts.length);
+    }
+  }
+
+  private noteCaster({ geometry }: Mesh, { toWorld }: MeshCopy): void {
     if (!geometry.boundingSphere) geometry.computeBoundingSphere();
-    const size = geometry.boundingSphere!.radius * matrixWorld.getMaxScaleOnAxis();
+    const size = geometry.boundingSphere!.radius * toWorld.getMaxScaleOnAxis();
     if (size > this.casterSize) this.casterSize = size;
   }
 
   /** Adds triangles to what hides and casts shadows. Returns the number of the first. */
-  private *addTriangles(mesh: Mesh, material: Material, corners: Uint32Array): Generator<number, number, void> {
+  private *addTriangles(
+    mesh: Mesh,
+    { toWorld }: MeshCopy,
+    { positions }: PosedVertices,
+    material: Material,
+    corners: Uint32Array,
+  ): Generator<number, number, void> {
     const first = this.sides.length;
-    const { position } = mesh.geometry.attributes;
-    const isMirrored = mesh.matrixWorld.determinant() < 0;
     const bits = sidesOf(material) | (mesh.castShadow ? castingOf(material) : 0);
-    for (let c = 0; c < corners.length; c += 3) {
+    for (const [c, vertex] of corners.entries()) {
       if (c % (3 * CHUNK) === 0) yield c / corners.length;
-      const [i, j, k] = corners.subarray(c, c + 3);
-      for (const vertex of isMirrored ? [j, i, k] : [i, j, k])
-        this.corners.push(
-          ...placed(mesh.matrixWorld, position.getX(vertex), position.getY(vertex), position.getZ(vertex)),
-        );
-      this.sides.push(bits);
+      const o = 3 * vertex;
+      this.corners.push(...placed(toWorld, positions[o], positions[o + 1], positions[o + 2]));
+      if (c % 3 === 0) this.sides.push(bits);
     }
     return first;
   }
 
   private *addSurface(
     mesh: Mesh,
+    { toWorld }: MeshCopy,
+    posed: PosedVertices,
     material: HatchingMaterial,
-    corners: Uint32Array,
-    firstTriangle: number,
+    range: TriangleRange,
   ): Generator<number, void, void> {
     const { camera, lights, fit } = this;
-    for (const what of drawnWithout(mesh, material)) this.note(mesh, what);
-    const frame = surfaceFrame(mesh, material, camera.matrixWorldInverse);
     const engraved = engravedLookOf(material, isFormed(mesh.geometry));
-    const surface = yield* readSurface(mesh.geometry, { corners, firstTriangle }, frame, sidesOf(material));
+    const frame = surfaceFrame(mesh, toWorld, material, engraved, camera.matrixWorldInverse);
+    const surface = yield* readSurface(mesh.geometry, posed, range, frame, sidesOf(material));
     this.surfaces.push({
       surface,
       engraved,
@@ -174,8 +198,8 @@ class SceneReader {
   readOutlinesOf(object: Object3D): void {
     if (!isOutlines(object)) return;
     const { mesh, material } = object;
-    const firstTriangle = mesh ? this.firstTriangles.get(mesh) : undefined;
-    if (!mesh || firstTriangle === undefined) return;
+    const copies = mesh && this.copies.get(mesh);
+    if (!mesh || !copies) return;
     const data = outlineDataOf(mesh.geometry);
     if (!data) {
       this.note(mesh, 'has no outlines: its geometry was prepared without them');
@@ -184,11 +208,12 @@ class SceneReader {
     if (material.suggestiveContours > 0) this.note(mesh, 'is drawn without suggestive contours');
     if (material.tooth > 0) this.note(mesh, 'has outlines of ink: the tooth of the paper cannot leave as lines');
     if (material.overshoot > 0) this.note(mesh, 'has outlines that do not overshoot');
-    this.outlines.push({
-      mesh: readOutlines(mesh, data, this.camera, firstTriangle),
-      look: outlineLookOf(material, Array.isArray(mesh.material)),
-      ink: colorOf(material),
-    });
+    for (const { copy, posed, firstTriangle } of copies)
+      this.outlines.push({
+        mesh: readOutlines(mesh, data, { toWorld: copy.toWorld, posed, firstTriangle }, this.camera),
+        look: outlineLookOf(material, Array.isArray(mesh.material)),
+        ink: colorOf(material),
+      });
   }
 }
 
@@ -239,7 +264,13 @@ function partsOf({ geometry, material }: Mesh): MeshPart[] {
   return parts.filter((part) => part.material?.visible && part.end - part.start >= 3);
 }
 
-function cornersOf({ geometry: { index } }: Mesh, start: number, end: number): Uint32Array {
-  const count = 3 * Math.floor((end - start) / 3);
-  return Uint32Array.from({ length: count }, (_, c) => (index ? index.getX(start + c) : start + c));
+/** The vertices of the corners of a part, turned round where the mesh is mirrored. */
+function cornersOf({ geometry: { index }, matrixWorld }: Mesh, part: MeshPart, { range }: MeshCopy): Uint32Array {
+  const start = Math.max(part.start, range?.start ?? 0);
+  const end = Math.min(part.end, range ? range.start + range.count : Infinity);
+  const count = 3 * Math.floor(Math.max(end - start, 0) / 3);
+  const vertexOf = (c: number): number => (index ? index.getX(start + c) : start + c);
+  // three.js asks the mesh alone which side is the front, not its instances.
+  if (matrixWorld.determinant() >= 0) return Uint32Array.from({ length: count }, (_, c) => vertexOf(c));
+  return Uint32Array.from({ length: count }, (_, c) => vertexOf(c % 3 === 0 ? c + 1 : c % 3 === 1 ? c - 1 : c));
 }

@@ -119,8 +119,9 @@ export class Engraver {
     const { isOrthographic } = projection;
     const unitsPerPixel = projection.unitsPerPixel(-place.view[2]);
     const seen: SeenPlace = { view: place.view, isOrthographic, unitsPerPixel };
-    const smooth = changePerPixel(reading.gradient, screenMap(place.fieldNormal, viewToField, seen));
-    const flat = changePerPixel(reading.gradient, screenMap(place.flatNormal, viewToField, seen, true));
+    const { smooth: ofSmooth, flat: ofFlat } = place.posed ?? { smooth: viewToField, flat: viewToField };
+    const smooth = changePerPixel(reading.gradient, screenMap(place.fieldNormal, ofSmooth, seen));
+    const flat = changePerPixel(reading.gradient, screenMap(place.flatNormal, ofFlat, seen, true));
     const { rise, coarsest, pressure } = reading;
     return {
       tone: handTone(pressure, tone),

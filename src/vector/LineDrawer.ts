@@ -2,6 +2,7 @@ import { asPhase } from '../slices/asPhase.js';
 import type { Bvh } from './Bvh.js';
 import type { Chain } from './Chain.js';
 import { cutRun } from './cutRun.js';
+import { DetailReader } from './DetailReader.js';
 import type { DrawnScene, EngravedSurface, OutlinedMesh } from './DrawnScene.js';
 import { Engraver, type FamilyName } from './Engraver.js';
 import { holdBack } from './holdBack.js';
@@ -97,7 +98,8 @@ export class LineDrawer {
     const engraver = new Engraver(engraved, field, surface.viewToField, projection);
     const toner = new Toner(look, scene.illumination, bvh, projection);
     const sides = yield* asPhase(seenSides(surface, projection), 0.08, 0.1);
-    const tracing = { surface, engraver, toner, projection, sides, pen };
+    const details = surface.details && new DetailReader(surface, surface.details);
+    const tracing = { surface, details, engraver, toner, projection, sides, pen };
     const lines: { family: FamilyName; chain: Chain }[] = [];
     const step = 0.9 / engraver.families.length;
     for (const [i, family] of engraver.families.entries()) {

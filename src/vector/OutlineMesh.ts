@@ -6,6 +6,8 @@ export interface OutlineMesh {
   /** Points, each a fan of corners with one normal: three numbers of the position and of the unit normal, object space. */
   positions: ArrayLike<number>;
   normals: ArrayLike<number>;
+  /** The positions at rest. */
+  anchors: ArrayLike<number>;
   /** Six numbers per point, xx xy xz yy yz zz: the curvature tensor times the bounding radius. */
   curvatures: ArrayLike<number>;
   /** The place of each point. */
@@ -58,6 +60,8 @@ export interface OutlineLook {
 export interface PieceEnd {
   /** Object space; the normal is of any length. */
   position: Vec3;
+  /** The same at rest. */
+  anchor: Vec3;
   normal: Vec3;
   bend: number;
   /** Weights before the paper, and before a surface. */

@@ -164,7 +164,7 @@ class OutlineDrawing {
     const view = this.projection.toView(this.worldOf(end));
     const [x, y] = this.projection.project(...view);
     if (this.look.wobble === 0) return [x, y];
-    const anchor = combined(1 / this.mesh.radius, end.position, 0, end.position);
+    const anchor = combined(1 / this.mesh.radius, end.anchor, 0, end.anchor);
     const [right, up] = wobbleAt(anchor, this.look.wobble);
     return [x + right, y - up];
   }
@@ -209,6 +209,7 @@ function endAt(a: PieceEnd, b: PieceEnd, share: number): PieceEnd {
   return {
     ...a,
     position: combined(rest, a.position, share, b.position),
+    anchor: combined(rest, a.anchor, share, b.anchor),
     normal: combined(rest, a.normal, share, b.normal),
     bend: rest * a.bend + share * b.bend,
     weight: rest * a.weight + share * b.weight,

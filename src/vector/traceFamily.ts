@@ -1,4 +1,5 @@
 import { type Chain, ChainBuilder } from './Chain.js';
+import type { DetailReader } from './DetailReader.js';
 import { type Engraver, type FamilyName, LEAST_PEN_TONE } from './Engraver.js';
 import { between, flatNormalOf, type LineSurface, placeFrom, STRIDE, type SurfacePlace, VIEW } from './LineSurface.js';
 import { type LevelSegments, levelSegments, NO_RANK } from './levelSegments.js';
@@ -9,6 +10,8 @@ import { type Walk, walkSegments } from './walkSegments.js';
 /** What the lines of a surface are traced with. */
 export interface Tracing {
   surface: LineSurface;
+  /** Null where the surface has no details. */
+  details: DetailReader | null;
   engraver: Engraver;
   toner: Toner;
   projection: Projection;
@@ -63,11 +66,22 @@ export function* traceFamily(tracing: Tracing, family: FamilyName): Generator<nu
   return chains;
 }
 
+/** The place on a triangle that has these numbers. */
+function placeOn({ surface, details, sides }: Tracing, numbers: ArrayLike<number>, triangle: number): SurfacePlace {
+  const place = placeFrom(numbers, flatNormalOf(surface, triangle), sides[triangle]);
+  if (details) {
+    details.read(surface.parents[triangle], place.world);
+    place.posed = details.posedMaps();
+  }
+  return place;
+}
+
 /** The function at every vertex, and how fine the lines of every triangle are. */
 function* readVertices(
-  { surface, engraver, toner, sides, pen }: Tracing,
+  tracing: Tracing,
   family: FamilyName,
 ): Generator<number, { values: Float64Array; ranks: Int16Array }, void> {
+  const { surface, engraver, toner, sides, pen } = tracing;
   const { vertices, triangles, placeOf } = surface;
   const values = new Float64Array(placeOf.length);
   const octaves = new Float64Array(placeOf.length);
@@ -82,7 +96,7 @@ function* readVertices(
     for (let k = 0; k < 3; k++) {
       const v = triangles[3 * t + k];
       if (tones[v] < 0) {
-        const place = placeFrom(between(vertices, v, v, 0), flatNormalOf(surface, t), sides[t]);
+        const place = placeOn(tracing, between(vertices, v, v, 0), t);
         values[v] = engraver.valueAt(family, place);
         octaves[v] = Infinity;
         for (const shadowing of shadowings) {
@@ -171,8 +185,8 @@ class LineTracer {
 
   /** What the line is at numbers of a triangle. */
   measure(numbers: ArrayLike<number>, triangle: number, line: Line): Measured {
-    const { surface, sides, toner, engraver, pen } = this.tracing;
-    const place = placeFrom(numbers, flatNormalOf(surface, triangle), sides[triangle]);
+    const { toner, engraver, pen } = this.tracing;
+    const place = placeOn(this.tracing, numbers, triangle);
     const tones = toner.read(place, toner.hasShadows ? 'traced' : 'none');
     const measure = engraver.measure(this.family, place, tones);
     if (pen === null) {
