@@ -2,6 +2,7 @@ import type { Material, Mesh, Object3D } from 'three';
 import { importanceOf } from '../material/emphasis/importanceOf.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { describeObject } from '../mistakes/describeObject.js';
+import { isBlended } from './PaintReader.js';
 
 /** Something that a drawing does not show as the canvas does. */
 export interface LeftOut {
@@ -33,20 +34,21 @@ export function whyNoLines(mesh: Mesh, material: Material): string | undefined {
   return undefined;
 }
 
-const MAPS = ['map', 'alphaMap', 'normalMap', 'bumpMap', 'aoMap', 'lightMap', 'emissiveMap'] as const;
+const RELIEFS = ['normalMap', 'bumpMap'] as const;
 
 /** What a surface with lines is drawn without. */
 export function drawnWithout(mesh: Mesh, material: HatchingMaterial): string[] {
   const found: string[] = [];
-  const maps = MAPS.filter((name) => material[name]);
-  if (maps.length > 0) found.push(`is drawn without ${maps.join(', ')}: textures cannot leave as lines yet`);
-  if (material.vertexColors && material.localTone > 0) found.push('is drawn without the colours of its vertices');
+  const maps = RELIEFS.filter((name) => material[name]);
+  if (maps.length > 0) found.push(`is drawn without ${maps.join(', ')}: relief in textures cannot leave as lines yet`);
   if (material.medium === 'pen' || material.medium === 'woodcut')
     found.push(`is drawn in unbroken lines: strokes of the medium '${material.medium}' cannot leave as lines yet`);
   if (material.toneNormal === 'face' || material.flatShading)
     found.push('is drawn with smooth tones, not those of flat faces');
   if (material.shadowStrokes === 'reorient') found.push('is drawn with lines that do not turn in shadows');
-  if (material.opacity < 1 || material.alphaTest > 0 || material.alphaHash) found.push('is drawn as if it were opaque');
+  if (isBlended(material)) found.push('is drawn opaque where it is more than half there, and left out elsewhere');
+  else if (material.opacity < 1 || (material.alphaHash && material.alphaTest === 0))
+    found.push('is drawn as if it were opaque');
   if (material.clippingPlanes && material.clippingPlanes.length > 0) found.push('is drawn without its clipping planes');
   if (fades(mesh, material))
     found.push('is drawn with its full weight: what fades by depth, focus or vignette does not do so yet');

@@ -18,11 +18,14 @@ import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingOutlineMaterial } from '../outlines/HatchingOutlineMaterial.js';
 import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
 import { asPhase } from '../slices/asPhase.js';
-import { CASTS_BACK, CASTS_FRONT, SEEN_BACK, SEEN_FRONT } from '../vector/Bvh.js';
+import { CASTS_BACK, CASTS_FRONT, MAY_HAVE_HOLES, SEEN_BACK, SEEN_FRONT } from '../vector/Bvh.js';
 import type { DrawnScene, EngravedSurface, OutlinedMesh } from '../vector/DrawnScene.js';
+import type { Cutout } from '../vector/PaintLook.js';
 import { drawnWithout, type LeftOut, sentence, whyNoLines, whyNothing } from './leftOut.js';
 import { type MeshCopy, meshCopies } from './meshCopies.js';
+import { alphaTestOf, type Painted, PaintReader } from './PaintReader.js';
 import { type PosedVertices, posedVertices } from './posedVertices.js';
+import { type DetailSource, firstCoordinate, readDetails } from './readDetails.js';
 import { readLights, type SceneLights } from './readLights.js';
 import { engravedLookOf, surfaceLookOf } from './readLook.js';
 import { outlineLookOf, readOutlines } from './readOutlines.js';
@@ -66,6 +69,8 @@ class SceneReader {
   private readonly sides: number[] = [];
   private readonly surfaces: EngravedSurface[] = [];
   private readonly outlines: OutlinedMesh[] = [];
+  private readonly cutouts: Cutout[] = [];
+  private readonly paints: PaintReader;
   /** The places of each mesh that is drawn, and the first triangle of each. */
   private readonly copies = new Map<Object3D, { copy: MeshCopy; posed: PosedVertices; firstTriangle: number }[]>();
   private readonly fit: ToneFit;
@@ -77,6 +82,7 @@ class SceneReader {
     private readonly lights: SceneLights,
   ) {
     this.fit = new ExposureFit().update(scene, camera.layers.mask);
+    this.paints = new PaintReader(this.fit);
   }
 
   drawn(): DrawnScene {
@@ -90,6 +96,7 @@ class SceneReader {
       },
       corners: Float64Array.from(corners),
       sides: Uint8Array.from(sides),
+      cutouts: this.cutouts,
       ...{ surfaces, outlines },
       illumination: { lamps: lights.lamps, around: lights.around, bias: SHADOW_BIAS * casterSize },
       meanLight: lights.meanLight,
@@ -124,6 +131,8 @@ class SceneReader {
       yield* asPhase(this.readCopy(mesh, copy, posed, parts), i / copies.length, (i + 1) / copies.length);
     }
     for (const { material } of parts) {
+      const unread = this.paints.unreadable(material as Painted);
+      if (unread.length > 0) this.note(mesh, `is drawn without ${unread.join(', ')}: pixels that cannot be read here`);
       const noLines = whyNoLines(mesh, material);
       if (noLines) this.note(mesh, noLines);
       else for (const what of drawnWithout(mesh, material as HatchingMaterial)) this.note(mesh, what);
@@ -143,9 +152,11 @@ class SceneReader {
       const corners = cornersOf(mesh, part, copy);
       const from = i / parts.length;
       const middle = (i + 0.4) / parts.length;
-      const firstTriangle = yield* asPhase(this.addTriangles(mesh, copy, posed, part.material, corners), from, middle);
+      const paint = this.paints.needs(mesh, part.material, copy);
+      const source = { mesh, copy, posed, material: part.material as Painted, paint };
+      const firstTriangle = yield* asPhase(this.addTriangles(source, corners), from, middle);
       if (whyNoLines(mesh, part.material) !== undefined) continue;
-      const adding = this.addSurface(mesh, copy, posed, part.material as HatchingMaterial, { corners, firstTriangle });
+      const adding = this.addSurface(source, part.material as HatchingMaterial, { corners, firstTriangle });
       yield* asPhase(adding, middle, (i + 1) / parts.length);
     }
   }
@@ -157,40 +168,42 @@ class SceneReader {
   }
 
   /** Adds triangles to what hides and casts shadows. Returns the number of the first. */
-  private *addTriangles(
-    mesh: Mesh,
-    { toWorld }: MeshCopy,
-    { positions }: PosedVertices,
-    material: Material,
-    corners: Uint32Array,
-  ): Generator<number, number, void> {
+  private *addTriangles(source: DetailSource, corners: Uint32Array): Generator<number, number, void> {
+    const { mesh, copy, posed, material, paint } = source;
+    const { positions } = posed;
     const first = this.sides.length;
-    const bits = sidesOf(material) | (mesh.castShadow ? castingOf(material) : 0);
+    let bits = sidesOf(material) | (mesh.castShadow ? castingOf(material) : 0);
+    const details =
+      paint && alphaTestOf(material) > 0 ? readDetails(source, { corners, firstTriangle: first }, null) : null;
+    if (paint && details) {
+      this.cutouts.push({ details, paint: this.paints.paint(mesh, material, paint, 0) });
+      bits |= MAY_HAVE_HOLES;
+    }
     for (const [c, vertex] of corners.entries()) {
       if (c % (3 * CHUNK) === 0) yield c / corners.length;
       const o = 3 * vertex;
-      this.corners.push(...placed(toWorld, positions[o], positions[o + 1], positions[o + 2]));
+      this.corners.push(...placed(copy.toWorld, positions[o], positions[o + 1], positions[o + 2]));
       if (c % 3 === 0) this.sides.push(bits);
     }
     return first;
   }
 
   private *addSurface(
-    mesh: Mesh,
-    { toWorld }: MeshCopy,
-    posed: PosedVertices,
+    source: DetailSource,
     material: HatchingMaterial,
     range: TriangleRange,
   ): Generator<number, void, void> {
-    const { camera, lights, fit } = this;
+    const { camera, lights, fit, paints } = this;
+    const { mesh, copy, paint } = source;
     const engraved = engravedLookOf(material, isFormed(mesh.geometry));
-    const frame = surfaceFrame(mesh, toWorld, material, engraved, camera.matrixWorldInverse);
-    const surface = yield* readSurface(mesh.geometry, posed, range, frame, sidesOf(material));
+    const frame = surfaceFrame(mesh, copy.toWorld, material, engraved, camera.matrixWorldInverse);
+    const surface = yield* readSurface(source, range, frame, sidesOf(material));
     this.surfaces.push({
       surface,
       engraved,
       field: fieldOf(engraved, material, lights.lamps, frame),
       look: surfaceLookOf(material, mesh.receiveShadow, fit),
+      paint: paint && paints.paint(mesh, source.material, paint, firstCoordinate(source, frame)),
       ink: colorOf(material),
     });
   }

@@ -18,7 +18,7 @@ import {
 import { bothPlaces } from './bothPlaces.js';
 import { placesOf } from './placesOf.js';
 import type { PosedVertices } from './posedVertices.js';
-import { readDetails } from './readDetails.js';
+import { type DetailSource, readDetails } from './readDetails.js';
 import { rowsOf } from './rowsOf.js';
 import type { SurfaceFrame } from './surfaceFrame.js';
 import type { TriangleRange } from './TriangleRange.js';
@@ -28,12 +28,13 @@ const CHUNK = 4096;
 
 /** Reads the part of a mesh that a material draws. seen: bits of the sides that are. Yields its progress. */
 export function* readSurface(
-  geometry: BufferGeometry,
-  posed: PosedVertices,
+  source: DetailSource,
   { corners, firstTriangle }: TriangleRange,
   frame: SurfaceFrame,
   seen: number,
 ): Generator<number, LineSurface, void> {
+  const { mesh, posed } = source;
+  const { geometry } = mesh;
   const vertexCount = geometry.attributes.position.count;
   const places = placesOfPose(geometry, posed);
   const vertices = new Array<number>(STRIDE * vertexCount).fill(0);
@@ -51,7 +52,7 @@ export function* readSurface(
     drawsFront: (seen & SEEN_FRONT) !== 0,
     drawsBack: (seen & SEEN_BACK) !== 0,
     viewToField: rowsOf(new Matrix3().multiplyMatrices(frame.toField, viewToObject)),
-    details: readDetails(posed, { corners, firstTriangle }, frame),
+    details: readDetails(source, { corners, firstTriangle }, frame),
   };
 }
 

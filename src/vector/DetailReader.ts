@@ -1,7 +1,7 @@
 import type { Mat3 } from '../engraving/screenGradient.js';
 import { combined, cross, dot, type Vec3 } from '../engraving/vectors.js';
 import { FIELD, type LineSurface, STRIDE, VIEW, WORLD } from './LineSurface.js';
-import { PlaceInTriangle } from './PlaceInTriangle.js';
+import { type EdgeProducts, PlaceInTriangle } from './PlaceInTriangle.js';
 import type { PosedMaps, SurfaceDetails } from './SurfaceDetails.js';
 
 /** Reads the details of one surface, whose first vertices are those that it was read with. */
@@ -39,6 +39,12 @@ export class DetailReader {
     const row = (k: number): Vec3 => [this.at[o + 3 * k], this.at[o + 3 * k + 1], this.at[o + 3 * k + 2]];
     this.flat ??= this.flatMap();
     return { smooth: [row(0), row(1), row(2)], flat: this.flat };
+  }
+
+  /** The products of the edges of a triangle, in the world. */
+  edgesOf(triangle: number): EdgeProducts {
+    this.goTo(triangle);
+    return this.place!;
   }
 
   private goTo(triangle: number): void {

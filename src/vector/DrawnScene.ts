@@ -3,6 +3,7 @@ import type { EngravedLook } from './Engraver.js';
 import type { LineSurface } from './LineSurface.js';
 import type { OutlineLook, OutlineMesh } from './OutlineMesh.js';
 import type { MeanLight } from './outlineChains.js';
+import type { Cutout, PaintLook } from './PaintLook.js';
 import type { CameraMatrices } from './Projection.js';
 import type { Illumination, SurfaceLook } from './Toner.js';
 
@@ -13,6 +14,8 @@ export interface EngravedSurface {
   /** Of the first family; null for lines that follow the form. */
   field: Field | null;
   look: SurfaceLook;
+  /** Null where neither textures nor colours of vertices count. */
+  paint: PaintLook | null;
   /** As in `#1c1a17`. */
   ink: string;
 }
@@ -29,6 +32,8 @@ export interface DrawnScene {
   /** The triangles that hide and cast shadows: nine numbers each, world space, and bits of their sides. */
   corners: Float64Array;
   sides: Uint8Array;
+  /** Of the triangles with holes. */
+  cutouts: readonly Cutout[];
   surfaces: readonly EngravedSurface[];
   outlines: readonly OutlinedMesh[];
   illumination: Illumination;

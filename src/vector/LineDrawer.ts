@@ -9,6 +9,7 @@ import { holdBack } from './holdBack.js';
 import type { LinePath } from './LinePath.js';
 import { outlineChains } from './outlineChains.js';
 import { outlinePieces } from './outlinePieces.js';
+import { Painter } from './Painter.js';
 import type { Projection } from './Projection.js';
 import { outlineTest, weighByStanding } from './seenOutlines.js';
 import { subdivide } from './subdivide.js';
@@ -92,6 +93,7 @@ export class LineDrawer {
     engraved,
     field,
     look,
+    paint,
   }: EngravedSurface): Generator<number, { family: FamilyName; chain: Chain }[], void> {
     const { projection, bvh, pen, scene } = this;
     yield* asPhase(subdivide(surface, projection), 0, 0.08);
@@ -99,7 +101,8 @@ export class LineDrawer {
     const toner = new Toner(look, scene.illumination, bvh, projection);
     const sides = yield* asPhase(seenSides(surface, projection), 0.08, 0.1);
     const details = surface.details && new DetailReader(surface, surface.details);
-    const tracing = { surface, details, engraver, toner, projection, sides, pen };
+    const painter = paint && surface.details && new Painter(paint, surface.details);
+    const tracing = { surface, details, painter, engraver, toner, projection, sides, pen };
     const lines: { family: FamilyName; chain: Chain }[] = [];
     const step = 0.9 / engraver.families.length;
     for (const [i, family] of engraver.families.entries()) {

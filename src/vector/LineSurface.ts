@@ -1,6 +1,7 @@
 import type { FormAt } from '../engraving/readForm.js';
 import type { Mat3 } from '../engraving/screenGradient.js';
 import { combined, cross, normalize, type Vec3 } from '../engraving/vectors.js';
+import type { Paint } from './Painter.js';
 import type { PosedMaps, SurfaceDetails } from './SurfaceDetails.js';
 
 /** Where the numbers of a vertex lie among its `STRIDE` ones. */
@@ -49,6 +50,8 @@ export interface SurfacePlace {
   formCrossing: FormAt;
   /** Of a surface that deforms, in place of its one map from the view to the field. */
   posed: PosedMaps | null;
+  /** Of a surface with textures or colours that count. */
+  paint: Paint | null;
 }
 
 /** The numbers at a share of the way from one vertex to another. */
@@ -74,6 +77,7 @@ export function placeFrom(n: ArrayLike<number>, flatNormal: Vec3, side: number):
     form: { gradient: at(FORM), rest: n[FORM + 3] },
     formCrossing: { gradient: at(FORM + 4), rest: n[FORM + 7] },
     posed: null,
+    paint: null,
   };
 }
 

@@ -1,12 +1,19 @@
 import { combined, dot, type Vec3 } from '../engraving/vectors.js';
 
+/** Products of the edges that leave the first corner of a triangle: of the first with itself, with the second, and of the second. */
+export interface EdgeProducts {
+  bb: number;
+  bc: number;
+  cc: number;
+}
+
 /** Where places lie in a triangle, as weights of its corners. */
-export class PlaceInTriangle {
+export class PlaceInTriangle implements EdgeProducts {
   private readonly ab: Vec3;
   private readonly ac: Vec3;
-  private readonly bb: number;
-  private readonly bc: number;
-  private readonly cc: number;
+  readonly bb: number;
+  readonly bc: number;
+  readonly cc: number;
   private readonly determinant: number;
 
   constructor(

@@ -54,7 +54,7 @@ export class Toner {
     return this.look.receivesShadows && this.light.lamps.some(({ castsShadow }) => castsShadow);
   }
 
-  read({ world, toneNormal, occlusion: occluded }: SurfacePlace, shadowing: Shadowing): Tones {
+  read({ world, toneNormal, occlusion: occluded, paint }: SurfacePlace, shadowing: Shadowing): Tones {
     const { look, projection } = this;
     const { eye, backwards, isOrthographic } = projection;
     const toViewer = isOrthographic ? backwards : normalize(combined(1, eye, -1, world));
@@ -74,9 +74,13 @@ export class Toner {
     }
     const open = openToLights(occluded, look.occlusion) / Math.PI;
     const sky = openToSky(occluded, look.occlusion);
-    const rest = sky * (this.light.around(toneNormal) + (look.reflectedLight * reflected) / Math.PI) + look.emitted;
-    const tone = shadedTone(open * direct + rest, occluded, look);
-    const unshadowed = shadowed > 0 ? shadedTone(open * (direct + shadowed) + rest, occluded, look) : tone;
+    const plain = this.light.around(toneNormal);
+    const around = paint ? paint.open * (plain + paint.around) : plain;
+    const emitted = paint?.emitted ?? look.emitted;
+    const rest = sky * (around + (look.reflectedLight * reflected) / Math.PI) + emitted;
+    const painted = paint ? { ...look, darkness: paint.darkness } : look;
+    const tone = shadedTone(open * direct + rest, occluded, painted);
+    const unshadowed = shadowed > 0 ? shadedTone(open * (direct + shadowed) + rest, occluded, painted) : tone;
     return { tone, unshadowed, shadows };
   }
 

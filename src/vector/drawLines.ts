@@ -19,7 +19,7 @@ const MILLIMETRES_PER_INCH = 25.4;
 /** Draws a scene as lines. Yields its progress from 0 to 1. */
 export function* drawLines(scene: DrawnScene, plan: DrawingPlan): Generator<number, LineDrawing, void> {
   const { projection, placement } = placePicture(scene, plan);
-  const bvh = yield* asPhase(Bvh.build(scene.corners, scene.sides), 0, 0.08);
+  const bvh = yield* asPhase(Bvh.build(scene.corners, scene.sides, scene.cutouts), 0, 0.08);
   const pen = plan.pen === null ? null : plan.pen / placement.scale;
   const drawer = new LineDrawer(scene, pen, projection, bvh);
   yield* asPhase(drawer.drawOutlines(), 0.08, 0.2);

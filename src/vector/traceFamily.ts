@@ -3,6 +3,7 @@ import type { DetailReader } from './DetailReader.js';
 import { type Engraver, type FamilyName, LEAST_PEN_TONE } from './Engraver.js';
 import { between, flatNormalOf, type LineSurface, placeFrom, STRIDE, type SurfacePlace, VIEW } from './LineSurface.js';
 import { type LevelSegments, levelSegments, NO_RANK } from './levelSegments.js';
+import type { Paint, Painter } from './Painter.js';
 import type { Projection } from './Projection.js';
 import type { Shadowing, Toner, Tones } from './Toner.js';
 import { type Walk, walkSegments } from './walkSegments.js';
@@ -12,6 +13,8 @@ export interface Tracing {
   surface: LineSurface;
   /** Null where the surface has no details. */
   details: DetailReader | null;
+  /** Null where neither textures nor colours of vertices count. */
+  painter: Painter | null;
   engraver: Engraver;
   toner: Toner;
   projection: Projection;
@@ -66,15 +69,37 @@ export function* traceFamily(tracing: Tracing, family: FamilyName): Generator<nu
   return chains;
 }
 
+/** Textures are taken together over so much of the picture, or lines would become crumbs. Pixels. */
+const FOOTPRINT = 2;
+/** On a surface with textures a line is measured so often. Pixels. */
+const PAINT_STEP = 2;
+
 /** The place on a triangle that has these numbers. */
-function placeOn({ surface, details, sides }: Tracing, numbers: ArrayLike<number>, triangle: number): SurfacePlace {
+function placeOn(tracing: Tracing, numbers: ArrayLike<number>, triangle: number): SurfacePlace {
+  const { surface, details, painter, sides, projection } = tracing;
   const place = placeFrom(numbers, flatNormalOf(surface, triangle), sides[triangle]);
-  if (details) {
-    details.read(surface.parents[triangle], place.world);
-    place.posed = details.posedMaps();
+  if (!details) return place;
+  const parent = surface.parents[triangle];
+  const read = details.read(parent, place.world);
+  place.posed = details.posedMaps();
+  if (painter) {
+    painter.goTo(parent, details.edgesOf(parent));
+    place.paint = painter.paintAt(read, FOOTPRINT * projection.unitsPerPixel(-place.view[2]));
   }
   return place;
 }
+
+/** The paints between which that of a place may lie. */
+function paintsAt(
+  { surface, details, painter }: Tracing,
+  triangle: number,
+  { world }: SurfacePlace,
+): readonly (Paint | null)[] {
+  if (!details || !painter) return NO_PAINT;
+  return painter.boundsAt(details.read(surface.parents[triangle], world));
+}
+
+const NO_PAINT = [null];
 
 /** The function at every vertex, and how fine the lines of every triangle are. */
 function* readVertices(
@@ -99,10 +124,13 @@ function* readVertices(
         const place = placeOn(tracing, between(vertices, v, v, 0), t);
         values[v] = engraver.valueAt(family, place);
         octaves[v] = Infinity;
-        for (const shadowing of shadowings) {
-          const measure = engraver.measure(family, place, toner.read(place, shadowing));
-          tones[v] = Math.max(tones[v], measure.tone);
-          octaves[v] = Math.min(octaves[v], pen === null ? measure.octave : engraver.penOctave(measure, pen));
+        for (const paint of paintsAt(tracing, t, place)) {
+          place.paint = paint;
+          for (const shadowing of shadowings) {
+            const measure = engraver.measure(family, place, toner.read(place, shadowing));
+            tones[v] = Math.max(tones[v], measure.tone);
+            octaves[v] = Math.min(octaves[v], pen === null ? measure.octave : engraver.penOctave(measure, pen));
+          }
         }
       }
       finest = Math.min(finest, octaves[v]);
@@ -189,16 +217,24 @@ class LineTracer {
     const place = placeOn(this.tracing, numbers, triangle);
     const tones = toner.read(place, toner.hasShadows ? 'traced' : 'none');
     const measure = engraver.measure(this.family, place, tones);
-    if (pen === null) {
-      const half = engraver.halfWidth(measure, line.value, line.rank);
-      return { place, tones, half, margin: half };
-    }
-    return { place, tones, half: pen / 2, margin: engraver.penMargin(measure, line.rank, line.index, pen) };
+    const isHole = place.paint !== null && place.paint.standing < 0;
+    const half = pen === null ? engraver.halfWidth(measure, line.value, line.rank) : pen / 2;
+    if (isHole) return { place, tones, isHole, half, margin: -1 };
+    const margin = pen === null ? half : engraver.penMargin(measure, line.rank, line.index, pen);
+    return { place, tones, isHole, half, margin };
   }
 
   write(builder: ChainBuilder, { place, half, margin }: Measured, triangle: number): void {
     const { projection, surface } = this.tracing;
     builder.push(projection.project(...place.view), place.world, half, margin, surface.parents[triangle]);
+  }
+
+  /** In how many parts a line must be measured from one place of a triangle to another. */
+  partsBetween(start: Float64Array, end: Float64Array): number {
+    const { painter, projection } = this.tracing;
+    if (!painter) return 1;
+    const [a, b] = [start, end].map((n) => projection.project(n[VIEW], n[VIEW + 1], n[VIEW + 2]));
+    return Math.max(1, Math.ceil(Math.hypot(a[0] - b[0], a[1] - b[1]) / PAINT_STEP));
   }
 
   parentOf(triangle: number): number {
@@ -215,6 +251,8 @@ interface Line {
 interface Measured {
   place: SurfacePlace;
   tones: Tones;
+  /** Whether nothing of the surface is there. */
+  isHole: boolean;
   half: number;
   margin: number;
 }
@@ -231,10 +269,17 @@ class LinePen {
 
   /** Goes on to a node over a triangle. */
   to(node: number, triangle: number): void {
-    const { tracer, builder, line, last } = this;
+    const { tracer, last } = this;
     const numbers = tracer.numbersAt(node, triangle);
+    const parts = last ? tracer.partsBetween(last.numbers, numbers) : 1;
+    for (let i = 1; i < parts; i++) this.advance(blended(last!.numbers, numbers, i / parts), triangle);
+    this.advance(numbers, triangle);
+  }
+
+  private advance(numbers: Float64Array, triangle: number): void {
+    const { tracer, builder, line, last } = this;
     const measured = tracer.measure(numbers, triangle, line);
-    if (last && last.measured.tones.shadows !== measured.tones.shadows) this.crossShadow(last, numbers, triangle);
+    if (last && !isAlike(last.measured, measured)) this.crossEdge(last, numbers, triangle);
     tracer.write(builder, measured, triangle);
     this.last = { numbers, measured };
   }
@@ -247,26 +292,28 @@ class LinePen {
     this.last = { numbers, measured };
   }
 
-  /** Writes two points at the edge of a shadow, with what is on either side. */
-  private crossShadow(
+  /** Writes two points at the edge of a shadow or of a hole, with what is on either side. */
+  private crossEdge(
     { numbers: start, measured }: { numbers: Float64Array; measured: Measured },
     end: Float64Array,
     triangle: number,
   ): void {
     const { tracer, builder, line } = this;
-    const at = (share: number) =>
-      tracer.measure(
-        start.map((number, k) => number + share * (end[k] - number)),
-        triangle,
-        line,
-      );
+    const at = (share: number) => tracer.measure(blended(start, end, share), triangle, line);
     let [low, high] = [0, 1];
     for (let i = 0; i < HALVINGS; i++) {
       const middle = 0.5 * (low + high);
-      if (at(middle).tones.shadows === measured.tones.shadows) low = middle;
+      if (isAlike(at(middle), measured)) low = middle;
       else high = middle;
     }
     tracer.write(builder, at(low), triangle);
     tracer.write(builder, at(high), triangle);
   }
 }
+
+/** Whether two places lie in the same shadows, and both on the surface or both in its holes. */
+const isAlike = (one: Measured, other: Measured): boolean =>
+  one.tones.shadows === other.tones.shadows && one.isHole === other.isHole;
+
+const blended = (start: Float64Array, end: Float64Array, share: number): Float64Array =>
+  start.map((number, k) => number + share * (end[k] - number));
