@@ -1,4 +1,4 @@
-import { Color, type ColorRepresentation } from 'three';
+import { Color, type ColorRepresentation, type Plane } from 'three';
 import { checkNumber } from '../material/checkNumber.js';
 import { checkColor } from '../material/checkValues.js';
 import type { DrawingPlan } from '../vector/DrawnScene.js';
@@ -31,6 +31,8 @@ export interface DrawSVGOptions {
   order?: 'travel' | 'drawn' | undefined;
   /** The colour of a rectangle below the drawing; a pen would draw its border. Default: none. */
   paper?: ColorRepresentation | null | undefined;
+  /** Planes that clip everything, as those of a renderer do; those of materials clip by themselves. World space. Default: none. */
+  clippingPlanes?: readonly Plane[] | undefined;
   /** Aborts the drawing: the promise rejects with the reason of the signal. */
   signal?: AbortSignal | undefined;
   /** Called as the drawing goes on, with a number that rises to 1. */
@@ -46,6 +48,7 @@ const NAMES = {
   shadows: true,
   order: true,
   paper: true,
+  clippingPlanes: true,
 } satisfies Record<Exclude<keyof DrawSVGOptions, 'signal' | 'onProgress'>, true>;
 
 /** Checks options. @throws TypeError or RangeError that names the wrong one */
@@ -55,6 +58,7 @@ export function planOf(options: DrawSVGOptions): DrawingPlan {
   checkChoice('kind', kind, ['print', 'pen']);
   checkChoice('order', order, ['travel', 'drawn']);
   if (typeof shadows !== 'boolean') throw new TypeError('drawSVG: shadows must be true or false, or left out.');
+  checkPlanes(options.clippingPlanes ?? []);
   const isPen = kind === 'pen';
   if (!isPen && options.penWidth !== undefined)
     throw new TypeError("drawSVG: penWidth is only for kind: 'pen'. Leave it out, or draw with a pen.");
@@ -71,6 +75,11 @@ export function planOf(options: DrawSVGOptions): DrawingPlan {
     dpi: checkNumber('dpi', options.dpi ?? 96, { above: 0 }, 'drawSVG'),
     paper: paper === null ? null : `#${new Color(paper).getHexString()}`,
   };
+}
+
+function checkPlanes(planes: unknown): void {
+  if (Array.isArray(planes) && planes.every((plane) => plane?.normal?.isVector3)) return;
+  throw new TypeError('drawSVG: clippingPlanes must be a list of Planes of three.js, or left out.');
 }
 
 function checkChoice(name: string, value: unknown, choices: readonly string[]): void {

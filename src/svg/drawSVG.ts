@@ -44,19 +44,19 @@ export async function drawSVG(scene: Object3D, camera: Camera, options: DrawSVGO
   if (!scene?.isObject3D) throw new TypeError('drawSVG: scene must be an Object3D, such as a Scene.');
   if (!('isCamera' in (camera ?? {})))
     throw new TypeError('drawSVG: camera must be a PerspectiveCamera or an OrthographicCamera.');
-  const { signal, onProgress, shadows = true } = options;
+  const { signal, onProgress } = options;
   const start = performance.now();
-  const drawing = await runSliced(draw(scene, camera, shadows, plan), { signal, onProgress });
+  const drawing = await runSliced(draw(scene, camera, options, plan), { signal, onProgress });
   return { ...drawing, seconds: (performance.now() - start) / 1000 };
 }
 
 function* draw(
   scene: Object3D,
   camera: Camera,
-  shadows: boolean,
+  { shadows = true, clippingPlanes = [] }: DrawSVGOptions,
   plan: DrawingPlan,
 ): Generator<number, Omit<SVGDrawing, 'seconds'>, void> {
-  const { drawn, leftOut } = yield* asPhase(readScene(scene, camera, shadows), 0, 0.1);
+  const { drawn, leftOut } = yield* asPhase(readScene(scene, camera, shadows, clippingPlanes), 0, 0.1);
   const drawing = yield* asPhase(drawLines(drawn, plan), 0.1, 1);
   return { ...drawing, leftOut };
 }

@@ -43,13 +43,10 @@ export function drawnWithout(mesh: Mesh, material: HatchingMaterial): string[] {
   if (maps.length > 0) found.push(`is drawn without ${maps.join(', ')}: relief in textures cannot leave as lines yet`);
   if (material.medium === 'pen' || material.medium === 'woodcut')
     found.push(`is drawn in unbroken lines: strokes of the medium '${material.medium}' cannot leave as lines yet`);
-  if (material.toneNormal === 'face' || material.flatShading)
-    found.push('is drawn with smooth tones, not those of flat faces');
   if (material.shadowStrokes === 'reorient') found.push('is drawn with lines that do not turn in shadows');
   if (isBlended(material)) found.push('is drawn opaque where it is more than half there, and left out elsewhere');
   else if (material.opacity < 1 || (material.alphaHash && material.alphaTest === 0))
     found.push('is drawn as if it were opaque');
-  if (material.clippingPlanes && material.clippingPlanes.length > 0) found.push('is drawn without its clipping planes');
   if (fades(mesh, material))
     found.push('is drawn with its full weight: what fades by depth, focus or vignette does not do so yet');
   return found;

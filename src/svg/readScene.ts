@@ -8,6 +8,7 @@ import {
   type Mesh,
   type Object3D,
   type PerspectiveCamera,
+  type Plane,
 } from 'three';
 import type { Vec3 } from '../engraving/vectors.js';
 import { isFormed } from '../geometry/formGeometry.js';
@@ -21,6 +22,8 @@ import { asPhase } from '../slices/asPhase.js';
 import { CASTS_BACK, CASTS_FRONT, MAY_HAVE_HOLES, SEEN_BACK, SEEN_FRONT } from '../vector/Bvh.js';
 import type { DrawnScene, EngravedSurface, OutlinedMesh } from '../vector/DrawnScene.js';
 import type { Cutout } from '../vector/PaintLook.js';
+import { clipOf, shadowClipOf } from './clipOf.js';
+import { flattened } from './flattened.js';
 import { drawnWithout, type LeftOut, sentence, whyNoLines, whyNothing } from './leftOut.js';
 import { type MeshCopy, meshCopies } from './meshCopies.js';
 import { alphaTestOf, type Painted, PaintReader } from './PaintReader.js';
@@ -38,15 +41,18 @@ const SHADOW_BIAS = 0.01;
 
 /**
  * Reads a scene as plain data, and names what is not in it. Brings the world matrices of scene and camera up to date. Yields its progress.
+ *
+ * @param clippingPlanes that clip everything
  */
 export function* readScene(
   scene: Object3D,
   camera: Camera,
   shadows: boolean,
+  clippingPlanes: readonly Plane[] = [],
 ): Generator<number, { drawn: DrawnScene; leftOut: LeftOut[] }, void> {
   scene.updateMatrixWorld();
   camera.updateMatrixWorld();
-  const reader = new SceneReader(scene, camera, readLights(scene, camera, shadows));
+  const reader = new SceneReader(scene, camera, readLights(scene, camera, shadows), clippingPlanes);
   const objects: Object3D[] = [];
   scene.traverseVisible((object) => {
     if (object.layers.test(camera.layers)) objects.push(object);
@@ -80,6 +86,7 @@ class SceneReader {
     scene: Object3D,
     private readonly camera: Camera,
     private readonly lights: SceneLights,
+    private readonly clippingPlanes: readonly Plane[],
   ) {
     this.fit = new ExposureFit().update(scene, camera.layers.mask);
     this.paints = new PaintReader(this.fit);
@@ -169,14 +176,13 @@ class SceneReader {
 
   /** Adds triangles to what hides and casts shadows. Returns the number of the first. */
   private *addTriangles(source: DetailSource, corners: Uint32Array): Generator<number, number, void> {
-    const { mesh, copy, posed, material, paint } = source;
+    const { mesh, copy, posed, material } = source;
     const { positions } = posed;
     const first = this.sides.length;
     let bits = sidesOf(material) | (mesh.castShadow ? castingOf(material) : 0);
-    const details =
-      paint && alphaTestOf(material) > 0 ? readDetails(source, { corners, firstTriangle: first }, null) : null;
-    if (paint && details) {
-      this.cutouts.push({ details, paint: this.paints.paint(mesh, material, paint, 0) });
+    const cutout = this.cutoutOf(source, { corners, firstTriangle: first });
+    if (cutout) {
+      this.cutouts.push(cutout);
       bits |= MAY_HAVE_HOLES;
     }
     for (const [c, vertex] of corners.entries()) {
@@ -188,6 +194,17 @@ class SceneReader {
     return first;
   }
 
+  /** What is not there of triangles; null if all is. */
+  private cutoutOf(source: DetailSource, range: TriangleRange): Cutout | null {
+    const { mesh, material, paint } = source;
+    const details = paint && alphaTestOf(material) > 0 ? readDetails(source, range, null) : null;
+    const painted = details && paint && { details, paint: this.paints.paint(mesh, material, paint, 0) };
+    const clip = clipOf(material, this.clippingPlanes);
+    if (!painted && !clip) return null;
+    const first = range.firstTriangle;
+    return { first, end: first + range.corners.length / 3, painted, clip, shadowClip: shadowClipOf(material) };
+  }
+
   private *addSurface(
     source: DetailSource,
     material: HatchingMaterial,
@@ -197,13 +214,14 @@ class SceneReader {
     const { mesh, copy, paint } = source;
     const engraved = engravedLookOf(material, isFormed(mesh.geometry));
     const frame = surfaceFrame(mesh, copy.toWorld, material, engraved, camera.matrixWorldInverse);
-    const surface = yield* readSurface(source, range, frame, sidesOf(material));
+    const smooth = yield* readSurface(source, range, frame, sidesOf(material));
     this.surfaces.push({
-      surface,
+      surface: material.toneNormal === 'face' || material.flatShading ? flattened(smooth) : smooth,
       engraved,
       field: fieldOf(engraved, material, lights.lamps, frame),
       look: surfaceLookOf(material, mesh.receiveShadow, fit),
       paint: paint && paints.paint(mesh, source.material, paint, firstCoordinate(source, frame)),
+      clip: clipOf(material, this.clippingPlanes),
       ink: colorOf(material),
     });
   }
@@ -225,6 +243,7 @@ class SceneReader {
       this.outlines.push({
         mesh: readOutlines(mesh, data, { toWorld: copy.toWorld, posed, firstTriangle }, this.camera),
         look: outlineLookOf(material, Array.isArray(mesh.material)),
+        clip: clipOf(material, this.clippingPlanes),
         ink: colorOf(material),
       });
   }

@@ -168,7 +168,13 @@ export class Bvh {
     const qz = sx * e1y - sy * e1x;
     const v = (dx * qx + dy * qy + dz * qz) / determinant;
     if (!(v >= 0 && u + v <= 1)) return Number.NaN;
-    if ((this.sortedSides[i] & MAY_HAVE_HOLES) !== 0 && this.holes.isOpen(this.nodes.order[i], u, v)) return Number.NaN;
-    return (e2x * qx + e2y * qy + e2z * qz) / determinant;
+    const t = (e2x * qx + e2y * qy + e2z * qz) / determinant;
+    return (this.sortedSides[i] & MAY_HAVE_HOLES) !== 0 && this.isOpen(i, u, v, t) ? Number.NaN : t;
+  }
+
+  private isOpen(i: number, u: number, v: number, t: number): boolean {
+    const { origin: o, direction: d } = this;
+    const place: Vec3 = [o[0] + t * d[0], o[1] + t * d[1], o[2] + t * d[2]];
+    return this.holes.isOpen(this.nodes.order[i], u, v, place, (this.ofFront & (CASTS_FRONT | CASTS_BACK)) !== 0);
   }
 }

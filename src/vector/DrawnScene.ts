@@ -1,4 +1,5 @@
 import type { Field } from '../engraving/fieldAxis.js';
+import type { Clip } from './Clip.js';
 import type { EngravedLook } from './Engraver.js';
 import type { LineSurface } from './LineSurface.js';
 import type { OutlineLook, OutlineMesh } from './OutlineMesh.js';
@@ -16,6 +17,8 @@ export interface EngravedSurface {
   look: SurfaceLook;
   /** Null where neither textures nor colours of vertices count. */
   paint: PaintLook | null;
+  /** Null where nothing is clipped. */
+  clip: Clip | null;
   /** As in `#1c1a17`. */
   ink: string;
 }
@@ -23,6 +26,8 @@ export interface EngravedSurface {
 export interface OutlinedMesh {
   mesh: OutlineMesh;
   look: OutlineLook;
+  /** Null where nothing is clipped. */
+  clip: Clip | null;
   ink: string;
 }
 
@@ -32,7 +37,7 @@ export interface DrawnScene {
   /** The triangles that hide and cast shadows: nine numbers each, world space, and bits of their sides. */
   corners: Float64Array;
   sides: Uint8Array;
-  /** Of the triangles with holes. */
+  /** Of the triangles that have holes or are clipped, in their order. */
   cutouts: readonly Cutout[];
   surfaces: readonly EngravedSurface[];
   outlines: readonly OutlinedMesh[];

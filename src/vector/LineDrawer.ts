@@ -1,6 +1,7 @@
 import { asPhase } from '../slices/asPhase.js';
 import type { Bvh } from './Bvh.js';
 import type { Chain } from './Chain.js';
+import { type Clip, isClipped } from './Clip.js';
 import { cutRun } from './cutRun.js';
 import { DetailReader } from './DetailReader.js';
 import type { DrawnScene, EngravedSurface, OutlinedMesh } from './DrawnScene.js';
@@ -61,7 +62,7 @@ export class LineDrawer {
       yield* asPhase(this.drawOutline(outlined), i / outlines.length, (i + 1) / outlines.length);
   }
 
-  private *drawOutline({ mesh, look, ink }: OutlinedMesh): Generator<number, void, void> {
+  private *drawOutline({ mesh, look, clip, ink }: OutlinedMesh): Generator<number, void, void> {
     const { scene, projection, bvh } = this;
     const pieces = yield* asPhase(outlinePieces(mesh, look), 0, 0.4);
     const joining = outlineChains(pieces, mesh, look, projection, scene.meanLight);
@@ -69,7 +70,7 @@ export class LineDrawer {
     for (const [i, chain] of chains.entries()) {
       yield 0.5 + (0.5 * i) / chains.length;
       weighByStanding(chain, bvh, projection);
-      this.addChain(this.layerOf('outlines', ink), chain, outlineTest(chain, bvh, projection), false);
+      this.addChain(this.layerOf('outlines', ink), chain, clipped(outlineTest(chain, bvh, projection), clip), false);
     }
   }
 
@@ -82,7 +83,8 @@ export class LineDrawer {
   private *drawSurface(engraved: EngravedSurface): Generator<number, void, void> {
     const lines = yield* asPhase(this.tracedChains(engraved), 0, 0.5);
     for (const [i, { family, chain }] of lines.entries()) {
-      this.addChain(this.layerOf(LAYER_OF[family], engraved.ink), chain, this.surfaceTest(chain), this.pen === null);
+      const isSeen = clipped(this.surfaceTest(chain), engraved.clip);
+      this.addChain(this.layerOf(LAYER_OF[family], engraved.ink), chain, isSeen, this.pen === null);
       yield 0.5 + (0.5 * (i + 1)) / lines.length;
     }
   }
@@ -140,3 +142,7 @@ export class LineDrawer {
     }
   }
 }
+
+/** A test that sees nothing of what clipping planes take away. */
+const clipped = (isSeen: SeenTest, clip: Clip | null): SeenTest =>
+  clip ? (place) => !isClipped(clip, place.world) && isSeen(place) : isSeen;

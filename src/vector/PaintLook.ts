@@ -1,4 +1,5 @@
 import type { Vec3 } from '../engraving/vectors.js';
+import type { Clip } from './Clip.js';
 import type { SurfaceDetails } from './SurfaceDetails.js';
 
 /** The pixels of a texture. */
@@ -47,8 +48,14 @@ export interface PaintLook {
   alphaTest: number;
 }
 
-/** Triangles of the scene that have holes where their alpha is too low. */
+/** Triangles of the scene of which not all is there. */
 export interface Cutout {
-  details: SurfaceDetails;
-  paint: PaintLook;
+  /** The first of them, and the first after them. */
+  first: number;
+  end: number;
+  /** Where their alpha is too low there are holes; null where they have none. */
+  painted: { details: SurfaceDetails; paint: PaintLook } | null;
+  /** What clipping planes leave of them, as they are seen and as they cast shadows. */
+  clip: Clip | null;
+  shadowClip: Clip | null;
 }

@@ -33,7 +33,7 @@ function isHiddenBy(corners: Float64Array, place: readonly number[], way: readon
 export function wronglySeen(scene: Scene, camera: Camera, samples: number): { share: number; pieces: number } {
   const { drawn } = finished(readScene(scene, camera, false));
   const projection = new Projection(drawn.camera, 400, 400);
-  const bvh = finished(Bvh.build(drawn.corners, drawn.sides));
+  const bvh = finished(Bvh.build(drawn.corners, drawn.sides, drawn.cutouts));
   const drawer = new LineDrawer(drawn, null, projection, bvh);
   const random = randomNumbers(1);
   const pieces: { length: number; look(share: number): boolean }[] = [];
