@@ -5,6 +5,7 @@ import {
   type Mesh,
   MirroredRepeatWrapping,
   RepeatWrapping,
+  TangentSpaceNormalMap,
   type Texture,
 } from 'three';
 import type { Vec3 } from '../engraving/vectors.js';
@@ -18,7 +19,7 @@ import { isSharp, readImage } from './readImage.js';
 
 /** What a material says of colours and textures; of materials that are not hatched only some of it. */
 export type Painted = Material & {
-  [name in 'map' | 'emissiveMap' | 'aoMap' | 'lightMap' | 'alphaMap']?: Texture | null;
+  [name in ToneMap]?: Texture | null;
 } & { color?: Color };
 
 /** What the paint of a surface reads of vertices: the channels of texture coordinates, and whether their colours count. */
@@ -28,7 +29,7 @@ export interface PaintNeeds {
 }
 
 /** The textures that count for the tone. */
-const TONE_MAPS = ['map', 'emissiveMap', 'aoMap', 'lightMap', 'alphaMap'] as const;
+const TONE_MAPS = ['map', 'emissiveMap', 'aoMap', 'lightMap', 'alphaMap', 'normalMap'] as const;
 export type ToneMap = (typeof TONE_MAPS)[number];
 
 /** From where on what is half transparent is drawn, of materials that are blended. */
@@ -72,6 +73,8 @@ export class PaintReader {
       vertexColor: hasColors ? first + 2 * channels.length : null,
       ...{ map: look('map'), emissiveMap: look('emissiveMap'), aoMap: look('aoMap') },
       ...{ lightMap: look('lightMap'), alphaMap: look('alphaMap') },
+      normalMap: look('normalMap'),
+      normalScale: hatched ? [hatched.normalScale.x, hatched.normalScale.y] : [1, 1],
       aoMapIntensity: hatched?.aoMapIntensity ?? 0,
       lightMapIntensity: hatched?.lightMapIntensity ?? 0,
       alphaTest: alphaTestOf(material),
@@ -102,6 +105,7 @@ export class PaintReader {
     if (name === 'alphaMap') return alphaTestOf(material) > 0;
     if (name === 'map') return this.heedsColor(material);
     if (!('isHatchingMaterial' in material)) return false;
+    if (name === 'normalMap') return bendsNormals(material as HatchingMaterial);
     const { emissive, emissiveIntensity } = material as HatchingMaterial;
     return name !== 'emissiveMap' || emissiveIntensity * luminanceOf(emissive) > 0;
   }
@@ -132,6 +136,10 @@ export function alphaTestOf(material: Painted): number {
   if (material.alphaTest > 0) return material.alphaTest;
   return isBlended(material) ? HALF : 0;
 }
+
+/** Whether a map bends the normals that tone is computed from. Those of flat faces stay as they are; maps in object space are not read. */
+export const bendsNormals = ({ normalMap, normalMapType, toneNormal, flatShading }: HatchingMaterial): boolean =>
+  normalMap !== null && normalMapType === TangentSpaceNormalMap && toneNormal !== 'face' && !flatShading;
 
 export const coordinatesOf = (channel: number): string => (channel === 0 ? 'uv' : `uv${channel}`);
 

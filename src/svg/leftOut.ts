@@ -1,4 +1,4 @@
-import type { Material, Mesh, Object3D } from 'three';
+import { type Material, type Mesh, type Object3D, ObjectSpaceNormalMap } from 'three';
 import { importanceOf } from '../material/emphasis/importanceOf.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { describeObject } from '../mistakes/describeObject.js';
@@ -34,13 +34,12 @@ export function whyNoLines(mesh: Mesh, material: Material): string | undefined {
   return undefined;
 }
 
-const RELIEFS = ['normalMap', 'bumpMap'] as const;
-
 /** What a surface with lines is drawn without. */
 export function drawnWithout(mesh: Mesh, material: HatchingMaterial): string[] {
   const found: string[] = [];
-  const maps = RELIEFS.filter((name) => material[name]);
-  if (maps.length > 0) found.push(`is drawn without ${maps.join(', ')}: relief in textures cannot leave as lines yet`);
+  if (material.bumpMap) found.push('is drawn without bumpMap: heights cannot leave as lines yet');
+  if (material.normalMap && material.normalMapType === ObjectSpaceNormalMap)
+    found.push('is drawn without normalMap: normals in object space cannot leave as lines yet');
   if (material.medium === 'pen' || material.medium === 'woodcut')
     found.push(`is drawn in unbroken lines: strokes of the medium '${material.medium}' cannot leave as lines yet`);
   if (material.shadowStrokes === 'reorient') found.push('is drawn with lines that do not turn in shadows');

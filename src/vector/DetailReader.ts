@@ -47,6 +47,12 @@ export class DetailReader {
     return this.place!;
   }
 
+  /** The corners of a triangle, in the world. */
+  cornersOf(triangle: number): [Vec3, Vec3, Vec3] {
+    this.goTo(triangle);
+    return [this.corner(0, WORLD), this.corner(1, WORLD), this.corner(2, WORLD)];
+  }
+
   private goTo(triangle: number): void {
     if (triangle === this.triangle) return;
     this.triangle = triangle;

@@ -44,6 +44,9 @@ export interface PaintLook {
   lightMap: MapLook | null;
   lightMapIntensity: number;
   alphaMap: MapLook | null;
+  /** Normals in the space of the surface and its coordinates, and what their two slopes are multiplied by. */
+  normalMap: MapLook | null;
+  normalScale: readonly [number, number];
   /** Nothing is there where alpha is below this; 0 cuts nothing out. */
   alphaTest: number;
 }

@@ -1,4 +1,5 @@
 import { localDarkness } from '../engraving/tone.js';
+import { combined, cross, dot, normalize, type Vec3 } from '../engraving/vectors.js';
 import { MapSampler, type Rgba } from './MapSampler.js';
 import type { MapLook, PaintLook } from './PaintLook.js';
 import type { EdgeProducts } from './PlaceInTriangle.js';
@@ -15,6 +16,8 @@ export interface Paint {
   open: number;
   /** Above 0 where the surface is there, in units of alpha; 1 where nothing is cut out of it. */
   standing: number;
+  /** The normal of a map, along the coordinates and away from the surface; null where there is none. */
+  relief: Vec3 | null;
 }
 
 /** Which pixels of textures: those at the place, or the least or the greatest of all. */
@@ -33,7 +36,7 @@ export class Painter {
     private readonly look: PaintLook,
     private readonly details: SurfaceDetails,
   ) {
-    for (const map of [look.map, look.emissiveMap, look.aoMap, look.lightMap, look.alphaMap])
+    for (const map of [look.map, look.emissiveMap, look.aoMap, look.lightMap, look.alphaMap, look.normalMap])
       if (map) this.samplers.set(map, new MapSampler(map));
   }
 
@@ -88,7 +91,34 @@ export class Painter {
       around: (look.lightMapIntensity * luminance(light[0], light[1], light[2])) / Math.PI,
       open: 1 - look.aoMapIntensity * (1 - occlusion),
       standing: this.standing(numbers, map, this.sample(look.alphaMap, numbers, footprint, reading)),
+      relief: look.normalMap && reading === 'here' ? this.relief(look.normalMap, numbers, footprint) : null,
     };
+  }
+
+  private relief(map: MapLook, numbers: ArrayLike<number>, footprint: number): Vec3 {
+    const [r, g, b] = this.sample(map, numbers, footprint, 'here');
+    const [across, up] = this.look.normalScale;
+    return [across * (2 * r - 1), up * (2 * g - 1), 2 * b - 1];
+  }
+
+  /** Whether a map bends normals, so that any tone may be anywhere. */
+  get hasRelief(): boolean {
+    return this.look.normalMap !== null;
+  }
+
+  /** The normal that a map makes of one in the world, as three.js does without tangents. */
+  bent(normal: Vec3, relief: Vec3, [a, b, c]: readonly [Vec3, Vec3, Vec3]): Vec3 {
+    const { corners, firstTriangle, stride, numbers } = this.details;
+    const { uv, transform: m } = this.look.normalMap!;
+    const along = (k: number, row: number): number => {
+      const [from, to] = [0, k].map((corner) => stride * corners[3 * (this.triangle - firstTriangle) + corner] + uv);
+      return m[3 * row] * (numbers[to] - numbers[from]) + m[3 * row + 1] * (numbers[to + 1] - numbers[from + 1]);
+    };
+    const [ofFirst, ofSecond] = [cross(combined(1, c, -1, a), normal), cross(normal, combined(1, b, -1, a))];
+    const right = combined(along(1, 0), ofFirst, along(2, 0), ofSecond);
+    const up = combined(along(1, 1), ofFirst, along(2, 1), ofSecond);
+    const scale = 1 / Math.sqrt(Math.max(dot(right, right), dot(up, up)) || 1);
+    return normalize(combined(1, combined(scale * relief[0], right, scale * relief[1], up), relief[2], normal));
   }
 
   private standing(numbers: ArrayLike<number>, map: Rgba, alphaMap: Rgba): number {

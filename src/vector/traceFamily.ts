@@ -85,6 +85,8 @@ function placeOn(tracing: Tracing, numbers: ArrayLike<number>, triangle: number)
   if (painter) {
     painter.goTo(parent, details.edgesOf(parent));
     place.paint = painter.paintAt(read, FOOTPRINT * projection.unitsPerPixel(-place.view[2]));
+    const { relief } = place.paint;
+    if (relief) place.toneNormal = painter.bent(place.toneNormal, relief, details.cornersOf(parent));
   }
   return place;
 }
@@ -100,6 +102,8 @@ function paintsAt(
 }
 
 const NO_PAINT = [null];
+/** What may be anywhere on a surface whose normals are bent. */
+const DARKEST: Tones = { tone: 1, unshadowed: 0.5, shadows: 0 };
 
 /** The function at every vertex, and how fine the lines of every triangle are. */
 function* readVertices(
@@ -127,7 +131,8 @@ function* readVertices(
         for (const paint of paintsAt(tracing, t, place)) {
           place.paint = paint;
           for (const shadowing of shadowings) {
-            const measure = engraver.measure(family, place, toner.read(place, shadowing));
+            const read = tracing.painter?.hasRelief ? DARKEST : toner.read(place, shadowing);
+            const measure = engraver.measure(family, place, read);
             tones[v] = Math.max(tones[v], measure.tone);
             octaves[v] = Math.min(octaves[v], pen === null ? measure.octave : engraver.penOctave(measure, pen));
           }

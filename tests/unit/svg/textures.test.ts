@@ -14,6 +14,7 @@ import {
   SphereGeometry,
   SRGBColorSpace,
   Texture,
+  Vector3,
 } from 'three';
 import { describe, expect, test } from 'vitest';
 import { lightness } from '../../../src/material/facts/lightness.js';
@@ -195,6 +196,45 @@ describe('other textures and colours', () => {
     instances.setMatrixAt(0, new Matrix4());
     instances.setColorAt(0, new Color(0.1, 0.1, 0.1));
     expect(Math.abs((await halves(instances))[1] - darkened(white, 0.1))).toBeLessThan(0.02);
+  });
+});
+
+describe('a map of normals', () => {
+  /** A map of one normal. */
+  const slanted = (x: number, y: number): DataTexture => {
+    const z = Math.sqrt(1 - x * x - y * y);
+    const bytes = [x, y, z].map((component) => Math.round(127.5 * (component + 1)));
+    const texture = new DataTexture(Uint8Array.from([...bytes, 255]), 1, 1, RGBAFormat);
+    texture.needsUpdate = true;
+    return texture;
+  };
+  const plain: HatchingMaterialParameters = { exposure: 1, toneCurve: 'linear', highlightTone: 0 };
+
+  test.each([
+    [0, 0],
+    [0.4, 0],
+    [0, 0.4],
+    [-0.3, 0.5],
+  ])('that leans by (%s, %s) has the tone of what leans so', async (x, y) => {
+    const [left] = await halves(await planeOfTone(0, { ...plain, normalMap: slanted(x, y) }));
+    const toLight = new Vector3(-0.55, 0.75, 0.6).normalize();
+    const cosine = Math.max(toLight.dot(new Vector3(x, y, Math.sqrt(1 - x * x - y * y))), 0);
+    expect(Math.abs(left - (1 - cosine))).toBeLessThan(0.02);
+  });
+
+  test('leans more by its scale, and the way that its coordinates turn', async () => {
+    const one = await planeOfTone(0, { ...plain, normalMap: slanted(0.4, 0) });
+    one.geometry.attributes.uv.applyMatrix4(new Matrix4().makeRotationZ(Math.PI / 2));
+    const other = await planeOfTone(0, { ...plain, normalMap: slanted(0, 0.4) });
+    // u falls as the plane rises, so what leans along u leans down.
+    expect(
+      Math.abs(
+        (await halves(one))[0] - (await halves(await planeOfTone(0, { ...plain, normalMap: slanted(0, -0.4) })))[0],
+      ),
+    ).toBeLessThan(0.02);
+    const before = (await halves(other))[0];
+    other.material.normalScale.set(1, 0);
+    expect(Math.abs((await halves(other))[0] - before)).toBeGreaterThan(0.05);
   });
 });
 
