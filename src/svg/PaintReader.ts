@@ -13,7 +13,7 @@ import { isFitted } from '../material/exposure/isFitted.js';
 import type { ToneFit } from '../material/exposure/ToneFit.js';
 import { luminanceOf } from '../material/facts/luminanceOf.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
-import type { MapLook, PaintLook, ToneImage, Wrapping } from '../vector/PaintLook.js';
+import type { MapLook, PaintLook, ToneImage, Wrapping } from '../vector/paint/PaintLook.js';
 import type { MeshCopy } from './meshCopies.js';
 import { isSharp, readImage } from './readImage.js';
 

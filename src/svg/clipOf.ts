@@ -1,5 +1,5 @@
 import type { Material, Plane } from 'three';
-import type { Clip, ClipPlane } from '../vector/Clip.js';
+import type { Clip, ClipPlane } from '../vector/paint/Clip.js';
 
 /** The planes that clip everything, and how a material clips; null where nothing is clipped. */
 export function clipOf(

@@ -1,5 +1,5 @@
 import { Matrix3, type Mesh } from 'three';
-import type { SurfaceDetails } from '../vector/SurfaceDetails.js';
+import type { SurfaceDetails } from '../vector/paint/SurfaceDetails.js';
 import type { MeshCopy } from './meshCopies.js';
 import { coordinatesOf, type Painted, type PaintNeeds, writeColor } from './PaintReader.js';
 import type { PosedVertices } from './posedVertices.js';

@@ -1,5 +1,5 @@
 import { DataUtils, HalfFloatType, NearestFilter, SRGBColorSpace, type Texture } from 'three';
-import type { ToneImage } from '../vector/PaintLook.js';
+import type { ToneImage } from '../vector/paint/PaintLook.js';
 
 /** Larger images are read at a part of their size: a picture shows no more. */
 const MOST_PIXELS = 2048;

@@ -21,7 +21,7 @@ import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
 import { asPhase } from '../slices/asPhase.js';
 import { CASTS_BACK, CASTS_FRONT, MAY_HAVE_HOLES, SEEN_BACK, SEEN_FRONT } from '../vector/Bvh.js';
 import type { DrawnScene, EngravedSurface, OutlinedMesh } from '../vector/DrawnScene.js';
-import type { Cutout } from '../vector/PaintLook.js';
+import type { Cutout } from '../vector/paint/PaintLook.js';
 import { clipOf, shadowClipOf } from './clipOf.js';
 import { flattened } from './flattened.js';
 import { drawnWithout, type LeftOut, sentence, whyNoLines, whyNothing } from './leftOut.js';

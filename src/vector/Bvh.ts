@@ -1,7 +1,7 @@
 import type { Vec3 } from '../engraving/vectors.js';
 import { type BvhNodes, buildBvh } from './buildBvh.js';
-import { Holes } from './Holes.js';
-import type { Cutout } from './PaintLook.js';
+import { Holes } from './paint/Holes.js';
+import type { Cutout } from './paint/PaintLook.js';
 
 /** Which sides of a triangle are seen, and which cast shadows: bits. The front is that around which its corners run counter-clockwise. */
 export const SEEN_FRONT = 1;

@@ -1,11 +1,11 @@
 import type { Field } from '../engraving/fieldAxis.js';
-import type { Clip } from './Clip.js';
 import type { EngravedLook } from './Engraver.js';
 import type { LineSurface } from './LineSurface.js';
 import type { OutlineLook, OutlineMesh } from './OutlineMesh.js';
 import type { MeanLight } from './outlineChains.js';
-import type { Cutout, PaintLook } from './PaintLook.js';
 import type { CameraMatrices } from './Projection.js';
+import type { Clip } from './paint/Clip.js';
+import type { Cutout, PaintLook } from './paint/PaintLook.js';
 import type { Illumination, SurfaceLook } from './Toner.js';
 
 /** A surface whose lines are engraved. */

@@ -1,8 +1,8 @@
 import type { FormAt } from '../engraving/readForm.js';
 import type { Mat3 } from '../engraving/screenGradient.js';
 import { combined, cross, normalize, type Vec3 } from '../engraving/vectors.js';
-import type { Paint } from './Painter.js';
-import type { PosedMaps, SurfaceDetails } from './SurfaceDetails.js';
+import type { Paint } from './paint/Painter.js';
+import type { PosedMaps, SurfaceDetails } from './paint/SurfaceDetails.js';
 
 /** Where the numbers of a vertex lie among its `STRIDE` ones. */
 export const WORLD = 0;

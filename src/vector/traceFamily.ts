@@ -1,10 +1,10 @@
 import { type Chain, ChainBuilder } from './Chain.js';
-import type { DetailReader } from './DetailReader.js';
 import { type Engraver, type FamilyName, LEAST_PEN_TONE } from './Engraver.js';
 import { between, flatNormalOf, type LineSurface, placeFrom, STRIDE, type SurfacePlace, VIEW } from './LineSurface.js';
 import { type LevelSegments, levelSegments, NO_RANK } from './levelSegments.js';
-import type { Paint, Painter } from './Painter.js';
 import type { Projection } from './Projection.js';
+import type { DetailReader } from './paint/DetailReader.js';
+import type { Paint, Painter } from './paint/Painter.js';
 import type { Shadowing, Toner, Tones } from './Toner.js';
 import { type Walk, walkSegments } from './walkSegments.js';
 

@@ -1,4 +1,4 @@
-import type { Vec3 } from '../engraving/vectors.js';
+import type { Vec3 } from '../../engraving/vectors.js';
 import type { Clip } from './Clip.js';
 import type { SurfaceDetails } from './SurfaceDetails.js';
 

@@ -1,5 +1,5 @@
-import { localDarkness } from '../engraving/tone.js';
-import { combined, cross, dot, normalize, type Vec3 } from '../engraving/vectors.js';
+import { localDarkness } from '../../engraving/tone.js';
+import { combined, cross, dot, normalize, type Vec3 } from '../../engraving/vectors.js';
 import { MapSampler, type Rgba } from './MapSampler.js';
 import type { MapLook, PaintLook } from './PaintLook.js';
 import type { EdgeProducts } from './PlaceInTriangle.js';
