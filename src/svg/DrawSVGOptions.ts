@@ -1,4 +1,4 @@
-import { Color, type ColorRepresentation } from 'three';
+import { Color, type ColorRepresentation, type Plane } from 'three';
 import { HIDDEN_OUTLINES, type HiddenOutlines } from '../engraving/hiddenOutlines.js';
 import { checkNumber } from '../material/checkNumber.js';
 import { checkColor } from '../material/checkValues.js';
@@ -59,6 +59,8 @@ export interface DrawSVGOptions extends TaskOptions {
    * canvas, for strokes that cannot leave as lines. Only with `kind: 'print'`. Default: none.
    */
   picture?: string | null | undefined;
+  /** Planes that clip everything, as those of a renderer do; those of materials clip by themselves. World space. Default: none. */
+  clippingPlanes?: readonly Plane[] | undefined;
 }
 
 const NAMES = {
@@ -74,6 +76,7 @@ const NAMES = {
   hidden: true,
   animate: true,
   picture: true,
+  clippingPlanes: true,
 } satisfies Record<Exclude<keyof DrawSVGOptions, keyof TaskOptions>, true>;
 
 /** Checks options. @throws TypeError or RangeError that names the wrong one */
@@ -85,6 +88,7 @@ export function planOf(options: DrawSVGOptions): DrawingPlan {
   if (options.hidden !== undefined) checkChoice('hidden', options.hidden, HIDDEN_OUTLINES);
   if (typeof shadows !== 'boolean' && shadows !== 'hard' && shadows !== 'soft')
     throw new TypeError("drawSVG: shadows must be true, 'soft', 'hard' or false, or left out.");
+  checkPlanes(options.clippingPlanes ?? []);
   const isPen = kind === 'pen';
   if (!isPen && options.penWidth !== undefined)
     throw new TypeError("drawSVG: penWidth is only for kind: 'pen'. Leave it out, or draw with a pen.");
@@ -123,6 +127,11 @@ function checkPicture(picture: unknown, isPen: boolean): void {
   throw new TypeError(
     'drawSVG: picture must be a data URL of a PNG or a JPEG in base64, such as canvas.toDataURL() gives.',
   );
+}
+
+function checkPlanes(planes: unknown): void {
+  if (Array.isArray(planes) && planes.every((plane) => plane?.normal?.isVector3)) return;
+  throw new TypeError('drawSVG: clippingPlanes must be a list of Planes of three.js, or left out.');
 }
 
 function checkChoice(name: string, value: unknown, choices: readonly string[]): void {

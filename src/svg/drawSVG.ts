@@ -47,10 +47,10 @@ export async function drawSVG(scene: Object3D, camera: Camera, options: DrawSVGO
   if (!scene?.isObject3D) throw new TypeError('drawSVG: scene must be an Object3D, such as a Scene.');
   if (!('isCamera' in (camera ?? {})))
     throw new TypeError('drawSVG: camera must be a PerspectiveCamera or an OrthographicCamera.');
-  const { signal, onProgress, createWorker, shadows = true } = options;
+  const { signal, onProgress, createWorker, shadows = true, clippingPlanes = [] } = options;
   const start = performance.now();
   const read = async (onRead?: (progress: number) => void) => {
-    const found = await runSliced(readScene(scene, camera, shadows), { signal, onProgress: onRead });
+    const found = await runSliced(readScene(scene, camera, shadows, clippingPlanes), { signal, onProgress: onRead });
     for (const { look } of found.drawn.outlines) look.hidden = options.hidden ?? look.hidden;
     return found;
   };

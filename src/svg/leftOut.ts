@@ -1,7 +1,8 @@
-import type { Material, Mesh, Object3D } from 'three';
+import { type Material, type Mesh, type Object3D, ObjectSpaceNormalMap } from 'three';
 import { checkGeometry } from '../geometry/checkGeometry.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { describeObject } from '../mistakes/describeObject.js';
+import { isBlended } from './PaintReader.js';
 
 /** Something that a drawing does not show as the canvas does. */
 export interface LeftOut {
@@ -29,14 +30,6 @@ export function faultOf({ geometry }: Mesh): string | undefined {
 /** Why nothing of a mesh can be drawn; undefined if it can. */
 export function whyNothing(mesh: Mesh): string | undefined {
   const { geometry } = mesh;
-  if ('isBatchedMesh' in mesh) return 'is left out: batches cannot leave as lines yet';
-  if ('isInstancedMesh' in mesh) return 'is left out: instances cannot leave as lines yet';
-  if ('isSkinnedMesh' in mesh) return 'is left out: skins cannot leave as lines yet';
-  if (mesh.morphTargetInfluences?.some((influence) => influence !== 0))
-    return 'is left out: morph targets cannot leave as lines yet';
-  const layout: unknown = geometry.userData.hatching?.layout;
-  if (layout === 'pull')
-    return "is left out: its geometry has the layout 'pull', so prepare it without adjacency and layout";
   if (!geometry.attributes.position) return 'is left out: its geometry has no positions';
   return undefined;
 }
@@ -55,19 +48,29 @@ export function whyNoLines(mesh: Mesh, material: Material): string | undefined {
 export const isStippled = ({ technique, medium }: HatchingMaterial): boolean =>
   technique === 'anchored' && medium === 'stipple';
 
-const MAPS = ['map', 'alphaMap', 'normalMap', 'bumpMap', 'aoMap', 'lightMap', 'emissiveMap'] as const;
+const MAPS = ['map', 'alphaMap', 'normalMap', 'aoMap', 'lightMap', 'emissiveMap'] as const;
+
+/** What stippled surfaces alone are drawn without. */
+function dottedWithout(material: HatchingMaterial): string[] {
+  const found: string[] = [];
+  const maps = MAPS.filter((name) => material[name]);
+  if (maps.length > 0) found.push(`is drawn in dots without ${maps.join(', ')}`);
+  if (material.vertexColors && material.localTone > 0)
+    found.push('is drawn in dots without the colours of its vertices');
+  if (material.clippingPlanes && material.clippingPlanes.length > 0)
+    found.push('is drawn in dots without its clipping planes');
+  if (material.strokeLayers !== 'single') found.push('is drawn in one layer of dots');
+  return found;
+}
 
 /** What a surface with lines is drawn without. */
 export function drawnWithout(material: HatchingMaterial): string[] {
-  const found: string[] = [];
-  const maps = MAPS.filter((name) => material[name]);
-  if (maps.length > 0) found.push(`is drawn without ${maps.join(', ')}: textures cannot leave as lines yet`);
-  if (material.vertexColors && material.localTone > 0) found.push('is drawn without the colours of its vertices');
-  if (material.toneNormal === 'face' || material.flatShading)
-    found.push('is drawn with smooth tones, not those of flat faces');
-  const isInLines = !isStippled(material);
-  if (!isInLines && material.strokeLayers !== 'single') found.push('is drawn in one layer of dots');
-  if (material.opacity < 1 || material.alphaTest > 0 || material.alphaHash) found.push('is drawn as if it were opaque');
-  if (material.clippingPlanes && material.clippingPlanes.length > 0) found.push('is drawn without its clipping planes');
+  const found: string[] = isStippled(material) ? dottedWithout(material) : [];
+  if (material.bumpMap) found.push('is drawn without bumpMap: heights cannot leave as lines yet');
+  if (material.normalMap && material.normalMapType === ObjectSpaceNormalMap)
+    found.push('is drawn without normalMap: normals in object space cannot leave as lines yet');
+  if (isBlended(material)) found.push('is drawn opaque where it is more than half there, and left out elsewhere');
+  else if (material.opacity < 1 || (material.alphaHash && material.alphaTest === 0))
+    found.push('is drawn as if it were opaque');
   return found;
 }

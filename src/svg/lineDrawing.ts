@@ -10,14 +10,14 @@ export const lineDrawing: TaskSet<typeof lineTasks> = {
 };
 
 /** The large arrays of a scene, which are its own. */
-function buffersOf({ corners, sides, surfaces, outlines }: DrawnScene): ArrayBuffer[] {
+function buffersOf({ corners, sides, surfaces, stippled, outlines }: DrawnScene): ArrayBuffer[] {
   const arrays = [
     ...[corners, sides],
-    ...surfaces.flatMap(({ surface: { vertices, placeOf, triangles, parents } }) => [
+    ...[...surfaces, ...stippled].flatMap(({ surface: { vertices, placeOf, triangles, parents } }) => [
       ...[vertices, placeOf, triangles, parents],
     ]),
-    ...outlines.flatMap(({ mesh: { positions, normals, curvatures, triangles, placeOf } }) => [
-      ...[positions, normals, curvatures, triangles, placeOf],
+    ...outlines.flatMap(({ mesh: { positions, normals, anchors, curvatures, triangles, placeOf } }) => [
+      ...[positions, normals, anchors, curvatures, triangles, placeOf],
     ]),
   ];
   return [...new Set(arrays.map(({ buffer }) => buffer as ArrayBuffer))];

@@ -8,8 +8,8 @@ import { runsAway } from '../material/facts/lookFacts.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { TurnedLines } from '../vector/DrawnScene.js';
 import type { EngravedLook } from '../vector/Engraver.js';
-import type { LineSurface } from '../vector/LineSurface.js';
-import { leaningOf, type SurfaceFrame } from './readSurface.js';
+import { FIELD_NORMAL, type LineSurface, STRIDE } from '../vector/LineSurface.js';
+import type { SurfaceFrame } from './surfaceFrame.js';
 
 /** A surface whose lines are laid, and how. */
 export interface LaidSurface {
@@ -35,9 +35,19 @@ export function fieldOf({ engraved, material, frame, surface }: LaidSurface, lam
   return firstField(lineField, light, material.strokeRotation);
 }
 
+/** How much the normals of a surface lean along each axis of its field, all together. */
+function leaningOf({ vertices }: LineSurface): Vec3 {
+  const sums = [0, 1, 2].map((axis) => {
+    let sum = 0;
+    for (let o = FIELD_NORMAL + axis; o < vertices.length; o += STRIDE) sum += Math.abs(vertices[o]);
+    return sum;
+  });
+  return [sums[0], sums[1], sums[2]];
+}
+
 /** Lamps as the field of a surface sees them. */
-function lampsIn({ toWorld, fieldOrigin, toField }: SurfaceFrame, lamps: readonly Lamp[]): FieldLamp[] {
-  const toObject = new Matrix4().copy(toWorld).invert();
+function lampsIn({ restToWorld, fieldOrigin, toField }: SurfaceFrame, lamps: readonly Lamp[]): FieldLamp[] {
+  const toObject = new Matrix4().copy(restToWorld).invert();
   return lamps.map(({ at, isFar, luminance }) => {
     const way = new Vector3(...at);
     if (isFar) way.transformDirection(toObject);

@@ -5,9 +5,12 @@ import type { Emphasis } from '../engraving/emphasis.js';
 import { BORDER, CONTRARY, CORNER_AT_END, CORNER_AT_START, CREASE, MATERIAL_BORDER } from '../features/edgeFlags.js';
 import type { OutlineData } from '../geometry/OutlineData.js';
 import type { HatchingOutlineMaterial } from '../outlines/HatchingOutlineMaterial.js';
-import type { FeatureEdge, OutlineLook, OutlineMesh } from '../vector/OutlineMesh.js';
+import type { FeatureEdge, OutlineLook, OutlineMesh } from '../vector/outlines/OutlineMesh.js';
+import { bothPlaces } from './bothPlaces.js';
 import { placesOf } from './placesOf.js';
-import { rowsOf } from './readSurface.js';
+import type { PosedVertices } from './pose/posedVertices.js';
+import { posePoints } from './pose/posePoints.js';
+import { rowsOf } from './rowsOf.js';
 
 /**
  * How outlines look.
@@ -31,16 +34,20 @@ export function outlineLookOf(
   };
 }
 
-/**
- * Reads what the outlines of a mesh are found on. Yields its progress.
- *
- * @param firstTriangle the triangle of the scene that the first of the mesh is
- */
+/** One of the places that a mesh stands in, as it is posed there. */
+export interface OutlinedCopy {
+  toWorld: Matrix4;
+  posed: PosedVertices;
+  /** The triangle of the scene that the first of the mesh is. */
+  firstTriangle: number;
+}
+
+/** Reads what the outlines of a mesh are found on. Yields its progress. */
 export function* readOutlines(
   mesh: Mesh,
   data: OutlineData,
+  { toWorld, posed, firstTriangle }: OutlinedCopy,
   camera: Camera,
-  firstTriangle: number,
 ): Generator<number, OutlineMesh, void> {
   const points = data.points.image.data as Uint32Array<ArrayBuffer>;
   const primitives = data.primitives.image.data as Uint32Array;
@@ -51,16 +58,20 @@ export function* readOutlines(
   }
   const first = PRIMITIVE_WORDS * triangleCount;
   const edges = Array.from({ length: edgeCount }, (_, i) => edgeAt(primitives, first + PRIMITIVE_WORDS * i));
-  const { positions, normals } = unpackPoints(points, pointCountOf(triangles, edges));
+  const atRest = unpackPoints(points, pointCountOf(triangles, edges));
+  const curvatures = curvaturesOf(points, atRest.positions.length / 3);
+  const { positions, normals } = posePoints(mesh, points, { ...atRest, curvatures }, posed);
+  const anchors = atRest.positions;
+  const placesAlong = (of: ArrayLike<number>) => placesOf(of.length / 3, (point, axis) => of[3 * point + axis]);
+  const places = yield* placesAlong(anchors);
   return {
-    ...{ positions, normals, triangles, firstTriangle, edges },
-    curvatures: curvaturesOf(points, positions.length / 3),
-    placeOf: yield* placesOf(positions.length / 3, (point, axis) => positions[3 * point + axis]),
+    ...{ positions, normals, anchors, curvatures, triangles, firstTriangle, edges },
+    placeOf: positions === anchors ? places : bothPlaces(places, yield* placesAlong(positions)),
     radius: data.radius || 1,
-    toWorld: [...mesh.matrixWorld.elements],
-    normalToWorld: rowsOf(new Matrix3().getNormalMatrix(mesh.matrixWorld)),
-    scale: Math.cbrt(Math.abs(mesh.matrixWorld.determinant())) || 1,
-    eye: eyeIn(mesh, camera),
+    toWorld: [...toWorld.elements],
+    normalToWorld: rowsOf(new Matrix3().getNormalMatrix(toWorld)),
+    scale: Math.cbrt(Math.abs(toWorld.determinant())) || 1,
+    eye: eyeIn(toWorld, camera),
   };
 }
 
@@ -101,8 +112,8 @@ function curvaturesOf(words: Uint32Array, count: number): Float32Array {
 }
 
 /** The eye in the space of a mesh: a place and 1, or a direction and 0. */
-function eyeIn(mesh: Mesh, camera: Camera): OutlineMesh['eye'] {
-  const toObject = new Matrix4().copy(mesh.matrixWorld).invert();
+function eyeIn(toWorld: Matrix4, camera: Camera): OutlineMesh['eye'] {
+  const toObject = new Matrix4().copy(toWorld).invert();
   if (camera.projectionMatrix.elements[15] === 1) {
     const { x, y, z } = new Vector3().setFromMatrixColumn(camera.matrixWorld, 2).transformDirection(toObject);
     return [x, y, z, 0];

@@ -2,11 +2,13 @@ import {
   BackSide,
   type Camera,
   DoubleSide,
+  type InstancedMesh,
   type Material,
   type Matrix4,
   type Mesh,
   type Object3D,
   type PerspectiveCamera,
+  type Plane,
 } from 'three';
 import type { HatchingBackground } from '../background/HatchingBackground.js';
 import type { Vec3 } from '../engraving/vectors.js';
@@ -18,7 +20,7 @@ import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingOutlineMaterial } from '../outlines/HatchingOutlineMaterial.js';
 import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
 import { asPhase } from '../slices/asPhase.js';
-import { CASTS_BACK, CASTS_FRONT, SEEN_BACK, SEEN_FRONT } from '../vector/Bvh.js';
+import { CASTS_BACK, CASTS_FRONT, MAY_HAVE_HOLES, SEEN_BACK, SEEN_FRONT } from '../vector/Bvh.js';
 import type {
   DrawnBackground,
   DrawnScene,
@@ -27,15 +29,24 @@ import type {
   StippledSurface,
 } from '../vector/DrawnScene.js';
 import { GrowingArray } from '../vector/GrowingArray.js';
+import type { Cutout } from '../vector/paint/PaintLook.js';
+import { clipOf, shadowClipOf } from './clipOf.js';
+import { flattened } from './flattened.js';
 import { drawnWithout, faultOf, isStippled, type LeftOut, sentence, whyNoLines, whyNothing } from './leftOut.js';
+import { alphaTestOf, type Painted, PaintReader } from './PaintReader.js';
+import { type MeshCopy, meshCopies } from './pose/meshCopies.js';
+import { type PosedVertices, posedVertices } from './pose/posedVertices.js';
 import { readBackground } from './readBackground.js';
+import { type DetailSource, firstCoordinate, readDetails } from './readDetails.js';
 import { readEmphasis, readOutlineEmphasis } from './readEmphasis.js';
 import { fieldOf, hasTooManyTurns, turnedLinesOf } from './readField.js';
 import { readLights, type SceneLights } from './readLights.js';
 import { engravedLookOf, surfaceLookOf } from './readLook.js';
 import { outlineLookOf, readOutlines } from './readOutlines.js';
 import { readStippled } from './readStippled.js';
-import { readSurface, surfaceFrame } from './readSurface.js';
+import { readSurface } from './readSurface.js';
+import { surfaceFrame } from './surfaceFrame.js';
+import type { TriangleRange } from './TriangleRange.js';
 
 /** How far rays of shadows begin above what they are cast on, as a share of the size of the largest mesh that casts them. */
 const SHADOW_BIAS = 0.01;
@@ -44,15 +55,18 @@ const SHADOW_BIAS = 0.01;
  * Reads a scene as plain data, and names what is not in it. Brings the world matrices of scene and camera up to date. Yields its progress.
  *
  * @param shadows as of `DrawSVGOptions`
+ * @param clippingPlanes that clip everything
  */
 export function* readScene(
   scene: Object3D,
   camera: Camera,
   shadows: boolean | 'hard' | 'soft',
+  clippingPlanes: readonly Plane[] = [],
 ): Generator<number, { drawn: DrawnScene; leftOut: LeftOut[] }, void> {
   scene.updateMatrixWorld();
   camera.updateMatrixWorld();
-  const reader = new SceneReader(scene, camera, readLights(scene, camera, shadows !== false), shadows !== 'hard');
+  const lights = readLights(scene, camera, shadows !== false);
+  const reader = new SceneReader(scene, camera, lights, shadows !== 'hard', clippingPlanes);
   const objects: Object3D[] = [];
   scene.traverseVisible((object) => {
     if (object.layers.test(camera.layers)) objects.push(object);
@@ -79,8 +93,10 @@ class SceneReader {
   private readonly stippled: StippledSurface[] = [];
   private readonly outlines: OutlinedMesh[] = [];
   private readonly backgrounds: DrawnBackground[] = [];
-  /** The first triangle of each mesh that is drawn. */
-  private readonly firstTriangles = new Map<Object3D, number>();
+  private readonly cutouts: Cutout[] = [];
+  private readonly paints: PaintReader;
+  /** The places of each mesh that is drawn, and the first triangle of each. */
+  private readonly copies = new Map<Object3D, { copy: MeshCopy; posed: PosedVertices; firstTriangle: number }[]>();
   private readonly fit: ToneFit;
   private casterSize = 0;
 
@@ -89,8 +105,10 @@ class SceneReader {
     private readonly camera: Camera,
     private readonly lights: SceneLights,
     private readonly hasSoftShadows: boolean,
+    private readonly clippingPlanes: readonly Plane[],
   ) {
     this.fit = new ExposureFit().update(scene, camera.layers.mask);
+    this.paints = new PaintReader(this.fit);
   }
 
   drawn(): DrawnScene {
@@ -105,6 +123,7 @@ class SceneReader {
       },
       corners: corners.taken(),
       sides: sides.taken(),
+      cutouts: this.cutouts,
       ...{ surfaces, stippled, outlines, backgrounds },
       illumination: { lamps, shadows, isSoft: this.hasSoftShadows, around, bias: SHADOW_BIAS * casterSize },
     };
@@ -139,78 +158,110 @@ class SceneReader {
       this.note(mesh, nothing);
       return;
     }
-    this.firstTriangles.set(mesh, this.sides.length);
-    if (mesh.castShadow) this.noteCaster(mesh);
-    for (const [i, { material, start, end }] of parts.entries()) {
-      const corners = cornersOf(mesh, start, end);
-      const from = i / parts.length;
-      const middle = (i + 0.4) / parts.length;
-      const firstTriangle = yield* asPhase(this.addTriangles(mesh, material, corners), from, middle);
+    const copies = meshCopies(mesh);
+    const hasOwnPoses = (mesh as InstancedMesh).morphTexture != null;
+    let posed: PosedVertices | undefined;
+    for (const [i, copy] of copies.entries()) {
+      if (!posed || hasOwnPoses) posed = posedVertices(mesh, hasOwnPoses ? copy.instance : -1);
+      yield* asPhase(this.readCopy(mesh, copy, posed, parts), i / copies.length, (i + 1) / copies.length);
+    }
+    for (const { material } of parts) {
+      const unread = this.paints.unreadable(material as Painted);
+      if (unread.length > 0) this.note(mesh, `is drawn without ${unread.join(', ')}: pixels that cannot be read here`);
       const noLines = whyNoLines(mesh, material);
       if (noLines) this.note(mesh, noLines);
-      else {
-        const adding = this.addSurface(mesh, material as HatchingMaterial, corners, firstTriangle);
-        yield* asPhase(adding, middle, (i + 1) / parts.length);
-      }
+      else for (const what of drawnWithout(material as HatchingMaterial)) this.note(mesh, what);
     }
   }
 
-  private noteCaster({ geometry, matrixWorld }: Mesh): void {
+  private *readCopy(
+    mesh: Mesh,
+    copy: MeshCopy,
+    posed: PosedVertices,
+    parts: readonly MeshPart[],
+  ): Generator<number, void, void> {
+    const known = this.copies.get(mesh) ?? [];
+    this.copies.set(mesh, [...known, { copy, posed, firstTriangle: this.sides.length }]);
+    if (mesh.castShadow) this.noteCaster(mesh, copy);
+    for (const [i, part] of parts.entries()) {
+      const corners = cornersOf(mesh, part, copy);
+      const from = i / parts.length;
+      const middle = (i + 0.4) / parts.length;
+      const paint = this.paints.needs(mesh, part.material, copy);
+      const source = { mesh, copy, posed, material: part.material as Painted, paint };
+      const firstTriangle = yield* asPhase(this.addTriangles(source, corners), from, middle);
+      if (whyNoLines(mesh, part.material) !== undefined) continue;
+      const adding = this.addSurface(source, part.material as HatchingMaterial, { corners, firstTriangle });
+      yield* asPhase(adding, middle, (i + 1) / parts.length);
+    }
+  }
+
+  private noteCaster({ geometry }: Mesh, { toWorld }: MeshCopy): void {
     if (!geometry.boundingSphere) geometry.computeBoundingSphere();
-    const size = geometry.boundingSphere!.radius * matrixWorld.getMaxScaleOnAxis();
+    const size = geometry.boundingSphere!.radius * toWorld.getMaxScaleOnAxis();
     if (size > this.casterSize) this.casterSize = size;
   }
 
   /** Adds triangles to what hides and casts shadows. Returns the number of the first. */
-  private *addTriangles(mesh: Mesh, material: Material, corners: Uint32Array): Generator<number, number, void> {
+  private *addTriangles(source: DetailSource, corners: Uint32Array): Generator<number, number, void> {
+    const { mesh, copy, posed, material } = source;
+    const { positions } = posed;
     const first = this.sides.length;
-    const { position } = mesh.geometry.attributes;
-    const isMirrored = mesh.matrixWorld.determinant() < 0;
-    const bits = (material.depthWrite ? sidesOf(material) : 0) | (mesh.castShadow ? castingOf(material) : 0);
-    for (let c = 0; c < corners.length; c += 3) {
+    let bits = (material.depthWrite ? sidesOf(material) : 0) | (mesh.castShadow ? castingOf(material) : 0);
+    const cutout = this.cutoutOf(source, { corners, firstTriangle: first });
+    if (cutout) {
+      this.cutouts.push(cutout);
+      bits |= MAY_HAVE_HOLES;
+    }
+    for (const [c, vertex] of corners.entries()) {
       if (c % (3 * CHUNK) === 0) yield c / corners.length;
-      const [i, j, k] = corners.subarray(c, c + 3);
-      for (const vertex of isMirrored ? [j, i, k] : [i, j, k])
-        for (const number of placed(
-          mesh.matrixWorld,
-          position.getX(vertex),
-          position.getY(vertex),
-          position.getZ(vertex),
-        ))
-          this.corners.push(number);
-      this.sides.push(bits);
+      const o = 3 * vertex;
+      for (const number of placed(copy.toWorld, positions[o], positions[o + 1], positions[o + 2]))
+        this.corners.push(number);
+      if (c % 3 === 0) this.sides.push(bits);
     }
     return first;
   }
 
+  /** What is not there of triangles; null if all is. */
+  private cutoutOf(source: DetailSource, range: TriangleRange): Cutout | null {
+    const { mesh, material, paint } = source;
+    const details = paint && alphaTestOf(material) > 0 ? readDetails(source, range, null) : null;
+    const painted = details && paint && { details, paint: this.paints.paint(mesh, material, paint, 0) };
+    const clip = clipOf(material, this.clippingPlanes);
+    if (!painted && !clip) return null;
+    const first = range.firstTriangle;
+    return { first, end: first + range.corners.length / 3, painted, clip, shadowClip: shadowClipOf(material) };
+  }
+
   private *addSurface(
-    mesh: Mesh,
+    source: DetailSource,
     material: HatchingMaterial,
-    corners: Uint32Array,
-    firstTriangle: number,
+    range: TriangleRange,
   ): Generator<number, void, void> {
-    const { camera, lights, fit } = this;
-    for (const what of drawnWithout(material)) this.note(mesh, what);
+    const { camera, lights, fit, paints } = this;
+    const { mesh, copy, paint } = source;
     const look = surfaceLookOf(material, mesh.receiveShadow, fit, readEmphasis(mesh, material, camera));
-    const range = { corners, firstTriangle };
     if (isStippled(material)) {
-      const reading = readStippled(mesh, material, range, camera.matrixWorldInverse, sidesOf(material));
+      const reading = readStippled(source, material, range, camera.matrixWorldInverse, sidesOf(material));
       this.stippled.push({ ...(yield* reading), look, ink: colorOf(material) });
       return;
     }
-    const frame = surfaceFrame(mesh, material, camera.matrixWorldInverse);
     const engraved = engravedLookOf(material, isFormed(mesh.geometry));
-    const surface = yield* readSurface(mesh.geometry, range, frame, sidesOf(material));
-    const laid = { engraved, material, frame, surface };
+    const frame = surfaceFrame(mesh, copy.toWorld, material, engraved, camera.matrixWorldInverse);
+    const smooth = yield* readSurface(source, range, frame, sidesOf(material));
+    const laid = { engraved, material, frame, surface: smooth };
     if (mesh.receiveShadow && hasTooManyTurns(laid, lights.lamps))
       this.note(mesh, 'is drawn with lines that do not turn in shadows: too many lights cast them');
     this.surfaces.push({
-      surface,
+      surface: material.toneNormal === 'face' || material.flatShading ? flattened(smooth) : smooth,
       engraved,
       field: fieldOf(laid, lights.lamps),
       turned: mesh.receiveShadow ? turnedLinesOf(laid, lights.lamps) : [],
       look,
       hides: material.depthWrite,
+      paint: paint && paints.paint(mesh, source.material, paint, firstCoordinate(source, frame)),
+      clip: clipOf(material, this.clippingPlanes),
       ink: colorOf(material),
     });
   }
@@ -218,19 +269,21 @@ class SceneReader {
   *readOutlinesOf(object: Object3D): Generator<number, void, void> {
     if (!isOutlines(object)) return;
     const { mesh, material } = object;
-    const firstTriangle = mesh ? this.firstTriangles.get(mesh) : undefined;
-    if (!mesh || firstTriangle === undefined) return;
+    const copies = mesh && this.copies.get(mesh);
+    if (!mesh || !copies) return;
     const data = outlineDataOf(mesh.geometry);
     if (!data) {
       this.note(mesh, 'has no outlines: its geometry was prepared without them');
       return;
     }
     if (material.tooth > 0) this.note(mesh, 'has outlines of ink: the tooth of the paper cannot leave as lines');
-    this.outlines.push({
-      mesh: yield* readOutlines(mesh, data, this.camera, firstTriangle),
-      look: outlineLookOf(material, Array.isArray(mesh.material), readOutlineEmphasis(mesh, this.camera)),
-      ink: colorOf(material),
-    });
+    for (const { copy, posed, firstTriangle } of copies)
+      this.outlines.push({
+        mesh: yield* readOutlines(mesh, data, { toWorld: copy.toWorld, posed, firstTriangle }, this.camera),
+        look: outlineLookOf(material, Array.isArray(mesh.material), readOutlineEmphasis(mesh, this.camera)),
+        clip: clipOf(material, this.clippingPlanes),
+        ink: colorOf(material),
+      });
   }
 }
 
@@ -281,7 +334,13 @@ function partsOf({ geometry, material }: Mesh): MeshPart[] {
   return parts.filter((part) => part.material?.visible && part.end - part.start >= 3);
 }
 
-function cornersOf({ geometry: { index } }: Mesh, start: number, end: number): Uint32Array {
-  const count = 3 * Math.floor((end - start) / 3);
-  return Uint32Array.from({ length: count }, (_, c) => (index ? index.getX(start + c) : start + c));
+/** The vertices of the corners of a part, turned round where the mesh is mirrored. */
+function cornersOf({ geometry: { index }, matrixWorld }: Mesh, part: MeshPart, { range }: MeshCopy): Uint32Array {
+  const start = Math.max(part.start, range?.start ?? 0);
+  const end = Math.min(part.end, range ? range.start + range.count : Infinity);
+  const count = 3 * Math.floor(Math.max(end - start, 0) / 3);
+  const vertexOf = (c: number): number => (index ? index.getX(start + c) : start + c);
+  // three.js asks the mesh alone which side is the front, not its instances.
+  if (matrixWorld.determinant() >= 0) return Uint32Array.from({ length: count }, (_, c) => vertexOf(c));
+  return Uint32Array.from({ length: count }, (_, c) => vertexOf(c % 3 === 0 ? c + 1 : c % 3 === 1 ? c - 1 : c));
 }

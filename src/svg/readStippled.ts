@@ -1,19 +1,23 @@
-import type { Matrix4, Mesh } from 'three';
+import type { Matrix4 } from 'three';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { STIPPLE_MAP_SIZE } from '../tam/patternSizes.js';
 import { stippleMap } from '../tam/stippleMap.js';
 import type { StippledSurface } from '../vector/DrawnScene.js';
-import { objectFrame, readSurface, type TriangleRange } from './readSurface.js';
+import type { DetailSource } from './readDetails.js';
+import { readSurface } from './readSurface.js';
+import { objectFrame } from './surfaceFrame.js';
+import type { TriangleRange } from './TriangleRange.js';
 
 /** Reads the part of a mesh that a material draws in dots. seen: bits of the sides that are. Yields its progress. */
 export function* readStippled(
-  mesh: Mesh,
+  source: DetailSource,
   { tilesPerUnit, strokeWidth, sizedOnScreen }: HatchingMaterial,
   range: TriangleRange,
   worldToView: Matrix4,
   seen: number,
 ): Generator<number, Pick<StippledSurface, 'surface' | 'size' | 'set'>, void> {
-  const surface = yield* readSurface(mesh.geometry, range, objectFrame(mesh, worldToView), seen);
+  const frame = objectFrame(source.mesh, source.copy.toWorld, worldToView);
+  const surface = yield* readSurface(source, range, frame, seen);
   return {
     surface,
     // Where nobody says how wide strokes are, dots have a pixel, as the material draws them.

@@ -1,11 +1,15 @@
 import type { Vec3 } from '../engraving/vectors.js';
 import { type BvhNodes, buildBvh } from './buildBvh.js';
+import { Holes } from './paint/Holes.js';
+import type { Cutout } from './paint/PaintLook.js';
 
 /** Which sides of a triangle are seen, and which cast shadows: bits. The front is that around which its corners run counter-clockwise. */
 export const SEEN_FRONT = 1;
 export const SEEN_BACK = 2;
 export const CASTS_FRONT = 4;
 export const CASTS_BACK = 8;
+/** Set for triangles that may have holes. */
+export const MAY_HAVE_HOLES = 16;
 
 /** Deep enough for any number of triangles that fit into memory. */
 const STACK = 256;
@@ -31,6 +35,7 @@ export class Bvh {
     private readonly nodes: BvhNodes,
     corners: Float64Array,
     sides: Uint8Array,
+    private readonly holes: Holes,
   ) {
     this.sorted = new Float64Array(corners.length);
     this.sortedSides = new Uint8Array(sides.length);
@@ -45,9 +50,14 @@ export class Bvh {
    *
    * @param corners nine numbers per triangle, world space
    * @param sides bits per triangle
+   * @param cutouts what is known of triangles with holes
    */
-  static *build(corners: Float64Array, sides: Uint8Array): Generator<number, Bvh, void> {
-    return new Bvh(yield* buildBvh(corners), corners, sides);
+  static *build(
+    corners: Float64Array,
+    sides: Uint8Array,
+    cutouts: readonly Cutout[] = [],
+  ): Generator<number, Bvh, void> {
+    return new Bvh(yield* buildBvh(corners), corners, sides, new Holes(cutouts));
   }
 
   /**
@@ -164,6 +174,13 @@ export class Bvh {
     const qz = sx * e1y - sy * e1x;
     const v = (dx * qx + dy * qy + dz * qz) / determinant;
     if (!(v >= 0 && u + v <= 1)) return Number.NaN;
-    return (e2x * qx + e2y * qy + e2z * qz) / determinant;
+    const t = (e2x * qx + e2y * qy + e2z * qz) / determinant;
+    return (this.sortedSides[i] & MAY_HAVE_HOLES) !== 0 && this.isOpen(i, u, v, t) ? Number.NaN : t;
+  }
+
+  private isOpen(i: number, u: number, v: number, t: number): boolean {
+    const { origin: o, direction: d } = this;
+    const place: Vec3 = [o[0] + t * d[0], o[1] + t * d[1], o[2] + t * d[2]];
+    return this.holes.isOpen(this.nodes.order[i], u, v, place, (this.ofFront & (CASTS_FRONT | CASTS_BACK)) !== 0);
   }
 }

@@ -3,8 +3,10 @@ import type { DotSize } from '../engraving/stipple.js';
 import type { DotSet } from './dots/placeDots.js';
 import type { EngravedLook } from './Engraver.js';
 import type { LineSurface } from './LineSurface.js';
-import type { OutlineLook, OutlineMesh } from './OutlineMesh.js';
+import type { OutlineLook, OutlineMesh } from './outlines/OutlineMesh.js';
 import type { CameraMatrices } from './Projection.js';
+import type { Clip } from './paint/Clip.js';
+import type { Cutout, PaintLook } from './paint/PaintLook.js';
 import type { Illumination, SurfaceLook } from './Toner.js';
 
 /** The lines of a surface where shadows of some lights turn them. */
@@ -26,6 +28,10 @@ export interface EngravedSurface {
   look: SurfaceLook;
   /** Whether it hides what is behind it, and so is among what rays meet. */
   hides: boolean;
+  /** Null where neither textures nor colours of vertices count. */
+  paint: PaintLook | null;
+  /** Null where nothing is clipped. */
+  clip: Clip | null;
   /** As in `#1c1a17`. */
   ink: string;
 }
@@ -59,6 +65,8 @@ export interface DrawnBackground {
 export interface OutlinedMesh {
   mesh: OutlineMesh;
   look: OutlineLook;
+  /** Null where nothing is clipped. */
+  clip: Clip | null;
   ink: string;
 }
 
@@ -68,6 +76,8 @@ export interface DrawnScene {
   /** The triangles that hide and cast shadows: nine numbers each, world space, and bits of their sides. */
   corners: Float64Array;
   sides: Uint8Array;
+  /** Of the triangles that have holes or are clipped, in their order. */
+  cutouts: readonly Cutout[];
   surfaces: readonly EngravedSurface[];
   stippled: readonly StippledSurface[];
   outlines: readonly OutlinedMesh[];

@@ -128,8 +128,9 @@ export class Engraver {
     const { isOrthographic } = projection;
     const unitsPerPixel = projection.unitsPerPixel(-place.view[2]);
     const seen: SeenPlace = { view: place.view, isOrthographic, unitsPerPixel };
-    const smooth = screenMap(place.fieldNormal, viewToField, seen);
-    const flat = screenMap(place.flatNormal, viewToField, seen, true);
+    const { smooth: ofSmooth, flat: ofFlat } = place.posed ?? { smooth: viewToField, flat: viewToField };
+    const smooth = screenMap(place.fieldNormal, ofSmooth, seen);
+    const flat = screenMap(place.flatNormal, ofFlat, seen, true);
     const { gradient, rise, coarsest, pressure } = reading;
     const tone = handTone(pressure, this.toneOf(family, reading, tones));
     const octave = octaveOf(spacing, rise, changePerPixel(gradient, smooth), coarsest);

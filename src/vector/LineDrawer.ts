@@ -6,23 +6,26 @@ import type { Chain } from './Chain.js';
 import { type CutRun, cutRun } from './cutRun.js';
 import type { DrawnScene, EngravedSurface, OutlinedMesh } from './DrawnScene.js';
 import { dashed, endHairlines } from './dashed.js';
-import { dashes } from './dashes.js';
 import { type Casters, castersOf, dropLit } from './dropLit.js';
 import { Engraver, type FamilyName } from './Engraver.js';
-import { hiddenLook, weighHidden } from './hiddenPieces.js';
 import { holdBack } from './holdBack.js';
-import { outlineChains } from './outlineChains.js';
-import { outlinePieces } from './outlinePieces.js';
+import { hiddenLook, weighHidden } from './outlines/hiddenPieces.js';
+import { outlineChains } from './outlines/outlineChains.js';
+import { outlinePieces } from './outlines/outlinePieces.js';
+import { outlineTest } from './outlines/seenOutlines.js';
+import { weighByStanding } from './outlines/weighByStanding.js';
 import type { Projection } from './Projection.js';
+import { type Clip, isClipped } from './paint/Clip.js';
+import { DetailReader } from './paint/DetailReader.js';
+import { Painter } from './paint/Painter.js';
+import { dashes } from './paths/dashes.js';
 import type { LinePath } from './paths/LinePath.js';
 import { refineEnds } from './refineEnds.js';
-import { outlineTest } from './seenOutlines.js';
 import { subdivide } from './subdivide.js';
 import { Toner } from './Toner.js';
 import type { Tracing } from './Tracing.js';
 import { seenSides, traceFamily } from './traceFamily.js';
 import { type SeenTest, visibleRuns } from './visibleRuns.js';
-import { weighByStanding } from './weighByStanding.js';
 
 /** The names of the layers, in their order. */
 export const LAYERS = ['outlines', 'engraved', 'crossing', 'shadows', 'background', 'hidden'] as const;
@@ -87,7 +90,7 @@ export class LineDrawer {
     }
   }
 
-  private *drawSeen({ mesh, look, ink }: OutlinedMesh): Generator<number, void, void> {
+  private *drawSeen({ mesh, look, clip, ink }: OutlinedMesh): Generator<number, void, void> {
     const { scene, projection, bvh, least } = this;
     const pieces = yield* asPhase(outlinePieces(mesh, look), 0, 0.4);
     const joining = outlineChains(pieces, mesh, look, projection, scene.illumination);
@@ -97,12 +100,12 @@ export class LineDrawer {
       this.segments += chain.count - 1;
       weighByStanding(chain, bvh, projection);
       if (least > 0) endHairlines(chain, least);
-      this.addChain(this.layerOf('outlines', ink), chain, outlineTest(chain, bvh, projection));
+      this.addChain(this.layerOf('outlines', ink), chain, clipped(outlineTest(chain, bvh, projection), clip));
     }
   }
 
   /** Draws what is hidden of outlines, in a layer of its own. */
-  private *drawHidden({ mesh, look, ink }: OutlinedMesh): Generator<number, void, void> {
+  private *drawHidden({ mesh, look, clip, ink }: OutlinedMesh): Generator<number, void, void> {
     const { scene, projection, bvh } = this;
     const even = hiddenLook(look);
     const pieces = yield* asPhase(outlinePieces(mesh, even, true), 0, 0.4);
@@ -113,7 +116,10 @@ export class LineDrawer {
       yield 0.5 + (0.5 * i) / chains.length;
       this.segments += chain.count - 1;
       const isSeen = outlineTest(chain, bvh, projection, look.width / 2);
-      for (const { path } of this.seenParts(chain, (place) => !isSeen(place)))
+      for (const { path } of this.seenParts(
+        chain,
+        clipped((place) => !isSeen(place), clip),
+      ))
         layer.paths.push(...(look.hidden === 'dashed' ? dashes(path, DASH * look.width, GAP * look.width) : [path]));
     }
   }
@@ -129,7 +135,8 @@ export class LineDrawer {
     for (const [i, { family, chain: line }] of lines.entries()) {
       this.segments += line.count - 1;
       const chain = this.least > 0 ? dashed(line, this.least) : line;
-      this.addChain(this.layerOf(LAYER_OF[family], engraved.ink), chain, this.surfaceTest(chain), engraved);
+      const isSeen = clipped(this.surfaceTest(chain), engraved.clip);
+      this.addChain(this.layerOf(LAYER_OF[family], engraved.ink), chain, isSeen, engraved);
       yield 0.5 + (0.5 * (i + 1)) / lines.length;
     }
   }
@@ -137,18 +144,20 @@ export class LineDrawer {
   /** All lines on a surface, seen or not. Yields its progress. */
   *tracedChains(drawn: EngravedSurface): Generator<number, TracedLine[], void> {
     const { projection, bvh, pen, scene } = this;
-    const { surface, look, turned } = drawn;
+    const { surface, look, turned, paint } = drawn;
     if (look.ground) dropLit(surface, this.casters, scene.illumination, look.ground);
     yield* asPhase(subdivide(surface, projection), 0, 0.08);
     if (look.ground) dropLit(surface, this.casters, scene.illumination, look.ground);
     const toner = new Toner(look, scene.illumination, bvh, projection);
     const sides = yield* asPhase(seenSides(surface, projection), 0.08, 0.1);
+    const details = surface.details && new DetailReader(surface, surface.details);
+    const painter = paint && surface.details && new Painter(paint, surface.details);
     const lines: TracedLine[] = [];
     const all = [drawn, ...turned];
     for (const [i, { engraved, field }] of all.entries()) {
       const engraver = new Engraver(engraved, field, surface.viewToField, projection);
       const isTurned = (shadows: number) => turned.findIndex((one) => one.shadows === shadows) + 1 === i;
-      const tracing = { surface, engraver, toner, projection, sides, pen };
+      const tracing = { surface, details, painter, engraver, toner, projection, sides, pen };
       const tracingAll = tracedFamilies({ ...tracing, isDrawnIn: turned.length > 0 ? isTurned : null });
       lines.push(...(yield* asPhase(tracingAll, 0.1 + (0.9 * i) / all.length, 0.1 + (0.9 * (i + 1)) / all.length)));
     }
@@ -214,3 +223,7 @@ function* tracedFamilies(tracing: Tracing): Generator<number, TracedLine[], void
   }
   return lines;
 }
+
+/** A test that sees nothing of what clipping planes take away. */
+const clipped = (isSeen: SeenTest, clip: Clip | null): SeenTest =>
+  clip ? (place) => !isClipped(clip, place.world) && isSeen(place) : isSeen;

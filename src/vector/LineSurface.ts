@@ -1,6 +1,8 @@
 import type { FormAt } from '../engraving/readForm.js';
 import type { Mat3 } from '../engraving/screenGradient.js';
 import { combined, cross, normalize, type Vec3 } from '../engraving/vectors.js';
+import type { Paint } from './paint/Painter.js';
+import type { PosedMaps, SurfaceDetails } from './paint/SurfaceDetails.js';
 
 /** Where the numbers of a vertex lie among its `STRIDE` ones. */
 export const WORLD = 0;
@@ -30,6 +32,8 @@ export interface LineSurface {
   drawsBack: boolean;
   /** Takes normals of the field to the view, as a factor on the right. */
   viewToField: Mat3;
+  /** Null for surfaces that have nothing more. */
+  details: SurfaceDetails | null;
 }
 
 /** A place on a surface. Normals are unit. */
@@ -44,6 +48,10 @@ export interface SurfacePlace {
   occlusion: number;
   form: FormAt;
   formCrossing: FormAt;
+  /** Of a surface that deforms, in place of its one map from the view to the field. */
+  posed: PosedMaps | null;
+  /** Of a surface with textures or colours that count. */
+  paint: Paint | null;
 }
 
 /** The numbers at a share of the way from one vertex to another. */
@@ -68,6 +76,8 @@ export function placeFrom(n: ArrayLike<number>, flatNormal: Vec3, side: number):
     occlusion: n[OCCLUSION],
     form: { gradient: at(FORM), rest: n[FORM + 3] },
     formCrossing: { gradient: at(FORM + 4), rest: n[FORM + 7] },
+    posed: null,
+    paint: null,
   };
 }
 

@@ -94,7 +94,7 @@ export class Toner {
     return this.look.receivesShadows && this.light.lamps.some(({ castsShadow }) => castsShadow);
   }
 
-  read({ world, toneNormal, occlusion: occluded }: SurfacePlace, shadowing: Shadowing): Tones {
+  read({ world, toneNormal, occlusion: occluded, paint }: SurfacePlace, shadowing: Shadowing): Tones {
     const { look, projection } = this;
     const { eye, backwards, isOrthographic } = projection;
     const toViewer = isOrthographic ? backwards : normalize(combined(1, eye, -1, world));
@@ -121,16 +121,18 @@ export class Toner {
     }
     const open = openToLights(occluded, look.occlusion) / Math.PI;
     const sky = openToSky(occluded, look.occlusion);
-    const rest =
-      sky * (radianceAround(this.light.around, ...toneNormal) + (look.reflectedLight * reflected) / Math.PI) +
-      look.emitted;
+    const plain = radianceAround(this.light.around, ...toneNormal);
+    const around = paint ? paint.open * (plain + paint.around) : plain;
+    const emitted = paint?.emitted ?? look.emitted;
+    const rest = sky * (around + (look.reflectedLight * reflected) / Math.PI) + emitted;
+    const painted = paint ? { ...look, darkness: paint.darkness } : look;
     const weight = look.emphasis === null ? 1 : emphasisAt(look.emphasis, emphasisedPlace(world, projection));
     const left = taken > 0 ? 1 - lost / taken : 1;
     if (look.ground) {
       const tone = weight * groundTone(open * direct + rest, open * shadowed, left, look, look.ground);
       return { tone, unshadowed: 0, shadows, left, turned };
     }
-    const toneOf = (radiance: number): number => weight * shadedTone(radiance, occluded, look);
+    const toneOf = (radiance: number): number => weight * shadedTone(radiance, occluded, painted);
     const tone = toneOf(open * direct + rest);
     const unshadowed = shadowed > 0 ? toneOf(open * (direct + shadowed) + rest) : tone;
     return { tone, unshadowed, shadows, left: 1, turned };

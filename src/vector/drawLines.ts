@@ -3,11 +3,11 @@ import { Bvh } from './Bvh.js';
 import type { DrawingPlan, DrawnScene } from './DrawnScene.js';
 import { drawDots } from './dots/drawDots.js';
 import { finishDots } from './dots/finishDots.js';
-import { finishPaths, type PathCounts } from './finishPaths.js';
+import { finishPaths, type PathCounts } from './file/finishPaths.js';
+import { type SVGLayer, writeSVG } from './file/writeSVG.js';
 import { LAYERS, LineDrawer } from './LineDrawer.js';
 import { Projection } from './Projection.js';
 import type { Placement } from './paths/pathData.js';
-import { type SVGLayer, writeSVG } from './writeSVG.js';
 
 /** A drawing, and what is counted in it. */
 export interface LineDrawing extends PathCounts {
@@ -21,7 +21,7 @@ const MILLIMETRES_PER_INCH = 25.4;
 /** Draws a scene as lines. Yields its progress from 0 to 1. */
 export function* drawLines(scene: DrawnScene, plan: DrawingPlan): Generator<number, LineDrawing, void> {
   const { projection, placement } = placePicture(scene, plan);
-  const bvh = yield* asPhase(Bvh.build(scene.corners, scene.sides), 0, 0.08);
+  const bvh = yield* asPhase(Bvh.build(scene.corners, scene.sides, scene.cutouts), 0, 0.08);
   const pen = plan.pen === null ? null : plan.pen / placement.scale;
   const drawer = new LineDrawer(scene, pen, projection, bvh, pen === null ? plan.leastWidth / placement.scale : 0);
   yield* asPhase(drawer.drawOutlines(), 0.08, 0.2);

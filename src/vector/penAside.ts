@@ -22,9 +22,10 @@ export function* penAside(
   family: FamilyName,
   ranks: Int16Array,
 ): Generator<number, LinesAside | undefined, void> {
-  const { pen, toner, engraver } = tracing;
-  // The tone of shadows alone is nowhere steady.
-  if (pen === null || toner.isGround || engraver.hasSeams || engraver.medium !== 'ink') return undefined;
+  const { pen, toner, engraver, details } = tracing;
+  // The tone of shadows alone and of textures is nowhere steady.
+  if (pen === null || toner.isGround || engraver.hasSeams || details !== null || engraver.medium !== 'ink')
+    return undefined;
   const { placeOf, triangles } = tracing.surface;
   const octaves = yield* askedOctaves(tracing, family, ranks, pen);
   let steady = steadiness(tracing, ranks, octaves);

@@ -15,6 +15,7 @@ import {
   printedOctave,
 } from './marks/lineMarks.js';
 import type { Projection } from './Projection.js';
+import type { Paint } from './paint/Painter.js';
 import { penAside } from './penAside.js';
 import type { Shadowing, Tones } from './Toner.js';
 import type { Tracing } from './Tracing.js';
@@ -31,7 +32,7 @@ const EDGE = 0.02;
 /** From one point of a line to the next a shadow changes by no more than this share, unless that is its edge. */
 const SHADOW_CHANGE = 0.05;
 
-/** Strokes are looked at so far apart, pixels; over one triangle in no more steps than these. */
+/** Strokes and textures are looked at so far apart, pixels; over one triangle in no more steps than these. */
 const STROKE_STEP = 2;
 const MOST_STEPS = 256;
 
@@ -75,11 +76,46 @@ export function* traceFamily(tracing: Tracing, family: FamilyName): Generator<nu
   return chains;
 }
 
+/** Textures are taken together over so much of the picture, or lines would become crumbs. Pixels. */
+const FOOTPRINT = 2;
+
+/** The place on a triangle that has these numbers. */
+function placeOn(tracing: Tracing, numbers: ArrayLike<number>, triangle: number): SurfacePlace {
+  const { surface, details, painter, sides, projection } = tracing;
+  const place = placeFrom(numbers, flatNormalOf(surface, triangle), sides[triangle]);
+  if (!details) return place;
+  const parent = surface.parents[triangle];
+  const read = details.read(parent, place.world);
+  place.posed = details.posedMaps();
+  if (painter) {
+    painter.goTo(parent, details.edgesOf(parent));
+    place.paint = painter.paintAt(read, FOOTPRINT * projection.unitsPerPixel(-place.view[2]));
+    const { relief } = place.paint;
+    if (relief) place.toneNormal = painter.bent(place.toneNormal, relief, details.cornersOf(parent));
+  }
+  return place;
+}
+
+/** The paints between which that of a place may lie. */
+function paintsAt(
+  { surface, details, painter }: Tracing,
+  triangle: number,
+  { world }: SurfacePlace,
+): readonly (Paint | null)[] {
+  if (!details || !painter) return NO_PAINT;
+  return painter.boundsAt(details.read(surface.parents[triangle], world));
+}
+
+const NO_PAINT = [null];
+/** What may be anywhere on a surface whose normals are bent. */
+const DARKEST: Tones = { tone: 1, unshadowed: 0.5, shadows: 0, left: 1, turned: 0 };
+
 /** The function at every vertex, and how fine the lines of every triangle are. */
 function* readVertices(
-  { surface, engraver, toner, sides, pen }: Tracing,
+  tracing: Tracing,
   family: FamilyName,
 ): Generator<number, { values: Float64Array; ranks: Int16Array }, void> {
+  const { surface, engraver, toner, sides, pen } = tracing;
   const { vertices, triangles, placeOf } = surface;
   const values = new Float64Array(placeOf.length);
   const octaves = new Float64Array(placeOf.length);
@@ -94,13 +130,17 @@ function* readVertices(
     for (let k = 0; k < 3; k++) {
       const v = triangles[3 * t + k];
       if (tones[v] < 0) {
-        const place = placeFrom(between(vertices, v, v, 0), flatNormalOf(surface, t), sides[t]);
+        const place = placeOn(tracing, between(vertices, v, v, 0), t);
         values[v] = engraver.valueAt(family, place);
         octaves[v] = Infinity;
-        for (const shadowing of shadowings) {
-          const measure = engraver.measure(family, place, toner.read(place, shadowing));
-          tones[v] = Math.max(tones[v], measure.tone);
-          octaves[v] = Math.min(octaves[v], pen === null ? printedOctave(measure) : plottedOctave(measure, pen));
+        for (const paint of paintsAt(tracing, t, place)) {
+          place.paint = paint;
+          for (const shadowing of shadowings) {
+            const read = tracing.painter?.hasRelief ? DARKEST : toner.read(place, shadowing);
+            const measure = engraver.measure(family, place, read);
+            tones[v] = Math.max(tones[v], measure.tone);
+            octaves[v] = Math.min(octaves[v], pen === null ? printedOctave(measure) : plottedOctave(measure, pen));
+          }
         }
       }
       finest = Math.min(finest, octaves[v]);
@@ -185,8 +225,12 @@ class LineTracer {
 
   /** What the line is at numbers of a triangle. */
   measure(numbers: ArrayLike<number>, triangle: number, line: Line): Measured {
-    const { surface, sides, toner, isDrawnIn } = this.tracing;
-    const place = placeFrom(numbers, flatNormalOf(surface, triangle), sides[triangle]);
+    const { toner, isDrawnIn } = this.tracing;
+    const place = placeOn(this.tracing, numbers, triangle);
+    if (place.paint !== null && place.paint.standing < 0) {
+      // Nothing of the surface is there.
+      return { ...this.measureIn('none', place, triangle, line), margin: -1, isHole: true };
+    }
     if (toner.hasSoftShadows && !isDrawnIn) {
       // Many rays need not be asked where there is no line in any shadow.
       const darkest = this.measureIn(toner.darkest, place, triangle, line);
@@ -199,31 +243,35 @@ class LineTracer {
     const { toner, engraver, pen, projection, isDrawnIn } = this.tracing;
     const tones = toner.read(place, shadowing);
     const at = projection.project(...place.view);
-    if (isDrawnIn && !isDrawnIn(tones.turned)) return { at, place, tones, half: 0, margin: -1, isBlank: false };
+    if (isDrawnIn && !isDrawnIn(tones.turned))
+      return { at, place, tones, half: 0, margin: -1, isBlank: false, isHole: false };
     const measure = engraver.measure(this.family, place, tones);
     // As lines lie on the picture, so that they cover what they should.
     measure.perPixel = this.slopes[triangle] || measure.perPixel;
     const { half, margin, shift } = pen === null ? printedMark(measure, line) : plottedMark(measure, line, pen);
     const { strokes } = measure;
-    if (!strokes) return { at, place, tones, half, margin, isBlank: false };
+    if (!strokes) return { at, place, tones, half, margin, isBlank: false, isHole: false };
     const beside = [shift * strokes.uphill[0], shift * strokes.uphill[1]] as const;
-    return { at, place, tones, half, margin, isBlank: false, shift: beside };
+    return { at, place, tones, half, margin, isBlank: false, isHole: false, shift: beside };
   }
 
-  get hasShadows(): boolean {
-    return this.tracing.toner.hasShadows;
+  /** Whether there may be edges of shadows or of holes. */
+  get hasEdges(): boolean {
+    return this.tracing.toner.hasShadows || this.tracing.painter !== null;
   }
 
-  /** By how much a shadow differs from one place to another; nothing where it is not asked for, and all where lines turn. */
+  /** By how much a shadow differs from one place to another; nothing where it is not asked for, and all where lines turn or a hole begins. */
   shadowChange(one: Measured, other: Measured): number {
-    if (one.isBlank || other.isBlank) return 0;
+    if (one.isHole !== other.isHole) return 1;
+    if (one.isBlank || other.isBlank || one.isHole) return 0;
     if (this.tracing.isDrawnIn && one.tones.turned !== other.tones.turned) return 1;
     return Math.abs(one.tones.shadows - other.tones.shadows);
   }
 
-  /** In how many steps a line goes from one place to another over a triangle: in one, but strokes and wedges begin and end within. */
+  /** In how many steps a line goes from one place to another over a triangle: in one, but textures, strokes and wedges change within. */
   stepsTo(from: Measured, to: Measured): number {
-    if (this.tracing.engraver.medium === 'ink') return 1;
+    const { engraver, painter } = this.tracing;
+    if (engraver.medium === 'ink' && painter === null) return 1;
     return Math.min(Math.max(Math.ceil(lengthBetween(from, to) / STROKE_STEP), 1), MOST_STEPS);
   }
 
@@ -241,6 +289,8 @@ interface Measured {
   at: readonly [number, number];
   place: SurfacePlace;
   tones: Tones;
+  /** Whether nothing of the surface is there. */
+  isHole: boolean;
   half: number;
   margin: number;
   /** Whether there is no line, in shadow or not. */
@@ -280,7 +330,7 @@ class LinePen {
 
   private write(place: MeasuredPlace, triangle: number): void {
     const { tracer, builder, last } = this;
-    if (last && tracer.hasShadows) this.lookBetween(last, place, triangle);
+    if (last && tracer.hasEdges) this.lookBetween(last, place, triangle);
     tracer.write(builder, place.measured, triangle);
     this.last = place;
   }

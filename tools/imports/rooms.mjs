@@ -24,18 +24,6 @@ export const ROOMS = {
   'material/facts': [],
   engraving: ['material/facts'],
   vector: ['slices', 'engraving'],
-  'vector/marks': ['/src/vector/LinePath.ts', '/src/vector/Projection.ts'],
-  'vector/background': ['Bvh', 'DrawnScene', 'LinePath', 'Projection'].map((name) => `/src/vector/${name}.ts`),
-  'vector/dots': [
-    ...['/src/vector/Bvh.ts', '/src/vector/DrawnScene.ts', '/src/vector/finishPaths.ts', '/src/vector/LineSurface.ts'],
-    ...[
-      '/src/vector/orderPaths.ts',
-      '/src/vector/pathData.ts',
-      '/src/vector/Projection.ts',
-      '/src/vector/subdivide.ts',
-    ],
-    ...['/src/vector/Toner.ts', '/src/vector/traceFamily.ts'],
-  ],
   geometry: ['mistakes', 'mesh', 'adjacency', 'features', 'form', 'bake', 'worker', 'material/facts'],
   material: ['mistakes', 'strokes', 'bake', 'tam', 'geometry', '/shaders'],
   'material/shaders': ['facts'],

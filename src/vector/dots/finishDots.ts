@@ -1,6 +1,6 @@
 import { asPhase } from '../../slices/asPhase.js';
 import type { DrawingPlan } from '../DrawnScene.js';
-import type { PathCounts, WrittenPath } from '../finishPaths.js';
+import type { PathCounts, WrittenPath } from '../file/finishPaths.js';
 import { asDrawn, orderPaths, travelOf } from '../order/orderPaths.js';
 import type { Placement } from '../paths/pathData.js';
 import type { Dot } from './placeDots.js';

@@ -1,4 +1,4 @@
-import { type LinePath, PATH_STRIDE, pathLength } from './paths/LinePath.js';
+import { type LinePath, PATH_STRIDE, pathLength } from './LinePath.js';
 
 /**
  * Cuts a path into dashes that begin and end it, with gaps between them. Both are stretched alike until they fit; a path that is hardly

@@ -1,12 +1,12 @@
-import { asPhase } from '../slices/asPhase.js';
-import type { DrawingPlan } from './DrawnScene.js';
-import { asDrawn, type OrderedPath, orderPaths, type PathEnds, travelOf } from './order/orderPaths.js';
-import type { Projection } from './Projection.js';
-import { clipRing } from './paths/clipRing.js';
-import { type LinePath, PATH_STRIDE, pathLength } from './paths/LinePath.js';
-import { type Placement, pathData } from './paths/pathData.js';
-import { simplify } from './paths/simplify.js';
-import { strokeOutline } from './paths/strokeOutline.js';
+import { asPhase } from '../../slices/asPhase.js';
+import type { DrawingPlan } from '../DrawnScene.js';
+import { asDrawn, type OrderedPath, orderPaths, type PathEnds, travelOf } from '../order/orderPaths.js';
+import type { Projection } from '../Projection.js';
+import { clipRing } from '../paths/clipRing.js';
+import { type LinePath, PATH_STRIDE, pathLength } from '../paths/LinePath.js';
+import { type Placement, pathData } from '../paths/pathData.js';
+import { simplify } from '../paths/simplify.js';
+import { strokeOutline } from '../paths/strokeOutline.js';
 
 /** What is counted of the paths of a drawing. Lengths in millimetres. */
 export interface PathCounts {

@@ -1,8 +1,8 @@
-import { liftOf } from '../engraving/outlines.js';
-import type { Bvh } from './Bvh.js';
-import type { Chain } from './Chain.js';
-import type { Projection } from './Projection.js';
-import type { ChainPlace, SeenTest } from './visibleRuns.js';
+import { liftOf } from '../../engraving/outlines.js';
+import type { Bvh } from '../Bvh.js';
+import type { Chain } from '../Chain.js';
+import type { Projection } from '../Projection.js';
+import type { ChainPlace, SeenTest } from '../visibleRuns.js';
 
 /**
  * A test whether places of an outline are seen: lifted towards the eye by so much that their own surface does not hide them.

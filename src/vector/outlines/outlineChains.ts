@@ -1,13 +1,13 @@
-import { outlineEmphasisAt } from '../engraving/emphasis.js';
-import { meanLightAt } from '../engraving/meanLight.js';
+import { outlineEmphasisAt } from '../../engraving/emphasis.js';
+import { meanLightAt } from '../../engraving/meanLight.js';
 
-import { type LiftedPiece, shadeWeight, wobbleAt } from '../engraving/outlines.js';
-import { combined, dot, normalize, type Vec3 } from '../engraving/vectors.js';
-import { type Chain, ChainBuilder } from './Chain.js';
-import { emphasisedPlace } from './marks/emphasisedPlace.js';
+import { type LiftedPiece, shadeWeight, wobbleAt } from '../../engraving/outlines.js';
+import { combined, dot, normalize, type Vec3 } from '../../engraving/vectors.js';
+import { type Chain, ChainBuilder } from '../Chain.js';
+import { emphasisedPlace } from '../marks/emphasisedPlace.js';
+import { type Projection, transformed } from '../Projection.js';
+import type { Illumination } from '../Toner.js';
 import type { OutlineLook, OutlineMesh, OutlinePiece, PieceEnd } from './OutlineMesh.js';
-import { type Projection, transformed } from './Projection.js';
-import type { Illumination } from './Toner.js';
 
 /** Outlines bend by less than this at a joint, or a new one begins. Radians, in space: on the picture two edges may happen to lie in line. */
 const SHARPEST = (40 * Math.PI) / 180;
@@ -179,7 +179,7 @@ class OutlineDrawing {
     const view = this.projection.toView(this.worldOf(end));
     const [x, y] = this.projection.project(...view);
     if (this.look.wobble === 0) return [x, y];
-    const anchor = combined(1 / this.mesh.radius, end.position, 0, end.position);
+    const anchor = combined(1 / this.mesh.radius, end.anchor, 0, end.anchor);
     const [right, up] = wobbleAt(anchor, this.look.wobble);
     return [x + right, y - up];
   }
@@ -243,6 +243,7 @@ function endAt(a: PieceEnd, b: PieceEnd, share: number): PieceEnd {
   return {
     ...a,
     position: combined(rest, a.position, share, b.position),
+    anchor: combined(rest, a.anchor, share, b.anchor),
     normal: combined(rest, a.normal, share, b.normal),
     bend: rest * a.bend + share * b.bend,
     weight: rest * a.weight + share * b.weight,

@@ -1,14 +1,16 @@
-import type { Emphasis } from '../engraving/emphasis.js';
-import type { HiddenOutlines } from '../engraving/hiddenOutlines.js';
+import type { Emphasis } from '../../engraving/emphasis.js';
+import type { HiddenOutlines } from '../../engraving/hiddenOutlines.js';
 
-import type { Vec3 } from '../engraving/vectors.js';
-import type { Matrix } from './Projection.js';
+import type { Vec3 } from '../../engraving/vectors.js';
+import type { Matrix } from '../Projection.js';
 
 /** What outlines are found on. */
 export interface OutlineMesh {
   /** Points, each a fan of corners with one normal: three numbers of the position and of the unit normal, object space. */
-  positions: Float32Array;
-  normals: Float32Array;
+  positions: Float32Array | Float64Array;
+  normals: Float32Array | Float64Array;
+  /** The positions at rest. */
+  anchors: Float32Array;
   /** Six numbers per point, xx xy xz yy yz zz: the curvature tensor times the bounding radius. */
   curvatures: Float32Array;
   /** The place of each point. */
@@ -73,6 +75,8 @@ export interface OutlineLook {
 export interface PieceEnd {
   /** Object space; the normal is of any length. */
   position: Vec3;
+  /** The same at rest. */
+  anchor: Vec3;
   normal: Vec3;
   bend: number;
   /** Weights before the paper, and before a surface. */

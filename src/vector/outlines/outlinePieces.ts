@@ -1,7 +1,7 @@
-import { contourAlong, depthAcross, taperAt } from '../engraving/outlines.js';
-import { suggestiveShare } from '../engraving/suggestiveContour.js';
-import { combined, dot, mix, type Vec3 } from '../engraving/vectors.js';
-import { asPhase } from '../slices/asPhase.js';
+import { contourAlong, depthAcross, taperAt } from '../../engraving/outlines.js';
+import { suggestiveShare } from '../../engraving/suggestiveContour.js';
+import { combined, dot, mix, type Vec3 } from '../../engraving/vectors.js';
+import { asPhase } from '../../slices/asPhase.js';
 import type { FeatureEdge, OutlineLook, OutlineMesh, OutlinePiece, PieceEnd } from './OutlineMesh.js';
 
 /**
@@ -64,6 +64,11 @@ class PieceFinder {
     return [positions[3 * p], positions[3 * p + 1], positions[3 * p + 2]];
   }
 
+  private anchorOf(p: number): Vec3 {
+    const { anchors } = this.mesh;
+    return [anchors[3 * p], anchors[3 * p + 1], anchors[3 * p + 2]];
+  }
+
   private normalOf(p: number): Vec3 {
     const { normals } = this.mesh;
     return [normals[3 * p], normals[3 * p + 1], normals[3 * p + 2]];
@@ -90,6 +95,7 @@ class PieceFinder {
     const key = share === 0 ? `v${placeOf[a]}` : share === 1 ? `v${placeOf[b]}` : pairKey(a, b);
     return {
       position: combined(1 - share, this.positionOf(a), share, this.positionOf(b)),
+      anchor: combined(1 - share, this.anchorOf(a), share, this.anchorOf(b)),
       normal: combined(1 - share, this.normalOf(a), share, this.normalOf(b)),
       bend: mix(this.bend[a], this.bend[b], share),
       weight: 0,

@@ -1,8 +1,8 @@
-import { standingAt, strideOf } from '../engraving/outlineStanding.js';
-import type { Bvh } from './Bvh.js';
-import type { Chain } from './Chain.js';
-import type { Projection } from './Projection.js';
-import { type ChainPlace, placeOn } from './visibleRuns.js';
+import { standingAt, strideOf } from '../../engraving/outlineStanding.js';
+import type { Bvh } from '../Bvh.js';
+import type { Chain } from '../Chain.js';
+import type { Projection } from '../Projection.js';
+import { type ChainPlace, placeOn } from '../visibleRuns.js';
 
 /** From where on beyond its side an outline looks for what lies behind it, pixels. */
 const BEYOND = 1.5;

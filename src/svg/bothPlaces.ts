@@ -1,0 +1,10 @@
+/** For each point the first one that has the same place in two lists. */
+export function bothPlaces(one: Uint32Array, other: Uint32Array): Uint32Array {
+  const known = new Map<number, number>();
+  return one.map((place, point) => {
+    const key = place * 2 ** 26 + other[point];
+    const first = known.get(key) ?? point;
+    if (first === point) known.set(key, point);
+    return first;
+  });
+}

@@ -1,0 +1,92 @@
+import type { Mat3 } from '../../engraving/screenGradient.js';
+import { combined, cross, dot, type Vec3 } from '../../engraving/vectors.js';
+import { FIELD, type LineSurface, STRIDE, VIEW, WORLD } from '../LineSurface.js';
+import { type EdgeProducts, PlaceInTriangle } from './PlaceInTriangle.js';
+import type { PosedMaps, SurfaceDetails } from './SurfaceDetails.js';
+
+/** Reads the details of one surface, whose first vertices are those that it was read with. */
+export class DetailReader {
+  private triangle = -1;
+  private place: PlaceInTriangle | undefined;
+  private flat: Mat3 | undefined;
+  private readonly at: Float64Array;
+
+  constructor(
+    private readonly surface: LineSurface,
+    private readonly details: SurfaceDetails,
+  ) {
+    this.at = new Float64Array(details.stride);
+  }
+
+  /** The numbers at a place of a triangle of the scene. Valid until the next call. */
+  read(triangle: number, world: Vec3): Float64Array {
+    const { corners, firstTriangle, stride, numbers } = this.details;
+    this.goTo(triangle);
+    const weights = this.place!.weightsAt(world);
+    const c = 3 * (triangle - firstTriangle);
+    this.at.fill(0);
+    for (let k = 0; k < 3; k++) {
+      const o = stride * corners[c + k];
+      for (let i = 0; i < stride; i++) this.at[i] += weights[k] * numbers[o + i];
+    }
+    return this.at;
+  }
+
+  /** The maps at a place whose numbers were read last; null for a surface that does not deform. */
+  posedMaps(): PosedMaps | null {
+    const { viewToField: o } = this.details;
+    if (o === null) return null;
+    const row = (k: number): Vec3 => [this.at[o + 3 * k], this.at[o + 3 * k + 1], this.at[o + 3 * k + 2]];
+    this.flat ??= this.flatMap();
+    return { smooth: [row(0), row(1), row(2)], flat: this.flat };
+  }
+
+  /** The products of the edges of a triangle, in the world. */
+  edgesOf(triangle: number): EdgeProducts {
+    this.goTo(triangle);
+    return this.place!;
+  }
+
+  /** The corners of a triangle, in the world. */
+  cornersOf(triangle: number): [Vec3, Vec3, Vec3] {
+    this.goTo(triangle);
+    return [this.corner(0, WORLD), this.corner(1, WORLD), this.corner(2, WORLD)];
+  }
+
+  private goTo(triangle: number): void {
+    if (triangle === this.triangle) return;
+    this.triangle = triangle;
+    this.flat = undefined;
+    this.place = new PlaceInTriangle(this.corner(0, WORLD), this.corner(1, WORLD), this.corner(2, WORLD));
+  }
+
+  private corner(k: number, offset: number): Vec3 {
+    const { corners, firstTriangle } = this.details;
+    const o = STRIDE * corners[3 * (this.triangle - firstTriangle) + k] + offset;
+    const { vertices } = this.surface;
+    return [vertices[o], vertices[o + 1], vertices[o + 2]];
+  }
+
+  /** The linear map that takes the edges of the triangle in the view to those in the field, and its normal to the normal there. */
+  private flatMap(): Mat3 {
+    const [a, b, c] = [this.corner(0, VIEW), this.corner(1, VIEW), this.corner(2, VIEW)];
+    const [ab, ac] = [combined(1, b, -1, a), combined(1, c, -1, a)];
+    const normal = cross(ab, ac);
+    const square = dot(normal, normal);
+    if (!(square > 0)) return ZERO;
+    // What is dual to ab, ac and the normal: a vector's components along them are its products with these.
+    const [dualB, dualC] = [cross(ac, normal), cross(normal, ab)];
+    const [p, q, r] = [this.corner(0, FIELD), this.corner(1, FIELD), this.corner(2, FIELD)];
+    const [pq, pr] = [combined(1, q, -1, p), combined(1, r, -1, p)];
+    const there = cross(pq, pr);
+    return [0, 1, 2].map((k) =>
+      combined(1 / square, combined(pq[k], dualB, pr[k], dualC), there[k] / square, normal),
+    ) as unknown as Mat3;
+  }
+}
+
+const ZERO: Mat3 = [
+  [0, 0, 0],
+  [0, 0, 0],
+  [0, 0, 0],
+];

@@ -1,0 +1,48 @@
+import type { Vec3 } from '../../engraving/vectors.js';
+import { isClipped } from './Clip.js';
+import { Painter } from './Painter.js';
+import type { Cutout } from './PaintLook.js';
+
+/** Knows where triangles of a scene have holes, because their alpha is too low or they are clipped. */
+export class Holes {
+  /** Of the cutouts that have holes by alpha. */
+  private readonly painters: (Painter | null)[];
+
+  constructor(private readonly cutouts: readonly Cutout[]) {
+    this.painters = cutouts.map(({ painted }) => painted && new Painter(painted.paint, painted.details));
+  }
+
+  /**
+   * Whether there is a hole at a place of a triangle.
+   *
+   * @param u and `v` are the weights of its second and third corner
+   * @param isForLight whether light may pass, not sight
+   */
+  isOpen(triangle: number, u: number, v: number, place: Vec3, isForLight: boolean): boolean {
+    const i = this.indexOf(triangle);
+    if (i < 0) return false;
+    const { clip, shadowClip, painted } = this.cutouts[i];
+    const clips = isForLight ? shadowClip : clip;
+    if (clips && isClipped(clips, place)) return true;
+    if (!painted) return false;
+    const { corners, firstTriangle, stride, numbers } = painted.details;
+    const c = 3 * (triangle - firstTriangle);
+    const at = new Float64Array(stride);
+    for (const [k, weight] of [1 - u - v, u, v].entries()) {
+      const o = stride * corners[c + k];
+      for (let n = 0; n < stride; n++) at[n] += weight * numbers[o + n];
+    }
+    return this.painters[i]!.standingAt(at) < 0;
+  }
+
+  /** By halving: cutouts stand in the order of their triangles. */
+  private indexOf(triangle: number): number {
+    let [low, high] = [0, this.cutouts.length];
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (triangle < this.cutouts[middle].end) high = middle;
+      else low = middle + 1;
+    }
+    return low < this.cutouts.length && triangle >= this.cutouts[low].first ? low : -1;
+  }
+}

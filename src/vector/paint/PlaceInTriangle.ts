@@ -1,0 +1,43 @@
+import { combined, dot, type Vec3 } from '../../engraving/vectors.js';
+
+/** Products of the edges that leave the first corner of a triangle: of the first with itself, with the second, and of the second. */
+export interface EdgeProducts {
+  bb: number;
+  bc: number;
+  cc: number;
+}
+
+/** Where places lie in a triangle, as weights of its corners. */
+export class PlaceInTriangle implements EdgeProducts {
+  private readonly ab: Vec3;
+  private readonly ac: Vec3;
+  readonly bb: number;
+  readonly bc: number;
+  readonly cc: number;
+  private readonly determinant: number;
+
+  constructor(
+    private readonly a: Vec3,
+    b: Vec3,
+    c: Vec3,
+  ) {
+    this.ab = combined(1, b, -1, a);
+    this.ac = combined(1, c, -1, a);
+    this.bb = dot(this.ab, this.ab);
+    this.bc = dot(this.ab, this.ac);
+    this.cc = dot(this.ac, this.ac);
+    this.determinant = this.bb * this.cc - this.bc * this.bc;
+  }
+
+  /** Weights that add up to 1, none below 0; of a triangle without area those of its first corner. */
+  weightsAt(place: Vec3): Vec3 {
+    if (!(this.determinant > 0)) return [1, 0, 0];
+    const way = combined(1, place, -1, this.a);
+    const [b, c] = [dot(way, this.ab), dot(way, this.ac)];
+    const v = Math.max((this.cc * b - this.bc * c) / this.determinant, 0);
+    const w = Math.max((this.bb * c - this.bc * b) / this.determinant, 0);
+    const rest = Math.max(1 - v - w, 0);
+    const sum = rest + v + w;
+    return [rest / sum, v / sum, w / sum];
+  }
+}
