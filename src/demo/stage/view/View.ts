@@ -1,8 +1,8 @@
 import { MathUtils, Matrix4, type PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import type { CameraView } from '../../settings/CameraView.js';
-import { DEFAULT_VIEW } from './createCamera.js';
-import { type Framing, fitCamera, proportionOf, SHADOW_ROOM } from './framing.js';
+import type { CameraView } from '../../../settings/CameraView.js';
+import { DEFAULT_VIEW } from '../../../staging/createCamera.js';
+import { type Framing, fitCamera, proportionOf, SHADOW_ROOM } from '../../../staging/framing.js';
 import { OrbitKeys } from './OrbitKeys.js';
 import { turnedView } from './turnedView.js';
 
