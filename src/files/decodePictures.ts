@@ -1,6 +1,5 @@
 import { counted } from './common/counted.js';
-import type { DecodedPicture, Surroundings } from './common/Surroundings.js';
-import type { Picture } from './gltf/gltfPictures.js';
+import type { Surroundings } from './common/Surroundings.js';
 import type { ReadModel } from './readModel.js';
 
 /** Decodes the pictures of a model. A worker should do it: a large one takes seconds. */
@@ -18,20 +17,13 @@ export async function withPictures(
   for (const [i, picture] of parts.pictures.entries()) {
     if (!picture) continue;
     onStage(`decoding picture ${++number} of ${count}`);
-    parts.bitmaps[i] = await decode(picture, decodePicture);
-    if (!parts.bitmaps[i]) lost++;
+    const { content, width, height } = picture;
+    try {
+      parts.bitmaps[i] = await decodePicture(content, { width, height, flipY: false });
+    } catch {
+      lost++;
+    }
   }
   const notes = lost > 0 ? [counted(lost, 'damaged picture', 'left out')] : [];
   return { ...model, notes: [...model.notes, ...notes] };
-}
-
-async function decode(
-  { content, width, height }: Picture,
-  decodePicture: Surroundings['decodePicture'],
-): Promise<DecodedPicture | undefined> {
-  try {
-    return await decodePicture(content, { width, height, flipY: false });
-  } catch {
-    return undefined;
-  }
 }

@@ -132,7 +132,7 @@ async function readMain(
   const findFile: FindFile = async (uri) => {
     const wanted = baseName(safeDecode(uri)).toLowerCase();
     const file = files.find((one) => baseName(one.name).toLowerCase() === wanted);
-    return file && new Uint8Array(await file.content.arrayBuffer());
+    return file ? new Uint8Array(await file.content.arrayBuffer()) : surroundings.findFile?.(uri);
   };
   const { content, ...parsed } = await parse(format, { bytes, name: shown, findFile, loadDraco });
   const usual = usualUp(format);

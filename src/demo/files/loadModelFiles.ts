@@ -1,8 +1,8 @@
 import { ModelError } from '../../files/common/ModelError.js';
+import { readingTime } from '../../files/readingTime.js';
 import type { ModelFile, ReadModel } from '../../files/readModel.js';
 import type { ModelWorkerMessage } from './model.worker.js';
 import { PAGE_SURROUNDINGS } from './pageSurroundings.js';
-import { readingTime } from './readingTime.js';
 
 export interface LoadOptions {
   /** Aborting terminates the worker at once and rejects with the signal's reason. */

@@ -1,4 +1,5 @@
 import type { DecoderModule } from 'draco3d';
+import type { FindFile } from './FindFile.js';
 
 /** A picture, decoded: a bitmap of the browser, or its pixels, as RGBA in rows from above. */
 export type DecodedPicture = ImageBitmap | PixelPicture;
@@ -29,13 +30,16 @@ export interface Surroundings {
   /**
    * Decodes a picture.
    *
-   * @throws Error if it cannot be decoded here
+   * @returns undefined if it cannot be decoded here, which the reader leaves to its surroundings to tell
+   * @throws Error if it is damaged
    */
-  decodePicture(source: PictureSource, wish: PictureWish): Promise<DecodedPicture>;
+  decodePicture(source: PictureSource, wish: PictureWish): Promise<DecodedPicture | undefined>;
   /**
    * Draco's decoder.
    *
    * @throws Error if there is none
    */
   loadDraco(): Promise<DecoderModule>;
+  /** Finds a file that was not handed over with the model, by the URI that the model refers to it with. */
+  findFile?: FindFile;
 }

@@ -81,8 +81,11 @@ export async function readMeshPictures(
   // One after the other, because each takes its full size for a moment.
   for (const [i, source] of distinct.entries()) {
     onPicture(i + 1, distinct.length);
-    source.bitmap = await decode(source, decodePicture);
-    if (!source.bitmap) lacks.unreadable.add(source.name);
+    try {
+      source.bitmap = await decode(source, decodePicture);
+    } catch {
+      lacks.unreadable.add(source.name);
+    }
   }
   const pictures = sources.map((source, i) => {
     const { texture, cutOut } = wanted[i];
@@ -122,12 +125,8 @@ async function decode(
   { bytes, isTga, width, height, flipY }: Source,
   decodePicture: Surroundings['decodePicture'],
 ): Promise<DecodedPicture | undefined> {
-  try {
-    const content = isTga ? await decodeTga(bytes) : new Blob([bytes as Uint8Array<ArrayBuffer>]);
-    return await decodePicture(content, { width, height, flipY });
-  } catch {
-    return undefined;
-  }
+  const content = isTga ? await decodeTga(bytes) : new Blob([bytes as Uint8Array<ArrayBuffer>]);
+  return decodePicture(content, { width, height, flipY });
 }
 
 /** Width and height in the header of a TGA file, which has no signature. */
