@@ -4,6 +4,7 @@ import { DrawingFiles } from './DrawingFiles.js';
 import type { DrawingOptions } from './DrawingOptions.js';
 import { type DrawingCounts, type DrawMessage, drawInThread } from './DrawThread.js';
 import { expandPattern, isPattern } from './expandPattern.js';
+import { Interrupted } from './Interrupted.js';
 import type { ProgressBar } from './ProgressBar.js';
 import { DRAW_HELP, parseDrawing } from './parseDrawing.js';
 import { type PlannedModel, planOutputs } from './planOutputs.js';
@@ -14,7 +15,7 @@ import { UsageError } from './UsageError.js';
  *
  * @param args the arguments after its name
  * @returns how many models were not drawn, or not with all that belongs to them
- * @throws UsageError if the arguments are not valid, or the reason of the signal
+ * @throws UsageError if the arguments are not valid, or Interrupted
  */
 export async function draw(args: readonly string[], signal: AbortSignal, bar: ProgressBar): Promise<number> {
   const request = parseDrawing(args);
@@ -30,11 +31,11 @@ export async function draw(args: readonly string[], signal: AbortSignal, bar: Pr
   try {
     await files.open(planned.flatMap(({ outputs }) => outputs));
     return await new Draughtsmen(planned, options, files, signal, bar).draw(jobs);
+  } catch (error) {
+    throw signal.aborted ? new Interrupted(files.written) : error;
   } finally {
     await files.close();
     bar.clear();
-    if (signal.aborted && files.written > 0)
-      process.stderr.write(`three-hatching: ${files.written} files were written before the interruption.\n`);
   }
 }
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env node
 import process from 'node:process';
 import { draw } from './draw.js';
+import { Interrupted } from './Interrupted.js';
 import { ProgressBar } from './ProgressBar.js';
 import { tam } from './tam.js';
 import { UsageError } from './UsageError.js';
@@ -29,7 +30,8 @@ try {
 /** Prints the message of an error and returns the exit code. */
 function reportError(error: unknown): number {
   if (abort.signal.aborted) {
-    process.stderr.write('three-hatching: interrupted; nothing was written.\n');
+    const { message } = error instanceof Interrupted ? error : new Interrupted();
+    process.stderr.write(`three-hatching: ${message}\n`);
     return INTERRUPTED;
   }
   process.stderr.write(`three-hatching: ${error instanceof Error ? error.message : String(error)}\n`);

@@ -28,7 +28,7 @@ export function planOutputs(
     outputs: Array.from({ length: frames ?? 1 }, (_, i) =>
       // By functions, because names may hold what `replaceAll` takes for a group.
       pattern
-        .replaceAll('{name}', () => stemOf(model))
+        .replaceAll('{name}', () => nameOf(model, models))
         .replaceAll('{frame}', () => String(i + 1).padStart(digits, '0')),
     ),
   }));
@@ -55,6 +55,12 @@ function patternOf(out: string, isFolder: boolean, hasFrames: boolean): string {
   if (!hasFrames || pattern.includes('{frame}')) return pattern;
   const extension = extname(pattern);
   return `${pattern.slice(0, pattern.length - extension.length)}-{frame}${extension}`;
+}
+
+/** The name of a model in that of its drawing: without its extension, if no other model is named the same then. */
+function nameOf(model: string, models: readonly string[]): string {
+  const stem = stemOf(model);
+  return models.some((other) => other !== model && stemOf(other) === stem) ? basename(model) : stem;
 }
 
 /** The name of a model without its folder and its extension. */

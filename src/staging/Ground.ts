@@ -113,6 +113,7 @@ export class Ground {
       throw error;
     });
     const mesh = new Mesh(prepared, this.material);
+    mesh.name = 'ground';
     mesh.receiveShadow = true;
     this.holder.add(mesh);
     this.onReady();

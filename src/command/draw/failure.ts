@@ -1,3 +1,4 @@
+import { basename } from 'node:path';
 import { plainSentence } from './plainSentence.js';
 
 /** What went wrong with a model, in a sentence that names it. */
@@ -5,7 +6,10 @@ export function failure(model: string, error: unknown): string {
   const { code, name, message = String(error) } = error as NodeJS.ErrnoException;
   if (code === 'ERR_MODULE_NOT_FOUND' && /'three'|\/three\b/.test(message))
     return 'To draw models, three must be installed beside three-hatching: npm install three.';
-  if (name === 'ModelError') return plainSentence(message);
+  if (name === 'ModelError') return named(model, plainSentence(message));
   if (code !== undefined) return `${model} cannot be read (${code}).`;
   return `${model} could not be drawn: ${message.replace(/\.$/, '')}.`;
 }
+
+const named = (model: string, sentence: string): string =>
+  sentence.includes(basename(model)) ? sentence : `${model}: ${sentence}`;
