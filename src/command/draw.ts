@@ -1,5 +1,6 @@
 import { stat } from 'node:fs/promises';
 import process from 'node:process';
+import { shownText } from '../files/common/shownText.js';
 import { DrawingFiles } from './DrawingFiles.js';
 import type { DrawingOptions } from './DrawingOptions.js';
 import { type DrawingCounts, type DrawMessage, drawInThread } from './DrawThread.js';
@@ -76,7 +77,9 @@ class Draughtsmen {
     const work = async (): Promise<void> => {
       for (let next = waiting.shift(); next !== undefined; next = waiting.shift()) await this.drawOne(next);
     };
-    await Promise.all(Array.from({ length: Math.min(jobs, waiting.length) }, work));
+    // All of them, so that none still writes when this has ended.
+    await Promise.allSettled(Array.from({ length: Math.min(jobs, waiting.length) }, work));
+    this.signal.throwIfAborted();
     return this.failed;
   }
 
@@ -119,7 +122,8 @@ class Draughtsmen {
 
   private tell(stream: NodeJS.WriteStream, line: string): void {
     this.bar.clear();
-    stream.write(`${line}\n`);
+    // Names of files and of parts of models may hold anything, also what moves the cursor.
+    stream.write(`${shownText(line)}\n`);
   }
 }
 

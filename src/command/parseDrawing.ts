@@ -93,9 +93,10 @@ export function parseDrawing(args: readonly string[]): DrawRequest {
   const margin = number('margin', values.margin, { least: 0, most: 1000 }) ?? 10;
   if (2 * margin >= Math.min(...sheet))
     throw new UsageError(`--margin is ${margin}, which leaves nothing of a sheet of ${sheet.join(' × ')} mm.`);
+  const link = linkOf(values.link);
+  if (link !== undefined && values.preset === undefined) checkLines(link);
   const options: DrawingOptions = {
     preset: presetOf(values.preset),
-    link: linkOf(values.link),
     view: direction('view', values.view),
     zoom: number('zoom', values.zoom, { least: 0.05, most: 100 }) ?? 1,
     orthographic: values.orthographic ?? false,
@@ -108,7 +109,7 @@ export function parseDrawing(args: readonly string[]): DrawRequest {
     dpi: number('dpi', values.dpi, { least: 10, most: 2400 }) ?? 96,
     paper: colour(values.paper),
     order: choice('order', values.order, ['travel', 'drawn']) ?? 'travel',
-    ...{ kind, sheet, margin },
+    ...{ link, kind, sheet, margin },
   };
   const jobs = whole('jobs', values.jobs, 64) ?? 1;
   return { action: 'draw', models, out: values.out, force: values.force ?? false, jobs, options };
@@ -146,6 +147,17 @@ function linkOf(link: string | undefined): string | undefined {
   const hash = link?.slice(link.indexOf('#') + 1);
   if (hash === undefined || /^[\w%.~-]+=/.test(hash)) return hash;
   throw new UsageError('--link holds no drawing; copy the whole address of the playground, in quotes.');
+}
+
+/** @throws UsageError if a link is drawn with strokes that are no lines. Its technique is that of its preset unless it names another */
+function checkLines(link: string): void {
+  const parameters = new URLSearchParams(link);
+  const preset = parameters.get('preset') ?? '';
+  const technique = parameters.get('technique') ?? (LINED.includes(preset) ? 'engraved' : undefined);
+  if (technique === 'engraved') return;
+  throw new UsageError(
+    '--link is drawn with strokes that are a picture and cannot leave as lines; add --preset with one of its own, engraving, say.',
+  );
 }
 
 function direction(option: string, text: string | undefined): DirectionInDegrees | undefined {

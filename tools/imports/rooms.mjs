@@ -117,7 +117,7 @@ export const ROOMS = {
   staging: ['files', 'settings', 'drawing'],
 
   // For Node: the presets are data.
-  command: ['slices', 'strokes', 'hatchImages', 'mapFiles', 'scene/presets.ts', 'files/readingTime.ts'],
+  command: ['slices', 'strokes', 'hatchImages', 'mapFiles', 'scene/presets.ts', 'files/common', 'files/readingTime.ts'],
   // What draws models imports the library by its package name, and three.js: it is loaded when it is asked for.
   'command/draw': ['/src/command', ...SHARED],
 
