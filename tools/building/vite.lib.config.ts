@@ -6,7 +6,8 @@ import { shortShaders } from './shortShaders.js';
 const ENTRIES: Record<string, Record<string, string>> = {
   worker: { 'bake.worker': 'src/worker/bake.worker.ts' },
   svgWorker: { 'svg.worker': 'src/svg/svg.worker.ts' },
-  command: { command: 'src/command/main.ts', 'draw.worker': 'src/command/draw/drawWorker.ts' },
+  command: { command: 'src/command/main.ts' },
+  draw: { 'draw.worker': 'src/command/draw/drawWorker.ts' },
   react: { react: 'src/react/index.ts' },
   element: { element: 'src/element/element.ts' },
 };
@@ -69,13 +70,13 @@ export default defineConfig(
       },
       rolldownOptions: {
         external: [/^three($|\/)/, /^node:/, /^react($|\/)/, '@react-three/fiber', /^three-hatching($|\/(facts|svg)$)/],
-        // Chunks that are loaded when they are needed keep their names, those of the command after its own; code that several files need has a chunk of its own.
+        // Chunks that are loaded when they are needed keep their names, those of the command's threads after its own; code that several files need has a chunk of its own.
         output: {
-          chunkFileNames: mode === 'command' ? 'draw.[name].js' : '[name].js',
+          chunkFileNames: mode === 'draw' ? 'draw.[name].js' : '[name].js',
           // Tells frameworks that run components on the server that these run in the browser.
           ...(mode === 'react' && { banner: "'use client';" }),
           // So a page without a bundler needs no entry in its import map for the library, and the command finds it wherever it lies.
-          ...((mode === 'element' || mode === 'command') && { paths: OWN_ENTRIES }),
+          ...((mode === 'element' || mode === 'draw') && { paths: OWN_ENTRIES }),
           // Passes lie in one folder: each further one names what its files share after itself.
           codeSplitting: {
             groups: mode in ENTRIES ? [{ name: `${mode}Shared`, minShareCount: 2 }] : SEPARATE,

@@ -4,8 +4,8 @@ import { plainSentence } from './plainSentence.js';
 /** What went wrong with a model, in a sentence that names it. */
 export function failure(model: string, error: unknown): string {
   const { code, name, message = String(error) } = error as NodeJS.ErrnoException;
-  if (code === 'ERR_MODULE_NOT_FOUND' && /'three'|\/three\b/.test(message))
-    return 'To draw models, three must be installed beside three-hatching: npm install three.';
+  if (code === 'ERR_MODULE_NOT_FOUND')
+    return `${model} needs a newer three: the one that is installed does not read its format.`;
   if (name === 'ModelError') return named(model, plainSentence(message));
   if (code !== undefined) return `${model} cannot be read (${code}).`;
   return `${model} could not be drawn: ${message.replace(/\.$/, '')}.`;

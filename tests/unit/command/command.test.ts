@@ -17,7 +17,7 @@ const outDir = join(root, 'tests/output/command');
 
 beforeAll(async () => {
   const configFile = join(root, 'tools/building/vite.lib.config.ts');
-  for (const mode of ['production', 'command'])
+  for (const mode of ['production', 'command', 'draw'])
     await build({ root, configFile, mode, logLevel: 'error', build: { outDir } });
 });
 
