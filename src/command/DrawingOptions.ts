@@ -30,4 +30,8 @@ export interface DrawingOptions {
   /** `#rrggbb`, or undefined for none. */
   paper: string | undefined;
   order: 'travel' | 'drawn';
+  /** Outlines behind surfaces; undefined as the look has them. */
+  hidden: 'none' | 'dashed' | 'faint' | undefined;
+  /** Seconds in which a file draws itself on a web page; undefined if it does not. */
+  animate: number | undefined;
 }

@@ -28,6 +28,8 @@ const OPTIONS = {
   dpi: { type: 'string' },
   paper: { type: 'string' },
   order: { type: 'string' },
+  hidden: { type: 'string' },
+  animate: { type: 'string' },
   out: { type: 'string' },
   force: { type: 'boolean' },
   jobs: { type: 'string' },
@@ -63,6 +65,8 @@ It reads GLB, glTF, OBJ, PLY, STL, FBX, DAE, USDZ, 3MF, 3DS and VRML files, also
   --dpi <number>           CSS pixels to an inch: more makes finer lines (default 96)
   --paper <#rrggbb>        a rectangle of this colour below the drawing, in print
   --order <travel|drawn>   paths for a short way of the pen, or as they were found (default travel)
+  --hidden <kind>          outlines behind surfaces: none, dashed or faint (default: as the look has them)
+  --animate <seconds>      files that draw themselves on a web page
   --frames <count>         numbered files of a turn of the model, or of its clip
   --clip <name>            poses the model by this clip
   --out <file>             the file to write to; for several models a folder, or a name with {name} and {frame}
@@ -109,6 +113,8 @@ export function parseDrawing(args: readonly string[]): DrawRequest {
     dpi: number('dpi', values.dpi, { least: 10, most: 2400 }) ?? 96,
     paper: colour(values.paper),
     order: choice('order', values.order, ['travel', 'drawn']) ?? 'travel',
+    hidden: choice('hidden', values.hidden, ['none', 'dashed', 'faint']),
+    animate: number('animate', values.animate, { least: 0.1, most: 3600 }),
     ...{ link, kind, sheet, margin },
   };
   const jobs = whole('jobs', values.jobs, 64) ?? 1;

@@ -122,7 +122,7 @@ async function drawFrames(
     signal: AbortSignal;
   },
 ): Promise<void> {
-  const { kind, pen, sheet, margin, dpi, paper, order } = options;
+  const { kind, pen, sheet, margin, dpi, paper, order, hidden, animate } = options;
   const told = new Set<string>();
   for (let frame = 0; frame < frames; frame++) {
     if (motion && clip !== undefined) motion.time = (frame / frames) * motion.duration;
@@ -131,7 +131,7 @@ async function drawFrames(
     lights.place(placed.camera);
     const stage = frames === 1 ? 'drawing' : `drawing frame ${frame + 1} of ${frames}`;
     const { svg, leftOut, ...counts } = await drawSVG(scene, placed.camera, {
-      ...{ kind, sheet, margin, dpi, order },
+      ...{ kind, sheet, margin, dpi, order, hidden, animate },
       ...(kind === 'pen' && { penWidth: pen }),
       ...(paper !== undefined && { paper }),
       signal: to.signal,
