@@ -1,9 +1,10 @@
 import { randomBytes } from 'node:crypto';
-import { mkdir, readdir, rename, rm, rmdir, stat, writeFile } from 'node:fs/promises';
-import { dirname, join } from 'node:path';
+import { mkdir, readdir, rename, rm, rmdir, writeFile } from 'node:fs/promises';
+import { join } from 'node:path';
 import type { MapFile } from '../mapFiles/mapFiles.js';
-import { UsageError } from './parseArguments.js';
+import { makeFolder } from './makeFolder.js';
 import { sentenceOf } from './sentenceOf.js';
+import { UsageError } from './UsageError.js';
 
 /** Whether a file name is one of a saved map. */
 const isMapFile = (name: string): boolean => /^(map\.json|(tone-\d+|thresholds)-level-\d+\.png)$/.test(name);
@@ -39,7 +40,7 @@ export class OutputFolder {
    */
   async open(bytes: number): Promise<void> {
     try {
-      await this.make(this.folder);
+      await makeFolder(this.folder, this.made);
       await this.mapFilesThere();
       await mkdir(this.draft);
       const probe = join(this.draft, 'room');
@@ -86,19 +87,6 @@ export class OutputFolder {
     for (const folder of this.made.toReversed()) await rmdir(folder).catch(() => {});
   }
 
-  /** Creates a folder and its parents. `mkdir` with `recursive` would never return below /proc. */
-  private async make(path: string): Promise<void> {
-    if (await isFolder(path)) return;
-    const parent = dirname(path);
-    try {
-      if (parent !== path) await this.make(parent);
-      await mkdir(path);
-    } catch (error) {
-      throw error instanceof UsageError ? error : new UsageError(sentenceOf(path, error));
-    }
-    this.made.push(path);
-  }
-
   /**
    * The names of the map files in the folder.
    *
@@ -116,23 +104,6 @@ export class OutputFolder {
     }
     return entries.map(({ name }) => name);
   }
-}
-
-/**
- * Whether a path is a folder.
- *
- * @throws UsageError if it is something else, or cannot be read
- */
-async function isFolder(path: string): Promise<boolean> {
-  try {
-    if ((await stat(path)).isDirectory()) return true;
-  } catch (error) {
-    const { code } = error as NodeJS.ErrnoException;
-    // ENOTDIR means that the path lies below a file, which `make` finds on its way up.
-    if (code === 'ENOENT' || code === 'ENOTDIR') return false;
-    throw new UsageError(sentenceOf(path, error));
-  }
-  throw new UsageError(`${path} is not a folder; choose another name after --out.`);
 }
 
 /** Moves all files, or none if one cannot be moved. */

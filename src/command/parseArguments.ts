@@ -3,9 +3,7 @@ import { type MapDrawing, resolveMapDrawing } from '../hatchImages/hatchImageOpt
 import { type HatchingPreset, presets } from '../scene/presets.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
 import { strokeStyles } from '../strokes/strokeStyles.js';
-
-/** A mistake in the command line, which is reported without a stack trace. */
-export class UsageError extends Error {}
+import { UsageError } from './UsageError.js';
 
 /** The task of the command. */
 export type Request =
@@ -44,6 +42,8 @@ export const HELP = `three-hatching tam: draws a tonal art map into a folder of 
   --help                  prints this text
 
 Load it with TonalArtMap.load('maps/woodcut/map.json').
+
+three-hatching draw: draws models as SVG files for print and plotters; see npx three-hatching draw --help.
 `;
 
 /**
@@ -57,7 +57,7 @@ export function parseArguments(args: readonly string[]): Request {
   if (values.help || args.length === 0) return { action: 'help' };
   const [command, ...rest] = positionals;
   if (command !== 'tam')
-    throw new UsageError(`"${command ?? ''}" is not a command; the only command is tam. See --help.`);
+    throw new UsageError(`"${command ?? ''}" is not a command; the commands are tam and draw. See --help.`);
   if (rest.length > 0) throw new UsageError(`"${rest[0]}" is an unexpected argument; name the folder after --out.`);
   if (values.list) return { action: 'list' };
   if (!values.out) throw new UsageError('--out is missing; name the folder to write the map to.');

@@ -126,7 +126,8 @@ test('the command writes into the folder that a link points to, and reports at o
 
 for (const [args, message] of [
   [['tam'], '--out is missing; name the folder to write the map to.'],
-  [['draw', '--out', 'x'], '"draw" is not a command; the only command is tam. See --help.'],
+  [['paint', '--out', 'x'], '"paint" is not a command; the commands are tam and draw. See --help.'],
+  [['draw', '--out', 'x'], 'There is no model to draw; name a file after draw.'],
   [['tam', 'x'], '"x" is an unexpected argument; name the folder after --out.'],
   [['tam', '--out', 'x', '--colour'], "Unknown option '--colour'"],
   [['tam', '--out', 'x', '--style', 'oil'], '--style is oil, but must be one of hatching, '],

@@ -1,6 +1,7 @@
-import { execFileSync } from 'node:child_process';
-import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { execFileSync, spawnSync } from 'node:child_process';
+import { cpSync, existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import type { Page } from '@playwright/test';
@@ -53,6 +54,7 @@ const ENTRIES = [
   'bake.worker.js',
   'svg.worker.js',
   'command.js',
+  'draw.worker.js',
 ];
 
 let files: string[] = [];
@@ -126,6 +128,39 @@ test.describe('the tarball', () => {
     expect(importsOf('react.js').sort()).toEqual(ofReact);
     expect(readFileSync(join(libraryFolder, 'dist/react.js'), 'utf8')).toMatch(/^["']use client["'];\n/);
     for (const name of importsOf('command.js')) expect(name).toMatch(/^node:/);
+    for (const name of withImports('draw.worker.js').flatMap(importsOf))
+      expect(name).toMatch(/^(node:|\.\/|three($|\/addons\/))/);
+  });
+
+  test('draws a model from the command line, with the three of the project', () => {
+    const model = 'v 1 0 0\nv -1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 4\nf 3 2 4\nf 2 1 4\nf 3 1 2\n';
+    writeFileSync(join(projectFolder, 'wedge.obj'), model);
+    const command = join(libraryFolder, packageJson().bin['three-hatching']);
+    const args = ['draw', 'wedge.obj', '--pen', '0.3', '--sheet', '80x60', '--margin', '4', '--out', 'wedge.svg'];
+    const said = execFileSync(process.execPath, [command, ...args], { cwd: projectFolder, encoding: 'utf8' });
+    expect(said).toMatch(/^wedge\.svg: \d+ paths, /);
+    expect(readFileSync(join(projectFolder, 'wedge.svg'), 'utf8')).toContain('width="80mm" height="60mm"');
+  });
+
+  test('without three, the command says what it needs to draw models, and draws maps', () => {
+    const alone = mkdtempSync(join(tmpdir(), 'three-hatching-'));
+    try {
+      cpSync(libraryFolder, join(alone, 'node_modules/three-hatching'), { recursive: true });
+      writeFileSync(join(alone, 'wedge.obj'), 'v 1 0 0\nv -1 0 0\nv 0 1 0\nf 1 2 3\n');
+      const run = (...args: string[]) =>
+        spawnSync(process.execPath, [join('node_modules/three-hatching/dist/command.js'), ...args], {
+          cwd: alone,
+          encoding: 'utf8',
+        });
+      const drawn = run('draw', 'wedge.obj', '--out', 'wedge.svg');
+      expect([drawn.status, drawn.stderr]).toEqual([
+        1,
+        'three-hatching: To draw models, three must be installed beside three-hatching: npm install three.\n',
+      ]);
+      expect(run('tam', '--size', '64', '--tones', '4', '--out', 'map').status).toBe(0);
+    } finally {
+      rmSync(alone, { recursive: true, force: true });
+    }
   });
 
   test('leaves nothing in a bundle that uses nothing of it', async () => {

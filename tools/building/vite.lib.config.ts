@@ -7,6 +7,7 @@ const ENTRIES: Record<string, Record<string, string>> = {
   worker: { 'bake.worker': 'src/worker/bake.worker.ts' },
   svgWorker: { 'svg.worker': 'src/svg/svg.worker.ts' },
   command: { command: 'src/command/main.ts' },
+  draw: { 'draw.worker': 'src/command/draw/drawWorker.ts' },
   react: { react: 'src/react/index.ts' },
   element: { element: 'src/element/element.ts' },
 };
@@ -38,10 +39,17 @@ const nothingOfOthers: Plugin = {
   },
 };
 
+/** Where the entries of the library lie, for those that import them as any page does. */
+const OWN_ENTRIES = {
+  'three-hatching': './index.js',
+  'three-hatching/facts': './facts.js',
+  'three-hatching/svg': './svg.js',
+};
+
 /**
  * The library: ES modules, three external. Built in passes, so that each result stands alone: `index` with the worker
  * inlined; with `--mode worker` and `--mode svgWorker` the same workers as one file each, which a page under a strict Content-Security-Policy
- * can serve from its own origin; with `--mode command` the command for Node; with `--mode react` the components and with `--mode element` the web
+ * can serve from its own origin; with `--mode command` the command for Node and its threads; with `--mode react` the components and with `--mode element` the web
  * component, which import `index` as any page does, so that there is one copy of it.
  */
 export default defineConfig(
@@ -61,16 +69,14 @@ export default defineConfig(
         formats: ['es'],
       },
       rolldownOptions: {
-        external: [/^three($|\/)/, /^node:/, /^react($|\/)/, '@react-three/fiber', /^three-hatching($|\/facts$)/],
-        // Chunks that are loaded when they are needed keep their names; code that several files need has a chunk of its own.
+        external: [/^three($|\/)/, /^node:/, /^react($|\/)/, '@react-three/fiber', /^three-hatching($|\/(facts|svg)$)/],
+        // Chunks that are loaded when they are needed keep their names, those of the command's threads after its own; code that several files need has a chunk of its own.
         output: {
-          chunkFileNames: '[name].js',
+          chunkFileNames: mode === 'draw' ? 'draw.[name].js' : '[name].js',
           // Tells frameworks that run components on the server that these run in the browser.
           ...(mode === 'react' && { banner: "'use client';" }),
-          // So a page without a bundler needs no entry in its import map for the library.
-          ...(mode === 'element' && {
-            paths: { 'three-hatching': './index.js', 'three-hatching/facts': './facts.js' },
-          }),
+          // So a page without a bundler needs no entry in its import map for the library, and the command finds it wherever it lies.
+          ...((mode === 'element' || mode === 'draw') && { paths: OWN_ENTRIES }),
           // Passes lie in one folder: each further one names what its files share after itself.
           codeSplitting: {
             groups: mode in ENTRIES ? [{ name: `${mode}Shared`, minShareCount: 2 }] : SEPARATE,

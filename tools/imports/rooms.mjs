@@ -1,3 +1,6 @@
+/** The rooms that the playground and the command share. */
+const SHARED = ['/src/files', '/src/settings', '/src/drawing', '/src/staging'];
+
 /**
  * The rooms of `src`, lowest first, and which other rooms each may import. A name means the room beside it; a path that starts with `/` lies
  * in the project's root. A room inside of a room may import what its surroundings may, and nothing of the files around it.
@@ -97,43 +100,50 @@ export const ROOMS = {
   ],
   'facts.ts': ['material', 'outlines', 'background', 'scene'],
 
+  // Shared by the playground and the command. These import the library by its package name.
+  files: [],
+  'files/common': [],
+  'files/archives': ['common'],
+  'files/mesh': ['common'],
+  'files/pictures': ['common'],
+  'files/repair': ['common', 'mesh'],
+  'files/ply': ['common', 'mesh'],
+  'files/draco': ['common', 'mesh'],
+  'files/scenes': ['common', 'mesh', 'pictures', 'repair'],
+  'files/obj': ['common', 'mesh', 'scenes'],
+  'files/stl': ['common', 'mesh', 'scenes'],
+  'files/gltf': ['common', 'mesh', 'pictures', 'draco', 'scenes'],
+  'files/moving': ['common', 'pictures', 'gltf'],
+  // By its path, the library's presets are data for Node too: tests of the figures read them there.
+  settings: ['scene/presets.ts'],
+  drawing: ['files', 'settings'],
+  staging: ['files', 'settings', 'drawing'],
+
   // For Node: the presets are data.
-  command: ['slices', 'strokes', 'hatchImages', 'mapFiles', 'scene/presets.ts'],
+  command: ['slices', 'strokes', 'hatchImages', 'mapFiles', 'scene/presets.ts', 'files/common', 'files/readingTime.ts'],
+  // What draws models imports the library by its package name, and three.js: it is loaded when it is asked for.
+  'command/draw': ['/src/command', ...SHARED],
 
   // These import the library by its package name.
   react: [],
   element: [],
   demo: [],
-  'demo/files': [],
-  'demo/files/common': [],
-  'demo/files/archives': ['common'],
-  'demo/files/mesh': ['common'],
-  'demo/files/pictures': ['common'],
-  'demo/files/repair': ['common', 'mesh'],
-  'demo/files/ply': ['common', 'mesh'],
-  'demo/files/draco': ['common', 'mesh'],
-  'demo/files/scenes': ['common', 'mesh', 'pictures', 'repair'],
-  'demo/files/obj': ['common', 'mesh', 'scenes'],
-  'demo/files/stl': ['common', 'mesh', 'scenes'],
-  'demo/files/gltf': ['common', 'mesh', 'pictures', 'draco', 'scenes'],
-  'demo/files/moving': ['common', 'pictures', 'gltf'],
-  'demo/models': ['files'],
-  // By its path, the library's presets are data for Node too: tests of the figures read them there.
-  'demo/settings': ['models', '/src/scene/presets.ts'],
-  'demo/drawing': ['files', 'models', 'settings'],
-  'demo/stage': ['files', 'models', 'settings', 'drawing'],
+  'demo/files': ['/src/files'],
+  'demo/models': ['files', '/src/files', '/src/settings', '/src/drawing'],
+  'demo/drawing': ['/src/files', '/src/settings', '/src/drawing'],
+  'demo/stage': [...SHARED, 'drawing'],
   'demo/stage/view': [],
   'demo/stage/light': ['view'],
   'demo/page': [],
-  'demo/code': ['files', 'models', 'settings', 'stage', '/package.json'],
-  'demo/kept': ['files', 'settings'],
+  'demo/code': [...SHARED, 'files', 'models', 'stage', '/package.json'],
+  'demo/kept': [...SHARED, 'files'],
   // The library's encoding of PNG is no part of its interface.
-  'demo/print': ['settings', 'stage', '/src/mapFiles/pngChunks.ts'],
-  'demo/video': ['settings', 'stage', 'print'],
+  'demo/print': [...SHARED, 'stage', '/src/mapFiles/pngChunks.ts'],
+  'demo/video': [...SHARED, 'stage', 'print'],
   'demo/fetch': [],
-  'demo/figures': ['files', 'models', 'settings', 'drawing', 'stage', 'page'],
+  'demo/figures': [...SHARED, 'files', 'models', 'drawing', 'stage', 'page'],
   'demo/playground': [
-    ...['files', 'models', 'settings', 'drawing', 'stage', 'page'],
+    ...[...SHARED, 'files', 'models', 'drawing', 'stage', 'page'],
     ...['code', 'kept', 'print', 'video', 'fetch'],
   ],
   'demo/playground/elements': [],

@@ -17,8 +17,8 @@ const QUALITY = 0.8;
  * @param {string} root of the project
  */
 export async function drawGallery(server, browser, root) {
-  const { GALLERY } = await server.ssrLoadModule('/src/demo/settings/gallery.ts');
-  const { PRESET_NAMES } = await server.ssrLoadModule('/src/demo/settings/presetLabels.ts');
+  const { GALLERY } = await server.ssrLoadModule('/src/settings/gallery.ts');
+  const { PRESET_NAMES } = await server.ssrLoadModule('/src/settings/presetLabels.ts');
   const pictures = [
     ...GALLERY.map(({ name, link }) => ({ ...DRAWING, name, link })),
     ...PRESET_NAMES.map((name) => ({ ...PRESET, name: `preset-${name}`, link: `preset=${name}&model=sphere` })),

@@ -21,8 +21,8 @@ import {
   presets,
   scalePreset,
 } from 'three-hatching';
-import { createCamera } from '../../src/demo/stage/view/createCamera.js';
-import { fitCamera } from '../../src/demo/stage/view/framing.js';
+import { createCamera } from '../../src/staging/createCamera.js';
+import { fitCamera } from '../../src/staging/framing.js';
 import { loadSubject, type SubjectName } from './subjects.js';
 
 /** A picture of one subject in one preset. */

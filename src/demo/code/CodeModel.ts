@@ -1,5 +1,5 @@
-import type { CameraView } from '../settings/CameraView.js';
-import type { Settings } from '../settings/settings.js';
+import type { CameraView } from '../../settings/CameraView.js';
+import type { Settings } from '../../settings/settings.js';
 
 /** The model that copied code is to draw. */
 export interface CodeModel {

@@ -1,6 +1,6 @@
-import { drawnSettings } from '../settings/drawnSettings.js';
-import { presetOf } from '../settings/presets.js';
-import type { Settings } from '../settings/settings.js';
+import { drawnSettings } from '../../settings/drawnSettings.js';
+import { presetOf } from '../../settings/presets.js';
+import type { Settings } from '../../settings/settings.js';
 import { lightSample } from './lightSample.js';
 import {
   compositionParameters,

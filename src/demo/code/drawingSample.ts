@@ -1,13 +1,13 @@
-import { backgroundLook } from '../settings/compositionLook.js';
-import { drawnSettings } from '../settings/drawnSettings.js';
-import { shadowNumbers } from '../settings/groundShadow.js';
-import { presetOf } from '../settings/presets.js';
-import type { Settings } from '../settings/settings.js';
-import { type LightPlace, placeOfLight, placeOfSecondLight, UPRIGHT } from '../settings/settingValues.js';
-import { GROUND } from '../stage/Ground.js';
-import { SHADOWS, SUN_DISTANCE } from '../stage/light/LightRig.js';
-import { FULL_SHEET, LEAST_STROKE_SHARE } from '../stage/strokeShare.js';
-import { LENS } from '../stage/view/createCamera.js';
+import { backgroundLook } from '../../settings/compositionLook.js';
+import { drawnSettings } from '../../settings/drawnSettings.js';
+import { shadowNumbers } from '../../settings/groundShadow.js';
+import { presetOf } from '../../settings/presets.js';
+import type { Settings } from '../../settings/settings.js';
+import { type LightPlace, placeOfLight, placeOfSecondLight, UPRIGHT } from '../../settings/settingValues.js';
+import { LENS } from '../../staging/createCamera.js';
+import { GROUND } from '../../staging/Ground.js';
+import { SHADOWS, SUN_DISTANCE } from '../../staging/LightRig.js';
+import { FULL_SHEET, LEAST_STROKE_SHARE } from '../../staging/strokeShare.js';
 import type { CodeDrawing } from './CodeModel.js';
 import { intensityOf, mainLight, positionOf } from './lightSource.js';
 import {

@@ -1,4 +1,4 @@
-import { shownName } from '../files/common/shownText.js';
+import { shownName } from '../../files/common/shownText.js';
 import { escapeHtml } from './escapeHtml.js';
 
 /** HTML that shows the playground, without its panel, in another page. */

@@ -1,5 +1,5 @@
-import type { Settings } from '../settings/settings.js';
-import { type LightPlace, placeOfLight, placeOfSecondLight } from '../settings/settingValues.js';
+import type { Settings } from '../../settings/settings.js';
+import { type LightPlace, placeOfLight, placeOfSecondLight } from '../../settings/settingValues.js';
 import { intensityOf, mainLight, positionOf } from './lightSource.js';
 
 /**

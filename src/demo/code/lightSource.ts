@@ -1,5 +1,5 @@
-import type { Settings } from '../settings/settings.js';
-import type { LightPlace } from '../settings/settingValues.js';
+import type { Settings } from '../../settings/settings.js';
+import type { LightPlace } from '../../settings/settingValues.js';
 import { round } from './round.js';
 
 /** The intensity of a light, from its strength in percent. */

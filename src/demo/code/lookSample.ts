@@ -12,14 +12,14 @@ import {
   needsMap,
   pixelPower,
 } from 'three-hatching/facts';
-import { compositionLook } from '../settings/compositionLook.js';
-import { countsFor } from '../settings/effects.js';
-import { isSize, materialLook, TWINS, type Twin } from '../settings/materialLook.js';
-import { outlineLook } from '../settings/outlineLook.js';
-import { SETTINGS, type Settings } from '../settings/settings.js';
-import type { Setting } from '../settings/table/Setting.js';
-import { unitOf } from '../settings/table/units.js';
-import { TONE_CURVES } from '../settings/toneCurves.js';
+import { compositionLook } from '../../settings/compositionLook.js';
+import { countsFor } from '../../settings/effects.js';
+import { isSize, materialLook, TWINS, type Twin } from '../../settings/materialLook.js';
+import { outlineLook } from '../../settings/outlineLook.js';
+import { SETTINGS, type Settings } from '../../settings/settings.js';
+import type { Setting } from '../../settings/table/Setting.js';
+import { unitOf } from '../../settings/table/units.js';
+import { TONE_CURVES } from '../../settings/toneCurves.js';
 import { round } from './round.js';
 
 /** Code that makes the map of the page: it loads the files that the page saves, or draws the map. */

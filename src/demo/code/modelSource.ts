@@ -1,7 +1,7 @@
 import forms from 'virtual:form-sources';
-import { baseName, extensionOf, withoutGz } from '../files/common/fileName.js';
-import { shownName } from '../files/common/shownText.js';
-import { type FormatLoader, formatOf } from '../files/formats.js';
+import { baseName, extensionOf, withoutGz } from '../../files/common/fileName.js';
+import { shownName } from '../../files/common/shownText.js';
+import { type FormatLoader, formatOf } from '../../files/formats.js';
 import { BUST_FOOT } from '../models/models.js';
 import type { CodeModel } from './CodeModel.js';
 import { CDN } from './versions.js';

@@ -1,4 +1,4 @@
-import { shownName } from '../files/common/shownText.js';
+import { shownName } from '../../files/common/shownText.js';
 import type { CodeDrawing } from './CodeModel.js';
 import { drawingSample } from './drawingSample.js';
 import { escapeHtml } from './escapeHtml.js';

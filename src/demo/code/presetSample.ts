@@ -1,5 +1,5 @@
 import type { PresetName } from 'three-hatching';
-import type { Settings } from '../settings/settings.js';
+import type { Settings } from '../../settings/settings.js';
 import { lightSample } from './lightSample.js';
 import { compositionParameters } from './lookSample.js';
 import { inQuotes } from './modelSource.js';

@@ -1,5 +1,5 @@
 import type { TonalArtMap } from 'three-hatching';
-import { SETTINGS, type Settings } from '../settings/settings.js';
+import { SETTINGS, type Settings } from '../../settings/settings.js';
 
 interface MapOptions {
   signal: AbortSignal;

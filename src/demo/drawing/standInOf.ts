@@ -1,12 +1,12 @@
 import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh } from 'three';
 import { HatchingMaterial } from 'three-hatching';
-import { triangleCount } from '../files/mesh/PlainMesh.js';
-import type { ReadModel } from '../files/readModel.js';
-import type { BuiltInScene } from '../models/BuiltInScene.js';
-import type { Settings } from '../settings/settings.js';
-import { drawsWithAdjacency } from '../settings/settingValues.js';
-import { HatchedModel } from './HatchedModel.js';
-import { outlineOf } from './outlineOf.js';
+import type { BuiltInScene } from '../../drawing/BuiltInScene.js';
+import { HatchedModel } from '../../drawing/HatchedModel.js';
+import { outlineOf } from '../../drawing/outlineOf.js';
+import { triangleCount } from '../../files/mesh/PlainMesh.js';
+import type { ReadModel } from '../../files/readModel.js';
+import type { Settings } from '../../settings/settings.js';
+import { drawsWithAdjacency } from '../../settings/settingValues.js';
 
 /**
  * A model that is drawn while `read` is baked: with plain normals, without outlines and from both sides. Undefined where the bake

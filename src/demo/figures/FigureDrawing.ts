@@ -10,8 +10,8 @@ import {
   TonalArtMap,
 } from 'three-hatching';
 import { needsMap } from 'three-hatching/facts';
-import { createCamera } from '../stage/view/createCamera.js';
-import { fitCamera } from '../stage/view/framing.js';
+import { createCamera } from '../../staging/createCamera.js';
+import { fitCamera } from '../../staging/framing.js';
 import { figureModel } from './figureModels.js';
 import { PIXEL_RATIO } from './figurePixels.js';
 import type { Figure, Look, Panel } from './figures.js';

@@ -1,11 +1,11 @@
 import { Box3, BufferAttribute, BufferGeometry, DoubleSide, type Side, Vector3 } from 'three';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import { prepareHatchingGeometry } from 'three-hatching';
-import { bakeMesh } from '../drawing/bakeMesh.js';
-import { ModelError } from '../files/common/ModelError.js';
-import type { PlainMesh } from '../files/mesh/PlainMesh.js';
-import type { ReadModel } from '../files/readModel.js';
-import type { BuiltInScene } from '../models/BuiltInScene.js';
+import type { BuiltInScene } from '../../drawing/BuiltInScene.js';
+import { bakeMesh } from '../../drawing/bakeMesh.js';
+import { ModelError } from '../../files/common/ModelError.js';
+import type { PlainMesh } from '../../files/mesh/PlainMesh.js';
+import type { ReadModel } from '../../files/readModel.js';
 import { FOUR_TRIANGLES, FOUR_TRIANGLES_POSITIONS } from '../models/fourTriangles.js';
 import { BUILT_IN_MODELS, type BuiltInModel } from '../models/models.js';
 import { shellChair } from '../models/shellChair.js';

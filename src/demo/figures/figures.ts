@@ -3,7 +3,7 @@
  * documentation and the tests read this table.
  */
 import type { HatchingMaterialOptions, HatchingOutlineParameters, PresetName, StrokeStyleName } from 'three-hatching';
-import { PRESET_LABELS, PRESET_NAMES } from '../settings/presetLabels.js';
+import { PRESET_LABELS, PRESET_NAMES } from '../../settings/presetLabels.js';
 import type { FigureModelName } from './figureModels.js';
 
 /** How a part of a panel's model is drawn, where it differs from the rest of the figure. */

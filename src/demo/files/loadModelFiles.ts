@@ -1,7 +1,8 @@
-import { ModelError } from './common/ModelError.js';
+import { ModelError } from '../../files/common/ModelError.js';
+import { readingTime } from '../../files/readingTime.js';
+import type { ModelFile, ReadModel } from '../../files/readModel.js';
 import type { ModelWorkerMessage } from './model.worker.js';
-import { readingTime } from './readingTime.js';
-import type { ModelFile, ReadModel } from './readModel.js';
+import { PAGE_SURROUNDINGS } from './pageSurroundings.js';
 
 export interface LoadOptions {
   /** Aborting terminates the worker at once and rejects with the signal's reason. */
@@ -40,10 +41,10 @@ async function readHere(files: readonly ModelFile[], { signal, onStage }: LoadOp
       `The file has ${has} MB. It takes a reader in the background, which did not start on this page; without one, up to ${takes} MB can be read.`,
     );
   }
-  const { readModel } = await import('./readModel.js');
-  const { withPictures } = await import('./decodePictures.js');
+  const { readModel } = await import('../../files/readModel.js');
+  const { withPictures } = await import('../../files/decodePictures.js');
   signal.throwIfAborted();
-  const model = await withPictures(await readModel(files, onStage), onStage);
+  const model = await withPictures(await readModel(files, onStage, PAGE_SURROUNDINGS), onStage, PAGE_SURROUNDINGS);
   signal.throwIfAborted();
   return model;
 }

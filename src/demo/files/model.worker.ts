@@ -1,7 +1,8 @@
-import { toModelError } from './common/ModelError.js';
-import { withPictures } from './decodePictures.js';
-import { meshBuffers } from './mesh/PlainMesh.js';
-import { type ModelFile, type OnStage, type ReadModel, readModel } from './readModel.js';
+import { toModelError } from '../../files/common/ModelError.js';
+import { withPictures } from '../../files/decodePictures.js';
+import { meshBuffers } from '../../files/mesh/PlainMesh.js';
+import { type ModelFile, type OnStage, type ReadModel, readModel } from '../../files/readModel.js';
+import { PAGE_SURROUNDINGS } from './pageSurroundings.js';
 
 /** Messages of the worker: its progress, its result, or the sentence of its error. */
 export type ModelWorkerMessage =
@@ -20,13 +21,13 @@ function transferables(model: ReadModel): Transferable[] {
     return [...buffers, ...new Set(bitmaps)] as Transferable[];
   }
   const { arrays, bitmaps } = model.parts;
-  return [...arrays, ...bitmaps.filter((bitmap) => bitmap !== undefined)];
+  return [...arrays, ...(bitmaps.filter((bitmap) => bitmap !== undefined) as Transferable[])];
 }
 
 addEventListener('message', async ({ data }: MessageEvent<ModelFile[]>) => {
   try {
     const onStage: OnStage = (stage, bytes) => post({ kind: 'stage', stage, bytes });
-    const model = await withPictures(await readModel(data, onStage), onStage);
+    const model = await withPictures(await readModel(data, onStage, PAGE_SURROUNDINGS), onStage, PAGE_SURROUNDINGS);
     post({ kind: 'done', model }, transferables(model));
   } catch (error) {
     post({ kind: 'failed', sentence: toModelError('The file', error).message });

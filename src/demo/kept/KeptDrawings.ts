@@ -1,5 +1,5 @@
-import type { ModelFile } from '../files/common/ModelFile.js';
-import type { CameraView } from '../settings/CameraView.js';
+import type { ModelFile } from '../../files/common/ModelFile.js';
+import type { CameraView } from '../../settings/CameraView.js';
 import { inTime } from './inTime.js';
 
 /** What is stored of a drawing that needs files of the user's own, apart from the files themselves. */

@@ -1,5 +1,5 @@
-import { acceptLook, type OwnLook } from '../settings/ownLook.js';
-import { plainName } from '../settings/plainName.js';
+import { acceptLook, type OwnLook } from '../../settings/ownLook.js';
+import { plainName } from '../../settings/plainName.js';
 
 /** A look to which the user has given a name. */
 export interface KeptLook {

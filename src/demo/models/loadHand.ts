@@ -1,7 +1,7 @@
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
-import { fitModel } from '../files/mesh/fitModel.js';
-import type { PlainMesh } from '../files/mesh/PlainMesh.js';
-import { mergeScene } from '../files/scenes/mergeScene.js';
+import { fitModel } from '../../files/mesh/fitModel.js';
+import type { PlainMesh } from '../../files/mesh/PlainMesh.js';
+import { mergeScene } from '../../files/scenes/mergeScene.js';
 import handUrl from './assets/hand.glb?url';
 
 /** A right hand, its fingers up and its back to the viewer, in its rest pose. */

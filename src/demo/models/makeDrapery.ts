@@ -11,7 +11,7 @@ import {
   SphereGeometry,
   Vector2,
 } from 'three';
-import type { ModelScene } from '../files/gltf/parseGltf.js';
+import type { ModelScene } from '../../files/gltf/parseGltf.js';
 
 /** Half the side of the cloth, the radius of the table, and of the bend at its edge. */
 const HALF = 1.24;

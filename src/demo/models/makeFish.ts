@@ -14,7 +14,7 @@ import {
   Uint16BufferAttribute,
   Vector3,
 } from 'three';
-import type { ModelScene } from '../files/gltf/parseGltf.js';
+import type { ModelScene } from '../../files/gltf/parseGltf.js';
 
 /** The numbers of rings from nose to tail, of vertices per ring, and of bones along the spine. */
 const RINGS = 96;

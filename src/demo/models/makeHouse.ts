@@ -10,7 +10,7 @@ import {
 } from 'three';
 import { TessellateModifier } from 'three/addons/modifiers/TessellateModifier.js';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
-import type { ModelScene } from '../files/gltf/parseGltf.js';
+import type { ModelScene } from '../../files/gltf/parseGltf.js';
 
 const COLOURS = {
   plaster: '#e9dfc9',

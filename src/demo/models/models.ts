@@ -1,13 +1,14 @@
 import { BoxGeometry, type BufferGeometry, IcosahedronGeometry } from 'three';
-import { errorMessage } from '../files/common/errorMessage.js';
-import { ModelError } from '../files/common/ModelError.js';
+import type { BuiltInScene } from '../../drawing/BuiltInScene.js';
+import { errorMessage } from '../../files/common/errorMessage.js';
+import { ModelError } from '../../files/common/ModelError.js';
+import { fitModel } from '../../files/mesh/fitModel.js';
+import type { PlainMesh } from '../../files/mesh/PlainMesh.js';
+import type { ReadModel } from '../../files/readModel.js';
+import { cleanMesh } from '../../files/repair/cleanMesh.js';
+import type { Settings } from '../../settings/settings.js';
 import type { LoadOptions } from '../files/loadModelFiles.js';
 import { loadModelFiles } from '../files/loadModelFiles.js';
-import { fitModel } from '../files/mesh/fitModel.js';
-import type { PlainMesh } from '../files/mesh/PlainMesh.js';
-import type { ReadModel } from '../files/readModel.js';
-import { cleanMesh } from '../files/repair/cleanMesh.js';
-import type { BuiltInScene } from './BuiltInScene.js';
 
 interface BuiltIn {
   /** The name in the caption. */
@@ -38,7 +39,7 @@ const builtIn = {
     async load(options) {
       const [{ default: dataUri }, { dataOf }] = await Promise.all([
         import('@pmndrs/assets/models/suzi.glb.js'),
-        import('../files/common/readUri.js'),
+        import('../../files/common/readUri.js'),
       ]);
       const content = dataOf(dataUri);
       if (!content) throw new ModelError('Suzanne is damaged.');
@@ -96,9 +97,9 @@ const builtIn = {
   },
   cube: { ...threeShape('Cube', async () => new BoxGeometry(1, 1, 1), { keepNormals: true }), view: [0.6, 0.55, 1] },
   sphere: threeShape('Sphere', async () => new IcosahedronGeometry(1, 12)),
-} satisfies Record<string, BuiltIn>;
+} satisfies Record<BuiltInModel, BuiltIn>;
 
-export type BuiltInModel = keyof typeof builtIn;
+export type BuiltInModel = Exclude<Settings['model'], 'file'>;
 
 /** The models that come with the page, loaded on demand. */
 export const BUILT_IN_MODELS: Readonly<Record<BuiltInModel, BuiltIn>> = builtIn;

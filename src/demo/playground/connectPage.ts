@@ -1,4 +1,4 @@
-import { errorMessage } from '../files/common/errorMessage.js';
+import { errorMessage } from '../../files/common/errorMessage.js';
 import type { Dialogs } from './dialogs/Dialogs.js';
 import { page } from './elements/page.js';
 import { pageForm } from './elements/pageForm.js';
@@ -45,7 +45,7 @@ function connectButtons({ session, card, dialogs, takeAway, parts }: PageHandler
   }
   let seed = Date.now();
   onClick(page.surprise, () =>
-    parts.whenFetched(import('../settings/surprise.js'), ({ surprise }) =>
+    parts.whenFetched(import('../../settings/surprise.js'), ({ surprise }) =>
       session.useLook(surprise(session.settings, seed++)),
     ),
   );

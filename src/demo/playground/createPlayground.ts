@@ -1,6 +1,6 @@
-import type { Settings } from '../settings/settings.js';
-import { savedFormat } from '../settings/settingValues.js';
-import { type LinkedDrawing, readLink } from '../settings/shareLink.js';
+import type { Settings } from '../../settings/settings.js';
+import { savedFormat } from '../../settings/settingValues.js';
+import { type LinkedDrawing, readLink } from '../../settings/shareLink.js';
 import type { FrameQuality } from '../stage/FrameQuality.js';
 import { Stage } from '../stage/Stage.js';
 import { connectPage } from './connectPage.js';

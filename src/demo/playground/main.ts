@@ -1,5 +1,5 @@
 import { HatchingMaterial } from 'three-hatching';
-import { errorMessage } from '../files/common/errorMessage.js';
+import { errorMessage } from '../../files/common/errorMessage.js';
 import { setPageState } from '../page/setPageState.js';
 import { drawsInSoftware } from '../stage/drawsInSoftware.js';
 import { createPlayground } from './createPlayground.js';

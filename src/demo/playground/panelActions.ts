@@ -1,5 +1,5 @@
-import { LIGHT_LOOKS } from '../settings/lightLooks.js';
-import { savedFormat } from '../settings/settingValues.js';
+import { LIGHT_LOOKS } from '../../settings/lightLooks.js';
+import { savedFormat } from '../../settings/settingValues.js';
 import type { Dialogs } from './dialogs/Dialogs.js';
 import type { PanelAction } from './panel/SettingsPanel.js';
 import type { Session } from './session/Session.js';

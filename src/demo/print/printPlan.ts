@@ -1,5 +1,5 @@
-import type { Settings } from '../settings/settings.js';
-import { strokeShare } from '../stage/strokeShare.js';
+import type { Settings } from '../../settings/settings.js';
+import { strokeShare } from '../../staging/strokeShare.js';
 
 const MILLIMETRES_PER_INCH = 25.4;
 

@@ -1,11 +1,11 @@
 import { WebGLRenderer } from 'three';
-import type { Look } from '../settings/lookOf.js';
-import type { ShadowQuality } from './light/LightRig.js';
+import type { Look } from '../../settings/lookOf.js';
+import { createCamera } from '../../staging/createCamera.js';
+import type { ShadowQuality } from '../../staging/LightRig.js';
+import { strokeShare } from '../../staging/strokeShare.js';
 import { ProgramBuilder } from './ProgramBuilder.js';
 import type { Scenery } from './Scenery.js';
 import { SideBySide, sidesOf, type Tile } from './SideBySide.js';
-import { strokeShare } from './strokeShare.js';
-import { createCamera } from './view/createCamera.js';
 
 /** Draws the scenery into the canvas, as the camera sees it. */
 export class Painter {

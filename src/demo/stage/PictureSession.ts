@@ -1,6 +1,6 @@
-import type { Settings } from '../settings/settings.js';
+import type { Settings } from '../../settings/settings.js';
+import type { Layer } from '../../staging/layers.js';
 import { LostContextError } from './LostContextError.js';
-import type { Layer } from './layers.js';
 import { MARGIN } from './SideBySide.js';
 import type { Stage } from './Stage.js';
 

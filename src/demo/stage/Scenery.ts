@@ -1,12 +1,12 @@
 import { Group, type Matrix4, Scene, Vector3 } from 'three';
 import type { TonalArtMap } from 'three-hatching';
-import { releaseGraphics } from '../drawing/releaseGraphics.js';
-import type { Look } from '../settings/lookOf.js';
-import { UPRIGHT } from '../settings/settingValues.js';
-import { Backdrop } from './Backdrop.js';
-import { Ground } from './Ground.js';
-import type { Layer } from './layers.js';
-import { LightRig } from './light/LightRig.js';
+import { releaseGraphics } from '../../drawing/releaseGraphics.js';
+import type { Look } from '../../settings/lookOf.js';
+import { UPRIGHT } from '../../settings/settingValues.js';
+import { Backdrop } from '../../staging/Backdrop.js';
+import { Ground } from '../../staging/Ground.js';
+import { LightRig } from '../../staging/LightRig.js';
+import type { Layer } from '../../staging/layers.js';
 import { ShownModel } from './ShownModel.js';
 
 /** What is drawn: the model, turned so that its up axis is y, the ground that it stands on, and the lights. */

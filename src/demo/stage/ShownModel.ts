@@ -1,9 +1,9 @@
 import type { Group } from 'three';
 import type { TonalArtMap } from 'three-hatching';
-import type { HatchedModel } from '../drawing/HatchedModel.js';
-import { Slices } from '../files/common/Slices.js';
-import type { Look } from '../settings/lookOf.js';
-import { DEFAULT_VIEW } from './view/createCamera.js';
+import type { HatchedModel } from '../../drawing/HatchedModel.js';
+import { Slices } from '../../files/common/Slices.js';
+import type { Look } from '../../settings/lookOf.js';
+import { DEFAULT_VIEW } from '../../staging/createCamera.js';
 
 /** The direction from a model to the eye when the model is framed. */
 type ViewDirection = readonly [number, number, number];

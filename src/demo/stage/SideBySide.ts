@@ -1,5 +1,5 @@
 import { MathUtils, type WebGLRenderer } from 'three';
-import type { Look } from '../settings/lookOf.js';
+import type { Look } from '../../settings/lookOf.js';
 
 /** The two sides of a sides: the technique of the settings, and the one that it is compared with. */
 export type Side = 'drawn' | 'compared';

@@ -1,7 +1,7 @@
 import type { PerspectiveCamera } from 'three';
 import type { TonalArtMap } from 'three-hatching';
-import type { HatchedModel } from '../drawing/HatchedModel.js';
-import type { Look } from '../settings/lookOf.js';
+import type { HatchedModel } from '../../drawing/HatchedModel.js';
+import type { Look } from '../../settings/lookOf.js';
 import { ContextLoss } from './ContextLoss.js';
 import { FrameQuality } from './FrameQuality.js';
 import { Frames } from './Frames.js';

@@ -1,8 +1,8 @@
 import { MathUtils, type PerspectiveCamera, Quaternion, Vector3 } from 'three';
-import { lookOf } from '../settings/lookOf.js';
-import type { Settings } from '../settings/settings.js';
+import { lookOf } from '../../settings/lookOf.js';
+import type { Settings } from '../../settings/settings.js';
+import { fitCamera } from '../../staging/framing.js';
 import type { Stage } from '../stage/Stage.js';
-import { fitCamera } from '../stage/view/framing.js';
 import { turnedOutlines } from './turnedOutlines.js';
 
 /** How a frame of a video differs from what the page shows. */

@@ -1,5 +1,5 @@
+import type { Settings } from '../../settings/settings.js';
 import type { Size } from '../print/printPlan.js';
-import type { Settings } from '../settings/settings.js';
 import { LostContextError } from '../stage/LostContextError.js';
 import type { PictureSession } from '../stage/PictureSession.js';
 import type { Stage } from '../stage/Stage.js';

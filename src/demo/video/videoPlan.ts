@@ -1,5 +1,5 @@
+import type { Settings } from '../../settings/settings.js';
 import { type PrintPlan, placeView, type Size, strokeScale } from '../print/printPlan.js';
-import type { Settings } from '../settings/settings.js';
 import type { FramePose } from './FramePoser.js';
 
 /** How far a swinging light goes to either side, in degrees. It stays in front of the model. */

@@ -1,8 +1,8 @@
 import { Matrix4, OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { shadowOnGround } from '../../../src/demo/stage/light/shadowOnGround.js';
 import { OuterPoints } from '../../../src/lighting/OuterPoints.js';
 import { shadowReach } from '../../../src/lighting/shadowOnSheet.js';
+import { shadowOnGround } from '../../../src/staging/shadowOnGround.js';
 
 const TOP = [0, 1, 0] as const;
 const toward = (x: number, y: number, z: number): [number, number, number] =>

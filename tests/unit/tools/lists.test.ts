@@ -1,8 +1,8 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
 import { readExamples } from '../../../examples/readExamples.mjs';
-import { PRESET_LABELS } from '../../../src/demo/settings/presetLabels.js';
 import { presets } from '../../../src/scene/presets.js';
+import { PRESET_LABELS } from '../../../src/settings/presetLabels.js';
 import { TECHNIQUES } from '../../../tools/properties/techniques.js';
 
 interface Kept {
@@ -22,7 +22,7 @@ const LISTS: Record<string, Kept> = {
       'src/material/facts/hatchingProperties.ts',
       'src/material/HatchingMaterialProperties.ts',
       // Their labels on the page. The compiler misses one that is left out.
-      'src/demo/settings/table/drawingSettings.ts',
+      'src/settings/table/drawingSettings.ts',
       // What is measured: a technique with a layout or as a look.
       'tools/bench/frame/measureFrames.ts',
       'tools/bench/compare.mjs',

@@ -69,6 +69,7 @@ export default defineConfig({
         'composition',
         'looks',
         'svg',
+        'draw',
         'media',
         'form',
         'deformation',

@@ -1,4 +1,4 @@
-import { GALLERY, type GalleryDrawing } from '../../settings/gallery.js';
+import { GALLERY, type GalleryDrawing } from '../../../settings/gallery.js';
 
 /** The side of the pictures in pixels. */
 const SIDE = 256;

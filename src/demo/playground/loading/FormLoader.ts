@@ -1,7 +1,7 @@
 import { type BufferGeometry, MathUtils } from 'three';
-import type { HatchedModel } from '../../drawing/HatchedModel.js';
-import type { Settings } from '../../settings/settings.js';
-import { formDrawn } from '../../settings/settingValues.js';
+import type { HatchedModel } from '../../../drawing/HatchedModel.js';
+import type { Settings } from '../../../settings/settings.js';
+import { formDrawn } from '../../../settings/settingValues.js';
 import type { Stage } from '../../stage/Stage.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
 
@@ -70,7 +70,7 @@ export class FormLoader {
       report(what);
       if (isAnew) await new Promise((resume) => setTimeout(resume, REST));
       signal.throwIfAborted();
-      const { bakeForm } = await import('../../drawing/bakeForm.js');
+      const { bakeForm } = await import('../../../drawing/bakeForm.js');
       signal.throwIfAborted();
       const onProgress = (progress: number): void => report(what, progress);
       await bakeForm(model.root, form, { signal, onProgress }, (former, made) => this.exchange(former, made));

@@ -1,8 +1,8 @@
 import type { TonalArtMap } from 'three-hatching';
+import type { ModelFile } from '../../../files/readModel.js';
+import { SETTINGS, type Settings } from '../../../settings/settings.js';
+import { drawsWithMap } from '../../../settings/settingValues.js';
 import type { TonalArtMapCache } from '../../drawing/TonalArtMapCache.js';
-import type { ModelFile } from '../../files/readModel.js';
-import { SETTINGS, type Settings } from '../../settings/settings.js';
-import { drawsWithMap } from '../../settings/settingValues.js';
 import type { Stage } from '../../stage/Stage.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
 

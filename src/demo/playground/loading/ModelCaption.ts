@@ -1,5 +1,5 @@
-import type { ModelStatistics } from '../../drawing/HatchedModel.js';
-import { shownName, shownText } from '../../files/common/shownText.js';
+import type { ModelStatistics } from '../../../drawing/HatchedModel.js';
+import { shownName, shownText } from '../../../files/common/shownText.js';
 import { shortNotes } from './shortNotes.js';
 
 /** What the page says about a model. */

@@ -1,7 +1,7 @@
 import type { OcclusionBake } from 'three-hatching';
-import type { HatchedModel } from '../../drawing/HatchedModel.js';
-import { meshesOf } from '../../drawing/meshesOf.js';
-import type { Settings } from '../../settings/settings.js';
+import type { HatchedModel } from '../../../drawing/HatchedModel.js';
+import { meshesOf } from '../../../drawing/meshesOf.js';
+import type { Settings } from '../../../settings/settings.js';
 import type { Stage } from '../../stage/Stage.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
 
@@ -39,7 +39,7 @@ export class OcclusionLoader {
     if (meshesOf(model.root).every((mesh) => 'isInstancedMesh' in mesh)) return;
     void this.tasks.run('occlusion', async (report, signal) => {
       report(STAGE);
-      const { bakeOcclusion } = await import('../../drawing/bakeOcclusion.js');
+      const { bakeOcclusion } = await import('../../../drawing/bakeOcclusion.js');
       signal.throwIfAborted();
       const bake = await bakeOcclusion(model.root, {
         signal,

@@ -1,4 +1,4 @@
-import { shownName } from '../../files/common/shownText.js';
+import { shownName } from '../../../files/common/shownText.js';
 import { describeAddress } from './fetchModel.js';
 
 /** For so long the first answer is disabled, so that a click meant for what lay there before agrees to nothing. */

@@ -1,4 +1,4 @@
-import type { ModelFile } from '../../files/readModel.js';
+import type { ModelFile } from '../../../files/readModel.js';
 
 /**
  * Takes files that are dropped anywhere on the page or picked with a button. `overlay` is shown while files are dragged

@@ -1,8 +1,8 @@
+import { baseName } from '../../../files/common/fileName.js';
+import { ModelError } from '../../../files/common/ModelError.js';
+import { shownName } from '../../../files/common/shownText.js';
+import type { ModelFile } from '../../../files/readModel.js';
 import type { FetchMessage } from '../../fetch/FetchMessage.js';
-import { baseName } from '../../files/common/fileName.js';
-import { ModelError } from '../../files/common/ModelError.js';
-import { shownName } from '../../files/common/shownText.js';
-import type { ModelFile } from '../../files/readModel.js';
 
 /** The name of the file at a URL, and the host of its site in ASCII form, in which no letters look alike. */
 export function describeAddress(address: string): { name: string; site: string } {

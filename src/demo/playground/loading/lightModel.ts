@@ -1,8 +1,8 @@
 import { MathUtils, Spherical } from 'three';
 import { flatteringLight } from 'three-hatching';
-import { acceptSetting } from '../../settings/acceptSetting.js';
-import { lookOf } from '../../settings/lookOf.js';
-import type { Settings } from '../../settings/settings.js';
+import { acceptSetting } from '../../../settings/acceptSetting.js';
+import { lookOf } from '../../../settings/lookOf.js';
+import type { Settings } from '../../../settings/settings.js';
 import type { Stage } from '../../stage/Stage.js';
 
 /** Lights the shown model for its view, and applies the settings with that. A module of its own, which is fetched with the first file. */

@@ -1,6 +1,6 @@
 import { TonalArtMap } from 'three-hatching';
-import { shownName } from '../../files/common/shownText.js';
-import type { ModelFile } from '../../files/readModel.js';
+import { shownName } from '../../../files/common/shownText.js';
+import type { ModelFile } from '../../../files/readModel.js';
 
 /** Reads dropped files as a map. @throws Error with a message for the user */
 export async function loadMapFiles(

@@ -1,4 +1,4 @@
-import type { ModelFile } from '../../files/readModel.js';
+import type { ModelFile } from '../../../files/readModel.js';
 import { page } from '../elements/page.js';
 import type { MapLoader } from './MapLoader.js';
 import type { ModelLoader } from './ModelLoader.js';

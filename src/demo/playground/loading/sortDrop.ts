@@ -1,5 +1,5 @@
-import { baseName } from '../../files/common/fileName.js';
-import type { ModelFile } from '../../files/readModel.js';
+import { baseName } from '../../../files/common/fileName.js';
+import type { ModelFile } from '../../../files/readModel.js';
 
 /** The files from which the shown model was read, and the names of files that it refers to and that were missing. */
 export interface ShownFiles {

@@ -1,4 +1,4 @@
-import { SETTINGS, type Settings } from '../../settings/settings.js';
+import { SETTINGS, type Settings } from '../../../settings/settings.js';
 import type { Stage } from '../../stage/Stage.js';
 import { page } from '../elements/page.js';
 import type { LaterPart, LaterParts } from '../tasks/LaterParts.js';

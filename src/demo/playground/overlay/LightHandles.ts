@@ -1,6 +1,6 @@
-import { acceptSetting } from '../../settings/acceptSetting.js';
-import { SETTINGS, type Settings } from '../../settings/settings.js';
-import { placeOfLight, placeOfSecondLight } from '../../settings/settingValues.js';
+import { acceptSetting } from '../../../settings/acceptSetting.js';
+import { SETTINGS, type Settings } from '../../../settings/settings.js';
+import { placeOfLight, placeOfSecondLight } from '../../../settings/settingValues.js';
 import { LightHandle } from '../../stage/light/LightHandle.js';
 import type { Stage } from '../../stage/Stage.js';
 import { page } from '../elements/page.js';

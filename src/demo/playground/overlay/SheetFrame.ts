@@ -1,5 +1,5 @@
+import type { Settings } from '../../../settings/settings.js';
 import { sheetOnView } from '../../print/printPlan.js';
-import type { Settings } from '../../settings/settings.js';
 import type { Stage } from '../../stage/Stage.js';
 import { page } from '../elements/page.js';
 import { drawnView } from '../elements/viewSize.js';

@@ -1,5 +1,5 @@
-import type { UpAxis } from '../../files/mesh/findUpAxis.js';
-import type { Settings } from '../../settings/settings.js';
+import type { UpAxis } from '../../../files/mesh/findUpAxis.js';
+import type { Settings } from '../../../settings/settings.js';
 
 /** Asks whether a model is the wrong way up, if its flat side suggests so, and turns it if the user agrees. */
 export class TurnHint {

@@ -1,6 +1,6 @@
-import { errorMessage } from '../../files/common/errorMessage.js';
-import { wholeLook } from '../../settings/presets.js';
-import type { SettingGroup } from '../../settings/table/Setting.js';
+import { errorMessage } from '../../../files/common/errorMessage.js';
+import { wholeLook } from '../../../settings/presets.js';
+import type { SettingGroup } from '../../../settings/table/Setting.js';
 import { page } from '../elements/page.js';
 import { drawnView } from '../elements/viewSize.js';
 import type { Session } from '../session/Session.js';

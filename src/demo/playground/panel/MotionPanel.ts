@@ -1,5 +1,5 @@
-import type { Motion } from '../../drawing/Motion.js';
-import { shownName } from '../../files/common/shownText.js';
+import type { Motion } from '../../../drawing/Motion.js';
+import { shownName } from '../../../files/common/shownText.js';
 import { MotionSlider, type SliderValue } from './MotionSlider.js';
 
 /** Only the first morph targets of a model get sliders. */

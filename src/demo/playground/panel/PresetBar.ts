@@ -1,7 +1,7 @@
 import type { PresetName } from 'three-hatching';
-import { PRESET_LABELS, PRESET_NAMES } from '../../settings/presetLabels.js';
-import { presetOf } from '../../settings/presets.js';
-import type { Settings } from '../../settings/settings.js';
+import { PRESET_LABELS, PRESET_NAMES } from '../../../settings/presetLabels.js';
+import { presetOf } from '../../../settings/presets.js';
+import type { Settings } from '../../../settings/settings.js';
 
 /** A row of buttons, one per preset. The one that the settings match is pressed. */
 export class PresetBar {

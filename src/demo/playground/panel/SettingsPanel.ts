@@ -1,10 +1,15 @@
 import { type Controller, GUI } from 'lil-gui';
+import { drawnSettings } from '../../../settings/drawnSettings.js';
+import { hasEffect, isChoiceKnown, presentUnit } from '../../../settings/effects.js';
+import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from '../../../settings/settings.js';
+import { looksOf } from '../../../settings/settingValues.js';
+import {
+  type NumberSetting,
+  SETTING_GROUPS,
+  type Setting,
+  type SettingGroup,
+} from '../../../settings/table/Setting.js';
 import { type DrawnView, millimetresPerPixel } from '../../print/printPlan.js';
-import { drawnSettings } from '../../settings/drawnSettings.js';
-import { hasEffect, isChoiceKnown, presentUnit } from '../../settings/effects.js';
-import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from '../../settings/settings.js';
-import { looksOf } from '../../settings/settingValues.js';
-import { type NumberSetting, SETTING_GROUPS, type Setting, type SettingGroup } from '../../settings/table/Setting.js';
 
 /** Widths that the panel shows in millimetres of the print, too. */
 const PRINTED = ['strokeWidth', 'outlineWidth'] as const;

@@ -1,6 +1,6 @@
-import type { ModelFile } from '../../files/readModel.js';
-import type { SavedView } from '../../settings/savedViews.js';
-import { SETTING_KEYS, type Settings } from '../../settings/settings.js';
+import type { ModelFile } from '../../../files/readModel.js';
+import type { SavedView } from '../../../settings/savedViews.js';
+import { SETTING_KEYS, type Settings } from '../../../settings/settings.js';
 import type { ViewState } from '../../stage/view/View.js';
 
 /** The state of a drawing without its model. */

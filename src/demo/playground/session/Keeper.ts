@@ -1,8 +1,8 @@
-import { shownName } from '../../files/common/shownText.js';
-import type { ModelFile } from '../../files/readModel.js';
+import { shownName } from '../../../files/common/shownText.js';
+import type { ModelFile } from '../../../files/readModel.js';
+import type { CameraView } from '../../../settings/CameraView.js';
 import type { KeptDrawing, KeptDrawings, KeptFiles } from '../../kept/KeptDrawings.js';
 import { newId } from '../../kept/newId.js';
-import type { CameraView } from '../../settings/CameraView.js';
 import type { Status } from '../tasks/Status.js';
 import type { PageAddress } from './PageAddress.js';
 

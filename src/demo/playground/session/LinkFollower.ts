@@ -1,5 +1,5 @@
-import { ModelError } from '../../files/common/ModelError.js';
-import { readLink } from '../../settings/shareLink.js';
+import { ModelError } from '../../../files/common/ModelError.js';
+import { readLink } from '../../../settings/shareLink.js';
 import { askToFetch } from '../loading/ask.js';
 import type { Keeper } from './Keeper.js';
 import { LatestRequest } from './LatestRequest.js';

@@ -1,8 +1,8 @@
-import { EditHistory } from '../../settings/EditHistory.js';
-import { choosesMap } from '../../settings/effects.js';
-import { lookOf } from '../../settings/lookOf.js';
-import type { SettingKey, Settings } from '../../settings/settings.js';
-import { readLink, writeLink } from '../../settings/shareLink.js';
+import { EditHistory } from '../../../settings/EditHistory.js';
+import { choosesMap } from '../../../settings/effects.js';
+import { lookOf } from '../../../settings/lookOf.js';
+import type { SettingKey, Settings } from '../../../settings/settings.js';
+import { readLink, writeLink } from '../../../settings/shareLink.js';
 import type { Stage } from '../../stage/Stage.js';
 import { MapLoader } from '../loading/MapLoader.js';
 import { type ModelEnd, ModelLoader, type OpenedModel } from '../loading/ModelLoader.js';

@@ -1,4 +1,4 @@
-import { shownName } from '../../files/common/shownText.js';
+import { shownName } from '../../../files/common/shownText.js';
 import type { NamedItem, NamedList } from './NamedList.js';
 
 /** A row of buttons, one for each item of a list. The button of the item that is shown is pressed. An empty row is hidden. */

@@ -1,4 +1,4 @@
-import { shownName } from '../../files/common/shownText.js';
+import { shownName } from '../../../files/common/shownText.js';
 import { findElement } from '../../page/findElement.js';
 import { textButton } from '../elements/textButton.js';
 import type { NamedItem, NamedList } from './NamedList.js';

@@ -1,8 +1,8 @@
+import { acceptLook, hasLook, type OwnLook } from '../../../settings/ownLook.js';
+import { plainName } from '../../../settings/plainName.js';
+import type { Settings } from '../../../settings/settings.js';
 import { KeptLooks, MOST_LOOKS } from '../../kept/KeptLooks.js';
 import { newId } from '../../kept/newId.js';
-import { acceptLook, hasLook, type OwnLook } from '../../settings/ownLook.js';
-import { plainName } from '../../settings/plainName.js';
-import type { Settings } from '../../settings/settings.js';
 import { freeName, type NamedItem, type NamedList } from './NamedList.js';
 
 /** The looks of the user's own, which this browser keeps. */

@@ -1,7 +1,7 @@
-import { lookOf } from '../../settings/lookOf.js';
-import { plainName } from '../../settings/plainName.js';
-import { isLitBy, lightOf, MAX_VIEWS, type SavedView } from '../../settings/savedViews.js';
-import type { Settings } from '../../settings/settings.js';
+import { lookOf } from '../../../settings/lookOf.js';
+import { plainName } from '../../../settings/plainName.js';
+import { isLitBy, lightOf, MAX_VIEWS, type SavedView } from '../../../settings/savedViews.js';
+import type { Settings } from '../../../settings/settings.js';
 import type { Stage } from '../../stage/Stage.js';
 import { freeName, type NamedItem, type NamedList } from './NamedList.js';
 

@@ -1,7 +1,7 @@
+import type { OwnLook } from '../../../settings/ownLook.js';
+import type { Settings } from '../../../settings/settings.js';
 import { thumbnailOf } from '../../kept/thumbnailOf.js';
 import { findElement } from '../../page/findElement.js';
-import type { OwnLook } from '../../settings/ownLook.js';
-import type { Settings } from '../../settings/settings.js';
 import type { Stage } from '../../stage/Stage.js';
 import { NamedBar } from './NamedBar.js';
 import { type ListWords, NamedListDialog } from './NamedListDialog.js';

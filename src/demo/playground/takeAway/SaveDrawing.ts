@@ -1,5 +1,5 @@
-import type { Report } from '../../drawing/Report.js';
-import type { Settings } from '../../settings/settings.js';
+import type { Report } from '../../../drawing/Report.js';
+import type { Settings } from '../../../settings/settings.js';
 import type { Stage } from '../../stage/Stage.js';
 
 /**

@@ -1,5 +1,5 @@
+import type { Settings } from '../../../settings/settings.js';
 import { cutToDrawing, type PrintPlan, planPrint, sheetOnView } from '../../print/print.js';
-import type { Settings } from '../../settings/settings.js';
 import { LostContextError } from '../../stage/LostContextError.js';
 import { PictureSession } from '../../stage/PictureSession.js';
 import type { Stage } from '../../stage/Stage.js';

@@ -1,6 +1,6 @@
-import type { ModelStatistics } from '../../drawing/HatchedModel.js';
-import { extensionOf, withoutGz } from '../../files/common/fileName.js';
-import { FORMATS } from '../../files/formats.js';
+import type { ModelStatistics } from '../../../drawing/HatchedModel.js';
+import { extensionOf, withoutGz } from '../../../files/common/fileName.js';
+import { FORMATS } from '../../../files/formats.js';
 
 /** What a report of a bug should say about the page, the machine and the drawing. */
 export interface Facts {

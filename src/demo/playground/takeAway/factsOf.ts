@@ -1,6 +1,6 @@
+import { meshesOf } from '../../../drawing/meshesOf.js';
+import { writeLink } from '../../../settings/shareLink.js';
 import { VERSIONS } from '../../code/versions.js';
-import { meshesOf } from '../../drawing/meshesOf.js';
-import { writeLink } from '../../settings/shareLink.js';
 import { rendererName } from '../../stage/rendererName.js';
 import type { Session } from '../session/Session.js';
 import { describeFacts } from './describeFacts.js';

@@ -1,7 +1,7 @@
-import type { Report } from '../../drawing/Report.js';
+import type { Report } from '../../../drawing/Report.js';
+import type { Settings } from '../../../settings/settings.js';
+import { LAYERS } from '../../../staging/layers.js';
 import { describePrint, drawPicture, type PrintPlan, ZipWriter } from '../../print/print.js';
-import type { Settings } from '../../settings/settings.js';
-import { LAYERS } from '../../stage/layers.js';
 import type { PictureSession } from '../../stage/PictureSession.js';
 import { behindCurtain } from './behindCurtain.js';
 import { download } from './download.js';

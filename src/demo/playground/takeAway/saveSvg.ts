@@ -1,6 +1,6 @@
 import { drawSVG, type SVGDrawing } from 'three-hatching/svg';
+import type { Settings } from '../../../settings/settings.js';
 import { type PrintPlan, toMillimetres } from '../../print/printPlan.js';
-import type { Settings } from '../../settings/settings.js';
 import { behindCurtain } from './behindCurtain.js';
 import { download } from './download.js';
 import type { SaveDrawing } from './SaveDrawing.js';

@@ -1,6 +1,6 @@
-import { BUNDLE, describeBundle } from '../../files/archives/bundle.js';
-import { baseName } from '../../files/common/fileName.js';
-import type { ModelFile } from '../../files/readModel.js';
+import { BUNDLE, describeBundle } from '../../../files/archives/bundle.js';
+import { baseName } from '../../../files/common/fileName.js';
+import type { ModelFile } from '../../../files/readModel.js';
 import { ZipWriter } from '../../print/ZipWriter.js';
 
 /** The parts of a drawing of the user's own model. */

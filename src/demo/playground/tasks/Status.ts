@@ -1,4 +1,4 @@
-import { shownText } from '../../files/common/shownText.js';
+import { shownText } from '../../../files/common/shownText.js';
 
 /** An action that solves a problem. */
 export interface Remedy {

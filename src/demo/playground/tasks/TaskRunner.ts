@@ -1,4 +1,4 @@
-import type { Report } from '../../drawing/Report.js';
+import type { Report } from '../../../drawing/Report.js';
 import { LostContextError } from '../../stage/LostContextError.js';
 import type { Remedy, Status } from './Status.js';
 import { sentenceFor } from './sentenceFor.js';

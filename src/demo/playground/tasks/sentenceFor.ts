@@ -1,5 +1,5 @@
-import { errorMessage } from '../../files/common/errorMessage.js';
-import { ModelError } from '../../files/common/ModelError.js';
+import { errorMessage } from '../../../files/common/errorMessage.js';
+import { ModelError } from '../../../files/common/ModelError.js';
 
 /** The messages of Chromium, Firefox and Safari for a dynamic import that has failed. */
 const MISSING_SCRIPT = /dynamically imported module|importing a module script/i;

@@ -1,6 +1,6 @@
 import { Box2, MathUtils, type PerspectiveCamera, Spherical, Vector2, Vector3 } from 'three';
-import { SETTINGS } from '../../settings/settings.js';
-import type { LightPlace } from '../../settings/settingValues.js';
+import { SETTINGS } from '../../../settings/settings.js';
+import type { LightPlace } from '../../../settings/settingValues.js';
 import { ViewportProjection } from '../view/ViewportProjection.js';
 import { createLampIcon } from './createLampIcon.js';
 import { intersectSphere, isBehind, isHidden, nearestOutlinePoint, radiusWithin } from './lightSphere.js';

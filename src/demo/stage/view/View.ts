@@ -1,8 +1,9 @@
-import { MathUtils, Matrix4, type PerspectiveCamera, Vector3 } from 'three';
+import { MathUtils, type PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import type { CameraView } from '../../settings/CameraView.js';
-import { DEFAULT_VIEW } from './createCamera.js';
-import { type Framing, fitCamera, proportionOf, SHADOW_ROOM } from './framing.js';
+import type { CameraView } from '../../../settings/CameraView.js';
+import { DEFAULT_VIEW } from '../../../staging/createCamera.js';
+import { type Framing, fitCamera, proportionOf, SHADOW_ROOM } from '../../../staging/framing.js';
+import { roomiestView } from '../../../staging/placeCamera.js';
 import { OrbitKeys } from './OrbitKeys.js';
 import { turnedView } from './turnedView.js';
 
@@ -128,14 +129,8 @@ export class View {
    * is wholly on the sheet when the model is framed with it, and leaves the model in the middle.
    */
   get roomiest(): PerspectiveCamera {
-    const { outline, first, fill, part = [1, 1], room = SHADOW_ROOM } = this.framing;
-    const camera = this.camera.clone();
-    fitCamera(camera, outline, first, { fill, part, zoom: 1 / room.smaller });
-    camera.updateMatrixWorld();
-    const sheet = new Matrix4().makeScale(1 / (part[0] * room.shadow), 1 / (part[1] * room.shadow), 1);
-    camera.projectionMatrix.premultiply(sheet);
-    camera.projectionMatrixInverse.copy(camera.projectionMatrix).invert();
-    return camera;
+    const { outline, first, room = SHADOW_ROOM, ...framing } = this.framing;
+    return roomiestView(this.camera.clone(), outline, first, { ...framing, room });
   }
 
   /**

@@ -1,5 +1,5 @@
 import { MathUtils, Spherical, Vector3 } from 'three';
-import { proportionOf } from './framing.js';
+import { proportionOf } from '../../../staging/framing.js';
 
 /** How far the view may be turned about the upright and raised, in degrees and in steps, and which turns are as bad as each other. */
 const TURN = { most: 75, step: 5, bad: 45 };

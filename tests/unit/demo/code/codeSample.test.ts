@@ -2,19 +2,19 @@ import * as THREE from 'three';
 import { beforeAll, describe, expect, test } from 'vitest';
 import { codeSample } from '../../../../src/demo/code/codeSample.js';
 import { materialParameters } from '../../../../src/demo/code/lookSample.js';
-import { parameterSetter } from '../../../../src/demo/drawing/parameterSetter.js';
-import { lookOf } from '../../../../src/demo/settings/lookOf.js';
-import { outlineLook } from '../../../../src/demo/settings/outlineLook.js';
-import { PRESET_NAMES } from '../../../../src/demo/settings/presetLabels.js';
-import { presetLook, presetOf } from '../../../../src/demo/settings/presets.js';
-import { defaultSettings, type Settings } from '../../../../src/demo/settings/settings.js';
-import { LightRig } from '../../../../src/demo/stage/light/LightRig.js';
+import { parameterSetter } from '../../../../src/drawing/parameterSetter.js';
 import { counts } from '../../../../src/material/facts/measuredFacts.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import { HatchingOutlineMaterial } from '../../../../src/outlines/HatchingOutlineMaterial.js';
 import { HatchingOutlines } from '../../../../src/outlines/HatchingOutlines.js';
 import { applyHatching } from '../../../../src/scene/applyHatching.js';
 import { presets } from '../../../../src/scene/presets.js';
+import { lookOf } from '../../../../src/settings/lookOf.js';
+import { outlineLook } from '../../../../src/settings/outlineLook.js';
+import { PRESET_NAMES } from '../../../../src/settings/presetLabels.js';
+import { presetLook, presetOf } from '../../../../src/settings/presets.js';
+import { defaultSettings, type Settings } from '../../../../src/settings/settings.js';
+import { LightRig } from '../../../../src/staging/LightRig.js';
 
 /** Runs a sample in a project that has a scene, and returns the scene. */
 async function run(sample: string, loaded?: THREE.Object3D): Promise<THREE.Scene> {

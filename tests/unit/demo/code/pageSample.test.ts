@@ -9,8 +9,8 @@ import { modelSource } from '../../../../src/demo/code/modelSource.js';
 import { IMPORT_MAP, moduleSample, pageSample } from '../../../../src/demo/code/pageSample.js';
 import * as forms from '../../../../src/demo/models/forms.js';
 import { BUILT_IN_MODELS, BUST_FOOT, type BuiltInModel } from '../../../../src/demo/models/models.js';
-import { presetLook } from '../../../../src/demo/settings/presets.js';
-import { defaultSettings, type Settings } from '../../../../src/demo/settings/settings.js';
+import { presetLook } from '../../../../src/settings/presets.js';
+import { defaultSettings, type Settings } from '../../../../src/settings/settings.js';
 
 const drawing = (model: Partial<CodeDrawing['model']>, settings: Partial<Settings> = {}): CodeDrawing => ({
   model: { model: 'file', title: 'bust.glb', sceneRadius: undefined, isOpen: false, ...model },

@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import { loadModelFiles } from '../../../../src/demo/files/loadModelFiles.js';
 import type { ModelWorkerMessage } from '../../../../src/demo/files/model.worker.js';
-import type { ReadModel } from '../../../../src/demo/files/readModel.js';
+import type { ReadModel } from '../../../../src/files/readModel.js';
 
 /** A worker that says what the test lets it say. */
 class FakeWorker extends EventTarget {

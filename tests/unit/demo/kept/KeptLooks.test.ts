@@ -1,8 +1,8 @@
 import { expect, test } from 'vitest';
 import { type KeptLook, KeptLooks, MOST_LOOKS } from '../../../../src/demo/kept/KeptLooks.js';
-import { acceptLook, hasLook } from '../../../../src/demo/settings/ownLook.js';
-import { presetLook } from '../../../../src/demo/settings/presets.js';
-import { defaultSettings } from '../../../../src/demo/settings/settings.js';
+import { acceptLook, hasLook } from '../../../../src/settings/ownLook.js';
+import { presetLook } from '../../../../src/settings/presets.js';
+import { defaultSettings } from '../../../../src/settings/settings.js';
 
 /** Storage that can be full, and shared by several tabs. */
 function fakeStorage() {

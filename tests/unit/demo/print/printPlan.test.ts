@@ -10,8 +10,8 @@ import {
   strokeScale,
   toMillimetres,
 } from '../../../../src/demo/print/printPlan.js';
-import { defaultSettings, SETTINGS, type Settings } from '../../../../src/demo/settings/settings.js';
-import { strokeShare } from '../../../../src/demo/stage/strokeShare.js';
+import { defaultSettings, SETTINGS, type Settings } from '../../../../src/settings/settings.js';
+import { strokeShare } from '../../../../src/staging/strokeShare.js';
 
 const settings = (changes: Partial<Settings>): Settings => ({ ...defaultSettings(), ...changes });
 const wide = { width: 900, height: 500, isWide: true };

@@ -1,10 +1,10 @@
 import { Group } from 'three';
 import { expect, test, vi } from 'vitest';
-import type { HatchedModel } from '../../../../src/demo/drawing/HatchedModel.js';
-import { lookOf } from '../../../../src/demo/settings/lookOf.js';
-import { defaultSettings } from '../../../../src/demo/settings/settings.js';
 import { ShownModel } from '../../../../src/demo/stage/ShownModel.js';
-import { DEFAULT_VIEW } from '../../../../src/demo/stage/view/createCamera.js';
+import type { HatchedModel } from '../../../../src/drawing/HatchedModel.js';
+import { lookOf } from '../../../../src/settings/lookOf.js';
+import { defaultSettings } from '../../../../src/settings/settings.js';
+import { DEFAULT_VIEW } from '../../../../src/staging/createCamera.js';
 
 /** A model without meshes, and what was done to it. */
 function fakeModel(name: string) {

@@ -1,11 +1,11 @@
 import { Vector3 } from 'three';
 import { describe, expect, test, vi } from 'vitest';
-import { defaultSettings, type Settings } from '../../../../src/demo/settings/settings.js';
 import { LostContextError } from '../../../../src/demo/stage/LostContextError.js';
 import type { PictureSession } from '../../../../src/demo/stage/PictureSession.js';
 import type { Stage } from '../../../../src/demo/stage/Stage.js';
-import { createCamera } from '../../../../src/demo/stage/view/createCamera.js';
 import { recordVideo } from '../../../../src/demo/video/recordVideo.js';
+import { defaultSettings, type Settings } from '../../../../src/settings/settings.js';
+import { createCamera } from '../../../../src/staging/createCamera.js';
 
 /** A stage without a browser. @param drawPart what drawing the nth frame does */
 function fakeStage(drawPart: (frame: number, canvas: EventTarget) => void = () => {}) {

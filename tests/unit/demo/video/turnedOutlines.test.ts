@@ -1,8 +1,8 @@
 import { TorusKnotGeometry, Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import { createCamera } from '../../../../src/demo/stage/view/createCamera.js';
-import { fitCamera } from '../../../../src/demo/stage/view/framing.js';
 import { turnedOutlines } from '../../../../src/demo/video/turnedOutlines.js';
+import { createCamera } from '../../../../src/staging/createCamera.js';
+import { fitCamera } from '../../../../src/staging/framing.js';
 
 const FILL = 0.7;
 

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
-import { defaultSettings, SETTINGS, type Settings } from '../../../../src/demo/settings/settings.js';
-import { strokeShare } from '../../../../src/demo/stage/strokeShare.js';
 import { placeOnFrame, planVideo, poseOf, stampOf } from '../../../../src/demo/video/videoPlan.js';
+import { defaultSettings, SETTINGS, type Settings } from '../../../../src/settings/settings.js';
+import { strokeShare } from '../../../../src/staging/strokeShare.js';
 
 const settings = (changes: Partial<Settings>): Settings => ({ ...defaultSettings(), ...changes });
 const view = { width: 901, height: 603 };

@@ -1,12 +1,12 @@
 import { BufferGeometry, Group } from 'three';
 import { beforeEach, expect, test, vi } from 'vitest';
-import { bakeForm } from '../../../../../src/demo/drawing/bakeForm.js';
 import { FormLoader } from '../../../../../src/demo/playground/loading/FormLoader.js';
 import { TaskRunner } from '../../../../../src/demo/playground/tasks/TaskRunner.js';
-import { defaultSettings, type Settings } from '../../../../../src/demo/settings/settings.js';
+import { bakeForm } from '../../../../../src/drawing/bakeForm.js';
+import { defaultSettings, type Settings } from '../../../../../src/settings/settings.js';
 import { fakeStatus } from '../tasks/fakeStatus.js';
 
-vi.mock('../../../../../src/demo/drawing/bakeForm.js', () => ({ bakeForm: vi.fn() }));
+vi.mock('../../../../../src/drawing/bakeForm.js', () => ({ bakeForm: vi.fn() }));
 
 const begun = vi.mocked(bakeForm);
 

@@ -1,11 +1,11 @@
 import { BoxGeometry, Group, InstancedMesh, Mesh } from 'three';
 import { expect, test, vi } from 'vitest';
-import { bakeOcclusion } from '../../../../../src/demo/drawing/bakeOcclusion.js';
 import { OcclusionLoader } from '../../../../../src/demo/playground/loading/OcclusionLoader.js';
 import { TaskRunner } from '../../../../../src/demo/playground/tasks/TaskRunner.js';
+import { bakeOcclusion } from '../../../../../src/drawing/bakeOcclusion.js';
 import { fakeStatus } from '../tasks/fakeStatus.js';
 
-vi.mock('../../../../../src/demo/drawing/bakeOcclusion.js', () => ({
+vi.mock('../../../../../src/drawing/bakeOcclusion.js', () => ({
   bakeOcclusion: vi.fn(() => new Promise(() => {})),
 }));
 

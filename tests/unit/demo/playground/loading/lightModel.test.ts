@@ -1,8 +1,8 @@
 import { ConeGeometry, Group, MathUtils, Mesh, PerspectiveCamera, SphereGeometry, Vector3 } from 'three';
 import { expect, test, vi } from 'vitest';
 import { lightModel } from '../../../../../src/demo/playground/loading/lightModel.js';
-import type { Look } from '../../../../../src/demo/settings/lookOf.js';
-import { defaultSettings, type Settings } from '../../../../../src/demo/settings/settings.js';
+import type { Look } from '../../../../../src/settings/lookOf.js';
+import { defaultSettings, type Settings } from '../../../../../src/settings/settings.js';
 
 /** A stage with a ball that its looks turn upright, and a camera that looks at it from the right. */
 function createStage(isFramed = true) {

@@ -2,16 +2,16 @@ import { existsSync } from 'node:fs';
 import draco from 'draco3d';
 import { Group, MathUtils, Vector3 } from 'three';
 import { beforeAll, describe, expect, test, vi } from 'vitest';
-import type { HatchedModel } from '../../../../../src/demo/drawing/HatchedModel.js';
 import { BUILT_IN_MODELS, type BuiltInModel } from '../../../../../src/demo/models/models.js';
 import { lightModel } from '../../../../../src/demo/playground/loading/lightModel.js';
-import { GALLERY } from '../../../../../src/demo/settings/gallery.js';
-import { type Look, lookOf } from '../../../../../src/demo/settings/lookOf.js';
-import { defaultSettings } from '../../../../../src/demo/settings/settings.js';
-import { readLink } from '../../../../../src/demo/settings/shareLink.js';
-import { shadowOnGround } from '../../../../../src/demo/stage/light/shadowOnGround.js';
-import { createCamera, DEFAULT_VIEW } from '../../../../../src/demo/stage/view/createCamera.js';
 import { View } from '../../../../../src/demo/stage/view/View.js';
+import type { HatchedModel } from '../../../../../src/drawing/HatchedModel.js';
+import { GALLERY } from '../../../../../src/settings/gallery.js';
+import { type Look, lookOf } from '../../../../../src/settings/lookOf.js';
+import { defaultSettings } from '../../../../../src/settings/settings.js';
+import { readLink } from '../../../../../src/settings/shareLink.js';
+import { createCamera, DEFAULT_VIEW } from '../../../../../src/staging/createCamera.js';
+import { shadowOnGround } from '../../../../../src/staging/shadowOnGround.js';
 import { builtInModel, SHARED, serveFiles, sharedModel } from './subjects.js';
 
 /** The sheets of windows of 1440 × 900, 1024 × 768 and 390 × 844 pixels: what neither panel nor caption covers. */
@@ -33,7 +33,7 @@ const SHARED_FILES = [
 ];
 
 /** In Node, the decoder comes from a package, not from an address. */
-vi.mock('../../../../../src/demo/files/draco/loadDraco.js', () => ({ loadDraco: () => draco.createDecoderModule({}) }));
+vi.mock('../../../../../src/demo/files/loadDraco.js', () => ({ loadDraco: () => draco.createDecoderModule({}) }));
 beforeAll(serveFiles);
 
 type Direction = readonly [number, number, number];

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
-import type { ModelFile } from '../../../../../src/demo/files/readModel.js';
 import { sortDrop } from '../../../../../src/demo/playground/loading/sortDrop.js';
+import type { ModelFile } from '../../../../../src/files/readModel.js';
 
 const file = (name: string): ModelFile => ({ name, content: new Blob() });
 const NOTHING = { files: [], missing: [] };

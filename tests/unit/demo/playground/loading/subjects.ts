@@ -1,10 +1,10 @@
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { vi } from 'vitest';
-import { buildModel } from '../../../../../src/demo/drawing/buildModel.js';
-import type { HatchedModel } from '../../../../../src/demo/drawing/HatchedModel.js';
-import { type ModelFile, readModel } from '../../../../../src/demo/files/readModel.js';
 import { BUILT_IN_MODELS, type BuiltInModel } from '../../../../../src/demo/models/models.js';
+import { buildModel } from '../../../../../src/drawing/buildModel.js';
+import type { HatchedModel } from '../../../../../src/drawing/HatchedModel.js';
+import { type ModelFile, readModel } from '../../../../../src/files/readModel.js';
 
 const root = fileURLToPath(new URL('../../../../..', import.meta.url));
 const { signal } = new AbortController();

@@ -1,8 +1,8 @@
 import { beforeEach, expect, test, vi } from 'vitest';
 import type { ModelEnd, OpenedModel } from '../../../../../src/demo/playground/loading/ModelLoader.js';
 import { Session } from '../../../../../src/demo/playground/session/Session.js';
-import type { Look } from '../../../../../src/demo/settings/lookOf.js';
-import { defaultSettings } from '../../../../../src/demo/settings/settings.js';
+import type { Look } from '../../../../../src/settings/lookOf.js';
+import { defaultSettings } from '../../../../../src/settings/settings.js';
 
 type OnModel = (end: ModelEnd, opened?: OpenedModel) => void;
 

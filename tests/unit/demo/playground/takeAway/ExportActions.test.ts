@@ -1,14 +1,14 @@
 import { Group } from 'three';
 import { beforeEach, expect, test, vi } from 'vitest';
-import { bakeForm } from '../../../../../src/demo/drawing/bakeForm.js';
 import { FormLoader } from '../../../../../src/demo/playground/loading/FormLoader.js';
 import { ExportActions } from '../../../../../src/demo/playground/takeAway/ExportActions.js';
 import { drawForClipboard } from '../../../../../src/demo/playground/takeAway/savePicture.js';
 import { TaskRunner } from '../../../../../src/demo/playground/tasks/TaskRunner.js';
-import { defaultSettings } from '../../../../../src/demo/settings/settings.js';
+import { bakeForm } from '../../../../../src/drawing/bakeForm.js';
+import { defaultSettings } from '../../../../../src/settings/settings.js';
 import { fakeStatus } from '../tasks/fakeStatus.js';
 
-vi.mock('../../../../../src/demo/drawing/bakeForm.js', () => ({ bakeForm: vi.fn() }));
+vi.mock('../../../../../src/drawing/bakeForm.js', () => ({ bakeForm: vi.fn() }));
 vi.mock('../../../../../src/demo/playground/takeAway/savePicture.js', () => ({
   drawForClipboard: vi.fn(async () => new Blob()),
 }));

@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
-import { ModelError } from '../../../../../src/demo/files/common/ModelError.js';
 import { TaskRunner } from '../../../../../src/demo/playground/tasks/TaskRunner.js';
 import { LostContextError } from '../../../../../src/demo/stage/LostContextError.js';
+import { ModelError } from '../../../../../src/files/common/ModelError.js';
 import { fakeStatus } from './fakeStatus.js';
 
 beforeEach(() => void vi.useFakeTimers());

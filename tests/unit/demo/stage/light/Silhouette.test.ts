@@ -1,8 +1,8 @@
 import { Box2, BoxGeometry, Vector2, Vector3 } from 'three';
 import { expect, test } from 'vitest';
 import { Silhouette } from '../../../../../src/demo/stage/light/Silhouette.js';
-import { createCamera } from '../../../../../src/demo/stage/view/createCamera.js';
-import { fitCamera } from '../../../../../src/demo/stage/view/framing.js';
+import { createCamera } from '../../../../../src/staging/createCamera.js';
+import { fitCamera } from '../../../../../src/staging/framing.js';
 
 const size = { width: 374, height: 720 };
 const RADIUS = 26;

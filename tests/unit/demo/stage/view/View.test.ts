@@ -1,9 +1,9 @@
 import { BoxGeometry, type Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { defaultSettings } from '../../../../../src/demo/settings/settings.js';
-import { readLink, writeLink } from '../../../../../src/demo/settings/shareLink.js';
-import { createCamera } from '../../../../../src/demo/stage/view/createCamera.js';
 import { View } from '../../../../../src/demo/stage/view/View.js';
+import { defaultSettings } from '../../../../../src/settings/settings.js';
+import { readLink, writeLink } from '../../../../../src/settings/shareLink.js';
+import { createCamera } from '../../../../../src/staging/createCamera.js';
 
 const outline = new BoxGeometry(1.2, 1, 0.8).getAttribute('position').array as Float32Array;
 

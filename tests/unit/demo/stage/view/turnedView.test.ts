@@ -1,7 +1,7 @@
 import { BoxGeometry, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { proportionOf } from '../../../../../src/demo/stage/view/framing.js';
 import { turnedView } from '../../../../../src/demo/stage/view/turnedView.js';
+import { proportionOf } from '../../../../../src/staging/framing.js';
 
 const outlineOf = (...size: [number, number, number]): ArrayLike<number> =>
   new BoxGeometry(...size).getAttribute('position').array;

@@ -1,0 +1,144 @@
+import { stat } from 'node:fs/promises';
+import process from 'node:process';
+import { shownText } from '../files/common/shownText.js';
+import { DrawingFiles } from './DrawingFiles.js';
+import type { DrawingOptions } from './DrawingOptions.js';
+import { type DrawingCounts, type DrawMessage, drawInThread } from './DrawThread.js';
+import { expandPattern, isPattern } from './expandPattern.js';
+import { Interrupted } from './Interrupted.js';
+import type { ProgressBar } from './ProgressBar.js';
+import { DRAW_HELP, parseDrawing } from './parseDrawing.js';
+import { type PlannedModel, planOutputs } from './planOutputs.js';
+import { UsageError } from './UsageError.js';
+
+/**
+ * The command `draw`.
+ *
+ * @param args the arguments after its name
+ * @returns how many models were not drawn, or not with all that belongs to them
+ * @throws UsageError if the arguments are not valid, or Interrupted
+ */
+export async function draw(args: readonly string[], signal: AbortSignal, bar: ProgressBar): Promise<number> {
+  const request = parseDrawing(args);
+  if (request.action === 'help') {
+    process.stdout.write(DRAW_HELP);
+    return 0;
+  }
+  const { out, force, jobs, options } = request;
+  const models = await filesOf(request.models);
+  const isFolder = (await stat(out).catch(() => undefined))?.isDirectory() ?? false;
+  const planned = planOutputs(models, out, isFolder, options.frames);
+  const files = new DrawingFiles(force);
+  try {
+    await files.open(planned.flatMap(({ outputs }) => outputs));
+    return await new Draughtsmen(planned, options, files, signal, bar).draw(jobs);
+  } catch (error) {
+    throw signal.aborted ? new Interrupted(files.written) : error;
+  } finally {
+    await files.close();
+    bar.clear();
+  }
+}
+
+/** The models that names and patterns stand for, each once. A file whose name looks like a pattern is a file. */
+async function filesOf(names: readonly string[]): Promise<string[]> {
+  const models: string[] = [];
+  for (const name of names) {
+    const isThere = await stat(name).then(
+      () => true,
+      () => false,
+    );
+    const found = isThere || !isPattern(name) ? [name] : await expandPattern(name);
+    if (found.length === 0) throw new UsageError(`${name} stands for no file; look after its folder.`);
+    models.push(...found);
+  }
+  return [...new Set(models)];
+}
+
+/** Draws several models, some of them at a time. */
+class Draughtsmen {
+  /** How far each model is, in [0, 1]. */
+  private readonly done: number[];
+  private failed = 0;
+
+  constructor(
+    private readonly planned: readonly PlannedModel[],
+    private readonly options: DrawingOptions,
+    private readonly files: DrawingFiles,
+    private readonly signal: AbortSignal,
+    private readonly bar: ProgressBar,
+  ) {
+    this.done = planned.map(() => 0);
+  }
+
+  /** @returns how many models were not drawn as they should be */
+  async draw(jobs: number): Promise<number> {
+    const waiting = [...this.planned.keys()];
+    const work = async (): Promise<void> => {
+      for (let next = waiting.shift(); next !== undefined; next = waiting.shift()) await this.drawOne(next);
+    };
+    // All of them, so that none still writes when this has ended.
+    await Promise.allSettled(Array.from({ length: Math.min(jobs, waiting.length) }, work));
+    this.signal.throwIfAborted();
+    return this.failed;
+  }
+
+  private async drawOne(index: number): Promise<void> {
+    const { model, outputs } = this.planned[index];
+    const { signal, options, files } = this;
+    let writing = Promise.resolve();
+    const onMessage = (message: DrawMessage): void => {
+      if (message.kind === 'progress') this.show(index, message.stage, message.progress);
+      else if (message.kind === 'note') this.tell(process.stderr, message.sentence);
+      else if (message.kind === 'drawing') {
+        const { frame, svg, counts } = message;
+        writing = writing.then(async () => {
+          await files.write(outputs[frame], svg);
+          this.tell(process.stdout, `${outputs[frame]}: ${describe(counts)}`);
+        });
+        // It is awaited below; until then nothing is to be said of it.
+        writing.catch(() => {});
+      }
+    };
+    try {
+      const isWhole = await drawInThread({ model, options }, await sizeOf(model), signal, onMessage);
+      await writing;
+      if (!isWhole) this.failed++;
+    } catch (error) {
+      await writing.catch(() => {});
+      signal.throwIfAborted();
+      this.failed++;
+      this.tell(process.stderr, `three-hatching: ${(error as Error).message}`);
+    }
+    this.show(index, 'drawing', 1);
+  }
+
+  private show(index: number, stage: string, progress: number): void {
+    const { done, planned } = this;
+    done[index] = progress;
+    const count = planned.length === 1 ? '' : ` ${planned[index].model}`;
+    this.bar.show(`${stage}${count}`, done.reduce((sum, share) => sum + share, 0) / done.length);
+  }
+
+  private tell(stream: NodeJS.WriteStream, line: string): void {
+    this.bar.clear();
+    // Names of files and of parts of models may hold anything, also what moves the cursor.
+    stream.write(`${shownText(line)}\n`);
+  }
+}
+
+/** The size of a model's file. @throws Error with a sentence if it is no file */
+async function sizeOf(model: string): Promise<number> {
+  const found = await stat(model).catch((error: NodeJS.ErrnoException) => {
+    throw new Error(error.code === 'ENOENT' ? `${model} is not there.` : `${model} cannot be read (${error.code}).`);
+  });
+  if (!found.isFile()) throw new Error(`${model} is no file.`);
+  return found.size;
+}
+
+const inMetres = (millimetres: number): string => `${(millimetres / 1000).toFixed(2)} m`;
+
+function describe({ paths, drawn, travelBefore, travelAfter, seconds }: DrawingCounts): string {
+  const count = `${paths.toLocaleString('en')} ${paths === 1 ? 'path' : 'paths'}`;
+  return `${count}, ${inMetres(drawn)} drawn, ${inMetres(travelAfter)} of travel (${inMetres(travelBefore)} before ordering), ${seconds.toFixed(1)} s.`;
+}

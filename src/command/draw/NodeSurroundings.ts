@@ -1,0 +1,72 @@
+import { readFile, stat } from 'node:fs/promises';
+import { createRequire } from 'node:module';
+import { dirname, join, relative } from 'node:path';
+import { compileFunction } from 'node:vm';
+import type { DecoderModule } from 'draco3d';
+import { baseName } from '../../files/common/fileName.js';
+import { MAX_BYTES } from '../../files/common/modelLimits.js';
+import type { PictureSource, PictureWish, PixelPicture, Surroundings } from '../../files/common/Surroundings.js';
+import { decodePng } from './decodePng.js';
+import { fitPixels } from './fitPixels.js';
+
+/** Pictures that only browsers decode, by how they begin. */
+const FOREIGN: readonly [name: string, beginning: RegExp][] = [
+  ['JPEG', /^\xff\xd8/],
+  ['WebP', /^RIFF....WEBP/s],
+  ['GIF', /^GIF8/],
+  ['BMP', /^BM/],
+];
+
+/** What models are read with where there is no browser: files beside the model, PNG and Draco. Nothing is fetched. */
+export class NodeSurroundings implements Surroundings {
+  /** The formats of pictures that were asked for and are not decoded here. */
+  readonly undecoded = new Set<string>();
+
+  /** @param folder of the model */
+  constructor(private readonly folder: string) {}
+
+  readonly decodePicture = async (source: PictureSource, wish: PictureWish): Promise<PixelPicture | undefined> => {
+    if (!(source instanceof Blob)) return fitPixels(source, wish);
+    const bytes = new Uint8Array(await source.arrayBuffer());
+    const beginning = String.fromCharCode(...bytes.subarray(0, 16));
+    const foreign = FOREIGN.find(([, expression]) => expression.test(beginning))?.[0];
+    if (!foreign) return fitPixels(decodePng(bytes), wish);
+    this.undecoded.add(foreign);
+    return undefined;
+  };
+
+  /** Finds a file in the model's folder or below it, by its path or by its name alone. Others are not read, whatever a model says. */
+  readonly findFile = async (uri: string): Promise<Uint8Array | undefined> => {
+    const path = plainPath(uri);
+    for (const one of [path, baseName(path)]) {
+      const place = join(this.folder, one);
+      const inside = relative(this.folder || '.', place);
+      if (inside === '' || inside.startsWith('..') || one.includes('\0')) continue;
+      const found = await stat(place).catch(() => undefined);
+      if (found?.isFile() && found.size <= MAX_BYTES) return readFile(place);
+    }
+    return undefined;
+  };
+
+  /** The decoder that comes with three.js: a script, which asks for what scripts of Node have. */
+  readonly loadDraco = async (): Promise<DecoderModule> => {
+    const require = createRequire(import.meta.url);
+    const script = require.resolve('three/addons/libs/draco/gltf/draco_wasm_wrapper.js');
+    const wasmBinary = await readFile(require.resolve('three/addons/libs/draco/gltf/draco_decoder.wasm'));
+    const module: { exports: unknown } = { exports: {} };
+    const names = ['module', 'exports', 'require', '__dirname', '__filename'];
+    const run = compileFunction(await readFile(script, 'utf8'), names, { filename: script });
+    run(module, module.exports, require, dirname(script), script);
+    const start = module.exports as (options: object) => Promise<DecoderModule>;
+    // Damaged parts are told in a sentence, and not in the console.
+    return start({ wasmBinary, print: () => {}, printErr: () => {} });
+  };
+}
+
+function plainPath(uri: string): string {
+  try {
+    return decodeURIComponent(uri).replaceAll('\\', '/');
+  } catch {
+    return uri;
+  }
+}

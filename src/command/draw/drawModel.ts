@@ -1,0 +1,152 @@
+import { openAsBlob } from 'node:fs';
+import { stat } from 'node:fs/promises';
+import { basename, dirname } from 'node:path';
+import { MathUtils, type Mesh } from 'three';
+import type { HatchingMaterial } from 'three-hatching';
+import { drawSVG } from 'three-hatching/svg';
+import { buildModel } from '../../drawing/buildModel.js';
+import type { HatchedModel } from '../../drawing/HatchedModel.js';
+import { meshesOf } from '../../drawing/meshesOf.js';
+import { ModelError } from '../../files/common/ModelError.js';
+import { withPictures } from '../../files/decodePictures.js';
+import { type ReadModel, readModel } from '../../files/readModel.js';
+import { turnCamera } from '../../staging/placeCamera.js';
+import type { DrawingOptions } from '../DrawingOptions.js';
+import type { DrawingCounts, DrawMessage, DrawTask } from '../DrawThread.js';
+import { NodeSurroundings } from './NodeSurroundings.js';
+import { plainSentence } from './plainSentence.js';
+import { settingsFor } from './settingsFor.js';
+import { type StagedModel, stageModel } from './stageModel.js';
+
+/** The shares of the whole that reading, joining triangles and baking take; drawing takes the rest. */
+const READ = 0.08;
+const JOINED = 0.25;
+const BAKED = 0.5;
+
+/** So many things that a drawing lacks are named, one by one. */
+const NAMED = 12;
+
+/**
+ * Draws a model, with all its frames.
+ *
+ * @param say is told what happens
+ * @returns whether nothing is missing that belongs to the drawing
+ * @throws ModelError or Error, whose message is a sentence about the model
+ */
+export async function drawModel(
+  { model: path, options }: DrawTask,
+  say: (message: DrawMessage) => void,
+  signal: AbortSignal = new AbortController().signal,
+): Promise<boolean> {
+  const name = basename(path);
+  const progress = (stage: string, share: number): void => say({ kind: 'progress', stage, progress: share });
+  const note = (sentence: string): void => say({ kind: 'note', sentence });
+  const surroundings = new NodeSurroundings(dirname(path));
+  const read = await readFrom(path, surroundings, say);
+  const report = (stage: string, share = 0): void => progress(stage, READ + (JOINED - READ) * share);
+  const { model, notes } = await buildModel(read, report, signal);
+  for (const one of notes) note(`${name}: ${plainSentence(one)}.`);
+  // An archive of the playground holds the look with the model.
+  const drawnWith = settingsFor(options, options.link ?? read.drawing?.link, read.upAxis);
+  chooseClip(model, options, name);
+  const angles = anglesOf(options);
+  const staged = await stageModel(model, drawnWith, options, angles, {
+    signal,
+    report: (stage, share) => progress(stage, JOINED + (BAKED - JOINED) * share),
+  });
+  const isWhole = tellPictures(model, surroundings, name, note);
+  await drawFrames(model, staged, options, name, { say, progress, note, signal });
+  return isWhole;
+}
+
+async function readFrom(
+  path: string,
+  surroundings: NodeSurroundings,
+  say: (message: DrawMessage) => void,
+): Promise<ReadModel> {
+  const onStage = (stage: string, bytes?: number): void =>
+    say({ kind: 'progress', stage, bytes, progress: 0.5 * READ });
+  if (!(await stat(path)).isFile()) throw new ModelError(`${path} is no file.`);
+  const files = [{ name: basename(path), content: await openAsBlob(path) }];
+  return withPictures(await readModel(files, onStage, surroundings), onStage, surroundings);
+}
+
+/** The angles by which the camera is turned for the frames, in radians. The clip takes the place of the turn. */
+function anglesOf({ frames = 1, clip }: DrawingOptions): number[] {
+  return Array.from({ length: clip === undefined ? frames : 1 }, (_, i) => MathUtils.degToRad((360 * i) / frames));
+}
+
+function chooseClip({ motion }: HatchedModel, { clip }: DrawingOptions, name: string): void {
+  if (clip === undefined) return;
+  const clips = motion?.clips ?? [];
+  const index = clips.indexOf(clip);
+  if (!motion || clips.length === 0) throw new ModelError(`${name} has no clips.`);
+  if (index === -1) throw new ModelError(`${name} has no clip ${clip}; it has ${clips.join(', ')}.`);
+  motion.clip = index;
+}
+
+/**
+ * Tells which pictures were left out because they are not decoded here.
+ *
+ * @returns whether none is missing that the drawing would show
+ * @throws ModelError if one cuts out surfaces: without it there would be leaves, say, as whole sheets
+ */
+function tellPictures(
+  model: HatchedModel,
+  { undecoded }: NodeSurroundings,
+  name: string,
+  note: (sentence: string) => void,
+): boolean {
+  if (undecoded.size === 0) return true;
+  const formats = [...undecoded].join(' and ');
+  const materials = meshesOf(model.root).flatMap(({ material }: Mesh) => material as HatchingMaterial);
+  if (materials.some(({ alphaTest, map }) => alphaTest > 0 && map && !map.image))
+    throw new ModelError(
+      `${name} has surfaces that are cut out by pictures in ${formats}, which only a browser decodes; save them as PNG.`,
+    );
+  const showsColours = materials.some(({ localTone, colorFill }) => localTone > 0 || colorFill > 0);
+  if (!showsColours) return true;
+  note(`${name} is drawn without its pictures in ${formats}, which only a browser decodes; save them as PNG.`);
+  return false;
+}
+
+async function drawFrames(
+  { motion }: HatchedModel,
+  { scene, lights, placed }: StagedModel,
+  { frames = 1, clip, ...options }: DrawingOptions,
+  name: string,
+  to: {
+    say: (message: DrawMessage) => void;
+    progress: (stage: string, share: number) => void;
+    note: (sentence: string) => void;
+    signal: AbortSignal;
+  },
+): Promise<void> {
+  const { kind, pen, sheet, margin, dpi, paper, order, hidden, animate } = options;
+  const told = new Set<string>();
+  for (let frame = 0; frame < frames; frame++) {
+    if (motion && clip !== undefined) motion.time = (frame / frames) * motion.duration;
+    else if (frame > 0) turnCamera(placed, (2 * Math.PI) / frames);
+    scene.updateMatrixWorld();
+    lights.place(placed.camera);
+    const stage = frames === 1 ? 'drawing' : `drawing frame ${frame + 1} of ${frames}`;
+    const { svg, leftOut, ...counts } = await drawSVG(scene, placed.camera, {
+      ...{ kind, sheet, margin, dpi, order, hidden, animate },
+      ...(kind === 'pen' && { penWidth: pen }),
+      ...(paper !== undefined && { paper }),
+      signal: to.signal,
+      onProgress: (share) => to.progress(stage, BAKED + (1 - BAKED) * ((frame + share) / frames)),
+    });
+    const reasons = leftOut.map(({ reason }) => reason);
+    if (counts.paths === 0) throw new ModelError(`${name} has no lines in this view. ${reasons[0] ?? ''}`.trim());
+    const fresh = reasons.filter((reason) => !told.has(reason));
+    for (const reason of fresh) told.add(reason);
+    for (const reason of fresh.slice(0, NAMED)) to.note(`${name}: ${reason}`);
+    if (fresh.length > NAMED) to.note(`${name}: so it is with ${fresh.length - NAMED} more.`);
+    to.say({ kind: 'drawing', frame, svg, counts: countsOf(counts) });
+  }
+}
+
+const countsOf = ({ paths, drawn, travelBefore, travelAfter, seconds }: DrawingCounts): DrawingCounts => ({
+  ...{ paths, drawn, travelBefore, travelAfter, seconds },
+});

@@ -1,0 +1,15 @@
+import { basename } from 'node:path';
+import { plainSentence } from './plainSentence.js';
+
+/** What went wrong with a model, in a sentence that names it. */
+export function failure(model: string, error: unknown): string {
+  const { code, name, message = String(error) } = error as NodeJS.ErrnoException;
+  if (code === 'ERR_MODULE_NOT_FOUND')
+    return `${model} needs a newer three: the one that is installed does not read its format.`;
+  if (name === 'ModelError') return named(model, plainSentence(message));
+  if (code !== undefined) return `${model} cannot be read (${code}).`;
+  return `${model} could not be drawn: ${message.replace(/\.$/, '')}.`;
+}
+
+const named = (model: string, sentence: string): string =>
+  sentence.includes(basename(model)) ? sentence : `${model}: ${sentence}`;

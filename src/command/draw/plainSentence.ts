@@ -1,0 +1,23 @@
+/** Words of the readers, who speak to whoever drops files on a page, and what they are to whoever names files. */
+const WORDS: readonly [RegExp, string][] = [
+  [/; drop both files together/, '; put both files into one folder'],
+  [/: drop (it|them) along/, ', and belongs beside the model'],
+  [/no picture that a browser reads/, 'no picture that can be read'],
+  [/, which this page does not (read|unpack)/, ', which is not $1 here'],
+  [/a later version of this page, which this one cannot read/, 'a later version of the playground'],
+  [/(model )?(that )?this page can read/, '$1that can be read here'],
+  [/more memory than this page can get/, 'more memory than there is'],
+  [/this page (reads|takes)/, 'three-hatching $1'],
+  [
+    /whose decoder could not be fetched\. Look after the connection, and open it again/,
+    'whose decoder of three.js did not start',
+  ],
+];
+
+/** A sentence of the readers for the command line. */
+export function plainSentence(sentence: string): string {
+  return WORDS.reduce((text, [words, others]) => text.replace(words, others), sentence).replace(
+    /which is not (unpack) here/,
+    'which is not unpacked here',
+  );
+}

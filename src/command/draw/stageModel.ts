@@ -1,0 +1,150 @@
+import { Group, MathUtils, PerspectiveCamera, Scene, Spherical, Vector3 } from 'three';
+import { bakeOcclusion, flatteringLight } from 'three-hatching';
+import { bakeForm } from '../../drawing/bakeForm.js';
+import type { HatchedModel } from '../../drawing/HatchedModel.js';
+import { meshesOf } from '../../drawing/meshesOf.js';
+import { type Look, lookOf } from '../../settings/lookOf.js';
+import { formDrawn } from '../../settings/settingValues.js';
+import { DEFAULT_VIEW, LENS } from '../../staging/createCamera.js';
+import { Ground } from '../../staging/Ground.js';
+import { LightRig } from '../../staging/LightRig.js';
+import { framedCamera, linkedCamera, type PlacedCamera, roomiestView } from '../../staging/placeCamera.js';
+import { strokeShare } from '../../staging/strokeShare.js';
+import type { DirectionInDegrees, DrawingOptions } from '../DrawingOptions.js';
+import type { DrawnWith } from './settingsFor.js';
+
+/** How a model fills what the margins leave of a sheet, and leaves room for its shadow. */
+const ON_SHEET = { fill: 0.96, room: { model: 0.92, shadow: 0.98, smaller: 1.25 } } as const;
+const MILLIMETRES_PER_INCH = 25.4;
+const UP = new Vector3(0, 1, 0);
+
+/** Is told what is being done, and how far that is in [0, 1]. */
+export type Report = (stage: string, progress: number) => void;
+
+/** A model on its ground, under its lights, before a camera. */
+export interface StagedModel {
+  scene: Scene;
+  lights: LightRig;
+  placed: PlacedCamera;
+}
+
+/**
+ * Puts a model on the stage as the playground does: upright, on its ground, under lights that suit the view, before a camera that has all
+ * of it in its picture; lines lie along its form and hollows are dark, as far as the settings ask for that.
+ *
+ * @param angles in radians by which the camera is turned for its pictures; the model is in all of them
+ */
+export async function stageModel(
+  model: HatchedModel,
+  { settings, camera: place, isLit }: DrawnWith,
+  options: DrawingOptions,
+  angles: readonly number[],
+  { signal, report }: { signal: AbortSignal; report: Report },
+): Promise<StagedModel> {
+  const scene = new Scene();
+  const lights = new LightRig(scene);
+  const upright = new Group().add(model.root);
+  upright.rotation.set(...lookOf(settings).upright);
+  scene.add(upright);
+  scene.updateMatrixWorld();
+  const outline = turnedPoints(model.outline, upright);
+  const [width, height] = options.sheet.map((side) => side - 2 * options.margin);
+  const aspect = width / height;
+  const toEye = options.view ? directionOf(options.view) : new Vector3(...DEFAULT_VIEW);
+  model.apply(lookOf(settings));
+  if (!isLit) {
+    const lens = new PerspectiveCamera(LENS.fieldOfView, aspect, LENS.near, LENS.far);
+    const { direction } = flatteringLight(model.root, roomiestView(lens, outline, toEye, ON_SHEET), {
+      onGround: outline,
+    });
+    const { theta, phi } = new Spherical().setFromVector3(direction);
+    settings.lightAzimuth = MathUtils.radToDeg(theta);
+    settings.lightElevation = 90 - MathUtils.radToDeg(phi);
+  }
+  const look = lookOf(settings);
+  model.apply(look);
+  lights.apply(look.lights);
+  const ground = await groundFor(scene, model, look, upright);
+  const inPicture = aroundUpright(outline, angles);
+  const shadow = look.showsGround ? lights.shadowOf(outline, ground.height, toEye) : undefined;
+  const { orthographic: isOrthographic, zoom } = options;
+  const placed = place
+    ? linkedCamera(aspect, place, isOrthographic)
+    : framedCamera(aspect, inPicture, toEye, {
+        ...ON_SHEET,
+        isOrthographic,
+        ...(shadow && { shadow: aroundUpright(shadow, angles) }),
+      });
+  placed.camera.zoom = zoom;
+  placed.camera.updateProjectionMatrix();
+  const pixels = options.dpi / MILLIMETRES_PER_INCH;
+  const share = strokeShare(width * pixels, height * pixels);
+  model.setWidths(look, share);
+  ground.setWidths(look, share);
+  await bake(model, settings, signal, report);
+  return { scene, lights, placed };
+}
+
+/** The direction to a place in degrees around the model and above it. */
+function directionOf({ azimuth, elevation }: DirectionInDegrees): Vector3 {
+  return new Vector3().setFromSphericalCoords(1, MathUtils.degToRad(90 - elevation), MathUtils.degToRad(azimuth));
+}
+
+/** The ground that a look asks for, below the model. */
+async function groundFor(scene: Scene, model: HatchedModel, look: Look, upright: Group): Promise<Ground> {
+  let onReady = (): void => {};
+  const ready = new Promise<void>((resolve) => {
+    onReady = resolve;
+  });
+  const ground = new Ground(scene, onReady);
+  ground.extent = model.extent;
+  ground.height = model.bounds.clone().applyMatrix4(upright.matrixWorld).min.y;
+  ground.apply(look);
+  if (look.ground !== 'none') await ready;
+  return ground;
+}
+
+/** Bakes what lines along the form and dark hollows are drawn from, if the settings ask for them. */
+async function bake(
+  model: HatchedModel,
+  settings: DrawnWith['settings'],
+  signal: AbortSignal,
+  report: Report,
+): Promise<void> {
+  const form = formDrawn(settings);
+  if (form) {
+    const stage = 'laying lines along the form';
+    const onProgress = (progress: number): void => report(stage, 0.6 * progress);
+    const crossAngle = MathUtils.degToRad(settings.crossAngle);
+    await bakeForm(model.root, { crossAngle, auto: form.auto }, { signal, onProgress }, (former, made) => {
+      if (made !== former) former.dispose();
+    });
+  }
+  // Occlusion is stored per vertex, and all instances share their vertices.
+  if (settings.occlusion === 0 || meshesOf(model.root).every((mesh) => 'isInstancedMesh' in mesh)) return;
+  const onProgress = (progress: number): void => report('darkening hollows', 0.6 + 0.4 * progress);
+  await bakeOcclusion(model.root, { signal, onProgress });
+}
+
+/** Points in the space of a group, in the world. */
+function turnedPoints(points: ArrayLike<number>, { matrixWorld }: Group): number[] {
+  const point = new Vector3();
+  const turned: number[] = [];
+  for (let i = 0; i < points.length; i += 3) turned.push(...point.fromArray(points, i).applyMatrix4(matrixWorld));
+  return turned;
+}
+
+/** The most points that a camera is placed by. */
+const MANY_POINTS = 200_000;
+
+/** Points as cameras that are turned about the upright axis by some angles see them: turned the other way. */
+function aroundUpright(points: readonly number[], angles: readonly number[]): readonly number[] {
+  if (angles.length === 1 && angles[0] === 0) return points;
+  const step = 3 * Math.ceil((points.length / 3) * (angles.length / MANY_POINTS));
+  const turned: number[] = [];
+  const point = new Vector3();
+  for (const angle of angles) {
+    for (let i = 0; i < points.length; i += step) turned.push(...point.fromArray(points, i).applyAxisAngle(UP, -angle));
+  }
+  return turned;
+}

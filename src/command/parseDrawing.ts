@@ -1,0 +1,213 @@
+import { parseArgs } from 'node:util';
+import { type HatchingPreset, presets } from '../scene/presets.js';
+import type { DirectionInDegrees, DrawingOptions } from './DrawingOptions.js';
+import { sheetOf } from './sheetOf.js';
+import { UsageError } from './UsageError.js';
+
+/** The task of the command `draw`. */
+export type DrawRequest =
+  | { action: 'help' }
+  | { action: 'draw'; models: string[]; out: string; force: boolean; jobs: number; options: DrawingOptions };
+
+const OPTIONS = {
+  preset: { type: 'string' },
+  link: { type: 'string' },
+  view: { type: 'string' },
+  zoom: { type: 'string' },
+  orthographic: { type: 'boolean' },
+  light: { type: 'string' },
+  shadows: { type: 'boolean' },
+  'no-shadows': { type: 'boolean' },
+  up: { type: 'string' },
+  clip: { type: 'string' },
+  frames: { type: 'string' },
+  kind: { type: 'string' },
+  pen: { type: 'string' },
+  sheet: { type: 'string' },
+  margin: { type: 'string' },
+  dpi: { type: 'string' },
+  paper: { type: 'string' },
+  order: { type: 'string' },
+  hidden: { type: 'string' },
+  animate: { type: 'string' },
+  out: { type: 'string' },
+  force: { type: 'boolean' },
+  jobs: { type: 'string' },
+  help: { type: 'boolean', short: 'h' },
+} as const;
+
+/** The presets whose strokes are lines. */
+const LINED = Object.entries<HatchingPreset>(presets)
+  .filter(([, { material }]) => material.technique === 'engraved')
+  .map(([name]) => name);
+
+const AXES = ['y', 'z', 'x', '-y', '-z', '-x'] as const;
+
+export const DRAW_HELP = `three-hatching draw: draws models as SVG files, for print or for a plotter's pen.
+
+  npx three-hatching draw model.glb --preset engraving --view "25 8" --light "-45 40" --sheet A4 --out drawing.svg
+  npx three-hatching draw "models/*.stl" --pen 0.3 --out "plots/{name}.svg" --jobs 4
+
+It reads GLB, glTF, OBJ, PLY, STL, FBX, DAE, USDZ, 3MF, 3DS and VRML files, also packed with gzip or in a ZIP.
+
+  --preset <name>          the look: ${LINED.join(', ')} (default engraving)
+  --link <address>         the look, view and lights of a link of the playground; nothing is fetched
+  --view "<around> <up>"   where the eye is: degrees around the model and above it (default "31.8 17")
+  --zoom <factor>          how much larger than to fill the sheet (default 1)
+  --orthographic           without perspective
+  --light "<around> <up>"  where the light is (default: where it suits the view)
+  --shadows, --no-shadows  whether the light casts shadows (default: as the look has it, which is yes)
+  --up <axis>              the axis that points up: y, z, x, -y, -z or -x (default: as the format has it)
+  --kind <print|pen>       filled lines, or lines for one pen (default print)
+  --pen <mm>               the width of the pen; draws for a pen (default 0.3)
+  --sheet <size>           A3, A4 or A5, upright; "A4 landscape"; or as 200x150 in millimetres (default A4)
+  --margin <mm>            what stays blank on all sides (default 10)
+  --dpi <number>           CSS pixels to an inch: more makes finer lines (default 96)
+  --paper <#rrggbb>        a rectangle of this colour below the drawing, in print
+  --order <travel|drawn>   paths for a short way of the pen, or as they were found (default travel)
+  --hidden <kind>          outlines behind surfaces: none, dashed or faint (default: as the look has them)
+  --animate <seconds>      files that draw themselves on a web page
+  --frames <count>         numbered files of a turn of the model, or of its clip
+  --clip <name>            poses the model by this clip
+  --out <file>             the file to write to; for several models a folder, or a name with {name} and {frame}
+  --force                  replaces files
+  --jobs <count>           how many models are drawn at a time (default 1)
+  --help                   prints this text
+`;
+
+/**
+ * Reads the command line of `draw`.
+ *
+ * @param args the arguments after the name of the command
+ * @throws UsageError if they are not valid
+ */
+export function parseDrawing(args: readonly string[]): DrawRequest {
+  const { values, positionals: models } = read(args);
+  if (values.help || args.length === 0) return { action: 'help' };
+  if (models.length === 0) throw new UsageError('There is no model to draw; name a file after draw.');
+  if (!values.out) throw new UsageError('--out is missing; name the file to write the drawing to.');
+  const kind = choice('kind', values.kind, ['print', 'pen']) ?? (values.pen === undefined ? 'print' : 'pen');
+  if (kind === 'print' && values.pen !== undefined)
+    throw new UsageError('--pen and --kind print exclude each other; pass only one of them.');
+  if (kind === 'pen' && values.paper !== undefined)
+    throw new UsageError('--paper is for print; a pen would draw the border of the sheet.');
+  if (values.shadows && values['no-shadows'])
+    throw new UsageError('--shadows and --no-shadows exclude each other; pass only one of them.');
+  const sheet = sheetOf(values.sheet ?? 'A4');
+  const margin = number('margin', values.margin, { least: 0, most: 1000 }) ?? 10;
+  if (2 * margin >= Math.min(...sheet))
+    throw new UsageError(`--margin is ${margin}, which leaves nothing of a sheet of ${sheet.join(' × ')} mm.`);
+  const link = linkOf(values.link);
+  if (link !== undefined && values.preset === undefined) checkLines(link);
+  const options: DrawingOptions = {
+    preset: presetOf(values.preset),
+    view: direction('view', values.view),
+    zoom: number('zoom', values.zoom, { least: 0.05, most: 100 }) ?? 1,
+    orthographic: values.orthographic ?? false,
+    light: direction('light', values.light),
+    shadows: values['no-shadows'] ? false : values.shadows,
+    up: choice('up', values.up, AXES),
+    clip: values.clip,
+    frames: whole('frames', values.frames, 9999),
+    pen: number('pen', values.pen, { least: 0.01, most: 20 }) ?? 0.3,
+    dpi: number('dpi', values.dpi, { least: 10, most: 2400 }) ?? 96,
+    paper: colour(values.paper),
+    order: choice('order', values.order, ['travel', 'drawn']) ?? 'travel',
+    hidden: choice('hidden', values.hidden, ['none', 'dashed', 'faint']),
+    animate: number('animate', values.animate, { least: 0.1, most: 3600 }),
+    ...{ link, kind, sheet, margin },
+  };
+  const jobs = whole('jobs', values.jobs, 64) ?? 1;
+  return { action: 'draw', models, out: values.out, force: values.force ?? false, jobs, options };
+}
+
+function read(args: readonly string[]) {
+  try {
+    return parseArgs({ args: withDashes(args), options: OPTIONS, allowPositionals: true });
+  } catch (error) {
+    throw new UsageError(`${(error as Error).message.split('. ')[0].replace(/\.$/, '')}. See draw --help.`);
+  }
+}
+
+/** Joins options with values that begin with a dash, as angles and axes may. Node takes those for options. */
+function withDashes(args: readonly string[]): string[] {
+  const joined: string[] = [];
+  for (const arg of args) {
+    const before = joined.at(-1);
+    if (/^-(\d|\.|[xyz]$)/.test(arg) && before && /^--[a-z-]+$/.test(before)) joined.push(`${joined.pop()}=${arg}`);
+    else joined.push(arg);
+  }
+  return joined;
+}
+
+function presetOf(name: string | undefined): string | undefined {
+  if (name === undefined || LINED.includes(name)) return name;
+  const reason = Object.hasOwn(presets, name)
+    ? 'whose strokes are a picture and cannot leave as lines'
+    : 'which is not a preset';
+  throw new UsageError(`--preset is ${name}, ${reason}; use one of ${LINED.join(', ')}.`);
+}
+
+/** The hash of a link, which may also be given alone. */
+function linkOf(link: string | undefined): string | undefined {
+  const hash = link?.slice(link.indexOf('#') + 1);
+  if (hash === undefined || /^[\w%.~-]+=/.test(hash)) return hash;
+  throw new UsageError('--link holds no drawing; copy the whole address of the playground, in quotes.');
+}
+
+/** @throws UsageError if a link is drawn with strokes that are no lines. Its technique is that of its preset unless it names another */
+function checkLines(link: string): void {
+  const parameters = new URLSearchParams(link);
+  const preset = parameters.get('preset') ?? '';
+  const technique = parameters.get('technique') ?? (LINED.includes(preset) ? 'engraved' : undefined);
+  if (technique === 'engraved') return;
+  throw new UsageError(
+    '--link is drawn with strokes that are a picture and cannot leave as lines; add --preset with one of its own, engraving, say.',
+  );
+}
+
+function direction(option: string, text: string | undefined): DirectionInDegrees | undefined {
+  if (text === undefined) return undefined;
+  const [azimuth, elevation, ...rest] = text
+    .trim()
+    .split(/[\s,]+/)
+    .map(Number);
+  const isThere = rest.length === 0 && Math.abs(azimuth) <= 360 && Math.abs(elevation) <= 89;
+  if (isThere) return { azimuth, elevation };
+  throw new UsageError(
+    `--${option} is "${text}", but must be two numbers in quotes, as "25 8": degrees around the model, and from -89 to 89 above it.`,
+  );
+}
+
+function number(
+  option: string,
+  text: string | undefined,
+  { least, most }: { least: number; most: number },
+): number | undefined {
+  if (text === undefined) return undefined;
+  const value = text.trim() === '' ? Number.NaN : Number(text);
+  if (value >= least && value <= most) return value;
+  throw new UsageError(`--${option} is ${text}, but must be a number from ${least} to ${most}.`);
+}
+
+function whole(option: string, text: string | undefined, most: number): number | undefined {
+  if (text === undefined) return undefined;
+  if (/^\d+$/.test(text) && Number(text) >= 1 && Number(text) <= most) return Number(text);
+  throw new UsageError(`--${option} is ${text}, but must be a whole number from 1 to ${most}.`);
+}
+
+function choice<Choice extends string>(
+  option: string,
+  text: string | undefined,
+  choices: readonly Choice[],
+): Choice | undefined {
+  if (text === undefined) return undefined;
+  const found = choices.find((one) => one === text);
+  if (found) return found;
+  throw new UsageError(`--${option} is ${text}, but must be ${choices.slice(0, -1).join(', ')} or ${choices.at(-1)}.`);
+}
+
+function colour(text: string | undefined): string | undefined {
+  if (text === undefined || /^#[0-9a-f]{6}$/i.test(text)) return text?.toLowerCase();
+  throw new UsageError(`--paper is ${text}, but must be a colour as "#f4f1e6", in quotes.`);
+}

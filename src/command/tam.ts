@@ -1,0 +1,57 @@
+import process from 'node:process';
+import { generateHatchImages } from '../hatchImages/generateHatchImages.js';
+import { generateThresholds } from '../hatchImages/generateThresholds.js';
+import { type MapDrawing, resolveMapDrawing } from '../hatchImages/hatchImageOptions.js';
+import type { MapFile } from '../mapFiles/mapFiles.js';
+import { writeMapFiles } from '../mapFiles/writeMapFiles.js';
+import { runSliced } from '../slices/runSliced.js';
+import { OutputFolder } from './OutputFolder.js';
+import type { ProgressBar } from './ProgressBar.js';
+import { HELP, parseArguments, styleList } from './parseArguments.js';
+
+/**
+ * The command `tam`.
+ *
+ * @param args the arguments, without node and the script
+ * @throws UsageError if they are not valid, or Error whose message is a sentence, or the reason of the signal
+ */
+export async function tam(args: readonly string[], signal: AbortSignal, bar: ProgressBar): Promise<void> {
+  const request = parseArguments(args);
+  if (request.action === 'help') process.stdout.write(HELP);
+  else if (request.action === 'list') process.stdout.write(styleList());
+  else {
+    const { map, out, force } = request;
+    const folder = new OutputFolder(out, force);
+    try {
+      await folder.open(maxBytes(map));
+      const files = await draw(map, signal, bar);
+      await folder.write(files, signal);
+      bar.clear();
+      process.stdout.write(`${out}: ${files.length} files. Load it with TonalArtMap.load('${out}/map.json').\n`);
+    } finally {
+      await folder.close();
+    }
+  }
+}
+
+async function draw(map: MapDrawing, signal: AbortSignal, bar: ProgressBar): Promise<MapFile[]> {
+  const images = await runSliced(generateHatchImages(map), {
+    signal,
+    onProgress: (progress) => bar.show('drawing tones', 0.7 * progress),
+  });
+  const levels = await runSliced(generateThresholds(map), {
+    signal,
+    onProgress: (progress) => bar.show('drawing thresholds', 0.7 + 0.25 * progress),
+  });
+  bar.show('writing', 0.95);
+  return writeMapFiles(
+    images,
+    levels.map(({ thresholds }) => thresholds),
+  );
+}
+
+/** The largest possible size of the files of a map, in bytes: that of its images and thresholds without compression. */
+function maxBytes(map: MapDrawing): number {
+  const { size, tones } = resolveMapDrawing(map);
+  return Math.ceil((4 / 3) * size ** 2 * (tones + 3));
+}

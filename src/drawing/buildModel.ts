@@ -1,0 +1,62 @@
+import { ModelError, toModelError } from '../files/common/ModelError.js';
+import { triangleCount } from '../files/mesh/PlainMesh.js';
+import type { ReadModel } from '../files/readModel.js';
+import type { BuiltInScene } from './BuiltInScene.js';
+import type { HatchedModel } from './HatchedModel.js';
+import { modelOfMesh } from './modelOfMesh.js';
+import type { Report } from './Report.js';
+
+/**
+ * Makes a hatched model of what was read. `notes` is what the caption is to say of what was left out.
+ *
+ * @throws ModelError with one sentence for the user, also if there is nothing to be seen of any triangle
+ */
+export async function buildModel(
+  read: ReadModel | BuiltInScene,
+  report: Report,
+  signal: AbortSignal,
+): Promise<{ model: HatchedModel; notes: string[] }> {
+  const hatched = await hatch(read, report, signal);
+  const { triangles, degenerateTriangles } = hatched.model.statistics;
+  if (degenerateTriangles < triangles) return hatched;
+  hatched.model.dispose();
+  throw new ModelError('There is nothing to draw: none of the triangles has an area.');
+}
+
+async function hatch(
+  read: ReadModel | BuiltInScene,
+  report: Report,
+  signal: AbortSignal,
+): Promise<{ model: HatchedModel; notes: string[] }> {
+  if (read.kind === 'mesh') {
+    const count = triangleCount(read.mesh).toLocaleString('en');
+    const onProgress = (progress: number): void => report(`joining ${count} triangles`, progress);
+    try {
+      const model = await modelOfMesh(read.mesh, { signal, onProgress }, read.pictures, read.stands);
+      return { model, notes: read.notes };
+    } catch (error) {
+      signal.throwIfAborted();
+      throw toModelError(read.name, error, 'its mesh');
+    }
+  }
+  report('putting the parts together');
+  try {
+    const { modelOfScene } = await import('./modelOfScene.js');
+    const scene =
+      read.kind === 'scene'
+        ? read.scene
+        : await (await import('../files/gltf/parseGltf.js')).parseGltf(read.parts, signal);
+    signal.throwIfAborted();
+    const usual = read.kind === 'parts' ? read.usual : undefined;
+    let stage = 'joining triangles';
+    const onProgress = (progress: number): void => report(stage, progress);
+    const onGeometry = (done: number, total: number): void => {
+      if (total > 1) stage = `joining triangles, ${done} of ${total} meshes are done`;
+    };
+    const { model, notes } = await modelOfScene(scene, { usual, signal, onProgress, onGeometry });
+    return { model, notes: [...('notes' in read ? read.notes : []), ...notes] };
+  } catch (error) {
+    signal.throwIfAborted();
+    throw toModelError(read.name, error);
+  }
+}

@@ -1,0 +1,64 @@
+import { Group, Mesh, SRGBColorSpace, Texture } from 'three';
+import { HatchingMaterial, HatchingOutlines, SceneExtent } from 'three-hatching';
+import type { UpAxis } from '../files/mesh/findUpAxis.js';
+import type { PlainMesh } from '../files/mesh/PlainMesh.js';
+import type { MeshPicture } from '../files/pictures/meshPictures.js';
+import { bakeMesh } from './bakeMesh.js';
+import { HatchedModel } from './HatchedModel.js';
+import { outlineOf } from './outlineOf.js';
+
+/** The alpha below which a cut-out surface is not drawn. */
+const CUT_OUT = 0.5;
+
+/**
+ * Makes a hatched model of one mesh, with a material for each of its pictures.
+ *
+ * @param pictures of its ranges, whose bitmaps the model owns from now on
+ */
+export async function modelOfMesh(
+  mesh: PlainMesh,
+  options: { signal: AbortSignal; onProgress: (progress: number) => void },
+  pictures: readonly (MeshPicture | undefined)[] = [],
+  stands?: UpAxis,
+): Promise<HatchedModel> {
+  const { geometry, statistics, side } = await bakeMesh(mesh, { ...options, outlines: true });
+  const textures = pictures.map((picture) => picture && textureOf(picture));
+  const root = new Group();
+  const extent = new SceneExtent(root, geometry.boundingBox!);
+  const materials = (mesh.ranges ?? [{ picture: -1 }]).map(({ picture }) => {
+    const map = textures[picture] ?? null;
+    const alphaTest = map && pictures[picture]?.cutOut ? CUT_OUT : 0;
+    return new HatchingMaterial({ tilesPerUnit: 1, vertexColors: mesh.colors !== null, side, map, alphaTest, extent });
+  });
+  const drawn = new Mesh(geometry, mesh.ranges ? materials : materials[0]);
+  const outlines = new HatchingOutlines(drawn);
+  root.add(drawn.add(outlines));
+  return new HatchedModel(
+    root,
+    geometry.boundingBox!,
+    outlineOf(mesh.positions),
+    stands,
+    statistics,
+    undefined,
+    materials,
+    [outlines],
+    () => {
+      outlines.dispose();
+      geometry.dispose();
+      for (const material of materials) material.dispose();
+      for (const picture of pictures) picture?.bitmap.close();
+    },
+  );
+}
+
+function textureOf({ bitmap, wrapS, wrapT }: MeshPicture): Texture {
+  const texture = new Texture(bitmap as ImageBitmap);
+  // The bitmap is the right way up already.
+  texture.flipY = false;
+  texture.colorSpace = SRGBColorSpace;
+  texture.wrapS = wrapS;
+  texture.wrapT = wrapT;
+  texture.anisotropy = 4;
+  texture.needsUpdate = true;
+  return texture;
+}

@@ -1,0 +1,29 @@
+import { counted } from './common/counted.js';
+import type { Surroundings } from './common/Surroundings.js';
+import type { ReadModel } from './readModel.js';
+
+/** Decodes the pictures of a model. A worker should do it: a large one takes seconds. */
+export async function withPictures(
+  model: ReadModel,
+  onStage: (stage: string) => void,
+  { decodePicture }: Pick<Surroundings, 'decodePicture'>,
+): Promise<ReadModel> {
+  if (model.kind === 'mesh') return model;
+  const { parts } = model;
+  const count = parts.pictures.filter(Boolean).length;
+  // One after the other, because each takes its full size for a moment.
+  let number = 0;
+  let lost = 0;
+  for (const [i, picture] of parts.pictures.entries()) {
+    if (!picture) continue;
+    onStage(`decoding picture ${++number} of ${count}`);
+    const { content, width, height } = picture;
+    try {
+      parts.bitmaps[i] = await decodePicture(content, { width, height, flipY: false });
+    } catch {
+      lost++;
+    }
+  }
+  const notes = lost > 0 ? [counted(lost, 'damaged picture', 'left out')] : [];
+  return { ...model, notes: [...model.notes, ...notes] };
+}

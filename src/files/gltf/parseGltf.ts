@@ -1,0 +1,102 @@
+import {
+  type AnimationClip,
+  ClampToEdgeWrapping,
+  type Group,
+  LinearFilter,
+  LinearMipmapLinearFilter,
+  LinearMipmapNearestFilter,
+  MirroredRepeatWrapping,
+  NearestFilter,
+  NearestMipmapLinearFilter,
+  NearestMipmapNearestFilter,
+  RepeatWrapping,
+  Texture,
+} from 'three';
+import { GLTFLoader, type GLTFLoaderPlugin, type GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
+import { Slices } from '../common/Slices.js';
+import type { DecodedPicture } from '../common/Surroundings.js';
+import type { GltfSampler } from './gltfDocument.js';
+import type { Picture } from './gltfPictures.js';
+import { InstanceShapes } from './InstanceShapes.js';
+
+/** The checked parts of a glTF file, in a form that a worker can post. */
+export interface GltfParts {
+  /** A document without compression, whose buffer views are the arrays. */
+  json: object;
+  arrays: ArrayBuffer[];
+  /** The image and sampler of each texture. */
+  textures: { image: number; sampler: GltfSampler | undefined }[];
+  /** Pictures to decode, by the index of their image. */
+  pictures: (Picture | undefined)[];
+  /** The decoded pictures, by the index of their image. */
+  bitmaps: (DecodedPicture | undefined)[];
+}
+
+/** The scene of a model, and its clips. */
+export interface ModelScene {
+  root: Group;
+  animations: AnimationClip[];
+}
+
+/** Makes a scene from the parts of a file, in slices. Nothing is fetched, and nothing is decoded. Rejects with the signal's reason. */
+export async function parseGltf(parts: GltfParts, signal?: AbortSignal): Promise<ModelScene> {
+  const slices = new Slices(signal);
+  const loader = new GLTFLoader()
+    .register((parser) => new PartsPlugin(parser, parts, slices))
+    .register((parser) => new InstanceShapes(parser));
+  const { scene, animations } = await loader.parseAsync(parts.json as never, '');
+  return { root: scene, animations };
+}
+
+/** Gives three's loader the arrays and pictures that it would otherwise load. */
+class PartsPlugin implements GLTFLoaderPlugin {
+  readonly name = 'parts';
+  /** The mesh that was asked for last. */
+  private latest: Promise<unknown> = Promise.resolve();
+
+  constructor(
+    private readonly parser: GLTFParser,
+    private readonly parts: GltfParts,
+    private readonly slices: Slices,
+  ) {}
+
+  /** Makes one mesh after another, with pauses: three's loader asks for thousands at once, and would make them in one task. */
+  loadMesh(index: number): ReturnType<GLTFParser['loadMesh']> {
+    const mesh = this.latest.then(() => this.slices.next()).then(() => this.parser.loadMesh(index));
+    this.latest = mesh.catch(() => {});
+    return mesh;
+  }
+
+  async loadBufferView(index: number): Promise<ArrayBuffer> {
+    return this.parts.arrays[index];
+  }
+
+  async loadTexture(index: number): Promise<Texture> {
+    const { image, sampler = {} } = this.parts.textures[index];
+    const texture = new Texture(this.parts.bitmaps[image] as ImageBitmap | undefined);
+    texture.flipY = false;
+    texture.magFilter = sampler.magFilter === 9728 ? NearestFilter : LinearFilter;
+    texture.minFilter = MIN_FILTERS[sampler.minFilter ?? 0] ?? LinearMipmapLinearFilter;
+    texture.wrapS = WRAPPINGS[sampler.wrapS ?? 0] ?? RepeatWrapping;
+    texture.wrapT = WRAPPINGS[sampler.wrapT ?? 0] ?? RepeatWrapping;
+    texture.generateMipmaps = texture.minFilter !== NearestFilter && texture.minFilter !== LinearFilter;
+    texture.needsUpdate = true;
+    this.parser.associations.set(texture, { textures: index });
+    return texture;
+  }
+}
+
+/** WebGL's constants in a file, and those of three.js. */
+const MIN_FILTERS: Record<number, Texture['minFilter']> = {
+  9728: NearestFilter,
+  9729: LinearFilter,
+  9984: NearestMipmapNearestFilter,
+  9985: LinearMipmapNearestFilter,
+  9986: NearestMipmapLinearFilter,
+  9987: LinearMipmapLinearFilter,
+};
+const WRAPPINGS: Record<number, Texture['wrapS']> = {
+  33071: ClampToEdgeWrapping,
+  33648: MirroredRepeatWrapping,
+  10497: RepeatWrapping,
+};

@@ -1,0 +1,129 @@
+import { BITMAPS } from '../common/bitmaps.js';
+import { counted } from '../common/counted.js';
+import type { FindFile } from '../common/FindFile.js';
+import { baseName } from '../common/fileName.js';
+import { ModelError } from '../common/ModelError.js';
+import { readUri } from '../common/readUri.js';
+import type { Surroundings } from '../common/Surroundings.js';
+import { shownName } from '../common/shownText.js';
+import type { PlainMesh } from '../mesh/PlainMesh.js';
+import { mergeScene } from '../scenes/mergeScene.js';
+import { chooseScene } from './chooseScene.js';
+import { GltfValues } from './GltfValues.js';
+import { type GltfDocument, readGltfDocument } from './gltfDocument.js';
+import { drawnMaterials, textureSource } from './gltfMaterials.js';
+import { collectPictures } from './gltfPictures.js';
+import { type GltfParts, parseGltf } from './parseGltf.js';
+import { splitGlb } from './splitGlb.js';
+import { type PlainGltf, unpackGltf } from './unpackGltf.js';
+
+/** Larger scenes would block the main thread for too long. They are merged to one mesh, which does not move. */
+const MAX_SCENE = { vertices: 300_000, nodes: 5_000, draws: 2_000, channels: 20_000 };
+
+/** What was read of a glTF file. */
+export interface ReadGltf {
+  /** One merged mesh; or the checked parts of the file, if one mesh could not show what is in it. */
+  content: PlainMesh | GltfParts;
+  /** Number of triangles left out because a corner was missing or not a number. */
+  broken: number;
+  /** Notes for the caption: what was chosen, and what was left out. */
+  notes: string[];
+  /** Facts for the longer text that opens on request. */
+  details: string[];
+  /** The names of pictures that the file refers to and that were not dropped along. */
+  missing: string[];
+}
+
+/**
+ * Reads GLB, or glTF with its files, also if compressed with Draco or meshopt. Nothing else is fetched.
+ *
+ * @throws ModelError
+ */
+export async function readGltf(
+  bytes: Uint8Array,
+  name: string,
+  isBinary: boolean,
+  findFile: FindFile,
+  loadDraco: Surroundings['loadDraco'] = BITMAPS.loadDraco,
+): Promise<ReadGltf> {
+  const { text, binary } = isBinary
+    ? splitGlb(bytes, name)
+    : { text: new TextDecoder().decode(bytes), binary: undefined };
+  const { document, leftOut } = readGltfDocument(text, name);
+  const chosen = chooseScene(document, name);
+  const values = new GltfValues(document, await collectBuffers(document, name, binary, findFile), name);
+  await values.prepare();
+  const plain = await unpackGltf(document, chosen, values, name, loadDraco);
+  const { pictures, missing, notes: pictureNotes } = await collectPictures(document, values, findFile);
+  const notes = [...chosen.notes, ...plain.notes, ...pictureNotes];
+  const details = [...chosen.details, ...plain.details];
+  if (leftOut > 0) details.push(counted(leftOut, 'damaged setting', 'left out'));
+  const isPictured = pictures.some(Boolean);
+  const glows = document.materials.some((material) => material?.emissiveFactor?.some((value) => value > 0));
+  const isScene = plain.moves || isPictured || glows;
+  if (isScene && isSmall(plain)) {
+    return { content: withMaterials(plain, document, pictures), broken: plain.broken, notes, details, missing };
+  }
+  if (isScene) notes.push(`too large to be drawn ${plain.moves ? 'in motion' : 'with its pictures'}`);
+  const { root } = await parseGltf(withMaterials({ ...plain, json: { ...plain.json, animations: [] } }, document, []));
+  return { content: mergeScene(root), broken: plain.broken, notes, details, missing };
+}
+
+function isSmall({ json, vertices, draws }: PlainGltf): boolean {
+  const channels = (json.animations as { channels: unknown[] }[]).reduce(
+    (sum, { channels }) => sum + channels.length,
+    0,
+  );
+  return (
+    vertices <= MAX_SCENE.vertices &&
+    json.nodes.length <= MAX_SCENE.nodes &&
+    draws <= MAX_SCENE.draws &&
+    channels <= MAX_SCENE.channels
+  );
+}
+
+function withMaterials(
+  { json, arrays }: PlainGltf,
+  document: GltfDocument,
+  pictures: GltfParts['pictures'],
+): GltfParts {
+  return {
+    json: {
+      ...json,
+      materials: drawnMaterials(document, (image) => pictures[image] !== undefined),
+      textures: document.textures.map(() => ({})),
+    },
+    arrays,
+    textures: document.textures.map((texture, i) => ({
+      image: textureSource(document, i) ?? -1,
+      sampler: document.samplers[texture?.sampler ?? -1],
+    })),
+    pictures,
+    bitmaps: [],
+  };
+}
+
+async function collectBuffers(
+  { buffers }: GltfDocument,
+  name: string,
+  binary: Uint8Array | undefined,
+  findFile: FindFile,
+): Promise<Uint8Array[]> {
+  const collected: Uint8Array[] = [];
+  for (const [i, { uri, byteLength = 0, extensions }] of buffers.entries()) {
+    if (uri === undefined && i === 0 && binary) collected.push(binary);
+    // The fallback of a compressed buffer has no bytes of its own.
+    else if (uri === undefined && extensions) collected.push(new Uint8Array(0));
+    else if (uri === undefined) throw new ModelError(`${name} is cut short: its binary part is missing.`);
+    else {
+      const found = await readUri(uri, findFile);
+      if (!found) throw new ModelError(`${name} needs ${shownName(baseName(uri))}; drop both files together.`);
+      if (found.length < byteLength) {
+        const short = uri.startsWith('data:') ? name : shownName(baseName(uri));
+        throw new ModelError(`${short} is cut short: ${name} expects more data in it.`);
+      }
+      collected.push(found);
+    }
+  }
+  return collected;
+}

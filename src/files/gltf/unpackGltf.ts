@@ -1,0 +1,129 @@
+import { counted } from '../common/counted.js';
+import { ModelError } from '../common/ModelError.js';
+import type { Surroundings } from '../common/Surroundings.js';
+import type { ChosenScene } from './chooseScene.js';
+import { dracoSource } from './dracoSource.js';
+import { GltfGeometry } from './GltfGeometry.js';
+import { GltfNodes, type PlainSkin } from './GltfNodes.js';
+import type { GltfValues } from './GltfValues.js';
+import { GltfWriter } from './GltfWriter.js';
+import { writeAnimations } from './gltfAnimations.js';
+import type { GltfDocument } from './gltfDocument.js';
+import { INSTANCING } from './gltfInstances.js';
+
+/** A glTF document with one scene, whose values were all read and checked. */
+export interface PlainGltf {
+  /** Without its materials, textures and samplers. */
+  json: {
+    asset: { version: '2.0' };
+    extensionsUsed: string[];
+    scene: 0;
+    scenes: object[];
+    nodes: object[];
+    meshes: object[];
+    skins: object[];
+    animations: object[];
+    accessors: object[];
+    bufferViews: object[];
+  };
+  /** The values, by the index of their buffer view. */
+  arrays: ArrayBuffer[];
+  /** The triangles that are drawn. Here and below, instances count as often as they are drawn. */
+  triangles: number;
+  vertices: number;
+  draws: number;
+  /** Whether anything moves: by clips, skeletons or morph targets. */
+  moves: boolean;
+  /** The number of triangles that were left out. */
+  broken: number;
+  /** Notes for the caption on what else was left out. */
+  notes: string[];
+  /** Facts for the longer text that opens on request. */
+  details: string[];
+}
+
+const NO_TRIANGLES = 'holds no triangles; only surfaces can be hatched, not points or lines';
+
+/**
+ * Unpacks the chosen part of a document: every accessor, primitive and track in use is read and checked, and written anew without
+ * compression. What a model can do without is left out if it is damaged.
+ *
+ * @throws ModelError if its data is not all there, or there are no triangles, or too many
+ */
+export async function unpackGltf(
+  document: GltfDocument,
+  chosen: ChosenScene,
+  values: GltfValues,
+  fileName: string,
+  loadDraco: Surroundings['loadDraco'],
+): Promise<PlainGltf> {
+  const writer = new GltfWriter();
+  const geometry = new GltfGeometry(values, writer, dracoSource(document, values, fileName, loadDraco));
+  const skins = document.skins.map((skin) => skin && writeSkin(skin, values, writer));
+  const visible = new Set(chosen.visible);
+  const written = new GltfNodes(document, values, geometry, skins, writer);
+  for (const [i, node] of document.nodes.entries()) await written.write(node, visible.has(i));
+  const { nodes, meshes, shapes, sums } = written;
+  if (sums.triangles === 0) throw new ModelError(`${fileName} ${NO_TRIANGLES}.`);
+
+  const inScene = belowRoots(document, chosen.roots);
+  const { animations, leftOut: tracks } = writeAnimations(
+    document,
+    values,
+    writer,
+    inScene,
+    (node) => shapes[node] ?? 0,
+  );
+  const { leftOut } = geometry;
+  return {
+    json: {
+      asset: { version: '2.0' },
+      extensionsUsed: [INSTANCING, 'KHR_texture_transform', 'KHR_materials_emissive_strength'],
+      scene: 0,
+      scenes: [{ name: chosen.name, nodes: chosen.roots }],
+      nodes,
+      meshes,
+      // Skins keep their places, for the nodes that refer to them.
+      skins: skins.map((skin) => skin ?? { joints: [] }),
+      animations,
+      accessors: writer.accessors,
+      bufferViews: writer.arrays.map(({ byteLength }) => ({ buffer: 0, byteLength })),
+    },
+    arrays: writer.arrays,
+    ...sums,
+    moves: written.isSkinned || animations.length > 0 || shapes.some((count) => count > 0),
+    broken: leftOut.triangles,
+    notes: [
+      counted(leftOut.shapes, 'shape', 'left out: too many'),
+      counted(tracks, 'damaged animation track', 'left out'),
+      counted(written.leftOut.skeletons, 'damaged skeleton', 'left out'),
+      counted(written.leftOut.instances, 'damaged instance', 'left out'),
+      leftOut.lines > 0 ? 'points and lines left out' : '',
+    ].filter(Boolean),
+    details: leftOut.attributes > 0 ? ['values that do not fit its vertices left out'] : [],
+  };
+}
+
+/** A skin with a matrix for each of its joints, or undefined. */
+function writeSkin(
+  { joints, inverseBindMatrices }: NonNullable<GltfDocument['skins'][number]>,
+  values: GltfValues,
+  writer: GltfWriter,
+): PlainSkin {
+  if (joints.length === 0) return undefined;
+  if (inverseBindMatrices === undefined) return { joints };
+  if (values.sizeOf(inverseBindMatrices) !== 16) return undefined;
+  const matrices = values.tryFloats(inverseBindMatrices);
+  if (!matrices || matrices.length < 16 * joints.length || !matrices.every(Number.isFinite)) return undefined;
+  return { joints, inverseBindMatrices: writer.add(matrices, 16) };
+}
+
+function belowRoots({ nodes }: GltfDocument, roots: readonly number[]): Set<number> {
+  const found = new Set<number>();
+  const pending = [...roots];
+  for (let node = pending.pop(); node !== undefined; node = pending.pop()) {
+    found.add(node);
+    for (const child of nodes[node].children ?? []) pending.push(child);
+  }
+  return found;
+}

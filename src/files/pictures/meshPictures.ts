@@ -1,0 +1,148 @@
+import type { Wrapping } from 'three';
+import type { FindFile } from '../common/FindFile.js';
+import { baseName, extensionOf } from '../common/fileName.js';
+import { readUri } from '../common/readUri.js';
+import type { DecodedPicture, PixelPicture, Surroundings } from '../common/Surroundings.js';
+import { shownName } from '../common/shownText.js';
+import { fitPictures, type PictureSize, PixelBudget } from './fitPictures.js';
+import { imageSize } from './imageSize.js';
+import type { PictureLink, WantedPicture } from './WantedPicture.js';
+
+/** A picture of a mesh, decoded and the right way up. */
+export interface MeshPicture {
+  bitmap: DecodedPicture;
+  wrapS: Wrapping;
+  wrapT: Wrapping;
+  /** Whether its alpha cuts out the surface. */
+  cutOut: boolean;
+}
+
+/** The most names that a note gives. */
+const NAMED = 2;
+
+/** The pictures of a mesh, by their index in its ranges, and what to say about those that are not there. */
+export interface MeshPictures {
+  pictures: (MeshPicture | undefined)[];
+  /** The names of pictures that were not dropped along. */
+  missing: string[];
+  notes: string[];
+}
+
+/** A file with a picture, and the size it is to be drawn in. */
+interface Source extends PictureSize {
+  name: string;
+  bytes: Uint8Array;
+  /** Whether it is a TGA file, which is known by its name alone. */
+  isTga: boolean;
+  flipY: boolean;
+  bitmap?: DecodedPicture | undefined;
+}
+
+/**
+ * Finds and decodes the pictures that a mesh asks for, each once, in sizes that can be drawn together. Before anything is decoded,
+ * they are judged by their headers.
+ *
+ * @param decodePicture decodes one of them
+ * @param onPicture called before each is decoded
+ */
+export async function readMeshPictures(
+  wanted: readonly WantedPicture[],
+  findFile: FindFile,
+  decodePicture: Surroundings['decodePicture'],
+  onPicture: (number: number, count: number) => void,
+): Promise<MeshPictures> {
+  const lacks = { missing: new Set<string>(), unreadable: new Set<string>(), tooLarge: new Set<string>() };
+  const budget = new PixelBudget();
+  const asked = new Set<string>();
+  const shared = new Map<string, Source>();
+  const sources: (Source | undefined)[] = [];
+  for (const { texture } of wanted) {
+    const { url, content } = texture.image as PictureLink;
+    const isInside = /^(blob|data):/.test(url);
+    const name = isInside ? 'a picture in the file' : baseName(url);
+    const key = `${texture.flipY} ${isInside ? url : name.toLowerCase()}`;
+    if (!asked.has(key)) {
+      asked.add(key);
+      const bytes = content ? new Uint8Array(await content.arrayBuffer()) : await readUri(url, findFile);
+      const isTga = extensionOf(url) === 'tga';
+      const size = bytes && (isTga ? tgaSize(bytes) : imageSize(bytes));
+      if (!bytes) lacks.missing.add(name);
+      else if (!size || size[0] * size[1] === 0) lacks.unreadable.add(name);
+      else if (!budget.take(...size)) lacks.tooLarge.add(name);
+      else {
+        const [width, height] = size;
+        shared.set(key, { name, bytes, isTga, flipY: texture.flipY, width, height, isReduced: false });
+      }
+    }
+    sources.push(shared.get(key));
+  }
+  const distinct = [...shared.values()];
+  const reduced = fitPictures(distinct);
+  // One after the other, because each takes its full size for a moment.
+  for (const [i, source] of distinct.entries()) {
+    onPicture(i + 1, distinct.length);
+    try {
+      source.bitmap = await decode(source, decodePicture);
+    } catch {
+      lacks.unreadable.add(source.name);
+    }
+  }
+  const pictures = sources.map((source, i) => {
+    const { texture, cutOut } = wanted[i];
+    return source?.bitmap && { bitmap: source.bitmap, wrapS: texture.wrapS, wrapT: texture.wrapT, cutOut };
+  });
+  const notes = [
+    ...without([...lacks.unreadable], 'no picture that a browser reads'),
+    ...without([...lacks.tooLarge], 'too large'),
+    ...reduced,
+  ];
+  return { pictures, missing: [...lacks.missing], notes };
+}
+
+/** A note on files that a model refers to and that were not dropped along, and what to do about it. */
+export function missingNote(names: readonly string[]): string[] {
+  if (names.length === 0) return [];
+  return [
+    names.length === 1 ? `${list(names)} is missing: drop it along` : `${list(names)} are missing: drop them along`,
+  ];
+}
+
+/** All names, if the note gives only some of them. */
+export function missingDetail(names: readonly string[]): string[] {
+  return names.length > NAMED ? [`missing: ${names.map(shownName).join(', ')}`] : [];
+}
+
+const without = (names: readonly string[], why: string): string[] =>
+  names.length === 0 ? [] : [`without ${list(names)}: ${why}`];
+
+function list(names: readonly string[]): string {
+  const shown = names.slice(0, NAMED).map(shownName);
+  if (names.length > NAMED) return `${shown.join(', ')} and ${names.length - NAMED} more`;
+  return shown.join(' and ');
+}
+
+async function decode(
+  { bytes, isTga, width, height, flipY }: Source,
+  decodePicture: Surroundings['decodePicture'],
+): Promise<DecodedPicture | undefined> {
+  const content = isTga ? await decodeTga(bytes) : new Blob([bytes as Uint8Array<ArrayBuffer>]);
+  return decodePicture(content, { width, height, flipY });
+}
+
+/** Width and height in the header of a TGA file, which has no signature. */
+function tgaSize(bytes: Uint8Array): [width: number, height: number] | undefined {
+  if (bytes.length < 18) return undefined;
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  return [view.getUint16(12, true), view.getUint16(14, true)];
+}
+
+/** Decodes TGA, which older programs write and browsers do not read. */
+async function decodeTga(bytes: Uint8Array): Promise<Omit<PixelPicture, 'close'>> {
+  const { TGALoader } = await import('three/addons/loaders/TGALoader.js');
+  const { data, width, height } = new TGALoader().parse(bytes.slice().buffer) as {
+    data: Uint8Array;
+    width: number;
+    height: number;
+  };
+  return { data: new Uint8ClampedArray(data), width, height };
+}

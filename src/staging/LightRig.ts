@@ -1,0 +1,138 @@
+import { type Camera, DirectionalLight, MathUtils, Matrix4, PointLight, type Scene, SpotLight, Vector3 } from 'three';
+import type { Lighting } from '../settings/lighting.js';
+import type { LightPlace } from '../settings/settingValues.js';
+import { shadowOnGround } from './shadowOnGround.js';
+
+/** Distance of a directional light, in radii of the model: outside of what casts shadows. */
+export const SUN_DISTANCE = 1.45;
+
+/** The shadows of a model of radius 1 around the origin, from a light that lies outside. Their softness is in texels. */
+export const SHADOWS = { reach: 1.05, near: 0.05, far: 7, mapSize: 2048, normalBias: 0.02, softness: 1 } as const;
+/**
+ * How finely shadows are drawn, by the pixels of their maps: coarse while something moves on a slow machine, fine for pictures
+ * that are larger than a screen.
+ */
+const SHADOW_MAP_SIZES = { coarse: 1024, usual: SHADOWS.mapSize, fine: 4096 } as const;
+export type ShadowQuality = keyof typeof SHADOW_MAP_SIZES;
+
+type CastingLight = DirectionalLight | PointLight | SpotLight;
+
+const ORIGIN = new Vector3();
+const UP = new Vector3(0, 1, 0);
+const before = new Vector3();
+const secondBefore = new Vector3();
+
+/** The lights of the scene: the main light, of one of three kinds, and a second sun. */
+export class LightRig {
+  /** The position of the main light, in world coordinates. The model's centre is the origin. */
+  readonly position = new Vector3();
+  /** The position of the second sun. */
+  readonly secondPosition: Vector3;
+  private readonly second = new DirectionalLight();
+  private readonly main: Record<Lighting['kind'], CastingLight>;
+  private readonly spot = new SpotLight();
+  private readonly all: readonly CastingLight[];
+  /** Where the settings put the lights, before they go with the viewer. */
+  private readonly settled = new Vector3();
+  private readonly secondSettled = new Vector3(0, SUN_DISTANCE, 0);
+  private isWithViewer = false;
+  private mapSize: number = SHADOWS.mapSize;
+
+  constructor(scene: Scene) {
+    this.secondPosition = this.second.position;
+    const sun = new DirectionalLight();
+    const point = new PointLight();
+    // Without decay, moving the light turns the strokes and does not change the exposure.
+    point.decay = 0;
+    this.spot.decay = 0;
+    this.main = { directional: sun, point, spot: this.spot };
+    this.all = [sun, point, this.spot, this.second];
+    for (const { shadow } of [sun, this.second]) {
+      const { reach } = SHADOWS;
+      Object.assign(shadow.camera, { left: -reach, right: reach, bottom: -reach, top: reach });
+    }
+    for (const { shadow } of this.all) {
+      Object.assign(shadow.camera, { near: SHADOWS.near, far: SHADOWS.far });
+      shadow.mapSize.setScalar(SHADOWS.mapSize);
+      shadow.normalBias = SHADOWS.normalBias;
+      shadow.radius = SHADOWS.softness;
+    }
+    scene.add(...this.all);
+  }
+
+  /** Gives the lights what a look says of them. */
+  apply({ kind, place, intensity, spotAngle, spotPenumbra, second, castsShadows, isWithViewer }: Lighting): void {
+    for (const light of this.all) light.castShadow = castsShadows;
+    for (const [name, light] of Object.entries(this.main)) {
+      light.visible = name === kind;
+      light.intensity = intensity;
+    }
+    this.spot.angle = spotAngle;
+    this.spot.penumbra = spotPenumbra;
+    setPosition(this.settled, place);
+    this.second.visible = second !== undefined;
+    if (second) {
+      this.second.intensity = second.intensity;
+      setPosition(this.secondSettled, second.place);
+    }
+    this.isWithViewer = isWithViewer;
+  }
+
+  /**
+   * Sets how finely shadows are drawn. Coarse ones have one sample in the place of nine; their maps become smaller only if they are
+   * drawn anew, because for a large model that takes as long as a frame. Builds no program.
+   *
+   * @param areDrawn whether the shadow maps are drawn anew in any case
+   * @returns whether the shadow maps must be drawn anew
+   */
+  setShadowQuality(quality: ShadowQuality, areDrawn: boolean): boolean {
+    const radius = quality === 'coarse' ? 0 : SHADOWS.softness;
+    for (const { shadow } of this.all) shadow.radius = radius;
+    const mapSize = SHADOW_MAP_SIZES[quality];
+    if (mapSize === this.mapSize || (quality === 'coarse' && !areDrawn)) return false;
+    this.mapSize = mapSize;
+    for (const { shadow } of this.all) {
+      // three does not resize the cube of a point light.
+      if (shadow !== this.main.point.shadow) shadow.mapSize.setScalar(mapSize);
+    }
+    return this.second.castShadow;
+  }
+
+  /**
+   * Where the main light casts the shadows of points on level ground, as {@link shadowOnGround} tells.
+   *
+   * @param toEye direction to the viewer, with whom a light may move
+   * @returns undefined if it casts none
+   */
+  shadowOf(points: ArrayLike<number>, height: number, toEye: Vector3): number[] | undefined {
+    const { directional, point, spot } = this.main;
+    const light = [directional, point, spot].find(({ visible }) => visible);
+    if (!light?.castShadow) return undefined;
+    const position = this.settled.clone();
+    if (this.isWithViewer) position.applyMatrix4(new Matrix4().lookAt(toEye, ORIGIN, UP));
+    return shadowOnGround(points, position, light === directional, height);
+  }
+
+  /**
+   * Places the lights where the settings put them. Allocates nothing.
+   *
+   * @param viewer the camera with which the lights move, if the settings say so
+   * @returns whether one has moved
+   */
+  place({ quaternion }: Camera): boolean {
+    before.copy(this.position);
+    secondBefore.copy(this.secondPosition);
+    this.position.copy(this.settled);
+    this.secondPosition.copy(this.secondSettled);
+    if (this.isWithViewer) {
+      this.position.applyQuaternion(quaternion);
+      this.secondPosition.applyQuaternion(quaternion);
+    }
+    for (const kind in this.main) this.main[kind as Lighting['kind']].position.copy(this.position);
+    return !before.equals(this.position) || !secondBefore.equals(this.secondPosition);
+  }
+}
+
+function setPosition(position: Vector3, { azimuth, elevation, distance = SUN_DISTANCE }: LightPlace): void {
+  position.setFromSphericalCoords(distance, MathUtils.degToRad(90 - elevation), MathUtils.degToRad(azimuth));
+}

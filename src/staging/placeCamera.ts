@@ -1,0 +1,82 @@
+import { MathUtils, Matrix4, OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
+import type { CameraView } from '../settings/CameraView.js';
+import { LENS } from './createCamera.js';
+import { type Framing, fitCamera } from './framing.js';
+
+/** The lens of a picture without perspective is found by one that sees almost none, in degrees. */
+const NARROW = 0.2;
+/** How far a camera without perspective is from what it looks at, in radii of the model: outside of all that is drawn. */
+const FAR_AWAY = 40;
+const UP = new Vector3(0, 1, 0);
+
+/** A camera, and what it looks at. */
+export interface PlacedCamera {
+  camera: PerspectiveCamera | OrthographicCamera;
+  target: Vector3;
+}
+
+/**
+ * A camera before a model of radius 1.
+ *
+ * @param aspect of the picture
+ * @param outline xyz of points that are to be in the picture
+ * @param toEye direction from the model to the eye
+ */
+export function framedCamera(
+  aspect: number,
+  outline: ArrayLike<number>,
+  toEye: Vector3,
+  { isOrthographic, ...framing }: Framing & { isOrthographic: boolean },
+): PlacedCamera {
+  const fieldOfView = isOrthographic ? NARROW : LENS.fieldOfView;
+  const camera = new PerspectiveCamera(fieldOfView, aspect, LENS.near, LENS.far);
+  const target = fitCamera(camera, outline, toEye, framing);
+  return { camera: isOrthographic ? withoutPerspective(camera, target) : camera, target };
+}
+
+/** A camera at the place that a link names. The middle of the page, as high as wide, is in its picture. */
+export function linkedCamera(aspect: number, { position, target }: CameraView, isOrthographic: boolean): PlacedCamera {
+  const slope = Math.tan(MathUtils.degToRad(LENS.fieldOfView) / 2) / Math.min(1, aspect);
+  const camera = new PerspectiveCamera(2 * MathUtils.radToDeg(Math.atan(slope)), aspect, LENS.near, LENS.far);
+  camera.position.fromArray(position);
+  const lookedAt = new Vector3().fromArray(target);
+  camera.lookAt(lookedAt);
+  return { camera: isOrthographic ? withoutPerspective(camera, lookedAt) : camera, target: lookedAt };
+}
+
+/** A camera that sees as much of the plane through its target as another one. */
+function withoutPerspective({ position, fov, aspect }: PerspectiveCamera, target: Vector3): OrthographicCamera {
+  const toEye = position.clone().sub(target);
+  const high = toEye.length() * Math.tan(MathUtils.degToRad(fov) / 2);
+  const camera = new OrthographicCamera(-high * aspect, high * aspect, high, -high, LENS.near, 2 * FAR_AWAY);
+  camera.position.copy(target).addScaledVector(toEye.normalize(), FAR_AWAY);
+  camera.lookAt(target);
+  return camera;
+}
+
+/** Turns a camera about the upright axis through the model. @param angle in radians */
+export function turnCamera({ camera, target }: PlacedCamera, angle: number): void {
+  camera.position.applyAxisAngle(UP, angle);
+  target.applyAxisAngle(UP, angle);
+  camera.lookAt(target);
+}
+
+/**
+ * The view of a framed model, as much smaller as it may be drawn to leave room for its shadow: a shadow that lies wholly in the picture is
+ * wholly on the sheet when the model is framed with it, and leaves the model in the middle.
+ *
+ * @param framed a camera with the lens and the aspect of the picture. It is changed
+ */
+export function roomiestView(
+  framed: PerspectiveCamera,
+  outline: ArrayLike<number>,
+  toEye: Vector3,
+  { fill, part = [1, 1], room }: Framing & Required<Pick<Framing, 'room'>>,
+): PerspectiveCamera {
+  fitCamera(framed, outline, toEye, { ...(fill !== undefined && { fill }), part, zoom: 1 / room.smaller });
+  framed.updateMatrixWorld();
+  const sheet = new Matrix4().makeScale(1 / (part[0] * room.shadow), 1 / (part[1] * room.shadow), 1);
+  framed.projectionMatrix.premultiply(sheet);
+  framed.projectionMatrixInverse.copy(framed.projectionMatrix).invert();
+  return framed;
+}

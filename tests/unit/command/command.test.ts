@@ -1,0 +1,173 @@
+import { type ChildProcess, spawn } from 'node:child_process';
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { build } from 'vite';
+import { afterEach, beforeAll, beforeEach, describe, expect, test } from 'vitest';
+import type { DrawingOptions } from '../../../src/command/DrawingOptions.js';
+import type { DrawMessage } from '../../../src/command/DrawThread.js';
+import { drawModel } from '../../../src/command/draw/drawModel.js';
+import { parseDrawing } from '../../../src/command/parseDrawing.js';
+import { octahedronGlb, octahedronObj, octahedronPly } from '../../../tools/modelFiles/modelFiles.js';
+
+const root = fileURLToPath(new URL('../../..', import.meta.url));
+/** Within the project, so that it finds three. */
+const outDir = join(root, 'tests/output/command');
+
+beforeAll(async () => {
+  const configFile = join(root, 'tools/building/vite.lib.config.ts');
+  for (const mode of ['production', 'command', 'draw'])
+    await build({ root, configFile, mode, logLevel: 'error', build: { outDir } });
+});
+
+let work: string;
+let running: ChildProcess | undefined;
+beforeEach(() => {
+  work = mkdtempSync(join(tmpdir(), 'three-hatching-'));
+  writeFileSync(join(work, 'a.obj'), octahedronObj);
+});
+afterEach(() => {
+  running?.kill('SIGKILL');
+  rmSync(work, { recursive: true, force: true });
+});
+
+interface Ended {
+  code: number | null;
+  stdout: string;
+  stderr: string;
+}
+
+/** Runs the built command in the folder of the test. @param onText is given what it has said so far */
+function run(
+  args: readonly string[],
+  onText: (text: string, command: ChildProcess) => void = () => {},
+): Promise<Ended> {
+  const command = spawn(process.execPath, [join(outDir, 'command.js'), ...args], { cwd: work });
+  running = command;
+  const said = { stdout: '', stderr: '' };
+  for (const name of ['stdout', 'stderr'] as const)
+    command[name].setEncoding('utf8').on('data', (text: string) => {
+      said[name] += text;
+      onText(said.stdout + said.stderr, command);
+    });
+  return new Promise((resolve) => command.on('close', (code) => resolve({ code, ...said })));
+}
+
+const draw = (...args: string[]): Promise<Ended> => run(['draw', ...args]);
+const tree = (): string[] => readdirSync(work, { recursive: true }).map(String).sort();
+
+test('draws the same bytes as its source', async () => {
+  const args = ['a.obj', '--pen', '0.5', '--sheet', 'A5 landscape', '--out', 'out/a.svg'];
+  const { code, stdout } = await draw(...args);
+  expect(code).toBe(0);
+  expect(stdout).toMatch(
+    /^out\/a\.svg: [\d,]+ paths, \d+\.\d\d m drawn, \d+\.\d\d m of travel \(\d+\.\d\d m before ordering\), [\d.]+ s\.\n$/,
+  );
+  const { options } = parseDrawing(args) as { options: DrawingOptions };
+  const messages: DrawMessage[] = [];
+  await drawModel({ model: join(work, 'a.obj'), options }, (message) => messages.push(message));
+  const [drawing] = messages.flatMap((message) => (message.kind === 'drawing' ? [message.svg] : []));
+  expect(readFileSync(join(work, 'out/a.svg'), 'utf8')).toBe(drawing);
+  expect(tree()).toEqual(['a.obj', 'out', 'out/a.svg']);
+});
+
+describe('several models', () => {
+  test('are drawn by pattern, some at a time; those that cannot be are named, and the code is 1', async () => {
+    writeFileSync(join(work, 'b.ply'), octahedronPly);
+    writeFileSync(join(work, 'c.glb'), octahedronGlb());
+    writeFileSync(join(work, 'broken.glb'), octahedronGlb().subarray(0, 500));
+    writeFileSync(join(work, 'empty.obj'), '');
+    const { code, stdout, stderr } = await draw('*.{obj,ply,glb}', 'gone.stl', '--out', 'out', '--jobs', '3');
+    expect(code).toBe(1);
+    expect(readdirSync(join(work, 'out')).sort()).toEqual(['a.svg', 'b.svg', 'c.svg']);
+    expect(stdout.trim().split('\n')).toHaveLength(3);
+    const failures = stderr.split('\n').filter((line) => line.startsWith('three-hatching: '));
+    expect(failures.sort()).toEqual([
+      expect.stringMatching(/^three-hatching: broken\.glb is cut short/),
+      'three-hatching: empty.obj is empty.',
+      'three-hatching: gone.stl is not there.',
+    ]);
+  });
+
+  test('give numbered files each, with as many frames as are asked for', async () => {
+    const { code } = await draw('a.obj', '--frames', '3', '--no-shadows', '--out', 'turn/{name}.svg');
+    expect(code).toBe(0);
+    expect(readdirSync(join(work, 'turn')).sort()).toEqual(['a-1.svg', 'a-2.svg', 'a-3.svg']);
+  });
+});
+
+describe('how it ends', () => {
+  test('0 for help, of which there is one for each command', async () => {
+    const [all, one] = [await run([]), await draw('--help')];
+    expect([all.code, one.code]).toEqual([0, 0]);
+    expect(all.stdout).toContain('npx three-hatching draw --help');
+    expect(one.stdout).toContain('--pen <mm>');
+  });
+
+  test.each([
+    [['draw', 'a.obj'], '--out is missing'],
+    [['draw', 'a.obj', '--out', 'a.svg', '--pen', 'x'], '--pen is x'],
+    [['draw', '*.zip', '--out', 'a.svg'], '*.zip stands for no file'],
+    [['draw', 'a.obj', '--out', 'a.obj'], 'which is a model'],
+    [['paint'], '"paint" is not a command; the commands are tam and draw.'],
+  ])('2 for a wrong call: %j', async (args, sentence) => {
+    const { code, stdout, stderr } = await run(args);
+    expect(code).toBe(2);
+    expect(stdout).toBe('');
+    expect(stderr).toMatch(/^three-hatching: [^\n]+\.\n$/);
+    expect(stderr).toContain(sentence);
+    expect(tree()).toEqual(['a.obj']);
+  });
+
+  test('2 for a file that is there, unless it may be replaced', async () => {
+    writeFileSync(join(work, 'a.svg'), 'mine');
+    const refused = await draw('a.obj', '--out', 'a.svg');
+    expect([refused.code, refused.stderr]).toEqual([2, expect.stringContaining('add --force to replace it')]);
+    expect(readFileSync(join(work, 'a.svg'), 'utf8')).toBe('mine');
+    expect((await draw('a.obj', '--out', 'a.svg', '--force')).code).toBe(0);
+    expect(readFileSync(join(work, 'a.svg'), 'utf8')).toContain('<svg');
+  });
+
+  test('1 if nothing is drawn, which leaves nothing behind', async () => {
+    writeFileSync(join(work, 'b.obj'), 'v 0 0 0\n');
+    const { code, stderr } = await draw('b.obj', '--out', 'out/b.svg');
+    expect(code).toBe(1);
+    expect(stderr).toMatch(/^three-hatching: [^\n]*b\.obj[^\n]*\.\n$/);
+    expect(tree()).toEqual(['a.obj', 'b.obj']);
+  });
+
+  test.skipIf(process.platform === 'win32')('130 if it is interrupted, with whole files or none', async () => {
+    let isStopped = false;
+    const frames = ['--frames', '400', '--jobs', '2', '--out', 'turn'];
+    writeFileSync(join(work, 'b.obj'), octahedronObj);
+    const { code, stderr } = await run(['draw', 'a.obj', 'b.obj', ...frames], (text, command) => {
+      if (isStopped || !text.includes('a-002.svg: ')) return;
+      isStopped = true;
+      command.kill('SIGINT');
+    });
+    expect(code).toBe(130);
+    expect(stderr).toMatch(/three-hatching: interrupted; \d+ files were written before that\.\n$/);
+    const names = readdirSync(join(work, 'turn'));
+    expect(names).toContain('a-002.svg');
+    expect(names).not.toContain('a-400.svg');
+    for (const name of names) expect(readFileSync(join(work, 'turn', name), 'utf8')).toMatch(/<\/svg>\s*$/);
+  });
+
+  test.skipIf(process.platform === 'win32')('130 before anything is drawn, with nothing left behind', async () => {
+    const ended = run(['draw', 'a.obj', '--out', 'out/a.svg']);
+    while (!existsSync(join(work, 'out'))) await new Promise((resume) => setTimeout(resume, 2));
+    running?.kill('SIGINT');
+    const { code, stderr } = await ended;
+    expect([code, stderr]).toEqual([130, 'three-hatching: interrupted; nothing was written.\n']);
+    expect(tree()).toEqual(['a.obj']);
+  });
+});
+
+test('what names hold does not move the cursor', async () => {
+  const name = 'a\u001b[2Jb.obj';
+  writeFileSync(join(work, name), '');
+  const { stderr } = await draw(name, '--out', 'a.svg');
+  expect(stderr).toContain('is empty.');
+  expect(stderr).not.toContain('\u001b');
+});

@@ -1,0 +1,308 @@
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { Spherical, Vector3 } from 'three';
+import { drawSVG } from 'three-hatching/svg';
+import { afterEach, beforeEach, describe, expect, test } from 'vitest';
+import type { DrawingOptions } from '../../../../src/command/DrawingOptions.js';
+import type { DrawMessage } from '../../../../src/command/DrawThread.js';
+import { drawModel } from '../../../../src/command/draw/drawModel.js';
+import { failure } from '../../../../src/command/draw/failure.js';
+import { NodeSurroundings } from '../../../../src/command/draw/NodeSurroundings.js';
+import { settingsFor } from '../../../../src/command/draw/settingsFor.js';
+import { stageModel } from '../../../../src/command/draw/stageModel.js';
+import { parseDrawing } from '../../../../src/command/parseDrawing.js';
+import { buildModel } from '../../../../src/drawing/buildModel.js';
+import { readModel } from '../../../../src/files/readModel.js';
+import { columnGlb, packGlb } from '../../../../tools/modelFiles/columnModel.js';
+import {
+  octahedronAsciiStl,
+  octahedronBin,
+  octahedronBinaryStl,
+  octahedronDracoGlb,
+  octahedronGlb,
+  octahedronGltf,
+  octahedronMeshoptGlb,
+  octahedronObj,
+  octahedronPly,
+  skyPng,
+  squareMtl,
+  squareObj,
+} from '../../../../tools/modelFiles/modelFiles.js';
+
+let work: string;
+beforeEach(() => {
+  work = mkdtempSync(join(tmpdir(), 'three-hatching-'));
+});
+afterEach(() => rmSync(work, { recursive: true, force: true }));
+
+const optionsOf = (...args: string[]): DrawingOptions => {
+  const small = args.includes('--sheet') ? [] : ['--sheet', '100x100'];
+  const request = parseDrawing(['a', '--out', 'b', ...small, ...args]);
+  if (request.action !== 'draw') throw new Error('It asks for help.');
+  return request.options;
+};
+
+interface Drawn {
+  svgs: string[];
+  notes: string[];
+  isWhole: boolean;
+  drawn: number[];
+}
+
+/** Draws a file that is written first. */
+async function draw(name: string, content: string | Uint8Array, ...args: string[]): Promise<Drawn> {
+  writeFileSync(join(work, name), content);
+  const messages: DrawMessage[] = [];
+  const isWhole = await drawModel({ model: join(work, name), options: optionsOf(...args) }, (message) =>
+    messages.push(message),
+  );
+  const drawings = messages.flatMap((message) => (message.kind === 'drawing' ? [message] : []));
+  return {
+    svgs: drawings.map(({ svg }) => svg),
+    drawn: drawings.map(({ counts }) => counts.drawn),
+    notes: messages.flatMap((message) => (message.kind === 'note' ? [message.sentence] : [])),
+    isWhole,
+  };
+}
+
+const refusal = async (name: string, content: string | Uint8Array, ...args: string[]): Promise<string> => {
+  const error = await draw(name, content, ...args).then(
+    () => new Error('It was drawn.'),
+    (reason) => reason,
+  );
+  return failure(join(work, name), error);
+};
+
+/** A picture in a format that only browsers decode: its header is all that is read. */
+const JPEG = Buffer.from('ffd8ffe000104a46494600010100000100010000ffc0001108000400040301110002110103', 'hex');
+
+describe('a model of every format is drawn', () => {
+  const GLB = octahedronGlb();
+
+  test.each([
+    ['a.obj', octahedronObj],
+    ['a.ply', octahedronPly],
+    ['text.stl', octahedronAsciiStl],
+    ['a.stl', octahedronBinaryStl()],
+    ['a.glb', GLB],
+  ])('%s', async (name, content) => {
+    const { svgs, isWhole } = await draw(name, content, '--no-shadows');
+    expect(isWhole).toBe(true);
+    expect(svgs).toHaveLength(1);
+    expect(svgs[0]).toMatch(/^<\?xml|^<svg/);
+    expect(svgs[0]).toContain('width="100mm" height="100mm"');
+    expect(svgs[0].match(/<path/g)!.length).toBeGreaterThan(50);
+  });
+
+  test('the same shape gives the same lines, packed or not', async () => {
+    const [{ svgs: plain }, { svgs: draco }, { svgs: meshopt }] = [
+      await draw('a.glb', GLB, '--no-shadows'),
+      await draw('b.glb', await octahedronDracoGlb(), '--no-shadows'),
+      await draw('c.glb', await octahedronMeshoptGlb(), '--no-shadows'),
+    ];
+    const lengthOf = (svg: string): number => svg.match(/<path/g)!.length;
+    for (const [svg] of [draco, meshopt]) expect(Math.abs(lengthOf(svg) / lengthOf(plain[0]) - 1)).toBeLessThan(0.05);
+  });
+
+  test('files beside it are found, by their path or by their name', async () => {
+    mkdirSync(join(work, 'parts'));
+    writeFileSync(join(work, 'parts/a b.bin'), octahedronBin());
+    expect((await draw('a.gltf', octahedronGltf('parts/a%20b.bin'))).svgs).toHaveLength(1);
+    writeFileSync(join(work, 'c.bin'), octahedronBin());
+    expect((await draw('b.gltf', octahedronGltf('C:\\models\\c.bin'))).svgs).toHaveLength(1);
+  });
+
+  test('files outside of its folder are not, whatever it says, and nothing is fetched', async () => {
+    mkdirSync(join(work, 'inner'));
+    writeFileSync(join(work, 'out.bin'), octahedronBin());
+    const sentence = 'inner/a.gltf needs out.bin; put both files into one folder.';
+    for (const uri of ['../out.bin', `${work}/out.bin`, 'https://example.org/out.bin'])
+      expect(await refusal('inner/a.gltf', octahedronGltf(uri))).toBe(sentence.replace('inner/', ''));
+  });
+});
+
+test('the drawing is that of drawSVG for a scene staged in the same way, byte for byte', async () => {
+  const args = ['--pen', '0.4', '--sheet', '120x90', '--margin', '5', '--view', '20 30', '--light', '-60 35'];
+  const options = optionsOf(...args);
+  const { svgs } = await draw('a.glb', octahedronGlb(), ...args);
+  const surroundings = new NodeSurroundings(work);
+  const read = await readModel(
+    [{ name: 'a.glb', content: new Blob([octahedronGlb() as Uint8Array<ArrayBuffer>]) }],
+    () => {},
+    surroundings,
+  );
+  const { signal } = new AbortController();
+  const { model } = await buildModel(read, () => {}, signal);
+  const drawnWith = settingsFor(options, undefined, read.upAxis);
+  const { scene, lights, placed } = await stageModel(model, drawnWith, options, [0], { signal, report: () => {} });
+  lights.place(placed.camera);
+  const { svg } = await drawSVG(scene, placed.camera, { kind: 'pen', penWidth: 0.4, sheet: [120, 90], margin: 5 });
+  expect(svgs).toEqual([svg]);
+});
+
+describe('the stage', () => {
+  async function staged(args: readonly string[], link?: string) {
+    const options = optionsOf(...args, ...(link ? ['--link', link] : []));
+    const content = new Blob([octahedronObj]);
+    const read = await readModel([{ name: 'a.obj', content }], () => {}, new NodeSurroundings(work));
+    const { signal } = new AbortController();
+    const { model } = await buildModel(read, () => {}, signal);
+    const drawnWith = settingsFor(options, options.link, 'y');
+    const stage = await stageModel(model, drawnWith, options, [0], { signal, report: () => {} });
+    stage.lights.place(stage.placed.camera);
+    return { ...stage, settings: drawnWith.settings };
+  }
+  const degrees = (place: Vector3): number[] => {
+    const { theta, phi } = new Spherical().setFromVector3(place);
+    return [(180 * theta) / Math.PI, 90 - (180 * phi) / Math.PI].map((angle) => Math.round(10 * angle) / 10);
+  };
+
+  test('has eye and light where the options say', async () => {
+    const { placed, lights } = await staged(['--view', '25 8', '--light', '-45 40']);
+    expect(degrees(placed.camera.position.clone().sub(placed.target))).toEqual([25, 8]);
+    expect(degrees(lights.position)).toEqual([-45, 40]);
+  });
+
+  test('lights the model for its view if nothing says where the light is', async () => {
+    const [front, back] = [await staged(['--view', '0 10']), await staged(['--view', '180 10'])];
+    expect(front.lights.position.z).toBeGreaterThan(0);
+    expect(back.lights.position.z).toBeLessThan(0);
+  });
+
+  test('has all of the model in the picture, with and without perspective, on any sheet', async () => {
+    for (const args of [[], ['--orthographic'], ['--sheet', '50x200'], ['--sheet', '200x50', '--orthographic']]) {
+      const { placed, scene } = await staged([...args, '--no-shadows']);
+      placed.camera.updateMatrixWorld();
+      scene.updateMatrixWorld();
+      const corners = [0, 1, 2].flatMap((axis) => [-1, 1].map((sign) => new Vector3().setComponent(axis, sign)));
+      const reach = Math.max(
+        ...corners.flatMap((corner) => {
+          const { x, y } = corner.project(placed.camera);
+          return [Math.abs(x), Math.abs(y)];
+        }),
+      );
+      expect(reach).toBeLessThan(1);
+      expect(reach).toBeGreaterThan(0.9);
+    }
+  });
+
+  test('is that of a link: look, view and light, but not its model', async () => {
+    const link = 'model=dragon1&technique=engraved&lineSpacing=9&lightAzimuth=12&camera=3,1,2,0.5,0,0&ink=%23203080';
+    const { placed, lights, settings } = await staged([], link);
+    expect(placed.camera.position.toArray()).toEqual([3, 1, 2]);
+    expect(placed.target.toArray()).toEqual([0.5, 0, 0]);
+    expect(degrees(lights.position)).toEqual([12, 38]);
+    expect(settings).toMatchObject({ model: 'file', lineSpacing: 9, ink: '#203080', shadows: 'off' });
+    const other = await staged(['--view', '0 0', '--light', '5 6', '--preset', 'banknote', '--shadows'], link);
+    expect(degrees(other.placed.camera.position.clone().sub(other.placed.target))).toEqual([0, 0]);
+    expect(other.settings).toMatchObject({ lightAzimuth: 5, lightElevation: 6, shadows: 'on', ink: '#18332f' });
+  });
+
+  test('turns the axis up that the options or the link name', () => {
+    const upAxis = (args: readonly string[], link?: string): string =>
+      settingsFor(optionsOf(...args), link, 'z').settings.upAxis;
+    expect(upAxis([])).toBe('z');
+    expect(upAxis(['--up', '-x'])).toBe('-x');
+    expect(upAxis([], 'technique=engraved')).toBe('z');
+    expect(upAxis([], 'technique=engraved&upAxis=y')).toBe('y');
+  });
+
+  test('has no shadow on the ground without shadows', () => {
+    expect(settingsFor(optionsOf('--no-shadows'), undefined, 'y').settings).toMatchObject({
+      shadows: 'off',
+      ground: 'none',
+    });
+    expect(settingsFor(optionsOf(), undefined, 'y').settings).toMatchObject({ shadows: 'on', ground: 'shadow' });
+  });
+});
+
+describe('pictures', () => {
+  test('PNG is decoded; other formats are named, and the drawing is made without their colours', async () => {
+    writeFileSync(join(work, 'square.mtl'), squareMtl);
+    writeFileSync(join(work, 'sky.png'), skyPng());
+    const good = await draw('a.obj', squareObj, '--view', '0 0');
+    expect(good.isWhole).toBe(true);
+    expect(good.notes.filter((note) => /PNG/.test(note))).toEqual([]);
+    writeFileSync(join(work, 'sky.png'), JPEG);
+    const lacking = await draw('b.obj', squareObj, '--view', '0 0');
+    expect(lacking.svgs).toHaveLength(1);
+    expect(lacking.isWhole).toBe(false);
+    expect(lacking.notes).toContain(
+      'b.obj is drawn without its pictures in JPEG, which only a browser decodes; save them as PNG.',
+    );
+  });
+
+  test('without one that cuts out a surface, nothing is drawn', async () => {
+    const json = JSON.parse(octahedronGltf());
+    const uri = `data:image/jpeg;base64,${JPEG.toString('base64')}`;
+    json.images = [{ uri }];
+    json.textures = [{ source: 0 }];
+    json.materials = [{ alphaMode: 'MASK', pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }];
+    json.meshes[0].primitives[0].material = 0;
+    expect(await refusal('leaf.glb', packGlb(JSON.stringify(json), octahedronBin()))).toBe(
+      'leaf.glb has surfaces that are cut out by pictures in JPEG, which only a browser decodes; save them as PNG.',
+    );
+  });
+});
+
+test('hidden outlines and an animation are those of drawSVG', async () => {
+  const { svgs } = await draw('a.obj', octahedronObj, '--hidden', 'dashed', '--animate', '3', '--no-shadows');
+  expect(svgs[0]).toMatch(/inkscape:label="\d+ hidden/);
+  expect(svgs[0]).toContain('prefers-reduced-motion');
+  const { svgs: plain } = await draw('b.obj', octahedronObj, '--no-shadows');
+  expect(plain[0]).not.toMatch(/inkscape:label="\d+ hidden|prefers-reduced-motion/);
+});
+
+describe('frames', () => {
+  test('go around the model: each is drawn from another side, the light stays with the model', async () => {
+    const { svgs } = await draw('a.glb', octahedronGlb(), '--frames', '4', '--view', '0 0', '--light', '0 60');
+    expect(new Set(svgs).size).toBe(4);
+    const { svgs: again } = await draw('b.glb', octahedronGlb(), '--frames', '4', '--view', '0 0', '--light', '0 60');
+    expect(again).toEqual(svgs);
+  });
+
+  test('have the same tone and the same size when the shape and its light are the same from all sides', async () => {
+    // The octahedron is the same every quarter of a turn.
+    const { drawn } = await draw(
+      'a.obj',
+      octahedronObj,
+      '--frames',
+      '4',
+      '--view',
+      '10 20',
+      '--light',
+      '0 89',
+      '--no-shadows',
+      '--pen',
+      '0.3',
+    );
+    for (const length of drawn) expect(Math.abs(length / drawn[0] - 1)).toBeLessThan(0.04);
+  });
+
+  test('show a clip in the place of a turn, which must be there', async () => {
+    const glb = columnGlb();
+    expect(await refusal('a.glb', glb, '--clip', 'Dance', '--frames', '2')).toMatch(
+      /a\.glb has no clip(s\.| Dance; it has )/,
+    );
+    expect(await refusal('b.obj', octahedronObj, '--clip', 'Dance')).toBe('b.obj has no clips.');
+  });
+});
+
+test.each([
+  ['empty.obj', '', 'empty.obj is empty.'],
+  ['noise.glb', Buffer.from('glTF and then nothing'), /^noise\.glb /],
+  ['cut.glb', octahedronGlb().subarray(0, 300), /^cut\.glb is cut short/],
+  ['nan.obj', 'v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n', /nan\.obj: None of the triangles/],
+  ['flat.obj', 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n', /flat\.obj: There is nothing to draw/],
+  ['cycle.gltf', '{"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"children":[0]}]}', /^cycle\.gltf /],
+  ['a.txt', 'Dear all,', /^a\.txt is not a model that can be read here; it takes GLB/],
+  ['a.blend', 'BLENDER-v300', 'a.blend is a Blender file, which is not read here; save it as GLB, say.'],
+  ['a.gltf', octahedronGltf('alone.bin'), 'a.gltf needs alone.bin; put both files into one folder.'],
+])('%s is refused in a sentence that names it', async (name, content, sentence) => {
+  const said = await refusal(name, content);
+  expect(said).toMatch(sentence);
+  expect(said).toContain(name);
+  expect(said).toMatch(/^\S[^\n]*\.$/);
+  expect(said).not.toMatch(/this page|drop |browser has/);
+});

@@ -1,0 +1,134 @@
+import {
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { afterEach, beforeEach, describe, expect, test } from 'vitest';
+import { DrawingFiles } from '../../../src/command/DrawingFiles.js';
+import { expandPattern } from '../../../src/command/expandPattern.js';
+import { planOutputs } from '../../../src/command/planOutputs.js';
+import { UsageError } from '../../../src/command/UsageError.js';
+
+let work: string;
+beforeEach(() => {
+  work = mkdtempSync(join(tmpdir(), 'three-hatching-'));
+});
+afterEach(() => rmSync(work, { recursive: true, force: true }));
+
+describe('files of a pattern', () => {
+  const found = async (pattern: string): Promise<string[]> =>
+    (await expandPattern(`${work}/${pattern}`)).map((path) => path.slice(work.length + 1).replaceAll('\\', '/'));
+
+  beforeEach(() => {
+    for (const folder of ['a/b', 'c', '.hidden']) mkdirSync(join(work, folder), { recursive: true });
+    for (const file of ['1.stl', '2.stl', '2.obj', 'a/3.stl', 'a/b/4.stl', '.5.stl', '.hidden/6.stl', 'x+y.obj'])
+      writeFileSync(join(work, file), '');
+    mkdirSync(join(work, 'folder.stl'));
+    symlinkSync(work, join(work, 'c/loop'));
+  });
+
+  test.each([
+    ['*.stl', ['1.stl', '2.stl']],
+    ['?.*', ['1.stl', '2.obj', '2.stl']],
+    ['[13-9].stl', ['1.stl']],
+    ['[!1].stl', ['2.stl']],
+    ['{2,a/3}.{stl,obj}', ['2.obj', '2.stl', 'a/3.stl']],
+    ['**/*.stl', ['1.stl', '2.stl', 'a/3.stl', 'a/b/4.stl']],
+    ['a/*/4.stl', ['a/b/4.stl']],
+    ['*+*', ['x+y.obj']],
+    ['.*.stl', ['.5.stl']],
+    ['nowhere/*.stl', []],
+  ])('%s', async (pattern, files) => {
+    expect(await found(pattern)).toEqual(files);
+  });
+});
+
+describe('names of drawings', () => {
+  const names = (...args: Parameters<typeof planOutputs>): string[] =>
+    planOutputs(...args).flatMap(({ outputs }) => outputs.map((path) => path.replaceAll('\\', '/')));
+
+  test('one model gives one file, or one in a folder', () => {
+    expect(names(['m/a.obj'], 'b.svg', false, undefined)).toEqual(['b.svg']);
+    expect(names(['m/a.obj'], 'out/', false, undefined)).toEqual(['out/a.svg']);
+    expect(names(['m/a.ply.gz'], 'out', true, undefined)).toEqual(['out/a.svg']);
+    expect(names(['m/a$&.obj'], 'out/{name}!.svg', false, undefined)).toEqual(['out/a$&!.svg']);
+  });
+
+  test('several give one each, told apart by their extensions if need be', () => {
+    expect(names(['a.obj', 'b.stl', 'b.glb'], 'out', false, undefined)).toEqual([
+      'out/a.svg',
+      'out/b.stl.svg',
+      'out/b.glb.svg',
+    ]);
+    expect(() => names(['m/a.obj', 'n/a.obj'], 'out', false, undefined)).toThrow(
+      'm/a.obj and n/a.obj would both be drawn to out/a.obj.svg',
+    );
+  });
+
+  test('frames are numbered with as many digits as the last one has', () => {
+    expect(names(['a.obj'], 'b.svg', false, 10).slice(0, 2)).toEqual(['b-01.svg', 'b-02.svg']);
+    expect(names(['a.obj'], 'b/{frame}.svg', false, 2)).toEqual(['b/1.svg', 'b/2.svg']);
+    expect(names(['a.obj', 'b.obj'], 'out', false, 2)).toEqual([
+      'out/a-1.svg',
+      'out/a-2.svg',
+      'out/b-1.svg',
+      'out/b-2.svg',
+    ]);
+    expect(() => names(['a.obj', 'b.obj'], 'out/{frame}.svg', false, 2)).toThrow(UsageError);
+  });
+
+  test('a drawing does not take the place of a model', () => {
+    expect(() => names(['a.obj'], './a.obj', false, undefined)).toThrow('which is a model');
+  });
+});
+
+describe('the files of drawings', () => {
+  const tree = (): string[] => readdirSync(work, { recursive: true }).map(String).sort();
+
+  test('are there when they are written, in folders that are made for them', async () => {
+    const files = new DrawingFiles(false);
+    const path = join(work, 'a/b/1.svg');
+    await files.open([path]);
+    const writing = files.write(path, 'drawing');
+    expect(existsSync(path)).toBe(false);
+    await writing;
+    await files.close();
+    expect(readFileSync(path, 'utf8')).toBe('drawing');
+    expect(tree()).toEqual(['a', 'a/b', 'a/b/1.svg']);
+  });
+
+  test('leave nothing if none is written, not even folders', async () => {
+    const files = new DrawingFiles(false);
+    await files.open([join(work, 'a/b/1.svg')]);
+    await files.close();
+    expect(tree()).toEqual([]);
+  });
+
+  test('replace others only by force, also such as came later', async () => {
+    const path = join(work, '1.svg');
+    const files = new DrawingFiles(false);
+    await files.open([path]);
+    writeFileSync(path, 'mine');
+    await expect(files.write(path, 'drawing')).rejects.toThrow(/1\.svg is there already; add --force/);
+    await expect(new DrawingFiles(false).open([path])).rejects.toThrow(UsageError);
+    expect(tree()).toEqual(['1.svg']);
+    expect(readFileSync(path, 'utf8')).toBe('mine');
+    const forced = new DrawingFiles(true);
+    await forced.open([path]);
+    await forced.write(path, 'drawing');
+    expect(readFileSync(path, 'utf8')).toBe('drawing');
+  });
+
+  test('do not take the place of folders', async () => {
+    mkdirSync(join(work, '1.svg'));
+    await expect(new DrawingFiles(true).open([join(work, '1.svg')])).rejects.toThrow(/1\.svg is no file/);
+    await expect(new DrawingFiles(true).open([join(work, '1.svg/a/2.svg')])).resolves.toBeUndefined();
+  });
+});

@@ -1,0 +1,108 @@
+import { describe, expect, test } from 'vitest';
+import { DRAW_HELP, parseDrawing } from '../../../src/command/parseDrawing.js';
+import { sheetOf } from '../../../src/command/sheetOf.js';
+import { UsageError } from '../../../src/command/UsageError.js';
+
+const drawing = (...args: string[]) => {
+  const request = parseDrawing(args);
+  if (request.action !== 'draw') throw new Error('It asks for help.');
+  return request;
+};
+const refusal = (...args: string[]): string => {
+  try {
+    parseDrawing(args);
+  } catch (error) {
+    expect(error).toBeInstanceOf(UsageError);
+    return (error as Error).message;
+  }
+  return '';
+};
+const OUT = ['a.obj', '--out', 'a.svg'];
+
+describe('what the command line says', () => {
+  test('the example of the help', () => {
+    const line = 'model.glb --preset engraving --sheet A4 --margin 12 --pen 0.3 --out drawing.svg'.split(' ');
+    const { models, out, options } = drawing(...line, '--view', '25 8', '--light', '-45 40');
+    expect([models, out]).toEqual([['model.glb'], 'drawing.svg']);
+    expect(options).toMatchObject({
+      ...{ preset: 'engraving', kind: 'pen', pen: 0.3, sheet: [210, 297], margin: 12, dpi: 96, order: 'travel' },
+      view: { azimuth: 25, elevation: 8 },
+      light: { azimuth: -45, elevation: 40 },
+      shadows: undefined,
+      frames: undefined,
+    });
+  });
+
+  test('values may begin with a dash, also after an equals sign', () => {
+    expect(drawing(...OUT, '--view=-10,-20', '--up', '-z').options).toMatchObject({
+      view: { azimuth: -10, elevation: -20 },
+      up: '-z',
+    });
+  });
+
+  test('without a pen it is for print, and shadows are drawn or not', () => {
+    expect(drawing(...OUT).options).toMatchObject({ kind: 'print', pen: 0.3 });
+    expect(drawing(...OUT, '--kind', 'pen').options.kind).toBe('pen');
+    expect(drawing(...OUT, '--no-shadows').options.shadows).toBe(false);
+    expect(drawing(...OUT, '--shadows').options.shadows).toBe(true);
+  });
+
+  test('a link is known by its hash', () => {
+    expect(drawing(...OUT, '--link', 'https://example.org/p/#technique=engraved&ink=%23203080').options.link).toBe(
+      'technique=engraved&ink=%23203080',
+    );
+    expect(refusal(...OUT, '--link', 'https://example.org/p/')).toMatch(/--link holds no drawing/);
+    // Without a technique, a link means that of its preset, or the one that is drawn with a map.
+    expect(refusal(...OUT, '--link', '#ink=%23203080')).toMatch(/--link is drawn with strokes that are a picture/);
+    expect(refusal(...OUT, '--link', '#preset=banknote&ink=%23203080')).toBe('');
+    expect(refusal(...OUT, '--link', '#ink=%23203080', '--preset', 'engraving')).toBe('');
+  });
+
+  test('nothing at all, or --help, asks for help, which names every option', () => {
+    expect([parseDrawing([]), parseDrawing(['a.obj', '-h'])]).toEqual([{ action: 'help' }, { action: 'help' }]);
+    for (const name of ['preset', 'link', 'view', 'light', 'pen', 'frames', 'jobs', 'out', 'force'])
+      expect(DRAW_HELP).toContain(`--${name} `);
+  });
+});
+
+test.each([
+  [['a.obj'], '--out is missing; name the file to write the drawing to.'],
+  [['--out', 'a.svg'], 'There is no model to draw; name a file after draw.'],
+  [
+    [...OUT, '--preset', 'pencil'],
+    '--preset is pencil, whose strokes are a picture and cannot leave as lines; use one of',
+  ],
+  [[...OUT, '--preset', 'toString'], '--preset is toString, which is not a preset; use one of pen, crossHatching'],
+  [[...OUT, '--view', '25'], '--view is "25", but must be two numbers in quotes'],
+  [[...OUT, '--view', '25 8 3'], '--view is "25 8 3", but must be two numbers'],
+  [[...OUT, '--light', '25 90'], '--light is "25 90", but must be two numbers'],
+  [[...OUT, '--pen', 'thin'], '--pen is thin, but must be a number from 0.01 to 20.'],
+  [[...OUT, '--pen', '0.3', '--kind', 'print'], '--pen and --kind print exclude each other'],
+  [[...OUT, '--pen', '0.3', '--paper', '#ffffff'], '--paper is for print'],
+  [[...OUT, '--paper', 'white'], '--paper is white, but must be a colour as "#f4f1e6"'],
+  [[...OUT, '--shadows', '--no-shadows'], '--shadows and --no-shadows exclude each other'],
+  [[...OUT, '--sheet', 'B4'], '--sheet is B4, but must be A2, A3, A4, A5, A6, one of them with landscape'],
+  [[...OUT, '--margin', '105'], '--margin is 105, which leaves nothing of a sheet of 210 × 297 mm.'],
+  [[...OUT, '--frames', '0'], '--frames is 0, but must be a whole number from 1 to 9999.'],
+  [[...OUT, '--jobs', '1.5'], '--jobs is 1.5, but must be a whole number from 1 to 64.'],
+  [[...OUT, '--order', 'random'], '--order is random, but must be travel or drawn.'],
+  [[...OUT, '--turn'], "Unknown option '--turn'. See draw --help."],
+])('%j is refused in one sentence', (args, sentence) => {
+  const message = refusal(...args);
+  expect(message).toContain(sentence);
+  expect(message).toMatch(/^\S[^\n]*\.$/);
+});
+
+test.each([
+  ['A4', [210, 297]],
+  ['a3 landscape', [420, 297]],
+  ['A5-landscape', [210, 148]],
+  ['200x150', [200, 150]],
+  ['99.5 × 10', [99.5, 10]],
+])('the sheet %s', (name, size) => {
+  expect(sheetOf(name)).toEqual(size);
+});
+
+test.each(['', 'A4 upside', '0x100', '100', '1e9x1', 'x'])('no sheet: %j', (name) => {
+  expect(() => sheetOf(name)).toThrow(UsageError);
+});

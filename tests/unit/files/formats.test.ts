@@ -1,0 +1,33 @@
+import { existsSync, readFileSync } from 'node:fs';
+import { expect, test } from 'vitest';
+import { COMPANION_EXTENSIONS, FORMATS, formatNames, formatOf, MODEL_EXTENSIONS } from '../../../src/files/formats.js';
+
+test.each(FORMATS.map((format) => [format.name, format] as const))(
+  '%s can be recognised, and three.js has its loader',
+  (_, format) => {
+    expect(format.hasSignature ?? format.looksLike ?? format.isPackage).toBeDefined();
+    const { name, module = name } = format.loader;
+    expect(existsSync(`node_modules/three/examples/jsm/loaders/${module}.js`)).toBe(true);
+    for (const extension of format.extensions) expect(formatOf(extension)).toBe(format);
+  },
+);
+
+test('no two formats share an extension, and an archive is opened only where there is no model beside it', () => {
+  expect(new Set(MODEL_EXTENSIONS).size).toBe(MODEL_EXTENSIONS.length);
+  expect(MODEL_EXTENSIONS.at(-1)).toBe('zip');
+});
+
+test('users read the names of all formats', () => {
+  expect(formatNames('and')).toBe('GLB, glTF, OBJ, FBX, DAE, USDZ, 3MF, 3DS, VRML, PLY and STL');
+});
+
+test('the page names all formats, its picker takes all files that belong to a model, and the development server knows all loaders', () => {
+  const page = readFileSync('index.html', 'utf8');
+  expect(page).toContain(`Drop a model to have it drawn: ${formatNames('or')}, with its files`);
+  const accepted = /id="file-input"[^>]*accept="([^"]*)"/.exec(page)![1].split(',');
+  // Descriptions of maps and packed models can be picked, too.
+  const wanted = [...MODEL_EXTENSIONS, ...COMPANION_EXTENSIONS, 'json', 'gz'].map((extension) => `.${extension}`);
+  expect(accepted.toSorted()).toEqual(wanted.toSorted());
+  const config = readFileSync('vite.config.ts', 'utf8');
+  for (const { loader } of FORMATS) expect(config).toContain(`'loaders/${loader.module ?? loader.name}.js'`);
+});

@@ -1,0 +1,220 @@
+import { PNG } from 'pngjs';
+import { RepeatWrapping } from 'three';
+import { afterEach, describe, expect, test, vi } from 'vitest';
+import { BOX_CORNERS, BOX_FACES } from '../../../../tools/modelFiles/box.js';
+import {
+  colorsOf,
+  colouredBoxMtl,
+  colouredBoxObj,
+  measure,
+  read,
+  triangles,
+} from '../../../../tools/modelFiles/modelWriters.js';
+
+const RED = '255,0,0';
+const GREEN = '0,255,0';
+const BLUE = '0,0,255';
+const rgb = [RED, RED, RED, RED, GREEN, GREEN, GREEN, GREEN, BLUE, BLUE, BLUE, BLUE];
+
+describe('OBJ', () => {
+  test('every material of a group is drawn', async () => {
+    const box = await read(['box.obj', colouredBoxObj], ['box.mtl', colouredBoxMtl]);
+    expect(colorsOf(box)).toEqual(rgb);
+    expect(box.notes).toEqual([]);
+    const { area, volume } = measure(box);
+    const side = 2 / Math.sqrt(3);
+    expect(area).toBeCloseTo(6 * side ** 2, 4);
+    expect(volume).toBeCloseTo(side ** 3, 4);
+  });
+
+  test('materials are found in several files, with names in any spacing, and what is missing is named', async () => {
+    const obj = colouredBoxObj
+      .replace('mtllib box.mtl', 'mtllib my red.mtl\n\tmtllib  green.mtl blue.mtl')
+      .replaceAll('usemtl ', ' usemtl\t');
+    const box = await read(
+      ['box.obj', obj],
+      ['my red.mtl', 'newmtl\tred\r\n\tKd 1 0 0\r\n'],
+      ['green.mtl', 'newmtl green\nKd 0 1 0'],
+    );
+    expect(colorsOf(box)).toEqual([...rgb.slice(0, 8), ...new Array(4).fill('255,255,255')]);
+    expect(box.notes).toEqual(['blue.mtl is missing: drop it along']);
+  });
+
+  test('a name of materials with spaces is one name, also where its file is missing', async () => {
+    const named = (names: string): string => colouredBoxObj.replace('mtllib box.mtl', `mtllib ${names}`);
+    const missing = async (names: string, ...files: [string, string][]): Promise<string[]> =>
+      (await read(['box.obj', named(names)], ...files)).missing;
+    expect(await missing('my red  box.mtl')).toEqual(['my red  box.mtl']);
+    expect(await missing('my red.mtl materials/my green.MTL')).toEqual(['my red.mtl', 'my green.MTL']);
+    expect(await missing('my red.mtl my green.mtl', ['my green.mtl', 'newmtl green'])).toEqual(['my red.mtl']);
+    expect(await missing('no extension')).toEqual(['no extension']);
+    // Two names after all.
+    expect(await missing('a b.mtl', ['b.mtl', 'newmtl green'])).toEqual(['a']);
+    const colours = await read(['box.obj', named('my box.mtl')], ['My Box.mtl', colouredBoxMtl]);
+    expect(colorsOf(colours)).toEqual(rgb);
+  });
+
+  test.each(['', ' 1', ' 0.5'])('colours of a part of its vertices, the others (%s) white', async (weight) => {
+    const corners = BOX_CORNERS.map((corner, i) => `v ${corner.join(' ')}${i < 4 ? ' 1 0 0' : `${weight} `}`).join(
+      '\n',
+    );
+    const faces = BOX_FACES.map((face) => `f ${face.map((v) => v + 1).join(' ')}`).join('\n');
+    const box = await read(['box.obj', `${corners}\n${faces}`]);
+    expect(new Set(colorsOf(box))).toEqual(new Set([RED, '255,255,255']));
+    expect(triangles(box)).toBe(12);
+    const { positions, colors } = box.mesh;
+    for (let vertex = 0; vertex < positions.length / 3; vertex++) {
+      expect([...colors!.subarray(3 * vertex, 3 * vertex + 3)]).toEqual(
+        positions[3 * vertex + 2] < 0 ? [1, 0, 0] : [1, 1, 1],
+      );
+    }
+  });
+
+  test('a colour of one number is grey, one that is no number is white', async () => {
+    const box = await read(
+      ['box.obj', colouredBoxObj],
+      ['box.mtl', 'newmtl red\nKd 0.5\nnewmtl green\nKd spectral a.rfl 1\nnewmtl blue\nKd x y z'],
+    );
+    expect(new Set(colorsOf(box))).toEqual(new Set(['128,128,128', '255,255,255']));
+  });
+
+  test('comments, lines, points and unknown words take no triangles away', async () => {
+    const obj = colouredBoxObj
+      .replace(/^v .*$/gm, '$& # a corner 7 8 9')
+      .replace(/^f .*$/gm, '$& # a face\nl 1 2 3\np 4\ncurv 0 1 2')
+      .replace('usemtl green', 'usemtl #25')
+      .replace(/\n/g, '\r');
+    const box = await read(['box.obj', `# box\r${obj}`], ['box.mtl', colouredBoxMtl.replace('green', '#25')]);
+    expect(triangles(box)).toBe(12);
+    expect(box.notes).toEqual([]);
+    expect(colorsOf(box)).toEqual(rgb);
+  });
+
+  test('faces go on in the next line after a backslash', async () => {
+    const box = await read(['box.obj', colouredBoxObj.replace(/^(f \d+ \d+) /gm, '$1\\\n')]);
+    expect(triangles(box)).toBe(12);
+  });
+
+  test.each(['utf16le', 'utf16be'])('%s is read, with and without a mark', async (encoding) => {
+    const encode = (text: string): Uint8Array => {
+      const bytes = Buffer.from(text, 'utf16le');
+      return encoding === 'utf16le' ? bytes : bytes.swap16();
+    };
+    for (const mark of ['', '\uFEFF']) {
+      const box = await read(['box.obj', encode(mark + colouredBoxObj)], ['box.mtl', encode(mark + colouredBoxMtl)]);
+      expect(colorsOf(box)).toEqual(rgb);
+    }
+  });
+
+  test('normals that are missing, zero or not there leave no normal that is not a number', async () => {
+    const corners = BOX_CORNERS.map((corner) => `v ${corner.join(' ')}`).join('\n');
+    const faces = BOX_FACES.map(
+      (face, i) => `f ${face.map((v) => `${v + 1}${['//1', '//2', '//9', ''][i % 4]}`).join(' ')}`,
+    );
+    const { mesh, notes } = await read(['box.obj', `${corners}\nvn 0 0 0\nvn 0 0 2\n${faces.join('\n')}`]);
+    expect(mesh.normals!.every(Number.isFinite)).toBe(true);
+    const lengths = new Set(
+      Array.from({ length: 36 }, (_, i) => Math.hypot(...mesh.normals!.subarray(3 * i, 3 * i + 3))),
+    );
+    expect(lengths).toEqual(new Set([0, 1]));
+    expect(notes).toEqual([]);
+  });
+
+  test('triangles with a corner that does not exist are left out, and counted', async () => {
+    const box = await read(['box.obj', colouredBoxObj.replace(/^f 1 .*$/m, 'f 1 2 99')]);
+    expect(triangles(box)).toBe(10);
+    expect(box.notes).toEqual(['box.mtl is missing: drop it along']);
+    expect(box.details).toEqual(['1 triangle without three valid corners left out']);
+  });
+});
+
+describe('OBJ with pictures', () => {
+  afterEach(() => vi.unstubAllGlobals());
+
+  const picture = (): Buffer => PNG.sync.write(new PNG({ width: 8, height: 4 }));
+  const texturedObj = colouredBoxObj
+    .replace(/^f .*$/gm, (line) => line.replace(/\d+/g, (corner, at) => `${corner}/${1 + (at % 4)}`))
+    .replace('o box', 'vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1');
+
+  test('the triangles of every picture lie in a range of their own', async () => {
+    const asked: unknown[] = [];
+    vi.stubGlobal('createImageBitmap', async (_: Blob, options: unknown) => {
+      asked.push(options);
+      return { close() {} };
+    });
+    const box = await read(
+      ['box.obj', texturedObj],
+      [
+        'box.mtl',
+        'newmtl red\nKd 0 0 0\nmap_Kd -clamp on -s 2 3 1 wood.png\nnewmtl green\nKd 0 1 0\nnewmtl blue\nKd 0 0 1\nmap_Kd textures\\WOOD.png\nmap_d leaf.png',
+      ],
+      ['Wood.PNG', picture()],
+    );
+    const { mesh, pictures, notes } = box;
+    expect(notes).toEqual([]);
+    expect(mesh.ranges).toEqual([
+      { start: 0, count: 12, picture: -1 },
+      { start: 12, count: 12, picture: 0 },
+      { start: 24, count: 12, picture: 1 },
+    ]);
+    expect(pictures.map((one) => [one!.wrapS, one!.wrapT, one!.cutOut])).toEqual([
+      [RepeatWrapping, RepeatWrapping, false],
+      [RepeatWrapping, RepeatWrapping, true],
+    ]);
+    // One bitmap for both, the right way up.
+    expect(asked).toEqual([expect.objectContaining({ resizeWidth: 8, resizeHeight: 4, imageOrientation: 'flipY' })]);
+    expect(pictures[0]!.bitmap).toBe(pictures[1]!.bitmap);
+    // Black would hide the picture. Its scale is in the texture coordinates.
+    expect(colorsOf(box)).toEqual([
+      ...new Array(4).fill(GREEN),
+      ...new Array(4).fill('255,255,255'),
+      ...new Array(4).fill(BLUE),
+    ]);
+    const [first] = mesh.indices!.subarray(12);
+    const corners = Array.from({ length: 12 }, (_, i) => [...mesh.uvs!.subarray(2 * (first + i), 2 * (first + i) + 2)]);
+    expect(Math.max(...corners.map(([u]) => u))).toBe(2);
+    expect(Math.max(...corners.map(([, v]) => v))).toBe(3);
+  });
+
+  test('pictures are judged by their headers, all together, before one is decoded', async () => {
+    const widths: number[] = [];
+    vi.stubGlobal('createImageBitmap', async (_: Blob, { resizeWidth }: ImageBitmapOptions) => {
+      widths.push(resizeWidth!);
+      return { close() {} };
+    });
+    const large = picture();
+    large.writeUInt32BE(8192, 16);
+    large.writeUInt32BE(8192, 20);
+    const tga = Buffer.alloc(18);
+    tga[2] = 10;
+    tga.writeUInt16LE(65535, 12);
+    tga.writeUInt16LE(65535, 14);
+    const names = ['a.png', 'b.png', 'c.png', 'd.png', 'e.png', 'f.tga'];
+    const faces = names.map((_, i) => `usemtl m${i}\nf 1/1 2/2 ${3 + (i % 2)}/3`);
+    const { pictures, notes } = await read(
+      ['box.obj', ['mtllib a.mtl', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1', ...faces].join('\n')],
+      ['a.mtl', names.map((name, i) => `newmtl m${i}\nmap_Kd ${name}`).join('\n')],
+      ...names.map((name): [string, Buffer] => [name, name.endsWith('tga') ? tga : large]),
+    );
+    expect(widths).toEqual([2048, 2048, 2048, 2048]);
+    expect(pictures.map(Boolean)).toEqual([true, true, true, true, false, false]);
+    expect(notes.slice(-2)).toEqual(['without e.png and f.tga: too large', 'pictures reduced to 2,048 pixels']);
+  });
+
+  test('pictures that are missing or none are named once, and colours stay', async () => {
+    vi.stubGlobal('createImageBitmap', async () => {
+      throw new Error('not a picture');
+    });
+    const box = await read(
+      ['box.obj', texturedObj],
+      [
+        'box.mtl',
+        'newmtl red\nKd 1 0 0\nmap_Kd a.png\nnewmtl green\nKd 0 1 0\nmap_Kd a.png\nnewmtl blue\nKd 0 0 1\nmap_Kd b.tif',
+      ],
+      ['b.tif', 'II*'],
+    );
+    expect(box.pictures).toEqual([undefined, undefined]);
+    expect(new Set(colorsOf(box))).toEqual(new Set([RED, GREEN, BLUE]));
+    expect(box.notes).toEqual(['a.png is missing: drop it along', 'without b.tif: no picture that a browser reads']);
+  });
+});
