@@ -30,7 +30,7 @@ function refinedStart({ path, depths }: CutRun): CutRun {
     const length = Math.hypot(points[o + PATH_STRIDE] - points[o], points[o + PATH_STRIDE + 1] - points[o + 1]);
     const count = Math.max(1, Math.ceil(Math.min(length, reach - walked) / STEP));
     for (let k = 0; k < count; k++) {
-      const share = Math.min((k * STEP) / length, 1);
+      const share = length > 0 ? Math.min((k * STEP) / length, 1) : 0;
       for (let n = 0; n < PATH_STRIDE; n++)
         finer.push(points[o + n] + share * (points[o + PATH_STRIDE + n] - points[o + n]));
       finerDepths.push(depths[i] + share * (depths[i + 1] - depths[i]));

@@ -76,7 +76,12 @@ export function* finishPaths(
   return { written, counts };
 }
 
-const hasInk = ({ points }: LinePath): boolean => points.some((value, i) => i % PATH_STRIDE > 1 && value > 0);
+/** Farther away than this nothing can be told apart any longer, pixels. */
+const FARTHEST = 1e7;
+
+/** Whether something of a path may be drawn. A scene of endless size has places that are nowhere. */
+const hasInk = ({ points }: LinePath): boolean =>
+  points.some((value, i) => i % PATH_STRIDE > 1 && value > 0) && points.every((value) => Math.abs(value) < FARTHEST);
 
 function endsOf({ points, isClosed }: LinePath, { scale, left, top }: Placement): PathEnds {
   const at = (o: number) => [left + scale * points[o], top + scale * points[o + 1]] as const;

@@ -19,7 +19,8 @@ import { cameraAt, type HatchedLook, hatchedMesh, sceneOf } from '../vector/hatc
 import { pathsOf, ringsOf } from '../vector/paths.js';
 import { wronglySeen } from '../vector/wronglySeen.js';
 
-const SHEET = { sheet: [100, 100] as const, margin: 0 };
+// Dashes of hairlines belong to places at rest, and so differ from those of a baked pose.
+const SHEET = { sheet: [100, 100] as const, margin: 0, leastWidth: 0 };
 const camera = () => cameraAt(0.6, 0.4, 2);
 const draw = (...meshes: Mesh[]) => drawSVG(sceneOf(...meshes), camera(), SHEET);
 
@@ -190,8 +191,8 @@ describe('morph targets', () => {
     plain.geometry.boundingSphere = mesh.geometry.boundingSphere!.clone();
     const [one, other] = [await draw(mesh), await draw(plain)];
     expect(one.leftOut).toEqual([]);
-    expect(awayFrom(one.svg, other.svg, 'outlines', 0.5)).toBeLessThan(0.03);
-    expect(awayFrom(other.svg, one.svg, 'outlines', 0.5)).toBeLessThan(0.03);
+    expect(awayFrom(one.svg, other.svg, 'outlines', 0.5)).toBeLessThan(0.04);
+    expect(awayFrom(other.svg, one.svg, 'outlines', 0.5)).toBeLessThan(0.04);
     expect(awayFrom(one.svg, other.svg, 'engraved', 0.4)).toBeLessThan(0.05);
   });
 
