@@ -96,11 +96,12 @@ export class LineDrawer {
     const joining = outlineChains(pieces, mesh, look, projection, scene.illumination);
     const chains = yield* asPhase(joining, 0.4, 0.5);
     for (const [i, chain] of chains.entries()) {
-      yield 0.5 + (0.5 * i) / chains.length;
+      const [from, to] = [0.5 + (0.5 * i) / chains.length, 0.5 + (0.5 * (i + 1)) / chains.length];
       this.segments += chain.count - 1;
-      weighByStanding(chain, bvh, projection);
+      yield* asPhase(weighByStanding(chain, bvh, projection), from, (from + to) / 2);
       if (least > 0) endHairlines(chain, least);
-      this.addChain(this.layerOf('outlines', ink), chain, clipped(outlineTest(chain, bvh, projection), clip));
+      const isSeen = clipped(outlineTest(chain, bvh, projection), clip);
+      yield* asPhase(this.addChain(this.layerOf('outlines', ink), chain, isSeen), (from + to) / 2, to);
     }
   }
 
@@ -113,13 +114,14 @@ export class LineDrawer {
     const chains = yield* asPhase(outlineChains(pieces, mesh, even, projection, scene.illumination), 0.4, 0.5);
     const layer = this.layerOf('hidden', ink, look.hidden === 'faint' ? FAINT : 1);
     for (const [i, chain] of chains.entries()) {
-      yield 0.5 + (0.5 * i) / chains.length;
+      const [from, to] = [0.5 + (0.5 * i) / chains.length, 0.5 + (0.5 * (i + 1)) / chains.length];
       this.segments += chain.count - 1;
       const isSeen = outlineTest(chain, bvh, projection, look.width / 2);
-      for (const { path } of this.seenParts(
+      const hidden = this.seenParts(
         chain,
         clipped((place) => !isSeen(place), clip),
-      ))
+      );
+      for (const { path } of yield* asPhase(hidden, from, to))
         layer.paths.push(...(look.hidden === 'dashed' ? dashes(path, DASH * look.width, GAP * look.width) : [path]));
     }
   }
@@ -136,8 +138,8 @@ export class LineDrawer {
       this.segments += line.count - 1;
       const chain = this.least > 0 ? dashed(line, this.least) : line;
       const isSeen = clipped(this.surfaceTest(chain), engraved.clip);
-      this.addChain(this.layerOf(LAYER_OF[family], engraved.ink), chain, isSeen, engraved);
-      yield 0.5 + (0.5 * (i + 1)) / lines.length;
+      const adding = this.addChain(this.layerOf(LAYER_OF[family], engraved.ink), chain, isSeen, engraved);
+      yield* asPhase(adding, 0.5 + (0.5 * i) / lines.length, 0.5 + (0.5 * (i + 1)) / lines.length);
     }
   }
 
@@ -188,21 +190,27 @@ export class LineDrawer {
   }
 
   /** Adds what is seen of a chain. surface: that its sides must not reach beyond. */
-  private addChain({ paths }: PathLayer, chain: Chain, isSeen: SeenTest, surface?: EngravedSurface): void {
+  private *addChain(
+    { paths }: PathLayer,
+    chain: Chain,
+    isSeen: SeenTest,
+    surface?: EngravedSurface,
+  ): Generator<number, void, void> {
     const { projection, bvh, pen } = this;
-    for (const cut of this.seenParts(chain, isSeen)) {
+    for (const cut of yield* asPhase(this.seenParts(chain, isSeen), 0, 0.7)) {
       if (!surface || pen !== null) paths.push(cut.path);
       else {
         const finer = refineEnds(cut);
-        holdBack(finer, bvh, projection, !surface.hides);
+        yield* asPhase(holdBack(finer, bvh, projection, !surface.hides), 0.7, 1);
         paths.push(finer.path);
       }
     }
   }
 
-  private seenParts(chain: Chain, isSeen: SeenTest): CutRun[] {
+  private *seenParts(chain: Chain, isSeen: SeenTest): Generator<number, CutRun[], void> {
     const { projection } = this;
-    return visibleRuns(chain, projection, isSeen)
+    const runs = yield* visibleRuns(chain, projection, isSeen);
+    return runs
       .map((run) => cutRun(chain, run, projection, this.pen !== null))
       .filter(({ depths }) => depths.length >= 2);
   }

@@ -14,14 +14,20 @@ const HALVINGS = 3;
 
 /**
  * Holds both sides of a line back to where the surface that it lies on is still seen, so that no ink reaches beyond an outline. Changes the
- * widths of the path.
+ * widths of the path. Yields its progress.
  *
  * @param isSheer whether the surface is not among what rays meet, so that nothing may lie where it is seen
  */
-export function holdBack({ path, depths }: CutRun, bvh: Bvh, projection: Projection, isSheer: boolean): void {
+export function* holdBack(
+  { path, depths }: CutRun,
+  bvh: Bvh,
+  projection: Projection,
+  isSheer: boolean,
+): Generator<number, void, void> {
   const points = path.points as number[];
   const count = depths.length;
   for (let i = 0; i < count; i++) {
+    if (i % 64 === 63) yield i / count;
     const [before, after] = [PATH_STRIDE * Math.max(i - 1, 0), PATH_STRIDE * Math.min(i + 1, count - 1)];
     const [dx, dy] = [points[after] - points[before], points[after + 1] - points[before + 1]];
     const length = Math.hypot(dx, dy);

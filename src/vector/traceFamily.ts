@@ -1,4 +1,5 @@
 import { lotOf } from '../engraving/hand.js';
+import { asPhase } from '../slices/asPhase.js';
 import { type Chain, ChainBuilder } from './Chain.js';
 
 import type { FamilyName } from './Engraver.js';
@@ -68,7 +69,8 @@ export function* traceFamily(tracing: Tracing, family: FamilyName): Generator<nu
   const tracer = new LineTracer(tracing, family, segments, slopes);
   let done = 0;
   for (const walk of walkSegments(segments.starts, segments.ends, segments.lines.length)) {
-    const chain = tracer.follow(walk);
+    const whole = segments.starts.length;
+    const chain = yield* asPhase(tracer.follow(walk), done / whole, (done + walk.segments.length) / whole);
     if (chain) chains.push(chain);
     done += walk.segments.length;
     yield done / segments.starts.length;
@@ -124,7 +126,7 @@ function* readVertices(
   const shadowings: readonly Shadowing[] = toner.hasShadows ? ['none', 'all'] : ['none'];
   const leastTone = pen === null ? LEAST_TONE : LEAST_PEN_TONE;
   for (let t = 0; t < sides.length; t++) {
-    if (t % 1024 === 1023) yield t / sides.length;
+    if (t % 64 === 63) yield t / sides.length;
     if (sides[t] === 0) continue;
     let [finest, darkest] = [Infinity, 0];
     for (let k = 0; k < 3; k++) {
@@ -164,15 +166,16 @@ class LineTracer {
     this.unit = 2 ** segments.finest;
   }
 
-  /** The chain of a walk; undefined if there is nothing to draw of it. */
-  follow({ start, segments: list, isClosed }: Walk): Chain | undefined {
+  /** The chain of a walk; undefined if there is nothing to draw of it. Yields its progress. */
+  *follow({ start, segments: list, isClosed }: Walk): Generator<number, Chain | undefined, void> {
     const { triangles, starts, ends } = this.segments;
     const builder = new ChainBuilder();
     const line = this.lineAt(start);
     const pen = new LinePen(this, builder, line);
     let node = start;
     let before = -1;
-    for (const segment of list) {
+    for (const [i, segment] of list.entries()) {
+      if (i % 16 === 15) yield i / list.length;
       const triangle = triangles[segment];
       if (before < 0) pen.to(node, triangle);
       else if (this.isSameEdge(node, before, triangle)) pen.turn(node, triangle);

@@ -21,6 +21,8 @@ export interface ChainPlace {
 const STEP = 0.5;
 const TOLERANCE = 0.005;
 const MOST_HALVINGS = 24;
+/** So many places are looked at in one go. */
+const LOOKS_AT_ONCE = 128;
 
 /** The place on a chain at a share of a piece. */
 export function placeOn({ screen, world }: Chain, piece: number, share: number, projection: Projection): ChainPlace {
@@ -35,10 +37,10 @@ export function placeOn({ screen, world }: Chain, piece: number, share: number, 
   return { world: [at(0), at(1), at(2)], x, y, piece, share };
 }
 
-/** The parts of a chain that have a line, lie on the picture and are seen. */
-export function visibleRuns(chain: Chain, projection: Projection, isSeen: SeenTest): Run[] {
+/** The parts of a chain that have a line, lie on the picture and are seen. Yields its progress. */
+export function* visibleRuns(chain: Chain, projection: Projection, isSeen: SeenTest): Generator<number, Run[], void> {
   const sampler = new RunSampler(chain, projection, isSeen);
-  for (const [from, to] of linedParts(chain)) sampler.sample(from, to);
+  for (const [from, to] of linedParts(chain)) yield* sampler.sample(from, to);
   return joinedAtStart(chain, sampler.runs);
 }
 
@@ -76,11 +78,13 @@ class RunSampler {
     private readonly isSeen: SeenTest,
   ) {}
 
-  sample(from: number, to: number): void {
+  *sample(from: number, to: number): Generator<number, void, void> {
+    let looked = 0;
     let last = from;
     let wasSeen = this.isSeenAt(from);
     let begin = from;
     for (const place of this.placesBetween(from, to)) {
+      if (++looked % LOOKS_AT_ONCE === 0) yield place / this.chain.count;
       const isSeen = this.isSeenAt(place);
       if (isSeen !== wasSeen) {
         const border = this.borderBetween(last, place, wasSeen);

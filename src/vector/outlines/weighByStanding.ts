@@ -9,14 +9,15 @@ const BEYOND = 1.5;
 
 /**
  * Makes an outline as wide as it is before what lies behind it, the paper or a surface, and heavier where another one ends behind it. Changes
- * the widths of the chain.
+ * the widths of the chain. Yields its progress.
  */
-export function weighByStanding(chain: Chain, bvh: Bvh, projection: Projection): void {
+export function* weighByStanding(chain: Chain, bvh: Bvh, projection: Projection): Generator<number, void, void> {
   const { innerHalves, accents, width, pieces } = chain.outline!;
   const { screen, halves, count, margins } = chain;
   const placeAt = (i: number): ChainPlace => placeOn(chain, Math.min(i, count - 2), i < count - 1 ? 0 : 1, projection);
   const depthAt = (i: number): number => projection.depthOf(...placeAt(i).world);
   for (let i = 0; i < count; i++) {
+    if (i % 32 === 31) yield i / count;
     const [outer, inner] = [halves[i], innerHalves[i]];
     if ((outer === inner && accents[i] === 0) || margins[i] <= 0) continue;
     const [before, after] = [Math.max(i - 1, 0), Math.min(i + 1, count - 1)];

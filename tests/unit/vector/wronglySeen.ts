@@ -39,7 +39,7 @@ export function wronglySeen(scene: Scene, camera: Camera, samples: number): { sh
   const pieces: { length: number; look(share: number): boolean }[] = [];
   for (const surface of drawn.surfaces) {
     for (const { chain } of finished(drawer.tracedChains(surface))) {
-      const runs = visibleRuns(chain, projection, drawer.surfaceTest(chain));
+      const runs = finished(visibleRuns(chain, projection, drawer.surfaceTest(chain)));
       for (let piece = 0; piece + 1 < chain.count; piece++) {
         if (!(chain.margins[piece] > 0 && chain.margins[piece + 1] > 0)) continue;
         const [i, j] = [2 * piece, 2 * piece + 2];
