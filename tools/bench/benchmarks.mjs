@@ -11,6 +11,7 @@ import { occlusion } from './occlusion/occlusion.mjs';
 import { shadows } from './shadows/shadows.mjs';
 import { tam } from './tam/tam.mjs';
 import { upload } from './upload/upload.mjs';
+import { vector } from './vector/vector.mjs';
 
 /**
  * All benchmarks, in the order they run in. Each has a name, knows whether what it measures depends on who draws, runs in
@@ -28,6 +29,7 @@ export const benchmarks = [
   occlusion,
   upload,
   tam,
+  vector,
   firstPicture,
   drop,
 ];

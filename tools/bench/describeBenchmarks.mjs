@@ -20,6 +20,7 @@ const titles = {
   tam: 'Maps',
   firstPicture: 'To the first picture',
   drop: 'From drop to first frame',
+  vector: 'Drawings as lines',
 };
 
 /** What the numbers of each benchmark mean. */

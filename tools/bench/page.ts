@@ -14,6 +14,7 @@ const measures = {
   upload: async () => (await import('./upload/measureUpload.js')).measureUpload,
   memory: async () => (await import('./memory/measureMemory.js')).measureMemory,
   memoryFrames: async () => (await import('./memory/measureMemory.js')).drawFrames,
+  vector: async () => (await import('./vector/measureVector.js')).measureVector,
   map: async () => (await import('./tam/measureMap.js')).measureMap,
   comparedFrames: async () => (await import('./compare/compareFrames.js')).compareFrames,
   comparedLooks: async () => (await import('./compare/compareLooks.js')).compareLooks,
