@@ -28,21 +28,29 @@ export function* improveOrder(paths: readonly PathEnds[], order: OrderedPath[]):
     }
     if (gained < LEAST_GAIN) break;
   }
+  search.writeTo(order);
 }
 
 /** An end is twice the number of its path, plus one for the second. */
 class Search {
   private readonly places: Int32Array;
+  /** The end that each path in the order is begun at. */
+  private readonly begun: Int32Array;
   private readonly count: number;
 
   constructor(
     private readonly points: Float64Array,
     private readonly nearest: Int32Array,
-    private readonly order: OrderedPath[],
+    order: readonly OrderedPath[],
   ) {
     this.count = (2 * nearest.length) / points.length;
     this.places = new Int32Array(order.length);
+    this.begun = Int32Array.from(order, ({ path, isReversed }) => 2 * path + Number(isReversed));
     this.note(0, order.length - 1);
+  }
+
+  writeTo(order: OrderedPath[]): void {
+    for (const [i, end] of this.begun.entries()) order[i] = { path: end >> 1, isReversed: (end & 1) === 1 };
   }
 
   /** Does the first change at either end of a path, or with it moved, that shortens the way. Returns by how much. */
@@ -63,18 +71,20 @@ class Search {
 
   /** The end that the path at a place in the order is begun or left at; −1 beyond both ends. */
   private from(i: number): number {
-    return i >= this.order.length ? -1 : 2 * this.order[i].path + Number(this.order[i].isReversed);
+    return i >= this.begun.length ? -1 : this.begun[i];
   }
 
   private to(i: number): number {
-    return i < 0 ? -1 : 2 * this.order[i].path + Number(!this.order[i].isReversed);
+    return i < 0 ? -1 : this.begun[i] ^ 1;
   }
 
   /** The way from one end to another; from the corner of the sheet to the first, and none after the last. */
   private way(leaving: number, reaching: number): number {
     if (reaching < 0) return 0;
-    const [x, y] = leaving < 0 ? [0, 0] : [this.points[2 * leaving], this.points[2 * leaving + 1]];
-    return Math.hypot(this.points[2 * reaching] - x, this.points[2 * reaching + 1] - y);
+    const { points } = this;
+    const dx = points[2 * reaching] - (leaving < 0 ? 0 : points[2 * leaving]);
+    const dy = points[2 * reaching + 1] - (leaving < 0 ? 0 : points[2 * leaving + 1]);
+    return Math.sqrt(dx * dx + dy * dy);
   }
 
   /** Reverses a stretch so that one end follows another. Returns the gain, 0 if there is none. */
@@ -99,7 +109,7 @@ class Search {
     const isLeft = end === this.to(i);
     for (let length = 1; length <= LONGEST_MOVED; length++) {
       const [a, b] = isLeft ? [i - length + 1, i] : [i, i + length - 1];
-      if (a < 0 || b >= this.order.length || (j >= a && j <= b)) continue;
+      if (a < 0 || b >= this.begun.length || (j >= a && j <= b)) continue;
       // The place in the order after which it comes.
       const after = other === this.to(j) ? j : j - 1;
       if (after === a - 1 || after === b) continue;
@@ -119,24 +129,32 @@ class Search {
   }
 
   private turn(first: number, last: number): void {
-    const { order } = this;
-    for (let [i, j] = [first, last]; i <= j; i++, j--) {
-      const [one, other] = [order[i], order[j]];
-      order[i] = { path: other.path, isReversed: !other.isReversed };
-      order[j] = { path: one.path, isReversed: !one.isReversed };
+    const { begun } = this;
+    let i = first;
+    for (let j = last; i <= j; i++, j--) {
+      const one = begun[i];
+      begun[i] = begun[j] ^ 1;
+      begun[j] = one ^ 1;
     }
     this.note(first, last);
   }
 
   private moveAfter(a: number, b: number, after: number, isTurned: boolean): void {
     if (isTurned) this.turn(a, b);
-    const stretch = this.order.splice(a, b - a + 1);
-    this.order.splice(after < a ? after + 1 : after + 1 - stretch.length, 0, ...stretch);
+    const { begun } = this;
+    const stretch = begun.slice(a, b + 1);
+    if (after < a) {
+      begun.copyWithin(after + 1 + stretch.length, after + 1, a);
+      begun.set(stretch, after + 1);
+    } else {
+      begun.copyWithin(a, b + 1, after + 1);
+      begun.set(stretch, after + 1 - stretch.length);
+    }
     this.note(Math.min(a, after + 1), Math.max(b, after));
   }
 
   /** Notes where the paths of a stretch are in the order. */
   private note(first: number, last: number): void {
-    for (let i = first; i <= last; i++) this.places[this.order[i].path] = i;
+    for (let i = first; i <= last; i++) this.places[this.begun[i] >> 1] = i;
   }
 }

@@ -17,7 +17,8 @@ export function* nearestEnds(points: Float64Array, count: number): Generator<num
     const [x, y] = [points[2 * p], points[2 * p + 1]];
     const add = (q: number): void => {
       if (q >> 1 === p >> 1) return;
-      const away = Math.hypot(points[2 * q] - x, points[2 * q + 1] - y);
+      const [dx, dy] = [points[2 * q] - x, points[2 * q + 1] - y];
+      const away = Math.sqrt(dx * dx + dy * dy);
       if (found === count && away >= distances[count - 1]) return;
       let i = found < count ? found++ : count - 1;
       for (; i > 0 && distances[i - 1] > away; i--) {
