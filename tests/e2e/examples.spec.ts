@@ -95,6 +95,14 @@ for (const example of EXAMPLES) {
       expect([print.width, print.height]).toEqual([1181, 886]);
       expect(measure(print).edges).toBeGreaterThan(0.01);
     }
+    if (example.folder === 'vector-file') {
+      const download = page.waitForEvent('download');
+      await page.getByRole('button').click();
+      const chunks = await (await (await download).createReadStream()).toArray();
+      const svg = Buffer.concat(chunks).toString();
+      expect(svg).toContain('width="120mm" height="90mm"');
+      expect(svg.match(/<path/g)?.length).toBeGreaterThan(200);
+    }
     expect(heard).toEqual([]);
   });
 }
