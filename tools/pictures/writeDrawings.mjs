@@ -61,7 +61,7 @@ function bracket() {
 }
 
 /** Draws a group as the page would light it, in a picture of 10 × 10 cm. */
-async function draw(name, group, view, preset, options) {
+async function draw(name, title, group, view, preset, options) {
   const scene = new Scene().add(group);
   const { center, radius } = new Box3().setFromObject(group).getBoundingSphere(new Sphere());
   const light = new DirectionalLight('white', Math.PI);
@@ -83,11 +83,18 @@ async function draw(name, group, view, preset, options) {
       if (object instanceof HatchingOutlines) object.material.hidden = 'dashed';
     });
   const { svg, paths, seconds } = await drawSVG(scene, camera, { sheet: [100, 100], margin: 3, ...options });
-  writeFileSync(`${folder}${name}.svg`, svg);
+  writeFileSync(`${folder}${name}.svg`, svg.replace('\n', `\n<title>${title}</title>\n`));
   console.log(`${name}: ${paths} paths, ${Math.round(svg.length / 1000)} kB, ${seconds.toFixed(1)} s`);
 }
 
 mkdirSync(folder, { recursive: true });
-await draw('print', still(), [0.5, 0.45, 2], 'engraving', { shadows: 'hard' });
-await draw('pen', still(), [0.5, 0.45, 2], 'engraving', { kind: 'pen', penWidth: 0.35, shadows: 'hard' });
-await draw('hidden', bracket(), [1.1, 0.9, 1.6], 'technical', { shadows: false, dpi: 72 });
+await draw('print', 'A vase and a ball, engraved', still(), [0.5, 0.45, 2], 'engraving', { shadows: 'hard' });
+await draw('pen', 'A vase and a ball, in strokes of one pen', still(), [0.5, 0.45, 2], 'engraving', {
+  kind: 'pen',
+  penWidth: 0.35,
+  shadows: 'hard',
+});
+await draw('hidden', 'A bracket with a pin, its hidden edges dashed', bracket(), [1.1, 0.9, 1.6], 'technical', {
+  shadows: false,
+  dpi: 72,
+});
