@@ -7,6 +7,7 @@
 export type { EdgeCounts } from './adjacency/EdgeCounts.js';
 export type { BackgroundNumberName } from './background/backgroundProperties.js';
 export { HatchingBackground, type HatchingBackgroundParameters } from './background/HatchingBackground.js';
+export type { HiddenOutlines } from './engraving/hiddenOutlines.js';
 export type { HatchingFormOptions } from './geometry/HatchingFormOptions.js';
 export type { HatchingStatistics } from './geometry/HatchingStatistics.js';
 export type { OutlineOptions, PrepareHatchingGeometryOptions } from './geometry/prepareHatchingGeometry.js';

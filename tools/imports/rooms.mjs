@@ -87,6 +87,7 @@ export const ROOMS = {
   ],
   'index.ts': [
     'adjacency',
+    'engraving',
     'strokes',
     'hatchImages',
     'mapFiles',
