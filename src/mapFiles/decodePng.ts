@@ -1,8 +1,7 @@
 import type { Pixels } from './Pixels.js';
 import { PNG_SIGNATURE } from './pngChunks.js';
+import { LAST_PNG_FILTER, PNG_SAMPLES as SAMPLES, unfilter } from './pngRows.js';
 
-/** The number of samples per pixel of each colour type: grey, RGB, palette, grey with alpha, RGB with alpha. */
-const SAMPLES: Record<number, number> = { 0: 1, 2: 3, 3: 1, 4: 2, 6: 4 };
 const PALETTE = 3;
 
 /** The number of compressed bytes that are inflated at once. A byte may become up to a thousand bytes. */
@@ -147,6 +146,7 @@ function unpackSamples(bytes: Uint8Array, header: Header): Uint8Array {
   for (let row = 0; row < height; row++) {
     const start = row * (stride + 1);
     const line = bytes.subarray(start + 1, start + 1 + stride);
+    if (bytes[start] > LAST_PNG_FILTER) throw new Error(DAMAGED);
     unfilter(line, above, pixelBytes, bytes[start]);
     for (let i = 0; i < samplesPerRow; i++) {
       const at = i * depth;
@@ -156,24 +156,4 @@ function unpackSamples(bytes: Uint8Array, header: Header): Uint8Array {
     above = line;
   }
   return samples;
-}
-
-/** Undoes one of the five filters of the PNG specification, in place. */
-function unfilter(line: Uint8Array, above: Uint8Array, pixelBytes: number, filter: number): void {
-  if (filter > 4) throw new Error(DAMAGED);
-  if (filter === 0) return;
-  for (let i = 0; i < line.length; i++) {
-    const left = i >= pixelBytes ? line[i - pixelBytes] : 0;
-    const up = above[i];
-    if (filter === 1) line[i] += left;
-    else if (filter === 2) line[i] += up;
-    else if (filter === 3) line[i] += (left + up) >> 1;
-    else line[i] += paeth(left, up, i >= pixelBytes ? above[i - pixelBytes] : 0);
-  }
-}
-
-/** The Paeth predictor: the one of left, up and corner that is nearest to left + up − corner. */
-function paeth(left: number, up: number, corner: number): number {
-  const [toLeft, toUp, toCorner] = [Math.abs(up - corner), Math.abs(left - corner), Math.abs(left + up - 2 * corner)];
-  return toLeft <= toUp && toLeft <= toCorner ? left : toUp <= toCorner ? up : corner;
 }

@@ -123,7 +123,8 @@ export const ROOMS = {
   // For Node: the presets are data.
   command: ['slices', 'strokes', 'hatchImages', 'mapFiles', 'scene/presets.ts', 'files/common', 'files/readingTime.ts'],
   // What draws models imports the library by its package name, and three.js: it is loaded when it is asked for.
-  'command/draw': ['/src/command', ...SHARED],
+  // The library's rows of PNG are no part of its interface.
+  'command/draw': ['/src/command', '/src/mapFiles/pngRows.ts', ...SHARED],
 
   // These import the library by its package name.
   react: [],

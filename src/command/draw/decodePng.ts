@@ -1,8 +1,7 @@
 import { inflateSync } from 'node:zlib';
 import type { PixelPicture } from '../../files/common/Surroundings.js';
+import { LAST_PNG_FILTER, PNG_SAMPLES as SAMPLES, unfilter } from '../../mapFiles/pngRows.js';
 
-/** Samples of a pixel, by the colour type in the header. */
-const SAMPLES: Readonly<Record<number, number>> = { 0: 1, 2: 3, 3: 1, 4: 2, 6: 4 };
 const PALETTE = 3;
 /** The passes of interlaced pictures (Adam7): where each begins, and its steps. */
 const PASSES = [
@@ -65,7 +64,8 @@ export function decodePng(bytes: Uint8Array): Omit<PixelPicture, 'close'> {
     let above = new Uint8Array(pass.rowBytes);
     for (let row = 0; row < pass.rows; row++) {
       const line = rows.subarray(at + 1, at + 1 + pass.rowBytes);
-      unfilter(rows[at], line, above, step);
+      if (rows[at] > LAST_PNG_FILTER) throw new Error('PNG: unknown filter');
+      unfilter(line, above, step, rows[at]);
       const y = pass.y + row * pass.dy;
       for (let column = 0; column < pass.columns; column++)
         write(line, column, data, 4 * (y * width + pass.x + column * pass.dx));
@@ -103,26 +103,6 @@ function readChunks(bytes: Uint8Array): Content {
     palette: found.get('PLTE') ?? new Uint8Array(),
     transparency: found.get('tRNS') ?? new Uint8Array(),
   };
-}
-
-/** Takes the filter from a row, in its place. @param step bytes to the pixel on the left */
-function unfilter(filter: number, line: Uint8Array, above: Uint8Array, step: number): void {
-  for (let i = 0; i < line.length; i++) {
-    const left = i >= step ? line[i - step] : 0;
-    const up = above[i];
-    if (filter === 1) line[i] += left;
-    else if (filter === 2) line[i] += up;
-    else if (filter === 3) line[i] += (left + up) >> 1;
-    else if (filter === 4) line[i] += paeth(left, up, i >= step ? above[i - step] : 0);
-    else if (filter !== 0) throw new Error('PNG: unknown filter');
-  }
-}
-
-function paeth(left: number, up: number, corner: number): number {
-  const guess = left + up - corner;
-  const [a, b, c] = [Math.abs(guess - left), Math.abs(guess - up), Math.abs(guess - corner)];
-  if (a <= b && a <= c) return left;
-  return b <= c ? up : corner;
 }
 
 type WritePixel = (line: Uint8Array, column: number, data: Uint8ClampedArray, at: number) => void;
