@@ -1,15 +1,6 @@
 // Outlines behind a surface, as technical draughtsmen keep them: thin, and dashed or faint.
 uniform bool isDashed;
 
-// The weight of what is hidden, whatever it would weigh where it is seen; what weighs less than this there is hidden in part.
-#define HIDDEN_WEIGHT 0.5
-#define WHOLE_FROM 0.2
-// The share of the ink that is left of faint lines.
-#define FAINT 0.4
-// Lengths in widths of an outline.
-#define DASH 3.5
-#define GAP 2.0
-
 float hiddenWeight(const in float weight) {
   return HIDDEN_WEIGHT * smoothstep(0.0, WHOLE_FROM, weight);
 }

@@ -2,13 +2,6 @@
 // not hide it, and hardly further; it stays where it is on the screen. What lies before it by less is found by the fragments
 // (hierarchy.glsl).
 
-// The lift as a share of the bounding radius, for rounding and for what smooth normals and flat triangles differ by.
-#define LIFT_SHARE 0.004
-// The most lift for the bend of the surface, as a share of the bounding radius.
-#define MOST_RISE 0.11
-// How steeply the faces beside an edge may rise towards the eye.
-#define EDGE_SLOPE 3.0
-
 // halfWidth: of the outline, in view units. scale: view units per object unit. Returns view units.
 float liftOf(const in PieceEnd end, const in Piece piece, const in float halfWidth, const in float scale) {
   float r = radius * scale;

@@ -6,20 +6,8 @@ uniform float accents; // how much heavier an outline becomes where it passes be
 
 // Depths are compared this many pixels beside the spine: on one of its two sides nothing of its own surface lies before it.
 #define BESIDE 1.0
-// From where on beyond its side an outline looks for what lies behind it, pixels.
-#define BEYOND 1.5
 // Pieces that are no longer than this are judged at their ends, for fragments to share, and others in each fragment, pixels.
 #define SHORT 16.0
-// A surface that lies as far behind an outline as these shares of the height of the view begins to count as paper, and does.
-#define BEGINS_AS_PAPER 0.25
-#define IS_PAPER 0.75
-// How far an accent reaches to either side, in widths of an outline, and in how many steps.
-#define ACCENT_REACH 8.0
-#define ACCENT_STEPS 4
-// From one step to the next, the depth behind an outline changes by these shares of the height of the view where another outline
-// begins to count, and does. What lies behind by less than the first is the outline's own surface.
-#define LEAST_JUMP 0.02
-#define FULL_JUMP 0.06
 
 struct Spine {
   vec2 start; // pixels

@@ -20,16 +20,6 @@ vec3 normalInView(const in vec3 normal) {
   #endif // USE_INSTANCING
 }
 
-// Up to the first of these, of (1 − N·L) / 2, an outline is as heavy as on the lit side, from the second on as in the shade.
-#define LIT 0.15
-#define SHADED 0.85
-// How far the surface just inside of a contour leans towards the eye: the share of that direction in its normal.
-#define INSIDE 0.5
-// The N·L just inside above which a contour is lost falls from 1 by as much as this. Over the second of N·L it tapers to nothing, so
-// that the pen lifts instead of fading.
-#define LOST_RANGE 0.7
-#define LOST_TAPER 0.12
-
 // Shades an end. light: of unit length, or 0 where no light has a direction. sight: the direction to the eye. Both in view space.
 void shadeEnd(inout PieceEnd end, const in float contour, const in vec3 light, const in vec3 sight) {
   vec3 normal = normalInView(end.normal);

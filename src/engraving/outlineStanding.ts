@@ -1,16 +1,9 @@
 /** How an outline stands before what lies behind it, as shaders/outlines/hierarchy.glsl has it: how much of that is paper, and of an accent. */
+import { ACCENT_STEPS, OUTLINE_CONSTANTS } from './outlineConstants.js';
 import { paperness } from './outlines.js';
 import { smoothstep } from './vectors.js';
 
-/** How far an accent reaches to either side, in widths of an outline, and in how many steps. */
-const ACCENT_REACH = 8;
-const ACCENT_STEPS = 4;
-/**
- * From one step to the next, the depth behind an outline changes by these shares of the height of the view where another outline begins to
- * count, and does. What lies behind by less than the first is the outline's own surface.
- */
-const LEAST_JUMP = 0.02;
-const FULL_JUMP = 0.06;
+const { ACCENT_REACH, LEAST_JUMP, FULL_JUMP } = OUTLINE_CONSTANTS;
 
 /** How far apart the steps lie, in the unit of the width. */
 export const strideOf = (outlineWidth: number): number => (ACCENT_REACH * outlineWidth) / ACCENT_STEPS;

@@ -1,5 +1,9 @@
 /** Contours and feature edges, as shaders/outlines has them. */
+import { OUTLINE_CONSTANTS } from './outlineConstants.js';
 import { clamp01, combined, dot, lengthOf, mix, normalize, smoothstep, type Vec3 } from './vectors.js';
+
+const { LIT, SHADED, INSIDE, LOST_RANGE, LOST_TAPER, LIFT_SHARE, MOST_RISE, EDGE_SLOPE, BEGINS_AS_PAPER, IS_PAPER } =
+  OUTLINE_CONSTANTS;
 
 /** Weight of a contour by the bend of the surface along the line of sight: it ends in a cusp, and the pen lifts there. */
 export const taperAt = (bend: number, taper: number): number =>
@@ -26,15 +30,6 @@ export function contourAlong(
   return least >= 0 && least < turn ? [least, turn] : null;
 }
 
-/** Up to the first of these, of (1 − N·L) / 2, an outline is as heavy as on the lit side, from the second on as in the shade. */
-const LIT = 0.15;
-const SHADED = 0.85;
-/** How far the surface just inside of a contour leans towards the eye. */
-const INSIDE = 0.5;
-/** The N·L just inside above which a contour is lost falls from 1 by as much as this, and tapers over the second. */
-const LOST_RANGE = 0.7;
-const LOST_TAPER = 0.12;
-
 /** The light, the eye and how outlines answer to them. Directions are unit, or without length where there is none. */
 export interface OutlineLight {
   light: Vec3;
@@ -60,12 +55,6 @@ export function shadeWeight(
   return [weight, weight * (1 - contour * smoothstep(lost, lost + LOST_TAPER, inside))];
 }
 
-/** The lift of an outline towards the eye before it is compared with surfaces, as shares of the bounding radius. */
-const LIFT_SHARE = 0.004;
-const MOST_RISE = 0.11;
-/** How steeply the faces beside an edge may rise towards the eye. */
-const EDGE_SLOPE = 3;
-
 /** A piece of an outline, as far as its visibility goes. Lengths in world units. */
 export interface LiftedPiece {
   isSmooth: boolean;
@@ -82,10 +71,6 @@ export function liftOf({ isSmooth, bend, extent }: LiftedPiece, halfWidth: numbe
   const rise = Math.sqrt((2 * halfWidth * radius) / Math.max(bend, 1e-3));
   return own + 2 * halfWidth + Math.min(rise, MOST_RISE * radius);
 }
-
-/** A surface that lies as far behind an outline as these shares of the height of the view begins to count as paper, and does. */
-const BEGINS_AS_PAPER = 0.25;
-const IS_PAPER = 0.75;
 
 /** Whether what lies so far behind an outline, as a share of the height of the view, is as good as paper. */
 export const paperness = (gap: number): number => smoothstep(BEGINS_AS_PAPER, IS_PAPER, clamp01(gap));

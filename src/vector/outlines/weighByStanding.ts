@@ -1,11 +1,9 @@
+import { OUTLINE_CONSTANTS } from '../../engraving/outlineConstants.js';
 import { standingAt, strideOf } from '../../engraving/outlineStanding.js';
 import type { Bvh } from '../Bvh.js';
 import type { Chain } from '../Chain.js';
 import type { Projection } from '../Projection.js';
 import { type ChainPlace, placeOn } from '../visibleRuns.js';
-
-/** From where on beyond its side an outline looks for what lies behind it, pixels. */
-const BEYOND = 1.5;
 
 /**
  * Makes an outline as wide as it is before what lies behind it, the paper or a surface, and heavier where another one ends behind it. Changes
@@ -27,7 +25,7 @@ export function* weighByStanding(chain: Chain, bvh: Bvh, projection: Projection)
     // A straight edge may run away from the eye. Contours are taken to stay as deep as they are.
     const slope = pieces[i].isSmooth ? 0 : (depthAt(after) - depthAt(before)) / length;
     const gaps = new GapReader({ ...placeAt(i), along: [dx / length, dy / length], slope }, bvh, projection);
-    const { paper, accent } = gaps.standing(Math.max(outer, inner) + BEYOND, strideOf(width));
+    const { paper, accent } = gaps.standing(Math.max(outer, inner) + OUTLINE_CONSTANTS.BEYOND, strideOf(width));
     halves[i] = (inner + paper * (outer - inner)) * (1 + accents[i] * accent);
   }
 }

@@ -1,0 +1,47 @@
+/** The numbers that outlines are drawn by, for the processor and, as defines, for the shaders (src/outlines/outlineConventions.ts). */
+export const OUTLINE_CONSTANTS = {
+  /** Up to the first of these, of (1 − N·L) / 2, an outline is as heavy as on the lit side, from the second on as in the shade. */
+  LIT: 0.15,
+  SHADED: 0.85,
+  /** How far the surface just inside of a contour leans towards the eye: the share of that direction in its normal. */
+  INSIDE: 0.5,
+  /**
+   * The N·L just inside above which a contour is lost falls from 1 by as much as this. Over the second of N·L it tapers to nothing, so that
+   * the pen lifts instead of fading.
+   */
+  LOST_RANGE: 0.7,
+  LOST_TAPER: 0.12,
+
+  /** The lift as a share of the bounding radius, for rounding and for what smooth normals and flat triangles differ by. */
+  LIFT_SHARE: 0.004,
+  /** The most lift for the bend of the surface, as a share of the bounding radius. */
+  MOST_RISE: 0.11,
+  /** How steeply the faces beside an edge may rise towards the eye. */
+  EDGE_SLOPE: 3,
+
+  /** From where on beyond its side an outline looks for what lies behind it, pixels. */
+  BEYOND: 1.5,
+  /** A surface that lies as far behind an outline as these shares of the height of the view begins to count as paper, and does. */
+  BEGINS_AS_PAPER: 0.25,
+  IS_PAPER: 0.75,
+  /** How far an accent reaches to either side, in widths of an outline. */
+  ACCENT_REACH: 8,
+  /**
+   * From one step to the next, the depth behind an outline changes by these shares of the height of the view where another outline begins to
+   * count, and does. What lies behind by less than the first is the outline's own surface.
+   */
+  LEAST_JUMP: 0.02,
+  FULL_JUMP: 0.06,
+
+  /** The weight of what is hidden, whatever it would weigh where it is seen; what weighs less than the second there is hidden in part. */
+  HIDDEN_WEIGHT: 0.5,
+  WHOLE_FROM: 0.2,
+  /** The share of the ink that is left of faint lines. */
+  FAINT: 0.4,
+  /** Lengths of a dash and of the gap after it, in widths of an outline. */
+  DASH: 3.5,
+  GAP: 2,
+} as const;
+
+/** In how many steps an outline looks for accents, to either side. */
+export const ACCENT_STEPS = 4;
