@@ -1,14 +1,15 @@
-import { DASH, FAINT, GAP } from '../engraving/hiddenOutlines.js';
+import { OUTLINE_CONSTANTS } from '../engraving/outlineConstants.js';
 import { asPhase } from '../slices/asPhase.js';
 import type { Bvh } from './Bvh.js';
 import { backgroundPaths } from './background/backgroundPaths.js';
 import type { Chain } from './Chain.js';
 import { type CutRun, cutRun } from './cutRun.js';
 import type { DrawnScene, EngravedSurface, OutlinedMesh } from './DrawnScene.js';
-import { dashed, endHairlines } from './dashed.js';
 import { type Casters, castersOf, dropLit } from './dropLit.js';
 import { Engraver, type FamilyName } from './Engraver.js';
+import { dashed, endHairlines } from './hairlines.js';
 import { holdBack } from './holdBack.js';
+import type { LineMedium } from './marks/lineMarks.js';
 import { hiddenLook, weighHidden } from './outlines/hiddenPieces.js';
 import { outlineChains } from './outlines/outlineChains.js';
 import { outlinePieces } from './outlines/outlinePieces.js';
@@ -26,6 +27,8 @@ import { Toner } from './Toner.js';
 import type { Tracing } from './Tracing.js';
 import { seenSides, traceFamily } from './traceFamily.js';
 import { type SeenTest, visibleRuns } from './visibleRuns.js';
+
+const { DASH, FAINT, GAP } = OUTLINE_CONSTANTS;
 
 /** The names of the layers, in their order. */
 export const LAYERS = ['outlines', 'engraved', 'crossing', 'shadows', 'background', 'hidden'] as const;
@@ -136,7 +139,7 @@ export class LineDrawer {
     const lines = yield* asPhase(this.tracedChains(engraved), 0, 0.5);
     for (const [i, { family, chain: line }] of lines.entries()) {
       this.segments += line.count - 1;
-      const chain = this.least > 0 ? dashed(line, this.least) : line;
+      const chain = this.asPressHolds(line, engraved.engraved.medium);
       const isSeen = clipped(this.surfaceTest(chain), engraved.clip);
       const adding = this.addChain(this.layerOf(LAYER_OF[family], engraved.ink), chain, isSeen, engraved);
       yield* asPhase(adding, 0.5 + (0.5 * i) / lines.length, 0.5 + (0.5 * (i + 1)) / lines.length);
@@ -161,7 +164,8 @@ export class LineDrawer {
       const isTurned = (shadows: number) => turned.findIndex((one) => one.shadows === shadows) + 1 === i;
       const tracing = { surface, details, painter, engraver, toner, projection, sides, pen };
       const tracingAll = tracedFamilies({ ...tracing, isDrawnIn: turned.length > 0 ? isTurned : null });
-      lines.push(...(yield* asPhase(tracingAll, 0.1 + (0.9 * i) / all.length, 0.1 + (0.9 * (i + 1)) / all.length)));
+      const found = yield* asPhase(tracingAll, 0.1 + (0.9 * i) / all.length, 0.1 + (0.9 * (i + 1)) / all.length);
+      for (const line of found) lines.push(line);
     }
     return lines;
   }
@@ -171,6 +175,17 @@ export class LineDrawer {
       const paths = yield* backgroundPaths(background, this.projection, this.bvh, this.pen);
       for (const path of paths) this.layerOf('background', background.ink).paths.push(path);
     }
+  }
+
+  /** A line of a print that is nowhere thinner than a press holds. */
+  private asPressHolds(line: Chain, medium: LineMedium): Chain {
+    const { least } = this;
+    // What is left of a block is drawn side by side, in cells that are thinner than it is.
+    if (least === 0 || medium === 'woodcut') return line;
+    if (medium === 'ink') return dashed(line, least);
+    // Strokes end by themselves.
+    endHairlines(line, least);
+    return line;
   }
 
   private layerOf(name: LayerName, ink: string, opacity = 1): PathLayer {

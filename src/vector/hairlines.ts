@@ -112,7 +112,7 @@ function isDash(chain: Chain, piece: number, [a, b]: readonly [number, number], 
   return Math.abs(phase - Math.floor(phase) - 0.5) < 0.5 * share;
 }
 
-/** Makes an outline of a print nowhere thinner than a press holds: it ends where it would be less than half as wide. Changes the chain. */
+/** Makes an outline or a stroke of a print nowhere thinner than a press holds: it ends where it would be less than half as wide. Changes the chain. */
 export function endHairlines({ halves, margins, count }: Chain, width: number): void {
   const least = width / 2;
   for (let i = 0; i < count; i++) {

@@ -1,5 +1,5 @@
 import type { CutRun } from './cutRun.js';
-import { PATH_STRIDE } from './paths/LinePath.js';
+import { PATH_STRIDE, reversedPoints } from './paths/LinePath.js';
 
 /** Near its ends a line has points so far apart, over so many times half its width. Pixels. */
 const STEP = 0.6;
@@ -43,11 +43,7 @@ function refinedStart({ path, depths }: CutRun): CutRun {
   };
 }
 
-function reversed({ path, depths }: CutRun): CutRun {
-  const points: number[] = [];
-  for (let o = path.points.length - PATH_STRIDE; o >= 0; o -= PATH_STRIDE) {
-    const [x, y, left, right] = path.points.slice(o, o + PATH_STRIDE);
-    points.push(x, y, right, left);
-  }
-  return { path: { points, isClosed: path.isClosed }, depths: [...depths].reverse() };
-}
+const reversed = ({ path, depths }: CutRun): CutRun => ({
+  path: { points: reversedPoints(path.points), isClosed: path.isClosed },
+  depths: depths.toReversed(),
+});

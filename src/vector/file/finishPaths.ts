@@ -3,7 +3,7 @@ import type { DrawingPlan } from '../DrawnScene.js';
 import { asDrawn, type OrderedPath, orderPaths, type PathEnds, travelOf } from '../order/orderPaths.js';
 import type { Projection } from '../Projection.js';
 import { clipRing } from '../paths/clipRing.js';
-import { type LinePath, PATH_STRIDE, pathLength } from '../paths/LinePath.js';
+import { type LinePath, PATH_STRIDE, pathLength, reversedPoints } from '../paths/LinePath.js';
 import { type Placement, pathData } from '../paths/pathData.js';
 import { simplify } from '../paths/simplify.js';
 import { strokeOutline } from '../paths/strokeOutline.js';
@@ -32,7 +32,7 @@ const TOLERANCE = 0.02;
 const SHORTEST = 0.1;
 const SHORTEST_IN_PENS = 2;
 
-/** Simplifies, orders and writes the paths of layers: Yields its progress. */
+/** Simplifies, orders and writes the paths of layers. Yields its progress. */
 export function* finishPaths(
   layers: readonly { paths: readonly LinePath[] }[],
   plan: DrawingPlan,
@@ -89,15 +89,8 @@ function endsOf({ points, isClosed }: LinePath, { scale, left, top }: Placement)
 }
 
 /** A path as it is drawn in an order. */
-function turned(path: LinePath, { isReversed }: OrderedPath): LinePath {
-  if (!isReversed) return path;
-  const points: number[] = [];
-  for (let o = path.points.length - PATH_STRIDE; o >= 0; o -= PATH_STRIDE) {
-    const [x, y, left, right] = path.points.slice(o, o + PATH_STRIDE);
-    points.push(x, y, right, left);
-  }
-  return { points, isClosed: path.isClosed };
-}
+const turned = (path: LinePath, { isReversed }: OrderedPath): LinePath =>
+  isReversed ? { points: reversedPoints(path.points), isClosed: path.isClosed } : path;
 
 /** What of a path goes into the file. */
 function dataOf(path: LinePath, { pen }: DrawingPlan, { width, height }: Projection, placement: Placement): string {

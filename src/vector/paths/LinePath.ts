@@ -8,6 +8,14 @@ export interface LinePath {
   isClosed: boolean;
 }
 
+/** The points of a path from its end to its start: what was left is right. */
+export function reversedPoints(points: readonly number[]): number[] {
+  const reversed: number[] = [];
+  for (let o = points.length - PATH_STRIDE; o >= 0; o -= PATH_STRIDE)
+    reversed.push(points[o], points[o + 1], points[o + 3], points[o + 2]);
+  return reversed;
+}
+
 /** How long a path is, pixels. */
 export function pathLength({ points, isClosed }: LinePath): number {
   let length = 0;

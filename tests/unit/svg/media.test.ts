@@ -102,3 +102,21 @@ test.each(['pen', 'woodcut'] as const)('the medium %s stays within the surface',
   const beyond = away.filter((distance) => distance > 45.3 || distance < 14.7).length;
   expect(beyond / away.length).toBeLessThan(0.01);
 });
+
+test.each(['pen', 'woodcut'] as const)(
+  'the medium %s has its ink also where a press holds no thinner line',
+  async (medium) => {
+    const mesh = await hatchedMesh(new TorusGeometry(0.6, 0.3, 48, 96), { outlines: false, material: { medium } });
+    const inkOf = async (leastWidth: number): Promise<number> => {
+      const { svg } = await drawSVG(sceneOf(mesh), cameraAt(0, 0, 1, true), {
+        sheet: [105, 105],
+        margin: 0,
+        leastWidth,
+      });
+      return coverageOf(pathsOf(svg), [5, 5, 100, 100]);
+    };
+    const whole = await inkOf(0);
+    expect(whole).toBeGreaterThan(0.1);
+    expect(Math.abs((await inkOf(0.05)) / whole - 1)).toBeLessThan(0.03);
+  },
+);
