@@ -66,8 +66,8 @@ test.beforeAll(() => {
 const MOST_BYTES = [
   ['HatchingMaterial', 'three-hatching', 30_200],
   ['HatchingMaterial, prepareHatchingGeometry, TonalArtMap', 'three-hatching', 41_000],
-  ['applyHatching', 'three-hatching', 49_200],
-  ['Hatched', 'three-hatching/react', 52_200],
+  ['applyHatching', 'three-hatching', 49_000],
+  ['Hatched', 'three-hatching/react', 52_000],
   ['drawSVG', 'three-hatching/svg', 59_000],
 ] as const;
 
