@@ -2,7 +2,3 @@
 float lightness(const in float y) {
   return y < 216.0 / 24389.0 ? y * 9.032963 : 1.16 * pow(y, 1.0 / 3.0) - 0.16;
 }
-
-vec4 lightness(const in vec4 y) {
-  return vec4(lightness(y.x), lightness(y.y), lightness(y.z), lightness(y.w));
-}

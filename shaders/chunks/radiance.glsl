@@ -17,10 +17,6 @@ float cosines(const in vec3 direction, const in vec3 normal) {
   return dot(direction, normal);
 }
 
-vec4 cosines(const in vec3 direction, const in mat4x3 normals) {
-  return direction * normals;
-}
-
 void addDirectRadiance(const in IncidentLight light, const in vec3 toViewer, inout HatchingSurface surface) {
   PerToneNormal cosine = cosines(light.direction, surface.normals);
   #if TONE_MODEL == TONE_MODEL_HALF_LAMBERT
@@ -76,12 +72,6 @@ float indirectRadiance(const in vec3 n) {
     irradiance += environmentIrradiance(n);
   #endif // ENVIRONMENT
   return luminance(irradiance) * RECIPROCAL_PI;
-}
-
-vec4 indirectRadiance(const in mat4x3 normals) {
-  return vec4(
-    indirectRadiance(normals[0]), indirectRadiance(normals[1]), indirectRadiance(normals[2]), indirectRadiance(normals[3])
-  );
 }
 
 void addIndirectRadiance(inout HatchingSurface surface) {

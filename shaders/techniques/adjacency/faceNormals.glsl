@@ -9,3 +9,22 @@
     );
   }
 #endif // TONE_NORMAL
+
+// What other techniques work out for one normal, for four at once.
+float lightness(const in float y);
+
+vec4 lightness(const in vec4 y) {
+  return vec4(lightness(y.x), lightness(y.y), lightness(y.z), lightness(y.w));
+}
+
+vec4 cosines(const in vec3 direction, const in mat4x3 normals) {
+  return direction * normals;
+}
+
+float indirectRadiance(const in vec3 n);
+
+vec4 indirectRadiance(const in mat4x3 normals) {
+  return vec4(
+    indirectRadiance(normals[0]), indirectRadiance(normals[1]), indirectRadiance(normals[2]), indirectRadiance(normals[3])
+  );
+}
