@@ -15,18 +15,13 @@ varying vec2 vLit;
 #include <common>
 #include <dithering_pars_fragment>
 #include "lineCoverage"
+#include "background/constants"
 
-// How far apart the ends of lines lie, and over what way a line thins out, by the size of the field.
-#define RAGGED 0.4
-#define THINNING 0.5
-// How near to the rim of the sheet the field comes, in halves of the sheet.
-#define RIM 0.95
-
-// A random number in [0, 1) of an end of a line (Fibonacci hashing).
+// A random number in [0, 1) of an end of a line.
 float lotOf(const in float line, const in float end) {
-  uint spread = uint(int(2.0 * line + end)) * 0x9e3779b9u;
+  uint spread = uint(int(2.0 * line + end)) * GOLDEN_RATIO;
   spread ^= spread >> 15u;
-  return float((spread * 0x85ebca6bu) >> 8u) / 16777216.0;
+  return float((spread * SECOND_FACTOR) >> 8u) / 16777216.0;
 }
 
 void main() {

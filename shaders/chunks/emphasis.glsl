@@ -5,17 +5,6 @@ uniform float vignette; // how much falls off towards the rim
 uniform vec4 sheet; // its lower left corner from that of what is drawn to, and its size, pixels
 uniform float importance; // of the object
 
-// The air takes the same share of what is left with every stretch of the way: e to this power of it all the way.
-#define AIR 3.0
-// How much more weight than usual outlines have in front, where the back has none.
-#define FRONT_GAIN 0.4
-// Where nothing is left beyond the focus, in its radii.
-#define FOCUS_END 2.5
-// Where the oval of a vignette begins and where nothing is left, in halves of the sheet.
-#define VIGNETTE_START 0.55
-// How far the edge of what is left out wavers, as a share of its radius.
-#define UNEVEN 0.12
-
 // How much air lies before a place: 0 in front, 1 at the back.
 float airBefore(const in vec3 viewPosition) {
   if (depthFading.z == 0.0) return 0.0;

@@ -14,9 +14,6 @@ float openToLights() {
 // The depths of hollows are the darkest places of a drawing, also where light reaches them.
 uniform float hollowTone; // how dark they are
 
-// The occlusion from which on a place is a hollow, which is that of eyelids and lips, and from which on it is a deep one.
-#define HOLLOW vec2(0.1, 0.6)
-
 float hollowness() {
   return hollowTone * occlusion * smoothstep(HOLLOW.x, HOLLOW.y, vOcclusion);
 }

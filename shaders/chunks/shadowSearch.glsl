@@ -10,13 +10,13 @@
 float opening = 0.5 * shadowSoftness;
 float texel = rays.width / texels;
 float lift = LIFT * texel;
-float thinnest = max(radius, 0.5) * texel;
+float thinnest = max(radius, THINNEST) * texel;
 MAP_PLACE darkPlace = PLACE(0.0);
 float middle = PASSES(darkPlace, DEPTH(lift));
 float darkest = middle;
 float lit = middle;
 // Distances are found up to that of the lamp; a cone to a lamp opens on the map the faster the nearer it comes.
-float farthest = min(rays.farthest, 0.75 / max(rays.nearing, 1e-6));
+float farthest = min(rays.farthest, TOWARDS_LAMP / max(rays.nearing, 1e-6));
 float opened = farthest / (1.0 - rays.nearing * farthest) / 27.0;
 vec2 way = vec2(1.0, 0.0);
 for (int i = 0; i < 4; i++) {

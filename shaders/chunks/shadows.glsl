@@ -25,8 +25,5 @@
     bool isLightShadowed[LIGHTS_WITH_DIRECTION];
     float lightSent = 0.0; // luminance of all lights together, without their shadows
     float lightTaken = 0.0; // what shadows take of it, less what they let pass
-
-    // Where a surface hardly sees a light, whether it lies in shadow is a matter of rounding.
-    #define LEAST_RESPONSE 0.05
   #endif // SHADOW_STROKES
 #endif // USE_SHADOWMAP

@@ -9,16 +9,9 @@
   #include "shadowMatrices"
   #include "shadowDepth"
 
-  // Nothing is found farther away than so many widths of what a shadow map covers.
-  #define FARTHEST_CASTER 3.0
   // The steps in which the distance is found: so many that no bands show.
   #define HALVINGS 6
   #define LAST_STEP (1.0 / 64.0)
-  // Rays start so many texels above the surface, which does not meet itself then.
-  #define LIFT 1.5
-  // Samples of an edge; after the outermost of them it is known whether there is one.
-  #define EDGE_SAMPLES 24
-  #define RIM_SAMPLES 6
   // Rays are taken up at this share of their length, where a surface that leans to the light does not meet them.
   #define WITHIN 0.25
 
@@ -44,7 +37,7 @@
   };
 
   Rays raysTo(const in vec3 toLight, const in float width) {
-    vec3 side = normalize(cross(toLight, abs(toLight.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0)));
+    vec3 side = normalize(cross(toLight, abs(toLight.y) < OVERHEAD ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0)));
     return Rays(width / max(shadowFade, 1.0 / FARTHEST_CASTER), width, 0.0, side, cross(toLight, side));
   }
 

@@ -44,7 +44,7 @@ PerToneNormal shadedTone(const in HatchingSurface surface) {
     // Light ink draws the lights: its shadows are blank, soft edges too.
     if (toneEnds.y <= toneEnds.x) return PerToneNormal(0.0);
     // The share of the light that arrives. Where there is none that shadows could take, nothing is printed.
-    PerToneNormal arriving = (surface.radiance + 1e-6) / (surface.radiance + surface.shadowed + 1e-6);
+    PerToneNormal arriving = (surface.radiance + NO_LIGHT) / (surface.radiance + surface.shadowed + NO_LIGHT);
     // Nor where all of it arrives, whatever a curve makes of blank paper.
     PerToneNormal tone = max(toneFromRadiance(arriving) - arriving * toneEnds.x, 0.0);
     #ifdef DISSOLVES_SHADOWS

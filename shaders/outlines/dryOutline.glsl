@@ -1,6 +1,5 @@
 // Outlines of pencil, charcoal and chalk: soft at their sides, where the hand presses least, and heavier or lighter as it goes. They
 // catch on the tooth of the paper.
-#include "conventions"
 #include "normalDistribution"
 #include "tooth"
 

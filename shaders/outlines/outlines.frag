@@ -1,5 +1,6 @@
 // Contours and feature edges: the fragment shader stage. A piece of outline is a capsule on the screen, so that pieces join
 // without mitres; its edge fades over one pixel.
+#include "conventions"
 #include "outlines/conventions"
 #include "outlines/varyings"
 

@@ -3,13 +3,6 @@
 // the eye, on triangles that face it.
 uniform float suggestiveContours; // weight
 
-// How fast the bend must grow along the surface, times the radius, for an outline to begin, and to be as wide as asked.
-#define LEAST_GROWTH 20.0
-#define FULL_GROWTH 60.0
-// Seen face on, an outline says nothing: how far the normal must lean away for one to begin, and to be as wide as asked.
-#define LEAST_LEAN 0.1
-#define FULL_LEAN 0.35
-
 Piece suggestiveContour(const in OutlinePoint a, const in OutlinePoint b, const in OutlinePoint c, const in vec4 eye) {
   Piece piece = noPiece();
   if (min(min(a.facing, b.facing), c.facing) <= 0.0) return piece;

@@ -1,9 +1,6 @@
 // How fast a function of the place on the object changes on the screen, from the smooth normal: derivatives of the function
 // would be those of flat triangles, and show their edges.
 
-// Surfaces whose cosine to the viewer is less than this are treated as if it were this, which bounds how close lines crowd.
-#define LEAST_FACING 0.12
-
 // The tangent plane of a fragment and what the projection makes of it.
 struct ScreenMap {
   mat3 viewToPlace; // linear part, for vectors; its transpose, written as a factor on the right, takes gradients and normals back

@@ -1,9 +1,6 @@
 // The steady kernel. A sample of a comparing sampler is the bilinear mean of four comparisons, so samples no more than a texel apart
 // give an edge without steps; they are weighted as a tent.
 
-// How many samples on each side of the middle a soft edge takes at most.
-#define MOST_SAMPLES 4.0
-
 int samplesAside(const in float radius) {
   return int(clamp(ceil(radius), 0.0, MOST_SAMPLES));
 }

@@ -1,3 +1,6 @@
+import { BACKGROUND_CONSTANTS } from '../engraving/constants/backgroundConstants.js';
+import { LOT_FACTORS } from '../engraving/constants/lotConstants.js';
+import { definesOf } from '../material/shaders/definesOf.js';
 import type { Shaders } from '../material/shaders/hatchingShaders.js';
 import { lightChunks } from '../material/shaders/lightKinds.js';
 import { resolveIncludes } from '../material/shaders/resolveIncludes.js';
@@ -14,7 +17,11 @@ let made: Shaders | undefined;
 /** The shaders of backgrounds. Their includes are resolved by the first call. */
 export function backgroundShaders(): Shaders {
   if (made) return made;
-  const chunks: Record<string, string> = { conventions: conventionsChunk(), ...lightChunks() };
+  const chunks: Record<string, string> = {
+    conventions: conventionsChunk(),
+    'background/constants': [definesOf(BACKGROUND_CONSTANTS), definesOf(LOT_FACTORS, 'u')].join('\n'),
+    ...lightChunks(),
+  };
   for (const [path, text] of Object.entries(files)) {
     chunks[path.replace('../../shaders/', '').replace('chunks/', '').replace('.glsl', '')] = text;
   }

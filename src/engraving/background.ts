@@ -1,11 +1,10 @@
 /** The field of ruled lines behind a subject, as shaders/background/background.frag has it. On the sheet, from its lower left corner, y up. */
+import { BACKGROUND_CONSTANTS } from './constants/backgroundConstants.js';
+import { LOT_FACTORS } from './constants/lotConstants.js';
 import { smoothstep } from './vectors.js';
 
-/** How far apart the ends of lines lie, and over what way a line thins out, by the size of the field. */
-const RAGGED = 0.4;
-const THINNING = 0.5;
-/** How near to the rim of the sheet the field comes, in halves of the sheet. */
-const RIM = 0.95;
+const { RAGGED, THINNING, RIM } = BACKGROUND_CONSTANTS;
+const { GOLDEN_RATIO, SECOND_FACTOR } = LOT_FACTORS;
 
 type Pair = readonly [number, number];
 
@@ -30,9 +29,9 @@ export interface BackgroundField {
 
 /** A random number in [0, 1) of an end of a line. */
 function lotOf(line: number, end: number): number {
-  let spread = Math.imul(2 * line + end, 0x9e3779b9);
+  let spread = Math.imul(2 * line + end, GOLDEN_RATIO);
   spread ^= spread >>> 15;
-  return (Math.imul(spread, 0x85ebca6b) >>> 8) / 16777216;
+  return (Math.imul(spread, SECOND_FACTOR) >>> 8) / 16777216;
 }
 
 /** The number of the line that is nearest to a place on the sheet. */

@@ -2,21 +2,13 @@
  * Lines that are cut white out of the block, as shaders/techniques/engraved/carving.glsl has it. A gouge goes in at a point, widens and comes
  * out again: each line is a row of wedges. What they leave between them is black, and ends in points too.
  */
+import { CARVING_CONSTANTS } from './constants/carvingConstants.js';
 import { lotOf } from './hand.js';
 import { octaves } from './ruledLines.js';
 import { type Along, numberOf } from './strokeLengths.js';
 import { clamp01, mix } from './vectors.js';
 
-/**
- * How far a cut swells and narrows from its mean, as a share of its room, and of the mean: where white is rare, and where black is, wedges are
- * thinner, and not shorter.
- */
-const SWELL = 0.42;
-const SWELL_SHARE = 1.3;
-/** Where either is rarer than this, rows end, so that those that stay do not become hairs; at a quarter of it three of four have. */
-const RARE = 0.24;
-/** The share of a wedge in which it widens. */
-const WIDENING = 0.7;
+const { SWELL, SWELL_SHARE, RARE, WIDENING } = CARVING_CONSTANTS;
 
 /** Octaves by which rows lie farther apart, from 0 to 2. */
 export const rowOctaves = (tone: number): number =>

@@ -1,10 +1,8 @@
 /** Shares a tone among families of lines that cross, as crossedTones.glsl and hatchLayer.glsl have it. Printed over one another they give it again. */
+import { TONE_CONSTANTS } from './constants/toneConstants.js';
 
-/** The share of the tone above that from which others cross which the lower layer still takes: more with a pen, whose first strokes lead. */
-const KEPT_SHARE = 0.4;
-export const KEPT_BY_PEN = 0.6;
-/** The tone left by the first layer from which on a third crosses the second. */
-export const THIRD_FROM = 0.375;
+const { KEPT_SHARE } = TONE_CONSTANTS;
+export const { KEPT_BY_PEN, THIRD_FROM } = TONE_CONSTANTS;
 
 /** The part of a tone that a layer prints itself, where others cross it from the tone `from` on. */
 export const takenOf = (tone: number, from: number, kept: number = KEPT_SHARE): number =>

@@ -1,5 +1,8 @@
 /** How much weight a drawing has where, as emphasis.glsl has it: 1 as usual, 0 none. */
+import { EMPHASIS_CONSTANTS } from './constants/emphasisConstants.js';
 import { clamp01, combined, dot, lengthOf, smoothstep, type Vec3 } from './vectors.js';
+
+const { AIR, FRONT_GAIN, FOCUS_END, VIGNETTE_START, UNEVEN } = EMPHASIS_CONSTANTS;
 
 /** What takes weight away from an object. */
 export interface Emphasis {
@@ -23,17 +26,6 @@ export interface EmphasisedPlace {
   /** On the picture, from its lower left corner, in widths and heights of it. */
   onPicture: readonly [number, number];
 }
-
-/** The air takes the same share of what is left with every stretch of the way: e to this power of it all the way. */
-const AIR = 3;
-/** How much more weight than usual outlines have in front, where the back has none. */
-const FRONT_GAIN = 0.4;
-/** Where nothing is left beyond the focus, in its radii. */
-const FOCUS_END = 2.5;
-/** Where the oval of a vignette begins, in halves of the sheet. */
-const VIGNETTE_START = 0.55;
-/** How far the edge of what is left out wavers, as a share of its radius. */
-const UNEVEN = 0.12;
 
 function airBefore(depth: number, [from, to, strength]: Emphasis['depthFading']): number {
   if (strength === 0) return 0;

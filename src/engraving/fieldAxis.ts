@@ -1,4 +1,5 @@
 /** The function that lines are level sets of, as shaders/techniques/engraved/fieldAxis.glsl has it. */
+import { FIELD_CONSTANTS } from './constants/fieldConstants.js';
 import { combined, cross, dot, lengthOf, normalize, type Vec3 } from './vectors.js';
 
 /** The distance along an axis, or from a lamp. */
@@ -12,8 +13,7 @@ export interface Field {
 /** What cuts the lines. */
 export type CutField = 'light' | 'towards' | 'x' | 'y' | 'z' | 'slant';
 
-/** Aslant to all axes, so that no face of a box lies across it. Unit. */
-const SLANT: Vec3 = [0.48, 0.64, 0.6];
+const { SLANT, UPRIGHT } = FIELD_CONSTANTS;
 
 const AXES: Readonly<Record<'x' | 'y' | 'z' | 'slant', Vec3>> = {
   x: [1, 0, 0],
@@ -23,7 +23,7 @@ const AXES: Readonly<Record<'x' | 'y' | 'z' | 'slant', Vec3>> = {
 };
 
 /** Any unit vector across another, the same for neighbours of it. */
-export const across = (axis: Vec3): Vec3 => normalize(cross(axis, Math.abs(axis[1]) < 0.8 ? [0, 1, 0] : [0, 0, 1]));
+export const across = (axis: Vec3): Vec3 => normalize(cross(axis, Math.abs(axis[1]) < UPRIGHT ? [0, 1, 0] : [0, 0, 1]));
 
 /**
  * The field of the first family.

@@ -1,8 +1,16 @@
 /** A ground that shows shadows alone, as tone.glsl, ruledLines.glsl and fieldAxis.glsl have it. */
+
+import { FIELD_CONSTANTS } from './constants/fieldConstants.js';
+import { GROUND_CONSTANTS } from './constants/groundConstants.js';
+import { TONE_CONSTANTS } from './constants/toneConstants.js';
 import { across, type Field } from './fieldAxis.js';
 import { lotOf } from './hand.js';
 import { type ToneLook, toneFromRadiance } from './tone.js';
 import { combined, cross, lengthOf, type Vec3 } from './vectors.js';
+
+const { NO_LIGHT } = TONE_CONSTANTS;
+const { FIRST_END, LEAST_LEFT } = GROUND_CONSTANTS;
+const { LEAST_SINE } = FIELD_CONSTANTS;
 
 /** How a ground shows shadows. */
 export interface GroundLook {
@@ -13,9 +21,6 @@ export interface GroundLook {
   /** The width of edges, as a share of the distance from what casts them; 0: as the light's shadow has them. */
   softness: number;
 }
-
-/** Light that is too little for any shadow to take of it counts as arriving. */
-const NO_LIGHT = 1e-6;
 
 /**
  * The tone that shadows print on a ground.
@@ -37,11 +42,7 @@ export function groundTone(
   return Math.max(toneFromRadiance(share, look) - share * toneEnds[0], 0) * tone * left;
 }
 
-/** Where a shadow dissolves its lines end one by one: the first of them so early, as a share of what is left of it. */
-const FIRST_END = 0.4;
-const LEAST_LEFT = 1e-3;
-
-/** What a line has of the width that it would have if all thinned out together. line: its value. left: the share of the shadow there. */
+/** Where a shadow dissolves its lines end one by one: what a line has of the width that it would have if all thinned out together. line: its value. left: the share of the shadow there. */
 export function lineLeft(line: number, left: number): number {
   if (left >= 1) return 1;
   const end = FIRST_END * lotOf(line);
@@ -54,9 +55,6 @@ export function meanLineLeft(left: number): number {
   const last = Math.min(FIRST_END, left);
   return (last + (1 - left) * Math.log(1 - last)) / (FIRST_END * Math.max(left, LEAST_LEFT));
 }
-
-/** A light nearer to the vertical than this has no side: the sine of the angle. */
-const LEAST_SINE = 1e-3;
 
 /**
  * The field across the light and across the ground, whose lines run away from the light.

@@ -1,13 +1,9 @@
 /** The unsteadiness of a hand, as shaders/techniques/engraved/hand.glsl has it. It belongs to the place on the object. */
+import { HAND_CONSTANTS } from './constants/handConstants.js';
+import { LOT_FACTORS } from './constants/lotConstants.js';
 import type { Vec3 } from './vectors.js';
 
-/** Units of the slow waves of a hand to a tile. */
-const HAND_WAVES = 3.5;
-/** How far lines stray, in tiles. */
-const STRAY = 0.012;
-/** How much the pressure of a hand changes at most, and how much the widths of lines differ. */
-const PRESSURE = 0.3;
-const WIDTHS = 0.5;
+const { HAND_WAVES, BENT_BY, BENDS, BEND_PHASES, SLOW_WAVES, WAVE_PHASES, STRAY, PRESSURE, WIDTHS } = HAND_CONSTANTS;
 
 /** A wave of period 2 within [−1, 1], made of two parabolas. */
 function wave(x: number): number {
@@ -19,10 +15,14 @@ function wave(x: number): number {
 /** Three slow waves at a place in field space, each within [−1, 1]. */
 export function slowWaves([px, py, pz]: Vec3): Vec3 {
   const [x, y, z] = [HAND_WAVES * px, HAND_WAVES * py, HAND_WAVES * pz];
-  const bentX = x + 0.7 * wave(0.54 * y + 0.1);
-  const bentY = y + 0.7 * wave(0.54 * z + 0.67);
-  const bentZ = z + 0.7 * wave(0.54 * x + 1.4);
-  return [wave(0.73 * bentZ + 0.35), wave(0.73 * bentX + 1.18), wave(0.73 * bentY + 1.66)];
+  const bentX = x + BENT_BY * wave(BENDS * y + BEND_PHASES[0]);
+  const bentY = y + BENT_BY * wave(BENDS * z + BEND_PHASES[1]);
+  const bentZ = z + BENT_BY * wave(BENDS * x + BEND_PHASES[2]);
+  return [
+    wave(SLOW_WAVES * bentZ + WAVE_PHASES[0]),
+    wave(SLOW_WAVES * bentX + WAVE_PHASES[1]),
+    wave(SLOW_WAVES * bentY + WAVE_PHASES[2]),
+  ];
 }
 
 /** Where the hand puts what belongs to a point, both in tiles. handmade: from 0, a ruling machine, to 1. */
@@ -43,7 +43,7 @@ const bits = new Uint32Array(float.buffer);
 /** A random number in [0, 1) that belongs to a line. line: its value, a multiple of a power of two. */
 export function lotOf(line: number): number {
   float[0] = line;
-  return (Math.imul(bits[0], 0x9e3779b9) >>> 8) / 16777216;
+  return (Math.imul(bits[0], LOT_FACTORS.GOLDEN_RATIO) >>> 8) / 16777216;
 }
 
 /** A factor on the width of a line, the same all along it; 1 in the mean. */

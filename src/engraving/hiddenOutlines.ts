@@ -1,5 +1,5 @@
 /** Outlines behind a surface that are drawn all the same, as shaders/outlines/hidden.glsl has them. */
-import { OUTLINE_CONSTANTS } from './outlineConstants.js';
+import { OUTLINE_CONSTANTS } from './constants/outlineConstants.js';
 import { smoothstep } from './vectors.js';
 
 const { HIDDEN_WEIGHT, WHOLE_FROM } = OUTLINE_CONSTANTS;

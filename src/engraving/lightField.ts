@@ -1,4 +1,6 @@
 /** One light for a whole object, so that lines run on, as shaders/techniques/engraved/lightField.glsl has it. */
+
+import { FIELD_CONSTANTS } from './constants/fieldConstants.js';
 import type { Field } from './fieldAxis.js';
 import { combined, dot, lengthOf, normalize, type Vec3 } from './vectors.js';
 
@@ -10,8 +12,7 @@ export interface FieldLamp {
   isFar: boolean;
 }
 
-/** A light that is switched off still has a direction. */
-const LEAST_WEIGHT = 1e-6;
+const { LEAST_WEIGHT, FIRST_AXIS } = FIELD_CONSTANTS;
 
 /** Steps of the power iteration. The shader has sixteen, which are as good unless two axes are nearly alike. */
 const STEPS = 64;
@@ -34,7 +35,7 @@ export function fieldLight(lamps: readonly FieldLamp[]): Field {
   for (const { unit, weight } of lights) sum = combined(1, sum, weight, unit);
   let axis = lights[0].unit;
   if (lights.length > 1) {
-    axis = [0.51, 0.64, 0.57];
+    axis = FIRST_AXIS;
     for (let step = 0; step < STEPS; step++) axis = normalize(applied(lights, axis));
     if (dot(axis, sum) < 0) axis = combined(-1, axis, 0, axis);
   }

@@ -1,5 +1,5 @@
 /** How an outline stands before what lies behind it, as shaders/outlines/hierarchy.glsl has it: how much of that is paper, and of an accent. */
-import { ACCENT_STEPS, OUTLINE_CONSTANTS } from './outlineConstants.js';
+import { ACCENT_STEPS, OUTLINE_CONSTANTS } from './constants/outlineConstants.js';
 import { paperness } from './outlines.js';
 import { smoothstep } from './vectors.js';
 

@@ -1,5 +1,5 @@
 /** Contours and feature edges, as shaders/outlines has them. */
-import { OUTLINE_CONSTANTS } from './outlineConstants.js';
+import { OUTLINE_CONSTANTS } from './constants/outlineConstants.js';
 import { clamp01, combined, dot, lengthOf, mix, normalize, smoothstep, type Vec3 } from './vectors.js';
 
 const { LIT, SHADED, INSIDE, LOST_RANGE, LOST_TAPER, LIFT_SHARE, MOST_RISE, EDGE_SLOPE, BEGINS_AS_PAPER, IS_PAPER } =

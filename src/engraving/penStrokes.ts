@@ -2,23 +2,19 @@
  * Lines that a pen draws in strokes, as shaders/techniques/engraved/penStrokes.glsl has it. Each begins thin, swells and is lifted again. Light
  * tones have fewer strokes, of the width of the nib.
  */
+
+import { LOT_FACTORS } from './constants/lotConstants.js';
+import { PEN_CONSTANTS } from './constants/penConstants.js';
 import { lotOf } from './hand.js';
 import { type Along, numberOf } from './strokeLengths.js';
 import { clamp01, mix } from './vectors.js';
 
-/** The tone from which on all strokes are there, and over how much of the tone each grows to its width. */
-const ALL_FROM = 0.2;
-const GROWTH = 0.05;
-/** The longest gap between two strokes and the part over which both ends of one narrow, as shares of its length; both close with the tone. */
-const GAP = 0.3;
-const TAPER = 0.9;
-const LOST = 0.5 * GAP + TAPER / 3;
-/** How far strokes lean and bend, in distances between lines, and how much their widths differ. */
-const LEANING = 0.22;
-const BENDING = 0.16;
-const WIDTH_SPREAD = 0.5;
-/** Over how much of the share of strokes that are there each of those between older lines grows to its width. */
-const BIRTH = 0.08;
+const { ALL_FROM, STROKE_GROWTH, BIRTH, STROKE_GAP, TAPER, LEANING, BENDING, WIDTH_SPREAD } = PEN_CONSTANTS;
+const { GAP_LOT, BIRTH_LOT, WIDTH_LOT } = PEN_CONSTANTS;
+const { GOLDEN_RATIO, SECOND_FACTOR, THIRD_FACTOR } = LOT_FACTORS;
+
+/** What a line loses to the gaps and the ends of its strokes where they are farthest apart. */
+const LOST = 0.5 * STROKE_GAP + TAPER / 3;
 
 /** What a pen does at a place, on all lines. */
 export interface Pen {
@@ -35,7 +31,7 @@ export interface Pen {
 }
 
 /** The integral of a ramp from 0 to 1. */
-const rampSum = (x: number): number => (x < GROWTH ? (0.5 / GROWTH) * x * x : x - 0.5 * GROWTH);
+const rampSum = (x: number): number => (x < STROKE_GROWTH ? (0.5 / STROKE_GROWTH) * x * x : x - 0.5 * STROKE_GROWTH);
 
 /** The share of strokes that are there. */
 const thereAt = (tone: number): number => (rampSum(tone) - rampSum(Math.max(tone - ALL_FROM, 0))) / ALL_FROM;
@@ -47,7 +43,8 @@ export function penFor(tone: number, along: Along, handmade: number, repeat: num
 }
 
 /** The share of its length that strokes of one width cover of a line in the mean: they do not narrow, but have their gaps. */
-export const drawnShare = ({ tone, open }: Pen): number => Math.max(thereAt(tone) * (1 - 0.5 * GAP * open), 1e-4);
+export const drawnShare = ({ tone, open }: Pen): number =>
+  Math.max(thereAt(tone) * (1 - 0.5 * STROKE_GAP * open), 1e-4);
 
 /** The lot below which strokes have been born where so large a share of them is, each over a part BIRTH of all lots. */
 function bornBelow(share: number): number {
@@ -61,8 +58,8 @@ const bits = new Uint32Array(floats.buffer);
 function lotOfStroke(line: number, middle: number): number {
   floats[0] = line;
   floats[1] = middle;
-  let spread = Math.imul(bits[0], 0x9e3779b9) ^ Math.imul(bits[1], 0x85ebca6b);
-  spread = Math.imul(spread ^ (spread >>> 15), 0x2c1b3c6d);
+  let spread = Math.imul(bits[0], GOLDEN_RATIO) ^ Math.imul(bits[1], SECOND_FACTOR);
+  spread = Math.imul(spread ^ (spread >>> 15), THIRD_FACTOR);
   return (spread >>> 8) / 16777216;
 }
 
@@ -82,14 +79,14 @@ function strokeOn({ tone, open, width, handmade, repeat }: Pen, born: number, li
   const along = turns + lotOf(Math.abs(number));
   const stroke = Math.floor(along) + 0.5;
   const lot = lotOfStroke(Math.abs(number), stroke);
-  const other = fract(64 * lot);
+  const other = fract(GAP_LOT * lot);
   // From −1 at one end to 1 at the other.
   const way = 2 * (along - stroke);
-  const inside = 1 - Math.abs(way) - open * GAP * other;
+  const inside = 1 - Math.abs(way) - open * STROKE_GAP * other;
   const rest = clamp01(1 - inside / Math.max(open * TAPER, 1e-3));
-  let there = clamp01((tone - ALL_FROM * lot) / GROWTH);
-  there *= clamp01((born - fract(512 * lot)) / BIRTH);
-  const spread = 1 + handmade * WIDTH_SPREAD * open * (fract(4096 * lot) - 0.5);
+  let there = clamp01((tone - ALL_FROM * lot) / STROKE_GROWTH);
+  there *= clamp01((born - fract(BIRTH_LOT * lot)) / BIRTH);
+  const spread = 1 + handmade * WIDTH_SPREAD * open * (fract(WIDTH_LOT * lot) - 0.5);
   const astray = LEANING * (other - 0.5) * way + BENDING * (lot - 0.5) * (0.5 - way * way);
   return {
     width: width * there * spread * (1 - rest * rest),

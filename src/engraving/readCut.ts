@@ -1,12 +1,11 @@
 /** The families of lines that a field cuts out of an object, at a place, as readCut.glsl has them. */
+
+import { FIELD_CONSTANTS } from './constants/fieldConstants.js';
 import { across, type Field, fieldAt } from './fieldAxis.js';
 import { handPoint, handPressure, slowWaves } from './hand.js';
 import { combined, cross, dot, lengthOf, smoothstep, type Vec3 } from './vectors.js';
 
-/** Where the surface leans less than this across the gradient of the first family, sines of the angle, it has no lines left. */
-const BARE_SLOPE = [0.06, 0.18] as const;
-/** How far from evenly matched two crossing families share a place: the difference of their squared sines. */
-const SIDE_FADE = 0.35;
+const { BARE_SLOPE, SIDE_FADE } = FIELD_CONSTANTS;
 
 /** The first family, and two across its axis that the crossing families lean towards. */
 export interface CutFamilies {

@@ -1,11 +1,10 @@
 /** Lines that follow the form, at a place, as readForm.glsl has them: level sets of two functions that were baked into the vertices. */
+import { FORM_CONSTANTS } from './constants/formConstants.js';
 import { handPoint, handPressure, slowWaves } from './hand.js';
 import { combined, dot, type Vec3 } from './vectors.js';
 
-/** The octaves beyond which the lines of the function, and of the one that crosses it, would not run on across a seam. */
-export const COARSEST_OCTAVES = [2, 1] as const;
-/** How much the widths of lines differ, slowly along each of them. */
-const WIDTH_WAVE = 0.25;
+const { WIDTH_WAVE } = FORM_CONSTANTS;
+export const { COARSEST_OCTAVES } = FORM_CONSTANTS;
 
 /** A function at a vertex: its gradient per tile, field space, and its value less half of what the gradient makes of the place. */
 export interface FormAt {

@@ -3,8 +3,11 @@
  * the tone. A fragment asks which lines are near; here a line asks how much room it has.
  */
 
-/** Where a function rises less than so much along the surface, new lines are born on the object too. */
-const SPARSEST_SLOPE = 0.4;
+import { FIELD_CONSTANTS } from './constants/fieldConstants.js';
+import { LINE_CONSTANTS } from './constants/lineConstants.js';
+
+const { SPARSEST_SLOPE } = FIELD_CONSTANTS;
+const { PARTS_OF_TILE } = LINE_CONSTANTS;
 
 /** The logarithm to base 2 at powers of two, and linear between them. x: above 0. */
 export function octaves(x: number): number {
@@ -42,7 +45,7 @@ export interface LineSpacing {
  */
 export function octaveOf(spacing: LineSpacing, rise: number, perPixel: number, coarsest: number): number {
   const { lineSpacing, finestSpacing, sizedOnScreen } = spacing;
-  const onObject = octaves((lineSpacing / 256) * Math.max(rise, 1e-12));
+  const onObject = octaves((lineSpacing / PARTS_OF_TILE) * Math.max(rise, 1e-12));
   const onScreen = octaves(lineSpacing * perPixel);
   const wanted = onObject + sizedOnScreen * (onScreen - onObject);
   return Math.min(Math.max(wanted, octaves(finestSpacing * perPixel)), coarsest);

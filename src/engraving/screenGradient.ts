@@ -1,8 +1,8 @@
 /** How fast a function of the place on the object changes on the screen, as shaders/perFragment/screenGradient.glsl has it. */
+import { SCREEN_CONSTANTS } from './constants/screenConstants.js';
 import { cross, dot, lengthOf, type Vec3 } from './vectors.js';
 
-/** Surfaces whose cosine to the viewer is less than this are treated as if it were this. */
-const LEAST_FACING = 0.12;
+const { LEAST_FACING } = SCREEN_CONSTANTS;
 /** The same for flat triangles, where lines lie as they lie: only a division by nothing is kept away. */
 const LEAST_FACING_FLAT = 1e-3;
 

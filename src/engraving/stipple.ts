@@ -1,28 +1,12 @@
 /** Dots that lie in the surface and are round on the screen, as shaders/techniques/anchored/stipple.glsl and dots.glsl have it. */
+
+import { STIPPLE_CONSTANTS } from './constants/stippleConstants.js';
 import type { ScreenMap } from './screenGradient.js';
 import { clamp01, combined, cross, dot, lengthOf, normalize, type Vec3 } from './vectors.js';
 
-/** How much the normal of the surface counts against the direction to the viewer in the choice of a plane, at least. */
-const LEAST_PULL = 0.5;
-/** Planes whose cosine to the best direction is less than that of the best plane by this have no dots, and those with a smaller share none. */
-const PLANE_FADE = 0.03;
-const LEAST_SHARE = 0.02;
-/** Surfaces that lean away further than this cosine are taken for ones that do not: dots beyond lean. */
-const LEAST_ROUND = 0.33;
-/** Dots at half tone along each side of a tile, where they are sized on the object. */
-const DOTS_PER_TILE = 64;
-/** The diameter of a dot at half tone as a share of the distance between dots. */
-const DOT_SHARE = 0.8;
-/** Dots are as many as ones thrown at random that cover as much, to this power. */
-const CROWDING = 0.9;
-/** From this tone on down dots lie no further apart, and only grow smaller. */
-const LEAST_DENSE_SHARE = 0.02;
-/** From the first tone on dots close faster than the tone deepens; from the second on nothing is left between them. */
-const CLOSING = [0.5, 0.85] as const;
-/** Shift of the set along each axis, in tiles. */
-const SET_SHIFT: Vec3 = [3.17, 7.71, 5.39];
-/** The share of an octave in which a dot grows to its full size. */
-const GROWTH = 0.35;
+const { LEAST_PULL, PLANE_FADE, LEAST_SHARE, LEAST_ROUND, CLOSING, SET_SHIFT } = STIPPLE_CONSTANTS;
+const { DOTS_PER_TILE, DOT_SHARE, CROWDING, LEAST_DENSE_SHARE } = STIPPLE_CONSTANTS;
+const { DOT_GROWTH, OVERLAP, OVERLAP_WITHIN, LEAST_BLANK } = STIPPLE_CONSTANTS;
 
 /** A plane that has dots at a place. */
 export interface DotPlane {
@@ -116,19 +100,19 @@ export const setShift = (axis: Vec3, tilesPerUnit: number): readonly [number, nu
 
 /** The mean area of dots that are born during an octave, at a place in it, as a share of their full one. */
 function grownShare(octave: number): number {
-  const covered = (t: number): number => (t < GROWTH ? (0.5 * t * t) / GROWTH : t - 0.5 * GROWTH);
-  return (covered(Math.max(octave, 0)) - covered(Math.max(octave + GROWTH - 1, 0))) / (1 - GROWTH);
+  const covered = (t: number): number => (t < DOT_GROWTH ? (0.5 * t * t) / DOT_GROWTH : t - 0.5 * DOT_GROWTH);
+  return (covered(Math.max(octave, 0)) - covered(Math.max(octave + DOT_GROWTH - 1, 0))) / (1 - DOT_GROWTH);
 }
 
 /** The area of a dot at a place in an octave, as a share of its full one. born: 0 for dots of the octave before. */
 export const grownBy = (octave: number, born: number): number =>
-  born === 0 ? 1 : clamp01((octave - born * (1 - GROWTH)) / GROWTH);
+  born === 0 ? 1 : clamp01((octave - born * (1 - DOT_GROWTH)) / DOT_GROWTH);
 
 /** The area of all discs that together cover a share of the whole, as a share of it. */
 function discArea(covered: number, octave: number): number {
   const beyond = Math.max(covered - 0.5, 0);
-  const overlap = 0.25 + 2.8 * octave * (1 - octave) ** 2;
-  return covered + (overlap * beyond * beyond) / Math.sqrt(Math.max(1 - covered, 1e-3));
+  const overlap = OVERLAP + OVERLAP_WITHIN * octave * (1 - octave) ** 2;
+  return covered + (overlap * beyond * beyond) / Math.sqrt(Math.max(1 - covered, LEAST_BLANK));
 }
 
 /** The area of a dot that is full-grown, pixels. octave: of the cells. */

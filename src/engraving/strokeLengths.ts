@@ -2,14 +2,14 @@
  * Strokes that the lines of a family are drawn in, as shaders/techniques/engraved/strokeLengths.glsl has it. They begin and end at places on the
  * object, a power of two apart: as one comes nearer, strokes give way to others half as long.
  */
+import { LINE_CONSTANTS } from './constants/lineConstants.js';
+import { STROKE_LENGTH_CONSTANTS } from './constants/strokeLengthConstants.js';
 import { octaves, powerOf2 } from './ruledLines.js';
 import { type ScreenMap, screenGradient } from './screenGradient.js';
 import { cross, dot, mix, smoothstep, type Vec3 } from './vectors.js';
 
-/** The last part of an octave, in which they do. */
-const LENGTHS_FADE = 0.12;
-/** How evenly a line must run along two axes for both to count: the difference of the squares of its direction. */
-const AXES_FADE = 0.16;
+const { PARTS_OF_TILE } = LINE_CONSTANTS;
+const { LENGTHS_FADE, AXES_FADE } = STROKE_LENGTH_CONSTANTS;
 
 /** Where a place lies along the lines of a family: by two axes of the field, those along which the lines run most. */
 export interface Along {
@@ -61,7 +61,7 @@ export function alongLines(
   const rateOf = (axis: number): number =>
     crossed(screenGradient([Number(axis === 0), Number(axis === 1), Number(axis === 2)], map), value);
   const perPixel = mix(rateOf(second), rateOf(first), share);
-  const onObject = octaves(strokeLength / 256);
+  const onObject = octaves(strokeLength / PARTS_OF_TILE);
   const octave = mix(onObject, octaves(strokeLength * Math.max(perPixel, 1e-12)), sizedOnScreen);
   const whole = Math.ceil(octave - 0.5);
   return {

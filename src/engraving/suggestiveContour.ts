@@ -1,10 +1,8 @@
 /** Where a contour would appear if the eye moved a little, as shaders/outlines/suggestiveContour.glsl has it. */
+import { OUTLINE_CONSTANTS } from './constants/outlineConstants.js';
 import { combined, cross, dot, lengthOf, normalize, smoothstep, type Vec3 } from './vectors.js';
 
-/** How fast the bend must grow along the surface, times the radius, for an outline to begin, and to be as wide as asked. */
-const GROWTH = [20, 60] as const;
-/** Seen face on, an outline says nothing: how far the normal must lean away for one to begin, and to be as wide as asked. */
-const LEAN = [0.1, 0.35] as const;
+const { LEAST_GROWTH, FULL_GROWTH, LEAST_LEAN, FULL_LEAN } = OUTLINE_CONSTANTS;
 
 /** A corner of a triangle. */
 export interface BentCorner {
@@ -38,5 +36,5 @@ export function suggestiveShare(
   const w = combined(1, v, -dot(normal, v), normal);
   const lean = lengthOf(w);
   const growth = (radius * dot(gradient, w)) / Math.max(lean, 1e-6);
-  return smoothstep(GROWTH[0], GROWTH[1], growth * smoothstep(LEAN[0], LEAN[1], lean));
+  return smoothstep(LEAST_GROWTH, FULL_GROWTH, growth * smoothstep(LEAST_LEAN, FULL_LEAN, lean));
 }

@@ -1,7 +1,10 @@
 /** From light to the tone that is printed, as tone.glsl, toneCurve.glsl, occlude.glsl and localColor.glsl have it. */
 import { CAVITY } from '../material/facts/cavity.js';
 import { lightness } from '../material/facts/lightness.js';
+import { TONE_CONSTANTS } from './constants/toneConstants.js';
 import { clamp01, mix, smoothstep } from './vectors.js';
+
+const { HOLLOW } = TONE_CONSTANTS;
 
 /** A curve of points as a sum of cubics, one for each span; of `fitToneCurve`. */
 export interface CurveCubics {
@@ -55,9 +58,6 @@ export function toneFromRadiance(radiance: number, { curve, steps, highlightRamp
   }
   return highlightKept(clamp01(curvedTone(tone, curve)), highlightRamp);
 }
-
-/** The occlusion from which on a place is a hollow, and from which on it is a deep one. */
-const HOLLOW = [0.1, 0.6] as const;
 
 /** The share of light from all around that a place with so much occlusion sees. */
 export const openToSky = (occluded: number, occlusion: number): number => 1 - occlusion * occluded;

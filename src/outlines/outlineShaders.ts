@@ -2,6 +2,7 @@ import type { Shaders } from '../material/shaders/hatchingShaders.js';
 import { lightChunks } from '../material/shaders/lightKinds.js';
 import { resolveIncludes } from '../material/shaders/resolveIncludes.js';
 import { conventionsChunk } from '../material/shaders/shaderConventions.js';
+import { toothConstantsChunk } from '../material/shaders/toothConstants.js';
 import { outlineConventionsChunk } from './outlineConventions.js';
 
 /** The shader files of outlines, and the chunks that they share with `HatchingMaterial`, as text. */
@@ -22,6 +23,7 @@ export function outlineShaders(): Shaders {
   const chunks: Record<string, string> = {
     conventions: conventionsChunk(),
     'outlines/conventions': outlineConventionsChunk(),
+    toothConstants: toothConstantsChunk(),
     ...lightChunks(),
   };
   for (const [path, text] of Object.entries(files)) {

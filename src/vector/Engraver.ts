@@ -1,7 +1,8 @@
 import { rowOctaves } from '../engraving/carving.js';
+import { FIELD_CONSTANTS } from '../engraving/constants/fieldConstants.js';
+import { LINE_CONSTANTS } from '../engraving/constants/lineConstants.js';
 import { KEPT_BY_PEN, leftOf, sharedByTwo, THIRD_FROM, takenOf } from '../engraving/crossedTones.js';
 import type { CutField, Field } from '../engraving/fieldAxis.js';
-
 import { handTone } from '../engraving/hand.js';
 
 import {
@@ -54,8 +55,8 @@ export interface EngravedLook {
 const FAMILIES = ['first', 'crossB', 'crossC', 'thirdB', 'thirdC', 'shadowB', 'shadowC'] as const;
 export type FamilyName = (typeof FAMILIES)[number];
 
-/** Lines may lie as far apart as they like. */
-const ANY_OCTAVE = 100;
+const { ANY_OCTAVE } = FIELD_CONSTANTS;
+const { LEAST_TONE } = LINE_CONSTANTS;
 
 /** One way in which the families of a surface are read. */
 interface Reading {
@@ -165,7 +166,7 @@ export class Engraver {
     else if (family.startsWith('third')) left = leftOf(others, second);
     const tone = sharedByTwo(left, shareB)[family.endsWith('B') ? 0 : 1];
     // What is as good as nothing has no lines.
-    return tone <= 1e-4 ? 0 : tone;
+    return tone <= LEAST_TONE ? 0 : tone;
   }
 
   private strokesAt(

@@ -1,4 +1,4 @@
-import { OUTLINE_CONSTANTS } from '../engraving/outlineConstants.js';
+import { OUTLINE_CONSTANTS } from '../engraving/constants/outlineConstants.js';
 import { asPhase } from '../slices/asPhase.js';
 import type { Bvh } from './Bvh.js';
 import { backgroundPaths } from './background/backgroundPaths.js';

@@ -1,3 +1,4 @@
+import { SHADOW_CONSTANTS, SHADOW_SAMPLES } from '../engraving/constants/shadowConstants.js';
 import type { GroundLook } from '../engraving/groundShadow.js';
 import type { Lamp } from '../engraving/radiance.js';
 import { combined, cross, dot, normalize, type Vec3 } from '../engraving/vectors.js';
@@ -26,20 +27,11 @@ export interface ToldShadow {
 
 /** Farther than any light. */
 const FAR = 1e9;
+const { MOST_SAMPLES, FARTHEST_CASTER, TOWARDS_LAMP, LIFT, THINNEST, OVERHEAD } = SHADOW_CONSTANTS;
 /** Rays to places on a lamp; after those of the rim it is known whether there is an edge. */
-const RAYS = 24;
-const RIM = 6;
-/** On a ground rays start so many texels above the surface. */
-const LIFT = 1.5;
-/** The least width of the edge on a ground, texels on either side. */
-const THINNEST = 0.5;
-/** What casts a shadow on a ground is looked for up to so many widths of the map, and so much of the way to a lamp. */
-const FARTHEST = 3;
-const TOWARDS_LAMP = 0.75;
+const { EDGE_SAMPLES: RAYS, RIM_SAMPLES: RIM } = SHADOW_SAMPLES;
 /** Rays that start beside a place do so in its plane, unless that leans less than so to the light. */
 const LEAST_LEAN = 0.25;
-/** Maps are softened by at most so many samples on each side of the middle. */
-const MOST_SAMPLES = 4;
 
 const LIT: ToldShadow = { passing: 1, left: 1 };
 const MIDDLE: readonly [number, number] = [0, 0];
@@ -78,7 +70,7 @@ interface Bundle {
 }
 
 function bundleOf(from: Vec3, normal: Vec3, towards: Vec3, length: number): Bundle {
-  const side = normalize(cross(towards, Math.abs(towards[1]) < 0.9 ? [0, 1, 0] : [1, 0, 0]));
+  const side = normalize(cross(towards, Math.abs(towards[1]) < OVERHEAD ? [0, 1, 0] : [1, 0, 0]));
   const up = cross(towards, side);
   // A surface does not shade itself beside a place if rays start on it there.
   const lean = 1 / Math.max(dot(normal, towards), LEAST_LEAN);
@@ -133,7 +125,7 @@ export class ShadowRays {
       ? MIDDLE
       : this.isSoft && DISC.slice(0, RIM).find((place) => this.isMet(bundle, place, thinnest, opening, lift));
     if (!met) return LIT;
-    const reach = Math.min(width / Math.max(fade, 1 / FARTHEST), TOWARDS_LAMP * bundle.end);
+    const reach = Math.min(width / Math.max(fade, 1 / FARTHEST_CASTER), TOWARDS_LAMP * bundle.end);
     const caster = this.casterAlong(bundle, met, met === MIDDLE ? 0 : thinnest, opening, reach);
     const left = Math.max(1 - (fade * caster) / width, 0);
     if (left === 0 || !this.isSoft) return { passing: 0, left };

@@ -1,6 +1,6 @@
+import { TONE_CONSTANTS } from '../engraving/constants/toneConstants.js';
 import { type Emphasis, emphasisAt } from '../engraving/emphasis.js';
 import { type GroundLook, groundTone } from '../engraving/groundShadow.js';
-
 import { arriving, type Lamp, responseTo, seenBehind, type ToneModel } from '../engraving/radiance.js';
 import { radianceAround, type Surroundings } from '../engraving/surroundings.js';
 import { openToLights, openToSky, shadedTone, type ToneLook } from '../engraving/tone.js';
@@ -54,8 +54,7 @@ export interface Tones {
 /** What shadows are taken for: what rays say, none at all, or those of every lamp. */
 export type Shadowing = 'traced' | 'none' | 'all';
 
-/** Where a surface hardly sees a light, whether it lies in shadow is a matter of rounding. */
-const LEAST_RESPONSE = 0.05;
+const { LEAST_RESPONSE } = TONE_CONSTANTS;
 
 const LIT: ToldShadow = { passing: 1, left: 1 };
 const SHADED: ToldShadow = { passing: 0, left: 1 };

@@ -1,3 +1,4 @@
+import { LINE_CONSTANTS } from '../engraving/constants/lineConstants.js';
 import { lotOf } from '../engraving/hand.js';
 import { asPhase } from '../slices/asPhase.js';
 import { type Chain, ChainBuilder } from './Chain.js';
@@ -23,8 +24,7 @@ import type { Tracing } from './Tracing.js';
 import { tracedSlopes } from './tracedSlopes.js';
 import { type Walk, walkSegments } from './walkSegments.js';
 
-/** A tone below this has no lines. */
-const LEAST_TONE = 1e-4;
+const { LEAST_TONE } = LINE_CONSTANTS;
 /** The rank of the line through the origin, a multiple of all powers of two. */
 const EVERY_RANK = 1000;
 /** Shadows are looked for at least so far apart, and the place of an edge is found as exactly as that. Pixels. */

@@ -26,10 +26,12 @@ export const ROOMS = {
   tam: ['mistakes', 'strokes', 'hatchImages', 'mapFiles', 'worker'],
   'material/facts': [],
   engraving: ['material/facts'],
+  // The numbers that shaders have as defines.
+  'engraving/constants': [],
   vector: ['slices', 'engraving'],
   geometry: ['mistakes', 'mesh', 'adjacency', 'features', 'form', 'bake', 'worker', 'material/facts'],
   material: ['mistakes', 'strokes', 'bake', 'tam', 'geometry', '/shaders'],
-  'material/shaders': ['facts'],
+  'material/shaders': ['facts', '/src/engraving/constants'],
   'material/deformation': ['shaders'],
   'material/emphasis': [
     'facts',
@@ -49,6 +51,7 @@ export const ROOMS = {
     'shaders',
     'deformation',
     'exposure',
+    '/src/engraving/constants',
     '/src/material/HatchingMaterialProperties.ts',
     '/src/material/fieldFrameName.ts',
   ],
@@ -64,7 +67,7 @@ export const ROOMS = {
     'material',
     '/shaders',
   ],
-  background: ['mistakes', 'bake', 'material', '/shaders'],
+  background: ['mistakes', 'bake', 'engraving/constants', 'material', '/shaders'],
   scene: [
     'mistakes',
     'slices',

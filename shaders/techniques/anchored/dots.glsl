@@ -3,8 +3,6 @@ uniform highp sampler2D stippleMap; // a texel per cell: its point and, in blue,
 uniform float dotPixels; // diameter of a dot at half tone
 uniform float edgePixels; // width of the edge of a dot
 
-// The share of an octave in which a dot grows to its full size.
-#define GROWTH 0.35
 // Cells on either side of a place in which dots may reach it, at most, and how many cells of a row these can be.
 #define MOST_REACH 1.5
 #define MOST_CELLS 4
@@ -26,24 +24,23 @@ PlaneOnScreen planeOnScreen(const in vec2 gradientU, const in vec2 gradientV) {
 }
 
 // The mean area of dots that are born during an octave, at a place in it, as a share of their full one. Births are even from its
-// beginning to 1 − GROWTH.
+// beginning to 1 − DOT_GROWTH.
 float grownShare(const in float octave) {
-  vec2 t = max(vec2(octave, octave + GROWTH - 1.0), 0.0);
-  vec2 covered = mix(0.5 * t * t / GROWTH, t - 0.5 * GROWTH, step(GROWTH, t));
-  return (covered.x - covered.y) / (1.0 - GROWTH);
+  vec2 t = max(vec2(octave, octave + DOT_GROWTH - 1.0), 0.0);
+  vec2 covered = mix(0.5 * t * t / DOT_GROWTH, t - 0.5 * DOT_GROWTH, step(DOT_GROWTH, t));
+  return (covered.x - covered.y) / (1.0 - DOT_GROWTH);
 }
 
 // The area of a dot at a place in an octave, as a share of its full one. born: 0 for dots of the octave before.
 float grownBy(const in float octave, const in float born) {
-  return clamp((octave - born * (1.0 - GROWTH)) / GROWTH, step(born, 0.0), 1.0);
+  return clamp((octave - born * (1.0 - DOT_GROWTH)) / DOT_GROWTH, step(born, 0.0), 1.0);
 }
 
-// The area of all discs that together cover a share of the whole, as a share of it. From a half on they overlap, more so early in
-// an octave, when new ones lie close to others; fitted to what the set of src/tam/stippleSet.ts covers.
+// The area of all discs that together cover a share of the whole, as a share of it. From a half on they overlap.
 float discArea(const in float covered, const in float octave) {
   float beyond = max(covered - 0.5, 0.0);
-  float overlap = 0.25 + 2.8 * octave * (1.0 - octave) * (1.0 - octave);
-  return covered + overlap * beyond * beyond * inversesqrt(max(1.0 - covered, 1e-3));
+  float overlap = OVERLAP + OVERLAP_WITHIN * octave * (1.0 - octave) * (1.0 - octave);
+  return covered + overlap * beyond * beyond * inversesqrt(max(1.0 - covered, LEAST_BLANK));
 }
 
 // The radius with which a disc is drawn so that its edge does not make it larger, in widths of the edge. squared: of a disc without one.

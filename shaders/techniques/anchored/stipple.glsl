@@ -2,6 +2,7 @@
 // surface. The plane is one of thirteen, those across the axes of a cube through its faces, edges and corners: the one between
 // surface and screen on which dots are most even on both. Half as large, the set holds itself: any number of dots may be born
 // between others as the camera comes nearer, and none ever moves.
+#include "technique/constants"
 #include "perFragment/screenGradient"
 #include "largestComponents"
 
@@ -11,33 +12,9 @@ uniform float sizedOnScreen; // 0: dots spaced on the object, 1: on the screen
 
 #include "technique/dots"
 
-// How much the normal of the surface counts against the direction to the viewer in the choice of a plane, at least. It keeps
-// needles from lying along the surface.
-#define LEAST_PULL 0.5
-// Planes whose cosine to the best direction is less than that of the best plane by this have no dots.
-#define PLANE_FADE 0.03
-// Planes with a smaller share of the dots than this are left out: nobody could tell.
-#define LEAST_SHARE 0.02
-// Surfaces that lean away further than this cosine are taken for ones that do not, so that dots stay round: those beyond lean.
-#define LEAST_ROUND 0.33
-// Dots at half tone along each side of a tile, at a sizedOnScreen of 0.
-#define DOTS_PER_TILE 64.0
-// The diameter of a dot at half tone as a share of the distance between dots: 0.8² π/4 is one half.
-#define DOT_SHARE 0.8
-// Dots of one size that were thrown at random would be as many as −log(1 − what they cover). These lie evenly and overlap less: with
-// this power of it they keep their size in the lights, and shrink as they crowd.
-#define CROWDING 0.9
-// From this tone on down dots lie no further apart, and only grow smaller.
-#define LEAST_DENSE_SHARE 0.02
-// From the first tone on dots close faster than the tone deepens; from the second on nothing is left between them.
-#define CLOSING vec2(0.5, 0.85)
-// Where dots cover as much as this, what is left of the paper begins to fill: a speck of it would be seen.
-#define FILLING 0.97
 // Components of unit vectors along the diagonals of a square and of a cube: 1/√2 and 1/√3.
 #define SQUARE_DIAGONAL 0.70710678
 #define CUBE_DIAGONAL 0.57735027
-// Shift of the set along each axis, in tiles: any numbers that bring no two dots together.
-#define SET_SHIFT vec3(3.17, 7.71, 5.39)
 
 // The three planes next to a direction: across the axis nearest to it, across the bisector of the two nearest, and across the
 // diagonal of all three.
@@ -118,7 +95,7 @@ float hatchLayer(const in HatchingParameters h, const in float tone) {
   if (cover <= 0.0 || cover >= 1.0) return cover;
   vec3 toViewer = normalize(readViewToAnchor() * (isOrthographic ? vec3(0.0, 0.0, 1.0) : vViewPosition));
   // The normal of a sheet that is seen from behind looks the other way.
-  vec3 front = dot(h.normal, toViewer) < -0.5 ? -h.normal : h.normal;
+  vec3 front = dot(h.normal, toViewer) < FROM_BEHIND ? -h.normal : h.normal;
   StipplePlanes planes = planesNear(directionOfNeedles(front, toViewer));
   ScreenMap onScreen = roundScreenMap(front);
   float left = 1.0;

@@ -3,15 +3,6 @@
 
 #include "technique/strokeLengths"
 
-// How far a cut swells and narrows from its mean, as a share of its room, and of the mean: where white is rare, and where black is,
-// wedges are thinner, and not shorter.
-#define SWELL 0.42
-#define SWELL_SHARE 1.3
-// Where either is rarer than this, rows end, so that those that stay do not become hairs; at a quarter of it three of four have.
-#define RARE 0.24
-// The share of a wedge in which it widens.
-#define WIDENING 0.7
-
 struct Cut {
   float middle; // width in the mean, as a share of the room; beyond [0, 1] most of the row is blank, or all cut away
   vec4 waves; // two coordinates along the lines in wedges, at the two lengths

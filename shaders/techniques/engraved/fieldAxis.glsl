@@ -6,7 +6,7 @@ struct Field {
 
 // Any unit vector across another, the same for neighbours of it.
 vec3 across(const in vec3 axis) {
-  return normalize(abs(axis.y) < 0.8 ? cross(axis, vec3(0.0, 1.0, 0.0)) : cross(axis, vec3(0.0, 0.0, 1.0)));
+  return normalize(abs(axis.y) < UPRIGHT ? cross(axis, vec3(0.0, 1.0, 0.0)) : cross(axis, vec3(0.0, 0.0, 1.0)));
 }
 
 uniform vec2 strokeDirection; // cosine and sine of the angle by which strokes are turned from the tangent to the light
@@ -20,14 +20,10 @@ uniform vec2 strokeDirection; // cosine and sine of the angle by which strokes a
     vec3 size = abs(vFieldNormal);
     vec3 up = size.y >= size.x && size.y >= size.z ? vec3(0.0, 1.0, 0.0) : size.z >= size.x ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
     vec3 side = cross(light, up);
-    // A light overhead has no side.
     float sine = length(side);
-    return sine > 1e-3 ? side / sine : across(light);
+    return sine > LEAST_SINE ? side / sine : across(light);
   }
 #endif // TONE_MODEL
-
-// Aslant to all axes, so that no face of a box lies across it. Unit.
-#define SLANT vec3(0.48, 0.64, 0.6)
 
 // light: towards it, unit, and one over its distance, field space.
 Field firstField(const in vec4 light) {

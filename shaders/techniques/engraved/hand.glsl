@@ -7,23 +7,16 @@ vec3 wave(const in vec3 x) {
   return 4.0 * t * (abs(t) - 1.0);
 }
 
-// Slow waves, each within [−1, 1], without a visible period: the numbers are lengths and phases without a pattern.
+// Slow waves, each within [−1, 1], without a visible period.
 vec3 slowWaves(const in vec3 p) {
-  vec3 bent = p + 0.7 * wave(0.54 * p.yzx + vec3(0.1, 0.67, 1.4));
-  return wave(0.73 * bent.zxy + vec3(0.35, 1.18, 1.66));
+  vec3 bent = p + BENT_BY * wave(BENDS * p.yzx + BEND_PHASES);
+  return wave(SLOW_WAVES * bent.zxy + WAVE_PHASES);
 }
-
-// How far lines stray, in tiles.
-#define STRAY 0.012
 
 // Where the hand puts what belongs to a point.
 vec3 handPoint(const in vec3 point, const in vec3 waves) {
   return point + handmade * STRAY * waves;
 }
-
-// How much the pressure of a hand changes at most, and how much the widths of lines differ.
-#define PRESSURE 0.3
-#define WIDTHS 0.5
 
 // Pressure comes and goes along a line; where the tone is light the hand lifts, and leaves gaps.
 float handPressure(const in vec3 waves) {
@@ -36,8 +29,7 @@ float handTone(const in float pressure, const in float tone) {
 
 // A random number in [0, 1) that belongs to a line. line: its value, a multiple of a power of two.
 float lotOf(const in float line) {
-  // Few bits of such a number are set. Multiplied by the golden ratio, they are spread evenly (Fibonacci hashing).
-  uint spread = floatBitsToUint(line) * 0x9e3779b9u;
+  uint spread = floatBitsToUint(line) * GOLDEN_RATIO;
   return float(spread >> 8u) / 16777216.0;
 }
 

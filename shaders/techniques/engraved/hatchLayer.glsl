@@ -16,7 +16,7 @@ float families(const in HatchingParameters h, const in float first, const in flo
   bool isB = h.shareB >= 0.5;
   float second = 1.0 - (isB ? blankB : blankC);
   float third = 1.0 - (isB ? blankC : blankB);
-  int count = third > 1e-4 ? 3 : second > 1e-4 ? 2 : 1;
+  int count = third > LEAST_TONE ? 3 : second > LEAST_TONE ? 2 : 1;
   float blank = 1.0;
   for (int i = first > 0.0 ? 0 : 1; i < count; i++) {
     Family family = firstFamily(h);

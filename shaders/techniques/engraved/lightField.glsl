@@ -2,9 +2,9 @@
 // they agree most, the principal axis of Σ w L Lᵀ, which lights from opposite sides do not cancel.
 #include "lightLuminance"
 
-// The weight of a light. One that is switched off still has a direction.
+// The weight of a light.
 float fieldWeight(const in vec3 color) {
-  return lightLuminance(color) + 1e-6;
+  return lightLuminance(color) + LEAST_WEIGHT;
 }
 
 // Σ w L Lᵀ and Σ w L. toLight: of any length, field space.
@@ -24,10 +24,10 @@ vec3 fieldAxisOf(const in mat3 tensor, const in vec3 sum) {
   #if LIGHTS_WITH_DIRECTION == 1
     return sum / max(length(sum), 1e-20);
   #else
-    // Power iteration: four squarings are sixteen steps. It starts from what every axis has a part of.
+    // Power iteration: four squarings are sixteen steps.
     mat3 power = tensor;
     for (int i = 0; i < 4; i++) power = power * power / max(power[0][0] + power[1][1] + power[2][2], 1e-20);
-    vec3 axis = power * vec3(0.51, 0.64, 0.57);
+    vec3 axis = power * FIRST_AXIS;
     axis /= max(length(axis), 1e-20);
     return dot(axis, sum) < 0.0 ? -axis : axis;
   #endif // LIGHTS_WITH_DIRECTION

@@ -2,20 +2,8 @@
 // the nib.
 #include "technique/strokeLengths"
 
-// The tone from which on all strokes are there, and over how much of the tone each grows to its width.
-#define ALL_FROM 0.2
-#define GROWTH 0.05
-// The longest gap between two strokes and the part over which both ends of one narrow, as shares of its length; both close with the tone.
-#define GAP 0.3
-#define TAPER 0.9
-#define LOST (0.5 * GAP + TAPER / 3.0)
-// How far strokes lean and bend, in distances between lines, and how much their widths differ.
-#define LEANING 0.22
-#define BENDING 0.16
-#define WIDTH_SPREAD 0.5
-
-// Over how much of the share of strokes that are there each of those between older lines grows to its width.
-#define BIRTH 0.08
+// What a line loses to the gaps and the ends of its strokes where they are farthest apart.
+#define LOST (0.5 * STROKE_GAP + TAPER / 3.0)
 
 struct Pen {
   Family family;
@@ -27,7 +15,7 @@ struct Pen {
 
 // The integral of a ramp from 0 to 1.
 float rampSum(const in float x) {
-  return x < GROWTH ? 0.5 / GROWTH * x * x : x - 0.5 * GROWTH;
+  return x < STROKE_GROWTH ? 0.5 / STROKE_GROWTH * x * x : x - 0.5 * STROKE_GROWTH;
 }
 
 Pen penFor(const in HatchingParameters h, const in Family family, const in float tone) {
@@ -43,8 +31,8 @@ float bornBelow(const in float share) {
 }
 
 float lotOfStroke(const in float line, const in float middle) {
-  uint spread = floatBitsToUint(line) * 0x9e3779b9u ^ floatBitsToUint(middle) * 0x85ebca6bu;
-  spread = (spread ^ spread >> 15u) * 0x2c1b3c6du;
+  uint spread = floatBitsToUint(line) * GOLDEN_RATIO ^ floatBitsToUint(middle) * SECOND_FACTOR;
+  spread = (spread ^ spread >> 15u) * THIRD_FACTOR;
   return float(spread >> 8u) / 16777216.0;
 }
 
@@ -54,12 +42,12 @@ vec2 strokeOn(const in Pen pen, const in float born, const in float line, const 
   float along = place / period + lotOf(abs(number));
   float stroke = floor(along) + 0.5;
   float lot = lotOfStroke(abs(number), stroke);
-  float other = fract(64.0 * lot);
+  float other = fract(GAP_LOT * lot);
   float way = 2.0 * (along - stroke); // from −1 at one end to 1 at the other
-  float rest = clamp(1.0 - (1.0 - abs(way) - pen.open * GAP * other) / max(pen.open * TAPER, 1e-3), 0.0, 1.0);
-  float there = clamp((pen.tone - ALL_FROM * lot) / GROWTH, 0.0, 1.0);
-  there *= clamp((born - fract(512.0 * lot)) / BIRTH, 0.0, 1.0);
-  float spread = 1.0 + handmade * WIDTH_SPREAD * pen.open * (fract(4096.0 * lot) - 0.5);
+  float rest = clamp(1.0 - (1.0 - abs(way) - pen.open * STROKE_GAP * other) / max(pen.open * TAPER, 1e-3), 0.0, 1.0);
+  float there = clamp((pen.tone - ALL_FROM * lot) / STROKE_GROWTH, 0.0, 1.0);
+  there *= clamp((born - fract(BIRTH_LOT * lot)) / BIRTH, 0.0, 1.0);
+  float spread = 1.0 + handmade * WIDTH_SPREAD * pen.open * (fract(WIDTH_LOT * lot) - 0.5);
   float astray = LEANING * (other - 0.5) * way + BENDING * (lot - 0.5) * (0.5 - way * way);
   return vec2(pen.width * there * spread * (1.0 - rest * rest), handmade * pen.open * sign(number) * astray);
 }

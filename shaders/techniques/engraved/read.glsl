@@ -6,9 +6,6 @@ uniform mat3 objectToField; // linear part
 #include "technique/hand"
 #include "perFragment/screenGradient"
 
-// Units of the slow waves of a hand to a tile.
-#define HAND_WAVES 3.5
-
 // Lines that are level sets of one function.
 struct Family {
   float value;

@@ -2,19 +2,6 @@
 #include "technique/fieldAxis"
 #include "technique/arrivingLight"
 
-// Where the surface leans less than this across the gradient of the first family, sines of the angle, it has no lines left, and
-// those that cross it take its tone.
-#define BARE_SLOPE vec2(0.06, 0.18)
-
-// Where a function rises less than so much along the surface, new lines are born on the object too.
-#define SPARSEST_SLOPE 0.4
-
-// How far from evenly matched the two crossing families share a place: the difference of their squared sines.
-#define SIDE_FADE 0.35
-
-// Lines may lie as far apart as they like.
-#define ANY_OCTAVE 100.0
-
 struct HatchingParameters {
   vec3 point; // as the hand strays, from the origin of the field, tiles
   float pressure; // of the hand

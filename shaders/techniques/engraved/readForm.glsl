@@ -3,12 +3,6 @@
 // does: lines that lie no farther apart than that run on.
 #include "perFragment/fullShadow"
 
-// The octaves of these powers, for the function and for the one that crosses it (src/form/phase/lastLevel.ts).
-#define COARSEST_OCTAVES vec2(2.0, 1.0)
-
-// How much the widths of lines differ, slowly along each of them: a number of a line would change across a seam.
-#define WIDTH_WAVE 0.25
-
 struct HatchingParameters {
   float pressure; // of the hand
   float has; // the first family has lines everywhere

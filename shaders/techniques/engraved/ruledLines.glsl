@@ -26,13 +26,10 @@ float powerOf2(const in float octave) {
 }
 
 #ifdef DISSOLVES_SHADOWS
-  // Where a shadow dissolves its lines end one by one: the first of them so early, as a share of what is left of it.
-  #define FIRST_END 0.4
-
-  // What a line has of the width that it would have if all thinned out together.
+  // Where a shadow dissolves its lines end one by one: what a line has of the width that it would have if all thinned out together.
   float lineLeft(const in float line) {
     float end = FIRST_END * lotOf(line);
-    return max(shadowLeft() - end, 0.0) / ((1.0 - end) * max(shadowLeft(), 1e-3));
+    return max(shadowLeft() - end, 0.0) / ((1.0 - end) * max(shadowLeft(), LEAST_LEFT));
   }
 #else
   #define lineLeft(line) 1.0
@@ -54,7 +51,7 @@ float powerOf2(const in float octave) {
 // The darkness of a family.
 float ruledLines(const in HatchingParameters h, const in Family family, const in float tone) {
   float perPixel = max(family.perPixel, 1e-12);
-  float onObject = octaves(WANTED_SPACING / 256.0 * family.rise);
+  float onObject = octaves(WANTED_SPACING / PARTS_OF_TILE * family.rise);
   float onScreen = octaves(WANTED_SPACING * perPixel);
   float octave = max(mix(onObject, onScreen, sizedOnScreen), octaves(finestSpacing * perPixel));
   #if MEDIUM == MEDIUM_WOODCUT

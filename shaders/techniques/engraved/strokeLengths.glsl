@@ -2,12 +2,6 @@
 // strokes give way to others half as long.
 uniform float strokeLength; // pixels, or 256ths of a tile
 
-// The last part of an octave, in which they do.
-#define LENGTHS_FADE 0.12
-
-// How evenly a line must run along two axes for both to count: the difference of the squares of its direction.
-#define AXES_FADE 0.16
-
 // Where a fragment lies along the lines of a family: by two axes of the field, those along which the lines run most.
 struct Along {
   vec2 places;
@@ -36,7 +30,7 @@ Along alongLines(const in HatchingParameters h, const in Family family) {
   float perPixel = mix(
     crossed(screenGradient(second, h.onScreen), value), crossed(screenGradient(first, h.onScreen), value), along.share
   );
-  float octave = mix(octaves(strokeLength / 256.0), octaves(strokeLength * max(perPixel, 1e-12)), sizedOnScreen);
+  float octave = mix(octaves(strokeLength / PARTS_OF_TILE), octaves(strokeLength * max(perPixel, 1e-12)), sizedOnScreen);
   float whole = ceil(octave - 0.5);
   along.period = powerOf2(whole);
   along.longer = smoothstep(1.0 - LENGTHS_FADE, 1.0, octave - whole + 0.5);

@@ -1,3 +1,4 @@
+#include "technique/constants"
 #include "perFragment/varyings"
 
 #if LINE_FIELD == LINE_FIELD_FORM || LINE_FIELD == LINE_FIELD_ACROSS_FORM

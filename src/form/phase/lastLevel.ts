@@ -9,7 +9,7 @@ const MOST_UNKNOWNS = 600;
  * that cross: all that is left of them where an object is small. More would bend lines, above all those along thin limbs, around
  * which φ₂ rises by little.
  */
-const MULTIPLES = [4, 2] as const;
+export const MULTIPLES = [4, 2] as const;
 
 /** The largest share of its energy that rounding may add to a part, unless it is rounded to whole numbers. */
 const MOST_MOVED = 0.2;

@@ -1,14 +1,18 @@
 import { toothMap } from '../../tam/toothMap.js';
+import { toothConstantsChunk } from '../shaders/toothConstants.js';
 import type { MaterialPart } from './MaterialPart.js';
 
 /** The medium `dry`. */
 export const part: MaterialPart = {
-  files: import.meta.glob('./chunks/{dryMedium,tooth}.glsl', {
-    base: '../../../shaders',
-    query: '?raw',
-    import: 'default',
-    eager: true,
-  }),
+  files: {
+    ...import.meta.glob<string>('./chunks/{dryMedium,tooth}.glsl', {
+      base: '../../../shaders',
+      query: '?raw',
+      import: 'default',
+      eager: true,
+    }),
+    './chunks/toothConstants.glsl': toothConstantsChunk(),
+  },
   writeUniforms(uniforms) {
     uniforms.toothMap.value = toothMap();
   },

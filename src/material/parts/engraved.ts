@@ -1,15 +1,19 @@
 import { noteFormAngle } from '../../geometry/formAngles.js';
 import { lineContrast } from '../../geometry/lineFades.js';
 import { followsForm } from '../facts/lookFacts.js';
+import { engravedConstantsChunk } from './engravedConstants.js';
 import { writeFieldFrame } from './fieldFrame.js';
 import type { MaterialPart } from './MaterialPart.js';
 
 /** The technique `engraved`. */
 export const part: MaterialPart = {
-  files: import.meta.glob(
-    ['./techniques/engraved/*', './chunks/lineCoverage.glsl', './perFragment/screenGradient.glsl'],
-    { base: '../../../shaders', query: '?raw', import: 'default', eager: true },
-  ),
+  files: {
+    ...import.meta.glob<string>(
+      ['./techniques/engraved/*', './chunks/lineCoverage.glsl', './perFragment/screenGradient.glsl'],
+      { base: '../../../shaders', query: '?raw', import: 'default', eager: true },
+    ),
+    './techniques/engraved/constants.glsl': engravedConstantsChunk(),
+  },
   bindMesh(_renderer, _camera, geometry, object, material) {
     const { uniforms } = material;
     const contrast = lineContrast(geometry);

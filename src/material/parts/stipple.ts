@@ -1,14 +1,24 @@
+import { SCREEN_CONSTANTS } from '../../engraving/constants/screenConstants.js';
+import { STIPPLE_CONSTANTS } from '../../engraving/constants/stippleConstants.js';
+import { STIPPLE_MAP_SIZE } from '../../tam/patternSizes.js';
 import { stippleMap } from '../../tam/stippleMap.js';
+import { definesOf } from '../shaders/definesOf.js';
 import type { MaterialPart } from './MaterialPart.js';
 
 /** The medium `stipple`. */
 export const part: MaterialPart = {
-  files: import.meta.glob(['./techniques/anchored/{stipple,dots}.glsl', './perFragment/screenGradient.glsl'], {
-    base: '../../../shaders',
-    query: '?raw',
-    import: 'default',
-    eager: true,
-  }),
+  files: {
+    ...import.meta.glob<string>(['./techniques/anchored/{stipple,dots}.glsl', './perFragment/screenGradient.glsl'], {
+      base: '../../../shaders',
+      query: '?raw',
+      import: 'default',
+      eager: true,
+    }),
+    './techniques/anchored/constants.glsl': [
+      definesOf({ ...STIPPLE_CONSTANTS, ...SCREEN_CONSTANTS }),
+      definesOf({ STIPPLE_MAP_SIZE }, ''),
+    ].join('\n'),
+  },
   writeUniforms(uniforms) {
     uniforms.stippleMap.value = stippleMap();
   },

@@ -1,10 +1,13 @@
 import { ShaderChunk } from 'three';
 import { cornerLayout } from '../../bake/cornerLayout.js';
-import { STIPPLE_MAP_SIZE, TOOTH_MAP_BUMP, TOOTH_MAP_SIZE } from '../../tam/patternSizes.js';
+import { EMPHASIS_CONSTANTS } from '../../engraving/constants/emphasisConstants.js';
+import { SHADOW_CONSTANTS, SHADOW_SAMPLES } from '../../engraving/constants/shadowConstants.js';
+import { TONE_CONSTANTS } from '../../engraving/constants/toneConstants.js';
 import { CAVITY } from '../facts/cavity.js';
 import { constantCase } from '../facts/constantCase.js';
 import type { HatchingProperty, HatchingTexture } from '../facts/HatchingProperty.js';
 import { HATCHING_PROPERTIES } from '../facts/hatchingProperties.js';
+import { definesOf } from './definesOf.js';
 import { lightCountDefine } from './lightKinds.js';
 
 export const TONE_CURVES = ['linear', 'perceptual', 'points'] as const;
@@ -25,12 +28,9 @@ export const conventionsChunk = (): string =>
       property.kind === 'choice' && property.define ? numbered(property.define, property.choices) : [],
     ),
     ...numbered('TONE_CURVE', TONE_CURVES),
-    `#define TONE_CURVE_SPANS ${TONE_CURVE_SPANS}`,
     ...numbered('VERTEX_LAYOUT', VERTEX_LAYOUTS),
-    `#define STIPPLE_MAP_SIZE ${STIPPLE_MAP_SIZE}`,
-    `#define TOOTH_MAP_SIZE ${TOOTH_MAP_SIZE}.0`,
-    `#define TOOTH_MAP_BUMP ${TOOTH_MAP_BUMP}.0`,
-    `#define CAVITY ${CAVITY}`,
+    definesOf({ CAVITY, ...TONE_CONSTANTS, ...SHADOW_CONSTANTS, ...EMPHASIS_CONSTANTS }),
+    definesOf({ TONE_CURVE_SPANS, ...SHADOW_SAMPLES }, ''),
     lightCountDefine(),
   ].join('\n');
 

@@ -1,3 +1,4 @@
+import { STIPPLE_CONSTANTS } from '../../engraving/constants/stippleConstants.js';
 import { screenGradient, screenMap } from '../../engraving/screenGradient.js';
 import {
   coverOf,
@@ -46,10 +47,11 @@ export interface DotScene {
   above: number;
 }
 
+const { FILLING, FROM_BEHIND } = STIPPLE_CONSTANTS;
+
 /** Where all is covered, dots overlap by as much as at this cover. */
 const MOST_COVER = 0.999;
-/** From this cover on the last specks of paper fill: here dots grow over them, up to so many times their area. */
-const FILLING = 0.97;
+/** Where the last specks of paper fill, dots grow over them here, up to so many times their area. */
 const FILLED = 2.5;
 /** Smaller dots are left out, pixels. */
 const LEAST_RADIUS = 0.05;
@@ -104,7 +106,7 @@ class DotPlacer {
     const { isOrthographic } = projection;
     const sight: Vec3 = isOrthographic ? [0, 0, 1] : combined(-1, view, 0, view);
     const toViewer = normalize(timesVector(surface.viewToField, sight));
-    const isBehind = dot(fieldNormal, toViewer) < -0.5;
+    const isBehind = dot(fieldNormal, toViewer) < FROM_BEHIND;
     const front = isBehind ? combined(-1, fieldNormal, 0, fieldNormal) : fieldNormal;
     const unitsPerPixel = projection.unitsPerPixel(-view[2]);
     const plain = screenMap(front, surface.viewToField, { view, isOrthographic, unitsPerPixel });

@@ -1,4 +1,4 @@
-import { OUTLINE_CONSTANTS } from '../../engraving/outlineConstants.js';
+import { OUTLINE_CONSTANTS } from '../../engraving/constants/outlineConstants.js';
 import { standingAt, strideOf } from '../../engraving/outlineStanding.js';
 import type { Bvh } from '../Bvh.js';
 import type { Chain } from '../Chain.js';

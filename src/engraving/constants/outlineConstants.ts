@@ -33,6 +33,13 @@ export const OUTLINE_CONSTANTS = {
   LEAST_JUMP: 0.02,
   FULL_JUMP: 0.06,
 
+  /** How fast the bend must grow along the surface, times the radius, for a suggestive contour to begin, and to be as wide as asked. */
+  LEAST_GROWTH: 20,
+  FULL_GROWTH: 60,
+  /** Seen face on, such an outline says nothing: how far the normal must lean away for one to begin, and to be as wide as asked. */
+  LEAST_LEAN: 0.1,
+  FULL_LEAN: 0.35,
+
   /** The weight of what is hidden, whatever it would weigh where it is seen; what weighs less than the second there is hidden in part. */
   HIDDEN_WEIGHT: 0.5,
   WHOLE_FROM: 0.2,

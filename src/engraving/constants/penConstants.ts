@@ -1,0 +1,19 @@
+/** The numbers that a pen draws lines in strokes by, for the processor and, as defines, for the shaders. */
+export const PEN_CONSTANTS = {
+  /** The tone from which on all strokes are there, and over how much of the tone each grows to its width. */
+  ALL_FROM: 0.2,
+  STROKE_GROWTH: 0.05,
+  /** Over how much of the share of strokes that are there each of those between older lines grows to its width. */
+  BIRTH: 0.08,
+  /** The longest gap between two strokes and the part over which both ends of one narrow, as shares of its length; both close with the tone. */
+  STROKE_GAP: 0.3,
+  TAPER: 0.9,
+  /** How far strokes lean and bend, in distances between lines, and how much their widths differ. */
+  LEANING: 0.22,
+  BENDING: 0.16,
+  WIDTH_SPREAD: 0.5,
+  /** From which of its bits on the lot of a stroke decides on the gap before it, on its birth and on its width. */
+  GAP_LOT: 64,
+  BIRTH_LOT: 512,
+  WIDTH_LOT: 4096,
+} as const;

@@ -1,0 +1,20 @@
+import { CARVING_CONSTANTS } from '../../engraving/constants/carvingConstants.js';
+import { FIELD_CONSTANTS } from '../../engraving/constants/fieldConstants.js';
+import { FORM_CONSTANTS } from '../../engraving/constants/formConstants.js';
+import { GROUND_CONSTANTS } from '../../engraving/constants/groundConstants.js';
+import { HAND_CONSTANTS } from '../../engraving/constants/handConstants.js';
+import { LINE_CONSTANTS } from '../../engraving/constants/lineConstants.js';
+import { LOT_FACTORS } from '../../engraving/constants/lotConstants.js';
+import { PEN_CONSTANTS } from '../../engraving/constants/penConstants.js';
+import { SCREEN_CONSTANTS } from '../../engraving/constants/screenConstants.js';
+import { STROKE_LENGTH_CONSTANTS } from '../../engraving/constants/strokeLengthConstants.js';
+import { definesOf } from '../shaders/definesOf.js';
+
+const TABLES = [
+  ...[LINE_CONSTANTS, SCREEN_CONSTANTS, FIELD_CONSTANTS, FORM_CONSTANTS, GROUND_CONSTANTS],
+  ...[HAND_CONSTANTS, STROKE_LENGTH_CONSTANTS, PEN_CONSTANTS, CARVING_CONSTANTS],
+];
+
+/** The numbers that engraved lines are drawn by, which the drawing as lines knows too. */
+export const engravedConstantsChunk = (): string =>
+  [...TABLES.map((table) => definesOf(table)), definesOf(LOT_FACTORS, 'u')].join('\n');

@@ -1,0 +1,17 @@
+/** Numbers by their names: one is a float in shaders, several are a vector. */
+export type Constants = Readonly<Record<string, number | readonly number[]>>;
+
+/**
+ * Constants as defines.
+ *
+ * @param ending of whole numbers: '.' for floats, '' for integers and 'u' for unsigned ones
+ */
+export const definesOf = (constants: Constants, ending: '.' | '' | 'u' = '.'): string =>
+  Object.entries(constants)
+    .map(([name, value]) => `#define ${name} ${valueOf(value, ending)}`)
+    .join('\n');
+
+function valueOf(value: number | readonly number[], ending: string): string {
+  if (typeof value === 'object') return `vec${value.length}(${value})`;
+  return value % 1 ? `${value}` : value + ending;
+}
