@@ -1,20 +1,21 @@
 import { mat4, vec3 } from 'gl-matrix';
 import { expect, test } from 'vitest';
-import { leftOf, sharedByTwo, takenOf } from '../../../src/engraving/crossedTones.js';
-import { type CutField, firstField } from '../../../src/engraving/fieldAxis.js';
-import { handTone, handWidth } from '../../../src/engraving/hand.js';
+import { KEPT_BY_PEN, leftOf, sharedByTwo, THIRD_FROM, takenOf } from '../../../src/engraving/crossedTones.js';
+import { across, type CutField, type Field, firstField } from '../../../src/engraving/fieldAxis.js';
+import { handTone } from '../../../src/engraving/hand.js';
 import { fieldLight } from '../../../src/engraving/lightField.js';
 import { cutFamilies, familyGradient, familyValue, type Lean, readCut } from '../../../src/engraving/readCut.js';
-import { octaveOf, riseOf, roomOf } from '../../../src/engraving/ruledLines.js';
-import { changePerPixel, screenMap } from '../../../src/engraving/screenGradient.js';
+import { riseOf } from '../../../src/engraving/ruledLines.js';
+import { screenMap } from '../../../src/engraving/screenGradient.js';
 import { combined, type Vec3 } from '../../../src/engraving/vectors.js';
 import { EngravedReference, type EngravedSettings } from '../../reference/engravedReference.js';
 import type { HatchingReference, ReferenceLight } from '../../reference/hatchingReference.js';
 import { randomNumbers } from '../vector/randomNumbers.js';
+import { familyDarkness } from './familyDarkness.js';
 
 /**
  * The darkness of a fragment, put together from the functions of the processor and compared with the reference: values, gradients, tones of
- * families, octaves, rooms, widths, the hand and the light of the field must all be right for it.
+ * families, octaves, rooms, widths, strokes, the hand and the light of the field must all be right for it.
  */
 
 const SIZE = 480;
@@ -49,10 +50,6 @@ const cameras = [
 const view = mat4.lookAt(mat4.create(), [1, 1.5, 4], [0, 0, 0], [0, 1, 0]);
 const matrixWorld = mat4.fromRotation(mat4.create(), 0.7, [1, 2, 0.5])!;
 
-/** As `lineCoverage.glsl`. */
-const coverage = (away: number, half: number): number =>
-  Math.min(Math.max(Math.max(half, 0.5) + 0.5 - away, 0), 1) * Math.min(2 * half, 1);
-
 const LEANS = (angle: number): Lean[] => {
   const [cosine, sine] = [Math.cos(angle), Math.sin(angle)];
   return [
@@ -61,13 +58,9 @@ const LEANS = (angle: number): Lean[] => {
     { cosine, sine, side: 'C' },
     { cosine, sine: -sine, side: 'B' },
     { cosine, sine: -sine, side: 'C' },
+    { cosine, sine: -sine, side: 'B' },
+    { cosine, sine: -sine, side: 'C' },
   ];
-};
-
-const rankOf = (line: number): number => {
-  let rank = -40;
-  while (rank < 60 && Number.isInteger(line / 2 ** (rank + 1))) rank++;
-  return rank;
 };
 
 function fieldLamps(lights: readonly ReferenceLight[], tilesPerUnit: number) {
@@ -85,68 +78,96 @@ function fieldLamps(lights: readonly ReferenceLight[], tilesPerUnit: number) {
   });
 }
 
+/** The light of the field where only some lights arrive. */
+function arrivingLight(
+  lights: readonly ReferenceLight[],
+  dark: ReadonlySet<ReferenceLight>,
+  tilesPerUnit: number,
+): Field {
+  const arriving = lights.filter((light) => !dark.has(light));
+  const field = fieldLight(fieldLamps(arriving.length > 0 ? arriving : lights, tilesPerUnit));
+  return arriving.length > 0 ? field : { axis: across(field.axis), bend: 0 };
+}
+
 /** The darkness of one fragment by the functions of the processor. */
 function darknessOf(
   given: EngravedSettings,
   { projection, isOrthographic }: (typeof cameras)[number],
-  lights: readonly ReferenceLight[],
+  light: Field,
   place: Vec3,
   normal: Vec3,
   [tone, own]: readonly [number, number],
 ): number {
-  const { tilesPerUnit, lineField, strokeRotation, crossFrom, crossAngle, handmade, lineSpacing, sizedOnScreen } =
-    given;
-  const families = cutFamilies(
-    firstField(lineField as CutField, fieldLight(fieldLamps(lights, tilesPerUnit)), strokeRotation),
-  );
-  const reading = readCut(families, combined(tilesPerUnit, place, -tilesPerUnit, centre), normal, handmade);
+  const { tilesPerUnit, lineField, strokeRotation, crossFrom, crossAngle, handmade, medium } = given;
+  const families = cutFamilies(firstField(lineField as CutField, light, strokeRotation));
+  const point = combined(tilesPerUnit, place, -tilesPerUnit, centre);
+  const reading = readCut(families, point, normal, handmade);
   const toView = mat4.multiply(mat4.create(), view, matrixWorld);
   const seen = vec3.transformMat4([0, 0, 0], place as unknown as vec3, toView) as unknown as Vec3;
   const back = mat4.invert(mat4.create(), toView)!;
   const row = (i: number): Vec3 => [tilesPerUnit * back[i], tilesPerUnit * back[4 + i], tilesPerUnit * back[8 + i]];
   const unitsPerPixel = (2 * (isOrthographic ? 1 : -seen[2])) / (projection[5] * SIZE);
   const map = screenMap(normal, [row(0), row(1), row(2)], { view: seen, isOrthographic, unitsPerPixel });
-  const first = reading.has * takenOf(own, crossFrom);
-  const [b, c] = sharedByTwo(leftOf(own, first), reading.shareB);
-  const [d, e] = sharedByTwo(leftOf(tone, own), reading.shareB);
+  const taken = (of: number, from: number) => (medium === 'pen' ? takenOf(of, from, KEPT_BY_PEN) : takenOf(of, from));
+  const first = reading.has * taken(own, crossFrom);
+  const others = leftOf(own, first);
+  const second = medium === 'pen' ? taken(others, THIRD_FROM) : others;
+  const shared = [second, leftOf(others, second), leftOf(tone, own)].flatMap((of) => sharedByTwo(of, reading.shareB));
   let blank = 1;
-  for (const [i, familyTone] of [first, b, c, d, e].entries()) {
+  for (const [i, familyTone] of [first, ...shared].entries()) {
     if (i > 0 && familyTone <= 1e-4) continue;
     const lean = LEANS(crossAngle)[i];
-    const value = familyValue(families, reading, lean);
-    const perPixel = changePerPixel(familyGradient(families, reading, lean), map);
-    const rise = i === 0 ? riseOf(reading.slope) : 1;
-    const octave = octaveOf({ lineSpacing, finestSpacing: 3, sizedOnScreen }, rise, perPixel, 100);
-    const pressed = handTone(reading.pressure, familyTone);
-    const step = 2 ** (Math.ceil(octave) - 1);
-    let covered = 0;
-    for (let k = Math.floor(value / step) - 3; k <= value / step + 4; k++) {
-      const half = (0.5 * roomOf(rankOf(k * step), octave) * pressed * handWidth(k * step, handmade)) / perPixel;
-      covered += coverage(Math.abs(value - k * step) / perPixel, half);
-    }
-    blank *= 1 - Math.min(covered, 1);
+    const family = {
+      value: familyValue(families, reading, lean),
+      gradient: familyGradient(families, reading, lean),
+      rise: i === 0 ? riseOf(reading.slope) : 1,
+      coarsest: Infinity,
+    };
+    blank *= 1 - familyDarkness(family, handTone(reading.pressure, familyTone), given, { map, point, normal });
   }
   return 1 - blank;
 }
 
-const cases = cameras.flatMap((camera) =>
-  (['light', 'towards', 'x', 'y', 'z', 'slant'] as const).flatMap((lineField) =>
-    [[sun], [lamp], [sun, lamp]].map((lights) => ({ camera, lineField, lights, name: lights.map(({ type }) => type) })),
-  ),
+interface Case {
+  camera: (typeof cameras)[number];
+  lineField: CutField;
+  lights: ReferenceLight[];
+  /** Those that do not arrive, with lines that turn in shadows. */
+  dark: ReferenceLight[];
+  medium: 'ink' | 'pen' | 'woodcut';
+}
+
+const inInk = (['light', 'towards', 'x', 'y', 'z', 'slant'] as const).flatMap((lineField) =>
+  [[sun], [lamp], [sun, lamp]].map((lights) => ({ lineField, lights, dark: [], medium: 'ink' as const })),
+);
+const inMedia = (['pen', 'woodcut'] as const).flatMap((medium) =>
+  (['light', 'slant'] as const).map((lineField) => ({ lineField, lights: [sun, lamp], dark: [], medium })),
+);
+const inShadow = [[sun], [lamp], [sun, lamp]].map((dark) => ({
+  ...{ lineField: 'light' as const, lights: [sun, lamp], dark, medium: 'ink' as const },
+}));
+const cases: (Case & { name: string })[] = cameras.flatMap((camera) =>
+  [...inInk, ...inMedia, ...inShadow].map((one) => {
+    const types = (lights: readonly ReferenceLight[]) => lights.map(({ type }) => type).join(' and ') || 'none';
+    return { ...one, camera, name: `${one.medium}, ${types(one.lights)}, dark ${types(one.dark)}` };
+  }),
 );
 
 test.each(cases)(
-  'lines by $lineField under $name, $camera.name, are those of the reference',
-  ({ camera, lineField, lights }) => {
+  'lines by $lineField, $name, $camera.name, are those of the reference',
+  ({ camera, lineField, lights, dark, medium }) => {
+    const isDark = new Set(dark);
     let inked = 0;
     for (let i = 0; i < 60; i++) {
-      const given = { ...settings, lineField, crossFrom: between(0.1, 1), sizedOnScreen: random() };
-      const own = between(0, 0.9);
-      const tone = own + (1 - own) * between(0, 0.9);
+      const shadowStrokes = dark.length > 0 ? 'reorient' : 'cross';
+      const given: EngravedSettings = { ...settings, lineField, medium, shadowStrokes, sizedOnScreen: random() };
+      given.crossFrom = between(0.1, 1);
+      const own = between(0.02, 0.9);
+      const tone = shadowStrokes === 'cross' ? own + (1 - own) * between(0, 0.9) : own;
       const reference = {
         toWorld: (p: Vec3) => p,
         tone: (_at: Vec3, _normal: Vec3, hasShadows = true) => (hasShadows ? tone : own),
-        turnsAway: () => false,
+        turnsAway: (light: ReferenceLight) => isDark.has(light),
       } as unknown as HatchingReference;
       const scene = { reference, settings: given, lights, matrixWorld: [...matrixWorld], size: SIZE };
       const engraved = new EngravedReference({
@@ -157,7 +178,8 @@ test.each(cases)(
       const place: Vec3 = [between(-1, 1), between(-1, 1), between(-1, 1)];
       const normal = direction();
       const expected = engraved.darkness([...place], [...normal], [...normal]);
-      const found = darknessOf(given, camera, lights, place, normal, [tone, own]);
+      const light = arrivingLight(lights, isDark, given.tilesPerUnit);
+      const found = darknessOf(given, camera, light, place, normal, [tone, own]);
       expect(Math.abs(found - expected)).toBeLessThan(1e-6);
       if (expected > 0.05) inked++;
     }
