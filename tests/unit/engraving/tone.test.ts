@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { arriving, type Lamp, responseTo, seenBehind, type ToneModel } from '../../../src/engraving/radiance.js';
+import { radianceAround } from '../../../src/engraving/surroundings.js';
 import {
   localDarkness,
   openToLights,
@@ -90,6 +91,32 @@ describe('the tone at a place is that of the reference', () => {
       const own = { ...given, toneEnds: [0, toneFromRadiance(0, given)] as const };
       // The curve is kept in single precision.
       expect(Math.abs(shadedTone(radiance, 0, own) - reference.tone([...point], [...normal]))).toBeLessThan(1e-6);
+    }
+  });
+
+  test('under a sky and light from everywhere', () => {
+    const random = randomNumbers(19);
+    const color = (): [number, number, number] => [random(), random(), random()];
+    for (let i = 0; i < 100; i++) {
+      const [ambient, above, below] = [color(), color(), color()];
+      const up = normalize([random() - 0.5, random() - 0.5, random() - 0.5]);
+      const reference = new HatchingReference({
+        matrixWorld: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
+        eye: [0, 1, 5],
+        lights: [
+          { type: 'ambient', color: ambient },
+          { type: 'hemisphere', color: above, groundColor: below, position: [...up] },
+        ],
+        material: { ...defaults, toneModel: 'lambert', toneCurve: 'linear' },
+        tones: 2,
+        image: (tone) => tone,
+      });
+      const normal = normalize([random() - 0.5, random() - 0.5, random() - 0.5]);
+      const [high, low] = [luminanceOf(above), luminanceOf(below)];
+      const skies = [{ up, mean: (high + low) / 2, difference: (high - low) / 2 }];
+      const around = { ambient: luminanceOf(ambient), skies, probes: new Float64Array(9), environment: null };
+      const expected = reference.tone([0, 0, 0], [...normal]);
+      expect(Math.abs(shadedTone(radianceAround(around, ...normal), 0, look) - expected)).toBeLessThan(1e-6);
     }
   });
 
