@@ -4,6 +4,8 @@ import { clamp01, combined, dot, lengthOf, mix, normalize, smoothstep, type Vec3
 
 const { LIT, SHADED, INSIDE, LOST_RANGE, LOST_TAPER, LIFT_SHARE, MOST_RISE, EDGE_SLOPE, BEGINS_AS_PAPER, IS_PAPER } =
   OUTLINE_CONSTANTS;
+const { STRAY_ACROSS, ACROSS_BENT, ACROSS_BEND, STRAY_UP, UP_BENT, UP_BEND, UP_PHASE } = OUTLINE_CONSTANTS;
+const { STRAY_FINELY, FINE_PHASE, STRAY_SHARES } = OUTLINE_CONSTANTS;
 
 /** Weight of a contour by the bend of the surface along the line of sight: it ends in a cusp, and the pen lifts there. */
 export const taperAt = (bend: number, taper: number): number =>
@@ -77,10 +79,11 @@ export const paperness = (gap: number): number => smoothstep(BEGINS_AS_PAPER, IS
 
 /** The unsteadiness of a hand: a slow shift on the screen that belongs to the place on the object. anchor: over the bounding radius. */
 export function wobbleAt(p: Vec3, wobble: number): readonly [number, number] {
-  const a = Math.sin(dot(p, [11.3, 7.1, -5.9]) + 1.7 * Math.sin(dot(p, [-4.3, 6.7, 9.1])));
-  const b = Math.sin(dot(p, [-6.1, 9.7, 12.7]) + 1.3 * Math.sin(dot(p, [8.9, -3.7, 5.3])) + 2);
-  const c = Math.sin(dot(p, [23, -19, 17]) + 4);
-  return [wobble * (0.8 * a + 0.2 * c), wobble * (0.8 * b - 0.2 * c)];
+  const a = Math.sin(dot(p, STRAY_ACROSS) + ACROSS_BEND * Math.sin(dot(p, ACROSS_BENT)));
+  const b = Math.sin(dot(p, STRAY_UP) + UP_BEND * Math.sin(dot(p, UP_BENT)) + UP_PHASE);
+  const c = Math.sin(dot(p, STRAY_FINELY) + FINE_PHASE);
+  const [long, short] = STRAY_SHARES;
+  return [wobble * (long * a + short * c), wobble * (long * b - short * c)];
 }
 
 /** How deep a triangle is across a piece of contour on it, along the line of sight. */

@@ -40,6 +40,22 @@ export const OUTLINE_CONSTANTS = {
   LEAST_LEAN: 0.1,
   FULL_LEAN: 0.35,
 
+  /**
+   * The waves by which outlines stray: of about a third of the radius in two directions, and shorter ones, whose phases others bend. The
+   * numbers mean nothing: they are directions and phases without a pattern.
+   */
+  STRAY_ACROSS: [11.3, 7.1, -5.9],
+  ACROSS_BENT: [-4.3, 6.7, 9.1],
+  ACROSS_BEND: 1.7,
+  STRAY_UP: [-6.1, 9.7, 12.7],
+  UP_BENT: [8.9, -3.7, 5.3],
+  UP_BEND: 1.3,
+  UP_PHASE: 2,
+  STRAY_FINELY: [23, -19, 17],
+  FINE_PHASE: 4,
+  /** The share of the long waves, and of the short ones. */
+  STRAY_SHARES: [0.8, 0.2],
+
   /** The weight of what is hidden, whatever it would weigh where it is seen; what weighs less than the second there is hidden in part. */
   HIDDEN_WEIGHT: 0.5,
   WHOLE_FROM: 0.2,

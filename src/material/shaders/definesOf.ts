@@ -8,10 +8,10 @@ export type Constants = Readonly<Record<string, number | readonly number[]>>;
  */
 export const definesOf = (constants: Constants, ending: '.' | '' | 'u' = '.'): string =>
   Object.entries(constants)
-    .map(([name, value]) => `#define ${name} ${valueOf(value, ending)}`)
+    .map(([name, value]) => `#define ${name} ${written(value, ending)}`)
     .join('\n');
 
-function valueOf(value: number | readonly number[], ending: string): string {
+function written(value: number | readonly number[], ending: string): string {
   if (typeof value === 'object') return `vec${value.length}(${value})`;
   return value % 1 ? `${value}` : value + ending;
 }
