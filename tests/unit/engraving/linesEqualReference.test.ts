@@ -38,17 +38,23 @@ const settings: EngravedSettings = {
   tilesPerUnit: 3,
   shadowStrokes: 'cross',
 };
+const matrixWorld = mat4.fromRotation(mat4.create(), 0.7, [1, 2, 0.5])!;
 const centre: Vec3 = [0.2, -0.1, 0.05];
 
 const sun: ReferenceLight = { type: 'directional', color: [3, 3, 3], position: [1, 2, 3], target: [0, 0, 0] };
 const lamp: ReferenceLight = { type: 'point', color: [4, 2, 1], position: [2, 1.5, 1], decay: 2 };
+
+/** In object space it is near the limit from which on what lies across it is not found by the world's up. */
+const steep: ReferenceLight = {
+  ...{ type: 'directional', color: [3, 3, 3], target: [0, 0, 0] },
+  position: vec3.transformMat4([0, 0, 0], [0.4, 0.82, 0.41], matrixWorld) as [number, number, number],
+};
 
 const cameras = [
   { name: 'perspective', projection: mat4.perspective(mat4.create(), 0.8, 1, 0.1, 50), isOrthographic: false },
   { name: 'orthographic', projection: mat4.ortho(mat4.create(), -2, 2, -2, 2, 0.1, 50), isOrthographic: true },
 ];
 const view = mat4.lookAt(mat4.create(), [1, 1.5, 4], [0, 0, 0], [0, 1, 0]);
-const matrixWorld = mat4.fromRotation(mat4.create(), 0.7, [1, 2, 0.5])!;
 
 const LEANS = (angle: number): Lean[] => {
   const [cosine, sine] = [Math.cos(angle), Math.sin(angle)];
@@ -137,6 +143,9 @@ interface Case {
   medium: 'ink' | 'pen' | 'woodcut';
 }
 
+const inSteepLight = (['light', 'towards'] as const).map((lineField) => ({
+  ...{ lineField, lights: [steep], dark: [], medium: 'ink' as const },
+}));
 const inInk = (['light', 'towards', 'x', 'y', 'z', 'slant'] as const).flatMap((lineField) =>
   [[sun], [lamp], [sun, lamp]].map((lights) => ({ lineField, lights, dark: [], medium: 'ink' as const })),
 );
@@ -147,7 +156,7 @@ const inShadow = [[sun], [lamp], [sun, lamp]].map((dark) => ({
   ...{ lineField: 'light' as const, lights: [sun, lamp], dark, medium: 'ink' as const },
 }));
 const cases: (Case & { name: string })[] = cameras.flatMap((camera) =>
-  [...inInk, ...inMedia, ...inShadow].map((one) => {
+  [...inInk, ...inSteepLight, ...inMedia, ...inShadow].map((one) => {
     const types = (lights: readonly ReferenceLight[]) => lights.map(({ type }) => type).join(' and ') || 'none';
     return { ...one, camera, name: `${one.medium}, ${types(one.lights)}, dark ${types(one.dark)}` };
   }),
