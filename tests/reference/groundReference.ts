@@ -22,10 +22,13 @@ export function shadowedTone(
   return Math.max(0, toneAt(share) - blank * share) * shadowTone * left;
 }
 
-/** A line in a shadow of which so much is left, as a factor on its width there: the first end at 0.4 of what is left, the last at nothing. */
+/**
+ * A line in a shadow of which so much is left, as a factor on its width there: the first end at 0.4 of what is left, the last at nothing.
+ * What is left counts as a thousandth at least.
+ */
 export function leftOfLine(value: number, left: number): number {
   const end = 0.4 * lotOf(value);
-  return clamp01((left - end) / (1 - end)) / left;
+  return clamp01((left - end) / (1 - end)) / Math.max(left, 1e-3);
 }
 
 /** The mean of that over all lots, by the middles of many even steps. */

@@ -68,6 +68,7 @@ describe('shadows on a ground', () => {
       const [line, left] = [(i - 100) / 8, between(0.01, 1)];
       same(lineLeft(line, left), leftOfLine(line, left));
     }
+    for (const left of [1e-3, 5e-4, 1e-4]) same(lineLeft(0, left), leftOfLine(0, left));
     for (const left of [0.05, 0.2, 0.39, 0.41, 0.8, 0.99]) same(meanLineLeft(left), meanLeft(left));
     expect([lineLeft(3, 1), meanLineLeft(1)]).toEqual([1, 1]);
   });
