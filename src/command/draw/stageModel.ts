@@ -3,8 +3,9 @@ import { bakeOcclusion, flatteringLight } from 'three-hatching';
 import { bakeForm } from '../../drawing/bakeForm.js';
 import type { HatchedModel } from '../../drawing/HatchedModel.js';
 import { meshesOf } from '../../drawing/meshesOf.js';
-import { type Look, lookOf } from '../../settings/lookOf.js';
+import { lookOf } from '../../settings/lookOf.js';
 import { formDrawn } from '../../settings/settingValues.js';
+import { Backdrop } from '../../staging/Backdrop.js';
 import { DEFAULT_VIEW, LENS } from '../../staging/createCamera.js';
 import { Ground } from '../../staging/Ground.js';
 import { LightRig } from '../../staging/LightRig.js';
@@ -43,6 +44,8 @@ export async function stageModel(
 ): Promise<StagedModel> {
   const scene = new Scene();
   const lights = new LightRig(scene);
+  // The scene has the order of the playground's, in which lines are found and joined: so the same link gives the same paths.
+  const { ground, isMade } = groundIn(scene);
   const upright = new Group().add(model.root);
   upright.rotation.set(...lookOf(settings).upright);
   scene.add(upright);
@@ -64,7 +67,12 @@ export async function stageModel(
   const look = lookOf(settings);
   model.apply(look);
   lights.apply(look.lights);
-  const ground = await groundFor(scene, model, look, upright);
+  ground.extent = model.extent;
+  ground.height = model.bounds.clone().applyMatrix4(upright.matrixWorld).min.y;
+  ground.apply(look);
+  if (look.ground !== 'none') await isMade;
+  const backdrop = new Backdrop(scene);
+  backdrop.apply(look, model.extent);
   const inPicture = aroundUpright(outline, angles);
   const shadow = look.showsGround ? lights.shadowOf(outline, ground.height, toEye) : undefined;
   const { orthographic: isOrthographic, zoom } = options;
@@ -81,6 +89,7 @@ export async function stageModel(
   const share = strokeShare(width * pixels, height * pixels);
   model.setWidths(look, share);
   ground.setWidths(look, share);
+  backdrop.setWidths(look, share);
   await bake(model, settings, signal, report);
   return { scene, lights, placed };
 }
@@ -90,18 +99,13 @@ function directionOf({ azimuth, elevation }: DirectionInDegrees): Vector3 {
   return new Vector3().setFromSphericalCoords(1, MathUtils.degToRad(90 - elevation), MathUtils.degToRad(azimuth));
 }
 
-/** The ground that a look asks for, below the model. */
-async function groundFor(scene: Scene, model: HatchedModel, look: Look, upright: Group): Promise<Ground> {
+/** A ground, which is made when a look asks for it. */
+function groundIn(scene: Scene): { ground: Ground; isMade: Promise<void> } {
   let onReady = (): void => {};
-  const ready = new Promise<void>((resolve) => {
+  const isMade = new Promise<void>((resolve) => {
     onReady = resolve;
   });
-  const ground = new Ground(scene, onReady);
-  ground.extent = model.extent;
-  ground.height = model.bounds.clone().applyMatrix4(upright.matrixWorld).min.y;
-  ground.apply(look);
-  if (look.ground !== 'none') await ready;
-  return ground;
+  return { ground: new Ground(scene, onReady), isMade };
 }
 
 /** Bakes what lines along the form and dark hollows are drawn from, if the settings ask for them. */

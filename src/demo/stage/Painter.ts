@@ -116,7 +116,8 @@ export class Painter {
     this.builder.stop();
   }
 
-  private setWidths(scale = 1): void {
+  /** Sets how wide strokes and outlines are. @param scale of a picture whose size is not that of the page */
+  setWidths(scale = 1): void {
     const { clientWidth, clientHeight } = this.viewport;
     this.scenery.setWidths(strokeShare(clientWidth, clientHeight), scale);
   }

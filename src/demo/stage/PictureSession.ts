@@ -30,12 +30,16 @@ export interface PictureLook {
   ground: Settings['pictureGround'];
   /** The one layer that is drawn, on a transparent background. */
   layer?: Layer;
+  /** Whether it lies below the lines of a vector file: what leaves as lines is left out, and so is a comparison. */
+  isUnderLines?: boolean;
 }
 
 /** Draws pictures in tiles, or videos frame by frame, on the canvas of the page. The frames of the page are held meanwhile. */
 export class PictureSession {
   /** The changes of the stage when its frames were held: after another change, further tiles would not fit the earlier ones. */
   private changes = 0;
+  /** Whether a comparison is left out. */
+  private isUndivided = false;
 
   constructor(private readonly stage: Stage) {}
 
@@ -59,19 +63,29 @@ export class PictureSession {
   }
 
   /** Shows what the picture is to hold, until {@link end}. Frames must be held. */
-  begin({ ground, layer }: PictureLook): void {
+  begin({ ground, layer, isUnderLines = false }: PictureLook): void {
     const { painter, scenery } = this.stage;
     // Tiles are measured in pixels.
     painter.pixelRatio = 1;
     if (ground !== 'paper' || layer) painter.renderer.setClearAlpha(0);
     if (layer) scenery.showLayer(layer);
     else if (ground === 'strokes') scenery.showPaper(false);
+    if (isUnderLines) scenery.hideLines();
+    this.isUndivided = isUnderLines;
   }
 
   end(): void {
     const { painter, scenery } = this.stage;
     scenery.showLayer(undefined);
     painter.renderer.setClearAlpha(1);
+  }
+
+  /** Gives the scene the sizes, shadows and technique of the page, for whoever reads it: tiles and small pictures had those of their own. */
+  restoreScene(): void {
+    const { painter, scenery } = this.stage;
+    painter.setWidths();
+    painter.setShadowQuality('usual', true);
+    scenery.shown.model?.useMaterials('drawn');
   }
 
   /**
@@ -88,7 +102,7 @@ export class PictureSession {
     // Setting the size gives the canvas new memory, even if it is the same.
     if (canvas.width !== width || canvas.height !== height) painter.renderer.setSize(width, height, false);
     camera.setViewOffset(viewWidth, viewHeight, left + x, top + y, width, height);
-    painter.drawTile({ viewWidth, x: left + x, width, height }, scale);
+    painter.drawTile({ viewWidth, x: left + x, width, height, isUndivided: this.isUndivided }, scale);
     camera.clearViewOffset();
     this.throwIfLost();
   }

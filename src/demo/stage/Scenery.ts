@@ -105,6 +105,12 @@ export class Scenery {
     this.backdrop.hide();
   }
 
+  /** Hides what leaves as lines of its own beside strokes, until {@link showLayer} shows all again. */
+  hideLines(): void {
+    this.shown.model?.showOutlines(false);
+    this.backdrop.hide();
+  }
+
   /** Shows or hides the paper. Without it, only strokes are drawn. */
   showPaper(isShown: boolean): void {
     this.shown.model?.showPaper(isShown);

@@ -10,6 +10,8 @@ export interface Tile {
   x: number;
   width: number;
   height: number;
+  /** Whether the technique of the settings is drawn alone, also while another is compared with it. */
+  isUndivided?: boolean;
 }
 
 /**
@@ -40,9 +42,9 @@ export class SideBySide {
    * Draws one tile of a picture that is `viewWidth` wide. The tile begins `x` pixels from the left and fills the canvas. The tile
    * of an ordinary frame is the whole picture.
    */
-  drawTile({ viewWidth, x, width, height }: Tile): void {
+  drawTile({ viewWidth, x, width, height, isUndivided = false }: Tile): void {
     const { renderer } = this;
-    const share = this.divider?.();
+    const share = isUndivided ? undefined : this.divider?.();
     this.use('drawn');
     if (share === undefined) {
       this.render();

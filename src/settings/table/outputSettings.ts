@@ -104,6 +104,16 @@ export const PICTURE_SETTINGS = inGroup('Picture', 'output', {
     max: 2,
     step: 0.05,
   },
+  pictureMargin: {
+    kind: 'number',
+    label: 'SVG margin',
+    when: { pictureSize: [...PAPER_SIZES, 'own'], pictureCrop: ['sheet'] },
+    default: 10,
+    unit: 'mm',
+    min: 0,
+    max: 100,
+    step: 1,
+  },
 });
 
 /** The video that is saved. */

@@ -199,6 +199,12 @@ describe('the stage', () => {
     expect(other.settings).toMatchObject({ lightAzimuth: 5, lightElevation: 6, shadows: 'on', ink: '#18332f' });
   });
 
+  test('has the hatched field behind it that a link asks for', async () => {
+    const link = 'technique=engraved&shadows=off&background=on';
+    const { svgs } = await draw('a.obj', octahedronObj, '--link', link, '--sheet', '50x50', '--kind', 'pen');
+    expect(svgs[0]).toContain('background"');
+  });
+
   test('turns the axis up that the options or the link name', () => {
     const upAxis = (args: readonly string[], link?: string): string =>
       settingsFor(optionsOf(...args), link, 'z').settings.upAxis;
