@@ -36,9 +36,13 @@ const OPTIONS = {
   help: { type: 'boolean', short: 'h' },
 } as const;
 
-/** The presets whose strokes are lines. */
+/** Whether what is drawn so leaves as lines or dots. Other strokes are pictures. */
+const isLined = (technique: string | undefined, medium: string | undefined): boolean =>
+  technique === 'engraved' || (technique === 'anchored' && medium === 'stipple');
+
+/** The presets that leave as lines or dots. */
 const LINED = Object.entries<HatchingPreset>(presets)
-  .filter(([, { material }]) => material.technique === 'engraved')
+  .filter(([, { material }]) => isLined(material.technique, material.medium))
   .map(([name]) => name);
 
 const AXES = ['y', 'z', 'x', '-y', '-z', '-x'] as const;
@@ -155,12 +159,13 @@ function linkOf(link: string | undefined): string | undefined {
   throw new UsageError('--link holds no drawing; copy the whole address of the playground, in quotes.');
 }
 
-/** @throws UsageError if a link is drawn with strokes that are no lines. Its technique is that of its preset unless it names another */
+/** @throws UsageError if a link is drawn with strokes that are no lines. Technique and medium are those of its preset unless it names others */
 function checkLines(link: string): void {
   const parameters = new URLSearchParams(link);
-  const preset = parameters.get('preset') ?? '';
-  const technique = parameters.get('technique') ?? (LINED.includes(preset) ? 'engraved' : undefined);
-  if (technique === 'engraved') return;
+  const { material } =
+    new Map<string, HatchingPreset>(Object.entries(presets)).get(parameters.get('preset') ?? '') ?? {};
+  const technique = parameters.get('technique') ?? material?.technique;
+  if (isLined(technique, parameters.get('medium') ?? material?.medium)) return;
   throw new UsageError(
     '--link is drawn with strokes that are a picture and cannot leave as lines; add --preset with one of its own, engraving, say.',
   );

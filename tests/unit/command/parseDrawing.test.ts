@@ -56,6 +56,11 @@ describe('what the command line says', () => {
     expect(refusal(...OUT, '--link', '#ink=%23203080')).toMatch(/--link is drawn with strokes that are a picture/);
     expect(refusal(...OUT, '--link', '#preset=banknote&ink=%23203080')).toBe('');
     expect(refusal(...OUT, '--link', '#ink=%23203080', '--preset', 'engraving')).toBe('');
+    // Dots leave as dots.
+    expect(refusal(...OUT, '--preset', 'stipple')).toBe('');
+    expect(refusal(...OUT, '--link', '#preset=stipple')).toBe('');
+    expect(refusal(...OUT, '--link', '#technique=anchored&medium=stipple')).toBe('');
+    expect(refusal(...OUT, '--link', '#preset=stipple&medium=ink')).toMatch(/strokes that are a picture/);
   });
 
   test('nothing at all, or --help, asks for help, which names every option', () => {
