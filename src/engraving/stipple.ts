@@ -64,17 +64,14 @@ export function planesNear(direction: Vec3): DotPlane[] {
   return planes;
 }
 
-/** The tangent plane, leaning away no further than dots stay round. flattened: the share of their area that is left of dots beyond. */
-export function roundScreenMap(map: ScreenMap, unitsPerPixel: number): { map: ScreenMap; flattened: number } {
+/** The tangent plane, leaning away no further than dots stay round. */
+export function roundScreenMap(map: ScreenMap, unitsPerPixel: number): ScreenMap {
   const toViewer: Vec3 = [map.centre[0], map.centre[1], 1];
   const facing = dot(map.normal, toViewer);
   const least = LEAST_ROUND * lengthOf(map.normal);
   const lacking = Math.max(least - facing, 0);
   const normal = combined(1, map.normal, lacking / dot(toViewer, toViewer), toViewer);
-  return {
-    map: { ...map, normal, scale: unitsPerPixel / Math.max(facing, least, 1e-30) },
-    flattened: Math.min(Math.max(facing, 0) / Math.max(least, 1e-30), 1),
-  };
+  return { ...map, normal, scale: unitsPerPixel / Math.max(facing, least, 1e-30) };
 }
 
 /** What dots cover at a tone: the tone itself in the lights, and more in the darks, which end solid. */

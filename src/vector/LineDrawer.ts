@@ -19,6 +19,7 @@ import type { Projection } from './Projection.js';
 import { type Clip, isClipped } from './paint/Clip.js';
 import { Fading } from './paint/Fading.js';
 import { PlaceReader } from './paint/PlaceReader.js';
+import { VeilTone } from './paint/VeilTone.js';
 import { dashes } from './paths/dashes.js';
 import type { LinePath } from './paths/LinePath.js';
 import { refineEnds } from './refineEnds.js';
@@ -88,7 +89,7 @@ export class LineDrawer {
   ) {
     this.casters = castersOf(scene.corners, scene.sides);
     this.above = ABOVE * scene.corners.reduce((size, x) => Math.max(size, Math.abs(x)), 0);
-    this.fading = new Fading(bvh, projection, scene.veils, this.above);
+    this.fading = new Fading(bvh, projection, scene.veils, this.above, veilTones(scene, projection, bvh));
   }
 
   *drawOutlines(): Generator<number, void, void> {
@@ -176,10 +177,17 @@ export class LineDrawer {
     return [...shares]
       .filter((left) => left > 0)
       .map((left) => ({
-        faded: left === 1 ? chain : { ...chain, halves: chain.halves.map((half) => left * half) },
+        faded: left === 1 ? chain : { ...chain, halves: this.fadedHalves(chain, left) },
         left,
         isLeft: this.isLeftOf(chain, left, isSeen),
       }));
+  }
+
+  private fadedHalves({ halves, world, triangles }: Chain, left: number): Float64Array {
+    return halves.map((half, i) => {
+      const place = [world[3 * i], world[3 * i + 1], world[3 * i + 2]] as const;
+      return left * half * this.fading.deepening(place, triangles[i]);
+    });
   }
 
   /** A test that sees only where so much is left of a line. */
@@ -280,6 +288,17 @@ export class LineDrawer {
 interface TracedLine {
   family: FamilyName;
   chain: Chain;
+}
+
+/** What veils print that are hatched themselves. To be asked before surfaces are subdivided. */
+function veilTones(
+  { surfaces, stippled, veils, illumination }: DrawnScene,
+  projection: Projection,
+  bvh: Bvh,
+): VeilTone[] {
+  return [...surfaces, ...stippled]
+    .filter(({ surface }) => veils.some(({ first }) => first === surface.parents[0]))
+    .map(({ surface, look }) => new VeilTone(surface, new Toner(look, illumination, bvh, projection), projection));
 }
 
 function* tracedFamilies(tracing: Tracing): Generator<number, TracedLine[], void> {

@@ -1,4 +1,4 @@
-import { screenGradient, screenMap } from '../../engraving/screenGradient.js';
+import { type ScreenMap, screenGradient, screenMap } from '../../engraving/screenGradient.js';
 import {
   coverOf,
   type DotLayers,
@@ -84,7 +84,8 @@ export function* placeDots(scene: DotScene): Generator<number, Dot[], void> {
 interface DotReading {
   planes: DotPlane[];
   areaOf: (plane: DotPlane) => number;
-  flattened: number;
+  /** The share of a dot's area that is left on the flat triangle, which leans otherwise than the smooth surface that dots are round for. */
+  flattenedOn: (plane: DotPlane) => number;
 }
 
 /** What the dots of a layer may cover at a place, at least and at most. */
@@ -147,15 +148,13 @@ class DotPlacer {
     const isBehind = dot(fieldNormal, toViewer) < -0.5;
     const front = isBehind ? combined(-1, fieldNormal, 0, fieldNormal) : fieldNormal;
     const unitsPerPixel = projection.unitsPerPixel(-view[2]);
-    const plain = screenMap(front, viewToField, { view, isOrthographic, unitsPerPixel });
-    const { map, flattened } = roundScreenMap(plain, unitsPerPixel);
+    const seen = { view, isOrthographic, unitsPerPixel };
+    const round = roundScreenMap(screenMap(front, viewToField, seen), unitsPerPixel);
+    const flat = screenMap(place.flatNormal, place.posed?.flat ?? surface.viewToField, seen, true);
     return {
       planes: planesNear(directionOfNeedles(front, toViewer)),
-      areaOf: ({ u, v }) => {
-        const [a, b] = [screenGradient(u, map), screenGradient(v, map)];
-        return Math.abs(a[0] * b[1] - a[1] * b[0]);
-      },
-      flattened,
+      areaOf: (plane) => areaIn(plane, round),
+      flattenedOn: (plane) => areaIn(plane, round) / Math.max(areaIn(plane, flat), 1e-30),
     };
   }
 
@@ -204,7 +203,7 @@ class DotPlacer {
     const { places, clip, toner, size, projection, bvh, fading, surface, above } = this.scene;
     const place = places.read(numbers, t);
     if ((place.paint !== null && place.paint.standing < 0) || (clip && isClipped(clip, place.world))) return;
-    const { planes, areaOf, flattened } = this.read(place);
+    const { planes, areaOf, flattenedOn } = this.read(place);
     const plane = planes.find((one) => isSame(one.axis, axis));
     if (!plane) return;
     const cover = this.coverIn(layer, toner.read(place, toner.hasShadows ? 'traced' : 'none').tone);
@@ -213,7 +212,7 @@ class DotPlacer {
     const own = ownCover(cover, plane.share);
     const octave = dotOctave(pixelArea, own, size);
     if (Math.floor(octave) + 1 !== level) return;
-    const area = flattened * dotArea(pixelArea, own, octave) * grownBy(octave - Math.floor(octave), born);
+    const area = flattenedOn(plane) * dotArea(pixelArea, own, octave) * grownBy(octave - Math.floor(octave), born);
     const filling = 1 + ((FILLED - 1) * Math.max(cover - FILLING, 0)) / (1 - FILLING);
     const radius = Math.sqrt((filling * area) / Math.PI);
     const [x, y] = projection.project(...place.view);
@@ -221,7 +220,9 @@ class DotPlacer {
     const { way, end } = projection.wayToEye(...place.world);
     if (bvh.isHidden(place.world, way, above / Math.hypot(...way), end, surface.parents[t])) return;
     const left = fading.leftOf(place.world, surface.parents[t]);
-    if (left > 0) this.dots.push({ x, y, radius: radius * Math.sqrt(left) });
+    if (left === 0) return;
+    const faded = left === 1 ? 1 : left * fading.deepening(place.world, surface.parents[t]);
+    this.dots.push({ x, y, radius: radius * Math.sqrt(faded) });
   }
 }
 
@@ -230,6 +231,12 @@ interface CellsOfLayer {
   plane: DotPlane;
   level: number;
   layer: number;
+}
+
+/** Object units² of a plane to a pixel. */
+function areaIn({ u, v }: DotPlane, map: ScreenMap): number {
+  const [a, b] = [screenGradient(u, map), screenGradient(v, map)];
+  return Math.abs(a[0] * b[1] - a[1] * b[0]);
 }
 
 const wrapped = (cell: number, cells: number): number => ((cell % cells) + cells) % cells;
