@@ -16,7 +16,7 @@ const draw = async (...meshes: Mesh[]) => {
   });
   expect(leftOut.filter(({ reason }) => !reason.includes('no HatchingMaterial'))).toEqual([]);
   const paths = pathsOf(svg);
-  return { behind: coverageOf(paths, BEHIND, 200), beside: coverageOf(paths, BESIDE, 200) };
+  return { behind: coverageOf(paths, BEHIND, 200), beside: coverageOf(paths, BESIDE, 200), paths };
 };
 
 /** A pane before the others that prints nothing itself. */
@@ -57,6 +57,14 @@ describe('surfaces that are seen through', () => {
     const film = await planeOfTone(0, { transparent: true, opacity: 0.5, paperOpacity: 0 });
     film.position.z = 0.5;
     expect(Math.abs((await draw(await planeOfTone(0.6), film)).behind - 0.6)).toBeLessThan(0.015);
+  });
+
+  test('with what is behind them they print as much as on the canvas, where inks are added', async () => {
+    const front = await planeOfTone(0.6, { transparent: true, opacity: 0.5, lineField: 'y' });
+    front.position.z = 0.5;
+    const { paths } = await draw(await planeOfTone(0.6, { lineField: 'x' }), front);
+    // One upon another they would cover 0.51.
+    expect(Math.abs(coverageOf(paths, [2, 2, 36, 36], 300) - 0.6)).toBeLessThan(0.025);
   });
 
   test('a pen draws dashes behind them', async () => {
