@@ -1,6 +1,7 @@
 /** Dots that lie in the surface and are round on the screen, as shaders/techniques/anchored/stipple.glsl and dots.glsl have it. */
 
 import { STIPPLE_CONSTANTS } from './constants/stippleConstants.js';
+import { leftOf, THIRD_FROM, takenOf } from './crossedTones.js';
 import type { ScreenMap } from './screenGradient.js';
 import { clamp01, combined, cross, dot, lengthOf, normalize, type Vec3 } from './vectors.js';
 
@@ -47,17 +48,14 @@ export function planesNear(direction: Vec3): DotPlane[] {
   return planes;
 }
 
-/** The tangent plane, leaning away no further than dots stay round. flattened: the share of their area that is left of dots beyond. */
-export function roundScreenMap(map: ScreenMap, unitsPerPixel: number): { map: ScreenMap; flattened: number } {
+/** The tangent plane, leaning away no further than dots stay round. */
+export function roundScreenMap(map: ScreenMap, unitsPerPixel: number): ScreenMap {
   const toViewer: Vec3 = [map.centre[0], map.centre[1], 1];
   const facing = dot(map.normal, toViewer);
   const least = LEAST_ROUND * lengthOf(map.normal);
   const lacking = Math.max(least - facing, 0);
   const normal = combined(1, map.normal, lacking / dot(toViewer, toViewer), toViewer);
-  return {
-    map: { ...map, normal, scale: unitsPerPixel / Math.max(facing, least, 1e-30) },
-    flattened: Math.min(Math.max(facing, 0) / Math.max(least, 1e-30), 1),
-  };
+  return { ...map, normal, scale: unitsPerPixel / Math.max(facing, least, 1e-30) };
 }
 
 /** What dots cover at a tone: the tone itself in the lights, and more in the darks, which end solid. */
@@ -91,6 +89,30 @@ export function dotOctave(pixelArea: number, own: number, { dotPixels, tilesPerU
   const crowding = 0.5 * CROWDING * Math.log2(-Math.log2(1 - Math.max(own, LEAST_DENSE_SHARE)));
   return least + sizedOnScreen * (onScreen - least) + crowding;
 }
+
+/** The shift of each layer of dots against the one before, in anchors. */
+const LAYER_SHIFT: Vec3 = [17.37, 5.71, 11.13];
+
+/** How many layers of dots there are, and how far they lie apart. */
+export interface DotLayers {
+  /** The distance between anchors, object units. */
+  shift: number;
+  /** Tone from which on a second layer takes a share, and a third; null where there is one. */
+  crossFrom: number | null;
+}
+
+/** What each layer of dots prints of a tone; printed over one another they give it again. */
+export function layerTones(tone: number, { crossFrom }: DotLayers): readonly number[] {
+  if (crossFrom === null) return [tone];
+  const first = takenOf(tone, crossFrom);
+  const others = leftOf(tone, first);
+  const second = takenOf(others, THIRD_FROM);
+  return [first, second, leftOf(others, second)];
+}
+
+/** Where a place lies in the set of a layer. Object space. */
+export const inLayer = (place: Vec3, layer: number, { shift }: DotLayers): Vec3 =>
+  combined(1, place, layer * shift, LAYER_SHIFT);
 
 /** How far the set lies from the origin of a plane, object units along both of its axes. */
 export const setShift = (axis: Vec3, tilesPerUnit: number): readonly [number, number] => [

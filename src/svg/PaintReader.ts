@@ -2,12 +2,14 @@ import {
   type BufferAttribute,
   type Color,
   type Material,
+  Matrix3,
   type Mesh,
   MirroredRepeatWrapping,
+  ObjectSpaceNormalMap,
   RepeatWrapping,
-  TangentSpaceNormalMap,
   type Texture,
 } from 'three';
+import type { Mat3 } from '../engraving/screenGradient.js';
 import type { Vec3 } from '../engraving/vectors.js';
 import { isFitted } from '../material/exposure/isFitted.js';
 import type { ToneFit } from '../material/exposure/ToneFit.js';
@@ -16,6 +18,7 @@ import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { MapLook, PaintLook, ToneImage, Wrapping } from '../vector/paint/PaintLook.js';
 import type { MeshCopy } from './pose/meshCopies.js';
 import { isSharp, readImage } from './readImage.js';
+import { rowsOf } from './rowsOf.js';
 
 /** What a material says of colours and textures; of materials that are not hatched only some of it. */
 export type Painted = Material & {
@@ -28,8 +31,15 @@ export interface PaintNeeds {
   hasColors: boolean;
 }
 
+/** A part of a mesh at one of its places. */
+interface PaintedPart {
+  mesh: Mesh;
+  copy: MeshCopy;
+  material: Painted;
+}
+
 /** The textures that count for the tone. */
-const TONE_MAPS = ['map', 'emissiveMap', 'aoMap', 'lightMap', 'alphaMap', 'normalMap'] as const;
+const TONE_MAPS = ['map', 'emissiveMap', 'aoMap', 'lightMap', 'alphaMap', 'normalMap', 'bumpMap'] as const;
 export type ToneMap = (typeof TONE_MAPS)[number];
 
 /** From where on what is half transparent is drawn, of materials that are blended. */
@@ -57,7 +67,7 @@ export class PaintReader {
   }
 
   /** The paint of a surface whose details begin with its coordinates at `first`, channel by channel, and go on with colours. */
-  paint(mesh: Mesh, material: Painted, { channels, hasColors }: PaintNeeds, first: number): PaintLook {
+  paint({ mesh, copy, material }: PaintedPart, { channels, hasColors }: PaintNeeds, first: number): PaintLook {
     const look = (name: ToneMap): MapLook | null => {
       const texture = this.mapOf(mesh, material, name);
       return texture && this.look(texture, first + 2 * channels.indexOf(texture.channel));
@@ -74,6 +84,9 @@ export class PaintReader {
       ...{ map: look('map'), emissiveMap: look('emissiveMap'), aoMap: look('aoMap') },
       ...{ lightMap: look('lightMap'), alphaMap: look('alphaMap') },
       normalMap: look('normalMap'),
+      normalToWorld: hatched?.normalMapType === ObjectSpaceNormalMap ? normalsToWorld(copy) : null,
+      bumpMap: look('bumpMap'),
+      bumpScale: hatched?.bumpScale ?? 1,
       normalScale: hatched ? [hatched.normalScale.x, hatched.normalScale.y] : [1, 1],
       aoMapIntensity: hatched?.aoMapIntensity ?? 0,
       lightMapIntensity: hatched?.lightMapIntensity ?? 0,
@@ -105,7 +118,7 @@ export class PaintReader {
     if (name === 'alphaMap') return alphaTestOf(material) > 0;
     if (name === 'map') return this.heedsColor(material);
     if (!('isHatchingMaterial' in material)) return false;
-    if (name === 'normalMap') return bendsNormals(material as HatchingMaterial);
+    if (name === 'normalMap' || name === 'bumpMap') return bendsNormals(material as HatchingMaterial, name);
     const { emissive, emissiveIntensity } = material as HatchingMaterial;
     return name !== 'emissiveMap' || emissiveIntensity * luminanceOf(emissive) > 0;
   }
@@ -137,9 +150,14 @@ export function alphaTestOf(material: Painted): number {
   return isBlended(material) ? HALF : 0;
 }
 
-/** Whether a map bends the normals that tone is computed from. Those of flat faces stay as they are; maps in object space are not read. */
-export const bendsNormals = ({ normalMap, normalMapType, toneNormal, flatShading }: HatchingMaterial): boolean =>
-  normalMap !== null && normalMapType === TangentSpaceNormalMap && toneNormal !== 'face' && !flatShading;
+/** Whether a map bends the normals that tone is computed from. Those of flat faces stay as they are, and a map of normals takes the place of heights. */
+export const bendsNormals = (
+  { normalMap, toneNormal, flatShading }: HatchingMaterial,
+  name: 'normalMap' | 'bumpMap',
+): boolean => (name === 'normalMap' || normalMap === null) && toneNormal !== 'face' && !flatShading;
+
+/** three.js knows one map of normals for a whole mesh that deforms: that of its rest. */
+const normalsToWorld = ({ toWorld }: MeshCopy): Mat3 => rowsOf(new Matrix3().getNormalMatrix(toWorld));
 
 export const coordinatesOf = (channel: number): string => (channel === 0 ? 'uv' : `uv${channel}`);
 

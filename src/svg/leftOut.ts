@@ -1,4 +1,4 @@
-import { type Material, type Mesh, type Object3D, ObjectSpaceNormalMap } from 'three';
+import type { Material, Mesh, Object3D } from 'three';
 import { checkGeometry } from '../geometry/checkGeometry.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { describeObject } from '../mistakes/describeObject.js';
@@ -48,29 +48,11 @@ export function whyNoLines(mesh: Mesh, material: Material): string | undefined {
 export const isStippled = ({ technique, medium }: HatchingMaterial): boolean =>
   technique === 'anchored' && medium === 'stipple';
 
-const MAPS = ['map', 'alphaMap', 'normalMap', 'aoMap', 'lightMap', 'emissiveMap'] as const;
-
-/** What stippled surfaces alone are drawn without. */
-function dottedWithout(material: HatchingMaterial): string[] {
+/** What a surface with lines is drawn without. lights: how many have a direction. */
+export function drawnWithout(material: HatchingMaterial, lights: number): string[] {
   const found: string[] = [];
-  const maps = MAPS.filter((name) => material[name]);
-  if (maps.length > 0) found.push(`is drawn in dots without ${maps.join(', ')}`);
-  if (material.vertexColors && material.localTone > 0)
-    found.push('is drawn in dots without the colours of its vertices');
-  if (material.clippingPlanes && material.clippingPlanes.length > 0)
-    found.push('is drawn in dots without its clipping planes');
-  if (material.strokeLayers !== 'single') found.push('is drawn in one layer of dots');
-  return found;
-}
-
-/** What a surface with lines is drawn without. */
-export function drawnWithout(material: HatchingMaterial): string[] {
-  const found: string[] = isStippled(material) ? dottedWithout(material) : [];
-  if (material.bumpMap) found.push('is drawn without bumpMap: heights cannot leave as lines yet');
-  if (material.normalMap && material.normalMapType === ObjectSpaceNormalMap)
-    found.push('is drawn without normalMap: normals in object space cannot leave as lines yet');
+  if (isStippled(material) && material.strokeLayers === 'lights' && lights > 1)
+    found.push('is drawn in one layer of dots: where several lights disagree the canvas has two');
   if (isBlended(material)) found.push('is drawn opaque where it is more than half there, and left out elsewhere');
-  else if (material.opacity < 1 || (material.alphaHash && material.alphaTest === 0))
-    found.push('is drawn as if it were opaque');
   return found;
 }

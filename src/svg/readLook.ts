@@ -16,6 +16,7 @@ import { createHatchingUniforms, writeComputedUniforms, writeSizeUniforms } from
 import { withoutForm } from '../material/programDefines.js';
 import type { EngravedLook } from '../vector/Engraver.js';
 import type { SurfaceLook } from '../vector/Toner.js';
+import { opacityOf } from './seenThrough.js';
 
 /** What the shaders would be given for a material. Sizes are in CSS pixels. */
 function uniformsOf(material: HatchingMaterial): Record<string, IUniform> {
@@ -85,6 +86,7 @@ export function surfaceLookOf(
     hollowTone,
     ground: toneModel === 'shadow' ? groundOf(material) : null,
     darkness: localTone > 0 ? localDarkness(luminanceOf(color), emitted, localTone, isFit ? 1 / fit.white : 1) : 0,
+    opacity: opacityOf(material),
     ...{ shininess, reflectedLight, emitted, receivesShadows, emphasis },
   };
 }

@@ -20,7 +20,7 @@ import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingOutlineMaterial } from '../outlines/HatchingOutlineMaterial.js';
 import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
 import { asPhase } from '../slices/asPhase.js';
-import { CASTS_BACK, CASTS_FRONT, MAY_HAVE_HOLES, SEEN_BACK, SEEN_FRONT } from '../vector/Bvh.js';
+import { CASTS_BACK, CASTS_FRONT, FADES_FRONT, MAY_HAVE_HOLES, SEEN_BACK, SEEN_FRONT } from '../vector/Bvh.js';
 import type {
   DrawnBackground,
   DrawnScene,
@@ -29,6 +29,7 @@ import type {
   StippledSurface,
 } from '../vector/DrawnScene.js';
 import { GrowingArray } from '../vector/GrowingArray.js';
+import type { Veil } from '../vector/paint/Fading.js';
 import type { Cutout } from '../vector/paint/PaintLook.js';
 import { clipOf, shadowClipOf } from './clipOf.js';
 import { flattened } from './flattened.js';
@@ -45,7 +46,8 @@ import { engravedLookOf, surfaceLookOf } from './readLook.js';
 import { outlineLookOf, readOutlines } from './readOutlines.js';
 import { readStippled } from './readStippled.js';
 import { readSurface } from './readSurface.js';
-import { surfaceFrame } from './surfaceFrame.js';
+import { leftBehind } from './seenThrough.js';
+import { objectFrame, surfaceFrame } from './surfaceFrame.js';
 import type { TriangleRange } from './TriangleRange.js';
 
 /** How far rays of shadows begin above what they are cast on, as a share of the size of the largest mesh that casts them. */
@@ -82,6 +84,9 @@ export function* readScene(
   return { drawn: reader.drawn(), leftOut: reader.leftOut };
 }
 
+/** From the bit of a side that is seen to that of one that fades what is behind it. */
+const FADING = FADES_FRONT / SEEN_FRONT;
+
 /** Triangles are read so many at a time. */
 const CHUNK = 4096;
 
@@ -94,6 +99,7 @@ class SceneReader {
   private readonly outlines: OutlinedMesh[] = [];
   private readonly backgrounds: DrawnBackground[] = [];
   private readonly cutouts: Cutout[] = [];
+  private readonly veils: Veil[] = [];
   private readonly paints: PaintReader;
   /** The places of each mesh that is drawn, and the first triangle of each. */
   private readonly copies = new Map<Object3D, { copy: MeshCopy; posed: PosedVertices; firstTriangle: number }[]>();
@@ -124,6 +130,7 @@ class SceneReader {
       corners: corners.taken(),
       sides: sides.taken(),
       cutouts: this.cutouts,
+      veils: this.veils,
       ...{ surfaces, stippled, outlines, backgrounds },
       illumination: { lamps, shadows, isSoft: this.hasSoftShadows, around, bias: SHADOW_BIAS * casterSize },
     };
@@ -170,7 +177,8 @@ class SceneReader {
       if (unread.length > 0) this.note(mesh, `is drawn without ${unread.join(', ')}: pixels that cannot be read here`);
       const noLines = whyNoLines(mesh, material);
       if (noLines) this.note(mesh, noLines);
-      else for (const what of drawnWithout(material as HatchingMaterial)) this.note(mesh, what);
+      else
+        for (const what of drawnWithout(material as HatchingMaterial, this.lights.lamps.length)) this.note(mesh, what);
     }
   }
 
@@ -207,7 +215,10 @@ class SceneReader {
     const { mesh, copy, posed, material } = source;
     const { positions } = posed;
     const first = this.sides.length;
-    let bits = (material.depthWrite ? sidesOf(material) : 0) | (mesh.castShadow ? castingOf(material) : 0);
+    const left = leftBehind(material);
+    const seen = left > 0 ? FADING * sidesOf(material) : material.depthWrite ? sidesOf(material) : 0;
+    if (left > 0 && left < 1) this.veils.push({ first, end: first + corners.length / 3, left });
+    let bits = seen | (mesh.castShadow ? castingOf(material) : 0);
     const cutout = this.cutoutOf(source, { corners, firstTriangle: first });
     if (cutout) {
       this.cutouts.push(cutout);
@@ -225,9 +236,9 @@ class SceneReader {
 
   /** What is not there of triangles; null if all is. */
   private cutoutOf(source: DetailSource, range: TriangleRange): Cutout | null {
-    const { mesh, material, paint } = source;
+    const { material, paint } = source;
     const details = paint && alphaTestOf(material) > 0 ? readDetails(source, range, null) : null;
-    const painted = details && paint && { details, paint: this.paints.paint(mesh, material, paint, 0) };
+    const painted = details && paint && { details, paint: this.paints.paint(source, paint, 0) };
     const clip = clipOf(material, this.clippingPlanes);
     if (!painted && !clip) return null;
     const first = range.firstTriangle;
@@ -242,9 +253,14 @@ class SceneReader {
     const { camera, lights, fit, paints } = this;
     const { mesh, copy, paint } = source;
     const look = surfaceLookOf(material, mesh.receiveShadow, fit, readEmphasis(mesh, material, camera));
+    const clip = clipOf(material, this.clippingPlanes);
+    const ink = colorOf(material);
     if (isStippled(material)) {
       const reading = readStippled(source, material, range, camera.matrixWorldInverse, sidesOf(material));
-      this.stippled.push({ ...(yield* reading), look, ink: colorOf(material) });
+      const { surface: smooth, ...dots } = yield* reading;
+      const surface = isFlat(material) ? flattened(smooth) : smooth;
+      const first = firstCoordinate(source, objectFrame(mesh, copy.toWorld, camera.matrixWorldInverse));
+      this.stippled.push({ ...dots, surface, look, paint: paint && paints.paint(source, paint, first), clip, ink });
       return;
     }
     const engraved = engravedLookOf(material, isFormed(mesh.geometry));
@@ -254,15 +270,15 @@ class SceneReader {
     if (mesh.receiveShadow && hasTooManyTurns(laid, lights.lamps))
       this.note(mesh, 'is drawn with lines that do not turn in shadows: too many lights cast them');
     this.surfaces.push({
-      surface: material.toneNormal === 'face' || material.flatShading ? flattened(smooth) : smooth,
+      surface: isFlat(material) ? flattened(smooth) : smooth,
       engraved,
       field: fieldOf(laid, lights.lamps),
       turned: mesh.receiveShadow ? turnedLinesOf(laid, lights.lamps) : [],
       look,
-      hides: material.depthWrite,
-      paint: paint && paints.paint(mesh, source.material, paint, firstCoordinate(source, frame)),
-      clip: clipOf(material, this.clippingPlanes),
-      ink: colorOf(material),
+      hides: material.depthWrite && leftBehind(material) === 0,
+      paint: paint && paints.paint(source, paint, firstCoordinate(source, frame)),
+      clip,
+      ink,
     });
   }
 
@@ -288,6 +304,9 @@ class SceneReader {
 }
 
 const isOutlines = (object: Object3D): object is HatchingOutlines => 'isHatchingOutlines' in object;
+
+/** Whether the tone is that of flat triangles. */
+const isFlat = ({ toneNormal, flatShading }: HatchingMaterial): boolean => toneNormal === 'face' || flatShading;
 
 const colorOf = ({ ink }: HatchingMaterial | HatchingOutlineMaterial): string => `#${ink.getHexString()}`;
 

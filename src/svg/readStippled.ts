@@ -11,17 +11,19 @@ import type { TriangleRange } from './TriangleRange.js';
 /** Reads the part of a mesh that a material draws in dots. seen: bits of the sides that are. Yields its progress. */
 export function* readStippled(
   source: DetailSource,
-  { tilesPerUnit, strokeWidth, sizedOnScreen }: HatchingMaterial,
+  material: HatchingMaterial,
   range: TriangleRange,
   worldToView: Matrix4,
   seen: number,
-): Generator<number, Pick<StippledSurface, 'surface' | 'size' | 'set'>, void> {
+): Generator<number, Pick<StippledSurface, 'surface' | 'size' | 'set' | 'layers'>, void> {
+  const { tilesPerUnit, strokeWidth, sizedOnScreen, strokeLayers, anchorSpacing, crossFrom } = material;
   const frame = objectFrame(source.mesh, source.copy.toWorld, worldToView);
   const surface = yield* readSurface(source, range, frame, seen);
   return {
     surface,
     // Where nobody says how wide strokes are, dots have a pixel, as the material draws them.
     size: { dotPixels: strokeWidth ?? 1, tilesPerUnit, sizedOnScreen },
+    layers: { shift: anchorSpacing / tilesPerUnit, crossFrom: strokeLayers === 'tone' ? crossFrom : null },
     set: { cells: STIPPLE_MAP_SIZE, texels: (stippleMap().image.data as Uint8Array).slice() },
   };
 }

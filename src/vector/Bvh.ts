@@ -10,6 +10,9 @@ export const CASTS_FRONT = 4;
 export const CASTS_BACK = 8;
 /** Set for triangles that may have holes. */
 export const MAY_HAVE_HOLES = 16;
+/** Of see-through surfaces, which hide nothing: the sides that fade what is behind them. */
+export const FADES_FRONT = 32;
+export const FADES_BACK = 64;
 
 /** Deep enough for any number of triangles that fit into memory. */
 const STACK = 256;
@@ -77,6 +80,23 @@ export class Bvh {
     return this.meet(start, end, NO_TRIANGLE, true) < Infinity;
   }
 
+  /**
+   * Calls for each triangle of a see-through surface that lies on the way to an eye at the far end.
+   *
+   * @param meet is told the triangle and where along the way it lies
+   */
+  eachFading(
+    origin: Vec3,
+    way: Vec3,
+    start: number,
+    end: number,
+    except: number,
+    meet: (triangle: number, place: number) => void,
+  ): void {
+    this.setRay(origin, way, FADES_BACK, FADES_FRONT);
+    this.meet(start, end, except, false, meet);
+  }
+
   /** How far along its way a ray of light from the origin first meets what casts shadows, up to `end`; endless if it meets nothing. */
   firstCaster(origin: Vec3, way: Vec3, end: number): number {
     this.setRay(origin, way, CASTS_FRONT, CASTS_BACK);
@@ -98,8 +118,14 @@ export class Bvh {
     this.ofBack = ofBack;
   }
 
-  /** The nearest place within (start, end), or any if that is enough. */
-  private meet(start: number, end: number, except: number, isAnyEnough: boolean): number {
+  /** The nearest place within (start, end), or any if that is enough. tell: what is told of all of them, in no order. */
+  private meet(
+    start: number,
+    end: number,
+    except: number,
+    isAnyEnough: boolean,
+    tell?: (triangle: number, place: number) => void,
+  ): number {
     const { stack, sorted } = this;
     const { child, leafCount, order } = this.nodes;
     let best = Infinity;
@@ -119,7 +145,8 @@ export class Bvh {
         const t = this.meetsTriangle(i);
         if (!(t > start && t < far) || order[i] === except) continue;
         if (isAnyEnough) return t;
-        best = far = t;
+        if (tell) tell(order[i], t);
+        else best = far = t;
       }
     }
     return best;

@@ -1,11 +1,12 @@
 import type { Field } from '../engraving/fieldAxis.js';
-import type { DotSize } from '../engraving/stipple.js';
+import type { DotLayers, DotSize } from '../engraving/stipple.js';
 import type { DotSet } from './dots/placeDots.js';
 import type { EngravedLook } from './Engraver.js';
 import type { LineSurface } from './LineSurface.js';
 import type { OutlineLook, OutlineMesh } from './outlines/OutlineMesh.js';
 import type { CameraMatrices } from './Projection.js';
 import type { Clip } from './paint/Clip.js';
+import type { Veil } from './paint/Fading.js';
 import type { Cutout, PaintLook } from './paint/PaintLook.js';
 import type { Illumination, SurfaceLook } from './Toner.js';
 
@@ -41,7 +42,12 @@ export interface StippledSurface {
   surface: LineSurface;
   size: DotSize;
   set: DotSet;
+  layers: DotLayers;
   look: SurfaceLook;
+  /** Null where neither textures nor colours of vertices count. */
+  paint: PaintLook | null;
+  /** Null where nothing is clipped. */
+  clip: Clip | null;
   ink: string;
 }
 
@@ -78,6 +84,8 @@ export interface DrawnScene {
   sides: Uint8Array;
   /** Of the triangles that have holes or are clipped, in their order. */
   cutouts: readonly Cutout[];
+  /** See-through triangles, in their order. */
+  veils: readonly Veil[];
   surfaces: readonly EngravedSurface[];
   stippled: readonly StippledSurface[];
   outlines: readonly OutlinedMesh[];

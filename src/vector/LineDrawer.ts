@@ -17,8 +17,9 @@ import { outlineTest } from './outlines/seenOutlines.js';
 import { weighByStanding } from './outlines/weighByStanding.js';
 import type { Projection } from './Projection.js';
 import { type Clip, isClipped } from './paint/Clip.js';
-import { DetailReader } from './paint/DetailReader.js';
-import { Painter } from './paint/Painter.js';
+import { Fading } from './paint/Fading.js';
+import { PlaceReader } from './paint/PlaceReader.js';
+import { VeilTone } from './paint/VeilTone.js';
 import { dashes } from './paths/dashes.js';
 import type { LinePath } from './paths/LinePath.js';
 import { refineEnds } from './refineEnds.js';
@@ -47,6 +48,16 @@ const LAYER_OF: Readonly<Record<FamilyName, LayerName>> = {
 /** Rays that leave a surface begin so far above it, as a share of the size of the scene. */
 const ABOVE = 1e-6;
 
+/** Behind something that is seen through a pen draws dashes, whose beginnings lie so many of its widths apart. */
+const FADED_PERIOD = 12;
+
+/** A line as far as a share of it is left behind something that is seen through. */
+interface FadedPart {
+  faded: Chain;
+  left: number;
+  isLeft: SeenTest;
+}
+
 /** A layer while it is drawn. */
 export interface PathLayer {
   name: LayerName;
@@ -62,6 +73,7 @@ export class LineDrawer {
   segments = 0;
   /** Rays that leave a surface begin so far above it, world units. */
   readonly above: number;
+  readonly fading: Fading;
   private readonly casters: Casters | null;
 
   /**
@@ -77,6 +89,7 @@ export class LineDrawer {
   ) {
     this.casters = castersOf(scene.corners, scene.sides);
     this.above = ABOVE * scene.corners.reduce((size, x) => Math.max(size, Math.abs(x)), 0);
+    this.fading = new Fading(bvh, projection, scene.veils, this.above, veilTones(scene, projection, bvh));
   }
 
   *drawOutlines(): Generator<number, void, void> {
@@ -102,9 +115,11 @@ export class LineDrawer {
       const [from, to] = [0.5 + (0.5 * i) / chains.length, 0.5 + (0.5 * (i + 1)) / chains.length];
       this.segments += chain.count - 1;
       yield* asPhase(weighByStanding(chain, bvh, projection), from, (from + to) / 2);
-      if (least > 0) endHairlines(chain, least);
       const isSeen = clipped(outlineTest(chain, bvh, projection), clip);
-      yield* asPhase(this.addChain(this.layerOf('outlines', ink), chain, isSeen), (from + to) / 2, to);
+      for (const { faded, left, isLeft } of yield* this.fadedParts(chain, isSeen)) {
+        if (least > 0) endHairlines(faded, least);
+        yield* asPhase(this.addChain(this.layerOf('outlines', ink), faded, isLeft, left), (from + to) / 2, to);
+      }
     }
   }
 
@@ -139,11 +154,47 @@ export class LineDrawer {
     const lines = yield* asPhase(this.tracedChains(engraved), 0, 0.5);
     for (const [i, { family, chain: line }] of lines.entries()) {
       this.segments += line.count - 1;
-      const chain = this.asPressHolds(line, engraved.engraved.medium);
-      const isSeen = clipped(this.surfaceTest(chain), engraved.clip);
-      const adding = this.addChain(this.layerOf(LAYER_OF[family], engraved.ink), chain, isSeen, engraved);
-      yield* asPhase(adding, 0.5 + (0.5 * i) / lines.length, 0.5 + (0.5 * (i + 1)) / lines.length);
+      const [from, to] = [0.5 + (0.5 * i) / lines.length, 0.5 + (0.5 * (i + 1)) / lines.length];
+      for (const { faded, left } of yield* this.fadedParts(line, clipped(this.surfaceTest(line), engraved.clip))) {
+        const chain = this.asPressHolds(faded, engraved.engraved.medium);
+        const isSeen = this.isLeftOf(chain, left, clipped(this.surfaceTest(chain), engraved.clip));
+        const adding = this.addChain(this.layerOf(LAYER_OF[family], engraved.ink), chain, isSeen, left, engraved);
+        yield* asPhase(adding, from, to);
+      }
     }
+  }
+
+  /** A line as what it lies behind lets it through: once for each share that is left of any part of it, and where it is that one. */
+  private *fadedParts(chain: Chain, isSeen: SeenTest): Generator<number, FadedPart[], void> {
+    const { fading, projection } = this;
+    if (!fading.isThere) return [{ faded: chain, left: 1, isLeft: isSeen }];
+    const shares = new Set<number>();
+    yield* visibleRuns(chain, projection, (place) => {
+      const seen = isSeen(place);
+      if (seen) shares.add(fading.leftOf(place.world, chain.triangles[place.piece]));
+      return seen;
+    });
+    return [...shares]
+      .filter((left) => left > 0)
+      .map((left) => ({
+        faded: left === 1 ? chain : { ...chain, halves: this.fadedHalves(chain, left) },
+        left,
+        isLeft: this.isLeftOf(chain, left, isSeen),
+      }));
+  }
+
+  private fadedHalves({ halves, world, triangles }: Chain, left: number): Float64Array {
+    return halves.map((half, i) => {
+      const place = [world[3 * i], world[3 * i + 1], world[3 * i + 2]] as const;
+      return left * half * this.fading.deepening(place, triangles[i]);
+    });
+  }
+
+  /** A test that sees only where so much is left of a line. */
+  private isLeftOf({ triangles }: Chain, left: number, isSeen: SeenTest): SeenTest {
+    const { fading } = this;
+    if (!fading.isThere) return isSeen;
+    return (place) => isSeen(place) && fading.leftOf(place.world, triangles[place.piece]) === left;
   }
 
   /** All lines on a surface, seen or not. Yields its progress. */
@@ -155,14 +206,13 @@ export class LineDrawer {
     if (look.ground) dropLit(surface, this.casters, scene.illumination, look.ground);
     const toner = new Toner(look, scene.illumination, bvh, projection);
     const sides = yield* asPhase(seenSides(surface, projection), 0.08, 0.1);
-    const details = surface.details && new DetailReader(surface, surface.details);
-    const painter = paint && surface.details && new Painter(paint, surface.details);
+    const places = new PlaceReader(surface, paint, sides, projection);
     const lines: TracedLine[] = [];
     const all = [drawn, ...turned];
     for (const [i, { engraved, field }] of all.entries()) {
       const engraver = new Engraver(engraved, field, surface.viewToField, projection);
       const isTurned = (shadows: number) => turned.findIndex((one) => one.shadows === shadows) + 1 === i;
-      const tracing = { surface, details, painter, engraver, toner, projection, sides, pen };
+      const tracing = { surface, places, engraver, toner, projection, sides, pen };
       const tracingAll = tracedFamilies({ ...tracing, isDrawnIn: turned.length > 0 ? isTurned : null });
       const found = yield* asPhase(tracingAll, 0.1 + (0.9 * i) / all.length, 0.1 + (0.9 * (i + 1)) / all.length);
       for (const line of found) lines.push(line);
@@ -204,16 +254,19 @@ export class LineDrawer {
     };
   }
 
-  /** Adds what is seen of a chain. surface: that its sides must not reach beyond. */
+  /** Adds what is seen of a chain. left: the share that is left of it, which a pen draws as dashes. surface: that its sides must not reach beyond. */
   private *addChain(
     { paths }: PathLayer,
     chain: Chain,
     isSeen: SeenTest,
+    left: number,
     surface?: EngravedSurface,
   ): Generator<number, void, void> {
     const { projection, bvh, pen } = this;
     for (const cut of yield* asPhase(this.seenParts(chain, isSeen), 0, 0.7)) {
-      if (!surface || pen !== null) paths.push(cut.path);
+      if (pen !== null && left < 1)
+        paths.push(...dashes(cut.path, left * FADED_PERIOD * pen, (1 - left) * FADED_PERIOD * pen));
+      else if (!surface || pen !== null) paths.push(cut.path);
       else {
         const finer = refineEnds(cut);
         yield* asPhase(holdBack(finer, bvh, projection, !surface.hides), 0.7, 1);
@@ -235,6 +288,17 @@ export class LineDrawer {
 interface TracedLine {
   family: FamilyName;
   chain: Chain;
+}
+
+/** What veils print that are hatched themselves. To be asked before surfaces are subdivided. */
+function veilTones(
+  { surfaces, stippled, veils, illumination }: DrawnScene,
+  projection: Projection,
+  bvh: Bvh,
+): VeilTone[] {
+  return [...surfaces, ...stippled]
+    .filter(({ surface }) => veils.some(({ first }) => first === surface.parents[0]))
+    .map(({ surface, look }) => new VeilTone(surface, new Toner(look, illumination, bvh, projection), projection));
 }
 
 function* tracedFamilies(tracing: Tracing): Generator<number, TracedLine[], void> {

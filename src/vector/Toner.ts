@@ -22,6 +22,8 @@ export interface SurfaceLook extends ToneLook {
   receivesShadows: boolean;
   /** How a ground shows shadows alone; null for bodies. */
   ground: GroundLook | null;
+  /** The share of their tone that is drawn of surfaces that are seen through; 1 of others. */
+  opacity: number;
   /** What takes weight away; null where all has its full weight. */
   emphasis: Emphasis | null;
 }
@@ -125,7 +127,8 @@ export class Toner {
     const emitted = paint?.emitted ?? look.emitted;
     const rest = sky * (around + (look.reflectedLight * reflected) / Math.PI) + emitted;
     const painted = paint ? { ...look, darkness: paint.darkness } : look;
-    const weight = look.emphasis === null ? 1 : emphasisAt(look.emphasis, emphasisedPlace(world, projection));
+    const standing = look.emphasis === null ? 1 : emphasisAt(look.emphasis, emphasisedPlace(world, projection));
+    const weight = look.opacity * standing;
     const left = taken > 0 ? 1 - lost / taken : 1;
     if (look.ground) {
       const tone = weight * groundTone(open * direct + rest, open * shadowed, left, look, look.ground);

@@ -1,17 +1,13 @@
 import type { Engraver } from './Engraver.js';
 import type { LineSurface } from './LineSurface.js';
 import type { Projection } from './Projection.js';
-import type { DetailReader } from './paint/DetailReader.js';
-import type { Painter } from './paint/Painter.js';
+import type { PlaceReader } from './paint/PlaceReader.js';
 import type { Toner } from './Toner.js';
 
 /** What the lines of a surface are traced with. */
 export interface Tracing {
   surface: LineSurface;
-  /** Null where the surface has no details. */
-  details: DetailReader | null;
-  /** Null where neither textures nor colours of vertices count. */
-  painter: Painter | null;
+  places: PlaceReader;
   engraver: Engraver;
   toner: Toner;
   projection: Projection;

@@ -27,7 +27,7 @@ export function* drawLines(scene: DrawnScene, plan: DrawingPlan): Generator<numb
   yield* asPhase(drawer.drawOutlines(), 0.08, 0.2);
   yield* asPhase(drawer.drawSurfaces(), 0.2, 0.8);
   yield* asPhase(drawer.drawBackgrounds(), 0.8, 0.82);
-  const stippled = yield* asPhase(drawDots(scene, projection, bvh, drawer.above), 0.82, 0.9);
+  const stippled = yield* asPhase(drawDots(scene, projection, bvh, drawer.fading, drawer.above), 0.82, 0.9);
   const layers = LAYERS.flatMap((name) => drawer.layers.filter((layer) => layer.name === name));
   const { written, counts } = yield* asPhase(finishPaths(layers, plan, projection, placement), 0.9, 0.97);
   const named = layers.map(({ name, ink, opacity }, i): SVGLayer => {

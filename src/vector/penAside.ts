@@ -22,9 +22,9 @@ export function* penAside(
   family: FamilyName,
   ranks: Int16Array,
 ): Generator<number, LinesAside | undefined, void> {
-  const { pen, toner, engraver, details } = tracing;
+  const { pen, toner, engraver, places } = tracing;
   // The tone of shadows alone and of textures is nowhere steady.
-  if (pen === null || toner.isGround || engraver.hasSeams || details !== null || engraver.medium !== 'ink')
+  if (pen === null || toner.isGround || engraver.hasSeams || places.hasDetails || engraver.medium !== 'ink')
     return undefined;
   const { placeOf, triangles } = tracing.surface;
   const octaves = yield* askedOctaves(tracing, family, ranks, pen);

@@ -5,7 +5,7 @@ import { type Chain, ChainBuilder } from './Chain.js';
 
 import type { FamilyName } from './Engraver.js';
 
-import { between, flatNormalOf, type LineSurface, placeFrom, STRIDE, type SurfacePlace, VIEW } from './LineSurface.js';
+import { between, type LineSurface, STRIDE, type SurfacePlace, VIEW } from './LineSurface.js';
 import { type LevelSegments, levelSegments, NO_RANK } from './levelSegments.js';
 import {
   finestRank,
@@ -17,7 +17,6 @@ import {
   printedOctave,
 } from './marks/lineMarks.js';
 import type { Projection } from './Projection.js';
-import type { Paint } from './paint/Painter.js';
 import { penAside } from './penAside.js';
 import type { Shadowing, Tones } from './Toner.js';
 import type { Tracing } from './Tracing.js';
@@ -78,37 +77,6 @@ export function* traceFamily(tracing: Tracing, family: FamilyName): Generator<nu
   return chains;
 }
 
-/** Textures are taken together over so much of the picture, or lines would become crumbs. Pixels. */
-const FOOTPRINT = 2;
-
-/** The place on a triangle that has these numbers. */
-function placeOn(tracing: Tracing, numbers: ArrayLike<number>, triangle: number): SurfacePlace {
-  const { surface, details, painter, sides, projection } = tracing;
-  const place = placeFrom(numbers, flatNormalOf(surface, triangle), sides[triangle]);
-  if (!details) return place;
-  const parent = surface.parents[triangle];
-  const read = details.read(parent, place.world);
-  place.posed = details.posedMaps();
-  if (painter) {
-    painter.goTo(parent, details.edgesOf(parent));
-    place.paint = painter.paintAt(read, FOOTPRINT * projection.unitsPerPixel(-place.view[2]));
-    const { relief } = place.paint;
-    if (relief) place.toneNormal = painter.bent(place.toneNormal, relief, details.cornersOf(parent));
-  }
-  return place;
-}
-
-/** The paints between which that of a place may lie. */
-function paintsAt(
-  { surface, details, painter }: Tracing,
-  triangle: number,
-  { world }: SurfacePlace,
-): readonly (Paint | null)[] {
-  if (!details || !painter) return NO_PAINT;
-  return painter.boundsAt(details.read(surface.parents[triangle], world));
-}
-
-const NO_PAINT = [null];
 /** What may be anywhere on a surface whose normals are bent. */
 const DARKEST: Tones = { tone: 1, unshadowed: 0.5, shadows: 0, left: 1, turned: 0 };
 
@@ -117,7 +85,7 @@ function* readVertices(
   tracing: Tracing,
   family: FamilyName,
 ): Generator<number, { values: Float64Array; ranks: Int16Array }, void> {
-  const { surface, engraver, toner, sides, pen } = tracing;
+  const { surface, places, engraver, toner, sides, pen } = tracing;
   const { vertices, triangles, placeOf } = surface;
   const values = new Float64Array(placeOf.length);
   const octaves = new Float64Array(placeOf.length);
@@ -132,13 +100,13 @@ function* readVertices(
     for (let k = 0; k < 3; k++) {
       const v = triangles[3 * t + k];
       if (tones[v] < 0) {
-        const place = placeOn(tracing, between(vertices, v, v, 0), t);
+        const place = places.read(between(vertices, v, v, 0), t);
         values[v] = engraver.valueAt(family, place);
         octaves[v] = Infinity;
-        for (const paint of paintsAt(tracing, t, place)) {
+        for (const paint of places.paintsAt(t, place)) {
           place.paint = paint;
           for (const shadowing of shadowings) {
-            const read = tracing.painter?.hasRelief ? DARKEST : toner.read(place, shadowing);
+            const read = places.hasRelief ? DARKEST : toner.read(place, shadowing);
             const measure = engraver.measure(family, place, read);
             tones[v] = Math.max(tones[v], measure.tone);
             octaves[v] = Math.min(octaves[v], pen === null ? printedOctave(measure) : plottedOctave(measure, pen));
@@ -228,8 +196,8 @@ class LineTracer {
 
   /** What the line is at numbers of a triangle. */
   measure(numbers: ArrayLike<number>, triangle: number, line: Line): Measured {
-    const { toner, isDrawnIn } = this.tracing;
-    const place = placeOn(this.tracing, numbers, triangle);
+    const { places, toner, isDrawnIn } = this.tracing;
+    const place = places.read(numbers, triangle);
     if (place.paint !== null && place.paint.standing < 0) {
       // Nothing of the surface is there.
       return { ...this.measureIn('none', place, triangle, line), margin: -1, isHole: true };
@@ -260,7 +228,7 @@ class LineTracer {
 
   /** Whether there may be edges of shadows or of holes. */
   get hasEdges(): boolean {
-    return this.tracing.toner.hasShadows || this.tracing.painter !== null;
+    return this.tracing.toner.hasShadows || this.tracing.places.hasPaint;
   }
 
   /** By how much a shadow differs from one place to another; nothing where it is not asked for, and all where lines turn or a hole begins. */
@@ -273,8 +241,8 @@ class LineTracer {
 
   /** In how many steps a line goes from one place to another over a triangle: in one, but textures, strokes and wedges change within. */
   stepsTo(from: Measured, to: Measured): number {
-    const { engraver, painter } = this.tracing;
-    if (engraver.medium === 'ink' && painter === null) return 1;
+    const { engraver, places } = this.tracing;
+    if (engraver.medium === 'ink' && !places.hasPaint) return 1;
     return Math.min(Math.max(Math.ceil(lengthBetween(from, to) / STROKE_STEP), 1), MOST_STEPS);
   }
 

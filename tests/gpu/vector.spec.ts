@@ -14,6 +14,7 @@ for (const [model, drawing] of [
   ['bunny', {}],
   ['bunny', { hasShadows: true, light: [0.9, 0.7, 0.5] }],
   ['dragon11k', { preset: 'banknote' }],
+  ['sphere', { preset: 'stipple' }],
 ] as const) {
   test(`a ${model} is drawn as on the canvas: ${JSON.stringify(drawing)}`, async ({ page }) => {
     const { mean, p99, ink } = await page.evaluate(
@@ -26,6 +27,24 @@ for (const [model, drawing] of [
     expect(ink).toBeLessThan(1.015);
   });
 }
+
+test('a ball of half opacity before a torus is drawn as on the canvas', async ({ page }) => {
+  const { mean, p99, ink } = await page.evaluate(async () => {
+    const { THREE, compareScene, comparedScene, loadModel } = window.vectors;
+    const { scene, camera } = await comparedScene(await loadModel('torus'), {});
+    const torus = scene.children.find((child) => 'isMesh' in child) as InstanceType<typeof THREE.Mesh>;
+    const ball = await window.toolkit.hatchedMesh(new THREE.SphereGeometry(0.55, 64, 48), { technique: 'engraved' });
+    ball.material = (torus.material as typeof ball.material).clone();
+    ball.material.setValues({ transparent: true, opacity: 0.5 });
+    ball.position.set(0.45, 0.1, 0.95);
+    scene.add(ball);
+    return compareScene(scene, camera);
+  });
+  expect(mean).toBeLessThan(0.012);
+  expect(p99).toBeLessThan(0.045);
+  expect(ink).toBeGreaterThan(0.985);
+  expect(ink).toBeLessThan(1.015);
+});
 
 for (const kind of ['print', 'pen'] as const) {
   test(`an animated ${kind} draws itself path by path, ends as the still one, and stands still for whoever wants less motion`, async ({

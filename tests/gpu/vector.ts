@@ -2,10 +2,10 @@
 import './toolkit.js';
 import * as THREE from 'three';
 import { drawSVG } from 'three-hatching/svg';
-import { comparedScene, compareLines, inkOfFile } from '../../tools/metrics/linesAgainstCanvas.js';
+import { comparedScene, compareLines, compareScene, inkOfFile } from '../../tools/metrics/linesAgainstCanvas.js';
 import { loadModel } from '../../tools/metrics/loadModel.js';
 
-const vectors = { THREE, drawSVG, compareLines, comparedScene, inkOfFile, loadModel };
+const vectors = { THREE, drawSVG, compareLines, compareScene, comparedScene, inkOfFile, loadModel };
 
 declare global {
   interface Window {

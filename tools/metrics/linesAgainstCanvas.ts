@@ -72,13 +72,18 @@ export async function comparedScene(geometry: BufferGeometry, drawing: ComparedD
 /** Draws a model on the canvas and as lines. */
 export async function compareLines(geometry: BufferGeometry, drawing: ComparedDrawing = {}): Promise<InkDifference> {
   const { scene, camera } = await comparedScene(geometry, drawing);
+  return compareScene(scene, camera, { shadows: drawing.hasShadows ?? false, ...drawing.svg });
+}
+
+/** Draws a scene on the canvas and as lines. Its ink is black, and its paper white. */
+export async function compareScene(
+  scene: Scene,
+  camera: PerspectiveCamera | OrthographicCamera,
+  options: DrawSVGOptions = {},
+): Promise<InkDifference> {
   const canvas = await inkOfCanvas(scene, camera);
-  const { svg, leftOut } = await drawSVG(scene, camera, {
-    sheet: [MILLIMETRES, MILLIMETRES],
-    margin: 0,
-    shadows: drawing.hasShadows ?? false,
-    ...drawing.svg,
-  });
+  const sheet = [MILLIMETRES, MILLIMETRES] as const;
+  const { svg, leftOut } = await drawSVG(scene, camera, { sheet, margin: 0, ...options });
   return { ...differenceOf(canvas, await inkOfFile(svg)), leftOut: leftOut.map(({ reason }) => reason) };
 }
 

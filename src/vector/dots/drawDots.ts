@@ -2,6 +2,8 @@ import { asPhase } from '../../slices/asPhase.js';
 import type { Bvh } from '../Bvh.js';
 import type { DrawnScene, StippledSurface } from '../DrawnScene.js';
 import type { Projection } from '../Projection.js';
+import type { Fading } from '../paint/Fading.js';
+import { PlaceReader } from '../paint/PlaceReader.js';
 import { subdivide } from '../subdivide.js';
 import { Toner } from '../Toner.js';
 import { seenSides } from '../traceFamily.js';
@@ -18,12 +20,13 @@ export function* drawDots(
   scene: DrawnScene,
   projection: Projection,
   bvh: Bvh,
+  fading: Fading,
   above: number,
 ): Generator<number, DotLayer[], void> {
   const layers: DotLayer[] = [];
   const { stippled } = scene;
   for (const [i, one] of stippled.entries()) {
-    const drawing = dotsOf(one, scene, projection, bvh, above);
+    const drawing = dotsOf(one, scene, projection, bvh, fading, above);
     const dots = yield* asPhase(drawing, i / stippled.length, (i + 1) / stippled.length);
     const layer = layers.find(({ ink }) => ink === one.ink);
     if (layer) for (const dot of dots) layer.dots.push(dot);
@@ -33,14 +36,17 @@ export function* drawDots(
 }
 
 function* dotsOf(
-  { surface, size, set, look }: StippledSurface,
+  { surface, size, set, layers, look, paint, clip }: StippledSurface,
   { illumination }: DrawnScene,
   projection: Projection,
   bvh: Bvh,
+  fading: Fading,
   above: number,
 ): Generator<number, Dot[], void> {
   yield* asPhase(subdivide(surface, projection), 0, 0.1);
   const sides = yield* asPhase(seenSides(surface, projection), 0.1, 0.15);
   const toner = new Toner(look, illumination, bvh, projection);
-  return yield* asPhase(placeDots({ surface, size, set, toner, projection, bvh, sides, above }), 0.15, 1);
+  const places = new PlaceReader(surface, paint, sides, projection);
+  const scene = { surface, places, clip, size, set, layers, toner, projection, bvh, fading, sides, above };
+  return yield* asPhase(placeDots(scene), 0.15, 1);
 }

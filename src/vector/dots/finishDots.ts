@@ -3,6 +3,7 @@ import type { DrawingPlan } from '../DrawnScene.js';
 import type { PathCounts, WrittenPath } from '../file/finishPaths.js';
 import { asDrawn, orderPaths, travelOf } from '../order/orderPaths.js';
 import type { Placement } from '../paths/pathData.js';
+import { circleData, discData, sidesOf } from './dotData.js';
 import type { Dot } from './placeDots.js';
 
 /** A pen draws no dot smaller than this share of its width, and others as large as its width at least. */
@@ -13,7 +14,7 @@ const LEAST_CIRCLE = 0.02;
 /** In print the dots of squares of the sheet are one path each, so that they meet without a seam. Millimetres. */
 const SQUARE = 10;
 
-/** Orders dots and writes them as circles: path data, filled in print. Yields its progress. */
+/** Orders dots and writes them as path data: circles of a pen, discs of a print. Yields its progress. */
 export function* finishDots(
   dots: readonly Dot[],
   { pen, order }: DrawingPlan,
@@ -28,12 +29,12 @@ export function* finishDots(
   const ends = circles.map(({ x, y }) => ({ start: [x, y] as const, end: [x, y] as const }));
   const isOrdered = order === 'travel' && pen !== null;
   const steps = isOrdered ? yield* asPhase(orderPaths(ends), 0, 1) : asDrawn(ends);
-  const data = steps.map(({ path }) => circleData(circles[path]));
+  const data = steps.map(({ path }) => (pen === null ? discData : circleData)(circles[path]));
   const written = pen === null ? joinedBySquares(circles, data) : data;
   const drawn = circles.reduce((sum, { radius }) => sum + 2 * Math.PI * radius, 0);
   const counts: PathCounts = {
     paths: written.length,
-    points: circles.length,
+    points: circles.reduce((sum, { radius }) => sum + (pen === null ? sidesOf(radius) : 1), 0),
     travelBefore: travelOf(ends, asDrawn(ends)),
     travelAfter: travelOf(ends, steps),
     drawn,
@@ -52,12 +53,4 @@ function joinedBySquares(circles: readonly Dot[], data: readonly string[]): stri
     else squares.set(key, [data[i]]);
   }
   return [...squares.values()].map((paths) => paths.join(''));
-}
-
-const millimetres = (value: number): string => String(Number(value.toFixed(3)));
-
-/** A circle of two arcs. */
-function circleData({ x, y, radius }: Dot): string {
-  const [r, across] = [millimetres(radius), millimetres(2 * radius)];
-  return `M${millimetres(x - radius)} ${millimetres(y)}a${r} ${r} 0 1 0 ${across} 0a${r} ${r} 0 1 0 -${across} 0z`;
 }

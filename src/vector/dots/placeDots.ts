@@ -1,13 +1,16 @@
 import { STIPPLE_CONSTANTS } from '../../engraving/constants/stippleConstants.js';
-import { screenGradient, screenMap } from '../../engraving/screenGradient.js';
+import { type ScreenMap, screenGradient, screenMap } from '../../engraving/screenGradient.js';
 import {
   coverOf,
+  type DotLayers,
   type DotPlane,
   type DotSize,
   directionOfNeedles,
   dotArea,
   dotOctave,
   grownBy,
+  inLayer,
+  layerTones,
   ownCover,
   planesNear,
   roundScreenMap,
@@ -15,8 +18,11 @@ import {
 } from '../../engraving/stipple.js';
 import { combined, dot, normalize, timesVector, type Vec3 } from '../../engraving/vectors.js';
 import type { Bvh } from '../Bvh.js';
-import { between, flatNormalOf, type LineSurface, placeFrom, STRIDE, type SurfacePlace } from '../LineSurface.js';
+import { between, type LineSurface, STRIDE, type SurfacePlace } from '../LineSurface.js';
 import type { Projection } from '../Projection.js';
+import { type Clip, isClipped } from '../paint/Clip.js';
+import type { Fading } from '../paint/Fading.js';
+import type { PlaceReader } from '../paint/PlaceReader.js';
 import type { Toner } from '../Toner.js';
 
 /** The set of points that dots lie at: per cell the place within it, 255 for 1, and when in an octave it is born; four numbers. */
@@ -36,11 +42,16 @@ export interface Dot {
 /** What dots are placed with. The field space of the surface is that of the object. */
 export interface DotScene {
   surface: LineSurface;
+  places: PlaceReader;
+  /** Null where nothing is clipped. */
+  clip: Clip | null;
   size: DotSize;
   set: DotSet;
+  layers: DotLayers;
   toner: Toner;
   projection: Projection;
   bvh: Bvh;
+  fading: Fading;
   /** Per triangle 1 where its front is seen, −1 where its back is, 0 where nothing is drawn of it. */
   sides: Int8Array;
   /** How far above the surface rays begin, world units. */
@@ -75,8 +86,16 @@ export function* placeDots(scene: DotScene): Generator<number, Dot[], void> {
 interface DotReading {
   planes: DotPlane[];
   areaOf: (plane: DotPlane) => number;
-  flattened: number;
-  cover: number;
+  /** The share of a dot's area that is left on the flat triangle, which leans otherwise than the smooth surface that dots are round for. */
+  flattenedOn: (plane: DotPlane) => number;
+}
+
+/** What the dots of a layer may cover at a place, at least and at most. */
+type Covers = readonly [least: number, most: number];
+
+/** The same at a corner of a triangle. */
+interface CornerReading extends DotReading {
+  covers: Covers;
 }
 
 class DotPlacer {
@@ -85,57 +104,76 @@ class DotPlacer {
   constructor(private readonly scene: DotScene) {}
 
   onTriangle(t: number): void {
-    const { surface, sides } = this.scene;
+    const { surface, places, layers, size } = this.scene;
     const corners = [0, 1, 2].map((k) => {
       const v = surface.triangles[3 * t + k];
       return between(surface.vertices, v, v, 0);
     });
-    const flat = flatNormalOf(surface, t);
-    const places = corners.map((numbers) => placeFrom(numbers, flat, sides[t]));
-    const readings = places.map((place) => this.read(place));
-    if (readings.every(({ cover }) => cover <= 0)) return;
-    for (const { plane, from, to } of planesOf(readings, this.scene.size)) {
-      for (let level = Math.floor(from) + 1; level <= Math.floor(to) + 1; level++)
-        this.onPlane(t, { corners, places, flat }, plane, level);
+    const read = corners.map((numbers) => places.read(numbers, t));
+    const readings = read.map((place) => this.read(place));
+    const tones = read.map((place) => this.tonesAt(t, place));
+    const count = layerTones(1, layers).length;
+    for (let layer = 0; layer < count; layer++) {
+      const covered = readings.map((reading, k): CornerReading => {
+        const [least, most] = tones[k].map((tone) => this.coverIn(layer, tone));
+        return { ...reading, covers: [least, most] };
+      });
+      if (covered.every(({ covers }) => covers[1] <= 0)) continue;
+      for (const { plane, from, to } of planesOf(covered, size)) {
+        for (let level = Math.floor(from) + 1; level <= Math.floor(to) + 1; level++)
+          this.onPlane(t, { corners, places: read }, { plane, level, layer });
+      }
     }
   }
 
+  /** The tones between which that of a corner may lie on its triangle. */
+  private tonesAt(t: number, place: SurfacePlace): readonly [number, number] {
+    const { places, toner } = this.scene;
+    if (places.hasRelief) return [0, 1];
+    const tones = places
+      .paintsAt(t, place)
+      .map((paint) => toner.read({ ...place, paint }, toner.hasShadows ? 'traced' : 'none').tone);
+    return [Math.min(...tones), Math.max(...tones)];
+  }
+
+  private coverIn(layer: number, tone: number): number {
+    return Math.min(coverOf(layerTones(tone, this.scene.layers)[layer]), MOST_COVER);
+  }
+
   private read(place: SurfacePlace): DotReading {
-    const { surface, projection, toner } = this.scene;
+    const { surface, projection } = this.scene;
     const { view, fieldNormal } = place;
     const { isOrthographic } = projection;
     const sight: Vec3 = isOrthographic ? [0, 0, 1] : combined(-1, view, 0, view);
-    const toViewer = normalize(timesVector(surface.viewToField, sight));
+    const viewToField = place.posed?.smooth ?? surface.viewToField;
+    const toViewer = normalize(timesVector(viewToField, sight));
     const isBehind = dot(fieldNormal, toViewer) < FROM_BEHIND;
     const front = isBehind ? combined(-1, fieldNormal, 0, fieldNormal) : fieldNormal;
     const unitsPerPixel = projection.unitsPerPixel(-view[2]);
-    const plain = screenMap(front, surface.viewToField, { view, isOrthographic, unitsPerPixel });
-    const { map, flattened } = roundScreenMap(plain, unitsPerPixel);
+    const seen = { view, isOrthographic, unitsPerPixel };
+    const round = roundScreenMap(screenMap(front, viewToField, seen), unitsPerPixel);
+    const flat = screenMap(place.flatNormal, place.posed?.flat ?? surface.viewToField, seen, true);
     return {
       planes: planesNear(directionOfNeedles(front, toViewer)),
-      areaOf: ({ u, v }) => {
-        const [a, b] = [screenGradient(u, map), screenGradient(v, map)];
-        return Math.abs(a[0] * b[1] - a[1] * b[0]);
-      },
-      flattened,
-      cover: Math.min(coverOf(toner.read(place, toner.hasShadows ? 'traced' : 'none').tone), MOST_COVER),
+      areaOf: (plane) => areaIn(plane, round),
+      flattenedOn: (plane) => areaIn(plane, round) / Math.max(areaIn(plane, flat), 1e-30),
     };
   }
 
   /** Places the dots of a plane on a triangle whose cells are those of a level. */
   private onPlane(
     t: number,
-    { corners, places, flat }: { corners: Float64Array[]; places: SurfacePlace[]; flat: Vec3 },
-    plane: DotPlane,
-    level: number,
+    { corners, places }: { corners: readonly Float64Array[]; places: readonly SurfacePlace[] },
+    cellsOf: CellsOfLayer,
   ): void {
-    const { set, size, sides } = this.scene;
+    const { set, size, layers } = this.scene;
+    const { plane, level, layer } = cellsOf;
     const cells = 2 ** level;
     const [shiftU, shiftV] = setShift(plane.axis, size.tilesPerUnit);
-    const [a, b, c] = places.map(({ field }) => [
-      cells * (dot(field, plane.u) + shiftU),
-      cells * (dot(field, plane.v) + shiftV),
-    ]);
+    const [a, b, c] = places.map(({ field }) => {
+      const place = inLayer(field, layer, layers);
+      return [cells * (dot(place, plane.u) + shiftU), cells * (dot(place, plane.v) + shiftV)];
+    });
     const left = Math.floor(Math.min(a[0], b[0], c[0]));
     const right = Math.floor(Math.max(a[0], b[0], c[0]));
     const low = Math.floor(Math.min(a[1], b[1], c[1]));
@@ -153,29 +191,54 @@ class DotPlacer {
         const numbers = new Float64Array(STRIDE);
         for (let k = 0; k < STRIDE; k++)
           numbers[k] = corners[0][k] + ofB * (corners[1][k] - corners[0][k]) + ofC * (corners[2][k] - corners[0][k]);
-        this.addDot(t, placeFrom(numbers, flat, sides[t]), plane, level, set.texels[texel + 2] / 255);
+        this.addDot(t, numbers, cellsOf, set.texels[texel + 2] / 255);
       }
     }
   }
 
-  private addDot(t: number, place: SurfacePlace, { axis }: DotPlane, level: number, born: number): void {
-    const { size, projection, bvh, surface, above } = this.scene;
-    const { planes, areaOf, flattened, cover } = this.read(place);
+  private addDot(
+    t: number,
+    numbers: Float64Array,
+    { plane: { axis }, level, layer }: CellsOfLayer,
+    born: number,
+  ): void {
+    const { places, clip, toner, size, projection, bvh, fading, surface, above } = this.scene;
+    const place = places.read(numbers, t);
+    if ((place.paint !== null && place.paint.standing < 0) || (clip && isClipped(clip, place.world))) return;
+    const { planes, areaOf, flattenedOn } = this.read(place);
     const plane = planes.find((one) => isSame(one.axis, axis));
-    if (!plane || cover <= 0) return;
+    if (!plane) return;
+    const cover = this.coverIn(layer, toner.read(place, toner.hasShadows ? 'traced' : 'none').tone);
+    if (cover <= 0) return;
     const pixelArea = areaOf(plane);
     const own = ownCover(cover, plane.share);
     const octave = dotOctave(pixelArea, own, size);
     if (Math.floor(octave) + 1 !== level) return;
-    const area = flattened * dotArea(pixelArea, own, octave) * grownBy(octave - Math.floor(octave), born);
+    const area = flattenedOn(plane) * dotArea(pixelArea, own, octave) * grownBy(octave - Math.floor(octave), born);
     const filling = 1 + ((FILLED - 1) * Math.max(cover - FILLING, 0)) / (1 - FILLING);
     const radius = Math.sqrt((filling * area) / Math.PI);
     const [x, y] = projection.project(...place.view);
     if (!(radius >= LEAST_RADIUS) || !projection.contains(x, y)) return;
     const { way, end } = projection.wayToEye(...place.world);
     if (bvh.isHidden(place.world, way, above / Math.hypot(...way), end, surface.parents[t])) return;
-    this.dots.push({ x, y, radius });
+    const left = fading.leftOf(place.world, surface.parents[t]);
+    if (left === 0) return;
+    const faded = left === 1 ? 1 : left * fading.deepening(place.world, surface.parents[t]);
+    this.dots.push({ x, y, radius: radius * Math.sqrt(faded) });
   }
+}
+
+/** The cells of one size in which a layer has dots of a plane. */
+interface CellsOfLayer {
+  plane: DotPlane;
+  level: number;
+  layer: number;
+}
+
+/** Object units² of a plane to a pixel. */
+function areaIn({ u, v }: DotPlane, map: ScreenMap): number {
+  const [a, b] = [screenGradient(u, map), screenGradient(v, map)];
+  return Math.abs(a[0] * b[1] - a[1] * b[0]);
 }
 
 const wrapped = (cell: number, cells: number): number => ((cell % cells) + cells) % cells;
@@ -183,17 +246,19 @@ const wrapped = (cell: number, cells: number): number => ((cell % cells) + cells
 const isSame = (a: Vec3, b: Vec3): boolean => dot(a, b) > 0.999;
 
 /** The planes that have dots anywhere at corners, and the octaves of their cells. */
-function planesOf(readings: readonly DotReading[], size: DotSize): { plane: DotPlane; from: number; to: number }[] {
+function planesOf(readings: readonly CornerReading[], size: DotSize): { plane: DotPlane; from: number; to: number }[] {
   const found: { plane: DotPlane; from: number; to: number }[] = [];
   for (const { planes } of readings) {
     for (const plane of planes) {
       if (found.some((one) => isSame(one.plane.axis, plane.axis))) continue;
       let [from, to] = [Infinity, -Infinity];
-      for (const { planes: others, areaOf, cover } of readings) {
+      for (const { planes: others, areaOf, covers } of readings) {
         const share = others.find((one) => isSame(one.axis, plane.axis))?.share ?? 0;
-        const octave = dotOctave(areaOf(plane), ownCover(Math.max(cover, 0), share), size);
-        from = Math.min(from, octave - SPARE);
-        to = Math.max(to, octave + SPARE);
+        const [least, most] = covers.map((cover) =>
+          dotOctave(areaOf(plane), ownCover(Math.max(cover, 0), share), size),
+        );
+        from = Math.min(from, least - SPARE);
+        to = Math.max(to, most + SPARE);
       }
       found.push({ plane, from, to });
     }

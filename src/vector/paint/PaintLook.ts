@@ -1,3 +1,4 @@
+import type { Mat3 } from '../../engraving/screenGradient.js';
 import type { Vec3 } from '../../engraving/vectors.js';
 import type { Clip } from './Clip.js';
 import type { SurfaceDetails } from './SurfaceDetails.js';
@@ -47,6 +48,11 @@ export interface PaintLook {
   /** Normals in the space of the surface and its coordinates, and what their two slopes are multiplied by. */
   normalMap: MapLook | null;
   normalScale: readonly [number, number];
+  /** Takes normals of the map to the world where it has those of the object; null where it has those of the surface. */
+  normalToWorld: Mat3 | null;
+  /** Heights in its red, and what they are multiplied by; null where a map of normals takes its place. */
+  bumpMap: MapLook | null;
+  bumpScale: number;
   /** Nothing is there where alpha is below this; 0 cuts nothing out. */
   alphaTest: number;
 }

@@ -1,8 +1,11 @@
 import { localDarkness } from '../../engraving/tone.js';
-import { combined, cross, dot, normalize, type Vec3 } from '../../engraving/vectors.js';
+import { combined, cross, type Vec3 } from '../../engraving/vectors.js';
+import type { Projection } from '../Projection.js';
 import { MapSampler, type Rgba } from './MapSampler.js';
 import type { MapLook, PaintLook } from './PaintLook.js';
-import type { EdgeProducts } from './PlaceInTriangle.js';
+import { type EdgeProducts, PlaceInTriangle } from './PlaceInTriangle.js';
+import { pixelSteps } from './pixelSteps.js';
+import { bentAlongCoordinates, bentByHeights, bentInObject, unpacked } from './Reliefs.js';
 import type { SurfaceDetails } from './SurfaceDetails.js';
 
 /** What textures and colours make of a place. */
@@ -16,8 +19,15 @@ export interface Paint {
   open: number;
   /** Above 0 where the surface is there, in units of alpha; 1 where nothing is cut out of it. */
   standing: number;
-  /** The normal of a map, along the coordinates and away from the surface; null where there is none. */
-  relief: Vec3 | null;
+}
+
+/** A place whose normal is bent, in the world. */
+export interface BentPlace {
+  world: Vec3;
+  normal: Vec3;
+  /** 1, or −1 where the back is seen. */
+  side: number;
+  projection: Projection;
 }
 
 /** Which pixels of textures: those at the place, or the least or the greatest of all. */
@@ -29,6 +39,7 @@ const luminance = (r: number, g: number, b: number): number => 0.2126 * r + 0.71
 export class Painter {
   private readonly samplers = new Map<MapLook, MapSampler>();
   private triangle = -1;
+  private corners: readonly [Vec3, Vec3, Vec3] = [NOWHERE, NOWHERE, NOWHERE];
   /** How many pixels of each texture lie along a world unit of the triangle at hand. */
   private readonly densities = new Map<MapLook, number>();
 
@@ -36,14 +47,23 @@ export class Painter {
     private readonly look: PaintLook,
     private readonly details: SurfaceDetails,
   ) {
-    for (const map of [look.map, look.emissiveMap, look.aoMap, look.lightMap, look.alphaMap, look.normalMap])
+    for (const map of [
+      look.map,
+      look.emissiveMap,
+      look.aoMap,
+      look.lightMap,
+      look.alphaMap,
+      look.normalMap,
+      look.bumpMap,
+    ])
       if (map) this.samplers.set(map, new MapSampler(map));
   }
 
   /** Makes a triangle of the scene the one at hand. squares: the products of its edges in the world. */
-  goTo(triangle: number, squares: EdgeProducts): void {
+  goTo(triangle: number, squares: EdgeProducts, places: readonly [Vec3, Vec3, Vec3]): void {
     if (triangle === this.triangle) return;
     this.triangle = triangle;
+    this.corners = places;
     const { corners, firstTriangle, stride, numbers } = this.details;
     const c = 3 * (triangle - firstTriangle);
     for (const [map, sampler] of this.samplers) {
@@ -91,34 +111,60 @@ export class Painter {
       around: (look.lightMapIntensity * luminance(light[0], light[1], light[2])) / Math.PI,
       open: 1 - look.aoMapIntensity * (1 - occlusion),
       standing: this.standing(numbers, map, this.sample(look.alphaMap, numbers, footprint, reading)),
-      relief: look.normalMap && reading === 'here' ? this.relief(look.normalMap, numbers, footprint) : null,
     };
-  }
-
-  private relief(map: MapLook, numbers: ArrayLike<number>, footprint: number): Vec3 {
-    const [r, g, b] = this.sample(map, numbers, footprint, 'here');
-    const [across, up] = this.look.normalScale;
-    return [across * (2 * r - 1), up * (2 * g - 1), 2 * b - 1];
   }
 
   /** Whether a map bends normals, so that any tone may be anywhere. */
   get hasRelief(): boolean {
-    return this.look.normalMap !== null;
+    return this.look.normalMap !== null || this.look.bumpMap !== null;
   }
 
-  /** The normal that a map makes of one in the world, as three.js does without tangents. */
-  bent(normal: Vec3, relief: Vec3, [a, b, c]: readonly [Vec3, Vec3, Vec3]): Vec3 {
-    const { corners, firstTriangle, stride, numbers } = this.details;
-    const { uv, transform: m } = this.look.normalMap!;
-    const along = (k: number, row: number): number => {
-      const [from, to] = [0, k].map((corner) => stride * corners[3 * (this.triangle - firstTriangle) + corner] + uv);
-      return m[3 * row] * (numbers[to] - numbers[from]) + m[3 * row + 1] * (numbers[to + 1] - numbers[from + 1]);
+  /** The normal that a map makes of that of a place with these details on the triangle at hand. */
+  bent(place: BentPlace, numbers: ArrayLike<number>, footprint: number): Vec3 {
+    const { normalMap, normalScale, normalToWorld, bumpMap } = this.look;
+    if (bumpMap) return this.bentByHeights(bumpMap, place, numbers, footprint);
+    if (!normalMap) return place.normal;
+    const relief = unpacked(this.sample(normalMap, numbers, footprint, 'here'));
+    if (normalToWorld) return bentInObject(relief, normalToWorld, place.side);
+    const [a, b, c] = this.corners;
+    return bentAlongCoordinates(place.normal, [normalScale[0] * relief[0], normalScale[1] * relief[1], relief[2]], {
+      first: combined(1, b, -1, a),
+      second: combined(1, c, -1, a),
+      alongFirst: this.turned(normalMap, this.alongEdge(normalMap, 1)),
+      alongSecond: this.turned(normalMap, this.alongEdge(normalMap, 2)),
+    });
+  }
+
+  private bentByHeights(map: MapLook, place: BentPlace, numbers: ArrayLike<number>, footprint: number): Vec3 {
+    const [a, b, c] = this.corners;
+    const flat = cross(combined(1, b, -1, a), combined(1, c, -1, a));
+    const steps = pixelSteps(place.world, flat, place.projection);
+    if (!steps) return place.normal;
+    const triangle = new PlaceInTriangle(a, b, c);
+    const [first, second] = [this.alongEdge(map, 1), this.alongEdge(map, 2)];
+    const heightAt = (u: number, v: number): number => this.sampleAt(map, u, v, footprint)[0];
+    const [u, v] = [numbers[map.uv], numbers[map.uv + 1]];
+    const here = heightAt(u, v);
+    const riseAlong = (step: Vec3): number => {
+      const [s, t] = triangle.sharesOf(step);
+      return (
+        this.look.bumpScale * (heightAt(u + s * first[0] + t * second[0], v + s * first[1] + t * second[1]) - here)
+      );
     };
-    const [ofFirst, ofSecond] = [cross(combined(1, c, -1, a), normal), cross(normal, combined(1, b, -1, a))];
-    const right = combined(along(1, 0), ofFirst, along(2, 0), ofSecond);
-    const up = combined(along(1, 1), ofFirst, along(2, 1), ofSecond);
-    const scale = 1 / Math.sqrt(Math.max(dot(right, right), dot(up, up)) || 1);
-    return normalize(combined(1, combined(scale * relief[0], right, scale * relief[1], up), relief[2], normal));
+    return bentByHeights(place.normal, steps, [riseAlong(steps[0]), riseAlong(steps[1])], place.side);
+  }
+
+  /** How the coordinates of a map change from the first corner of the triangle at hand to another. */
+  private alongEdge({ uv }: MapLook, corner: number): readonly [number, number] {
+    const { corners, firstTriangle, stride, numbers } = this.details;
+    const c = 3 * (this.triangle - firstTriangle);
+    const [from, to] = [stride * corners[c] + uv, stride * corners[c + corner] + uv];
+    return [numbers[to] - numbers[from], numbers[to + 1] - numbers[from + 1]];
+  }
+
+  /** A change of coordinates as the transform of a map makes it. */
+  private turned({ transform: m }: MapLook, [u, v]: readonly [number, number]): readonly [number, number] {
+    return [m[0] * u + m[1] * v, m[3] * u + m[4] * v];
   }
 
   private standing(numbers: ArrayLike<number>, map: Rgba, alphaMap: Rgba): number {
@@ -131,7 +177,11 @@ export class Painter {
     const sampler = map && this.samplers.get(map);
     if (!sampler) return WHITE;
     if (reading !== 'here') return reading === 'least' ? sampler.least : sampler.most;
-    return sampler.read(numbers[map.uv], numbers[map.uv + 1], footprint * (this.densities.get(map) ?? 0));
+    return this.sampleAt(map, numbers[map.uv], numbers[map.uv + 1], footprint);
+  }
+
+  private sampleAt(map: MapLook, u: number, v: number, footprint: number): Rgba {
+    return this.samplers.get(map)!.read(u, v, footprint * (this.densities.get(map) ?? 0));
   }
 }
 
@@ -148,3 +198,4 @@ function densityOf({ bb, bc, cc }: EdgeProducts, ab: readonly [number, number], 
 
 const WHITE: Rgba = [1, 1, 1, 1];
 const NO_LIGHT: Rgba = [0, 0, 0, 0];
+const NOWHERE: Vec3 = [0, 0, 0];

@@ -32,12 +32,17 @@ export class PlaceInTriangle implements EdgeProducts {
   /** Weights that add up to 1, none below 0; of a triangle without area those of its first corner. */
   weightsAt(place: Vec3): Vec3 {
     if (!(this.determinant > 0)) return [1, 0, 0];
-    const way = combined(1, place, -1, this.a);
-    const [b, c] = [dot(way, this.ab), dot(way, this.ac)];
-    const v = Math.max((this.cc * b - this.bc * c) / this.determinant, 0);
-    const w = Math.max((this.bb * c - this.bc * b) / this.determinant, 0);
+    const shares = this.sharesOf(combined(1, place, -1, this.a));
+    const [v, w] = [Math.max(shares[0], 0), Math.max(shares[1], 0)];
     const rest = Math.max(1 - v - w, 0);
     const sum = rest + v + w;
     return [rest / sum, v / sum, w / sum];
+  }
+
+  /** How many times the edges from the first corner to the second and to the third a way in the plane is; none of a triangle without area. */
+  sharesOf(way: Vec3): readonly [number, number] {
+    if (!(this.determinant > 0)) return [0, 0];
+    const [b, c] = [dot(way, this.ab), dot(way, this.ac)];
+    return [(this.cc * b - this.bc * c) / this.determinant, (this.bb * c - this.bc * b) / this.determinant];
   }
 }

@@ -80,10 +80,7 @@ test.each([
     const expected = stipple.darkness([...place], [...normal] as [number, number, number], [0, 1, 0]);
     const unitsPerPixel = (2 * (isOrthographic ? 1 : -seen[2])) / (projection[5] * SIZE);
     const rows = [0, 1, 2].map((r): Vec3 => [back[r], back[4 + r], back[8 + r]]) as unknown as [Vec3, Vec3, Vec3];
-    const { map } = roundScreenMap(
-      screenMap(normal, rows, { view: seen, isOrthographic, unitsPerPixel }),
-      unitsPerPixel,
-    );
+    const map = roundScreenMap(screenMap(normal, rows, { view: seen, isOrthographic, unitsPerPixel }), unitsPerPixel);
     const cover = coverOf(tone);
     let blank = Math.min((1 - cover) / 0.03, 1);
     for (const { axis, u, v, share } of planesNear(directionOfNeedles(normal, toViewer))) {

@@ -1,10 +1,23 @@
-import { BoxGeometry, Mesh, type Object3D, PlaneGeometry, SphereGeometry } from 'three';
+import {
+  BoxGeometry,
+  BufferAttribute,
+  type BufferGeometry,
+  DataTexture,
+  Mesh,
+  type Object3D,
+  Plane,
+  PlaneGeometry,
+  RGBAFormat,
+  SphereGeometry,
+  Vector3,
+} from 'three';
 import { describe, expect, test } from 'vitest';
 import { prepareHatchingGeometry } from '../../../src/geometry/prepareHatchingGeometry.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
+import type { HatchingMaterialParameters } from '../../../src/material/HatchingMaterialParameters.js';
 import { drawSVG } from '../../../src/svg/drawSVG.js';
 import { cameraAt, hatchedMesh, sceneOf } from '../vector/hatchedScene.js';
-import { pathsOf } from '../vector/paths.js';
+import { coverageOf, pathsOf, ringsOf } from '../vector/paths.js';
 
 const SIDE = 60;
 
@@ -14,17 +27,30 @@ interface Circle {
   radius: number;
 }
 
-/** The circles of a drawing. */
+/** The dots of a drawing: circles of a pen, and in print polygons of their area. */
 const circlesOf = (svg: string): Circle[] =>
-  pathsOf(svg, 'stipple').flatMap((data) =>
-    [...data.matchAll(/M(\S+) (\S+?)a(\S+) /g)].map(([, left, y, radius]) => ({
-      x: Number(left) + Number(radius),
-      y: Number(y),
-      radius: Number(radius),
-    })),
-  );
+  pathsOf(svg, 'stipple').flatMap((data) => (data.includes('a') ? arcsOf(data) : ringsOf(data).map(discOf)));
 
-async function stippledPlane(tone: number): Promise<Mesh> {
+const arcsOf = (data: string): Circle[] =>
+  [...data.matchAll(/M(\S+) (\S+?)a(\S+) /g)].map(([, left, y, radius]) => ({
+    x: Number(left) + Number(radius),
+    y: Number(y),
+    radius: Number(radius),
+  }));
+
+function discOf(ring: readonly number[]): Circle {
+  const count = ring.length / 2;
+  let [x, y, area] = [0, 0, 0];
+  for (let i = 0; i < count; i++) {
+    const next = (i + 1) % count;
+    x += ring[2 * i] / count;
+    y += ring[2 * i + 1] / count;
+    area += 0.5 * (ring[2 * i] * ring[2 * next + 1] - ring[2 * next] * ring[2 * i + 1]);
+  }
+  return { x, y, radius: Math.sqrt(area / Math.PI) };
+}
+
+async function stippledPlane(tone: number): Promise<Mesh<BufferGeometry, HatchingMaterial>> {
   const geometry = await prepareHatchingGeometry(new PlaneGeometry(3, 3, 4, 4), { technique: 'anchored' });
   const material = new HatchingMaterial({
     ...{ technique: 'anchored', medium: 'stipple', sizedOnScreen: 1, strokeWidth: 2, strokeLayers: 'single' },
@@ -119,5 +145,98 @@ describe('dots', () => {
     const same = one.filter(({ x, y }) => places.has(`${x.toFixed(2)} ${y.toFixed(2)}`));
     expect(one.length).toBeGreaterThan(300);
     expect(same.length / one.length).toBeGreaterThan(0.7);
+  });
+});
+
+/** What dots within a rectangle of the sheet cover, as far as they do not overlap. */
+const inkIn = (circles: readonly Circle[], left: number, right: number): number =>
+  circles.filter(({ x }) => x > left && x < right).reduce((sum, { radius }) => sum + Math.PI * radius ** 2, 0) /
+  ((right - left) * SIDE);
+
+/** Black on the left, white on the right. */
+function halfBlack(alpha = 255): DataTexture {
+  const texture = new DataTexture(Uint8Array.from([0, 0, 0, alpha, 255, 255, 255, 255]), 2, 1, RGBAFormat);
+  texture.needsUpdate = true;
+  return texture;
+}
+
+describe('dots heed what differs from place to place', () => {
+  const halves = async (material: HatchingMaterialParameters) => {
+    const plane = await stippledPlane(0.2);
+    plane.material.setValues(material);
+    const { svg, leftOut } = await draw(plane);
+    expect(leftOut).toEqual([]);
+    const circles = circlesOf(svg);
+    return [inkIn(circles, 3, 27), inkIn(circles, 33, 57)] as const;
+  };
+  const local: HatchingMaterialParameters = {
+    localTone: 0.5,
+    exposure: 1,
+    toneCurve: [
+      [0, 0.1],
+      [1, 0.5],
+    ],
+  };
+
+  test('a texture darkens them', async () => {
+    const [white] = await halves(local);
+    const [left, right] = await halves({ ...local, map: halfBlack() });
+    expect(Math.abs(right - white)).toBeLessThan(0.02);
+    expect(Math.abs(left - (white + 0.5 * (0.5 - white)))).toBeLessThan(0.02);
+  });
+
+  test('what gives off light, light from all around and bent normals', async () => {
+    const linear: HatchingMaterialParameters = { exposure: 1, toneCurve: 'linear', localTone: 0, highlightTone: 0 };
+    const [plain] = await halves(linear);
+    const [dark, lit] = await halves({
+      ...linear,
+      emissive: 'white',
+      emissiveIntensity: 0.2,
+      emissiveMap: halfBlack(),
+    });
+    expect(Math.abs(dark - plain)).toBeLessThan(0.02);
+    expect(Math.abs(dark - lit - 0.2)).toBeLessThan(0.02);
+    const toLight = new Vector3(-0.55, 0.75, 0.6).normalize();
+    const leaning = new DataTexture(Uint8Array.from([64, 128, 237, 255]), 1, 1, RGBAFormat);
+    leaning.needsUpdate = true;
+    const [bent] = await halves({ ...linear, normalMap: leaning });
+    expect(Math.abs(bent - plain + toLight.dot(new Vector3(-0.5, 0, 0.866)) - toLight.z)).toBeLessThan(0.02);
+  });
+
+  test('there are none where alpha is too low or a plane clips', async () => {
+    const [left, right] = await halves({ map: halfBlack(0), alphaTest: 0.5 });
+    expect(left).toBe(0);
+    expect(right).toBeGreaterThan(0.15);
+    const [kept, clipped] = await halves({ clippingPlanes: [new Plane(new Vector3(-1, 0, 0), 0)] });
+    expect(kept).toBeGreaterThan(0.15);
+    expect(clipped).toBe(0);
+  });
+
+  test('the colours of vertices', async () => {
+    const plane = await stippledPlane(0.2);
+    plane.material.setValues({ ...local, vertexColors: true });
+    const { position } = plane.geometry.attributes;
+    const grey = Float32Array.from({ length: 3 * position.count }, (_, i) =>
+      position.getX(Math.floor(i / 3)) < 0 ? 0 : 1,
+    );
+    plane.geometry.setAttribute('color', new BufferAttribute(grey, 3));
+    const circles = circlesOf((await draw(plane)).svg);
+    expect(inkIn(circles, 1, 8)).toBeGreaterThan(inkIn(circles, 45, 57) + 0.08);
+  });
+
+  test('several layers have the tone together, where their dots lie in turn', async () => {
+    const plane = await stippledPlane(0.4);
+    const one = circlesOf((await draw(plane)).svg);
+    plane.material.setValues({ strokeLayers: 'tone', crossFrom: 0.2 });
+    const { svg, leftOut } = await draw(plane);
+    expect(leftOut).toEqual([]);
+    const placeOf = ({ x, y }: Circle) => `${x.toFixed(2)} ${y.toFixed(2)}`;
+    const before = new Set(one.map(placeOf));
+    const several = circlesOf(svg);
+    // The first layer lies where one alone does, and the others elsewhere.
+    const elsewhere = several.filter((dot) => !before.has(placeOf(dot))).length / several.length;
+    expect(elsewhere).toBeGreaterThan(0.2);
+    expect(elsewhere).toBeLessThan(0.7);
+    expect(Math.abs(coverageOf(pathsOf(svg), [20, 20, 12, 12], 100) - 0.4)).toBeLessThan(0.03);
   });
 });

@@ -8,6 +8,7 @@ import {
   Matrix4,
   Mesh,
   MeshBasicMaterial,
+  ObjectSpaceNormalMap,
   PlaneGeometry,
   RepeatWrapping,
   RGBAFormat,
@@ -236,6 +237,46 @@ describe('a map of normals', () => {
     const before = (await halves(other))[0];
     other.material.normalScale.set(1, 0);
     expect(Math.abs((await halves(other))[0] - before)).toBeGreaterThan(0.05);
+  });
+});
+
+describe('other maps that bend normals', () => {
+  const SMALL = 40;
+  const plain: HatchingMaterialParameters = { exposure: 1, toneCurve: 'linear', highlightTone: 0 };
+  const toLight = new Vector3(-0.55, 0.75, 0.6).normalize();
+  const toneOf = async (material: HatchingMaterialParameters, turn = 0) => {
+    const mesh = await planeOfTone(0, { ...plain, ...material });
+    mesh.rotation.z = turn;
+    const { svg, leftOut } = await drawSVG(sceneOf(mesh), cameraAt(0, 0, 1, true), {
+      ...{ sheet: [SMALL, SMALL], margin: 0, leastWidth: 0, order: 'drawn' },
+    });
+    expect(leftOut).toEqual([]);
+    return coverageOf(pathsOf(svg), [14, 14, 12, 12], 100);
+  };
+
+  test.each([0.5, -0.3])('heights that rise by %s of a pixel to a pixel, across the picture', async (rise) => {
+    // From black at a quarter of the plane to white at three quarters.
+    const map = BLACK_AND_WHITE();
+    map.colorSpace = '';
+    map.magFilter = LinearFilter;
+    const pixels = (SMALL / 25.4) * 96;
+    const bumpScale = (rise * 0.5 * pixels) / (2.1 / 3);
+    const expected = 1 - Math.max(toLight.dot(new Vector3(-rise, 0, 1).normalize()), 0);
+    expect(Math.abs((await toneOf({ bumpMap: map, bumpScale })) - expected)).toBeLessThan(0.02);
+    // Upwards, where the plane is turned.
+    const upwards = 1 - Math.max(toLight.dot(new Vector3(0, -rise, 1).normalize()), 0);
+    expect(Math.abs((await toneOf({ bumpMap: map, bumpScale }, Math.PI / 2)) - upwards)).toBeLessThan(0.02);
+  });
+
+  test('normals in the space of the object turn with it', async () => {
+    const normal = new Vector3(0.4, 0, Math.sqrt(1 - 0.16));
+    const bytes = normal.toArray().map((component) => Math.round(127.5 * (component + 1)));
+    const normalMap = new DataTexture(Uint8Array.from([...bytes, 255]), 1, 1, RGBAFormat);
+    normalMap.needsUpdate = true;
+    const map: HatchingMaterialParameters = { normalMap, normalMapType: ObjectSpaceNormalMap };
+    expect(Math.abs((await toneOf(map)) - (1 - toLight.dot(normal)))).toBeLessThan(0.02);
+    const turned = normal.clone().applyAxisAngle(new Vector3(0, 0, 1), Math.PI / 2);
+    expect(Math.abs((await toneOf(map, Math.PI / 2)) - (1 - toLight.dot(turned)))).toBeLessThan(0.02);
   });
 });
 

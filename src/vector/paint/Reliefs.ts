@@ -1,0 +1,51 @@
+import type { Mat3 } from '../../engraving/screenGradient.js';
+import { combined, cross, dot, normalize, timesVector, type Vec3 } from '../../engraving/vectors.js';
+import type { Rgba } from './MapSampler.js';
+
+/** Normals that textures bend, as three.js bends them. All is in the world. */
+
+/** The vector that a pixel of a map of normals stands for. */
+export const unpacked = ([r, g, b]: Rgba): Vec3 => [2 * r - 1, 2 * g - 1, 2 * b - 1];
+
+/** How two coordinates change along the edges that leave the first corner of a triangle, and these edges. */
+export interface EdgeSlopes {
+  first: Vec3;
+  second: Vec3;
+  alongFirst: readonly [number, number];
+  alongSecond: readonly [number, number];
+}
+
+/** The normal of a map that knows it along its coordinates and away from the surface. */
+export function bentAlongCoordinates(normal: Vec3, relief: Vec3, edges: EdgeSlopes): Vec3 {
+  const [ofFirst, ofSecond] = [cross(edges.second, normal), cross(normal, edges.first)];
+  const right = combined(edges.alongFirst[0], ofFirst, edges.alongSecond[0], ofSecond);
+  const up = combined(edges.alongFirst[1], ofFirst, edges.alongSecond[1], ofSecond);
+  const scale = 1 / Math.sqrt(Math.max(dot(right, right), dot(up, up)) || 1);
+  return normalize(combined(1, combined(scale * relief[0], right, scale * relief[1], up), relief[2], normal));
+}
+
+/** The normal of a map that knows it in the space of the object. side: 1, or −1 where the back is seen. */
+export function bentInObject(relief: Vec3, toWorld: Mat3, side: number): Vec3 {
+  const [x, y, z] = normalize(timesVector(toWorld, relief));
+  return [side * x, side * y, side * z];
+}
+
+/**
+ * The normal of a map of heights (Mikkelsen, 2010). The steps lead one pixel to the right and up on the picture: heights are sizes of pixels,
+ * however large the surface is.
+ *
+ * @param rises by which the height changes along both steps
+ * @param side 1, or −1 where the back is seen
+ */
+export function bentByHeights(
+  normal: Vec3,
+  [right, up]: readonly [Vec3, Vec3],
+  rises: readonly [number, number],
+  side: number,
+): Vec3 {
+  const [x, y] = [normalize(right), normalize(up)];
+  const [ofRight, ofUp] = [cross(y, normal), cross(normal, x)];
+  const determinant = side * dot(x, ofRight);
+  const gradient = combined(rises[0], ofRight, rises[1], ofUp);
+  return normalize(combined(Math.abs(determinant), normal, -Math.sign(determinant), gradient));
+}
