@@ -1,4 +1,6 @@
 import type { Vec3 } from '../engraving/vectors.js';
+import { asPhase } from '../slices/asPhase.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 import { type BvhNodes, buildBvh } from './buildBvh.js';
 import { Holes } from './paint/Holes.js';
 import type { Cutout } from './paint/PaintLook.js';
@@ -14,6 +16,8 @@ export const MAY_HAVE_HOLES = 16;
 /** Deep enough for any number of triangles that fit into memory. */
 const STACK = 256;
 const NO_TRIANGLE = -1;
+/** The share of the building after which triangles are copied in their order. */
+const SORTED_FROM = 0.9;
 
 /** The triangles of a scene, and what rays meet of them. */
 export class Bvh {
@@ -21,28 +25,25 @@ export class Bvh {
   private readonly sorted: Float64Array;
   private readonly sortedSides: Uint8Array;
   private readonly stack = new Int32Array(STACK);
+  /** How far away the boxes of nodes that are still to be looked at begin. */
+  private readonly nears = new Float64Array(STACK);
   /** The ray at hand. */
   private origin: Vec3 = [0, 0, 0];
   private direction: Vec3 = [0, 0, 1];
-  private inverse: Vec3 = [0, 0, 1];
   /** The bits of the sides that count, where the ray meets a front, and where it meets a back. */
   private ofFront = 0;
   private ofBack = 0;
   /** Rays that were asked about. */
   rays = 0;
+  /** The greatest of all coordinates, without their signs. */
+  extent = 0;
 
   private constructor(
     private readonly nodes: BvhNodes,
-    corners: Float64Array,
-    sides: Uint8Array,
     private readonly holes: Holes,
   ) {
-    this.sorted = new Float64Array(corners.length);
-    this.sortedSides = new Uint8Array(sides.length);
-    for (const [i, triangle] of nodes.order.entries()) {
-      this.sorted.set(corners.subarray(9 * triangle, 9 * triangle + 9), 9 * i);
-      this.sortedSides[i] = sides[triangle];
-    }
+    this.sorted = new Float64Array(9 * nodes.order.length);
+    this.sortedSides = new Uint8Array(nodes.order.length);
   }
 
   /**
@@ -57,7 +58,29 @@ export class Bvh {
     sides: Uint8Array,
     cutouts: readonly Cutout[] = [],
   ): Generator<number, Bvh, void> {
-    return new Bvh(yield* buildBvh(corners), corners, sides, new Holes(cutouts));
+    const nodes = yield* asPhase(buildBvh(corners), 0, SORTED_FROM);
+    const bvh = new Bvh(nodes, new Holes(cutouts));
+    yield* asPhase(
+      forEachChunk(sides.length, (start, end) => bvh.sort(corners, sides, start, end)),
+      SORTED_FROM,
+      1,
+    );
+    return bvh;
+  }
+
+  /** Copies triangles into the order of the leaves. */
+  private sort(corners: Float64Array, sides: Uint8Array, start: number, end: number): void {
+    const { sorted, sortedSides } = this;
+    const { order } = this.nodes;
+    for (let i = start; i < end; i++) {
+      const from = 9 * order[i];
+      for (let k = 0; k < 9; k++) {
+        const number = corners[from + k];
+        sorted[9 * i + k] = number;
+        if (Math.abs(number) > this.extent) this.extent = Math.abs(number);
+      }
+      sortedSides[i] = sides[order[i]];
+    }
   }
 
   /**
@@ -93,64 +116,92 @@ export class Bvh {
     this.rays++;
     this.origin = origin;
     this.direction = way;
-    this.inverse = [1 / way[0], 1 / way[1], 1 / way[2]];
     this.ofFront = ofFront;
     this.ofBack = ofBack;
   }
 
   /** The nearest place within (start, end), or any if that is enough. */
   private meet(start: number, end: number, except: number, isAnyEnough: boolean): number {
-    const { stack, sorted } = this;
-    const { child, leafCount, order } = this.nodes;
+    const { stack, nears, sorted } = this;
+    const { child, leafCount, order, bounds } = this.nodes;
+    const { 0: ox, 1: oy, 2: oz } = this.origin;
+    const { 0: dx, 1: dy, 2: dz } = this.direction;
+    const [ix, iy, iz] = [1 / dx, 1 / dy, 1 / dz];
     let best = Infinity;
     let far = end;
     let top = 0;
-    if (sorted.length > 0) stack[top++] = 0;
+    if (sorted.length > 0) {
+      stack[0] = 0;
+      nears[top++] = start;
+    }
     while (top > 0) {
       const node = stack[--top];
-      if (!this.entersBox(6 * node, start, far)) continue;
+      if (nears[top] > far) continue;
       const first = child[node];
       const count = leafCount[node];
-      if (count === 0) {
-        stack[top++] = first;
-        stack[top++] = first + 1;
-      }
       for (let i = first; i < first + count; i++) {
         const t = this.meetsTriangle(i);
         if (!(t > start && t < far) || order[i] === except) continue;
         if (isAnyEnough) return t;
         best = far = t;
       }
-    }
-    return best;
-  }
-
-  private entersBox(box: number, start: number, end: number): boolean {
-    const { bounds } = this.nodes;
-    const { origin, inverse } = this;
-    let near = start;
-    let far = end;
-    for (let a = 0; a < 3; a++) {
-      const t0 = (bounds[box + a] - origin[a]) * inverse[a];
-      const t1 = (bounds[box + 3 + a] - origin[a]) * inverse[a];
-      // 0 · ∞ is no number, and keeps the other bound.
-      if (t0 < t1) {
-        if (t0 > near) near = t0;
-        if (t1 < far) far = t1;
-      } else {
-        if (t1 > near) near = t1;
-        if (t0 < far) far = t0;
+      if (count > 0) continue;
+      const bound = top;
+      for (let one = first; one <= first + 1; one++) {
+        const box = 6 * one;
+        let near = start;
+        let leave = far;
+        // 0 · ∞ is no number, and keeps the other bound.
+        let t0 = (bounds[box] - ox) * ix;
+        let t1 = (bounds[box + 3] - ox) * ix;
+        if (t0 < t1) {
+          if (t0 > near) near = t0;
+          if (t1 < leave) leave = t1;
+        } else {
+          if (t1 > near) near = t1;
+          if (t0 < leave) leave = t0;
+        }
+        t0 = (bounds[box + 1] - oy) * iy;
+        t1 = (bounds[box + 4] - oy) * iy;
+        if (t0 < t1) {
+          if (t0 > near) near = t0;
+          if (t1 < leave) leave = t1;
+        } else {
+          if (t1 > near) near = t1;
+          if (t0 < leave) leave = t0;
+        }
+        t0 = (bounds[box + 2] - oz) * iz;
+        t1 = (bounds[box + 5] - oz) * iz;
+        if (t0 < t1) {
+          if (t0 > near) near = t0;
+          if (t1 < leave) leave = t1;
+        } else {
+          if (t1 > near) near = t1;
+          if (t0 < leave) leave = t0;
+        }
+        // Boxes are a little larger than what they hold, but that far away a rounding is larger.
+        if (!(near <= leave + 1e-12 * Math.abs(leave))) continue;
+        // The nearer one is looked at first.
+        if (top > bound && near > nears[bound]) {
+          stack[top] = stack[bound];
+          nears[top] = nears[bound];
+          stack[bound] = one;
+          nears[bound] = near;
+          top++;
+        } else {
+          stack[top] = one;
+          nears[top++] = near;
+        }
       }
     }
-    // A box without thickness must not be lost by a rounding.
-    return near <= far + 1e-12 * Math.abs(far);
+    return best;
   }
 
   /** Where along the ray a triangle lies, if the side counts that it shows (Möller and Trumbore, 1997); otherwise no number. */
   private meetsTriangle(i: number): number {
     const c = this.sorted;
     const o = 9 * i;
-    const [dx, dy, dz] = this.direction;
+    const { 0: dx, 1: dy, 2: dz } = this.direction;
     const e1x = c[o + 3] - c[o];
     const e1y = c[o + 4] - c[o + 1];
     const e1z = c[o + 5] - c[o + 2];

@@ -62,7 +62,7 @@ export class LineDrawer {
   segments = 0;
   /** Rays that leave a surface begin so far above it, world units. */
   readonly above: number;
-  private readonly casters: Casters | null;
+  private casters: Casters | null | undefined;
 
   /**
    * @param pen its width, pixels; null where widths are the tone
@@ -75,8 +75,7 @@ export class LineDrawer {
     private readonly bvh: Bvh,
     private readonly least = 0,
   ) {
-    this.casters = castersOf(scene.corners, scene.sides);
-    this.above = ABOVE * scene.corners.reduce((size, x) => Math.max(size, Math.abs(x)), 0);
+    this.above = ABOVE * bvh.extent;
   }
 
   *drawOutlines(): Generator<number, void, void> {
@@ -150,9 +149,9 @@ export class LineDrawer {
   *tracedChains(drawn: EngravedSurface): Generator<number, TracedLine[], void> {
     const { projection, bvh, pen, scene } = this;
     const { surface, look, turned, paint } = drawn;
-    if (look.ground) dropLit(surface, this.casters, scene.illumination, look.ground);
+    yield* this.dropUnshaded(drawn);
     yield* asPhase(subdivide(surface, projection), 0, 0.08);
-    if (look.ground) dropLit(surface, this.casters, scene.illumination, look.ground);
+    yield* this.dropUnshaded(drawn);
     const toner = new Toner(look, scene.illumination, bvh, projection);
     const sides = yield* asPhase(seenSides(surface, projection), 0.08, 0.1);
     const details = surface.details && new DetailReader(surface, surface.details);
@@ -168,6 +167,13 @@ export class LineDrawer {
       for (const line of found) lines.push(line);
     }
     return lines;
+  }
+
+  private *dropUnshaded({ surface, look: { ground } }: EngravedSurface): Generator<number, void, void> {
+    if (!ground) return;
+    const { corners, sides, illumination } = this.scene;
+    if (this.casters === undefined) this.casters = yield* castersOf(corners, sides);
+    yield* dropLit(surface, this.casters, illumination, ground);
   }
 
   *drawBackgrounds(): Generator<number, void, void> {
