@@ -21,11 +21,13 @@ import { DetailReader } from './paint/DetailReader.js';
 import { Painter } from './paint/Painter.js';
 import { dashes } from './paths/dashes.js';
 import type { LinePath } from './paths/LinePath.js';
+import { readVertices } from './readVertices.js';
 import { refineEnds } from './refineEnds.js';
 import { subdivide } from './subdivide.js';
 import { Toner } from './Toner.js';
 import type { Tracing } from './Tracing.js';
 import { seenSides, traceFamily } from './traceFamily.js';
+import { VertexTones } from './VertexTones.js';
 import { type SeenTest, visibleRuns } from './visibleRuns.js';
 
 const { DASH, FAINT, GAP } = OUTLINE_CONSTANTS;
@@ -46,6 +48,9 @@ const LAYER_OF: Readonly<Record<FamilyName, LayerName>> = {
 
 /** Rays that leave a surface begin so far above it, as a share of the size of the scene. */
 const ABOVE = 1e-6;
+
+/** The share of tracing in which vertices are read. */
+const READING = 0.4;
 
 /** A layer while it is drawn. */
 export interface PathLayer {
@@ -156,13 +161,14 @@ export class LineDrawer {
     const sides = yield* asPhase(seenSides(surface, projection), 0.08, 0.1);
     const details = surface.details && new DetailReader(surface, surface.details);
     const painter = paint && surface.details && new Painter(paint, surface.details);
+    const tones = new VertexTones(toner, surface.placeOf.length);
     const lines: TracedLine[] = [];
     const all = [drawn, ...turned];
     for (const [i, { engraved, field }] of all.entries()) {
       const engraver = new Engraver(engraved, field, surface.viewToField, projection);
       const isTurned = (shadows: number) => turned.findIndex((one) => one.shadows === shadows) + 1 === i;
       const tracing = { surface, details, painter, engraver, toner, projection, sides, pen };
-      const tracingAll = tracedFamilies({ ...tracing, isDrawnIn: turned.length > 0 ? isTurned : null });
+      const tracingAll = tracedFamilies({ ...tracing, isDrawnIn: turned.length > 0 ? isTurned : null }, tones);
       const found = yield* asPhase(tracingAll, 0.1 + (0.9 * i) / all.length, 0.1 + (0.9 * (i + 1)) / all.length);
       for (const line of found) lines.push(line);
     }
@@ -243,12 +249,14 @@ interface TracedLine {
   chain: Chain;
 }
 
-function* tracedFamilies(tracing: Tracing): Generator<number, TracedLine[], void> {
+function* tracedFamilies(tracing: Tracing, tones: VertexTones): Generator<number, TracedLine[], void> {
   const lines: TracedLine[] = [];
   const { families } = tracing.engraver;
+  const read = yield* asPhase(readVertices(tracing, families), 0, READING);
   for (const [i, family] of families.entries()) {
-    const chains = yield* asPhase(traceFamily(tracing, family), i / families.length, (i + 1) / families.length);
-    for (const chain of chains) lines.push({ family, chain });
+    const [from, to] = [i, i + 1].map((k) => READING + ((1 - READING) * k) / families.length);
+    for (const chain of yield* asPhase(traceFamily(tracing, family, read[i], tones), from, to))
+      lines.push({ family, chain });
   }
   return lines;
 }
