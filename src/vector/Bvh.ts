@@ -27,9 +27,12 @@ export class Bvh {
   private readonly stack = new Int32Array(STACK);
   /** How far away the boxes of nodes that are still to be looked at begin. */
   private readonly nears = new Float64Array(STACK);
+  /** What was met last, as its neighbours most likely meet too. */
+  private lastMet = 0;
   /** The ray at hand. */
   private origin: Vec3 = [0, 0, 0];
   private direction: Vec3 = [0, 0, 1];
+  private inverse: Vec3 = [0, 0, 1];
   /** The bits of the sides that count, where the ray meets a front, and where it meets a back. */
   private ofFront = 0;
   private ofBack = 0;
@@ -91,13 +94,13 @@ export class Bvh {
   isHidden(origin: Vec3, way: Vec3, start: number, end: number, except = NO_TRIANGLE): boolean {
     // The far end sees the front of what the ray meets from behind.
     this.setRay(origin, way, SEEN_BACK, SEEN_FRONT);
-    return this.meet(start, end, except, true) < Infinity;
+    return this.meetsAny(start, end, except);
   }
 
   /** The same of what casts shadows, for a light at the far end. */
   isShaded(origin: Vec3, way: Vec3, start: number, end: number): boolean {
     this.setRay(origin, way, CASTS_BACK, CASTS_FRONT);
-    return this.meet(start, end, NO_TRIANGLE, true) < Infinity;
+    return this.meetsAny(start, end, NO_TRIANGLE);
   }
 
   /** How far along its way a ray of light from the origin first meets what casts shadows, up to `end`; endless if it meets nothing. */
@@ -116,23 +119,32 @@ export class Bvh {
     this.rays++;
     this.origin = origin;
     this.direction = way;
+    this.inverse = [1 / way[0], 1 / way[1], 1 / way[2]];
     this.ofFront = ofFront;
     this.ofBack = ofBack;
+  }
+
+  /** Whether the ray meets anything within (start, end) but for one triangle. */
+  private meetsAny(start: number, end: number, except: number): boolean {
+    const { lastMet, sorted } = this;
+    if (sorted.length === 0) return false;
+    if (this.nodes.order[lastMet] !== except) {
+      const t = this.meetsTriangle(lastMet);
+      if (t > start && t < end) return true;
+    }
+    return this.meet(start, end, except, true) < Infinity;
   }
 
   /** The nearest place within (start, end), or any if that is enough. */
   private meet(start: number, end: number, except: number, isAnyEnough: boolean): number {
     const { stack, nears, sorted } = this;
-    const { child, leafCount, order, bounds } = this.nodes;
-    const { 0: ox, 1: oy, 2: oz } = this.origin;
-    const { 0: dx, 1: dy, 2: dz } = this.direction;
-    const [ix, iy, iz] = [1 / dx, 1 / dy, 1 / dz];
+    const { child, leafCount, order } = this.nodes;
     let best = Infinity;
     let far = end;
     let top = 0;
     if (sorted.length > 0) {
-      stack[0] = 0;
-      nears[top++] = start;
+      nears[0] = start;
+      stack[top++] = 0;
     }
     while (top > 0) {
       const node = stack[--top];
@@ -142,59 +154,53 @@ export class Bvh {
       for (let i = first; i < first + count; i++) {
         const t = this.meetsTriangle(i);
         if (!(t > start && t < far) || order[i] === except) continue;
-        if (isAnyEnough) return t;
+        if (isAnyEnough) {
+          this.lastMet = i;
+          return t;
+        }
         best = far = t;
       }
       if (count > 0) continue;
-      const bound = top;
-      for (let one = first; one <= first + 1; one++) {
-        const box = 6 * one;
-        let near = start;
-        let leave = far;
-        // 0 · ∞ is no number, and keeps the other bound.
-        let t0 = (bounds[box] - ox) * ix;
-        let t1 = (bounds[box + 3] - ox) * ix;
-        if (t0 < t1) {
-          if (t0 > near) near = t0;
-          if (t1 < leave) leave = t1;
-        } else {
-          if (t1 > near) near = t1;
-          if (t0 < leave) leave = t0;
-        }
-        t0 = (bounds[box + 1] - oy) * iy;
-        t1 = (bounds[box + 4] - oy) * iy;
-        if (t0 < t1) {
-          if (t0 > near) near = t0;
-          if (t1 < leave) leave = t1;
-        } else {
-          if (t1 > near) near = t1;
-          if (t0 < leave) leave = t0;
-        }
-        t0 = (bounds[box + 2] - oz) * iz;
-        t1 = (bounds[box + 5] - oz) * iz;
-        if (t0 < t1) {
-          if (t0 > near) near = t0;
-          if (t1 < leave) leave = t1;
-        } else {
-          if (t1 > near) near = t1;
-          if (t0 < leave) leave = t0;
-        }
-        // Boxes are a little larger than what they hold, but that far away a rounding is larger.
-        if (!(near <= leave + 1e-12 * Math.abs(leave))) continue;
-        // The nearer one is looked at first.
-        if (top > bound && near > nears[bound]) {
-          stack[top] = stack[bound];
-          nears[top] = nears[bound];
-          stack[bound] = one;
-          nears[bound] = near;
-          top++;
-        } else {
-          stack[top] = one;
-          nears[top++] = near;
-        }
+      const left = this.entersBox(6 * first, start, far);
+      const right = this.entersBox(6 * first + 6, start, far);
+      // The nearer one is looked at first.
+      const isLeftFirst = left <= right;
+      if (isLeftFirst && right < Infinity) {
+        nears[top] = right;
+        stack[top++] = first + 1;
+      }
+      if (left < Infinity) {
+        nears[top] = left;
+        stack[top++] = first;
+      }
+      if (!isLeftFirst && right < Infinity) {
+        nears[top] = right;
+        stack[top++] = first + 1;
       }
     }
     return best;
+  }
+
+  /** Where the ray enters a box; endless if it does not. */
+  private entersBox(box: number, start: number, end: number): number {
+    const { bounds } = this.nodes;
+    const { origin, inverse } = this;
+    let near = start;
+    let far = end;
+    for (let a = 0; a < 3; a++) {
+      const t0 = (bounds[box + a] - origin[a]) * inverse[a];
+      const t1 = (bounds[box + 3 + a] - origin[a]) * inverse[a];
+      // 0 · ∞ is no number, and keeps the other bound.
+      if (t0 < t1) {
+        if (t0 > near) near = t0;
+        if (t1 < far) far = t1;
+      } else {
+        if (t1 > near) near = t1;
+        if (t0 < far) far = t0;
+      }
+    }
+    // Boxes are a little larger than what they hold, but that far away a rounding is larger.
+    return near <= far + 1e-12 * Math.abs(far) ? near : Infinity;
   }
 
   /** Where along the ray a triangle lies, if the side counts that it shows (Möller and Trumbore, 1997); otherwise no number. */

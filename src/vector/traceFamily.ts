@@ -1,4 +1,5 @@
 import { lotOf } from '../engraving/hand.js';
+import type { Vec3 } from '../engraving/vectors.js';
 import { asPhase } from '../slices/asPhase.js';
 import { type Chain, ChainBuilder } from './Chain.js';
 import type { EngravedPlace, FamilyName } from './Engraver.js';
@@ -17,7 +18,7 @@ import { type Walk, walkSegments } from './walkSegments.js';
 
 /** The rank of the line through the origin, a multiple of all powers of two. */
 const EVERY_RANK = 1000;
-/** Shadows are looked for at least so far apart, and the place of an edge is found as exactly as that. Pixels. */
+/** Shadows are looked for at least so far apart, and the place of an edge is found as exactly as that over how much changes there. Pixels. */
 const SHADOW_STEP = 3;
 const EDGE = 0.02;
 /** From one point of a line to the next a shadow changes by no more than this share, unless that is its edge. */
@@ -78,6 +79,8 @@ export function* traceFamily(
 /** Follows lines over triangles and measures them. */
 class LineTracer {
   private readonly unit: number;
+  /** The place that was read last. */
+  private readonly known: { [shadowing in Shadowing]?: { place: SurfacePlace; tones: Tones } } = {};
 
   constructor(
     private readonly tracing: Tracing,
@@ -167,8 +170,8 @@ class LineTracer {
 
   private measureIn(shadowing: Shadowing, engraved: EngravedPlace, triangle: number, line: Line): Measured {
     const { place } = engraved;
-    const { toner, engraver, pen, projection, isDrawnIn } = this.tracing;
-    const tones = toner.read(place, shadowing);
+    const { engraver, pen, projection, isDrawnIn } = this.tracing;
+    const tones = this.tonesAt(place, shadowing);
     const at = projection.project(...place.view);
     if (isDrawnIn && !isDrawnIn(tones.turned))
       return { at, place, tones, half: 0, margin: -1, isBlank: false, isHole: false };
@@ -180,6 +183,17 @@ class LineTracer {
     if (!strokes) return { at, place, tones, half, margin, isBlank: false, isHole: false };
     const beside = [shift * strokes.uphill[0], shift * strokes.uphill[1]] as const;
     return { at, place, tones, half, margin, isBlank: false, isHole: false, shift: beside };
+  }
+
+  /** The tones of a place: of one on an edge, which both triangles beside it ask for, once. */
+  private tonesAt(place: SurfacePlace, shadowing: Shadowing): Tones {
+    const { toner, painter } = this.tracing;
+    if (painter !== null) return toner.read(place, shadowing);
+    const known = this.known[shadowing];
+    if (known && isSame(known.place, place)) return known.tones;
+    const tones = toner.read(place, shadowing);
+    this.known[shadowing] = { place, tones };
+    return tones;
   }
 
   /** Whether there may be edges of shadows or of holes. */
@@ -210,6 +224,12 @@ class LineTracer {
     return this.tracing.surface.parents[triangle];
   }
 }
+
+/** Whether two places without textures have the same tone for sure. */
+const isSame = (a: SurfacePlace, b: SurfacePlace): boolean =>
+  isEqual(a.world, b.world) && isEqual(a.toneNormal, b.toneNormal) && a.occlusion === b.occlusion;
+
+const isEqual = (a: Vec3, b: Vec3): boolean => a[0] === b[0] && a[1] === b[1] && a[2] === b[2];
 
 interface Measured {
   /** On the picture. */
@@ -275,7 +295,7 @@ class LinePen {
     const change = this.tracer.shadowChange(start.measured, end.measured);
     if (change === 0 && start.measured.isBlank && end.measured.isBlank) return;
     const length = lengthBetween(start.measured, end.measured);
-    if (change <= SHADOW_CHANGE ? length <= SHADOW_STEP : length <= EDGE) return;
+    if (change <= SHADOW_CHANGE ? length <= SHADOW_STEP : Math.min(change, 1) * length <= EDGE) return;
     const { tracer, builder, line } = this;
     const numbers = start.numbers.map((number, k) => 0.5 * (number + end.numbers[k]));
     const measured = tracer.measure(numbers, triangle, line);
