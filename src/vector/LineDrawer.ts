@@ -49,6 +49,8 @@ const LAYER_OF: Readonly<Record<FamilyName, LayerName>> = {
 /** Rays that leave a surface begin so far above it, as a share of the size of the scene. */
 const ABOVE = 1e-6;
 
+/** The share of drawing a surface in which its lines are traced. */
+const TRACED = 0.65;
 /** The share of tracing in which vertices are read. */
 const READING = 0.4;
 
@@ -105,6 +107,7 @@ export class LineDrawer {
     for (const [i, chain] of chains.entries()) {
       const [from, to] = [0.5 + (0.5 * i) / chains.length, 0.5 + (0.5 * (i + 1)) / chains.length];
       this.segments += chain.count - 1;
+      yield from;
       yield* asPhase(weighByStanding(chain, bvh, projection), from, (from + to) / 2);
       if (least > 0) endHairlines(chain, least);
       const isSeen = clipped(outlineTest(chain, bvh, projection), clip);
@@ -128,6 +131,7 @@ export class LineDrawer {
         chain,
         clipped((place) => !isSeen(place), clip),
       );
+      yield from;
       for (const { path } of yield* asPhase(hidden, from, to))
         layer.paths.push(...(look.hidden === 'dashed' ? dashes(path, DASH * look.width, GAP * look.width) : [path]));
     }
@@ -140,13 +144,15 @@ export class LineDrawer {
   }
 
   private *drawSurface(engraved: EngravedSurface): Generator<number, void, void> {
-    const lines = yield* asPhase(this.tracedChains(engraved), 0, 0.5);
+    const lines = yield* asPhase(this.tracedChains(engraved), 0, TRACED);
     for (const [i, { family, chain: line }] of lines.entries()) {
       this.segments += line.count - 1;
       const chain = this.asPressHolds(line, engraved.engraved.medium);
       const isSeen = clipped(this.surfaceTest(chain), engraved.clip);
       const adding = this.addChain(this.layerOf(LAYER_OF[family], engraved.ink), chain, isSeen, engraved);
-      yield* asPhase(adding, 0.5 + (0.5 * i) / lines.length, 0.5 + (0.5 * (i + 1)) / lines.length);
+      const [from, to] = [i, i + 1].map((k) => TRACED + ((1 - TRACED) * k) / lines.length);
+      yield from;
+      yield* asPhase(adding, from, to);
     }
   }
 

@@ -59,19 +59,23 @@ export function* traceFamily(
 ): Generator<number, Chain[], void> {
   const { surface, engraver } = tracing;
   const { values } = vertices;
-  const ranks = yield* ranksOfTriangles(tracing, vertices);
-  const aside = yield* penAside(tracing, family, ranks, tones);
-  const segments = yield* levelSegments(surface, values, ranks, engraver.hasSeams, aside);
-  const slopes = yield* tracedSlopes(surface, values, segments.triangles, tracing.projection);
+  const ranks = yield* asPhase(ranksOfTriangles(tracing, vertices), 0, 0.02);
+  const from = tracing.pen === null ? 0.02 : 0.4;
+  const aside = yield* asPhase(penAside(tracing, family, ranks, tones), 0.02, from);
+  const segments = yield* asPhase(levelSegments(surface, values, ranks, engraver.hasSeams, aside), from, 0.5);
+  const slopes = yield* asPhase(tracedSlopes(surface, values, segments.triangles, tracing.projection), 0.5, 0.55);
   const chains: Chain[] = [];
   const tracer = new LineTracer(tracing, family, segments, slopes);
   let done = 0;
+  const progress = (): number => 0.55 + (0.45 * done) / segments.starts.length;
   for (const walk of walkSegments(segments.starts, segments.ends, segments.lines.length)) {
-    const whole = segments.starts.length;
-    const chain = yield* asPhase(tracer.follow(walk), done / whole, (done + walk.segments.length) / whole);
-    if (chain) chains.push(chain);
-    done += walk.segments.length;
-    yield done / segments.starts.length;
+    if (walk !== null) {
+      const before = progress();
+      done += walk.segments.length;
+      const chain = yield* asPhase(tracer.follow(walk), before, progress());
+      if (chain) chains.push(chain);
+    }
+    yield progress();
   }
   return chains;
 }
