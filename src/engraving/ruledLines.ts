@@ -9,12 +9,21 @@ import { LINE_CONSTANTS } from './constants/lineConstants.js';
 const { SPARSEST_SLOPE } = FIELD_CONSTANTS;
 const { PARTS_OF_TILE } = LINE_CONSTANTS;
 
+const float = new Float64Array(1);
+const words = new Uint32Array(float.buffer);
+/** The word with the exponent, where the machine stores it. */
+const HIGH = new Uint8Array(Float64Array.of(1).buffer)[7] !== 0 ? 1 : 0;
+
 /** The logarithm to base 2 at powers of two, and linear between them. x: above 0. */
 export function octaves(x: number): number {
-  const whole = Math.floor(Math.log2(x));
-  // The logarithm may be off by a rounding at a power of two.
-  const exponent = 2 ** whole > x ? whole - 1 : 2 ** (whole + 1) <= x ? whole + 1 : whole;
-  return exponent + x / 2 ** exponent - 1;
+  float[0] = x;
+  const high = words[HIGH];
+  const exponent = (high >>> 20) - 1023;
+  // Below are numbers that are stored without all their digits, and beyond what is none.
+  if (exponent === -1023 || exponent >= 1024) return Math.log2(x);
+  // The same digits, from 1 to 2.
+  words[HIGH] = (high & 0xfffff) | (1023 << 20);
+  return exponent + float[0] - 1;
 }
 
 /** The inverse. */

@@ -7,7 +7,7 @@ import { lineDrawing } from './lineDrawing.js';
 import { readScene } from './readScene.js';
 
 /** The share of the progress in which the scene is read. */
-const READING = 0.1;
+const READING = 0.12;
 
 /** A drawing as lines. Lengths are in millimetres. */
 export interface SVGDrawing {

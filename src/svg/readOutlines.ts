@@ -5,12 +5,16 @@ import type { Emphasis } from '../engraving/emphasis.js';
 import { BORDER, CONTRARY, CORNER_AT_END, CORNER_AT_START, CREASE, MATERIAL_BORDER } from '../features/edgeFlags.js';
 import type { OutlineData } from '../geometry/OutlineData.js';
 import type { HatchingOutlineMaterial } from '../outlines/HatchingOutlineMaterial.js';
+import { asPhase } from '../slices/asPhase.js';
 import type { FeatureEdge, OutlineLook, OutlineMesh } from '../vector/outlines/OutlineMesh.js';
 import { bothPlaces } from './bothPlaces.js';
 import { placesOf } from './placesOf.js';
 import type { PosedVertices } from './pose/posedVertices.js';
 import { posePoints } from './pose/posePoints.js';
 import { rowsOf } from './rowsOf.js';
+
+/** Triangles, edges and points are read so many at a time. */
+const CHUNK = 4096;
 
 /**
  * How outlines look.
@@ -54,16 +58,25 @@ export function* readOutlines(
   const { triangleCount, edgeCount } = data;
   const triangles = new Uint32Array(3 * triangleCount);
   for (let t = 0; t < triangleCount; t++) {
+    if (t % CHUNK === CHUNK - 1) yield (0.2 * t) / triangleCount;
     for (let k = 0; k < 3; k++) triangles[3 * t + k] = primitives[PRIMITIVE_WORDS * t + k];
   }
   const first = PRIMITIVE_WORDS * triangleCount;
-  const edges = Array.from({ length: edgeCount }, (_, i) => edgeAt(primitives, first + PRIMITIVE_WORDS * i));
-  const atRest = unpackPoints(points, pointCountOf(triangles, edges));
-  const curvatures = curvaturesOf(points, atRest.positions.length / 3);
+  const edges: FeatureEdge[] = [];
+  for (let i = 0; i < edgeCount; i++) {
+    if (i % CHUNK === CHUNK - 1) yield 0.2;
+    edges.push(edgeAt(primitives, first + PRIMITIVE_WORDS * i));
+  }
+  yield 0.2;
+  const pointCount = pointCountOf(triangles, edges);
+  yield 0.25;
+  const atRest = unpackPoints(points, pointCount);
+  const curvatures = yield* asPhase(curvaturesOf(points, pointCount), 0.3, 0.5);
   const { positions, normals } = posePoints(mesh, points, { ...atRest, curvatures }, posed);
   const anchors = atRest.positions;
   const placesAlong = (of: ArrayLike<number>) => placesOf(of.length / 3, (point, axis) => of[3 * point + axis]);
-  const places = yield* placesAlong(anchors);
+  yield 0.5;
+  const places = yield* asPhase(placesAlong(anchors), 0.5, 1);
   return {
     ...{ positions, normals, anchors, curvatures, triangles, firstTriangle, edges },
     placeOf: positions === anchors ? places : bothPlaces(places, yield* placesAlong(positions)),
@@ -77,7 +90,8 @@ export function* readOutlines(
 
 /** Textures are padded to whole rows, so that only what refers to points says how many there are. */
 function pointCountOf(triangles: Uint32Array, edges: readonly FeatureEdge[]): number {
-  let most = triangles.reduce((a, b) => Math.max(a, b), -1);
+  let most = -1;
+  for (let i = 0; i < triangles.length; i++) most = Math.max(most, triangles[i]);
   for (const { leftStart, leftEnd, rightStart, rightEnd } of edges)
     most = Math.max(most, leftStart, leftEnd, rightStart, rightEnd);
   return most + 1;
@@ -99,9 +113,10 @@ function edgeAt(words: Uint32Array, o: number): FeatureEdge {
   };
 }
 
-function curvaturesOf(words: Uint32Array, count: number): Float32Array {
+function* curvaturesOf(words: Uint32Array, count: number): Generator<number, Float32Array, void> {
   const curvatures = new Float32Array(6 * count);
   for (let p = 0; p < count; p++) {
+    if (p % CHUNK === CHUNK - 1) yield p / count;
     for (let pair = 0; pair < 3; pair++) {
       const word = words[POINT_WORDS * p + 4 + pair];
       curvatures[6 * p + 2 * pair] = DataUtils.fromHalfFloat(word & 0xffff);

@@ -89,6 +89,8 @@ const FADING = FADES_FRONT / SEEN_FRONT;
 
 /** Triangles are read so many at a time. */
 const CHUNK = 4096;
+/** The share of reading a mesh that its vertices are posed in. */
+const POSING = 0.1;
 
 class SceneReader {
   readonly leftOut: LeftOut[] = [];
@@ -169,8 +171,11 @@ class SceneReader {
     const hasOwnPoses = (mesh as InstancedMesh).morphTexture != null;
     let posed: PosedVertices | undefined;
     for (const [i, copy] of copies.entries()) {
-      if (!posed || hasOwnPoses) posed = posedVertices(mesh, hasOwnPoses ? copy.instance : -1);
-      yield* asPhase(this.readCopy(mesh, copy, posed, parts), i / copies.length, (i + 1) / copies.length);
+      const [from, to] = [i / copies.length, (i + 1) / copies.length];
+      const middle = from + POSING * (to - from);
+      if (!posed || hasOwnPoses)
+        posed = yield* asPhase(posedVertices(mesh, hasOwnPoses ? copy.instance : -1), from, middle);
+      yield* asPhase(this.readCopy(mesh, copy, posed, parts), middle, to);
     }
     for (const { material } of parts) {
       const unread = this.paints.unreadable(material as Painted);
@@ -192,12 +197,12 @@ class SceneReader {
     this.copies.set(mesh, [...known, { copy, posed, firstTriangle: this.sides.length }]);
     if (mesh.castShadow) this.noteCaster(mesh, copy);
     for (const [i, part] of parts.entries()) {
-      const corners = cornersOf(mesh, part, copy);
       const from = i / parts.length;
+      const corners = yield* asPhase(cornersOf(mesh, part, copy), from, (i + 0.1) / parts.length);
       const middle = (i + 0.4) / parts.length;
       const paint = this.paints.needs(mesh, part.material, copy);
       const source = { mesh, copy, posed, material: part.material as Painted, paint };
-      const firstTriangle = yield* asPhase(this.addTriangles(source, corners), from, middle);
+      const firstTriangle = yield* asPhase(this.addTriangles(source, corners), (i + 0.1) / parts.length, middle);
       if (whyNoLines(mesh, part.material) !== undefined) continue;
       const adding = this.addSurface(source, part.material as HatchingMaterial, { corners, firstTriangle });
       yield* asPhase(adding, middle, (i + 1) / parts.length);
@@ -224,11 +229,15 @@ class SceneReader {
       this.cutouts.push(cutout);
       bits |= MAY_HAVE_HOLES;
     }
-    for (const [c, vertex] of corners.entries()) {
+    this.corners.reserve(this.corners.length + 3 * corners.length);
+    this.sides.reserve(first + corners.length / 3);
+    for (let c = 0; c < corners.length; c++) {
       if (c % (3 * CHUNK) === 0) yield c / corners.length;
-      const o = 3 * vertex;
-      for (const number of placed(copy.toWorld, positions[o], positions[o + 1], positions[o + 2]))
-        this.corners.push(number);
+      const o = 3 * corners[c];
+      const [x, y, z] = placed(copy.toWorld, positions[o], positions[o + 1], positions[o + 2]);
+      this.corners.push(x);
+      this.corners.push(y);
+      this.corners.push(z);
       if (c % 3 === 0) this.sides.push(bits);
     }
     return first;
@@ -258,7 +267,7 @@ class SceneReader {
     if (isStippled(material)) {
       const reading = readStippled(source, material, range, camera.matrixWorldInverse, sidesOf(material));
       const { surface: smooth, ...dots } = yield* reading;
-      const surface = isFlat(material) ? flattened(smooth) : smooth;
+      const surface = isFlat(material) ? yield* flattened(smooth) : smooth;
       const first = firstCoordinate(source, objectFrame(mesh, copy.toWorld, camera.matrixWorldInverse));
       this.stippled.push({ ...dots, surface, look, paint: paint && paints.paint(source, paint, first), clip, ink });
       return;
@@ -270,7 +279,7 @@ class SceneReader {
     if (mesh.receiveShadow && hasTooManyTurns(laid, lights.lamps))
       this.note(mesh, 'is drawn with lines that do not turn in shadows: too many lights cast them');
     this.surfaces.push({
-      surface: isFlat(material) ? flattened(smooth) : smooth,
+      surface: isFlat(material) ? yield* flattened(smooth) : smooth,
       engraved,
       field: fieldOf(laid, lights.lamps),
       turned: mesh.receiveShadow ? turnedLinesOf(laid, lights.lamps) : [],
@@ -353,13 +362,23 @@ function partsOf({ geometry, material }: Mesh): MeshPart[] {
   return parts.filter((part) => part.material?.visible && part.end - part.start >= 3);
 }
 
-/** The vertices of the corners of a part, turned round where the mesh is mirrored. */
-function cornersOf({ geometry: { index }, matrixWorld }: Mesh, part: MeshPart, { range }: MeshCopy): Uint32Array {
+/** The vertices of the corners of a part, turned round where the mesh is mirrored. Yields its progress. */
+function* cornersOf(
+  { geometry: { index }, matrixWorld }: Mesh,
+  part: MeshPart,
+  { range }: MeshCopy,
+): Generator<number, Uint32Array, void> {
   const start = Math.max(part.start, range?.start ?? 0);
   const end = Math.min(part.end, range ? range.start + range.count : Infinity);
   const count = 3 * Math.floor(Math.max(end - start, 0) / 3);
-  const vertexOf = (c: number): number => (index ? index.getX(start + c) : start + c);
+  const corners = new Uint32Array(count);
   // three.js asks the mesh alone which side is the front, not its instances.
-  if (matrixWorld.determinant() >= 0) return Uint32Array.from({ length: count }, (_, c) => vertexOf(c));
-  return Uint32Array.from({ length: count }, (_, c) => vertexOf(c % 3 === 0 ? c + 1 : c % 3 === 1 ? c - 1 : c));
+  const isMirrored = matrixWorld.determinant() < 0;
+  for (let c = 0; c < count; c++) {
+    if (c % (3 * CHUNK) === 3 * CHUNK - 1) yield c / count;
+    // The first two of each three change places.
+    const turned = isMirrored && c % 3 < 2 ? c + 1 - 2 * (c % 3) : c;
+    corners[c] = index ? index.getX(start + turned) : start + turned;
+  }
+  return corners;
 }

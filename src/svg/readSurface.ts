@@ -44,12 +44,15 @@ export function* readSurface(
     if (v % CHUNK === 0) yield 0.3 + (0.7 * v) / vertexCount;
     writer.write(v, places[v]);
   }
+  const parents = new Int32Array(corners.length / 3);
+  for (let t = 0; t < parents.length; t++) parents[t] = firstTriangle + t;
+  yield 1;
   const viewToObject = new Matrix3().setFromMatrix4(frame.toView).invert();
   return {
     vertices,
-    placeOf: Int32Array.from(places),
-    triangles: Int32Array.from(corners),
-    parents: Int32Array.from({ length: corners.length / 3 }, (_, t) => firstTriangle + t),
+    placeOf: new Int32Array(places),
+    triangles: new Int32Array(corners),
+    parents,
     drawsFront: (seen & SEEN_FRONT) !== 0,
     drawsBack: (seen & SEEN_BACK) !== 0,
     viewToField: rowsOf(new Matrix3().multiplyMatrices(frame.toField, viewToObject)),

@@ -1,4 +1,6 @@
 import type { Vec3 } from '../engraving/vectors.js';
+import { asPhase } from '../slices/asPhase.js';
+import { forEachChunk } from '../slices/forEachChunk.js';
 import { type BvhNodes, buildBvh } from './buildBvh.js';
 import { Holes } from './paint/Holes.js';
 import type { Cutout } from './paint/PaintLook.js';
@@ -17,6 +19,8 @@ export const FADES_BACK = 64;
 /** Deep enough for any number of triangles that fit into memory. */
 const STACK = 256;
 const NO_TRIANGLE = -1;
+/** The share of the building after which triangles are copied in their order. */
+const SORTED_FROM = 0.9;
 
 /** The triangles of a scene, and what rays meet of them. */
 export class Bvh {
@@ -24,6 +28,10 @@ export class Bvh {
   private readonly sorted: Float64Array;
   private readonly sortedSides: Uint8Array;
   private readonly stack = new Int32Array(STACK);
+  /** How far away the boxes of nodes that are still to be looked at begin. */
+  private readonly nears = new Float64Array(STACK);
+  /** What was met last, as its neighbours most likely meet too. */
+  private lastMet = 0;
   /** The ray at hand. */
   private origin: Vec3 = [0, 0, 0];
   private direction: Vec3 = [0, 0, 1];
@@ -33,19 +41,15 @@ export class Bvh {
   private ofBack = 0;
   /** Rays that were asked about. */
   rays = 0;
+  /** The greatest of all coordinates, without their signs. */
+  extent = 0;
 
   private constructor(
     private readonly nodes: BvhNodes,
-    corners: Float64Array,
-    sides: Uint8Array,
     private readonly holes: Holes,
   ) {
-    this.sorted = new Float64Array(corners.length);
-    this.sortedSides = new Uint8Array(sides.length);
-    for (const [i, triangle] of nodes.order.entries()) {
-      this.sorted.set(corners.subarray(9 * triangle, 9 * triangle + 9), 9 * i);
-      this.sortedSides[i] = sides[triangle];
-    }
+    this.sorted = new Float64Array(9 * nodes.order.length);
+    this.sortedSides = new Uint8Array(nodes.order.length);
   }
 
   /**
@@ -60,7 +64,29 @@ export class Bvh {
     sides: Uint8Array,
     cutouts: readonly Cutout[] = [],
   ): Generator<number, Bvh, void> {
-    return new Bvh(yield* buildBvh(corners), corners, sides, new Holes(cutouts));
+    const nodes = yield* asPhase(buildBvh(corners), 0, SORTED_FROM);
+    const bvh = new Bvh(nodes, new Holes(cutouts));
+    yield* asPhase(
+      forEachChunk(sides.length, (start, end) => bvh.sort(corners, sides, start, end)),
+      SORTED_FROM,
+      1,
+    );
+    return bvh;
+  }
+
+  /** Copies triangles into the order of the leaves. */
+  private sort(corners: Float64Array, sides: Uint8Array, start: number, end: number): void {
+    const { sorted, sortedSides } = this;
+    const { order } = this.nodes;
+    for (let i = start; i < end; i++) {
+      const from = 9 * order[i];
+      for (let k = 0; k < 9; k++) {
+        const number = corners[from + k];
+        sorted[9 * i + k] = number;
+        if (Math.abs(number) > this.extent) this.extent = Math.abs(number);
+      }
+      sortedSides[i] = sides[order[i]];
+    }
   }
 
   /**
@@ -71,13 +97,13 @@ export class Bvh {
   isHidden(origin: Vec3, way: Vec3, start: number, end: number, except = NO_TRIANGLE): boolean {
     // The far end sees the front of what the ray meets from behind.
     this.setRay(origin, way, SEEN_BACK, SEEN_FRONT);
-    return this.meet(start, end, except, true) < Infinity;
+    return this.meetsAny(start, end, except);
   }
 
   /** The same of what casts shadows, for a light at the far end. */
   isShaded(origin: Vec3, way: Vec3, start: number, end: number): boolean {
     this.setRay(origin, way, CASTS_BACK, CASTS_FRONT);
-    return this.meet(start, end, NO_TRIANGLE, true) < Infinity;
+    return this.meetsAny(start, end, NO_TRIANGLE);
   }
 
   /**
@@ -118,6 +144,17 @@ export class Bvh {
     this.ofBack = ofBack;
   }
 
+  /** Whether the ray meets anything within (start, end) but for one triangle. */
+  private meetsAny(start: number, end: number, except: number): boolean {
+    const { lastMet, sorted } = this;
+    if (sorted.length === 0) return false;
+    if (this.nodes.order[lastMet] !== except) {
+      const t = this.meetsTriangle(lastMet);
+      if (t > start && t < end) return true;
+    }
+    return this.meet(start, end, except, true) < Infinity;
+  }
+
   /** The nearest place within (start, end), or any if that is enough. tell: what is told of all of them, in no order. */
   private meet(
     start: number,
@@ -126,33 +163,53 @@ export class Bvh {
     isAnyEnough: boolean,
     tell?: (triangle: number, place: number) => void,
   ): number {
-    const { stack, sorted } = this;
+    const { stack, nears, sorted } = this;
     const { child, leafCount, order } = this.nodes;
     let best = Infinity;
     let far = end;
     let top = 0;
-    if (sorted.length > 0) stack[top++] = 0;
+    if (sorted.length > 0) {
+      nears[0] = start;
+      stack[top++] = 0;
+    }
     while (top > 0) {
       const node = stack[--top];
-      if (!this.entersBox(6 * node, start, far)) continue;
+      if (nears[top] > far) continue;
       const first = child[node];
       const count = leafCount[node];
-      if (count === 0) {
-        stack[top++] = first;
-        stack[top++] = first + 1;
-      }
       for (let i = first; i < first + count; i++) {
         const t = this.meetsTriangle(i);
         if (!(t > start && t < far) || order[i] === except) continue;
-        if (isAnyEnough) return t;
+        if (isAnyEnough) {
+          this.lastMet = i;
+          return t;
+        }
         if (tell) tell(order[i], t);
         else best = far = t;
+      }
+      if (count > 0) continue;
+      const left = this.entersBox(6 * first, start, far);
+      const right = this.entersBox(6 * first + 6, start, far);
+      // The nearer one is looked at first.
+      const isLeftFirst = left <= right;
+      if (isLeftFirst && right < Infinity) {
+        nears[top] = right;
+        stack[top++] = first + 1;
+      }
+      if (left < Infinity) {
+        nears[top] = left;
+        stack[top++] = first;
+      }
+      if (!isLeftFirst && right < Infinity) {
+        nears[top] = right;
+        stack[top++] = first + 1;
       }
     }
     return best;
   }
 
-  private entersBox(box: number, start: number, end: number): boolean {
+  /** Where the ray enters a box; endless if it does not. */
+  private entersBox(box: number, start: number, end: number): number {
     const { bounds } = this.nodes;
     const { origin, inverse } = this;
     let near = start;
@@ -169,15 +226,15 @@ export class Bvh {
         if (t0 < far) far = t0;
       }
     }
-    // A box without thickness must not be lost by a rounding.
-    return near <= far + 1e-12 * Math.abs(far);
+    // Boxes are a little larger than what they hold, but that far away a rounding is larger.
+    return near <= far + 1e-12 * Math.abs(far) ? near : Infinity;
   }
 
   /** Where along the ray a triangle lies, if the side counts that it shows (Möller and Trumbore, 1997); otherwise no number. */
   private meetsTriangle(i: number): number {
     const c = this.sorted;
     const o = 9 * i;
-    const [dx, dy, dz] = this.direction;
+    const { 0: dx, 1: dy, 2: dz } = this.direction;
     const e1x = c[o + 3] - c[o];
     const e1y = c[o + 4] - c[o + 1];
     const e1z = c[o + 5] - c[o + 2];

@@ -7,6 +7,7 @@ import { handTone } from '../engraving/hand.js';
 
 import {
   type CutFamilies,
+  type CutReading,
   cutFamilies,
   familyGradient,
   familyValue,
@@ -70,6 +71,15 @@ interface Reading {
   shareB: number;
 }
 
+/** A place as far as all families read it alike. */
+export interface EngravedPlace {
+  place: SurfacePlace;
+  /** Null for lines that follow the form. */
+  cut: CutReading | null;
+  smooth: ScreenMap;
+  flat: ScreenMap;
+}
+
 /** Works out the lines of one surface: the values that they are level sets of, and how wide each is where. */
 export class Engraver {
   private readonly cut: CutFamilies | null;
@@ -118,25 +128,46 @@ export class Engraver {
     });
   }
 
-  valueAt(family: FamilyName, place: SurfacePlace): number {
-    return this.read(family, place).value;
+  /** Reads a place for all families. */
+  at(place: SurfacePlace): EngravedPlace {
+    const { projection, viewToField, cut, look } = this;
+    const unitsPerPixel = projection.unitsPerPixel(-place.view[2]);
+    const seen: SeenPlace = { view: place.view, isOrthographic: projection.isOrthographic, unitsPerPixel };
+    const { smooth, flat } = place.posed ?? { smooth: viewToField, flat: viewToField };
+    return {
+      place,
+      cut: cut && readCut(cut, place.field, place.fieldNormal, look.handmade),
+      smooth: screenMap(place.fieldNormal, smooth, seen),
+      flat: screenMap(place.flatNormal, flat, seen, true),
+    };
   }
 
-  measure(family: FamilyName, place: SurfacePlace, tones: Tones): FamilyMeasure {
-    const reading = this.read(family, place);
-    const { spacing, medium, handmade } = this.look;
+  valueAt(family: FamilyName, at: EngravedPlace): number {
+    return this.read(family, at).value;
+  }
+
+  gradientAt(family: FamilyName, at: EngravedPlace): Vec3 {
+    return this.read(family, at).gradient;
+  }
+
+  /** How much a function changes per pixel on a flat triangle of a surface that does not deform. view: the place, view space. */
+  changeOn(flatNormal: Vec3, gradient: Vec3, view: Vec3): number {
     const { projection, viewToField } = this;
-    const { isOrthographic } = projection;
-    const unitsPerPixel = projection.unitsPerPixel(-place.view[2]);
-    const seen: SeenPlace = { view: place.view, isOrthographic, unitsPerPixel };
-    const { smooth: ofSmooth, flat: ofFlat } = place.posed ?? { smooth: viewToField, flat: viewToField };
-    const smooth = screenMap(place.fieldNormal, ofSmooth, seen);
-    const flat = screenMap(place.flatNormal, ofFlat, seen, true);
+    const unitsPerPixel = projection.unitsPerPixel(-view[2]);
+    const seen: SeenPlace = { view, isOrthographic: projection.isOrthographic, unitsPerPixel };
+    return changePerPixel(gradient, screenMap(flatNormal, viewToField, seen, true));
+  }
+
+  measure(family: FamilyName, at: EngravedPlace, tones: Tones): FamilyMeasure {
+    const reading = this.read(family, at);
+    const { spacing, medium, handmade } = this.look;
+    const { place, smooth, flat } = at;
     const { gradient, rise, coarsest, pressure } = reading;
     const tone = handTone(pressure, this.toneOf(family, reading, tones));
     const octave = octaveOf(spacing, rise, changePerPixel(gradient, smooth), coarsest);
     return {
-      ...{ tone, octave },
+      tone,
+      octave,
       coarsest,
       perPixel: changePerPixel(gradient, flat),
       widths: this.cut === null ? 0 : handmade,
@@ -186,17 +217,18 @@ export class Engraver {
     };
   }
 
-  private read(family: FamilyName, { field, fieldNormal, form, formCrossing }: SurfacePlace): Reading {
+  private read(family: FamilyName, { cut: reading, place: { field, form, formCrossing } }: EngravedPlace): Reading {
     const { handmade, lineField } = this.look;
-    if (this.cut !== null) {
-      const reading = readCut(this.cut, field, fieldNormal, handmade);
+    if (this.cut !== null && reading !== null) {
       const lean = this.leans[family];
       return {
         value: familyValue(this.cut, reading, lean),
         gradient: familyGradient(this.cut, reading, lean),
         rise: family === 'first' ? riseOf(reading.slope) : 1,
         coarsest: ANY_OCTAVE,
-        ...{ pressure: reading.pressure, has: reading.has, shareB: reading.shareB },
+        pressure: reading.pressure,
+        has: reading.has,
+        shareB: reading.shareB,
       };
     }
     const isAcross = lineField === 'acrossForm';

@@ -19,8 +19,10 @@ export class GrowingArray<Numbers extends Float64Array | Int32Array | Uint8Array
   reserve(count: number): void {
     if (count <= this.data.length) return;
     const Kind = this.data.constructor as new (count: number) => Numbers;
-    const larger = new Kind(Math.max(count, 2 * this.data.length, 64));
-    larger.set(this.data);
+    // At first as many as asked for: whoever knows how many come says so.
+    const least = this.length === 0 ? 0 : Math.max(1.5 * this.length, 64);
+    const larger = new Kind(Math.ceil(Math.max(count, least)));
+    larger.set(this.used());
     this.data = larger;
   }
 

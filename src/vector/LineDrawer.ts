@@ -22,11 +22,13 @@ import { PlaceReader } from './paint/PlaceReader.js';
 import { VeilTone } from './paint/VeilTone.js';
 import { dashes } from './paths/dashes.js';
 import type { LinePath } from './paths/LinePath.js';
+import { readVertices } from './readVertices.js';
 import { refineEnds } from './refineEnds.js';
 import { subdivide } from './subdivide.js';
 import { Toner } from './Toner.js';
 import type { Tracing } from './Tracing.js';
 import { seenSides, traceFamily } from './traceFamily.js';
+import { VertexTones } from './VertexTones.js';
 import { type SeenTest, visibleRuns } from './visibleRuns.js';
 
 const { DASH, FAINT, GAP } = OUTLINE_CONSTANTS;
@@ -58,6 +60,11 @@ interface FadedPart {
   isLeft: SeenTest;
 }
 
+/** The share of drawing a surface in which its lines are traced. */
+const TRACED = 0.65;
+/** The share of tracing in which vertices are read. */
+const READING = 0.4;
+
 /** A layer while it is drawn. */
 export interface PathLayer {
   name: LayerName;
@@ -74,7 +81,7 @@ export class LineDrawer {
   /** Rays that leave a surface begin so far above it, world units. */
   readonly above: number;
   readonly fading: Fading;
-  private readonly casters: Casters | null;
+  private casters: Casters | null | undefined;
 
   /**
    * @param pen its width, pixels; null where widths are the tone
@@ -87,8 +94,7 @@ export class LineDrawer {
     private readonly bvh: Bvh,
     private readonly least = 0,
   ) {
-    this.casters = castersOf(scene.corners, scene.sides);
-    this.above = ABOVE * scene.corners.reduce((size, x) => Math.max(size, Math.abs(x)), 0);
+    this.above = ABOVE * bvh.extent;
     this.fading = new Fading(bvh, projection, scene.veils, this.above, veilTones(scene, projection, bvh));
   }
 
@@ -114,6 +120,7 @@ export class LineDrawer {
     for (const [i, chain] of chains.entries()) {
       const [from, to] = [0.5 + (0.5 * i) / chains.length, 0.5 + (0.5 * (i + 1)) / chains.length];
       this.segments += chain.count - 1;
+      yield from;
       yield* asPhase(weighByStanding(chain, bvh, projection), from, (from + to) / 2);
       const isSeen = clipped(outlineTest(chain, bvh, projection), clip);
       for (const { faded, left, isLeft } of yield* this.fadedParts(chain, isSeen)) {
@@ -139,6 +146,7 @@ export class LineDrawer {
         chain,
         clipped((place) => !isSeen(place), clip),
       );
+      yield from;
       for (const { path } of yield* asPhase(hidden, from, to))
         layer.paths.push(...(look.hidden === 'dashed' ? dashes(path, DASH * look.width, GAP * look.width) : [path]));
     }
@@ -151,10 +159,11 @@ export class LineDrawer {
   }
 
   private *drawSurface(engraved: EngravedSurface): Generator<number, void, void> {
-    const lines = yield* asPhase(this.tracedChains(engraved), 0, 0.5);
+    const lines = yield* asPhase(this.tracedChains(engraved), 0, TRACED);
     for (const [i, { family, chain: line }] of lines.entries()) {
       this.segments += line.count - 1;
-      const [from, to] = [0.5 + (0.5 * i) / lines.length, 0.5 + (0.5 * (i + 1)) / lines.length];
+      const [from, to] = [i, i + 1].map((k) => TRACED + ((1 - TRACED) * k) / lines.length);
+      yield from;
       for (const { faded, left } of yield* this.fadedParts(line, clipped(this.surfaceTest(line), engraved.clip))) {
         const chain = this.asPressHolds(faded, engraved.engraved.medium);
         const isSeen = this.isLeftOf(chain, left, clipped(this.surfaceTest(chain), engraved.clip));
@@ -201,23 +210,31 @@ export class LineDrawer {
   *tracedChains(drawn: EngravedSurface): Generator<number, TracedLine[], void> {
     const { projection, bvh, pen, scene } = this;
     const { surface, look, turned, paint } = drawn;
-    if (look.ground) dropLit(surface, this.casters, scene.illumination, look.ground);
+    yield* this.dropUnshaded(drawn);
     yield* asPhase(subdivide(surface, projection), 0, 0.08);
-    if (look.ground) dropLit(surface, this.casters, scene.illumination, look.ground);
+    yield* this.dropUnshaded(drawn);
     const toner = new Toner(look, scene.illumination, bvh, projection);
     const sides = yield* asPhase(seenSides(surface, projection), 0.08, 0.1);
     const places = new PlaceReader(surface, paint, sides, projection);
+    const tones = new VertexTones(toner, surface.placeOf.length);
     const lines: TracedLine[] = [];
     const all = [drawn, ...turned];
     for (const [i, { engraved, field }] of all.entries()) {
       const engraver = new Engraver(engraved, field, surface.viewToField, projection);
       const isTurned = (shadows: number) => turned.findIndex((one) => one.shadows === shadows) + 1 === i;
       const tracing = { surface, places, engraver, toner, projection, sides, pen };
-      const tracingAll = tracedFamilies({ ...tracing, isDrawnIn: turned.length > 0 ? isTurned : null });
+      const tracingAll = tracedFamilies({ ...tracing, isDrawnIn: turned.length > 0 ? isTurned : null }, tones);
       const found = yield* asPhase(tracingAll, 0.1 + (0.9 * i) / all.length, 0.1 + (0.9 * (i + 1)) / all.length);
       for (const line of found) lines.push(line);
     }
     return lines;
+  }
+
+  private *dropUnshaded({ surface, look: { ground } }: EngravedSurface): Generator<number, void, void> {
+    if (!ground) return;
+    const { corners, sides, illumination } = this.scene;
+    if (this.casters === undefined) this.casters = yield* castersOf(corners, sides);
+    yield* dropLit(surface, this.casters, illumination, ground);
   }
 
   *drawBackgrounds(): Generator<number, void, void> {
@@ -301,12 +318,14 @@ function veilTones(
     .map(({ surface, look }) => new VeilTone(surface, new Toner(look, illumination, bvh, projection), projection));
 }
 
-function* tracedFamilies(tracing: Tracing): Generator<number, TracedLine[], void> {
+function* tracedFamilies(tracing: Tracing, tones: VertexTones): Generator<number, TracedLine[], void> {
   const lines: TracedLine[] = [];
   const { families } = tracing.engraver;
+  const read = yield* asPhase(readVertices(tracing, families), 0, READING);
   for (const [i, family] of families.entries()) {
-    const chains = yield* asPhase(traceFamily(tracing, family), i / families.length, (i + 1) / families.length);
-    for (const chain of chains) lines.push({ family, chain });
+    const [from, to] = [i, i + 1].map((k) => READING + ((1 - READING) * k) / families.length);
+    for (const chain of yield* asPhase(traceFamily(tracing, family, read[i], tones), from, to))
+      lines.push({ family, chain });
   }
   return lines;
 }

@@ -62,31 +62,40 @@ export function between(vertices: Float64Array, a: number, b: number, share: num
   return numbers;
 }
 
-/** @param side 1, or −1 where the back is seen, whose tone normal looks the other way */
-export function placeFrom(n: ArrayLike<number>, flatNormal: Vec3, side: number): SurfacePlace {
-  const at = (offset: number): Vec3 => [n[offset], n[offset + 1], n[offset + 2]];
-  const toneNormal = normalize(at(TONE_NORMAL));
+/**
+ * The place that has numbers.
+ *
+ * @param side 1, or −1 where the back is seen, whose tone normal looks the other way
+ * @param o where the numbers begin
+ */
+export function placeFrom(n: ArrayLike<number>, flatNormal: Vec3, side: number, o = 0): SurfacePlace {
+  const toneNormal = normalize(vectorAt(n, o + TONE_NORMAL));
   return {
-    world: at(WORLD),
-    view: at(VIEW),
-    field: at(FIELD),
-    fieldNormal: normalize(at(FIELD_NORMAL)),
+    world: vectorAt(n, o + WORLD),
+    view: vectorAt(n, o + VIEW),
+    field: vectorAt(n, o + FIELD),
+    fieldNormal: normalize(vectorAt(n, o + FIELD_NORMAL)),
     toneNormal: side < 0 ? [-toneNormal[0], -toneNormal[1], -toneNormal[2]] : toneNormal,
     flatNormal,
-    occlusion: n[OCCLUSION],
-    form: { gradient: at(FORM), rest: n[FORM + 3] },
-    formCrossing: { gradient: at(FORM + 4), rest: n[FORM + 7] },
+    occlusion: n[o + OCCLUSION],
+    form: { gradient: vectorAt(n, o + FORM), rest: n[o + FORM + 3] },
+    formCrossing: { gradient: vectorAt(n, o + FORM + 4), rest: n[o + FORM + 7] },
     posed: null,
     paint: null,
   };
 }
 
+const vectorAt = (n: ArrayLike<number>, o: number): Vec3 => [n[o], n[o + 1], n[o + 2]];
+
+/** The place of a vertex, as a triangle has it. */
+export const placeOfVertex = (surface: LineSurface, vertex: number, triangle: number, side: number): SurfacePlace =>
+  placeFrom(surface.vertices, flatNormalOf(surface, triangle), side, STRIDE * vertex);
+
 /** The normal of a flat triangle, field space. */
 export function flatNormalOf({ vertices, triangles }: LineSurface, triangle: number): Vec3 {
-  const at = (k: number): Vec3 => {
-    const o = STRIDE * triangles[3 * triangle + k] + FIELD;
-    return [vertices[o], vertices[o + 1], vertices[o + 2]];
-  };
-  const [a, b, c] = [at(0), at(1), at(2)];
-  return cross(combined(1, b, -1, a), combined(1, c, -1, a));
+  const a = STRIDE * triangles[3 * triangle] + FIELD;
+  const b = STRIDE * triangles[3 * triangle + 1] + FIELD;
+  const c = STRIDE * triangles[3 * triangle + 2] + FIELD;
+  const first = vectorAt(vertices, a);
+  return cross(combined(1, vectorAt(vertices, b), -1, first), combined(1, vectorAt(vertices, c), -1, first));
 }

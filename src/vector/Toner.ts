@@ -103,8 +103,12 @@ export class Toner {
     let shadowed = 0;
     let reflected = 0;
     let shadows = 0;
-    let [taken, lost, turned] = [0, 0, 0];
-    for (const [i, lamp] of this.light.lamps.entries()) {
+    let taken = 0;
+    let lost = 0;
+    let turned = 0;
+    const { lamps } = this.light;
+    for (let i = 0; i < lamps.length; i++) {
+      const lamp = lamps[i];
       const { direction, length, luminance, coneless } = arriving(lamp, world);
       reflected += coneless * seenBehind(toneNormal, direction);
       const sent = luminance * responseTo(look.model, toneNormal, direction, toViewer, look.shininess);

@@ -3,6 +3,7 @@ import { Bvh } from './Bvh.js';
 import type { DrawingPlan, DrawnScene } from './DrawnScene.js';
 import { drawDots } from './dots/drawDots.js';
 import { finishDots } from './dots/finishDots.js';
+import { drawingPhases } from './drawingPhases.js';
 import { finishPaths, type PathCounts } from './file/finishPaths.js';
 import { type SVGLayer, writeSVG } from './file/writeSVG.js';
 import { LAYERS, LineDrawer } from './LineDrawer.js';
@@ -21,21 +22,24 @@ const MILLIMETRES_PER_INCH = 25.4;
 /** Draws a scene as lines. Yields its progress from 0 to 1. */
 export function* drawLines(scene: DrawnScene, plan: DrawingPlan): Generator<number, LineDrawing, void> {
   const { projection, placement } = placePicture(scene, plan);
-  const bvh = yield* asPhase(Bvh.build(scene.corners, scene.sides, scene.cutouts), 0, 0.08);
+  const phases = drawingPhases(scene);
+  const bvh = yield* asPhase(Bvh.build(scene.corners, scene.sides, scene.cutouts), ...phases.building);
   const pen = plan.pen === null ? null : plan.pen / placement.scale;
   const drawer = new LineDrawer(scene, pen, projection, bvh, pen === null ? plan.leastWidth / placement.scale : 0);
-  yield* asPhase(drawer.drawOutlines(), 0.08, 0.2);
-  yield* asPhase(drawer.drawSurfaces(), 0.2, 0.8);
-  yield* asPhase(drawer.drawBackgrounds(), 0.8, 0.82);
-  const stippled = yield* asPhase(drawDots(scene, projection, bvh, drawer.fading, drawer.above), 0.82, 0.9);
+  yield* asPhase(drawer.drawOutlines(), ...phases.outlines);
+  yield* asPhase(drawer.drawSurfaces(), ...phases.surfaces);
+  yield* asPhase(drawer.drawBackgrounds(), ...phases.backgrounds);
+  const stippled = yield* asPhase(drawDots(scene, projection, bvh, drawer.fading, drawer.above), ...phases.dots);
   const layers = LAYERS.flatMap((name) => drawer.layers.filter((layer) => layer.name === name));
-  const { written, counts } = yield* asPhase(finishPaths(layers, plan, projection, placement), 0.9, 0.97);
+  const [from, to] = phases.finishing;
+  const middle = scene.stippled.length > 0 ? 0.5 * (from + to) : to;
+  const { written, counts } = yield* asPhase(finishPaths(layers, plan, projection, placement), from, middle);
   const named = layers.map(({ name, ink, opacity }, i): SVGLayer => {
     const isAlone = layers.filter((layer) => layer.name === name).length === 1;
     return { name: isAlone ? name : `${name} ${ink}`, ink, opacity, paths: written[i] };
   });
   for (const { ink, dots } of stippled) {
-    const finished = yield* asPhase(finishDots(dots, plan, placement), 0.97, 1);
+    const finished = yield* asPhase(finishDots(dots, plan, placement), middle, to);
     named.push({
       name: stippled.length === 1 ? 'stipple' : `stipple ${ink}`,
       ink,

@@ -7,6 +7,8 @@ import type { Illumination } from './Toner.js';
 
 /** More than maps soften edges, as a share of the distance. */
 const SPREAD = 0.05;
+/** Triangles are looked at so many at a time. */
+const CHUNK = 4096;
 
 /** A ball around all that casts shadows, world space. */
 export interface Casters {
@@ -15,10 +17,11 @@ export interface Casters {
 }
 
 /** The ball around all triangles that cast shadows; null if none does. */
-export function castersOf(corners: Float64Array, sides: Uint8Array): Casters | null {
+export function* castersOf(corners: Float64Array, sides: Uint8Array): Generator<number, Casters | null, void> {
   const least = [Infinity, Infinity, Infinity];
   const most = [-Infinity, -Infinity, -Infinity];
   for (let t = 0; t < sides.length; t++) {
+    if (t % CHUNK === CHUNK - 1) yield 0;
     if ((sides[t] & (CASTS_FRONT | CASTS_BACK)) === 0) continue;
     for (let i = 9 * t; i < 9 * t + 9; i++) {
       const axis = i % 3;
@@ -32,13 +35,16 @@ export function castersOf(corners: Float64Array, sides: Uint8Array): Casters | n
   return { centre, radius: Math.hypot(...most.map((end, axis) => end - centre[axis])) };
 }
 
-/** Leaves out the triangles of a ground that no shadow can reach, so that nobody draws lines on them. Changes the surface. */
-export function dropLit(
+/**
+ * Leaves out the triangles of a ground that no shadow can reach, so that nobody draws lines on them. Changes the surface. Yields while it
+ * does.
+ */
+export function* dropLit(
   surface: LineSurface,
   casters: Casters | null,
   { lamps, shadows }: Illumination,
   { softness }: GroundLook,
-): void {
+): Generator<number, void, void> {
   const { vertices, triangles, parents } = surface;
   const casting = lamps.filter(({ castsShadow }, i) => castsShadow && shadows[i]);
   const cornerOf = (c: number): Vec3 => {
@@ -63,6 +69,7 @@ export function dropLit(
   const kept: number[] = [];
   const keptParents: number[] = [];
   for (let t = 0; t < parents.length; t++) {
+    if (t % CHUNK === CHUNK - 1) yield 0;
     if (!mayBeShaded(t)) continue;
     kept.push(triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]);
     keptParents.push(parents[t]);

@@ -46,7 +46,8 @@ export function* levelSegments(
   hasSeams: boolean,
   aside = NONE_ASIDE,
 ): Generator<number, LevelSegments, void> {
-  const finest = ranks.reduce((least, rank) => Math.min(least, rank), NO_RANK);
+  let finest = NO_RANK;
+  for (let t = 0; t < ranks.length; t++) finest = Math.min(finest, ranks[t]);
   const segments: LevelSegments = {
     finest,
     ...{ lines: [], from: [], to: [], shares: [], starts: [], ends: [], triangles: [] },
@@ -75,7 +76,7 @@ export function* levelSegments(
     return node;
   };
   for (let t = 0; t < ranks.length; t++) {
-    if (t % 2048 === 2047) yield t / ranks.length;
+    if (t % 1024 === 1023) yield t / ranks.length;
     if (ranks[t] === NO_RANK) continue;
     const [a, b, c] = [triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]];
     const beside = Math.max(aside.mostAt(a), aside.mostAt(b), aside.mostAt(c));
@@ -93,7 +94,10 @@ export function* levelSegments(
       segments.triangles.push(t);
     }
   }
-  if (hasSeams) joinAcrossSeams(segments);
+  if (hasSeams) {
+    yield 1;
+    yield* joinAcrossSeams(segments);
+  }
   return segments;
 }
 
@@ -101,11 +105,13 @@ export function* levelSegments(
 const SEAM_TOLERANCE = 1e-3;
 
 /** Joins nodes at which one segment ends with those at the same place on the other side of a seam, where the line has another number. */
-function joinAcrossSeams({ from, to, shares, starts, ends }: LevelSegments): void {
+function* joinAcrossSeams({ from, to, shares, starts, ends }: LevelSegments): Generator<number, void, void> {
   const uses = new Uint8Array(shares.length);
-  for (const node of [...starts, ...ends]) uses[node]++;
+  for (const list of [starts, ends]) for (const node of list) uses[node]++;
+  yield 1;
   const open = new Map<number, number[]>();
   for (let node = 0; node < shares.length; node++) {
+    if (node % 8192 === 8191) yield 1;
     if (uses[node] !== 1) continue;
     const key = from[node] * 2 ** 26 + to[node];
     const list = open.get(key);
@@ -113,6 +119,7 @@ function joinAcrossSeams({ from, to, shares, starts, ends }: LevelSegments): voi
     else open.set(key, [node]);
   }
   const joined = new Map<number, number>();
+  yield 1;
   for (const nodes of open.values()) {
     nodes.sort((a, b) => shares[a] - shares[b]);
     for (let i = 0; i + 1 < nodes.length; i++) {
@@ -121,5 +128,8 @@ function joinAcrossSeams({ from, to, shares, starts, ends }: LevelSegments): voi
       i++;
     }
   }
-  for (const list of [starts, ends]) for (const [i, node] of list.entries()) list[i] = joined.get(node) ?? node;
+  for (const list of [starts, ends]) {
+    yield 1;
+    for (let i = 0; i < list.length; i++) list[i] = joined.get(list[i]) ?? list[i];
+  }
 }

@@ -1,11 +1,12 @@
 import { asideOf } from '../engraving/penLines.js';
 import { smoothstep } from '../engraving/vectors.js';
+import { asPhase } from '../slices/asPhase.js';
 import type { FamilyName } from './Engraver.js';
-import { between, flatNormalOf, placeFrom, STRIDE, VIEW } from './LineSurface.js';
+import { flatNormalOf, placeFrom, STRIDE, VIEW } from './LineSurface.js';
 import { type LinesAside, NO_RANK } from './levelSegments.js';
-import { penSpacing } from './marks/lineMarks.js';
-import type { Tones } from './Toner.js';
+import { penDistance } from './marks/lineMarks.js';
 import type { Tracing } from './Tracing.js';
+import type { VertexTones } from './VertexTones.js';
 
 /** No line moves farther aside than so many times the distance between old lines. */
 const MOST_ASIDE = 1.5;
@@ -21,18 +22,17 @@ export function* penAside(
   tracing: Tracing,
   family: FamilyName,
   ranks: Int16Array,
+  tones: VertexTones,
 ): Generator<number, LinesAside | undefined, void> {
   const { pen, toner, engraver, places } = tracing;
   // The tone of shadows alone and of textures is nowhere steady.
   if (pen === null || toner.isGround || engraver.hasSeams || places.hasDetails || engraver.medium !== 'ink')
     return undefined;
   const { placeOf, triangles } = tracing.surface;
-  const octaves = yield* askedOctaves(tracing, family, ranks, pen);
-  let steady = steadiness(tracing, ranks, octaves);
-  for (let round = 0; round < ROUNDS; round++) {
-    yield 0.9;
-    steady = easedOff(triangles, placeOf, ranks, steady);
-  }
+  const octaves = yield* asPhase(askedOctaves(tracing, family, ranks, tones, pen), 0, 0.6);
+  let steady = yield* asPhase(steadiness(tracing, ranks, octaves), 0.6, 0.8);
+  for (let round = 0; round < ROUNDS; round++)
+    steady = yield* asPhase(easedOff(triangles, placeOf, ranks, steady), 0.8, 1);
   return {
     at(value, vertex) {
       const share = steady[placeOf[vertex]];
@@ -47,24 +47,37 @@ export function* penAside(
 
 /** Per place the octave of the distance that lines are asked to have: the mean of its triangles, as lines are the same on all sides of it. */
 function* askedOctaves(
-  { surface, engraver, toner, sides }: Tracing,
+  { surface, engraver, sides }: Tracing,
   family: FamilyName,
   ranks: Int16Array,
+  tones: VertexTones,
   pen: number,
 ): Generator<number, Float64Array, void> {
   const { vertices, triangles, placeOf } = surface;
-  const tones: Tones[] = [];
   const octaves = new Float64Array(placeOf.length);
   const counts = new Uint16Array(placeOf.length);
+  // Per vertex the distance on the picture, and the gradient of the function.
+  const distances = new Float64Array(placeOf.length);
+  const gradients = new Float64Array(3 * placeOf.length);
   for (let t = 0; t < sides.length; t++) {
-    if (t % 1024 === 1023) yield (0.8 * t) / sides.length;
+    if (t % 256 === 255) yield t / sides.length;
     if (ranks[t] === NO_RANK) continue;
-    for (let k = 0; k < 3; k++) {
-      const v = triangles[3 * t + k];
-      const place = placeFrom(between(vertices, v, v, 0), flatNormalOf(surface, t), sides[t]);
-      tones[v] ??= toner.read(place, toner.hasShadows ? 'traced' : 'none');
-      const measure = engraver.measure(family, place, tones[v]);
-      octaves[placeOf[v]] += Math.log2(penSpacing(measure, pen));
+    const flatNormal = flatNormalOf(surface, t);
+    for (let c = 3 * t; c < 3 * t + 3; c++) {
+      const v = triangles[c];
+      if (distances[v] === 0) {
+        const place = placeFrom(vertices, flatNormal, sides[t], STRIDE * v);
+        const at = engraver.at(place);
+        distances[v] = penDistance(engraver.measure(family, at, tones.at(v, place)), pen);
+        gradients.set(engraver.gradientAt(family, at), 3 * v);
+      }
+      const o = STRIDE * v + VIEW;
+      const perPixel = engraver.changeOn(
+        flatNormal,
+        [gradients[3 * v], gradients[3 * v + 1], gradients[3 * v + 2]],
+        [vertices[o], vertices[o + 1], vertices[o + 2]],
+      );
+      octaves[placeOf[v]] += Math.log2(distances[v] * perPixel);
       counts[placeOf[v]]++;
     }
   }
@@ -73,42 +86,56 @@ function* askedOctaves(
 }
 
 /** Per place 1 where the distance of lines hardly changes around it, and 0 where it changes much. */
-function steadiness({ surface, projection }: Tracing, ranks: Int16Array, octaves: Float64Array): Float64Array {
+function* steadiness(
+  { surface, projection }: Tracing,
+  ranks: Int16Array,
+  octaves: Float64Array,
+): Generator<number, Float64Array, void> {
   const { vertices, triangles, placeOf } = surface;
   const steady = new Float64Array(octaves.length).fill(1);
+  const changeAlong = (u: number, v: number): number => {
+    const [i, j] = [STRIDE * u + VIEW, STRIDE * v + VIEW];
+    const [ux, uy] = projection.project(vertices[i], vertices[i + 1], vertices[i + 2]);
+    const [vx, vy] = projection.project(vertices[j], vertices[j + 1], vertices[j + 2]);
+    return Math.abs(octaves[placeOf[u]] - octaves[placeOf[v]]) / Math.max(Math.hypot(ux - vx, uy - vy), LEAST_LENGTH);
+  };
   for (let t = 0; t < ranks.length; t++) {
-    const corners = [triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]];
-    const places = corners.map((v) => placeOf[v]);
-    let change = ranks[t] === NO_RANK ? Infinity : 0;
-    const pixels = corners.map((v) => {
-      const o = STRIDE * v + VIEW;
-      return projection.project(vertices[o], vertices[o + 1], vertices[o + 2]);
-    });
-    for (const [i, j] of [
-      [0, 1],
-      [1, 2],
-      [2, 0],
-    ]) {
-      const length = Math.hypot(pixels[i][0] - pixels[j][0], pixels[i][1] - pixels[j][1]);
-      change = Math.max(change, Math.abs(octaves[places[i]] - octaves[places[j]]) / Math.max(length, LEAST_LENGTH));
-    }
+    if (t % 4096 === 4095) yield t / ranks.length;
+    const [a, b, c] = [triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]];
+    const isLined = ranks[t] !== NO_RANK;
+    const change = isLined ? Math.max(changeAlong(a, b), changeAlong(b, c), changeAlong(c, a)) : Infinity;
     const share = 1 - smoothstep(STEADY[0], STEADY[1], change);
-    for (const place of places) steady[place] = Math.min(steady[place], share);
+    for (let k = 3 * t; k < 3 * t + 3; k++) {
+      const place = placeOf[triangles[k]];
+      if (share < steady[place]) steady[place] = share;
+    }
   }
   return steady;
 }
 
 /** The shares of places, held down to the mean of what lies around them. */
-function easedOff(triangles: Int32Array, placeOf: Int32Array, ranks: Int16Array, shares: Float64Array): Float64Array {
+function* easedOff(
+  triangles: Int32Array,
+  placeOf: Int32Array,
+  ranks: Int16Array,
+  shares: Float64Array,
+): Generator<number, Float64Array, void> {
   const sums = new Float64Array(shares.length);
   const counts = new Float64Array(shares.length);
   for (let t = 0; t < ranks.length; t++) {
-    const places = [0, 1, 2].map((k) => placeOf[triangles[3 * t + k]]);
-    const mean = (shares[places[0]] + shares[places[1]] + shares[places[2]]) / 3;
-    for (const place of places) {
-      sums[place] += mean;
-      counts[place]++;
-    }
+    if (t % 16384 === 16383) yield t / ranks.length;
+    const a = placeOf[triangles[3 * t]];
+    const b = placeOf[triangles[3 * t + 1]];
+    const c = placeOf[triangles[3 * t + 2]];
+    const mean = (shares[a] + shares[b] + shares[c]) / 3;
+    sums[a] += mean;
+    sums[b] += mean;
+    sums[c] += mean;
+    counts[a]++;
+    counts[b]++;
+    counts[c]++;
   }
-  return shares.map((share, place) => Math.min(share, sums[place] / (counts[place] || 1)));
+  for (let place = 0; place < sums.length; place++)
+    sums[place] = Math.min(shares[place], sums[place] / (counts[place] || 1));
+  return sums;
 }

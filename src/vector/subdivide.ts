@@ -160,7 +160,9 @@ class Halving {
 export function* subdivide(surface: LineSurface, projection: Projection): Generator<number, void, void> {
   const vertices = new GrowingArray(surface.vertices);
   const placeOf = new GrowingArray(surface.placeOf);
-  let places = 1 + surface.placeOf.reduce((most, place) => Math.max(most, place), -1);
+  let places = 0;
+  for (let v = 0; v < placeOf.length; v++) places = Math.max(places, 1 + placeOf.data[v]);
+  yield 0;
   for (let pass = 0; pass < MOST_PASSES && places >= 0; pass++) {
     // Each pass has about half of what there is left to do, until nothing is to be halved.
     const [from, to] = [1 - 0.5 ** pass, 1 - 0.5 ** (pass + 1)];

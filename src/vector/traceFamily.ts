@@ -1,32 +1,23 @@
-import { LINE_CONSTANTS } from '../engraving/constants/lineConstants.js';
 import { lotOf } from '../engraving/hand.js';
+import type { Vec3 } from '../engraving/vectors.js';
 import { asPhase } from '../slices/asPhase.js';
 import { type Chain, ChainBuilder } from './Chain.js';
-
-import type { FamilyName } from './Engraver.js';
-
+import type { EngravedPlace, FamilyName } from './Engraver.js';
 import { between, type LineSurface, STRIDE, type SurfacePlace, VIEW } from './LineSurface.js';
-import { type LevelSegments, levelSegments, NO_RANK } from './levelSegments.js';
-import {
-  finestRank,
-  LEAST_PEN_TONE,
-  type Line,
-  plottedMark,
-  plottedOctave,
-  printedMark,
-  printedOctave,
-} from './marks/lineMarks.js';
+import { type LevelSegments, levelSegments } from './levelSegments.js';
+import { type Line, plottedMark, printedMark } from './marks/lineMarks.js';
 import type { Projection } from './Projection.js';
 import { penAside } from './penAside.js';
+import { type FamilyVertices, ranksOfTriangles } from './readVertices.js';
 import type { Shadowing, Tones } from './Toner.js';
 import type { Tracing } from './Tracing.js';
 import { tracedSlopes } from './tracedSlopes.js';
+import type { VertexTones } from './VertexTones.js';
 import { type Walk, walkSegments } from './walkSegments.js';
 
-const { LEAST_TONE } = LINE_CONSTANTS;
 /** The rank of the line through the origin, a multiple of all powers of two. */
 const EVERY_RANK = 1000;
-/** Shadows are looked for at least so far apart, and the place of an edge is found as exactly as that. Pixels. */
+/** Shadows are looked for at least so far apart, and the place of an edge is found as exactly as that over how much changes there. Pixels. */
 const SHADOW_STEP = 3;
 const EDGE = 0.02;
 /** From one point of a line to the next a shadow changes by no more than this share, unless that is its edge. */
@@ -39,91 +30,60 @@ const MOST_STEPS = 256;
 /** Which side of each triangle of a surface is drawn on the picture. Yields its progress. */
 export function* seenSides(surface: LineSurface, projection: Projection): Generator<number, Int8Array, void> {
   const { triangles, vertices, drawsFront, drawsBack } = surface;
+  const { near } = projection.camera;
   const sides = new Int8Array(triangles.length / 3);
   for (let t = 0; t < sides.length; t++) {
     if (t % 2048 === 2047) yield t / sides.length;
-    const corners = [0, 1, 2].map((k) => {
-      const o = STRIDE * triangles[3 * t + k] + VIEW;
-      const [x, y, z] = [vertices[o], vertices[o + 1], vertices[o + 2]];
-      return { at: projection.project(x, y, z), isBefore: -z < projection.camera.near };
-    });
-    if (corners.some(({ isBefore }) => isBefore)) continue;
-    const [a, b, c] = corners.map(({ at }) => at);
+    const a = STRIDE * triangles[3 * t] + VIEW;
+    const b = STRIDE * triangles[3 * t + 1] + VIEW;
+    const c = STRIDE * triangles[3 * t + 2] + VIEW;
+    if (-vertices[a + 2] < near || -vertices[b + 2] < near || -vertices[c + 2] < near) continue;
+    const [ax, ay] = projection.project(vertices[a], vertices[a + 1], vertices[a + 2]);
+    const [bx, by] = projection.project(vertices[b], vertices[b + 1], vertices[b + 2]);
+    const [cx, cy] = projection.project(vertices[c], vertices[c + 1], vertices[c + 2]);
     // The picture runs down, so the front is clockwise there.
-    const area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    const area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
     if (area < 0 && drawsFront) sides[t] = 1;
     else if (area > 0 && drawsBack) sides[t] = -1;
   }
   return sides;
 }
 
-/** Traces the lines of one family. Yields its progress. */
-export function* traceFamily(tracing: Tracing, family: FamilyName): Generator<number, Chain[], void> {
+/** Traces the lines of one family from what was read at vertices. tones: of vertices, where they are known. Yields its progress. */
+export function* traceFamily(
+  tracing: Tracing,
+  family: FamilyName,
+  vertices: FamilyVertices,
+  tones: VertexTones,
+): Generator<number, Chain[], void> {
   const { surface, engraver } = tracing;
-  const { values, ranks } = yield* readVertices(tracing, family);
-  const aside = yield* penAside(tracing, family, ranks);
-  const segments = yield* levelSegments(surface, values, ranks, engraver.hasSeams, aside);
-  const slopes = yield* tracedSlopes(surface, values, (t) => ranks[t] !== NO_RANK, tracing.projection);
+  const { values } = vertices;
+  const ranks = yield* asPhase(ranksOfTriangles(tracing, vertices), 0, 0.02);
+  const from = tracing.pen === null ? 0.02 : 0.4;
+  const aside = yield* asPhase(penAside(tracing, family, ranks, tones), 0.02, from);
+  const segments = yield* asPhase(levelSegments(surface, values, ranks, engraver.hasSeams, aside), from, 0.5);
+  const slopes = yield* asPhase(tracedSlopes(surface, values, segments.triangles, tracing.projection), 0.5, 0.55);
   const chains: Chain[] = [];
   const tracer = new LineTracer(tracing, family, segments, slopes);
   let done = 0;
+  const progress = (): number => 0.55 + (0.45 * done) / segments.starts.length;
   for (const walk of walkSegments(segments.starts, segments.ends, segments.lines.length)) {
-    const whole = segments.starts.length;
-    const chain = yield* asPhase(tracer.follow(walk), done / whole, (done + walk.segments.length) / whole);
-    if (chain) chains.push(chain);
-    done += walk.segments.length;
-    yield done / segments.starts.length;
+    if (walk !== null) {
+      const before = progress();
+      done += walk.segments.length;
+      const chain = yield* asPhase(tracer.follow(walk), before, progress());
+      if (chain) chains.push(chain);
+    }
+    yield progress();
   }
   return chains;
-}
-
-/** What may be anywhere on a surface whose normals are bent. */
-const DARKEST: Tones = { tone: 1, unshadowed: 0.5, shadows: 0, left: 1, turned: 0 };
-
-/** The function at every vertex, and how fine the lines of every triangle are. */
-function* readVertices(
-  tracing: Tracing,
-  family: FamilyName,
-): Generator<number, { values: Float64Array; ranks: Int16Array }, void> {
-  const { surface, places, engraver, toner, sides, pen } = tracing;
-  const { vertices, triangles, placeOf } = surface;
-  const values = new Float64Array(placeOf.length);
-  const octaves = new Float64Array(placeOf.length);
-  const tones = new Float64Array(placeOf.length).fill(-1);
-  const ranks = new Int16Array(sides.length).fill(NO_RANK);
-  const shadowings: readonly Shadowing[] = toner.hasShadows ? ['none', 'all'] : ['none'];
-  const leastTone = pen === null ? LEAST_TONE : LEAST_PEN_TONE;
-  for (let t = 0; t < sides.length; t++) {
-    if (t % 64 === 63) yield t / sides.length;
-    if (sides[t] === 0) continue;
-    let [finest, darkest] = [Infinity, 0];
-    for (let k = 0; k < 3; k++) {
-      const v = triangles[3 * t + k];
-      if (tones[v] < 0) {
-        const place = places.read(between(vertices, v, v, 0), t);
-        values[v] = engraver.valueAt(family, place);
-        octaves[v] = Infinity;
-        for (const paint of places.paintsAt(t, place)) {
-          place.paint = paint;
-          for (const shadowing of shadowings) {
-            const read = places.hasRelief ? DARKEST : toner.read(place, shadowing);
-            const measure = engraver.measure(family, place, read);
-            tones[v] = Math.max(tones[v], measure.tone);
-            octaves[v] = Math.min(octaves[v], pen === null ? printedOctave(measure) : plottedOctave(measure, pen));
-          }
-        }
-      }
-      finest = Math.min(finest, octaves[v]);
-      darkest = Math.max(darkest, tones[v]);
-    }
-    if (darkest > leastTone) ranks[t] = finestRank(finest, engraver.medium);
-  }
-  return { values, ranks };
 }
 
 /** Follows lines over triangles and measures them. */
 class LineTracer {
   private readonly unit: number;
+  /** The place that was read last. */
+  private readonly known: { [shadowing in Shadowing]?: { place: SurfacePlace; tones: Tones } } = {};
 
   constructor(
     private readonly tracing: Tracing,
@@ -198,25 +158,27 @@ class LineTracer {
   measure(numbers: ArrayLike<number>, triangle: number, line: Line): Measured {
     const { places, toner, isDrawnIn } = this.tracing;
     const place = places.read(numbers, triangle);
+    const at = this.tracing.engraver.at(place);
     if (place.paint !== null && place.paint.standing < 0) {
       // Nothing of the surface is there.
-      return { ...this.measureIn('none', place, triangle, line), margin: -1, isHole: true };
+      return { ...this.measureIn('none', at, triangle, line), margin: -1, isHole: true };
     }
     if (toner.hasSoftShadows && !isDrawnIn) {
       // Many rays need not be asked where there is no line in any shadow.
-      const darkest = this.measureIn(toner.darkest, place, triangle, line);
+      const darkest = this.measureIn(toner.darkest, at, triangle, line);
       if (darkest.margin <= 0) return { ...darkest, isBlank: true };
     }
-    return this.measureIn(toner.hasShadows ? 'traced' : 'none', place, triangle, line);
+    return this.measureIn(toner.hasShadows ? 'traced' : 'none', at, triangle, line);
   }
 
-  private measureIn(shadowing: Shadowing, place: SurfacePlace, triangle: number, line: Line): Measured {
-    const { toner, engraver, pen, projection, isDrawnIn } = this.tracing;
-    const tones = toner.read(place, shadowing);
+  private measureIn(shadowing: Shadowing, engraved: EngravedPlace, triangle: number, line: Line): Measured {
+    const { place } = engraved;
+    const { engraver, pen, projection, isDrawnIn } = this.tracing;
+    const tones = this.tonesAt(place, shadowing);
     const at = projection.project(...place.view);
     if (isDrawnIn && !isDrawnIn(tones.turned))
       return { at, place, tones, half: 0, margin: -1, isBlank: false, isHole: false };
-    const measure = engraver.measure(this.family, place, tones);
+    const measure = engraver.measure(this.family, engraved, tones);
     // As lines lie on the picture, so that they cover what they should.
     measure.perPixel = this.slopes[triangle] || measure.perPixel;
     const { half, margin, shift } = pen === null ? printedMark(measure, line) : plottedMark(measure, line, pen);
@@ -224,6 +186,17 @@ class LineTracer {
     if (!strokes) return { at, place, tones, half, margin, isBlank: false, isHole: false };
     const beside = [shift * strokes.uphill[0], shift * strokes.uphill[1]] as const;
     return { at, place, tones, half, margin, isBlank: false, isHole: false, shift: beside };
+  }
+
+  /** The tones of a place: of one on an edge, which both triangles beside it ask for, once. */
+  private tonesAt(place: SurfacePlace, shadowing: Shadowing): Tones {
+    const { toner, places } = this.tracing;
+    if (places.hasPaint) return toner.read(place, shadowing);
+    const known = this.known[shadowing];
+    if (known && isSame(known.place, place)) return known.tones;
+    const tones = toner.read(place, shadowing);
+    this.known[shadowing] = { place, tones };
+    return tones;
   }
 
   /** Whether there may be edges of shadows or of holes. */
@@ -254,6 +227,12 @@ class LineTracer {
     return this.tracing.surface.parents[triangle];
   }
 }
+
+/** Whether two places without textures have the same tone for sure. */
+const isSame = (a: SurfacePlace, b: SurfacePlace): boolean =>
+  isEqual(a.world, b.world) && isEqual(a.toneNormal, b.toneNormal) && a.occlusion === b.occlusion;
+
+const isEqual = (a: Vec3, b: Vec3): boolean => a[0] === b[0] && a[1] === b[1] && a[2] === b[2];
 
 interface Measured {
   /** On the picture. */
@@ -319,7 +298,7 @@ class LinePen {
     const change = this.tracer.shadowChange(start.measured, end.measured);
     if (change === 0 && start.measured.isBlank && end.measured.isBlank) return;
     const length = lengthBetween(start.measured, end.measured);
-    if (change <= SHADOW_CHANGE ? length <= SHADOW_STEP : length <= EDGE) return;
+    if (change <= SHADOW_CHANGE ? length <= SHADOW_STEP : Math.min(change, 1) * length <= EDGE) return;
     const { tracer, builder, line } = this;
     const numbers = start.numbers.map((number, k) => 0.5 * (number + end.numbers[k]));
     const measured = tracer.measure(numbers, triangle, line);

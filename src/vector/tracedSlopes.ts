@@ -6,12 +6,12 @@ import type { Projection } from './Projection.js';
  * without an area on the picture.
  *
  * @param values of the function at the vertices
- * @param isTraced whether a triangle has lines
+ * @param traced the triangles that have lines, each perhaps several times
  */
 export function* tracedSlopes(
   { triangles, vertices }: LineSurface,
   values: Float64Array,
-  isTraced: (triangle: number) => boolean,
+  traced: ArrayLike<number>,
   projection: Projection,
 ): Generator<number, Float32Array, void> {
   const slopes = new Float32Array(triangles.length / 3);
@@ -19,9 +19,10 @@ export function* tracedSlopes(
     const o = STRIDE * vertex + VIEW;
     return projection.project(vertices[o], vertices[o + 1], vertices[o + 2]);
   };
-  for (let t = 0; t < slopes.length; t++) {
-    if (t % 2048 === 2047) yield t / slopes.length;
-    if (!isTraced(t)) continue;
+  for (let i = 0; i < traced.length; i++) {
+    if (i % 2048 === 2047) yield i / traced.length;
+    const t = traced[i];
+    if (slopes[t] !== 0) continue;
     const [a, b, c] = [triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]];
     const [ax, ay] = at(a);
     const [bx, by] = at(b);

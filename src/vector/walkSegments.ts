@@ -6,18 +6,27 @@ export interface Walk {
   isClosed: boolean;
 }
 
-/** Joins segments to walks, each used once. A node has two segments at most; of more, the others begin walks of their own. */
+/** Segments are looked at so many at a time. */
+const CHUNK = 4096;
+
+/**
+ * Joins segments to walks, each used once. A node has two segments at most; of more, the others begin walks of their own. Yields null where
+ * there is more to do before the next walk.
+ */
 export function* walkSegments(
   starts: readonly number[],
   ends: readonly number[],
   nodes: number,
-): Generator<Walk, void, void> {
+): Generator<Walk | null, void, void> {
   const links = new Int32Array(2 * nodes).fill(-1);
+  const link = (node: number, segment: number): void => {
+    if (links[2 * node] < 0) links[2 * node] = segment;
+    else if (links[2 * node + 1] < 0) links[2 * node + 1] = segment;
+  };
   for (let s = 0; s < starts.length; s++) {
-    for (const node of [starts[s], ends[s]]) {
-      if (links[2 * node] < 0) links[2 * node] = s;
-      else if (links[2 * node + 1] < 0) links[2 * node + 1] = s;
-    }
+    if (s % CHUNK === CHUNK - 1) yield null;
+    link(starts[s], s);
+    link(ends[s], s);
   }
   const otherEnd = (s: number, node: number): number => (starts[s] === node ? ends[s] : starts[s]);
   const used = new Uint8Array(starts.length);

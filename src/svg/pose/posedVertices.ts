@@ -7,6 +7,7 @@ import {
   type SkinnedMesh,
   Vector3,
 } from 'three';
+import { asPhase } from '../../slices/asPhase.js';
 import { rotationBetween } from './rotationBetween.js';
 
 /** The vertices of a mesh as the canvas poses them, object space. */
@@ -24,16 +25,19 @@ export interface PosedVertices {
 
 type Attribute = BufferAttribute;
 
+/** Vertices are posed so many at a time. */
+const CHUNK = 4096;
+
 /**
- * Poses the vertices of a mesh by its morph targets and its skin.
+ * Poses the vertices of a mesh by its morph targets and its skin. Yields its progress.
  *
  * @param instance whose morph targets count, of a mesh whose instances have their own; −1 for others
  */
-export function posedVertices(mesh: Mesh, instance = -1): PosedVertices {
+export function* posedVertices(mesh: Mesh, instance = -1): Generator<number, PosedVertices, void> {
   const { position, normal } = mesh.geometry.attributes;
   const posed: PosedVertices = {
-    positions: numbersOf(position as Attribute),
-    normals: normal ? numbersOf(normal as Attribute) : null,
+    positions: yield* asPhase(numbersOf(position as Attribute), 0, 0.25),
+    normals: normal ? yield* asPhase(numbersOf(normal as Attribute), 0.25, 0.5) : null,
     toRest: null,
   };
   const influences = influencesOf(mesh, instance);
@@ -42,8 +46,8 @@ export function posedVertices(mesh: Mesh, instance = -1): PosedVertices {
   if (!isMorphed && !isSkinned) return posed;
   posed.toRest = new Float64Array(9 * position.count);
   for (let v = 0; v < position.count; v++) new Matrix3().toArray(posed.toRest as unknown as number[], 9 * v);
-  if (isMorphed) morph(mesh, influences, posed);
-  if (isSkinned) skin(mesh as SkinnedMesh, posed);
+  if (isMorphed) yield* asPhase(morph(mesh, influences, posed), 0.5, 0.75);
+  if (isSkinned) yield* asPhase(skin(mesh as SkinnedMesh, posed), 0.75, 1);
   return posed;
 }
 
@@ -57,9 +61,10 @@ export function firstBoneOf(mesh: Mesh): Matrix4 | null {
   return matrix.determinant() === 0 ? null : matrix;
 }
 
-function numbersOf(attribute: Attribute): Float64Array {
+function* numbersOf(attribute: Attribute): Generator<number, Float64Array, void> {
   const numbers = new Float64Array(3 * attribute.count);
   for (let v = 0; v < attribute.count; v++) {
+    if (v % CHUNK === CHUNK - 1) yield v / attribute.count;
     for (let k = 0; k < 3; k++) numbers[3 * v + k] = attribute.getComponent(v, k);
   }
   return numbers;
@@ -94,21 +99,28 @@ export function addMorphs(
   }
 }
 
-function morph({ geometry }: Mesh, influences: readonly number[], { positions, normals, toRest }: PosedVertices): void {
+function* morph(
+  { geometry }: Mesh,
+  influences: readonly number[],
+  { positions, normals, toRest }: PosedVertices,
+): Generator<number, void, void> {
   const { morphAttributes, morphTargetsRelative } = geometry;
   addMorphs(positions, morphAttributes.position as Attribute[] | undefined, influences, morphTargetsRelative);
+  yield 0.4;
   if (!normals || !morphAttributes.normal) return;
   const before = normals.slice();
   addMorphs(normals, morphAttributes.normal as Attribute[], influences, morphTargetsRelative);
   const [from, to] = [new Vector3(), new Vector3()];
-  for (let v = 0; 3 * v < normals.length; v++)
+  for (let v = 0; 3 * v < normals.length; v++) {
+    if (v % CHUNK === 0) yield 0.8 + (0.6 * v) / normals.length;
     rotationBetween(from.fromArray(normals, 3 * v), to.fromArray(before, 3 * v)).toArray(
       toRest as unknown as number[],
       9 * v,
     );
+  }
 }
 
-function skin(mesh: SkinnedMesh, { positions, normals, toRest }: PosedVertices): void {
+function* skin(mesh: SkinnedMesh, { positions, normals, toRest }: PosedVertices): Generator<number, void, void> {
   const { skinIndex, skinWeight } = mesh.geometry.attributes;
   const { skeleton, bindMatrix, bindMatrixInverse } = mesh;
   if (!skinIndex || !skinWeight) return;
@@ -117,6 +129,7 @@ function skin(mesh: SkinnedMesh, { positions, normals, toRest }: PosedVertices):
   const [matrix, linear, back] = [new Matrix4(), new Matrix3(), new Matrix3()];
   const vector = new Vector3();
   for (let v = 0; 3 * v < positions.length; v++) {
+    if (v % CHUNK === CHUNK - 1) yield (3 * v) / positions.length;
     const { elements } = matrix;
     elements.fill(0);
     for (let i = 0; i < 4; i++) {

@@ -45,8 +45,9 @@ export function* finishPaths(
   const shortest = plan.pen === null ? SHORTEST : SHORTEST_IN_PENS * plan.pen;
   for (const [i, layer] of layers.entries()) {
     const kept: LinePath[] = [];
-    for (const path of layer.paths) {
-      if (kept.length % 64 === 63) yield i / layers.length;
+    const [from, to] = [i / layers.length, (i + 1) / layers.length];
+    for (const [k, path] of layer.paths.entries()) {
+      if (k % 16 === 15) yield from + (0.3 * (to - from) * k) / layer.paths.length;
       if (pathLength(path) * scale < shortest || !hasInk(path)) continue;
       kept.push(simplify(path, TOLERANCE / scale));
     }
@@ -54,12 +55,12 @@ export function* finishPaths(
     const order =
       plan.order === 'drawn'
         ? asDrawn(ends)
-        : yield* asPhase(orderPaths(ends), i / layers.length, (i + 1) / layers.length);
+        : yield* asPhase(orderPaths(ends), from + 0.3 * (to - from), from + 0.7 * (to - from));
     counts.travelBefore += travelOf(ends, asDrawn(ends));
     counts.travelAfter += travelOf(ends, order);
     const done: WrittenPath[] = [];
     for (const [k, step] of order.entries()) {
-      if (k % 32 === 31) yield (i + 1) / layers.length;
+      if (k % 16 === 15) yield from + (0.7 + (0.3 * k) / order.length) * (to - from);
       const path = turned(kept[step.path], step);
       const text = dataOf(path, plan, projection, placement);
       if (text === '') continue;

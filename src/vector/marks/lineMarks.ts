@@ -128,7 +128,10 @@ export const finestRank = (octave: number, medium: LineMedium): number =>
   Math.ceil(octave) - (medium === 'woodcut' ? 2 : 1);
 
 /** How far apart a pen draws lines, in units of the function. pen: its width, pixels. */
-export const penSpacing = (measure: FamilyMeasure, pen: number): number => (pen / penTone(measure)) * measure.perPixel;
+export const penSpacing = (measure: FamilyMeasure, pen: number): number => penDistance(measure, pen) * measure.perPixel;
+
+/** The same on the picture, pixels. */
+export const penDistance = (measure: FamilyMeasure, pen: number): number => pen / penTone(measure);
 
 /** The tone that lines must have where a pen draws them, so that what it draws of them has the tone in the mean. */
 function penTone(measure: FamilyMeasure): number {

@@ -3,6 +3,7 @@ import { meanLightAt } from '../../engraving/meanLight.js';
 
 import { type LiftedPiece, shadeWeight, wobbleAt } from '../../engraving/outlines.js';
 import { combined, dot, normalize, type Vec3 } from '../../engraving/vectors.js';
+import { asPhase } from '../../slices/asPhase.js';
 import { type Chain, ChainBuilder } from '../Chain.js';
 import { emphasisedPlace } from '../marks/emphasisedPlace.js';
 import { type Projection, transformed } from '../Projection.js';
@@ -13,6 +14,8 @@ import type { OutlineLook, OutlineMesh, OutlinePiece, PieceEnd } from './Outline
 const SHARPEST = (40 * Math.PI) / 180;
 /** Points of outlines lie no farther apart than this, so that their weight can change along the way. Pixels. */
 const LONGEST_PIECE = 6;
+/** Pieces are looked at so many at a time. */
+const CHUNK = 256;
 
 /** Weighs pieces by the light, and joins them to chains. Yields its progress. */
 export function* outlineChains(
@@ -23,15 +26,18 @@ export function* outlineChains(
   lights: Illumination,
 ): Generator<number, Chain[], void> {
   for (const [i, piece] of pieces.entries()) {
-    if (i % 1024 === 1023) yield (0.5 * i) / pieces.length;
+    if (i % CHUNK === CHUNK - 1) yield (0.5 * i) / pieces.length;
     shade(piece, mesh, look, projection, lights);
   }
   const chains: Chain[] = [];
-  const walks = new Joints(pieces).walks();
-  for (const [i, { steps, isClosed }] of walks.entries()) {
-    yield 0.5 + (0.5 * i) / walks.length;
+  const joints = new Joints(pieces);
+  yield* asPhase(joints.join(), 0.5, 0.6);
+  const walks = yield* asPhase(joints.walks(), 0.6, 0.7);
+  let drawn = 0;
+  for (const { steps, isClosed } of walks) {
     const drawing = new OutlineDrawing(mesh, look, projection);
     for (const { piece, isReversed } of steps) {
+      if (++drawn % CHUNK === 0) yield 0.7 + (0.3 * drawn) / pieces.length;
       const { start, end } = pieces[piece];
       drawing.add(pieces[piece], isReversed ? end : start, isReversed ? start : end);
     }
@@ -67,8 +73,13 @@ interface Step {
 class Joints {
   private readonly ends = new Map<string, number[]>();
 
-  constructor(private readonly pieces: readonly OutlinePiece[]) {
+  constructor(private readonly pieces: readonly OutlinePiece[]) {}
+
+  /** Finds what ends of pieces lie at one place. Yields its progress. */
+  *join(): Generator<number, void, void> {
+    const { pieces } = this;
     for (const [i, { start, end }] of pieces.entries()) {
+      if (i % CHUNK === CHUNK - 1) yield i / pieces.length;
       for (const [k, { key }] of [start, end].entries()) {
         const list = this.ends.get(key);
         if (list) list.push(2 * i + k);
@@ -77,8 +88,10 @@ class Joints {
     }
   }
 
-  walks(): { steps: Step[]; isClosed: boolean }[] {
+  /** The pieces in the order in which they go on in one another. Yields its progress. */
+  *walks(): Generator<number, { steps: Step[]; isClosed: boolean }[], void> {
     const { pieces } = this;
+    let looked = 0;
     const used = new Uint8Array(pieces.length);
     const walks: { steps: Step[]; isClosed: boolean }[] = [];
     for (let first = 0; first < pieces.length; first++) {
@@ -86,6 +99,7 @@ class Joints {
       // Out of its first end as far as it goes, then back.
       let end = 2 * first;
       for (let i = 0; i < pieces.length; i++) {
+        if (++looked % CHUNK === 0) yield first / pieces.length;
         const next = this.partner(end);
         if (next < 0 || next >> 1 === first) break;
         end = next ^ 1;
@@ -94,6 +108,7 @@ class Joints {
       const steps: Step[] = [];
       let next = end;
       while (next >= 0 && !used[next >> 1]) {
+        if (++looked % CHUNK === 0) yield first / pieces.length;
         used[next >> 1] = 1;
         steps.push({ piece: next >> 1, isReversed: (next & 1) === 1 });
         next = this.partner(next ^ 1);

@@ -22,10 +22,13 @@ export function* outlinePieces(
   };
   const count = mesh.triangles.length / 3;
   for (let t = 0; t < count && Math.max(look.contours, look.suggestiveContours) > 0; t++) {
-    if (t % 4096 === 4095) yield 0.5 + (0.5 * t) / count;
+    if (t % 2048 === 2047) yield 0.5 + (0.5 * t) / count;
     add(finder.contour(t) ?? finder.suggestiveContour(t));
   }
-  for (const edge of mesh.edges) add(finder.featureEdge(edge));
+  for (const [i, edge] of mesh.edges.entries()) {
+    if (i % 2048 === 2047) yield 1;
+    add(finder.featureEdge(edge));
+  }
   return pieces;
 }
 
@@ -48,7 +51,7 @@ class PieceFinder {
   *readPoints(): Generator<number, void, void> {
     const count = this.facing.length;
     for (let p = 0; p < count; p++) {
-      if (p % 4096 === 4095) yield p / count;
+      if (p % 2048 === 2047) yield p / count;
       const n = this.normalOf(p);
       const v = this.toEye(this.positionOf(p));
       const facing = dot(n, v);

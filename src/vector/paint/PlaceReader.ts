@@ -1,4 +1,4 @@
-import { flatNormalOf, type LineSurface, placeFrom, type SurfacePlace } from '../LineSurface.js';
+import { flatNormalOf, type LineSurface, placeFrom, placeOfVertex, type SurfacePlace } from '../LineSurface.js';
 import type { Projection } from '../Projection.js';
 import { DetailReader } from './DetailReader.js';
 import { type Paint, Painter } from './Painter.js';
@@ -43,8 +43,16 @@ export class PlaceReader {
 
   /** The place on a triangle that has these numbers. */
   read(numbers: ArrayLike<number>, triangle: number): SurfacePlace {
+    return this.withDetails(placeFrom(numbers, flatNormalOf(this.surface, triangle), this.sides[triangle]), triangle);
+  }
+
+  /** The place of a vertex, as a triangle has it. */
+  readVertex(vertex: number, triangle: number): SurfacePlace {
+    return this.withDetails(placeOfVertex(this.surface, vertex, triangle, this.sides[triangle]), triangle);
+  }
+
+  private withDetails(place: SurfacePlace, triangle: number): SurfacePlace {
     const { surface, details, painter, sides, projection } = this;
-    const place = placeFrom(numbers, flatNormalOf(surface, triangle), sides[triangle]);
     if (!details) return place;
     const parent = surface.parents[triangle];
     const read = details.read(parent, place.world);

@@ -117,7 +117,9 @@ describe('a texture becomes tone', () => {
       );
     const { svg } = await draw(await painted({ map: stripes(84), lineField: 'y' }));
     const tones = Array.from({ length: 20 }, (_, i) => coverageOf(pathsOf(svg), [51 + i, 10, 1, 100]));
-    expect(Math.max(...tones) - Math.min(...tones)).toBeGreaterThan(0.25);
+    expect(Math.max(...tones) - Math.min(...tones)).toBeGreaterThan(0.2);
+    // No line is lost in the middle, where rays run along an axis.
+    expect(Math.min(...tones)).toBeGreaterThan(0.5);
     const fine = stripes(2048);
     const [left] = await halves(await painted({ map: fine }));
     const [half] = await halves(await painted({ map: gray(0.5) }));

@@ -147,10 +147,7 @@ test('path data comes back as the points it was written from, to hundredths of a
 
 describe('walkSegments', () => {
   const walksOf = (starts: number[], ends: number[]) =>
-    [...walkSegments(starts, ends, 1 + Math.max(...starts, ...ends))].map(({ segments, isClosed }) => [
-      segments,
-      isClosed,
-    ]);
+    [...walkSegments(starts, ends, 1 + Math.max(...starts, ...ends))].map((walk) => [walk?.segments, walk?.isClosed]);
 
   test('joins segments in whatever order and direction they come', () => {
     expect(walksOf([1, 3, 1], [2, 2, 0])).toEqual([[[2, 0, 1], false]]);

@@ -1,0 +1,105 @@
+import { LINE_CONSTANTS } from '../engraving/constants/lineConstants.js';
+import type { FamilyName } from './Engraver.js';
+import { NO_RANK } from './levelSegments.js';
+import { finestRank, LEAST_PEN_TONE, plottedOctave, printedOctave } from './marks/lineMarks.js';
+import type { Shadowing, Tones } from './Toner.js';
+import type { Tracing } from './Tracing.js';
+
+const { LEAST_TONE } = LINE_CONSTANTS;
+/** Triangles are looked at so many at a time. */
+const CHUNK = 256;
+
+/** What a family is at the vertices of a surface. */
+export interface FamilyVertices {
+  /** The function that lines are level sets of. */
+  values: Float64Array;
+  /** The rank of the finest lines that are needed around each vertex, or NO_RANK. */
+  ranks: Int16Array;
+  /** 1 where there may be lines. */
+  isDark: Uint8Array;
+}
+
+/** Reads families at all vertices of triangles that are drawn: each is visited once for all of them. Yields its progress. */
+export function* readVertices(
+  tracing: Tracing,
+  families: readonly FamilyName[],
+): Generator<number, FamilyVertices[], void> {
+  const { surface, sides } = tracing;
+  const { triangles } = surface;
+  const count = surface.placeOf.length;
+  const read = families.map(
+    (): FamilyVertices => ({
+      values: new Float64Array(count),
+      ranks: new Int16Array(count).fill(NO_RANK),
+      isDark: new Uint8Array(count),
+    }),
+  );
+  const reader = new VertexReader(tracing, families, read);
+  const isRead = new Uint8Array(count);
+  for (let t = 0; t < sides.length; t++) {
+    if (t % CHUNK === CHUNK - 1) yield t / sides.length;
+    if (sides[t] === 0) continue;
+    for (let c = 3 * t; c < 3 * t + 3; c++) {
+      const vertex = triangles[c];
+      if (isRead[vertex] === 1) continue;
+      isRead[vertex] = 1;
+      reader.read(vertex, t);
+    }
+  }
+  return read;
+}
+
+/** What may be anywhere on a surface whose normals are bent. */
+const DARKEST: Tones = { tone: 1, unshadowed: 0.5, shadows: 0, left: 1, turned: 0 };
+
+class VertexReader {
+  private readonly shadowings: readonly Shadowing[];
+  private readonly leastTone: number;
+
+  constructor(
+    private readonly tracing: Tracing,
+    private readonly families: readonly FamilyName[],
+    private readonly into: readonly FamilyVertices[],
+  ) {
+    this.shadowings = tracing.toner.hasShadows ? ['none', 'all'] : ['none'];
+    this.leastTone = tracing.pen === null ? LEAST_TONE : LEAST_PEN_TONE;
+  }
+
+  read(vertex: number, triangle: number): void {
+    const { tracing, families, into, shadowings } = this;
+    const { engraver, toner, places } = tracing;
+    const place = places.readVertex(vertex, triangle);
+    const at = engraver.at(place);
+    for (let i = 0; i < families.length; i++) into[i].values[vertex] = engraver.valueAt(families[i], at);
+    for (const paint of places.paintsAt(triangle, place)) {
+      place.paint = paint;
+      for (const shadowing of shadowings) {
+        const tones = places.hasRelief ? DARKEST : toner.read(place, shadowing);
+        for (let i = 0; i < families.length; i++) {
+          const measure = engraver.measure(families[i], at, tones);
+          const octave = tracing.pen === null ? printedOctave(measure) : plottedOctave(measure, tracing.pen);
+          const rank = finestRank(octave, engraver.medium);
+          if (rank < into[i].ranks[vertex]) into[i].ranks[vertex] = rank;
+          if (measure.tone > this.leastTone) into[i].isDark[vertex] = 1;
+        }
+      }
+    }
+  }
+}
+
+/** How fine the lines of every triangle are: as its finest corner asks for, or NO_RANK where it has none. */
+export function* ranksOfTriangles(
+  { surface: { triangles }, sides }: Tracing,
+  { ranks, isDark }: FamilyVertices,
+): Generator<number, Int16Array, void> {
+  const finest = new Int16Array(sides.length).fill(NO_RANK);
+  for (let t = 0; t < sides.length; t++) {
+    if (t % (64 * CHUNK) === 64 * CHUNK - 1) yield t / sides.length;
+    if (sides[t] === 0) continue;
+    const a = triangles[3 * t];
+    const b = triangles[3 * t + 1];
+    const c = triangles[3 * t + 2];
+    if (isDark[a] + isDark[b] + isDark[c] > 0) finest[t] = Math.min(ranks[a], ranks[b], ranks[c]);
+  }
+  return finest;
+}
