@@ -91,7 +91,7 @@ test('suggestive contours are drawn where they are asked for', async () => {
 test('a contour of coarse triangles is hidden by what stands close before it', async () => {
   // Its triangles are deep, so that its contour is lifted far towards the eye.
   const coarse = mergeVertices(new IcosahedronGeometry(0.9, 2).deleteAttribute('normal').deleteAttribute('uv'));
-  const ball = await hatchedMesh(coarse, { outlines: ALIKE, material: BLANK });
+  const ball = await hatchedMesh(coarse, { outlines: { ...ALIKE, outlineWidth: 6 }, material: BLANK });
   const sheet = await hatchedMesh(new PlaneGeometry(4, 2), { outlines: false, material: BLANK });
   sheet.position.set(0, -1, 0.2);
   const camera = cameraAt(0, 0, 1, true);
