@@ -78,12 +78,13 @@ export function describeLines(lines) {
   const marked = (value, limit, off = value) => (off > limit ? `**${value.toFixed(3)}**` : value.toFixed(3));
   const cell = ({ mean, p99, ink }) =>
     `${marked(mean, LIMITS.mean)}, ${marked(p99, LIMITS.p99)}, ${marked(ink, LIMITS.ink, Math.abs(ink - 1))}`;
+  const isWhole = Object.values(lines).every((found) => presets.every((preset) => preset in found));
   return `${HEADING}
 
 Vector files of \`drawSVG\` beside the canvas, by the share of ink in blocks of 16 × 16 CSS pixels that have any, in pictures of 640 pixels at two
 pixels to one of CSS: the mean difference, its 99th percentile, and all ink of the file as a share of that on the canvas. Each is the worst of
 four drawings, in which two lights, shadows or none, and a perspective and an orthographic camera meet one another once. **Bold** is
-what is more than ${LIMITS.mean}, more than ${LIMITS.p99}, or farther from 1 than ${LIMITS.ink}.
+what is more than ${LIMITS.mean}, more than ${LIMITS.p99}, or farther from 1 than ${LIMITS.ink}.${isWhole ? '' : ' What is empty was not measured.'}
 
 ${row(['', ...presets])}
 ${row(['---', ...presets.map(() => '--:')])}

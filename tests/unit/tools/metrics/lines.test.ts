@@ -23,6 +23,8 @@ describe('drawings as lines beside the canvas', () => {
     expect(text).toContain('|  | engraving | pen |');
     expect(text).toContain('| sphere | 0.004, 0.030, 0.995 | 0.004, 0.030, 0.995 |');
     expect(text).toContain('| bunny | 0.004, **0.060**, 0.995 |');
+    expect(text).not.toContain('not measured');
+    expect(describeLines({ sphere: { engraving: KEPT }, bunny: { pen: KEPT } })).toContain('not measured');
   });
 
   it('are the last part of the page, and are written anew without the others', () => {
