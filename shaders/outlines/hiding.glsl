@@ -13,11 +13,6 @@ float liftOf(const in PieceEnd end, const in Piece piece, const in float halfWid
   return own + 2.0 * halfWidth + min(rise, MOST_RISE * r);
 }
 
-// By how much a surface may lie before the middle of its own outline, as a share of the bounding radius, for rounding.
-#define ROUNDING 0.0005
-// How far beside the middle of an outline fragments look for what hides it, in pixels, with the size of a pixel.
-#define LOOKED_BESIDE 2.0
-
 // How far the surface may lie before its own outline. pixel: in view units.
 float toleranceOf(const in Piece piece, const in float pixel, const in float scale) {
   return (ROUNDING * radius + piece.ownCover) * scale + (piece.isValley ? LOOKED_BESIDE * EDGE_SLOPE * pixel : 0.0);

@@ -4,8 +4,6 @@
 uniform float outlineWidth; // pixels
 uniform float accents; // how much heavier an outline becomes where it passes before another
 
-// Depths are compared this many pixels beside the spine: on one of its two sides nothing of its own surface lies before it.
-#define BESIDE 1.0
 // Pieces that are no longer than this are judged at their ends, for fragments to share, and others in each fragment, pixels.
 #define SHORT 16.0
 

@@ -1,11 +1,11 @@
 /** Contours and feature edges, as shaders/outlines has them. */
 import { OUTLINE_CONSTANTS } from './constants/outlineConstants.js';
-import { clamp01, combined, dot, lengthOf, mix, normalize, smoothstep, type Vec3 } from './vectors.js';
+import { clamp01, combined, cross, dot, lengthOf, mix, normalize, smoothstep, type Vec3 } from './vectors.js';
 
 const { LIT, SHADED, INSIDE, LOST_RANGE, LOST_TAPER, LIFT_SHARE, MOST_RISE, EDGE_SLOPE, BEGINS_AS_PAPER, IS_PAPER } =
   OUTLINE_CONSTANTS;
 const { STRAY_ACROSS, ACROSS_BENT, ACROSS_BEND, STRAY_UP, UP_BENT, UP_BEND, UP_PHASE } = OUTLINE_CONSTANTS;
-const { STRAY_FINELY, FINE_PHASE, STRAY_SHARES } = OUTLINE_CONSTANTS;
+const { LOOKED_BESIDE, ROUNDING, STRAY_FINELY, FINE_PHASE, STRAY_SHARES } = OUTLINE_CONSTANTS;
 
 /** Weight of a contour by the bend of the surface along the line of sight: it ends in a cusp, and the pen lifts there. */
 export const taperAt = (bend: number, taper: number): number =>
@@ -64,6 +64,10 @@ export interface LiftedPiece {
   bend: number;
   /** How deep the surface beside the piece is along the line of sight. */
   extent: number;
+  /** How much of that may lie before the piece, though the piece is to be seen. */
+  ownCover: number;
+  /** An edge whose two sides rise from it. */
+  isValley: boolean;
 }
 
 /** How far an outline is moved towards the eye, so that its own surface does not hide it. radius: of the bounding sphere. */
@@ -73,6 +77,10 @@ export function liftOf({ isSmooth, bend, extent }: LiftedPiece, halfWidth: numbe
   const rise = Math.sqrt((2 * halfWidth * radius) / Math.max(bend, 1e-3));
   return own + 2 * halfWidth + Math.min(rise, MOST_RISE * radius);
 }
+
+/** How far the surface may lie before its own outline, beside it. pixel: its size; radius: of the bounding sphere. */
+export const toleranceOf = ({ ownCover, isValley }: LiftedPiece, pixel: number, radius: number): number =>
+  ROUNDING * radius + ownCover + (isValley ? LOOKED_BESIDE * EDGE_SLOPE * pixel : 0);
 
 /** Whether what lies so far behind an outline, as a share of the height of the view, is as good as paper. */
 export const paperness = (gap: number): number => smoothstep(BEGINS_AS_PAPER, IS_PAPER, clamp01(gap));
@@ -84,6 +92,17 @@ export function wobbleAt(p: Vec3, wobble: number): readonly [number, number] {
   const c = Math.sin(dot(p, STRAY_FINELY) + FINE_PHASE);
   const [long, short] = STRAY_SHARES;
   return [wobble * (long * a + short * c), wobble * (long * b - short * c)];
+}
+
+/** Whether a triangle looks another way than its normals say, so that its neighbours hide it where the smooth surface is seen. */
+export function looksAway(
+  corners: readonly [Vec3, Vec3, Vec3],
+  normals: readonly [Vec3, Vec3, Vec3],
+  toEye: Vec3,
+): boolean {
+  const flat = cross(combined(1, corners[1], -1, corners[0]), combined(1, corners[2], -1, corners[0]));
+  const smooth = combined(1, combined(1, normals[0], 1, normals[1]), 1, normals[2]);
+  return dot(flat, toEye) * dot(flat, smooth) <= 0;
 }
 
 /** How deep a triangle is across a piece of contour on it, along the line of sight. */

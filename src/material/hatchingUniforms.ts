@@ -119,8 +119,10 @@ export function writeSizeUniforms(
   u.dotPixels.value = pixelRatio * (material.strokeWidth ?? strokeTexels);
   u.texelPixels.value = u.dotPixels.value / strokeTexels;
   u.toothSize.value = pixelRatio * material.toothSize;
-  // Lines are spaced on the screen as far as `sizedOnScreen` says.
-  u.lineSpacing.value = pixelRatio ** material.sizedOnScreen * material.lineSpacing;
+  // Lines are spaced on the screen as far as `sizedOnScreen` says, and their strokes as long.
+  const onScreen = pixelRatio ** material.sizedOnScreen;
+  u.lineSpacing.value = onScreen * material.lineSpacing;
+  u.strokeLength.value = onScreen * material.strokeLength;
   u.finestSpacing.value = Math.max(pixelRatio * material.finestSpacing, LEAST_SPACING);
 }
 

@@ -120,6 +120,26 @@ const LOOKS: Record<string, Look> = {
   'engraved lines sized half on the screen': {
     material: { technique: 'engraved', sizedOnScreen: 0.5, lineSpacing: 60, handmade: 0 },
   },
+  'strokes of a pen': {
+    material: {
+      technique: 'engraved',
+      medium: 'pen',
+      sizedOnScreen: 1,
+      lineSpacing: 12,
+      strokeLength: 50,
+      handmade: 0,
+    },
+  },
+  'wedges of a woodcut': {
+    material: {
+      technique: 'engraved',
+      medium: 'woodcut',
+      sizedOnScreen: 1,
+      lineSpacing: 12,
+      strokeLength: 50,
+      handmade: 0,
+    },
+  },
   dots: { material: { technique: 'anchored', medium: 'stipple', sizedOnScreen: 1, strokeWidth: 8 } },
   grain: { material: { technique: 'anchored', medium: 'dry', tooth: 1, toothSize: 6, softness: 0.2 } },
   outlines: {

@@ -15,6 +15,8 @@ for (const [model, drawing] of [
   ['bunny', { hasShadows: true, light: [0.9, 0.7, 0.5] }],
   ['dragon11k', { preset: 'banknote' }],
   ['sphere', { preset: 'stipple' }],
+  ['torus', { preset: 'pen', light: [0.9, 0.7, 0.5] }],
+  ['bunny', { preset: 'woodcut' }],
 ] as const) {
   test(`a ${model} is drawn as on the canvas: ${JSON.stringify(drawing)}`, async ({ page }) => {
     const { mean, p99, ink } = await page.evaluate(

@@ -58,6 +58,10 @@ export function liftedBy(bend: number | null, extent: number, half: number, R: n
   return 0.004 * R + extent + 2 * half + Math.min(Math.sqrt((2 * half) / curvature), 0.11 * R);
 }
 
+/** By how much a surface may lie before its own outline, beside it. pixel: its size; in a valley both sides rise by three. */
+export const mayLieBefore = (ownCover: number, isValley: boolean, pixel: number, R: number): number =>
+  ownCover + R / 2000 + (isValley ? 6 * pixel : 0);
+
 /** How much of paper what lies so many heights of the view behind it is. */
 export const paperBehind = (gap: number): number => smoothly(0.25, 0.75, gap);
 

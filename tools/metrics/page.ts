@@ -11,6 +11,7 @@ import { HATCHING_TECHNIQUES } from '../../src/material/facts/hatchingProperties
 import { plainLook } from '../plainLook.js';
 import { type FlatTones, measureFlatTones } from './flatTones.js';
 import { loadModel, type ModelName } from './loadModel.js';
+import { measureLines } from './measureLines.js';
 import { type EdgeJump, edgeJump } from './measures/edgeJump.js';
 import { greyness } from './measures/greyness.js';
 import { meanInk } from './measures/meanInk.js';
@@ -80,6 +81,7 @@ declare global {
     measuredModels: typeof measuredModels;
     measureValues(source: Parameters<typeof measureValues>[1]): Promise<ModelValues>;
     measurePrintedStrokes(): Promise<PrintedStrokes[]>;
+    measureLines: typeof measureLines;
   }
 }
 
@@ -124,6 +126,11 @@ window.measureFlatTones = async () => {
 window.measurePrintedStrokes = async () => {
   await HatchingMaterial.preload();
   return measurePrintedStrokes(renderer);
+};
+
+window.measureLines = async (...args) => {
+  await HatchingMaterial.preload();
+  return measureLines(...args);
 };
 
 window.measureModel = async (name, plan, text) => {

@@ -2,6 +2,7 @@
  * `npm run metrics`: measures the strokes of every technique on every model, writes tests/output/metrics.json, docs/metrics.md and
  * docs/metrics.svg, and fails if a technique misses a figure that is required of it. `npm run metrics -- bunny cube` measures some models
  * and writes tests/output/metrics.json alone; `npm run metrics -- values` so measures shares of paper, half tone and dark, and `strokes` printed strokes.
+ * `npm run metrics -- lines` compares drawings as lines with the canvas, and writes their part of docs/metrics.md anew; `lines bunny pen` draws some.
  */
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -11,6 +12,7 @@ import { createServer } from 'vite';
 import { describeRenderer } from '../browser/describeRenderer.mjs';
 import { launchOptions } from '../browser/launchOptions.mjs';
 import { describeMetrics, drawMetrics } from './describeMetrics.mjs';
+import { measureAllLines, missedLines, withLines } from './lines.mjs';
 import { isKept, requirements } from './requirements.mjs';
 import { missedValues } from './valueWindows.mjs';
 
@@ -50,17 +52,19 @@ const plans = {
 };
 
 const wanted = process.argv.slice(2);
-for (const name of wanted) {
+const onlyLines = wanted[0] === 'lines';
+for (const name of onlyLines ? [] : wanted) {
   if (!(name in plans) && !['values', 'strokes'].includes(name))
     throw new Error(`tools/metrics/run.mjs: no model "${name}"; there are ${Object.keys(plans).join(', ')}.`);
 }
-const models = Object.keys(plans).filter((name) => wanted.length === 0 || wanted.includes(name));
+const models = Object.keys(plans).filter((name) => wanted.length === 0 || (!onlyLines && wanted.includes(name)));
 
 const server = await createServer({
   root,
   mode: 'test',
   logLevel: 'error',
-  server: { host: '127.0.0.1', port: 0 },
+  // A file that is saved in the meantime must not load the page again.
+  server: { host: '127.0.0.1', port: 0, hmr: false, watch: null },
 });
 await server.listen();
 const browser = await chromium.launch(await launchOptions());
@@ -69,6 +73,8 @@ const measured = {};
 let flatTones;
 /** Undefined where only some models are measured. */
 let printedStrokes;
+/** How far drawings as lines are from the canvas; undefined where only others are measured. */
+let lines;
 /** Shares of values by model; undefined where only strokes are measured. */
 let values;
 try {
@@ -95,20 +101,31 @@ try {
   if (wanted.length === 0) flatTones = await page.evaluate(() => window.measureFlatTones());
   if (wanted.length === 0 || wanted.includes('strokes'))
     printedStrokes = await page.evaluate(() => window.measurePrintedStrokes());
+  if (wanted.length === 0 || onlyLines) lines = await measureAllLines(page, wanted.slice(1));
 } finally {
   await browser.close();
   await server.close();
 }
 
 const { renderer } = await describeRenderer();
-const report = { renderer, models: measured, flatTones, printedStrokes, values };
+const report = { renderer, models: measured, flatTones, printedStrokes, values, lines };
 mkdirSync(join(root, 'tests/output'), { recursive: true });
 writeFileSync(join(root, 'tests/output/metrics.json'), `${JSON.stringify(report, null, 2)}\n`);
 if (wanted.length === 0) {
-  writeFileSync(join(root, 'docs/metrics.md'), describeMetrics(report));
+  writeFileSync(join(root, 'docs/metrics.md'), withLines(describeMetrics(report), lines));
   writeFileSync(join(root, 'docs/metrics.svg'), drawMetrics(measured));
 }
 
+if (onlyLines && wanted.length === 1) {
+  const file = join(root, 'docs/metrics.md');
+  writeFileSync(file, withLines(readFileSync(file, 'utf8'), lines));
+}
+
+if (lines) {
+  const missed = missedLines(lines);
+  for (const line of missed) console.log(`MISSED  ${line}`);
+  if (missed.length > 0) process.exitCode = 1;
+}
 if (values) {
   const missed = missedValues(values);
   for (const line of missed) console.log(`MISSED  ${line}`);

@@ -19,6 +19,13 @@ export const OUTLINE_CONSTANTS = {
   /** How steeply the faces beside an edge may rise towards the eye. */
   EDGE_SLOPE: 3,
 
+  /** Depths are compared so many pixels beside an outline: on one of its two sides nothing of its own surface lies before it. */
+  BESIDE: 1,
+  /** By how much a surface may lie there before its own outline, as a share of the bounding radius, for rounding. */
+  ROUNDING: 0.0005,
+  /** How far beside the middle of an outline that is seen where it lies between two sides that rise from it, pixels. */
+  LOOKED_BESIDE: 2,
+
   /** From where on beyond its side an outline looks for what lies behind it, pixels. */
   BEYOND: 1.5,
   /** A surface that lies as far behind an outline as these shares of the height of the view begins to count as paper, and does. */

@@ -164,9 +164,9 @@ function printedStroke(measure: FamilyMeasure, strokes: StrokePlace, line: Line)
 }
 
 /** Where cells of the block give way to others twice as wide, both reach into one another so far, as a share of an octave. */
-const OVERLAP = 0.1;
+const OVERLAP = 0.02;
 /** Cells of the block reach into one another by so much, so that no slits are left between them, pixels. */
-const CLOSED_BY = 0.4;
+const CLOSED_BY = 0.2;
 
 /**
  * What is left of the block between cuts, in the cell of the block around a line. Lines lie in the middle of cells, and cuts where cells

@@ -1,3 +1,4 @@
+import { asPhase } from '../../slices/asPhase.js';
 import { nearestEnds } from './nearestEnds.js';
 import type { OrderedPath, PathEnds } from './PathEnds.js';
 
@@ -5,28 +6,25 @@ import type { OrderedPath, PathEnds } from './PathEnds.js';
 const NEIGHBOURS = 10;
 /** Stretches of so many paths are moved to another place. */
 const LONGEST_MOVED = 3;
-const PASSES = 40;
-/** So many times as far as now an end may have to the one that it is joined with. */
-const FARTHER = 2.5;
 /** A gain below this is a rounding. */
 const LEAST_GAIN = 1e-9;
+/** Stretches of at most so many paths are exchanged by chance. */
+const LONGEST_EXCHANGED = 12;
 
 /**
  * Shortens the way of the lifted pen: stretches of an order are reversed (2-opt, Croes, 1958) or moved (Or, 1976) wherever an end then
- * follows one of the nearest to it. Changes the order. Yields its progress.
+ * follows one of the nearest to it. Where nothing is gained any more, exchanges by chance lead on (iterated local search, Martin, Otto and
+ * Felten, 1991). Changes the order. Yields its progress.
  */
 export function* improveOrder(paths: readonly PathEnds[], order: OrderedPath[]): Generator<number, void, void> {
   if (order.length < 3) return;
   const points = Float64Array.from(paths.flatMap(({ start, end }) => [...start, ...end]));
   const nearest = yield* nearestEnds(points, Math.min(NEIGHBOURS, 2 * paths.length - 2));
   const search = new Search(points, nearest, order);
-  for (let pass = 0; pass < PASSES; pass++) {
-    let gained = 0;
-    for (let path = 0; path < paths.length; path++) {
-      if (path % 32 === 31) yield pass / PASSES;
-      gained += search.improve(path);
-    }
-    if (gained < LEAST_GAIN) break;
+  yield* asPhase(search.settle(), 0, 0.3);
+  for (let trial = 0; trial < paths.length; trial++) {
+    if (trial % 16 === 15) yield 0.3 + (0.7 * trial) / paths.length;
+    search.tryExchange();
   }
   search.writeTo(order);
 }
@@ -37,6 +35,12 @@ class Search {
   /** The end that each path in the order is begun at. */
   private readonly begun: Int32Array;
   private readonly count: number;
+  /** Paths whose ends are still to be looked at, and whether each is among them. */
+  private readonly queue: number[] = [];
+  private readonly isQueued: Uint8Array;
+  /** The stretches that were turned since a trial began: first and last of each. */
+  private readonly turns: number[] = [];
+  private chance = 1;
 
   constructor(
     private readonly points: Float64Array,
@@ -46,7 +50,64 @@ class Search {
     this.count = (2 * nearest.length) / points.length;
     this.places = new Int32Array(order.length);
     this.begun = Int32Array.from(order, ({ path, isReversed }) => 2 * path + Number(isReversed));
-    this.note(0, order.length - 1);
+    this.isQueued = new Uint8Array(order.length);
+    for (let i = order.length - 1; i >= 0; i--) {
+      this.places[this.begun[i] >> 1] = i;
+      this.lookAt(i);
+    }
+  }
+
+  /** Improves the order until nothing is gained any more. Yields its progress. */
+  *settle(): Generator<number, void, void> {
+    for (let done = 0; this.queue.length > 0; done++) {
+      if (done % 32 === 31) yield done / (done + this.queue.length);
+      this.improveNext();
+    }
+    this.turns.length = 0;
+  }
+
+  /** Exchanges two stretches side by side by chance, improves what follows, and takes all of it back if that is no gain. */
+  tryExchange(): void {
+    const count = this.begun.length;
+    const longest = Math.min(LONGEST_EXCHANGED, count >> 1);
+    const a = this.lot(count - 1);
+    const b = Math.min(a + this.lot(longest), count - 2);
+    const c = Math.min(b + 1 + this.lot(longest), count - 1);
+    const [before, after] = [this.to(a - 1), this.from(c + 1)];
+    let gain =
+      this.way(before, this.from(a)) +
+      this.way(this.to(b), this.from(b + 1)) +
+      this.way(this.to(c), after) -
+      this.way(before, this.from(b + 1)) -
+      this.way(this.to(c), this.from(a)) -
+      this.way(this.to(b), after);
+    this.exchange(a, b, c);
+    while (this.queue.length > 0) gain += this.improveNext();
+    if (gain < 0) for (let i = this.turns.length - 2; i >= 0; i -= 2) this.turn(this.turns[i], this.turns[i + 1]);
+    this.turns.length = 0;
+  }
+
+  /** A whole number below a limit, by chance (Lehmer, 1951). */
+  private lot(below: number): number {
+    this.chance = (48271 * this.chance) % 0x7fffffff;
+    return this.chance % below;
+  }
+
+  private improveNext(): number {
+    const path = this.queue.pop()!;
+    this.isQueued[path] = 0;
+    const gain = this.improve(path);
+    if (gain > 0) this.lookAt(this.places[path]);
+    return gain;
+  }
+
+  /** Has the ends of the path at a place in the order looked at. */
+  private lookAt(i: number): void {
+    if (i < 0 || i >= this.begun.length) return;
+    const path = this.begun[i] >> 1;
+    if (this.isQueued[path] === 1) return;
+    this.isQueued[path] = 1;
+    this.queue.push(path);
   }
 
   writeTo(order: OrderedPath[]): void {
@@ -54,15 +115,16 @@ class Search {
   }
 
   /** Does the first change at either end of a path, or with it moved, that shortens the way. Returns by how much. */
-  improve(path: number): number {
-    for (const end of [2 * path, 2 * path + 1]) {
+  private improve(path: number): number {
+    for (let end = 2 * path; end <= 2 * path + 1; end++) {
       const i = this.places[path];
       const way = end === this.to(i) ? this.way(end, this.from(i + 1)) : this.way(this.to(i - 1), end);
       for (let k = 0; k < this.count; k++) {
         const other = this.nearest[end * this.count + k];
-        // An end that is left for one much farther away hardly ever pays.
-        if (other < 0 || this.way(end, other) > FARTHER * way) break;
-        const gain = this.reverse(end, other) || this.move(end, other);
+        // An end that is left for one farther away hardly ever pays.
+        const joined = other < 0 ? Infinity : this.way(end, other);
+        if (joined >= way) break;
+        const gain = this.reverse(end, other) || this.move(end, other, joined);
         if (gain > 0) return gain;
       }
     }
@@ -93,68 +155,78 @@ class Search {
     const isLeft = end === this.to(i);
     if (isLeft !== (other === this.to(j))) return 0;
     // Between both, or with both: the stretch after the one that is left first, or before the one that is begun last.
-    const [first, last] = isLeft ? [Math.min(i, j) + 1, Math.max(i, j)] : [Math.min(i, j), Math.max(i, j) - 1];
+    const first = isLeft ? Math.min(i, j) + 1 : Math.min(i, j);
+    const last = isLeft ? Math.max(i, j) : Math.max(i, j) - 1;
     const before = this.to(first - 1);
     const after = this.from(last + 1);
     const old = this.way(before, this.from(first)) + this.way(this.to(last), after);
     const gain = old - this.way(before, this.to(last)) - this.way(this.from(first), after);
     if (gain < LEAST_GAIN) return 0;
-    this.turn(first, last);
+    this.reverseStretch(first, last);
     return gain;
   }
 
-  /** Moves a short stretch with an end to where another is. Returns the gain, 0 if there is none. */
-  private move(end: number, other: number): number {
-    const [i, j] = [this.places[end >> 1], this.places[other >> 1]];
+  /** Moves a short stretch with an end to where another is, so far away. Returns the gain, 0 if there is none. */
+  private move(end: number, other: number, joined: number): number {
+    const i = this.places[end >> 1];
+    const j = this.places[other >> 1];
     const isLeft = end === this.to(i);
+    const isAfter = other === this.to(j);
+    // The place in the order after which it comes.
+    const after = isAfter ? j : j - 1;
+    const beyond = isAfter ? this.from(j + 1) : this.to(j - 1);
+    const opened = (isAfter ? this.way(other, beyond) : this.way(beyond, other)) - joined;
     for (let length = 1; length <= LONGEST_MOVED; length++) {
-      const [a, b] = isLeft ? [i - length + 1, i] : [i, i + length - 1];
-      if (a < 0 || b >= this.begun.length || (j >= a && j <= b)) continue;
-      // The place in the order after which it comes.
-      const after = other === this.to(j) ? j : j - 1;
+      const a = isLeft ? i - length + 1 : i;
+      const b = isLeft ? i : i + length - 1;
+      if (a < 0 || b >= this.begun.length || (j >= a && j <= b)) break;
       if (after === a - 1 || after === b) continue;
-      const isTurned = isLeft === (other === this.to(j));
-      const [head, tail] = isTurned ? [this.to(b), this.from(a)] : [this.from(a), this.to(b)];
-      const [left, right] = [this.to(after), this.from(after + 1)];
-      const saved =
-        this.way(this.to(a - 1), this.from(a)) +
-        this.way(this.to(b), this.from(b + 1)) -
-        this.way(this.to(a - 1), this.from(b + 1));
-      const gain = saved + this.way(left, right) - this.way(left, head) - this.way(tail, right);
+      const before = this.to(a - 1);
+      const next = this.from(b + 1);
+      const saved = this.way(before, this.from(a)) + this.way(this.to(b), next) - this.way(before, next);
+      if (saved + opened < LEAST_GAIN) continue;
+      // The other end of the stretch.
+      const tail = isLeft ? this.from(a) : this.to(b);
+      const gain = saved + opened - (isAfter ? this.way(tail, beyond) : this.way(beyond, tail));
       if (gain < LEAST_GAIN) continue;
-      this.moveAfter(a, b, after, isTurned);
+      this.moveAfter(a, b, after, isLeft === isAfter);
       return gain;
     }
     return 0;
   }
 
+  /** Turns a stretch. */
+  private reverseStretch(first: number, last: number): void {
+    this.turns.push(first, last);
+    this.turn(first, last);
+    this.lookAt(first - 1);
+    this.lookAt(first);
+    this.lookAt(last);
+    this.lookAt(last + 1);
+  }
+
   private turn(first: number, last: number): void {
-    const { begun } = this;
-    let i = first;
-    for (let j = last; i <= j; i++, j--) {
-      const one = begun[i];
+    const { begun, places } = this;
+    for (let i = first, j = last; i <= j; i++, j--) {
+      const one = begun[i] ^ 1;
       begun[i] = begun[j] ^ 1;
-      begun[j] = one ^ 1;
+      begun[j] = one;
+      places[begun[i] >> 1] = i;
+      places[one >> 1] = j;
     }
-    this.note(first, last);
+  }
+
+  /** Exchanges the stretches from a to b and from there to c. */
+  private exchange(a: number, b: number, c: number): void {
+    this.reverseStretch(a, c);
+    const middle = a + c - b;
+    this.reverseStretch(a, middle - 1);
+    this.reverseStretch(middle, c);
   }
 
   private moveAfter(a: number, b: number, after: number, isTurned: boolean): void {
-    if (isTurned) this.turn(a, b);
-    const { begun } = this;
-    const stretch = begun.slice(a, b + 1);
-    if (after < a) {
-      begun.copyWithin(after + 1 + stretch.length, after + 1, a);
-      begun.set(stretch, after + 1);
-    } else {
-      begun.copyWithin(a, b + 1, after + 1);
-      begun.set(stretch, after + 1 - stretch.length);
-    }
-    this.note(Math.min(a, after + 1), Math.max(b, after));
-  }
-
-  /** Notes where the paths of a stretch are in the order. */
-  private note(first: number, last: number): void {
-    for (let i = first; i <= last; i++) this.places[this.begun[i] >> 1] = i;
+    if (isTurned) this.reverseStretch(a, b);
+    if (after < a) this.exchange(after + 1, a - 1, b);
+    else this.exchange(a, b, after);
   }
 }

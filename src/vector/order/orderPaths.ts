@@ -4,8 +4,10 @@ import type { OrderedPath, PathEnds } from './PathEnds.js';
 
 export type { OrderedPath, PathEnds };
 
-const distance = (a: readonly [number, number], b: readonly [number, number]): number =>
-  Math.hypot(a[0] - b[0], a[1] - b[1]);
+function distance(a: readonly [number, number], b: readonly [number, number]): number {
+  const [dx, dy] = [a[0] - b[0], a[1] - b[1]];
+  return Math.sqrt(dx * dx + dy * dy);
+}
 
 /** The way that the pen goes lifted, from the origin on. */
 export function travelOf(paths: readonly PathEnds[], order: readonly OrderedPath[]): number {
@@ -67,14 +69,17 @@ class EndGrid {
       // What lies in rings farther out is at least so far away, for a place within its cell.
       if (best >= 0 && (ring - 1) * this.size > nearest) break;
       for (const cell of this.ringAround(column, row, ring)) {
-        const list = cell.filter((end) => !this.used[end >> 1]);
-        cell.length = 0;
-        cell.push(...list);
-        for (const end of list) {
+        let kept = 0;
+        for (const end of cell) {
+          if (this.used[end >> 1]) continue;
+          cell[kept++] = end;
           const path = this.paths[end >> 1];
           const away = distance(place, end & 1 ? path.end : path.start);
-          if (away < nearest || (away === nearest && end < best)) [best, nearest] = [end, away];
+          if (away > nearest || (away === nearest && end > best)) continue;
+          best = end;
+          nearest = away;
         }
+        cell.length = kept;
       }
     }
     this.used[best >> 1] = 1;
@@ -92,7 +97,7 @@ class EndGrid {
   }
 }
 
-function* nearestFirst(paths: readonly PathEnds[]): Generator<number, OrderedPath[], void> {
+export function* nearestFirst(paths: readonly PathEnds[]): Generator<number, OrderedPath[], void> {
   const grid = new EndGrid(paths);
   const order: OrderedPath[] = [];
   let place: readonly [number, number] = [0, 0];

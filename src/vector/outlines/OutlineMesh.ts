@@ -97,4 +97,8 @@ export interface OutlinePiece {
   contour: number;
   /** How deep the surface beside the piece is along the line of sight, object units. */
   extent: number;
+  /** How much of that may lie before the piece, though the piece is to be seen. */
+  ownCover: number;
+  /** An edge whose two sides rise from it. */
+  isValley: boolean;
 }

@@ -223,7 +223,7 @@ class OutlineDrawing {
     return [0.5 * width * factor * weight, 0.5 * width * factor * innerWeight];
   }
 
-  private push({ isSmooth, extent, contour }: OutlinePiece, end: PieceEnd): void {
+  private push({ isSmooth, extent, ownCover, isValley, contour }: OutlinePiece, end: PieceEnd): void {
     const { near } = this.projection.camera;
     const world = this.worldOf(end);
     const [half, inner] = this.halvesAt(end, world);
@@ -233,7 +233,8 @@ class OutlineDrawing {
     this.builder.push(screen, world, half, isBehind ? Math.max(half, inner) : -1, -1);
     this.innerHalves.push(inner);
     this.accents.push(this.look.accents * contour);
-    this.pieces.push({ isSmooth, bend: end.bend, extent: extent * this.mesh.scale });
+    const { scale } = this.mesh;
+    this.pieces.push({ isSmooth, bend: end.bend, extent: extent * scale, ownCover: ownCover * scale, isValley });
   }
 
   /** Goes on over another piece from the last point: as wide as both in the mean, and lifted for both. */
@@ -245,6 +246,7 @@ class OutlineDrawing {
     this.innerHalves[last] = 0.5 * (this.innerHalves[last] + inner);
     this.accents[last] = 0.5 * (this.accents[last] + this.look.accents * contour);
     this.pieces[last] = {
+      ...before,
       isSmooth: isSmooth || before.isSmooth,
       bend: Math.min(before.bend, end.bend),
       extent: Math.max(before.extent, extent * this.mesh.scale),

@@ -1,6 +1,6 @@
-import { contourAlong, depthAcross, taperAt } from '../../engraving/outlines.js';
+import { contourAlong, depthAcross, looksAway, taperAt } from '../../engraving/outlines.js';
 import { suggestiveShare } from '../../engraving/suggestiveContour.js';
-import { combined, dot, mix, type Vec3 } from '../../engraving/vectors.js';
+import { combined, cross, dot, mix, type Vec3 } from '../../engraving/vectors.js';
 import { asPhase } from '../../slices/asPhase.js';
 import type { FeatureEdge, OutlineLook, OutlineMesh, OutlinePiece, PieceEnd } from './OutlineMesh.js';
 
@@ -135,8 +135,11 @@ class PieceFinder {
   private smoothPiece(triangle: number, [start, end]: readonly [PieceEnd, PieceEnd], contour: number): OutlinePiece {
     const [a, b, c] = this.cornersOf(triangle);
     const corners = [this.positionOf(a), this.positionOf(b), this.positionOf(c)] as const;
-    const extent = depthAcross(corners, start.position, end.position, this.toEye(corners[0]));
-    return { start, end, isSmooth: true, contour, extent };
+    const normals = [this.normalOf(a), this.normalOf(b), this.normalOf(c)] as const;
+    const toEye = this.toEye(corners[0]);
+    const extent = depthAcross(corners, start.position, end.position, toEye);
+    const ownCover = looksAway(corners, normals, toEye) ? extent : 0;
+    return { start, end, isSmooth: true, contour, extent, ownCover, isValley: false };
   }
 
   /** The zero set of n·v, linear over a triangle. */
@@ -201,7 +204,10 @@ class PieceFinder {
       else if (whole > 0) this.weigh(end, isContour[i] ? look.contours : 0, whole);
       else this.weigh(end, look.contours, 0);
     }
-    return { start: ends[0], end: ends[1], isSmooth: false, contour, extent: 0 };
+    const turn = cross(this.normalOf(leftStart), combined(sign, this.normalOf(rightStart), 0, [0, 0, 0]));
+    const along = combined(1, this.positionOf(leftEnd), -1, this.positionOf(leftStart));
+    const isValley = !isBorder && dot(turn, along) < 0;
+    return { start: ends[0], end: ends[1], isSmooth: false, contour, extent: 0, ownCover: 0, isValley };
   }
 
   private endOnEdge(

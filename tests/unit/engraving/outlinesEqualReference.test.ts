@@ -7,6 +7,7 @@ import {
   paperness,
   shadeWeight,
   taperAt,
+  toleranceOf,
   wobbleAt,
 } from '../../../src/engraving/outlines.js';
 import { suggestiveShare } from '../../../src/engraving/suggestiveContour.js';
@@ -15,6 +16,7 @@ import {
   behindSurface,
   depthBeside,
   liftedBy,
+  mayLieBefore,
   paperBehind,
   partInContour,
   shadedWidths,
@@ -71,11 +73,14 @@ test('the part of an edge that is a contour is that of the reference', () => {
   expect(some).toBeGreaterThan(50);
 });
 
-test('lift, stray and depth of an outline are those of the reference', () => {
+test('lift, tolerance, stray and depth of an outline are those of the reference', () => {
   for (let i = 0; i < 500; i++) {
     const [bend, extent, half, radius] = [between(-0.5, 3), between(0, 0.1), between(0.001, 0.02), between(0.5, 3)];
     const isSmooth = i % 2 === 0;
-    same(liftOf({ isSmooth, bend, extent }, half, radius), liftedBy(isSmooth ? bend : null, extent, half, radius));
+    const [ownCover, isValley, pixel] = [between(0, 0.1), i % 4 > 1, between(0.001, 0.01)];
+    const piece = { isSmooth, bend, extent, ownCover, isValley };
+    same(liftOf(piece, half, radius), liftedBy(isSmooth ? bend : null, extent, half, radius));
+    same(toleranceOf(piece, pixel, radius), mayLieBefore(ownCover, isValley, pixel, radius));
     const [place, wobble] = [list3(1), between(0, 3)];
     const [x, y] = strayed(place, wobble);
     const found = wobbleAt(place, wobble);

@@ -1,4 +1,5 @@
-import { BoxGeometry, PlaneGeometry, SphereGeometry } from 'three';
+import { BoxGeometry, IcosahedronGeometry, PlaneGeometry, SphereGeometry } from 'three';
+import { mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
 import { describe, expect, test } from 'vitest';
 import type { HatchingOutlineParameters } from '../../../src/outlines/HatchingOutlineMaterial.js';
 import { drawSVG } from '../../../src/svg/drawSVG.js';
@@ -85,4 +86,18 @@ test('suggestive contours are drawn where they are asked for', async () => {
     const ys = points.filter((_, i) => i % 2 === 1);
     expect(Math.max(...ys) - Math.min(...ys)).toBeGreaterThan(100);
   }
+});
+
+test('a contour of coarse triangles is hidden by what stands close before it', async () => {
+  // Its triangles are deep, so that its contour is lifted far towards the eye.
+  const coarse = mergeVertices(new IcosahedronGeometry(0.9, 2).deleteAttribute('normal').deleteAttribute('uv'));
+  const ball = await hatchedMesh(coarse, { outlines: { ...ALIKE, outlineWidth: 6 }, material: BLANK });
+  const sheet = await hatchedMesh(new PlaneGeometry(4, 2), { outlines: false, material: BLANK });
+  sheet.position.set(0, -1, 0.2);
+  const camera = cameraAt(0, 0, 1, true);
+  const { svg } = await drawSVG(sceneOf(ball, sheet), camera, { sheet: [105, 105], margin: 0 });
+  const paths = pathsOf(svg, 'outlines');
+  // The upper border of the sheet lies in the middle.
+  expect(coverageOf(paths, [0, 0, 105, 52])).toBeGreaterThan(0.005);
+  expect(coverageOf(paths, [0, 53, 105, 52])).toBe(0);
 });

@@ -109,7 +109,7 @@ describe('orderPaths', () => {
   test('takes each path once, and a far shorter way', () => {
     const order = finished(orderPaths(paths));
     expect(order.map(({ path }) => path).sort((a, b) => a - b)).toEqual(paths.map((_, i) => i));
-    expect(travelOf(paths, order)).toBeLessThan(0.06 * travelOf(paths, asDrawn(paths)));
+    expect(travelOf(paths, order)).toBeLessThan(0.0335 * travelOf(paths, asDrawn(paths)));
     expect(finished(orderPaths(paths))).toEqual(order);
   });
 

@@ -29,14 +29,27 @@ function isHiddenBy(corners: Float64Array, place: readonly number[], way: readon
   return false;
 }
 
-/** The share of places on engraved lines that are drawn though hidden, or hidden though seen; and of how many pieces. */
-export function wronglySeen(scene: Scene, camera: Camera, samples: number): { share: number; pieces: number } {
+/** What is found at a place. */
+type Look = 'right' | 'visible' | 'hidden' | 'beyond';
+
+/** Shares of places on engraved lines. */
+export interface WronglySeen {
+  /** Those that are drawn though hidden, those that are hidden though seen, and both. */
+  visible: number;
+  hidden: number;
+  share: number;
+  /** Of how many pieces. */
+  pieces: number;
+}
+
+/** Which places on engraved lines, as far as they lie on the picture, are drawn or hidden wrongly. */
+export function wronglySeen(scene: Scene, camera: Camera, samples: number): WronglySeen {
   const { drawn } = finished(readScene(scene, camera, false));
   const projection = new Projection(drawn.camera, 400, 400);
   const bvh = finished(Bvh.build(drawn.corners, drawn.sides, drawn.cutouts));
   const drawer = new LineDrawer(drawn, null, projection, bvh);
   const random = randomNumbers(1);
-  const pieces: { length: number; look(share: number): boolean }[] = [];
+  const pieces: { length: number; look(share: number): Look }[] = [];
   for (const surface of drawn.surfaces) {
     for (const { chain } of finished(drawer.tracedChains(surface))) {
       const runs = finished(visibleRuns(chain, projection, drawer.surfaceTest(chain)));
@@ -44,15 +57,19 @@ export function wronglySeen(scene: Scene, camera: Camera, samples: number): { sh
         if (!(chain.margins[piece] > 0 && chain.margins[piece + 1] > 0)) continue;
         const [i, j] = [2 * piece, 2 * piece + 2];
         const length = Math.hypot(chain.screen[j] - chain.screen[i], chain.screen[j + 1] - chain.screen[i + 1]);
-        const look = (share: number): boolean => {
+        const look = (share: number): Look => {
           const place = piece + share;
+          const { world, x, y } = placeOn(chain, piece, share, projection);
+          // What lies beyond the picture is not drawn, seen or not.
+          if (!projection.contains(x, y)) return 'beyond';
           const isDrawn = runs.some(([from, to]) => {
             const again = place + chain.count - 1;
             return (place >= from && place <= to) || (again >= from && again <= to);
           });
-          const { world } = placeOn(chain, piece, share, projection);
           const { way } = projection.wayToEye(...world);
-          return isDrawn === !isHiddenBy(drawn.corners, world, way, chain.triangles[piece]);
+          const isHidden = isHiddenBy(drawn.corners, world, way, chain.triangles[piece]);
+          if (isDrawn === !isHidden) return 'right';
+          return isDrawn ? 'visible' : 'hidden';
         };
         if (length > 0) pieces.push({ length, look });
       }
@@ -60,11 +77,13 @@ export function wronglySeen(scene: Scene, camera: Camera, samples: number): { sh
   }
   // By length: places that are spread evenly over all lines.
   const total = pieces.reduce((sum, { length }) => sum + length, 0);
-  let [at, k, wrong] = [0, 0, 0];
+  const counts = { right: 0, visible: 0, hidden: 0, beyond: 0 };
+  let [at, k] = [0, 0];
   for (let sample = 0; sample < samples; sample++) {
     const target = ((sample + random()) / samples) * total;
     while (at + pieces[k].length < target) at += pieces[k++].length;
-    if (!pieces[k].look((target - at) / pieces[k].length)) wrong++;
+    counts[pieces[k].look((target - at) / pieces[k].length)]++;
   }
-  return { share: wrong / samples, pieces: pieces.length };
+  const [visible, hidden] = [counts.visible, counts.hidden].map((count) => count / (samples - counts.beyond));
+  return { visible, hidden, share: visible + hidden, pieces: pieces.length };
 }
