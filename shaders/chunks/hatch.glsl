@@ -1,8 +1,5 @@
 #include "crossedTones"
 #include "technique/hatchLayer"
-
-// The shift of each layer against the one before, in tiles or, for `anchored`, in anchors: any numbers that bring no strokes together.
-#define LAYER_SHIFT vec3(17.37, 5.71, 11.13)
 #include "technique/layers"
 
 // The darkness of the hatch: of its layers, printed over one another.

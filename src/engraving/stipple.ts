@@ -1,6 +1,7 @@
 /** Dots that lie in the surface and are round on the screen, as shaders/techniques/anchored/stipple.glsl and dots.glsl have it. */
 
 import { STIPPLE_CONSTANTS } from './constants/stippleConstants.js';
+import { TONE_CONSTANTS } from './constants/toneConstants.js';
 import { leftOf, THIRD_FROM, takenOf } from './crossedTones.js';
 import type { ScreenMap } from './screenGradient.js';
 import { clamp01, combined, cross, dot, lengthOf, normalize, type Vec3 } from './vectors.js';
@@ -90,9 +91,6 @@ export function dotOctave(pixelArea: number, own: number, { dotPixels, tilesPerU
   return least + sizedOnScreen * (onScreen - least) + crowding;
 }
 
-/** The shift of each layer of dots against the one before, in anchors. */
-const LAYER_SHIFT: Vec3 = [17.37, 5.71, 11.13];
-
 /** How many layers of dots there are, and how far they lie apart. */
 export interface DotLayers {
   /** The distance between anchors, object units. */
@@ -112,7 +110,7 @@ export function layerTones(tone: number, { crossFrom }: DotLayers): readonly num
 
 /** Where a place lies in the set of a layer. Object space. */
 export const inLayer = (place: Vec3, layer: number, { shift }: DotLayers): Vec3 =>
-  combined(1, place, layer * shift, LAYER_SHIFT);
+  combined(1, place, layer * shift, TONE_CONSTANTS.LAYER_SHIFT);
 
 /** How far the set lies from the origin of a plane, object units along both of its axes. */
 export const setShift = (axis: Vec3, tilesPerUnit: number): readonly [number, number] => [

@@ -7,6 +7,8 @@ export const TONE_CONSTANTS = {
   KEPT_BY_PEN: 0.6,
   /** The tone left by the first layer from which on a third crosses the second. The tone is then half way from where it begins to 1. */
   THIRD_FROM: 0.375,
+  /** The shift of each layer against the one before, in tiles or, for `anchored`, in anchors: any numbers that bring no strokes together. */
+  LAYER_SHIFT: [17.37, 5.71, 11.13],
 
   /** The occlusion from which on a place is a hollow, which is that of eyelids and lips, and from which on it is a deep one. */
   HOLLOW: [0.1, 0.6],
