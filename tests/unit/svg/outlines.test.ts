@@ -1,6 +1,15 @@
-import { BoxGeometry, IcosahedronGeometry, PlaneGeometry, SphereGeometry } from 'three';
+import {
+  BoxGeometry,
+  BufferAttribute,
+  BufferGeometry,
+  DoubleSide,
+  IcosahedronGeometry,
+  PlaneGeometry,
+  SphereGeometry,
+} from 'three';
 import { mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
 import { describe, expect, test } from 'vitest';
+import type { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import type { HatchingOutlineParameters } from '../../../src/outlines/HatchingOutlineMaterial.js';
 import { drawSVG } from '../../../src/svg/drawSVG.js';
 import { cameraAt, hatchedMesh, sceneOf } from '../vector/hatchedScene.js';
@@ -100,4 +109,49 @@ test('a contour of coarse triangles is hidden by what stands close before it', a
   // The upper border of the sheet lies in the middle.
   expect(coverageOf(paths, [0, 0, 105, 52])).toBeGreaterThan(0.005);
   expect(coverageOf(paths, [0, 53, 105, 52])).toBe(0);
+});
+
+describe('a Möbius strip', async () => {
+  const RADIUS = 0.75;
+  const HALF = 0.2;
+  const STEPS = 192;
+  const ACROSS = 4;
+  const around = (turn: number, across: number) => {
+    const r = RADIUS + across * Math.cos(turn / 2);
+    return [r * Math.cos(turn), r * Math.sin(turn), across * Math.sin(turn / 2)] as const;
+  };
+  /** The last row joins the first upside down. */
+  const strip = (): BufferGeometry => {
+    const positions: number[] = [];
+    const index: number[] = [];
+    for (let i = 0; i < STEPS; i++) {
+      for (let k = 0; k <= ACROSS; k++)
+        positions.push(...around((2 * Math.PI * i) / STEPS, HALF * ((2 * k) / ACROSS - 1)));
+    }
+    const at = (i: number, k: number): number => (i < STEPS ? i * (ACROSS + 1) + k : ACROSS - k);
+    for (let i = 0; i < STEPS; i++) {
+      for (let k = 0; k < ACROSS; k++)
+        index.push(at(i, k), at(i + 1, k), at(i + 1, k + 1), at(i, k), at(i + 1, k + 1), at(i, k + 1));
+    }
+    const geometry = new BufferGeometry().setIndex(index);
+    geometry.setAttribute('position', new BufferAttribute(Float32Array.from(positions), 3));
+    geometry.computeVertexNormals();
+    return geometry;
+  };
+
+  test('has one border, a path that goes round twice and is cut only where it passes behind itself', async () => {
+    const mesh = await hatchedMesh(strip(), { outlines: { ...ALIKE, creases: 0, outlineWidth: 1 }, material: BLANK });
+    (mesh.material as HatchingMaterial).side = DoubleSide;
+    const sheet = { kind: 'pen', sheet: [105, 105], margin: 0 } as const;
+    const { drawn, paths } = await drawSVG(sceneOf(mesh), cameraAt(0, 0, 1, true), sheet);
+    expect(paths).toBe(1);
+    let length = 0;
+    for (let i = 0; i < 2 * STEPS; i++) {
+      const [x, y] = around((2 * Math.PI * i) / STEPS, HALF);
+      const [nextX, nextY] = around((2 * Math.PI * (i + 1)) / STEPS, HALF);
+      length += 50 * Math.hypot(nextX - x, nextY - y);
+    }
+    // A tenth of a millimetre is hidden there.
+    expect(Math.abs(drawn / length - 1)).toBeLessThan(0.005);
+  });
 });
