@@ -5,6 +5,7 @@ import { form } from './form/form.mjs';
 import { frame } from './frame/frame.mjs';
 import { lineFields } from './lineFields/lineFields.mjs';
 import { lines } from './lines/lines.mjs';
+import { many } from './many/many.mjs';
 import { media } from './media/media.mjs';
 import { memory } from './memory/memory.mjs';
 import { occlusion } from './occlusion/occlusion.mjs';
@@ -19,6 +20,7 @@ import { vector } from './vector/vector.mjs';
  */
 export const benchmarks = [
   frame,
+  many,
   media,
   lines,
   shadows,

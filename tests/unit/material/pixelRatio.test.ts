@@ -24,7 +24,7 @@ function numbersOf(material: HatchingMaterial, renderer: WebGLRenderer): [name: 
   );
 }
 
-const SIZES = { toothSize: 3, lineSpacing: 6, finestSpacing: 5, strokeWidth: 2.5, edgePixels: 1.5 };
+const SIZES = { toothSize: 3, lineSpacing: 6, finestSpacing: 5, strokeWidth: 2.5, strokeLength: 50, edgePixels: 1.5 };
 
 test.each(
   [0.5, 1, 2].flatMap((pixelRatio) => [0, 0.5, 1].map((sizedOnScreen) => [pixelRatio, sizedOnScreen] as const)),
