@@ -2,10 +2,15 @@ import type { TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
 import { fanCurvatures } from '../features/fanCurvatures.js';
 import { triangleOf } from '../mesh/corners.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
-import type { HeatEquation } from '../normals/assembleHeatEquation.js';
+import {
+  assembleHeatEquation,
+  countEdges,
+  type FanSurface,
+  type HeatEquation,
+} from '../normals/assembleHeatEquation.js';
 import { buildFans, type Fans } from '../normals/buildFans.js';
 import { fanDirections } from '../normals/fanDirections.js';
-import { startFlow } from '../normals/smoothFanNormals.js';
+import { meanNormals } from '../normals/meanNormals.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
 import type { FormOptions } from './FormOptions.js';
@@ -71,10 +76,15 @@ export function* surfaceWithin(
     for (let corner = start; corner < end; corner++)
       partShares[fans.ofCorner[corner]] = parts.shares[parts.ofTriangle[triangleOf(corner)]];
   });
-  const flow = yield* asPhase(startFlow(surface), 0.05, 0.2);
-  const smoothed = yield* asPhase(strokeNormals(flow, smoothing * radius, partShares), 0.2, 0.8);
-  const normals = yield* asPhase(fanDirections(smoothed, areaNormals, fans), 0.8, 0.85);
-  const tensors = yield* asPhase(fanCurvatures(mesh, areaNormals, fans, normals), 0.85, 1);
-  const { heat } = flow;
+  const smoothed = yield* asPhase(strokeNormals(surface, smoothing * radius, partShares), 0.05, 0.7);
+  const normals = yield* asPhase(fanDirections(smoothed, areaNormals, fans), 0.7, 0.75);
+  const tensors = yield* asPhase(fanCurvatures(mesh, areaNormals, fans, normals), 0.75, 0.9);
+  const heat = yield* asPhase(fanHeat(surface), 0.9, 1);
   return { mesh, twins, areaNormals, fans, normals, tensors, masses: heat.masses, heat, radius, partShares };
+}
+
+function* fanHeat(surface: FanSurface): Generator<number, HeatEquation, void> {
+  const { masses } = yield* asPhase(meanNormals(surface), 0, 0.2);
+  const sizes = yield* asPhase(countEdges(surface), 0.2, 0.3);
+  return yield* asPhase(assembleHeatEquation(surface, masses, sizes), 0.3, 1);
 }

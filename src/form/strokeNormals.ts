@@ -1,4 +1,5 @@
-import { diffuse, type NormalFlow } from '../normals/smoothFanNormals.js';
+import type { FanSurface } from '../normals/assembleHeatEquation.js';
+import { smoothFanNormals } from '../normals/smoothFanNormals.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
 
@@ -13,16 +14,16 @@ const THICK = 0.6;
  * Smooths normals at the scale of a stroke. On parts that are thinner than that, such as claws and ears, normals from all around would
  * cancel each other and be drowned by those of the body; such parts take half the radius, or a quarter.
  *
- * @param shares see `diffuse`
+ * @param shares see `smoothFanNormals`
  * @returns a vector per fan, not of unit length
  */
 export function* strokeNormals(
-  flow: NormalFlow,
+  surface: FanSurface,
   radius: number,
   shares: Float32Array,
 ): Generator<number, Float32Array<ArrayBuffer>, void> {
   const radii = [radius, radius / 2, radius / 4];
-  const [whole, half, quarter] = yield* asPhase(diffuse(flow, radii, shares), 0, 0.95);
+  const [whole, half, quarter] = yield* asPhase(smoothFanNormals(surface, radii, shares), 0, 0.95);
   yield* asPhase(
     forEachChunk(shares.length, (start, end) => {
       chooseRange(half, quarter, start, end);

@@ -40,10 +40,12 @@ export interface HeatEquation {
  * once for each end.
  *
  * @param masses see `HeatEquation`
+ * @param starts what `countEdges` gives for the surface. It becomes `starts` of the equation
  */
 export function* assembleHeatEquation(
   surface: FanSurface,
   masses: Float64Array<ArrayBuffer>,
+  starts: Uint32Array<ArrayBuffer>,
 ): Generator<number, HeatEquation, void> {
   const { areaNormals, fans } = surface;
   const cornerCount = fans.ofCorner.length;
@@ -51,13 +53,7 @@ export function* assembleHeatEquation(
   yield* asPhase(
     forEachChunk(cornerCount / 3, (start, end) => cotangentRange(surface, cotangents, start, end)),
     0,
-    0.3,
-  );
-  const starts = new Uint32Array(fans.count + 1);
-  yield* asPhase(
-    forEachChunk(cornerCount, (start, end) => countRange(surface, starts, start, end)),
-    0.3,
-    0.5,
+    0.4,
   );
   let edgeCount = 0;
   for (let fan = 0; fan <= fans.count; fan++) {
@@ -73,10 +69,19 @@ export function* assembleHeatEquation(
   };
   yield* asPhase(
     forEachChunk(areaNormals.length, (start, end) => scatterRange(surface, cotangents, heat, start, end)),
-    0.5,
+    0.4,
     1,
   );
   return heat;
+}
+
+/** Counts the edges of each fan. The array has one entry more, which is 0. */
+export function* countEdges(
+  surface: Pick<FanSurface, 'twins' | 'fans'>,
+): Generator<number, Uint32Array<ArrayBuffer>, void> {
+  const sizes = new Uint32Array(surface.fans.count + 1);
+  yield* forEachChunk(surface.twins.length, (start, end) => countRange(surface, sizes, start, end));
+  return sizes;
 }
 
 /** Writes the cotangents of the angles of a range of triangles, limited to LARGEST_COTANGENT; 0 in degenerate triangles. */
@@ -115,9 +120,12 @@ function dotFrom(positions: Float32Array, origin: number, a: number, b: number):
 }
 
 /** Counts the edges of each fan. A half-edge counts for the fan it starts from; without a twin it also counts for its end. */
-function countRange(surface: FanSurface, sizes: Uint32Array, start: number, end: number): void {
-  const { twins } = surface;
-  const { ofCorner } = surface.fans;
+function countRange(
+  { twins, fans: { ofCorner } }: Pick<FanSurface, 'twins' | 'fans'>,
+  sizes: Uint32Array,
+  start: number,
+  end: number,
+): void {
   for (let corner = start; corner < end; corner++) {
     sizes[ofCorner[corner]]++;
     if (twins[corner] === NO_TWIN) sizes[ofCorner[nextCorner(corner)]]++;

@@ -1,7 +1,6 @@
 import { TorusGeometry } from 'three';
 import { describe, expect, test } from 'vitest';
 import { strokeNormals } from '../../../src/form/strokeNormals.js';
-import { startFlow } from '../../../src/normals/smoothFanNormals.js';
 import { meshFrom } from '../features/surfaces.js';
 import { finish } from '../mesh/meshes.js';
 import { frontOf, twinsOf } from './fronts.js';
@@ -12,7 +11,7 @@ function meanLength(tube: number, radius: number, share = 1): number {
   const { adjacency, whole } = twinsOf(mesh);
   const { fans } = frontOf(mesh).surface;
   const surface = { mesh, ...adjacency, twins: whole, fans };
-  const vectors = finish(strokeNormals(finish(startFlow(surface)), radius, new Float32Array(fans.count).fill(share)));
+  const vectors = finish(strokeNormals(surface, radius, new Float32Array(fans.count).fill(share)));
   let sum = 0;
   for (let i = 0; i < vectors.length; i += 3) sum += Math.hypot(...vectors.subarray(i, i + 3));
   return sum / fans.count;
