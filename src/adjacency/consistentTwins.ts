@@ -6,8 +6,14 @@ import type { TriangleAdjacency } from './buildTriangleAdjacency.js';
 export function* consistentTwins({
   twins,
   canonicalCorners,
-}: Pick<TriangleAdjacency, 'twins' | 'canonicalCorners'>): Generator<number, Int32Array<ArrayBuffer>, void> {
+  inconsistentEdges,
+}: Pick<TriangleAdjacency, 'twins' | 'canonicalCorners' | 'inconsistentEdges'>): Generator<
+  number,
+  Int32Array<ArrayBuffer>,
+  void
+> {
   const consistent = twins.slice();
+  if (inconsistentEdges === 0) return consistent;
   yield* forEachChunk(twins.length, (start, end) => dropRange(canonicalCorners, consistent, start, end));
   return consistent;
 }

@@ -43,22 +43,22 @@ export function* splitVertices(
     0.3,
   );
   const divisions: Divisions = { ofCorner, partOf };
-  let conflictCount = 0;
-  yield* asPhase(
-    forEachChunk(cornerCount, (start, end) => {
-      conflictCount += countConflicts(indices, areaNormals, divisions, firstCorners, start, end);
-    }),
-    0.3,
-    0.6,
-  );
-  let size = 16;
-  while (size < 2 * conflictCount) size *= 2;
-  const copies: Copies = { table: new Uint32Array(size), corners: new Uint32Array(conflictCount), count: 0 };
+  const conflicts: number[] = [];
   yield* asPhase(
     forEachChunk(cornerCount, (start, end) =>
-      splitRange(mesh, indices, areaNormals, divisions, firstCorners, copies, start, end),
+      findConflicts(indices, areaNormals, divisions, firstCorners, conflicts, start, end),
     ),
-    0.6,
+    0.3,
+    0.8,
+  );
+  let size = 16;
+  while (size < 2 * conflicts.length) size *= 2;
+  const copies: Copies = { table: new Uint32Array(size), corners: new Uint32Array(conflicts.length), count: 0 };
+  yield* asPhase(
+    forEachChunk(conflicts.length, (start, end) =>
+      splitRange(mesh.indices, indices, divisions, vertexCount, copies, conflicts, start, end),
+    ),
+    0.8,
     1,
   );
   const corners = copies.corners.subarray(0, copies.count);
@@ -104,37 +104,35 @@ function findFirst(
   }
 }
 
-/** Counts the corners that need a copy of their vertex, because it belongs to another fan or part. */
-function countConflicts(
+/** Finds the corners that need a copy of their vertex, because it belongs to another fan or part. */
+function findConflicts(
   indices: Uint32Array,
   areaNormals: Float64Array,
   divisions: Divisions,
   firstCorners: Uint32Array,
-  start: number,
-  end: number,
-): number {
-  let count = 0;
-  for (let corner = start; corner < end; corner++) {
-    const first = firstCorners[indices[corner]];
-    if (!isSame(divisions, first, corner) && !isDegenerate(areaNormals, triangleOf(corner))) count++;
-  }
-  return count;
-}
-
-function splitRange(
-  mesh: TriangleMesh,
-  indices: Uint32Array,
-  areaNormals: Float64Array,
-  divisions: Divisions,
-  firstCorners: Uint32Array,
-  copies: Copies,
+  conflicts: number[],
   start: number,
   end: number,
 ): void {
   for (let corner = start; corner < end; corner++) {
-    const first = firstCorners[mesh.indices[corner]];
-    if (isSame(divisions, first, corner) || isDegenerate(areaNormals, triangleOf(corner))) continue;
-    indices[corner] = firstCorners.length + copyFor(mesh.indices, divisions, copies, corner);
+    const first = firstCorners[indices[corner]];
+    if (!isSame(divisions, first, corner) && !isDegenerate(areaNormals, triangleOf(corner))) conflicts.push(corner);
+  }
+}
+
+/** Gives copies to a range of the corners that need one. */
+function splitRange(
+  vertices: Uint32Array,
+  indices: Uint32Array,
+  divisions: Divisions,
+  vertexCount: number,
+  copies: Copies,
+  conflicts: readonly number[],
+  start: number,
+  end: number,
+): void {
+  for (let i = start; i < end; i++) {
+    indices[conflicts[i]] = vertexCount + copyFor(vertices, divisions, copies, conflicts[i]);
   }
 }
 

@@ -10,32 +10,44 @@ export interface Bounds {
 }
 
 /** Measures the vertices that triangles use, as three.js does: the sphere's centre is the middle of the box. */
-export function* measureBounds(mesh: TriangleMesh): Generator<number, Bounds, void> {
+export function* measureBounds({ positions, indices }: TriangleMesh): Generator<number, Bounds, void> {
   const bounds: Bounds = { min: [Infinity, Infinity, Infinity], max: [-Infinity, -Infinity, -Infinity], radius: 0 };
   const { min, max } = bounds;
-  const count = mesh.indices.length;
+  const count = positions.length / 3;
+  const isUsed = new Uint8Array(count);
   yield* asPhase(
-    forEachChunk(count, (start, end) => enclose(mesh, bounds, start, end)),
+    forEachChunk(indices.length, (start, end) => markRange(indices, isUsed, start, end)),
     0,
-    0.6,
+    0.5,
+  );
+  yield* asPhase(
+    forEachChunk(count, (start, end) => enclose(positions, isUsed, bounds, start, end)),
+    0.5,
+    0.8,
   );
   const center: Bounds['min'] = [(min[0] + max[0]) / 2, (min[1] + max[1]) / 2, (min[2] + max[2]) / 2];
   yield* asPhase(
     forEachChunk(count, (start, end) => {
-      bounds.radius = Math.max(bounds.radius, farthest(mesh, center, start, end));
+      bounds.radius = Math.max(bounds.radius, farthest(positions, isUsed, center, start, end));
     }),
-    0.6,
+    0.8,
     1,
   );
   return bounds;
 }
 
-/** Widens the box so that it holds the vertices of a range of corners. */
-function enclose({ positions, indices }: TriangleMesh, { min, max }: Bounds, start: number, end: number): void {
+/** Marks the vertices of a range of corners. */
+function markRange(indices: Uint32Array, isUsed: Uint8Array, start: number, end: number): void {
+  for (let corner = start; corner < end; corner++) isUsed[indices[corner]] = 1;
+}
+
+/** Widens the box so that it holds those of a range of vertices that are used. */
+function enclose(positions: Float32Array, isUsed: Uint8Array, { min, max }: Bounds, start: number, end: number): void {
   let [minX, minY, minZ] = min;
   let [maxX, maxY, maxZ] = max;
-  for (let corner = start; corner < end; corner++) {
-    const i = 3 * indices[corner];
+  for (let vertex = start; vertex < end; vertex++) {
+    if (isUsed[vertex] === 0) continue;
+    const i = 3 * vertex;
     const x = positions[i];
     const y = positions[i + 1];
     const z = positions[i + 2];
@@ -50,16 +62,18 @@ function enclose({ positions, indices }: TriangleMesh, { min, max }: Bounds, sta
   max.splice(0, 3, maxX, maxY, maxZ);
 }
 
-/** The greatest distance from the centre among the vertices of a range of corners. */
+/** The greatest distance from the centre among those of a range of vertices that are used. */
 function farthest(
-  { positions, indices }: TriangleMesh,
+  positions: Float32Array,
+  isUsed: Uint8Array,
   [centerX, centerY, centerZ]: Bounds['min'],
   start: number,
   end: number,
 ): number {
   let square = 0;
-  for (let corner = start; corner < end; corner++) {
-    const i = 3 * indices[corner];
+  for (let vertex = start; vertex < end; vertex++) {
+    if (isUsed[vertex] === 0) continue;
+    const i = 3 * vertex;
     const x = positions[i] - centerX;
     const y = positions[i + 1] - centerY;
     const z = positions[i + 2] - centerZ;

@@ -24,55 +24,97 @@ export function* absorbSmallPatches(
   const small = new Uint8Array(areas.length);
   for (let patch = 0; patch < areas.length; patch++) small[patch] = Number(isSmall(areas[patch], sizes[patch]));
   if (!small.includes(1)) return;
+  const isBeside = new Uint8Array(mesh.positions.length / 3);
+  yield* asPhase(
+    forEachChunk(cornerCount / 3, (start, end) => markRange(canonicalCorners, ofTriangle, small, isBeside, start, end)),
+    0,
+    0.3,
+  );
+  // Small patches are few. All that follows looks at their vertices alone.
+  const corners: number[] = [];
+  yield* asPhase(
+    forEachChunk(cornerCount, (start, end) => collectRange(canonicalCorners, isBeside, corners, start, end)),
+    0.3,
+    0.8,
+  );
   const fanAreas = new Float64Array(count);
   yield* asPhase(
-    forEachChunk(cornerCount / 3, (start, end) => addFans(areaNormals, ofCorner, fanAreas, start, end)),
-    0,
-    0.4,
+    forEachChunk(corners.length, (start, end) => addRange(areaNormals, ofCorner, corners, fanAreas, start, end)),
+    0.8,
+    0.88,
   );
-  const largestFans = new Uint32Array(mesh.positions.length / 3).fill(NO_FAN);
+  const search = { canonicalCorners, ofCorner, ofTriangle, small, largestFans: new Uint32Array(isBeside.length) };
+  search.largestFans.fill(NO_FAN);
   yield* asPhase(
-    forEachChunk(cornerCount, (start, end) =>
-      findLargestFans(canonicalCorners, ofCorner, fanAreas, ofTriangle, small, largestFans, start, end),
-    ),
-    0.4,
-    0.7,
+    forEachChunk(corners.length, (start, end) => findLargestFans(search, corners, fanAreas, start, end)),
+    0.88,
+    0.95,
   );
   yield* asPhase(
-    forEachChunk(cornerCount, (start, end) =>
-      moveRange(canonicalCorners, ofCorner, ofTriangle, small, largestFans, start, end),
-    ),
-    0.7,
+    forEachChunk(corners.length, (start, end) => moveRange(search, corners, start, end)),
+    0.95,
     1,
   );
 }
 
-/** Adds the area of each triangle in a range to those of its fans. */
-function addFans(
-  areaNormals: Float64Array,
-  ofCorner: Uint32Array,
-  fanAreas: Float64Array,
+/** Marks the canonical vertices of the small patches in a range of triangles. */
+function markRange(
+  canonicalCorners: Uint32Array,
+  ofTriangle: Uint32Array,
+  small: Uint8Array,
+  isBeside: Uint8Array,
   start: number,
   end: number,
 ): void {
   for (let triangle = start; triangle < end; triangle++) {
-    const area = 0.5 * doubleArea(areaNormals, triangle);
-    for (let corner = 3 * triangle; corner < 3 * triangle + 3; corner++) fanAreas[ofCorner[corner]] += area;
+    if (small[ofTriangle[triangle]] === 0) continue;
+    for (let corner = 3 * triangle; corner < 3 * triangle + 3; corner++) isBeside[canonicalCorners[corner]] = 1;
   }
 }
 
-/** Finds for each canonical vertex the largest fan that belongs to no small patch, or NO_FAN. */
-function findLargestFans(
+/** Collects the corners at marked vertices. */
+function collectRange(
   canonicalCorners: Uint32Array,
-  ofCorner: Uint32Array,
-  fanAreas: Float64Array,
-  ofTriangle: Uint32Array,
-  small: Uint8Array,
-  largestFans: Uint32Array,
+  isBeside: Uint8Array,
+  corners: number[],
   start: number,
   end: number,
 ): void {
-  for (let corner = start; corner < end; corner++) {
+  for (let corner = start; corner < end; corner++) if (isBeside[canonicalCorners[corner]] === 1) corners.push(corner);
+}
+
+/** Adds the areas of the triangles of a range of corners to those of the corners' fans. */
+function addRange(
+  areaNormals: Float64Array,
+  ofCorner: Uint32Array,
+  corners: readonly number[],
+  fanAreas: Float64Array,
+  start: number,
+  end: number,
+): void {
+  for (let i = start; i < end; i++) fanAreas[ofCorner[corners[i]]] += doubleArea(areaNormals, triangleOf(corners[i]));
+}
+
+/** What small patches are moved by. */
+interface FanSearch {
+  canonicalCorners: Uint32Array;
+  ofCorner: Uint32Array;
+  ofTriangle: Uint32Array;
+  small: Uint8Array;
+  /** For each canonical vertex the largest fan that belongs to no small patch, or NO_FAN. */
+  largestFans: Uint32Array;
+}
+
+/** Finds the largest fans among those of a range of corners. */
+function findLargestFans(
+  { canonicalCorners, ofCorner, ofTriangle, small, largestFans }: FanSearch,
+  corners: readonly number[],
+  fanAreas: Float64Array,
+  start: number,
+  end: number,
+): void {
+  for (let i = start; i < end; i++) {
+    const corner = corners[i];
     if (small[ofTriangle[triangleOf(corner)]] === 1) continue;
     const vertex = canonicalCorners[corner];
     const fan = ofCorner[corner];
@@ -82,17 +124,14 @@ function findLargestFans(
 }
 
 function moveRange(
-  canonicalCorners: Uint32Array,
-  ofCorner: Uint32Array,
-  ofTriangle: Uint32Array,
-  small: Uint8Array,
-  largestFans: Uint32Array,
+  { canonicalCorners, ofCorner, ofTriangle, small, largestFans }: FanSearch,
+  corners: readonly number[],
   start: number,
   end: number,
 ): void {
-  for (let corner = start; corner < end; corner++) {
-    if (small[ofTriangle[triangleOf(corner)]] === 0) continue;
+  for (let i = start; i < end; i++) {
+    const corner = corners[i];
     const largest = largestFans[canonicalCorners[corner]];
-    if (largest !== NO_FAN) ofCorner[corner] = largest;
+    if (largest !== NO_FAN && small[ofTriangle[triangleOf(corner)]] === 1) ofCorner[corner] = largest;
   }
 }

@@ -13,6 +13,9 @@ const CREASE_DEGREES = 50;
 /** The crease angle as the squared distance between the tips of two unit normals. */
 const CREASE_DISTANCE_SQUARED = 2 - 2 * Math.cos((CREASE_DEGREES * Math.PI) / 180);
 
+/** Dividing by it would take several times as long as multiplying. */
+const PER_CREASE_DISTANCE_SQUARED = 1 / CREASE_DISTANCE_SQUARED;
+
 /** This many passes remove all edges from a plane whose triangles are tilted at random by up to 40°. */
 const PASSES = 4;
 
@@ -90,7 +93,7 @@ function filterRange(
       const dx = neighbourX - x;
       const dy = neighbourY - y;
       const dz = neighbourZ - z;
-      const similarity = 1 - (dx * dx + dy * dy + dz * dz) / CREASE_DISTANCE_SQUARED;
+      const similarity = 1 - (dx * dx + dy * dy + dz * dz) * PER_CREASE_DISTANCE_SQUARED;
       if (similarity <= 0) continue;
       const weight = similarity * similarity * areas[neighbour];
       sumX += weight * neighbourX;
@@ -105,16 +108,18 @@ function filterRange(
   }
 }
 
-/** Each half-edge is cut by itself. The distance is the same for both halves of an edge. */
+/** Cuts the edges whose first halves lie in a range, both halves at once. */
 function cutRange(normals: Float32Array, twins: Int32Array, start: number, end: number): void {
   for (let corner = start; corner < end; corner++) {
     const twin = twins[corner];
-    if (twin === NO_TWIN) continue;
+    if (twin < corner) continue;
     const a = 3 * triangleOf(corner);
     const b = 3 * triangleOf(twin);
     const dx = normals[a] - normals[b];
     const dy = normals[a + 1] - normals[b + 1];
     const dz = normals[a + 2] - normals[b + 2];
-    if (dx * dx + dy * dy + dz * dz > CREASE_DISTANCE_SQUARED) twins[corner] = NO_TWIN;
+    if (!(dx * dx + dy * dy + dz * dz > CREASE_DISTANCE_SQUARED)) continue;
+    twins[corner] = NO_TWIN;
+    twins[twin] = NO_TWIN;
   }
 }

@@ -165,52 +165,63 @@ function* flow(
 ): Generator<number, Float32Array<ArrayBuffer>[], void> {
   const fanCount = heat.masses.length;
   const results = series.map(([first]) => scaled(normals, first));
-  const steps = new Float64Array(fanCount);
-  const owns = new Float64Array(fanCount);
   const lengths = series.map(({ length }) => length);
   const longest = lengths.indexOf(Math.max(...lengths));
   const passes = lengths[longest] - 1;
-  writeSteps(heat, rate, shares, steps, owns);
+  const matrix = twiceP(heat, rate, shares);
   const runs = findRuns(heat.starts);
   let current = normals.slice();
   let previous = new Float32Array(normals.length);
   for (let k = 1; k <= passes; k++) {
-    const scale = k === 1 ? 1 : 2;
+    // T₁ = P·T₀, but a step gives 2P·T₀.
+    const share = k === 1 ? 0.5 : 1;
     for (let run = 0, start = 0; run < runs.length; run++) {
       const end = runs[run];
       // The longest series comes with the pass itself: it was measured to take a fifth less than a walk of its own.
-      stepRun(heat, steps, owns, scale, current, previous, series[longest][k], results[longest], start, end);
+      stepRun(matrix, current, previous, share * series[longest][k], results[longest], start, end);
       for (let i = 0; i < series.length; i++) {
-        if (i !== longest && k < series[i].length) addRange(previous, series[i][k], results[i], 3 * start, 3 * end);
+        if (i === longest || k >= lengths[i]) continue;
+        addRange(previous, share * series[i][k], results[i], 3 * start, 3 * end);
       }
       if (run % RUNS_PER_YIELD === 0) yield (k - 1 + end / fanCount) / passes;
       start = end;
     }
+    if (k === 1) previous = scaled(previous, share);
     [current, previous] = [previous, current];
   }
   return results;
 }
 
+/** The matrix 2P, whose entries off the diagonal lie as those of the heat equation. */
+interface Mixing extends Pick<HeatEquation, 'starts' | 'neighbours'> {
+  /** The entries on the diagonal. Each makes the sum of its row 2. */
+  owns: Float64Array;
+  weights: Float32Array;
+}
+
 /**
- * Writes for each fan its step, and the weight that a step leaves to its own value. A fan with so little area that it would mix
- * faster than the rate is treated as larger, which keeps the eigenvalues of P within [−1, 1].
+ * Computes 2P. A fan with so little area that it would mix faster than the rate is treated as larger, which keeps the eigenvalues
+ * of P within [−1, 1].
  */
-function writeSteps(
-  { starts, weights, masses, degrees }: HeatEquation,
+function twiceP(
+  { starts, neighbours, weights, masses, degrees }: HeatEquation,
   rate: number,
   shares: Float32Array | undefined,
-  steps: Float64Array,
-  owns: Float64Array,
-): void {
-  for (let fan = 0; fan < steps.length; fan++) {
-    let step = 1 / (Math.max(rate * masses[fan], degrees[fan]) || 1);
+): Mixing {
+  const owns = new Float64Array(masses.length);
+  const mixing = { starts, neighbours, owns, weights: new Float32Array(weights.length) };
+  for (let fan = 0; fan < owns.length; fan++) {
+    let step = 2 / (Math.max(rate * masses[fan], degrees[fan]) || 1);
     // Heat spreads over a share of the radius in that share, squared, of the time.
     if (shares) step *= shares[fan] ** 2;
-    let sum = 0;
-    for (let edge = starts[fan]; edge < starts[fan + 1]; edge++) sum += weights[edge];
-    steps[fan] = step;
-    owns[fan] = 1 - step * sum;
+    let own = 2;
+    for (let edge = starts[fan]; edge < starts[fan + 1]; edge++) {
+      mixing.weights[edge] = step * weights[edge];
+      own -= mixing.weights[edge];
+    }
+    owns[fan] = own;
   }
+  return mixing;
 }
 
 /** Multiplies values by a factor. `map` would call a function for each value, which was measured to be ten times as slow. */
@@ -244,15 +255,11 @@ function findRuns(starts: Uint32Array): Uint32Array {
 }
 
 /**
- * Turns `previous`, which holds Tₖ₋₁, into Tₖ₊₁ = scale·P·Tₖ − Tₖ₋₁ for a run of fans. `scale` is 2, except in the first step:
- * there it is 1, and T₋₁ = 0. Adds the term to `result`. Sums are of double precision and rounded once, so equal neighbours stay
- * equal to the last bit.
+ * Turns `previous`, which holds Tₖ₋₁, into Tₖ₊₁ = 2P·Tₖ − Tₖ₋₁ for a run of fans, and adds it to `result`. Sums are of double
+ * precision and rounded once, so equal neighbours stay equal to the last bit.
  */
 function stepRun(
-  { starts, neighbours, weights }: HeatEquation,
-  steps: Float64Array,
-  owns: Float64Array,
-  scale: number,
+  { starts, neighbours, owns, weights }: Mixing,
   current: Float32Array,
   previous: Float32Array,
   coefficient: number,
@@ -262,10 +269,11 @@ function stepRun(
 ): void {
   let edge = starts[start];
   const size = starts[end] - starts[end - 1];
-  for (let fan = start; fan < end; fan++) {
-    let x = 0;
-    let y = 0;
-    let z = 0;
+  for (let fan = start, i = 3 * start; fan < end; fan++, i += 3) {
+    const own = owns[fan];
+    let x = own * current[i] - previous[i];
+    let y = own * current[i + 1] - previous[i + 1];
+    let z = own * current[i + 2] - previous[i + 2];
     for (const last = edge + size; edge < last; edge++) {
       const neighbour = neighbours[edge];
       const weight = weights[edge];
@@ -273,12 +281,6 @@ function stepRun(
       y += weight * current[neighbour + 1];
       z += weight * current[neighbour + 2];
     }
-    const i = 3 * fan;
-    const own = scale * owns[fan];
-    const step = scale * steps[fan];
-    x = own * current[i] + step * x - previous[i];
-    y = own * current[i + 1] + step * y - previous[i + 1];
-    z = own * current[i + 2] + step * z - previous[i + 2];
     previous[i] = x;
     previous[i + 1] = y;
     previous[i + 2] = z;
