@@ -6,12 +6,16 @@ const identity = Symbol('three-hatching identity');
  * `thing`.
  *
  * The key is stored on `thing` under a symbol. A function returns it, since proxies wrap objects but not what functions return.
- * An object that is not extensible is its own key.
+ * An object that is not extensible is its own key. Allocates nothing once a thing has its key.
  */
 export function identityOf(thing: object): object {
   const known = (thing as { [identity]?: () => object })[identity];
   if (known) return known();
-  if (!Object.isExtensible(thing)) return thing;
+  return Object.isExtensible(thing) ? giveIdentity(thing) : thing;
+}
+
+/** A function of its own: what a closure keeps is allocated whenever the function around it is called. */
+function giveIdentity(thing: object): object {
   const made = {};
   Object.defineProperty(thing, identity, { value: () => made });
   return made;

@@ -14,9 +14,12 @@ interface Fade {
 }
 
 const fades = new WeakMap<object, Fade>();
+/** Whether anything has ever faded: until then no mesh of any frame has to be looked up. */
+let hasFaded = false;
 
 /** How far the lines on a geometry stand out: from 0, an even grey of the same tone, to 1. Allocates nothing. */
 export function lineContrast(geometry: BufferGeometry): number {
+  if (!hasFaded) return 1;
   const fade = fades.get(identityOf(geometry));
   if (!fade) return 1;
   return MathUtils.lerp(fade.from, fade.to, MathUtils.smoothstep(performance.now() - fade.start, 0, DURATION));
@@ -55,6 +58,7 @@ async function fade(
 ): Promise<void> {
   if (!allowsMotion()) return;
   const start = performance.now();
+  hasFaded = true;
   for (const geometry of geometries) fades.set(identityOf(geometry), { start, from, to });
   // Not by animation frames: a page in the background has none, and goes on all the same.
   while (performance.now() - start < DURATION && !signal.aborted) {

@@ -23,7 +23,8 @@ import { bindEnvironment } from './bindEnvironment.js';
 import { blurredEnvironment } from './blurredEnvironment.js';
 import { checkChoice, checkValues } from './checkValues.js';
 import { vertexLayoutOf } from './deformation/vertexLayoutOf.js';
-import { writeEmphasis, writeEmphasisOf } from './emphasis/emphasis.js';
+import { takesWeight, writeEmphasis, writeImportance } from './emphasis/emphasis.js';
+import { writeSheet } from './emphasis/writeSheet.js';
 import { environmentAround } from './environmentAround.js';
 import { FrameStamp } from './FrameStamp.js';
 import { defaultOf } from './facts/defaultOf.js';
@@ -39,12 +40,14 @@ import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js
 import { type HatchingMaterialJSON, propertiesToJSON, setFromJSON } from './hatchingJSON.js';
 import {
   createHatchingUniforms,
+  MESH_UNIFORMS,
   writeComputedUniforms,
   writeMapUniforms,
   writePropertyUniforms,
   writeSizeUniforms,
 } from './hatchingUniforms.js';
 import { keepHooks } from './keepHooks.js';
+import { MeshUniforms } from './MeshUniforms.js';
 import { PropertyFields } from './PropertyFields.js';
 import { ExposureInUse } from './parts/ExposureInUse.js';
 import { PartInUse } from './parts/PartInUse.js';
@@ -95,8 +98,14 @@ export class HatchingMaterial extends PropertyFields {
   private readonly exposed = new ExposureInUse();
   /** What the program depends on beside the properties. */
   private readonly met: ProgramFacts = { hasEnvironment: false, vertexLayout: 'corner', hasForm: true };
-  /** The frame for which the uniforms were last written. */
+  /** The frame for which the uniforms were last written, and the part of the target, in pixels, that it is drawn to. */
   private readonly written = new FrameStamp();
+  private readonly writtenTo = new Vector4();
+  /** What the properties say in that frame, and each of its meshes asks. */
+  private followsForm = false;
+  private takesWeight = false;
+  /** The uniforms that are of a mesh. @internal */
+  readonly ofMesh: MeshUniforms;
   /** The program switches of the last frame. */
   private drawnSwitches: number | undefined;
   /** Whether the strokes of the program come from a map. */
@@ -122,6 +131,7 @@ export class HatchingMaterial extends PropertyFields {
   constructor(parameters: HatchingMaterialParameters | undefined = undefined) {
     super();
     this.uniforms = createHatchingUniforms();
+    this.ofMesh = new MeshUniforms(this, MESH_UNIFORMS);
     this.lights = true;
     this.fog = true;
     this.clipping = true;
@@ -268,25 +278,29 @@ export class HatchingMaterial extends PropertyFields {
     _group: Group,
   ): void {
     this.isWithWebGL = true;
+    // Each camera of an ArrayCamera has its own part of the target.
+    const part = (camera as Camera & { viewport?: Vector4 }).viewport;
+    const drawn = part ?? renderer.getCurrentViewport(viewport);
     // Once for all the meshes of a frame: three.js, too, uploads the uniforms of a material once, unless it is told otherwise.
-    if (this.uniformsNeedUpdate || !this.written.isOf(renderer, camera)) {
+    if (this.ofMesh.isAllWanted || !this.written.isOf(renderer, camera) || !this.writtenTo.equals(drawn)) {
       this.written.note(renderer, camera);
+      this.writtenTo.copy(drawn);
+      this.followsForm = followsForm(this);
+      this.takesWeight = takesWeight(this);
       const switches = programSwitches(this);
       if (this.drawnSwitches !== undefined && this.drawnSwitches !== switches) this.needsUpdate = true;
       this.drawnSwitches = switches;
       this.writeUniforms(renderer, camera);
       this.exposed.write(this, renderer, scene, camera, this.uniforms);
+      this.uniforms.viewportHeight.value = drawn.w;
+      writePictureOffset(this.uniforms.toothOffset.value, camera, drawn);
+      writeSheet(this.uniforms.sheet.value, camera, drawn);
+      this.use('hasEnvironment', bindEnvironment(renderer, scene, camera, this.uniforms));
     }
-    // Each camera of an ArrayCamera has its own part of the target.
-    const part = (camera as Camera & { viewport?: Vector4 }).viewport;
-    const drawn = part ?? renderer.getCurrentViewport(viewport);
-    this.uniforms.viewportHeight.value = drawn.w;
-    writePictureOffset(this.uniforms.toothOffset.value, camera, drawn);
-    if (writeEmphasisOf(object, this, this.uniforms, camera, drawn)) this.uniformsNeedUpdate = true;
-    this.use('hasEnvironment', bindEnvironment(renderer, scene, camera, this.uniforms));
-    if (followsForm(this)) this.use('hasForm', isFormed(geometry));
-    this.drawn.note(this, renderer, scene, camera, geometry, object, drawn.w);
-    this.announced.length = 0;
+    if (writeImportance(object, this.takesWeight, this.uniforms)) this.ofMesh.want(renderer);
+    if (this.followsForm) this.use('hasForm', isFormed(geometry));
+    this.drawn.note(this, renderer, scene, camera, geometry, object, this.writtenTo);
+    if (this.announced.length > 0) this.announced.length = 0;
     const layout = this.inUse.part?.bindMesh?.(renderer, camera, geometry, object, this);
     if (layout) this.use('vertexLayout', layout);
   }

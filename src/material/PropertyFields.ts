@@ -5,7 +5,12 @@ import { checkPoint, isWord } from './checkValues.js';
 import type { SceneExtent } from './emphasis/SceneExtent.js';
 import { defaultOf } from './facts/defaultOf.js';
 import type { HatchingProperty } from './facts/HatchingProperty.js';
-import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from './facts/hatchingProperties.js';
+import {
+  HATCHING_DEFAULTS,
+  HATCHING_PROPERTIES,
+  type HatchingPropertyName,
+  type HatchingTechnique,
+} from './facts/hatchingProperties.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 import { toPoint } from './vectorValues.js';
 
@@ -22,8 +27,11 @@ export abstract class PropertyFields extends ShaderMaterial {
   extent: SceneExtent | null = null;
   private focused: Vector3 | null = null;
   private hatchImages: HatchingMap = HATCHING_DEFAULTS.tonalArtMap;
-  /** Numbers that were set. The others follow the technique. */
-  private numbers: Partial<Record<HatchingPropertyName, number | 'auto' | null>> = {};
+  /**
+   * Numbers that were set. The others follow the technique. In a map, because V8 allocates a number that is read from a field whose name
+   * is not known beforehand, in every frame.
+   */
+  private numbers = new Map<HatchingPropertyName, number | 'auto' | null>();
 
   constructor() {
     super();
@@ -38,7 +46,7 @@ export abstract class PropertyFields extends ShaderMaterial {
 
   /** Numbers that were never set stay so. The extent is that of the same scene. */
   protected copyNumbers({ numbers, focused, extent }: PropertyFields): void {
-    this.numbers = { ...numbers };
+    this.numbers = new Map(numbers);
     this.focused = focused?.clone() ?? null;
     this.extent = extent;
   }
@@ -71,15 +79,21 @@ export abstract class PropertyFields extends ShaderMaterial {
           this.focused = value === null ? null : toPoint(value);
         },
       };
-    if (property.kind === 'number')
+    if (property.kind === 'number') {
+      const defaults = new Map<HatchingTechnique, unknown>();
       return {
         get() {
-          return this.numbers[name] ?? defaultOf(name, this.technique);
+          const set = this.numbers.get(name);
+          if (set !== undefined && set !== null) return set;
+          const { technique } = this;
+          if (!defaults.has(technique)) defaults.set(technique, defaultOf(name, technique));
+          return defaults.get(technique);
         },
         set(value) {
-          this.numbers[name] = isWord(name, value) ? value : checkNumber(name, value, property.range);
+          this.numbers.set(name, isWord(name, value) ? value : checkNumber(name, value, property.range));
         },
       };
+    }
     return {
       get() {
         return this.choice(name);

@@ -24,10 +24,21 @@ function pointsOf(curve: ToneCurve): readonly ToneCurvePoint[] | undefined {
   return curve === 'linear' || curve === 'perceptual' ? undefined : curve;
 }
 
-/** The tones that a curve prints for tone 0, and for tone 1. */
+/** The ends of a curve that the shader computes. */
+const WHOLE: readonly [number, number] = [0, 1];
+/** Those of curves through points, which are asked for in every frame. */
+const endsOf = /* @__PURE__ */ new WeakMap<readonly ToneCurvePoint[], readonly [number, number]>();
+
+/** The tones that a curve prints for tone 0, and for tone 1. Allocates nothing for a curve that was asked about before. */
 export function curveEnds(curve: ToneCurve): readonly [number, number] {
   const points = pointsOf(curve);
-  return points ? [points[0][1], points[points.length - 1][1]] : [0, 1];
+  if (!points) return WHOLE;
+  let ends = endsOf.get(points);
+  if (!ends) {
+    ends = [points[0][1], points[points.length - 1][1]];
+    endsOf.set(points, ends);
+  }
+  return ends;
 }
 
 /** A tone curve as a sum: `start`, and a cubic for each span. Spans that are not in use add nothing. */

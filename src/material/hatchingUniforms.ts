@@ -12,6 +12,9 @@ import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js
 
 type Uniforms = Record<string, IUniform>;
 
+/** The uniforms of which meshes of one material have different values, but for textures. */
+export const MESH_UNIFORMS = ['fieldOrigin', 'importance', 'lineContrast', 'objectToField', 'objectToFieldNormal'];
+
 /** The uniforms of one material: those of its properties, those computed from them, and those of lights, fog and meshes. */
 export function createHatchingUniforms(): Uniforms {
   const uniforms: Uniforms = UniformsUtils.merge([
@@ -94,6 +97,11 @@ export function writePropertyUniforms(material: HatchingMaterialProperties, unif
   }
 }
 
+/** Writes a number that was computed. V8 allocates each such number that is kept, so it is kept only where it is another. */
+function write(uniform: IUniform, value: number): void {
+  if (uniform.value !== value) uniform.value = value;
+}
+
 function writeTransform(texture: Texture | null, uniform: IUniform<Matrix3>): void {
   if (texture === null) return;
   if (texture.matrixAutoUpdate) texture.updateMatrix();
@@ -116,14 +124,15 @@ export function writeSizeUniforms(
   u: Uniforms,
 ): void {
   const strokeTexels = map?.strokeTexels ?? 1;
-  u.dotPixels.value = pixelRatio * (material.strokeWidth ?? strokeTexels);
-  u.texelPixels.value = u.dotPixels.value / strokeTexels;
-  u.toothSize.value = pixelRatio * material.toothSize;
+  const dotPixels = pixelRatio * (material.strokeWidth ?? strokeTexels);
+  write(u.dotPixels, dotPixels);
+  write(u.texelPixels, dotPixels / strokeTexels);
+  write(u.toothSize, pixelRatio * material.toothSize);
   // Lines are spaced on the screen as far as `sizedOnScreen` says, and their strokes as long.
   const onScreen = pixelRatio ** material.sizedOnScreen;
-  u.lineSpacing.value = onScreen * material.lineSpacing;
-  u.strokeLength.value = onScreen * material.strokeLength;
-  u.finestSpacing.value = Math.max(pixelRatio * material.finestSpacing, LEAST_SPACING);
+  write(u.lineSpacing, onScreen * material.lineSpacing);
+  write(u.strokeLength, onScreen * material.strokeLength);
+  write(u.finestSpacing, Math.max(pixelRatio * material.finestSpacing, LEAST_SPACING));
 }
 
 /**
@@ -159,7 +168,7 @@ const highlightKept = (tone: number, { x, y }: Vector2): number => tone * Math.m
 
 /** Writes the uniforms that are computed from several properties, or from one in another unit. Allocates nothing. */
 export function writeComputedUniforms(material: HatchingMaterialProperties, u: Uniforms): void {
-  u.blendCosine.value = Math.cos(material.blendAngle);
+  write(u.blendCosine, Math.cos(material.blendAngle));
   // u = s·cos − t·sin, v = s·sin + t·cos, in tiles
   const { tilesPerUnit: scale, strokeOffset: offset } = material;
   const isAway = runsAway(material);
@@ -167,7 +176,13 @@ export function writeComputedUniforms(material: HatchingMaterialProperties, u: U
   const rotation = isAway ? Math.PI / 2 : material.strokeRotation;
   const cos = Math.cos(rotation);
   const sin = Math.sin(rotation);
-  u.strokeTransform.value.set(cos * scale, -sin * scale, offset.x, sin * scale, cos * scale, offset.y, 0, 0, 1);
+  // Column by column. Nine numbers handed to a function would be allocated one by one.
+  const { elements } = u.strokeTransform.value as Matrix3;
+  elements[0] = elements[4] = cos * scale;
+  elements[1] = sin * scale;
+  elements[3] = -elements[1];
+  elements[6] = offset.x;
+  elements[7] = offset.y;
   u.strokeDirection.value.set(cos, sin);
   u.crossFrom.value = isAway ? 1 : material.crossFrom;
   const highlightReach = Math.max(material.highlightTone * material.highlightSoftness, 1e-6);

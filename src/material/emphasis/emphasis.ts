@@ -90,7 +90,17 @@ export function writeEmphasisOf(
   viewport: Vector4,
 ): boolean {
   writeSheet(u.sheet.value, camera, viewport);
-  const importance = takesWeight(look) ? importanceOf(object) : 1;
+  return writeImportance(object, takesWeight(look), u);
+}
+
+/**
+ * Writes how much an object matters. Allocates nothing.
+ *
+ * @param isWeighed whether its look takes weight away at all
+ * @returns whether it matters more or less than the one before
+ */
+export function writeImportance(object: Object3D, isWeighed: boolean, u: Uniforms): boolean {
+  const importance = isWeighed ? importanceOf(object) : 1;
   const isOther = importance !== u.importance.value;
   u.importance.value = importance;
   return isOther;

@@ -1,6 +1,6 @@
 import type {
   BufferGeometry,
-  DirectionalLight,
+  Color,
   HemisphereLight,
   InstancedMesh,
   Light,
@@ -29,10 +29,14 @@ export class SceneContents {
   /** Of each mesh the material whose exposure is fitted: of several, the first. */
   readonly materials: HatchingMaterialProperties[] = [];
   readonly lights: Light[] = [];
+  /** What the mesh before was given for a material, and the one that is fitted of it: thousands of meshes may have the same. */
+  private given: Material | Material[] | undefined;
+  private fitted: HatchingMaterialProperties | undefined;
   scene: Object3D | undefined;
   private facts = new Float64Array(256);
   private count = 0;
   private meshCount = 0;
+  private lightCount = 0;
   private hasChanged = false;
 
   /**
@@ -44,11 +48,14 @@ export class SceneContents {
   read(scene: Object3D, layers: number): boolean {
     const before = this.count;
     this.scene = scene;
-    this.count = this.meshCount = this.lights.length = 0;
+    this.count = this.meshCount = this.lightCount = 0;
+    this.given = undefined;
     this.hasChanged = false;
     this.visit(scene, layers);
     this.noteEnvironment(scene as Scene);
-    this.meshes.length = this.materials.length = this.meshCount;
+    shorten(this.meshes, this.meshCount);
+    shorten(this.materials, this.meshCount);
+    shorten(this.lights, this.lightCount);
     return this.hasChanged || this.count !== before;
   }
 
@@ -79,9 +86,10 @@ export class SceneContents {
 
   private noteLight(light: Light, layers: number): void {
     if ((light.layers.mask & layers) === 0) return;
-    this.lights.push(light);
+    this.lights[this.lightCount++] = light;
     this.note(light.id);
-    this.noteColor(light);
+    this.note(light.intensity);
+    this.noteColor(light.color);
     this.noteMatrix(light.matrixWorld);
     const { target, distance, decay, angle, penumbra } = light as SpotLight;
     if (target) this.noteMatrix(target.matrixWorld);
@@ -89,19 +97,23 @@ export class SceneContents {
     if (decay !== undefined) this.note(decay);
     if (angle !== undefined) this.note(angle);
     if (penumbra !== undefined) this.note(penumbra);
-    if ('groundColor' in light) this.noteColor({ color: (light as HemisphereLight).groundColor, intensity: 0 });
+    if ('groundColor' in light) this.noteColor((light as HemisphereLight).groundColor);
     if ('sh' in light)
       for (const color of (light as LightProbe).sh.coefficients) this.noteVector(color.x, color.y, color.z);
   }
 
   private noteMesh(mesh: Mesh): void {
-    const material = fittedMaterial(mesh.material);
+    const isOther = mesh.material !== this.given;
+    if (isOther) this.fitted = fittedMaterial(mesh.material);
+    this.given = mesh.material;
+    const material = this.fitted;
     if (!material || !mesh.geometry?.attributes.position || 'isBatchedMesh' in mesh) return;
     this.meshes[this.meshCount] = mesh;
     this.materials[this.meshCount++] = material;
     this.note(mesh.id);
     this.noteGeometry(mesh.geometry);
-    this.noteMaterial(material);
+    this.note(material.id);
+    if (isOther) this.noteMaterial(material);
     this.noteMatrix(mesh.matrixWorld);
     if ('isInstancedMesh' in mesh) {
       this.note((mesh as InstancedMesh).count);
@@ -123,16 +135,16 @@ export class SceneContents {
   }
 
   private noteMaterial(material: HatchingMaterialProperties): void {
-    this.note(material.id);
     this.note(material.side);
     this.note(Number(material.toneModel === 'halfLambert'));
     this.note(material.reflectedLight);
     this.note(material.occlusion);
-    this.noteColor({ color: material.emissive, intensity: material.emissiveIntensity });
+    this.note(material.emissiveIntensity);
+    this.noteColor(material.emissive);
     this.note(material.emissiveMap?.id ?? -1);
     this.note(Number(material.localTone > 0));
     this.note(Number(material.vertexColors));
-    this.noteVector(material.color.r, material.color.g, material.color.b);
+    this.noteColor(material.color);
     this.noteMap(material.map);
   }
 
@@ -152,9 +164,8 @@ export class SceneContents {
     this.noteVector(environmentRotation.x, environmentRotation.y, environmentRotation.z);
   }
 
-  private noteColor({ color, intensity }: Pick<DirectionalLight, 'color' | 'intensity'>): void {
-    this.note(intensity);
-    this.noteVector(color.r, color.g, color.b);
+  private noteColor({ r, g, b }: Color): void {
+    this.noteVector(r, g, b);
   }
 
   private noteMatrix({ elements }: Matrix4): void {
@@ -166,6 +177,11 @@ export class SceneContents {
     this.note(y);
     this.note(z);
   }
+}
+
+/** A length that is set, even to what it is, has an array allocate anew what is then added. */
+function shorten(array: unknown[], length: number): void {
+  if (array.length !== length) array.length = length;
 }
 
 const isFittedMaterial = (material: Material | null | undefined): boolean =>

@@ -1,4 +1,4 @@
-import type { BufferGeometry, Camera, Object3D, WebGLRenderer } from 'three';
+import type { BufferGeometry, Camera, Object3D, Vector4, WebGLRenderer } from 'three';
 import { silence } from '../../mistakes/silence.js';
 import { isFetched } from '../parts/parts.js';
 import type { DrawnMaterial, FirstDraw } from './FirstDraw.js';
@@ -29,7 +29,7 @@ const isWhole = (material: DrawnMaterial): boolean =>
 export class DrawnMeshes {
   private readonly seen = new WeakMap<Object3D, Seen>();
 
-  /** Notes that the material draws a mesh. For one that was checked already this allocates nothing. */
+  /** Notes that the material draws a mesh, to a part of the target in pixels. For one that was checked already this allocates nothing. */
   note(
     material: DrawnMaterial,
     renderer: WebGLRenderer,
@@ -37,7 +37,7 @@ export class DrawnMeshes {
     camera: Camera,
     geometry: BufferGeometry,
     mesh: Object3D,
-    height: number,
+    { w: height }: Vector4,
   ): void {
     if (silence.isOn) return;
     const stale = checks?.isStale(geometry) ?? false;

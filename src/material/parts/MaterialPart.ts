@@ -1,6 +1,7 @@
 import type { BufferGeometry, Camera, IUniform, Mesh, Object3D, Scene, WebGLRenderer } from 'three';
 import type { ToneFit } from '../exposure/ToneFit.js';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
+import type { MeshUniforms } from '../MeshUniforms.js';
 import type { ShaderFiles } from '../shaders/hatchingShaders.js';
 import type { VertexLayout } from '../shaders/shaderConventions.js';
 
@@ -20,7 +21,7 @@ export interface MaterialPart {
     camera: Camera,
     geometry: BufferGeometry,
     object: Object3D,
-    material: HatchingMaterialProperties,
+    material: HatchingMaterialProperties & { readonly ofMesh: MeshUniforms },
   ): VertexLayout | undefined;
   /** Builds what other programs it needs for a mesh. */
   compile?(renderer: WebGLRenderer, mesh: Mesh): void;

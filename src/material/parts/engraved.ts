@@ -1,4 +1,4 @@
-import { noteFormAngle } from '../../geometry/formAngles.js';
+import { hasOtherFormAngle, noteFormAngle } from '../../geometry/formAngles.js';
 import { lineContrast } from '../../geometry/lineFades.js';
 import { followsForm } from '../facts/lookFacts.js';
 import { engravedConstantsChunk } from './engravedConstants.js';
@@ -14,14 +14,13 @@ export const part: MaterialPart = {
     ),
     './techniques/engraved/constants.glsl': engravedConstantsChunk(),
   },
-  bindMesh(_renderer, _camera, geometry, object, material) {
+  bindMesh(renderer, _camera, geometry, object, material) {
     const { uniforms } = material;
     const contrast = lineContrast(geometry);
     const isOther = contrast !== uniforms.lineContrast.value;
-    uniforms.lineContrast.value = contrast;
-    if (writeFieldFrame(uniforms, material.tilesPerUnit, geometry, object) || isOther)
-      material.uniformsNeedUpdate = true;
-    if (followsForm(material)) noteFormAngle(geometry, material);
+    if (isOther) uniforms.lineContrast.value = contrast;
+    if (writeFieldFrame(uniforms, material.tilesPerUnit, geometry, object) || isOther) material.ofMesh.want(renderer);
+    if (hasOtherFormAngle(geometry, material) && followsForm(material)) noteFormAngle(geometry, material);
     return undefined;
   },
 };

@@ -1,16 +1,43 @@
 import { type BufferGeometry, type IUniform, Matrix3, Matrix4, type Object3D, Vector3 } from 'three';
 import { FIELD_FRAME } from '../fieldFrameName.js';
 
-const frame = /* @__PURE__ */ new Matrix4();
-const linear = /* @__PURE__ */ new Matrix3();
-const origin = /* @__PURE__ */ new Vector3();
+const matrix = /* @__PURE__ */ new Matrix4();
+
+/** What follows from a matrix from object space to a frame that lines are computed in. */
+interface FieldFrame {
+  /** The elements of that matrix. */
+  readonly elements: Float64Array;
+  /** Whether it can be inverted. */
+  isUsable: boolean;
+  /** Tiles per unit of object space, which the matrices below are for; 0 before they are computed. */
+  tilesPerUnit: number;
+  /** To the frame, in tiles. */
+  readonly linear: Matrix3;
+  /** The inverse of its transpose. */
+  readonly normal: Matrix3;
+  readonly origin: Vector3;
+}
+
+const newFrame = (): FieldFrame => ({
+  elements: Float64Array.from(matrix.identity().elements),
+  isUsable: true,
+  tilesPerUnit: 0,
+  linear: new Matrix3(),
+  normal: new Matrix3(),
+  origin: new Vector3(),
+});
+
+const ofObject = /* @__PURE__ */ newFrame();
+
+/** By the array of `userData`: thousands of meshes have one, and in most frames none of them changes. */
+const frames = /* @__PURE__ */ new WeakMap<readonly number[], FieldFrame>();
 
 /**
  * Writes the origin and the frame of the lines of `engraved` on a mesh: the frame that `applyHatching` gave to the whole scene, or
- * else that of the object, with the centre of its bounding sphere as origin. Allocates nothing.
+ * else that of the object, with the centre of its bounding sphere as origin. Allocates nothing for a frame that it has met.
  *
  * @param tilesPerUnit tiles per unit of object space
- * @returns whether anything changed, in which case three must upload the uniforms again: by default it does so once for all meshes
+ * @returns whether anything changed, in which case three must upload these uniforms again: by default it does so once for all meshes
  */
 export function writeFieldFrame(
   uniforms: Record<string, IUniform>,
@@ -18,17 +45,9 @@ export function writeFieldFrame(
   geometry: BufferGeometry,
   { userData }: Object3D,
 ): boolean {
-  const shared: unknown = userData[FIELD_FRAME];
-  if (isMatrix(shared)) {
-    linear.setFromMatrix4(frame.fromArray(shared));
-    origin.setFromMatrixPosition(frame.invert());
-  } else {
-    linear.identity();
-    // three has computed the sphere already where it culls.
-    if (geometry.boundingSphere === null) geometry.computeBoundingSphere();
-    origin.copy(geometry.boundingSphere!.center);
-  }
-  linear.multiplyScalar(tilesPerUnit);
+  const frame = sharedFrame(userData[FIELD_FRAME]) ?? frameOfObject(geometry);
+  if (frame.tilesPerUnit !== tilesPerUnit) scale(frame, tilesPerUnit);
+  const { linear, normal, origin } = frame;
   const { fieldOrigin, objectToField, objectToFieldNormal } = uniforms as {
     fieldOrigin: IUniform<Vector3>;
     objectToField: IUniform<Matrix3>;
@@ -37,13 +56,48 @@ export function writeFieldFrame(
   if (objectToField.value.equals(linear) && fieldOrigin.value.equals(origin)) return false;
   fieldOrigin.value.copy(origin);
   objectToField.value.copy(linear);
-  objectToFieldNormal.value.copy(linear).invert().transpose();
+  objectToFieldNormal.value.copy(normal);
   return true;
 }
 
-/** Whether these are the elements of a matrix that can be inverted: `userData` may come from a file. */
-const isMatrix = (value: unknown): value is number[] =>
-  Array.isArray(value) &&
-  value.length === 16 &&
-  value.every(Number.isFinite) &&
-  frame.fromArray(value).determinant() !== 0;
+function frameOfObject(geometry: BufferGeometry): FieldFrame {
+  // three has computed the sphere already where it culls.
+  if (geometry.boundingSphere === null) geometry.computeBoundingSphere();
+  ofObject.origin.copy(geometry.boundingSphere!.center);
+  return ofObject;
+}
+
+/** The frame that `userData` has, which may come from a file; undefined if that is none. */
+function sharedFrame(given: unknown): FieldFrame | undefined {
+  if (!Array.isArray(given) || given.length !== 16) return undefined;
+  let frame = frames.get(given);
+  if (frame === undefined) frame = addFrame(given);
+  else if (!isOf(frame, given)) read(frame, given);
+  return frame.isUsable ? frame : undefined;
+}
+
+function addFrame(given: readonly number[]): FieldFrame {
+  const frame = newFrame();
+  read(frame, given);
+  frames.set(given, frame);
+  return frame;
+}
+
+/** Whether the array is still what was read from it. */
+function isOf({ elements }: FieldFrame, given: readonly number[]): boolean {
+  for (let i = 0; i < 16; i++) if (elements[i] !== given[i]) return false;
+  return true;
+}
+
+function read(frame: FieldFrame, given: readonly number[]): void {
+  frame.elements.set(given);
+  frame.isUsable = given.every(Number.isFinite) && matrix.fromArray(given).determinant() !== 0;
+  if (frame.isUsable) frame.origin.setFromMatrixPosition(matrix.invert());
+  frame.tilesPerUnit = 0;
+}
+
+function scale(frame: FieldFrame, tilesPerUnit: number): void {
+  frame.linear.setFromMatrix4(matrix.fromArray(frame.elements)).multiplyScalar(tilesPerUnit);
+  frame.normal.copy(frame.linear).invert().transpose();
+  frame.tilesPerUnit = tilesPerUnit;
+}
