@@ -84,6 +84,7 @@ export const ROOMS = {
     'outlines',
     'lighting',
   ],
+  'scene/detail': ['/src/scene/MeshLook.ts', '/src/scene/surfaceMeshes.ts'],
   'scene/jointForms': [],
   'scene/flattering': ['/src/scene/assertTree.ts', '/src/scene/surfaceMeshes.ts'],
   svg: [
