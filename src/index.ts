@@ -37,6 +37,7 @@ export { AdaptiveResolution, type AdaptiveResolutionOptions } from './scene/Adap
 export type { ApplyHatchingOptions } from './scene/ApplyHatchingOptions.js';
 export { applyHatching } from './scene/applyHatching.js';
 export { type BakeOcclusionOptions, bakeOcclusion } from './scene/bakeOcclusion.js';
+export type { DetailOptions } from './scene/detail/DetailOptions.js';
 export { fitExposure } from './scene/exposing/fitExposure.js';
 export {
   type FlatteringLight,

@@ -45,6 +45,7 @@ const OPTION_NAMES: Record<keyof HatchedOptions, true> = {
   creaseAngle: true,
   smoothingRadius: true,
   weldTolerance: true,
+  detail: true,
   filter: true,
   onGeometry: true,
   onFormProgress: true,

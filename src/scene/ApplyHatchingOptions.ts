@@ -4,6 +4,7 @@ import type { MapDrawing } from '../hatchImages/hatchImageOptions.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 import type { HatchingOutlineParameters } from '../outlines/HatchingOutlineMaterial.js';
 import type { TonalArtMap } from '../tam/TonalArtMap.js';
+import type { DetailOptions } from './detail/DetailOptions.js';
 import type { HatchedScene } from './HatchedScene.js';
 import type { HatchingPreset, PresetName } from './presets.js';
 
@@ -57,6 +58,12 @@ export interface ApplyHatchingOptions extends Omit<PrepareHatchingGeometryOption
   renderer?: WebGLRenderer | undefined;
   /** The camera that will draw the scene with `renderer`: its layers say which lights count. */
   camera?: Camera | undefined;
+  /**
+   * Draws meshes of more than 200,000 triangles with as many of them as can be seen: simpler levels of the baked mesh, none of which lies
+   * farther from it than a third of a pixel in any view. It takes meshoptimizer, whose address you pass. Instances, batches, meshes that
+   * deform, have several materials, adjacency or lines along the form are drawn whole. Default: all meshes are.
+   */
+  detail?: DetailOptions | undefined;
   /** Returns whether to hatch a mesh. Default: all meshes are hatched. */
   filter?: ((mesh: Mesh) => boolean) | undefined;
   /**

@@ -42,6 +42,8 @@ interface MadeLooks {
   skipped: SkippedMesh[];
   followers: MaterialFollower[];
   forms: LaterForms | null;
+  /** Has levels of detail drawn; what it returns ends that. */
+  showDetail: () => () => void;
   HatchedScene: typeof HatchedScene;
 }
 
@@ -53,6 +55,9 @@ const MAP_SHARE = 0.2;
 
 /** The share of the progress for the first frame, if a renderer is given. */
 const FRAME_SHARE = 0.1;
+
+/** The share of the progress for levels of detail, if they are asked for. */
+const DETAIL_SHARE = 0.2;
 
 /**
  * Hatches a whole scene, such as a loaded glTF. The geometry of every mesh at or below `root` is baked, a shared geometry only
@@ -122,10 +127,15 @@ async function hatch(root: Object3D, given: ApplyHatchingOptions | PresetName): 
     root.updateWorldMatrix(true, false);
     root.updateMatrixWorld();
     const made = await makeLooks(root, choice, options, disposables);
-    const { looks, materials, outlines, skipped, followers, forms, HatchedScene } = made;
+    const { looks, materials, outlines, skipped, followers, forms, showDetail, HatchedScene } = made;
     replaces?.dispose();
     releaseMeshes();
-    releaseMeshes = claimMeshes(looks.map(({ mesh }) => mesh));
+    const releaseLooks = claimMeshes(looks.map(({ mesh }) => mesh));
+    const hideDetail = showDetail();
+    releaseMeshes = () => {
+      hideDetail();
+      releaseLooks();
+    };
     const scene = new HatchedScene(looks, materials, outlines, skipped, followers, disposables, releaseMeshes, forms);
     for (const { mesh } of looks) {
       for (const material of materialsOf(mesh)) if (isHatching(material)) material.announce(mesh);
@@ -164,7 +174,9 @@ async function makeLooks(
   const isMapMade = styles.length > 0 && (options.tonalArtMap === undefined || isToBeMade(options.tonalArtMap));
   const mapShare = isMapMade ? MAP_SHARE : 0;
   const frameShare = firstFrame ? FRAME_SHARE : 0;
-  const [onBake, onMap, onFrame] = progressParts(onProgress, [1 - mapShare - frameShare, mapShare, frameShare]);
+  const detailShare = options.detail ? DETAIL_SHARE : 0;
+  const bakeShare = 1 - mapShare - frameShare - detailShare;
+  const [onBake, onMap, onFrame, onDetail] = progressParts(onProgress, [bakeShare, mapShare, frameShare, detailShare]);
   const prepare = { ...prepareOptions(options), outlines: outlineMaker?.creases ?? false };
   const plans = geometryPlans(planned, options);
   const forms = await laterFormsOf(plans, planned, options, prepare, disposables, firstFrame);
@@ -193,6 +205,7 @@ async function makeLooks(
   signal?.throwIfAborted();
   const finishing = finishLooks(root, { looks, claimed }, replacer, { tilesPerWorldUnit, outlineMaker });
   const allOutlines = await runSliced(finishing, { signal });
+  const showDetail = await detailOf(looks, { ...options, onProgress: onDetail });
   if (firstFrame) {
     firstFrame.compile(looks, allOutlines, true);
     await runSliced(firstFrame.upload(looks), { signal, onProgress: onFrame });
@@ -212,6 +225,7 @@ async function makeLooks(
     skipped: [...leftAlone, ...skipped],
     followers: replacer.followers,
     forms,
+    showDetail,
     HatchedScene,
   };
 }
@@ -240,6 +254,16 @@ async function laterFormsOf(
   const groups = await runSliced(formGroups(planned, plans), { signal: options.signal });
   for (const [geometry, plan] of plans) plan.group = groups.get(geometry);
   return new LaterForms(plans, crossingMaterials(planned, options), prepare, options, disposables, frame);
+}
+
+/** What shows levels of detail, if they are asked for. Scenes without them do not load it. */
+async function detailOf(
+  looks: readonly MeshLook[],
+  { detail, signal, onProgress, createWorker }: ApplyHatchingOptions,
+): Promise<MadeLooks['showDetail']> {
+  if (!detail) return () => () => {};
+  const { drawLevels } = await import('./detail/drawLevels.js');
+  return drawLevels(looks, detail, { signal, onProgress, createWorker });
 }
 
 /** What makes outlines, if they are asked for. Scenes without them do not load it. @throws RangeError or TypeError for a wrong parameter */

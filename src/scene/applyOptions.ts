@@ -2,6 +2,7 @@ import { checkPrepareOptions, type PrepareHatchingGeometryOptions } from '../geo
 import { checkTonalArtMap } from '../material/checkTonalArtMap.js';
 import { checkHatchImageOptions } from '../tam/checkHatchImageOptions.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
+import { checkDetail } from './detail/DetailOptions.js';
 import { isToBeMade } from './makeMaps.js';
 import type { PresetName } from './presets.js';
 import { withPreset } from './withPreset.js';
@@ -11,6 +12,7 @@ const OWN_OPTIONS = {
   tonalArtMap: true,
   material: true,
   tilesPerWorldUnit: true,
+  detail: true,
   filter: true,
   onGeometry: true,
   onFormProgress: true,
@@ -41,6 +43,7 @@ export function prepareOptions({
   tonalArtMap: _map,
   material: _material,
   tilesPerWorldUnit: _tilesPerWorldUnit,
+  detail: _detail,
   filter: _filter,
   onGeometry: _onGeometry,
   onFormProgress: _onFormProgress,
@@ -65,7 +68,8 @@ function checkOwnOptions(options: ApplyHatchingOptions): void {
     tilesPerWorldUnit = 1,
     tonalArtMap = null,
   } = options;
-  const { renderer, camera } = options;
+  const { renderer, camera, detail } = options;
+  if (detail !== undefined) checkDetail(detail);
   if (replaces !== undefined && replaces?.isHatchedScene !== true) {
     throw new TypeError('applyHatching: replaces must be the result of an earlier call, or left out.');
   }

@@ -242,9 +242,11 @@ export class TaskClient<All extends Tasks> {
     const onProgress = (progress: number) => this.report(id, progress);
     this.set
       .fetchTasks()
-      .then((tasks) =>
-        runSliced((tasks[task] as unknown as AnyTask).run(request), { signal: controller.signal, onProgress }),
-      )
+      .then(async (tasks) => {
+        const { [task]: present } = tasks as unknown as Record<string, AnyTask>;
+        await present.prepare?.(request);
+        return runSliced(present.run(request), { signal: controller.signal, onProgress });
+      })
       .then(
         (result) => this.finish(id, result),
         (error) => this.settle(id)?.reject(error),

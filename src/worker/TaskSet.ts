@@ -1,5 +1,7 @@
 /** A long computation that a worker can run. Requests and results are plain data. */
 export interface Task<Request, Result> {
+  /** Loads what the task needs before it runs, such as code of others. */
+  prepare?(request: Request): Promise<void>;
   /** Yields its progress in [0, 1] every few milliseconds of work. */
   run(request: Request): Generator<number, Result, void>;
   /** The buffers that are transferred back with the result. */
@@ -8,7 +10,14 @@ export interface Task<Request, Result> {
 
 /** Tasks by name, of any types. */
 export type Tasks = Readonly<
-  Record<string, { run(request: never): Generator<number, unknown, void>; resultBuffers(result: never): ArrayBuffer[] }>
+  Record<
+    string,
+    {
+      prepare?(request: never): Promise<void>;
+      run(request: never): Generator<number, unknown, void>;
+      resultBuffers(result: never): ArrayBuffer[];
+    }
+  >
 >;
 export type NameIn<All extends Tasks> = keyof All & string;
 export type RequestOf<All extends Tasks, Name extends keyof All> = Parameters<All[Name]['run']>[0];

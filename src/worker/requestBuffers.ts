@@ -1,4 +1,5 @@
 import { bakeRequestBuffers, jointRequestBuffers } from '../bake/bakeRequestBuffers.js';
+import { detailRequestBuffers } from '../detail/DetailRequest.js';
 import { contourSearchBuffers } from '../features/contourSearchBuffers.js';
 import { imageBuffers } from '../hatchImages/imageBuffers.js';
 import { occlusionMeshBuffers, occlusionSceneBuffers } from '../occlusion/occlusionBuffers.js';
@@ -15,6 +16,7 @@ export const requestBuffers: TaskSet<BakingTasks>['requestBuffers'] = {
   generateHatchImages: () => [],
   generateThresholds: () => [],
   completeHatchImages: imageBuffers,
+  simplifyHatched: detailRequestBuffers,
   startOcclusion: occlusionMeshBuffers,
   addDirections: ({ scene }) => occlusionSceneBuffers(scene),
 };

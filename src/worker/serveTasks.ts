@@ -26,6 +26,7 @@ export function serveTasks(tasks: Tasks): void {
         throw new Error(
           `createWorker started a worker that cannot do this (${name}): drawSVG needs three-hatching/svg.worker, all else three-hatching/bake.worker.`,
         );
+      await task.prepare?.(request);
       const result = await runSliced(task.run(request), {
         signal: controller.signal,
         onProgress: (progress) => scope.postMessage({ type: 'progress', id, progress }),

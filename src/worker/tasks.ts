@@ -2,6 +2,9 @@ import { bakeCorners, bakeCornersResultBuffers } from '../bake/bakeCorners.js';
 import { bakeIndexed, bakeIndexedResultBuffers } from '../bake/bakeIndexed.js';
 import { bakeJointForms, jointFormsBuffers } from '../bake/bakeJointForms.js';
 import { bakePull, bakePullResultBuffers } from '../bake/bakePull.js';
+import { loadSimplifier } from '../detail/loadSimplifier.js';
+import type { DetailLevels } from '../detail/makeLevels.js';
+import { simplifyHatched } from '../detail/simplifyHatched.js';
 import { type ContourSearchResult, searchContours } from '../features/contourCandidates.js';
 import { contourSearchBuffers } from '../features/contourSearchBuffers.js';
 import { completeHatchImages } from '../hatchImages/completeHatchImages.js';
@@ -34,6 +37,11 @@ export const tasks = {
   completeHatchImages: /* @__PURE__ */ task({
     run: completeHatchImages,
     resultBuffers: (result) => [...imageBuffers(result), ...thresholdBuffers(result.thresholds)],
+  }),
+  simplifyHatched: /* @__PURE__ */ task({
+    prepare: ({ simplifier }) => loadSimplifier(simplifier),
+    run: simplifyHatched,
+    resultBuffers: ({ indices }: DetailLevels) => [indices.buffer],
   }),
   startOcclusion: /* @__PURE__ */ task({ run: startOcclusion, resultBuffers: occlusionSceneBuffers }),
   addDirections: /* @__PURE__ */ task({

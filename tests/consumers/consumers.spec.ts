@@ -108,8 +108,14 @@ test.describe('the tarball', () => {
     const { resolve } = createRequire(join(projectFolder, 'any.js'));
     expect(resolve('three-hatching/package.json')).toBe(join(libraryFolder, 'package.json'));
     expect(engines).toBeUndefined();
-    expect(peerDependencies).toEqual({ three: '>=0.170.0', react: '>=19.0.0', '@react-three/fiber': '>=9.0.0' });
-    expect(peerDependenciesMeta).toEqual({ react: { optional: true }, '@react-three/fiber': { optional: true } });
+    expect(peerDependencies).toEqual({
+      three: '>=0.170.0',
+      react: '>=19.0.0',
+      '@react-three/fiber': '>=9.0.0',
+      meshoptimizer: '>=1.0.0',
+    });
+    const optional = { optional: true };
+    expect(peerDependenciesMeta).toEqual({ react: optional, '@react-three/fiber': optional, meshoptimizer: optional });
   });
 
   test('imports three and nothing else; the worker imports nothing, the command what Node has, the components React and us', () => {

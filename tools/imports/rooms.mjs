@@ -15,11 +15,12 @@ export const ROOMS = {
   form: ['slices', 'mesh', 'adjacency', 'normals', 'features'],
   bake: ['slices', 'mesh', 'adjacency', 'normals', 'features', 'form'],
   occlusion: ['slices', 'mesh'],
+  detail: ['slices'],
   lighting: [],
   strokes: [],
   hatchImages: ['slices', 'strokes'],
   mapFiles: ['strokes', 'hatchImages'],
-  worker: ['slices', 'features', 'form', 'bake', 'occlusion', 'hatchImages'],
+  worker: ['slices', 'features', 'form', 'bake', 'occlusion', 'detail', 'hatchImages'],
 
   // With three.js.
   mistakes: [],
@@ -74,6 +75,7 @@ export const ROOMS = {
     'strokes',
     'bake',
     'occlusion',
+    'detail',
     'hatchImages',
     'worker',
     'tam',
@@ -82,6 +84,7 @@ export const ROOMS = {
     'outlines',
     'lighting',
   ],
+  'scene/detail': ['/src/scene/MeshLook.ts', '/src/scene/surfaceMeshes.ts'],
   'scene/jointForms': [],
   'scene/flattering': ['/src/scene/assertTree.ts', '/src/scene/surfaceMeshes.ts'],
   svg: [
@@ -164,6 +167,6 @@ export const ROOMS = {
 
 /** Rooms that know no three.js. */
 export const WITHOUT_THREE = [
-  ...['slices', 'mesh', 'adjacency', 'normals', 'features', 'form', 'bake', 'occlusion', 'lighting'],
+  ...['slices', 'mesh', 'adjacency', 'normals', 'features', 'form', 'bake', 'occlusion', 'detail', 'lighting'],
   ...['strokes', 'hatchImages', 'mapFiles', 'worker', 'command', 'engraving', 'vector'],
 ];

@@ -596,7 +596,7 @@ describe('when something is wrong', () => {
   test.each([
     [
       { layot: 'pull' },
-      'unknown option "layot". The known ones are tonalArtMap, material, tilesPerWorldUnit, filter, onGeometry, onFormProgress, invalidate, preset, replaces, renderer, camera, adjacency, ',
+      'unknown option "layot". The known ones are tonalArtMap, material, tilesPerWorldUnit, detail, filter, onGeometry, onFormProgress, invalidate, preset, replaces, renderer, camera, adjacency, ',
     ],
     [null, 'the options are null. Pass an object'],
     [{ signal: 'now' }, 'signal is now, but must be an AbortSignal'],
@@ -740,6 +740,12 @@ describe('when something is wrong', () => {
       /^applyHatching: createWorker is an object .*, but must be a function/,
     ],
     ['a filter that is none', { filter: 'crate' }, /^applyHatching: filter must be a function/],
+    ['a detail without an address', { detail: true }, /^applyHatching: detail must be an object whose simplifier/],
+    [
+      'a detail with an empty address',
+      { detail: { simplifier: '' } },
+      /^applyHatching: detail must be an object whose simplifier/,
+    ],
     ['a material of null', { material: null }, /^applyHatching: material must be an object/],
     [
       'a size that is no number',

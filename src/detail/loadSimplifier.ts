@@ -1,0 +1,34 @@
+import type { Simplifier } from './Simplifier.js';
+
+const loaded = /* @__PURE__ */ new Map<string, Simplifier>();
+
+/**
+ * Loads meshoptimizer's simplifier in this thread, once. It is no part of this library: whoever wants levels of detail brings it along.
+ *
+ * @param address of its module, absolute in a browser
+ * @throws Error that says what to do, if there is none
+ */
+export async function loadSimplifier(address: string): Promise<void> {
+  if (loaded.has(address)) return;
+  let found: { MeshoptSimplifier?: Simplifier };
+  try {
+    found = await import(/* @vite-ignore */ /* webpackIgnore: true */ address);
+  } catch (error) {
+    throw new Error(
+      `meshoptimizer could not be loaded from ${address} (${(error as Error).message}). Install meshoptimizer, and pass the address of its simplifier.`,
+    );
+  }
+  const simplifier = found.MeshoptSimplifier;
+  if (typeof simplifier?.simplifyWithAttributes !== 'function') {
+    throw new Error(`${address} is not meshoptimizer's simplifier. It takes meshoptimizer 1.0 or newer.`);
+  }
+  await simplifier.ready;
+  loaded.set(address, simplifier);
+}
+
+/** The simplifier that was loaded from an address. @throws Error if none was */
+export function simplifierOf(address: string): Simplifier {
+  const simplifier = loaded.get(address);
+  if (!simplifier) throw new Error(`The simplifier of ${address} is not loaded.`);
+  return simplifier;
+}

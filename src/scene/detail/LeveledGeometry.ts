@@ -1,0 +1,49 @@
+import { BufferAttribute, type BufferGeometry } from 'three';
+import type { DetailLevel, DetailLevels } from '../../detail/makeLevels.js';
+
+/**
+ * The levels of one geometry: one index on the graphics card, in which they stand one after another over the same vertices. The geometry has
+ * that index only while a level is drawn. For rays, clones, exporters and everybody else it is the whole mesh, as ever.
+ */
+export class LeveledGeometry {
+  readonly levels: readonly DetailLevel[];
+  private readonly whole: BufferAttribute;
+  private readonly all: BufferAttribute;
+
+  /** @param detail of the geometry, which must be indexed */
+  constructor(
+    readonly geometry: BufferGeometry,
+    detail: DetailLevels,
+  ) {
+    this.levels = detail.levels;
+    this.all = new BufferAttribute(detail.indices, 1);
+    // The first level is the whole mesh: its memory is shared.
+    this.whole = new BufferAttribute(detail.indices.subarray(0, detail.levels[0].count), 1);
+    geometry.setIndex(this.whole);
+    // Before three.js hears of it, which frees the index that a geometry has.
+    geometry.addEventListener('dispose', () => {
+      geometry.setIndex(this.all);
+      queueMicrotask(() => this.showWhole());
+    });
+  }
+
+  /** Whether the geometry is as it was when levels were made: code of others may have set another index or range since. */
+  get isWhole(): boolean {
+    const { index, drawRange } = this.geometry;
+    return index === this.whole && drawRange.start === 0 && drawRange.count === Infinity;
+  }
+
+  /** Has the next draws show a level. */
+  show(level: number): void {
+    const { start, count } = this.levels[level];
+    this.geometry.setIndex(this.all);
+    this.geometry.setDrawRange(start, count);
+  }
+
+  /** Ends what `show` began. */
+  showWhole(): void {
+    if (this.geometry.index !== this.all) return;
+    this.geometry.setIndex(this.whole);
+    this.geometry.setDrawRange(0, Infinity);
+  }
+}

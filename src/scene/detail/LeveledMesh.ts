@@ -1,0 +1,76 @@
+import { type Camera, type Material, type Mesh, Vector4, type WebGLRenderer } from 'three';
+import { chooseLevel } from '../../detail/chooseLevel.js';
+import type { LeveledGeometry } from './LeveledGeometry.js';
+import { pixelsPerUnit } from './pixelsPerUnit.js';
+
+/** Finer than any level: whatever is chosen is not simpler than it needs to be. */
+const NOTHING_BEFORE = Infinity;
+
+const viewport = /* @__PURE__ */ new Vector4();
+
+type Hooks = Pick<Mesh, 'onBeforeRender' | 'onAfterRender' | 'onBeforeShadow' | 'onAfterShadow'>;
+
+/** Draws a mesh with the level that its view needs, for each camera its own. */
+export class LeveledMesh {
+  /** The level that a camera has seen last. */
+  private readonly seen = new WeakMap<Camera, number>();
+  private readonly before: Hooks;
+  private readonly hooks: Hooks;
+
+  constructor(
+    private readonly mesh: Mesh,
+    private readonly leveled: LeveledGeometry,
+  ) {
+    const { onBeforeRender, onAfterRender, onBeforeShadow, onAfterShadow } = mesh;
+    const before = { onBeforeRender, onAfterRender, onBeforeShadow, onAfterShadow };
+    this.before = before;
+    this.hooks = {
+      onBeforeRender: (...all) => {
+        before.onBeforeRender.apply(mesh, all);
+        const [renderer, , camera, , material, group] = all;
+        this.show(renderer as WebGLRenderer, camera, material, group);
+      },
+      onAfterRender: (...all) => {
+        leveled.showWhole();
+        before.onAfterRender.apply(mesh, all);
+      },
+      onBeforeShadow: (...all) => {
+        before.onBeforeShadow.apply(mesh, all);
+        const [, , camera, , , material, group] = all;
+        // A shadow is that of what the camera sees, or else it would lie on it in patches.
+        if (this.canShow(material, group)) leveled.show(this.seen.get(camera) ?? 0);
+      },
+      onAfterShadow: (...all) => {
+        leveled.showWhole();
+        before.onAfterShadow.apply(mesh, all);
+      },
+    };
+    Object.assign(mesh, this.hooks);
+  }
+
+  /** Draws the whole mesh from now on. Hooks that others have set since stay. */
+  remove(): void {
+    for (const name of Object.keys(this.hooks) as (keyof Hooks)[]) {
+      if (this.mesh[name] === this.hooks[name]) Object.assign(this.mesh, { [name]: this.before[name] });
+    }
+  }
+
+  private show(renderer: WebGLRenderer, camera: Camera, material: Material, group: unknown): void {
+    if (!this.canShow(material, group)) return;
+    // Each camera of an ArrayCamera draws into a part of the target.
+    const { viewport: own } = camera as Camera & { viewport?: Vector4 };
+    if (own) viewport.copy(own);
+    else renderer.getCurrentViewport(viewport);
+    const { mesh, leveled, seen } = this;
+    const size = pixelsPerUnit(mesh, camera, viewport);
+    const level = chooseLevel(leveled.levels, size, seen.get(camera) ?? NOTHING_BEFORE);
+    seen.set(camera, level);
+    leveled.show(level);
+  }
+
+  /** Whether the mesh is drawn as it was when levels were made. The lines of a wireframe are made of the whole index. */
+  private canShow(material: Material, group: unknown): boolean {
+    if (this.mesh.geometry !== this.leveled.geometry || !this.leveled.isWhole || group) return false;
+    return (material as Material & { wireframe?: boolean }).wireframe !== true;
+  }
+}

@@ -1,0 +1,86 @@
+/** What draws large meshes with no more triangles than can be seen. It is fetched where the option `detail` is set. */
+import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from 'three';
+import { hatchNormal } from '../../bake/hatchNormal.js';
+import type { DetailRequest } from '../../detail/DetailRequest.js';
+import { isFormExpected, isFormed } from '../../geometry/formGeometry.js';
+import { tell } from '../../mistakes/tell.js';
+import { runSliced } from '../../slices/runSliced.js';
+import { runTask } from '../../worker/runTask.js';
+import type { TaskOptions } from '../../worker/TaskOptions.js';
+import type { MeshLook } from '../MeshLook.js';
+import { isBatched } from '../surfaceMeshes.js';
+import type { DetailOptions } from './DetailOptions.js';
+import { LeveledGeometry } from './LeveledGeometry.js';
+import { LeveledMesh } from './LeveledMesh.js';
+
+/** Meshes of fewer triangles are drawn as they are: a graphics card is not faster with less. */
+const FEWEST_TRIANGLES = 200_000;
+
+/** Whether levels can be made of the baked geometry of a mesh. */
+function canHaveLevels({ geometry, mesh, material }: MeshLook): boolean {
+  const { index, attributes, morphAttributes } = geometry;
+  if (isBatched(mesh) || 'isInstancedMesh' in mesh || 'isSkinnedMesh' in mesh || Array.isArray(material)) return false;
+  if (!index || index.count < 3 * FEWEST_TRIANGLES || Object.keys(morphAttributes).length > 0) return false;
+  // Lines along the form jump from edge to edge of its cuts.
+  if (isFormed(geometry) || isFormExpected(geometry)) return false;
+  const { position, uv, color } = attributes;
+  return [position, uv, color].every((attribute) => attribute === undefined || isPlain(attribute));
+}
+
+const isPlain = (attribute: BufferAttribute | InterleavedBufferAttribute): boolean =>
+  attribute.array instanceof Float32Array && !('isInterleavedBufferAttribute' in attribute);
+
+/** Copies of what the worker needs of a geometry. It yields after each, since they are large. */
+function* requestOf(geometry: BufferGeometry, simplifier: string): Generator<number, DetailRequest, void> {
+  const { position, uv, color, [hatchNormal.name]: normal } = geometry.attributes;
+  const positions = new Float32Array(position.array);
+  yield 0;
+  const hatchNormals = new Int16Array(normal.array);
+  yield 0;
+  const indices = new Uint32Array(geometry.index!.array);
+  yield 0;
+  const uvs = uv ? new Float32Array(uv.array) : null;
+  const colors = color ? new Float32Array(color.array) : null;
+  return { positions, hatchNormals, uvs, colors, indices, radius: geometry.boundingSphere!.radius, simplifier };
+}
+
+/**
+ * Makes levels of all large meshes that can have them, one after the other. Where the simplifier cannot be loaded, it says so, and the
+ * meshes are drawn as they are.
+ *
+ * @returns a function that has them drawn from now on; what that returns ends it
+ */
+export async function drawLevels(
+  looks: readonly MeshLook[],
+  { simplifier }: DetailOptions,
+  options: TaskOptions,
+): Promise<() => () => void> {
+  const leveled = new Map<BufferGeometry, LeveledGeometry>();
+  const address = absolute(simplifier);
+  const geometries = [...new Set(looks.filter(canHaveLevels).map(({ geometry }) => geometry))];
+  try {
+    for (const [i, geometry] of geometries.entries()) {
+      const onProgress = (progress: number): void => options.onProgress?.((i + progress) / geometries.length);
+      const request = await runSliced(requestOf(geometry, address), { signal: options.signal });
+      const levels = await runTask('simplifyHatched', request, { ...options, onProgress });
+      leveled.set(geometry, new LeveledGeometry(geometry, levels));
+    }
+  } catch (error) {
+    options.signal?.throwIfAborted();
+    tell(`applyHatching: meshes are drawn without levels of detail. ${(error as Error).message}`);
+  }
+  options.onProgress?.(1);
+  return () => {
+    const meshes = looks.flatMap(({ mesh, geometry }) => {
+      const levels = leveled.get(geometry);
+      return levels ? [new LeveledMesh(mesh, levels)] : [];
+    });
+    return () => {
+      for (const mesh of meshes) mesh.remove();
+    };
+  };
+}
+
+/** The address as a worker can load it, which lies elsewhere than the page. */
+const absolute = (address: string | URL): string =>
+  typeof document === 'undefined' ? String(address) : new URL(address, document.baseURI).href;
