@@ -16,5 +16,5 @@ export const requestBuffers: TaskSet<BakingTasks>['requestBuffers'] = {
   generateThresholds: () => [],
   completeHatchImages: imageBuffers,
   startOcclusion: occlusionMeshBuffers,
-  addDirections: ({ scene }) => occlusionSceneBuffers(scene),
+  addDirections: ({ scene, sums = [] }) => [...occlusionSceneBuffers(scene), ...sums.map(({ buffer }) => buffer)],
 };
