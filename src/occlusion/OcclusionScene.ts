@@ -35,8 +35,6 @@ export interface OcclusionScene {
   views: OcclusionView[];
   /** For each mesh with normals the sample of each vertex, or NO_SAMPLE. */
   sampleOf: Uint32Array<ArrayBuffer>[];
-  /** The number of pairs of opposite directions that have been added. */
-  pairs: number;
 }
 
 /** Stands for the sample of a vertex that no triangle uses. */

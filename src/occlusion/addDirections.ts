@@ -14,6 +14,15 @@ export interface OcclusionResult {
 /** The normalised 16-bit integer that stands for 1. */
 const ONE = 0x7fff;
 
+/** What `addDirections` works on. */
+export interface DirectionRequest {
+  scene: OcclusionScene;
+  /** The numbers of the pairs of opposite directions that are added. */
+  pairs: readonly number[];
+  /** Sums of other copies of the scene, with directions of their own, which are added too. */
+  sums?: readonly Float32Array<ArrayBuffer>[];
+}
+
 /**
  * Adds further pairs of opposite directions to a bake: for each sample it adds up the directions in which nothing hides the sky.
  * The scene is rasterized once per pair and view, for both directions and all samples.
@@ -21,15 +30,14 @@ const ONE = 0x7fff;
 export function* addDirections({
   scene,
   pairs,
-}: {
-  scene: OcclusionScene;
-  pairs: number;
-}): Generator<number, OcclusionResult, void> {
+  sums = [],
+}: DirectionRequest): Generator<number, OcclusionResult, void> {
+  for (const others of sums) for (let i = 0; i < others.length; i++) scene.sums[i] += others[i];
   const maps = createDepthMaps(scene.positions.length / 3);
-  const steps = pairs * scene.views.length;
+  const steps = pairs.length * scene.views.length;
   for (let step = 0; step < steps; step++) {
     const view = scene.views[step % scene.views.length];
-    const axes = mapAxes(scene.pairs + Math.floor(step / scene.views.length));
+    const axes = mapAxes(pairs[Math.floor(step / scene.views.length)]);
     const projection = projectionOf(axes, view);
     const from = step / steps;
     const to = (step + 1) / steps;
@@ -40,7 +48,6 @@ export function* addDirections({
       to,
     );
   }
-  scene.pairs += pairs;
   return { scene, occlusions: scene.sampleOf.map((sampleOf) => occlusionsOf(scene.sums, sampleOf)) };
 }
 

@@ -34,7 +34,6 @@ export function* startOcclusion({ meshes }: { meshes: OcclusionMesh[] }): Genera
       sampled.map(({ normals }) => normals),
     ),
     sampleOf: sampled.map(({ sampleOf }) => sampleOf),
-    pairs: 0,
   };
   let first = 0;
   for (const { sampleOf, positions } of sampled) {

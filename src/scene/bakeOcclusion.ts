@@ -2,14 +2,16 @@ import { BackSide, type Mesh, type Object3D } from 'three';
 import { assertGeometry, checkGeometry } from '../geometry/checkGeometry.js';
 import { cornerRange } from '../geometry/cornerRange.js';
 import { copyVectors, extractMesh } from '../geometry/extractMesh.js';
-import type { OcclusionMesh } from '../occlusion/OcclusionScene.js';
+import type { OcclusionMesh, OcclusionScene } from '../occlusion/OcclusionScene.js';
 import { checkOptions } from '../worker/checkOptions.js';
+import { maxWorkers } from '../worker/maxWorkers.js';
 import { runTask } from '../worker/runTask.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
 import { assertTree } from './assertTree.js';
 import { failure } from './failure.js';
 import type { SkippedMesh } from './HatchedScene.js';
 import { hasRoom, OcclusionBake } from './OcclusionBake.js';
+import { OcclusionLanes } from './OcclusionLanes.js';
 import { isBatched, materialsOf, surfaceMeshes } from './surfaceMeshes.js';
 import { worldMatrices } from './worldMatrices.js';
 
@@ -40,15 +42,15 @@ const OWN_OPTIONS = { directions: true, onPass: true, pause: true } satisfies Re
 const DEFAULT_DIRECTIONS = 384;
 /** The numbers of directions of the results before the last. The first comes soon, but not so soon that it is too noisy to show. */
 const EARLY_DIRECTIONS = [64, 192];
-/** The number of pairs of opposite directions in one request to the worker. */
-const PAIRS_AT_ONCE = 8;
+/** With more triangles, one worker bakes: copies of the scene, of some 40 bytes a triangle, would block the page. */
+const LARGE_TRIANGLES = 1_000_000;
 /** The share of the progress before the first direction. */
 const START_SHARE = 0.05;
 
 /**
  * Bakes ambient occlusion: how much of the sky each vertex sees. `HatchingMaterial` draws it (`occlusion`): cavities, folds and
- * contacts become darker under any light. It is stored in the geometries, so a frame takes no longer. The bake runs in the
- * worker. The meshes get a first result soon, and finer ones until the promise resolves.
+ * contacts become darker under any light. It is stored in the geometries, so a frame takes no longer. The bake runs in up
+ * to four workers. The meshes get a first result soon, and finer ones until the promise resolves.
  *
  * - Every mesh at or below `root` whose geometry comes from `prepareHatchingGeometry` or `applyHatching` receives occlusion. All
  *   visible meshes at or below `root` occlude, with their fronts and backs, except `transparent` ones. Instances, batches, lines
@@ -100,26 +102,19 @@ export async function bakeOcclusion(root: Object3D, options: BakeOcclusionOption
     await rest();
     const readAll = () => ({ meshes: readers.map((read) => read()) });
     const start = (options: TaskOptions) => runTask('startOcclusion', readAll(), options, readAll);
-    let scene = await start(phase(0, START_SHARE));
+    const scene = await start(phase(0, START_SHARE));
     const goals = [...EARLY_DIRECTIONS.filter((early) => early < directions), directions].map((goal) =>
       Math.ceil(goal / 2),
     );
     const all = goals[goals.length - 1];
-    const progressAt = (pairs: number) => START_SHARE + (1 - START_SHARE) * (pairs / all);
+    const lanes = new OcclusionLanes(scene, laneCount(scene, createWorker), {
+      options: { signal, createWorker },
+      start: () => start({ signal, createWorker }),
+      rest,
+      onAdded: onProgress && ((pairs) => onProgress(START_SHARE + (1 - START_SHARE) * (pairs / all))),
+    });
     for (const goal of goals) {
-      let occlusions: Int16Array[] = [];
-      while (scene.pairs < goal) {
-        await rest();
-        const { pairs } = scene;
-        const next = Math.min(goal, pairs + PAIRS_AT_ONCE);
-        ({ scene, occlusions } = await runTask(
-          'addDirections',
-          { scene, pairs: next - pairs },
-          phase(progressAt(pairs), progressAt(next)),
-          // All directions so far are lost with the worker, so they are added again.
-          async () => ({ scene: await start({ signal, createWorker }), pairs: next }),
-        ));
-      }
+      const occlusions = await lanes.addUpTo(goal);
       await rest();
       bake.write(occlusions, 2 * goal);
       onPass?.(bake);
@@ -130,6 +125,12 @@ export async function bakeOcclusion(root: Object3D, options: BakeOcclusionOption
     bake.dispose();
     throw error;
   }
+}
+
+/** The number of workers that share the directions. */
+function laneCount({ indices }: OcclusionScene, createWorker: TaskOptions['createWorker']): number {
+  if (!createWorker && typeof Worker === 'undefined') return 1;
+  return indices.length > 3 * LARGE_TRIANGLES ? 1 : maxWorkers();
 }
 
 /** Copies the data of a mesh. */

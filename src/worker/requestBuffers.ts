@@ -18,5 +18,5 @@ export const requestBuffers: TaskSet<BakingTasks>['requestBuffers'] = {
   completeHatchImages: imageBuffers,
   simplifyHatched: detailRequestBuffers,
   startOcclusion: occlusionMeshBuffers,
-  addDirections: ({ scene }) => occlusionSceneBuffers(scene),
+  addDirections: ({ scene, sums = [] }) => [...occlusionSceneBuffers(scene), ...sums.map(({ buffer }) => buffer)],
 };

@@ -2,10 +2,8 @@ import { BoxGeometry, type BufferGeometry, IcosahedronGeometry } from 'three';
 import type { BuiltInScene } from '../../drawing/BuiltInScene.js';
 import { errorMessage } from '../../files/common/errorMessage.js';
 import { ModelError } from '../../files/common/ModelError.js';
-import { fitModel } from '../../files/mesh/fitModel.js';
 import type { PlainMesh } from '../../files/mesh/PlainMesh.js';
 import type { ReadModel } from '../../files/readModel.js';
-import { cleanMesh } from '../../files/repair/cleanMesh.js';
 import type { Settings } from '../../settings/settings.js';
 import type { LoadOptions } from '../files/loadModelFiles.js';
 import { loadModelFiles } from '../files/loadModelFiles.js';
@@ -68,7 +66,10 @@ const builtIn = {
     title: 'Bust of Edward Snowden',
     view: [0.5, 0.12, 1],
     async load() {
-      const { positions, cells } = await import('snowden/lo.js');
+      const [{ positions, cells }, { cleanMesh }] = await Promise.all([
+        import('snowden/lo.js'),
+        import('../../files/repair/cleanMesh.js'),
+      ]);
       const whole = meshOfPackage({ positions, cells: cells.filter((cell) => !isStray(positions, cell)) });
       return builtInMesh('Bust', cleanMesh(whole).mesh);
     },
@@ -165,7 +166,9 @@ const meshOfPackage = ({ positions, cells }: { positions: number[][]; cells: num
   indices: new Uint32Array(cells.flat()),
 });
 
-function builtInMesh(name: string, mesh: PlainMesh): ReadModel {
+async function builtInMesh(name: string, mesh: PlainMesh): Promise<ReadModel> {
+  // Models that are read in a worker are fitted there.
+  const { fitModel } = await import('../../files/mesh/fitModel.js');
   fitModel(mesh);
   return readMesh(name, mesh);
 }

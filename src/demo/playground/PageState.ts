@@ -10,17 +10,23 @@ import type { TaskRunner } from './tasks/TaskRunner.js';
 export class PageState {
   private fetchesRest = false;
 
-  /** @param hasLights whether the lights have their handles, without which the page is not ready */
+  /**
+   * @param hasLights whether the lights have their handles, without which the page is not ready
+   * @param isAwaited whether something of the drawing is still to be baked
+   */
   constructor(
     private readonly session: Session,
     private readonly tasks: TaskRunner,
     private readonly opener: DrawingOpener,
     private readonly status: Status,
     hasLights: () => boolean,
+    private readonly isAwaited: () => boolean,
   ) {
     const { stage } = session;
     stage.frames.onFrame(() => {
-      if (tasks.isIdle && stage.isComplete && hasLights()) setPageState('ready');
+      if (!tasks.isIdle || !stage.isComplete) return;
+      if (hasLights()) setPageState('ready');
+      this.fetchRest();
     });
     page.canvas.addEventListener('webglcontextlost', () => this.lose());
     page.canvas.addEventListener('webglcontextrestored', () => this.restore());
@@ -39,10 +45,10 @@ export class PageState {
     if (this.tasks.isIdle && !this.opener.isOpening && !stage.isComplete && !stage.isLost) setPageState('failed');
   }
 
-  /** Fetches the parts of the page that nobody has opened yet, once: when the tasks of the first drawing have ended. */
+  /** Fetches the parts of the page that nobody has opened yet, once: when the first drawing is complete, which they would delay. */
   private fetchRest(): void {
     // In a frame of another page, there is little to open.
-    if (this.fetchesRest || pageForm === 'embed') return;
+    if (this.fetchesRest || pageForm === 'embed' || this.isAwaited()) return;
     this.fetchesRest = true;
     // A part that fails is fetched again when it is opened.
     import('./fetchRest.js').then(({ fetchRest }) => fetchRest()).catch(() => {});

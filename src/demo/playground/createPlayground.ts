@@ -68,7 +68,8 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     if (group === 'Picture') overlays.showSheet(isOpen);
   });
   session.listen({ applied: () => showSettings(session.settings) });
-  const state = new PageState(session, tasks, opener, status, () => overlays.hasLights);
+  const isAwaited = (): boolean => form.isAwaited || occlusion.isAwaited;
+  const state = new PageState(session, tasks, opener, status, () => overlays.hasLights, isAwaited);
   stage.quality.onMeasured(() => {
     update();
     showFrameTime(stage.quality);
@@ -86,12 +87,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   // The wheel scrolls the page around the frame until the drawing has the focus.
   if (pageForm === 'embed') stage.view.zoomsWhenFocused(page.canvas);
   const isIdle = (): boolean =>
-    tasks.isIdle &&
-    !stage.frames.isWaiting &&
-    !occlusion.isAwaited &&
-    !form.isAwaited &&
-    !parts.isFetching &&
-    !opener.isOpening;
+    tasks.isIdle && !stage.frames.isWaiting && !isAwaited() && !parts.isFetching && !opener.isOpening;
   showToTests(stage, isIdle);
   if (pageForm === 'playground') void showRecent(keeper);
   openFirst(linked, session, opener, pageForm === 'playground' ? address.drawing : undefined);

@@ -8,11 +8,16 @@ export interface Bounds {
 export function boundsOf(positions: ArrayLike<number>): Bounds {
   const low: Bounds['low'] = [Infinity, Infinity, Infinity];
   const high: Bounds['high'] = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < positions.length; i++) {
-    const axis = i % 3;
-    const value = positions[i];
-    if (value < low[axis]) low[axis] = value;
-    if (value > high[axis]) high[axis] = value;
+  for (let axis = 0; axis < 3; axis++) {
+    let least = Infinity;
+    let largest = -Infinity;
+    for (let i = axis; i < positions.length; i += 3) {
+      const value = positions[i];
+      if (value < least) least = value;
+      if (value > largest) largest = value;
+    }
+    low[axis] = least;
+    high[axis] = largest;
   }
   return { low, high };
 }

@@ -1,6 +1,5 @@
 import { boundsOf } from './boundsOf.js';
 import { standsFirmly } from './standsFirmly.js';
-import { forEachTriangle } from './triangleAreas.js';
 
 /** Which axis of a model points up. */
 export type UpAxis = 'x' | 'y' | 'z' | '-x' | '-y' | '-z';
@@ -46,9 +45,14 @@ export function findUpAxis(
   const sides = outerSides(positions, low, high, tolerance);
   /** Area that lies on the lower and on the upper side across each axis. */
   const areas = AXES.map(() => [0, 0] as [number, number]);
-  forEachTriangle(positions, indices, (a, b, c) => {
+  const corners = indices?.length ?? positions.length / 3;
+  for (let corner = 0; corner + 2 < corners; corner += 3) {
+    const a = 3 * (indices ? indices[corner] : corner);
+    const b = 3 * (indices ? indices[corner + 1] : corner + 1);
+    const c = 3 * (indices ? indices[corner + 2] : corner + 2);
     const side = sides[a / 3] & sides[b / 3] & sides[c / 3];
-    if (side === 0) return;
+    // Most triangles lie on no side: their areas are not wanted.
+    if (side === 0) continue;
     for (let axis = 0; axis < 3; axis++) {
       const ofAxis = (side >> (2 * axis)) & 3;
       if (ofAxis === 0) continue;
@@ -57,7 +61,7 @@ export function findUpAxis(
       const area = from(b, u) * from(c, v) - from(c, u) * from(b, v);
       areas[axis][ofAxis & 1 ? 0 : 1] += Math.abs(area) / 2;
     }
-  });
+  }
   const across = (axis: number): number => size[(axis + 1) % 3] * size[(axis + 2) % 3];
   const shares = areas.map((pair, axis) => (across(axis) > 0 ? Math.max(...pair) / across(axis) : 0));
   const [thinnest, next] = [0, 1, 2].sort((a, b) => size[a] - size[b]);
@@ -83,11 +87,13 @@ function outerSides(
   tolerance: number,
 ): Uint8Array {
   const sides = new Uint8Array(positions.length / 3);
-  for (let vertex = 0; vertex < sides.length; vertex++) {
-    for (let axis = 0; axis < 3; axis++) {
+  for (let axis = 0; axis < 3; axis++) {
+    const lower = low[axis] + tolerance;
+    const upper = high[axis] - tolerance;
+    for (let vertex = 0; vertex < sides.length; vertex++) {
       const at = positions[3 * vertex + axis];
-      if (at - low[axis] < tolerance) sides[vertex] |= 1 << (2 * axis);
-      if (high[axis] - at < tolerance) sides[vertex] |= 2 << (2 * axis);
+      if (at < lower) sides[vertex] |= 1 << (2 * axis);
+      if (at > upper) sides[vertex] |= 2 << (2 * axis);
     }
   }
   return sides;

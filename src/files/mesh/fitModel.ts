@@ -36,10 +36,12 @@ export function measureExtent(positions: ArrayLike<number>): Extent {
   const { low, high } = boundsOf(positions);
   const centre = [0, 1, 2].map((axis) => low[axis] / 2 + high[axis] / 2) as [number, number, number];
   const [x, y, z] = centre;
-  let radius = 0;
+  let squared = 0;
   for (let i = 0; i < positions.length; i += 3) {
-    radius = Math.max(radius, Math.hypot(positions[i] - x, positions[i + 1] - y, positions[i + 2] - z));
+    const [dx, dy, dz] = [positions[i] - x, positions[i + 1] - y, positions[i + 2] - z];
+    squared = Math.max(squared, dx * dx + dy * dy + dz * dz);
   }
+  const radius = Math.sqrt(squared);
   if (!(radius > 0 && radius < Infinity))
     throw new ModelError('The model has no size: all its points lie at one place.');
   return { centre, radius };

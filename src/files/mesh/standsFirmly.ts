@@ -37,13 +37,12 @@ export function standsFirmly(positions: ArrayLike<number>, indices: ArrayLike<nu
 }
 
 function centreOfArea(positions: ArrayLike<number>, indices: ArrayLike<number> | null): number[] {
-  const sum = [0, 0, 0];
-  let total = 0;
+  let [x, y, z, total] = [0, 0, 0, 0];
   forEachTriangle(positions, indices, (a, b, c, area) => {
     total += area;
-    for (let axis = 0; axis < 3; axis++) {
-      sum[axis] += (area * (positions[a + axis] + positions[b + axis] + positions[c + axis])) / 3;
-    }
+    x += area * (positions[a] + positions[b] + positions[c]);
+    y += area * (positions[a + 1] + positions[b + 1] + positions[c + 1]);
+    z += area * (positions[a + 2] + positions[b + 2] + positions[c + 2]);
   });
-  return sum.map((value) => value / total);
+  return [x, y, z].map((sum) => sum / (3 * total));
 }

@@ -4,12 +4,13 @@ export class GrowingIndices {
   /** The number of corners. */
   length = 0;
 
+  /** Makes room for so many corners more, where their number is known. */
+  reserve(count: number): void {
+    if (this.length + count > this.array.length) this.lengthen(this.length + count);
+  }
+
   add(a: number, b: number, c: number): void {
-    if (this.length + 3 > this.array.length) {
-      const longer = new Uint32Array(2 * this.array.length);
-      longer.set(this.array);
-      this.array = longer;
-    }
+    if (this.length + 3 > this.array.length) this.lengthen(2 * this.array.length);
     this.array[this.length++] = a;
     this.array[this.length++] = b;
     this.array[this.length++] = c;
@@ -18,5 +19,11 @@ export class GrowingIndices {
   /** The corners, without a copy. */
   values(): Uint32Array {
     return this.array.subarray(0, this.length);
+  }
+
+  private lengthen(room: number): void {
+    const longer = new Uint32Array(room);
+    longer.set(this.array.subarray(0, this.length));
+    this.array = longer;
   }
 }

@@ -45,13 +45,15 @@ class AsciiNumbers implements PlyNumbers {
   }
 }
 
-class BinaryNumbers implements PlyNumbers {
-  private readonly view: DataView;
+/** The numbers of a binary file. */
+export class BinaryNumbers implements PlyNumbers {
+  readonly view: DataView;
 
+  /** @param at the byte where the next number begins */
   constructor(
     bytes: Uint8Array,
-    private at: number,
-    private readonly isLittle: boolean,
+    public at: number,
+    readonly isLittle: boolean,
   ) {
     this.view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   }

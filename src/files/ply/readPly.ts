@@ -3,8 +3,9 @@ import { ModelError } from '../common/ModelError.js';
 import { checkTriangleCount } from '../mesh/checkTriangleCount.js';
 import type { PlainMesh } from '../mesh/PlainMesh.js';
 import { GrowingIndices } from './GrowingIndices.js';
+import { type PlyColumn, readColumns, readTriangles } from './plyBlocks.js';
 import { type PlyElement, type PlyHeader, type PlyProperty, readPlyHeader } from './plyHeader.js';
-import { leastRowBytes, type PlyNumbers, plyNumbers } from './plyRows.js';
+import { BinaryNumbers, leastRowBytes, type PlyNumbers, plyNumbers } from './plyRows.js';
 
 /** The names that programs give to the properties that are drawn, in the order position, normal, colour. */
 const COLUMNS: readonly (readonly string[])[] = [
@@ -77,7 +78,8 @@ function checkLength(element: PlyElement, format: PlyHeader['format'], numbers: 
   );
 }
 
-function readPoints({ count, properties }: PlyElement, numbers: PlyNumbers, name: string): Points {
+function readPoints(element: PlyElement, numbers: PlyNumbers, name: string): Points {
+  const { count, properties } = element;
   const slots = properties.map((property) => COLUMNS.findIndex((names) => names.includes(property.name)));
   const row = new Float64Array(COLUMNS.length);
   const has = (first: number): boolean => [0, 1, 2].every((i) => slots.includes(first + i));
@@ -86,6 +88,17 @@ function readPoints({ count, properties }: PlyElement, numbers: PlyNumbers, name
   const colors = has(COLOR) ? new Float64Array(3 * count) : null;
   // Doubles are often far from the origin, where single precision is too coarse. The model is centred later anyway.
   const isDouble = properties.some(({ type }, i) => slots[i] === 0 && type === 'float64');
+  const red = properties[slots.indexOf(COLOR)];
+  if (!isDouble && numbers instanceof BinaryNumbers) {
+    const columns = properties.flatMap((property, i): PlyColumn[] => {
+      const target = [positions, normals, colors][Math.floor(slots[i] / 3)];
+      return target ? [{ property, target, axis: slots[i] % 3 }] : [];
+    });
+    if (readColumns(element, numbers, columns)) {
+      if (normals) normalize(normals);
+      return { positions, normals, colors: colors && toLinear(colors, red) };
+    }
+  }
   const origin = [0, 0, 0];
   for (let vertex = 0; vertex < count; vertex++) {
     numbers.startRow();
@@ -107,22 +120,37 @@ function readPoints({ count, properties }: PlyElement, numbers: PlyNumbers, name
       for (let axis = 0; axis < 3; axis++) normals[at + axis] = row[NORMAL + axis] / length;
     }
   }
-  const red = properties[slots.indexOf(COLOR)];
   return { positions, normals, colors: colors && toLinear(colors, red) };
+}
+
+/** Gives normals the length 1. Those without a length or a direction become zero. */
+function normalize(normals: Float32Array): void {
+  for (let i = 0; i < normals.length; i += 3) {
+    const x = normals[i];
+    const y = normals[i + 1];
+    const z = normals[i + 2];
+    const length = Math.sqrt(x * x + y * y + z * z);
+    const has = length > 0 && length < Infinity;
+    normals[i] = has ? x / length : 0;
+    normals[i + 1] = has ? y / length : 0;
+    normals[i + 2] = has ? z / length : 0;
+  }
 }
 
 /** Reads faces. @returns their colours, if they have any */
 function readFaces(
-  { count, properties }: PlyElement,
+  element: PlyElement,
   numbers: PlyNumbers,
   indices: GrowingIndices,
   name: string,
 ): FaceColors | undefined {
+  const { count, properties } = element;
   const corners = cornerList(properties);
   const slots = properties.map((property) => COLUMNS.findIndex((names) => names.includes(property.name)) - COLOR);
   const colors = [0, 1, 2].every((slot) => slots.includes(slot)) ? ([] as number[]) : undefined;
   const color = [0, 0, 0];
-  for (let face = 0; face < count; face++) {
+  const read = numbers instanceof BinaryNumbers ? readTriangles(element, numbers, indices) : 0;
+  for (let face = read; face < count; face++) {
     const before = indices.length;
     numbers.startRow();
     properties.forEach((property, i) => {

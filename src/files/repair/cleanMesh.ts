@@ -9,6 +9,7 @@ import { type PictureRange, type PlainMesh, triangleCount } from '../mesh/PlainM
  * @throws ModelError when nothing is left
  */
 export function cleanMesh(mesh: PlainMesh): { mesh: PlainMesh; broken: number } {
+  if (isClean(mesh)) return { mesh, broken: 0 };
   const { positions, indices } = mesh;
   const vertexCount = positions.length / 3;
   const total = triangleCount(mesh);
@@ -37,6 +38,26 @@ export function cleanMesh(mesh: PlainMesh): { mesh: PlainMesh; broken: number } 
   if (length === 0) throw new ModelError('None of the triangles in the file has three valid corners.');
   const cleaned = compact(mesh, kept.subarray(0, length));
   return { mesh: mesh.ranges ? { ...cleaned, ranges } : cleaned, broken: total - length / 3 };
+}
+
+/** Whether there is nothing to remove, as in most files: then nothing is copied. */
+function isClean({ positions, normals, colors, uvs, indices, ranges }: PlainMesh): boolean {
+  const vertexCount = positions.length / 3;
+  if (!indices?.length || indices.byteLength !== indices.buffer.byteLength || indices.length % 3 || ranges)
+    return false;
+  const fits = (values: Float32Array | null | undefined, size: number): boolean =>
+    !values || values.length === size * vertexCount;
+  if (!fits(normals, 3) || !fits(colors, 3) || !fits(uvs, 2)) return false;
+  for (let i = 0; i < positions.length; i++) if (!Number.isFinite(positions[i])) return false;
+  const isUsed = new Uint8Array(vertexCount);
+  let used = 0;
+  for (let corner = 0; corner < indices.length; corner++) {
+    const vertex = indices[corner];
+    if (vertex >= vertexCount) return false;
+    used += 1 - isUsed[vertex];
+    isUsed[vertex] = 1;
+  }
+  return used === vertexCount;
 }
 
 /** Removes the vertices that are not in use and renumbers the others. */

@@ -23,9 +23,14 @@ function meshOf(geometry: BufferGeometry, options: Partial<OcclusionMesh> = {}):
   };
 }
 
+/** The numbers of so many pairs of directions. */
+const pairsFrom = (first: number, count: number): number[] => Array.from({ length: count }, (_, i) => first + i);
+
 /** The occlusion of each vertex of each mesh with normals, and the state afterwards. */
 function bakeOf(meshes: OcclusionMesh[], pairs = PAIRS): { occlusions: number[][]; scene: OcclusionScene } {
-  const { scene, occlusions } = finish(addDirections({ scene: finish(startOcclusion({ meshes })), pairs }));
+  const { scene, occlusions } = finish(
+    addDirections({ scene: finish(startOcclusion({ meshes })), pairs: pairsFrom(0, pairs) }),
+  );
   return { scene, occlusions: occlusions.map((values) => Array.from(values, (value) => value / 32767)) };
 }
 
@@ -199,6 +204,19 @@ test('goes on where it has stopped: so many directions give the same at once and
   const [floor, wall] = corner();
   const whole = bakeOf([meshOf(floor), meshOf(wall)], 24);
   const part = bakeOf([meshOf(floor), meshOf(wall)], 8);
-  const { occlusions } = finish(addDirections({ scene: part.scene, pairs: 16 }));
+  const { occlusions } = finish(addDirections({ scene: part.scene, pairs: pairsFrom(8, 16) }));
   expect(occlusions.map((values) => Array.from(values, (value) => value / 32767))).toEqual(whole.occlusions);
+});
+
+test('sums of another copy of the scene count as if its directions had been added here', () => {
+  const meshes = () => corner().map((geometry) => meshOf(geometry));
+  const whole = bakeOf(meshes(), 24);
+  const { scene } = bakeOf(meshes(), 8);
+  const other = finish(startOcclusion({ meshes: meshes() }));
+  const { sums } = finish(addDirections({ scene: other, pairs: pairsFrom(8, 16) })).scene;
+  const { occlusions } = finish(addDirections({ scene, pairs: [], sums: [sums] }));
+  const errors = occlusions.flatMap((values, mesh) =>
+    Array.from(values, (value, i) => Math.abs(value / 32767 - whole.occlusions[mesh][i])),
+  );
+  expect(largest(errors)).toBeLessThan(1e-4);
 });

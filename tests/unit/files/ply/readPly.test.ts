@@ -37,6 +37,16 @@ describe.each(FORMATS)('PLY, %s', (format) => {
     expect(prism.notes).toEqual([]);
   });
 
+  test('triangles before and after a face of more corners, and indices that are negative', async () => {
+    const [first, second, ...others] = BOX_FACES;
+    const corners = (face: readonly number[]): number[][] => [face.slice(0, 3), [face[0], face[2], face[3]]];
+    const rows = [...corners(first), second, ...others.flatMap(corners), [0, 1, -1]].map((face) => [face]);
+    const box = await read(['box.ply', ply([boxVertices, { name: 'face', properties: [CORNER_LIST], rows }], format)]);
+    expect(triangles(box)).toBe(12);
+    expect(measure(box).volume).toBeCloseTo(BOX_VOLUME, 4);
+    expect(box.details).toEqual([expect.stringMatching(/1 .*broken|1 .*left out/)]);
+  });
+
   test('triangle strips, with breaks', async () => {
     // A box: one strip round its sides, and one for each of its ends.
     const strip = [0, 2, 1, 3, 5, 7, 4, 6, 0, 2, -1, 0, 1, 4, 5, -1, 2, 6, 3, 7];
