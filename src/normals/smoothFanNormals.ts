@@ -44,9 +44,7 @@ export function* smoothFanNormals(
     const { normals } = yield* meanNormals(surface);
     return radii.map(() => normals);
   }
-  const sorted = yield* asPhase(sortFans(surface), 0, 0.07);
-  const flow = yield* asPhase(startFlow({ ...surface, fans: sorted.fans }, sorted.sizes), 0.07, 0.25);
-  const { order } = sorted;
+  const { order, ...flow } = yield* asPhase(startFlow(surface), 0, 0.25);
   const results = yield* asPhase(diffuse(flow, radii, shares && gathered(shares, order)), 0.25, 0.98);
   return yield* asPhase(inOrderOfFans(results, order), 0.98, 1);
 }
@@ -57,13 +55,15 @@ interface NormalFlow {
   heat: HeatEquation;
 }
 
-/** Prepares `diffuse`. */
-function* startFlow(surface: FanSurface, sizes: Uint32Array<ArrayBuffer>): Generator<number, NormalFlow, void> {
-  const { normals, masses } = yield* asPhase(meanNormals(surface), 0, 0.3);
-  return { normals, heat: yield* asPhase(assembleHeatEquation(surface, masses, sizes), 0.3, 1) };
+/** Prepares `diffuse`. What is needed only for that is free when the normals diffuse. `order` is that of `sortFans`. */
+function* startFlow(surface: FanSurface): Generator<number, NormalFlow & { order: Uint32Array<ArrayBuffer> }, void> {
+  const { fans, order, sizes } = yield* asPhase(sortFans(surface), 0, 0.3);
+  const sorted = { ...surface, fans };
+  const { normals, masses } = yield* asPhase(meanNormals(sorted), 0.3, 0.5);
+  return { order, normals, heat: yield* asPhase(assembleHeatEquation(sorted, masses, sizes), 0.5, 1) };
 }
 
-/** Lets normals diffuse. */
+/** Lets normals diffuse. The weights of `heat` are lost. */
 function* diffuse(
   { normals, heat }: NormalFlow,
   radii: readonly number[],
@@ -73,7 +73,10 @@ function* diffuse(
   const flows = planFlows(radii, highestRate(heat));
   for (const [i, { rate, parts }] of flows.entries()) {
     const series = parts.map(({ steps }) => heatSeries(steps, TOLERANCE));
-    const task = flow(heat, normals, rate, shares, series);
+    // The last flow overwrites what the others have copied.
+    const isLast = i === flows.length - 1;
+    const matrix = twiceP(heat, rate, shares, isLast ? heat.weights : heat.weights.slice());
+    const task = flow(matrix, isLast && parts.length === radii.length ? normals : normals.slice(), series);
     const results = yield* asPhase(task, i / flows.length, (i + 1) / flows.length);
     for (const [k, { radius }] of parts.entries()) smoothed[radius] = results[k];
   }
@@ -155,22 +158,20 @@ function highestRate({ masses, degrees }: HeatEquation): number {
 /**
  * Computes Σ cₖ·Tₖ(P)·normals for each series of coefficients cₖ, where P = 1 − L/rate and L is the Laplacian, by the recurrence
  * of the Chebyshev polynomials. With the coefficients of `heatSeries` that is e^(−steps·(1 − P))·normals.
+ * Overwrites `normals`.
  */
 function* flow(
-  heat: HeatEquation,
+  matrix: Mixing,
   normals: Float32Array<ArrayBuffer>,
-  rate: number,
-  shares: Float32Array | undefined,
   series: readonly (readonly number[])[],
 ): Generator<number, Float32Array<ArrayBuffer>[], void> {
-  const fanCount = heat.masses.length;
+  const fanCount = matrix.owns.length;
   const results = series.map(([first]) => scaled(normals, first));
   const lengths = series.map(({ length }) => length);
   const longest = lengths.indexOf(Math.max(...lengths));
   const passes = lengths[longest] - 1;
-  const matrix = twiceP(heat, rate, shares);
-  const runs = findRuns(heat.starts);
-  let current = normals.slice();
+  const runs = findRuns(matrix.starts);
+  let current = normals;
   let previous = new Float32Array(normals.length);
   for (let k = 1; k <= passes; k++) {
     // T₁ = P·T₀, but a step gives 2P·T₀.
@@ -202,26 +203,28 @@ interface Mixing extends Pick<HeatEquation, 'starts' | 'neighbours'> {
 /**
  * Computes 2P. A fan with so little area that it would mix faster than the rate is treated as larger, which keeps the eigenvalues
  * of P within [−1, 1].
+ *
+ * @param weights those of the heat equation, or a copy. They are overwritten
  */
 function twiceP(
-  { starts, neighbours, weights, masses, degrees }: HeatEquation,
+  { starts, neighbours, masses, degrees }: HeatEquation,
   rate: number,
   shares: Float32Array | undefined,
+  weights: Float32Array,
 ): Mixing {
   const owns = new Float64Array(masses.length);
-  const mixing = { starts, neighbours, owns, weights: new Float32Array(weights.length) };
   for (let fan = 0; fan < owns.length; fan++) {
     let step = 2 / (Math.max(rate * masses[fan], degrees[fan]) || 1);
     // Heat spreads over a share of the radius in that share, squared, of the time.
     if (shares) step *= shares[fan] ** 2;
     let own = 2;
     for (let edge = starts[fan]; edge < starts[fan + 1]; edge++) {
-      mixing.weights[edge] = step * weights[edge];
-      own -= mixing.weights[edge];
+      weights[edge] *= step;
+      own -= weights[edge];
     }
     owns[fan] = own;
   }
-  return mixing;
+  return { starts, neighbours, owns, weights };
 }
 
 /** Multiplies values by a factor. `map` would call a function for each value, which was measured to be ten times as slow. */
