@@ -33,7 +33,8 @@ export const many = {
           look,
           {
             script: medianInterval(script[look])[0],
-            microseconds: scene.isInstanced ? null : medianInterval(beyond),
+            microseconds: scene.isInstanced ? null : medianInterval(beyond)[0],
+            interval: scene.isInstanced ? null : medianInterval(beyond).slice(1),
             garbage: scene.isInstanced ? undefined : await garbageOf(page, measure, look, garbageFrames),
             frame: medianInterval(frame[look])[0],
             ratio: medianInterval(ratios(frame[look], frame[PLAIN])),
@@ -59,7 +60,7 @@ ${table([
       name,
       look,
       figure(script),
-      microseconds === null || look === PLAIN ? '' : withInterval(microseconds),
+      microseconds === null || look === PLAIN ? '' : figure(microseconds),
       figure(garbage),
       figure(frame),
       withInterval(ratio),

@@ -100,13 +100,13 @@ async function looksFor({ isInstanced }: Things): Promise<Record<string, Look>> 
     lambert: { material: new MeshLambertMaterial() },
     anchored: { material: new HatchingMaterial(plainLook({ technique: 'anchored', tonalArtMap })) },
     engraved: { material: new HatchingMaterial(plainLook({ technique: 'engraved' })) },
-    pen: { material: preset('pen') },
-    engraving: { material: preset('engraving') },
-    pencil: { material: preset('pencil') },
   };
   if (isInstanced) return looks;
   return {
     ...looks,
+    pen: { material: preset('pen') },
+    engraving: { material: preset('engraving') },
+    pencil: { material: preset('pencil') },
     'engraving, lines from mesh to mesh': { material: preset('engraving'), hasFrame: true },
     'pen, with outlines': { material: preset('pen'), hasOutlines: true },
   };
