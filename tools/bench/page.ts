@@ -5,6 +5,7 @@ const measures = {
   frames: async () => (await import('./frame/measureFrames.js')).measureFrames,
   lines: async () => (await import('./lines/measureLines.js')).measureLines,
   many: async () => (await import('./many/measureMany.js')).measureMany,
+  manyFrames: async () => (await import('./many/measureMany.js')).drawMany,
   media: async () => (await import('./media/measureMedia.js')).measureMedia,
   occlusion: async () => (await import('./occlusion/measureOcclusion.js')).measureOcclusion,
   lineFields: async () => (await import('./lineFields/measureLineFields.js')).measureLineFields,

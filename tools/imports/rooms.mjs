@@ -55,6 +55,7 @@ export const ROOMS = {
     '/src/engraving/constants',
     '/src/material/HatchingMaterialProperties.ts',
     '/src/material/fieldFrameName.ts',
+    '/src/material/MeshUniforms.ts',
   ],
   'material/firstDraw': ['facts', 'deformation', 'exposure', 'parts'],
   outlines: [

@@ -1,8 +1,9 @@
-import { type HeapProfiler, Session } from 'node:inspector';
+import { Session } from 'node:inspector';
 import { BoxGeometry, type Group, Matrix4, Mesh, PerspectiveCamera, Scene, Vector4, type WebGLRenderer } from 'three';
 import { expect, test } from 'vitest';
 import { prepareHatchingGeometry } from '../../../src/geometry/prepareHatchingGeometry.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
+import { allocations, SAMPLING } from '../../../tools/bench/many/allocations.mjs';
 
 /** Enough for the compiler of V8 to have done with what is drawn: before that, every computed number is allocated. */
 const WARM_UP_FRAMES = 4000;
@@ -33,29 +34,15 @@ function drawFrames(material: HatchingMaterial, scene: Scene, camera: Perspectiv
   }
 }
 
-const isOurs = ({ url }: { url: string }): boolean => url.includes('/src/') && !url.includes('node_modules');
-
-/** The bytes that functions of the library allocated, or what these called, by the name of the function and where it stands. */
-function oursIn({ head }: HeapProfiler.SamplingHeapProfile): Map<string, number> {
-  const bytes = new Map<string, number>();
-  const visit = ({ callFrame, selfSize, children }: HeapProfiler.SamplingHeapProfileNode, ours: string | null) => {
-    const place = isOurs(callFrame) ? `${callFrame.functionName} ${callFrame.url.split('/src/')[1]}` : ours;
-    if (place !== null && selfSize > 0) bytes.set(place, (bytes.get(place) ?? 0) + selfSize);
-    for (const child of children) visit(child, place);
-  };
-  visit(head, null);
-  return bytes;
-}
-
+/** The bytes that the library allocates in some work. */
 function allocated(work: () => void): Map<string, number> {
   const session = new Session();
   session.connect();
   let found = new Map<string, number>();
-  const settings = { includeObjectsCollectedByMajorGC: true, includeObjectsCollectedByMinorGC: true };
-  session.post('HeapProfiler.startSampling', { samplingInterval: 256, ...settings });
+  session.post('HeapProfiler.startSampling', SAMPLING);
   work();
   session.post('HeapProfiler.stopSampling', (_, { profile }) => {
-    found = oursIn(profile);
+    found = allocations(profile);
   });
   session.disconnect();
   return found;

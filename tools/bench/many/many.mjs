@@ -1,56 +1,67 @@
-import { median, medianInterval, ratios } from '../statistics.mjs';
+import { medianInterval, ratios } from '../statistics.mjs';
 import { figure, table, withInterval } from '../table.mjs';
+import { allocations, SAMPLING } from './allocations.mjs';
 
 const SCENES = {
   '1,000 meshes': { count: 1000, isInstanced: false },
   '10,000 instances': { count: 10_000, isInstanced: true },
 };
-const PLAN = { turns: 31, size: 512 };
-const QUICK = { turns: 3, size: 128 };
+const PLAN = { turns: 31, size: 512, garbageFrames: 200 };
+const QUICK = { turns: 3, size: 128, garbageFrames: 5 };
 
 /** What all are compared with. */
 const PLAIN = 'lambert';
 
-/** Many small things: how long the script takes beyond three's, and frames beside those of Lambert's shading. */
+/**
+ * Many small things: how long the script takes beyond three's, what it leaves for the garbage collector, and frames beside those of
+ * Lambert's shading.
+ */
 export const many = {
   name: 'many',
   perRasteriser: true,
 
-  async run({ measure }, isQuick) {
-    const { turns, size } = isQuick ? QUICK : PLAN;
+  async run({ openMeasuring }, isQuick) {
+    const { turns, size, garbageFrames } = isQuick ? QUICK : PLAN;
     const scenes = {};
     for (const [name, scene] of Object.entries(SCENES)) {
+      const { page, measure } = await openMeasuring();
       const { script, frame, first } = await measure('many', scene, turns, size);
-      const rows = Object.keys(frame).map((look) => {
-        const beyond = median(script[look].map((time, turn) => time - script[PLAIN][turn]));
-        return [
+      const rows = [];
+      for (const look of Object.keys(frame)) {
+        const beyond = script[look].map((time, turn) => (1000 * (time - script[PLAIN][turn])) / scene.count);
+        rows.push([
           look,
           {
-            script: median(script[look]),
-            microseconds: scene.isInstanced ? null : (1000 * beyond) / scene.count,
-            frame: median(frame[look]),
+            script: medianInterval(script[look])[0],
+            microseconds: scene.isInstanced ? null : medianInterval(beyond)[0],
+            interval: scene.isInstanced ? null : medianInterval(beyond).slice(1),
+            garbage: scene.isInstanced ? undefined : await garbageOf(page, measure, look, garbageFrames),
+            frame: medianInterval(frame[look])[0],
             ratio: medianInterval(ratios(frame[look], frame[PLAIN])),
             first: first[look],
           },
-        ];
-      });
+        ]);
+      }
+      await page.close();
       scenes[name] = Object.fromEntries(rows);
     }
-    return { turns, size, scenes };
+    return { turns, size, garbageFrames, scenes };
   },
 
-  describe({ turns, size, scenes }) {
-    return `Icosahedra; ${turns} turns. Script: of \`renderer.render\` alone, on a canvas of 64 × 64 pixels. Frames: ${size} × ${size} pixels, with ratios to
-Lambert's shading of the same geometry; the first with its programs compiled.
+  describe({ turns, size, garbageFrames, scenes }) {
+    return `Icosahedra; ${turns} turns. Script: of \`renderer.render\` alone, on a canvas of 64 × 64 pixels. Garbage: what functions of the library
+allocate, and what these call, a frame, over ${garbageFrames} frames. Frames: ${size} × ${size} pixels, with ratios to Lambert's shading of the
+same geometry, which covers the same pixels; the first with its programs compiled.
 
 ${table([
-  ['', '', 'script, ms', 'beyond three, µs a mesh', 'frame, ms', 'to lambert', 'first frame, ms'],
+  ['', '', 'script, ms', 'beyond three, µs a mesh', 'garbage, bytes', 'frame, ms', 'to lambert', 'first frame, ms'],
   ...Object.entries(scenes).flatMap(([name, rows]) =>
-    Object.entries(rows).map(([look, { script, microseconds, frame, ratio, first }]) => [
+    Object.entries(rows).map(([look, { script, microseconds, garbage, frame, ratio, first }]) => [
       name,
       look,
       figure(script),
       microseconds === null || look === PLAIN ? '' : figure(microseconds),
+      figure(garbage),
       figure(frame),
       withInterval(ratio),
       figure(first),
@@ -59,3 +70,16 @@ ${table([
 ])}`;
   },
 };
+
+/** The bytes a frame, once all is compiled. */
+async function garbageOf(page, measure, look, frames) {
+  const session = await page.context().newCDPSession(page);
+  await measure('manyFrames', look, frames);
+  await session.send('HeapProfiler.enable');
+  await session.send('HeapProfiler.startSampling', SAMPLING);
+  await measure('manyFrames', look, frames);
+  const { profile } = await session.send('HeapProfiler.stopSampling');
+  await session.detach();
+  // The page that measures allocates too, but lies in no folder of the library.
+  return [...allocations(profile).values()].reduce((sum, bytes) => sum + bytes, 0) / frames;
+}
