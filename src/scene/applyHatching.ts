@@ -17,6 +17,7 @@ import { assertTree } from './assertTree.js';
 import { bakeGeometries } from './bakeGeometries.js';
 import { type ChosenMeshes, chooseMeshes } from './chooseMeshes.js';
 import { claimMeshes } from './claimMeshes.js';
+import type { levelMaker } from './detail/levelMaker.js';
 import type { FirstFrame } from './FirstFrame.js';
 import { failure } from './failure.js';
 import { crossingMaterials, geometryPlans, type OldLook, type PlannedMesh } from './geometryPlans.js';
@@ -43,7 +44,7 @@ interface MadeLooks {
   followers: MaterialFollower[];
   forms: LaterForms | null;
   /** Has levels of detail drawn; what it returns ends that. */
-  showDetail: () => () => void;
+  showDetail: (() => () => void) | undefined;
   HatchedScene: typeof HatchedScene;
 }
 
@@ -131,9 +132,9 @@ async function hatch(root: Object3D, given: ApplyHatchingOptions | PresetName): 
     replaces?.dispose();
     releaseMeshes();
     const releaseLooks = claimMeshes(looks.map(({ mesh }) => mesh));
-    const hideDetail = showDetail();
+    const hideDetail = showDetail?.();
     releaseMeshes = () => {
-      hideDetail();
+      hideDetail?.();
       releaseLooks();
     };
     const scene = new HatchedScene(looks, materials, outlines, skipped, followers, disposables, releaseMeshes, forms);
@@ -162,10 +163,11 @@ async function makeLooks(
   const replacer = new MaterialReplacer(options.material ?? {});
   disposables.push(replacer);
   const { seen, unreadable } = asBefore(() => looksToReplace(chosen));
-  const [planned, firstFrame, outlineMaker] = await Promise.all([
+  const [planned, firstFrame, outlineMaker, detail] = await Promise.all([
     runSliced(planMeshes(seen, replacer), { signal, around: asBefore }),
     firstFrameOf(root, options),
     outlineMakerOf(options),
+    detailOf(options),
   ]);
   if (outlineMaker) disposables.push(outlineMaker);
 
@@ -174,7 +176,7 @@ async function makeLooks(
   const isMapMade = styles.length > 0 && (options.tonalArtMap === undefined || isToBeMade(options.tonalArtMap));
   const mapShare = isMapMade ? MAP_SHARE : 0;
   const frameShare = firstFrame ? FRAME_SHARE : 0;
-  const detailShare = options.detail ? DETAIL_SHARE : 0;
+  const detailShare = detail ? DETAIL_SHARE : 0;
   const bakeShare = 1 - mapShare - frameShare - detailShare;
   const [onBake, onMap, onFrame, onDetail] = progressParts(onProgress, [bakeShare, mapShare, frameShare, detailShare]);
   const prepare = { ...prepareOptions(options), outlines: outlineMaker?.creases ?? false };
@@ -205,7 +207,7 @@ async function makeLooks(
   signal?.throwIfAborted();
   const finishing = finishLooks(root, { looks, claimed }, replacer, { tilesPerWorldUnit, outlineMaker });
   const allOutlines = await runSliced(finishing, { signal });
-  const showDetail = await detailOf(looks, { ...options, onProgress: onDetail });
+  const showDetail = await detail?.(looks, onDetail);
   if (firstFrame) {
     firstFrame.compile(looks, allOutlines, true);
     await runSliced(firstFrame.upload(looks), { signal, onProgress: onFrame });
@@ -256,14 +258,9 @@ async function laterFormsOf(
   return new LaterForms(plans, crossingMaterials(planned, options), prepare, options, disposables, frame);
 }
 
-/** What shows levels of detail, if they are asked for. Scenes without them do not load it. */
-async function detailOf(
-  looks: readonly MeshLook[],
-  { detail, signal, onProgress, createWorker }: ApplyHatchingOptions,
-): Promise<MadeLooks['showDetail']> {
-  if (!detail) return () => () => {};
-  const { drawLevels } = await import('./detail/drawLevels.js');
-  return drawLevels(looks, detail, { signal, onProgress, createWorker });
+/** What makes levels of detail, if they are asked for. Scenes without them do not load it. @throws TypeError for a wrong option */
+async function detailOf(options: ApplyHatchingOptions): Promise<ReturnType<typeof levelMaker> | null> {
+  return options.detail ? (await import('./detail/levelMaker.js')).levelMaker(options.detail, options) : null;
 }
 
 /** What makes outlines, if they are asked for. Scenes without them do not load it. @throws RangeError or TypeError for a wrong parameter */

@@ -2,7 +2,6 @@ import { checkPrepareOptions, type PrepareHatchingGeometryOptions } from '../geo
 import { checkTonalArtMap } from '../material/checkTonalArtMap.js';
 import { checkHatchImageOptions } from '../tam/checkHatchImageOptions.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
-import { checkDetail } from './detail/DetailOptions.js';
 import { isToBeMade } from './makeMaps.js';
 import type { PresetName } from './presets.js';
 import { withPreset } from './withPreset.js';
@@ -68,8 +67,7 @@ function checkOwnOptions(options: ApplyHatchingOptions): void {
     tilesPerWorldUnit = 1,
     tonalArtMap = null,
   } = options;
-  const { renderer, camera, detail } = options;
-  if (detail !== undefined) checkDetail(detail);
+  const { renderer, camera } = options;
   if (replaces !== undefined && replaces?.isHatchedScene !== true) {
     throw new TypeError('applyHatching: replaces must be the result of an earlier call, or left out.');
   }

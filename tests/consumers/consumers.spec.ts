@@ -67,12 +67,12 @@ const MOST_BYTES = [
   ['HatchingMaterial', 'three-hatching', 30_300],
   ['HatchingMaterial, prepareHatchingGeometry, TonalArtMap', 'three-hatching', 41_000],
   ['applyHatching', 'three-hatching', 49_000],
-  ['Hatched', 'three-hatching/react', 52_000],
+  ['Hatched', 'three-hatching/react', 52_200],
   ['drawSVG', 'three-hatching/svg', 59_000],
 ] as const;
 
 /** The size of the worker's text. A minifier that writes it twice makes it double. */
-const MOST_BYTES_OF_WORKER = 40_000;
+const MOST_BYTES_OF_WORKER = 42_000;
 
 /** The sizes of the React components and of the web component, each with the code that it loads at once. */
 const MOST_BYTES_OF_REACT = 5_000;

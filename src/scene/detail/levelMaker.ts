@@ -9,7 +9,7 @@ import { runTask } from '../../worker/runTask.js';
 import type { TaskOptions } from '../../worker/TaskOptions.js';
 import type { MeshLook } from '../MeshLook.js';
 import { isBatched } from '../surfaceMeshes.js';
-import type { DetailOptions } from './DetailOptions.js';
+import { checkDetail, type DetailOptions } from './DetailOptions.js';
 import { LeveledGeometry } from './LeveledGeometry.js';
 import { LeveledMesh } from './LeveledMesh.js';
 
@@ -44,13 +44,21 @@ function* requestOf(geometry: BufferGeometry, simplifier: string): Generator<num
   return { positions, hatchNormals, uvs, colors, indices, radius: geometry.boundingSphere!.radius, simplifier };
 }
 
+/** Makes levels of looks, and reports its progress in [0, 1]. What it returns has them drawn; what that returns ends it. */
+type MakeLevels = (looks: readonly MeshLook[], onProgress?: (progress: number) => void) => Promise<() => () => void>;
+
 /**
- * Makes levels of all large meshes that can have them, one after the other. Where the simplifier cannot be loaded, it says so, and the
+ * What makes levels of all large meshes that can have them, one after the other. Where the simplifier cannot be loaded, it says so, and the
  * meshes are drawn as they are.
  *
- * @returns a function that has them drawn from now on; what that returns ends it
+ * @throws TypeError for an option that is wrong
  */
-export async function drawLevels(
+export function levelMaker(detail: DetailOptions, { signal, createWorker }: TaskOptions): MakeLevels {
+  checkDetail(detail);
+  return (looks, onProgress) => drawLevels(looks, detail, { signal, createWorker, onProgress });
+}
+
+async function drawLevels(
   looks: readonly MeshLook[],
   { simplifier }: DetailOptions,
   options: TaskOptions,
