@@ -2,6 +2,7 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig, type UserConfig } from 'vite';
 import { builtPlayground } from './tools/browser/builtPlayground.js';
 import { bundledWorker } from './tools/building/bundledWorker.js';
+import { fetchedAhead } from './tools/building/fetchedAhead.js';
 import { firstPartCheck } from './tools/building/firstPart.js';
 import { formSources } from './tools/building/formSources.js';
 import { laterParts } from './tools/building/laterParts.js';
@@ -22,7 +23,15 @@ export default defineConfig(
     // Relative, so that the built playground can lie in any folder of any host.
     base: './',
     plugins: [
-      ...[shortShaders, bundledWorker(() => [noticeCheck()]), formSources, firstPartCheck, laterParts, pages()],
+      ...[
+        shortShaders,
+        bundledWorker(() => [noticeCheck()]),
+        formSources,
+        firstPartCheck,
+        laterParts,
+        fetchedAhead,
+        pages(),
+      ],
       ...[noticeFile, noticeCheck()],
       mode === 'test' && builtPlayground,
     ],

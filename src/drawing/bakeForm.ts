@@ -12,12 +12,14 @@ const NAMES = ['formValue', 'formSlope', 'formCrossing'] as const;
  * @param form.crossAngle between lines and those that cross them, in radians
  * @param form.auto whether only shapes that have a form are drawn with it
  * @param onBaked called before a geometry is drawn in the place of the former one. Both are the same where it only gets other attributes
+ * @param onExchanged called when it is what will be drawn, with all attributes
  */
 export async function bakeForm(
   root: Object3D,
   form: { crossAngle: number; auto: boolean },
   { signal, ...options }: { signal: AbortSignal; onProgress: (progress: number) => void },
   onBaked: (former: BufferGeometry, made: BufferGeometry) => void,
+  onExchanged: () => void = () => {},
 ): Promise<void> {
   root.updateMatrixWorld();
   const meshes = meshesOf(root);
@@ -46,6 +48,7 @@ export async function bakeForm(
       copyOcclusion(geometry, baked);
       for (const mesh of sharing) mesh.geometry = baked;
     }
+    onExchanged();
   }
 }
 

@@ -21,14 +21,18 @@ class NotStarted extends Error {}
  * Reads a model in a worker of its own, which is terminated if the caller aborts or it is silent for too long: some files
  * keep a parser busy for minutes. Where no worker starts, small files are read on the main thread.
  *
- * @throws ModelError with one sentence for the user
+ * @param files the files, or a promise of them: the worker starts meanwhile
+ * @throws ModelError with one sentence for the user, or what the promise is rejected with
  */
-export async function loadModelFiles(files: readonly ModelFile[], options: LoadOptions): Promise<ReadModel> {
+export async function loadModelFiles(
+  files: readonly ModelFile[] | Promise<readonly ModelFile[]>,
+  options: LoadOptions,
+): Promise<ReadModel> {
   options.signal.throwIfAborted();
   try {
     return await readInWorker(files, options);
   } catch (error) {
-    if (error instanceof NotStarted) return readHere(files, options);
+    if (error instanceof NotStarted) return readHere(await files, options);
     throw error;
   }
 }
@@ -60,20 +64,23 @@ function startWorker(): Worker {
 
 const sizeOf = (files: readonly ModelFile[]): number => files.reduce((sum, { content }) => sum + content.size, 0);
 
-async function readInWorker(files: readonly ModelFile[], { signal, onStage }: LoadOptions): Promise<ReadModel> {
+async function readInWorker(
+  given: readonly ModelFile[] | Promise<readonly ModelFile[]>,
+  { signal, onStage }: LoadOptions,
+): Promise<ReadModel> {
   const worker = startWorker();
   let timer: ReturnType<typeof setTimeout> | undefined;
+  let isOver = false;
   try {
     return await new Promise<ReadModel>((resolve, reject) => {
       signal.addEventListener('abort', () => reject(signal.reason), { once: true });
-      let bytes = sizeOf(files);
+      let bytes = 0;
       const restartTimer = (): void => {
         clearTimeout(timer);
         const seconds = Math.ceil(readingTime(bytes));
         const sentence = `The file was put aside, because its reader made no progress for ${seconds} seconds.`;
         timer = setTimeout(() => reject(new ModelError(sentence)), seconds * 1000);
       };
-      restartTimer();
       let hasSpoken = false;
       const fail = (event: Event): void => {
         event.preventDefault();
@@ -92,9 +99,17 @@ async function readInWorker(files: readonly ModelFile[], { signal, onStage }: Lo
         } else if (data.kind === 'done') resolve(data.model);
         else reject(new ModelError(data.sentence));
       });
-      worker.postMessage(files);
+      const post = (files: readonly ModelFile[]): void => {
+        if (isOver) return;
+        bytes = sizeOf(files);
+        restartTimer();
+        worker.postMessage(files);
+      };
+      if (given instanceof Promise) given.then(post).catch(reject);
+      else post(given);
     });
   } finally {
+    isOver = true;
     clearTimeout(timer);
     worker.terminate();
   }

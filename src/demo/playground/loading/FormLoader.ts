@@ -41,10 +41,10 @@ export class FormLoader {
     return !isBaked || (drawn.hasLines && way.crossAngle !== settings.crossAngle);
   }
 
-  /** Starts a bake if one is needed. To be called when the model or the settings have changed, and when the time of a frame was measured. */
+  /** Starts a bake if one is needed. To be called when the model or the settings have changed, and when a picture is on the page. */
   update(): void {
     if (this.model && this.stage.model !== this.model) this.letGo();
-    if (this.isAwaited && this.stage.quality.milliseconds !== undefined) this.start();
+    if (this.isAwaited && this.stage.quality.isOnPage) this.start();
   }
 
   /** For a picture, which lasts: resolves when lines lie as the settings ask, or when they could not be laid so. */
@@ -73,15 +73,20 @@ export class FormLoader {
       const { bakeForm } = await import('../../../drawing/bakeForm.js');
       signal.throwIfAborted();
       const onProgress = (progress: number): void => report(what, progress);
-      await bakeForm(model.root, form, { signal, onProgress }, (former, made) => this.exchange(former, made));
+      await bakeForm(
+        model.root,
+        form,
+        { signal, onProgress },
+        (former, made) => this.exchange(former, made),
+        // Lines along the form have programs of their own, for which a frame would wait.
+        () => this.stage.rebuildPrograms(),
+      );
     });
   }
 
   /** Draws with another geometry in the next frame, or with the same one that has other lines. */
   private exchange(former: BufferGeometry, made: BufferGeometry): void {
-    const { frames } = this.stage;
-    frames.fadeIntoNext();
-    frames.invalidate();
+    this.stage.frames.fadeIntoNext();
     if (made === former) return;
     this.made.add(made);
     if (this.made.delete(former)) former.dispose();

@@ -26,14 +26,14 @@ export class OcclusionLoader {
   }
 
   /**
-   * Starts a bake if one is needed. To be called when the model or the settings have changed, and when the time of a frame was measured,
+   * Starts a bake if one is needed. To be called when the model or the settings have changed, and when a picture is on the page,
    * because the bake must not delay the first frame.
    */
   update(): void {
     // A stand-in is replaced before a bake of it could end.
     const model = this.stage.shown.isStandIn ? undefined : this.stage.model;
     if (model !== this.model) this.letGo();
-    if (!model || !this.isAwaited || this.stage.quality.milliseconds === undefined) return;
+    if (!model || !this.isAwaited || !this.stage.quality.isOnPage) return;
     this.model = model;
     // Occlusion is stored per vertex, and all instances share their vertices.
     if (meshesOf(model.root).every((mesh) => 'isInstancedMesh' in mesh)) return;

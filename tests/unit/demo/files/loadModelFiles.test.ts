@@ -51,6 +51,32 @@ describe('reading in a worker', () => {
     vi.unstubAllGlobals();
   });
 
+  test('starts before the files are there, and has time for them from then on', async () => {
+    let give: (given: ReturnType<typeof files>) => void = () => {};
+    const given = new Promise<ReturnType<typeof files>>((resolve) => {
+      give = resolve;
+    });
+    const post = vi.spyOn(FakeWorker.prototype, 'postMessage');
+    const { signal } = new AbortController();
+    const end = loadModelFiles(given, { signal, onStage: () => {} }).catch(({ message }) => message);
+    const worker = FakeWorker.started.at(-1)!;
+    await vi.advanceTimersByTimeAsync(60_000);
+    expect([worker.isAlive, post.mock.calls.length]).toEqual([true, 0]);
+    give(files(1));
+    await vi.advanceTimersByTimeAsync(1000);
+    expect([worker.isAlive, post.mock.calls.length]).toEqual([true, 1]);
+    await vi.advanceTimersByTimeAsync(30_000);
+    expect(await end).toContain('put aside');
+    post.mockRestore();
+  });
+
+  test('files that never come end the worker, with the reason', async () => {
+    const { signal } = new AbortController();
+    const reason = new Error('no connection');
+    await expect(loadModelFiles(Promise.reject(reason), { signal, onStage: () => {} })).rejects.toBe(reason);
+    expect(FakeWorker.started.at(-1)!.isAlive).toBe(false);
+  });
+
   test('is given up after twenty seconds of silence, and its worker with it', async () => {
     const state = start();
     await vi.advanceTimersByTimeAsync(20_500);

@@ -20,7 +20,13 @@ function makePage(changes: Partial<Settings>) {
   const settings: Settings = { ...defaultSettings(), ...changes };
   const { status } = fakeStatus();
   const frames = { fadeIntoNext: vi.fn(), invalidate: vi.fn() };
-  const stage = { model: { root: new Group() }, shown: { isStandIn: false }, quality: { milliseconds: 20 }, frames };
+  const stage = {
+    model: { root: new Group() },
+    shown: { isStandIn: false },
+    quality: { isOnPage: true },
+    frames,
+    rebuildPrograms: vi.fn(),
+  };
   const tasks = new TaskRunner(status, { hasDrawing: () => true, onIdle: () => {} });
   const form = new FormLoader(stage as never, settings, tasks);
   const change = async (changed: Partial<Settings>): Promise<number> => {
@@ -66,9 +72,11 @@ test('each geometry fades into the next one, which frees what was made before it
   const freed: number[] = [];
   for (const [i, geometry] of geometries.entries()) geometry.addEventListener('dispose', () => freed.push(i));
   let drawn = 0;
-  begun.mockImplementation(async (_root, _form, _options, onBaked) => {
+  begun.mockImplementation(async (_root, _form, _options, onBaked, onExchanged) => {
     onBaked(geometries[drawn], geometries[++drawn]);
+    onExchanged?.();
     onBaked(geometries[drawn], geometries[drawn]);
+    onExchanged?.();
   });
   await change({});
   expect(freed).toEqual([]);
@@ -76,6 +84,8 @@ test('each geometry fades into the next one, which frees what was made before it
   await change({ crossAngle: 80 });
   expect(freed).toEqual([1, 2]);
   expect(stage.frames.fadeIntoNext).toHaveBeenCalledTimes(6);
+  // Programs that the next geometry asks for are built before it is drawn, not in its frame.
+  expect(stage.rebuildPrograms).toHaveBeenCalledTimes(6);
   stage.model = { root: new Group() };
   form.update();
   expect(freed).toEqual([1, 2, 3]);
@@ -87,5 +97,5 @@ test('while a slider moves nothing is baked, and then once', async () => {
   const changes = [70, 75, 80].map((crossAngle) => change({ crossAngle }));
   await Promise.all(changes);
   expect(begun.mock.calls.map(([, { crossAngle }]) => Math.round((crossAngle / Math.PI) * 180))).toEqual([60, 80]);
-  expect([form.isAwaited, stage.frames.invalidate.mock.calls.length]).toEqual([false, 0]);
+  expect([form.isAwaited, stage.rebuildPrograms.mock.calls.length]).toEqual([false, 0]);
 });

@@ -12,12 +12,12 @@ vi.mock('../../../../../src/drawing/bakeOcclusion.js', () => ({
 /** How many bakes are begun for a model of these meshes, however often the settings change. */
 function bakesOf(...meshes: Mesh[]): number {
   const run = vi.fn();
-  const quality = { milliseconds: undefined as number | undefined };
+  const quality = { isOnPage: false };
   const stage = { model: { root: new Group().add(...meshes) }, shown: { isStandIn: false }, quality };
   const loader = new OcclusionLoader(stage as never, { occlusion: 50 } as never, { run, stop: vi.fn() } as never);
   loader.update();
   expect(run, 'before the model was drawn').not.toHaveBeenCalled();
-  quality.milliseconds = 20;
+  quality.isOnPage = true;
   loader.update();
   loader.update();
   return run.mock.calls.length;
@@ -34,7 +34,7 @@ test('occlusion is baked once, and not for models of instances alone, which have
 test('hollows wait for what was wished for later', async () => {
   const tasks = new TaskRunner(fakeStatus().status, { hasDrawing: () => true, onIdle: () => {} });
   const model = { root: new Group().add(new Mesh(box)) };
-  const stage = { model, shown: { isStandIn: false }, quality: { milliseconds: 20 } };
+  const stage = { model, shown: { isStandIn: false }, quality: { isOnPage: true } };
   new OcclusionLoader(stage as never, { occlusion: 50 } as never, tasks).update();
   await vi.waitFor(() => expect(bakeOcclusion).toHaveBeenCalled());
   const { pause } = vi.mocked(bakeOcclusion).mock.lastCall![1]!;

@@ -29,11 +29,11 @@ beforeEach(() => {
 });
 
 /** A page with a model whose lines follow the form, or the light, and which was drawn or not. */
-function makePage(lineField: 'form' | 'light' = 'form', milliseconds: number | undefined = 20) {
+function makePage(lineField: 'form' | 'light' = 'form', isOnPage = true) {
   const line = fakeStatus();
   const tasks = new TaskRunner(line.status, { hasDrawing: () => true, onIdle: () => {} });
   const model = { root: new Group() };
-  const quality = { milliseconds };
+  const quality = { isOnPage };
   const stage = { model, shown: { isStandIn: false }, quality, isComplete: true, frames: { invalidate: () => {} } };
   const settings = { ...defaultSettings(), technique: 'engraved' as const, lineField };
   const session = { stage, settings, modelLoader: { title: 'A model' } };
@@ -60,7 +60,7 @@ test('a picture waits until lines lie along the form, and shows how far they are
 });
 
 test('a picture begins the bake if the first frame has not, and one of lines around the light waits for none', async () => {
-  const { form, actions } = makePage('form', undefined);
+  const { form, actions } = makePage('form', false);
   form.update();
   const picture = actions.drawPicture();
   await vi.waitFor(() => expect(bakes).toHaveLength(1));
