@@ -1,5 +1,6 @@
 // A zero-area triangle has no normal; one towards the viewer is as good as any for the pixel it may still cover.
 vec3 safeNormalize(const in vec3 v) {
-  float squaredLength = dot(v, v);
-  return squaredLength > 0.0 ? v * inversesqrt(squaredLength) : vec3(0.0, 0.0, 1.0);
+  // So little turns no other vector, and its square is still a number.
+  vec3 any = vec3(v.xy, v.z + 2e-19);
+  return any * inversesqrt(dot(any, any));
 }

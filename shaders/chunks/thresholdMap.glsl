@@ -46,16 +46,25 @@ ThresholdLevel chooseLevel(const in float level) {
   return ThresholdLevel(corner * thresholdMapTexel, size * thresholdMapTexel, share, inversesqrt(variance), mixing);
 }
 
-float thresholdAt(const in vec2 uv, const in ThresholdLevel level) {
+// As stored: of the level, and of the next coarser one.
+vec2 thresholdsAt(const in vec2 uv, const in ThresholdLevel level) {
   // Not texture(): it wants derivatives, and some fragments of a quad may not come here.
-  vec2 encoded = textureLod(thresholdMap, level.corner + level.side * fract(uv), 0.0).rg;
-  return level.contrast * (6.0 * mix(encoded.r, encoded.g, level.share) - 3.0);
+  return textureLod(thresholdMap, level.corner + level.side * fract(uv), 0.0).rg;
+}
+
+// The field of one place.
+float thresholdAt(const in vec2 uv, const in ThresholdLevel level) {
+  vec2 thresholds = thresholdsAt(uv, level);
+  return level.contrast * (6.0 * mix(thresholds.r, thresholds.g, level.share) - 3.0);
 }
 
 // The field of four places, blended by their weights.
 float blendedField(
   const in vec2 a, const in vec2 b, const in vec2 c, const in vec2 d, const in vec4 weights, const in ThresholdLevel level
 ) {
-  vec4 fields = vec4(thresholdAt(a, level), thresholdAt(b, level), thresholdAt(c, level), thresholdAt(d, level));
-  return dot(fields, weights) * inversesqrt(dot(weights, weights));
+  // Blending comes first: it is linear, and what follows it is done once.
+  vec2 blended = weights.x * thresholdsAt(a, level) + weights.y * thresholdsAt(b, level)
+    + weights.z * thresholdsAt(c, level) + weights.w * thresholdsAt(d, level);
+  float g = 6.0 * mix(blended.r, blended.g, level.share) - 3.0 * dot(weights, vec4(1.0));
+  return level.contrast * g * inversesqrt(dot(weights, weights));
 }

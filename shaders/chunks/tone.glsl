@@ -27,15 +27,12 @@ PerToneNormal exposed(const in PerToneNormal radiance) {
 
 // A dark colour brings the tone nearer to that of no light at all: with dark ink, it is printed over it.
 PerToneNormal darkenedByColor(const in PerToneNormal tone, const in HatchingSurface surface) {
-  if (surface.darkness == 0.0) return tone;
   return mix(tone, PerToneNormal(toneEnds.y), surface.darkness);
 }
 
 // Hollows go beyond the tone of no light, where some paper shows: to the darkest image, or for chalk to bare paper.
 PerToneNormal deepened(const in PerToneNormal tone) {
-  float share = hollowness();
-  if (share == 0.0) return tone;
-  return mix(tone, PerToneNormal(step(toneEnds.x, toneEnds.y)), share);
+  return mix(tone, PerToneNormal(step(toneEnds.x, toneEnds.y)), hollowness());
 }
 
 // The tone that the light of the surface prints, shadows included.

@@ -1,28 +1,30 @@
 // How fast a function of the place on the object changes on the screen, from the smooth normal: derivatives of the function
 // would be those of flat triangles, and show their edges.
 
-// The tangent plane of a fragment and what the projection makes of it.
-struct ScreenMap {
-  mat3 viewToPlace; // linear part, for vectors; its transpose, written as a factor on the right, takes gradients and normals back
-  vec3 normal; // view space, of any length
-  vec2 centre; // of the screen as seen from here: what one step in depth shifts
-  float scale; // view units per pixel of the plane, held down where it leans away, over the length of the normal
-};
+// The centre of the screen as seen from here: what one step in depth shifts.
+vec2 centreOfScreen() {
+  return isOrthographic ? vec2(0.0) : vViewPosition.xy / vViewPosition.z;
+}
 
-// n: unit normal, in the space of the places that functions are of.
-ScreenMap screenMap(const in vec3 n, const in mat3 viewToPlace) {
-  ScreenMap map;
-  map.viewToPlace = viewToPlace;
-  map.normal = n * viewToPlace;
-  map.centre = isOrthographic ? vec2(0.0) : vViewPosition.xy / vViewPosition.z;
-  float facing = abs(dot(map.normal, vec3(map.centre, 1.0)));
-  map.scale = vViewUnitsPerPixel / max(facing, LEAST_FACING * length(map.normal));
-  return map;
+// What the projection makes of the tangent plane of a fragment: a matrix that takes the gradient of a function to the one on the screen.
+// normal: view space, of the length at which it stands for as many view units as a pixel of the plane has. viewToPlace: linear part, for
+// vectors; its transpose, written as a factor on the right, takes gradients and normals back.
+mat2x3 screenMapOf(const in vec3 normal, const in vec2 centre, const in mat3 viewToPlace) {
+  // Along a line of equal value: across its gradient and the normal, and brought to the screen as any vector is.
+  vec3 x = vec3(centre.x * normal.y, -normal.z - centre.x * normal.x, normal.y);
+  vec3 y = vec3(normal.z + centre.y * normal.y, -centre.y * normal.x, -normal.x);
+  return mat2x3(viewToPlace * x, viewToPlace * y);
+}
+
+// n: unit normal, in the space of the places that functions are of. Where the plane leans away it is held back.
+mat2x3 screenMap(const in vec3 n, const in mat3 viewToPlace) {
+  vec3 normal = n * viewToPlace;
+  vec2 centre = centreOfScreen();
+  float facing = abs(dot(normal, vec3(centre, 1.0)));
+  return screenMapOf(normal * (vViewUnitsPerPixel / max(facing, LEAST_FACING * length(normal))), centre, viewToPlace);
 }
 
 // The gradient per pixel, on the screen, of a function with this gradient in that space. It is turned by a right angle, and linear.
-vec2 screenGradient(const in vec3 gradient, const in ScreenMap map) {
-  // Along a line of equal value: as much longer as the function is steeper, and brought to the screen as any vector is.
-  vec3 along = cross(map.normal, gradient * map.viewToPlace);
-  return map.scale * (along.xy - map.centre * along.z);
+vec2 screenGradient(const in vec3 gradient, const in mat2x3 onScreen) {
+  return gradient * onScreen;
 }

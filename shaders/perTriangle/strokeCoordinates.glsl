@@ -18,6 +18,7 @@ vec3 strokeCoordinates(
   vec3 bitangent = lightBitangent(
     n, (objectToView * vec4(centre, 1.0)).xyz, viewToAnchor(viewToObject, drawn, anchor, turn), crossing
   );
-  vec3 tangent = cross(bitangent, n);
-  return vec3((strokeTransform * vec3(dot(vertex, tangent), dot(vertex, bitangent), 1.0)).xy, crossing);
+  // V·T of T = B × N.
+  vec2 st = vec2(dot(bitangent, cross(n, vertex)), dot(bitangent, vertex));
+  return vec3((strokeTransform * vec3(st, 1.0)).xy, crossing);
 }

@@ -5,16 +5,16 @@ uniform highp sampler2DArray tonalArtMap;
 uniform float tonalArtMapTones;
 uniform float tonalArtMapLastLayer;
 
-// Darkness ∈ [0, 1] of the hatch at uv: the two neighbouring hatch images interpolated by tone or, for bands as hard as
+// How light the hatch is at uv, ∈ [0, 1]: the two neighbouring hatch images interpolated by tone or, for bands as hard as
 // those of `toon`, the nearest one. Call it in uniform control flow: derivatives of uv may choose the level.
-float sampleTonalArtMap(const in vec2 uv, const in float tone) {
+float lightnessOfHatch(const in vec2 uv, const in float tone) {
   float x = tone * (tonalArtMapTones - 1.0);
   #if TONE_MODEL == TONE_MODEL_TOON
     x = floor(x + 0.5);
   #endif // TONE_MODEL
-  float layer = clamp(floor(x / 3.0), 0.0, tonalArtMapLastLayer);
+  float layer = min(floor(x / 3.0), tonalArtMapLastLayer);
   // How far from each image on to the next; of the three, one lies within (0, 1).
   vec3 steps = clamp(x - 3.0 * layer - vec3(0.0, 1.0, 2.0), 0.0, 1.0);
   vec4 images = readImages(tonalArtMap, vec3(uv, layer));
-  return 1.0 - images.r - dot(images.gba - images.rgb, steps);
+  return images.r + dot(images.gba - images.rgb, steps);
 }

@@ -3,10 +3,9 @@ vec3 triangleNormal(const in vec3 a, const in vec3 b, const in vec3 c) {
   vec3 ab = b - a;
   vec3 ac = c - a;
   // Tiny or huge triangles would underflow or overflow in the squared length of the product.
-  float size = max(max3(abs(ab)), max3(abs(ac)));
-  vec3 n = size > 0.0 ? cross(ab / size, ac / size) : vec3(0.0);
-  float squaredLength = dot(n, n);
-  return squaredLength > 0.0 ? n * inversesqrt(squaredLength) : vec3(0.0);
+  float scale = 1.0 / max(max(max3(abs(ab)), max3(abs(ac))), 1e-37);
+  vec3 n = cross(scale * ab, scale * ac);
+  return n * inversesqrt(max(dot(n, n), 1e-36));
 }
 
 struct Triangle {

@@ -76,3 +76,43 @@ for (const technique of ['triangle', 'adjacency', 'anchored', 'engraved'] as con
     });
   }
 }
+
+/** What phones of the middle range pass on at full speed. */
+const ROWS_OF_PLAIN_LOOKS = 8;
+
+test('looks as they are by default, under one light, need few rows', async ({ page }) => {
+  const programs = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+    const renderer = makeRenderer();
+    const gl = renderer.getContext() as WebGL2RenderingContext;
+    const looks = [
+      { technique: 'triangle' },
+      { technique: 'adjacency' },
+      { technique: 'anchored' },
+      { technique: 'anchored', medium: 'dry' },
+      { technique: 'anchored', medium: 'stipple' },
+      { technique: 'engraved', lineField: 'light' },
+      { technique: 'engraved', lineField: 'x' },
+      { technique: 'engraved', lineField: 'light', medium: 'pen' },
+      { technique: 'engraved', lineField: 'towards', medium: 'woodcut' },
+    ] as const;
+    const sources: [string, string, string][] = [];
+    for (const look of looks) {
+      const mesh = await hatchedMesh(new THREE.SphereGeometry(1, 16, 12), look);
+      pixelsOf(sceneOf(mesh, sun()), renderer);
+      const { currentProgram } = renderer.properties.get(mesh.material) as {
+        currentProgram: { vertexShader: WebGLShader; fragmentShader: WebGLShader };
+      };
+      const [vertex, fragment] = [currentProgram.vertexShader, currentProgram.fragmentShader].map(
+        (shader) => gl.getShaderSource(shader) ?? '',
+      );
+      sources.push([JSON.stringify(look), vertex, fragment]);
+    }
+    return sources;
+  });
+  for (const [look, vertex, fragment] of programs) {
+    const { rows, names } = varyingRows(vertex, fragment);
+    expect(names.join(), look).toMatch(/vViewPosition/);
+    expect(rows, `${look}: ${names.join()}`).toBeLessThanOrEqual(ROWS_OF_PLAIN_LOOKS);
+  }
+});

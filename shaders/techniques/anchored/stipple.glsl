@@ -55,14 +55,14 @@ vec3 directionOfNeedles(const in vec3 front, const in vec3 toViewer) {
 }
 
 // The tangent plane, leaning away no further than dots stay round.
-ScreenMap roundScreenMap(const in vec3 n) {
-  ScreenMap map = screenMap(n, readViewToAnchor());
-  vec3 toViewer = vec3(map.centre, 1.0);
-  float facing = dot(map.normal, toViewer);
-  float least = LEAST_ROUND * length(map.normal);
-  map.normal += toViewer * (max(least - facing, 0.0) / dot(toViewer, toViewer));
-  map.scale = vViewUnitsPerPixel / max(facing, least);
-  return map;
+mat2x3 roundScreenMap(const in vec3 n) {
+  mat3 viewToPlace = readViewToAnchor();
+  vec3 normal = n * viewToPlace;
+  vec3 toViewer = vec3(centreOfScreen(), 1.0);
+  float facing = dot(normal, toViewer);
+  float least = LEAST_ROUND * length(normal);
+  normal += toViewer * (max(least - facing, 0.0) / dot(toViewer, toViewer));
+  return screenMapOf(normal * (vViewUnitsPerPixel / max(facing, least)), toViewer.xy, viewToPlace);
 }
 
 // What dots cover at a tone: the tone itself in the lights, and more in the darks, which end solid.
@@ -79,7 +79,7 @@ float octaveOf(const in PlaneOnScreen plane) {
 }
 
 // What the dots across an axis cover.
-float dotsAcross(const in vec3 point, const in vec3 axis, const in float cover, const in ScreenMap onScreen) {
+float dotsAcross(const in vec3 point, const in vec3 axis, const in float cover, const in mat2x3 onScreen) {
   vec3 u = normalize(anyTangent(axis));
   vec3 v = cross(axis, u);
   PlaneOnScreen plane = planeOnScreen(screenGradient(u, onScreen), screenGradient(v, onScreen));
@@ -97,7 +97,7 @@ float hatchLayer(const in HatchingParameters h, const in float tone) {
   // The normal of a sheet that is seen from behind looks the other way.
   vec3 front = dot(h.normal, toViewer) < FROM_BEHIND ? -h.normal : h.normal;
   StipplePlanes planes = planesNear(directionOfNeedles(front, toViewer));
-  ScreenMap onScreen = roundScreenMap(front);
+  mat2x3 onScreen = roundScreenMap(front);
   float left = 1.0;
   for (int i = 0; i < 3; i++) {
     float share = max(planes.shares.x, max(planes.shares.y, planes.shares.z));

@@ -35,9 +35,9 @@ float latticeField(
     vec4 shiftU = vec4(anchors.hashes & 0xffffu) * (1.0 / 65536.0);
     vec4 shiftV = vec4(anchors.hashes >> 16u) * (1.0 / 65536.0);
   #endif // LIGHTS_WITH_DIRECTION
-  // A bit of each word as the sign of 1.
-  vec4 mirror = uintBitsToFloat(0x3f800000u | ((anchors.hashes << 16u) & 0x80000000u));
-  vec4 u = mirror * (anchorSpacing * uAxis * anchors.offsets) + shiftU;
+  // A bit of each word mirrors its strokes.
+  vec4 along = anchorSpacing * uAxis * anchors.offsets;
+  vec4 u = uintBitsToFloat(floatBitsToUint(along) ^ ((anchors.hashes << 16u) & 0x80000000u)) + shiftU;
   vec4 v = anchorSpacing * vAxis * anchors.offsets + shiftV;
   return blendedField(
     vec2(u.x, v.x), vec2(u.y, v.y), vec2(u.z, v.z), vec2(u.w, v.w), anchors.weights, level

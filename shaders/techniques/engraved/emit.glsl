@@ -11,7 +11,7 @@ vViewUnitsPerPixel = unitsPerPixel(mat3(1.0), mvPosition);
     vForm = vFormCrossing;
     vFormCrossing = along;
   #endif // LINE_FIELD
-#else
+#elif defined(TURNS_WITH_LIGHT) || defined(RUNS_AWAY)
   mat4 restToView = objectToView;
   mat3 viewToRest = viewToObject;
   #if defined(USE_SKINNING) && STROKE_ANCHOR == STROKE_ANCHOR_REST
@@ -22,5 +22,12 @@ vViewUnitsPerPixel = unitsPerPixel(mat3(1.0), mvPosition);
       viewToRest = inverse(mat3(restToView));
     }
   #endif // USE_SKINNING
-  vFieldLight = fieldLight(objectToField * viewToRest, (restToView * vec4(fieldOrigin, 1.0)).xyz, vec3(0.0));
+  vec4 light = fieldLight(objectToField * viewToRest, (restToView * vec4(fieldOrigin, 1.0)).xyz, vec3(0.0));
+  #ifdef FIELD_BY_VERTEX
+    Field field = firstField(light);
+    vField = vec4(field.axis, field.bend);
+    vFieldSide = across(field.axis);
+  #else
+    vFieldLight = light;
+  #endif // FIELD_BY_VERTEX
 #endif // FOLLOWS_FORM

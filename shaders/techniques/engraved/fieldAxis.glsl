@@ -11,9 +11,7 @@ vec3 across(const in vec3 axis) {
 
 uniform vec2 strokeDirection; // cosine and sine of the angle by which strokes are turned from the tangent to the light
 
-#if TONE_MODEL == TONE_MODEL_SHADOW && SHADOW_DIRECTION == SHADOW_DIRECTION_AWAY
-  #define RUNS_AWAY
-
+#ifdef RUNS_AWAY
   // Across the light and across the ground, whose lines run away from the light then. The axis that leans least from the normal stands for
   // the ground: it is the same all over it, so that no line breaks.
   vec3 acrossGround(const in vec3 light) {
@@ -23,7 +21,7 @@ uniform vec2 strokeDirection; // cosine and sine of the angle by which strokes a
     float sine = length(side);
     return sine > LEAST_SINE ? side / sine : across(light);
   }
-#endif // TONE_MODEL
+#endif // RUNS_AWAY
 
 // light: towards it, unit, and one over its distance, field space.
 Field firstField(const in vec4 light) {
@@ -47,8 +45,14 @@ Field firstField(const in vec4 light) {
 // The value at a point, 0 at the origin: |P_L| − |P − P_L| in a form that holds at any distance, and without an end is P·axis.
 // gradient: unit.
 float fieldAt(const in Field field, const in vec3 point, out vec3 gradient) {
-  vec3 toLamp = field.axis - field.bend * point; // over the distance of the lamp
-  float far = max(length(toLamp), 1e-6);
-  gradient = toLamp / far;
-  return dot(point, field.axis + toLamp) / (1.0 + far);
+  #if !defined(TURNS_WITH_LIGHT) || LIGHTS_AT_PLACES == 0
+    // Nothing bends.
+    gradient = field.axis;
+    return dot(point, field.axis);
+  #else
+    vec3 toLamp = field.axis - field.bend * point; // over the distance of the lamp
+    float far = max(length(toLamp), 1e-6);
+    gradient = toLamp / far;
+    return dot(point, field.axis + toLamp) / (1.0 + far);
+  #endif // TURNS_WITH_LIGHT
 }

@@ -1,16 +1,16 @@
 // The unsteadiness of a hand. It belongs to the place on the object: nothing moves when the camera does.
 uniform float handmade; // 0: a ruling machine
 
-// A wave of period 2 within [−1, 1]: two parabolas, smooth and far cheaper than a sine.
-vec3 wave(const in vec3 x) {
-  vec3 t = 2.0 * fract(0.5 * x) - 1.0;
-  return 4.0 * t * (abs(t) - 1.0);
+// A wave of period 2 within [−1, 1]: two parabolas, smooth and far cheaper than a sine. halfX: half of the place along it.
+vec3 wave(const in vec3 halfX) {
+  vec3 t = 2.0 * fract(halfX) - 1.0;
+  return t * (4.0 * abs(t) - 4.0);
 }
 
 // Slow waves, each within [−1, 1], without a visible period.
 vec3 slowWaves(const in vec3 p) {
-  vec3 bent = p + BENT_BY * wave(BENDS * p.yzx + BEND_PHASES);
-  return wave(SLOW_WAVES * bent.zxy + WAVE_PHASES);
+  vec3 bent = p + BENT_BY * wave(0.5 * BENDS * p.yzx + 0.5 * BEND_PHASES);
+  return wave(0.5 * SLOW_WAVES * bent.zxy + 0.5 * WAVE_PHASES);
 }
 
 // Where the hand puts what belongs to a point.
@@ -30,10 +30,11 @@ float handTone(const in float pressure, const in float tone) {
 // A random number in [0, 1) that belongs to a line. line: its value, a multiple of a power of two.
 float lotOf(const in float line) {
   uint spread = floatBitsToUint(line) * GOLDEN_RATIO;
-  return float(spread >> 8u) / 16777216.0;
+  return float(spread >> 8u) * (1.0 / 16777216.0);
 }
 
 // A factor on the width of a line, the same all along it; 1 in the mean.
 float handWidth(const in float line) {
-  return 1.0 + handmade * (WIDTHS * lotOf(line) - 0.5 * WIDTHS);
+  float most = handmade * WIDTHS;
+  return most * lotOf(line) + (1.0 - 0.5 * most);
 }

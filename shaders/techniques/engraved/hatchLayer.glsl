@@ -35,8 +35,13 @@ float hatchLayer(const in HatchingParameters h, const in float tone) {
     // Strokes cross at a slant, which alone would leave rows of rhombs open in the darks: others lean the other way there.
     float second = takenOf(others, THIRD_FROM);
     float third = leftOf(others, second);
-    float darkness = 1.0 - (1.0 - families(h, first, second, layerTurns.xy))
-      * (1.0 - families(h, 0.0, third, vec2(layerTurns.x, -layerTurns.y)));
+    float blank = 1.0;
+    for (int i = 0; i < 2; i++) {
+      bool isOther = i == 1;
+      vec2 lean = vec2(layerTurns.x, isOther ? -layerTurns.y : layerTurns.y);
+      blank *= 1.0 - families(h, isOther ? 0.0 : first, isOther ? third : second, lean);
+    }
+    float darkness = 1.0 - blank;
   #else
     float darkness = families(h, first, others, layerTurns.xy);
   #endif // MEDIUM

@@ -52,12 +52,23 @@ vec2 strokeOn(const in Pen pen, const in float born, const in float line, const 
   return vec2(pen.width * there * spread * (1.0 - rest * rest), handmade * pen.open * sign(number) * astray);
 }
 
-vec2 strokesOn(const in Pen pen, const in float born, const in float line, const in float place) {
-  float period = pen.along.period;
-  float longer = pen.along.longer;
-  vec2 stroke = strokeOn(pen, born, line, place, period);
-  if (longer > 0.0) stroke = mix(stroke, strokeOn(pen, born, line, place, 2.0 * period), longer);
-  return stroke;
+// Most places lie along one axis and at one length of strokes; others share theirs. A loop that stands here once, not four times: as it
+// does not know how often it is run, no compiler unrolls it, or those around it.
+vec2 strokesOn(const in Pen pen, const in float born, const in float line) {
+  Along along = pen.along;
+  bool isFirst = along.share >= 0.5;
+  float other = min(along.share, 1.0 - along.share);
+  int lengths = along.longer > 0.0 ? 2 : 1;
+  int ways = other > 0.0 ? 2 * lengths : lengths;
+  vec2 strokes = vec2(0.0);
+  for (int i = 0; i < ways; i++) {
+    bool isOther = i >= lengths;
+    bool isLonger = i == 1 ? !isOther : i == 3;
+    float share = (isOther ? other : 1.0 - other) * (isLonger ? along.longer : 1.0 - along.longer);
+    float place = isFirst == isOther ? along.places.y : along.places.x;
+    strokes += share * strokeOn(pen, born, line, place, isLonger ? 2.0 * along.period : along.period);
+  }
+  return strokes;
 }
 
 // away: from the line, signed, in pixels, as is the distance between old lines. share: of their room that the line has.
@@ -65,9 +76,6 @@ float penCoverage(const in Pen pen, const in float away, const in float share, c
   // Young strokes are fewer and thinner at once: as wide as the old ones, they would fill the room between them.
   float grown = sqrt(max(share, 0.0));
   float born = bornBelow(grown);
-  Along along = pen.along;
-  vec2 stroke = strokesOn(pen, born, line, along.share >= 0.5 ? along.places.x : along.places.y);
-  float other = min(along.share, 1.0 - along.share);
-  if (other > 0.0) stroke = mix(stroke, strokesOn(pen, born, line, along.share >= 0.5 ? along.places.y : along.places.x), other);
+  vec2 stroke = strokesOn(pen, born, line);
   return lineCoverage(abs(away - spacing * stroke.y), 0.5 * spacing * grown * stroke.x, FRINGE);
 }

@@ -1,11 +1,11 @@
 // Lines that a field cuts out of the object: level sets of a distance in space.
 #include "technique/fieldAxis"
-#include "technique/arrivingLight"
+#include "technique/fieldHere"
 
 struct HatchingParameters {
   vec3 point; // as the hand strays, from the origin of the field, tiles
   float pressure; // of the hand
-  ScreenMap onScreen;
+  mat2x3 onScreen;
   float value; // of the first family's function
   vec2 valueOnScreen; // its gradient there
   float slope; // its change along the surface
@@ -16,8 +16,8 @@ struct HatchingParameters {
 };
 
 HatchingParameters readHatchingParameters() {
-  Field field = firstField(arrivingLight());
   HatchingParameters h;
+  Field field = fieldHere(h.sideB);
   vec3 normal = safeNormalize(vFieldNormal);
   vec3 waves = slowWaves(HAND_WAVES * vFieldPoint);
   h.point = handPoint(vFieldPoint, waves);
@@ -25,9 +25,9 @@ HatchingParameters readHatchingParameters() {
   h.onScreen = screenMap(normal, objectToField * readViewToAnchor());
   h.value = fieldAt(field, h.point, h.gradient);
   h.valueOnScreen = screenGradient(h.gradient, h.onScreen);
-  h.slope = max(length(cross(normal, h.gradient)), 1e-6);
+  float along = dot(normal, h.gradient);
+  h.slope = sqrt(max(1.0 - along * along, 1e-12));
   h.has = smoothstep(BARE_SLOPE.x, BARE_SLOPE.y, h.slope);
-  h.sideB = across(field.axis);
   h.sideC = cross(field.axis, h.sideB);
   float acrossB = dot(normal, h.sideC);
   float acrossC = dot(normal, h.sideB);

@@ -6,7 +6,7 @@
 struct HatchingParameters {
   float pressure; // of the hand
   float has; // the first family has lines everywhere
-  ScreenMap onScreen;
+  mat2x3 onScreen;
   vec3 gradient, crossingGradient; // of the first family's function, and of that which crosses it
   vec2 values;
   vec2 valueOnScreen; // their gradients there

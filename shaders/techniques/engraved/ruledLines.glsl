@@ -17,12 +17,12 @@ uniform float finestSpacing; // pixels: where lines would lie closer, every othe
 // The logarithm to base 2 at powers of two, and linear between them: all that continuous octaves need. x: above 0.
 float octaves(const in float x) {
   // The bits of a float are its exponent, then 23 of its mantissa.
-  return float(floatBitsToInt(x)) / 8388608.0 - 127.0;
+  return float(floatBitsToInt(x)) * (1.0 / 8388608.0) - 127.0;
 }
 
 // The inverse.
 float powerOf2(const in float octave) {
-  return intBitsToFloat(int((octave + 127.0) * 8388608.0));
+  return intBitsToFloat(int(octave * 8388608.0 + 1065353216.0));
 }
 
 #ifdef DISSOLVES_SHADOWS
@@ -73,11 +73,12 @@ float ruledLines(const in HatchingParameters h, const in Family family, const in
   float oldRoom = 0.5 * spacing;
   float youngRoom = 0.5 * (pixels - spacing);
   // All that a pixel may lie on: their shares of it add up.
-  float covered = min(1.0,
-    LINE((x - below) * pixels, oldRoom, below * period)
-    + LINE((x - below - 0.5) * pixels, youngRoom, (below + 0.5) * period)
-    + LINE((x - below - 1.0) * pixels, oldRoom, (below + 1.0) * period)
-  );
+  float covered = 0.0;
+  for (int i = 0; i < 3; i++) {
+    float line = below + 0.5 * float(i);
+    covered += LINE((x - line) * pixels, (i == 1 ? youngRoom : oldRoom), line * period);
+  }
+  covered = min(covered, 1.0);
   #if MEDIUM == MEDIUM_WOODCUT
     return 1.0 - covered;
   #else

@@ -4,6 +4,7 @@
   #include "technique/formAttributes"
 #else
   #include "technique/lightField"
+  #include "technique/fieldAxis"
 #endif // FOLLOWS_FORM
 
 uniform vec3 fieldOrigin; // object space

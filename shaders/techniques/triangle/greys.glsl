@@ -1,3 +1,3 @@
 float hatchLayer(const in HatchingParameters h, const in float tone) {
-  return sampleTonalArtMap(h.uv, tone);
+  return 1.0 - lightnessOfHatch(h.uv, tone);
 }

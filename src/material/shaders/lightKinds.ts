@@ -73,10 +73,14 @@ const LIGHT_KINDS: readonly LightKind[] = [
 /** The kinds that the installed three.js has: it replaces no other names, and GLSL would not know them. */
 const knownKinds = (): LightKind[] => LIGHT_KINDS.filter(({ count }) => ShaderChunk.lights_pars_begin.includes(count));
 
-/** The number of lights that have a direction, which are all but skies, as a define. */
-export function lightCountDefine(): string {
-  const counts = knownKinds().flatMap(({ from, count }) => (from === 'sky' ? [] : count));
-  return `#define LIGHTS_WITH_DIRECTION (${counts.join(' + ')})`;
+/** The number of lights that have a direction, which are all but skies, and of those that shine from a place, as defines. */
+export function lightCountDefines(): string {
+  const sum = (kinds: LightKind[]): string => `(${kinds.map(({ count }) => count).join(' + ')})`;
+  const known = knownKinds();
+  return [
+    `#define LIGHTS_WITH_DIRECTION ${sum(known.filter(({ from }) => from !== 'sky'))}`,
+    `#define LIGHTS_AT_PLACES ${sum(known.filter(({ from }) => from === 'place'))}`,
+  ].join('\n');
 }
 
 /**

@@ -8,7 +8,7 @@ import { constantCase } from '../facts/constantCase.js';
 import type { HatchingProperty, HatchingTexture } from '../facts/HatchingProperty.js';
 import { HATCHING_PROPERTIES } from '../facts/hatchingProperties.js';
 import { definesOf } from './definesOf.js';
-import { lightCountDefine } from './lightKinds.js';
+import { lightCountDefines } from './lightKinds.js';
 
 export const TONE_CURVES = ['linear', 'perceptual', 'points'] as const;
 /** The most spans that a tone curve given by points can have: one less than points. */
@@ -31,7 +31,7 @@ export const conventionsChunk = (): string =>
     ...numbered('VERTEX_LAYOUT', VERTEX_LAYOUTS),
     definesOf({ CAVITY, ...TONE_CONSTANTS, ...SHADOW_CONSTANTS, ...EMPHASIS_CONSTANTS }),
     definesOf({ TONE_CURVE_SPANS, ...SHADOW_SAMPLES }, ''),
-    lightCountDefine(),
+    lightCountDefines(),
   ].join('\n');
 
 /** The define that names the varying of a map's coordinates. It is not defined where there is no map. */

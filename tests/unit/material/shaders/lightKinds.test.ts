@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { ShaderChunk } from 'three';
 import { afterEach, describe, expect, test } from 'vitest';
-import { lightChunks, lightCountDefine, shadowChunks } from '../../../../src/material/shaders/lightKinds.js';
+import { lightChunks, lightCountDefines, shadowChunks } from '../../../../src/material/shaders/lightKinds.js';
 
 const { lights_pars_begin } = ShaderChunk;
 
@@ -48,7 +48,10 @@ describe('the walks over lights', () => {
       const number = [...counts.slice(0, index), 'UNROLLED_LOOP_INDEX'].join(' + ');
       expect(eachLight).toMatch(new RegExp(`i < ${count};[^}]*, ${number.replaceAll('+', '\\+')}\\)`));
     }
-    expect(lightCountDefine()).toBe(`#define LIGHTS_WITH_DIRECTION (${counts.join(' + ')})`);
+    expect(lightCountDefines().split('\n')).toEqual([
+      `#define LIGHTS_WITH_DIRECTION (${counts.join(' + ')})`,
+      '#define LIGHTS_AT_PLACES (NUM_POINT_LIGHTS + NUM_SPOT_LIGHTS)',
+    ]);
   });
 
   test('are unrolled by three.js, and leave no macro behind', () => {
@@ -90,7 +93,7 @@ describe('the walks over lights', () => {
 
   test('leave out what the installed three.js does not have', () => {
     ShaderChunk.lights_pars_begin = lights_pars_begin.replaceAll('NUM_SUN_LIGHTS', 'NUM_OTHER_LIGHTS');
-    const text = [lightCountDefine(), ...Object.values(lightChunks())].join('\n');
+    const text = [lightCountDefines(), ...Object.values(lightChunks())].join('\n');
     expect(text).not.toMatch(/sun/i);
     expect(text).toContain('directionalLights');
   });
