@@ -45,7 +45,7 @@ export {
   flatteringLight,
 } from './scene/flattering/flatteringLight.js';
 export type { HatchedScene, SkippedMesh } from './scene/HatchedScene.js';
-export type { OcclusionBake } from './scene/OcclusionBake.js';
+export type { OcclusionBake } from './scene/occlusion/OcclusionBake.js';
 export { type HatchingPreset, type PresetName, presets } from './scene/presets.js';
 export { scalePreset } from './scene/scalePreset.js';
 export { withPreset } from './scene/withPreset.js';

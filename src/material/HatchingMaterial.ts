@@ -24,7 +24,6 @@ import { blurredEnvironment } from './blurredEnvironment.js';
 import { checkChoice, checkValues } from './checkValues.js';
 import { vertexLayoutOf } from './deformation/vertexLayoutOf.js';
 import { takesWeight, writeEmphasis, writeImportance } from './emphasis/emphasis.js';
-import { writeSheet } from './emphasis/writeSheet.js';
 import { environmentAround } from './environmentAround.js';
 import { FrameStamp } from './FrameStamp.js';
 import { defaultOf } from './facts/defaultOf.js';
@@ -34,7 +33,7 @@ import { followsForm, needsMap, usesThresholds } from './facts/lookFacts.js';
 import type { PresetName } from './facts/presetMaterials.js';
 import { spelledOut } from './facts/presetParameters.js';
 import { DrawnMeshes } from './firstDraw/DrawnMeshes.js';
-import { fittedCurve, type ToneCurve } from './fitToneCurve.js';
+import type { ToneCurve } from './fitToneCurve.js';
 import { fittingMap } from './fittingMap.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
 import { type HatchingMaterialJSON, propertiesToJSON, setFromJSON } from './hatchingJSON.js';
@@ -42,6 +41,7 @@ import {
   createHatchingUniforms,
   MESH_UNIFORMS,
   writeComputedUniforms,
+  writeCurveUniforms,
   writeMapUniforms,
   writePropertyUniforms,
   writeSizeUniforms,
@@ -52,7 +52,7 @@ import { PropertyFields } from './PropertyFields.js';
 import { ExposureInUse } from './parts/ExposureInUse.js';
 import { PartInUse } from './parts/PartInUse.js';
 import { fetchParts, fetchPartsOf } from './parts/parts.js';
-import { writePictureOffset } from './pictureOffset.js';
+import { drawnPart, writePartUniforms } from './partUniforms.js';
 import { type ProgramFacts, programDefines, writeDefines } from './programDefines.js';
 import { defineRigid } from './programParameters.js';
 import { programSwitches } from './programSwitches.js';
@@ -61,8 +61,6 @@ import { mapIsReady, sharedMap } from './sharedMaps.js';
 import { tellOfRenderer } from './tellOfRenderer.js';
 import { warnOfUnused } from './unusedProperties.js';
 import { withVectors } from './vectorValues.js';
-
-const viewport = /* @__PURE__ */ new Vector4();
 
 const propertyNames = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
 const propertyOf = (name: HatchingPropertyName): HatchingProperty => HATCHING_PROPERTIES[name];
@@ -155,7 +153,7 @@ export class HatchingMaterial extends PropertyFields {
   }
 
   override set toneCurve(value: ToneCurve) {
-    this.writeCurve(value);
+    writeCurveUniforms(value, this.uniforms);
     this.curve = value;
     this.writeProgram();
   }
@@ -278,9 +276,7 @@ export class HatchingMaterial extends PropertyFields {
     _group: Group,
   ): void {
     this.isWithWebGL = true;
-    // Each camera of an ArrayCamera has its own part of the target.
-    const part = (camera as Camera & { viewport?: Vector4 }).viewport;
-    const drawn = part ?? renderer.getCurrentViewport(viewport);
+    const drawn = drawnPart(renderer, camera);
     // Once for all the meshes of a frame: three.js, too, uploads the uniforms of a material once, unless it is told otherwise.
     if (this.ofMesh.isAllWanted || !this.written.isOf(renderer, camera) || !this.writtenTo.equals(drawn)) {
       this.written.note(renderer, camera);
@@ -292,9 +288,7 @@ export class HatchingMaterial extends PropertyFields {
       this.drawnSwitches = switches;
       this.writeUniforms(renderer, camera);
       this.exposed.write(this, renderer, scene, camera, this.uniforms);
-      this.uniforms.viewportHeight.value = drawn.w;
-      writePictureOffset(this.uniforms.toothOffset.value, camera, drawn);
-      writeSheet(this.uniforms.sheet.value, camera, drawn);
+      writePartUniforms(camera, drawn, this.uniforms);
       this.use('hasEnvironment', bindEnvironment(renderer, scene, camera, this.uniforms));
     }
     if (writeImportance(object, this.takesWeight, this.uniforms)) this.ofMesh.want(renderer);
@@ -303,14 +297,6 @@ export class HatchingMaterial extends PropertyFields {
     if (this.announced.length > 0) this.announced.length = 0;
     const layout = this.inUse.part?.bindMesh?.(renderer, camera, geometry, object, this);
     if (layout) this.use('vertexLayout', layout);
-  }
-
-  private writeCurve(curve: ToneCurve): void {
-    const fitted = fittedCurve(curve);
-    if (!fitted) return;
-    this.uniforms.toneCurveStart.value = fitted.start;
-    this.uniforms.toneCurveSpans.value = fitted.spans;
-    this.uniforms.toneCurveCubics.value = fitted.cubics;
   }
 
   /** Notes a fact of the scene or the mesh that decides about the program. */
@@ -376,7 +362,7 @@ export class HatchingMaterial extends PropertyFields {
         else this.chosen[name] = source.chosen[name];
         break;
       case 'curve':
-        this.writeCurve(source.toneCurve);
+        writeCurveUniforms(source.toneCurve, this.uniforms);
         this.curve = source.curve;
         break;
       case 'number':
@@ -425,7 +411,7 @@ export class HatchingMaterial extends PropertyFields {
     if (hasChanged) {
       this.shaders = shaders;
       Object.assign(this, shaders);
-      this.writeCurve(this.toneCurve);
+      writeCurveUniforms(this.toneCurve, this.uniforms);
     }
     if (writeDefines(this.defines, programDefines(this, this.met))) hasChanged = true;
     this.drawsWithMap = needsMap(this);

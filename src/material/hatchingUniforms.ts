@@ -7,7 +7,7 @@ import { isFitted } from './exposure/isFitted.js';
 import type { HatchingProperty } from './facts/HatchingProperty.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from './facts/hatchingProperties.js';
 import { runsAway } from './facts/lookFacts.js';
-import { curveEnds } from './fitToneCurve.js';
+import { curveEnds, fittedCurve, type ToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 
 type Uniforms = Record<string, IUniform>;
@@ -201,4 +201,13 @@ export function writeComputedUniforms(material: HatchingMaterialProperties, u: U
     -Math.sin(crossAngle / 2),
     Math.cos(crossAngle / 2),
   );
+}
+
+/** Writes a tone curve that the shader is given as points; one that it computes changes nothing. */
+export function writeCurveUniforms(curve: ToneCurve, u: Uniforms): void {
+  const fitted = fittedCurve(curve);
+  if (!fitted) return;
+  u.toneCurveStart.value = fitted.start;
+  u.toneCurveSpans.value = fitted.spans;
+  u.toneCurveCubics.value = fitted.cubics;
 }

@@ -10,8 +10,8 @@ import type { TaskOptions } from '../worker/TaskOptions.js';
 import { assertTree } from './assertTree.js';
 import { failure } from './failure.js';
 import type { SkippedMesh } from './HatchedScene.js';
-import { hasRoom, OcclusionBake } from './OcclusionBake.js';
-import { OcclusionLanes } from './OcclusionLanes.js';
+import { hasRoom, OcclusionBake } from './occlusion/OcclusionBake.js';
+import { OcclusionLanes } from './occlusion/OcclusionLanes.js';
 import { isBatched, materialsOf, surfaceMeshes } from './surfaceMeshes.js';
 import { worldMatrices } from './worldMatrices.js';
 

@@ -87,6 +87,7 @@ export const ROOMS = {
   ],
   'scene/detail': ['/src/scene/MeshLook.ts', '/src/scene/surfaceMeshes.ts'],
   'scene/jointForms': [],
+  'scene/occlusion': ['/src/scene/HatchedScene.ts'],
   'scene/flattering': ['/src/scene/assertTree.ts', '/src/scene/surfaceMeshes.ts'],
   svg: [
     ...['slices', 'features', 'bake', 'worker', 'mistakes', 'tam/stippleMap.ts', 'tam/patternSizes.ts', 'geometry'],

@@ -69,5 +69,5 @@ test('the library depends on nothing but three.js, and its components on React w
   expect(dependencies).toBeUndefined();
   const needed = Object.keys(peerDependencies).filter((name) => !peerDependenciesMeta[name]?.optional);
   expect(needed).toEqual(['three']);
-  expect(Object.keys(peerDependencies)).toEqual(['@react-three/fiber', 'react', 'three']);
+  expect(Object.keys(peerDependencies)).toEqual(['@react-three/fiber', 'meshoptimizer', 'react', 'three']);
 });

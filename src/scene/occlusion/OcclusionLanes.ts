@@ -1,6 +1,6 @@
-import type { OcclusionScene } from '../occlusion/OcclusionScene.js';
-import { runTask } from '../worker/runTask.js';
-import type { TaskOptions } from '../worker/TaskOptions.js';
+import type { OcclusionScene } from '../../occlusion/OcclusionScene.js';
+import { runTask } from '../../worker/runTask.js';
+import type { TaskOptions } from '../../worker/TaskOptions.js';
 
 /** The number of pairs of opposite directions in one request to a worker. */
 const PAIRS_AT_ONCE = 8;

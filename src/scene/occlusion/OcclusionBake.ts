@@ -1,7 +1,7 @@
 import type { BufferAttribute, BufferGeometry, Mesh } from 'three';
-import { hatchNormal } from '../bake/hatchNormal.js';
-import { disposeSharingClone, sharingClone } from '../geometry/sharingClone.js';
-import type { SkippedMesh } from './HatchedScene.js';
+import { hatchNormal } from '../../bake/hatchNormal.js';
+import { disposeSharingClone, sharingClone } from '../../geometry/sharingClone.js';
+import type { SkippedMesh } from '../HatchedScene.js';
 
 /** A mesh that gets occlusion. */
 interface OccludedMesh {
