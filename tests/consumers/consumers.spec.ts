@@ -67,7 +67,7 @@ const MOST_BYTES = [
   ['HatchingMaterial', 'three-hatching', 30_300],
   ['HatchingMaterial, prepareHatchingGeometry, TonalArtMap', 'three-hatching', 41_000],
   ['applyHatching', 'three-hatching', 49_000],
-  ['Hatched', 'three-hatching/react', 52_200],
+  ['Hatched', 'three-hatching/react', 53_000],
   ['drawSVG', 'three-hatching/svg', 59_000],
 ] as const;
 
