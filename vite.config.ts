@@ -49,6 +49,7 @@ export default defineConfig(
         'three/webgpu',
         'lil-gui',
         'mediabunny',
+        'meshoptimizer/simplifier',
         'bunny',
         'snowden/lo.js',
         '@pmndrs/assets/models/suzi.glb.js',

@@ -19,6 +19,7 @@ const FARTHEST = 2.5;
  *
  * @param error how far the result may lie from `indices`, in object units
  * @param shift by which share of a cell the grid is shifted, in [0, 1)
+ * @param share in [0, 1] of the triangles of each cell that is enough: no more are taken away, whatever the error allows
  */
 export function* simplifyTriangles(
   mesh: SimplifiableMesh,
@@ -26,6 +27,7 @@ export function* simplifyTriangles(
   error: number,
   simplifier: Simplifier,
   shift = 0,
+  share = 0,
 ): Generator<number, Simplified, void> {
   const allowed = error / FARTHEST;
   const cellSize = allowed / PRECISION;
@@ -36,7 +38,13 @@ export function* simplifyTriangles(
   let farthest = 0;
   for (const [i, start] of filled.entries()) {
     const end = filled[i + 1] ?? sorted.length;
-    const part = simplifyPart(mesh, sorted.subarray(start, end), numbers, allowed, simplifier, filled.length > 1);
+    const part = simplifyPart(
+      mesh,
+      sorted.subarray(start, end),
+      numbers,
+      { allowed, share, keepsBorder: filled.length > 1 },
+      simplifier,
+    );
     parts.push(part.indices);
     farthest = Math.max(farthest, part.error);
     yield 0.1 + (0.9 * end) / sorted.length;
@@ -59,9 +67,8 @@ function simplifyPart(
   { positions, attributes, weights }: SimplifiableMesh,
   indices: Uint32Array,
   numbers: Uint32Array,
-  error: number,
+  { allowed, share, keepsBorder }: { allowed: number; share: number; keepsBorder: boolean },
   simplifier: Simplifier,
-  keepsBorder: boolean,
 ): Simplified {
   const own = ownVertices(indices, numbers);
   const count = own.vertices.length;
@@ -83,8 +90,8 @@ function simplifyPart(
     // The library measures lengths in extents of the mesh, and these weights with them.
     weights.map((weight) => weight / (extent || 1)),
     null,
-    0,
-    error,
+    3 * Math.floor((share * indices.length) / 3),
+    allowed,
     ['ErrorAbsolute', 'Permissive', ...(keepsBorder ? (['LockBorder'] as const) : [])],
   );
   const simplified = new Uint32Array(result.length);

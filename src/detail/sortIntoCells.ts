@@ -1,3 +1,4 @@
+import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
 
 /** The most cells along an axis, so that their list stays small. */
@@ -35,11 +36,19 @@ export function* sortIntoCells(
   const count = indices.length / 3;
   const min = [Infinity, Infinity, Infinity];
   const max = [-Infinity, -Infinity, -Infinity];
-  yield* forEachChunk(positions.length / 3, (start, end) => widen(min, max, positions, start, end));
+  yield* asPhase(
+    forEachChunk(positions.length / 3, (start, end) => widen(min, max, positions, start, end)),
+    0,
+    0.2,
+  );
   const grid = gridOver(min, max, size, shift);
   const cells = new Uint32Array(count);
   const places = new Uint32Array(grid.along[0] * grid.along[1] * grid.along[2] + 1);
-  yield* forEachChunk(count, (start, end) => findCells(cells, places, positions, indices, grid, start, end));
+  yield* asPhase(
+    forEachChunk(count, (start, end) => findCells(cells, places, positions, indices, grid, start, end)),
+    0.2,
+    0.6,
+  );
   let total = 0;
   for (let cell = 0; cell < places.length; cell++) {
     const inCell = places[cell];
@@ -48,7 +57,11 @@ export function* sortIntoCells(
   }
   const starts = places.map((place) => 3 * place);
   const sorted = new Uint32Array(indices.length);
-  yield* forEachChunk(count, (start, end) => place(sorted, places, cells, indices, start, end));
+  yield* asPhase(
+    forEachChunk(count, (start, end) => place(sorted, places, cells, indices, start, end)),
+    0.6,
+    1,
+  );
   return { indices: sorted, starts };
 }
 

@@ -26,9 +26,8 @@ export const fetchedAhead: Plugin = {
     const model = Object.keys(bundle).find((name) => FIRST_MODEL.test(name));
     if (modules.size < FIRST_MODULES.length || !model)
       this.error('fetchedAhead.ts names a module or a model that is no part of the playground.');
-    const script = `location.hash.length<2&&!history.state?.drawing&&document.head.append(Object.assign(document.createElement("link"),${JSON.stringify(
-      { rel: 'preload', as: 'fetch', crossOrigin: 'anonymous', href: model },
-    )}))`;
+    // Not a link to preload: on a slow machine browsers complain of one that is not used within seconds.
+    const script = `location.hash.length<2&&!history.state?.drawing&&fetch(${JSON.stringify(model)}).then((file)=>file.blob()).catch(()=>{})`;
     const name = `assets/ahead-${createHash('sha256').update(script).digest('hex').slice(0, 8)}.js`;
     this.emitFile({ type: 'asset', fileName: name, source: script });
     const html = String(page.source);

@@ -138,7 +138,8 @@ export const ROOMS = {
   react: [],
   element: [],
   demo: [],
-  'demo/files': ['/src/files'],
+  // The library's simplification is no part of its interface.
+  'demo/files': ['/src/files', '/src/detail'],
   'demo/models': ['files', '/src/files', '/src/settings', '/src/drawing'],
   'demo/drawing': ['/src/files', '/src/settings', '/src/drawing'],
   'demo/stage': [...SHARED, 'drawing'],

@@ -48,6 +48,15 @@ export const PARTS: readonly Part[] = [
     from: 'three/examples/jsm/libs/meshopt_decoder.module.js',
   },
   {
+    name: "meshoptimizer's simplifier",
+    use: 'simplifies very large models',
+    by: 'Arseny Kapoulkine',
+    address: 'https://meshoptimizer.org',
+    licence: 'MIT',
+    licenceFile: 'node_modules/meshoptimizer/LICENSE.md',
+    from: 'meshoptimizer',
+  },
+  {
     name: 'fflate',
     use: 'packs and unpacks archives',
     by: 'Arjun Barrett',

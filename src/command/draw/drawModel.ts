@@ -9,6 +9,8 @@ import type { HatchedModel } from '../../drawing/HatchedModel.js';
 import { meshesOf } from '../../drawing/meshesOf.js';
 import { ModelError } from '../../files/common/ModelError.js';
 import { withPictures } from '../../files/decodePictures.js';
+import { checkTriangleCount } from '../../files/mesh/checkTriangleCount.js';
+import { triangleCount } from '../../files/mesh/PlainMesh.js';
 import { type ReadModel, readModel } from '../../files/readModel.js';
 import { turnCamera } from '../../staging/placeCamera.js';
 import type { DrawingOptions } from '../DrawingOptions.js';
@@ -68,7 +70,10 @@ async function readFrom(
     say({ kind: 'progress', stage, bytes, progress: 0.5 * READ });
   if (!(await stat(path)).isFile()) throw new ModelError(`${path} is no file.`);
   const files = [{ name: basename(path), content: await openAsBlob(path) }];
-  return withPictures(await readModel(files, onStage, surroundings), onStage, surroundings);
+  const read = await readModel(files, onStage, surroundings);
+  // A page simplifies what it has no memory for; a file of lines is drawn from all triangles.
+  if (read.kind === 'mesh') checkTriangleCount(triangleCount(read.mesh));
+  return withPictures(read, onStage, surroundings);
 }
 
 /** The angles by which the camera is turned for the frames, in radians. The clip takes the place of the turn. */

@@ -9,6 +9,8 @@ export interface LoadOptions {
   signal: AbortSignal;
   /** Called with a few words on what is being done. */
   onStage: (stage: string) => void;
+  /** Called with a coarse copy of a very large model, long before that is ready. */
+  onCoarse?: ((model: ReadModel) => void) | undefined;
 }
 
 /** Only smaller files are read on the main thread: it does nothing else meanwhile, and reading cannot be stopped. */
@@ -66,7 +68,7 @@ const sizeOf = (files: readonly ModelFile[]): number => files.reduce((sum, { con
 
 async function readInWorker(
   given: readonly ModelFile[] | Promise<readonly ModelFile[]>,
-  { signal, onStage }: LoadOptions,
+  { signal, onStage, onCoarse }: LoadOptions,
 ): Promise<ReadModel> {
   const worker = startWorker();
   let timer: ReturnType<typeof setTimeout> | undefined;
@@ -96,6 +98,9 @@ async function readInWorker(
           bytes = Math.max(bytes, data.bytes ?? 0);
           restartTimer();
           onStage(data.stage);
+        } else if (data.kind === 'coarse') {
+          restartTimer();
+          onCoarse?.(data.model);
         } else if (data.kind === 'done') resolve(data.model);
         else reject(new ModelError(data.sentence));
       });

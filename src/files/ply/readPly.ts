@@ -1,6 +1,6 @@
 import { Color, SRGBColorSpace } from 'three';
 import { ModelError } from '../common/ModelError.js';
-import { checkTriangleCount } from '../mesh/checkTriangleCount.js';
+import { checkReadTriangles } from '../mesh/checkTriangleCount.js';
 import type { PlainMesh } from '../mesh/PlainMesh.js';
 import { GrowingIndices } from './GrowingIndices.js';
 import { type PlyColumn, readColumns, readTriangles } from './plyBlocks.js';
@@ -44,7 +44,7 @@ export function readPly(bytes: Uint8Array, name: string): PlainMesh {
     else if (element.name === 'tristrips') readStrips(element, numbers, indices, name);
     else skipRows(element, numbers, name);
   }
-  checkTriangleCount(indices.length / 3);
+  checkReadTriangles(indices.length / 3);
   const mesh: PlainMesh = { ...points!, indices: indices.values() };
   return faceColors ? withFaceColors(mesh, faceColors) : mesh;
 }

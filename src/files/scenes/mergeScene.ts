@@ -10,7 +10,7 @@ import {
   Vector2,
   Vector3,
 } from 'three';
-import { checkTriangleCount } from '../mesh/checkTriangleCount.js';
+import { checkReadTriangles } from '../mesh/checkTriangleCount.js';
 import type { PictureRange, PlainMesh } from '../mesh/PlainMesh.js';
 import type { PictureLink, WantedPicture } from '../pictures/WantedPicture.js';
 import { repairScene } from '../repair/repairGeometry.js';
@@ -33,7 +33,7 @@ export function mergeScene(root: Object3D, pictures?: WantedPicture[]): PlainMes
   if (toOrigin) for (const part of parts) part.matrix = part.matrix.clone().premultiply(toOrigin);
   const pieces = parts.flatMap((part) => part.pieces.map((piece) => ({ part, piece })));
   const cornerCount = pieces.reduce((sum, { piece }) => sum + piece.count, 0);
-  checkTriangleCount(cornerCount / 3);
+  checkReadTriangles(cornerCount / 3);
   const vertexCount = parts.reduce((sum, part) => sum + part.vertexCount, 0);
   const positions = new Float32Array(3 * vertexCount);
   const normals = parts.some(({ mesh }) => hasUsableNormals(mesh)) ? new Float32Array(3 * vertexCount) : null;

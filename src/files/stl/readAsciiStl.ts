@@ -1,5 +1,5 @@
 import { AsciiReader } from '../common/AsciiReader.js';
-import { checkTriangleCount } from '../mesh/checkTriangleCount.js';
+import { checkReadTriangles } from '../mesh/checkTriangleCount.js';
 import type { PlainMesh } from '../mesh/PlainMesh.js';
 
 /**
@@ -45,7 +45,7 @@ export function readAsciiStl(bytes: Uint8Array): PlainMesh {
     }
   }
   endLoop();
-  checkTriangleCount(positions.length / 9);
+  checkReadTriangles(positions.length / 9);
   return { positions: Float32Array.from(positions), normals: unitLengths(normals), colors: null, indices: null };
 }
 

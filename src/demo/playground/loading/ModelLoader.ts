@@ -188,7 +188,11 @@ export class ModelLoader {
 
   private showOwn(files: readonly ModelFile[], way: WayToShow): Promise<void> {
     return this.show({ model: 'file', files }, way, async (report, signal) => {
-      const [read, lightModel] = await Promise.all([loadModelFiles(files, { signal, onStage: report }), fetchLight()]);
+      const onCoarse = (read: ReadModel): void => this.showStandIn({ title: read.name, read }, way);
+      const [read, lightModel] = await Promise.all([
+        loadModelFiles(files, { signal, onStage: report, onCoarse }),
+        fetchLight(),
+      ]);
       const { name: title, missing, unpacked, drawing } = read;
       const light = way.isRestored || !way.isFramed || drawing ? undefined : lightModel;
       return { title, read, shown: { files, missing, unpacked }, drawing, light };
@@ -284,6 +288,7 @@ export class ModelLoader {
     const { stage, settings } = this;
     const standIn = standInOf(read, settings);
     if (!standIn) return;
+    const hasStandIn = this.beforeStandIn !== undefined;
     const { upAxis, lightAzimuth, lightElevation } = settings;
     this.beforeStandIn ??= {
       settings: { upAxis, lightAzimuth, lightElevation },
@@ -291,10 +296,11 @@ export class ModelLoader {
       caption: this.caption.content,
       place: stage.view.ownPlace,
     };
-    if (!isRestored) settings.upAxis = read.upAxis;
+    if (!isRestored && !hasStandIn) settings.upAxis = read.upAxis;
     this.name({ title, statistics: standIn.statistics, notes: [], details: [] });
     stage.shown.setStandIn(standIn, view);
-    if (isFramed) stage.view.frame();
+    // The user may have moved the camera while a coarser one was shown.
+    if (isFramed && !hasStandIn) stage.view.frame();
     this.light(light);
   }
 

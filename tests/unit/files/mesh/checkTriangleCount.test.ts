@@ -1,13 +1,16 @@
 import { BufferAttribute, BufferGeometry, TorusKnotGeometry } from 'three';
 import { type HatchingStatistics, prepareHatchingGeometry } from 'three-hatching';
 import { expect, test } from 'vitest';
-import { checkTriangleCount } from '../../../../src/files/mesh/checkTriangleCount.js';
+import { checkReadTriangles, checkTriangleCount } from '../../../../src/files/mesh/checkTriangleCount.js';
 
 test('three million triangles are let through, and those that a gigabyte cannot hold are not', () => {
   expect(() => checkTriangleCount(3_000_000)).not.toThrow();
   expect(() => checkTriangleCount(6_000_000)).toThrow(
     /^The model has more than 5,200,000 triangles, for which a page has no memory\.$/,
   );
+  expect(() => checkReadTriangles(10_000_000)).not.toThrow();
+  expect(() => checkReadTriangles(22_000_000)).toThrow(/^The model has more than 21,000,000 triangles/);
+  expect(() => checkReadTriangles(0)).toThrow('The file holds no triangles');
   expect(() => checkTriangleCount(0)).toThrow('The file holds no triangles');
 });
 

@@ -1,0 +1,38 @@
+import { clusterMesh } from '../../files/mesh/clusterMesh.js';
+import { triangleCount } from '../../files/mesh/PlainMesh.js';
+import { plainNormals } from '../../files/mesh/plainNormals.js';
+import type { ReadMesh, ReadModel } from '../../files/readModel.js';
+
+/** Meshes of more triangles are simplified before they are baked. */
+const MANY_TRIANGLES = 2_000_000;
+
+/** Whether a model has more triangles than a sheet shows. Pictures keep theirs: corners of one place have several coordinates there. */
+export const isTooFine = (model: ReadModel): model is ReadMesh =>
+  model.kind === 'mesh' && !model.mesh.uvs && triangleCount(model.mesh) > MANY_TRIANGLES;
+
+/** A coarse copy of a model, to be drawn until it is simplified. */
+export function coarseModel(model: ReadMesh): ReadMesh {
+  const mesh = clusterMesh(model.mesh);
+  return { ...model, mesh, plainNormals: plainNormals({ ...mesh, normals: null }) };
+}
+
+/** The model with no more triangles than a sheet shows, and with a note that says so. Where that cannot be done, the model as it is. */
+export async function simplified(model: ReadMesh, onProgress: (progress: number) => void): Promise<ReadMesh> {
+  const [{ MeshoptSimplifier }, { simplifyMesh }] = await Promise.all([
+    import('meshoptimizer/simplifier'),
+    import('./simplifyMesh.js'),
+  ]);
+  await MeshoptSimplifier.ready;
+  const { mesh, error } = simplifyMesh(model.mesh, MeshoptSimplifier, onProgress);
+  const [all, drawn] = [model.mesh, mesh].map((one) => triangleCount(one).toLocaleString('en'));
+  const share = (100 * error).toFixed(2);
+  return {
+    ...model,
+    mesh,
+    plainNormals: plainNormals(mesh),
+    details: [
+      ...model.details,
+      `${drawn} of ${all} triangles are drawn, which lie within ${share} % of the radius from all of them`,
+    ],
+  };
+}

@@ -1,0 +1,106 @@
+import { MeshoptSimplifier } from 'meshoptimizer/simplifier';
+import { beforeAll, expect, test } from 'vitest';
+import { coarseModel, isTooFine } from '../../../../src/demo/files/readLarge.js';
+import { simplifyMesh } from '../../../../src/demo/files/simplifyMesh.js';
+import type { PlainMesh } from '../../../../src/files/mesh/PlainMesh.js';
+import type { ReadMesh } from '../../../../src/files/readModel.js';
+
+beforeAll(() => MeshoptSimplifier.ready);
+
+/** A cube whose sides bulge to the unit sphere, with `2 · 6 · n²` triangles and the colour of each place. */
+function ball(n: number): PlainMesh {
+  const positions: number[] = [];
+  const indices: number[] = [];
+  for (let side = 0; side < 6; side++) {
+    const first = positions.length / 3;
+    for (let i = 0; i <= n; i++) {
+      for (let j = 0; j <= n; j++) {
+        const [u, v] = [(2 * i) / n - 1, (2 * j) / n - 1];
+        const place = side < 3 ? [u, v, 1] : [v, u, -1];
+        const turned = [0, 1, 2].map((axis) => place[(axis + side) % 3] / Math.hypot(u, v, 1));
+        positions.push(...turned);
+        if (i === n || j === n) continue;
+        const a = first + i * (n + 1) + j;
+        indices.push(a, a + n + 1, a + n + 2, a, a + n + 2, a + 1);
+      }
+    }
+  }
+  return {
+    positions: Float32Array.from(positions),
+    normals: null,
+    colors: Float32Array.from(positions, (value) => (value + 1) / 2),
+    indices: Uint32Array.from(indices),
+  };
+}
+
+const readOf = (mesh: PlainMesh) => ({ kind: 'mesh', mesh, details: [] }) as unknown as ReadMesh;
+
+/** The signed volume, which a hole or a turned triangle would change. */
+function volumeOf({ positions, indices }: PlainMesh): number {
+  let sum = 0;
+  for (let i = 0; i < indices!.length; i += 3) {
+    const [a, b, c] = [0, 1, 2].map((k) => positions.subarray(3 * indices![i + k], 3 * indices![i + k] + 3));
+    sum += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+  }
+  return sum / 6;
+}
+
+/** How far the middle of a triangle lies within the unit sphere at most. */
+function deepest({ positions, indices }: PlainMesh): number {
+  let depth = 0;
+  for (let i = 0; i < indices!.length; i += 3) {
+    const middle = [0, 1, 2].map(
+      (axis) =>
+        (positions[3 * indices![i] + axis] +
+          positions[3 * indices![i + 1] + axis] +
+          positions[3 * indices![i + 2] + axis]) /
+        3,
+    );
+    depth = Math.max(depth, 1 - Math.hypot(...middle));
+  }
+  return depth;
+}
+
+test('a simpler mesh lies as near as it says, keeps its colours and has no vertex to spare', () => {
+  const mesh = ball(150);
+  const progress: number[] = [];
+  const { mesh: simple, error } = simplifyMesh(mesh, MeshoptSimplifier, (share) => progress.push(share), 60_000);
+  expect(error).toBeLessThan(2 ** -9);
+  expect(deepest(simple)).toBeLessThanOrEqual(error);
+  expect(simple.indices!.length).toBeLessThanOrEqual(3 * 60_000);
+  expect(simple.indices!.length).toBeGreaterThan(3 * 50_000);
+  expect(new Set(simple.indices).size).toBe(simple.positions.length / 3);
+  expect(volumeOf(simple)).toBeCloseTo(volumeOf(mesh), 2);
+  for (let i = 0; i < simple.positions.length; i += 97) {
+    expect(simple.colors![i]).toBeCloseTo((simple.positions[i] + 1) / 2, 6);
+  }
+  expect(progress.length).toBeGreaterThan(10);
+  expect(progress.every((share, i) => share >= (progress[i - 1] ?? 0) && share <= 1)).toBe(true);
+});
+
+test('a coarse copy has the form, the colours and normals that point outwards', () => {
+  const { mesh, plainNormals } = coarseModel(readOf(ball(300)));
+  expect(mesh.indices!.length / 3).toBeLessThan(0.5 * 2 * 6 * 300 * 300);
+  expect(volumeOf(mesh)).toBeCloseTo(volumeOf(ball(20)), 1);
+  const outwards = Math.sign(volumeOf(mesh));
+  let [shortest, farthestColor, inwards, sumAlong] = [Infinity, 0, 0, 0];
+  for (let i = 0; i < mesh.positions.length; i += 3) {
+    shortest = Math.min(shortest, Math.hypot(...mesh.positions.subarray(i, i + 3)));
+    farthestColor = Math.max(farthestColor, Math.abs(mesh.colors![i] - (mesh.positions[i] + 1) / 2));
+    const along = [0, 1, 2].reduce((sum, k) => sum + mesh.positions[i + k] * plainNormals![i + k], 0);
+    if (outwards * along < 0) inwards++;
+    sumAlong += outwards * along;
+  }
+  expect(shortest).toBeGreaterThan(0.97);
+  expect(farthestColor).toBeLessThan(1e-4);
+  // A triangle may fold over where its corners move to the means of their cells.
+  expect(inwards / (mesh.positions.length / 3)).toBeLessThan(0.002);
+  expect(sumAlong / (mesh.positions.length / 3)).toBeGreaterThan(0.9);
+});
+
+test('only meshes of more than two million triangles without pictures are simplified', () => {
+  const fine = { ...ball(1), indices: new Uint32Array(3 * 2_000_001) };
+  expect(isTooFine(readOf(fine))).toBe(true);
+  expect(isTooFine(readOf({ ...fine, uvs: new Float32Array(2) }))).toBe(false);
+  expect(isTooFine(readOf({ ...fine, indices: new Uint32Array(3 * 2_000_000) }))).toBe(false);
+});
