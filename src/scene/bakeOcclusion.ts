@@ -43,7 +43,7 @@ const DEFAULT_DIRECTIONS = 384;
 /** The numbers of directions of the results before the last. The first comes soon, but not so soon that it is too noisy to show. */
 const EARLY_DIRECTIONS = [64, 192];
 /** With more triangles, one worker bakes: copies of the scene, of some 40 bytes a triangle, would block the page. */
-const LARGE_TRIANGLES = 1_000_000;
+const LARGE_TRIANGLES = 500_000;
 /** The share of the progress before the first direction. */
 const START_SHARE = 0.05;
 
@@ -107,7 +107,7 @@ export async function bakeOcclusion(root: Object3D, options: BakeOcclusionOption
       Math.ceil(goal / 2),
     );
     const all = goals[goals.length - 1];
-    const lanes = new OcclusionLanes(scene, laneCount(scene, createWorker), {
+    const lanes = await OcclusionLanes.of(scene, laneCount(scene, createWorker), {
       options: { signal, createWorker },
       start: () => start({ signal, createWorker }),
       rest,

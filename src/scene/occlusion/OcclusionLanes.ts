@@ -1,4 +1,5 @@
 import type { OcclusionScene } from '../../occlusion/OcclusionScene.js';
+import { runSliced } from '../../slices/runSliced.js';
 import { runTask } from '../../worker/runTask.js';
 import type { TaskOptions } from '../../worker/TaskOptions.js';
 
@@ -36,14 +37,20 @@ export class OcclusionLanes {
   private done = 0;
   private hasFailed = false;
 
-  /** @param count the number of workers */
-  constructor(
-    scene: OcclusionScene,
-    count: number,
+  private constructor(
+    scenes: readonly OcclusionScene[],
     private readonly host: OcclusionLanesHost,
   ) {
-    const scenes = [scene, ...Array.from({ length: count - 1 }, () => structuredClone(scene))];
     this.lanes = scenes.map((scene) => ({ scene, held: [], added: 0 }));
+  }
+
+  /**
+   * Copies the scene for each worker, one copy at a time: each may take many megabytes.
+   *
+   * @param count the number of workers
+   */
+  static async of(scene: OcclusionScene, count: number, host: OcclusionLanesHost): Promise<OcclusionLanes> {
+    return new OcclusionLanes(await runSliced(copies(scene, count), { signal: host.options.signal }), host);
   }
 
   /**
@@ -135,4 +142,14 @@ export class OcclusionLanes {
     this.reported = added;
     this.host.onAdded?.(added);
   }
+}
+
+/** The scene, and copies of it. */
+function* copies(scene: OcclusionScene, count: number): Generator<number, OcclusionScene[], void> {
+  const scenes = [scene];
+  while (scenes.length < count) {
+    scenes.push(structuredClone(scene));
+    yield scenes.length / count;
+  }
+  return scenes;
 }
