@@ -29,7 +29,10 @@ export class MeshUniforms {
   private whole: ProgramUniform[] | null = null;
   private short: ProgramUniform[] = [];
 
-  /** @param names of the uniforms that are of the mesh; textures are not among them, since each takes the unit that comes next */
+  /**
+   * @param names of the uniforms that are of the mesh. Either no texture is among them or all that the programs of the material have are:
+   *   each takes the unit that comes next.
+   */
   constructor(
     private readonly material: Material,
     private readonly names: readonly string[],

@@ -1,4 +1,4 @@
-import { DataTexture, RGBAIntegerFormat, UnsignedIntType, type Vector4 } from 'three';
+import { DataTexture, RGBAIntegerFormat, type Sphere, UnsignedIntType, type Vector4 } from 'three';
 import { pullTextureSize } from '../bake/pullLayout.js';
 import { type ContourSearch, findCandidates } from '../features/contourCandidates.js';
 import type { OutlineData } from '../geometry/OutlineData.js';
@@ -32,11 +32,11 @@ export class ContourList {
    * Updates the list. Only a larger texture, needed now and then, and requests to the worker allocate memory.
    *
    * @param eye the eye in object space; for an orthographic camera w is 0 and xyz the unit direction to it
-   * @param distance the distance from the eye to the bounding sphere, in object units; 0 or less inside
+   * @param bounds the bounding sphere, in object space; from inside of it there is no list
    * @returns whether the list is valid for this eye. If not, every primitive must be tested.
    */
-  update(data: OutlineData, eye: Vector4, distance: number): boolean {
-    const room = eye.w === 0 ? 1 : distance;
+  update(data: OutlineData, eye: Vector4, bounds: Sphere): boolean {
+    const room = eye.w === 0 ? 1 : roomBefore(bounds, eye);
     if (!(room > 0)) return false;
     const { isSearchedInWorker, search } = data;
     if (data !== this.data) {
@@ -119,4 +119,12 @@ export class ContourList {
     this.texture = new DataTexture(words, width, height, RGBAIntegerFormat, UnsignedIntType);
     return this.texture;
   }
+}
+
+/** The distance from an eye to a sphere; 0 or less inside. Math.hypot would leave garbage in every frame. */
+function roomBefore({ center, radius }: Sphere, eye: Vector4): number {
+  const x = eye.x - center.x;
+  const y = eye.y - center.y;
+  const z = eye.z - center.z;
+  return Math.sqrt(x * x + y * y + z * z) - radius;
 }

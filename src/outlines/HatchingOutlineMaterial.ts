@@ -1,15 +1,25 @@
 import {
+  type Camera,
   Color,
   type ColorRepresentation,
   DoubleSide,
   Material,
   type MaterialParameters,
+  type Mesh,
+  type PerspectiveCamera,
   ShaderMaterial,
   Vector2,
+  type Vector4,
+  type WebGLRenderer,
 } from 'three';
 import { HIDDEN_OUTLINES, type HiddenOutlines } from '../engraving/hiddenOutlines.js';
 import { checkNumber } from '../material/checkNumber.js';
 import { checkColor } from '../material/checkValues.js';
+import { type EmphasisLook, takesWeight, writeEmphasis, writeImportance } from '../material/emphasis/emphasis.js';
+import { writeSheet } from '../material/emphasis/writeSheet.js';
+import { FrameStamp } from '../material/FrameStamp.js';
+import { MeshUniforms } from '../material/MeshUniforms.js';
+import { writePictureOffset } from '../material/pictureOffset.js';
 import type { Vector2Like } from '../material/vectorValues.js';
 import { toothMap } from '../tam/toothMap.js';
 import {
@@ -20,7 +30,7 @@ import {
   type OutlineNumberName,
 } from './outlineProperties.js';
 import { outlineShaders } from './outlineShaders.js';
-import { createOutlineUniforms } from './outlineUniforms.js';
+import { createOutlineUniforms, OUTLINE_MESH_UNIFORMS } from './outlineUniforms.js';
 
 /** The parameters of `new HatchingOutlineMaterial()` and `setValues()`. */
 export type HatchingOutlineParameters = MaterialParameters &
@@ -92,7 +102,13 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
   /** Weights on the lit side and in the shade, each 0 or more, under all lights of the scene. Default (0.7, 1.7). */
   shadeWeights: Vector2 = new Vector2(...HATCHING_OUTLINE_DEFAULTS.shadeWeights);
 
+  /** Has three upload what belongs to a mesh. @internal */
+  readonly ofMesh: MeshUniforms;
+
   private hiddenLines: HiddenOutlines = HATCHING_OUTLINE_DEFAULTS.hidden;
+  /** The frame that the uniforms are written for, and what it had for the weight of its lines. */
+  private readonly written = new FrameStamp();
+  private writtenLook: EmphasisLook | null = null;
 
   /** @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour */
   // React Three Fiber resets a removed attribute to its default only if the constructor's length is 0.
@@ -108,6 +124,7 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
     this.depthWrite = false;
     this.toneMapped = false;
     this.side = DoubleSide;
+    this.ofMesh = new MeshUniforms(this, OUTLINE_MESH_UNIFORMS);
     this.setValues(parameters);
     this.writeUniforms(false, false);
   }
@@ -155,7 +172,7 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
   }
 
   /**
-   * Writes the properties to the uniforms. It is called before each draw and allocates nothing.
+   * Writes the properties to the uniforms.
    *
    * @param pixelRatio pixels of what is drawn to, which shaders measure sizes in, per CSS pixel
    * @internal
@@ -163,15 +180,58 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
   writeUniforms(isDeformed: boolean, hasMaterials: boolean, pixelRatio = 1): void {
     for (const name of OUTLINE_NUMBER_NAMES) this.uniforms[name].value = this[name];
     for (const name of OUTLINE_SIZES) this.uniforms[name].value *= pixelRatio;
-    // If all groups have the same material, there are no borders between materials.
-    if (!hasMaterials) this.uniforms.materialBorders.value = 0;
     this.uniforms.ink.value = this.ink;
     this.uniforms.shadeWeights.value = this.shadeWeights;
     this.uniforms.opacity.value = this.opacity;
     this.uniforms.isDashed.value = this.hidden === 'dashed';
     if (this.tooth > 0) this.uniforms.toothMap.value = toothMap();
-    this.setDefine('DEFORMED', isDeformed);
+    this.writeMesh(isDeformed, hasMaterials);
     this.uniformsNeedUpdate = true;
+  }
+
+  /**
+   * Writes what the outlines of one mesh are drawn with: what is of the frame if they are the first in it, and what is of the mesh.
+   * Allocates nothing.
+   *
+   * @param viewport the part of the target that the camera draws into, pixels
+   * @param look what says how much weight lines have where
+   * @internal
+   */
+  writeDraw(
+    renderer: WebGLRenderer,
+    camera: Camera,
+    mesh: Mesh,
+    viewport: Vector4,
+    look: EmphasisLook | null,
+    isDeformed: boolean,
+  ): void {
+    const u = this.uniforms;
+    const hasMaterials = Array.isArray(mesh.material);
+    const isSame =
+      !this.ofMesh.isAllWanted &&
+      this.written.isOf(renderer, camera) &&
+      look === this.writtenLook &&
+      viewport.equals(u.viewport.value as Vector4);
+    if (isSame) {
+      this.writeMesh(isDeformed, hasMaterials);
+      this.ofMesh.want(renderer);
+    } else {
+      this.written.note(renderer, camera);
+      this.writtenLook = look;
+      (u.viewport.value as Vector4).copy(viewport);
+      this.writeUniforms(isDeformed, hasMaterials, renderer.getPixelRatio());
+      u.nearDistance.value = (camera as PerspectiveCamera).near ?? 0;
+      writeEmphasis(look, u, renderer, camera);
+      writeSheet(u.sheet.value, camera, viewport);
+      writePictureOffset(u.toothOffset.value, camera, viewport);
+    }
+    writeImportance(mesh, takesWeight(look), u);
+  }
+
+  private writeMesh(isDeformed: boolean, hasMaterials: boolean): void {
+    // If all groups have the same material, there are no borders between materials.
+    this.uniforms.materialBorders.value = hasMaterials ? this.materialBorders : 0;
+    this.setDefine('DEFORMED', isDeformed);
   }
 
   private setDefine(name: string, isSet: boolean): void {

@@ -8,20 +8,18 @@ import {
   Matrix4,
   type Mesh,
   Object3D,
-  type PerspectiveCamera,
   type Scene,
   Sphere,
-  type Vector2,
   Vector3,
-  type Vector4,
+  Vector4,
   type WebGLRenderer,
 } from 'three';
 import { type OutlineData, outlineDataOf } from '../geometry/OutlineData.js';
 import { pulledVerticesOf } from '../geometry/pulledVerticesOf.js';
 import { canDeform, deforms } from '../material/deformation/canDeform.js';
 import { deformationOf } from '../material/deformation/deformationOf.js';
-import { type EmphasisLook, writeEmphasis, writeEmphasisOf } from '../material/emphasis/emphasis.js';
-import { writePictureOffset } from '../material/pictureOffset.js';
+import type { EmphasisLook } from '../material/emphasis/emphasis.js';
+import { FrameStamp } from '../material/FrameStamp.js';
 import { tellOfRenderer } from '../material/tellOfRenderer.js';
 import { describeObject } from '../mistakes/describeObject.js';
 import { tell } from '../mistakes/tell.js';
@@ -31,10 +29,13 @@ import { HiddenPass } from './HiddenPass.js';
 import { InstanceList } from './InstanceList.js';
 import { type SceneDepth, sceneDepthOf } from './SceneDepth.js';
 
+/** What the camera of `frustumFrame` sees in that frame. */
 const frustum = /* @__PURE__ */ new Frustum();
+const frustumFrame = /* @__PURE__ */ new FrameStamp();
 const matrix = /* @__PURE__ */ new Matrix4();
 const sphere = /* @__PURE__ */ new Sphere();
 const place = /* @__PURE__ */ new Vector3();
+const drawnInto = /* @__PURE__ */ new Vector4();
 /** A draw count for which three.js draws nothing. With 0 it would make a draw call, and read textures that do not exist. */
 const NOTHING = -1;
 /** The largest number of lists that are kept, one per camera: more than the six cameras of a CubeCamera and two eyes. */
@@ -190,11 +191,11 @@ export class HatchingOutlines extends Object3D {
       );
       return;
     }
-    if (mesh.frustumCulled && !isInFrustum(mesh, camera)) return;
+    if (mesh.frustumCulled && !isInFrustum(mesh, renderer, camera)) return;
     this.showInstances();
     const isDeformed = this.bindDeformation(renderer, camera, mesh);
     this.bindData(data);
-    this.bindCamera(renderer, camera, mesh);
+    this.bindCamera(renderer, camera, mesh, isDeformed);
     const list = isDeformed ? null : this.listFor(camera, data, mesh);
     const { uniforms } = this.material;
     if (list instanceof InstanceList) {
@@ -205,7 +206,6 @@ export class HatchingOutlines extends Object3D {
     uniforms.isListed.value = list !== null;
     uniforms.candidates.value = list?.texture ?? data.primitives;
     geometry.setDrawRange(0, VERTICES * (list ? list.count : data.triangleCount + data.edgeCount));
-    this.material.writeUniforms(isDeformed, Array.isArray(mesh.material), renderer.getPixelRatio());
   };
 
   override readonly onAfterRender = (renderer: WebGLRenderer, scene: Scene, camera: Camera): void => {
@@ -273,10 +273,11 @@ export class HatchingOutlines extends Object3D {
     const { uniforms } = this.material;
     uniforms.outlinePoints.value = points;
     uniforms.outlinePrimitives.value = primitives;
-    uniforms.radius.value = radius || 1;
+    // A number that is stored is allocated.
+    if (uniforms.radius.value !== (radius || 1)) uniforms.radius.value = radius || 1;
   }
 
-  private bindCamera(renderer: WebGLRenderer, camera: Camera, mesh: Mesh): void {
+  private bindCamera(renderer: WebGLRenderer, camera: Camera, mesh: Mesh, isDeformed: boolean): void {
     const { uniforms } = this.material;
     const eye = uniforms.eye.value as Vector4;
     matrix.copy(mesh.matrixWorld).invert();
@@ -288,18 +289,14 @@ export class HatchingOutlines extends Object3D {
       place.setFromMatrixPosition(camera.matrixWorld).applyMatrix4(matrix);
       eye.set(place.x, place.y, place.z, 1);
     }
-    const determinant = mesh.matrixWorld.determinant();
-    uniforms.objectScale.value = Math.cbrt(Math.abs(determinant)) || 1;
-    uniforms.nearDistance.value = (camera as PerspectiveCamera).near ?? 0;
+    const objectScale = meanScale(mesh.matrixWorld);
+    if (objectScale !== uniforms.objectScale.value) uniforms.objectScale.value = objectScale;
     // Each camera of an ArrayCamera draws into a part of the target.
     const { viewport } = camera as Camera & { viewport?: Vector4 };
-    if (viewport) (uniforms.viewport.value as Vector4).copy(viewport);
-    else renderer.getCurrentViewport(uniforms.viewport.value as Vector4);
-    const look = emphasisOf(mesh);
-    writeEmphasis(look, uniforms, renderer, camera);
-    writeEmphasisOf(mesh, look, uniforms, camera, uniforms.viewport.value as Vector4);
+    if (viewport) drawnInto.copy(viewport);
+    else renderer.getCurrentViewport(drawnInto);
+    this.material.writeDraw(renderer, camera, mesh, drawnInto, emphasisOf(mesh), isDeformed);
     this.bindSceneDepth(renderer, camera);
-    writePictureOffset(uniforms.toothOffset.value as Vector2, camera, uniforms.viewport.value as Vector4);
   }
 
   private bindSceneDepth(renderer: WebGLRenderer, camera: Camera): void {
@@ -322,10 +319,7 @@ export class HatchingOutlines extends Object3D {
       return list.update(data, mesh as InstancedMesh, eye) ? list : null;
     }
     const list = known instanceof ContourList ? known : this.addList(camera, new ContourList());
-    const { center, radius } = boundingSphere;
-    // Math.hypot would leave garbage in every frame.
-    const distance = place.set(eye.x, eye.y, eye.z).distanceTo(center) - radius;
-    return list.update(data, eye, distance) ? list : null;
+    return list.update(data, eye, boundingSphere) ? list : null;
   }
 
   /** Adds the list of a camera. If there are too many, the oldest one is removed, since its camera may be gone. */
@@ -339,6 +333,13 @@ export class HatchingOutlines extends Object3D {
     this.lists.set(camera, list);
     return list;
   }
+}
+
+/** How many times longer a matrix makes lengths, in the mean over directions; 1 if it flattens. `determinant()` would leave garbage in every frame. */
+function meanScale({ elements: m }: Matrix4): number {
+  const determinant =
+    m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) + m[8] * (m[1] * m[6] - m[2] * m[5]);
+  return Math.cbrt(Math.abs(determinant)) || 1;
 }
 
 /** What says how much weight the drawing of a mesh has where: its first hatching material. Its outlines have the same. */
@@ -358,11 +359,14 @@ function boundsOf(mesh: Mesh): Sphere | null {
   return (own === undefined ? mesh.geometry.boundingSphere : own) ?? null;
 }
 
-function isInFrustum(mesh: Mesh, camera: Camera): boolean {
+function isInFrustum(mesh: Mesh, renderer: WebGLRenderer, camera: Camera): boolean {
   const bounds = boundsOf(mesh);
   if (!bounds) return true;
-  matrix.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
-  const { coordinateSystem, reversedDepth } = camera as Camera & { reversedDepth?: boolean };
-  frustum.setFromProjectionMatrix(matrix, coordinateSystem, reversedDepth);
+  if (!frustumFrame.isOf(renderer, camera)) {
+    frustumFrame.note(renderer, camera);
+    matrix.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+    const { coordinateSystem, reversedDepth } = camera as Camera & { reversedDepth?: boolean };
+    frustum.setFromProjectionMatrix(matrix, coordinateSystem, reversedDepth);
+  }
   return frustum.intersectsSphere(sphere.copy(bounds).applyMatrix4(mesh.matrixWorld));
 }

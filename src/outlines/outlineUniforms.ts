@@ -3,6 +3,13 @@ import { createEmphasisUniforms } from '../material/emphasis/emphasis.js';
 import { keptFromProxies } from '../material/hatchingUniforms.js';
 import { OUTLINE_NUMBER_NAMES } from './outlineProperties.js';
 
+/** The uniforms of which outlines of one material have different values, and all textures (see `MeshUniforms`). */
+export const OUTLINE_MESH_UNIFORMS = [
+  ...['outlinePoints', 'outlinePrimitives', 'deformedNormals', 'deformedPositions', 'deformedTurns'],
+  ...['candidates', 'instancePlaces', 'sceneDepth', 'toothMap'],
+  ...['eye', 'importance', 'isListed', 'materialBorders', 'objectScale', 'radius'],
+];
+
 /** Creates the uniforms of an outline material: those of its properties, of the geometry and camera, and of lights and fog. */
 export const createOutlineUniforms = (): Record<string, IUniform> =>
   keptFromProxies(

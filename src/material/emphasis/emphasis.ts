@@ -4,7 +4,6 @@ import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.j
 import { importanceOf } from './importanceOf.js';
 import type { SceneExtent } from './SceneExtent.js';
 import { automaticDepthFade, type SeenDepths } from './seenDepths.js';
-import { writeSheet } from './writeSheet.js';
 
 type Uniforms = Record<string, IUniform>;
 
@@ -73,24 +72,6 @@ export function writeDepthFading(
   const near = start + unit * depthNear;
   // A fade without a length is an edge.
   fading.set(near, Math.max(start + unit * depthFar, near + 1e-6), strength);
-}
-
-/**
- * Writes what differs from object to object, or from part to part of what is drawn to: how much the object matters, and where the sheet
- * lies. Of a picture that is drawn in tiles the sheet is the whole picture. Allocates nothing.
- *
- * @param viewport of what is drawn, pixels
- * @returns whether the object matters more or less than the one before
- */
-export function writeEmphasisOf(
-  object: Object3D,
-  look: EmphasisLook | null,
-  u: Uniforms,
-  camera: Camera,
-  viewport: Vector4,
-): boolean {
-  writeSheet(u.sheet.value, camera, viewport);
-  return writeImportance(object, takesWeight(look), u);
 }
 
 /**

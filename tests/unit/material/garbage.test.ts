@@ -1,9 +1,8 @@
-import { Session } from 'node:inspector';
 import { BoxGeometry, type Group, Matrix4, Mesh, PerspectiveCamera, Scene, Vector4, type WebGLRenderer } from 'three';
 import { expect, test } from 'vitest';
 import { prepareHatchingGeometry } from '../../../src/geometry/prepareHatchingGeometry.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
-import { allocations, SAMPLING } from '../../../tools/bench/many/allocations.mjs';
+import { allocated, bytesPerFrame } from '../allocated.js';
 
 /** Enough for the compiler of V8 to have done with what is drawn: before that, every computed number is allocated. */
 const WARM_UP_FRAMES = 4000;
@@ -34,20 +33,6 @@ function drawFrames(material: HatchingMaterial, scene: Scene, camera: Perspectiv
   }
 }
 
-/** The bytes that the library allocates in some work. */
-function allocated(work: () => void): Map<string, number> {
-  const session = new Session();
-  session.connect();
-  let found = new Map<string, number>();
-  session.post('HeapProfiler.startSampling', SAMPLING);
-  work();
-  session.post('HeapProfiler.stopSampling', (_, { profile }) => {
-    found = allocations(profile);
-  });
-  session.disconnect();
-  return found;
-}
-
 const LOOKS = {
   pen: { preset: 'pen', exposure: 1 },
   'pen in the light of its scene': { preset: 'pen' },
@@ -75,7 +60,6 @@ test.each(Object.entries(LOOKS))('frames leave no garbage: %s', async (_, look) 
   await new Promise((resolve) => setTimeout(resolve, 200));
   drawFrames(material, scene, camera, WARM_UP_FRAMES);
   const bytes = allocated(() => drawFrames(material, scene, camera, FRAMES));
-  const perFrame = [...bytes].map(([place, size]) => [place, Math.round(size / FRAMES)] as const);
-  const sum = perFrame.reduce((total, [, size]) => total + size, 0);
-  expect(sum, JSON.stringify(perFrame.filter(([, size]) => size > 0))).toBeLessThan(MOST);
+  const { sum, places } = bytesPerFrame(bytes, FRAMES);
+  expect(sum, places).toBeLessThan(MOST);
 });

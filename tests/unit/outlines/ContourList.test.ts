@@ -1,4 +1,4 @@
-import { Vector4 } from 'three';
+import { Sphere, Vector3, Vector4 } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
 import { bakeCorners } from '../../../src/bake/bakeCorners.js';
 import { findCandidates } from '../../../src/features/contourCandidates.js';
@@ -30,6 +30,8 @@ const otherPacked = packedOf(torus(30, 16));
 const SINE = Math.sin((0.75 * Math.PI) / 180);
 const DISTANCE = 3;
 const eye = new Vector4(0, 0, 4.4, 1);
+/** As far from that eye. */
+const BOUNDS = new Sphere(new Vector3(), eye.z - DISTANCE);
 
 const listOf = ({ texture, count }: ContourList): number[] => [
   ...(texture!.image.data as Uint32Array).subarray(0, count),
@@ -44,37 +46,38 @@ const expected = (at: Vector4, sine = SINE, outlines = packed): number[] => {
 describe('a small mesh is searched at once', () => {
   test('and again only when the eye has moved too far', () => {
     const [list, data] = [new ContourList(), new OutlineData(packed)];
-    expect(list.update(data, eye, DISTANCE)).toBe(true);
+    expect(list.update(data, eye, BOUNDS)).toBe(true);
     expect(listOf(list)).toEqual(expected(eye));
     expect(list.count).toBeGreaterThan(10);
     expect(list.count).toBeLessThan(packed.triangleCount / 2);
     const version = list.texture!.version;
     const moved = (share: number) => eye.clone().add(new Vector4(share * SINE * DISTANCE, 0, 0, 0));
     // The distance counts at which the list was made.
-    expect(list.update(data, moved(0.99), DISTANCE + 1)).toBe(true);
+    expect(list.update(data, moved(0.99), new Sphere(new Vector3(), 0.1))).toBe(true);
     expect(list.texture!.version).toBe(version);
-    expect(list.update(data, moved(1.01), DISTANCE)).toBe(true);
+    expect(list.update(data, moved(1.01), BOUNDS)).toBe(true);
     expect(list.texture!.version).toBe(version + 1);
     expect(listOf(list)).toEqual(expected(moved(1.01)));
-    expect(list.update(data, eye, DISTANCE)).toBe(true);
+    expect(list.update(data, eye, BOUNDS)).toBe(true);
     expect(listOf(list)).toEqual(expected(eye));
   });
 
   test('but not from within its sphere, or nothing would be sure', () => {
     const [list, data] = [new ContourList(), new OutlineData(packed)];
-    for (const distance of [0, -1, Number.NaN]) expect(list.update(data, eye, distance)).toBe(false);
+    for (const radius of [eye.z, eye.z + 1, Number.NaN])
+      expect(list.update(data, eye, new Sphere(new Vector3(), radius))).toBe(false);
     expect(list.texture).toBeNull();
   });
 
   test('by its direction alone with an orthographic camera, wherever that is', () => {
     const [list, data] = [new ContourList(), new OutlineData(packed)];
     const turned = (angle: number) => new Vector4(Math.sin(angle), 0, Math.cos(angle), 0);
-    expect(list.update(data, turned(0), -1)).toBe(true);
+    expect(list.update(data, turned(0), BOUNDS)).toBe(true);
     expect(listOf(list)).toEqual(expected(turned(0)));
     const version = list.texture!.version;
-    list.update(data, turned(0.99 * SINE), -1);
+    list.update(data, turned(0.99 * SINE), BOUNDS);
     expect(list.texture!.version).toBe(version);
-    list.update(data, turned(1.02 * SINE), -1);
+    list.update(data, turned(1.02 * SINE), BOUNDS);
     expect(list.texture!.version).toBe(version + 1);
     // Another kind of camera at the same numbers.
     list.update(
@@ -85,18 +88,18 @@ describe('a small mesh is searched at once', () => {
           .slice(0, 3),
         1,
       ),
-      0.1,
+      new Sphere(new Vector3(), 0.9),
     );
     expect(list.texture!.version).toBe(version + 2);
   });
 
   test('and again for another geometry, wherever the eye is', () => {
     const [list, data, other] = [new ContourList(), new OutlineData(packed), new OutlineData(otherPacked)];
-    list.update(data, eye, DISTANCE);
-    expect(list.update(other, eye, DISTANCE)).toBe(true);
+    list.update(data, eye, BOUNDS);
+    expect(list.update(other, eye, BOUNDS)).toBe(true);
     expect(listOf(list)).toEqual(expected(eye, SINE, otherPacked));
     expect(listOf(list)).not.toEqual(expected(eye));
-    expect(list.update(data, eye, DISTANCE)).toBe(true);
+    expect(list.update(data, eye, BOUNDS)).toBe(true);
     expect(listOf(list)).toEqual(expected(eye));
   });
 
@@ -104,9 +107,9 @@ describe('a small mesh is searched at once', () => {
     const [list, data] = [new ContourList(), new OutlineData(packed)];
     const side = new Vector4(4.4, 0, 0, 1);
     const [few, many] = [eye, side].sort((a, b) => expected(a).length - expected(b).length);
-    list.update(data, many, DISTANCE);
+    list.update(data, many, BOUNDS);
     const { texture } = list;
-    list.update(data, few, DISTANCE);
+    list.update(data, few, BOUNDS);
     expect(list.texture).toBe(texture);
     const freed = vi.fn();
     texture!.addEventListener('dispose', freed);
@@ -157,18 +160,18 @@ describe('a large mesh is searched in the worker', () => {
     const { worker, data, answer, start } = largeData();
     own(data);
     const list = new ContourList();
-    expect(list.update(data, eye, DISTANCE)).toBe(false);
+    expect(list.update(data, eye, BOUNDS)).toBe(false);
     expect(data.search).toBeNull();
     await start();
     await settled();
-    expect(list.update(data, eye, DISTANCE)).toBe(false);
+    expect(list.update(data, eye, BOUNDS)).toBe(false);
     // Neither this nor another camera asks while the arrays are away.
-    expect(new ContourList().update(data, eye, DISTANCE)).toBe(false);
+    expect(new ContourList().update(data, eye, BOUNDS)).toBe(false);
     expect(worker.ids).toHaveLength(1);
     answer();
     await settled();
     expect(data.search).not.toBeNull();
-    expect(list.update(data, eye, DISTANCE)).toBe(true);
+    expect(list.update(data, eye, BOUNDS)).toBe(true);
     expect(listOf(list)).toEqual(expected(eye, WIDE));
     expect(worker.ids).toHaveLength(1);
   });
@@ -177,41 +180,41 @@ describe('a large mesh is searched in the worker', () => {
     const { worker, data, answer, start } = largeData();
     own(data);
     const list = new ContourList();
-    list.update(data, eye, DISTANCE);
+    list.update(data, eye, BOUNDS);
     await start();
     await settled();
     answer();
     await settled();
     const moved = (share: number) => eye.clone().add(new Vector4(0, share * WIDE * DISTANCE, 0, 0));
-    expect(list.update(data, moved(0.49), DISTANCE)).toBe(true);
+    expect(list.update(data, moved(0.49), BOUNDS)).toBe(true);
     expect(worker.ids).toHaveLength(1);
     // The renderer's vector is used again and again.
     const reused = moved(0.6);
-    expect(list.update(data, reused, DISTANCE)).toBe(true);
+    expect(list.update(data, reused, BOUNDS)).toBe(true);
     await settled();
     expect(worker.ids).toHaveLength(2);
-    expect(list.update(data, reused.copy(moved(1.01)), DISTANCE)).toBe(false);
+    expect(list.update(data, reused.copy(moved(1.01)), BOUNDS)).toBe(false);
     answer();
     await settled();
     // It is a list for where the eye was when it was asked for.
     expect(listOf(list)).toEqual(expected(moved(0.6), WIDE));
-    expect(list.update(data, moved(1.01), DISTANCE)).toBe(true);
-    expect(list.update(data, moved(-0.3), DISTANCE)).toBe(true);
-    expect(list.update(data, moved(-0.5), DISTANCE)).toBe(false);
+    expect(list.update(data, moved(1.01), BOUNDS)).toBe(true);
+    expect(list.update(data, moved(-0.3), BOUNDS)).toBe(true);
+    expect(list.update(data, moved(-0.5), BOUNDS)).toBe(false);
   });
 
   test('and where the worker fails, everything is tested and another search begins, but not for ever', async () => {
     const { worker, data, start } = largeData();
     own(data);
     const list = new ContourList();
-    list.update(data, eye, DISTANCE);
+    list.update(data, eye, BOUNDS);
     await start();
     await settled();
     for (let i = 0; i < 6; i++) {
       if (worker.ids[i] === undefined) break;
       worker.say({ type: 'failed', id: worker.ids[i], error: { name: 'Error', message: 'out of memory' } });
       await settled();
-      expect(list.update(data, eye, DISTANCE)).toBe(false);
+      expect(list.update(data, eye, BOUNDS)).toBe(false);
       await settled();
     }
     expect(worker.ids).toHaveLength(4);
@@ -223,20 +226,20 @@ describe('a large mesh is searched in the worker', () => {
     own(first.data);
     own(second.data);
     const list = new ContourList();
-    list.update(first.data, eye, DISTANCE);
+    list.update(first.data, eye, BOUNDS);
     await first.start();
     await settled();
-    expect(list.update(second.data, eye, DISTANCE)).toBe(false);
+    expect(list.update(second.data, eye, BOUNDS)).toBe(false);
     first.answer();
     await settled();
     expect(first.data.search).not.toBeNull();
     expect(list.texture).toBeNull();
-    expect(list.update(second.data, eye, DISTANCE)).toBe(false);
+    expect(list.update(second.data, eye, BOUNDS)).toBe(false);
     await second.start();
     await settled();
     second.answer();
     await settled();
-    expect(list.update(second.data, eye, DISTANCE)).toBe(true);
+    expect(list.update(second.data, eye, BOUNDS)).toBe(true);
     expect(listOf(list)).toEqual(expected(eye, WIDE, otherPacked));
   });
 
@@ -244,7 +247,7 @@ describe('a large mesh is searched in the worker', () => {
     const { data, answer, start } = largeData();
     own(data);
     const list = new ContourList();
-    list.update(data, eye, DISTANCE);
+    list.update(data, eye, BOUNDS);
     await start();
     await settled();
     list.dispose();

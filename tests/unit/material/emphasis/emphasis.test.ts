@@ -1,7 +1,13 @@
 import { Box3, Group, PerspectiveCamera, Vector3, Vector4, type WebGLRenderer } from 'three';
 import { expect, test } from 'vitest';
-import { createEmphasisUniforms, writeEmphasis, writeEmphasisOf } from '../../../../src/material/emphasis/emphasis.js';
+import {
+  createEmphasisUniforms,
+  takesWeight,
+  writeEmphasis,
+  writeImportance,
+} from '../../../../src/material/emphasis/emphasis.js';
 import { SceneExtent } from '../../../../src/material/emphasis/SceneExtent.js';
+import { writeSheet } from '../../../../src/material/emphasis/writeSheet.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import type { HatchingMaterialParameters } from '../../../../src/material/HatchingMaterialParameters.js';
 
@@ -93,11 +99,11 @@ test('a copy has a point of its own', () => {
 test('the sheet of a picture in tiles is the whole picture', () => {
   const uniforms = createEmphasisUniforms();
   const eye = new PerspectiveCamera();
-  writeEmphasisOf(frame, null, uniforms, eye, new Vector4(10, 20, 300, 200));
+  writeSheet(uniforms.sheet.value, eye, new Vector4(10, 20, 300, 200));
   expect(uniforms.sheet.value.toArray()).toEqual([10, 20, 300, 200]);
   // The tile at the lower right of four by two, drawn at twice its size.
   eye.setViewOffset(400, 200, 300, 100, 100, 100);
-  writeEmphasisOf(frame, null, uniforms, eye, new Vector4(0, 0, 200, 200));
+  writeSheet(uniforms.sheet.value, eye, new Vector4(0, 0, 200, 200));
   expect(uniforms.sheet.value.toArray()).toEqual([-600, 0, 800, 400]);
 });
 
@@ -105,7 +111,7 @@ test('three.js is told to upload another importance, and not the same again', ()
   const uniforms = createEmphasisUniforms();
   const object = new Group();
   const isOther = (technique: HatchingMaterial['technique']) =>
-    writeEmphasisOf(object, new HatchingMaterial({ technique }), uniforms, camera, new Vector4(0, 0, 1, 1));
+    writeImportance(object, takesWeight(new HatchingMaterial({ technique })), uniforms);
   expect(isOther('engraved')).toBe(false);
   object.userData.hatching = { importance: 0.25 };
   expect(isOther('engraved')).toBe(true);

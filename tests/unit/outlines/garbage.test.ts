@@ -1,0 +1,66 @@
+import {
+  IcosahedronGeometry,
+  Matrix4,
+  Mesh,
+  MeshBasicMaterial,
+  PerspectiveCamera,
+  Scene,
+  Vector4,
+  type WebGLRenderer,
+} from 'three';
+import { expect, test } from 'vitest';
+import { prepareHatchingGeometry } from '../../../src/geometry/prepareHatchingGeometry.js';
+import { HatchingOutlineMaterial } from '../../../src/outlines/HatchingOutlineMaterial.js';
+import { HatchingOutlines } from '../../../src/outlines/HatchingOutlines.js';
+import { allocated, bytesPerFrame } from '../allocated.js';
+
+/** Enough for the compiler of V8 to have done with what is drawn: before that, every computed number is allocated. */
+const WARM_UP_FRAMES = 4000;
+const FRAMES = 1000;
+const MESHES = 50;
+/** What a frame may leave, in bytes. A number that is left for each mesh has 12. */
+const MOST = 400;
+
+test('frames of outlines leave no garbage', async () => {
+  const target = new Vector4(0, 0, 100, 100);
+  const kept = { uniformsList: [{ id: 'ink' }, { id: 'eye' }] };
+  const renderer = {
+    info: { render: { frame: 0 } },
+    properties: { get: () => kept },
+    // The depth of what virtual reality draws into cannot be copied.
+    xr: { isPresenting: true },
+    getPixelRatio: () => 2,
+    getCurrentViewport: (viewport: Vector4) => viewport.copy(target),
+  } as unknown as WebGLRenderer;
+  const scene = new Scene();
+  const camera = new PerspectiveCamera(120);
+  camera.position.z = 40;
+  const material = new HatchingOutlineMaterial();
+  const geometry = await prepareHatchingGeometry(new IcosahedronGeometry(0.4), { layout: 'indexed', outlines: true });
+  geometry.computeBoundingSphere();
+  const drawn = Array.from({ length: MESHES }, (_, i) => {
+    const mesh = new Mesh(geometry, new MeshBasicMaterial());
+    mesh.applyMatrix4(new Matrix4().makeTranslation(0.1 * i, 0.5, 0.25));
+    const outlines = new HatchingOutlines(mesh, material);
+    scene.add(mesh.add(outlines));
+    return outlines;
+  });
+  scene.updateMatrixWorld();
+  camera.updateMatrixWorld();
+  const drawFrames = (count: number): void => {
+    for (let i = 0; i < count; i++) {
+      renderer.info.render.frame++;
+      for (const outlines of drawn) {
+        outlines.onBeforeRender(renderer, scene, camera);
+        if (material.uniformsNeedUpdate) material.uniformsNeedUpdate = false;
+        outlines.onAfterRender(renderer, scene, camera);
+      }
+    }
+  };
+  drawFrames(WARM_UP_FRAMES);
+  const drawnVertices = drawn.map((one) => one.geometry.drawRange.count);
+  expect(Math.min(...drawnVertices)).toBeGreaterThan(0);
+  const bytes = allocated(() => drawFrames(FRAMES));
+  const { sum, places } = bytesPerFrame(bytes, FRAMES);
+  expect(sum, places).toBeLessThan(MOST);
+});
