@@ -231,7 +231,9 @@ export class ModelLoader {
     if (!stage.isLost) setPageState('loading');
     const end = await this.tasks.run('model', async (report, signal) => {
       // Every technique draws from here on in the very frame in which it is chosen.
-      const [loaded] = await Promise.all([load(report, signal), HatchingMaterial.preload()]);
+      const techniques = HatchingMaterial.preload();
+      if (!stage.shown.drawn) void techniques.then(() => stage.buildAhead());
+      const [loaded] = await Promise.all([load(report, signal), techniques]);
       this.showStandIn(loaded, way);
       const built = await buildModel(loaded.read, report, signal);
       try {
