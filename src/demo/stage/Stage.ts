@@ -37,7 +37,10 @@ export class Stage {
     this.quality = new FrameQuality(painter.renderer, {
       invalidate,
       isStandIn: () => scenery.shown.isStandIn,
-      onSketched: () => this.show(),
+      onSketched: () => {
+        painter.outdateShadows();
+        this.show();
+      },
     });
     this.frames = new Frames(painter, scenery, this.quality, viewport);
     this.view = new View(
@@ -151,9 +154,11 @@ export class Stage {
     const { painter, frames } = this;
     this.changes++;
     painter.forgetPrograms();
-    // After a stand-in, no sketch is needed: programs and shadows are those of the model already.
+    // A sketch has no shadows.
+    const hasShadows = change === 'completed' && !this.quality.isSketch;
+    // After a stand-in, no sketch is needed: programs are those of the model already, and shadows if it was drawn whole.
     this.quality.restart(change === 'another' && !painter.isLost);
-    if (change !== 'completed') painter.outdateShadows();
+    if (!hasShadows) painter.outdateShadows();
     if (change === 'back') frames.forgetStandIn();
     this.show();
     this.placeModel(firstView);
