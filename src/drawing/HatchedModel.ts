@@ -134,6 +134,12 @@ export class HatchedModel {
       this.shown = shown;
     }
     this.showOutlines(look.showsOutlines);
+    this.castShadows(true);
+  }
+
+  /** Whether its meshes cast shadows, until a look is applied again. */
+  castShadows(areCast: boolean): void {
+    for (const { mesh } of this.meshes) mesh.castShadow = areCast;
   }
 
   /** Shows or hides the outlines, until a look is applied again. */

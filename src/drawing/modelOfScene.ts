@@ -7,7 +7,6 @@ import { checkTriangleCount } from '../files/mesh/checkTriangleCount.js';
 import { findUpAxis, type UsualUp } from '../files/mesh/findUpAxis.js';
 import { measureExtent } from '../files/mesh/fitModel.js';
 import { thinNote } from '../files/mesh/thinNote.js';
-import { surfaceArea } from '../files/mesh/triangleAreas.js';
 import { repairScene } from '../files/repair/repairGeometry.js';
 import { placements } from '../files/scenes/placements.js';
 import { HatchedModel, type ModelStatistics } from './HatchedModel.js';
@@ -84,7 +83,7 @@ export async function modelOfScene(
       freeGraphics(root);
     },
   );
-  const notes = thinNote(surfaceArea(points, null) / share);
+  const notes = thinNote(points, null, share);
   return { model, notes: [...notes, ...leftOut(damaged.length, animations.length - usable.length)] };
 }
 

@@ -20,7 +20,6 @@ import { fitModel } from './mesh/fitModel.js';
 import type { PlainMesh } from './mesh/PlainMesh.js';
 import { plainNormals } from './mesh/plainNormals.js';
 import { thinNote } from './mesh/thinNote.js';
-import { surfaceArea } from './mesh/triangleAreas.js';
 import { readMoving } from './moving/readMoving.js';
 import { type MeshPicture, missingDetail, missingNote, readMeshPictures } from './pictures/meshPictures.js';
 import type { WantedPicture } from './pictures/WantedPicture.js';
@@ -162,7 +161,7 @@ async function readMain(
     plainNormals: plainNormals(mesh),
     stands: usual && findUpAxis(mesh.positions, mesh.indices, usual),
     missing,
-    notes: [...missingNote(missing), ...thinNote(surfaceArea(mesh.positions, mesh.indices)), ...parsed.notes, ...notes],
+    notes: [...missingNote(missing), ...thinNote(mesh.positions, mesh.indices), ...parsed.notes, ...notes],
     details: [
       ...missingDetail(missing),
       ...brokenNote(parsed.broken + broken),

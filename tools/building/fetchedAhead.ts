@@ -5,11 +5,48 @@ import type { Plugin } from 'vite';
 const FIRST_MODEL = /\/dragon_vrip_res3\.ply-[^/]*\.gz$/;
 
 /** Modules that every drawing needs, but which are fetched only when it asks for them. */
-const FIRST_MODULES = ['/src/worker/WorkerPool.ts', '/src/worker/inlineWorker.ts'];
+const FIRST_MODULES = [
+  '/src/worker/WorkerPool.ts',
+  '/src/worker/inlineWorker.ts',
+  '/src/material/parts/engraved.ts',
+  '/src/material/parts/exposure.ts',
+  '/src/geometry/bakedGeometry.ts',
+  '/src/demo/stage/makeForerunner.ts',
+];
+
+/** The script that reads models. */
+const MODEL_WORKER = /\/model\.worker-[^/]*\.js$/;
 
 /**
- * Has the built playground fetch what its first drawing needs beside its first scripts, and not after they have run: the worker in
- * which it is prepared, and the first model, if the address asks for no other.
+ * What runs before the first scripts are there. Browsers take up to half a second to set up their first graphics context; a worker
+ * fetches and reads the first model meanwhile, if the address asks for no other. `takeReadAhead` takes it.
+ */
+const scriptAhead = (
+  model: string,
+  worker: string,
+): string => `if (location.hash.length < 2 && !history.state?.drawing) {
+  const url = new URL(${JSON.stringify(model)}, document.baseURI).href;
+  try {
+    const worker = new Worker(${JSON.stringify(worker)}, { type: 'module', name: 'model' });
+    const files = fetch(url).then(async (response) => {
+      if (!response.ok) throw new Error('the server answered ' + response.status);
+      return [{ name: 'dragon.ply.gz', content: new Blob([await response.arrayBuffer()]) }];
+    });
+    const ahead = { url, files, worker, messages: [], hasFailed: false };
+    worker.onmessage = ({ data }) => ahead.messages.push(data);
+    worker.onerror = () => { ahead.hasFailed = true; };
+    files.then((content) => worker.postMessage(content)).catch(() => {});
+    self.hatchingReadAhead = ahead;
+  } catch {}
+}
+try {
+  new OffscreenCanvas(1, 1).getContext('webgl2').getExtension('WEBGL_lose_context').loseContext();
+} catch {}
+`;
+
+/**
+ * Has the built playground begin what its first drawing needs beside fetching its first scripts, and not after they have run: fetch
+ * the worker in which it is prepared, and read the first model.
  */
 export const fetchedAhead: Plugin = {
   name: 'fetched-ahead',
@@ -19,15 +56,17 @@ export const fetchedAhead: Plugin = {
     const page = bundle['index.html'];
     if (page?.type !== 'asset') this.error('There is no index.html, which fetchedAhead.ts looks for.');
     const modules = new Set<string>();
+    let found = 0;
     for (const chunk of Object.values(bundle)) {
       if (chunk.type !== 'chunk' || !FIRST_MODULES.some((path) => chunk.facadeModuleId?.endsWith(path))) continue;
+      found++;
       for (const name of [chunk.fileName, ...chunk.imports]) modules.add(name);
     }
     const model = Object.keys(bundle).find((name) => FIRST_MODEL.test(name));
-    if (modules.size < FIRST_MODULES.length || !model)
-      this.error('fetchedAhead.ts names a module or a model that is no part of the playground.');
-    // Not a link to preload: on a slow machine browsers complain of one that is not used within seconds.
-    const script = `location.hash.length<2&&!history.state?.drawing&&fetch(${JSON.stringify(model)}).then((file)=>file.blob()).catch(()=>{})`;
+    const worker = Object.keys(bundle).find((name) => MODEL_WORKER.test(name));
+    if (found < FIRST_MODULES.length || !model || !worker)
+      this.error('fetchedAhead.ts names a module, a model or a worker that is no part of the playground.');
+    const script = scriptAhead(model, worker);
     const name = `assets/ahead-${createHash('sha256').update(script).digest('hex').slice(0, 8)}.js`;
     this.emitFile({ type: 'asset', fileName: name, source: script });
     const html = String(page.source);

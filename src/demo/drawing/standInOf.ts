@@ -1,8 +1,9 @@
-import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh } from 'three';
+import { Box3, BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, Vector3 } from 'three';
 import { HatchingMaterial } from 'three-hatching';
 import type { BuiltInScene } from '../../drawing/BuiltInScene.js';
 import { HatchedModel } from '../../drawing/HatchedModel.js';
 import { outlineOf } from '../../drawing/outlineOf.js';
+import { boundsOf } from '../../files/mesh/boundsOf.js';
 import { triangleCount } from '../../files/mesh/PlainMesh.js';
 import type { ReadModel } from '../../files/readModel.js';
 import type { Settings } from '../../settings/settings.js';
@@ -21,7 +22,9 @@ export function standInOf(read: ReadModel | BuiltInScene, settings: Settings): H
   geometry.setAttribute('normal', new BufferAttribute(plainNormals, 3));
   if (mesh.colors) geometry.setAttribute('color', new BufferAttribute(mesh.colors, 3));
   if (mesh.indices) geometry.setIndex(new BufferAttribute(mesh.indices, 1));
-  geometry.computeBoundingBox();
+  // three's own measuring reads number by number, through a function.
+  const { low, high } = boundsOf(mesh.positions);
+  geometry.boundingBox = new Box3(new Vector3(...low), new Vector3(...high));
   const material = new HatchingMaterial({ tilesPerUnit: 1, vertexColors: mesh.colors !== null, side: DoubleSide });
   const drawn = new Mesh(geometry, material);
   // The only object there is: nothing is to be gained from measuring whether it is in view.
@@ -34,7 +37,7 @@ export function standInOf(read: ReadModel | BuiltInScene, settings: Settings): H
   };
   return new HatchedModel(
     new Group().add(drawn),
-    geometry.boundingBox!,
+    geometry.boundingBox,
     outlineOf(mesh.positions),
     undefined,
     statistics,

@@ -3,6 +3,7 @@ import { readingTime } from '../../files/readingTime.js';
 import type { ModelFile, ReadModel } from '../../files/readModel.js';
 import type { ModelWorkerMessage } from './model.worker.js';
 import { PAGE_SURROUNDINGS } from './pageSurroundings.js';
+import type { ReadAhead } from './readAhead.js';
 
 export interface LoadOptions {
   /** Aborting terminates the worker at once and rejects with the signal's reason. */
@@ -24,15 +25,17 @@ class NotStarted extends Error {}
  * keep a parser busy for minutes. Where no worker starts, small files are read on the main thread.
  *
  * @param files the files, or a promise of them: the worker starts meanwhile
+ * @param ahead a worker that was given the same files already
  * @throws ModelError with one sentence for the user, or what the promise is rejected with
  */
 export async function loadModelFiles(
   files: readonly ModelFile[] | Promise<readonly ModelFile[]>,
   options: LoadOptions,
+  ahead?: ReadAhead,
 ): Promise<ReadModel> {
   options.signal.throwIfAborted();
   try {
-    return await readInWorker(files, options);
+    return await readInWorker(files, options, ahead);
   } catch (error) {
     if (error instanceof NotStarted) return readHere(await files, options);
     throw error;
@@ -69,8 +72,9 @@ const sizeOf = (files: readonly ModelFile[]): number => files.reduce((sum, { con
 async function readInWorker(
   given: readonly ModelFile[] | Promise<readonly ModelFile[]>,
   { signal, onStage, onCoarse }: LoadOptions,
+  ahead: ReadAhead | undefined,
 ): Promise<ReadModel> {
-  const worker = startWorker();
+  const worker = ahead?.worker ?? startWorker();
   let timer: ReturnType<typeof setTimeout> | undefined;
   let isOver = false;
   try {
@@ -92,7 +96,7 @@ async function readInWorker(
       };
       worker.addEventListener('error', fail);
       worker.addEventListener('messageerror', fail);
-      worker.addEventListener('message', ({ data }: MessageEvent<ModelWorkerMessage>) => {
+      const hear = (data: ModelWorkerMessage): void => {
         hasSpoken = true;
         if (data.kind === 'stage') {
           bytes = Math.max(bytes, data.bytes ?? 0);
@@ -103,12 +107,14 @@ async function readInWorker(
           onCoarse?.(data.model);
         } else if (data.kind === 'done') resolve(data.model);
         else reject(new ModelError(data.sentence));
-      });
+      };
+      ahead?.messages.forEach(hear);
+      worker.addEventListener('message', ({ data }: MessageEvent<ModelWorkerMessage>) => hear(data));
       const post = (files: readonly ModelFile[]): void => {
         if (isOver) return;
         bytes = sizeOf(files);
         restartTimer();
-        worker.postMessage(files);
+        if (!ahead) worker.postMessage(files);
       };
       if (given instanceof Promise) given.then(post).catch(reject);
       else post(given);

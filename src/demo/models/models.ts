@@ -11,6 +11,7 @@ import type { ModelFile, ReadModel } from '../../files/readModel.js';
 import type { Settings } from '../../settings/settings.js';
 import type { LoadOptions } from '../files/loadModelFiles.js';
 import { loadModelFiles } from '../files/loadModelFiles.js';
+import { takeReadAhead } from '../files/readAhead.js';
 
 interface BuiltIn {
   /** The name in the caption. */
@@ -117,19 +118,25 @@ function dragon(url: string): BuiltIn {
     view: [0.22, 0.3, 1],
     load(options) {
       options.onStage('fetching the dragon');
-      return loadModelFiles(fetchDragon(url, options.signal), options);
+      const ahead = takeReadAhead(url);
+      const files = ahead ? named(ahead.files, options.signal) : fetchDragon(url, options.signal);
+      return loadModelFiles(files, options, ahead);
     },
   };
 }
 
 async function fetchDragon(url: string, signal: AbortSignal): Promise<ModelFile[]> {
-  const response = await fetch(url, { signal }).catch((error) => {
+  const response = await named(fetch(url, { signal }), signal);
+  if (!response.ok) throw new ModelError(`The dragon could not be fetched: the server answered ${response.status}.`);
+  return [{ name: 'dragon.ply.gz', content: await response.blob() }];
+}
+
+/** As the promise, but with a sentence for the user in the place of the browser's error. */
+function named<T>(fetching: Promise<T>, signal: AbortSignal): Promise<T> {
+  return fetching.catch((error) => {
     signal.throwIfAborted();
     throw new ModelError(`The dragon could not be fetched: ${errorMessage(error)}.`);
   });
-  if (!response.ok) throw new ModelError(`The dragon could not be fetched: the server answered ${response.status}.`);
-  // Chromium fails to make a Blob of what was fetched ahead.
-  return [{ name: 'dragon.ply.gz', content: new Blob([await response.arrayBuffer()]) }];
 }
 
 /**

@@ -35,7 +35,7 @@ export class PageState {
   /** To be called when the last task has ended. */
   tasksEnded(): void {
     this.showIfFailed();
-    this.session.stage.frames.invalidate();
+    this.session.stage.frames.refine();
   }
 
   /** Shows it if there is nothing to draw, and nothing is being loaded that could be drawn. */

@@ -16,7 +16,18 @@ export class CrossFade {
 
   /** Whether an earlier picture is kept, or fades. */
   get isBusy(): boolean {
-    return this.isKept || !this.copy.hidden;
+    return this.isKept || this.isFading;
+  }
+
+  private get isFading(): boolean {
+    return !this.copy.hidden;
+  }
+
+  /** Has the browser set up what copies pictures. While it draws, that would wait for the picture. */
+  prepare(): void {
+    const { copy, context, drawing } = this;
+    Object.assign(copy, { width: 1, height: 1 });
+    context?.drawImage(drawing, 0, 0);
   }
 
   /** Copies the picture. To be called in the task in which it was drawn, because the canvas does not keep it for longer. */
@@ -27,6 +38,16 @@ export class CrossFade {
     }
     context?.drawImage(drawing, 0, 0);
     this.isKept = true;
+  }
+
+  /** As {@link keep}, unless an earlier picture fades, whose copy it would replace. */
+  keepUnlessFading(): void {
+    if (!this.isFading) this.keep();
+  }
+
+  /** Discards the copied picture, if it does not fade already. */
+  forgetKept(): void {
+    if (this.isKept && !this.isFading) this.forget();
   }
 
   /** Lets the copied picture, if there is one, fade into the drawing. */

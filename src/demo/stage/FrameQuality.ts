@@ -8,6 +8,8 @@ import { AdaptiveResolution } from 'three-hatching';
 const SKETCH_SHARE = 0.5;
 /** A sketch of a stand-in that takes longer stays until the model itself is there. */
 const LONG_MILLISECONDS = 500;
+/** A frame that takes longer is drawn only for what can be seen clearly. */
+const SLOW_MILLISECONDS = 150;
 
 /** What the quality of frames needs to know of its surroundings, and whom it tells. */
 interface FrameQualityHost {
@@ -36,9 +38,14 @@ export class FrameQuality {
     });
   }
 
-  /** Draws a frame and measures it. */
-  measure(draw: () => void): void {
-    this.resolution.frame(draw);
+  /** Draws a frame and measures it. @param isMoving whether it shows a movement: in one, frames may be drawn coarsely */
+  measure(draw: () => void, isMoving: boolean): void {
+    this.resolution.frame(draw, isMoving);
+  }
+
+  /** Whether frames take so long that those which would show little more are better left out. */
+  get isSlow(): boolean {
+    return this.milliseconds !== undefined && this.milliseconds >= SLOW_MILLISECONDS;
   }
 
   /** Calls back when {@link milliseconds} was measured anew, and when a sketch is on the page. */

@@ -9,6 +9,12 @@ import type { Scenery } from './Scenery.js';
 export class Frames {
   /** Whether no frames are drawn, because a picture is drawn in tiles: nothing may move, and the canvas holds the latest tile. */
   isHeld = false;
+  /** How many works go on, each of which will exchange something that is drawn. */
+  private exchanging = 0;
+  /** Whether what is drawn has been exchanged since the last frame, into which the kept picture fades. */
+  private isExchanged = false;
+  /** Whether the next frame shows a movement, and does not only add to what is drawn. */
+  private isMoving = false;
   private lastFrame = 0;
   private readonly scheduler: FrameScheduler;
   private readonly crossFade: CrossFade;
@@ -21,6 +27,8 @@ export class Frames {
     private readonly viewport: HTMLElement,
   ) {
     this.crossFade = new CrossFade(painter.renderer.domElement);
+    // Before the first model, the page waits for others.
+    setTimeout(() => this.crossFade.prepare());
     this.scheduler = new FrameScheduler(() => {
       // Until the programs are built, the last frame stays on the page.
       if (!painter.isBuilding) this.draw();
@@ -29,6 +37,12 @@ export class Frames {
 
   /** Requests one frame. */
   invalidate(): void {
+    this.isMoving = true;
+    this.scheduler.invalidate();
+  }
+
+  /** Requests one frame that adds to what is drawn where nothing moves. It is drawn in full resolution however long frames take. */
+  refine(): void {
     this.scheduler.invalidate();
   }
 
@@ -53,8 +67,23 @@ export class Frames {
     this.crossFade.forget();
   }
 
+  /**
+   * Has each picture copied from now on, because {@link fadeIntoNext} will be called: a picture that is to be copied later has to be
+   * drawn a second time, for which a slow machine takes a second.
+   */
+  keepPictures(): void {
+    this.exchanging++;
+  }
+
+  /** Ends what {@link keepPictures} began: to be called as often. */
+  leavePictures(): void {
+    this.exchanging--;
+    if (this.exchanging === 0 && !this.isExchanged && !this.scenery.shown.isStandIn) this.crossFade.forgetKept();
+  }
+
   /** Lets the picture that is shown fade into the next one, unless another fades at the moment. To be called before what is drawn changes. */
   fadeIntoNext(): void {
+    this.isExchanged = true;
     if (!this.crossFade.isBusy && this.redraw()) this.crossFade.keep();
   }
 
@@ -72,9 +101,12 @@ export class Frames {
     const { scenery, quality, crossFade } = this;
     const size = this.drawableSize;
     if (!size) return;
-    quality.measure(() => this.drawFrame(size));
+    quality.measure(() => this.drawFrame(size), this.isMoving);
+    this.isMoving = false;
     if (scenery.shown.isStandIn) crossFade.keep();
+    else if (this.exchanging > 0 && !this.isExchanged) crossFade.keepUnlessFading();
     else crossFade.start();
+    this.isExchanged = false;
     if (!quality.isSketch) scenery.shown.disposePrevious();
     for (const listener of this.listeners) listener();
     if (scenery.shown.model?.motion?.isPlaying) this.invalidate();
@@ -102,7 +134,8 @@ export class Frames {
     const { painter, scenery, quality } = this;
     this.advanceMotion();
     painter.placeLights(quality.isCoarse ? 'coarse' : 'usual');
-    if (quality.isSketch) scenery.showSketch();
+    // A ground alone would be no drawing, and its programs would be built before those of the model.
+    if (quality.isSketch || !scenery.shown.model) scenery.showSketch();
     painter.pixelRatio = fullPixelRatio(width, height) * quality.share;
     painter.drawTile({ viewWidth: width, x: 0, width, height });
   }

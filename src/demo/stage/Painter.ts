@@ -93,15 +93,15 @@ export class Painter {
   /** Has the programs built that a look asks for, where they differ from those of the last time: numbers and colours build none. */
   buildPrograms(look: Look): void {
     const { scenery, renderer, camera } = this;
-    const { model } = scenery.shown;
-    if (!model || this.isLost) return;
+    const { drawn } = scenery.shown;
+    if (!drawn || this.isLost) return;
     if (look.programs === this.builtFor) return;
     this.builtFor = look.programs;
     // Lines that are not drawn by hand have a program of their own.
     this.setWidths();
     this.builder.build(() => {
       for (const side of sidesOf(look)) {
-        model.useMaterials(side);
+        drawn.useMaterials(side);
         renderer.compile(scenery.scene, camera);
       }
     });

@@ -98,9 +98,10 @@ export class Scenery {
     this.backdrop.setWidths(this.look, share * scale);
   }
 
-  /** Hides outlines and ground, which need programs of their own, until the look is applied again. */
+  /** Hides outlines, ground and shadows, which need programs or frames of their own, until the look is applied again. */
   showSketch(): void {
     this.shown.model?.showOutlines(false);
+    this.shown.model?.castShadows(false);
     this.ground.hide();
     this.backdrop.hide();
   }

@@ -14,6 +14,7 @@ export type ModelChange = 'another' | 'completed' | 'back';
 /** The model that is shown. A stand-in may take its place until the next model is baked; if that fails, the earlier model comes back. */
 export class ShownModel {
   private current: HatchedModel | undefined;
+  private forerunner: HatchedModel | undefined;
   private firstView: ViewDirection = DEFAULT_VIEW;
   private isTemporary = false;
   /** The model that a stand-in has replaced. It comes back if the next model is not baked. */
@@ -36,16 +37,28 @@ export class ShownModel {
     return this.current;
   }
 
+  /** What is drawn: the model or, before there is one, its forerunner. */
+  get drawn(): HatchedModel | undefined {
+    return this.current ?? this.forerunner;
+  }
+
   /** Whether the model only stands in for one that is still being baked. */
   get isStandIn(): boolean {
     return this.isTemporary;
+  }
+
+  /** Draws something until the first model is shown. It is disposed of as an earlier model is. */
+  setForerunner(forerunner: HatchedModel): void {
+    this.forerunner = forerunner;
+    this.holder.add(forerunner.root);
   }
 
   /** Replaces the model. The previous one is disposed of when the new one has been drawn. */
   set(next: HatchedModel, firstView: ViewDirection = DEFAULT_VIEW): void {
     this.disposePrevious();
     const change = this.isTemporary ? 'completed' : 'another';
-    this.previous = [this.exchange(next), this.replaced?.model].filter((model) => model !== undefined);
+    const before = this.exchange(next);
+    this.previous.push(...[before, this.replaced?.model].filter((model) => model !== undefined));
     this.isTemporary = false;
     this.replaced = undefined;
     this.report(change, firstView);
@@ -87,7 +100,7 @@ export class ShownModel {
   /** Gives the model a look. */
   apply(look: Look): void {
     this.look = look;
-    this.current?.apply(look);
+    this.drawn?.apply(look);
   }
 
   set tonalArtMap(map: TonalArtMap) {
@@ -104,7 +117,7 @@ export class ShownModel {
   releaseGraphics(): void {
     this.disposePrevious();
     this.replaced?.model?.releaseGraphics();
-    this.current?.releaseGraphics();
+    this.drawn?.releaseGraphics();
   }
 
   /** Shows a model instead of the present one, which is returned. */
@@ -112,6 +125,11 @@ export class ShownModel {
     const before = this.current;
     before?.root.removeFromParent();
     this.current = next;
+    if (this.forerunner) {
+      this.forerunner.root.removeFromParent();
+      this.previous.push(this.forerunner);
+      this.forerunner = undefined;
+    }
     if (next) this.holder.add(next.root);
     if (next && this.map) next.tonalArtMap = this.map;
     return before;

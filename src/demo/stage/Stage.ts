@@ -31,13 +31,16 @@ export class Stage {
     const invalidate = (): void => this.frames.invalidate();
     this.scenery = new Scenery(invalidate, (change, firstView) => this.modelChanged(change, firstView));
     const { scenery } = this;
-    this.painter = new Painter(canvas, context, viewport, scenery, invalidate);
+    this.painter = new Painter(canvas, context, viewport, scenery, () => this.frames.refine());
     const { painter } = this;
     this.camera = painter.camera;
     this.quality = new FrameQuality(painter.renderer, {
       invalidate,
       isStandIn: () => scenery.shown.isStandIn,
-      onSketched: () => this.show(),
+      onSketched: () => {
+        painter.outdateShadows();
+        this.show();
+      },
     });
     this.frames = new Frames(painter, scenery, this.quality, viewport);
     this.view = new View(
@@ -110,12 +113,25 @@ export class Stage {
     return this.contextLoss.showsLastPicture;
   }
 
+  /**
+   * Builds the programs of the first model while it is loaded. To be called when all techniques can be drawn. Programs that draw with a map
+   * are not built without one.
+   */
+  async buildAhead(): Promise<void> {
+    // Without this part, the first frame builds its programs itself.
+    const part = await import('./makeForerunner.js').catch(() => undefined);
+    const { shown, look } = this.scenery;
+    if (!part || shown.drawn || this.isLost || !look || look.needsMap) return;
+    shown.setForerunner(part.makeForerunner());
+    this.show();
+  }
+
   /** Draws a frame when the programs are built that other geometries of the model ask for. */
   rebuildPrograms(): void {
     const { painter, scenery, quality } = this;
     painter.forgetPrograms();
     if (scenery.look && !quality.isSketch) painter.buildPrograms(scenery.look);
-    this.frames.invalidate();
+    this.frames.refine();
   }
 
   /** Shows the scenery in its look. */
@@ -138,9 +154,11 @@ export class Stage {
     const { painter, frames } = this;
     this.changes++;
     painter.forgetPrograms();
-    // After a stand-in, no sketch is needed: programs and shadows are those of the model already.
+    // A sketch has no shadows.
+    const hasShadows = change === 'completed' && !this.quality.isSketch;
+    // After a stand-in, no sketch is needed: programs are those of the model already, and shadows if it was drawn whole.
     this.quality.restart(change === 'another' && !painter.isLost);
-    if (change !== 'completed') painter.outdateShadows();
+    if (!hasShadows) painter.outdateShadows();
     if (change === 'back') frames.forgetStandIn();
     this.show();
     this.placeModel(firstView);

@@ -18,13 +18,15 @@ export function forEachTriangle(
   }
 }
 
-/** The area of all triangles together. */
-export function surfaceArea(positions: ArrayLike<number>, indices: ArrayLike<number> | null): number {
+/** Whether the area of all triangles together is less than this one. Of most meshes few have to be looked at. */
+export function isAreaLess(positions: ArrayLike<number>, indices: ArrayLike<number> | null, least: number): boolean {
   let sum = 0;
-  forEachTriangle(positions, indices, (_a, _b, _c, area) => {
-    sum += area;
-  });
-  return sum;
+  const count = indices?.length ?? positions.length / 3;
+  for (let corner = 0; corner + 2 < count && sum < least; corner += 3) {
+    const [a, b, c] = [corner, corner + 1, corner + 2].map((at) => 3 * (indices ? indices[at] : at));
+    sum += areaOf(positions, a, b, c);
+  }
+  return sum < least;
 }
 
 function areaOf(positions: ArrayLike<number>, a: number, b: number, c: number): number {

@@ -33,7 +33,7 @@ export function dropDuplicates(mesh: PlainMesh): { mesh: PlainMesh; duplicates: 
 /**
  * The first of each triangle, turned so that equal ones begin with the same corner.
  *
- * @param sample looks at those alone whose hash it divides: at one in so many, duplicates together. A power of two
+ * @param sample looks at those alone whose mix of corners it divides: at one in so many, duplicates together. A power of two
  * @returns how many were looked at, and the vertices and ranges of those that are kept
  */
 function distinct(
@@ -55,11 +55,11 @@ function distinct(
   for (const { start, count, picture } of mesh.ranges ?? [{ start: 0, count: 3 * total, picture: -1 }]) {
     const first = length;
     for (let corner = start; corner < start + count && length < kept.length; corner += 3) {
+      if (sample > 1 && (corners.mixOf(corner) & (sample - 1)) !== 0) continue;
       const turn = corners.firstOf(corner);
       const hash = corners.hashOf(corner, turn) ^ picture;
-      if ((hash & (sample - 1)) !== 0) continue;
       looked++;
-      let slot = (hash / sample) & mask;
+      let slot = hash & mask;
       for (let at = table[slot]; at !== -1; at = table[slot]) {
         if (hashes[at / 3] === hash && at >= first && corners.areEqual(kept, at, corner, turn)) break;
         slot = (slot + 1) & mask;
@@ -115,6 +115,16 @@ class Corners {
     if (a <= b && a < c) return 0;
     if (b <= c && b < a) return 1;
     return c <= a && c < b ? 2 : 0;
+  }
+
+  /** A number that is the same for triangles of the same corners, in any order. It takes a fraction of the time of a hash. */
+  mixOf(corner: number): number {
+    const { indices, hashes } = this;
+    const sum = indices
+      ? hashes[indices[corner]] + hashes[indices[corner + 1]] + hashes[indices[corner + 2]]
+      : hashes[corner] + hashes[corner + 1] + hashes[corner + 2];
+    const mixed = Math.imul(sum | 0, 0x85ebca6b);
+    return mixed ^ (mixed >>> 16);
   }
 
   hashOf(corner: number, turn: number): number {

@@ -12,6 +12,7 @@ const FILES = {
   'torus200k.ply': torus(250, 400),
   'torus200k.stl': torus(250, 400),
   'dragon871k.glb': dragon,
+  'torus2m.ply': torus(1000, 1000),
 };
 const PLAN = { files: Object.keys(FILES), pages: 6, drops: 3 };
 const QUICK = { files: ['torus12k.ply'], pages: 1, drops: 2 };
@@ -63,12 +64,24 @@ export const drop = {
     return `ms; ${pages} pages, ${drops} files each.
 
 ${table([
-  ['', 'triangles', 'cold, first', 'cold, baked', 'warm, first', 'warm, baked', 'longest task, warm'],
+  [
+    '',
+    'triangles',
+    'cold, read',
+    'cold, first',
+    'cold, baked',
+    'warm, read',
+    'warm, first',
+    'warm, baked',
+    'longest task, warm',
+  ],
   ...Object.entries(rows).map(([file, { triangles, cold, warm }]) => [
     file,
     triangles.toLocaleString('en'),
+    time(cold.read),
     time(cold.first),
     time(cold.ready),
+    time(warm.read),
     time(warm.first),
     time(warm.ready),
     time(warm.longestTask),

@@ -73,14 +73,19 @@ export class FormLoader {
       const { bakeForm } = await import('../../../drawing/bakeForm.js');
       signal.throwIfAborted();
       const onProgress = (progress: number): void => report(what, progress);
-      await bakeForm(
-        model.root,
-        form,
-        { signal, onProgress },
-        (former, made) => this.exchange(former, made),
-        // Lines along the form have programs of their own, for which a frame would wait.
-        () => this.stage.rebuildPrograms(),
-      );
+      stage.frames.keepPictures();
+      try {
+        await bakeForm(
+          model.root,
+          form,
+          { signal, onProgress },
+          (former, made) => this.exchange(former, made),
+          // Lines along the form have programs of their own, for which a frame would wait.
+          () => this.stage.rebuildPrograms(),
+        );
+      } finally {
+        stage.frames.leavePictures();
+      }
     });
   }
 

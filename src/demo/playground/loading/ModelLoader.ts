@@ -188,7 +188,7 @@ export class ModelLoader {
 
   private showOwn(files: readonly ModelFile[], way: WayToShow): Promise<void> {
     return this.show({ model: 'file', files }, way, async (report, signal) => {
-      const onCoarse = (read: ReadModel): void => this.showStandIn({ title: read.name, read }, way);
+      const onCoarse = (read: ReadModel): void => void this.showStandIn({ title: read.name, read }, way);
       const [read, lightModel] = await Promise.all([
         loadModelFiles(files, { signal, onStage: report, onCoarse }),
         fetchLight(),
@@ -231,8 +231,11 @@ export class ModelLoader {
     if (!stage.isLost) setPageState('loading');
     const end = await this.tasks.run('model', async (report, signal) => {
       // Every technique draws from here on in the very frame in which it is chosen.
-      const [loaded] = await Promise.all([load(report, signal), HatchingMaterial.preload()]);
-      this.showStandIn(loaded, way);
+      const techniques = HatchingMaterial.preload();
+      if (!stage.shown.drawn) void techniques.then(() => stage.buildAhead());
+      const [loaded] = await Promise.all([load(report, signal), techniques]);
+      if (this.showStandIn(loaded, way)) await afterFrame();
+      signal.throwIfAborted();
       const built = await buildModel(loaded.read, report, signal);
       try {
         await stage.shown.dress(built.model, signal);
@@ -283,11 +286,11 @@ export class ModelLoader {
     page.lamp.hidden = false;
   }
 
-  /** Draws a large mesh at once, as well as it can be drawn before it is prepared. */
-  private showStandIn({ read, title, view, light }: LoadedModel, { isFramed, isRestored }: WayToShow): void {
+  /** Draws a large mesh at once, as well as it can be drawn before it is prepared. @returns whether there is one to be drawn */
+  private showStandIn({ read, title, view, light }: LoadedModel, { isFramed, isRestored }: WayToShow): boolean {
     const { stage, settings } = this;
     const standIn = standInOf(read, settings);
-    if (!standIn) return;
+    if (!standIn) return false;
     const hasStandIn = this.beforeStandIn !== undefined;
     const { upAxis, lightAzimuth, lightElevation } = settings;
     this.beforeStandIn ??= {
@@ -302,6 +305,7 @@ export class ModelLoader {
     // The user may have moved the camera while a coarser one was shown.
     if (isFramed && !hasStandIn) stage.view.frame();
     this.light(light);
+    return true;
   }
 
   private light(light: LoadedModel['light']): void {
@@ -328,6 +332,20 @@ export class ModelLoader {
     this.caption.show(content);
     document.title = `${shownName(content.title)}, hatched`;
   }
+}
+
+/** How long a frame is waited for at most, in milliseconds: a page in the background draws none. */
+const FRAME_PATIENCE = 100;
+
+/** Resolves when the page has handed over its next frame, so that long work after it does not delay it. */
+function afterFrame(): Promise<void> {
+  return new Promise((resolve) => {
+    const timer = setTimeout(resolve, FRAME_PATIENCE);
+    requestAnimationFrame(() => {
+      clearTimeout(timer);
+      setTimeout(resolve);
+    });
+  });
 }
 
 const fetchLight = async (): Promise<typeof lightModel> => (await import('./lightModel.js')).lightModel;

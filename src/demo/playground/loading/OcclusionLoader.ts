@@ -44,12 +44,15 @@ export class OcclusionLoader {
       const bake = await bakeOcclusion(model.root, {
         signal,
         onProgress: (progress) => report(STAGE, progress),
-        onPass: () => this.stage.frames.invalidate(),
+        onPass: () => {
+          if (!this.stage.quality.isSlow) this.stage.frames.refine();
+        },
         // Other tasks are more urgent, and a picture that is being saved must not change.
         pause: () => this.tasks.others('occlusion', signal),
       });
       if (signal.aborted) bake.dispose();
       else this.bake = bake;
+      this.stage.frames.refine();
     });
   }
 

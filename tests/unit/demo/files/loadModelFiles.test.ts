@@ -51,6 +51,30 @@ describe('reading in a worker', () => {
     vi.unstubAllGlobals();
   });
 
+  test('takes over a worker that was given the files already, and what it has said', async () => {
+    const post = vi.spyOn(FakeWorker.prototype, 'postMessage');
+    const worker = new FakeWorker();
+    const read = { kind: 'mesh', name: 'a' } as ReadModel;
+    const stages: string[] = [];
+    const loading = loadModelFiles(
+      Promise.resolve(files(1)),
+      { signal: new AbortController().signal, onStage: (stage) => stages.push(stage) },
+      {
+        url: 'a',
+        files: Promise.resolve(files(1)),
+        worker: worker as unknown as Worker,
+        messages: [{ kind: 'stage', stage: 'unpacking', bytes: 1 }],
+        hasFailed: false,
+      },
+    );
+    await vi.advanceTimersByTimeAsync(0);
+    expect(stages).toEqual(['unpacking']);
+    worker.say({ kind: 'done', model: read });
+    expect(await loading).toBe(read);
+    expect([post.mock.calls.length, FakeWorker.started.at(-1), worker.isAlive]).toEqual([0, worker, false]);
+    post.mockRestore();
+  });
+
   test('starts before the files are there, and has time for them from then on', async () => {
     let give: (given: ReturnType<typeof files>) => void = () => {};
     const given = new Promise<ReturnType<typeof files>>((resolve) => {

@@ -116,3 +116,20 @@ test('a model is dressed before it is shown, until that is cancelled', async () 
   expect(shown.model).toBeUndefined();
   await expect(shown.dress(asModel(second), AbortSignal.abort(new Error('enough')))).rejects.toThrow('enough');
 });
+
+test('what is drawn before the first model goes when that is there, and is kept until it has been drawn', () => {
+  const { shown, models, seen, disposed } = stageOf('forerunner', 'first', 'second');
+  const [forerunner, first, second] = models.map(asModel);
+  shown.setForerunner(forerunner);
+  const look = lookOf(defaultSettings());
+  shown.apply(look);
+  expect(models[0].apply).toHaveBeenCalledWith(look);
+  expect([shown.model, shown.drawn, seen()]).toEqual([undefined, forerunner, ['forerunner']]);
+  shown.setStandIn(first);
+  expect([shown.model, shown.drawn, seen(), disposed()]).toEqual([first, first, ['first'], []]);
+  // The stand-in was not drawn: it does not keep what was drawn before it.
+  shown.set(second);
+  expect([seen(), disposed()]).toEqual([['second'], ['forerunner']]);
+  shown.disposePrevious();
+  expect(disposed()).toEqual(['forerunner', 'first']);
+});

@@ -19,7 +19,7 @@ beforeEach(() => {
 function makePage(changes: Partial<Settings>) {
   const settings: Settings = { ...defaultSettings(), ...changes };
   const { status } = fakeStatus();
-  const frames = { fadeIntoNext: vi.fn(), invalidate: vi.fn() };
+  const frames = { fadeIntoNext: vi.fn(), invalidate: vi.fn(), keepPictures: vi.fn(), leavePictures: vi.fn() };
   const stage = {
     model: { root: new Group() },
     shown: { isStandIn: false },

@@ -46,3 +46,29 @@ test('hollows wait for what was wished for later', async () => {
   await waiting;
   expect(pause!()).toBeUndefined();
 });
+
+test('finer hollows are drawn as they come where frames are quick, and once at the end where they are slow', async () => {
+  const framesOf = async (isSlow: boolean): Promise<number[]> => {
+    const refine = vi.fn();
+    const stage = {
+      model: { root: new Group().add(new Mesh(box)) },
+      shown: { isStandIn: false },
+      quality: { isOnPage: true, isSlow },
+      frames: { refine },
+    };
+    const drawn: number[] = [];
+    vi.mocked(bakeOcclusion).mockImplementationOnce(async (_root, options) => {
+      for (let pass = 0; pass < 3; pass++) {
+        options!.onPass!({} as never);
+        drawn.push(refine.mock.calls.length);
+      }
+      return { dispose: vi.fn() } as never;
+    });
+    const tasks = new TaskRunner(fakeStatus().status, { hasDrawing: () => true, onIdle: () => {} });
+    new OcclusionLoader(stage as never, { occlusion: 50 } as never, tasks).update();
+    await vi.waitFor(() => expect(tasks.isIdle).toBe(true));
+    return [...drawn, refine.mock.calls.length];
+  };
+  expect(await framesOf(false)).toEqual([1, 2, 3, 4]);
+  expect(await framesOf(true)).toEqual([0, 0, 0, 1]);
+});

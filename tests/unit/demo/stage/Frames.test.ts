@@ -1,0 +1,115 @@
+import { afterEach, beforeEach, expect, test, vi } from 'vitest';
+import { Frames } from '../../../../src/demo/stage/Frames.js';
+
+/** What was asked of the page's next frame. */
+let frames: (() => void)[] = [];
+
+beforeEach(() => {
+  frames = [];
+  vi.useFakeTimers();
+  vi.stubGlobal('requestAnimationFrame', (draw: () => void) => frames.push(draw));
+  vi.stubGlobal('devicePixelRatio', 1);
+  vi.stubGlobal('matchMedia', () => ({ matches: false }));
+  vi.stubGlobal('document', { createElement: () => copy });
+});
+afterEach(() => {
+  vi.useRealTimers();
+  vi.unstubAllGlobals();
+});
+
+const drawImage = vi.fn();
+const animate = vi.fn(() => ({ finished: new Promise<void>(() => {}) }));
+const copy = { getContext: () => ({ drawImage }), setAttribute: () => {}, hidden: true, width: 0, height: 0, animate };
+
+/** Frames of a sheet with a model, how often pictures were drawn, and whether each was of a movement. */
+function makeFrames() {
+  for (const mock of [drawImage, animate]) mock.mockClear();
+  copy.hidden = true;
+  const drawTile = vi.fn();
+  const moving: boolean[] = [];
+  const quality = {
+    measure(draw: () => void, isMoving: boolean): void {
+      moving.push(isMoving);
+      draw();
+    },
+    isSketch: false,
+    share: 1,
+  };
+  const drawing = { after: () => {}, width: 100, height: 100 };
+  const painter = {
+    renderer: { domElement: drawing },
+    drawTile,
+    placeLights: () => {},
+    isBuilding: false,
+    isLost: false,
+  };
+  const scenery = { shown: { model: {}, isStandIn: false, disposePrevious: () => {} }, showSketch: vi.fn() };
+  const sheet = new Frames(
+    painter as never,
+    scenery as never,
+    quality as never,
+    { clientWidth: 100, clientHeight: 100 } as never,
+  );
+  vi.runAllTimers();
+  drawImage.mockClear();
+  const next = (): void => {
+    for (const draw of frames.splice(0)) draw();
+  };
+  return { sheet, scenery, drawTile, moving, next };
+}
+
+test('a picture that is to fade is drawn a second time, unless it was copied because that was known before', () => {
+  const { sheet, drawTile, next } = makeFrames();
+  sheet.refine();
+  next();
+  sheet.fadeIntoNext();
+  expect([drawTile.mock.calls.length, drawImage.mock.calls.length]).toEqual([2, 1]);
+  sheet.refine();
+  next();
+  expect([drawTile.mock.calls.length, animate.mock.calls.length]).toEqual([3, 1]);
+
+  const known = makeFrames();
+  known.sheet.keepPictures();
+  known.sheet.refine();
+  known.next();
+  expect([known.drawTile.mock.calls.length, drawImage.mock.calls.length, animate.mock.calls.length]).toEqual([1, 1, 0]);
+  known.sheet.fadeIntoNext();
+  known.sheet.leavePictures();
+  known.sheet.refine();
+  known.next();
+  expect([known.drawTile.mock.calls.length, drawImage.mock.calls.length, animate.mock.calls.length]).toEqual([2, 1, 1]);
+});
+
+test('a picture that was copied for nothing does not fade into a later one', () => {
+  const { sheet, next } = makeFrames();
+  sheet.keepPictures();
+  sheet.refine();
+  next();
+  sheet.leavePictures();
+  sheet.refine();
+  next();
+  expect([drawImage.mock.calls.length, animate.mock.calls.length]).toEqual([1, 0]);
+});
+
+test('a frame that only adds to the drawing is none of a movement', () => {
+  const { sheet, moving, next } = makeFrames();
+  sheet.refine();
+  next();
+  sheet.refine();
+  sheet.invalidate();
+  next();
+  sheet.refine();
+  next();
+  expect(moving).toEqual([false, true, false]);
+});
+
+test('before there is a model, no ground is drawn', () => {
+  const { sheet, scenery, next } = makeFrames();
+  sheet.refine();
+  next();
+  expect(scenery.showSketch).not.toHaveBeenCalled();
+  Object.assign(scenery.shown, { model: undefined });
+  sheet.refine();
+  next();
+  expect(scenery.showSketch).toHaveBeenCalledTimes(1);
+});
