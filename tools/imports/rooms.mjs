@@ -97,6 +97,7 @@ export const ROOMS = {
   'index.ts': [
     'adjacency',
     'engraving',
+    'hand',
     'strokes',
     'hatchImages',
     'mapFiles',
@@ -172,5 +173,5 @@ export const ROOMS = {
 /** Rooms that know no three.js. */
 export const WITHOUT_THREE = [
   ...['slices', 'mesh', 'adjacency', 'normals', 'features', 'form', 'bake', 'occlusion', 'detail', 'lighting'],
-  ...['strokes', 'hatchImages', 'mapFiles', 'worker', 'command', 'engraving', 'vector'],
+  ...['hand', 'strokes', 'hatchImages', 'mapFiles', 'worker', 'command', 'engraving', 'vector'],
 ];
