@@ -2,6 +2,12 @@ import type { StrokeStyle } from '../strokes/StrokeStyle.js';
 import { strokeStyles } from '../strokes/strokeStyles.js';
 import { type FullMapDrawing, type MapDrawing, resolveMapDrawing } from './hatchImageOptions.js';
 
+/** The options that determine a generated map, as the worker gets them: plain data. */
+export interface MapRequest extends Omit<MapDrawing, 'hand'> {
+  /** The style in which the hand draws (`handStyle`). */
+  hand?: StrokeStyle | undefined;
+}
+
 /** The options with the style that they name. */
 export interface HatchImageRequest extends Omit<FullMapDrawing, 'style' | 'strokeTexels'> {
   style: StrokeStyle;
@@ -12,7 +18,7 @@ export interface HatchImageRequest extends Omit<FullMapDrawing, 'style' | 'strok
  *
  * @throws RangeError that names the option and its range
  */
-export function resolveHatchImageOptions(options: MapDrawing = {}): HatchImageRequest {
+export function resolveHatchImageOptions(options: MapRequest = {}): HatchImageRequest {
   const { style, strokeTexels, ...shape } = resolveMapDrawing(options);
-  return { style: { ...strokeStyles[style], width: strokeTexels }, ...shape };
+  return { style: options.hand ?? { ...strokeStyles[style], width: strokeTexels }, ...shape };
 }

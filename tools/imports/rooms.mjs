@@ -17,14 +17,15 @@ export const ROOMS = {
   occlusion: ['slices', 'mesh'],
   detail: ['slices'],
   lighting: [],
-  strokes: [],
-  hatchImages: ['slices', 'strokes'],
+  hand: [],
+  strokes: ['hand'],
+  hatchImages: ['slices', 'hand', 'strokes'],
   mapFiles: ['strokes', 'hatchImages'],
   worker: ['slices', 'features', 'form', 'bake', 'occlusion', 'detail', 'hatchImages'],
 
   // With three.js.
   mistakes: [],
-  tam: ['mistakes', 'strokes', 'hatchImages', 'mapFiles', 'worker'],
+  tam: ['mistakes', 'slices', 'hand', 'strokes', 'hatchImages', 'mapFiles', 'worker'],
   'material/facts': [],
   engraving: ['material/facts'],
   // The numbers that shaders have as defines.
@@ -96,6 +97,7 @@ export const ROOMS = {
   'index.ts': [
     'adjacency',
     'engraving',
+    'hand',
     'strokes',
     'hatchImages',
     'mapFiles',
@@ -129,7 +131,16 @@ export const ROOMS = {
   staging: ['files', 'settings', 'drawing'],
 
   // For Node: the presets are data.
-  command: ['slices', 'strokes', 'hatchImages', 'mapFiles', 'scene/presets.ts', 'files/common', 'files/readingTime.ts'],
+  command: [
+    'slices',
+    'hand',
+    'strokes',
+    'hatchImages',
+    'mapFiles',
+    'scene/presets.ts',
+    'files/common',
+    'files/readingTime.ts',
+  ],
   // What draws models imports the library by its package name, and three.js: it is loaded when it is asked for.
   // The library's rows of PNG are no part of its interface.
   'command/draw': ['/src/command', '/src/mapFiles/pngRows.ts', ...SHARED],
@@ -171,5 +182,5 @@ export const ROOMS = {
 /** Rooms that know no three.js. */
 export const WITHOUT_THREE = [
   ...['slices', 'mesh', 'adjacency', 'normals', 'features', 'form', 'bake', 'occlusion', 'detail', 'lighting'],
-  ...['strokes', 'hatchImages', 'mapFiles', 'worker', 'command', 'engraving', 'vector'],
+  ...['hand', 'strokes', 'hatchImages', 'mapFiles', 'worker', 'command', 'engraving', 'vector'],
 ];

@@ -15,7 +15,7 @@ import {
   TorusKnotGeometry,
   WebGLRenderer,
 } from 'three';
-import { HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
+import { type HandStroke, HatchingMaterial, learnHand, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
 import 'three-hatching/element';
 
 declare global {
@@ -35,6 +35,10 @@ renderer.setSize(SIZE.width, SIZE.height);
 const map = await TonalArtMap.generate({ size: 64, tones: 4 });
 const files = await Promise.all(
   ['light.png', 'middle.png', 'dark.png'].map(async (name) => new File([await (await fetch(name)).blob()], name)),
+);
+const strokes = Array.from(
+  { length: 8 },
+  (_, i): HandStroke => ({ points: [0, i, 4, i + 0.2, 9, i], widths: [0.1, 0.4, 0.2] }),
 );
 const plane = await prepareHatchingGeometry(new PlaneGeometry(4, 4).rotateX(-Math.PI / 2));
 
@@ -68,6 +72,7 @@ function surround(isLit: boolean): { scene: Scene; camera: PerspectiveCamera } {
   const made: Record<string, () => unknown> = {
     ...{ scene: () => scene, camera: () => camera, renderer: () => renderer, light: () => light, mesh: () => mesh },
     ...{ map: () => map, tonalArtMap: () => map, files: () => files },
+    ...{ strokes: () => strokes, hand: () => learnHand(strokes) },
     geometry: () => mesh.geometry,
     material: () => new HatchingMaterial({ tonalArtMap: map, technique: 'anchored' }),
     ground: () => {
