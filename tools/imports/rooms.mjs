@@ -18,10 +18,11 @@ export const ROOMS = {
   detail: ['slices'],
   lighting: [],
   hand: [],
+  scan: ['slices', 'hand'],
   strokes: ['hand'],
   hatchImages: ['slices', 'strokes'],
   mapFiles: ['strokes', 'hatchImages'],
-  worker: ['slices', 'features', 'form', 'bake', 'occlusion', 'detail', 'hatchImages'],
+  worker: ['slices', 'features', 'form', 'bake', 'occlusion', 'detail', 'scan', 'hatchImages'],
 
   // With three.js.
   mistakes: [],
@@ -171,6 +172,6 @@ export const ROOMS = {
 
 /** Rooms that know no three.js. */
 export const WITHOUT_THREE = [
-  ...['slices', 'mesh', 'adjacency', 'normals', 'features', 'form', 'bake', 'occlusion', 'detail', 'lighting'],
+  ...['slices', 'mesh', 'adjacency', 'normals', 'features', 'form', 'bake', 'occlusion', 'detail', 'lighting', 'scan'],
   ...['strokes', 'hatchImages', 'mapFiles', 'worker', 'command', 'engraving', 'vector'],
 ];
