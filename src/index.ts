@@ -13,6 +13,8 @@ export type { HatchingStatistics } from './geometry/HatchingStatistics.js';
 export type { OutlineOptions, PrepareHatchingGeometryOptions } from './geometry/prepareHatchingGeometry.js';
 export { prepareHatchingGeometry } from './geometry/prepareHatchingGeometry.js';
 export type { Repairs } from './geometry/repairValues.js';
+export type { Hand, HandNumbers, HandStroke, SwatchTone } from './hand/Hand.js';
+export { type LearnHandOptions, learnHand } from './hand/learnHand.js';
 export type { HatchImageReport } from './hatchImages/checkHatchImages.js';
 export type { HatchImages } from './hatchImages/HatchImages.js';
 export type { MapDrawing } from './hatchImages/hatchImageOptions.js';

@@ -17,7 +17,10 @@ export interface HandNumbers {
   length: number;
   /** Standard deviation of the lengths, as a share of `length`. */
   lengthSpread: number;
-  /** Mean curvature: the height of a stroke's arc over its chord, as a share of the chord, signed. */
+  /**
+   * Mean curvature: the height of a stroke's arc over its chord, as a share of the chord. Positive arcs rise to the right-hand side of
+   * the direction in which most strokes of the layer are drawn.
+   */
   curvature: number;
   /** The length over which a stroke grows from its start to its full width, as a share of its length. */
   taperStart: number;
@@ -31,15 +34,18 @@ export interface HandNumbers {
   wobble: number;
   /** Standard deviation of the angles of strokes of one layer. */
   angleSpread: number;
-  /** Mean distance between neighbouring strokes of one layer, across them, in the middle swatch. */
+  /** Mean distance between the centre lines of neighbouring strokes of one layer, across them, in the middle swatch. */
   spacing: number;
   /** Standard deviation of that distance, as a share of `spacing`: 0 is ruled, 1 is by chance. */
   spacingSpread: number;
-  /** How much strokes stand in groups: 0 evenly, towards 1 in bundles with gaps. */
+  /**
+   * How much strokes stand in groups: 1 less the median of the distances between neighbours over their mean. 0 is evenly, towards 1 in
+   * bundles with gaps.
+   */
   clustering: number;
   /** The share of a stroke's length that runs beside the next stroke of its row end to end; negative leaves gaps. */
   overlap: number;
-  /** The angle from the first layer to the second; 0 where nothing is crossed. */
+  /** The angle from the first layer to the second, −90 to 90, clockwise on the sheet; 0 where nothing is crossed. */
   crossingAngle: number;
   /** The tone from 0 (paper) to 1 from which strokes are crossed; 1 for never. */
   crossingFrom: number;

@@ -24,6 +24,8 @@ export const ROOMS = {
   mapFiles: ['strokes', 'hatchImages'],
   worker: ['slices', 'features', 'form', 'bake', 'occlusion', 'detail', 'scan', 'hatchImages'],
 
+  hands: ['hand', 'scan', 'strokes/random.ts', 'worker'],
+
   // With three.js.
   mistakes: [],
   tam: ['mistakes', 'strokes', 'hatchImages', 'mapFiles', 'worker'],
@@ -98,6 +100,7 @@ export const ROOMS = {
   'index.ts': [
     'adjacency',
     'engraving',
+    'hand',
     'strokes',
     'hatchImages',
     'mapFiles',
@@ -172,6 +175,6 @@ export const ROOMS = {
 
 /** Rooms that know no three.js. */
 export const WITHOUT_THREE = [
-  ...['slices', 'mesh', 'adjacency', 'normals', 'features', 'form', 'bake', 'occlusion', 'detail', 'lighting', 'scan'],
-  ...['strokes', 'hatchImages', 'mapFiles', 'worker', 'command', 'engraving', 'vector'],
+  ...['slices', 'mesh', 'adjacency', 'normals', 'features', 'form', 'bake', 'occlusion', 'detail', 'lighting'],
+  ...['hand', 'scan', 'strokes', 'hatchImages', 'mapFiles', 'worker', 'hands', 'command', 'engraving', 'vector'],
 ];

@@ -1,0 +1,78 @@
+import type { HandStroke } from './Hand.js';
+
+/** A stroke with the length of its path up to every point. No two points of it coincide. */
+export interface Polyline {
+  x: Float64Array;
+  y: Float64Array;
+  width: Float64Array;
+  /** The path from the first point, in millimetres. */
+  path: Float64Array;
+}
+
+/** The polyline of a stroke, without points that repeat the one before. */
+export function polylineOf({ points, widths }: HandStroke): Polyline {
+  const count = widths.length;
+  const x = new Float64Array(count);
+  const y = new Float64Array(count);
+  const width = new Float64Array(count);
+  const path = new Float64Array(count);
+  let last = -1;
+  for (let i = 0; i < count; i++) {
+    const step = last < 0 ? 0 : Math.hypot(points[2 * i] - x[last], points[2 * i + 1] - y[last]);
+    if (last >= 0 && step === 0) {
+      // A pen that rests presses on: the widest mark stays.
+      width[last] = Math.max(width[last], widths[i]);
+      continue;
+    }
+    last++;
+    x[last] = points[2 * i];
+    y[last] = points[2 * i + 1];
+    width[last] = widths[i];
+    path[last] = last > 0 ? path[last - 1] + step : 0;
+  }
+  return part({ x, y, width, path }, 0, last);
+}
+
+/** The points `first` to `last` of a polyline. */
+export function part({ x, y, width, path }: Polyline, first: number, last: number): Polyline {
+  const start = path[first];
+  return {
+    x: x.slice(first, last + 1),
+    y: y.slice(first, last + 1),
+    width: width.slice(first, last + 1),
+    path: path.slice(first, last + 1).map((length) => length - start),
+  };
+}
+
+/** The same path with `count` points at steady steps. */
+export function resample(line: Polyline, count: number): Polyline {
+  const x = new Float64Array(count);
+  const y = new Float64Array(count);
+  const width = new Float64Array(count);
+  const path = new Float64Array(count);
+  const last = line.path.length - 1;
+  const total = line.path[last];
+  let segment = 0;
+  for (let i = 0; i < count; i++) {
+    const place = (total * i) / (count - 1);
+    while (segment < last - 1 && line.path[segment + 1] < place) segment++;
+    const from = Math.min(segment, last);
+    const to = Math.min(segment + 1, last);
+    const step = line.path[to] - line.path[from];
+    const share = step > 0 ? Math.min(1, (place - line.path[from]) / step) : 0;
+    x[i] = line.x[from] + share * (line.x[to] - line.x[from]);
+    y[i] = line.y[from] + share * (line.y[to] - line.y[from]);
+    width[i] = line.width[from] + share * (line.width[to] - line.width[from]);
+    path[i] = place;
+  }
+  return { x, y, width, path };
+}
+
+/** The mean width along a polyline. */
+export function meanWidth({ width, path }: Polyline): number {
+  const last = path.length - 1;
+  if (last < 1) return width[0];
+  let sum = 0;
+  for (let i = 1; i <= last; i++) sum += 0.5 * (width[i] + width[i - 1]) * (path[i] - path[i - 1]);
+  return sum / path[last];
+}
