@@ -48,6 +48,7 @@ const LIKE = 0.9;
 const ENTRIES = [
   'index.js',
   'facts.js',
+  'hands.js',
   'svg.js',
   'react.js',
   'element.js',
@@ -119,7 +120,7 @@ test.describe('the tarball', () => {
   });
 
   test('imports three and nothing else; the worker imports nothing, the command what Node has, the components React and us', () => {
-    const imported = ['index.js', 'svg.js'].flatMap((name) => withImports(name)).flatMap(importsOf);
+    const imported = ['index.js', 'hands.js', 'svg.js'].flatMap((name) => withImports(name)).flatMap(importsOf);
     expect(imported.filter((name) => name !== 'three' && !name.startsWith('./'))).toEqual([]);
     expect(importsOf('bake.worker.js')).toEqual([]);
     expect(importsOf('svg.worker.js')).toEqual([]);

@@ -4,6 +4,7 @@ import { fileURLToPath } from 'node:url';
 const ENTRIES: readonly [name: RegExp, source: string, built: string][] = [
   [/^three-hatching$/, 'index', 'index'],
   [/^three-hatching\/facts$/, 'facts', 'facts'],
+  [/^three-hatching\/hands$/, 'hands/index', 'hands'],
   [/^three-hatching\/react$/, 'react/index', 'react'],
   [/^three-hatching\/svg$/, 'svg/index', 'svg'],
   [/^three-hatching\/element$/, 'element/element', 'element'],

@@ -43,6 +43,7 @@ const nothingOfOthers: Plugin = {
 const OWN_ENTRIES = {
   'three-hatching': './index.js',
   'three-hatching/facts': './facts.js',
+  'three-hatching/hands': './hands.js',
   'three-hatching/svg': './svg.js',
 };
 
@@ -65,11 +66,22 @@ export default defineConfig(
       sourcemap: false,
       emptyOutDir: ENTRIES[mode] === undefined,
       lib: {
-        entry: ENTRIES[mode] ?? { index: 'src/index.ts', facts: 'src/facts.ts', svg: 'src/svg/index.ts' },
+        entry: ENTRIES[mode] ?? {
+          index: 'src/index.ts',
+          facts: 'src/facts.ts',
+          hands: 'src/hands/index.ts',
+          svg: 'src/svg/index.ts',
+        },
         formats: ['es'],
       },
       rolldownOptions: {
-        external: [/^three($|\/)/, /^node:/, /^react($|\/)/, '@react-three/fiber', /^three-hatching($|\/(facts|svg)$)/],
+        external: [
+          /^three($|\/)/,
+          /^node:/,
+          /^react($|\/)/,
+          '@react-three/fiber',
+          /^three-hatching($|\/(facts|hands|svg)$)/,
+        ],
         // Chunks that are loaded when they are needed keep their names, those of the command's threads after its own; code that several files need has a chunk of its own.
         output: {
           chunkFileNames: mode === 'draw' ? 'draw.[name].js' : '[name].js',
