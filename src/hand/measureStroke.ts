@@ -6,7 +6,8 @@ import { type Polyline, resample } from './Polyline.js';
 const SAMPLES = 65;
 
 /** The mean of the squares of −1 to 1 at the samples, which makes the parabola of an arc independent of its straight part. */
-const MEAN_SQUARE = /* @__PURE__ */ Array.from({ length: SAMPLES }, (_, i) => placeOf(i) ** 2).reduce((a, b) => a + b) / SAMPLES;
+const MEAN_SQUARE =
+  /* @__PURE__ */ Array.from({ length: SAMPLES }, (_, i) => placeOf(i) ** 2).reduce((a, b) => a + b) / SAMPLES;
 
 /** What is measured of one stroke. Lengths are in millimetres; its smooth arc is middle + forward·s + bend·(s² − m), s from −1 to 1. */
 export interface StrokeMeasure {

@@ -1,4 +1,4 @@
-import type { SwatchTone } from '../hand/Hand.js';
+import type { SwatchTone } from 'three-hatching';
 
 /** How somebody draws, in numbers. Lengths are in millimetres, angles in degrees, clockwise on the sheet. */
 export interface PenHabits {

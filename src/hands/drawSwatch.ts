@@ -1,4 +1,4 @@
-import type { HandStroke, SwatchTone } from '../hand/Hand.js';
+import type { HandStroke, SwatchTone } from 'three-hatching';
 import { type Random, random } from '../strokes/random.js';
 import type { PenHabits } from './PenHabits.js';
 

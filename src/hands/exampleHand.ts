@@ -1,5 +1,4 @@
-import type { Hand } from '../hand/Hand.js';
-import { learnHand } from '../hand/learnHand.js';
+import { type Hand, learnHand } from 'three-hatching';
 import { drawSwatches } from './drawSwatch.js';
 import { exampleHabits } from './exampleHabits.js';
 

@@ -17,7 +17,6 @@ export const requestBuffers: TaskSet<BakingTasks>['requestBuffers'] = {
   generateThresholds: () => [],
   completeHatchImages: imageBuffers,
   simplifyHatched: detailRequestBuffers,
-  traceStrokes: ({ image }) => [image.data.buffer as ArrayBuffer],
   startOcclusion: occlusionMeshBuffers,
   addDirections: ({ scene, sums = [] }) => [...occlusionSceneBuffers(scene), ...sums.map(({ buffer }) => buffer)],
 };

@@ -15,7 +15,6 @@ import { imageBuffers } from '../hatchImages/imageBuffers.js';
 import { addDirections } from '../occlusion/addDirections.js';
 import { occlusionSceneBuffers } from '../occlusion/occlusionBuffers.js';
 import { startOcclusion } from '../occlusion/startOcclusion.js';
-import { traceStrokesSteps } from '../scan/traceStrokesSteps.js';
 import type { Task } from './TaskSet.js';
 
 const task = <Request, Result>(definition: Task<Request, Result>): Task<Request, Result> => definition;
@@ -44,7 +43,6 @@ export const tasks = {
     run: simplifyHatched,
     resultBuffers: ({ indices }: DetailLevels) => [indices.buffer],
   }),
-  traceStrokes: /* @__PURE__ */ task({ run: traceStrokesSteps, resultBuffers: () => [] }),
   startOcclusion: /* @__PURE__ */ task({ run: startOcclusion, resultBuffers: occlusionSceneBuffers }),
   addDirections: /* @__PURE__ */ task({
     run: addDirections,

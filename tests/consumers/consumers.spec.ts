@@ -54,6 +54,7 @@ const ENTRIES = [
   'element.js',
   'bake.worker.js',
   'svg.worker.js',
+  'scan.worker.js',
   'command.js',
   'draw.worker.js',
 ];
@@ -120,10 +121,11 @@ test.describe('the tarball', () => {
   });
 
   test('imports three and nothing else; the worker imports nothing, the command what Node has, the components React and us', () => {
-    const imported = ['index.js', 'hands.js', 'svg.js'].flatMap((name) => withImports(name)).flatMap(importsOf);
+    const imported = ['index.js', 'svg.js'].flatMap((name) => withImports(name)).flatMap(importsOf);
     expect(imported.filter((name) => name !== 'three' && !name.startsWith('./'))).toEqual([]);
     expect(importsOf('bake.worker.js')).toEqual([]);
     expect(importsOf('svg.worker.js')).toEqual([]);
+    expect(importsOf('scan.worker.js')).toEqual([]);
     const ofReact = [
       '@react-three/fiber',
       'react',

@@ -6,8 +6,10 @@ import { shortShaders } from './shortShaders.js';
 const ENTRIES: Record<string, Record<string, string>> = {
   worker: { 'bake.worker': 'src/worker/bake.worker.ts' },
   svgWorker: { 'svg.worker': 'src/svg/svg.worker.ts' },
+  scanWorker: { 'scan.worker': 'src/tracing/scan.worker.ts' },
   command: { command: 'src/command/main.ts' },
   draw: { 'draw.worker': 'src/command/draw/drawWorker.ts' },
+  hands: { hands: 'src/hands/index.ts' },
   react: { react: 'src/react/index.ts' },
   element: { element: 'src/element/element.ts' },
 };
@@ -43,14 +45,13 @@ const nothingOfOthers: Plugin = {
 const OWN_ENTRIES = {
   'three-hatching': './index.js',
   'three-hatching/facts': './facts.js',
-  'three-hatching/hands': './hands.js',
   'three-hatching/svg': './svg.js',
 };
 
 /**
  * The library: ES modules, three external. Built in passes, so that each result stands alone: `index` with the worker
- * inlined; with `--mode worker` and `--mode svgWorker` the same workers as one file each, which a page under a strict Content-Security-Policy
- * can serve from its own origin; with `--mode command` the command for Node and its threads; with `--mode react` the components and with `--mode element` the web
+ * inlined; with `--mode worker`, `--mode svgWorker` and `--mode scanWorker` the same workers as one file each, which a page under a strict Content-Security-Policy
+ * can serve from its own origin; with `--mode command` the command for Node and its threads; with `--mode hands` the six hands, with `--mode react` the components and with `--mode element` the web
  * component, which import `index` as any page does, so that there is one copy of it.
  */
 export default defineConfig(
@@ -66,22 +67,11 @@ export default defineConfig(
       sourcemap: false,
       emptyOutDir: ENTRIES[mode] === undefined,
       lib: {
-        entry: ENTRIES[mode] ?? {
-          index: 'src/index.ts',
-          facts: 'src/facts.ts',
-          hands: 'src/hands/index.ts',
-          svg: 'src/svg/index.ts',
-        },
+        entry: ENTRIES[mode] ?? { index: 'src/index.ts', facts: 'src/facts.ts', svg: 'src/svg/index.ts' },
         formats: ['es'],
       },
       rolldownOptions: {
-        external: [
-          /^three($|\/)/,
-          /^node:/,
-          /^react($|\/)/,
-          '@react-three/fiber',
-          /^three-hatching($|\/(facts|hands|svg)$)/,
-        ],
+        external: [/^three($|\/)/, /^node:/, /^react($|\/)/, '@react-three/fiber', /^three-hatching($|\/(facts|svg)$)/],
         // Chunks that are loaded when they are needed keep their names, those of the command's threads after its own; code that several files need has a chunk of its own.
         output: {
           chunkFileNames: mode === 'draw' ? 'draw.[name].js' : '[name].js',

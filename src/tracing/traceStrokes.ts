@@ -2,10 +2,14 @@ import type { HandStroke } from '../hand/Hand.js';
 import { checkScannedImage, type ScannedImage } from '../scan/ScannedImage.js';
 import type { TraceOptions } from '../scan/traceStrokesSteps.js';
 import { checkOptions } from '../worker/checkOptions.js';
-import { runTask } from '../worker/runTask.js';
+import { runTaskOf } from '../worker/runTask.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
+import { tracing } from './tracing.js';
 
-/** Options of `traceStrokes`: what is known of the picture, and those of the task. */
+/**
+ * Options of `traceStrokes`: what is known of the picture, and those of the task. A worker of `createWorker` runs
+ * `three-hatching/scan.worker`.
+ */
 export interface TraceStrokesOptions extends TraceOptions, TaskOptions {}
 
 const OPTIONS = { millimetresPerPixel: true, swatch: true } satisfies Record<keyof TraceOptions, true>;
@@ -37,5 +41,5 @@ export async function traceStrokes(image: ScannedImage, options: TraceStrokesOpt
     const { width, height, data } = image;
     return { image: { width, height, data: data.slice() }, millimetresPerPixel, swatch };
   };
-  return runTask('traceStrokes', request(), task, request);
+  return runTaskOf(tracing, 'traceStrokes', request(), task, request);
 }
