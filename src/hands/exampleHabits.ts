@@ -51,9 +51,9 @@ export const exampleHabits = {
   },
   /** A cut reed that takes little ink: short blunt strokes in bundles, broad and narrow by chance, as in drawings from Arles. */
   reedPen: {
-    length: 5.2,
+    length: 6.4,
     lengthSpread: 0.24,
-    width: 0.62,
+    width: 0.64,
     pressure: 0.26,
     taperStart: 0,
     taperEnd: 0.25,
@@ -64,7 +64,7 @@ export const exampleHabits = {
     wobbleLength: 1.6,
     angle: -18,
     angleSpread: 5.5,
-    spacing: { light: 2.4, middle: 1.35, dark: 1.5 },
+    spacing: { light: 2.5, middle: 1.4, dark: 1.5 },
     spacingSpread: 0.24,
     bundle: 5,
     bundleGap: 1.1,
