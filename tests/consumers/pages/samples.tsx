@@ -42,6 +42,21 @@ const strokes = Array.from(
 );
 const plane = await prepareHatchingGeometry(new PlaneGeometry(4, 4).rotateX(-Math.PI / 2));
 
+/** A sheet with a few strokes of a pen. */
+function pictureOfStrokes(): HTMLCanvasElement {
+  const canvas = Object.assign(document.createElement('canvas'), { width: 200, height: 140 });
+  const context = canvas.getContext('2d')!;
+  context.fillStyle = 'white';
+  context.fillRect(0, 0, canvas.width, canvas.height);
+  context.lineWidth = 4;
+  for (let y = 20; y < 130; y += 16) {
+    context.moveTo(20, y);
+    context.lineTo(180, y - 8);
+  }
+  context.stroke();
+  return canvas;
+}
+
 /**
  * What samples speak of and do not make: a scene with a mesh, and whatever else they name, made when they first name it.
  *
@@ -72,7 +87,7 @@ function surround(isLit: boolean): { scene: Scene; camera: PerspectiveCamera } {
   const made: Record<string, () => unknown> = {
     ...{ scene: () => scene, camera: () => camera, renderer: () => renderer, light: () => light, mesh: () => mesh },
     ...{ map: () => map, tonalArtMap: () => map, files: () => files },
-    ...{ strokes: () => strokes, hand: () => learnHand(strokes) },
+    ...{ strokes: () => strokes, hand: () => learnHand(strokes), picture: pictureOfStrokes },
     geometry: () => mesh.geometry,
     material: () => new HatchingMaterial({ tonalArtMap: map, technique: 'anchored' }),
     ground: () => {

@@ -18,7 +18,7 @@ declare global {
   const geometry: BufferGeometry; const material: Material; const tonalArtMap: HatchMap; const map: HatchMap;
   const gltf: { scene: Group }; const first: Object3D; const second: Object3D; const gradientMap: Texture;
   const files: File[]; const ground: AnyMesh<BufferGeometry, Material>; const BakeWorker: new () => Worker;
-  const strokes: Drawn[]; const hand: OwnHand;
+  const strokes: Drawn[]; const hand: OwnHand; const picture: HTMLCanvasElement;
 }
 export {};
 `;
