@@ -1,15 +1,18 @@
 import { LIGHT_LOOKS } from '../../settings/lightLooks.js';
 import { savedFormat } from '../../settings/settingValues.js';
 import type { Dialogs } from './dialogs/Dialogs.js';
+import type { HandSheet } from './hand/HandSheet.js';
 import type { PanelAction } from './panel/SettingsPanel.js';
 import type { Session } from './session/Session.js';
 import type { TakeAway } from './takeAway/TakeAway.js';
+import type { LaterPart } from './tasks/LaterParts.js';
 
 /** The buttons of the panel, by the group of settings that they stand in. */
 export function panelActions(
   session: Session,
   takeAway: TakeAway,
   dialogs: Dialogs,
+  hand: LaterPart<HandSheet>,
   fillScreen: () => void,
 ): readonly PanelAction[] {
   const { stage, settings } = session;
@@ -19,6 +22,7 @@ export function panelActions(
   const fullScreen: PanelAction = { label: 'Full screen (F)', group: 'View', run: fillScreen };
   const share: PanelAction = { label: 'Share this drawing', group: 'Picture', run: () => takeAway.run('share') };
   return [
+    { label: 'Draw with your own hand', group: 'Drawing', run: () => hand.use((sheet) => sheet.open()) },
     { label: 'Show the map', group: 'Drawing', run: () => dialogs.showMap() },
     ...lights,
     { label: 'Show the whole model', group: 'View', run: stage.view.frameForUser },

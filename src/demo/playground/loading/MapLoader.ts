@@ -1,17 +1,26 @@
-import type { TonalArtMap } from 'three-hatching';
+import type { Hand, TonalArtMap } from 'three-hatching';
+import { ModelError } from '../../../files/common/ModelError.js';
 import type { ModelFile } from '../../../files/readModel.js';
 import { SETTINGS, type Settings } from '../../../settings/settings.js';
 import { drawsWithMap } from '../../../settings/settingValues.js';
-import type { TonalArtMapCache } from '../../drawing/TonalArtMapCache.js';
+import type { OwnHand } from '../../drawing/OwnHand.js';
+import type { MapSettings, TonalArtMapCache } from '../../drawing/TonalArtMapCache.js';
 import type { Stage } from '../../stage/Stage.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
 
-type MapSettings = Pick<Settings, 'mapStyle' | 'mapSize' | 'mapTones' | 'mapSeed'>;
+/** A map that takes longer than this, in milliseconds, is drawn small first. */
+const SOON = 600;
+/** The size of a map that is there soon, and the number of its tones. */
+const QUICK = { mapSize: '64', mapTones: 5 } as const;
 
 /** Loads tonal art maps and draws with them. A map is generated from the settings or read from the user's files. */
 export class MapLoader {
   /** The files from which the user's own map was read. */
   ownFiles: readonly ModelFile[] | undefined;
+  /** The user's own hand, with which the style `ownHand` draws. */
+  hand: OwnHand | undefined;
+  /** How long the latest map by a hand took, in milliseconds. */
+  private handTime = 0;
   /** The cache is fetched with the first map, because engraved lines and dots are drawn without one. */
   private cache: TonalArtMapCache | undefined;
   /** The settings of the map in use. */
@@ -41,7 +50,24 @@ export class MapLoader {
       const onProgress = (progress: number): void => report('drawing strokes for the map', progress);
       const cache = await this.fetchCache();
       signal.throwIfAborted();
-      const map = await cache.get(this.settings, { signal, onProgress }, this.stage.tonalArtMap);
+      const chosen = { ...this.settings };
+      const options = { signal, onProgress };
+      const hand = chosen.mapStyle === 'ownHand' ? await this.readHand() : undefined;
+      signal.throwIfAborted();
+      if (chosen.mapStyle === 'ownHand' && !hand) {
+        // There is a drawing all the same.
+        const plain = { ...chosen, mapStyle: SETTINGS.mapStyle.default };
+        if (!this.shown) this.use(await cache.get(plain, options, undefined), plain);
+        throw new ModelError('The hand in this link is damaged: ask for the link again, or for the hand as a file.');
+      }
+      if (hand && this.handTime > SOON && !cache.has(chosen, hand)) {
+        const quick = await cache.get({ ...chosen, ...QUICK }, options, this.stage.tonalArtMap, hand);
+        if (!signal.aborted) this.use(quick, this.shown ?? chosen);
+      }
+      const isKept = cache.has(chosen, hand);
+      const start = performance.now();
+      const map = await cache.get(chosen, options, this.stage.tonalArtMap, hand);
+      if (hand && !isKept) this.handTime = performance.now() - start;
       if (!signal.aborted) this.use(map);
     });
     if (end !== 'failed' || !this.shown) return;
@@ -76,14 +102,24 @@ export class MapLoader {
     this.cache?.releaseGraphics();
   }
 
+  /** The hand that is drawn with. One from a link is read now; undefined if that is damaged. */
+  private async readHand(): Promise<Hand | undefined> {
+    const own = this.hand;
+    if (!own || own.hand || own.link === undefined) return own?.hand;
+    const { readHand } = await import('../../../settings/handLink.js');
+    const hand = readHand(own.link);
+    // Undo may have gone on meanwhile.
+    if (this.hand === own) this.hand = hand && { ...own, hand, strokes: hand.strokes };
+    return hand;
+  }
+
   private async fetchCache(): Promise<TonalArtMapCache> {
     const { TonalArtMapCache } = await import('../../drawing/TonalArtMapCache.js');
     this.cache ??= new TonalArtMapCache();
     return this.cache;
   }
 
-  private use(map: TonalArtMap): void {
-    const { mapStyle, mapSize, mapTones, mapSeed } = this.settings;
+  private use(map: TonalArtMap, { mapStyle, mapSize, mapTones, mapSeed }: MapSettings = this.settings): void {
     this.shown = { mapStyle, mapSize, mapTones, mapSeed };
     this.stage.tonalArtMap = map;
     this.onMap();

@@ -1,8 +1,12 @@
+import type { Hand } from 'three-hatching';
+import type { ModelFile } from '../../../files/common/ModelFile.js';
 import { EditHistory } from '../../../settings/EditHistory.js';
 import { choosesMap } from '../../../settings/effects.js';
+import { handLook } from '../../../settings/handLook.js';
 import { lookOf } from '../../../settings/lookOf.js';
 import type { SettingKey, Settings } from '../../../settings/settings.js';
-import { readLink, writeLink } from '../../../settings/shareLink.js';
+import { type LinkedDrawing, readLink, writeLink } from '../../../settings/shareLink.js';
+import { HAND_FILE, handFile, linkedHand, type OwnHand } from '../../drawing/OwnHand.js';
 import type { Stage } from '../../stage/Stage.js';
 import { MapLoader } from '../loading/MapLoader.js';
 import { type ModelEnd, ModelLoader, type OpenedModel } from '../loading/ModelLoader.js';
@@ -34,6 +38,7 @@ export class Session {
   readonly views: SavedViews;
   private readonly history: EditHistory<DrawingState>;
   private readonly listeners: SessionListener[] = [];
+  private filed: { hand: Hand; files: readonly ModelFile[] } | undefined;
 
   constructor(
     readonly stage: Stage,
@@ -104,8 +109,36 @@ export class Session {
 
   /** Shows the drawing that a link describes, as a step of its own. */
   useLink(link: string): void {
-    this.showState({ ...readLink(link), files: undefined });
+    this.showState({ ...this.linked(link), files: undefined });
     this.recordChange();
+  }
+
+  /**
+   * Takes over the user's own hand, with the settings that it needs.
+   *
+   * @param source see {@link EditHistory.changed}
+   */
+  handChanged(hand: OwnHand | undefined, values: Partial<Settings> = {}, source?: string): void {
+    this.mapLoader.hand = hand;
+    Object.assign(this.settings, values);
+    this.recordChange(source);
+  }
+
+  /** Draws with a hand, as a step of its own. */
+  useHand(hand: OwnHand): void {
+    this.handChanged(hand, handLook(this.settings));
+    void this.mapLoader.showChosen();
+  }
+
+  /** Draws with a hand that was kept with the drawing, which is no step. Without it, if its file is damaged. */
+  async restoreHand(file: ModelFile): Promise<void> {
+    const { readHandFile } = await import('../../drawing/readHandFile.js');
+    const hand = await readHandFile(file).catch(() => undefined);
+    if (!hand) return;
+    this.mapLoader.hand = hand;
+    this.settings.mapStyle = 'ownHand';
+    void this.mapLoader.showChosen();
+    this.adopt();
   }
 
   // ── Steps ──
@@ -147,17 +180,39 @@ export class Session {
       camera: stage.view.state,
       files: settings.model === 'file' ? this.modelLoader.ownFiles : undefined,
       views: views.list,
+      hand: this.mapLoader.hand,
     };
   }
 
   /** The drawing as the text of a link. */
   get link(): string {
-    return writeLink(this.settings, this.stage.view.ownPlace, this.modelLoader.address, this.views.list);
+    const { modelLoader, mapLoader, views } = this;
+    return writeLink(this.settings, this.stage.view.ownPlace, modelLoader.address, views.list, mapLoader.hand?.link);
   }
 
   /** Whether a link to the drawing brings back its model. */
   get isModelInLink(): boolean {
     return this.settings.model !== 'file' || this.modelLoader.address !== undefined;
+  }
+
+  /** The user's own hand as a file, if it is drawn with; the same one as long as it is the same hand. */
+  get handFiles(): readonly ModelFile[] | undefined {
+    const { hand } = this.mapLoader;
+    if (this.settings.mapStyle !== 'ownHand' || !hand?.hand) return undefined;
+    if (this.filed?.hand !== hand.hand) this.filed = { hand: hand.hand, files: [handFile(hand.hand)] };
+    return this.filed.files;
+  }
+
+  /** Whether a link to the drawing brings back the hand that it is drawn with. */
+  get isHandInLink(): boolean {
+    return this.settings.mapStyle !== 'ownHand' || this.mapLoader.hand?.link !== undefined;
+  }
+
+  /** What a link describes, of which the hand is not read yet. */
+  linked(link: string): LinkedDrawing & LookState {
+    const drawing = readLink(link);
+    // A link without a hand leaves the user's own one: it can be chosen again.
+    return { ...drawing, hand: linkedHand(drawing.handText) ?? this.mapLoader.hand };
   }
 
   /** The images of the user's own map, if it is drawn with. */
@@ -176,10 +231,11 @@ export class Session {
   }
 
   /** Takes over settings, camera and views, and loads the map that they ask for. */
-  showLook({ settings: next, camera: place, views: kept }: LookState): void {
+  showLook({ settings: next, camera: place, views: kept, hand }: LookState): void {
     const { stage, settings } = this;
     Object.assign(settings, next);
     this.views.list = kept;
+    this.mapLoader.hand = hand;
     void this.mapLoader.showChosen();
     // Applied first: the model is framed together with its shadow, which depends on the lights.
     stage.apply(lookOf(settings));
@@ -209,10 +265,12 @@ export class Session {
   private takeOver({ isOther, drawing }: OpenedModel): void {
     if (isOther) this.views.list = [];
     if (!drawing) return;
-    const { settings: next, camera, views } = readLink(drawing.link);
-    this.showLook({ settings: { ...next, model: this.settings.model }, camera, views });
-    if (drawing.strokes.length > 0)
-      void this.mapLoader.showFiles(drawing.strokes, true).then(() => this.history.adopt());
+    const { settings: next, camera, views, hand } = this.linked(drawing.link);
+    this.showLook({ settings: { ...next, model: this.settings.model }, camera, views, hand });
+    const { strokes } = drawing;
+    const file = strokes.find(({ name }) => name === HAND_FILE);
+    if (file) void this.restoreHand(file);
+    else if (strokes.length > 0) void this.mapLoader.showFiles(strokes, true).then(() => this.history.adopt());
   }
 
   private tell(event: SessionEvent): void {

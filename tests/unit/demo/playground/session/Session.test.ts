@@ -138,6 +138,7 @@ test('where a state had files that are gone, the model that is shown stays', () 
   const { model } = session.settings;
   session.showState({
     settings: { ...defaultSettings(), model: 'file', ink: '#00ff00' },
+    hand: undefined,
     camera: undefined,
     files: undefined,
     views: [],

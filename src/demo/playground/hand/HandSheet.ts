@@ -1,0 +1,250 @@
+import type { HandNumbers, HandStroke } from 'three-hatching';
+import { ModelError } from '../../../files/common/ModelError.js';
+import { shownName } from '../../../files/common/shownText.js';
+import { handLook, lookWithoutHand } from '../../../settings/handLook.js';
+import { drawsWithMap } from '../../../settings/settingValues.js';
+import { handFile, type OwnHand } from '../../drawing/OwnHand.js';
+import { readHandFile } from '../../drawing/readHandFile.js';
+import { page } from '../elements/page.js';
+import { textButton } from '../elements/textButton.js';
+import { type SliderValue, ValueSlider } from '../elements/ValueSlider.js';
+import type { Session } from '../session/Session.js';
+import { download } from '../takeAway/download.js';
+import type { Status } from '../tasks/Status.js';
+import { sentenceFor } from '../tasks/sentenceFor.js';
+import { element } from './element.js';
+import { eraseStrokes } from './eraseStrokes.js';
+import { HAND_NUMBER_NAMES, HAND_SLIDERS, inUnit, numberOfShown, shownNumber } from './handSliders.js';
+import { changedNumbers, LEAST_STROKES, learnOwnHand, withNumbers } from './learnOwnHand.js';
+import { SwatchCanvas, type SwatchTool } from './SwatchCanvas.js';
+import { SWATCHES } from './swatches.js';
+
+/** How long the map waits for another stroke or step of a slider, in milliseconds. */
+const PAUSE = 150;
+
+const NONE: OwnHand = { strokes: [], hand: undefined, changed: {}, link: undefined };
+
+/** The sheet beside the drawing on which users draw a hand of their own: a few strokes, with which the model is hatched at once. */
+export class HandSheet {
+  private readonly swatches: SwatchCanvas;
+  private readonly said = element('p', { className: 'hand-said' });
+  private readonly tools: readonly (readonly [SwatchTool, HTMLButtonElement])[];
+  private readonly undo = textButton('Undo', () => this.session.undo());
+  private readonly clear = textButton('Clear', () => this.change([]), 'Clear the sheet');
+  private readonly use = textButton('Draw with it', () => this.session.useLook(handLook(this.session.settings)));
+  private readonly save = textButton('Save the hand', () => this.saveHand(), 'Save the hand as a file');
+  private readonly file = element('input', { type: 'file', accept: '.json', hidden: true });
+  private readonly asLearnt = textButton('As learnt', () => this.changeNumbers({}));
+  private readonly numbers = element('fieldset', { className: 'motion hand-numbers', hidden: true });
+  private readonly sliders: readonly ValueSlider[];
+  private shown: OwnHand | undefined;
+  private opener: Element | null = null;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(
+    private readonly sheet: HTMLElement,
+    private readonly session: Session,
+    private readonly status: Status,
+  ) {
+    this.swatches = new SwatchCanvas({
+      drawn: (stroke) => this.change([...this.own.strokes, stroke]),
+      rubbed: (x, y, radius) => this.rub(x, y, radius),
+    });
+    this.tools = (['pen', 'rubber'] as const).map((tool) => {
+      const button = textButton(tool === 'pen' ? 'Pen' : 'Rubber', () => this.take(tool));
+      return [tool, button] as const;
+    });
+    this.said.setAttribute('role', 'status');
+    this.numbers.setAttribute('aria-label', 'What was learnt');
+    this.sliders = HAND_NUMBER_NAMES.map(() => new ValueSlider(() => {}));
+    this.build();
+    this.take('pen');
+    session.listen({ applied: () => this.refresh(), stepped: () => this.refresh() });
+  }
+
+  get isOpen(): boolean {
+    return !this.sheet.hidden;
+  }
+
+  open(): void {
+    if (this.isOpen) return;
+    this.opener = document.activeElement;
+    this.sheet.hidden = false;
+    document.body.classList.add('has-hand-sheet');
+    this.refresh();
+    this.swatches.paint();
+    this.sheet.querySelector('button')?.focus();
+  }
+
+  close(): void {
+    if (!this.isOpen) return;
+    this.sheet.hidden = true;
+    document.body.classList.remove('has-hand-sheet');
+    if (this.opener instanceof HTMLElement) this.opener.focus();
+  }
+
+  private get own(): OwnHand {
+    return this.session.mapLoader.hand ?? NONE;
+  }
+
+  /** The numbers that stay as they are when more strokes are drawn. */
+  private get changed(): Partial<HandNumbers> {
+    const { changed, hand } = this.own;
+    return changed ?? (hand ? changedNumbers(hand) : {});
+  }
+
+  private build(): void {
+    const title = element('h2', { id: 'hand-title' }, 'Your own hand');
+    const penWidth = new ValueSlider(() => penWidth.update());
+    const { swatches } = this;
+    penWidth.show({
+      ...{ name: 'Pen', hint: 'how wide it draws at half pressure', min: 0.1, max: 2, step: 0.05 },
+      format: (value) => `${value.toFixed(2)} mm`,
+      read: () => swatches.penWidth,
+      write: (value) => {
+        swatches.penWidth = value;
+      },
+    });
+    const open = textButton('Open a hand', () => this.file.click(), 'Open a hand from a file');
+    const tools = element('p', { className: 'hand-tools' }, ...this.tools.map(([, button]) => button));
+    tools.append(this.undo, this.clear);
+    this.numbers.append(
+      ...this.sliders.map(({ label }) => label),
+      element('p', { className: 'hand-tools' }, this.asLearnt),
+    );
+    this.sheet.append(
+      element(
+        'header',
+        { className: 'dialog-head' },
+        title,
+        textButton('Close', () => this.close()),
+      ),
+      element('p', {}, 'Hatch in the fields as you do on paper: with a pen, a finger or the mouse. One field will do.'),
+      tools,
+      swatches.element,
+      element('div', { className: 'motion hand-pen' }, penWidth.label),
+      this.said,
+      element('p', { className: 'hand-tools' }, this.use, this.save, open, this.file),
+      this.numbers,
+    );
+    this.file.addEventListener('change', () => {
+      const [file] = this.file.files ?? [];
+      // Otherwise there would be no event when the same file is picked again.
+      this.file.value = '';
+      if (file) this.openFile(file);
+    });
+    this.sheet.addEventListener('keydown', (event) => {
+      if (event.key !== 'Escape') return;
+      event.stopPropagation();
+      this.close();
+    });
+    page.toggleCard.addEventListener('click', () => this.close());
+  }
+
+  private saveHand(): void {
+    const { hand } = this.own;
+    if (!hand) return;
+    const { name, content } = handFile(hand);
+    download(content, name);
+  }
+
+  private openFile(file: File): void {
+    const use = async (): Promise<void> => {
+      const hand = await readHandFile({ name: file.name, content: file });
+      if (!hand) throw new ModelError(`${shownName(file.name)} is no hand: open one that this page has saved.`);
+      this.session.useHand(hand);
+    };
+    use().catch((error) => this.status.fail(sentenceFor(error)));
+  }
+
+  private take(tool: SwatchTool): void {
+    this.swatches.tool = tool;
+    for (const [name, button] of this.tools) button.setAttribute('aria-pressed', String(name === tool));
+  }
+
+  private rub(x: number, y: number, radius: number): void {
+    const { strokes } = this.own;
+    const left = eraseStrokes(strokes, x, y, radius);
+    // All that is rubbed out in one go is one step.
+    if (left !== strokes) this.change(left, 'hand rubber');
+  }
+
+  /** Takes over other strokes, as a step. */
+  private change(strokes: readonly HandStroke[], source?: string): void {
+    this.takeOver(learnOwnHand(strokes, strokes.length > 0 ? this.changed : {}), source);
+  }
+
+  private changeNumbers(changed: Partial<HandNumbers>, source?: string): void {
+    const { own } = this;
+    const isBack = Object.keys(changed).length === 0;
+    this.takeOver(isBack ? learnOwnHand(own.strokes, {}) : withNumbers(own, changed), source);
+  }
+
+  private takeOver(next: OwnHand | undefined, source?: string): void {
+    const { session } = this;
+    const had = this.own.hand !== undefined;
+    const { settings } = session;
+    const look = next?.hand ? (had ? {} : handLook(settings)) : lookWithoutHand(settings);
+    session.handChanged(next, look, source);
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => void session.mapLoader.showChosen(), PAUSE);
+  }
+
+  /** Shows the hand that the page has now, and whether it is drawn with. */
+  private refresh(): void {
+    if (!this.isOpen) return;
+    const { own, session } = this;
+    const { strokes, hand } = own;
+    this.undo.disabled = !session.canUndo;
+    this.clear.disabled = strokes.length === 0;
+    const isDrawnWith = session.settings.mapStyle === 'ownHand' && drawsWithMap(session.settings);
+    this.use.hidden = hand === undefined || isDrawnWith;
+    this.save.disabled = hand === undefined;
+    if (own === this.shown) return;
+    this.shown = own;
+    this.swatches.show(strokes, describe(strokes));
+    this.said.textContent = sentenceAbout(own);
+    this.numbers.hidden = hand === undefined;
+    this.asLearnt.disabled = own.changed !== undefined && Object.keys(own.changed).length === 0;
+    if (!hand) return;
+    HAND_NUMBER_NAMES.forEach((name, i) => {
+      this.sliders[i].show(this.sliderOf(name));
+    });
+  }
+
+  private sliderOf(name: keyof HandNumbers): SliderValue {
+    const { label, about, min, max, step } = HAND_SLIDERS[name];
+    return {
+      ...{ name: label, hint: about, min, max, step },
+      format: (shown) => inUnit(name, shown),
+      read: () => shownNumber(name, this.own.hand?.numbers[name] ?? 0),
+      write: (shown) => this.changeNumbers({ ...this.changed, [name]: numberOfShown(name, shown) }, `hand ${name}`),
+      reset: () => {
+        const { [name]: _, ...others } = this.changed;
+        const { strokes } = this.own;
+        this.takeOver(learnOwnHand(strokes, others));
+      },
+    };
+  }
+}
+
+/** What screen readers say of the sheet. */
+function describe(strokes: readonly HandStroke[]): string {
+  const counts = SWATCHES.map(({ tone, label }) => {
+    const count = strokes.filter(({ swatch = 'middle' }) => swatch === tone).length;
+    return `${label.toLowerCase()} ${count}`;
+  });
+  return `The sheet to draw on, with ${inWords(strokes.length)}: ${counts.join(', ')}`;
+}
+
+const inWords = (count: number): string => (count === 1 ? '1 stroke' : `${count} strokes`);
+
+function sentenceAbout({ strokes, hand }: OwnHand): string {
+  if (hand) return `${inWords(strokes.length)}: this is what they tell.`;
+  const missing = LEAST_STROKES - strokes.length;
+  if (missing > 0) {
+    const had = strokes.length === 0 ? '' : `${inWords(strokes.length)}: `;
+    return `${had}${strokes.length === 0 ? `${LEAST_STROKES} strokes are enough` : `${missing} more`} to begin with.`;
+  }
+  return 'These are dots: draw strokes that are longer than wide.';
+}
