@@ -8,10 +8,10 @@ import type { MapSettings, TonalArtMapCache } from '../../drawing/TonalArtMapCac
 import type { Stage } from '../../stage/Stage.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
 
-/** A map that takes longer than this, in milliseconds, is drawn small first. */
-const SOON = 600;
+/** Where the last map by a hand took longer than this, in milliseconds, a small one is drawn first. */
+const SOON = 500;
 /** The size of a map that is there soon, and the number of its tones. */
-const QUICK = { mapSize: '64', mapTones: 5 } as const;
+const QUICK = { mapSize: '128', mapTones: 4 } as const;
 
 /** Loads tonal art maps and draws with them. A map is generated from the settings or read from the user's files. */
 export class MapLoader {
@@ -19,6 +19,8 @@ export class MapLoader {
   ownFiles: readonly ModelFile[] | undefined;
   /** The user's own hand, with which the style `ownHand` draws. */
   hand: OwnHand | undefined;
+  /** How many tiles of the map in use stand for one, because they are smaller: so strokes are as large as they will be. */
+  tileScale = 1;
   /** How long the latest map by a hand took, in milliseconds. */
   private handTime = 0;
   /** The cache is fetched with the first map, because engraved lines and dots are drawn without one. */
@@ -60,9 +62,11 @@ export class MapLoader {
         if (!this.shown) this.use(await cache.get(plain, options, undefined), plain);
         throw new ModelError('The hand in this link is damaged: ask for the link again, or for the hand as a file.');
       }
-      if (hand && this.handTime > SOON && !cache.has(chosen, hand)) {
+      const tileScale = Number(chosen.mapSize) / Number(QUICK.mapSize);
+      if (hand && this.handTime > SOON && tileScale > 1 && !cache.has(chosen, hand)) {
         const quick = await cache.get({ ...chosen, ...QUICK }, options, this.stage.tonalArtMap, hand);
-        if (!signal.aborted) this.use(quick, this.shown ?? chosen);
+        signal.throwIfAborted();
+        this.use(quick, this.shown ?? chosen, tileScale);
       }
       const isKept = cache.has(chosen, hand);
       const start = performance.now();
@@ -119,8 +123,13 @@ export class MapLoader {
     return this.cache;
   }
 
-  private use(map: TonalArtMap, { mapStyle, mapSize, mapTones, mapSeed }: MapSettings = this.settings): void {
+  private use(
+    map: TonalArtMap,
+    { mapStyle, mapSize, mapTones, mapSeed }: MapSettings = this.settings,
+    tileScale = 1,
+  ): void {
     this.shown = { mapStyle, mapSize, mapTones, mapSeed };
+    this.tileScale = tileScale;
     this.stage.tonalArtMap = map;
     this.onMap();
   }

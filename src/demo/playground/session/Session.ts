@@ -3,7 +3,7 @@ import type { ModelFile } from '../../../files/common/ModelFile.js';
 import { EditHistory } from '../../../settings/EditHistory.js';
 import { choosesMap } from '../../../settings/effects.js';
 import { handLook } from '../../../settings/handLook.js';
-import { lookOf } from '../../../settings/lookOf.js';
+import { type Look, lookOf } from '../../../settings/lookOf.js';
 import type { SettingKey, Settings } from '../../../settings/settings.js';
 import { type LinkedDrawing, readLink, writeLink } from '../../../settings/shareLink.js';
 import { HAND_FILE, handFile, linkedHand, type OwnHand } from '../../drawing/OwnHand.js';
@@ -49,7 +49,7 @@ export class Session {
       stage,
       settings,
       tasks,
-      () => this.tell('mapShown'),
+      () => this.mapShown(),
       (isRestored) => (isRestored ? this.apply() : this.recordChange()),
       () => this.adopt(),
     );
@@ -238,13 +238,24 @@ export class Session {
     this.mapLoader.hand = hand;
     void this.mapLoader.showChosen();
     // Applied first: the model is framed together with its shadow, which depends on the lights.
-    stage.apply(lookOf(settings));
+    stage.apply(this.look);
     if (place) stage.view.state = place;
     else stage.view.frame();
   }
 
+  private get look(): Look {
+    const { settings, mapLoader } = this;
+    return lookOf({ ...settings, tilesPerUnit: settings.tilesPerUnit * mapLoader.tileScale });
+  }
+
+  private mapShown(): void {
+    // Its tiles may be smaller than those of the map before.
+    this.stage.apply(this.look);
+    this.tell('mapShown');
+  }
+
   private apply(): void {
-    this.stage.apply(lookOf(this.settings));
+    this.stage.apply(this.look);
     this.tell('applied');
   }
 

@@ -26,6 +26,8 @@ vi.mock('../../../../../src/demo/playground/loading/ModelLoader.js', () => ({
 vi.mock('../../../../../src/demo/playground/loading/MapLoader.js', () => ({
   MapLoader: class {
     showChosen = loaders.showMap;
+    tileScale = 1;
+    hand = undefined;
   },
 }));
 // Nothing is pressed: there is no page.
