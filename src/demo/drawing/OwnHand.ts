@@ -11,16 +11,13 @@ export interface OwnHand {
   readonly changed: Partial<HandNumbers> | undefined;
   /** The hand as a text for links; undefined if it is too long for one. Of a hand from a link, nothing else is known until it is read. */
   readonly link: string | undefined;
+  /** The hand as a file, to be kept with the drawing. */
+  readonly files: readonly ModelFile[] | undefined;
 }
 
 /** A hand that came with a link, as long as it is not read. */
 export const linkedHand = (link: string | undefined): OwnHand | undefined =>
-  link === undefined ? undefined : { strokes: [], hand: undefined, changed: undefined, link };
+  link === undefined ? undefined : { strokes: [], hand: undefined, changed: undefined, link, files: undefined };
 
 /** The name of the file of a hand. */
 export const HAND_FILE = 'hand.json';
-
-export const handFile = (hand: Hand): ModelFile => ({
-  name: HAND_FILE,
-  content: new Blob([JSON.stringify(hand)], { type: 'application/json' }),
-});

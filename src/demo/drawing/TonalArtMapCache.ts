@@ -4,7 +4,7 @@ import { SETTINGS, type Settings } from '../../settings/settings.js';
 /** The settings that say which map is drawn. */
 export type MapSettings = Pick<Settings, 'mapStyle' | 'mapSize' | 'mapTones' | 'mapSeed'>;
 
-interface MapOptions {
+export interface MapOptions {
   signal: AbortSignal;
   onProgress: (progress: number) => void;
 }
@@ -14,6 +14,8 @@ export class TonalArtMapCache {
   private static readonly kept = 6;
   private readonly maps = new Map<string, TonalArtMap>();
   private own: TonalArtMap | undefined;
+  /** How long the latest map by a hand took to draw, in milliseconds. */
+  handTime = 0;
   /** Numbers for the keys of hands. */
   private readonly hands = new WeakMap<Hand, number>();
   private handCount = 0;
@@ -37,7 +39,10 @@ export class TonalArtMapCache {
   ): Promise<TonalArtMap> {
     if (settings.mapStyle === 'file' && this.own) return this.own;
     const key = this.keyOf(settings, hand);
-    const map = this.maps.get(key) ?? (await generate({ ...drawingOf(settings, hand), ...options }));
+    const start = performance.now();
+    const known = this.maps.get(key);
+    const map = known ?? (await generate({ ...drawingOf(settings, hand), ...options }));
+    if (hand && !known && settings.mapSize === SETTINGS.mapSize.default) this.handTime = performance.now() - start;
     this.maps.delete(key);
     this.maps.set(key, map);
     for (const [oldKey, old] of this.maps) {

@@ -2,7 +2,7 @@ import { ModelError } from '../../files/common/ModelError.js';
 import type { ModelFile } from '../../files/common/ModelFile.js';
 import { shownName } from '../../files/common/shownText.js';
 import { checkHand } from '../../hand/checkHand.js';
-import { writeHand } from '../../settings/handLink.js';
+import { ownHandOf } from './linkedHand.js';
 import type { OwnHand } from './OwnHand.js';
 
 /** A file of a hand is far smaller: it has 100,000 points at most. */
@@ -28,5 +28,5 @@ export async function readHandFile({ name, content }: ModelFile): Promise<OwnHan
   } catch (error) {
     throw new ModelError((error as Error).message);
   }
-  return { strokes: value.strokes, hand: value, changed: undefined, link: writeHand(value) };
+  return ownHandOf(value);
 }

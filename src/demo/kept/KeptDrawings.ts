@@ -22,7 +22,6 @@ export interface KeptDrawing {
 export interface KeptFiles {
   model?: readonly ModelFile[] | undefined;
   map?: readonly ModelFile[] | undefined;
-  hand?: readonly ModelFile[] | undefined;
 }
 
 const DATABASE = 'three-hatching';

@@ -83,10 +83,7 @@ function connectDrops({ session, parts, status }: PageHandlers): void {
     (files) => {
       status.solveProblem('link');
       parts.whenFetched(import('./loading/openDropped.js'), ({ openDropped }) => {
-        const { modelLoader, mapLoader } = session;
-        openDropped(files, { modelLoader, mapLoader, useHand: (hand) => session.useHand(hand) }).catch((error) =>
-          status.fail(sentenceFor(error)),
-        );
+        openDropped(files, session).catch((error) => status.fail(sentenceFor(error)));
       });
     },
     (error) => status.fail(`What was dropped could not be read: ${errorMessage(error)}`),

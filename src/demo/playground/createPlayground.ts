@@ -60,16 +60,12 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   // What the page shows.
   const overlays = new Overlays(session, parts);
   const dialogs = new Dialogs(session, keeper, opener, parts);
-  const hand = parts.later(async () => {
-    const { HandSheet } = await import('./hand/HandSheet.js');
-    return new HandSheet(page.handSheet, session, status);
-  });
   const takeAway = new TakeAway(session, address, status, tasks, form, parts);
   const fillScreen = (): void => {
     toggleFullScreen(page.sheet).catch(() => status.fail('The browser does not let the drawing fill the screen.'));
   };
   const createActions = async () =>
-    (await import('./panelActions.js')).panelActions(session, takeAway, dialogs, hand, fillScreen);
+    (await import('./panelActions.js')).panelActions(session, takeAway, dialogs, parts, fillScreen);
   const card = new Card(session, status, parts, createActions, (group, isOpen) => {
     if (group === 'Picture') overlays.showSheet(isOpen);
   });

@@ -1,21 +1,25 @@
 import { LIGHT_LOOKS } from '../../settings/lightLooks.js';
 import { savedFormat } from '../../settings/settingValues.js';
+import { findElement } from '../page/findElement.js';
 import type { Dialogs } from './dialogs/Dialogs.js';
-import type { HandSheet } from './hand/HandSheet.js';
 import type { PanelAction } from './panel/SettingsPanel.js';
 import type { Session } from './session/Session.js';
 import type { TakeAway } from './takeAway/TakeAway.js';
-import type { LaterPart } from './tasks/LaterParts.js';
+import type { LaterParts } from './tasks/LaterParts.js';
 
 /** The buttons of the panel, by the group of settings that they stand in. */
 export function panelActions(
   session: Session,
   takeAway: TakeAway,
   dialogs: Dialogs,
-  hand: LaterPart<HandSheet>,
+  parts: LaterParts,
   fillScreen: () => void,
 ): readonly PanelAction[] {
   const { stage, settings } = session;
+  const hand = parts.later(async () => {
+    const { HandSheet } = await import('./hand/HandSheet.js');
+    return new HandSheet(findElement('hand-sheet'), session);
+  });
   const lights = Object.entries(LIGHT_LOOKS).map(
     ([label, look]): PanelAction => ({ label, group: 'Light', run: () => session.change(look) }),
   );

@@ -37,7 +37,6 @@ export const page = {
     close: findElement('close-gallery'),
   },
   openGallery: findElement('open-gallery'),
-  handSheet: findElement('hand-sheet'),
   surprise: findElement('surprise'),
   openKeys: findElement('open-keys'),
   shelf: { looks: findElement('open-looks'), views: findElement('open-views') },

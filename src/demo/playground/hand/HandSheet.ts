@@ -1,17 +1,12 @@
 import type { HandNumbers, HandStroke } from 'three-hatching';
-import { ModelError } from '../../../files/common/ModelError.js';
-import { shownName } from '../../../files/common/shownText.js';
 import { handLook, lookWithoutHand } from '../../../settings/handLook.js';
 import { drawsWithMap } from '../../../settings/settingValues.js';
-import { handFile, type OwnHand } from '../../drawing/OwnHand.js';
-import { readHandFile } from '../../drawing/readHandFile.js';
+import type { OwnHand } from '../../drawing/OwnHand.js';
 import { page } from '../elements/page.js';
 import { textButton } from '../elements/textButton.js';
 import { type SliderValue, ValueSlider } from '../elements/ValueSlider.js';
 import type { Session } from '../session/Session.js';
 import { download } from '../takeAway/download.js';
-import type { Status } from '../tasks/Status.js';
-import { sentenceFor } from '../tasks/sentenceFor.js';
 import { element } from './element.js';
 import { eraseStrokes } from './eraseStrokes.js';
 import { HAND_NUMBER_NAMES, HAND_SLIDERS, inUnit, numberOfShown, shownNumber } from './handSliders.js';
@@ -22,7 +17,7 @@ import { SWATCHES } from './swatches.js';
 /** How long the map waits for another stroke or step of a slider, in milliseconds. */
 const PAUSE = 150;
 
-const NONE: OwnHand = { strokes: [], hand: undefined, changed: {}, link: undefined };
+const NONE: OwnHand = { strokes: [], hand: undefined, changed: {}, link: undefined, files: undefined };
 
 /** The sheet beside the drawing on which users draw a hand of their own: a few strokes, with which the model is hatched at once. */
 export class HandSheet {
@@ -44,7 +39,6 @@ export class HandSheet {
   constructor(
     private readonly sheet: HTMLElement,
     private readonly session: Session,
-    private readonly status: Status,
   ) {
     this.swatches = new SwatchCanvas({
       drawn: (stroke) => this.change([...this.own.strokes, stroke]),
@@ -131,7 +125,7 @@ export class HandSheet {
       const [file] = this.file.files ?? [];
       // Otherwise there would be no event when the same file is picked again.
       this.file.value = '';
-      if (file) this.openFile(file);
+      if (file) void this.session.mapLoader.showFiles([{ name: file.name, content: file }]);
     });
     this.sheet.addEventListener('keydown', (event) => {
       if (event.key !== 'Escape') return;
@@ -142,19 +136,7 @@ export class HandSheet {
   }
 
   private saveHand(): void {
-    const { hand } = this.own;
-    if (!hand) return;
-    const { name, content } = handFile(hand);
-    download(content, name);
-  }
-
-  private openFile(file: File): void {
-    const use = async (): Promise<void> => {
-      const hand = await readHandFile({ name: file.name, content: file });
-      if (!hand) throw new ModelError(`${shownName(file.name)} is no hand: open one that this page has saved.`);
-      this.session.useHand(hand);
-    };
-    use().catch((error) => this.status.fail(sentenceFor(error)));
+    for (const { name, content } of this.own.files ?? []) download(content, name);
   }
 
   private take(tool: SwatchTool): void {

@@ -1,5 +1,5 @@
 import { type Hand, type HandNumbers, type HandStroke, learnHand } from 'three-hatching';
-import { writeHand } from '../../../settings/handLink.js';
+import { ownHandOf } from '../../drawing/linkedHand.js';
 import type { OwnHand } from '../../drawing/OwnHand.js';
 
 /** Fewer strokes are no hand yet. */
@@ -11,7 +11,7 @@ export const LEAST_STROKES = 5;
  */
 export function learnOwnHand(strokes: readonly HandStroke[], changed: Partial<HandNumbers>): OwnHand | undefined {
   if (strokes.length === 0) return undefined;
-  const none: OwnHand = { strokes, hand: undefined, changed, link: undefined };
+  const none: OwnHand = { strokes, hand: undefined, changed, link: undefined, files: undefined };
   if (strokes.length < LEAST_STROKES) return none;
   try {
     return withNumbers({ ...none, hand: learnHand(strokes) }, changed);
@@ -39,5 +39,5 @@ export function changedNumbers({ strokes, numbers }: Hand): Partial<HandNumbers>
 export function withNumbers(own: OwnHand, changed: Partial<HandNumbers>): OwnHand {
   if (!own.hand) return { ...own, changed };
   const hand = { ...own.hand, numbers: { ...own.hand.numbers, ...changed } };
-  return { ...own, hand, changed, link: writeHand(hand) };
+  return ownHandOf(hand, own.strokes, changed);
 }

@@ -1,5 +1,4 @@
-import type { Hand, TonalArtMap } from 'three-hatching';
-import { ModelError } from '../../../files/common/ModelError.js';
+import type { TonalArtMap } from 'three-hatching';
 import type { ModelFile } from '../../../files/readModel.js';
 import { SETTINGS, type Settings } from '../../../settings/settings.js';
 import { drawsWithMap } from '../../../settings/settingValues.js';
@@ -7,11 +6,6 @@ import type { OwnHand } from '../../drawing/OwnHand.js';
 import type { MapSettings, TonalArtMapCache } from '../../drawing/TonalArtMapCache.js';
 import type { Stage } from '../../stage/Stage.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
-
-/** Where the last map by a hand took longer than this, in milliseconds, a small one is drawn first. */
-const SOON = 500;
-/** The size of a map that is there soon, and the number of its tones. */
-const QUICK = { mapSize: '128', mapTones: 4 } as const;
 
 /** Loads tonal art maps and draws with them. A map is generated from the settings or read from the user's files. */
 export class MapLoader {
@@ -21,8 +15,6 @@ export class MapLoader {
   hand: OwnHand | undefined;
   /** How many tiles of the map in use stand for one, because they are smaller: so strokes are as large as they will be. */
   tileScale = 1;
-  /** How long the latest map by a hand took, in milliseconds. */
-  private handTime = 0;
   /** The cache is fetched with the first map, because engraved lines and dots are drawn without one. */
   private cache: TonalArtMapCache | undefined;
   /** The settings of the map in use. */
@@ -30,7 +22,7 @@ export class MapLoader {
 
   constructor(
     private readonly stage: Stage,
-    private readonly settings: Settings,
+    readonly settings: Settings,
     private readonly tasks: TaskRunner,
     /** Called when another map is in use. */
     private readonly onMap: () => void,
@@ -52,26 +44,14 @@ export class MapLoader {
       const onProgress = (progress: number): void => report('drawing strokes for the map', progress);
       const cache = await this.fetchCache();
       signal.throwIfAborted();
-      const chosen = { ...this.settings };
       const options = { signal, onProgress };
-      const hand = chosen.mapStyle === 'ownHand' ? await this.readHand() : undefined;
-      signal.throwIfAborted();
-      if (chosen.mapStyle === 'ownHand' && !hand) {
-        // There is a drawing all the same.
-        const plain = { ...chosen, mapStyle: SETTINGS.mapStyle.default };
-        if (!this.shown) this.use(await cache.get(plain, options, undefined), plain);
-        throw new ModelError('The hand in this link is damaged: ask for the link again, or for the hand as a file.');
-      }
-      const tileScale = Number(chosen.mapSize) / Number(QUICK.mapSize);
-      if (hand && this.handTime > SOON && tileScale > 1 && !cache.has(chosen, hand)) {
-        const quick = await cache.get({ ...chosen, ...QUICK }, options, this.stage.tonalArtMap, hand);
+      if (this.settings.mapStyle === 'ownHand') {
+        const { showHandMap } = await import('./showHandMap.js');
         signal.throwIfAborted();
-        this.use(quick, this.shown ?? chosen, tileScale);
+        await showHandMap(cache, { ...this.settings }, options, this);
+        return;
       }
-      const isKept = cache.has(chosen, hand);
-      const start = performance.now();
-      const map = await cache.get(chosen, options, this.stage.tonalArtMap, hand);
-      if (hand && !isKept) this.handTime = performance.now() - start;
+      const map = await cache.get(this.settings, options, this.map);
       if (!signal.aborted) this.use(map);
     });
     if (end !== 'failed' || !this.shown) return;
@@ -79,19 +59,22 @@ export class MapLoader {
     this.onPutBack();
   }
 
-  /** Draws with a map from files. @param isRestored whether the page goes back to the map, so that it is no change by the user */
+  /** Draws with a map or a hand from files. @param isRestored whether the page goes back to the map, so that it is no change by the user */
   async showFiles(files: readonly ModelFile[], isRestored = false): Promise<void> {
     await this.tasks.run('map', async (report, signal) => {
       const onProgress = (progress: number): void => report('reading your images', progress);
-      const { loadMapFiles } = await import('./mapFiles.js');
+      const { loadMapFiles, showHandFile } = await import('./mapFiles.js');
       const cache = await this.fetchCache();
       signal.throwIfAborted();
-      const map = await loadMapFiles(files, { signal, onProgress });
-      signal.throwIfAborted();
-      this.settings.mapStyle = 'file';
-      this.ownFiles = files;
-      this.use(map);
-      cache.keep(map);
+      const options = { signal, onProgress };
+      if (!(await showHandFile(files, cache, options, this))) {
+        const map = await loadMapFiles(files, options);
+        signal.throwIfAborted();
+        this.settings.mapStyle = 'file';
+        this.ownFiles = files;
+        this.use(map);
+        cache.keep(map);
+      }
       this.onOwnMap(isRestored);
     });
   }
@@ -106,28 +89,22 @@ export class MapLoader {
     this.cache?.releaseGraphics();
   }
 
-  /** The hand that is drawn with. One from a link is read now; undefined if that is damaged. */
-  private async readHand(): Promise<Hand | undefined> {
-    const own = this.hand;
-    if (!own || own.hand || own.link === undefined) return own?.hand;
-    const { readHand } = await import('../../../settings/handLink.js');
-    const hand = readHand(own.link);
-    // Undo may have gone on meanwhile.
-    if (this.hand === own) this.hand = hand && { ...own, hand, strokes: hand.strokes };
-    return hand;
-  }
-
   private async fetchCache(): Promise<TonalArtMapCache> {
     const { TonalArtMapCache } = await import('../../drawing/TonalArtMapCache.js');
     this.cache ??= new TonalArtMapCache();
     return this.cache;
   }
 
-  private use(
-    map: TonalArtMap,
-    { mapStyle, mapSize, mapTones, mapSeed }: MapSettings = this.settings,
-    tileScale = 1,
-  ): void {
+  /** The map in use. */
+  get map(): TonalArtMap | undefined {
+    return this.stage.tonalArtMap;
+  }
+
+  /**
+   * @param settings that say which map it is
+   * @param tileScale how many of its tiles stand for one
+   */
+  use(map: TonalArtMap, { mapStyle, mapSize, mapTones, mapSeed }: MapSettings = this.settings, tileScale = 1): void {
     this.shown = { mapStyle, mapSize, mapTones, mapSeed };
     this.tileScale = tileScale;
     this.stage.tonalArtMap = map;

@@ -1,28 +1,14 @@
 import type { ModelFile } from '../../../files/readModel.js';
-import type { OwnHand } from '../../drawing/OwnHand.js';
 import { page } from '../elements/page.js';
 import type { MapLoader } from './MapLoader.js';
 import type { ModelLoader } from './ModelLoader.js';
 import { sortDrop } from './sortDrop.js';
 
-/** Shows dropped files as a model, or draws with them as a hand or a map. Asks the user where they could be either. */
+/** Shows dropped files as a model, or draws with them as a map. Asks the user where they could be either. */
 export async function openDropped(
   dropped: readonly ModelFile[],
-  {
-    modelLoader,
-    mapLoader,
-    useHand,
-  }: { modelLoader: ModelLoader; mapLoader: MapLoader; useHand: (hand: OwnHand) => void },
+  { modelLoader, mapLoader }: { modelLoader: ModelLoader; mapLoader: MapLoader },
 ): Promise<void> {
-  const [first] = dropped;
-  if (dropped.length === 1 && /\.json$/i.test(first.name)) {
-    const { readHandFile } = await import('../../drawing/readHandFile.js');
-    const hand = await readHandFile(first);
-    if (hand) {
-      useHand(hand);
-      return;
-    }
-  }
   const { kind, files } = sortDrop(dropped, modelLoader.shownFiles, !page.contactSheet.sheet.hidden);
   if (kind === 'model') await modelLoader.showFiles(files);
   else if (kind === 'map' || (await askForStrokes(files))) await mapLoader.showFiles(files);

@@ -44,9 +44,8 @@ export class AddressWriter {
     const files = {
       model: session.settings.model === 'file' ? modelLoader.ownFiles : undefined,
       map: session.ownStrokes,
-      hand: session.handFiles,
     };
     this.keeper.shown(files, modelLoader.title, session.link, session.stage.view.ownPlace);
-    if (files.model || files.map || files.hand) this.wantPicture();
+    if (files.model || files.map) this.wantPicture();
   }
 }

@@ -40,13 +40,13 @@ export class Keeper {
    * @param link the settings and the camera, as the text of a link
    */
   shown(files: KeptFiles, title: string, link: string, camera: CameraView | undefined): void {
-    if (!files.model && !files.map && !files.hand) {
+    if (!files.model && !files.map) {
       this.id = undefined;
       this.files = {};
       this.note(link);
       return;
     }
-    const isOther = (['model', 'map', 'hand'] as const).some((part) => files[part] !== this.files[part]);
+    const isOther = files.model !== this.files.model || files.map !== this.files.map;
     if (this.id === undefined || files.model !== this.files.model) this.id = newId();
     this.files = files;
     this.note(link);
@@ -54,7 +54,7 @@ export class Keeper {
       id: this.id,
       title,
       at: Date.now(),
-      bytes: sizeOf(files.model) + sizeOf(files.map) + sizeOf(files.hand),
+      bytes: sizeOf(files.model) + sizeOf(files.map),
       link,
       camera,
     };

@@ -57,12 +57,11 @@ export class LinkFollower {
         );
       }
       const { settings: next, address: origin, views, hand } = session.linked(kept.drawing.link);
-      const { model: files, map, hand: handFiles } = kept.files;
+      const { model: files, map } = kept.files;
       if (files) next.model = 'file';
       if (files && origin !== undefined) modelLoader.cameFrom(files, origin);
       session.showState({ settings: next, camera: kept.drawing.camera, files, views, hand });
       if (map) await mapLoader.showFiles(map, true);
-      if (handFiles?.[0]) await session.restoreHand(handFiles[0]);
       return true;
     });
     if (isShown) session.recordChange();

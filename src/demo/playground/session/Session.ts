@@ -1,12 +1,10 @@
-import type { Hand } from 'three-hatching';
 import type { ModelFile } from '../../../files/common/ModelFile.js';
 import { EditHistory } from '../../../settings/EditHistory.js';
 import { choosesMap } from '../../../settings/effects.js';
-import { handLook } from '../../../settings/handLook.js';
 import { type Look, lookOf } from '../../../settings/lookOf.js';
 import type { SettingKey, Settings } from '../../../settings/settings.js';
 import { type LinkedDrawing, readLink, writeLink } from '../../../settings/shareLink.js';
-import { HAND_FILE, handFile, linkedHand, type OwnHand } from '../../drawing/OwnHand.js';
+import { linkedHand, type OwnHand } from '../../drawing/OwnHand.js';
 import type { Stage } from '../../stage/Stage.js';
 import { MapLoader } from '../loading/MapLoader.js';
 import { type ModelEnd, ModelLoader, type OpenedModel } from '../loading/ModelLoader.js';
@@ -38,7 +36,6 @@ export class Session {
   readonly views: SavedViews;
   private readonly history: EditHistory<DrawingState>;
   private readonly listeners: SessionListener[] = [];
-  private filed: { hand: Hand; files: readonly ModelFile[] } | undefined;
 
   constructor(
     readonly stage: Stage,
@@ -124,23 +121,6 @@ export class Session {
     this.recordChange(source);
   }
 
-  /** Draws with a hand, as a step of its own. */
-  useHand(hand: OwnHand): void {
-    this.handChanged(hand, handLook(this.settings));
-    void this.mapLoader.showChosen();
-  }
-
-  /** Draws with a hand that was kept with the drawing, which is no step. Without it, if its file is damaged. */
-  async restoreHand(file: ModelFile): Promise<void> {
-    const { readHandFile } = await import('../../drawing/readHandFile.js');
-    const hand = await readHandFile(file).catch(() => undefined);
-    if (!hand) return;
-    this.mapLoader.hand = hand;
-    this.settings.mapStyle = 'ownHand';
-    void this.mapLoader.showChosen();
-    this.adopt();
-  }
-
   // ── Steps ──
 
   get canUndo(): boolean {
@@ -195,14 +175,6 @@ export class Session {
     return this.settings.model !== 'file' || this.modelLoader.address !== undefined;
   }
 
-  /** The user's own hand as a file, if it is drawn with; the same one as long as it is the same hand. */
-  get handFiles(): readonly ModelFile[] | undefined {
-    const { hand } = this.mapLoader;
-    if (this.settings.mapStyle !== 'ownHand' || !hand?.hand) return undefined;
-    if (this.filed?.hand !== hand.hand) this.filed = { hand: hand.hand, files: [handFile(hand.hand)] };
-    return this.filed.files;
-  }
-
   /** Whether a link to the drawing brings back the hand that it is drawn with. */
   get isHandInLink(): boolean {
     return this.settings.mapStyle !== 'ownHand' || this.mapLoader.hand?.link !== undefined;
@@ -215,9 +187,10 @@ export class Session {
     return { ...drawing, hand: linkedHand(drawing.handText) ?? this.mapLoader.hand };
   }
 
-  /** The images of the user's own map, if it is drawn with. */
-  get ownStrokes(): MapLoader['ownFiles'] {
-    return this.settings.mapStyle === 'file' ? this.mapLoader.ownFiles : undefined;
+  /** The images of the user's own map, or the user's own hand, if they are drawn with. */
+  get ownStrokes(): readonly ModelFile[] | undefined {
+    const { hand, ownFiles } = this.mapLoader;
+    return { ownHand: hand?.files, file: ownFiles }[this.settings.mapStyle as string];
   }
 
   /** Takes over settings, camera and views, and loads the model and the map that they ask for. */
@@ -278,10 +251,8 @@ export class Session {
     if (!drawing) return;
     const { settings: next, camera, views, hand } = this.linked(drawing.link);
     this.showLook({ settings: { ...next, model: this.settings.model }, camera, views, hand });
-    const { strokes } = drawing;
-    const file = strokes.find(({ name }) => name === HAND_FILE);
-    if (file) void this.restoreHand(file);
-    else if (strokes.length > 0) void this.mapLoader.showFiles(strokes, true).then(() => this.history.adopt());
+    if (drawing.strokes.length > 0)
+      void this.mapLoader.showFiles(drawing.strokes, true).then(() => this.history.adopt());
   }
 
   private tell(event: SessionEvent): void {

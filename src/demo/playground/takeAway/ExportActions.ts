@@ -92,7 +92,7 @@ export class ExportActions {
       const { zipDrawing } = await import('./zipDrawing.js');
       const drawing = {
         model: unpacked ?? files,
-        strokes: session.ownStrokes ?? session.handFiles ?? [],
+        strokes: session.ownStrokes ?? [],
         link: link.toString(),
       };
       download(await zipDrawing(drawing), `${fileStem(modelLoader.title)}-drawing.zip`);
