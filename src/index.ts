@@ -13,6 +13,7 @@ export type { HatchingStatistics } from './geometry/HatchingStatistics.js';
 export type { OutlineOptions, PrepareHatchingGeometryOptions } from './geometry/prepareHatchingGeometry.js';
 export { prepareHatchingGeometry } from './geometry/prepareHatchingGeometry.js';
 export type { Repairs } from './geometry/repairValues.js';
+export { type EngravedHand, type EngravedHandOptions, engravedHand } from './hand/engravedHand.js';
 export type { Hand, HandNumbers, HandStroke, SwatchTone } from './hand/Hand.js';
 export { type LearnHandOptions, learnHand } from './hand/learnHand.js';
 export type { HatchImageReport } from './hatchImages/checkHatchImages.js';
@@ -52,6 +53,7 @@ export { type HatchingPreset, type PresetName, presets } from './scene/presets.j
 export { scalePreset } from './scene/scalePreset.js';
 export { withPreset } from './scene/withPreset.js';
 export type { StrokeStyleName } from './strokes/strokeStyleNames.js';
+export { type LearnHandAsyncOptions, learnHandAsync } from './tam/learnHandAsync.js';
 export type { ThresholdMoments } from './tam/measureThresholdMoments.js';
 export type { ThresholdTexture } from './tam/ThresholdTexture.js';
 export type { TonalArtMapOptions } from './tam/TonalArtMap.js';

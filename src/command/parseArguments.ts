@@ -3,6 +3,7 @@ import { type MapDrawing, resolveMapDrawing } from '../hatchImages/hatchImageOpt
 import { type HatchingPreset, presets } from '../scene/presets.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
 import { strokeStyles } from '../strokes/strokeStyles.js';
+import { readHand } from './readHand.js';
 import { UsageError } from './UsageError.js';
 
 /** The task of the command. */
@@ -14,6 +15,7 @@ export type Request =
 const OPTIONS = {
   style: { type: 'string' },
   preset: { type: 'string' },
+  hand: { type: 'string' },
   out: { type: 'string' },
   size: { type: 'string' },
   tones: { type: 'string' },
@@ -31,6 +33,7 @@ export const HELP = `three-hatching tam: draws a tonal art map into a folder of 
 
   --style <name>          the style of the strokes; --list prints all (default hatching)
   --preset <name>         draws the map of a preset instead of a style
+  --hand <file>           draws with the strokes of a hand, a JSON file, instead of a style
   --out <folder>          the folder to write to; it is created, and must not hold a map yet
   --size <texels>         side of the finest level: 64, 128, 256, 512 or 1024 (default 256)
   --tones <count>         number of tones including blank paper, 4 to 16 (default 8)
@@ -63,6 +66,7 @@ export function parseArguments(args: readonly string[]): Request {
   if (!values.out) throw new UsageError('--out is missing; name the folder to write the map to.');
   const map: MapDrawing = {
     ...mapOfPreset(values),
+    ...handOf(values),
     ...(values.style !== undefined && { style: values.style as StrokeStyleName }),
     size: wholeNumber('size', values.size),
     tones: wholeNumber('tones', values.tones),
@@ -78,6 +82,16 @@ export function parseArguments(args: readonly string[]): Request {
     );
   }
   return { action: 'draw', map, out: values.out, force: values.force ?? false };
+}
+
+/** The hand that is named, in place of a style. */
+function handOf({ hand, style, preset }: { hand?: string; style?: string; preset?: string }): MapDrawing {
+  if (hand === undefined) return {};
+  const other = style === undefined ? 'preset' : 'style';
+  if ((style ?? preset) !== undefined) {
+    throw new UsageError(`--hand and --${other} exclude each other; pass only one of them.`);
+  }
+  return { hand: readHand(hand) };
 }
 
 /** The options of the map of a preset. */

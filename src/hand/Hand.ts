@@ -59,4 +59,6 @@ export interface Hand {
   name?: string | undefined;
   strokes: readonly HandStroke[];
   numbers: HandNumbers;
+  /** Whether maps may also draw the strokes mirrored, which gives more variety; their bends to one side are lost. Default false. */
+  mirror?: boolean | undefined;
 }

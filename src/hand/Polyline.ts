@@ -9,6 +9,9 @@ export interface Polyline {
   path: Float64Array;
 }
 
+/** The length of a vector. Unlike `Math.hypot` it is rounded the same on every machine, so that maps of a hand are the same. */
+export const distance = (x: number, y: number): number => Math.sqrt(x * x + y * y);
+
 /** The polyline of a stroke, without points that repeat the one before. */
 export function polylineOf({ points, widths }: HandStroke): Polyline {
   const count = widths.length;
@@ -18,7 +21,7 @@ export function polylineOf({ points, widths }: HandStroke): Polyline {
   const path = new Float64Array(count);
   let last = -1;
   for (let i = 0; i < count; i++) {
-    const step = last < 0 ? 0 : Math.hypot(points[2 * i] - x[last], points[2 * i + 1] - y[last]);
+    const step = last < 0 ? 0 : distance(points[2 * i] - x[last], points[2 * i + 1] - y[last]);
     if (last >= 0 && step === 0) {
       // A pen that rests presses on: the widest mark stays.
       width[last] = Math.max(width[last], widths[i]);

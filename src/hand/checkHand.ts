@@ -14,10 +14,13 @@ export function checkHand(caller: string, hand: unknown): asserts hand is Hand {
       `${caller}: hand is ${Array.isArray(hand) ? 'an array' : String(hand)}, but must be { version, strokes, numbers }; learnHand makes one from strokes.`,
     );
   }
-  const { version, name, strokes, numbers } = hand as Partial<Hand>;
+  const { version, name, strokes, numbers, mirror } = hand as Partial<Hand>;
   if (version !== 1) throw new RangeError(`${caller}: hand.version is ${String(version)}, but must be 1.`);
   if (name !== undefined && typeof name !== 'string') {
     throw new TypeError(`${caller}: hand.name is ${String(name)}, but must be a text, or left out.`);
+  }
+  if (mirror !== undefined && typeof mirror !== 'boolean') {
+    throw new TypeError(`${caller}: hand.mirror is ${String(mirror)}, but must be true or false, or left out.`);
   }
   checkStrokes(`${caller}: hand`, strokes);
   if (typeof numbers !== 'object' || numbers === null) {

@@ -1,12 +1,12 @@
 import type { SwatchTone } from './Hand.js';
 import { measureTapers, type Tapers } from './measureTapers.js';
-import { type Polyline, resample } from './Polyline.js';
+import { distance, type Polyline, resample } from './Polyline.js';
 
 /** The number of points at which a stroke is measured. */
 const SAMPLES = 65;
 
 /** The mean of the squares of −1 to 1 at the samples, which makes the parabola of an arc independent of its straight part. */
-const MEAN_SQUARE = /* @__PURE__ */ Array.from({ length: SAMPLES }, (_, i) => placeOf(i) ** 2).reduce((a, b) => a + b) / SAMPLES;
+const MEAN_SQUARE = (SAMPLES + 1) / (3 * (SAMPLES - 1));
 
 /** What is measured of one stroke. Lengths are in millimetres; its smooth arc is middle + forward·s + bend·(s² − m), s from −1 to 1. */
 export interface StrokeMeasure {
@@ -42,7 +42,7 @@ export function measureStroke(line: Polyline, swatch: SwatchTone): StrokeMeasure
   const [x, y] = [fitArc(samples.x), fitArc(samples.y)];
   const forward = [x.forward, y.forward] as const;
   const bend = [x.bend, y.bend] as const;
-  const half = Math.hypot(...forward);
+  const half = distance(forward[0], forward[1]);
   const [cosine, sine] = [forward[0] / half, forward[1] / half];
   const tapers = measureTapers(samples.width);
   const measure = {
@@ -93,7 +93,7 @@ function lengthOfArc(forward: readonly [number, number], bend: readonly [number,
   let length = 0;
   for (let i = 0; i < steps; i++) {
     const s = (2 * i + 1) / steps - 1;
-    length += (2 / steps) * Math.hypot(forward[0] + 2 * bend[0] * s, forward[1] + 2 * bend[1] * s);
+    length += (2 / steps) * distance(forward[0] + 2 * bend[0] * s, forward[1] + 2 * bend[1] * s);
   }
   return length;
 }

@@ -1,4 +1,4 @@
-import { meanWidth, type Polyline, part } from './Polyline.js';
+import { distance, meanWidth, type Polyline, part } from './Polyline.js';
 
 /** The cosine of the largest angle between a stroke and the way it has gone so far: 80 degrees. */
 const TURN = 0.17;
@@ -27,11 +27,11 @@ export function splitAtTurns(line: Polyline): Polyline[] {
   const add = (end: number): void => {
     const piece = part(line, start, end);
     const last = end - start;
-    if (last > 0 && Math.hypot(piece.x[last] - piece.x[0], piece.y[last] - piece.y[0]) > SHORTEST * meanWidth(piece))
+    if (last > 0 && distance(piece.x[last] - piece.x[0], piece.y[last] - piece.y[0]) > SHORTEST * meanWidth(piece))
       pieces.push(piece);
   };
   for (let i = 1; i < count; i++) {
-    const way = Math.hypot(line.x[i] - line.x[start], line.y[i] - line.y[start]);
+    const way = distance(line.x[i] - line.x[start], line.y[i] - line.y[start]);
     if (way > farthestWay) {
       farthestWay = way;
       farthest = i;
@@ -42,14 +42,14 @@ export function splitAtTurns(line: Polyline): Polyline[] {
     const dx = line.x[after] - line.x[before];
     const dy = line.y[after] - line.y[before];
     const forward = dx * (line.x[farthest] - line.x[start]) + dy * (line.y[farthest] - line.y[start]);
-    if (forward >= TURN * farthestWay * Math.hypot(dx, dy)) continue;
+    if (forward >= TURN * farthestWay * distance(dx, dy)) continue;
     // The turn may lie a little ahead: go on to the point farthest away.
     while (
       farthest < count - 1 &&
-      Math.hypot(line.x[farthest + 1] - line.x[start], line.y[farthest + 1] - line.y[start]) > farthestWay
+      distance(line.x[farthest + 1] - line.x[start], line.y[farthest + 1] - line.y[start]) > farthestWay
     ) {
       farthest++;
-      farthestWay = Math.hypot(line.x[farthest] - line.x[start], line.y[farthest] - line.y[start]);
+      farthestWay = distance(line.x[farthest] - line.x[start], line.y[farthest] - line.y[start]);
     }
     add(farthest);
     start = farthest;

@@ -25,8 +25,9 @@ export function* generateHatchImages(options: MapDrawing = {}): Generator<number
     images.push(drawTone(strokes, tone, request, grains, images.at(-1)));
     yield 1;
   }
-  // Strokes nest because finer levels repeat them. Grain breaks strokes up, so that nesting must be enforced.
-  if (request.style.grain) enforceLevelNesting({ size: request.size, images });
+  // Strokes nest because finer levels repeat them. Grain breaks strokes up, and a hand bends them as it likes, so that nesting must be
+  // enforced.
+  if (request.style.grain || request.style.hand) enforceLevelNesting({ size: request.size, images });
   return { size: request.size, images, strokeTexels: request.style.width };
 }
 

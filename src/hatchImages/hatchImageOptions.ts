@@ -1,11 +1,14 @@
+import type { Hand } from '../hand/Hand.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
-import { STROKE_WIDTHS } from '../strokes/strokeWidths.js';
+import { HAND_WIDTHS, STROKE_WIDTHS } from '../strokes/strokeWidths.js';
 import { COARSEST_SIZE } from './coarsestSize.js';
 
 /** The options that determine a generated map. */
 export interface MapDrawing {
   /** The style of the strokes. Default `'hatching'`. */
   style?: StrokeStyleName | undefined;
+  /** A person's hand, whose strokes are drawn in place of a style. */
+  hand?: Hand | undefined;
   /** A whole number. Each seed places the strokes differently; the same seed gives the same bytes. Default 1. */
   seed?: number | undefined;
   /** Texels per side of the finest level: a power of two from 64 to 1024. Default 256. */
@@ -16,7 +19,8 @@ export interface MapDrawing {
   levels?: number | undefined;
   /**
    * Width of a stroke or diameter of a dot in texels, the same on every level. Default and range depend on the style: for pen
-   * strokes 1.9 in the range 1.2 to 2.6, for dots 2.4 in the range 1.65 to 2.5.
+   * strokes 1.9 in the range 1.2 to 2.6, for dots 2.4 in the range 1.65 to 2.5. A hand is drawn at the scale at which its own width
+   * becomes this one.
    */
   strokeTexels?: number | undefined;
 }
@@ -24,6 +28,8 @@ export interface MapDrawing {
 /** The options with all defaults filled in. */
 export interface FullMapDrawing {
   style: StrokeStyleName;
+  /** The hand that is drawn in place of the style. */
+  hand: Hand | undefined;
   strokeTexels: number;
   seed: number;
   size: number;
@@ -41,7 +47,12 @@ export function resolveMapDrawing(options: MapDrawing = {}, caller = 'TonalArtMa
   const fail = (option: keyof MapDrawing, value: unknown, allowed: string): never => {
     throw new RangeError(`${caller}: ${option} is ${String(value)}, but must be ${allowed}.`);
   };
-  const { style = 'hatching', seed = 1, size = 256, tones = 8 } = options;
+  const { style = 'hatching', hand, seed = 1, size = 256, tones = 8 } = options;
+  if (hand !== undefined) {
+    if (options.style !== undefined) fail('hand', 'given beside a style', 'given without one');
+    // All of it is checked where it is drawn.
+    if (!Array.isArray(hand?.strokes)) fail('hand', hand, 'what learnHand returns: { version, strokes, numbers }');
+  }
   if (!Object.hasOwn(STROKE_WIDTHS, style)) {
     fail('style', style, `one of ${Object.keys(STROKE_WIDTHS).join(', ')}`);
   }
@@ -53,11 +64,15 @@ export function resolveMapDrawing(options: MapDrawing = {}, caller = 'TonalArtMa
   if (!Number.isInteger(levels) || levels < 1 || levels > allLevels) {
     fail('levels', levels, `a whole number from 1 to ${allLevels} at size ${size}, or left out`);
   }
-  const { width, widthRange } = STROKE_WIDTHS[style];
+  const { width, widthRange } = hand ? HAND_WIDTHS : STROKE_WIDTHS[style];
   const { strokeTexels = width } = options;
   const [narrowest, widest] = widthRange;
   if (!(strokeTexels >= narrowest && strokeTexels <= widest)) {
-    fail('strokeTexels', strokeTexels, `a number from ${narrowest} to ${widest} texels for style ${style}`);
+    fail(
+      'strokeTexels',
+      strokeTexels,
+      `a number from ${narrowest} to ${widest} texels for ${hand ? 'a hand' : `style ${style}`}`,
+    );
   }
-  return { style, strokeTexels, seed, size, tones, levels };
+  return { style, hand, strokeTexels, seed, size, tones, levels };
 }

@@ -39,7 +39,10 @@ export class WantedMap {
       this.map = await tonalArtMap(onProgress);
       return this.map;
     }
-    this.map = await sharedMap({ style: namedStyle(this.options), ...tonalArtMap }, { createWorker, onProgress });
+    // A hand takes the place of a style.
+    const hasHand = tonalArtMap && 'hand' in tonalArtMap && tonalArtMap.hand !== undefined;
+    const style = hasHand ? undefined : namedStyle(this.options);
+    this.map = await sharedMap({ style, ...tonalArtMap }, { createWorker, onProgress });
     this.release = retainMap(this.map);
     return this.map;
   }

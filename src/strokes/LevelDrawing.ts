@@ -20,7 +20,9 @@ export interface LevelDrawing {
   ends: StrokeEndField[];
   /** The ink drawn so far, for each layer, with overlaps counted twice. It keeps the layers at equal ink. */
   drawn: number[];
-  /** The share of the last stroke that fell on blank paper. */
+  /** The stroke that was drawn last for this level itself, of each layer; only for hands that draw in bundles. */
+  last: (Stroke | undefined)[];
+  /** The share of the last stroke that fell on blank paper; of one of a hand, the ink in place of what its chord would ink. */
   gain: number;
 }
 
@@ -30,6 +32,9 @@ const LINE_REACH = 6;
 const END_REACH = 4;
 /** Dots influence each other up to this many times their mean distance. */
 const DOT_REACH = 3;
+
+/** A stroke of a hand that wobbles is longer than its chord, and inks up to this many times as much. */
+const MOST_GAIN = 3;
 
 /** Strokes shorter than this, in tiles, do not count as lines: it does not matter where they end. */
 const SHORT = 0.15;
@@ -43,9 +48,10 @@ export function startLevel(size: number, style: StrokeStyle, grain: PaperGrain |
     image: new Uint8Array(size * size).fill(255),
     darkness: 0,
     grain,
-    densities: layers.map(({ slope }) => new StrokeDensityField(size, short, slope)),
+    densities: layers.map(({ slope }) => new StrokeDensityField(size, short, slope, style.hand?.habit)),
     ends: short ? [] : layers.map(() => new StrokeEndField(size)),
     drawn: layers.map(() => 0),
+    last: layers.map(() => undefined),
     gain: 1,
   };
 }
@@ -61,7 +67,7 @@ export function drawStroke(level: LevelDrawing, stroke: Stroke): number {
   const gain = rasterizeStroke(level.image, size, stroke, level.grain);
   level.darkness += gain;
   const area = nominalArea(stroke.width, stroke.length, size);
-  level.gain = Math.min(1, gain / (255 * area));
+  level.gain = Math.min(stroke.profile ? MOST_GAIN : 1, gain / (255 * area));
   level.drawn[layer] += area;
   // The reach is a few times the mean distance of strokes at this density; the first strokes influence the whole tile.
   const density = level.drawn[layer] / (size * size);

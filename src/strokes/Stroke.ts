@@ -1,10 +1,15 @@
+import { PROFILE_SAMPLES, profileAt, type StrokeProfile } from './StrokeProfile.js';
+
+/** Slopes are measured over so much of x on each side, which is a step between the samples of a profile. */
+const SLOPE_STEP = 2 / (PROFILE_SAMPLES - 1);
+
 /**
  * A stroke. Its position, length and bends are measured in tiles and its width in texels; all are the same on every level. (This
  * is the third constraint in section 3.1 of Suarez et al., in the reading of Praun et al. 2001: the width is constant in texels,
  * not the length.)
  *
  * Seen along the stroke, x from −1 at its start to 1 at its end, the centre line is displaced sideways by
- * slope·length/2·x + bow·(1 − x²) + wave·x·(1 − x²).
+ * slope·length/2·x + bow·(1 − x²) + wave·x·(1 − x²). A stroke of a hand is displaced as its profile says instead of by bow and wave.
  */
 export interface Stroke {
   /** Centre along the texture's u axis, in tiles. */
@@ -23,7 +28,9 @@ export interface Stroke {
   bow: number;
   /** Size of the S-bend, in tiles. */
   wave: number;
-  /** The width in the middle, in texels. */
+  /** The bends and the width of a stroke that a person drew; undefined for one of a style. */
+  profile?: StrokeProfile | undefined;
+  /** The width in the middle, in texels; with a profile, the width that its shares are of. */
   width: number;
   /** Each end narrows over this many texels, at most a quarter of the length; 0 leaves it blunt. */
   taper: number;
@@ -37,4 +44,18 @@ export interface Stroke {
 
 /** Sideways displacement of the centre line in tiles at x ∈ [−1, 1]. */
 export const strokeOffset = (stroke: Stroke, x: number): number =>
-  0.5 * stroke.length * stroke.slope * x + (1 - x * x) * (stroke.bow + stroke.wave * x);
+  stroke.profile === undefined
+    ? 0.5 * stroke.length * stroke.slope * x + (1 - x * x) * (stroke.bow + stroke.wave * x)
+    : profileOffset(stroke, stroke.profile, x);
+
+/** The same for a stroke with a profile. It lies apart, because the other is called millions of times and should stay short. */
+const profileOffset = ({ length, slope }: Stroke, { offset }: StrokeProfile, x: number): number =>
+  length * (0.5 * slope * x + (1 + slope * slope) * profileAt(offset, x));
+
+/** The tangent of the centre line's angle to the axis at x, for a stroke with a profile. */
+export function profileSlope(stroke: Stroke, profile: StrokeProfile, x: number): number {
+  const before = profileAt(profile.offset, x - SLOPE_STEP);
+  const after = profileAt(profile.offset, x + SLOPE_STEP);
+  const steps = Math.min(1, x + SLOPE_STEP) - Math.max(-1, x - SLOPE_STEP);
+  return stroke.slope + (2 * (1 + stroke.slope * stroke.slope) * (after - before)) / steps;
+}

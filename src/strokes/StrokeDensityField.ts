@@ -1,7 +1,20 @@
 import { type Stroke, strokeOffset } from './Stroke.js';
+import { profileAt } from './StrokeProfile.js';
 
 /** Strokes closer than this many widths, centre line to centre line, begin to look merged. */
 export const MERGING_WIDTHS = 2.5;
+
+/** How a hand places strokes, where it does not place them evenly as the styles do. */
+export interface PlacingHabit {
+  /** Strokes keep an even distance only beyond this many times the distance of the styles: 1 is evenly, more leaves it to chance. */
+  softness: number;
+  /** How strongly strokes keep from merging, 0 to 1. */
+  apart: number;
+  /** The share of its length over which a stroke keeps others away: less lets strokes of a row overlap, more leaves gaps. */
+  share: number;
+}
+
+const EVENLY: PlacingHabit = { softness: 1, apart: 1, share: 1 };
 
 /** The weight of distances ahead of a line's end, relative to those beside it: lines may follow each other closely. */
 const AHEAD = 3;
@@ -29,11 +42,13 @@ export class StrokeDensityField {
    * @param size texels per side of the level, a power of two
    * @param short whether the strokes are dots or little longer, which need a column per texel
    * @param slope the mean angle of the strokes to their axis, as a tangent
+   * @param habit how a hand places them; evenly by default
    */
   constructor(
     private readonly size: number,
     short: boolean,
     slope: number,
+    private readonly habit: PlacingHabit = EVENLY,
   ) {
     this.columns = short ? size : Math.min(size, 64);
     this.cosine2 = 1 / (1 + slope * slope);
@@ -48,13 +63,16 @@ export class StrokeDensityField {
    */
   add(stroke: Stroke, reach: number): number {
     const { size, columns, values, cosine2 } = this;
+    const { softness, apart, share } = this.habit;
     const cell = size / columns;
     const centre = (stroke.across ? stroke.v : stroke.u) * size;
     const base = (stroke.across ? stroke.u : stroke.v) * size;
-    const halfLength = 0.5 * stroke.length * size;
+    const fullLength = 0.5 * stroke.length * size;
+    const halfLength = share * fullLength;
     const ahead = halfLength > 0 ? AHEAD : 1;
-    const inverseWidth2 = 1 / (stroke.width * stroke.width);
-    const inverseMerging2 = inverseWidth2 / (MERGING_WIDTHS * MERGING_WIDTHS);
+    const ownWidth2 = 1 / (stroke.width * stroke.width);
+    const inverseWidth2 = ownWidth2 / (softness * softness);
+    const inverseMerging2 = ownWidth2 / (MERGING_WIDTHS * MERGING_WIDTHS);
     const inverseReach2 = 1 / (reach * reach);
     const first = Math.ceil((centre - halfLength - reach / ahead) / cell - 0.5);
     const last = Math.floor((centre + halfLength + reach / ahead) / cell - 0.5);
@@ -63,7 +81,10 @@ export class StrokeDensityField {
       const forward = (column + 0.5) * cell - centre;
       const along = Math.min(halfLength, Math.max(-halfLength, forward));
       const beyond = (forward - along) * ahead;
-      const middle = base + size * strokeOffset(stroke, halfLength > 0 ? along / halfLength : 0);
+      const x = halfLength > 0 ? along / fullLength : 0;
+      const middle = base + size * strokeOffset(stroke, x);
+      // Where a stroke of a hand is thin, it leaves room for others.
+      const weight = stroke.profile ? profileAt(stroke.profile.width, x) : 1;
       const height = Math.sqrt(Math.max(0, reach * reach - beyond * beyond) / cosine2);
       const start = (column & (columns - 1)) * size;
       const lastRow = Math.floor(middle + height - 0.5);
@@ -73,7 +94,8 @@ export class StrokeDensityField {
         const fade = 1 - distance2 * inverseReach2;
         const widths = 1 + distance2 * inverseWidth2;
         const merging = Math.max(0, 1 - distance2 * inverseMerging2);
-        values[start + (row & (size - 1))] += (fade * fade) / Math.sqrt(widths * Math.sqrt(widths)) + merging * merging;
+        const density = (fade * fade) / Math.sqrt(widths * Math.sqrt(widths)) + apart * merging * merging;
+        values[start + (row & (size - 1))] += weight * density;
         visited++;
       }
     }
@@ -86,15 +108,20 @@ export class StrokeDensityField {
     const mask = size - 1;
     const centre = (stroke.across ? stroke.v : stroke.u) * columns;
     const base = (stroke.across ? stroke.u : stroke.v) * size - 0.5;
-    const halfLength = 0.5 * stroke.length * columns;
+    const fullLength = 0.5 * stroke.length * columns;
+    const halfLength = this.habit.share * fullLength;
     let first = Math.ceil(centre - halfLength - 0.5);
     let last = Math.floor(centre + halfLength - 0.5);
+    const { profile, bow, wave } = stroke;
+    const tilt = 0.5 * stroke.length * stroke.slope;
     // Between the middles of two columns.
     if (last < first) first = last = Math.floor(centre);
     let sum = 0;
     for (let column = first; column <= last; column++) {
-      const x = halfLength > 0 ? (column + 0.5 - centre) / halfLength : 0;
-      const place = base + size * strokeOffset(stroke, x);
+      const x = halfLength > 0 ? (column + 0.5 - centre) / fullLength : 0;
+      // This is `strokeOffset`, written out because nothing else is called as often.
+      const offset = profile === undefined ? tilt * x + (1 - x * x) * (bow + wave * x) : strokeOffset(stroke, x);
+      const place = base + size * offset;
       const row = Math.floor(place);
       const part = place - row;
       const start = (column & (columns - 1)) * size;

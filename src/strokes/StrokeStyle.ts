@@ -1,3 +1,6 @@
+import type { PlacingHabit } from './StrokeDensityField.js';
+import type { StrokeProfile } from './StrokeProfile.js';
+
 /** The parameters of a style of strokes. Lengths are in tiles, widths in texels of every level, as in `Stroke`. */
 export interface StrokeStyle {
   /** Range of stroke lengths; [0, 0] draws dots. */
@@ -29,6 +32,27 @@ export interface StrokeStyle {
   thresholds: ThresholdStyle;
   /** The grain of the paper, if it shows. */
   grain?: Grain;
+  /** The strokes of a person's hand, which are drawn in place of generic ones; their bends and widths are their own. */
+  hand?: HandShapes;
+}
+
+/** The strokes of a hand as they are drawn into a map. */
+export interface HandShapes {
+  /** Chord in tiles and shape of each. */
+  shapes: readonly { length: number; profile: StrokeProfile }[];
+  /** Standard deviation of their angles within a layer, in radians. */
+  angleSpread: number;
+  /** How much longer or shorter a copy of a stroke may be, as a share. */
+  scaleSpread: number;
+  /** Whether the strokes are arcs rather than straight. */
+  isCurved: boolean;
+  /** Whether copies may be mirrored. */
+  mirror: boolean;
+  habit: PlacingHabit;
+  /** The share of strokes that stand beside the stroke before them, in a bundle. */
+  bundled: number;
+  /** The distance of the strokes of a bundle, in texels. */
+  bundleSpacing: number;
 }
 
 /** The strokes of one direction, which cross those of other layers. */

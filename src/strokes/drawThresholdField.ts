@@ -1,7 +1,15 @@
 import { type Stroke, strokeOffset } from './Stroke.js';
+import { profileAt } from './StrokeProfile.js';
 
 /** Mean ink added to the image while a stroke grows from its middle to its ends. */
 const GROWTH = 0.2;
+
+/** The same for a stroke of a hand, which is as long from the start but for what its tapers leave thin. */
+const EVEN_GROWTH = 0.05;
+/** And beyond its ends, where it grows on until all is ink. */
+const GROWTH_BEYOND = 1;
+/** Where a stroke of a hand is wider or thinner than this share, it swells no faster or slower. */
+const [THINNEST, THICKEST] = [0.5, 1.5];
 
 /** The number of texels on each side of its centre line that a stroke reaches. At full density no gap is wider. */
 const REACH = 8;
@@ -40,6 +48,8 @@ export function drawThresholdField(
   const base = (stroke.across ? stroke.u : stroke.v) * size;
   const halfLength = 0.5 * stroke.length * size;
   const isDot = halfLength === 0;
+  const { profile } = stroke;
+  const cosine2 = 1 / (1 + stroke.slope * stroke.slope);
   const sidewaysScale = (4 * swell) / (stroke.width * stroke.width);
   const reachForward = isDot ? REACH : REACH_FORWARD * halfLength;
   const first = Math.ceil((centre - reachForward) * cellsPerTexel - 0.5);
@@ -49,17 +59,30 @@ export function drawThresholdField(
     const forward = (column + 0.5) / cellsPerTexel - centre;
     const x = isDot ? 0 : forward / halfLength;
     const middle = isDot ? base : base + size * strokeOffset(stroke, x);
-    const onCentreLine = startInk + (isDot ? forward * forward * sidewaysScale : GROWTH * x * x * x * x);
+    let onCentreLine = startInk + (isDot ? forward * forward * sidewaysScale : GROWTH * x * x * x * x);
+    let scale = sidewaysScale;
+    if (profile) {
+      const width = Math.max(THINNEST, Math.min(THICKEST, profileAt(profile.width, x)));
+      scale *= cosine2 / (width * width);
+      onCentreLine = startInk + growthAt(profileAt(profile.width, x), x);
+    }
     const start = (column & mask) * forwardStride;
     const firstRow = Math.ceil((middle - REACH) * cellsPerTexel - 0.5);
     const lastRow = Math.floor((middle + REACH) * cellsPerTexel - 0.5);
     for (let row = firstRow; row <= lastRow; row++) {
       const sideways = (row + 0.5) / cellsPerTexel - middle;
-      const value = onCentreLine + sideways * sideways * sidewaysScale;
+      const value = onCentreLine + sideways * sideways * scale;
       const cell = start + (row & mask) * sidewaysStride;
       if (value < field[cell]) field[cell] = value;
     }
     visited += lastRow - firstRow + 1;
   }
   return visited;
+}
+
+/** The further ink after which a stroke of a hand reaches x along its centre line: where it is thin it appears later. */
+function growthAt(width: number, x: number): number {
+  const thin = Math.max(0, 1 - width);
+  const beyond = Math.max(0, Math.abs(x) - 1);
+  return EVEN_GROWTH * x * x * x * x + GROWTH * thin * thin + GROWTH_BEYOND * beyond;
 }

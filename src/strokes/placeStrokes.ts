@@ -3,7 +3,7 @@ import { paperGrain } from './paperGrain.js';
 import { halfTurn, proposeStroke } from './proposeStroke.js';
 import { type Random, random } from './random.js';
 import type { Stroke } from './Stroke.js';
-import type { StrokeStyle } from './StrokeStyle.js';
+import type { HandShapes, StrokeStyle } from './StrokeStyle.js';
 
 /** The input of `placeStrokes`. */
 export interface PlacementRequest {
@@ -22,6 +22,9 @@ export interface PlacementRequest {
 
 /** The number of cells that are read or written between two reports of progress, which takes about a millisecond. */
 const WORK_PER_SLICE = 100_000;
+
+/** The share of a level's ink that the last stroke of a hand may have: half of it is at most missing. */
+const INK_OF_LAST = 0.015;
 
 /** The approximate number of cells that a proposal reads in one level. */
 const CELLS_PER_PROPOSAL = 16;
@@ -50,11 +53,18 @@ export function* placeStrokes(request: PlacementRequest): Generator<number, Stro
       const drawing = drawings[level];
       const goal = 255 * drawing.size * drawing.size * target;
       const start = drawing.darkness;
-      const least = copies * nominalArea(style.width, style.length[0], drawing.size);
+      const shortest = shortestOf(style, drawing.size);
+      const least = copies * nominalArea(style.width, shortest, drawing.size);
       while (goal - drawing.darkness > 0.5 * 255 * drawing.gain * least) {
-        const length = chooseLength(style, drawing, (goal - drawing.darkness) / copies, next);
         const layer = chooseLayer(style, drawing, target);
-        const stroke = proposeStroke(style, drawings, { tone, level, length, layer }, pairs, next);
+        const missing = (goal - drawing.darkness) / copies;
+        const chosen = style.hand
+          ? chooseShape(style.hand, style, layer, drawing, shortest, missing, next)
+          : { length: chooseLength(style, drawing, missing, next), profile: undefined };
+        const isBundled = style.hand !== undefined && style.hand.bundled > 0 && next() < style.hand.bundled;
+        const beside = isBundled ? drawing.last[layer] : undefined;
+        const stroke = proposeStroke(style, drawings, { tone, level, layer, ...chosen }, pairs, next, beside);
+        drawing.last[layer] = stroke;
         const added = pairs ? [stroke, halfTurn(stroke)] : [stroke];
         strokes.push(...added);
         work += style.proposals * (level + 1) * CELLS_PER_PROPOSAL;
@@ -77,12 +87,39 @@ function levelProgress(level: number, part: number): number {
   return before + (4 * before - before) * Math.min(1, part);
 }
 
+/** The shortest stroke of a level, in tiles. One of a hand is cut only where half of it would be seen in the mean of the tone. */
+const shortestOf = ({ hand, length, width }: StrokeStyle, size: number): number =>
+  hand ? Math.min(length[0], (INK_OF_LAST * size) / width) : length[0];
+
 /** A random length, but not longer than the ink that the level still needs, so that the last stroke hits the target. */
 function chooseLength(style: StrokeStyle, drawing: LevelDrawing, missing: number, next: Random): number {
   const [shortest, longest] = style.length;
   const length = shortest + (longest - shortest) * next();
   const needed = missing / (255 * drawing.gain * style.width * drawing.size);
   return Math.max(shortest, Math.min(length, needed));
+}
+
+/** Chooses one of the strokes of a hand, and how long it becomes. */
+function chooseShape(
+  { shapes, scaleSpread, mirror }: HandShapes,
+  style: StrokeStyle,
+  layer: number,
+  drawing: LevelDrawing,
+  shortest: number,
+  missing: number,
+  next: Random,
+): Pick<Stroke, 'length' | 'profile'> {
+  const { length, profile } = shapes[Math.floor(shapes.length * next())];
+  const { across, slope } = style.layers[layer];
+  const scaled = length * (1 + scaleSpread * (2 * next() - 1));
+  const needed = missing / (255 * drawing.gain * style.width * drawing.size);
+  // Along v, sideways is to the right-hand side.
+  const isMirrored = across !== (mirror && next() < 0.5);
+  return {
+    // The length of a stroke is measured along its axis.
+    length: Math.max(Math.min(shortest, scaled), Math.min(scaled, needed)) / Math.sqrt(1 + slope * slope),
+    profile: isMirrored ? profile.mirrored : profile,
+  };
 }
 
 /** Chooses the layer with the least ink so far, among those that have begun at this mean ink. */

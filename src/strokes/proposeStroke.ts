@@ -16,13 +16,15 @@ const OWN_LEVEL_WEIGHT = 3;
  *
  * @param levels all levels as drawn so far, the finest first
  * @param pairs whether the copy of the stroke after a half turn (`halfTurn`) will be drawn too
+ * @param beside the stroke of a bundle that it is to stand beside; otherwise it may be anywhere
  */
 export function proposeStroke(
   style: StrokeStyle,
   levels: readonly LevelDrawing[],
-  { tone, level, length, layer }: Pick<Stroke, 'tone' | 'level' | 'length' | 'layer'>,
+  { tone, level, length, layer, profile }: Pick<Stroke, 'tone' | 'level' | 'length' | 'layer' | 'profile'>,
   pairs: boolean,
   next: Random,
+  beside?: Stroke,
 ): Stroke {
   const signed = (): number => 2 * next() - 1;
   const width = style.width * (1 + style.widthSpread * signed());
@@ -40,16 +42,25 @@ export function proposeStroke(
     slope: 0,
     bow: 0,
     wave: 0,
+    profile,
     width,
     taper: style.taper,
     pressure,
     tone,
     level,
   };
+  // Arcs that may go anywhere lie into each other, in columns. A place along them that chance has chosen keeps them from it.
+  const place = style.hand?.isCurved ? next() : undefined;
+  const bundleTiles = (style.hand?.bundleSpacing ?? 0) / levels[level].size;
   for (let i = 0; i < style.proposals; i++) {
     stroke.u = next();
     stroke.v = next();
-    stroke.slope = slope + style.slope * signed();
+    if (place !== undefined) {
+      if (across) stroke.v = nearPlace(place, length, stroke.v);
+      else stroke.u = nearPlace(place, length, stroke.u);
+    }
+    if (beside) moveBeside(stroke, beside, bundleTiles);
+    stroke.slope = style.hand ? tilted(slope, style.hand.angleSpread, signed) : slope + style.slope * signed();
     stroke.bow = style.bow * signed();
     stroke.wave = style.wave * signed();
     let cost = pairs ? pairCost(stroke, slope, levels) : 0;
@@ -73,7 +84,48 @@ export const halfTurn = (stroke: Stroke): Stroke => ({
   u: 1 - stroke.u,
   v: 1 - stroke.v,
   bow: -stroke.bow,
+  profile: stroke.profile?.turned,
 });
+
+/** The unevenness of the distances in a bundle, as a share of them. */
+const BUNDLE_SPREAD = 0.2;
+
+/** Moves a stroke of a bundle beside the one before it. Where it was by chance decides where and on which side. */
+function moveBeside(stroke: Stroke, beside: Stroke, spacing: number): void {
+  const [along, across] = stroke.across ? [stroke.v, stroke.u] : [stroke.u, stroke.v];
+  const [sideChance, distanceChance] = [Math.floor(2 * across), (2 * across) % 1];
+  const distance = spacing * (1 + BUNDLE_SPREAD * (2 * distanceChance - 1));
+  // Neighbours lie across the layer, so that their middles are this far from each other along the other axis.
+  const sideways = distance * Math.sqrt(1 + beside.slope * beside.slope) * (2 * sideChance - 1);
+  const newAlong = nearPlace(stroke.across ? beside.v : beside.u, stroke.length, along);
+  const moved = newAlong - (stroke.across ? beside.v : beside.u);
+  const forward = moved - Math.round(moved);
+  const newAcross = (stroke.across ? beside.u : beside.v) + sideways + forward * beside.slope;
+  const wrapped = toGrid(newAcross);
+  stroke.u = stroke.across ? wrapped : newAlong;
+  stroke.v = stroke.across ? newAlong : wrapped;
+}
+
+/** How far a curved stroke may move along itself, as a share of its length. */
+const NEAR = 0.15;
+
+/** A place a little before or behind another, 0 to 1. `chance` is from 0 to 1. */
+function nearPlace(place: number, length: number, chance: number): number {
+  return toGrid(place + NEAR * length * (2 * chance - 1));
+}
+
+/** A place on the torus, as a multiple of 2⁻³², which the generator's numbers are: it is exact after a half turn. */
+const toGrid = (place: number): number => Math.round((place - Math.floor(place)) * 2 ** 32) / 2 ** 32;
+
+/**
+ * The slope of a stroke of a hand: that of its layer, turned by an angle of this standard deviation. Three random numbers from −1 to 1
+ * have a sum whose variance is 1.
+ */
+function tilted(slope: number, angleSpread: number, signed: () => number): number {
+  const angle = angleSpread * (signed() + signed() + signed());
+  const tangent = angle * (1 + (angle * angle) / 3);
+  return (slope + tangent) / (1 - slope * tangent);
+}
 
 /**
  * The density that a stroke and its copy after a half turn, which is parallel to it, add to each other on all levels that show

@@ -1,5 +1,6 @@
 import type { PaperGrain } from './paperGrain.js';
-import { type Stroke, strokeOffset } from './Stroke.js';
+import { profileSlope, type Stroke, strokeOffset } from './Stroke.js';
+import { profileWidth } from './StrokeProfile.js';
 
 /** The width of the tip of a tapered stroke, in texels. A thinner tip would break into grey dots. */
 const TIP_WIDTH = 1;
@@ -28,19 +29,31 @@ export function rasterizeStroke(image: Uint8Array, size: number, stroke: Stroke,
   const tip = Math.min(halfWidth, 0.5 * TIP_WIDTH);
   // At least half of the stroke keeps its full width; otherwise strokes would look thinner on coarse levels.
   const taper = Math.min(stroke.taper, 0.5 * halfLength);
-  const cosine = 1 / Math.sqrt(1 + stroke.slope * stroke.slope);
+  const { profile } = stroke;
+  let cosine = 1 / Math.sqrt(1 + stroke.slope * stroke.slope);
 
-  const first = Math.ceil(centre - halfLength - halfWidth - 1);
-  const last = Math.floor(centre + halfLength + halfWidth);
+  const cap = profile
+    ? 0.5 * Math.max(profileWidth(profile, stroke.width, -1), profileWidth(profile, stroke.width, 1))
+    : halfWidth;
+  const first = Math.ceil(centre - halfLength - cap - 1);
+  const last = Math.floor(centre + halfLength + cap);
   let darkened = 0;
   for (let column = first; column <= last; column++) {
     const forward = column + 0.5 - centre;
     const along = Math.min(halfLength, Math.max(-halfLength, forward));
     const beyond = forward - along;
     const middle = base + size * strokeOffset(stroke, halfLength > 0 ? along / halfLength : 0);
-    const fromEnd = halfLength - Math.abs(along);
-    const rest = fromEnd < taper ? 1 - fromEnd / taper : 0;
-    const radius = halfWidth - (halfWidth - tip) * rest * rest;
+    let radius: number;
+    if (profile) {
+      const x = along / halfLength;
+      const slope = profileSlope(stroke, profile, x);
+      radius = 0.5 * profileWidth(profile, stroke.width, x);
+      cosine = 1 / Math.sqrt(1 + slope * slope);
+    } else {
+      const fromEnd = halfLength - Math.abs(along);
+      const rest = fromEnd < taper ? 1 - fromEnd / taper : 0;
+      radius = halfWidth - (halfWidth - tip) * rest * rest;
+    }
     // A soft edge wider than the line would make its middle grey.
     const edge = grain ? Math.min(grain.edge, 2 * radius) : 1;
     const reach = (radius + 0.5 * edge) / cosine;

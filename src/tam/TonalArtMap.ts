@@ -130,12 +130,16 @@ export class TonalArtMap {
    * @throws RangeError or TypeError if an option is out of its range or unknown
    */
   static shared(drawing: StrokeStyleName | MapDrawing = {}, options: TaskOptions = {}): TonalArtMap {
-    const { style = 'hatching', ...others } = typeof drawing === 'string' ? { style: drawing } : drawing;
+    const {
+      hand,
+      style = hand ? undefined : 'hatching',
+      ...others
+    } = typeof drawing === 'string' ? { style: drawing, hand: undefined } : drawing;
     const given = Object.entries(others).filter(([, value]) => value !== undefined);
-    const key = JSON.stringify([style, ...given.sort(([a], [b]) => (a < b ? -1 : 1))]);
+    const key = JSON.stringify([hand ?? style, ...given.sort(([a], [b]) => (a < b ? -1 : 1))]);
     const known = sharedMaps.get(key);
     if (known) return known;
-    const map = TonalArtMap.begin('TonalArtMap.shared', { ...options, ...others, style });
+    const map = TonalArtMap.begin('TonalArtMap.shared', { ...options, ...others, style, hand });
     sharedMaps.set(key, map);
     map.drawn?.catch(() => sharedMaps.delete(key));
     return map;
@@ -143,8 +147,8 @@ export class TonalArtMap {
 
   private static begin(caller: string, options: TonalArtMapOptions): TonalArtMap {
     checkOptions(caller, options, HATCH_IMAGE_OPTIONS);
-    const { style, seed, size, tones, levels, strokeTexels, ...taskOptions } = options;
-    const drawing: MapDrawing = { style, seed, size, tones, levels, strokeTexels };
+    const { style, hand, seed, size, tones, levels, strokeTexels, ...taskOptions } = options;
+    const drawing: MapDrawing = { style, hand, seed, size, tones, levels, strokeTexels };
     const map = new TonalArtMap(resolveMapDrawing(drawing, caller));
     map.drawn = drawHatchImages(drawing, taskOptions).then(({ images, thresholds }) =>
       map.fill(images, thresholds, true),

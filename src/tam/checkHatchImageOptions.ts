@@ -9,6 +9,7 @@ export const HATCH_IMAGE_OPTIONS = {
   tones: true,
   levels: true,
   strokeTexels: true,
+  hand: true,
 } satisfies Record<keyof MapDrawing, true>;
 
 /**

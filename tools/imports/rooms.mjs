@@ -19,13 +19,13 @@ export const ROOMS = {
   lighting: [],
   hand: [],
   strokes: ['hand'],
-  hatchImages: ['slices', 'strokes'],
+  hatchImages: ['slices', 'hand', 'strokes'],
   mapFiles: ['strokes', 'hatchImages'],
-  worker: ['slices', 'features', 'form', 'bake', 'occlusion', 'detail', 'hatchImages'],
+  worker: ['slices', 'hand', 'features', 'form', 'bake', 'occlusion', 'detail', 'hatchImages'],
 
   // With three.js.
   mistakes: [],
-  tam: ['mistakes', 'strokes', 'hatchImages', 'mapFiles', 'worker'],
+  tam: ['mistakes', 'hand', 'strokes', 'hatchImages', 'mapFiles', 'worker'],
   'material/facts': [],
   engraving: ['material/facts'],
   // The numbers that shaders have as defines.
@@ -131,7 +131,16 @@ export const ROOMS = {
   staging: ['files', 'settings', 'drawing'],
 
   // For Node: the presets are data.
-  command: ['slices', 'strokes', 'hatchImages', 'mapFiles', 'scene/presets.ts', 'files/common', 'files/readingTime.ts'],
+  command: [
+    'slices',
+    'hand',
+    'strokes',
+    'hatchImages',
+    'mapFiles',
+    'scene/presets.ts',
+    'files/common',
+    'files/readingTime.ts',
+  ],
   // What draws models imports the library by its package name, and three.js: it is loaded when it is asked for.
   // The library's rows of PNG are no part of its interface.
   'command/draw': ['/src/command', '/src/mapFiles/pngRows.ts', ...SHARED],
