@@ -13,6 +13,7 @@ interface PenPoint {
 }
 
 const sheetOf = (page: Page): Locator => page.getByRole('complementary', { name: 'Your own hand' });
+const saidOf = (page: Page): Locator => page.locator('.hand-said');
 const swatches = (page: Page): Locator => page.getByRole('img', { name: /^The sheet to draw on/ });
 
 async function openSheet(page: Page): Promise<void> {
@@ -23,6 +24,7 @@ async function openSheet(page: Page): Promise<void> {
 /** Draws with a pen as a tablet sends it, between points in shares of the sheet. */
 async function drawWithPen(page: Page, points: readonly PenPoint[], eraser = false): Promise<void> {
   const cdp = await page.context().newCDPSession(page);
+  await swatches(page).scrollIntoViewIfNeeded();
   const box = (await swatches(page).boundingBox())!;
   for (const [i, { x, y, force }] of points.entries()) {
     const last = i === points.length - 1;
@@ -53,7 +55,7 @@ async function drawStrokes(page: Page, count: number, from = 0): Promise<void> {
 
 const numberOf = (page: Page, label: string) =>
   sheetOf(page)
-    .getByRole('slider', { name: label })
+    .getByRole('slider', { name: label, exact: true })
     .evaluate((input: HTMLInputElement) => input.valueAsNumber);
 
 test('five strokes of a pen are a hand: the model is hatched with it, and what is learnt is shown', async ({
@@ -62,13 +64,13 @@ test('five strokes of a pen are a hand: the model is hatched with it, and what i
   await openPlayground(page, PLAIN);
   const before = await readDrawing(page);
   await openSheet(page);
-  await expect(sheetOf(page).getByRole('status')).toHaveText('5 strokes are enough to begin with.');
+  await expect(saidOf(page)).toHaveText('5 strokes are enough to begin with.');
   await drawStrokes(page, 4);
-  await expect(sheetOf(page).getByRole('status')).toHaveText('4 strokes: 1 more to begin with.');
+  await expect(saidOf(page)).toHaveText('4 strokes: 1 more to begin with.');
   await expect(sheetOf(page).getByRole('group', { name: 'What was learnt' })).toBeHidden();
   expect((await readDrawing(page)).data.equals(before.data)).toBe(true);
   await drawStrokes(page, 1, 4);
-  await expect(sheetOf(page).getByRole('status')).toHaveText(/^5 strokes/);
+  await expect(saidOf(page)).toHaveText(/^5 strokes/);
   await expect.poll(async () => (await readDrawing(page)).data.equals(before.data)).toBe(false);
   // 0.1 of 76 mm across, and 0.2 of 72 mm up.
   expect(Math.abs((await numberOf(page, 'Length')) - Math.hypot(7.6, 14.4))).toBeLessThan(0.5);
@@ -91,7 +93,7 @@ test('strokes are undone, redone, rubbed out and cleared, each as one step', asy
   const before = await readDrawing(page);
   await openSheet(page);
   await drawStrokes(page, 6);
-  const said = sheetOf(page).getByRole('status');
+  const said = saidOf(page);
   await expect(said).toHaveText(/^6 strokes/);
   await expect.poll(async () => (await readDrawing(page)).data.equals(before.data)).toBe(false);
   await sheetOf(page).getByRole('button', { name: 'Undo' }).click();
@@ -134,7 +136,7 @@ test('a slider of the hand changes the drawing, keeps its value when more is dra
   await expect.poll(async () => (await readDrawing(page)).data.equals(learnt.data)).toBe(false);
   const set = await numberOf(page, 'Wobble');
   await drawStrokes(page, 1, 5);
-  await expect(sheetOf(page).getByRole('status')).toHaveText(/^6 strokes/);
+  await expect(saidOf(page)).toHaveText(/^6 strokes/);
   expect(await numberOf(page, 'Wobble')).toBe(set);
   await sheetOf(page).getByRole('button', { name: 'As learnt' }).click();
   expect(await numberOf(page, 'Wobble')).toBeLessThan(value + 0.1);
@@ -159,7 +161,7 @@ test('a hand is saved as a file, which gives it back in another drawing; a bad f
   await drop(page, [{ name: 'hand.json', mimeType: 'application/json', buffer: spoilt }]);
   await expect(page.locator('#status')).toContainText('hand.version is 9, but must be 1');
   await drop(page, [{ name: 'mine.json', mimeType: 'application/json', buffer: json }]);
-  await expect(sheetOf(page).getByRole('status')).toHaveText(/^5 strokes/);
+  await expect(saidOf(page)).toHaveText(/^5 strokes/);
   await expect.poll(async () => (await readDrawing(page)).data.equals(own.data)).toBe(true);
 });
 
@@ -181,7 +183,7 @@ test('a link brings the hand along, and a reload its very strokes', async ({ pag
   await page.reload();
   await ready(page);
   await openSheet(page);
-  await expect(sheetOf(page).getByRole('status')).toHaveText(/^5 strokes/);
+  await expect(saidOf(page)).toHaveText(/^5 strokes/);
   expect(Math.abs((await numberOf(page, 'Length')) - length)).toBeLessThan(0.11);
 });
 
@@ -216,7 +218,7 @@ test('on a small phone, a finger draws, two draw nothing, and the model stays in
   await touch('touchStart', [0.2, 0.5]);
   for (let i = 1; i <= 6; i++) await touch('touchMove', [0.2 + 0.05 * i, 0.5]);
   await touch('touchEnd');
-  const said = sheetOf(page).getByRole('status');
+  const said = saidOf(page);
   await expect(said).toHaveText(/^1 stroke:/);
   await touch('touchStart', [0.2, 0.6]);
   await touch('touchMove', [0.4, 0.6]);

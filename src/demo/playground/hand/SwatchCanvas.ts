@@ -29,6 +29,8 @@ export class SwatchCanvas {
   private strokes: readonly HandStroke[] = [];
   /** The pointer that rubs, if one does. */
   private rubbing: number | undefined;
+  /** The latest pressure of the pointer that draws. */
+  private pressure = 0;
   /** How many points of the stroke that is being drawn are on the canvas. */
   private painted = 0;
 
@@ -87,6 +89,7 @@ export class SwatchCanvas {
       this.rubbing = event.pointerId;
       this.rub(event);
     } else {
+      this.pressure = event.pressure;
       const hasBegun = recorder.start(this.sample(event));
       // A stroke of a finger ends without a trace when another comes down.
       this.paint();
@@ -102,11 +105,14 @@ export class SwatchCanvas {
     // A pen is sampled more often than frames are drawn. Events of scripts have no list.
     const samples = event.getCoalescedEvents?.() ?? [];
     for (const one of samples.length > 0 ? samples : [event]) recorder.move(this.sample(one));
+    this.pressure = event.pressure;
     this.paintDrawn();
   }
 
   private up(event: PointerEvent): void {
     if (event.pointerId === this.rubbing) this.rubbing = undefined;
+    // The last stretch was drawn before the pen was lifted, which has no pressure any more.
+    this.recorder.move({ ...this.sample(event), pressure: this.pressure });
     const stroke = this.recorder.end(event.pointerId);
     if (stroke) this.listener.drawn(stroke);
     else this.paint();
