@@ -36,6 +36,8 @@ export { HatchingOutlineMaterial, type HatchingOutlineParameters } from './outli
 export { HatchingOutlines } from './outlines/HatchingOutlines.js';
 export { millimetresToPixels } from './outlines/millimetresToPixels.js';
 export type { OutlineNumberName } from './outlines/outlineProperties.js';
+export type { ScannedImage } from './scan/ScannedImage.js';
+export type { TraceOptions } from './scan/traceStrokesSteps.js';
 export { AdaptiveResolution, type AdaptiveResolutionOptions } from './scene/AdaptiveResolution.js';
 export type { ApplyHatchingOptions } from './scene/ApplyHatchingOptions.js';
 export { applyHatching } from './scene/applyHatching.js';
@@ -59,5 +61,6 @@ export type { ThresholdTexture } from './tam/ThresholdTexture.js';
 export type { TonalArtMapOptions } from './tam/TonalArtMap.js';
 export { TonalArtMap } from './tam/TonalArtMap.js';
 export type { TonalArtMapTexture } from './tam/TonalArtMapTexture.js';
+export { type TraceStrokesOptions, traceStrokes } from './tracing/traceStrokes.js';
 export { disposeHatchingWorkers } from './worker/runTask.js';
 export type { TaskOptions } from './worker/TaskOptions.js';

@@ -48,11 +48,13 @@ const LIKE = 0.9;
 const ENTRIES = [
   'index.js',
   'facts.js',
+  'hands.js',
   'svg.js',
   'react.js',
   'element.js',
   'bake.worker.js',
   'svg.worker.js',
+  'scan.worker.js',
   'command.js',
   'draw.worker.js',
 ];
@@ -123,6 +125,7 @@ test.describe('the tarball', () => {
     expect(imported.filter((name) => name !== 'three' && !name.startsWith('./'))).toEqual([]);
     expect(importsOf('bake.worker.js')).toEqual([]);
     expect(importsOf('svg.worker.js')).toEqual([]);
+    expect(importsOf('scan.worker.js')).toEqual([]);
     const ofReact = [
       '@react-three/fiber',
       'react',

@@ -4,11 +4,13 @@ import { fileURLToPath } from 'node:url';
 const ENTRIES: readonly [name: RegExp, source: string, built: string][] = [
   [/^three-hatching$/, 'index', 'index'],
   [/^three-hatching\/facts$/, 'facts', 'facts'],
+  [/^three-hatching\/hands$/, 'hands/index', 'hands'],
   [/^three-hatching\/react$/, 'react/index', 'react'],
   [/^three-hatching\/svg$/, 'svg/index', 'svg'],
   [/^three-hatching\/element$/, 'element/element', 'element'],
   // A query tells Vite how to load the file.
   [/^three-hatching\/svg\.worker(?=$|\?)/, 'svg/svg.worker', 'svg.worker'],
+  [/^three-hatching\/hands\.worker(?=$|\?)/, 'tracing/scan.worker', 'scan.worker'],
   [/^three-hatching\/bake\.worker(?=$|\?)/, 'worker/bake.worker', 'bake.worker'],
 ];
 

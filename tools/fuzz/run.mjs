@@ -27,7 +27,7 @@ async function fuzzInNode() {
     stdio: 'inherit',
     env: { ...process.env, FUZZ_CASES: String(count), FUZZ_FIRST: String(first) },
   });
-  const report = ['files', 'library', 'drawings'].map((name) =>
+  const report = ['files', 'library', 'drawings', 'scans'].map((name) =>
     JSON.parse(readFileSync(`${output}/${name}.json`, 'utf8')),
   );
   console.table(

@@ -18,10 +18,13 @@ export const ROOMS = {
   detail: ['slices'],
   lighting: [],
   hand: [],
+  scan: ['slices', 'hand'],
   strokes: ['hand'],
   hatchImages: ['slices', 'hand', 'strokes'],
   mapFiles: ['strokes', 'hatchImages'],
   worker: ['slices', 'hand', 'features', 'form', 'bake', 'occlusion', 'detail', 'hatchImages'],
+
+  tracing: ['hand', 'scan', 'worker'],
 
   // With three.js.
   mistakes: [],
@@ -96,6 +99,8 @@ export const ROOMS = {
   ],
   'index.ts': [
     'adjacency',
+    'scan',
+    'tracing',
     'engraving',
     'hand',
     'strokes',
@@ -145,7 +150,8 @@ export const ROOMS = {
   // The library's rows of PNG are no part of its interface.
   'command/draw': ['/src/command', '/src/mapFiles/pngRows.ts', ...SHARED],
 
-  // These import the library by its package name.
+  // These import the library by its package name. The numbers by chance that strokes are placed by are no part of its interface.
+  hands: ['strokes/random.ts'],
   react: [],
   element: [],
   demo: [],
@@ -184,5 +190,5 @@ export const ROOMS = {
 /** Rooms that know no three.js. */
 export const WITHOUT_THREE = [
   ...['slices', 'mesh', 'adjacency', 'normals', 'features', 'form', 'bake', 'occlusion', 'detail', 'lighting'],
-  ...['hand', 'strokes', 'hatchImages', 'mapFiles', 'worker', 'command', 'engraving', 'vector'],
+  ...['hand', 'scan', 'strokes', 'hatchImages', 'mapFiles', 'worker', 'tracing', 'command', 'engraving', 'vector'],
 ];

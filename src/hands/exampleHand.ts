@@ -1,0 +1,41 @@
+import { type Hand, learnHand } from 'three-hatching';
+import { drawSwatches } from './drawSwatch.js';
+import { exampleHabits } from './exampleHabits.js';
+
+/** The names of six hands that differ clearly. */
+export type ExampleHandName = keyof typeof exampleHabits;
+
+/** The names of the hands that `exampleHand` draws. */
+export const exampleHandNames = /* @__PURE__ */ Object.keys(exampleHabits) as ExampleHandName[];
+
+/** Names for people. */
+const TITLES: Readonly<Record<ExampleHandName, string>> = {
+  finePen: 'Fine pen',
+  brush: 'Brush',
+  reedPen: 'Reed pen',
+  scribble: 'Scribble',
+  ruled: 'Ruled',
+  stippleFlicks: 'Stipple flicks',
+};
+
+/** Options of `exampleHand`. */
+export interface ExampleHandOptions {
+  /** A whole number. Each seed draws other strokes in the same manner; the same seed gives the same strokes. Default 1. */
+  seed?: number | undefined;
+}
+
+/**
+ * Draws one of six hands: three swatches of strokes, light, middle and dark, and what `learnHand` learns from them. It is data like any
+ * other hand, to draw maps with, to look at, or to begin one's own from.
+ *
+ * @throws RangeError if there is no such hand, or if the seed is no whole number
+ */
+export function exampleHand(name: ExampleHandName, { seed = 1 }: ExampleHandOptions = {}): Hand {
+  if (!Object.hasOwn(exampleHabits, name)) {
+    throw new RangeError(`exampleHand: there is no hand ${String(name)}, but ${exampleHandNames.join(', ')}.`);
+  }
+  if (!Number.isSafeInteger(seed)) {
+    throw new RangeError(`exampleHand: seed is ${String(seed)}, but must be a whole number.`);
+  }
+  return learnHand(drawSwatches(exampleHabits[name], seed), { name: TITLES[name] });
+}

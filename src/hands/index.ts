@@ -1,0 +1,7 @@
+/**
+ * Six hands to begin with, drawn by numbers.
+ *
+ * @module three-hatching/hands
+ */
+
+export { type ExampleHandName, type ExampleHandOptions, exampleHand, exampleHandNames } from './exampleHand.js';

@@ -1,0 +1,280 @@
+import type { Ink } from './findInk.js';
+import { type Path, resample, smooth } from './Path.js';
+import type { Chain } from './resolveJunctions.js';
+
+/** A stroke in pixels: its centre line and its width at every point. */
+export interface TracedStroke extends Path {
+  widths: Float64Array;
+}
+
+/** Pixels between the places at which a stroke is measured. */
+const SPACING = 1;
+/** Pixels between the samples across a stroke. */
+const STEP = 0.5;
+/** Pixels by which the line of pixels is smoothed before it is measured, and the measured line and its widths after. */
+const RAW_SMOOTHING = 2;
+const FINE_SMOOTHING = 1.2;
+/** A stroke ends where its ink falls below this share. */
+const HALF = 0.5;
+/** A point that is thinner than a pixel has less than half, but it goes on for a while: for `POINT_PIXELS` or more. */
+const POINT_SHARE = 0.2;
+const POINT_PIXELS = 2;
+/** There is no ink below this share. */
+const NOTHING = 0.04;
+/** A stroke swells to no more than this many times the width that it has in four fifths of its length. */
+const WIDEST_SWELL = 1.5;
+/** A stroke whose ink has at least this share of the depth of the picture's is thought to be blurred, not paler. */
+const BLURRED = 0.7;
+
+/**
+ * Measures a stroke across its line: its width is how much ink lies there, which neither blur nor pixels change. Where strokes cross, the
+ * width goes on from before the crossing to after it.
+ *
+ * @returns undefined for what is no longer than wide: specks, dots and blots
+ */
+export function measureChain(ink: Ink, chain: Chain): TracedStroke | undefined {
+  if (chain.radii.length < 2) return undefined;
+  const line = withEnds(ink, chain);
+  const { xs, ys } = resample(line, SPACING);
+  const count = xs.length;
+  const smoothX = smooth(xs, RAW_SMOOTHING);
+  const smoothY = smooth(ys, RAW_SMOOTHING);
+  const radii = radiiAlong(chain, count);
+  const full = depthAlong(ink, smoothX, smoothY);
+  const isHidden = hiddenSamples(line, chain, count);
+  const widths = new Float64Array(count);
+  for (let i = 0; i < count; i++) {
+    const before = Math.max(0, i - 3);
+    const after = Math.min(count - 1, i + 3);
+    const alongX = smoothX[after] - smoothX[before];
+    const alongY = smoothY[after] - smoothY[before];
+    const length = Math.hypot(alongX, alongY) || 1;
+    const [normalX, normalY] = [-alongY / length, alongX / length];
+    const section = isHidden[i]
+      ? undefined
+      : crossSection(ink, full, smoothX[i], smoothY[i], normalX, normalY, radii[i]);
+    widths[i] = section ? section.width : Number.NaN;
+    xs[i] = smoothX[i] + (section ? section.offset * normalX : 0);
+    ys[i] = smoothY[i] + (section ? section.offset * normalY : 0);
+  }
+  if (!bridge([xs, ys, widths], withoutCrossings(widths))) return undefined;
+  return withoutCaps({ xs: smooth(xs, FINE_SMOOTHING), ys: smooth(ys, FINE_SMOOTHING), widths });
+}
+
+/** The share of ink at a place, bilinear; 1 in the middle of a stroke of the depth `full`. */
+function inkAt({ width, height, depths }: Ink, full: number, x: number, y: number): number {
+  const column = Math.min(width - 1.001, Math.max(0, x));
+  const row = Math.min(height - 1.001, Math.max(0, y));
+  const left = Math.floor(column);
+  const top = Math.floor(row);
+  const at = top * width + left;
+  const across = column - left;
+  const upper = depths[at] + across * (depths[at + 1] - depths[at]);
+  const lower = depths[at + width] + across * (depths[at + width + 1] - depths[at + width]);
+  return (upper + (lower - upper) * (row - top)) / full;
+}
+
+/** Thinning shortens lines and bends their ends into corners. Both ends are taken back and then led on to where the ink ends. */
+function withEnds(ink: Ink, { points, radii, isClosed }: Chain): number[] {
+  if (isClosed) return [...points, points[0], points[1]];
+  const head = endOf(ink, points, radii);
+  const reversed = reversedPoints(points);
+  const tail = endOf(ink, reversed, radii.slice().reverse());
+  const from = head.dropped;
+  const to = radii.length - tail.dropped;
+  return [...head.tip, ...points.slice(2 * from, 2 * to), ...reversedPoints(tail.tip)];
+}
+
+function endOf(ink: Ink, points: readonly number[], radii: readonly number[]): { dropped: number; tip: number[] } {
+  const count = radii.length;
+  const radius = Math.max(...radii.slice(0, Math.max(2, Math.ceil(count / 8))).slice(0, 8));
+  const dropped = Math.min(Math.floor(radius), Math.floor((count - 1) / 4));
+  const behind = Math.min(count - 1, dropped + Math.ceil(3 * radius) + 3);
+  const [x, y] = [points[2 * dropped], points[2 * dropped + 1]];
+  let alongX = x - points[2 * behind];
+  let alongY = y - points[2 * behind + 1];
+  const length = Math.hypot(alongX, alongY);
+  if (length === 0) return { dropped, tip: [] };
+  alongX /= length;
+  alongY /= length;
+  const inkEnd = (share: number, most: number): number => {
+    let distance = 0;
+    while (distance < most && inkAt(ink, ink.fullDepth, x + distance * alongX, y + distance * alongY) > share) {
+      distance += 0.25;
+    }
+    return distance;
+  };
+  const half = inkEnd(HALF, 3 * radius + 4);
+  const point = inkEnd(POINT_SHARE, 3 * radius + 10);
+  const distance = point - half > POINT_PIXELS ? point : half;
+  return { dropped, tip: distance > 0 ? [x + distance * alongX, y + distance * alongY] : [] };
+}
+
+function reversedPoints(points: readonly number[]): number[] {
+  const reversed: number[] = [];
+  for (let i = points.length - 2; i >= 0; i -= 2) reversed.push(points[i], points[i + 1]);
+  return reversed;
+}
+
+/** The distance to paper along the samples of a stroke, from that of its pixels. It only bounds how far a section is followed. */
+function radiiAlong({ radii }: Chain, count: number): Float64Array {
+  const result = new Float64Array(count);
+  const typical = Float64Array.from(radii).sort()[Math.floor(0.75 * (radii.length - 1))];
+  for (let i = 0; i < count; i++) {
+    const at = Math.round((i / Math.max(1, count - 1)) * (radii.length - 1));
+    result[i] = Math.min(Math.max(radii[at], 0.5 * typical), 2 * typical);
+  }
+  return result;
+}
+
+/** The depth of the ink of one stroke: that of the picture, or its own if it is paler than blur would make it. */
+function depthAlong(ink: Ink, xs: Float64Array, ys: Float64Array): number {
+  const own = xs.map((x, i) => inkAt(ink, ink.fullDepth, x, ys[i])).sort()[Math.floor(0.6 * xs.length)];
+  return own > BLURRED ? ink.fullDepth : Math.max(0.3, own) * ink.fullDepth;
+}
+
+/** How much ink lies across a stroke, and where its middle is; undefined where the ink does not end, as in a crossing. */
+function crossSection(
+  ink: Ink,
+  full: number,
+  x: number,
+  y: number,
+  normalX: number,
+  normalY: number,
+  radius: number,
+): { width: number; offset: number } | undefined {
+  const reach = 1.5 * radius + 3;
+  let sum = 0;
+  let moment = 0;
+  for (const side of [-1, 1]) {
+    let least = Number.POSITIVE_INFINITY;
+    let at = 0.5 * STEP;
+    for (; at < reach; at += STEP) {
+      const share = inkAt(ink, full, x + side * at * normalX, y + side * at * normalY);
+      // Ink that rises again belongs to the stroke beside it.
+      if (share < NOTHING || (least < HALF && share > least + 0.06)) break;
+      least = Math.min(least, share);
+      sum += share;
+      moment += side * at * share;
+    }
+    if (least > HALF && at >= reach) return undefined;
+  }
+  if (sum === 0) return { width: 0, offset: 0 };
+  const most = 0.5 * radius + 0.5;
+  return { width: sum * STEP, offset: Math.min(most, Math.max(-most, moment / sum)) };
+}
+
+/** The samples that lie in other strokes: where the line has no pixels of its own, and its ends in them. */
+function hiddenSamples(line: readonly number[], { startRadius, endRadius }: Chain, count: number): Uint8Array {
+  const isHidden = new Uint8Array(count);
+  const gaps: [from: number, to: number][] = [];
+  let length = 0;
+  for (let i = 2; i < line.length; i += 2) {
+    const step = Math.hypot(line[i] - line[i - 2], line[i + 1] - line[i - 1]);
+    // What leads on to the ends of the ink are long steps too, but no gaps.
+    if (step > 2 && i > 2 && i < line.length - 2) gaps.push([length, length + step]);
+    length += step;
+  }
+  if (startRadius > 0) gaps.push([0, 2 * startRadius]);
+  if (endRadius > 0) gaps.push([length - 2 * endRadius, length]);
+  const spacing = length / Math.max(1, count - 1);
+  for (const [from, to] of gaps) {
+    const first = Math.max(0, Math.floor(from / spacing));
+    isHidden.fill(1, first, Math.min(count, Math.ceil(to / spacing) + 1));
+  }
+  return isHidden;
+}
+
+/** The widths without those that are so much larger than the others that another stroke must lie there. */
+function withoutCrossings(widths: Float64Array): Float64Array {
+  const known = widths.filter((width) => !Number.isNaN(width)).sort();
+  const most = WIDEST_SWELL * known[Math.floor(0.8 * (known.length - 1))];
+  return widths.map((width) => (width > most ? Number.NaN : width));
+}
+
+/** Fills places and widths in, along straight lines, where the width is not known. False where none is known. */
+function bridge(
+  lists: readonly [xs: Float64Array, ys: Float64Array, widths: Float64Array],
+  widths: Float64Array,
+): boolean {
+  const known: number[] = [];
+  for (let i = 0; i < widths.length; i++) if (!Number.isNaN(widths[i])) known.push(i);
+  if (known.length === 0) return false;
+  for (let k = 0; k < known.length - 1; k++) {
+    const [a, b] = [known[k], known[k + 1]];
+    for (const values of lists) {
+      for (let i = a + 1; i < b; i++) values[i] = values[a] + ((values[b] - values[a]) * (i - a)) / (b - a);
+    }
+  }
+  // A stroke may end in another one: its line is known there, its width is not.
+  const [first, last] = [known[0], known[known.length - 1]];
+  lists[2].fill(widths[first], 0, first);
+  lists[2].fill(widths[last], last);
+  return true;
+}
+
+/**
+ * Takes blunt ends back by half their width, to where a round pen would have stood, which leaves them their width. A pointed end stays at
+ * its point.
+ */
+function withoutCaps(stroke: TracedStroke): TracedStroke | undefined {
+  const { xs, ys, widths } = stroke;
+  const count = xs.length;
+  const lengths = new Float64Array(count);
+  for (let i = 1; i < count; i++) lengths[i] = lengths[i - 1] + Math.hypot(xs[i] - xs[i - 1], ys[i] - ys[i - 1]);
+  const total = lengths[count - 1];
+  const typical = widths.slice().sort()[Math.floor(0.75 * (count - 1))];
+  if (total < 1.6 * typical || total < 4) return undefined;
+  const start = capOf(lengths, widths, typical);
+  const end = capOf(
+    lengths.map((_, i) => total - lengths[count - 1 - i]),
+    widths.slice().reverse(),
+    typical,
+  );
+  widths.fill(start.width, 0, start.reaches);
+  widths.fill(end.width, count - end.reaches);
+  const smoothed = smooth(widths, FINE_SMOOTHING).map((width) => Math.max(0, width));
+  const along = Array.from({ length: count }, (_, i) => {
+    return start.length + ((total - start.length - end.length) * i) / (count - 1);
+  });
+  const at = (values: Float64Array): Float64Array =>
+    Float64Array.from(along, (length) => valueAt(lengths, values, length));
+  return { xs: at(xs), ys: at(ys), widths: at(smoothed) };
+}
+
+/** The cap at the start of a stroke. */
+interface Cap {
+  /** Its length: half its width, or 0 for a point. */
+  length: number;
+  /** The width of the stroke behind it. */
+  width: number;
+  /** The samples whose width is that of the cap. */
+  reaches: number;
+}
+
+/** Finds where the stroke is half as wide as its end is away: in a round or straight end, but not in a point. */
+function capOf(lengths: Float64Array, widths: Float64Array, typical: number): Cap {
+  const most = Math.min(0.25 * lengths[lengths.length - 1], typical);
+  let length = 0;
+  let i = 1;
+  for (; lengths[i] < most; i++) {
+    const excess = 0.5 * widths[i] - lengths[i];
+    const before = 0.5 * widths[i - 1] - lengths[i - 1];
+    if (excess >= 0) length = lengths[i];
+    else if (before >= 0) length = lengths[i - 1] + ((lengths[i] - lengths[i - 1]) * before) / (before - excess || 1);
+  }
+  // The slope of a point is less than that of a cap, but pixels may hide its first ones.
+  if (length < Math.max(1, 0.2 * typical)) return { length: 0, width: widths[0], reaches: 0 };
+  let reaches = 0;
+  while (reaches < widths.length - 1 && lengths[reaches] < length + 1) reaches++;
+  return { length, width: widths[reaches], reaches };
+}
+
+function valueAt(lengths: Float64Array, values: Float64Array, length: number): number {
+  const last = lengths.length - 1;
+  let i = Math.min(last - 1, Math.max(0, Math.floor((length / lengths[last]) * last)));
+  while (i > 0 && lengths[i] > length) i--;
+  while (i < last - 1 && lengths[i + 1] < length) i++;
+  const share = (length - lengths[i]) / (lengths[i + 1] - lengths[i] || 1);
+  return values[i] + share * (values[i + 1] - values[i]);
+}

@@ -1,0 +1,4 @@
+import { serveTasks } from '../worker/serveTasks.js';
+import { scanTasks } from './scanTasks.js';
+
+serveTasks(scanTasks);
