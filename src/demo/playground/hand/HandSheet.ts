@@ -1,6 +1,8 @@
 import type { HandNumbers, HandStroke } from 'three-hatching';
-import { handLook, lookWithoutHand } from '../../../settings/handLook.js';
+import { type ExampleHandName, exampleHand, exampleHandNames } from 'three-hatching/hands';
+import { handLook, linesOfHand, lookWithoutHand } from '../../../settings/handLook.js';
 import { drawsWithMap } from '../../../settings/settingValues.js';
+import { ownHandOf } from '../../drawing/linkedHand.js';
 import type { OwnHand } from '../../drawing/OwnHand.js';
 import { page } from '../elements/page.js';
 import { textButton } from '../elements/textButton.js';
@@ -10,12 +12,23 @@ import { download } from '../takeAway/download.js';
 import { element } from './element.js';
 import { eraseStrokes } from './eraseStrokes.js';
 import { HAND_NUMBER_NAMES, HAND_SLIDERS, inUnit, numberOfShown, shownNumber } from './handSliders.js';
+import { layOut } from './layOut.js';
 import { changedNumbers, LEAST_STROKES, learnOwnHand, withNumbers } from './learnOwnHand.js';
 import { SwatchCanvas, type SwatchTool } from './SwatchCanvas.js';
 import { SWATCHES } from './swatches.js';
 
 /** How long the map waits for another stroke or step of a slider, in milliseconds. */
 const PAUSE = 150;
+
+/** What the given hands are called. */
+const GIVEN_HANDS: Readonly<Record<ExampleHandName, string>> = {
+  finePen: 'a fine pen',
+  brush: 'a brush',
+  reedPen: 'a reed pen',
+  scribble: 'a scribble',
+  ruled: 'a ruler',
+  stippleFlicks: 'flicks of a pen',
+};
 
 const NONE: OwnHand = { strokes: [], hand: undefined, changed: {}, link: undefined, files: undefined };
 
@@ -26,13 +39,17 @@ export class HandSheet {
   private readonly tools: readonly (readonly [SwatchTool, HTMLButtonElement])[];
   private readonly undo = textButton('Undo', () => this.session.undo());
   private readonly clear = textButton('Clear', () => this.change([]), 'Clear the sheet');
-  private readonly use = textButton('Draw with it', () => this.session.useLook(handLook(this.session.settings)));
+  private readonly use = textButton('Draw with it', () => this.drawWithIt());
   private readonly save = textButton('Save the hand', () => this.saveHand(), 'Save the hand as a file');
-  private readonly file = element('input', { type: 'file', accept: '.json', hidden: true });
+  private readonly given = element('select', {}, element('option', { value: '' }, 'an empty sheet'));
   private readonly asLearnt = textButton('As learnt', () => this.changeNumbers({}));
   private readonly numbers = element('fieldset', { className: 'motion hand-numbers', hidden: true });
   private readonly sliders: readonly ValueSlider[];
   private shown: OwnHand | undefined;
+  /** The strokes of the shown hand, laid out on the sheet. */
+  private strokes: readonly HandStroke[] = [];
+  /** The hand that was chosen from the given ones, as long as it is as it was given. */
+  private chosen: OwnHand | undefined;
   private opener: Element | null = null;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
@@ -41,7 +58,7 @@ export class HandSheet {
     private readonly session: Session,
   ) {
     this.swatches = new SwatchCanvas({
-      drawn: (stroke) => this.change([...this.own.strokes, stroke]),
+      drawn: (stroke) => this.change([...this.strokes, stroke]),
       rubbed: (x, y, radius) => this.rub(x, y, radius),
     });
     this.tools = (['pen', 'rubber'] as const).map((tool) => {
@@ -99,7 +116,13 @@ export class HandSheet {
         swatches.penWidth = value;
       },
     });
-    const open = textButton('Open a hand', () => this.file.click(), 'Open a hand from a file');
+    const open = filePicker('Open a hand', '.json', (file) => {
+      void this.session.mapLoader.showFiles([{ name: file.name, content: file }]);
+    });
+    const picture = filePicker('From a picture', 'image/png,image/jpeg', (file) => this.readPicture(file));
+    for (const name of exampleHandNames) this.given.append(element('option', { value: name }, GIVEN_HANDS[name]));
+    this.given.addEventListener('change', () => this.choose());
+    const given = element('label', { className: 'hand-given' }, element('span', {}, 'Begin from'), this.given);
     const tools = element('p', { className: 'hand-tools' }, ...this.tools.map(([, button]) => button));
     tools.append(this.undo, this.clear);
     this.numbers.append(
@@ -114,25 +137,53 @@ export class HandSheet {
         textButton('Close', () => this.close()),
       ),
       element('p', {}, 'Hatch in the fields as you do on paper: with a pen, a finger or the mouse. One field will do.'),
+      given,
       tools,
       swatches.element,
       element('div', { className: 'motion hand-pen' }, penWidth.label),
       this.said,
-      element('p', { className: 'hand-tools' }, this.use, this.save, open, this.file),
+      element('p', { className: 'hand-tools' }, this.use, this.save, ...open, ...picture),
       this.numbers,
     );
-    this.file.addEventListener('change', () => {
-      const [file] = this.file.files ?? [];
-      // Otherwise there would be no event when the same file is picked again.
-      this.file.value = '';
-      if (file) void this.session.mapLoader.showFiles([{ name: file.name, content: file }]);
-    });
+    this.sheet.addEventListener('drop', (event) => this.dropped(event));
     this.sheet.addEventListener('keydown', (event) => {
       if (event.key !== 'Escape') return;
       event.stopPropagation();
       this.close();
     });
     page.toggleCard.addEventListener('click', () => this.close());
+  }
+
+  /** Takes a picture that is dropped on the sheet; all else is for the page. */
+  private dropped(event: DragEvent): void {
+    const [file, ...others] = event.dataTransfer?.files ?? [];
+    if (!file || others.length > 0 || !/\.(png|jpe?g)$/i.test(file.name)) return;
+    event.preventDefault();
+    event.stopPropagation();
+    page.drop.hidden = true;
+    this.readPicture(file);
+  }
+
+  private readPicture(file: File): void {
+    void this.session.mapLoader.tasks.run('map', async (report, signal) => {
+      const { readPicture } = await import('./readPicture.js');
+      const own = await readPicture(file, report, signal);
+      if (!signal.aborted) this.takeOver(own);
+    });
+  }
+
+  /** Begins from one of the given hands, or from nothing. */
+  private choose(): void {
+    const name = exampleHandNames.find((given) => given === this.given.value);
+    const hand = name && exampleHand(name);
+    const own = hand && ownHandOf(hand, layOut(hand.strokes), {});
+    this.chosen = own;
+    this.takeOver(own);
+  }
+
+  private drawWithIt(): void {
+    const { session, own } = this;
+    if (own.hand) session.useLook(handLook(session.settings, own.hand));
   }
 
   private saveHand(): void {
@@ -145,7 +196,7 @@ export class HandSheet {
   }
 
   private rub(x: number, y: number, radius: number): void {
-    const { strokes } = this.own;
+    const { strokes } = this;
     const left = eraseStrokes(strokes, x, y, radius);
     // All that is rubbed out in one go is one step.
     if (left !== strokes) this.change(left, 'hand rubber');
@@ -159,14 +210,16 @@ export class HandSheet {
   private changeNumbers(changed: Partial<HandNumbers>, source?: string): void {
     const { own } = this;
     const isBack = Object.keys(changed).length === 0;
-    this.takeOver(isBack ? learnOwnHand(own.strokes, {}) : withNumbers(own, changed), source);
+    this.takeOver(isBack ? learnOwnHand(this.strokes, {}) : withNumbers(own, changed), source);
   }
 
   private takeOver(next: OwnHand | undefined, source?: string): void {
     const { session } = this;
     const had = this.own.hand !== undefined;
     const { settings } = session;
-    const look = next?.hand ? (had ? {} : handLook(settings)) : lookWithoutHand(settings);
+    const hand = next?.hand;
+    const lookWith = had ? linesOfHand : handLook;
+    const look = hand ? lookWith(settings, hand) : lookWithoutHand(settings);
     session.handChanged(next, look, source);
     clearTimeout(this.timer);
     this.timer = setTimeout(() => void session.mapLoader.showChosen(), PAUSE);
@@ -184,7 +237,9 @@ export class HandSheet {
     this.save.disabled = hand === undefined;
     if (own === this.shown) return;
     this.shown = own;
-    this.swatches.show(strokes, describe(strokes));
+    this.strokes = layOut(strokes);
+    this.swatches.show(this.strokes, describe(strokes));
+    if (own !== this.chosen) this.given.value = '';
     this.said.textContent = sentenceAbout(own);
     this.numbers.hidden = hand === undefined;
     this.asLearnt.disabled = own.changed !== undefined && Object.keys(own.changed).length === 0;
@@ -203,11 +258,22 @@ export class HandSheet {
       write: (shown) => this.changeNumbers({ ...this.changed, [name]: numberOfShown(name, shown) }, `hand ${name}`),
       reset: () => {
         const { [name]: _, ...others } = this.changed;
-        const { strokes } = this.own;
-        this.takeOver(learnOwnHand(strokes, others));
+        this.takeOver(learnOwnHand(this.strokes, others));
       },
     };
   }
+}
+
+/** A button that asks for a file, and the input that it needs. */
+function filePicker(label: string, accept: string, onFile: (file: File) => void): [HTMLElement, HTMLElement] {
+  const input = element('input', { type: 'file', accept, hidden: true });
+  input.addEventListener('change', () => {
+    const [file] = input.files ?? [];
+    // Otherwise there would be no event when the same file is picked again.
+    input.value = '';
+    if (file) onFile(file);
+  });
+  return [textButton(label, () => input.click()), input];
 }
 
 /** What screen readers say of the sheet. */

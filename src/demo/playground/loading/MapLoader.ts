@@ -23,7 +23,7 @@ export class MapLoader {
   constructor(
     private readonly stage: Stage,
     readonly settings: Settings,
-    private readonly tasks: TaskRunner,
+    readonly tasks: TaskRunner,
     /** Called when another map is in use. */
     private readonly onMap: () => void,
     /** Called when the settings have been set to the user's own map. */

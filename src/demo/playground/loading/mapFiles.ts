@@ -38,8 +38,8 @@ export async function showHandFile(
   const [file] = files;
   const hand = files.length === 1 && /\.json$/i.test(file.name) ? await readHandFile(file) : undefined;
   options.signal.throwIfAborted();
-  if (!hand) return false;
-  const look = handLook(user.settings);
+  if (!hand?.hand) return false;
+  const look = handLook(user.settings, hand.hand);
   user.hand = hand;
   await showHandMap(cache, { ...user.settings, ...look }, options, user);
   options.signal.throwIfAborted();
