@@ -1,5 +1,6 @@
 import { readFile } from 'node:fs/promises';
 import type { Locator, Page } from '@playwright/test';
+import { encodePng } from '../../src/mapFiles/encodePng.js';
 import { drop, openPlayground, readDrawing, ready } from '../../tools/browser/playground.js';
 import { expect, test } from '../browser/test.js';
 
@@ -242,4 +243,89 @@ test('by keyboard the sheet opens, closes with Escape, and gives the focus back'
   await page.keyboard.press('Escape');
   await expect(sheetOf(page)).toBeHidden();
   await expect(opener).toBeFocused();
+});
+
+test('without drawing: a given hand is chosen and varied by keyboard, and the model is hatched with it', async ({
+  page,
+}) => {
+  await openPlayground(page, PLAIN);
+  const before = await readDrawing(page);
+  await page.getByRole('button', { name: 'Draw with your own hand' }).press('Enter');
+  const given = sheetOf(page).getByRole('combobox', { name: 'Begin from' });
+  await given.focus();
+  await page.keyboard.press('ArrowDown');
+  await expect(given.locator('option:checked')).toHaveText('a fine pen');
+  await expect.poll(async () => (await readDrawing(page)).data.equals(before.data)).toBe(false);
+  const fine = await readDrawing(page);
+  await page.keyboard.press('ArrowDown');
+  await expect(given.locator('option:checked')).toHaveText('a brush');
+  await expect.poll(async () => (await readDrawing(page)).data.equals(fine.data)).toBe(false);
+  const brush = await readDrawing(page);
+  const length = await numberOf(page, 'Length');
+  await sheetOf(page).getByRole('slider', { name: 'Length', exact: true }).focus();
+  await page.keyboard.press('Home');
+  expect(await numberOf(page, 'Length')).toBeLessThan(length);
+  await expect.poll(async () => (await readDrawing(page)).data.equals(brush.data)).toBe(false);
+  // What was varied is none of the given hands.
+  await expect(given.locator('option:checked')).toHaveText('an empty sheet');
+});
+
+/** A grey picture with so many slanted strokes in a row, as a scanner has it: 10 pixels to a millimetre. */
+async function scan(name: string, strokes: number) {
+  const [width, height] = [600, 300];
+  const data = new Uint8Array(width * height).fill(235);
+  for (let i = 0; i < strokes; i++) {
+    for (let k = 0; k <= 400; k++) {
+      const [x, y] = [60 + 55 * i + 0.15 * k, 240 - 0.4 * k];
+      for (let v = -4; v <= 4; v++) {
+        for (let u = -4; u <= 4; u++) {
+          if (u * u + v * v <= 16) data[Math.round(y + v) * width + Math.round(x + u)] = 40;
+        }
+      }
+    }
+  }
+  return { name, mimeType: 'image/png', buffer: Buffer.from(await encodePng({ width, height, channels: 1, data })) };
+}
+
+test('the strokes of a picture become a hand; without strokes, or where it is none, a sentence says so', async ({
+  page,
+}) => {
+  await openPlayground(page, PLAIN);
+  const before = await readDrawing(page);
+  await openSheet(page);
+  const pick = async (file: Awaited<ReturnType<typeof scan>>): Promise<void> => {
+    const chooser = page.waitForEvent('filechooser');
+    await sheetOf(page).getByRole('button', { name: 'From a picture' }).click();
+    await (await chooser).setFiles(file);
+  };
+  await pick(await scan('blank.png', 0));
+  await expect(page.locator('#status')).toContainText(/^blank\.png: .*no strokes/);
+  await pick({ name: 'notes.png', mimeType: 'image/png', buffer: Buffer.from('not a picture') });
+  await expect(page.locator('#status')).toHaveText(
+    'notes.png is no picture that this browser can read: PNG and JPEG are.',
+  );
+  await expect(saidOf(page)).toHaveText('5 strokes are enough to begin with.');
+  expect((await readDrawing(page)).data.equals(before.data)).toBe(true);
+  await pick(await scan('swatch.png', 8));
+  await expect(saidOf(page)).toHaveText(/^8 strokes/);
+  await expect.poll(async () => (await readDrawing(page)).data.equals(before.data)).toBe(false);
+  // 160 pixels high in a field of 24 mm less its margin: nothing was made smaller. Each is 17 mm long.
+  expect(Math.abs((await numberOf(page, 'Length')) - Math.hypot(6, 16))).toBeLessThan(1.7);
+  expect(Math.abs((await numberOf(page, 'Width')) - 0.9)).toBeLessThan(0.12);
+});
+
+test('the copied code draws with the hand as a file beside it', async ({ page }) => {
+  await openPlayground(page, PLAIN);
+  await openSheet(page);
+  await drawStrokes(page, 5);
+  await ready(page);
+  await page.keyboard.press('Escape');
+  await page.getByRole('button', { name: 'Picture' }).click();
+  await page.getByRole('button', { name: 'Code and embedding' }).click();
+  await page.getByRole('combobox', { name: 'As' }).selectOption('A module');
+  const code = await page.getByRole('textbox', { name: 'The code' }).inputValue();
+  expect(code).toContain(
+    "TonalArtMap.generate({ hand: await (await fetch('hand.json')).json(), size: 64, tones: 4, seed: 1 })",
+  );
+  expect(code).toContain('saves your own hand as hand.json');
 });
