@@ -40,7 +40,7 @@ export class HandSheet {
   private readonly undo = textButton('Undo', () => this.session.undo());
   private readonly clear = textButton('Clear', () => this.change([]), 'Clear the sheet');
   private readonly use = textButton('Draw with it', () => this.drawWithIt());
-  private readonly save = textButton('Save the hand', () => this.saveHand(), 'Save the hand as a file');
+  private readonly save = textButton('Save', () => this.saveHand(), 'Save the hand as a file');
   private readonly given = element('select', {}, element('option', { value: '' }, 'an empty sheet'));
   private readonly asLearnt = textButton('As learnt', () => this.changeNumbers({}));
   private readonly numbers = element('fieldset', { className: 'motion hand-numbers', hidden: true });
@@ -136,12 +136,12 @@ export class HandSheet {
         title,
         textButton('Close', () => this.close()),
       ),
-      element('p', {}, 'Hatch in the fields as you do on paper: with a pen, a finger or the mouse. One field will do.'),
-      given,
+      element('p', {}, 'Hatch these fields with a pen, a finger or the mouse. One of them will do.'),
       tools,
       swatches.element,
       element('div', { className: 'motion hand-pen' }, penWidth.label),
       this.said,
+      given,
       element('p', { className: 'hand-tools' }, this.use, this.save, ...open, ...picture),
       this.numbers,
     );
