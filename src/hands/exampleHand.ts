@@ -18,6 +18,9 @@ const TITLES: Readonly<Record<ExampleHandName, string>> = {
   stippleFlicks: 'Stipple flicks',
 };
 
+/** All strokes are kept: small ones are many. */
+const MOST_STROKES = 1000;
+
 /** Options of `exampleHand`. */
 export interface ExampleHandOptions {
   /** A whole number. Each seed draws other strokes in the same manner; the same seed gives the same strokes. Default 1. */
@@ -37,5 +40,5 @@ export function exampleHand(name: ExampleHandName, { seed = 1 }: ExampleHandOpti
   if (!Number.isSafeInteger(seed)) {
     throw new RangeError(`exampleHand: seed is ${String(seed)}, but must be a whole number.`);
   }
-  return learnHand(drawSwatches(exampleHabits[name], seed), { name: TITLES[name] });
+  return learnHand(drawSwatches(exampleHabits[name], seed), { name: TITLES[name], maxStrokes: MOST_STROKES });
 }

@@ -15,9 +15,12 @@ import {
 import {
   applyHatching,
   HatchingMaterial,
+  learnHand,
   type PrepareHatchingGeometryOptions,
   prepareHatchingGeometry,
+  traceStrokes,
 } from 'three-hatching';
+import ScanWorker from '../../src/tracing/scan.worker.js?worker';
 import BakeWorker from '../../src/worker/bake.worker.js?worker';
 import { disposeHatchingWorkers, runTask } from '../../src/worker/runTask.js';
 import ClosingWorker from './workerClosing.js?worker';
@@ -165,6 +168,43 @@ const workerTests = {
       return Promise.all(images.flat().map((image) => hashOf(image as Uint8Array<ArrayBuffer>)));
     };
     return { inWorker: await hashes(), onMainThread: await withoutWorkers(hashes) };
+  },
+
+  /** Strokes that a canvas has drawn, a photograph of which was read back. */
+  async tracing() {
+    const sheet = Object.assign(document.createElement('canvas'), { width: 360, height: 240 });
+    const context = sheet.getContext('2d', { willReadFrequently: true })!;
+    context.fillStyle = '#e8e2d0';
+    context.fillRect(0, 0, 360, 240);
+    context.lineWidth = 6;
+    context.lineCap = 'round';
+    for (const [x, y] of [...Array(9).keys()].map((i) => [30 + 30 * i, 200])) {
+      context.moveTo(x, y);
+      context.lineTo(x + 60, y - 160);
+    }
+    context.moveTo(40, 120);
+    context.lineTo(330, 100);
+    context.stroke();
+    const photograph = await createImageBitmap(
+      await new Promise<Blob>((resolve) => sheet.toBlob((blob) => resolve(blob!))),
+    );
+    context.drawImage(photograph, 0, 0);
+    const trace = () => traceStrokes(context.getImageData(0, 0, 360, 240), { millimetresPerPixel: 1 });
+    const workersBefore = workersMade;
+    const inWorker = await trace();
+    const workers = workersMade - workersBefore;
+    const createWorker = () => new ScanWorker();
+    const inOwnWorker = await traceStrokes(context.getImageData(0, 0, 360, 240), {
+      millimetresPerPixel: 1,
+      createWorker,
+    });
+    return {
+      workers,
+      inWorker,
+      inOwnWorker,
+      onMainThread: await withoutWorkers(trace),
+      numbers: learnHand(inWorker).numbers,
+    };
   },
 
   async death() {

@@ -36,6 +36,20 @@ test('hatch images have the same bytes from the worker and from the main thread'
   expect(onMainThread).toEqual(inWorker);
 });
 
+test('strokes of a picture are the same from the worker, from a worker of the caller and from the main thread', async ({
+  page,
+}) => {
+  const { workers, inWorker, inOwnWorker, onMainThread, numbers } = await page.evaluate(() =>
+    window.workerTests.tracing(),
+  );
+  expect(workers).toBe(1);
+  expect(inWorker).toHaveLength(10);
+  expect(inOwnWorker).toEqual(inWorker);
+  expect(onMainThread).toEqual(inWorker);
+  expect(Math.abs(numbers.width / 6 - 1)).toBeLessThan(0.1);
+  expect(Math.abs(numbers.spacing / (30 * Math.cos(Math.atan2(60, 160))) - 1)).toBeLessThan(0.1);
+});
+
 test('though worker after worker dies midway, the geometry has the same bytes, and the deaths are told', async ({
   page,
   pageProblems,

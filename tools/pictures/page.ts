@@ -21,8 +21,10 @@ import {
   presets,
   scalePreset,
 } from 'three-hatching';
+import { type ExampleHandName, exampleHand } from 'three-hatching/hands';
 import { createCamera } from '../../src/staging/createCamera.js';
 import { fitCamera } from '../../src/staging/framing.js';
+import { drawSwatches } from './drawSwatches.js';
 import { loadSubject, type SubjectName } from './subjects.js';
 
 /** A picture of one subject in one preset. */
@@ -51,11 +53,15 @@ export interface Picture {
   /** What differs from the preset. */
   material?: HatchingPreset['material'];
   outlines?: HatchingPreset['outlines'];
+  /** The hand whose strokes are drawn in place of the preset's; its swatches stand above the picture. */
+  hand?: ExampleHandName;
 }
 
 /** Rendered pixels per pixel of the picture, along each axis. */
 const SUPERSAMPLING = 2;
 const SHADOW_MAP_SIZE = 2048;
+/** The height of three swatches over their width, with room for their name. */
+const SWATCHES_SHARE = 0.4;
 /** Side of the ground, in radii of the subject, and into how many parts it is divided along each side. */
 const GROUND = { size: 40, parts: 40 };
 
@@ -72,9 +78,25 @@ interface Drawing {
  */
 async function drawPicture(picture: Picture, content: string): Promise<string> {
   const drawing = await createDrawing(picture, content);
-  const address = drawing.draw().toDataURL('image/png');
+  const canvas = drawing.draw();
+  const address = (picture.hand ? belowSwatches(canvas, picture.hand, picture) : canvas).toDataURL('image/png');
   drawing.dispose();
   return address;
+}
+
+/** A drawing by a hand, below the swatches that the hand was learnt from. */
+function belowSwatches(drawing: HTMLCanvasElement, name: ExampleHandName, { preset }: Picture): HTMLCanvasElement {
+  const { paper = 'white', ink = 'black' } = presets[preset].material;
+  const { width, height } = drawing;
+  const above = Math.round(SWATCHES_SHARE * width);
+  const sheet = document.createElement('canvas');
+  Object.assign(sheet, { width, height: height + above });
+  const context = sheet.getContext('2d', { alpha: false })!;
+  context.fillStyle = String(paper);
+  context.fillRect(0, 0, width, above);
+  drawSwatches(context, exampleHand(name), width, String(ink));
+  context.drawImage(drawing, 0, above);
+  return sheet;
 }
 
 /**
@@ -168,7 +190,8 @@ async function createDrawing(picture: Picture, content: string): Promise<Drawing
   const preset = presets[picture.preset];
   const look = {
     ...preset,
-    material: { ...preset.material, ...picture.material },
+    ...(picture.hand && { tonalArtMap: { hand: exampleHand(picture.hand), size: 512, strokeTexels: 2.6 } }),
+    material: { ...(picture.hand ? lookOfHand(preset) : preset.material), ...picture.material },
     outlines: { ...preset.outlines, ...picture.outlines },
   };
   const scaled = scalePreset(look, SUPERSAMPLING * pixelRatio);
@@ -219,6 +242,13 @@ async function createDrawing(picture: Picture, content: string): Promise<Drawing
       renderer.forceContextLoss();
     },
   };
+}
+
+/** What a preset has beside its strokes, with those of a map. */
+function lookOfHand({ material }: HatchingPreset): HatchingPreset['material'] {
+  const { ink, paper, toneCurve, reflectedLight, exposure, localTone, colorFill, hollowTone } = material;
+  const tones = { toneCurve, reflectedLight, exposure, localTone, colorFill, hollowTone };
+  return { technique: 'anchored', sizedOnScreen: 1, ink, paper, ...tones };
 }
 
 const SUN_DISTANCE = 3;

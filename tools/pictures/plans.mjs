@@ -25,6 +25,8 @@ const viewAt = (degrees) => [
   0.15,
   Math.cos(((30 + degrees) * Math.PI) / 180),
 ];
+/** Hands, and the width of their strokes on the sheet: a brush is broader than a pen. */
+const HANDS = { finePen: 1.15, brush: 2.3, reedPen: 1.8, scribble: 1.2, ruled: 1.2, stippleFlicks: 1.6 };
 const FILLS = [
   { light: [1, 1.1, 0.5], strength: 0.3 },
   { light: [0.2, 0.8, 1], strength: 0.15 },
@@ -84,6 +86,19 @@ export const plansOf = (presets, techniques) => ({
         occlusion: 0.6,
       })),
     ),
+  },
+  hands: {
+    columns: 3,
+    pictures: Object.entries(HANDS).map(([hand, strokeWidth]) => ({
+      ...HAND,
+      zoom: 0.95,
+      hand,
+      preset: 'pen',
+      width: 480,
+      height: 560,
+      pixelRatio: 1.2,
+      material: { strokeWidth },
+    })),
   },
   techniques: {
     columns: techniques.length,

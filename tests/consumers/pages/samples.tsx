@@ -15,7 +15,7 @@ import {
   TorusKnotGeometry,
   WebGLRenderer,
 } from 'three';
-import { HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
+import { type HandStroke, HatchingMaterial, learnHand, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
 import 'three-hatching/element';
 
 declare global {
@@ -36,7 +36,26 @@ const map = await TonalArtMap.generate({ size: 64, tones: 4 });
 const files = await Promise.all(
   ['light.png', 'middle.png', 'dark.png'].map(async (name) => new File([await (await fetch(name)).blob()], name)),
 );
+const strokes = Array.from(
+  { length: 8 },
+  (_, i): HandStroke => ({ points: [0, i, 4, i + 0.2, 9, i], widths: [0.1, 0.4, 0.2] }),
+);
 const plane = await prepareHatchingGeometry(new PlaneGeometry(4, 4).rotateX(-Math.PI / 2));
+
+/** A sheet with a few strokes of a pen. */
+function pictureOfStrokes(): HTMLCanvasElement {
+  const canvas = Object.assign(document.createElement('canvas'), { width: 200, height: 140 });
+  const context = canvas.getContext('2d')!;
+  context.fillStyle = 'white';
+  context.fillRect(0, 0, canvas.width, canvas.height);
+  context.lineWidth = 4;
+  for (let y = 20; y < 130; y += 16) {
+    context.moveTo(20, y);
+    context.lineTo(180, y - 8);
+  }
+  context.stroke();
+  return canvas;
+}
 
 /**
  * What samples speak of and do not make: a scene with a mesh, and whatever else they name, made when they first name it.
@@ -68,6 +87,7 @@ function surround(isLit: boolean): { scene: Scene; camera: PerspectiveCamera } {
   const made: Record<string, () => unknown> = {
     ...{ scene: () => scene, camera: () => camera, renderer: () => renderer, light: () => light, mesh: () => mesh },
     ...{ map: () => map, tonalArtMap: () => map, files: () => files },
+    ...{ strokes: () => strokes, hand: () => learnHand(strokes), picture: pictureOfStrokes },
     geometry: () => mesh.geometry,
     material: () => new HatchingMaterial({ tonalArtMap: map, technique: 'anchored' }),
     ground: () => {

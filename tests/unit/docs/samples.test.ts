@@ -12,12 +12,13 @@ const folder = join(root, 'tests/output/samples');
 const AROUND = `
 import type { BufferGeometry, DirectionalLight as Sun, Group, Mesh as AnyMesh, Object3D, PerspectiveCamera as Eye,
   Scene as World, Texture, WebGLRenderer as Renderer } from 'three';
-import type { HatchingMaterial as Material, TonalArtMap as HatchMap } from 'three-hatching';
+import type { Hand as OwnHand, HandStroke as Drawn, HatchingMaterial as Material, TonalArtMap as HatchMap } from 'three-hatching';
 declare global {
   const mesh: AnyMesh; const scene: World; const camera: Eye; const renderer: Renderer; const light: Sun;
   const geometry: BufferGeometry; const material: Material; const tonalArtMap: HatchMap; const map: HatchMap;
   const gltf: { scene: Group }; const first: Object3D; const second: Object3D; const gradientMap: Texture;
   const files: File[]; const ground: AnyMesh<BufferGeometry, Material>; const BakeWorker: new () => Worker;
+  const strokes: Drawn[]; const hand: OwnHand; const picture: HTMLCanvasElement;
 }
 export {};
 `;

@@ -3,8 +3,10 @@ import { type Random, random } from '../../../src/strokes/random.js';
 /** A stroke in pixels. */
 export interface InkStroke {
   points: readonly (readonly [x: number, y: number])[];
-  /** The width at each point, with round ends. */
+  /** The width at each point. */
   widths: readonly number[];
+  /** Whether its ends are cut straight instead of round. */
+  isCut?: boolean;
 }
 
 /** How a sheet of paper is photographed. */
@@ -39,7 +41,7 @@ export function photograph(
   return { width, height, data };
 }
 
-function addInk(ink: Float64Array, width: number, height: number, { points, widths }: InkStroke): void {
+function addInk(ink: Float64Array, width: number, height: number, { points, widths, isCut = false }: InkStroke): void {
   for (let k = 0; k < points.length - 1; k++) {
     const [ax, ay] = points[k];
     const [bx, by] = points[k + 1];
@@ -48,10 +50,14 @@ function addInk(ink: Float64Array, width: number, height: number, { points, widt
     for (let y = Math.max(0, Math.floor(Math.min(ay, by) - reach)); y <= Math.max(ay, by) + reach && y < height; y++) {
       for (let x = Math.max(0, Math.floor(Math.min(ax, bx) - reach)); x <= Math.max(ax, bx) + reach && x < width; x++) {
         const [px, py] = [x + 0.5, y + 0.5];
-        const along = Math.min(1, Math.max(0, ((px - ax) * (bx - ax) + (py - ay) * (by - ay)) / squared));
+        const share = ((px - ax) * (bx - ax) + (py - ay) * (by - ay)) / squared;
+        const along = Math.min(1, Math.max(0, share));
         const distance = Math.hypot(px - ax - along * (bx - ax), py - ay - along * (by - ay));
         const radius = 0.5 * (widths[k] + along * (widths[k + 1] - widths[k]));
-        const covered = Math.min(1, 2 * radius, Math.max(0, radius + 0.5 - distance));
+        const beyond = Math.abs(share - along) * Math.sqrt(squared);
+        const aside = Math.sqrt(Math.max(0, distance * distance - beyond * beyond));
+        const inside = isCut ? Math.min(radius - aside, -beyond) : radius - distance;
+        const covered = Math.min(1, 2 * radius, Math.max(0, inside + 0.5));
         ink[y * width + x] = Math.max(ink[y * width + x], covered);
       }
     }

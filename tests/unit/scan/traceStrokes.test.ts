@@ -83,14 +83,38 @@ test('a stroke that swells from point to point keeps its points, its bend and it
   expect(others).toHaveLength(0);
   const { points, widths } = stroke;
   const last = widths.length - 1;
-  expect(Math.abs(points[0] - 40)).toBeLessThan(6);
-  expect(Math.abs(points[2 * last] - 260)).toBeLessThan(6);
+  expect(Math.abs(points[0] - 40)).toBeLessThan(3);
+  expect(Math.abs(points[2 * last] - 260)).toBeLessThan(3);
   for (let i = 0; i <= last; i++) {
     const x = (points[2 * i] - 150) / 110;
     expect(Math.abs(points[2 * i + 1] - (100 - 24 * (1 - x * x)))).toBeLessThan(1);
     const width = 0.6 + 8.4 * (1 - Math.abs(x));
     if (width > 3) expect(Math.abs(widths[i] / width - 1), `${x}`).toBeLessThan(0.1);
     else expect(Math.abs(widths[i] - width), `${x}`).toBeLessThan(0.6);
+  }
+});
+
+test('strokes with straight ends keep their direction up to the ends', () => {
+  for (const angle of [0, 20, 45]) {
+    const ink = { ...straight(120, 100, 120, angle, 20), isCut: true };
+    const [stroke, ...others] = trace(photograph([ink], { width: 240, height: 200, noise: 8, seed: angle + 1 }));
+    expect(others).toHaveLength(0);
+    const found = measure(stroke);
+    // A round pen of this width would have stood half a width from each end.
+    expect(Math.abs(found.length - 100)).toBeLessThan(6);
+    expect(Math.abs(found.angle - angle)).toBeLessThan(1);
+    const [first, last] = [0, stroke.widths.length - 1].map((i) =>
+      Math.hypot(stroke.points[2 * i] - 120, stroke.points[2 * i + 1] - 100),
+    );
+    expect(Math.abs(first - last)).toBeLessThan(4);
+    for (const width of stroke.widths) expect(Math.abs(width / 20 - 1)).toBeLessThan(0.1);
+  }
+});
+
+test('three strokes through one place go straight on', () => {
+  const known = [10, 70, 130].map((angle) => ({ x: 120, y: 100, length: 150, angle, width: 7 }));
+  for (const seed of [1, 2, 3]) {
+    expectStrokes(trace(photograph(inkOf(known), { width: 240, height: 200, noise: 8, seed })).map(measure), known);
   }
 });
 
@@ -136,8 +160,8 @@ test('a large picture is made smaller, and its strokes keep their size', () => {
 });
 
 test('a blot and the dark around the sheet are no strokes, dust neither', () => {
-  const blot = straight(412, 120, 1, 0, 50);
-  const dust = Array.from({ length: 40 }, (_, i) => straight(10 + 9.5 * i, 8 + (i % 3), 1.5, 0, 1.5));
+  const blot = straight(412, 140, 150, 90, 46);
+  const dust = Array.from({ length: 30 }, (_, i) => straight(10 + 12.5 * i, 8 + (i % 3), 5, 40 * i, 2.5));
   const image = photograph([...inkOf(APART), blot, ...dust], { width: 480, height: 280 });
   for (let y = 0; y < 280; y++) image.data.fill(30, y * 480 + 445, (y + 1) * 480);
   expectStrokes(trace(image).map(measure), APART);

@@ -63,6 +63,7 @@ export default defineConfig({
         'material',
         'geometry',
         'maps',
+        'hand',
         'outlines',
         'shadows',
         'occlusion',
