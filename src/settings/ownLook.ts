@@ -9,13 +9,13 @@ export type OwnLook = Partial<Settings>;
 
 /**
  * A whole look by what is known of one: all settings, or what was stored. Values are those that the controls have, and unknown ones
- * their defaults. A map of the user's own stays with its drawing.
+ * their defaults. A map and a hand of the user's own stay with their drawing.
  */
 export function acceptLook(known: Readonly<Record<string, unknown>>): OwnLook {
   const entries = LOOK_KEYS.map((key) => {
     const value = storedValue(key, (name) => (Object.hasOwn(known, name) ? known[name] : undefined));
     const isPlain = typeof value === 'string' || typeof value === 'number';
-    const accepted = isPlain && value !== 'file' ? acceptSetting(key, value) : undefined;
+    const accepted = isPlain && value !== 'file' && value !== 'ownHand' ? acceptSetting(key, value) : undefined;
     return [key, accepted ?? SETTINGS[key].default];
   });
   return Object.fromEntries(entries);

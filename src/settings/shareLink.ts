@@ -14,6 +14,8 @@ export interface LinkedDrawing {
   /** Of a model on the web, which stands in the place of that of the settings. */
   address: string | undefined;
   views: readonly SavedView[];
+  /** The user's own hand, as the text that `readHand` reads, if it is drawn with. It is not read yet. */
+  handText: string | undefined;
 }
 
 /**
@@ -21,21 +23,25 @@ export interface LinkedDrawing {
  *
  * @param address of the user's own model, if it is on the web; a link cannot refer to a dropped file
  * @param views that are kept with the drawing
+ * @param hand the user's own hand as a text; without it, a link cannot say that it is drawn with
  */
 export function writeLink(
   settings: Settings,
   camera: CameraView | undefined,
   address?: string,
   views: readonly SavedView[] = [],
+  hand?: string,
 ): string {
   const parameters = new URLSearchParams();
   if (settings.model === 'file' && address) parameters.set('model', address);
   for (const key of SETTING_KEYS) {
     // As fields have them: a third is 0.333, and not a number of seventeen digits.
     const value = acceptSetting(key, settings[key]) ?? settings[key];
-    if (value === 'file' || (value === SETTINGS[key].default && key !== 'technique')) continue;
+    if (value === 'file' || (value === 'ownHand' && hand === undefined)) continue;
+    if (value === SETTINGS[key].default && key !== 'technique') continue;
     parameters.set(key, String(value));
   }
+  if (settings.mapStyle === 'ownHand' && hand !== undefined) parameters.set('hand', hand);
   if (camera) {
     parameters.set('camera', [...camera.position, ...camera.target].map(shortest).join(','));
   }
@@ -66,6 +72,8 @@ export function readLink(hash: string): LinkedDrawing {
     const value = text === undefined ? undefined : acceptSetting(key, text);
     if (value !== undefined && value !== 'file') Object.assign(settings, { [key]: value });
   }
+  const handText = settings.mapStyle === 'ownHand' ? (parameters.get('hand') ?? undefined) : undefined;
+  if (settings.mapStyle === 'ownHand' && handText === undefined) settings.mapStyle = SETTINGS.mapStyle.default;
   const numbers = (parameters.get('camera') ?? '').split(',').map((text) => Math.fround(Number(text)));
   const isCamera = numbers.length === 6 && numbers.every((value) => Number.isFinite(value) && Math.abs(value) <= 100);
   const [x, y, z, tx, ty, tz] = numbers as [number, number, number, number, number, number];
@@ -78,6 +86,7 @@ export function readLink(hash: string): LinkedDrawing {
       .slice(0, MAX_VIEWS)
       .map(readView)
       .filter((view) => view !== undefined),
+    handText,
   };
 }
 

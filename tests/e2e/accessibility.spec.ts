@@ -67,6 +67,21 @@ test('axe finds nothing on the playground, at four sizes, with settings and gall
   }
 });
 
+test('axe finds nothing on the sheet for a hand of one’s own, at two sizes, empty and with a hand', async ({
+  page,
+}) => {
+  await openPlayground(page, 'model=cube&outlines=off&technique=anchored&mapSize=64&mapTones=4');
+  await page.getByRole('button', { name: 'Draw with your own hand' }).click();
+  await expect(page.getByRole('heading', { name: 'Your own hand' })).toBeVisible();
+  expect.soft(await violations(page), 'empty').toEqual([]);
+  await page.getByRole('combobox', { name: 'Begin from' }).selectOption('a reed pen');
+  await expect(page.getByRole('slider', { name: 'Length', exact: true })).toBeVisible();
+  for (const [width, height] of [SIZES[0], SIZES[2]]) {
+    await page.setViewportSize({ width, height });
+    expect.soft(await violations(page), `${width} × ${height}`).toEqual([]);
+  }
+});
+
 test('axe finds nothing on the page of the figures, at four sizes', async ({ page }) => {
   await page.goto('./figures/');
   for (const [width, height] of SIZES) {

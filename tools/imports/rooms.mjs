@@ -130,8 +130,8 @@ export const ROOMS = {
   'files/stl': ['common', 'mesh', 'scenes'],
   'files/gltf': ['common', 'mesh', 'pictures', 'draco', 'scenes'],
   'files/moving': ['common', 'pictures', 'gltf'],
-  // By its path, the library's presets are data for Node too: tests of the figures read them there.
-  settings: ['scene/presets.ts'],
+  // By its path, the library's presets are data for Node too: tests of the figures read them there. Its check of hands is no part of its interface.
+  settings: ['scene/presets.ts', 'hand'],
   drawing: ['files', 'settings'],
   staging: ['files', 'settings', 'drawing'],
 
@@ -158,7 +158,8 @@ export const ROOMS = {
   // The library's simplification is no part of its interface.
   'demo/files': ['/src/files', '/src/detail'],
   'demo/models': ['files', '/src/files', '/src/settings', '/src/drawing'],
-  'demo/drawing': ['/src/files', '/src/settings', '/src/drawing'],
+  // The library's check of hands is no part of its interface.
+  'demo/drawing': ['/src/files', '/src/settings', '/src/drawing', '/src/hand'],
   'demo/stage': [...SHARED, 'drawing'],
   'demo/stage/view': [],
   'demo/stage/light': ['view'],
@@ -183,6 +184,7 @@ export const ROOMS = {
   'demo/playground/panel': ['elements', 'tasks', 'shelf', 'session'],
   'demo/playground/dialogs': ['elements', 'tasks', 'session'],
   'demo/playground/takeAway': ['elements', 'tasks', 'loading', 'session'],
+  'demo/playground/hand': ['elements', 'tasks', 'loading', 'session', 'takeAway'],
 };
 
 /** Rooms that know no three.js. */

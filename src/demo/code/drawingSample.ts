@@ -185,6 +185,8 @@ function lookPart({ model, settings }: CodeDrawing): Part {
       hatching.push('TonalArtMap');
       if (settings.mapStyle === 'file') {
         before = '// The playground saves your map as a ZIP: unpack it beside this file.\n';
+      } else if (settings.mapStyle === 'ownHand') {
+        before = '// The playground saves your own hand as hand.json: put it beside this file.\n';
       }
       before += `const tonalArtMap = ${mapSource(settings)};\n`;
     }

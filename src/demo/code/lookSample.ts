@@ -25,7 +25,8 @@ import { round } from './round.js';
 /** Code that makes the map of the page: it loads the files that the page saves, or draws the map. */
 export function mapSource(settings: Settings): string {
   if (settings.mapStyle === 'file') return "await TonalArtMap.load('map.json')";
-  const map = [`style: '${settings.mapStyle}'`];
+  const isOwnHand = settings.mapStyle === 'ownHand';
+  const map = [isOwnHand ? "hand: await (await fetch('hand.json')).json()" : `style: '${settings.mapStyle}'`];
   if (settings.mapSize !== SETTINGS.mapSize.default) map.push(`size: ${settings.mapSize}`);
   if (settings.mapTones !== SETTINGS.mapTones.default) map.push(`tones: ${settings.mapTones}`);
   map.push(`seed: ${settings.mapSeed}`);

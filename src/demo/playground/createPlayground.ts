@@ -1,6 +1,7 @@
 import type { Settings } from '../../settings/settings.js';
 import { savedFormat } from '../../settings/settingValues.js';
 import { type LinkedDrawing, readLink } from '../../settings/shareLink.js';
+import { linkedHand } from '../drawing/OwnHand.js';
 import type { FrameQuality } from '../stage/FrameQuality.js';
 import { Stage } from '../stage/Stage.js';
 import { connectPage } from './connectPage.js';
@@ -45,6 +46,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   });
   const session = new Session(stage, linked.settings, tasks);
   session.views.list = linked.views;
+  session.mapLoader.hand = linkedHand(linked.handText);
   const keeper = new Keeper(address, status, () => void showRecent(keeper));
   const opener = new DrawingOpener(session, address, keeper, status);
   const occlusion = new OcclusionLoader(stage, session.settings, tasks);
@@ -63,7 +65,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     toggleFullScreen(page.sheet).catch(() => status.fail('The browser does not let the drawing fill the screen.'));
   };
   const createActions = async () =>
-    (await import('./panelActions.js')).panelActions(session, takeAway, dialogs, fillScreen);
+    (await import('./panelActions.js')).panelActions(session, takeAway, dialogs, parts, fillScreen);
   const card = new Card(session, status, parts, createActions, (group, isOpen) => {
     if (group === 'Picture') overlays.showSheet(isOpen);
   });

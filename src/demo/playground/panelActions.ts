@@ -1,24 +1,32 @@
 import { LIGHT_LOOKS } from '../../settings/lightLooks.js';
 import { savedFormat } from '../../settings/settingValues.js';
+import { findElement } from '../page/findElement.js';
 import type { Dialogs } from './dialogs/Dialogs.js';
 import type { PanelAction } from './panel/SettingsPanel.js';
 import type { Session } from './session/Session.js';
 import type { TakeAway } from './takeAway/TakeAway.js';
+import type { LaterParts } from './tasks/LaterParts.js';
 
 /** The buttons of the panel, by the group of settings that they stand in. */
 export function panelActions(
   session: Session,
   takeAway: TakeAway,
   dialogs: Dialogs,
+  parts: LaterParts,
   fillScreen: () => void,
 ): readonly PanelAction[] {
   const { stage, settings } = session;
+  const hand = parts.later(async () => {
+    const { HandSheet } = await import('./hand/HandSheet.js');
+    return new HandSheet(findElement('hand-sheet'), session);
+  });
   const lights = Object.entries(LIGHT_LOOKS).map(
     ([label, look]): PanelAction => ({ label, group: 'Light', run: () => session.change(look) }),
   );
   const fullScreen: PanelAction = { label: 'Full screen (F)', group: 'View', run: fillScreen };
   const share: PanelAction = { label: 'Share this drawing', group: 'Picture', run: () => takeAway.run('share') };
   return [
+    { label: 'Draw with your own hand', group: 'Drawing', run: () => hand.use((sheet) => sheet.open()) },
     { label: 'Show the map', group: 'Drawing', run: () => dialogs.showMap() },
     ...lights,
     { label: 'Show the whole model', group: 'View', run: stage.view.frameForUser },

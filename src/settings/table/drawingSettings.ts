@@ -46,8 +46,9 @@ const STYLES = {
   pencil: 'Pencil',
   charcoal: 'Charcoal',
   woodcut: 'Woodcut',
+  ownHand: 'Your own hand',
   file: 'Your own',
-} as const satisfies Record<StrokeStyleName | 'file', string>;
+} as const satisfies Record<StrokeStyleName | 'ownHand' | 'file', string>;
 
 /** What is drawn, and the first choices of how. */
 export const DRAWING_SETTINGS = inGroup('Drawing', 'hand', {

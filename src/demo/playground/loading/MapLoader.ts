@@ -2,16 +2,19 @@ import type { TonalArtMap } from 'three-hatching';
 import type { ModelFile } from '../../../files/readModel.js';
 import { SETTINGS, type Settings } from '../../../settings/settings.js';
 import { drawsWithMap } from '../../../settings/settingValues.js';
-import type { TonalArtMapCache } from '../../drawing/TonalArtMapCache.js';
+import type { OwnHand } from '../../drawing/OwnHand.js';
+import type { MapSettings, TonalArtMapCache } from '../../drawing/TonalArtMapCache.js';
 import type { Stage } from '../../stage/Stage.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
-
-type MapSettings = Pick<Settings, 'mapStyle' | 'mapSize' | 'mapTones' | 'mapSeed'>;
 
 /** Loads tonal art maps and draws with them. A map is generated from the settings or read from the user's files. */
 export class MapLoader {
   /** The files from which the user's own map was read. */
   ownFiles: readonly ModelFile[] | undefined;
+  /** The user's own hand, with which the style `ownHand` draws. */
+  hand: OwnHand | undefined;
+  /** How many tiles of the map in use stand for one, because they are smaller: so strokes are as large as they will be. */
+  tileScale = 1;
   /** The cache is fetched with the first map, because engraved lines and dots are drawn without one. */
   private cache: TonalArtMapCache | undefined;
   /** The settings of the map in use. */
@@ -19,8 +22,8 @@ export class MapLoader {
 
   constructor(
     private readonly stage: Stage,
-    private readonly settings: Settings,
-    private readonly tasks: TaskRunner,
+    readonly settings: Settings,
+    readonly tasks: TaskRunner,
     /** Called when another map is in use. */
     private readonly onMap: () => void,
     /** Called when the settings have been set to the user's own map. */
@@ -41,7 +44,14 @@ export class MapLoader {
       const onProgress = (progress: number): void => report('drawing strokes for the map', progress);
       const cache = await this.fetchCache();
       signal.throwIfAborted();
-      const map = await cache.get(this.settings, { signal, onProgress }, this.stage.tonalArtMap);
+      const options = { signal, onProgress };
+      if (this.settings.mapStyle === 'ownHand') {
+        const { showHandMap } = await import('./showHandMap.js');
+        signal.throwIfAborted();
+        await showHandMap(cache, { ...this.settings }, options, this);
+        return;
+      }
+      const map = await cache.get(this.settings, options, this.map);
       if (!signal.aborted) this.use(map);
     });
     if (end !== 'failed' || !this.shown) return;
@@ -49,19 +59,22 @@ export class MapLoader {
     this.onPutBack();
   }
 
-  /** Draws with a map from files. @param isRestored whether the page goes back to the map, so that it is no change by the user */
+  /** Draws with a map or a hand from files. @param isRestored whether the page goes back to the map, so that it is no change by the user */
   async showFiles(files: readonly ModelFile[], isRestored = false): Promise<void> {
     await this.tasks.run('map', async (report, signal) => {
       const onProgress = (progress: number): void => report('reading your images', progress);
-      const { loadMapFiles } = await import('./mapFiles.js');
+      const { loadMapFiles, showHandFile } = await import('./mapFiles.js');
       const cache = await this.fetchCache();
       signal.throwIfAborted();
-      const map = await loadMapFiles(files, { signal, onProgress });
-      signal.throwIfAborted();
-      this.settings.mapStyle = 'file';
-      this.ownFiles = files;
-      this.use(map);
-      cache.keep(map);
+      const options = { signal, onProgress };
+      if (!(await showHandFile(files, cache, options, this))) {
+        const map = await loadMapFiles(files, options);
+        signal.throwIfAborted();
+        this.settings.mapStyle = 'file';
+        this.ownFiles = files;
+        this.use(map);
+        cache.keep(map);
+      }
       this.onOwnMap(isRestored);
     });
   }
@@ -82,9 +95,18 @@ export class MapLoader {
     return this.cache;
   }
 
-  private use(map: TonalArtMap): void {
-    const { mapStyle, mapSize, mapTones, mapSeed } = this.settings;
+  /** The map in use. */
+  get map(): TonalArtMap | undefined {
+    return this.stage.tonalArtMap;
+  }
+
+  /**
+   * @param settings that say which map it is
+   * @param tileScale how many of its tiles stand for one
+   */
+  use(map: TonalArtMap, { mapStyle, mapSize, mapTones, mapSeed }: MapSettings = this.settings, tileScale = 1): void {
     this.shown = { mapStyle, mapSize, mapTones, mapSeed };
+    this.tileScale = tileScale;
     this.stage.tonalArtMap = map;
     this.onMap();
   }

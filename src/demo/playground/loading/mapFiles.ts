@@ -1,6 +1,10 @@
 import { TonalArtMap } from 'three-hatching';
 import { shownName } from '../../../files/common/shownText.js';
 import type { ModelFile } from '../../../files/readModel.js';
+import { handLook } from '../../../settings/handLook.js';
+import { readHandFile } from '../../drawing/readHandFile.js';
+import type { MapOptions, TonalArtMapCache } from '../../drawing/TonalArtMapCache.js';
+import { type MapUser, showHandMap } from './showHandMap.js';
 
 /** Reads dropped files as a map. @throws Error with a message for the user */
 export async function loadMapFiles(
@@ -17,6 +21,30 @@ export async function loadMapFiles(
     const sentence = (error as Error).message.replace(/^TonalArtMap\.\w+: /, '');
     throw new Error(files.reduce((text, { name }) => text.replaceAll(name, shownName(name)), sentence));
   }
+}
+
+/**
+ * Draws with a hand, if files are that of one.
+ *
+ * @returns whether they are
+ * @throws ModelError with a sentence for the user, if it is damaged
+ */
+export async function showHandFile(
+  files: readonly ModelFile[],
+  cache: TonalArtMapCache,
+  options: MapOptions,
+  user: MapUser,
+): Promise<boolean> {
+  const [file] = files;
+  const hand = files.length === 1 && /\.json$/i.test(file.name) ? await readHandFile(file) : undefined;
+  options.signal.throwIfAborted();
+  if (!hand?.hand) return false;
+  const look = handLook(user.settings, hand.hand);
+  user.hand = hand;
+  await showHandMap(cache, { ...user.settings, ...look }, options, user);
+  options.signal.throwIfAborted();
+  Object.assign(user.settings, look);
+  return true;
 }
 
 /** Packs all files of a map into one archive. PNG images are compressed already, so they are stored as they are. */

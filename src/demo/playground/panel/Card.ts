@@ -43,7 +43,11 @@ export class Card {
       .then(
         ([{ SettingsPanel }, actions]) => {
           const onChange = session.settingChanged.bind(session);
-          this.panel = new SettingsPanel(page.panel, settings, actions, onChange, () => drawnView(stage), onFold);
+          // Files are opened, not chosen.
+          const hasOwn = (value: string) => value === 'ownHand' && session.mapLoader.hand?.hand !== undefined;
+          this.panel = new SettingsPanel(
+            ...([page.panel, settings, actions, onChange, () => drawnView(stage), onFold, hasOwn] as const),
+          );
         },
         (error) => status.fail(`The settings could not be fetched: ${errorMessage(error)}.`),
       )

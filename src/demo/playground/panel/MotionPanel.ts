@@ -1,6 +1,6 @@
 import type { Motion } from '../../../drawing/Motion.js';
 import { shownName } from '../../../files/common/shownText.js';
-import { MotionSlider, type SliderValue } from './MotionSlider.js';
+import { type SliderValue, ValueSlider } from '../elements/ValueSlider.js';
 
 /** Only the first morph targets of a model get sliders. */
 const MAX_MORPH_SLIDERS = 64;
@@ -14,9 +14,9 @@ export class MotionPanel {
   private readonly row = document.createElement('div');
   private readonly play = Object.assign(document.createElement('button'), { type: 'button' });
   private readonly clips = document.createElement('select');
-  private readonly time: MotionSlider;
-  private readonly speed: MotionSlider;
-  private readonly morphs: MotionSlider[] = [];
+  private readonly time: ValueSlider;
+  private readonly speed: ValueSlider;
+  private readonly morphs: ValueSlider[] = [];
 
   /**
    * @param drawing the element on which the space bar plays and pauses
@@ -90,8 +90,8 @@ export class MotionPanel {
     this.onChange();
   }
 
-  private addSlider(): MotionSlider {
-    const slider = new MotionSlider(() => this.changed());
+  private addSlider(): ValueSlider {
+    const slider = new ValueSlider(() => this.changed());
     this.container.append(slider.label);
     return slider;
   }

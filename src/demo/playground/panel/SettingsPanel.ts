@@ -11,6 +11,10 @@ import {
 } from '../../../settings/table/Setting.js';
 import { type DrawnView, millimetresPerPixel } from '../../print/printPlan.js';
 
+/** Choices that stand for something of the user's own. */
+type OwnChoice = 'ownHand' | 'file';
+const isOwn = (value: string): value is OwnChoice => value === 'ownHand' || value === 'file';
+
 /** Widths that the panel shows in millimetres of the print, too. */
 const PRINTED = ['strokeWidth', 'outlineWidth'] as const;
 
@@ -38,6 +42,8 @@ export class SettingsPanel {
     private readonly drawnView: () => DrawnView,
     /** Called when a group is unfolded or folded. */
     onFold: (group: SettingGroup, isOpen: boolean) => void,
+    /** Whether there is something of the user's own that can be chosen. */
+    private readonly hasOwn: (value: OwnChoice) => boolean,
   ) {
     // The page's own style sheet styles the panel, because the Content-Security-Policy forbids style elements.
     const gui = new GUI({ container, injectStyles: false, title: 'Settings' });
@@ -104,8 +110,10 @@ export class SettingsPanel {
     }
     this.notePrintedWidths();
     for (const key of ['model', 'mapStyle'] as const) {
-      this.controllers.get(key)!.domElement.querySelector<HTMLOptionElement>('option:last-child')!.hidden =
-        settings[key] !== 'file';
+      const options = this.controllers.get(key)!.domElement.querySelectorAll('option');
+      for (const [i, value] of Object.keys(SETTINGS[key].choices).entries()) {
+        if (isOwn(value)) options[i].hidden = value !== settings[key] && !this.hasOwn(value);
+      }
     }
   }
 

@@ -1,6 +1,7 @@
 import type { ModelFile } from '../../../files/readModel.js';
 import type { SavedView } from '../../../settings/savedViews.js';
 import { SETTING_KEYS, type Settings } from '../../../settings/settings.js';
+import type { OwnHand } from '../../drawing/OwnHand.js';
 import type { ViewState } from '../../stage/view/View.js';
 
 /** The state of a drawing without its model. */
@@ -9,6 +10,8 @@ export interface LookState {
   /** Undefined if the model is to be framed. */
   camera: ViewState | undefined;
   views: readonly SavedView[];
+  /** The user's own hand, if there is one, whether it is drawn with or not. */
+  hand: OwnHand | undefined;
 }
 
 /** The state of a drawing that Undo restores. */
@@ -20,8 +23,13 @@ export interface DrawingState extends LookState {
 export const isSameState = (a: DrawingState, b: DrawingState): boolean =>
   SETTING_KEYS.every((key) => a.settings[key] === b.settings[key]) &&
   a.files === b.files &&
+  isSameHand(a.hand, b.hand) &&
   JSON.stringify(a.views) === JSON.stringify(b.views) &&
   // A framed model is placed anew in every viewport, so its camera does not matter.
   ((isFramed(a) && isFramed(b)) || JSON.stringify(a.camera) === JSON.stringify(b.camera));
+
+/** A hand from a link becomes another object when it is read. */
+const isSameHand = (a: OwnHand | undefined, b: OwnHand | undefined): boolean =>
+  a === b || (a?.link !== undefined && a.link === b?.link);
 
 const isFramed = ({ camera }: DrawingState): boolean => camera === undefined || camera.framedFor !== undefined;

@@ -1,5 +1,4 @@
 import { ModelError } from '../../../files/common/ModelError.js';
-import { readLink } from '../../../settings/shareLink.js';
 import { askToFetch } from '../loading/ask.js';
 import type { Keeper } from './Keeper.js';
 import { LatestRequest } from './LatestRequest.js';
@@ -25,11 +24,11 @@ export class LinkFollower {
     // A question about an earlier address must not be answered any more.
     this.asked.drop();
     const { drawing } = this.address;
-    const { settings: next, camera, address, views } = readLink(this.address.read());
+    const { settings: next, camera, address, views, hand } = session.linked(this.address.read());
     if (drawing !== undefined) return this.openKept(drawing);
     // The shown model stays until the user has agreed and the model from the web has come.
-    if (address === undefined) session.showState({ settings: next, camera, files: undefined, views });
-    else session.showLook({ settings: { ...next, model: session.settings.model }, camera, views });
+    if (address === undefined) session.showState({ settings: next, camera, files: undefined, views, hand });
+    else session.showLook({ settings: { ...next, model: session.settings.model }, camera, views, hand });
     session.recordChange();
     if (address !== undefined) await this.showAddress(address, camera === undefined);
   }
@@ -57,11 +56,11 @@ export class LinkFollower {
             : 'The browser does not return the drawing that it keeps: open your model again.',
         );
       }
-      const { settings: next, address: origin, views } = readLink(kept.drawing.link);
+      const { settings: next, address: origin, views, hand } = session.linked(kept.drawing.link);
       const { model: files, map } = kept.files;
       if (files) next.model = 'file';
       if (files && origin !== undefined) modelLoader.cameFrom(files, origin);
-      session.showState({ settings: next, camera: kept.drawing.camera, files, views });
+      session.showState({ settings: next, camera: kept.drawing.camera, files, views, hand });
       if (map) await mapLoader.showFiles(map, true);
       return true;
     });

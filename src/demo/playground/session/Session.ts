@@ -1,8 +1,10 @@
+import type { ModelFile } from '../../../files/common/ModelFile.js';
 import { EditHistory } from '../../../settings/EditHistory.js';
 import { choosesMap } from '../../../settings/effects.js';
-import { lookOf } from '../../../settings/lookOf.js';
+import { type Look, lookOf } from '../../../settings/lookOf.js';
 import type { SettingKey, Settings } from '../../../settings/settings.js';
-import { readLink, writeLink } from '../../../settings/shareLink.js';
+import { type LinkedDrawing, readLink, writeLink } from '../../../settings/shareLink.js';
+import { linkedHand, type OwnHand } from '../../drawing/OwnHand.js';
 import type { Stage } from '../../stage/Stage.js';
 import { MapLoader } from '../loading/MapLoader.js';
 import { type ModelEnd, ModelLoader, type OpenedModel } from '../loading/ModelLoader.js';
@@ -44,7 +46,7 @@ export class Session {
       stage,
       settings,
       tasks,
-      () => this.tell('mapShown'),
+      () => this.mapShown(),
       (isRestored) => (isRestored ? this.apply() : this.recordChange()),
       () => this.adopt(),
     );
@@ -104,8 +106,19 @@ export class Session {
 
   /** Shows the drawing that a link describes, as a step of its own. */
   useLink(link: string): void {
-    this.showState({ ...readLink(link), files: undefined });
+    this.showState({ ...this.linked(link), files: undefined });
     this.recordChange();
+  }
+
+  /**
+   * Takes over the user's own hand, with the settings that it needs.
+   *
+   * @param source see {@link EditHistory.changed}
+   */
+  handChanged(hand: OwnHand | undefined, values: Partial<Settings> = {}, source?: string): void {
+    this.mapLoader.hand = hand;
+    Object.assign(this.settings, values);
+    this.recordChange(source);
   }
 
   // ── Steps ──
@@ -147,12 +160,14 @@ export class Session {
       camera: stage.view.state,
       files: settings.model === 'file' ? this.modelLoader.ownFiles : undefined,
       views: views.list,
+      hand: this.mapLoader.hand,
     };
   }
 
   /** The drawing as the text of a link. */
   get link(): string {
-    return writeLink(this.settings, this.stage.view.ownPlace, this.modelLoader.address, this.views.list);
+    const { modelLoader, mapLoader, views } = this;
+    return writeLink(this.settings, this.stage.view.ownPlace, modelLoader.address, views.list, mapLoader.hand?.link);
   }
 
   /** Whether a link to the drawing brings back its model. */
@@ -160,9 +175,22 @@ export class Session {
     return this.settings.model !== 'file' || this.modelLoader.address !== undefined;
   }
 
-  /** The images of the user's own map, if it is drawn with. */
-  get ownStrokes(): MapLoader['ownFiles'] {
-    return this.settings.mapStyle === 'file' ? this.mapLoader.ownFiles : undefined;
+  /** Whether a link to the drawing brings back the hand that it is drawn with. */
+  get isHandInLink(): boolean {
+    return this.settings.mapStyle !== 'ownHand' || this.mapLoader.hand?.link !== undefined;
+  }
+
+  /** What a link describes, of which the hand is not read yet. */
+  linked(link: string): LinkedDrawing & LookState {
+    const drawing = readLink(link);
+    // A link without a hand leaves the user's own one: it can be chosen again.
+    return { ...drawing, hand: linkedHand(drawing.handText) ?? this.mapLoader.hand };
+  }
+
+  /** The images of the user's own map, or the user's own hand, if they are drawn with. */
+  get ownStrokes(): readonly ModelFile[] | undefined {
+    const { hand, ownFiles } = this.mapLoader;
+    return { ownHand: hand?.files, file: ownFiles }[this.settings.mapStyle as string];
   }
 
   /** Takes over settings, camera and views, and loads the model and the map that they ask for. */
@@ -176,19 +204,31 @@ export class Session {
   }
 
   /** Takes over settings, camera and views, and loads the map that they ask for. */
-  showLook({ settings: next, camera: place, views: kept }: LookState): void {
+  showLook({ settings: next, camera: place, views: kept, hand }: LookState): void {
     const { stage, settings } = this;
     Object.assign(settings, next);
     this.views.list = kept;
+    this.mapLoader.hand = hand;
     void this.mapLoader.showChosen();
     // Applied first: the model is framed together with its shadow, which depends on the lights.
-    stage.apply(lookOf(settings));
+    stage.apply(this.look);
     if (place) stage.view.state = place;
     else stage.view.frame();
   }
 
+  private get look(): Look {
+    const { settings, mapLoader } = this;
+    return lookOf({ ...settings, tilesPerUnit: settings.tilesPerUnit * mapLoader.tileScale });
+  }
+
+  private mapShown(): void {
+    // Its tiles may be smaller than those of the map before.
+    this.stage.apply(this.look);
+    this.tell('mapShown');
+  }
+
   private apply(): void {
-    this.stage.apply(lookOf(this.settings));
+    this.stage.apply(this.look);
     this.tell('applied');
   }
 
@@ -209,8 +249,8 @@ export class Session {
   private takeOver({ isOther, drawing }: OpenedModel): void {
     if (isOther) this.views.list = [];
     if (!drawing) return;
-    const { settings: next, camera, views } = readLink(drawing.link);
-    this.showLook({ settings: { ...next, model: this.settings.model }, camera, views });
+    const { settings: next, camera, views, hand } = this.linked(drawing.link);
+    this.showLook({ settings: { ...next, model: this.settings.model }, camera, views, hand });
     if (drawing.strokes.length > 0)
       void this.mapLoader.showFiles(drawing.strokes, true).then(() => this.history.adopt());
   }

@@ -45,7 +45,7 @@ export class OwnLooks implements NamedList {
       picture: this.picture(),
     };
     const sentence = this.change((looks) => [...looks, added].slice(0, MOST_LOOKS));
-    if (sentence || settings.mapStyle !== 'file') return sentence;
+    if (sentence || (settings.mapStyle !== 'file' && settings.mapStyle !== 'ownHand')) return sentence;
     return 'Your own strokes stay with this drawing: the look draws with the strokes called Hatching.';
   }
 

@@ -90,7 +90,11 @@ export class ExportActions {
     link.delete('model');
     try {
       const { zipDrawing } = await import('./zipDrawing.js');
-      const drawing = { model: unpacked ?? files, strokes: session.ownStrokes ?? [], link: link.toString() };
+      const drawing = {
+        model: unpacked ?? files,
+        strokes: session.ownStrokes ?? [],
+        link: link.toString(),
+      };
       download(await zipDrawing(drawing), `${fileStem(modelLoader.title)}-drawing.zip`);
       status.say(
         'Saved as a ZIP: the model, its look, the view and the light. Dropped here, it is this drawing again.',
@@ -117,7 +121,7 @@ export class ExportActions {
   readonly share = async (): Promise<void> => {
     try {
       await navigator.share({ title: document.title, url: this.link });
-      if (!this.session.isModelInLink) this.status.say('The link is on its way. It cannot carry your own model.');
+      if (this.missing) this.status.say(`The link is on its way. ${this.missing}`);
     } catch (error) {
       // The user may have closed the dialog.
       if ((error as Error).name !== 'AbortError') await this.copyLink();
@@ -134,7 +138,7 @@ export class ExportActions {
       return;
     }
     const where = isCopied ? 'The link is on the clipboard.' : "The link is in the browser's address line.";
-    this.status.say(this.session.isModelInLink ? where : `${where} It cannot carry your own model.`);
+    this.status.say(`${where} ${this.missing}`.trim());
   };
 
   /** Copies what a report of a bug should say about the page, the machine and the drawing, but no name of a file. */
@@ -148,6 +152,15 @@ export class ExportActions {
       status.say('The browser does not let this page use the clipboard. The facts are saved as a file.');
     }
   };
+
+  /** What a link leaves behind, in a sentence or two. */
+  private get missing(): string {
+    const { isModelInLink, isHandInLink } = this.session;
+    return [
+      ...(isModelInLink ? [] : ['It cannot carry your own model.']),
+      ...(isHandInLink ? [] : ['Your own hand is too long for it: save it as a file.']),
+    ].join(' ');
+  }
 
   private get link(): string {
     return new URL(`#${this.session.link}`, location.href).href;

@@ -26,6 +26,8 @@ vi.mock('../../../../../src/demo/playground/loading/ModelLoader.js', () => ({
 vi.mock('../../../../../src/demo/playground/loading/MapLoader.js', () => ({
   MapLoader: class {
     showChosen = loaders.showMap;
+    tileScale = 1;
+    hand = undefined;
   },
 }));
 // Nothing is pressed: there is no page.
@@ -138,6 +140,7 @@ test('where a state had files that are gone, the model that is shown stays', () 
   const { model } = session.settings;
   session.showState({
     settings: { ...defaultSettings(), model: 'file', ink: '#00ff00' },
+    hand: undefined,
     camera: undefined,
     files: undefined,
     views: [],

@@ -14,7 +14,7 @@ export interface SliderValue {
 }
 
 /** A labelled slider that can be set to show another value. */
-export class MotionSlider {
+export class ValueSlider {
   readonly label = document.createElement('label');
   private readonly name = document.createElement('span');
   private readonly input = Object.assign(document.createElement('input'), { type: 'range' });

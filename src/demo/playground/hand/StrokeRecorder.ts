@@ -1,0 +1,157 @@
+import type { HandStroke } from 'three-hatching';
+import { SHEET, swatchAt } from './swatches.js';
+
+/** A sample of a pointer, in millimetres on the sheet. */
+export interface PenSample {
+  pointerId: number;
+  kind: 'mouse' | 'pen' | 'touch';
+  x: number;
+  y: number;
+  /** From 0 to 1. Only a pen's is used: mice and most screens know no pressure, and say 0.5, 0 or 1. */
+  pressure: number;
+  /** The angle between the pointer and the normal of the sheet, in degrees. */
+  tilt: number;
+  /** In milliseconds. */
+  time: number;
+}
+
+/** Samples nearer to the one before than this, in millimetres, are left out: they tell the noise of the device. */
+const LEAST_STEP = 0.15;
+/** So many points has one stroke at most: a scribble of three metres. */
+const MOST_POINTS = 20_000;
+/** Shorter strokes are a tap, in millimetres. */
+const SHORTEST = 0.8;
+/** After a pen was used, fingers and the palm are ignored for so many milliseconds. */
+const PALM_MILLISECONDS = 1000;
+
+/** Widths as shares of that of the pen: with no pressure and with all of it. */
+const LIGHTEST = 0.25;
+const HEAVIEST = 1.9;
+/** A tilted pen is wider, from so many degrees on, up to so many times at the greatest tilt. */
+const TILTED_FROM = 35;
+const TILTED_TO = 75;
+const TILTED_WIDTH = 1.8;
+
+/** Without pressure, the width follows the speed: as wide as this at rest, and this thin at so many millimetres in a second. */
+const AT_REST = 1.25;
+const AT_SPEED = 0.55;
+const FULL_SPEED = 250;
+/** The distance in millimetres over which the speed is averaged. */
+const SPEED_REACH = 1.5;
+
+/** A stroke while it is drawn. */
+interface Recording {
+  pointerId: number;
+  points: number[];
+  widths: number[];
+  /** The mean speed so far, in millimetres in a second. */
+  speed: number;
+  length: number;
+  last: PenSample;
+}
+
+/**
+ * Turns the samples of pointers into strokes, one at a time. A pen has precedence: while it draws, and for a moment after, fingers and the
+ * palm are ignored. A second finger ends the stroke of the first without a trace, because two fingers mean something else.
+ */
+export class StrokeRecorder {
+  private recording: Recording | undefined;
+  private penTime = Number.NEGATIVE_INFINITY;
+  /** The fingers that lie on the sheet. */
+  private readonly fingers = new Set<number>();
+
+  /** @param penWidth the width of the pen at half pressure, in millimetres */
+  constructor(private readonly penWidth: () => number) {}
+
+  /** The points of the stroke that is being drawn, and its widths. */
+  get drawn(): HandStroke | undefined {
+    const { recording } = this;
+    return recording && recording.widths.length > 1 ? strokeOf(recording) : undefined;
+  }
+
+  /** Whether a stroke is being drawn by this pointer. */
+  isDrawing(pointerId: number): boolean {
+    return this.recording?.pointerId === pointerId;
+  }
+
+  /** @returns whether a stroke has begun */
+  start(sample: PenSample): boolean {
+    const { kind, time, pointerId } = sample;
+    if (kind === 'pen') {
+      this.penTime = time;
+      // What the palm has begun before the pen came down is no stroke.
+      this.fingers.clear();
+      this.recording = undefined;
+    } else if (kind === 'touch') {
+      if (time - this.penTime < PALM_MILLISECONDS) return false;
+      this.fingers.add(pointerId);
+      if (this.fingers.size > 1) {
+        this.recording = undefined;
+        return false;
+      }
+    }
+    if (this.recording) return false;
+    this.recording = { pointerId, points: [], widths: [], speed: 0, length: 0, last: sample };
+    this.add(this.recording, sample);
+    return true;
+  }
+
+  move(sample: PenSample): void {
+    const { recording } = this;
+    if (recording?.pointerId !== sample.pointerId) return;
+    if (sample.kind === 'pen') this.penTime = sample.time;
+    const { last } = recording;
+    const step = Math.hypot(sample.x - last.x, sample.y - last.y);
+    if (step < LEAST_STEP || recording.widths.length >= MOST_POINTS) return;
+    const speed = (1000 * step) / Math.max(1, sample.time - last.time);
+    const weight = recording.length === 0 ? 1 : Math.min(1, step / SPEED_REACH);
+    recording.speed += weight * (speed - recording.speed);
+    recording.length += step;
+    recording.last = sample;
+    this.add(recording, sample);
+  }
+
+  /** @returns the stroke, if the pointer has drawn one that is more than a tap */
+  end(pointerId: number): HandStroke | undefined {
+    this.fingers.delete(pointerId);
+    const { recording } = this;
+    if (recording?.pointerId !== pointerId) return undefined;
+    this.recording = undefined;
+    return recording.length >= SHORTEST ? strokeOf(recording) : undefined;
+  }
+
+  /** The browser has taken the pointer away: there is no stroke. */
+  cancel(pointerId: number): void {
+    this.fingers.delete(pointerId);
+    if (this.isDrawing(pointerId)) this.recording = undefined;
+  }
+
+  private add(recording: Recording, sample: PenSample): void {
+    recording.points.push(
+      thousandths(Math.min(SHEET.width, Math.max(0, sample.x))),
+      thousandths(Math.min(SHEET.height, Math.max(0, sample.y))),
+    );
+    const share = sample.kind === 'pen' ? widthByPressure(sample) : widthBySpeed(recording.speed);
+    recording.widths.push(thousandths(this.penWidth() * share));
+  }
+}
+
+/** The width of a pen as a share of that at half pressure, upright. */
+function widthByPressure({ pressure, tilt }: PenSample): number {
+  const tilted = Math.min(1, Math.max(0, (tilt - TILTED_FROM) / (TILTED_TO - TILTED_FROM)));
+  const pressed = LIGHTEST + (HEAVIEST - LIGHTEST) * Math.min(1, Math.max(0, pressure));
+  return pressed * (1 + (TILTED_WIDTH - 1) * tilted);
+}
+
+const widthBySpeed = (speed: number): number => AT_REST + (AT_SPEED - AT_REST) * Math.min(1, speed / FULL_SPEED);
+
+const thousandths = (value: number): number => Math.round(1000 * value) / 1000;
+
+const strokeOf = ({ points, widths }: Recording): HandStroke => ({
+  points: [...points],
+  widths: [...widths],
+  swatch: swatchAt(middle(points)),
+});
+
+/** The height at the middle point of a stroke, which says in which field it lies. */
+const middle = (points: readonly number[]): number => points[2 * Math.floor(points.length / 4) + 1];

@@ -1,0 +1,71 @@
+import type { HandStroke, SwatchTone } from 'three-hatching';
+import { SHEET, SWATCHES, swatchAt } from './swatches.js';
+
+/** The edge of a field that is left free, in millimetres. */
+const MARGIN = 1;
+
+/** The least and the greatest coordinates of strokes. */
+interface Bounds {
+  left: number;
+  top: number;
+  right: number;
+  bottom: number;
+}
+
+/**
+ * Lays strokes out on the sheet: those of each swatch into the middle of its field, all of them made smaller by the same factor if one
+ * swatch is larger than that. Strokes that lie there already stay where they are, and are the same array.
+ */
+export function layOut(strokes: readonly HandStroke[]): readonly HandStroke[] {
+  if (strokes.every(isInPlace)) return strokes;
+  const found = SWATCHES.flatMap((swatch) => {
+    const own = strokes.filter((stroke) => toneOf(stroke) === swatch.tone);
+    return own.length > 0 ? [{ swatch, bounds: boundsOf(own) }] : [];
+  });
+  const scale = Math.min(
+    1,
+    ...found.flatMap(({ swatch, bounds: { left, top, right, bottom } }) => [
+      (SHEET.width - 2 * MARGIN) / (right - left),
+      (swatch.bottom - swatch.top - 2 * MARGIN) / (bottom - top),
+    ]),
+  );
+  const moves = new Map<SwatchTone, readonly [x: number, y: number]>(
+    found.map(({ swatch, bounds: { left, top, right, bottom } }) => [
+      swatch.tone,
+      [(SHEET.width - scale * (left + right)) / 2, (swatch.top + swatch.bottom - scale * (top + bottom)) / 2],
+    ]),
+  );
+  return strokes.map((stroke) => {
+    const tone = toneOf(stroke);
+    const move = moves.get(tone)!;
+    return {
+      points: Array.from(stroke.points, (value, i) => thousandths(scale * value + move[i % 2])),
+      widths: Array.from(stroke.widths, (width) => Math.max(0.001, thousandths(scale * width))),
+      swatch: tone,
+    };
+  });
+}
+
+const toneOf = ({ swatch = 'middle' }: HandStroke): SwatchTone => swatch;
+
+const thousandths = (value: number): number => Math.round(1000 * value) / 1000;
+
+function isInPlace(stroke: HandStroke): boolean {
+  const { left, top, right, bottom } = boundsOf([stroke]);
+  const isOnSheet = left >= 0 && top >= 0 && right <= SHEET.width && bottom <= SHEET.height;
+  const { points } = stroke;
+  return isOnSheet && swatchAt(points[2 * Math.floor(points.length / 4) + 1]) === toneOf(stroke);
+}
+
+function boundsOf(strokes: readonly HandStroke[]): Bounds {
+  const bounds = { left: Infinity, top: Infinity, right: -Infinity, bottom: -Infinity };
+  for (const { points } of strokes) {
+    for (let i = 0; i < points.length; i += 2) {
+      bounds.left = Math.min(bounds.left, points[i]);
+      bounds.right = Math.max(bounds.right, points[i]);
+      bounds.top = Math.min(bounds.top, points[i + 1]);
+      bounds.bottom = Math.max(bounds.bottom, points[i + 1]);
+    }
+  }
+  return bounds;
+}
