@@ -6,6 +6,7 @@ import { type ExampleHandName, exampleHand, exampleHandNames } from '../../../sr
 import { meanInk } from '../../../src/hatchImages/checkHatchImages.js';
 import { generateHatchImages } from '../../../src/hatchImages/generateHatchImages.js';
 import { trace } from '../scan/trace.js';
+import { finish, requestOf } from '../strokes/draw.js';
 
 /** Pixels per side of the pictures that hands are told apart by, and how dark they are. */
 const SIDE = 200;
@@ -15,17 +16,12 @@ const SCAN = 3;
 
 /** The map's hatch image nearest to the tone, as 200 × 200 pixels. */
 function pictureOf(name: ExampleHandName, seed: number): Uint8Array {
-  const steps = generateHatchImages({
-    hand: exampleHand(name),
-    size: 256,
-    tones: 16,
-    levels: 1,
-    strokeTexels: 2.6,
-    seed,
-  });
-  let step = steps.next();
-  while (!step.done) step = steps.next();
-  const images = step.value.images.map(([finest]) => finest);
+  const { images: tones } = finish(
+    generateHatchImages(
+      requestOf({ hand: exampleHand(name), size: 256, tones: 16, levels: 1, strokeTexels: 2.6, seed }),
+    ),
+  );
+  const images = tones.map(([finest]) => finest);
   const missing = images.map((image) => Math.abs(meanInk(image) - TONE));
   const best = missing.indexOf(Math.min(...missing));
   expect(missing[best]).toBeLessThan(0.035);
