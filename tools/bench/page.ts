@@ -11,6 +11,7 @@ const measures = {
   lineFields: async () => (await import('./lineFields/measureLineFields.js')).measureLineFields,
   shadows: async () => (await import('./shadows/measureShadows.js')).measureShadows,
   bake: async () => (await import('./bake/measureBake.js')).measureBake,
+  wholeBake: async () => (await import('./bake/measureWholeBake.js')).measureWholeBake,
   form: async () => (await import('./form/measureForm.js')).measureForm,
   firstPicture: async () => (await import('./firstPicture/measureFirstPicture.js')).measureFirstPicture,
   upload: async () => (await import('./upload/measureUpload.js')).measureUpload,

@@ -18,9 +18,10 @@ export function figure(value) {
  * becomes null in a JSON file.
  *
  * @param {readonly (number | null)[]} interval
+ * @param {number} [digits] - after the point
  */
-export const withInterval = (interval) => {
+export const withInterval = (interval, digits = 2) => {
   if (!interval.every(Number.isFinite)) return '';
-  const [value, low, high] = interval.map((number) => number.toFixed(2));
+  const [value, low, high] = interval.map((number) => number.toFixed(digits));
   return `${value} [${low}, ${high}]`;
 };

@@ -8,6 +8,7 @@ import {
 } from 'three-hatching';
 import { plainLook } from '../../plainLook.js';
 import { Stage } from '../Stage.js';
+import { torusMesh } from '../torusMesh.js';
 
 const SIZE = 128;
 
@@ -30,7 +31,7 @@ export async function measureMemory({ triangles, technique, layout, outlines = f
   const tasks = new PerformanceObserver((list) => {
     for (const { duration } of list.getEntries()) longestTask = Math.max(longestTask, duration);
   });
-  const source = torus(Math.sqrt(triangles / 2));
+  const source = geometryOf(torusMesh(triangles));
   // The time to generate the torus does not count.
   await pause();
   tasks.observe({ entryTypes: ['longtask'] });
@@ -64,25 +65,7 @@ export async function drawFrames(count = WARM_UP): Promise<void> {
 /** The browser reports a long task a little after it has ended. */
 const pause = (): Promise<void> => new Promise((resolve) => setTimeout(resolve, 200));
 
-/** A torus of 2·segments² triangles without normals, in typed arrays: three's own would first be a list of numbers. */
-function torus(segments: number): BufferGeometry {
-  const side = Math.round(segments);
-  const positions = new Float32Array(3 * side * side);
-  const indices = new Uint32Array(6 * side * side);
-  for (let j = 0; j < side; j++) {
-    const v = (2 * Math.PI * j) / side;
-    for (let i = 0; i < side; i++) {
-      const u = (2 * Math.PI * i) / side;
-      const vertex = j * side + i;
-      positions[3 * vertex] = (0.7 + 0.3 * Math.cos(v)) * Math.cos(u);
-      positions[3 * vertex + 1] = (0.7 + 0.3 * Math.cos(v)) * Math.sin(u);
-      positions[3 * vertex + 2] = 0.3 * Math.sin(v);
-      const right = j * side + ((i + 1) % side);
-      const up = ((j + 1) % side) * side + i;
-      const across = ((j + 1) % side) * side + ((i + 1) % side);
-      indices.set([vertex, right, across, vertex, across, up], 6 * vertex);
-    }
-  }
+function geometryOf({ positions, indices }: ReturnType<typeof torusMesh>): BufferGeometry {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
   return geometry.setIndex(new BufferAttribute(indices, 1));

@@ -60,7 +60,7 @@ export const memory = {
         figure(sourceBytes / triangles),
       ]),
     ])}
-
+${describeGrowth(baked)}
 Bytes that a frame leaves to the garbage collector, with outlines, while the camera turns; mean of ${frames} frames. Until V8 has optimised a
 function, which takes thousands of frames, fractions that it reckons with are among them, of 12 to 16 bytes each.
 
@@ -70,6 +70,21 @@ ${table([
 ])}`;
   },
 };
+
+/** What the peak grows by from the smaller to the larger mesh of a layout: the browser itself takes as much with both. */
+function describeGrowth(baked) {
+  const layouts = [...new Set(baked.map(({ layout }) => layout))];
+  const parts = layouts.flatMap((layout) => {
+    const [small, large] = baked.filter((row) => row.layout === layout);
+    if (!large) return [];
+    const perTriangle = (name) => (large[name] - small[name]) / (large.triangles - small.triangles);
+    return `${figure(perTriangle('peak') - perTriangle('sourceBytes'))} bytes with \`${layout}\``;
+  });
+  if (parts.length === 0) return '';
+  return `
+What the peak grows by for each further triangle, beyond its source and with the result: ${parts.join(', ')}.
+`;
+}
 
 async function measureBake({ openMeasuring, rendererPids }, plan) {
   const before = new Set(await rendererPids());
