@@ -19,9 +19,13 @@ export class CrossFade {
     return this.isKept || !this.copy.hidden;
   }
 
-  /** Copies the picture. To be called in the task in which it was drawn, because the canvas does not keep it for longer. */
+  /**
+   * Copies the picture, unless an earlier one fades: that one would jump. To be called in the task in which the picture was drawn, because
+   * the canvas does not keep it for longer.
+   */
   keep(): void {
     const { copy, context, drawing } = this;
+    if (!copy.hidden) return;
     if (copy.width !== drawing.width || copy.height !== drawing.height) {
       Object.assign(copy, { width: drawing.width, height: drawing.height });
     }

@@ -10,6 +10,8 @@ export class Frames {
   /** Whether no frames are drawn, because a picture is drawn in tiles: nothing may move, and the canvas holds the latest tile. */
   isHeld = false;
   private lastFrame = 0;
+  /** Whether what is drawn has changed since the last frame, which is to fade into the next one. */
+  private isFadeAsked = false;
   private readonly scheduler: FrameScheduler;
   private readonly crossFade: CrossFade;
   private readonly listeners: (() => void)[] = [];
@@ -56,6 +58,7 @@ export class Frames {
   /** Lets the picture that is shown fade into the next one, unless another fades at the moment. To be called before what is drawn changes. */
   fadeIntoNext(): void {
     if (!this.crossFade.isBusy && this.redraw()) this.crossFade.keep();
+    this.isFadeAsked = true;
   }
 
   /** Gives the canvas the size of the viewport. It is drawn at once and not in the next frame, because resizing clears it. */
@@ -73,8 +76,10 @@ export class Frames {
     const size = this.drawableSize;
     if (!size) return;
     quality.measure(() => this.drawFrame(size));
-    if (scenery.shown.isStandIn) crossFade.keep();
+    // A stand-in fades into what takes its place, be it a finer stand-in.
+    if (scenery.shown.isStandIn && !this.isFadeAsked) crossFade.keep();
     else crossFade.start();
+    this.isFadeAsked = false;
     if (!quality.isSketch) scenery.shown.disposePrevious();
     for (const listener of this.listeners) listener();
     if (scenery.shown.model?.motion?.isPlaying) this.invalidate();

@@ -1,6 +1,6 @@
 import { MeshoptSimplifier } from 'meshoptimizer/simplifier';
 import { beforeAll, expect, test } from 'vitest';
-import { coarseModel, isTooFine } from '../../../../src/demo/files/readLarge.js';
+import { coarseModel, exactPixels, isTooFine } from '../../../../src/demo/files/readLarge.js';
 import { simplifyMesh } from '../../../../src/demo/files/simplifyMesh.js';
 import type { PlainMesh } from '../../../../src/files/mesh/PlainMesh.js';
 import type { ReadMesh } from '../../../../src/files/readModel.js';
@@ -103,4 +103,13 @@ test('only meshes of more than two million triangles without pictures are simpli
   expect(isTooFine(readOf(fine))).toBe(true);
   expect(isTooFine(readOf({ ...fine, uvs: new Float32Array(2) }))).toBe(false);
   expect(isTooFine(readOf({ ...fine, indices: new Uint32Array(3 * 2_000_000) }))).toBe(false);
+});
+
+test.each([
+  [0.0027, 240],
+  [0.0005, 1300],
+  [2 / 3 / 999, 990],
+])('an error of %f radii is a third of a pixel at most where a model is up to %i pixels across', (error, pixels) => {
+  expect(exactPixels(error)).toBe(pixels);
+  expect((exactPixels(error) / 2) * error).toBeLessThanOrEqual(1 / 3);
 });
