@@ -1,4 +1,5 @@
 import { bake } from './bake/bake.mjs';
+import { detail } from './detail/detail.mjs';
 import { drop } from './drop/drop.mjs';
 import { firstPicture } from './firstPicture/firstPicture.mjs';
 import { form } from './form/form.mjs';
@@ -34,4 +35,5 @@ export const benchmarks = [
   vector,
   firstPicture,
   drop,
+  detail,
 ];

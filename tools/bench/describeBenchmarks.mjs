@@ -22,6 +22,7 @@ const titles = {
   firstPicture: 'To the first picture',
   drop: 'From drop to first frame',
   vector: 'Drawings as lines',
+  detail: 'Large models',
 };
 
 /** What the numbers of each benchmark mean. */
@@ -64,6 +65,9 @@ as it is, and \`complete\` when the last frame was drawn, with lines along the f
   drop: `A file is dropped on the built playground. \`read\` is the time until a worker has read it, \`first\` the time until the first frame that shows it can be read, with its own normals if the bake takes
 long; \`baked\` is the time until it is shown baked, with its lines. Cold is the first file of a page, warm the following ones. The longest task is that of the
 main thread, including drawing, 0 if none took 50 ms. All are medians with their 95 % intervals.`,
+  detail: `A large model is drawn by \`applyHatching\` with \`detail\`, which chooses the level that the view needs, and a smaller model without. Ratios are taken
+within a turn. On the page a file of more than two million triangles is simplified while it is read. The first picture is of a coarse copy, the complete one of
+the simplified model, baked; the peak is the largest memory of the page's process, with its workers, as Linux reports it.`,
 };
 
 /** Writes docs/benchmarks.md from the files in tools/bench/results. */

@@ -3,6 +3,7 @@ import { HatchingMaterial } from 'three-hatching';
 /** The page that measures: loads what one benchmark needs, and nothing else. */
 const measures = {
   frames: async () => (await import('./frame/measureFrames.js')).measureFrames,
+  detail: async () => (await import('./detail/measureDetail.js')).measureDetail,
   lines: async () => (await import('./lines/measureLines.js')).measureLines,
   many: async () => (await import('./many/measureMany.js')).measureMany,
   manyFrames: async () => (await import('./many/measureMany.js')).drawMany,

@@ -1,3 +1,4 @@
+import { MOST_PIXELS } from '../../detail/chooseLevel.js';
 import { clusterMesh } from '../../files/mesh/clusterMesh.js';
 import { triangleCount } from '../../files/mesh/PlainMesh.js';
 import { plainNormals } from '../../files/mesh/plainNormals.js';
@@ -16,6 +17,17 @@ export function coarseModel(model: ReadMesh): ReadMesh {
   return { ...model, mesh, plainNormals: plainNormals({ ...mesh, normals: null }) };
 }
 
+/**
+ * Up to how many pixels across a model may be drawn until it lies farther than can be seen from the whole one, rounded down to two digits.
+ *
+ * @param error in radii
+ */
+export function exactPixels(error: number): number {
+  const pixels = (2 * MOST_PIXELS) / error;
+  const unit = 10 ** (Math.floor(Math.log10(pixels)) - 1);
+  return Math.floor(pixels / unit) * unit;
+}
+
 /** The model with no more triangles than a sheet shows, and with a note that says so. Where that cannot be done, the model as it is. */
 export async function simplified(model: ReadMesh, onProgress: (progress: number) => void): Promise<ReadMesh> {
   const [{ MeshoptSimplifier }, { simplifyMesh }] = await Promise.all([
@@ -26,13 +38,14 @@ export async function simplified(model: ReadMesh, onProgress: (progress: number)
   const { mesh, error } = simplifyMesh(model.mesh, MeshoptSimplifier, onProgress);
   const [all, drawn] = [model.mesh, mesh].map((one) => triangleCount(one).toLocaleString('en'));
   const share = (100 * error).toFixed(2);
+  const pixels = exactPixels(error).toLocaleString('en');
   return {
     ...model,
     mesh,
     plainNormals: plainNormals(mesh),
     details: [
       ...model.details,
-      `${drawn} of ${all} triangles are drawn, which lie within ${share} % of the radius from all of them`,
+      `${drawn} of ${all} triangles are drawn, which lie within ${share} % of the radius from all of them: less than can be seen if the model is up to ${pixels} pixels across`,
     ],
   };
 }

@@ -30,19 +30,18 @@ export class CrossFade {
     context?.drawImage(drawing, 0, 0);
   }
 
-  /** Copies the picture. To be called in the task in which it was drawn, because the canvas does not keep it for longer. */
+  /**
+   * Copies the picture, unless an earlier one fades: that one would jump. To be called in the task in which the picture was drawn, because
+   * the canvas does not keep it for longer.
+   */
   keep(): void {
     const { copy, context, drawing } = this;
+    if (this.isFading) return;
     if (copy.width !== drawing.width || copy.height !== drawing.height) {
       Object.assign(copy, { width: drawing.width, height: drawing.height });
     }
     context?.drawImage(drawing, 0, 0);
     this.isKept = true;
-  }
-
-  /** As {@link keep}, unless an earlier picture fades, whose copy it would replace. */
-  keepUnlessFading(): void {
-    if (!this.isFading) this.keep();
   }
 
   /** Discards the copied picture, if it does not fade already. */

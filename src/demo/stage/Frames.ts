@@ -103,8 +103,8 @@ export class Frames {
     if (!size) return;
     quality.measure(() => this.drawFrame(size), this.isMoving);
     this.isMoving = false;
-    if (scenery.shown.isStandIn) crossFade.keep();
-    else if (this.exchanging > 0 && !this.isExchanged) crossFade.keepUnlessFading();
+    // A stand-in fades into what takes its place, be it a finer stand-in.
+    if ((scenery.shown.isStandIn || this.exchanging > 0) && !this.isExchanged) crossFade.keep();
     else crossFade.start();
     this.isExchanged = false;
     if (!quality.isSketch) scenery.shown.disposePrevious();

@@ -8,8 +8,11 @@ import { DEFAULT_VIEW } from '../../staging/createCamera.js';
 /** The direction from a model to the eye when the model is framed. */
 type ViewDirection = readonly [number, number, number];
 
-/** What has changed: another model is drawn for the first time, a model has taken its stand-in's place, or an earlier one is back. */
-export type ModelChange = 'another' | 'completed' | 'back';
+/**
+ * What has changed: another model is drawn for the first time, a finer stand-in or the model itself has taken a stand-in's place, or an
+ * earlier model is back.
+ */
+export type ModelChange = 'another' | 'finer' | 'completed' | 'back';
 
 /** The model that is shown. A stand-in may take its place until the next model is baked; if that fails, the earlier model comes back. */
 export class ShownModel {
@@ -68,10 +71,11 @@ export class ShownModel {
   setStandIn(next: HatchedModel, firstView: ViewDirection = DEFAULT_VIEW): void {
     this.disposePrevious();
     const before = this.exchange(next);
+    const change = this.isTemporary ? 'finer' : 'another';
     if (!this.isTemporary) this.replaced = { model: before, firstView: this.firstView };
     else if (before) this.previous.push(before);
     this.isTemporary = true;
-    this.report('another', firstView);
+    this.report(change, firstView);
   }
 
   /** Takes away the stand-in, if one is shown. */

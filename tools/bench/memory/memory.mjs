@@ -1,4 +1,4 @@
-import { readFileSync } from 'node:fs';
+import { peakOf } from '../peakOf.mjs';
 import { figure, table } from '../table.mjs';
 
 const SCALE = [
@@ -96,12 +96,6 @@ async function measureBake({ openMeasuring, rendererPids }, plan) {
   } finally {
     await page.close();
   }
-}
-
-/** The most memory that a process has had at once, in bytes, as Linux reports it. */
-function peakOf(pid) {
-  const kilobytes = /VmHWM:\s+(\d+)/.exec(readFileSync(`/proc/${pid}/status`, 'utf8'))?.[1];
-  return 1024 * Number(kilobytes);
 }
 
 async function measureGarbage({ openMeasuring }, plan, frames) {

@@ -188,13 +188,17 @@ export class ModelLoader {
 
   private showOwn(files: readonly ModelFile[], way: WayToShow): Promise<void> {
     return this.show({ model: 'file', files }, way, async (report, signal) => {
-      const onCoarse = (read: ReadModel): void => void this.showStandIn({ title: read.name, read }, way);
-      const [read, lightModel] = await Promise.all([
-        loadModelFiles(files, { signal, onStage: report, onCoarse }),
-        fetchLight(),
-      ]);
+      const lighting = fetchLight();
+      const lightOf = async ({ drawing }: ReadModel): Promise<LoadedModel['light']> =>
+        way.isRestored || !way.isFramed || drawing ? undefined : lighting;
+      const onCoarse = async (read: ReadModel): Promise<void> => {
+        // It is lit as the model will be, or else all of its strokes would turn later.
+        const light = await lightOf(read).catch(() => undefined);
+        if (!signal.aborted) this.showStandIn({ title: read.name, read, light }, way);
+      };
+      const [read] = await Promise.all([loadModelFiles(files, { signal, onStage: report, onCoarse }), lighting]);
       const { name: title, missing, unpacked, drawing } = read;
-      const light = way.isRestored || !way.isFramed || drawing ? undefined : lightModel;
+      const light = await lightOf(read);
       return { title, read, shown: { files, missing, unpacked }, drawing, light };
     });
   }
@@ -277,6 +281,7 @@ export class ModelLoader {
     const isOwn = model === 'file';
     const details = isOwn && 'details' in read ? read.details : [];
     this.name({ title, statistics, notes: isOwn ? notes : [], details });
+    if (hasStandIn) stage.frames.fadeIntoNext();
     stage.shown.set(next, view);
     // The user may have moved the camera while the stand-in was shown.
     if (isFramed && !hasStandIn) stage.view.frame();
@@ -301,9 +306,11 @@ export class ModelLoader {
     };
     if (!isRestored && !hasStandIn) settings.upAxis = read.upAxis;
     this.name({ title, statistics: standIn.statistics, notes: [], details: [] });
+    if (hasStandIn) stage.frames.fadeIntoNext();
     stage.shown.setStandIn(standIn, view);
-    // The user may have moved the camera while a coarser one was shown.
-    if (isFramed && !hasStandIn) stage.view.frame();
+    // The user may have moved camera and light while a coarser one was shown.
+    if (hasStandIn) return true;
+    if (isFramed) stage.view.frame();
     this.light(light);
     return true;
   }

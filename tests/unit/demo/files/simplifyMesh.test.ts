@@ -1,9 +1,11 @@
 import { MeshoptSimplifier } from 'meshoptimizer/simplifier';
 import { beforeAll, expect, test } from 'vitest';
-import { coarseModel, isTooFine } from '../../../../src/demo/files/readLarge.js';
+import { coarseModel, exactPixels, isTooFine } from '../../../../src/demo/files/readLarge.js';
 import { simplifyMesh } from '../../../../src/demo/files/simplifyMesh.js';
 import type { PlainMesh } from '../../../../src/files/mesh/PlainMesh.js';
 import type { ReadMesh } from '../../../../src/files/readModel.js';
+import { scannedTorus } from '../../../../tools/bench/detail/scannedTorus.mjs';
+import { distanceFrom } from './distanceFrom.js';
 
 beforeAll(() => MeshoptSimplifier.ready);
 
@@ -78,6 +80,19 @@ test('a simpler mesh lies as near as it says, keeps its colours and has no verte
   expect(progress.every((share, i) => share >= (progress[i - 1] ?? 0) && share <= 1)).toBe(true);
 });
 
+test('no point of a scan lies farther from its simpler mesh than that says', () => {
+  const scan = { ...scannedTorus(400), normals: null, colors: null };
+  const { mesh, error } = simplifyMesh(scan, MeshoptSimplifier, () => {}, 60_000);
+  const distance = distanceFrom(mesh.positions, mesh.indices!);
+  let farthest = 0;
+  for (let i = 0; i < scan.positions.length; i += 3 * 31) {
+    farthest = Math.max(farthest, distance(scan.positions.subarray(i, i + 3)));
+  }
+  expect(farthest).toBeLessThanOrEqual(error);
+  // The bound adds up over all passes: a sixth to a third of it was measured.
+  expect(farthest).toBeGreaterThan(0.05 * error);
+});
+
 test('a coarse copy has the form, the colours and normals that point outwards', () => {
   const { mesh, plainNormals } = coarseModel(readOf(ball(300)));
   expect(mesh.indices!.length / 3).toBeLessThan(0.5 * 2 * 6 * 300 * 300);
@@ -103,4 +118,13 @@ test('only meshes of more than two million triangles without pictures are simpli
   expect(isTooFine(readOf(fine))).toBe(true);
   expect(isTooFine(readOf({ ...fine, uvs: new Float32Array(2) }))).toBe(false);
   expect(isTooFine(readOf({ ...fine, indices: new Uint32Array(3 * 2_000_000) }))).toBe(false);
+});
+
+test.each([
+  [0.0027, 240],
+  [0.0005, 1300],
+  [2 / 3 / 999, 990],
+])('an error of %f radii is a third of a pixel at most where a model is up to %i pixels across', (error, pixels) => {
+  expect(exactPixels(error)).toBe(pixels);
+  expect((exactPixels(error) / 2) * error).toBeLessThanOrEqual(1 / 3);
 });

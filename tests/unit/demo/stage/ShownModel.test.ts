@@ -59,8 +59,10 @@ test('the model that was waited for takes the place of its stand-in, and of the 
   const [before, standIn, other, model] = models.map(asModel);
   shown.set(before);
   shown.setStandIn(standIn);
+  expect(onChange).toHaveBeenLastCalledWith('another', DEFAULT_VIEW);
   shown.disposePrevious();
   shown.setStandIn(other);
+  expect(onChange).toHaveBeenLastCalledWith('finer', DEFAULT_VIEW);
   expect(shown.isStandIn).toBe(true);
   shown.disposePrevious();
   expect(disposed()).toEqual(['stand-in']);

@@ -1,0 +1,80 @@
+import { afterEach, beforeEach, expect, test, vi } from 'vitest';
+import { Frames } from '../../../../src/demo/stage/Frames.js';
+
+let endFading: () => void;
+let isMotionReduced = false;
+/** The canvas that lies over the drawing, and what was copied into it. */
+let copy: { hidden: boolean; width: number; copied: string[] };
+
+beforeEach(() => {
+  isMotionReduced = false;
+  vi.stubGlobal('devicePixelRatio', 1);
+  vi.stubGlobal('matchMedia', () => ({ matches: isMotionReduced }));
+  vi.stubGlobal('requestAnimationFrame', () => 1);
+  vi.stubGlobal('document', {
+    createElement: () => {
+      const copied: string[] = [];
+      copy = Object.assign(
+        {
+          hidden: false,
+          width: 0,
+          copied,
+          setAttribute: () => {},
+          getContext: () => ({ drawImage: ({ shows }: { shows: string }) => copied.push(shows) }),
+        },
+        { animate: () => ({ finished: new Promise<void>((resolve) => (endFading = resolve)) }) },
+      );
+      return copy;
+    },
+  });
+});
+
+afterEach(() => void vi.unstubAllGlobals());
+
+/** Frames of a stage, and a way to put another model on it. */
+function makeFrames() {
+  const shown = { isStandIn: false, name: '', disposePrevious: () => {}, model: undefined };
+  const canvas = { width: 100, height: 100, shows: '', after: () => {} };
+  const painter = {
+    renderer: { domElement: canvas },
+    drawTile: () => {
+      canvas.shows = shown.name;
+    },
+    placeLights: () => {},
+  };
+  const quality = { measure: (draw: () => void) => draw(), share: 1 };
+  const viewport = { clientWidth: 100, clientHeight: 100 };
+  const frames = new Frames(painter as never, { shown } as never, quality as never, viewport as never);
+  const replace = (name: string, isStandIn: boolean): void => {
+    if (shown.isStandIn) frames.fadeIntoNext();
+    Object.assign(shown, { name, isStandIn });
+    frames.draw();
+  };
+  return { frames, replace };
+}
+
+test('a coarse stand-in fades into a finer one, and that into the model', async () => {
+  const { frames, replace } = makeFrames();
+  replace('coarse', true);
+  expect(copy.hidden).toBe(true);
+  replace('finer', true);
+  expect([copy.hidden, copy.copied.at(-1)]).toEqual([false, 'coarse']);
+  // What is drawn while it fades leaves the fading picture as it is.
+  frames.draw();
+  expect(copy.copied).not.toContain('finer');
+  endFading();
+  await vi.waitFor(() => expect(copy.hidden).toBe(true));
+  // No frame was drawn since: the stand-in is drawn once more, to be copied.
+  replace('model', false);
+  expect([copy.hidden, copy.copied.at(-1)]).toEqual([false, 'finer']);
+});
+
+test('where motion is to be reduced, nothing fades', () => {
+  isMotionReduced = true;
+  const { replace } = makeFrames();
+  replace('coarse', true);
+  replace('finer', true);
+  expect([copy.hidden, copy.width]).toEqual([true, 0]);
+  replace('model', false);
+  expect([copy.hidden, copy.width]).toEqual([true, 0]);
+});
