@@ -201,6 +201,12 @@ export class HatchedModel {
     for (const entry of this.meshes) entry.mesh.material = entry[kind];
   }
 
+  /** Tells the materials which geometries they will draw, so that a renderer's `compile` builds the very programs for them. */
+  announce(): void {
+    for (const { mesh } of this.meshes)
+      for (const material of [mesh.material].flat()) (material as Partial<HatchingMaterial>).announce?.(mesh);
+  }
+
   /** As the function {@link releaseGraphics}, also for the materials and pictures that no mesh shows at the moment. */
   releaseGraphics(): void {
     releaseGraphics(this.root);

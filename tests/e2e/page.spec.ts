@@ -53,6 +53,42 @@ test('opens with the dragon, hatched, without a layout shift and without request
   expect(await page.evaluate(() => (window as unknown as { __problems: string[] }).__problems)).toEqual([]);
 });
 
+test('the first model is read by one worker that was begun before the page’s script, and other models are not read ahead', async ({
+  page,
+}) => {
+  const opened = async (hash: string): Promise<string[]> => {
+    const seen: string[] = [];
+    const note = (address: string): void => {
+      const name = /\/(graphics|index|model\.worker|dragon_vrip_res3)[^/]*$/.exec(address);
+      if (name) seen.push(name[1]);
+    };
+    await page.addInitScript(() => {
+      const { Worker: PlainWorker } = window;
+      const before: string[] = [];
+      window.Worker = class extends PlainWorker {
+        constructor(...args: ConstructorParameters<typeof Worker>) {
+          super(...args);
+          if (!window.__playground) before.push(String(args[0]));
+        }
+      };
+      Object.assign(window, { __before: before });
+    });
+    page.on('request', (request) => note(request.url()));
+    await openPlayground(page, hash);
+    page.removeAllListeners('request');
+    const before = await page.evaluate(() => (window as unknown as { __before: string[] }).__before);
+    return [...before.map((address) => /(graphics|model\.worker)/.exec(address)?.[1] ?? ''), '|', ...seen.sort()];
+  };
+  const first = await opened('');
+  expect(first.slice(0, first.indexOf('|'))).toEqual(['graphics', 'model.worker']);
+  expect(first.filter((name) => name === 'dragon_vrip_res3')).toHaveLength(1);
+  expect(first.slice(first.indexOf('|')).filter((name) => name === 'model.worker')).toHaveLength(1);
+  await page.goto('about:blank');
+  const other = await opened('model=cube&technique=triangle&outlines=off&mapSize=64&mapTones=4');
+  expect(other.slice(0, other.indexOf('|'))).toEqual(['graphics']);
+  expect(other).not.toContain('dragon_vrip_res3');
+});
+
 test('what nobody has opened yet opens without a connection, once the page has been idle', async ({
   page,
   context,

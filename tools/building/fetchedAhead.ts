@@ -18,13 +18,33 @@ const FIRST_MODULES = [
 const MODEL_WORKER = /\/model\.worker-[^/]*\.js$/;
 
 /**
- * What runs before the first scripts are there. Browsers take up to half a second to set up their first graphics context; a worker
- * fetches and reads the first model meanwhile, if the address asks for no other. `takeReadAhead` takes it.
+ * Runs in a worker: browsers take up to half a second to set up their first graphics context, which blocks who asks for it. Says who draws.
  */
-const scriptAhead = (
-  model: string,
-  worker: string,
-): string => `if (location.hash.length < 2 && !history.state?.drawing) {
+const GRAPHICS = `let name;
+try {
+  const gl = new OffscreenCanvas(1, 1).getContext('webgl2');
+  const names = gl.getExtension('WEBGL_debug_renderer_info');
+  name = String(gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+  // Browsers allow a page few contexts.
+  gl.getExtension('WEBGL_lose_context').loseContext();
+} catch {}
+postMessage(name);
+close();
+`;
+
+/**
+ * What runs before the first scripts are there: graphics are set up, and a worker fetches and reads the first model, if the address asks
+ * for no other. `rendererAhead` and `takeReadAhead` take what comes of it.
+ */
+const scriptAhead = (graphics: string, model: string, worker: string): string => `try {
+  const worker = new Worker(${JSON.stringify(graphics)});
+  self.hatchingRenderer = new Promise((resolve) => {
+    worker.onmessage = ({ data }) => resolve(data);
+    worker.onerror = () => resolve();
+    setTimeout(resolve, 2000);
+  });
+} catch {}
+if (location.hash.length < 2 && !history.state?.drawing) {
   const url = new URL(${JSON.stringify(model)}, document.baseURI).href;
   try {
     const worker = new Worker(${JSON.stringify(worker)}, { type: 'module', name: 'model' });
@@ -39,9 +59,6 @@ const scriptAhead = (
     self.hatchingReadAhead = ahead;
   } catch {}
 }
-try {
-  new OffscreenCanvas(1, 1).getContext('webgl2').getExtension('WEBGL_lose_context').loseContext();
-} catch {}
 `;
 
 /**
@@ -66,9 +83,12 @@ export const fetchedAhead: Plugin = {
     const worker = Object.keys(bundle).find((name) => MODEL_WORKER.test(name));
     if (found < FIRST_MODULES.length || !model || !worker)
       this.error('fetchedAhead.ts names a module, a model or a worker that is no part of the playground.');
-    const script = scriptAhead(model, worker);
-    const name = `assets/ahead-${createHash('sha256').update(script).digest('hex').slice(0, 8)}.js`;
-    this.emitFile({ type: 'asset', fileName: name, source: script });
+    const emit = (name: string, source: string): string => {
+      const fileName = `assets/${name}-${createHash('sha256').update(source).digest('hex').slice(0, 8)}.js`;
+      this.emitFile({ type: 'asset', fileName, source });
+      return fileName;
+    };
+    const name = emit('ahead', scriptAhead(emit('graphics', GRAPHICS), model, worker));
     const html = String(page.source);
     const links = [...modules]
       .filter((file) => !html.includes(file))

@@ -102,6 +102,7 @@ export class Painter {
     this.builder.build(() => {
       for (const side of sidesOf(look)) {
         drawn.useMaterials(side);
+        drawn.announce();
         renderer.compile(scenery.scene, camera);
       }
     });

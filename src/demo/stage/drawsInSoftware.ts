@@ -2,8 +2,13 @@ import { rendererName } from './rendererName.js';
 
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 
-/** Whether the browser draws WebGL 2 on the processor, because there is no graphics card or no driver for it. */
-export function drawsInSoftware(): boolean {
+/**
+ * Whether the browser draws WebGL 2 on the processor, because there is no graphics card or no driver for it.
+ *
+ * @param renderer its name, if it is known: else a context is made to ask for it
+ */
+export function drawsInSoftware(renderer?: string): boolean {
+  if (renderer !== undefined) return SOFTWARE.test(renderer);
   const gl = new OffscreenCanvas(1, 1).getContext('webgl2');
   if (!gl) return false;
   const name = rendererName(gl);

@@ -14,8 +14,6 @@ export function makeForerunner(): HatchedModel {
   const material = new HatchingMaterial({ tilesPerUnit: 1, side: DoubleSide });
   const drawn = new Mesh(geometry, material);
   drawn.frustumCulled = false;
-  // Lines that follow the form are baked later.
-  material.announce(drawn);
   const statistics = { triangles: 1, borderEdges: 0, nonManifoldEdges: 0, degenerateTriangles: 1 };
   return new HatchedModel(
     new Group().add(drawn),
