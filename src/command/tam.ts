@@ -2,6 +2,7 @@ import process from 'node:process';
 import { generateHatchImages } from '../hatchImages/generateHatchImages.js';
 import { generateThresholds } from '../hatchImages/generateThresholds.js';
 import { type MapDrawing, resolveMapDrawing } from '../hatchImages/hatchImageOptions.js';
+import { requestOfHand } from '../hatchImages/requestOfHand.js';
 import type { MapFile } from '../mapFiles/mapFiles.js';
 import { writeMapFiles } from '../mapFiles/writeMapFiles.js';
 import { runSliced } from '../slices/runSliced.js';
@@ -35,11 +36,12 @@ export async function tam(args: readonly string[], signal: AbortSignal, bar: Pro
 }
 
 async function draw(map: MapDrawing, signal: AbortSignal, bar: ProgressBar): Promise<MapFile[]> {
-  const images = await runSliced(generateHatchImages(map), {
+  const request = await runSliced(requestOfHand(map), { signal });
+  const images = await runSliced(generateHatchImages(request), {
     signal,
     onProgress: (progress) => bar.show('drawing tones', 0.7 * progress),
   });
-  const levels = await runSliced(generateThresholds(map), {
+  const levels = await runSliced(generateThresholds(request), {
     signal,
     onProgress: (progress) => bar.show('drawing thresholds', 0.7 + 0.25 * progress),
   });

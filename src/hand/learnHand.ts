@@ -69,7 +69,7 @@ export function* learnHandSteps({
   yield 0.85;
   const numbers = { ...numbersOfStrokes(measures), ...numbersOfLayers(layers) };
   yield 0.9;
-  const spacing = numbersOfSpacing(layers[0], numbers.width);
+  const spacing = yield* numbersOfSpacing(layers[0], numbers.width);
   return {
     version: 1,
     ...(name !== undefined && { name }),
@@ -167,11 +167,16 @@ function angleSpreadOf(layers: readonly HandLayer[]): number {
   return free > 0 ? Math.sqrt(squares / free) : 0;
 }
 
-function numbersOfSpacing(
+function* numbersOfSpacing(
   layer: HandLayer,
   width: number,
-): Pick<HandNumbers, 'spacing' | 'spacingSpread' | 'clustering' | 'overlap'> {
-  const swatches = BY_SPACING.map((swatch) => measureSpacing(layer, swatch)).filter((found) => found !== undefined);
+): Generator<number, Pick<HandNumbers, 'spacing' | 'spacingSpread' | 'clustering' | 'overlap'>, void> {
+  const swatches: SwatchSpacing[] = [];
+  for (const [index, swatch] of BY_SPACING.entries()) {
+    const found = measureSpacing(layer, swatch);
+    if (found) swatches.push(found);
+    yield 0.9 + 0.03 * (index + 1);
+  }
   if (swatches.length === 0) {
     return { spacing: LONE_SPACING * width, spacingSpread: LONE_SPREAD, clustering: 0, overlap: 0 };
   }

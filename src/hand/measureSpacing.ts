@@ -6,7 +6,7 @@ import type { HandLayer } from './separateLayers.js';
 const SCANS = 41;
 
 /** Strokes that are looked at: of more, those in the middle of the swatch. */
-const MOST = 3000;
+const MOST = 1500;
 
 /** Lines count that meet at least this share of the strokes that lines meet at the median: others lie at the border of the swatch. */
 const LEAST_MET = 0.9;

@@ -4,8 +4,7 @@ import { rasterizeStroke } from '../strokes/rasterizeStroke.js';
 import type { Stroke } from '../strokes/Stroke.js';
 import { enforceLevelNesting } from './enforceLevelNesting.js';
 import type { HatchImages } from './HatchImages.js';
-import type { MapDrawing } from './hatchImageOptions.js';
-import { type HatchImageRequest, resolveHatchImageOptions } from './hatchImageRequest.js';
+import { type HatchImageRequest, type MapRequest, resolveHatchImageOptions } from './hatchImageRequest.js';
 
 /**
  * Draws the hatch images of a tonal art map: every tone at every level.
@@ -16,7 +15,7 @@ import { type HatchImageRequest, resolveHatchImageOptions } from './hatchImageRe
  * @throws RangeError if an option is out of its range, at the first step
  * @returns the images; yields progress in [0, 1]
  */
-export function* generateHatchImages(options: MapDrawing = {}): Generator<number, HatchImages, void> {
+export function* generateHatchImages(options: MapRequest = {}): Generator<number, HatchImages, void> {
   const request = resolveHatchImageOptions(options);
   const strokes = yield* placeStrokes(request);
   const grains = Array.from({ length: request.levels }, (_, level) => paperGrain(request, level));

@@ -7,8 +7,7 @@ import { placeStrokes } from '../strokes/placeStrokes.js';
 import { rasterizeStroke } from '../strokes/rasterizeStroke.js';
 import type { Stroke } from '../strokes/Stroke.js';
 import { encodeThresholds, type ThresholdLevel } from './encodeThresholds.js';
-import type { MapDrawing } from './hatchImageOptions.js';
-import { type HatchImageRequest, resolveHatchImageOptions } from './hatchImageRequest.js';
+import { type HatchImageRequest, type MapRequest, resolveHatchImageOptions } from './hatchImageRequest.js';
 
 /** The number of steps of tone in which strokes are placed: enough for an even image at any tone in between. */
 const STEPS = 24;
@@ -43,7 +42,7 @@ const PLACED = 0.8;
  * @throws RangeError if an option is out of its range, at the first step. `tones` does not matter.
  * @returns the levels, finest first; yields progress in [0, 1]
  */
-export function* generateThresholds(options: MapDrawing = {}): Generator<number, ThresholdLevel[], void> {
+export function* generateThresholds(options: MapRequest = {}): Generator<number, ThresholdLevel[], void> {
   const request = resolveHatchImageOptions(options);
   const { maxInk, proposals } = request.style.thresholds;
   const layers = request.style.layers.map((layer) => ({ ...layer, from: layer.thresholdsFrom }));

@@ -1,6 +1,6 @@
 import type { Hand } from '../hand/Hand.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
-import { HAND_WIDTHS, STROKE_WIDTHS } from '../strokes/strokeWidths.js';
+import { STROKE_WIDTHS } from '../strokes/strokeWidths.js';
 import { COARSEST_SIZE } from './coarsestSize.js';
 
 /** The options that determine a generated map. */
@@ -28,8 +28,6 @@ export interface MapDrawing {
 /** The options with all defaults filled in. */
 export interface FullMapDrawing {
   style: StrokeStyleName;
-  /** The hand that is drawn in place of the style. */
-  hand: Hand | undefined;
   strokeTexels: number;
   seed: number;
   size: number;
@@ -43,16 +41,16 @@ export interface FullMapDrawing {
  * @param caller the function that is named in the error
  * @throws RangeError that names the option and its range
  */
-export function resolveMapDrawing(options: MapDrawing = {}, caller = 'TonalArtMap.generate'): FullMapDrawing {
+export function resolveMapDrawing(
+  options: Omit<MapDrawing, 'hand'> & { hand?: object | undefined } = {},
+  caller = 'TonalArtMap.generate',
+): FullMapDrawing {
   const fail = (option: keyof MapDrawing, value: unknown, allowed: string): never => {
     throw new RangeError(`${caller}: ${option} is ${String(value)}, but must be ${allowed}.`);
   };
   const { style = 'hatching', hand, seed = 1, size = 256, tones = 8 } = options;
-  if (hand !== undefined) {
-    if (options.style !== undefined) fail('hand', 'given beside a style', 'given without one');
-    // All of it is checked where it is drawn.
-    if (!Array.isArray(hand?.strokes)) fail('hand', hand, 'what learnHand returns: { version, strokes, numbers }');
-  }
+  // What a hand holds is checked when its strokes are prepared.
+  if (hand && options.style) fail('style', style, 'left out beside a hand');
   if (!Object.hasOwn(STROKE_WIDTHS, style)) {
     fail('style', style, `one of ${Object.keys(STROKE_WIDTHS).join(', ')}`);
   }
@@ -64,7 +62,8 @@ export function resolveMapDrawing(options: MapDrawing = {}, caller = 'TonalArtMa
   if (!Number.isInteger(levels) || levels < 1 || levels > allLevels) {
     fail('levels', levels, `a whole number from 1 to ${allLevels} at size ${size}, or left out`);
   }
-  const { width, widthRange } = hand ? HAND_WIDTHS : STROKE_WIDTHS[style];
+  // A hand has the widths of the default style.
+  const { width, widthRange } = STROKE_WIDTHS[style];
   const { strokeTexels = width } = options;
   const [narrowest, widest] = widthRange;
   if (!(strokeTexels >= narrowest && strokeTexels <= widest)) {
@@ -74,5 +73,5 @@ export function resolveMapDrawing(options: MapDrawing = {}, caller = 'TonalArtMa
       `a number from ${narrowest} to ${widest} texels for ${hand ? 'a hand' : `style ${style}`}`,
     );
   }
-  return { style, hand, strokeTexels, seed, size, tones, levels };
+  return { style, strokeTexels, seed, size, tones, levels };
 }

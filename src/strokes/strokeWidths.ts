@@ -7,9 +7,6 @@ type StrokeWidths = Pick<StrokeStyle, 'width' | 'widthRange'>;
 const PEN = [1.2, 2.6] as const;
 const DOT = [1.65, 2.5] as const;
 
-/** The widths of the strokes of a hand. */
-export const HAND_WIDTHS: StrokeWidths = { width: 1.9, widthRange: PEN };
-
 /** The widths of each style, for who must know them before a map is drawn, without being able to draw it. */
 export const STROKE_WIDTHS: Readonly<Record<StrokeStyleName, StrokeWidths>> = {
   hatching: { width: 1.9, widthRange: PEN },

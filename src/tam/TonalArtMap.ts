@@ -130,16 +130,13 @@ export class TonalArtMap {
    * @throws RangeError or TypeError if an option is out of its range or unknown
    */
   static shared(drawing: StrokeStyleName | MapDrawing = {}, options: TaskOptions = {}): TonalArtMap {
-    const {
-      hand,
-      style = hand ? undefined : 'hatching',
-      ...others
-    } = typeof drawing === 'string' ? { style: drawing, hand: undefined } : drawing;
+    const own: MapDrawing = typeof drawing === 'string' ? { style: drawing } : drawing;
+    const { style = 'hatching', ...others } = own;
     const given = Object.entries(others).filter(([, value]) => value !== undefined);
-    const key = JSON.stringify([hand ?? style, ...given.sort(([a], [b]) => (a < b ? -1 : 1))]);
+    const key = JSON.stringify([style, ...given.sort(([a], [b]) => (a < b ? -1 : 1))]);
     const known = sharedMaps.get(key);
     if (known) return known;
-    const map = TonalArtMap.begin('TonalArtMap.shared', { ...options, ...others, style, hand });
+    const map = TonalArtMap.begin('TonalArtMap.shared', { ...options, ...own });
     sharedMaps.set(key, map);
     map.drawn?.catch(() => sharedMaps.delete(key));
     return map;

@@ -1,6 +1,7 @@
 import type { ThresholdLevel } from '../hatchImages/encodeThresholds.js';
 import type { HatchImages } from '../hatchImages/HatchImages.js';
 import type { MapDrawing } from '../hatchImages/hatchImageOptions.js';
+import type { MapRequest } from '../hatchImages/hatchImageRequest.js';
 import { runTask } from '../worker/runTask.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
 
@@ -12,12 +13,16 @@ export async function drawHatchImages(
   drawing: MapDrawing,
   { onProgress, ...options }: TaskOptions,
 ): Promise<{ images: HatchImages; thresholds: ThresholdLevel[] }> {
-  const again = (): MapDrawing => drawing;
+  // What prepares hands is fetched with the first of them.
+  const request = drawing.hand
+    ? await (await import('./prepareInSlices.js')).prepareInSlices(drawing, options.signal)
+    : (drawing as MapRequest);
+  const again = (): MapRequest => request;
   const partOf = (from: number, share: number): TaskOptions => ({
     ...options,
     onProgress: onProgress && ((progress) => onProgress(from + share * progress)),
   });
-  const images = await runTask('generateHatchImages', drawing, partOf(0, IMAGES_SHARE), again);
-  const thresholds = await runTask('generateThresholds', drawing, partOf(IMAGES_SHARE, 1 - IMAGES_SHARE), again);
+  const images = await runTask('generateHatchImages', request, partOf(0, IMAGES_SHARE), again);
+  const thresholds = await runTask('generateThresholds', request, partOf(IMAGES_SHARE, 1 - IMAGES_SHARE), again);
   return { images, thresholds };
 }

@@ -1,11 +1,11 @@
 import type { Hand, HandStroke } from '../hand/Hand.js';
-import type { LearnHandOptions } from '../hand/learnHand.js';
+import { type LearnHandOptions, learnHandSteps } from '../hand/learnHand.js';
+import { runSliced } from '../slices/runSliced.js';
 import { checkOptions } from '../worker/checkOptions.js';
-import { runTask } from '../worker/runTask.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
 
-/** Options of `learnHandAsync`: those of `learnHand`, and those of the task. */
-export interface LearnHandAsyncOptions extends LearnHandOptions, TaskOptions {}
+/** Options of `learnHandAsync`: those of `learnHand`, and how it is followed and stopped. */
+export interface LearnHandAsyncOptions extends LearnHandOptions, Pick<TaskOptions, 'signal' | 'onProgress'> {}
 
 const LEARN_HAND_OPTIONS = { name: true, maxStrokes: true, maxPoints: true } satisfies Record<
   keyof LearnHandOptions,
@@ -13,7 +13,7 @@ const LEARN_HAND_OPTIONS = { name: true, maxStrokes: true, maxPoints: true } sat
 >;
 
 /**
- * Does what `learnHand` does, in a worker if possible: for thousands of strokes, which take longer than a frame.
+ * Does what `learnHand` does, in slices of a few milliseconds: for thousands of strokes, which would hold up the page otherwise.
  *
  * @throws TypeError or RangeError (as a rejection) that says in a sentence what is wrong with the strokes or the options; the signal's
  *   reason when aborted
@@ -23,7 +23,9 @@ export async function learnHandAsync(
   options: LearnHandAsyncOptions = {},
 ): Promise<Hand> {
   checkOptions('learnHandAsync', options, LEARN_HAND_OPTIONS);
-  const { name, maxStrokes, maxPoints, ...taskOptions } = options;
-  const request = { strokes, options: { name, maxStrokes, maxPoints } };
-  return runTask('learnHand', request, taskOptions, () => request);
+  const { signal, onProgress, ...learning } = options;
+  return runSliced(learnHandSteps({ strokes, options: learning }), {
+    signal: signal ?? undefined,
+    onProgress: onProgress ?? undefined,
+  });
 }

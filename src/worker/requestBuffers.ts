@@ -16,7 +16,6 @@ export const requestBuffers: TaskSet<BakingTasks>['requestBuffers'] = {
   generateHatchImages: () => [],
   generateThresholds: () => [],
   completeHatchImages: imageBuffers,
-  learnHand: () => [],
   simplifyHatched: detailRequestBuffers,
   startOcclusion: occlusionMeshBuffers,
   addDirections: ({ scene, sums = [] }) => [...occlusionSceneBuffers(scene), ...sums.map(({ buffer }) => buffer)],

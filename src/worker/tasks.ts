@@ -7,7 +7,6 @@ import type { DetailLevels } from '../detail/makeLevels.js';
 import { simplifyHatched } from '../detail/simplifyHatched.js';
 import { type ContourSearchResult, searchContours } from '../features/contourCandidates.js';
 import { contourSearchBuffers } from '../features/contourSearchBuffers.js';
-import { learnHandSteps } from '../hand/learnHand.js';
 import { completeHatchImages } from '../hatchImages/completeHatchImages.js';
 import type { ThresholdLevel } from '../hatchImages/encodeThresholds.js';
 import { generateHatchImages } from '../hatchImages/generateHatchImages.js';
@@ -39,7 +38,6 @@ export const tasks = {
     run: completeHatchImages,
     resultBuffers: (result) => [...imageBuffers(result), ...thresholdBuffers(result.thresholds)],
   }),
-  learnHand: /* @__PURE__ */ task({ run: learnHandSteps, resultBuffers: () => [] }),
   simplifyHatched: /* @__PURE__ */ task({
     prepare: ({ simplifier }) => loadSimplifier(simplifier),
     run: simplifyHatched,

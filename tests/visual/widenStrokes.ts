@@ -1,5 +1,5 @@
 import type { HatchImages } from '../../src/hatchImages/HatchImages.js';
-import type { MapDrawing } from '../../src/hatchImages/hatchImageOptions.js';
+import type { MapRequest } from '../../src/hatchImages/hatchImageRequest.js';
 import { resolveHatchImageOptions } from '../../src/hatchImages/hatchImageRequest.js';
 import { placeStrokes } from '../../src/strokes/placeStrokes.js';
 import { rasterizeStroke } from '../../src/strokes/rasterizeStroke.js';
@@ -8,7 +8,7 @@ import { rasterizeStroke } from '../../src/strokes/rasterizeStroke.js';
  * The hatch images of `options` with every stroke `factor` times as wide and otherwise the same. The generator itself
  * would answer a greater width with fewer strokes, and another drawing proves nothing.
  */
-export function widenStrokes(options: MapDrawing, factor: number): HatchImages {
+export function widenStrokes(options: MapRequest, factor: number): HatchImages {
   const request = resolveHatchImageOptions(options);
   const placement = placeStrokes(request);
   let step = placement.next();

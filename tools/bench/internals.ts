@@ -22,7 +22,7 @@ export { FORM_DEFAULTS } from '../../src/form/FormOptions.js';
 export { formSurface } from '../../src/form/FormSurface.js';
 export { generateHatchImages } from '../../src/hatchImages/generateHatchImages.js';
 export { generateThresholds } from '../../src/hatchImages/generateThresholds.js';
-export type { MapDrawing } from '../../src/hatchImages/hatchImageOptions.js';
+export type { MapRequest } from '../../src/hatchImages/hatchImageRequest.js';
 export { computeAreaNormals } from '../../src/mesh/computeAreaNormals.js';
 export { measureBounds } from '../../src/mesh/measureBounds.js';
 export type { TriangleMesh } from '../../src/mesh/TriangleMesh.js';

@@ -22,13 +22,13 @@ export const ROOMS = {
   strokes: ['hand'],
   hatchImages: ['slices', 'hand', 'strokes'],
   mapFiles: ['strokes', 'hatchImages'],
-  worker: ['slices', 'hand', 'features', 'form', 'bake', 'occlusion', 'detail', 'hatchImages'],
+  worker: ['slices', 'features', 'form', 'bake', 'occlusion', 'detail', 'hatchImages'],
 
   tracing: ['hand', 'scan', 'worker'],
 
   // With three.js.
   mistakes: [],
-  tam: ['mistakes', 'hand', 'strokes', 'hatchImages', 'mapFiles', 'worker'],
+  tam: ['mistakes', 'slices', 'hand', 'strokes', 'hatchImages', 'mapFiles', 'worker'],
   'material/facts': [],
   engraving: ['material/facts'],
   // The numbers that shaders have as defines.

@@ -10,7 +10,7 @@ import { learnHand } from '../../../src/hand/learnHand.js';
 import { generateHatchImages } from '../../../src/hatchImages/generateHatchImages.js';
 import { readMap } from '../../../src/mapFiles/readMapFiles.js';
 import { drawSwatch } from '../hand/drawSwatch.js';
-import { finish } from '../strokes/draw.js';
+import { finish, requestOf } from '../strokes/draw.js';
 
 const hand = learnHand(drawSwatch({ rows: 8, taperEnd: 0.3, curvature: 0.05 }));
 let work: string;
@@ -53,7 +53,7 @@ describe('tam --hand', () => {
     const out = place('map');
     const args = ['tam', '--hand', place('hand.json'), '--size', '64', '--tones', '4', '--out', out];
     await tam(args, new AbortController().signal, new ProgressBar(process.stderr));
-    const drawn = finish(generateHatchImages({ hand, size: 64, tones: 4 }));
+    const drawn = finish(generateHatchImages(requestOf({ hand, size: 64, tones: 4 })));
     const { images, strokeTexels } = await readMap(
       'map.json',
       async (name) => readFileSync(join(out, name)),

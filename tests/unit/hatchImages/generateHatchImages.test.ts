@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { checkHatchImages } from '../../../src/hatchImages/checkHatchImages.js';
 import { generateHatchImages } from '../../../src/hatchImages/generateHatchImages.js';
-import type { MapDrawing } from '../../../src/hatchImages/hatchImageOptions.js';
+import type { MapRequest } from '../../../src/hatchImages/hatchImageRequest.js';
 import { resolveHatchImageOptions } from '../../../src/hatchImages/hatchImageRequest.js';
 import { placeStrokes } from '../../../src/strokes/placeStrokes.js';
 import type { Stroke } from '../../../src/strokes/Stroke.js';
@@ -9,7 +9,7 @@ import { strokeStyles } from '../../../src/strokes/strokeStyles.js';
 import { drawStrokes, finish, hatchImages, styleNames } from '../strokes/draw.js';
 
 /** Every style, the sizes and tones between which everything lies, thin and thick strokes. */
-const matrix: MapDrawing[] = styleNames.flatMap((style) => [
+const matrix: MapRequest[] = styleNames.flatMap((style) => [
   { style },
   { style, size: 64, tones: 4, seed: 2 },
   { style, size: 128, tones: 16, seed: 3, strokeTexels: strokeStyles[style].widthRange[1] },
@@ -83,7 +83,7 @@ describe('generateHatchImages', () => {
     expect(Math.abs(excess[0])).toBeLessThanOrEqual(0.25);
   });
 
-  it.each<[MapDrawing, RegExp]>([
+  it.each<[MapRequest, RegExp]>([
     [{ style: 'oil' as 'hatching' }, /style is oil, but must be one of hatching, crossHatching, .*, woodcut\.$/],
     [{ style: 'toString' as 'hatching' }, /style is toString/],
     [{ seed: 0.5 }, /seed is 0\.5, but must be a whole number/],

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { ThresholdLevel } from '../../../src/hatchImages/encodeThresholds.js';
 import { generateThresholds } from '../../../src/hatchImages/generateThresholds.js';
-import type { MapDrawing } from '../../../src/hatchImages/hatchImageOptions.js';
+import type { MapRequest } from '../../../src/hatchImages/hatchImageRequest.js';
 import { resolveHatchImageOptions } from '../../../src/hatchImages/hatchImageRequest.js';
 import { drawThresholdField } from '../../../src/strokes/drawThresholdField.js';
 import { placeStrokes } from '../../../src/strokes/placeStrokes.js';
@@ -10,7 +10,7 @@ import { finish, styleNames } from '../strokes/draw.js';
 const drawn = new Map<string, ThresholdLevel[]>();
 
 /** Levels of thresholds with these options, drawn once. */
-function levelsOf(options: MapDrawing): ThresholdLevel[] {
+function levelsOf(options: MapRequest): ThresholdLevel[] {
   const key = JSON.stringify(options);
   const known = drawn.get(key) ?? finish(generateThresholds(options));
   drawn.set(key, known);
@@ -58,7 +58,7 @@ function rampsAcross(field: Float64Array, size: number, value: number): { texels
   return ramps;
 }
 
-const matrix: MapDrawing[] = [
+const matrix: MapRequest[] = [
   ...styleNames.map((style) => ({ style, size: 128 })),
   { style: 'hatching' },
   { style: 'crossHatching', size: 64, seed: 9, levels: 2, strokeTexels: 1.3 },

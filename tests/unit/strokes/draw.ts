@@ -1,6 +1,8 @@
 import { generateHatchImages } from '../../../src/hatchImages/generateHatchImages.js';
 import type { HatchImages } from '../../../src/hatchImages/HatchImages.js';
 import type { MapDrawing } from '../../../src/hatchImages/hatchImageOptions.js';
+import type { MapRequest } from '../../../src/hatchImages/hatchImageRequest.js';
+import { requestOfHand } from '../../../src/hatchImages/requestOfHand.js';
 import { rasterizeStroke } from '../../../src/strokes/rasterizeStroke.js';
 import type { Stroke } from '../../../src/strokes/Stroke.js';
 import type { StrokeStyleName } from '../../../src/strokes/strokeStyleNames.js';
@@ -19,9 +21,13 @@ export function finish<Result>(task: Generator<number, Result, void>): Result {
 
 const drawn = new Map<string, HatchImages>();
 
+/** The request that the worker gets for a map. */
+export const requestOf = (drawing: MapDrawing): MapRequest => finish(requestOfHand(drawing));
+
 /** Hatch images with these options, drawn once per test file. */
-export function hatchImages(options: MapDrawing): HatchImages {
-  const key = JSON.stringify(options);
+export function hatchImages(options: MapRequest): HatchImages {
+  // A profile holds its mirrored self, and so on.
+  const key = JSON.stringify(options, (name, value) => (name === 'turned' || name === 'mirrored' ? undefined : value));
   const known = drawn.get(key) ?? finish(generateHatchImages(options));
   drawn.set(key, known);
   return known;

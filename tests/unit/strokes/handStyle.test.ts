@@ -4,7 +4,7 @@ import { learnHand } from '../../../src/hand/learnHand.js';
 import { checkHatchImages } from '../../../src/hatchImages/checkHatchImages.js';
 import { generateHatchImages } from '../../../src/hatchImages/generateHatchImages.js';
 import { generateThresholds } from '../../../src/hatchImages/generateThresholds.js';
-import type { MapDrawing } from '../../../src/hatchImages/hatchImageOptions.js';
+import { type MapDrawing, resolveMapDrawing } from '../../../src/hatchImages/hatchImageOptions.js';
 import { resolveHatchImageOptions } from '../../../src/hatchImages/hatchImageRequest.js';
 import { blurToroidal } from '../../../src/strokes/blurToroidal.js';
 import { placeStrokes } from '../../../src/strokes/placeStrokes.js';
@@ -12,7 +12,7 @@ import { halfTurn } from '../../../src/strokes/proposeStroke.js';
 import { type Stroke, strokeOffset } from '../../../src/strokes/Stroke.js';
 import { profileAt } from '../../../src/strokes/StrokeProfile.js';
 import { drawSwatch, type SwatchDrawing } from '../hand/drawSwatch.js';
-import { drawStrokes, finish, hatchImages } from './draw.js';
+import { drawStrokes, finish, hatchImages, requestOf } from './draw.js';
 
 const hand = (...drawings: Partial<SwatchDrawing>[]): Hand => learnHand(drawings.flatMap(drawSwatch));
 
@@ -65,8 +65,8 @@ const HANDS: Record<string, Hand> = {
 };
 
 describe.each(Object.entries(HANDS))('the map of a hand: %s', (_, own) => {
-  const { size, tones, style } = resolveHatchImageOptions({ hand: own });
-  const report = () => checkHatchImages(hatchImages({ hand: own }));
+  const { size, tones, style } = resolveHatchImageOptions(requestOf({ hand: own }));
+  const report = () => checkHatchImages(hatchImages(requestOf({ hand: own })));
 
   it('has the mean ink of its tone, to 0.01, and to 0.02 on the level of 16 texels', () => {
     for (const [tone, row] of report().means.entries()) {
@@ -83,13 +83,13 @@ describe.each(Object.entries(HANDS))('the map of a hand: %s', (_, own) => {
 
   it('is the same for the same hand, from JSON too, and another for another seed', () => {
     const draw = (from: Hand, seed: number) =>
-      finish(generateHatchImages({ hand: from, size: 64, tones: 4, seed })).images;
+      finish(generateHatchImages(requestOf({ hand: from, size: 64, tones: 4, seed }))).images;
     expect(draw(JSON.parse(JSON.stringify(own)), 5)).toEqual(draw(own, 5));
     expect(draw(own, 5)).not.toEqual(draw(own, 6));
   });
 
   it('has thresholds that look the same upside down', () => {
-    const [{ thresholds }] = finish(generateThresholds({ hand: own, size: 64, levels: 1 }));
+    const [{ thresholds }] = finish(generateThresholds(requestOf({ hand: own, size: 64, levels: 1 })));
     for (let i = 0; i < thresholds.length; i++) expect(thresholds[thresholds.length - 1 - i]).toBe(thresholds[i]);
   });
 
@@ -135,7 +135,9 @@ describe('numbers that were changed since they were learnt', () => {
   });
 
   it('width is the scale of all else', () => {
-    const [narrow, wide] = [0.2, 0.8].map((width) => resolveHatchImageOptions({ hand: changed({ width }) }).style);
+    const [narrow, wide] = [0.2, 0.8].map(
+      (width) => resolveHatchImageOptions(requestOf({ hand: changed({ width }) })).style,
+    );
     expect(narrow.length[1] / wide.length[1]).toBeCloseTo(4);
     expect(narrow.width).toBe(wide.width);
   });
@@ -154,7 +156,7 @@ describe('numbers that were changed since they were learnt', () => {
   });
 
   it('a longer stroke than the tile holds is cut', () => {
-    const { style } = resolveHatchImageOptions({ hand: changed({ length: 1000 }) });
+    const { style } = resolveHatchImageOptions(requestOf({ hand: changed({ length: 1000 }) }));
     expect(style.length[1]).toBeLessThanOrEqual(1.5);
   });
 });
@@ -168,9 +170,9 @@ describe('crossing', () => {
     [90, true],
   ])('at %s degrees runs in that direction', (crossingAngle, across) => {
     const own: Hand = { ...crossed, numbers: { ...crossed.numbers, crossingAngle } };
-    const { layers } = resolveHatchImageOptions({ hand: own }).style;
+    const { layers } = resolveHatchImageOptions(requestOf({ hand: own })).style;
     expect(layers[1].across).toBe(across);
-    const strokes = finish(placeStrokes(resolveHatchImageOptions({ hand: own, size: 64 })));
+    const strokes = finish(placeStrokes(resolveHatchImageOptions(requestOf({ hand: own, size: 64 }))));
     // Seen as the sheet is seen, where y goes down: the direction of a straight stroke from end to end.
     const angles = strokes
       .filter(({ layer }) => layer === 1)
@@ -184,14 +186,16 @@ describe('crossing', () => {
 
   it('begins at its tone', () => {
     const own: Hand = { ...crossed, numbers: { ...crossed.numbers, crossingFrom: 0.6 } };
-    const strokes = finish(placeStrokes(resolveHatchImageOptions({ hand: own, size: 64, tones: 11 })));
+    const strokes = finish(placeStrokes(resolveHatchImageOptions(requestOf({ hand: own, size: 64, tones: 11 }))));
     expect(Math.min(...strokes.filter(({ layer }) => layer === 1).map(({ tone }) => tone))).toBe(7);
   });
 });
 
 describe('a stroke with a profile', () => {
   const own = hand({ ...PEN, curvature: 0.12, rows: 3 });
-  const stroke: Stroke = finish(placeStrokes(resolveHatchImageOptions({ hand: own, size: 64, tones: 4 })))[0];
+  const stroke: Stroke = finish(
+    placeStrokes(resolveHatchImageOptions(requestOf({ hand: own, size: 64, tones: 4 }))),
+  )[0];
 
   it('bulges on the map to the side to which it bulges on the sheet', () => {
     // On the sheet to the right-hand side of the direction of drawing, which is down; v goes up.
@@ -221,20 +225,24 @@ describe('a stroke with a profile', () => {
 describe('bad hands end in a sentence', () => {
   const { pen } = HANDS;
   it.each<[MapDrawing, string]>([
-    [{ hand: pen, style: 'ruled' }, 'hand is given beside a style, but must be given without one'],
-    [{ hand: null as never }, 'hand is null, but must be what learnHand returns'],
+    [{ hand: pen, style: 'ruled' }, 'style is ruled, but must be left out beside a hand'],
+    [{ hand: 'mine' as never }, 'hand is mine, but must be { version, strokes, numbers }; learnHand makes one'],
     [{ hand: pen, strokeTexels: 4 }, 'strokeTexels is 4, but must be a number from 1.2 to 2.6 texels for a hand'],
     [{ hand: { ...pen, version: 3 as 1 } }, 'hand.version is 3, but must be 1'],
     [{ hand: { ...pen, numbers: { ...pen.numbers, length: -1 } } }, 'hand.numbers.length is -1'],
     [{ hand: { ...pen, strokes: [{ points: [0, 0, 0, 0], widths: [1, 1] }] } }, 'all strokes are dots'],
   ])('%#', (options, sentence) => {
-    expect(() => generateHatchImages(options).next()).toThrow(sentence);
+    // What takes time to check is checked when the strokes are prepared.
+    expect(() => {
+      resolveMapDrawing(options);
+      requestOf(options);
+    }).toThrow(sentence);
   });
 });
 
 /** The strokes of the lightest tones of the finest level as they would be on a sheet, in millimetres of the hand. */
 function numbersOfMap(drawing: MapDrawing & { hand: Hand }): HandNumbers {
-  const request = resolveHatchImageOptions(drawing);
+  const request = resolveHatchImageOptions(requestOf(drawing));
   const scale = (request.size * drawing.hand.numbers.width) / request.style.width;
   const strokes = finish(placeStrokes(request))
     .filter(({ tone, layer }) => tone <= 3 && layer === 0)
@@ -279,7 +287,7 @@ function expectNear(drawn: HandNumbers, wanted: HandNumbers, names: (keyof HandN
  * tiles side by side repeat all of it. The mean of all tones but paper and the darkest.
  */
 function repetition(drawing: MapDrawing): number {
-  const { images, size } = hatchImages(drawing);
+  const { images, size } = hatchImages(requestOf(drawing));
   const tones = images.slice(1, -1);
   const variance = (field: Float32Array): number => {
     const mean = field.reduce((sum, value) => sum + value, 0) / field.length;

@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
-import type { MapDrawing } from '../../../src/hatchImages/hatchImageOptions.js';
+import type { MapRequest } from '../../../src/hatchImages/hatchImageRequest.js';
 import { bakingTasks } from '../../../src/worker/bakingTasks.js';
 import { maxWorkers } from '../../../src/worker/maxWorkers.js';
 import type { BakingTasks } from '../../../src/worker/tasks.js';
@@ -7,7 +7,7 @@ import { WorkerPool } from '../../../src/worker/WorkerPool.js';
 import { FakeWorker } from './FakeWorker.js';
 
 /** Small requests; `seed` tells them apart. */
-const request = (seed = 0): MapDrawing => ({ size: 64, tones: 4, levels: 1, seed });
+const request = (seed = 0): MapRequest => ({ size: 64, tones: 4, levels: 1, seed });
 const result = (id: number) => ({ id }) as never;
 
 let workers: FakeWorker[];
