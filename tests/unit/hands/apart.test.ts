@@ -5,6 +5,7 @@ import { learnHand } from '../../../src/hand/learnHand.js';
 import { type ExampleHandName, exampleHand, exampleHandNames } from '../../../src/hands/exampleHand.js';
 import { meanInk } from '../../../src/hatchImages/checkHatchImages.js';
 import { generateHatchImages } from '../../../src/hatchImages/generateHatchImages.js';
+import { requestOfHand } from '../../../src/hatchImages/requestOfHand.js';
 import { trace } from '../scan/trace.js';
 
 /** Pixels per side of the pictures that hands are told apart by, and how dark they are. */
@@ -13,19 +14,18 @@ const TONE = 0.2;
 /** A scan has more pixels than a drawing on a screen: so many for each. */
 const SCAN = 3;
 
+function resultOf<Result>(steps: Generator<number, Result, void>): Result {
+  for (;;) {
+    const step = steps.next();
+    if (step.done) return step.value;
+  }
+}
+
 /** The map's hatch image nearest to the tone, as 200 × 200 pixels. */
 function pictureOf(name: ExampleHandName, seed: number): Uint8Array {
-  const steps = generateHatchImages({
-    hand: exampleHand(name),
-    size: 256,
-    tones: 16,
-    levels: 1,
-    strokeTexels: 2.6,
-    seed,
-  });
-  let step = steps.next();
-  while (!step.done) step = steps.next();
-  const images = step.value.images.map(([finest]) => finest);
+  const drawing = { hand: exampleHand(name), size: 256, tones: 16, levels: 1, strokeTexels: 2.6, seed };
+  const { images: rows } = resultOf(generateHatchImages(resultOf(requestOfHand(drawing))));
+  const images = rows.map(([finest]) => finest);
   const missing = images.map((image) => Math.abs(meanInk(image) - TONE));
   const best = missing.indexOf(Math.min(...missing));
   expect(missing[best]).toBeLessThan(0.035);
