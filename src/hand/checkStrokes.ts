@@ -47,7 +47,8 @@ function checkStroke(name: string, stroke: Partial<HandStroke> | null): asserts 
   }
   if (widths.length < 2) throw new RangeError(`${name} has ${widths.length} points, but a stroke needs two or more.`);
   for (let i = 0; i < points.length; i++) {
-    if (!(Math.abs(points[i]) <= MAX_MILLIMETRES)) {
+    // JSON has null for what is no number, which would count as 0.
+    if (typeof points[i] !== 'number' || !(Math.abs(points[i]) <= MAX_MILLIMETRES)) {
       throw new RangeError(
         `${name}.points[${i}] is ${String(points[i])}, but must be a number from −${MAX_MILLIMETRES} to ${MAX_MILLIMETRES} mm.`,
       );

@@ -87,3 +87,13 @@ describe('a link', () => {
     expect(readLink('#screenConstancy=40&sizedOnScreen=50').settings.sizedOnScreen).toBe(50);
   });
 });
+
+test('a hand goes along in a link that draws with it, and a link without one never asks for it', () => {
+  const settings = { ...defaultSettings(), mapStyle: 'ownHand' } as const;
+  const link = writeLink(settings, undefined, undefined, [], 'aZ09-_');
+  expect(readLink(link)).toMatchObject({ settings: { mapStyle: 'ownHand' }, handText: 'aZ09-_' });
+  expect(writeLink(settings, undefined)).not.toContain('ownHand');
+  expect(writeLink(defaultSettings(), undefined, undefined, [], 'aZ09-_')).not.toContain('hand=');
+  expect(readLink('mapStyle=ownHand')).toMatchObject({ settings: { mapStyle: 'hatching' }, handText: undefined });
+  expect(readLink('mapStyle=ruled&hand=abc').handText).toBeUndefined();
+});
