@@ -33,7 +33,7 @@ afterEach(() => void vi.unstubAllGlobals());
 
 /** Frames of a stage, and a way to put another model on it. */
 function makeFrames() {
-  const shown = { isStandIn: false, name: '', disposePrevious: () => {}, model: undefined };
+  const shown = { isStandIn: false, name: '', disposePrevious: () => {}, model: {} };
   const canvas = { width: 100, height: 100, shows: '', after: () => {} };
   const painter = {
     renderer: { domElement: canvas },

@@ -34,7 +34,8 @@ function makePage(lineField: 'form' | 'light' = 'form', isOnPage = true) {
   const tasks = new TaskRunner(line.status, { hasDrawing: () => true, onIdle: () => {} });
   const model = { root: new Group() };
   const quality = { isOnPage };
-  const stage = { model, shown: { isStandIn: false }, quality, isComplete: true, frames: { invalidate: () => {} } };
+  const frames = { invalidate: () => {}, keepPictures: () => {}, leavePictures: () => {} };
+  const stage = { model, shown: { isStandIn: false }, quality, isComplete: true, frames };
   const settings = { ...defaultSettings(), technique: 'engraved' as const, lineField };
   const session = { stage, settings, modelLoader: { title: 'A model' } };
   const form = new FormLoader(stage as never, settings, tasks);
