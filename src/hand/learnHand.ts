@@ -47,14 +47,14 @@ export function learnHand(strokes: readonly HandStroke[], options: LearnHandOpti
   }
 }
 
-/** Does what `learnHand` does, in slices of about a millisecond. Yields progress in [0, 1]. */
-export function* learnHandSteps({
-  strokes,
-  options = {},
-}: {
+/** The input of `learnHandSteps`. */
+export interface LearnHandRequest {
   strokes: readonly HandStroke[];
   options?: LearnHandOptions | undefined;
-}): Generator<number, Hand, void> {
+}
+
+/** Does what `learnHand` does, in slices of about a millisecond. Yields progress in [0, 1]. */
+export function* learnHandSteps({ strokes, options = {} }: LearnHandRequest): Generator<number, Hand, void> {
   const { name, maxStrokes, maxPoints } = checkLearning(options);
   checkStrokes('learnHand', strokes);
   const measures: StrokeMeasure[] = [];

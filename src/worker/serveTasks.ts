@@ -24,7 +24,7 @@ export function serveTasks(tasks: Tasks): void {
       const task = tasks[name] as unknown as AnyTask | undefined;
       if (!task)
         throw new Error(
-          `createWorker started a worker that cannot do this (${name}): drawSVG needs three-hatching/svg.worker, traceStrokes three-hatching/scan.worker, all else three-hatching/bake.worker.`,
+          `createWorker started a worker that cannot do this (${name}): drawSVG needs three-hatching/svg.worker, learnHandAsync and traceStrokes three-hatching/hand.worker, all else three-hatching/bake.worker.`,
         );
       await task.prepare?.(request);
       const result = await runSliced(task.run(request), {

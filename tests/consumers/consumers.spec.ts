@@ -54,7 +54,7 @@ const ENTRIES = [
   'element.js',
   'bake.worker.js',
   'svg.worker.js',
-  'scan.worker.js',
+  'hand.worker.js',
   'command.js',
   'draw.worker.js',
 ];
@@ -125,7 +125,7 @@ test.describe('the tarball', () => {
     expect(imported.filter((name) => name !== 'three' && !name.startsWith('./'))).toEqual([]);
     expect(importsOf('bake.worker.js')).toEqual([]);
     expect(importsOf('svg.worker.js')).toEqual([]);
-    expect(importsOf('scan.worker.js')).toEqual([]);
+    expect(importsOf('hand.worker.js')).toEqual([]);
     const ofReact = [
       '@react-three/fiber',
       'react',

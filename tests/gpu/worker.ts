@@ -16,11 +16,12 @@ import {
   applyHatching,
   HatchingMaterial,
   learnHand,
+  learnHandAsync,
   type PrepareHatchingGeometryOptions,
   prepareHatchingGeometry,
   traceStrokes,
 } from 'three-hatching';
-import ScanWorker from '../../src/tracing/scan.worker.js?worker';
+import HandWorker from '../../src/handTasks/hand.worker.js?worker';
 import BakeWorker from '../../src/worker/bake.worker.js?worker';
 import { disposeHatchingWorkers, runTask } from '../../src/worker/runTask.js';
 import ClosingWorker from './workerClosing.js?worker';
@@ -170,7 +171,7 @@ const workerTests = {
     return { inWorker: await hashes(), onMainThread: await withoutWorkers(hashes) };
   },
 
-  /** Strokes that a canvas has drawn, a photograph of which was read back. */
+  /** Strokes that a canvas has drawn, a photograph of which was read back, and the hand that has drawn them. */
   async tracing() {
     const sheet = Object.assign(document.createElement('canvas'), { width: 360, height: 240 });
     const context = sheet.getContext('2d', { willReadFrequently: true })!;
@@ -193,7 +194,7 @@ const workerTests = {
     const workersBefore = workersMade;
     const inWorker = await trace();
     const workers = workersMade - workersBefore;
-    const createWorker = () => new ScanWorker();
+    const createWorker = () => new HandWorker();
     const inOwnWorker = await traceStrokes(context.getImageData(0, 0, 360, 240), {
       millimetresPerPixel: 1,
       createWorker,
@@ -203,7 +204,9 @@ const workerTests = {
       inWorker,
       inOwnWorker,
       onMainThread: await withoutWorkers(trace),
-      numbers: learnHand(inWorker).numbers,
+      learnt: learnHand(inWorker),
+      learntInWorker: await learnHandAsync(inWorker),
+      learntOnMainThread: await withoutWorkers(() => learnHandAsync(inWorker)),
     };
   },
 

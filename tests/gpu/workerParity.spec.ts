@@ -36,16 +36,18 @@ test('hatch images have the same bytes from the worker and from the main thread'
   expect(onMainThread).toEqual(inWorker);
 });
 
-test('strokes of a picture are the same from the worker, from a worker of the caller and from the main thread', async ({
+test('strokes of a picture, and the hand learnt from them, are the same from the worker, from a worker of the caller and from the main thread', async ({
   page,
 }) => {
-  const { workers, inWorker, inOwnWorker, onMainThread, numbers } = await page.evaluate(() =>
-    window.workerTests.tracing(),
-  );
+  const { workers, inWorker, inOwnWorker, onMainThread, learnt, learntInWorker, learntOnMainThread } =
+    await page.evaluate(() => window.workerTests.tracing());
   expect(workers).toBe(1);
   expect(inWorker).toHaveLength(10);
   expect(inOwnWorker).toEqual(inWorker);
   expect(onMainThread).toEqual(inWorker);
+  expect(learntInWorker).toEqual(learnt);
+  expect(learntOnMainThread).toEqual(learnt);
+  const { numbers } = learnt;
   expect(Math.abs(numbers.width / 6 - 1)).toBeLessThan(0.1);
   expect(Math.abs(numbers.spacing / (30 * Math.cos(Math.atan2(60, 160))) - 1)).toBeLessThan(0.1);
 });

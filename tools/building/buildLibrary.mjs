@@ -9,7 +9,7 @@ const root = fileURLToPath(new URL('../..', import.meta.url));
 const configFile = join(root, 'tools/building/vite.lib.config.ts');
 
 // The first pass empties dist.
-for (const mode of ['production', 'worker', 'svgWorker', 'scanWorker', 'command', 'draw', 'hands', 'react', 'element'])
+for (const mode of ['production', 'worker', 'svgWorker', 'handWorker', 'command', 'draw', 'hands', 'react', 'element'])
   await build({ root, configFile, mode });
 
 const tsc = join(dirname(createRequire(import.meta.url).resolve('typescript/package.json')), 'bin/tsc');

@@ -10,7 +10,7 @@ const ENTRIES: readonly [name: RegExp, source: string, built: string][] = [
   [/^three-hatching\/element$/, 'element/element', 'element'],
   // A query tells Vite how to load the file.
   [/^three-hatching\/svg\.worker(?=$|\?)/, 'svg/svg.worker', 'svg.worker'],
-  [/^three-hatching\/hands\.worker(?=$|\?)/, 'tracing/scan.worker', 'scan.worker'],
+  [/^three-hatching\/hand\.worker(?=$|\?)/, 'handTasks/hand.worker', 'hand.worker'],
   [/^three-hatching\/bake\.worker(?=$|\?)/, 'worker/bake.worker', 'bake.worker'],
 ];
 

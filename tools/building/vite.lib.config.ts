@@ -6,7 +6,7 @@ import { shortShaders } from './shortShaders.js';
 const ENTRIES: Record<string, Record<string, string>> = {
   worker: { 'bake.worker': 'src/worker/bake.worker.ts' },
   svgWorker: { 'svg.worker': 'src/svg/svg.worker.ts' },
-  scanWorker: { 'scan.worker': 'src/tracing/scan.worker.ts' },
+  handWorker: { 'hand.worker': 'src/handTasks/hand.worker.ts' },
   command: { command: 'src/command/main.ts' },
   draw: { 'draw.worker': 'src/command/draw/drawWorker.ts' },
   hands: { hands: 'src/hands/index.ts' },
@@ -50,7 +50,7 @@ const OWN_ENTRIES = {
 
 /**
  * The library: ES modules, three external. Built in passes, so that each result stands alone: `index` with the worker
- * inlined; with `--mode worker`, `--mode svgWorker` and `--mode scanWorker` the same workers as one file each, which a page under a strict Content-Security-Policy
+ * inlined; with `--mode worker`, `--mode svgWorker` and `--mode handWorker` the same workers as one file each, which a page under a strict Content-Security-Policy
  * can serve from its own origin; with `--mode command` the command for Node and its threads; with `--mode hands` the six hands, with `--mode react` the components and with `--mode element` the web
  * component, which import `index` as any page does, so that there is one copy of it.
  */

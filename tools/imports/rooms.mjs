@@ -24,7 +24,7 @@ export const ROOMS = {
   mapFiles: ['strokes', 'hatchImages'],
   worker: ['slices', 'features', 'form', 'bake', 'occlusion', 'detail', 'hatchImages'],
 
-  tracing: ['hand', 'scan', 'worker'],
+  handTasks: ['hand', 'scan', 'worker'],
 
   // With three.js.
   mistakes: [],
@@ -100,7 +100,7 @@ export const ROOMS = {
   'index.ts': [
     'adjacency',
     'scan',
-    'tracing',
+    'handTasks',
     'engraving',
     'hand',
     'strokes',
@@ -190,5 +190,5 @@ export const ROOMS = {
 /** Rooms that know no three.js. */
 export const WITHOUT_THREE = [
   ...['slices', 'mesh', 'adjacency', 'normals', 'features', 'form', 'bake', 'occlusion', 'detail', 'lighting'],
-  ...['hand', 'scan', 'strokes', 'hatchImages', 'mapFiles', 'worker', 'tracing', 'command', 'engraving', 'vector'],
+  ...['hand', 'scan', 'strokes', 'hatchImages', 'mapFiles', 'worker', 'handTasks', 'command', 'engraving', 'vector'],
 ];

@@ -1,8 +1,8 @@
 import { afterAll, expect, test } from 'vitest';
 import { learnHand } from '../../../../src/hand/learnHand.js';
+import { traceStrokes } from '../../../../src/handTasks/traceStrokes.js';
 import type { ScannedImage } from '../../../../src/scan/ScannedImage.js';
 import type { Random } from '../../../../src/settings/Random.js';
-import { traceStrokes } from '../../../../src/tracing/traceStrokes.js';
 import { photograph, straight } from '../../scan/paper.js';
 import { NUMBERS, outcome } from './oddThings.js';
 import { FUZZ_TIMEOUT, type FuzzReport, runCases, seedsOf, writeReport } from './report.js';

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { learnHand } from '../../../src/hand/learnHand.js';
-import { traceStrokes } from '../../../src/tracing/traceStrokes.js';
+import { traceStrokes } from '../../../src/handTasks/traceStrokes.js';
 import { photograph, straight } from '../scan/paper.js';
 import { trace } from '../scan/trace.js';
 

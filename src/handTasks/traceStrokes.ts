@@ -4,11 +4,11 @@ import type { TraceOptions } from '../scan/traceStrokesSteps.js';
 import { checkOptions } from '../worker/checkOptions.js';
 import { runTaskOf } from '../worker/runTask.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
-import { tracing } from './tracing.js';
+import { handTaskSet } from './handTaskSet.js';
 
 /**
  * Options of `traceStrokes`: what is known of the picture, and those of the task. A worker of `createWorker` runs
- * `three-hatching/scan.worker`.
+ * `three-hatching/hand.worker`.
  */
 export interface TraceStrokesOptions extends TraceOptions, TaskOptions {}
 
@@ -41,5 +41,5 @@ export async function traceStrokes(image: ScannedImage, options: TraceStrokesOpt
     const { width, height, data } = image;
     return { image: { width, height, data: data.slice() }, millimetresPerPixel, swatch };
   };
-  return runTaskOf(tracing, 'traceStrokes', request(), task, request);
+  return runTaskOf(handTaskSet, 'traceStrokes', request(), task, request);
 }

@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 import { learnHand } from '../../../src/hand/learnHand.js';
-import { learnHandAsync } from '../../../src/tam/learnHandAsync.js';
+import { learnHandAsync } from '../../../src/handTasks/learnHandAsync.js';
 import { drawSwatch } from '../hand/drawSwatch.js';
 
 const strokes = drawSwatch({ rows: 120, taperEnd: 0.3, angleSpread: 3 });
