@@ -95,6 +95,18 @@ for (const example of EXAMPLES) {
       expect([print.width, print.height]).toEqual([1181, 886]);
       expect(measure(print).edges).toBeGreaterThan(0.01);
     }
+    if (example.folder === 'own-hand') {
+      const swatch = (await page.locator('.swatch').boundingBox())!;
+      for (let i = 0; i < 5; i++) {
+        const [x, y] = [swatch.x + 20, swatch.y + 20 + 14 * i];
+        await page.mouse.move(x, y);
+        await page.mouse.down();
+        await page.mouse.move(x + 90, y + 6, { steps: 6 });
+        await page.mouse.up();
+      }
+      // The strokes on the swatch alone change less than 2 % of the picture.
+      await expect.poll(async () => changedShare(picture, await read(page.locator('.picture')))).toBeGreaterThan(0.05);
+    }
     if (example.folder === 'vector-file') {
       const download = page.waitForEvent('download');
       await page.getByRole('button').click();
