@@ -32,6 +32,9 @@ import {
 import { outlineShaders } from './outlineShaders.js';
 import { createOutlineUniforms, OUTLINE_MESH_UNIFORMS } from './outlineUniforms.js';
 
+/** Stands for the id of a material where there is none. */
+const NO_LOOK = -1;
+
 /** The parameters of `new HatchingOutlineMaterial()` and `setValues()`. */
 export type HatchingOutlineParameters = MaterialParameters &
   Partial<Pick<HatchingOutlineMaterial, OutlineNumberName>> & {
@@ -106,9 +109,9 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
   readonly ofMesh: MeshUniforms;
 
   private hiddenLines: HiddenOutlines = HATCHING_OUTLINE_DEFAULTS.hidden;
-  /** The frame that the uniforms are written for, and what it had for the weight of its lines. */
+  /** The frame that the uniforms are written for, and the id of what says how much weight its lines have: the material itself would be kept. */
   private readonly written = new FrameStamp();
-  private writtenLook: EmphasisLook | null = null;
+  private writtenLook = NO_LOOK;
 
   /** @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour */
   // React Three Fiber resets a removed attribute to its default only if the constructor's length is 0.
@@ -202,22 +205,23 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
     camera: Camera,
     mesh: Mesh,
     viewport: Vector4,
-    look: EmphasisLook | null,
+    look: (Material & EmphasisLook) | null,
     isDeformed: boolean,
   ): void {
     const u = this.uniforms;
     const hasMaterials = Array.isArray(mesh.material);
+    const lookId = look?.id ?? NO_LOOK;
     const isSame =
       !this.ofMesh.isAllWanted &&
       this.written.isOf(renderer, camera) &&
-      look === this.writtenLook &&
+      lookId === this.writtenLook &&
       viewport.equals(u.viewport.value as Vector4);
     if (isSame) {
       this.writeMesh(isDeformed, hasMaterials);
       this.ofMesh.want(renderer);
     } else {
       this.written.note(renderer, camera);
-      this.writtenLook = look;
+      this.writtenLook = lookId;
       (u.viewport.value as Vector4).copy(viewport);
       this.writeUniforms(isDeformed, hasMaterials, renderer.getPixelRatio());
       u.nearDistance.value = (camera as PerspectiveCamera).near ?? 0;

@@ -343,7 +343,7 @@ function meanScale({ elements: m }: Matrix4): number {
 }
 
 /** What says how much weight the drawing of a mesh has where: its first hatching material. Its outlines have the same. */
-function emphasisOf({ material }: Mesh): EmphasisLook | null {
+function emphasisOf({ material }: Mesh): (Material & EmphasisLook) | null {
   const isHatching = (one: Material): boolean => 'isHatchingMaterial' in one;
   const found = Array.isArray(material) ? material.find(isHatching) : isHatching(material) && material;
   return found ? (found as Material & EmphasisLook) : null;
