@@ -2,7 +2,7 @@ import { BoxGeometry, type Group, Matrix4, Mesh, PerspectiveCamera, Scene, Vecto
 import { expect, test } from 'vitest';
 import { prepareHatchingGeometry } from '../../../src/geometry/prepareHatchingGeometry.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
-import { allocated, bytesPerFrame } from '../allocated.js';
+import { leastPerFrame } from '../allocated.js';
 
 /** Enough for the compiler of V8 to have done with what is drawn: before that, every computed number is allocated. */
 const WARM_UP_FRAMES = 4000;
@@ -59,7 +59,6 @@ test.each(Object.entries(LOOKS))('frames leave no garbage: %s', async (_, look) 
   // What is loaded beside a first frame is loaded now.
   await new Promise((resolve) => setTimeout(resolve, 200));
   drawFrames(material, scene, camera, WARM_UP_FRAMES);
-  const bytes = allocated(() => drawFrames(material, scene, camera, FRAMES));
-  const { sum, places } = bytesPerFrame(bytes, FRAMES);
+  const { sum, places } = leastPerFrame((frames) => drawFrames(material, scene, camera, frames), FRAMES, MOST);
   expect(sum, places).toBeLessThan(MOST);
 });

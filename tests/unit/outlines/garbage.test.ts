@@ -12,7 +12,7 @@ import { expect, test } from 'vitest';
 import { prepareHatchingGeometry } from '../../../src/geometry/prepareHatchingGeometry.js';
 import { HatchingOutlineMaterial } from '../../../src/outlines/HatchingOutlineMaterial.js';
 import { HatchingOutlines } from '../../../src/outlines/HatchingOutlines.js';
-import { allocated, bytesPerFrame } from '../allocated.js';
+import { leastPerFrame } from '../allocated.js';
 
 /** Enough for the compiler of V8 to have done with what is drawn: before that, every computed number is allocated. */
 const WARM_UP_FRAMES = 4000;
@@ -60,7 +60,6 @@ test('frames of outlines leave no garbage', async () => {
   drawFrames(WARM_UP_FRAMES);
   const drawnVertices = drawn.map((one) => one.geometry.drawRange.count);
   expect(Math.min(...drawnVertices)).toBeGreaterThan(0);
-  const bytes = allocated(() => drawFrames(FRAMES));
-  const { sum, places } = bytesPerFrame(bytes, FRAMES);
+  const { sum, places } = leastPerFrame(drawFrames, FRAMES, MOST);
   expect(sum, places).toBeLessThan(MOST);
 });
