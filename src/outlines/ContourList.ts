@@ -36,7 +36,10 @@ export class ContourList {
    * @returns whether the list is valid for this eye. If not, every primitive must be tested.
    */
   update(data: OutlineData, eye: Vector4, bounds: Sphere): boolean {
-    const room = eye.w === 0 ? 1 : roomBefore(bounds, eye);
+    const { center, radius } = bounds;
+    // The distance to the sphere, 0 or less inside. Math.hypot, or a function of its own, would leave garbage in every frame.
+    const room =
+      eye.w === 0 ? 1 : Math.sqrt((eye.x - center.x) ** 2 + (eye.y - center.y) ** 2 + (eye.z - center.z) ** 2) - radius;
     if (!(room > 0)) return false;
     const { isSearchedInWorker, search } = data;
     if (data !== this.data) {
@@ -119,12 +122,4 @@ export class ContourList {
     this.texture = new DataTexture(words, width, height, RGBAIntegerFormat, UnsignedIntType);
     return this.texture;
   }
-}
-
-/** The distance from an eye to a sphere; 0 or less inside. Math.hypot would leave garbage in every frame. */
-function roomBefore({ center, radius }: Sphere, eye: Vector4): number {
-  const x = eye.x - center.x;
-  const y = eye.y - center.y;
-  const z = eye.z - center.z;
-  return Math.sqrt(x * x + y * y + z * z) - radius;
 }

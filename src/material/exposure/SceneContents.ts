@@ -60,17 +60,23 @@ export class SceneContents {
   }
 
   private note(fact: number): void {
-    if (this.count === this.facts.length) {
-      const longer = new Float64Array(2 * this.count);
-      longer.set(this.facts);
-      this.facts = longer;
-    }
-    // Infinity, as of a draw range, is equal to itself; what is no number is none every time.
-    if (this.facts[this.count] !== fact) {
-      this.facts[this.count] = fact;
+    const facts = this.factsFor(1);
+    // What is no number is none every time.
+    if (facts[this.count] !== fact) {
+      facts[this.count] = fact;
       this.hasChanged ||= !Number.isNaN(fact);
     }
     this.count++;
+  }
+
+  /** The facts, with room for some more. */
+  private factsFor(more: number): Float64Array {
+    if (this.count + more > this.facts.length) {
+      const longer = new Float64Array(2 * this.facts.length);
+      longer.set(this.facts);
+      this.facts = longer;
+    }
+    return this.facts;
   }
 
   private visit(object: Object3D, layers: number): void {
@@ -131,7 +137,7 @@ export class SceneContents {
     this.note(versionOf(attributes.color));
     this.note(versionOf(attributes.uv));
     this.note(drawRange.start);
-    this.note(drawRange.count);
+    this.note(drawRange.count === Infinity ? -1 : drawRange.count);
   }
 
   private noteMaterial(material: HatchingMaterialProperties): void {
@@ -168,8 +174,14 @@ export class SceneContents {
     this.noteVector(r, g, b);
   }
 
+  /** Every mesh has one: its fractions are compared here, because each would be allocated if it were handed on. */
   private noteMatrix({ elements }: Matrix4): void {
-    for (let i = 0; i < 16; i++) this.note(elements[i]);
+    const facts = this.factsFor(16);
+    for (let i = 0; i < 16; i++, this.count++) {
+      if (facts[this.count] === elements[i]) continue;
+      facts[this.count] = elements[i];
+      this.hasChanged ||= !Number.isNaN(elements[i]);
+    }
   }
 
   private noteVector(x: number, y: number, z: number): void {

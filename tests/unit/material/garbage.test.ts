@@ -51,6 +51,9 @@ test.each(Object.entries(LOOKS))('frames leave no garbage: %s', async (_, look) 
     // A frame of lines that is another for every mesh.
     mesh.userData.hatchingField = new Matrix4().makeTranslation(0.1 * i, 0.5, 0.25).toArray();
     mesh.userData.hatching = { importance: i % 2 };
+    // No whole numbers: those are not allocated in any case.
+    mesh.position.set(0.3 * i, 0.7, 0.1);
+    mesh.rotation.set(0.1 * i, 0.2, 0.3);
     scene.add(mesh);
   }
   scene.updateMatrixWorld();
