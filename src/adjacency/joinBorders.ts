@@ -194,8 +194,7 @@ function pairBorders({ positions, canonicalCorners, areaNormals, pairing }: Pair
     } else {
       const group: number[] = [];
       for (let member = last; member >= 0; member = previous[member]) group.push(open[member]);
-      pairing.nonManifoldEdges++;
-      pairing.steps += matchNonManifoldEdge(group, positions, canonicalCorners, twins);
+      matchNonManifoldEdge(group, positions, canonicalCorners, pairing);
     }
   }
   pairing.steps += open.length;

@@ -1,5 +1,6 @@
 import { nextCorner, previousCorner } from '../mesh/corners.js';
 import { EdgeAxes } from './EdgeAxes.js';
+import type { EdgeCounts } from './EdgeCounts.js';
 
 /** A half-edge of a non-manifold edge. */
 interface HalfEdge {
@@ -20,12 +21,19 @@ interface Candidate {
   right: number;
 }
 
+/** What the pairing of a non-manifold edge is added to. */
+interface EdgePairing extends Pick<EdgeCounts, 'nonManifoldEdges' | 'unpairedEdges'> {
+  twins: Int32Array;
+  /** The number of steps taken. */
+  steps: number;
+}
+
 const TWO_PI = 2 * Math.PI;
 
 /**
  * Pairs the half-edges `corners` of an edge that more than two triangles share. A pair consists of a forward and a backward
  * half-edge. The pair with the closest normals is matched first (the rule of DirectXMesh), then the next, until no forward
- * or no backward half-edge is left. The rest get no twin. Returns the number of steps taken.
+ * or no backward half-edge is left. The rest get no twin.
  *
  * All normals are perpendicular to the edge, so each is an angle about it. The closest pair are always neighbours in the
  * order of angles, so O(n log n) steps replace the comparison of all pairs. Angles and tie-breaks depend on positions
@@ -36,8 +44,9 @@ export function matchNonManifoldEdge(
   corners: readonly number[],
   positions: Float32Array,
   canonicalCorners: Uint32Array,
-  twins: Int32Array,
-): number {
+  pairing: EdgePairing,
+): void {
+  const { twins } = pairing;
   const halfEdges = sortHalfEdges(corners, positions, canonicalCorners);
   const count = halfEdges.length;
   let steps = count;
@@ -68,7 +77,9 @@ export function matchNonManifoldEdge(
     before[outerRight] = outerLeft;
     consider(outerLeft, outerRight);
   }
-  return steps;
+  pairing.steps += steps;
+  pairing.nonManifoldEdges++;
+  if (isMatched.includes(0)) pairing.unpairedEdges++;
 }
 
 /** Returns the half-edges, sorted by angle. */

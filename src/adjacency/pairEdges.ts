@@ -87,6 +87,7 @@ export function* pairEdges(
     twins: new Int32Array(canonicalCorners.length).fill(NO_TWIN),
     borders: [],
     nonManifoldEdges: 0,
+    unpairedEdges: 0,
     inconsistentEdges: 0,
     degenerateTriangles,
     steps: halfEdgeCount,
@@ -204,8 +205,8 @@ function pairRange(
     } else {
       const group: number[] = [];
       for (let member = slot; member !== END; member = previous[member]) group.push(corners[member]);
-      pairing.nonManifoldEdges++;
-      steps += group.length + matchNonManifoldEdge(group, positions, canonicalCorners, twins);
+      steps += group.length;
+      matchNonManifoldEdge(group, positions, canonicalCorners, pairing);
     }
   }
   pairing.inconsistentEdges += inconsistentEdges;

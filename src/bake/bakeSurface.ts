@@ -191,11 +191,12 @@ export function* reportOf(
 ): Generator<number, BakeReport, void> {
   const packed = outlines && (yield* packOutlines(outlines, indices));
   yield 1;
-  const { borderEdges, nonManifoldEdges, inconsistentEdges, degenerateTriangles } = adjacency;
+  const { borderEdges, nonManifoldEdges, unpairedEdges, inconsistentEdges, degenerateTriangles } = adjacency;
   return {
     bounds,
     borderEdges,
     nonManifoldEdges,
+    unpairedEdges,
     inconsistentEdges,
     degenerateTriangles,
     outlines: packed,

@@ -28,6 +28,8 @@ export interface ModelStatistics {
   triangles: number;
   borderEdges: number;
   nonManifoldEdges: number;
+  unpairedEdges: number;
+  inconsistentEdges: number;
   degenerateTriangles: number;
 }
 

@@ -1,6 +1,7 @@
 import { BufferAttribute, BufferGeometry, DoubleSide, FrontSide, type Side } from 'three';
 import { type HatchingStatistics, prepareHatchingGeometry } from 'three-hatching';
 import type { PlainMesh } from '../files/mesh/PlainMesh.js';
+import { isOpen } from './isOpen.js';
 
 /** A mesh baked for hatching. */
 export interface BakedMesh {
@@ -34,6 +35,6 @@ export async function bakeMesh(
   return {
     geometry,
     statistics,
-    side: statistics.borderEdges > 0 || statistics.nonManifoldEdges > 0 ? DoubleSide : FrontSide,
+    side: isOpen(statistics) ? DoubleSide : FrontSide,
   };
 }

@@ -187,7 +187,14 @@ function countVertices(holder: Group): number {
 
 /** Sums over all meshes. Instances and shared geometries count as often as they are drawn. */
 function statisticsOf(root: Object3D): ModelStatistics {
-  const sums: ModelStatistics = { triangles: 0, borderEdges: 0, nonManifoldEdges: 0, degenerateTriangles: 0 };
+  const sums: ModelStatistics = {
+    triangles: 0,
+    borderEdges: 0,
+    nonManifoldEdges: 0,
+    unpairedEdges: 0,
+    inconsistentEdges: 0,
+    degenerateTriangles: 0,
+  };
   for (const mesh of meshesOf(root)) {
     const statistics = mesh.geometry.userData.hatching as HatchingStatistics | undefined;
     if (!mesh.visible || !statistics) continue;

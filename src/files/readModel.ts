@@ -17,6 +17,7 @@ import type { GltfParts } from './gltf/parseGltf.js';
 import type { ReadGltf } from './gltf/readGltf.js';
 import { findUpAxis, type UpAxis, type UsualUp } from './mesh/findUpAxis.js';
 import { fitModel } from './mesh/fitModel.js';
+import { isClosed } from './mesh/isClosed.js';
 import type { PlainMesh } from './mesh/PlainMesh.js';
 import { plainNormals } from './mesh/plainNormals.js';
 import { thinNote } from './mesh/thinNote.js';
@@ -61,6 +62,8 @@ export interface ReadMesh extends Read {
   pictures: (MeshPicture | undefined)[];
   /** Normals for a stand-in that is drawn until the mesh is baked; null if it needs none. */
   plainNormals: Float32Array | null;
+  /** Whether the stand-in encloses something, so that the backs of its triangles are not seen. */
+  isClosed: boolean;
   /** The axis that points up by the model's flat side, if that is not the usual one of its format. */
   stands: UpAxis | undefined;
 }
@@ -159,6 +162,7 @@ async function readMain(
     mesh,
     pictures,
     plainNormals: plainNormals(mesh),
+    isClosed: isClosed(mesh),
     stands: usual && findUpAxis(mesh.positions, mesh.indices, usual),
     missing,
     notes: [...missingNote(missing), ...thinNote(mesh.positions, mesh.indices), ...parsed.notes, ...notes],

@@ -26,12 +26,13 @@ export function finishGeometry(
 ): void {
   applyBounds(geometry, report);
   const outlines = report.outlines && new OutlineData(report.outlines, report.createWorker);
-  const { borderEdges, nonManifoldEdges, inconsistentEdges, degenerateTriangles, computedNormals, zeroedValues } =
-    report;
+  const { borderEdges, nonManifoldEdges, unpairedEdges, inconsistentEdges, degenerateTriangles } = report;
+  const { computedNormals, zeroedValues } = report;
   const statistics: HatchingStatistics = {
     triangles: (geometry.index ?? geometry.attributes.position).count / 3,
     borderEdges,
     nonManifoldEdges,
+    unpairedEdges,
     inconsistentEdges,
     degenerateTriangles,
     computedNormals,

@@ -1,4 +1,4 @@
-import { Box3, BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, Vector3 } from 'three';
+import { Box3, BufferAttribute, BufferGeometry, DoubleSide, FrontSide, Group, Mesh, Vector3 } from 'three';
 import { HatchingMaterial } from 'three-hatching';
 import type { BuiltInScene } from '../../drawing/BuiltInScene.js';
 import { HatchedModel } from '../../drawing/HatchedModel.js';
@@ -10,13 +10,13 @@ import type { Settings } from '../../settings/settings.js';
 import { drawsWithAdjacency } from '../../settings/settingValues.js';
 
 /**
- * A model that is drawn while `read` is baked: with plain normals, without outlines and from both sides. Undefined where the bake
+ * A model that is drawn while `read` is baked: with plain normals and without outlines. Undefined where the bake
  * is short, or where what the settings ask for cannot be drawn without.
  */
 export function standInOf(read: ReadModel | BuiltInScene, settings: Settings): HatchedModel | undefined {
   if (read.kind !== 'mesh' || !read.plainNormals) return undefined;
   if (drawsWithAdjacency(settings)) return undefined;
-  const { mesh, plainNormals } = read;
+  const { mesh, plainNormals, isClosed } = read;
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(mesh.positions, 3));
   geometry.setAttribute('normal', new BufferAttribute(plainNormals, 3));
@@ -25,7 +25,11 @@ export function standInOf(read: ReadModel | BuiltInScene, settings: Settings): H
   // three's own measuring reads number by number, through a function.
   const { low, high } = boundsOf(mesh.positions);
   geometry.boundingBox = new Box3(new Vector3(...low), new Vector3(...high));
-  const material = new HatchingMaterial({ tilesPerUnit: 1, vertexColors: mesh.colors !== null, side: DoubleSide });
+  const material = new HatchingMaterial({
+    tilesPerUnit: 1,
+    vertexColors: mesh.colors !== null,
+    side: isClosed ? FrontSide : DoubleSide,
+  });
   const drawn = new Mesh(geometry, material);
   // The only object there is: nothing is to be gained from measuring whether it is in view.
   drawn.frustumCulled = false;
@@ -33,6 +37,8 @@ export function standInOf(read: ReadModel | BuiltInScene, settings: Settings): H
     triangles: triangleCount(mesh),
     borderEdges: 0,
     nonManifoldEdges: 0,
+    unpairedEdges: 0,
+    inconsistentEdges: 0,
     degenerateTriangles: 0,
   };
   return new HatchedModel(

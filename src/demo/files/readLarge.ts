@@ -1,5 +1,6 @@
 import { MOST_PIXELS } from '../../detail/chooseLevel.js';
 import { clusterMesh } from '../../files/mesh/clusterMesh.js';
+import { isClosed } from '../../files/mesh/isClosed.js';
 import { triangleCount } from '../../files/mesh/PlainMesh.js';
 import { plainNormals } from '../../files/mesh/plainNormals.js';
 import type { ReadMesh, ReadModel } from '../../files/readModel.js';
@@ -14,7 +15,7 @@ export const isTooFine = (model: ReadModel): model is ReadMesh =>
 /** A coarse copy of a model, to be drawn until it is simplified. */
 export function coarseModel(model: ReadMesh): ReadMesh {
   const mesh = clusterMesh(model.mesh);
-  return { ...model, mesh, plainNormals: plainNormals({ ...mesh, normals: null }) };
+  return { ...model, mesh, plainNormals: plainNormals({ ...mesh, normals: null }), isClosed: isClosed(mesh) };
 }
 
 /**
@@ -43,6 +44,7 @@ export async function simplified(model: ReadMesh, onProgress: (progress: number)
     ...model,
     mesh,
     plainNormals: plainNormals(mesh),
+    isClosed: isClosed(mesh),
     details: [
       ...model.details,
       `${drawn} of ${all} triangles are drawn, which lie within ${share} % of the radius from all of them: less than can be seen if the model is up to ${pixels} pixels across`,

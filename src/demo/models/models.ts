@@ -194,6 +194,7 @@ function readMesh(name: string, mesh: PlainMesh): ReadModel {
     mesh,
     pictures: [],
     plainNormals: null,
+    isClosed: false,
     stands: undefined,
     name,
     notes: [],

@@ -1,9 +1,9 @@
-import { Box3, BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh } from 'three';
+import { Box3, BufferAttribute, BufferGeometry, FrontSide, Group, Mesh } from 'three';
 import { HatchingMaterial } from 'three-hatching';
 import { HatchedModel } from '../../drawing/HatchedModel.js';
 
 /**
- * A triangle without an area, with the attributes and the material of a scan. It is drawn while the first model is loaded, so that its
+ * A triangle without an area, with the attributes and the material of a closed scan. It is drawn while the first model is loaded, so that its
  * programs are built by then: browsers compile part of a program in the first frame that draws with it.
  */
 export function makeForerunner(): HatchedModel {
@@ -11,10 +11,17 @@ export function makeForerunner(): HatchedModel {
   geometry.setAttribute('position', new BufferAttribute(new Float32Array(9), 3));
   geometry.setAttribute('normal', new BufferAttribute(new Float32Array(9), 3));
   geometry.setAttribute('hatchNormal', new BufferAttribute(new Int16Array(12), 4, true));
-  const material = new HatchingMaterial({ tilesPerUnit: 1, side: DoubleSide });
+  const material = new HatchingMaterial({ tilesPerUnit: 1, side: FrontSide });
   const drawn = new Mesh(geometry, material);
   drawn.frustumCulled = false;
-  const statistics = { triangles: 1, borderEdges: 0, nonManifoldEdges: 0, degenerateTriangles: 1 };
+  const statistics = {
+    triangles: 1,
+    borderEdges: 0,
+    nonManifoldEdges: 0,
+    unpairedEdges: 0,
+    inconsistentEdges: 0,
+    degenerateTriangles: 1,
+  };
   return new HatchedModel(
     new Group().add(drawn),
     new Box3(),

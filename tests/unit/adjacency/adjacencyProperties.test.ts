@@ -115,13 +115,14 @@ describe('triangle adjacency of any mesh', () => {
     fc.assert(
       fc.property(anyMesh, (mesh) => {
         const adjacency = finish(buildTriangleAdjacency(mesh));
-        const counts = { borderEdges: 0, nonManifoldEdges: 0, inconsistentEdges: 0 };
+        const counts = { borderEdges: 0, nonManifoldEdges: 0, unpairedEdges: 0, inconsistentEdges: 0 };
         for (const group of halfEdges(mesh).values()) {
           const forward = group.filter((corner) => isForward(mesh, corner)).length;
           const paired = group.filter((corner) => adjacency.twins[corner] !== NO_TWIN).length;
           if (group.length === 1) counts.borderEdges++;
           else if (group.length > 2) counts.nonManifoldEdges++;
           else if (forward !== 1) counts.inconsistentEdges++;
+          if (group.length > 2 && 2 * forward !== group.length) counts.unpairedEdges++;
           expect(paired).toBe(group.length === 2 ? 2 : 2 * Math.min(forward, group.length - forward));
         }
         expect(adjacency).toMatchObject(counts);

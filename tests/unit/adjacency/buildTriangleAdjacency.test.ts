@@ -3,7 +3,13 @@ import { buildTriangleAdjacency } from '../../../src/adjacency/buildTriangleAdja
 import type { EdgeCounts } from '../../../src/adjacency/EdgeCounts.js';
 import { book, byTriangle, fan, finish, meshOf } from '../mesh/meshes.js';
 
-const manifold: EdgeCounts = { borderEdges: 0, nonManifoldEdges: 0, inconsistentEdges: 0, degenerateTriangles: 0 };
+const manifold: EdgeCounts = {
+  borderEdges: 0,
+  nonManifoldEdges: 0,
+  unpairedEdges: 0,
+  inconsistentEdges: 0,
+  degenerateTriangles: 0,
+};
 
 const cases: {
   name: string;
@@ -139,7 +145,7 @@ const cases: {
       [0, -1, -1],
       [-1, -1, -1],
     ],
-    counts: { borderEdges: 6, nonManifoldEdges: 1 },
+    counts: { borderEdges: 6, nonManifoldEdges: 1, unpairedEdges: 1 },
   },
   {
     //  2 ── 3

@@ -103,6 +103,7 @@ describe('the prepared geometry', () => {
       triangles: 2,
       borderEdges: 4,
       nonManifoldEdges: 0,
+      unpairedEdges: 0,
       inconsistentEdges: 0,
       degenerateTriangles: 0,
       computedNormals: 4,

@@ -2,6 +2,7 @@ import { HatchingMaterial } from 'three-hatching';
 import type { BuiltInScene } from '../../../drawing/BuiltInScene.js';
 import { buildModel } from '../../../drawing/buildModel.js';
 import type { HatchedModel } from '../../../drawing/HatchedModel.js';
+import { isOpen } from '../../../drawing/isOpen.js';
 import type { Report } from '../../../drawing/Report.js';
 import type { BundledDrawing } from '../../../files/archives/bundle.js';
 import { shownName } from '../../../files/common/shownText.js';
@@ -274,7 +275,7 @@ export class ModelLoader {
     this.shownFiles = loaded.shown ?? { files: [], missing: [] };
     this.sceneRadius = read.kind === 'mesh' ? undefined : 1 / next.root.scale.x;
     const { statistics } = next;
-    this.isOpen = read.kind === 'mesh' && statistics.borderEdges + statistics.nonManifoldEdges > 0;
+    this.isOpen = read.kind === 'mesh' && isOpen(statistics);
     settings.model = model;
     if (!isRestored && !hasStandIn) settings.upAxis = read.upAxis;
     // Notes on what was left out matter for the user's own models only.

@@ -7,7 +7,14 @@ const FACTS: Facts = {
   graphics: 'ANGLE (NVIDIA, NVIDIA GeForce RTX 3060)',
   sheet: { width: 900, height: 700, pixelRatio: 1.5 },
   model: 'bunny',
-  statistics: { triangles: 3851, borderEdges: 42, nonManifoldEdges: 0, degenerateTriangles: 1 },
+  statistics: {
+    triangles: 3851,
+    borderEdges: 42,
+    nonManifoldEdges: 0,
+    unpairedEdges: 0,
+    inconsistentEdges: 0,
+    degenerateTriangles: 1,
+  },
   meshes: { all: 3, formed: 2 },
   settings: 'technique=engraved&ink=%23000000',
 };
