@@ -10,5 +10,12 @@ export interface DetailRequest extends HatchedVertices {
 }
 
 /** The buffers of a request, which are transferred with it. */
-export const detailRequestBuffers = ({ positions, hatchNormals, uvs, colors, indices }: DetailRequest): ArrayBuffer[] =>
-  [positions, hatchNormals, uvs, colors, indices].flatMap((array) => (array ? [array.buffer] : []));
+export const detailRequestBuffers = ({
+  positions,
+  hatchNormals,
+  uvs,
+  colors,
+  forms,
+  indices,
+}: DetailRequest): ArrayBuffer[] =>
+  [positions, hatchNormals, uvs, colors, forms, indices].flatMap((array) => (array ? [array.buffer] : []));

@@ -61,7 +61,7 @@ export interface ApplyHatchingOptions extends Omit<PrepareHatchingGeometryOption
   /**
    * Draws meshes of more than 200,000 triangles with as many of them as can be seen: simpler levels of the baked mesh, none of which lies
    * farther from it than a third of a pixel in any view. It takes meshoptimizer, whose address you pass. Instances, batches, meshes that
-   * deform, have several materials, adjacency or lines along the form are drawn whole. Default: all meshes are.
+   * deform, have several materials or adjacency are drawn whole, and those that await lines along the form, until these are there. Default: all meshes are.
    */
   detail?: DetailOptions | undefined;
   /** Returns whether to hatch a mesh. Default: all meshes are hatched. */

@@ -10,6 +10,7 @@ import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { tell } from '../mistakes/tell.js';
 import { runSliced } from '../slices/runSliced.js';
 import { bakeGeometries } from './bakeGeometries.js';
+import type { MakeLevels } from './detail/levelMaker.js';
 import type { FirstFrame } from './FirstFrame.js';
 import { cornerCount } from './jointForms/cornerCount.js';
 import type { GeometryPlan } from './jointForms/FormGroup.js';
@@ -52,6 +53,8 @@ export class LaterForms {
   private readonly angles = new Map<BufferGeometry, number>();
   private turning = new AbortController();
   private readonly stopping = new AbortController();
+  /** Each ends that levels of detail of a geometry are drawn. */
+  private readonly hideDetail = new Map<BufferGeometry, () => void>();
 
   /**
    * @param plans of all geometries
@@ -59,7 +62,7 @@ export class LaterForms {
    * @param options of the bake
    * @param listeners hear of it
    * @param disposables holds the geometries that are drawn
-   * @param frame prepares frames, if the renderer is known
+   * @param drawing what prepares frames, if the renderer is known, and what makes levels of detail, if they are asked for
    */
   constructor(
     private readonly plans: Plans,
@@ -67,7 +70,7 @@ export class LaterForms {
     private readonly options: PrepareHatchingGeometryOptions,
     private readonly listeners: Listeners,
     private readonly disposables: { dispose(): void }[],
-    private readonly frame: FirstFrame | null,
+    private readonly drawing: { firstFrame: FirstFrame | null; detail: MakeLevels | null },
   ) {
     this.atOnce = new Map(
       [...plans].map(([geometry, plan]) => {
@@ -104,10 +107,12 @@ export class LaterForms {
     if (plans.size > 0) this.ready = this.replace(plans, this.stopping.signal, 'lines go by the light');
   }
 
-  /** Stops all bakes. */
+  /** Stops all bakes, and draws whole meshes. */
   stop(): void {
     this.stopping.abort();
     this.turning.abort();
+    for (const hide of this.hideDetail.values()) hide();
+    this.hideDetail.clear();
   }
 
   /** Notices another angle of crossing lines where a field is drawn. */
@@ -160,8 +165,10 @@ export class LaterForms {
       }
       if (exchanges.length === 0) return;
       for (const { from, to } of exchanges) copyOcclusion(from, to);
-      await this.prepareFrame(exchanges, signal);
-      await this.changeOver(exchanges, plans, signal);
+      const looks = this.looksWith(exchanges);
+      const details = await this.makeDetail(looks, signal);
+      await this.prepareFrame(looks, signal);
+      await this.changeOver(exchanges, plans, signal, details);
       for (const { to } of exchanges) made.delete(to);
     } catch (error) {
       if (!signal.aborted) sayFailed(error as Error);
@@ -171,20 +178,45 @@ export class LaterForms {
   }
 
   /** Has programs built and geometries uploaded before they are drawn, so that no frame waits for it. */
-  private async prepareFrame(exchanges: readonly Exchange[], signal: AbortSignal): Promise<void> {
-    const { frame } = this;
-    if (!frame) return;
-    const looks = this.looks.flatMap(({ mesh, geometry, material }) => {
-      const exchange = exchanges.find(({ from }) => from === geometry);
-      return exchange ? [{ mesh, geometry: exchange.to, material }] : [];
+  private async prepareFrame(looks: readonly MeshLook[], signal: AbortSignal): Promise<void> {
+    const { firstFrame } = this.drawing;
+    if (!firstFrame) return;
+    firstFrame.compile(looks, [], true);
+    await runSliced(firstFrame.upload(looks), { signal });
+    await firstFrame.built(signal);
+  }
+
+  /** The looks that meshes are going to have. */
+  private looksWith(exchanges: readonly Exchange[]): MeshLook[] {
+    return this.looks.flatMap((look) => {
+      const exchange = exchanges.find(({ from }) => from === look.geometry);
+      return exchange ? [{ ...look, geometry: exchange.to }] : [];
     });
-    frame.compile(looks, [], true);
-    await runSliced(frame.upload(looks), { signal });
-    await frame.built(signal);
+  }
+
+  /** Makes levels of detail of geometries, if they are asked for. Each has the levels of one drawn. */
+  private async makeDetail(
+    looks: readonly MeshLook[],
+    signal: AbortSignal,
+  ): Promise<ReadonlyMap<BufferGeometry, () => () => void>> {
+    const details = new Map<BufferGeometry, () => () => void>();
+    const { detail } = this.drawing;
+    if (!detail) return details;
+    for (const geometry of new Set(looks.map((look) => look.geometry))) {
+      const its = looks.filter((look) => look.geometry === geometry);
+      details.set(geometry, await detail(its));
+      signal.throwIfAborted();
+    }
+    return details;
   }
 
   /** Draws with other geometries. Lines around the light fade into the even grey of their tone, and those along the form come out of it. */
-  private async changeOver(exchanges: readonly Exchange[], plans: Plans, signal: AbortSignal): Promise<void> {
+  private async changeOver(
+    exchanges: readonly Exchange[],
+    plans: Plans,
+    signal: AbortSignal,
+    details: ReadonlyMap<BufferGeometry, () => () => void>,
+  ): Promise<void> {
     const { invalidate = () => {} } = this.listeners;
     const fading = exchanges.filter(({ from }) => !isFormed(from));
     const before = fading.map(({ from }) => from);
@@ -193,6 +225,10 @@ export class LaterForms {
     signal.throwIfAborted();
     for (const { from, to, source } of exchanges) {
       this.exchange(from, to);
+      this.hideDetail.get(from)?.();
+      this.hideDetail.delete(from);
+      const showDetail = details.get(to);
+      if (showDetail) this.hideDetail.set(to, showDetail());
       this.drawn.set(source, to);
       this.watch(source, plans.get(source)!);
     }

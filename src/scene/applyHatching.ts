@@ -17,7 +17,7 @@ import { assertTree } from './assertTree.js';
 import { bakeGeometries } from './bakeGeometries.js';
 import { type ChosenMeshes, chooseMeshes } from './chooseMeshes.js';
 import { claimMeshes } from './claimMeshes.js';
-import type { levelMaker } from './detail/levelMaker.js';
+import type { MakeLevels } from './detail/levelMaker.js';
 import type { FirstFrame } from './FirstFrame.js';
 import { failure } from './failure.js';
 import { crossingMaterials, geometryPlans, type OldLook, type PlannedMesh } from './geometryPlans.js';
@@ -181,7 +181,7 @@ async function makeLooks(
   const [onBake, onMap, onFrame, onDetail] = progressParts(onProgress, [bakeShare, mapShare, frameShare, detailShare]);
   const prepare = { ...prepareOptions(options), outlines: outlineMaker?.creases ?? false };
   const plans = geometryPlans(planned, options);
-  const forms = await laterFormsOf(plans, planned, options, prepare, disposables, firstFrame);
+  const forms = await laterFormsOf(plans, planned, options, prepare, disposables, { firstFrame, detail });
   // What dresses the meshes is fetched while they are baked.
   const [baked, maps, dressing] = await sideBySide(
     signal,
@@ -246,7 +246,7 @@ async function laterFormsOf(
   options: ApplyHatchingOptions,
   prepare: PrepareHatchingGeometryOptions,
   disposables: { dispose(): void }[],
-  frame: FirstFrame | null,
+  drawing: { firstFrame: FirstFrame | null; detail: MakeLevels | null },
 ): Promise<LaterForms | null> {
   if ([...plans.values()].every(({ form }) => !form)) return null;
   const [{ LaterForms }, { formGroups }] = await Promise.all([
@@ -255,11 +255,11 @@ async function laterFormsOf(
   ]);
   const groups = await runSliced(formGroups(planned, plans), { signal: options.signal });
   for (const [geometry, plan] of plans) plan.group = groups.get(geometry);
-  return new LaterForms(plans, crossingMaterials(planned, options), prepare, options, disposables, frame);
+  return new LaterForms(plans, crossingMaterials(planned, options), prepare, options, disposables, drawing);
 }
 
 /** What makes levels of detail, if they are asked for. Scenes without them do not load it. @throws TypeError for a wrong option */
-async function detailOf(options: ApplyHatchingOptions): Promise<ReturnType<typeof levelMaker> | null> {
+async function detailOf(options: ApplyHatchingOptions): Promise<MakeLevels | null> {
   return options.detail ? (await import('./detail/levelMaker.js')).levelMaker(options.detail, options) : null;
 }
 

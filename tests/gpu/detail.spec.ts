@@ -77,6 +77,53 @@ test('levels are drawn by distance, look as the whole mesh does, and change no m
   expect(memory[1].geometries).toBe(memory[0].geometries);
 });
 
+test('lines along the form lie in levels where they lie in the whole mesh', async ({ page }) => {
+  const views = await page.evaluate(async (simplifier) => {
+    const { THREE, applyHatching, sceneOf, sun, pixelsOf, makeRenderer, makeCamera } = window.toolkit;
+    const renderer = makeRenderer();
+    // A shape whose field has singular points, and cuts between them.
+    const lump = () => {
+      const geometry = new THREE.SphereGeometry(1, 512, 256);
+      const { position } = geometry.attributes;
+      const p = new THREE.Vector3();
+      for (let i = 0; i < position.count; i++) {
+        p.fromBufferAttribute(position, i);
+        p.multiplyScalar(0.75 + 0.12 * Math.sin(4 * p.x + 1) * Math.sin(5 * p.y) + 0.1 * Math.sin(3 * p.z));
+        position.setXYZ(i, p.x, p.y, p.z);
+      }
+      return geometry.deleteAttribute('normal').deleteAttribute('uv');
+    };
+    const hatchedScene = async (detail: { simplifier: string } | undefined) => {
+      const mesh = new THREE.Mesh(lump(), new THREE.MeshStandardMaterial());
+      const hatched = await applyHatching(mesh, {
+        detail,
+        material: { technique: 'engraved', lineField: 'form', lineSpacing: 4 },
+      });
+      const formed = await hatched.formReady;
+      return { hatched, formed: formed.length, scene: sceneOf(sun(), mesh) };
+    };
+    const scenes = [await hatchedScene(undefined), await hatchedScene({ simplifier })];
+    const views = [1.6, 3, 3.1, 6, 6.2, 12].map((distance) => {
+      const camera = makeCamera();
+      camera.position.z = distance;
+      return scenes.map(({ scene, formed }) => {
+        const pixels = pixelsOf(scene, renderer, camera);
+        return { pixels, formed, triangles: renderer.info.render.triangles };
+      });
+    });
+    for (const { hatched } of scenes) hatched.dispose();
+    return views;
+  }, SIMPLIFIER);
+  for (const [whole, leveled] of views) {
+    expect([whole.formed, leveled.formed]).toEqual([1, 1]);
+    expect(edges(whole.pixels)).toBeGreaterThan(100);
+    expect(differing(whole.pixels, leveled.pixels, 32)).toBeLessThan(edges(whole.pixels) / 30);
+  }
+  const triangles = views.map(([, leveled]) => leveled.triangles);
+  expect(triangles[0]).toBeLessThan(0.6 * views[0][0].triangles);
+  expect(triangles.at(-1)).toBeLessThan(0.04 * views[0][0].triangles);
+});
+
 test('two cameras, shadows, clones and rays: each sees its own level or the whole mesh', async ({ page }) => {
   const { counts, hits } = await page.evaluate(async (simplifier) => {
     const { THREE, applyHatching, sceneOf, sun, pixelsOf, makeRenderer, makeCamera } = window.toolkit;

@@ -1,8 +1,9 @@
 /** What draws large meshes with no more triangles than can be seen. It is fetched where the option `detail` is set. */
 import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from 'three';
+import { formLayout } from '../../bake/formLayout.js';
 import { hatchNormal } from '../../bake/hatchNormal.js';
 import type { DetailRequest } from '../../detail/DetailRequest.js';
-import { isFormExpected, isFormed } from '../../geometry/formGeometry.js';
+import { isFormExpected } from '../../geometry/formGeometry.js';
 import { tell } from '../../mistakes/tell.js';
 import { runSliced } from '../../slices/runSliced.js';
 import { runTask } from '../../worker/runTask.js';
@@ -21,8 +22,8 @@ function canHaveLevels({ geometry, mesh, material }: MeshLook): boolean {
   const { index, attributes, morphAttributes } = geometry;
   if (isBatched(mesh) || 'isInstancedMesh' in mesh || 'isSkinnedMesh' in mesh || Array.isArray(material)) return false;
   if (!index || index.count < 3 * FEWEST_TRIANGLES || Object.keys(morphAttributes).length > 0) return false;
-  // Lines along the form jump from edge to edge of its cuts.
-  if (isFormed(geometry) || isFormExpected(geometry)) return false;
+  // Another geometry takes its place in a moment.
+  if (isFormExpected(geometry)) return false;
   const { position, uv, color } = attributes;
   return [position, uv, color].every((attribute) => attribute === undefined || isPlain(attribute));
 }
@@ -32,7 +33,7 @@ const isPlain = (attribute: BufferAttribute | InterleavedBufferAttribute): boole
 
 /** Copies of what the worker needs of a geometry. It yields after each, since they are large. */
 function* requestOf(geometry: BufferGeometry, simplifier: string): Generator<number, DetailRequest, void> {
-  const { position, uv, color, [hatchNormal.name]: normal } = geometry.attributes;
+  const { position, uv, color, [hatchNormal.name]: normal, [formLayout.value.name]: form } = geometry.attributes;
   const positions = new Float32Array(position.array);
   yield 0;
   const hatchNormals = new Int16Array(normal.array);
@@ -41,11 +42,15 @@ function* requestOf(geometry: BufferGeometry, simplifier: string): Generator<num
   yield 0;
   const uvs = uv ? new Float32Array(uv.array) : null;
   const colors = color ? new Float32Array(color.array) : null;
-  return { positions, hatchNormals, uvs, colors, indices, radius: geometry.boundingSphere!.radius, simplifier };
+  const forms = form ? new Float32Array(form.array) : null;
+  return { positions, hatchNormals, uvs, colors, forms, indices, radius: geometry.boundingSphere!.radius, simplifier };
 }
 
 /** Makes levels of looks, and reports its progress in [0, 1]. What it returns has them drawn; what that returns ends it. */
-type MakeLevels = (looks: readonly MeshLook[], onProgress?: (progress: number) => void) => Promise<() => () => void>;
+export type MakeLevels = (
+  looks: readonly MeshLook[],
+  onProgress?: (progress: number) => void,
+) => Promise<() => () => void>;
 
 /**
  * What makes levels of all large meshes that can have them, one after the other. Where the simplifier cannot be loaded, it says so, and the
