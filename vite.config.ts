@@ -7,6 +7,7 @@ import { firstPartCheck } from './tools/building/firstPart.js';
 import { formSources } from './tools/building/formSources.js';
 import { laterParts } from './tools/building/laterParts.js';
 import { libraryEntries } from './tools/building/libraryEntries.js';
+import { occlusionAhead } from './tools/building/occlusionAhead.js';
 import { pageInputs, pages } from './tools/building/pages.js';
 import { shortShaders } from './tools/building/shortShaders.js';
 import { noticeCheck, noticeFile } from './tools/notice/noticePlugin.js';
@@ -27,6 +28,7 @@ export default defineConfig(
         shortShaders,
         bundledWorker(() => [noticeCheck()]),
         formSources,
+        occlusionAhead,
         firstPartCheck,
         laterParts,
         fetchedAhead,

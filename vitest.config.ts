@@ -1,10 +1,11 @@
 import { defineConfig } from 'vitest/config';
 import { formSources } from './tools/building/formSources.js';
 import { libraryEntries } from './tools/building/libraryEntries.js';
+import { occlusionAhead } from './tools/building/occlusionAhead.js';
 
 /** Tests that need no browser: pure code, and the double-precision reference. */
 export default defineConfig({
-  plugins: [formSources],
+  plugins: [formSources, occlusionAhead],
   resolve: { alias: libraryEntries('./src/', 'ts') },
   test: {
     environment: 'node',

@@ -29,3 +29,9 @@ declare module 'virtual:form-sources' {
   >;
   export default sources;
 }
+
+/** The address of the ambient occlusion of a model; undefined where none was baked. See tools/building/occlusionAhead.ts. */
+declare module '*?occlusion' {
+  const url: string | undefined;
+  export default url;
+}

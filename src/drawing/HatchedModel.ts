@@ -65,6 +65,8 @@ export const BLANK: readonly (readonly [number, number])[] = [
 
 /** A model with hatching materials: one set that is drawn, and, from the first comparison on, a copy of it for the compared technique. */
 export class HatchedModel {
+  /** Whether its ambient occlusion came with it, so that none is to be baked. */
+  isOccluded = false;
   private readonly pairs: readonly MaterialPair[];
   private readonly meshes: { mesh: Mesh; drawn: Material | Material[]; compared: Material | Material[] }[];
   /** The look that the materials have, as a text; undefined while they have another. */

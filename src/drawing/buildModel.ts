@@ -3,7 +3,6 @@ import { triangleCount } from '../files/mesh/PlainMesh.js';
 import type { ReadModel } from '../files/readModel.js';
 import type { BuiltInScene } from './BuiltInScene.js';
 import type { HatchedModel } from './HatchedModel.js';
-import { modelOfMesh } from './modelOfMesh.js';
 import type { Report } from './Report.js';
 
 /**
@@ -32,7 +31,8 @@ async function hatch(
     const count = triangleCount(read.mesh).toLocaleString('en');
     const onProgress = (progress: number): void => report(`joining ${count} triangles`, progress);
     try {
-      const model = await modelOfMesh(read.mesh, { signal, onProgress }, read.pictures, read.stands);
+      const { modelOfMesh } = await import('./modelOfMesh.js');
+      const model = await modelOfMesh(read.mesh, { signal, onProgress }, read);
       return { model, notes: read.notes };
     } catch (error) {
       signal.throwIfAborted();

@@ -1,11 +1,12 @@
 import { Group, Mesh, SRGBColorSpace, Texture } from 'three';
 import { HatchingMaterial, HatchingOutlines, SceneExtent } from 'three-hatching';
-import type { UpAxis } from '../files/mesh/findUpAxis.js';
 import type { PlainMesh } from '../files/mesh/PlainMesh.js';
 import type { MeshPicture } from '../files/pictures/meshPictures.js';
+import type { ReadMesh } from '../files/readModel.js';
 import { bakeMesh } from './bakeMesh.js';
 import { HatchedModel } from './HatchedModel.js';
 import { outlineOf } from './outlineOf.js';
+import { writeOcclusion } from './writeOcclusion.js';
 
 /** The alpha below which a cut-out surface is not drawn. */
 const CUT_OUT = 0.5;
@@ -13,15 +14,17 @@ const CUT_OUT = 0.5;
 /**
  * Makes a hatched model of one mesh, with a material for each of its pictures.
  *
- * @param pictures of its ranges, whose bitmaps the model owns from now on
+ * @param known of it: the pictures of its ranges, whose bitmaps the model owns from now on, which of its axes points up, and its occlusion
  */
 export async function modelOfMesh(
   mesh: PlainMesh,
   options: { signal: AbortSignal; onProgress: (progress: number) => void },
-  pictures: readonly (MeshPicture | undefined)[] = [],
-  stands?: UpAxis,
+  { pictures = [], stands, occlusion }: Partial<Pick<ReadMesh, 'pictures' | 'stands' | 'occlusion'>> = {},
 ): Promise<HatchedModel> {
   const { geometry, statistics, side } = await bakeMesh(mesh, { ...options, outlines: true });
+  // An incomplete file does not fit.
+  const isOccluded = occlusion !== undefined && occlusion.length >= mesh.positions.length / 3;
+  if (isOccluded) writeOcclusion(geometry, mesh, occlusion);
   const textures = pictures.map((picture) => picture && textureOf(picture));
   const root = new Group();
   const extent = new SceneExtent(root, geometry.boundingBox!);
@@ -33,7 +36,7 @@ export async function modelOfMesh(
   const drawn = new Mesh(geometry, mesh.ranges ? materials : materials[0]);
   const outlines = new HatchingOutlines(drawn);
   root.add(drawn.add(outlines));
-  return new HatchedModel(
+  const model = new HatchedModel(
     root,
     geometry.boundingBox!,
     outlineOf(mesh.positions),
@@ -49,6 +52,8 @@ export async function modelOfMesh(
       for (const picture of pictures) picture?.bitmap.close();
     },
   );
+  model.isOccluded = isOccluded;
+  return model;
 }
 
 function textureOf({ bitmap, wrapS, wrapT }: MeshPicture): Texture {

@@ -66,6 +66,8 @@ export interface ReadMesh extends Read {
   isClosed: boolean;
   /** The axis that points up by the model's flat side, if that is not the usual one of its format. */
   stands: UpAxis | undefined;
+  /** The ambient occlusion, as `writeOcclusion` of src/drawing takes it, if it was baked already. */
+  occlusion?: Uint8Array<ArrayBuffer> | undefined;
 }
 
 export interface ReadParts extends Read {

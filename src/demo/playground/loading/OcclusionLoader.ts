@@ -22,7 +22,7 @@ export class OcclusionLoader {
   /** Whether a bake will start as soon as the model has been drawn without occlusion. */
   get isAwaited(): boolean {
     const { model, isLost } = this.stage;
-    return model !== undefined && model !== this.model && this.settings.occlusion > 0 && !isLost;
+    return model !== undefined && model !== this.model && !model.isOccluded && this.settings.occlusion > 0 && !isLost;
   }
 
   /**

