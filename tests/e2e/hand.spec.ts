@@ -79,6 +79,21 @@ test('five strokes of a pen are a hand: the model is hatched with it, and what i
   await expect(swatches(page)).toHaveAccessibleName('The sheet to draw on, with 5 strokes: light 0, middle 5, dark 0');
 });
 
+test('the names of the fields stay on paper where strokes are drawn over them', async ({ page }) => {
+  await openPlayground(page, PLAIN);
+  await openSheet(page);
+  const label = sheetOf(page).getByText('Middle', { exact: true });
+  const before = await label.screenshot();
+  for (const y of [0.36, 0.38, 0.4]) {
+    await drawWithPen(
+      page,
+      [0.7, 0.8, 0.9, 0.98].map((x) => ({ x, y, force: 0.9 })),
+    );
+  }
+  await expect(saidOf(page)).toHaveText(/^3 strokes/);
+  expect((await label.screenshot()).equals(before)).toBe(true);
+});
+
 test('the pen’s pressure is learnt: pressed harder, strokes are wider', async ({ page }) => {
   await openPlayground(page, PLAIN);
   await openSheet(page);

@@ -40,7 +40,7 @@ export class SwatchCanvas {
     const labels = SWATCHES.map(({ label, darkness }) => {
       const patch = element('i', { className: 'hand-tone' });
       patch.style.opacity = String(darkness);
-      return element('span', {}, label, patch);
+      return element('span', {}, element('b', { className: 'hand-label' }, label, patch));
     });
     const guides = element('div', { className: 'hand-guides' }, ...labels);
     guides.setAttribute('aria-hidden', 'true');
