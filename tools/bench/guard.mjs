@@ -37,7 +37,7 @@ async function compareWith(commit) {
         const times = await measureFigure(browser.measure);
         return medianInterval(ratios(times.new, times.old));
       });
-      rows.push([name, intervals.map(withInterval).join(', then '), verdict]);
+      rows.push([name, intervals.map((interval) => withInterval(interval)).join(', then '), verdict]);
       if (verdict === 'far slower') process.exitCode = 1;
     }
   } finally {

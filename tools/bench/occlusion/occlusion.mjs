@@ -40,7 +40,7 @@ ${table([
     one.triangles.toLocaleString('en'),
     ...one.passes.map(figure),
     figure(one.longest),
-    ...Object.values(one.frames).map(withInterval),
+    ...Object.values(one.frames).map((interval) => withInterval(interval)),
   ]),
 ])}`;
   },
