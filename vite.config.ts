@@ -47,6 +47,7 @@ export default defineConfig(
       include: [
         'three',
         'three/webgpu',
+        'three/tsl',
         'lil-gui',
         'mediabunny',
         'meshoptimizer/simplifier',
