@@ -73,6 +73,17 @@ export const ROOMS = {
     'material',
     '/shaders',
   ],
+  // Materials of nodes, for WebGPURenderer. They import nothing that holds GLSL.
+  webgpu: ['mistakes', 'bake', 'features', 'engraving', 'geometry', 'material', 'outlines'],
+  'webgpu/nodes': [],
+  'webgpu/nodes/chunks': ['/src/webgpu/nodes/uniforms.ts', '/src/webgpu/nodes/values.ts'],
+  'webgpu/nodes/outlines': [
+    'chunks',
+    '/src/webgpu/nodes/textures.ts',
+    '/src/webgpu/nodes/uniforms.ts',
+    '/src/webgpu/nodes/values.ts',
+  ],
+  'webgpu/outlines': ['nodes'],
   background: ['mistakes', 'bake', 'engraving/constants', 'material', '/shaders'],
   scene: [
     'mistakes',

@@ -1,0 +1,35 @@
+import { diffuseColor } from 'three/tsl';
+import type { Node, NodeBuilder } from 'three/webgpu';
+import { writeSpineDepth } from './depth.js';
+import { fragments } from './fragments.js';
+import type { OutlineDefines } from './OutlineDefines.js';
+import { vertices } from './vertices.js';
+
+/** The nodes that a material of outlines consists of. */
+export interface OutlineNodes {
+  /** What chose them. */
+  key: string;
+  vertex: Node<'vec4'>;
+  color: Node<'vec4'>;
+  outgoing: Node<'vec3'>;
+  setupDepth(builder: NodeBuilder): void;
+}
+
+const known = new Map<string, OutlineNodes>();
+
+/** The nodes of all materials with these defines. */
+export function outlineNodes(defines: OutlineDefines): OutlineNodes {
+  const key = JSON.stringify(defines);
+  let nodes = known.get(key);
+  if (!nodes) {
+    nodes = {
+      key,
+      vertex: vertices(defines) as unknown as Node<'vec4'>,
+      color: fragments(defines) as unknown as Node<'vec4'>,
+      outgoing: diffuseColor.rgb,
+      setupDepth: (builder) => writeSpineDepth(defines, builder),
+    };
+    known.set(key, nodes);
+  }
+  return nodes;
+}

@@ -1,0 +1,176 @@
+import {
+  type Camera,
+  Color,
+  DoubleSide,
+  type IUniform,
+  Material,
+  type MaterialParameters,
+  type Mesh,
+  type PerspectiveCamera,
+  Vector2,
+  type Vector4,
+  type WebGLRenderer,
+} from 'three';
+import { type NodeBuilder, NodeMaterial, type WebGPURenderer } from 'three/webgpu';
+import type { HiddenOutlines } from '../../engraving/hiddenOutlines.js';
+import { checkColor } from '../../material/checkValues.js';
+import { type EmphasisLook, takesWeight, writeEmphasis, writeImportance } from '../../material/emphasis/emphasis.js';
+import { writeSheet } from '../../material/emphasis/writeSheet.js';
+import { tell } from '../../mistakes/tell.js';
+import type { HatchingOutlineMaterial, HatchingOutlineParameters } from '../../outlines/HatchingOutlineMaterial.js';
+import {
+  HATCHING_OUTLINE_DEFAULTS,
+  OUTLINE_NUMBER_NAMES,
+  type OutlineNumberName,
+} from '../../outlines/outlineProperties.js';
+import { createOutlineUniforms } from '../../outlines/outlineUniforms.js';
+import {
+  checkHidden,
+  checkShadeWeights,
+  defineOutlineNumbers,
+  writeOutlineLook,
+} from '../../outlines/outlineValues.js';
+import { type OutlineNodes, outlineNodes } from '../nodes/outlines/outlineNodes.js';
+
+const NAME = 'HatchingOutlineNodeMaterial';
+
+/** What has no twin of nodes yet, and was told of. */
+const told = new Set<string>();
+
+function tellOnce(property: string, sentence: string): void {
+  if (told.has(property)) return;
+  told.add(property);
+  tell(`${NAME}.${property}: ${sentence}`);
+}
+
+export interface HatchingOutlineNodeMaterial
+  extends Pick<HatchingOutlineMaterial, OutlineNumberName | 'ink' | 'shadeWeights' | 'hidden'> {}
+
+/**
+ * The material of `HatchingOutlines` for WebGPURenderer: the same properties as those of `HatchingOutlineMaterial`, with the same defaults.
+ * `tooth` and `hidden` are kept and not drawn. It uses the lights and the fog of the scene. Every property may be set at any time and takes
+ * effect in the next frame; `wobble` builds another program when it changes between 0 and more than 0. Several `HatchingOutlines` may share a material.
+ */
+export class HatchingOutlineNodeMaterial extends NodeMaterial {
+  readonly isHatchingOutlineNodeMaterial = true;
+  /** What nodes read, as programs in GLSL do. @internal */
+  readonly uniforms: Record<string, IUniform>;
+
+  static override get type(): string {
+    return NAME;
+  }
+
+  private hiddenLines: HiddenOutlines = HATCHING_OUTLINE_DEFAULTS.hidden;
+  private nodes!: OutlineNodes;
+
+  /** @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour */
+  constructor(parameters: HatchingOutlineParameters | undefined = undefined) {
+    super();
+    this.uniforms = { ...createOutlineUniforms(), isInstanced: { value: false } };
+    this.ink = new Color(HATCHING_OUTLINE_DEFAULTS.ink);
+    this.shadeWeights = new Vector2(...HATCHING_OUTLINE_DEFAULTS.shadeWeights);
+    defineOutlineNumbers(this, NAME, (name, value) => {
+      if (name === 'wobble') this.chooseNodes();
+      if (name === 'tooth' && value > 0)
+        tellOnce('tooth', 'outlines of nodes have no tooth yet, and are drawn in ink.');
+    });
+    Object.defineProperty(this, 'hidden', {
+      get: () => this.hiddenLines,
+      set: (value: HiddenOutlines) => {
+        this.hiddenLines = checkHidden(value, NAME);
+        if (value !== 'none') tellOnce('hidden', 'outlines of nodes that a surface hides are not drawn yet.');
+      },
+      enumerable: true,
+    });
+    this.lights = true;
+    this.transparent = true;
+    this.depthWrite = false;
+    this.side = DoubleSide;
+    // Otherwise three.js draws backs before fronts, and each outline twice.
+    this.forceSinglePass = true;
+    this.chooseNodes();
+    this.setValues(parameters);
+    this.writeLook(1);
+  }
+
+  /**
+   * Sets properties by name, as `setValues` of three.js does.
+   *
+   * @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour
+   */
+  override setValues(values?: HatchingOutlineParameters): void {
+    if (!values) return;
+    if (values.ink !== undefined) checkColor(`${NAME}.ink`, values.ink);
+    const { shadeWeights, ...others } = values;
+    super.setValues(others as MaterialParameters);
+    if (shadeWeights !== undefined) this.shadeWeights.set(...checkShadeWeights(shadeWeights, NAME));
+  }
+
+  override copy(source: this): this {
+    // NodeMaterial.copy would share the uniforms.
+    Material.prototype.copy.call(this, source);
+    this.fog = source.fog;
+    this.lights = source.lights;
+    for (const name of OUTLINE_NUMBER_NAMES) this[name] = source[name];
+    this.ink.copy(source.ink);
+    this.shadeWeights.copy(source.shadeWeights);
+    this.hidden = source.hidden;
+    return this;
+  }
+
+  /** What materials that draw with one program have in common. */
+  override customProgramCacheKey(): string {
+    return `${NAME} ${this.nodes.key}`;
+  }
+
+  /** Writes the properties to the uniforms. @param pixelRatio pixels of what is drawn to per CSS pixel @internal */
+  writeLook(pixelRatio: number): void {
+    writeOutlineLook(this, this.uniforms, pixelRatio);
+  }
+
+  /**
+   * Writes what the outlines of one mesh are drawn with.
+   *
+   * @param viewport the part of the target that the camera draws into, pixels from the lower left
+   * @param look what says how much weight lines have where
+   * @internal
+   */
+  writeDraw(
+    renderer: WebGPURenderer,
+    camera: Camera,
+    mesh: Mesh,
+    viewport: Vector4,
+    look: (Material & EmphasisLook) | null,
+  ): void {
+    const u = this.uniforms;
+    this.writeLook(renderer.getPixelRatio());
+    // If all groups have the same material, there are no borders between materials.
+    if (!Array.isArray(mesh.material)) u.materialBorders.value = 0;
+    (u.viewport.value as Vector4).copy(viewport);
+    u.nearDistance.value = (camera as PerspectiveCamera).near ?? 0;
+    // What it asks of a renderer, both kinds have.
+    writeEmphasis(look, u, renderer as unknown as WebGLRenderer, camera);
+    writeSheet(u.sheet.value, camera, viewport);
+    writeImportance(mesh, takesWeight(look), u);
+  }
+
+  /** Depths are those of the spine, as fragments in GLSL write them. @internal */
+  override setupDepth(builder: NodeBuilder): void {
+    this.nodes.setupDepth(builder);
+  }
+
+  /** Outlines have a colour of their own; lights only say how wide they are. @internal */
+  override setupLighting(): ReturnType<NodeMaterial['setupLighting']> {
+    return this.nodes.outgoing;
+  }
+
+  private chooseNodes(): void {
+    const nodes = outlineNodes({ WOBBLE: this.wobble > 0 });
+    if (nodes === this.nodes) return;
+    this.nodes = nodes;
+    // All materials share these, so that they share programs.
+    this.vertexNode = nodes.vertex;
+    this.colorNode = nodes.color;
+    this.needsUpdate = true;
+  }
+}
