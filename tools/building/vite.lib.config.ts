@@ -22,6 +22,7 @@ const SEPARATE = [
   'material/HatchingMaterial',
   'geometry/prepareHatchingGeometry',
   'tam/TonalArtMap',
+  'scene/hatchScene',
   'scene/applyHatching',
   'outlines/outlineProperties',
 ].map((path, i, all) => ({

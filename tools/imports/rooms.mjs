@@ -104,6 +104,11 @@ export const ROOMS = {
   'scene/jointForms': [],
   'scene/occlusion': ['/src/scene/HatchedScene.ts'],
   'scene/flattering': ['/src/scene/assertTree.ts', '/src/scene/surfaceMeshes.ts'],
+  // No GLSL: neither the shaders nor what puts them together.
+  webgpu: [
+    ...['mistakes', 'slices', 'bake', 'worker', 'features', 'strokes', 'tam', 'geometry', 'engraving'],
+    ...['material', 'outlines', 'scene'],
+  ],
   svg: [
     ...['slices', 'features', 'bake', 'worker', 'mistakes', 'tam/stippleMap.ts', 'tam/patternSizes.ts', 'geometry'],
     ...['engraving', 'vector', 'material', 'outlines', 'background'],
