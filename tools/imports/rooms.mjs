@@ -73,17 +73,6 @@ export const ROOMS = {
     'material',
     '/shaders',
   ],
-  // Materials of nodes, for WebGPURenderer. They import nothing that holds GLSL.
-  webgpu: ['mistakes', 'bake', 'features', 'engraving', 'geometry', 'material', 'outlines'],
-  'webgpu/nodes': [],
-  'webgpu/nodes/chunks': ['/src/webgpu/nodes/uniforms.ts', '/src/webgpu/nodes/values.ts'],
-  'webgpu/nodes/outlines': [
-    'chunks',
-    '/src/webgpu/nodes/textures.ts',
-    '/src/webgpu/nodes/uniforms.ts',
-    '/src/webgpu/nodes/values.ts',
-  ],
-  'webgpu/outlines': ['nodes'],
   background: ['mistakes', 'bake', 'engraving/constants', 'material', '/shaders'],
   scene: [
     'mistakes',
@@ -109,6 +98,15 @@ export const ROOMS = {
     ...['mistakes', 'slices', 'bake', 'worker', 'features', 'strokes', 'tam', 'geometry', 'engraving'],
     ...['material', 'outlines', 'scene'],
   ],
+  'webgpu/nodes': [],
+  'webgpu/nodes/chunks': ['/src/webgpu/nodes/uniforms.ts', '/src/webgpu/nodes/values.ts'],
+  'webgpu/nodes/outlines': [
+    'chunks',
+    '/src/webgpu/nodes/textures.ts',
+    '/src/webgpu/nodes/uniforms.ts',
+    '/src/webgpu/nodes/values.ts',
+  ],
+  'webgpu/outlines': ['nodes'],
   svg: [
     ...['slices', 'features', 'bake', 'worker', 'mistakes', 'tam/stippleMap.ts', 'tam/patternSizes.ts', 'geometry'],
     ...['engraving', 'vector', 'material', 'outlines', 'background'],

@@ -50,6 +50,8 @@ interface Shading
   Loop(range: object, body: (counters: { i: Value }) => void): void;
   Break(): void;
   Discard(condition: Value): void;
+  /** A variable of a stage that anything in it may read. */
+  property(type: string, name: string): Value;
   varyingProperty(type: string, name: string): Value;
   readonly cameraFar: Value;
   readonly cameraNear: Value;

@@ -154,6 +154,13 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
     writeImportance(mesh, takesWeight(look), u);
   }
 
+  /** Fog is as dense as at the spine: the triangle that covers a piece lies across the line of sight. @internal */
+  override setup(builder: NodeBuilder): void {
+    const context = builder.context as { getViewZ?: () => OutlineNodes['viewZ'] };
+    context.getViewZ = () => this.nodes.viewZ;
+    super.setup(builder);
+  }
+
   /** Depths are those of the spine, as fragments in GLSL write them. @internal */
   override setupDepth(builder: NodeBuilder): void {
     this.nodes.setupDepth(builder);

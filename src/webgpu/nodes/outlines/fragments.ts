@@ -26,6 +26,9 @@ const { select, vec2, vec4 } = tsl;
 const ink = /* @__PURE__ */ hatchingUniform('ink', 'color');
 const opacity = /* @__PURE__ */ hatchingUniform('opacity', 'float');
 
+/** The place on the spine, in view space, of what a fragment belongs to. Fog asks for it. */
+export const spinePosition: Value = /* @__PURE__ */ tsl.property('vec3', 'outlineSpinePosition');
+
 /** The place on the spine that is nearest to a fragment. */
 interface OnSpine {
   spine: Spine;
@@ -63,10 +66,10 @@ export const fragments = (defines: OutlineDefines): Value =>
     const { size } = spine;
     const onOutline = clamp(place, vOvershoots.x.negate(), size.add(vOvershoots.y)).toVar();
     const away = distance(pixel, spine.start.add(onOutline.mul(spine.along))).toVar();
-    const viewPosition = mix(vStart.xyz, vEnd.xyz, alongLine(t, spine)).toVar();
+    spinePosition.assign(mix(vStart.xyz, vEnd.xyz, alongLine(t, spine)));
     // Here and not at the ends: an edge may run from one border of the sheet to the other.
     const usual = mix(vHalfWidths.xz, vHalfWidths.yw, t);
-    const halves = outlineEmphasisAt(viewPosition, drawnPixel()).mul(usual).toVar();
+    const halves = outlineEmphasisAt(spinePosition, drawnPixel()).mul(usual).toVar();
     const most = max(halves.x, halves.y).toVar();
     const coverage = float(0).toVar();
     If(away.lessThanEqual(max(most.mul(accents.add(1)), 0.5).add(0.5)), () => {

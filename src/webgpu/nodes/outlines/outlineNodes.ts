@@ -1,7 +1,7 @@
 import { diffuseColor } from 'three/tsl';
 import type { Node, NodeBuilder } from 'three/webgpu';
 import { writeSpineDepth } from './depth.js';
-import { fragments } from './fragments.js';
+import { fragments, spinePosition } from './fragments.js';
 import type { OutlineDefines } from './OutlineDefines.js';
 import { vertices } from './vertices.js';
 
@@ -12,6 +12,8 @@ export interface OutlineNodes {
   vertex: Node<'vec4'>;
   color: Node<'vec4'>;
   outgoing: Node<'vec3'>;
+  /** The z in view space by which there is fog. */
+  viewZ: Node<'float'>;
   setupDepth(builder: NodeBuilder): void;
 }
 
@@ -27,6 +29,7 @@ export function outlineNodes(defines: OutlineDefines): OutlineNodes {
       vertex: vertices(defines) as unknown as Node<'vec4'>,
       color: fragments(defines) as unknown as Node<'vec4'>,
       outgoing: diffuseColor.rgb,
+      viewZ: spinePosition.z as unknown as Node<'float'>,
       setupDepth: (builder) => writeSpineDepth(defines, builder),
     };
     known.set(key, nodes);
