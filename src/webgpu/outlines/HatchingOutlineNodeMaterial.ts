@@ -16,7 +16,7 @@ import type { HiddenOutlines } from '../../engraving/hiddenOutlines.js';
 import { checkColor } from '../../material/checkValues.js';
 import { type EmphasisLook, takesWeight, writeEmphasis, writeImportance } from '../../material/emphasis/emphasis.js';
 import { writeSheet } from '../../material/emphasis/writeSheet.js';
-import { tell } from '../../mistakes/tell.js';
+import { writePictureOffset } from '../../material/pictureOffset.js';
 import type { HatchingOutlineMaterial, HatchingOutlineParameters } from '../../outlines/HatchingOutlineMaterial.js';
 import {
   HATCHING_OUTLINE_DEFAULTS,
@@ -34,22 +34,13 @@ import { type OutlineNodes, outlineNodes } from '../nodes/outlines/outlineNodes.
 
 const NAME = 'HatchingOutlineNodeMaterial';
 
-/** What has no twin of nodes yet, and was told of. */
-const told = new Set<string>();
-
-function tellOnce(property: string, sentence: string): void {
-  if (told.has(property)) return;
-  told.add(property);
-  tell(`${NAME}.${property}: ${sentence}`);
-}
-
 export interface HatchingOutlineNodeMaterial
   extends Pick<HatchingOutlineMaterial, OutlineNumberName | 'ink' | 'shadeWeights' | 'hidden'> {}
 
 /**
  * The material of `HatchingOutlines` for WebGPURenderer: the same properties as those of `HatchingOutlineMaterial`, with the same defaults.
- * `tooth` and `hidden` are kept and not drawn. It uses the lights and the fog of the scene. Every property may be set at any time and takes
- * effect in the next frame; `wobble` builds another program when it changes between 0 and more than 0. Several `HatchingOutlines` may share a material.
+ * It uses the lights and the fog of the scene. Every property may be set at any time and takes effect in the next frame; `wobble` and `tooth`
+ * build another program when they change between 0 and more than 0. Several `HatchingOutlines` may share a material.
  */
 export class HatchingOutlineNodeMaterial extends NodeMaterial {
   readonly isHatchingOutlineNodeMaterial = true;
@@ -62,6 +53,9 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
 
   private hiddenLines: HiddenOutlines = HATCHING_OUTLINE_DEFAULTS.hidden;
   private nodes!: OutlineNodes;
+  private hiddenOnes: HatchingOutlineNodeMaterial | null = null;
+  /** Whether it draws what is hidden. */
+  private isHidden = false;
 
   /** @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour */
   constructor(parameters: HatchingOutlineParameters | undefined = undefined) {
@@ -69,16 +63,13 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
     this.uniforms = { ...createOutlineUniforms(), isInstanced: { value: false } };
     this.ink = new Color(HATCHING_OUTLINE_DEFAULTS.ink);
     this.shadeWeights = new Vector2(...HATCHING_OUTLINE_DEFAULTS.shadeWeights);
-    defineOutlineNumbers(this, NAME, (name, value) => {
-      if (name === 'wobble') this.chooseNodes();
-      if (name === 'tooth' && value > 0)
-        tellOnce('tooth', 'outlines of nodes have no tooth yet, and are drawn in ink.');
+    defineOutlineNumbers(this, NAME, (name) => {
+      if (name === 'wobble' || name === 'tooth') this.chooseNodes();
     });
     Object.defineProperty(this, 'hidden', {
       get: () => this.hiddenLines,
       set: (value: HiddenOutlines) => {
         this.hiddenLines = checkHidden(value, NAME);
-        if (value !== 'none') tellOnce('hidden', 'outlines of nodes that a surface hides are not drawn yet.');
       },
       enumerable: true,
     });
@@ -118,6 +109,31 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
     return this;
   }
 
+  /**
+   * What draws the outlines that a surface hides: a material of the same look and uniforms, brought up to date.
+   *
+   * @internal
+   */
+  ofHidden(): HatchingOutlineNodeMaterial {
+    if (!this.hiddenOnes) {
+      const made = new HatchingOutlineNodeMaterial();
+      made.isHidden = true;
+      (made as { uniforms: Record<string, IUniform> }).uniforms = this.uniforms;
+      this.hiddenOnes = made;
+      this.addEventListener('dispose', () => {
+        made.dispose();
+      });
+    }
+    const { hiddenOnes } = this;
+    hiddenOnes.opacity = this.opacity;
+    hiddenOnes.fog = this.fog;
+    hiddenOnes.tooth = this.tooth;
+    hiddenOnes.wobble = this.wobble;
+    // Fragments find out what is hidden.
+    hiddenOnes.depthTest = false;
+    return hiddenOnes;
+  }
+
   /** What materials that draw with one program have in common. */
   override customProgramCacheKey(): string {
     return `${NAME} ${this.nodes.key}`;
@@ -151,6 +167,7 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
     // What it asks of a renderer, both kinds have.
     writeEmphasis(look, u, renderer as unknown as WebGLRenderer, camera);
     writeSheet(u.sheet.value, camera, viewport);
+    writePictureOffset(u.toothOffset.value, camera, viewport);
     writeImportance(mesh, takesWeight(look), u);
   }
 
@@ -172,7 +189,7 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
   }
 
   private chooseNodes(): void {
-    const nodes = outlineNodes({ WOBBLE: this.wobble > 0 });
+    const nodes = outlineNodes({ HIDDEN: this.isHidden, TOOTH: this.tooth > 0, WOBBLE: this.wobble > 0 });
     if (nodes === this.nodes) return;
     this.nodes = nodes;
     // All materials share these, so that they share programs.

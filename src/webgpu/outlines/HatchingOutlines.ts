@@ -40,6 +40,7 @@ export class HatchingOutlines extends MeshOutlines {
 
   private ownsMaterial: boolean;
   private places: InstancePlaces | null = null;
+  private isDrawingHidden = false;
 
   /**
    * @param mesh the mesh whose outlines are drawn. Default: the parent, if that is a mesh.
@@ -72,6 +73,7 @@ export class HatchingOutlines extends MeshOutlines {
   }
 
   override readonly onBeforeRender = (either: WebGLRenderer | WebGPURenderer, _scene: Scene, camera: Camera): void => {
+    if (this.isDrawingHidden) return;
     const { geometry, mesh } = this;
     geometry.setDrawRange(0, NOTHING);
     // Helpers that light a scene step by step give every object another material for a moment.
@@ -115,9 +117,26 @@ export class HatchingOutlines extends MeshOutlines {
     geometry.setDrawRange(0, VERTICES * (list ? list.count : data.triangleCount + data.edgeCount));
   };
 
-  override readonly onAfterRender = (): void => {
+  override readonly onAfterRender = (either: WebGLRenderer | WebGPURenderer, scene: Scene, camera: Camera): void => {
+    if (this.isDrawingHidden) return;
+    if ('isWebGPURenderer' in either) this.drawHidden(either as WebGPURenderer, scene, camera);
     this.moveToCentre();
   };
+
+  /** Draws what is hidden of what has just been drawn. Lists leave out what cannot be seen, so it is looked for among all primitives. */
+  private drawHidden(renderer: WebGPURenderer, scene: Scene, camera: Camera): void {
+    const { geometry, mesh, material } = this;
+    const data = mesh && outlineDataOf(mesh.geometry);
+    if (!data || geometry.drawRange.count <= 0 || material.hidden === 'none') return;
+    material.uniforms.isListed.value = false;
+    material.uniforms.candidates.value = data.primitives;
+    this.bindInstances(mesh, false);
+    geometry.setDrawRange(0, VERTICES * (data.triangleCount + data.edgeCount));
+    this.isDrawingHidden = true;
+    const lights = renderer.lighting.getNode(scene);
+    renderer.renderObject(this, scene, camera, geometry, material.ofHidden(), null, lights, null, 'hiddenOutlines');
+    this.isDrawingHidden = false;
+  }
 
   private bindInstances(mesh: Mesh, isListed: boolean): void {
     const { uniforms } = this.material;

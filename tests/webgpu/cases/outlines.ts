@@ -82,6 +82,18 @@ export const cases: readonly SceneCase[] = [
     }),
   },
   {
+    name: 'chalk, by an unsteady hand',
+    show: show({ outlineWidth: 9, tooth: 0.8, toothSize: 4, wobble: 1 }),
+  },
+  {
+    name: 'hidden outlines, dashed',
+    show: show({ outlineWidth: 3, creases: 1, hidden: 'dashed' }, openBox, ({ mesh }) => {
+      mesh.rotation.set(0.5, 0.6, 0.2);
+      return {};
+    }),
+  },
+  { name: 'hidden outlines, faint', show: show({ outlineWidth: 3, hidden: 'faint' }) },
+  {
     name: 'lights of every kind',
     show: show({ outlineWidth: 4, shadeWeights: [0.2, 3], lostEdges: 0.8 }, ofKnot, ({ scene, sun }) => {
       sun.intensity = 0.5;

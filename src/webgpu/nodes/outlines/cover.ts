@@ -30,6 +30,7 @@ const {
   pow,
   select,
   vec2,
+  vec3,
   vec4,
 } = tsl;
 
@@ -41,15 +42,16 @@ const FRINGE = 1;
 /** Just behind the near plane, as a factor on its distance. */
 const BEHIND_NEAR = 1.0001;
 
-export function clearVaryings({ WOBBLE }: OutlineDefines): void {
+export function clearVaryings({ HIDDEN, WOBBLE }: OutlineDefines): void {
   const { vContour, vEnd, vEnds, vHalfWidths, vOvershoots, vStandings, vStart, vTolerance } = varyings;
   for (const varying of [vEnds, vHalfWidths, vStart, vEnd, vStandings]) varying.assign(vec4(0));
   vOvershoots.assign(vec2(0));
   vContour.assign(0);
   vTolerance.assign(0);
+  if (HIDDEN) varyings.vOrigin.assign(vec2(0));
   if (!WOBBLE) return;
-  varyings.vAnchorStart.assign(tsl.vec3(0));
-  varyings.vAnchorEnd.assign(tsl.vec3(0));
+  varyings.vAnchorStart.assign(vec3(0));
+  varyings.vAnchorEnd.assign(vec3(0));
 }
 
 /** View units to a pixel at a point. */
@@ -63,6 +65,13 @@ const toClip = (position: Value): Value => cameraProjectionMatrix.mul(vec4(posit
 function pixelOf(clip: Value): Value {
   const c = clip.toVar();
   return viewport.xy.add(c.xy.mul(0.5).div(c.w).add(0.5).mul(viewport.zw));
+}
+
+/** The place of an object on the screen. */
+function originOf(place: InstancePlace): Value {
+  const origin = toClip(objectToView(vec3(0), place)).toVar();
+  origin.w.assign(max(origin.w, 1e-3));
+  return pixelOf(origin);
 }
 
 /** Moves an end that lies before the near plane onto it, along the piece. */
@@ -88,6 +97,10 @@ export function coverPiece(
 ): void {
   const scale = scaleOf(place);
   const { start: from, end: to } = piece;
+  if (defines.HIDDEN) {
+    from.overshoot.assign(0);
+    to.overshoot.assign(0);
+  }
   const start = objectToView(from.position, place).toVar();
   const end = objectToView(to.position, place).toVar();
 
@@ -105,8 +118,8 @@ export function coverPiece(
   });
 
   If(isDrawn, () => {
-    const halfStart = halfWidthsAt(from).toVar();
-    const halfEnd = halfWidthsAt(to).toVar();
+    const halfStart = halfWidthsAt(from, defines).toVar();
+    const halfEnd = halfWidthsAt(to, defines).toVar();
     const most = accents.mul(piece.contour).add(1).toVar();
     const halves = vec2(larger(halfStart), larger(halfEnd)).mul(most).toVar();
     const pixelAtStart = unitsToPixel(start).toVar();
@@ -125,16 +138,20 @@ export function coverPiece(
     const slope = depthB.sub(depthA).div(max(size, FRINGE)).toVar();
     const middle = a.add(b).mul(0.5).toVar();
     const tolerance = toleranceOf(piece, max(pixelAtStart, pixelAtEnd), scale).toVar();
-    const standings = select(piece.contour.greaterThan(0), vec4(-1), vec4(1, 0, 1, 0)).toVar();
+    const whole = vec4(1, 0, 1, 0);
+    const standings = (defines.HIDDEN ? whole : select(piece.contour.greaterThan(0), vec4(-1), whole)).toVar();
 
     if (hasSceneDepth(builder)) {
       If(size.lessThan(SHORT), () => {
         const spine: Spine = { start: a, viewStart: start, viewEnd: end, along, size, tolerance };
-        // What is not seen at all is not drawn either, though fragments would find out.
-        const seen = bool(false).toVar();
-        for (const one of [a, middle, b]) seen.assign(seen.or(isSeen(spine, one, builder)));
-        isDrawn.assign(seen);
-        If(seen.and(standings.x.lessThan(0)), () => {
+        // What is not seen at all is not drawn either, though fragments would find out; or what is, if the hidden is drawn.
+        const drawn = bool(false).toVar();
+        for (const one of [a, middle, b]) {
+          const seen = isSeen(spine, one, builder);
+          drawn.assign(drawn.or(defines.HIDDEN ? seen.not() : seen));
+        }
+        isDrawn.assign(drawn);
+        If(drawn.and(standings.x.lessThan(0)), () => {
           const atStart = standingAt(spine, a, larger(halfStart), builder).toVar();
           const atEnd = standingAt(spine, b, larger(halfEnd), builder).toVar();
           standings.assign(vec4(atStart, atEnd));
@@ -151,6 +168,7 @@ export function coverPiece(
       varyings.vContour.assign(piece.contour);
       varyings.vTolerance.assign(tolerance);
       varyings.vStandings.assign(standings);
+      if (defines.HIDDEN) varyings.vOrigin.assign(originOf(place));
       const reach = max(mostOutlineEmphasis().mul(larger(halves)), 0.5)
         .add(FRINGE)
         .toVar();

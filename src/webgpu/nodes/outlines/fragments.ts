@@ -3,7 +3,9 @@ import { outlineEmphasisAt } from '../chunks/emphasis.js';
 import { lineCoverage } from '../chunks/lineCoverage.js';
 import { hatchingUniform } from '../uniforms.js';
 import { tsl, type Value } from '../values.js';
-import { accents, alongLine, halfWidthAs, isSeen, type Spine, standingAt } from './hierarchy.js';
+import { dryInk } from './dryOutline.js';
+import { hiddenCoverage } from './hidden.js';
+import { accents, alongLine, halfWidthAs, isSeen, outlineWidth, type Spine, standingAt } from './hierarchy.js';
 import type { OutlineDefines } from './OutlineDefines.js';
 import { hasSceneDepth } from './sceneDepth.js';
 import {
@@ -13,14 +15,15 @@ import {
   vEnd,
   vEnds,
   vHalfWidths,
+  vOrigin,
   vOvershoots,
   vStandings,
   vStart,
   vTolerance,
 } from './varyings.js';
-import { wobbleAt } from './wobble.js';
+import { pressureWave, wobbleAt } from './wobble.js';
 
-const { Discard, Fn, If, bool, clamp, distance, dot, float, length, max, mix, screenCoordinate, screenSize } = tsl;
+const { Discard, Fn, If, bool, clamp, distance, dot, float, length, max, min, mix, screenCoordinate, screenSize } = tsl;
 const { select, vec2, vec4 } = tsl;
 
 const ink = /* @__PURE__ */ hatchingUniform('ink', 'color');
@@ -77,7 +80,8 @@ export const fragments = (defines: OutlineDefines): Value =>
       const isDrawn = bool(true).toVar();
       if (hasSceneDepth(builder)) {
         const seen = spine.start.add(clamp(place, 0, size).mul(spine.along)).toVar();
-        isDrawn.assign(isSeen(spine, seen, builder));
+        const isBefore = isSeen(spine, seen, builder);
+        isDrawn.assign(defines.HIDDEN ? isBefore.not() : isBefore);
         If(isDrawn, () => {
           const standing = mix(vStandings.xy, vStandings.zw, t).toVar();
           If(vStandings.x.lessThan(0), () => {
@@ -87,9 +91,18 @@ export const fragments = (defines: OutlineDefines): Value =>
         });
       }
       // The round ends fill the joints. Their edges lie within, or two that fade would add up beside each joint.
-      const fringe = select(place.equal(onOutline), float(0.5), float(0));
+      const isAtEnd = place.notEqual(onOutline).toVar();
       If(isDrawn, () => {
-        coverage.assign(lineCoverage(away, halfWidth, fringe));
+        coverage.assign(lineCoverage(away, halfWidth, select(isAtEnd, float(0), float(0.5))));
+        if (defines.HIDDEN) {
+          coverage.mulAssign(hiddenCoverage(place, size, spine.along, pixel.sub(vOrigin), outlineWidth));
+        }
+        if (defines.TOOTH) {
+          const pressed = defines.WOBBLE ? pressureWave(mix(vAnchorStart, vAnchorEnd, alongLine(t, spine))) : float(1);
+          // Ends that overlap are narrower, or the soft sides of two would add up at each joint.
+          const across = away.div(max(halfWidth, 0.5)).mul(select(isAtEnd, float(1.6), float(1)));
+          coverage.mulAssign(dryInk(min(across, 1).toVar(), pressed, drawnPixel()));
+        }
       });
     });
     Discard(coverage.mul(opacity).lessThan(0.002));

@@ -18,6 +18,8 @@ export const vStandings: Value = /* @__PURE__ */ varyingProperty('vec4', 'vStand
 export const vContour: Value = /* @__PURE__ */ varyingProperty('float', 'vContour');
 /** How far the surface may lie before its own outline, view units. */
 export const vTolerance: Value = /* @__PURE__ */ varyingProperty('float', 'vTolerance');
-/** Object space, at rest. */
+/** Of the object on the screen, pixels. Where hidden outlines are drawn. */
+export const vOrigin: Value = /* @__PURE__ */ varyingProperty('vec2', 'vOrigin');
+/** Object space, at rest. Where there is a wobble. */
 export const vAnchorStart: Value = /* @__PURE__ */ varyingProperty('vec3', 'vAnchorStart');
 export const vAnchorEnd: Value = /* @__PURE__ */ varyingProperty('vec3', 'vAnchorEnd');

@@ -42,7 +42,7 @@ export const vertices = (defines: OutlineDefines): Value =>
     const d = readPoint(primitive.w, seenFrom);
     const piece = noPiece();
     If(isEdge(primitive), () => {
-      featureEdge(piece, flagsOf(primitive).toVar(), [a, b, c, d], false);
+      featureEdge(piece, flagsOf(primitive).toVar(), [a, b, c, d], defines.HIDDEN);
     }).Else(() => {
       contour(piece, a, b, c);
       If(suggestiveContours.greaterThan(0).and(isPiece(piece).not()), () => {
@@ -51,7 +51,7 @@ export const vertices = (defines: OutlineDefines): Value =>
       measureExtent(piece, a, b, c, seenFrom);
     });
     If(isPiece(piece), () => {
-      shade(piece, instancePlace, lightsOf(builder));
+      if (!defines.HIDDEN) shade(piece, instancePlace, lightsOf(builder));
       coverPiece(piece, index.mod(3), instancePlace, clipPosition, defines, builder);
     });
     return clipPosition;

@@ -13,6 +13,12 @@ export const wobble: Value = /* @__PURE__ */ hatchingUniform('wobble', 'float');
 
 const wave = (p: Value, direction: readonly [number, number, number]): Value => dot(p, vec3(...direction));
 
+/** How a hand presses along the way, from −1 to 1: in waves of about half the radius. */
+export function pressureWave(anchor: Value): Value {
+  const p = anchor.div(radius).toVar();
+  return sin(dot(p, vec3(-5.3, 6.1, 7.9)).add(sin(dot(p, vec3(4.7, 3.9, -6.7))).mul(2.1)));
+}
+
 /** Waves in three directions, whose phases bend one another so that nothing seems to repeat. */
 export function wobbleAt(anchor: Value): Value {
   const p = anchor.div(radius).toVar();
