@@ -1,5 +1,4 @@
 import type { Camera, Material, Scene, ShadowMapType } from 'three';
-import type { HatchingMaterialParameters } from 'three-hatching';
 
 /** Who draws: materials in GLSL on WebGLRenderer, or of nodes on WebGPURenderer, with its WebGL 2 backend or with WebGPU. */
 export type Drawn = 'glsl' | 'forceWebGL' | 'webgpu';
@@ -7,8 +6,6 @@ export type Drawn = 'glsl' | 'forceWebGL' | 'webgpu';
 /** Makes what a scene is drawn with, for who draws it. */
 export interface Kit {
   readonly drawn: Drawn;
-  /** `HatchingMaterial` or `HatchingNodeMaterial`, ready to draw. */
-  hatching(parameters: HatchingMaterialParameters): Promise<Material>;
   /** Of two materials or objects that say the same, the one in GLSL or the one of nodes. */
   either<Glsl, Nodes>(glsl: () => Glsl, nodes: () => Nodes): Glsl | Nodes;
 }

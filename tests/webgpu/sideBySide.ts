@@ -1,16 +1,12 @@
 /** Draws scenes in GLSL on WebGLRenderer and of nodes on WebGPURenderer, and says how much the pictures differ. */
-import { Color, type Material, Mesh } from 'three';
-import { HatchingMaterial, type HatchingMaterialParameters } from 'three-hatching';
+import { Color, Mesh } from 'three';
+import { HatchingMaterial } from 'three-hatching';
 import { type Drawer, lackOfWebGPU, makeDrawer } from './drawing.js';
 import { type Comparison, compare, type Pixels, sideBySide } from './picturesOf.js';
 import type { Drawn, Kit, SceneCase, Stage } from './SceneCase.js';
 
 // Each scene shows one thing by itself, and is odd on purpose.
 HatchingMaterial.silent = true;
-
-const entry = import.meta.glob<{
-  HatchingNodeMaterial: new (parameters: HatchingMaterialParameters) => Material;
-}>('../../src/webgpu/index.ts');
 
 const modules = import.meta.glob<{ cases: readonly SceneCase[] }>('./cases/*.ts', { eager: true });
 /** The cases of each file, by its name without its ending. */
@@ -28,16 +24,6 @@ function drawerOf(drawn: Drawn): Promise<Drawer> {
 
 const kitOf = (drawn: Drawn): Kit => ({
   drawn,
-  async hatching(parameters) {
-    if (drawn === 'glsl') {
-      await HatchingMaterial.preload();
-      return new HatchingMaterial(parameters);
-    }
-    const [load] = Object.values(entry);
-    if (!load) throw new Error('kitOf: there is no src/webgpu/index.ts.');
-    const { HatchingNodeMaterial } = await load();
-    return new HatchingNodeMaterial(parameters);
-  },
   either: (glsl, nodes) => (drawn === 'glsl' ? glsl() : nodes()),
 });
 

@@ -14,7 +14,7 @@ import {
   TorusKnotGeometry,
 } from 'three';
 import { HatchingOutlines, prepareHatchingGeometry } from 'three-hatching';
-import { HatchingOutlines as NodeOutlines } from '../../../src/webgpu/outlines/HatchingOutlines.js';
+import { HatchingOutlines as NodeOutlines } from 'three-hatching/webgpu';
 import { knot } from '../knot.js';
 import type { Kit, SceneCase, Stage } from '../SceneCase.js';
 
