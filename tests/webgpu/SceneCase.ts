@@ -1,4 +1,4 @@
-import type { Camera, Material, Scene, ShadowMapType } from 'three';
+import type { Camera, Scene, ShadowMapType } from 'three';
 
 /** Who draws: materials in GLSL on WebGLRenderer, or of nodes on WebGPURenderer, with its WebGL 2 backend or with WebGPU. */
 export type Drawn = 'glsl' | 'forceWebGL' | 'webgpu';
