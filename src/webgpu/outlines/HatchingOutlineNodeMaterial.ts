@@ -180,7 +180,9 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
 
   /** Depths are those of the spine, as fragments in GLSL write them. @internal */
   override setupDepth(builder: NodeBuilder): void {
-    this.nodes.setupDepth(builder);
+    this.depthNode = builder.renderer.logarithmicDepthBuffer ? this.nodes.logarithmicDepth : null;
+    super.setupDepth(builder);
+    this.depthNode = null;
   }
 
   /** Outlines have a colour of their own; lights only say how wide they are. @internal */

@@ -1,6 +1,6 @@
 import { diffuseColor } from 'three/tsl';
-import type { Node, NodeBuilder } from 'three/webgpu';
-import { writeSpineDepth } from './depth.js';
+import type { Node } from 'three/webgpu';
+import { logarithmicDepth } from './depth.js';
 import { fragments, spinePosition } from './fragments.js';
 import type { OutlineDefines } from './OutlineDefines.js';
 import { vertices } from './vertices.js';
@@ -14,7 +14,8 @@ export interface OutlineNodes {
   outgoing: Node<'vec3'>;
   /** The z in view space by which there is fog. */
   viewZ: Node<'float'>;
-  setupDepth(builder: NodeBuilder): void;
+  /** The depth of fragments where that is logarithmic. */
+  logarithmicDepth: Node<'float'>;
 }
 
 const known = new Map<string, OutlineNodes>();
@@ -30,7 +31,7 @@ export function outlineNodes(defines: OutlineDefines): OutlineNodes {
       color: fragments(defines) as unknown as Node<'vec4'>,
       outgoing: diffuseColor.rgb,
       viewZ: spinePosition.z as unknown as Node<'float'>,
-      setupDepth: (builder) => writeSpineDepth(defines, builder),
+      logarithmicDepth: logarithmicDepth(defines) as unknown as Node<'float'>,
     };
     known.set(key, nodes);
   }

@@ -1,5 +1,6 @@
 /** The twin of shaders/outlines/sceneDepth.glsl: the depth of what has been drawn before the outlines, all of it opaque. three.js copies it. */
-import { logarithmicDepthToViewZ, orthographicDepthToViewZ, viewportDepthTexture } from 'three/tsl';
+import { DepthFormat, DepthStencilFormat, DepthTexture, FloatType, UnsignedInt248Type, UnsignedIntType } from 'three';
+import { logarithmicDepthToViewZ, orthographicDepthToViewZ, screenUV, viewportDepthTexture } from 'three/tsl';
 import { type NodeBuilder, WebGPUCoordinateSystem } from 'three/webgpu';
 import { hatchingUniform } from '../uniforms.js';
 import { type TextureValue, tsl, type Value } from '../values.js';
@@ -10,7 +11,25 @@ export const nearDistance: Value = /* @__PURE__ */ hatchingUniform('nearDistance
 /** x, y, width, height in pixels, counted from the lower left. */
 export const viewport: Value = /* @__PURE__ */ hatchingUniform('viewport', 'vec4');
 
-const sceneDepth = /* @__PURE__ */ viewportDepthTexture() as unknown as TextureValue;
+/** three's declaration leaves the last one out. */
+const copyOf = viewportDepthTexture as unknown as (uv: unknown, level: null, depth: DepthTexture) => TextureValue;
+const copies = /* @__PURE__ */ new Map<string, TextureValue>();
+
+/** The copy of the depth of what is drawn to. It must have the format of that. */
+function sceneDepthFor({ renderer }: NodeBuilder): TextureValue {
+  const hasStencil = renderer.getRenderTarget()?.stencilBuffer ?? renderer.stencil;
+  const key = `${hasStencil} ${renderer.reversedDepthBuffer}`;
+  let copy = copies.get(key);
+  if (!copy) {
+    const depth = new DepthTexture(1, 1);
+    depth.format = hasStencil ? DepthStencilFormat : DepthFormat;
+    if (renderer.reversedDepthBuffer) depth.type = FloatType;
+    else depth.type = hasStencil ? UnsignedInt248Type : UnsignedIntType;
+    copy = copyOf(screenUV, null, depth);
+    copies.set(key, copy);
+  }
+  return copy;
+}
 
 /** Further than anything in a scene. */
 export const NOWHERE = 1e30;
@@ -62,7 +81,7 @@ export function depthAt(pixel: Value, builder: NodeBuilder): Value {
   const place = floor(clamp(pixel, viewport.xy, viewport.xy.add(viewport.zw).sub(1))).toVar();
   // three.js counts the rows of what it has drawn from above.
   const texel = ivec2(int(place.x), int(screenSize.y).sub(1).sub(int(place.y)));
-  const depth = float(sceneDepth.load(texel)).toVar();
+  const depth = float(sceneDepthFor(builder).load(texel)).toVar();
   const isNowhere = builder.renderer.reversedDepthBuffer ? depth.lessThanEqual(0) : depth.greaterThanEqual(1);
   return select(isNowhere, float(NOWHERE), viewZOf(depth, builder).negate());
 }
