@@ -159,7 +159,7 @@ export abstract class MeshOutlines extends Object3D {
     this.instanceMatrix = null;
   }
 
-  /** What may hold an outline as the camera sees the mesh; null if that is not known. @param eye of the camera, in the space of the mesh */
+  /** What may hold an outline as the camera sees the mesh; null if that is not known. @param eye of the camera, in the space of the mesh @internal */
   protected listFor(camera: Camera, data: OutlineData, mesh: Mesh, eye: Vector4): ContourList | InstanceList | null {
     const { boundingSphere } = mesh.geometry;
     if (!boundingSphere) return null;
