@@ -22,6 +22,7 @@ const SEPARATE = [
   'material/HatchingMaterial',
   'geometry/prepareHatchingGeometry',
   'tam/TonalArtMap',
+  'scene/hatchScene',
   'scene/applyHatching',
   'outlines/outlineProperties',
 ].map((path, i, all) => ({
@@ -67,7 +68,12 @@ export default defineConfig(
       sourcemap: false,
       emptyOutDir: ENTRIES[mode] === undefined,
       lib: {
-        entry: ENTRIES[mode] ?? { index: 'src/index.ts', facts: 'src/facts.ts', svg: 'src/svg/index.ts' },
+        entry: ENTRIES[mode] ?? {
+          index: 'src/index.ts',
+          facts: 'src/facts.ts',
+          svg: 'src/svg/index.ts',
+          webgpu: 'src/webgpu/index.ts',
+        },
         formats: ['es'],
       },
       rolldownOptions: {

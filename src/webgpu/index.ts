@@ -1,0 +1,2 @@
+export { HatchingOutlineNodeMaterial } from './outlines/HatchingOutlineNodeMaterial.js';
+export { HatchingOutlines } from './outlines/HatchingOutlines.js';

@@ -1,0 +1,69 @@
+/** three's nodes, with types that say no more than that a node is a value. Those of three.js follow each operation, and lose it half way. */
+import * as TSL from 'three/tsl';
+import type { NodeBuilder } from 'three/webgpu';
+
+/** A node, or a number that becomes one. */
+export type Input = Value | number | boolean;
+
+type Operation = (...others: Input[]) => Value;
+
+/** A value of a shader: a number, a vector or a matrix. */
+export interface Value
+  extends Record<
+      | ('add' | 'sub' | 'mul' | 'div' | 'mod' | 'negate' | 'oneMinus' | 'pow2' | 'element')
+      | ('equal' | 'notEqual' | 'lessThan' | 'lessThanEqual' | 'greaterThan' | 'greaterThanEqual')
+      | ('and' | 'or' | 'not' | 'bitAnd' | 'bitOr' | 'bitXor' | 'shiftLeft' | 'shiftRight'),
+      Operation
+    >,
+    Record<'x' | 'y' | 'z' | 'w' | 'xy' | 'zw' | 'xz' | 'yw' | 'xyz' | 'yzw', Value> {
+  /** Has it computed here, and kept. */
+  toVar(name?: string): Value;
+  assign(value: Input): void;
+  addAssign(value: Input): void;
+  mulAssign(value: Input): void;
+}
+
+/** A texture, to be read. */
+export interface TextureValue extends Value {
+  /** The texel at integers. */
+  load(texel: Value): Value;
+  sample(coordinates: Value): TextureValue;
+  level(level: Input): TextureValue;
+}
+
+interface Branches {
+  Else(then: () => void): void;
+}
+
+interface Shading
+  extends Record<
+    | ('float' | 'int' | 'uint' | 'bool' | 'vec2' | 'vec3' | 'vec4' | 'ivec2' | 'mat3' | 'uvec4')
+    | ('abs' | 'ceil' | 'floor' | 'fract' | 'sign' | 'sqrt' | 'inverseSqrt' | 'exp' | 'exp2' | 'sin' | 'cos')
+    | ('min' | 'max' | 'clamp' | 'mix' | 'step' | 'smoothstep' | 'pow' | 'select')
+    | ('cross' | 'distance' | 'dot' | 'length' | 'normalize' | 'determinant' | 'inverse' | 'transpose')
+    | ('textureSize' | 'uintBitsToFloat' | 'unpackHalf2x16' | 'unpackSnorm2x16'),
+    Operation
+  > {
+  /** Runs when a shader is built. */
+  Fn(build: (builder: NodeBuilder) => Value): () => Value;
+  If(condition: Value, then: () => void): Branches;
+  Loop(range: object, body: (counters: { i: Value }) => void): void;
+  Break(): void;
+  Discard(condition: Value): void;
+  /** A variable of a stage that anything in it may read. */
+  property(type: string, name: string): Value;
+  varyingProperty(type: string, name: string): Value;
+  readonly cameraFar: Value;
+  readonly cameraNear: Value;
+  readonly cameraProjectionMatrix: Value;
+  readonly cameraViewMatrix: Value;
+  readonly instanceIndex: Value;
+  readonly modelNormalMatrix: Value;
+  readonly modelViewMatrix: Value;
+  readonly screenCoordinate: Value;
+  readonly screenSize: Value;
+  readonly vertexIndex: Value;
+}
+
+/** three's node functions. */
+export const tsl: Shading = TSL as unknown as Shading;
