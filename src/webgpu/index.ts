@@ -1,2 +1,3 @@
+export { HatchingNodeMaterial } from './HatchingNodeMaterial.js';
 export { HatchingOutlineNodeMaterial } from './outlines/HatchingOutlineNodeMaterial.js';
 export { HatchingOutlines } from './outlines/HatchingOutlines.js';

@@ -106,6 +106,12 @@ export const ROOMS = {
     '/src/webgpu/nodes/uniforms.ts',
     '/src/webgpu/nodes/values.ts',
   ],
+  'webgpu/nodes/perFragment': ['/src/webgpu/nodes/uniforms.ts', '/src/webgpu/nodes/values.ts'],
+  'webgpu/nodes/techniques': [],
+  'webgpu/nodes/techniques/engraved': [
+    ...['/src/webgpu/nodes/chunks', '/src/webgpu/nodes/perFragment'],
+    ...['/src/webgpu/nodes/uniforms.ts', '/src/webgpu/nodes/values.ts'],
+  ],
   'webgpu/outlines': ['nodes'],
   svg: [
     ...['slices', 'features', 'bake', 'worker', 'mistakes', 'tam/stippleMap.ts', 'tam/patternSizes.ts', 'geometry'],

@@ -20,3 +20,7 @@ export function hatchingUniform(name: string, type: UniformType): Value {
   }
   return uniform;
 }
+
+/** A number of an array among those uniforms. */
+export const hatchingElement = (name: string, index: number): Value =>
+  materialReference(`uniforms.${name}.value.${index}`, 'float') as unknown as Value;

@@ -41,6 +41,7 @@ interface Shading
     | ('abs' | 'ceil' | 'floor' | 'fract' | 'sign' | 'sqrt' | 'inverseSqrt' | 'exp' | 'exp2' | 'sin' | 'cos')
     | ('min' | 'max' | 'clamp' | 'mix' | 'step' | 'smoothstep' | 'pow' | 'select')
     | ('cross' | 'distance' | 'dot' | 'length' | 'normalize' | 'determinant' | 'inverse' | 'transpose')
+    | ('attribute' | 'floatBitsToInt' | 'floatBitsToUint' | 'intBitsToFloat' | 'varying')
     | ('textureSize' | 'uintBitsToFloat' | 'unpackHalf2x16' | 'unpackSnorm2x16'),
     Operation
   > {
@@ -53,6 +54,13 @@ interface Shading
   /** A variable of a stage that anything in it may read. */
   property(type: string, name: string): Value;
   varyingProperty(type: string, name: string): Value;
+  readonly positionGeometry: Value;
+  readonly normalGeometry: Value;
+  readonly normalView: Value;
+  readonly positionView: Value;
+  readonly positionViewDirection: Value;
+  readonly diffuseColor: Value;
+  readonly materialEmissive: Value;
   readonly cameraFar: Value;
   readonly cameraNear: Value;
   readonly cameraProjectionMatrix: Value;

@@ -9,7 +9,7 @@ const { clamp, dot, float, length, max, pow, select, smoothstep, vec3 } = tsl;
 const place = /* @__PURE__ */ new Vector3();
 
 /** What shaders ask of a light. All programs share it. */
-interface LightValues {
+export interface LightValues {
   color: Value;
   ground: Value;
   /** View space. */
@@ -24,7 +24,7 @@ interface LightValues {
 
 const valuesOf = /* @__PURE__ */ new WeakMap<Light, LightValues>();
 
-function valuesFor(light: Light): LightValues {
+export function valuesFor(light: Light): LightValues {
   const known = valuesOf.get(light);
   if (known) return known;
   const number = (read: () => number): Value =>
@@ -66,7 +66,7 @@ function valuesFor(light: Light): LightValues {
 }
 
 /** What is left of a light over a distance, as three.js has it. */
-function fallOff(away: Value, { reach, decay }: LightValues): Value {
+export function fallOff(away: Value, { reach, decay }: LightValues): Value {
   const left = float(1)
     .div(max(pow(away, decay), 0.01))
     .toVar();

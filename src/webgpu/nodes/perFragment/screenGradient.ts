@@ -1,0 +1,32 @@
+/** The twin of shaders/perFragment/screenGradient.glsl: how fast a function of the place on the object changes on the screen. */
+import { SCREEN_CONSTANTS } from '../../../engraving/constants/screenConstants.js';
+import { hatchingUniform } from '../uniforms.js';
+import { tsl, type Value } from '../values.js';
+
+const { abs, cameraProjectionMatrix, dot, length, max, positionView, select, vec2, vec3 } = tsl;
+
+/** The two columns of a matrix: WGSL has no name for one of two by three that three's nodes know. */
+export type ScreenMap = readonly [x: Value, y: Value];
+
+/** From the view to the space of the places that functions are of, linear part. */
+export const viewToField: Value = /* @__PURE__ */ hatchingUniform('viewToField', 'mat3');
+const viewportHeight = /* @__PURE__ */ hatchingUniform('viewportHeight', 'float');
+
+/** @param n the normal, unit, in that space. Where the plane leans away it is held back. */
+export function screenMap(n: Value): ScreenMap {
+  const isOrthographic = cameraProjectionMatrix.element(3).element(3).equal(1);
+  const normal = n.mul(viewToField).toVar();
+  const centre = select(isOrthographic, vec2(0), positionView.xy.div(positionView.z)).toVar();
+  const facing = abs(dot(normal, vec3(centre, 1)));
+  const away = select(isOrthographic, 1, positionView.z.negate());
+  const perPixel = away.mul(2).div(cameraProjectionMatrix.element(1).element(1).mul(viewportHeight));
+  normal.mulAssign(perPixel.div(max(facing, length(normal).mul(SCREEN_CONSTANTS.LEAST_FACING))));
+  const { x, y, z } = normal;
+  return [
+    viewToField.mul(vec3(centre.x.mul(y), z.negate().sub(centre.x.mul(x)), y)).toVar(),
+    viewToField.mul(vec3(z.add(centre.y.mul(y)), centre.y.negate().mul(x), x.negate())).toVar(),
+  ];
+}
+
+/** The gradient per pixel, on the screen, of a function with this gradient in that space. */
+export const screenGradient = (gradient: Value, [x, y]: ScreenMap): Value => vec2(dot(gradient, x), dot(gradient, y));

@@ -1,0 +1,53 @@
+import { type Color, HemisphereLight, PCFShadowMap, SpotLight } from 'three';
+import type { HatchingMaterialParameters } from 'three-hatching';
+import { knot } from '../knot.js';
+import type { Kit, SceneCase, Stage } from '../SceneCase.js';
+
+const ENGRAVED = { technique: 'engraved', lineField: 'light', shadowStrokes: 'tone', exposure: 1 } as const;
+
+const drawn = async (kit: Kit, parameters: HatchingMaterialParameters = {}) =>
+  knot(await kit.hatching({ ...ENGRAVED, ...parameters }));
+
+export const cases: readonly SceneCase[] = [
+  { name: 'the field of the light', show: (kit) => drawn(kit) },
+  {
+    name: 'a shadow',
+    shadows: PCFShadowMap,
+    async show(kit): Promise<Stage> {
+      const stage = await drawn(kit);
+      stage.mesh.castShadow = stage.mesh.receiveShadow = stage.sun.castShadow = true;
+      Object.assign(stage.sun.shadow.camera, { left: -1.2, right: 1.2, top: 1.2, bottom: -1.2, near: 0.1, far: 10 });
+      stage.sun.shadow.bias = -0.0005;
+      stage.sun.shadow.normalBias = 0.02;
+      return stage;
+    },
+  },
+  ...(['towards', 'y', 'slant'] as const).map((lineField) => ({
+    name: `the field ${lineField}`,
+    show: (kit: Kit) => drawn(kit, { lineField }),
+  })),
+  {
+    name: 'several lights',
+    async show(kit): Promise<Stage> {
+      const stage = await drawn(kit);
+      const lamp = new SpotLight(0xffe0c0, 30, 0, 0.5, 0.4);
+      lamp.position.set(-2, 1, 3);
+      stage.scene.add(lamp, lamp.target, new HemisphereLight(0xffffff, 0x404040, 0.8));
+      return stage;
+    },
+  },
+  {
+    name: 'values that are changed',
+    async show(kit): Promise<Stage> {
+      const stage = await drawn(kit);
+      const material = stage.mesh.material as unknown as HatchingMaterialParameters & { ink: Color };
+      return {
+        ...stage,
+        change() {
+          material.ink.set(0x2040a0);
+          Object.assign(material, { crossFrom: 0.3, handmade: 0.8, lineSpacing: 9, toneModel: 'halfLambert' });
+        },
+      };
+    },
+  },
+];
