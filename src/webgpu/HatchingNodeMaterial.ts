@@ -6,6 +6,7 @@ import {
   type Light,
   Material,
   Matrix3,
+  Matrix4,
   type Mesh,
   type Vector2,
   Vector4,
@@ -75,6 +76,8 @@ function tellOnce(sentence: string): void {
   tell(`${NAME}: ${sentence}`);
 }
 
+/** Of its own: WebGPURenderer leaves that of a mesh as it is. */
+const modelView = /* @__PURE__ */ new Matrix4();
 const turned = /* @__PURE__ */ new Matrix3();
 const viewport = /* @__PURE__ */ new Vector4();
 
@@ -217,7 +220,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     writeImportance(mesh, takesWeight(look), u);
     u.lineContrast.value = lineContrast(mesh.geometry);
     writeFieldFrame(u, this.tilesPerUnit, mesh.geometry, mesh);
-    turned.getNormalMatrix(mesh.modelViewMatrix).transpose();
+    turned.getNormalMatrix(modelView.multiplyMatrices(camera.matrixWorldInverse, mesh.matrixWorld)).transpose();
     (u.viewToField.value as Matrix3).multiplyMatrices(u.objectToField.value, turned);
   }
 

@@ -1,4 +1,5 @@
-import type { Camera, Scene, ShadowMapType } from 'three';
+import type { Camera, Material, Scene, ShadowMapType } from 'three';
+import type { HatchingMaterialParameters } from 'three-hatching';
 
 /** Who draws: materials in GLSL on WebGLRenderer, or of nodes on WebGPURenderer, with its WebGL 2 backend or with WebGPU. */
 export type Drawn = 'glsl' | 'forceWebGL' | 'webgpu';
@@ -6,6 +7,8 @@ export type Drawn = 'glsl' | 'forceWebGL' | 'webgpu';
 /** Makes what a scene is drawn with, for who draws it. */
 export interface Kit {
   readonly drawn: Drawn;
+  /** `HatchingMaterial` or `HatchingNodeMaterial`, ready to draw. */
+  hatching(parameters: HatchingMaterialParameters): Promise<Material>;
   /** Of two materials or objects that say the same, the one in GLSL or the one of nodes. */
   either<Glsl, Nodes>(glsl: () => Glsl, nodes: () => Nodes): Glsl | Nodes;
 }
@@ -29,4 +32,9 @@ export interface SceneCase {
    * the screen say, which WebGPU takes of other pixels. Default: `pixels`.
    */
   onWebGPU?: 'pixels' | 'tone';
+  /**
+   * The largest share of pixels that may be seen to differ. Default: 0.0005. Edges of shadows are more: three's own filters differ there,
+   * of Phong shading in 0.0006 of all pixels.
+   */
+  most?: number;
 }

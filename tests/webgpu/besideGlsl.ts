@@ -7,8 +7,6 @@ export const test = testOnOnePage('tests/webgpu/sideBySide.html', {
   begin: (page) => page.waitForFunction(() => window.besideGlsl !== undefined),
 });
 
-/** The largest share of pixels that may be seen to differ. */
-const MOST_DIFFERING = 0.0005;
 /** The largest difference of mean tones, of 255, where pixels are not compared. */
 const MOST_OFF_TONE = 0.2;
 
@@ -24,7 +22,7 @@ export function testGroup(group: string): void {
       expect(cases.length, `cases of ${group}`).toBeGreaterThan(0);
       const lack = await page.evaluate(() => window.besideGlsl.lackOfWebGPU);
       test.skip(drawn === 'webgpu' && lack !== null, lack ?? '');
-      for (const { name, onWebGPU } of cases) {
+      for (const { name, onWebGPU, most } of cases) {
         const measured = await page.evaluate(([g, n, d]) => window.besideGlsl.measure(g, n, d), [
           group,
           name,
@@ -40,7 +38,7 @@ export function testGroup(group: string): void {
         if (drawn === 'webgpu' && onWebGPU === 'tone') {
           expect.soft(Math.abs(tones[1] - tones[0]), `${name}: mean tones`).toBeLessThanOrEqual(MOST_OFF_TONE);
         } else {
-          expect.soft(differing, `${name}: ${description}`).toBeLessThanOrEqual(MOST_DIFFERING);
+          expect.soft(differing, `${name}: ${description}`).toBeLessThanOrEqual(most);
         }
       }
     });

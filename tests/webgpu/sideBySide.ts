@@ -1,6 +1,7 @@
 /** Draws scenes in GLSL on WebGLRenderer and of nodes on WebGPURenderer, and says how much the pictures differ. */
 import { Color, Mesh } from 'three';
 import { HatchingMaterial } from 'three-hatching';
+import { HatchingNodeMaterial } from 'three-hatching/webgpu';
 import { type Drawer, lackOfWebGPU, makeDrawer } from './drawing.js';
 import { type Comparison, compare, type Pixels, sideBySide } from './picturesOf.js';
 import type { Drawn, Kit, SceneCase, Stage } from './SceneCase.js';
@@ -14,6 +15,9 @@ const groups = new Map(
   Object.entries(modules).map(([path, { cases }]) => [/([^/]+)\.ts$/.exec(path)![1], cases] as const),
 );
 
+/** The largest share of pixels that may be seen to differ, where a case says nothing else. */
+const MOST_DIFFERING = 0.0005;
+
 const drawers = new Map<Drawn, Promise<Drawer>>();
 
 function drawerOf(drawn: Drawn): Promise<Drawer> {
@@ -24,6 +28,11 @@ function drawerOf(drawn: Drawn): Promise<Drawer> {
 
 const kitOf = (drawn: Drawn): Kit => ({
   drawn,
+  async hatching(parameters) {
+    if (drawn !== 'glsl') return new HatchingNodeMaterial(parameters);
+    await HatchingMaterial.preload();
+    return new HatchingMaterial(parameters);
+  },
   either: (glsl, nodes) => (drawn === 'glsl' ? glsl() : nodes()),
 });
 
@@ -74,8 +83,9 @@ async function measure(group: string, name: string, drawn: 'forceWebGL' | 'webgp
 
 const page = {
   lackOfWebGPU: await lackOfWebGPU(),
-  /** The names of a group's cases, and what WebGPU is held to. */
-  casesOf: (group: string) => (groups.get(group) ?? []).map(({ name, onWebGPU = 'pixels' }) => ({ name, onWebGPU })),
+  /** The names of a group's cases, and what they are held to. */
+  casesOf: (group: string) =>
+    (groups.get(group) ?? []).map(({ name, onWebGPU = 'pixels', most = MOST_DIFFERING }) => ({ name, onWebGPU, most })),
   measure,
 };
 

@@ -1,6 +1,6 @@
 import { type Color, HemisphereLight, PCFShadowMap, SpotLight } from 'three';
 import type { HatchingMaterialParameters } from 'three-hatching';
-import { knot } from '../knot.js';
+import { knot, shadowed } from '../knot.js';
 import type { Kit, SceneCase, Stage } from '../SceneCase.js';
 
 const ENGRAVED = { technique: 'engraved', lineField: 'light', shadowStrokes: 'tone', exposure: 1 } as const;
@@ -12,15 +12,9 @@ export const cases: readonly SceneCase[] = [
   { name: 'the field of the light', show: (kit) => drawn(kit) },
   {
     name: 'a shadow',
+    most: 0.0015,
     shadows: PCFShadowMap,
-    async show(kit): Promise<Stage> {
-      const stage = await drawn(kit);
-      stage.mesh.castShadow = stage.mesh.receiveShadow = stage.sun.castShadow = true;
-      Object.assign(stage.sun.shadow.camera, { left: -1.2, right: 1.2, top: 1.2, bottom: -1.2, near: 0.1, far: 10 });
-      stage.sun.shadow.bias = -0.0005;
-      stage.sun.shadow.normalBias = 0.02;
-      return stage;
-    },
+    show: async (kit) => shadowed(await drawn(kit)),
   },
   ...(['towards', 'y', 'slant'] as const).map((lineField) => ({
     name: `the field ${lineField}`,

@@ -1,6 +1,6 @@
-import { MeshPhongMaterial } from 'three';
+import { MeshPhongMaterial, PCFShadowMap } from 'three';
 import { MeshPhongNodeMaterial } from 'three/webgpu';
-import { knot } from '../knot.js';
+import { knot, shadowed } from '../knot.js';
 import type { SceneCase } from '../SceneCase.js';
 
 /** three's own materials, of which both kinds draw the same: other differences are not the drawers'. */
@@ -16,5 +16,19 @@ export const cases: readonly SceneCase[] = [
         ),
       );
     },
+  },
+  {
+    name: 'Phong under a shadow',
+    most: 0.001,
+    shadows: PCFShadowMap,
+    show: ({ either }) =>
+      shadowed(
+        knot(
+          either(
+            () => new MeshPhongMaterial(),
+            () => new MeshPhongNodeMaterial(),
+          ),
+        ),
+      ),
   },
 ];
