@@ -1,5 +1,4 @@
 import {
-  type BufferGeometry,
   type Camera,
   type Color,
   type IUniform,
@@ -47,26 +46,24 @@ import { TONE_CURVES } from '../material/shaders/shaderConventions.js';
 import { withVectors } from '../material/vectorValues.js';
 import { tell } from '../mistakes/tell.js';
 import { HatchingLightingModel } from './HatchingLightingModel.js';
+import { deformVertex } from './nodes/chunks/deformVertex.js';
 import { emphasisAt } from './nodes/chunks/emphasis.js';
 import { lightLuminance } from './nodes/chunks/lightLuminance.js';
 import { filledColor, localDarkness } from './nodes/chunks/localColor.js';
+import { placeInstance } from './nodes/chunks/objectToView.js';
 import { paper, printedColor } from './nodes/chunks/printedColor.js';
 import { shadedTone } from './nodes/chunks/tone.js';
-import { firstField } from './nodes/techniques/engraved/fieldAxis.js';
+import { emitAnchor } from './nodes/perFragment/emit.js';
+import { emitEngraved } from './nodes/techniques/engraved/emit.js';
 import { hatchLayer, readHatchingParameters } from './nodes/techniques/engraved/hatchLayer.js';
-import { fieldLight } from './nodes/techniques/engraved/lightField.js';
-import { hatchingUniform } from './nodes/uniforms.js';
 import { tsl, type Value } from './nodes/values.js';
 
 const NAME = 'HatchingNodeMaterial';
 const propertyNames = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
 const propertyOf = (name: HatchingPropertyName): HatchingProperty => HATCHING_PROPERTIES[name];
 
-const { diffuseColor, float, materialEmissive, mix, modelViewMatrix, normalGeometry, positionGeometry } = tsl;
-const { positionView, screenCoordinate, screenSize, varying, vec2, vec3, vec4 } = tsl;
-const fieldOrigin = /* @__PURE__ */ hatchingUniform('fieldOrigin', 'vec3');
-const objectToField = /* @__PURE__ */ hatchingUniform('objectToField', 'mat3');
-const objectToFieldNormal = /* @__PURE__ */ hatchingUniform('objectToFieldNormal', 'mat3');
+const { diffuseColor, float, materialEmissive, mix, positionLocal, positionView, screenCoordinate } = tsl;
+const { screenSize, vec2, vec3 } = tsl;
 
 const told = new Set<string>();
 
@@ -78,7 +75,6 @@ function tellOnce(sentence: string): void {
 
 /** Of its own: WebGPURenderer leaves that of a mesh as it is. */
 const modelView = /* @__PURE__ */ new Matrix4();
-const turned = /* @__PURE__ */ new Matrix3();
 const viewport = /* @__PURE__ */ new Vector4();
 
 /** Writes what each mesh is drawn with, before nodes read it. The factor 1, which all materials share. */
@@ -131,7 +127,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
   /** @throws TypeError, RangeError or Error for a value of the wrong kind or out of its range */
   constructor(parameters: HatchingMaterialParameters | undefined = undefined) {
     super();
-    this.uniforms = { ...createHatchingUniforms(), viewToField: { value: new Matrix3() } };
+    this.uniforms = { ...createHatchingUniforms(), viewToObject: { value: new Matrix3() } };
     for (const name of propertyNames) {
       const field = fieldOf(name);
       if (field !== undefined) Object.assign(this, { [name]: field });
@@ -199,7 +195,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
   override customProgramCacheKey(): string {
     const { inkBlend, toneModel } = this;
     const curve = curveOf(this.toneCurve);
-    return [NAME, this.lineFieldInUse(), toneModel, curve, inkBlend].join(' ');
+    return [NAME, this.lineFieldInUse(), this.strokeAnchor, toneModel, curve, inkBlend].join(' ');
   }
 
   /** Writes the properties, and what is of the mesh, to the uniforms. @internal */
@@ -220,8 +216,8 @@ export class HatchingNodeMaterial extends NodeMaterial {
     writeImportance(mesh, takesWeight(look), u);
     u.lineContrast.value = lineContrast(mesh.geometry);
     writeFieldFrame(u, this.tilesPerUnit, mesh.geometry, mesh);
-    turned.getNormalMatrix(modelView.multiplyMatrices(camera.matrixWorldInverse, mesh.matrixWorld)).transpose();
-    (u.viewToField.value as Matrix3).multiplyMatrices(u.objectToField.value, turned);
+    modelView.multiplyMatrices(camera.matrixWorldInverse, mesh.matrixWorld);
+    (u.viewToObject.value as Matrix3).getNormalMatrix(modelView).transpose();
   }
 
   /** Nodes are made for the values that they find. @internal */
@@ -230,9 +226,19 @@ export class HatchingNodeMaterial extends NodeMaterial {
     super.setup(builder);
   }
 
+  /** Puts the vertex where three's own materials do, and its strokes with it. @internal */
+  override setupPosition(builder: NodeBuilder): ReturnType<NodeMaterial['setupPosition']> {
+    const deformed = deformVertex(builder);
+    const place = placeInstance(builder);
+    const isAtRest = this.strokeAnchor === 'rest';
+    const anchor = emitAnchor(builder, deformed, place, isAtRest);
+    emitEngraved(builder, anchor, { lineField: this.lineFieldInUse(), isAtRest, lights: lightsOf(builder) });
+    return positionLocal as unknown as ReturnType<NodeMaterial['setupPosition']>;
+  }
+
   /** @internal */
   override setupLighting(builder: NodeBuilder): ReturnType<NodeMaterial['setupLighting']> {
-    this.tellOfLacks(builder.object as Mesh);
+    this.tellOfLacks();
     const emissive = this.emissive;
     // The light of the surface itself is light too, and not added to the print.
     Object.assign(this, { emissive: null });
@@ -247,12 +253,12 @@ export class HatchingNodeMaterial extends NodeMaterial {
   override setupLightingModel(builder?: NodeBuilder): HatchingLightingModel {
     const built = builder as NodeBuilder & { lightsNode: { getLights(): Light[] } };
     const lights = built.lightsNode.getLights();
-    return new HatchingLightingModel(this.toneModel, lights, (radiance) => this.print(radiance, lights, built));
+    return new HatchingLightingModel(this.toneModel, lights, (radiance) => this.print(radiance, built));
   }
 
   /** Where there is no light at all. @internal */
   override setupOutgoingLight(builder?: NodeBuilder): ReturnType<NodeMaterial['setupOutgoingLight']> {
-    const printed = builder ? this.print(float(0).toVar(), [], builder) : vec3(0);
+    const printed = builder ? this.print(float(0).toVar(), builder) : vec3(0);
     return printed as unknown as ReturnType<NodeMaterial['setupOutgoingLight']>;
   }
 
@@ -276,7 +282,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     return formOf(this) === false && this.lineField !== 'auto' ? this.lineField : withoutForm(this);
   }
 
-  private tellOfLacks({ isSkinnedMesh, isInstancedMesh, isBatchedMesh, morphTargetInfluences }: LackingMesh): void {
+  private tellOfLacks(): void {
     const { technique, medium, toneModel, shadowStrokes, exposure } = this;
     if (technique !== 'engraved')
       tellOnce(`there are no nodes of the technique "${technique}" yet; "engraved" is drawn.`);
@@ -286,11 +292,10 @@ export class HatchingNodeMaterial extends NodeMaterial {
     if (shadowStrokes !== 'tone') tellOnce(`shadowStrokes "${shadowStrokes}" is not drawn by nodes yet.`);
     if (formOf(this) === true) tellOnce('there are no nodes of lines that follow the form yet.');
     if (exposure === 'auto') tellOnce('an exposure that is fitted to the scene is not known to nodes yet; it is 1.');
-    if (isSkinnedMesh || isInstancedMesh || isBatchedMesh || morphTargetInfluences)
-      tellOnce('lines on instances, skins and morph targets are not yet spaced as those of other meshes.');
   }
 
-  private print(light: Value, lights: readonly Light[], { geometry, material }: NodeBuilder): Value {
+  private print(light: Value, builder: NodeBuilder): Value {
+    const { material } = builder;
     const emitted = materialEmissive;
     const radiance = light.add(lightLuminance(emitted));
     const curve = curveOf(this.toneCurve);
@@ -300,18 +305,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const tone = shadedTone(radiance, darkness, curve, this.toneModel === 'toon')
       .mul(emphasis)
       .toVar();
-    const normal = (geometry as BufferGeometry).hasAttribute('hatchNormal') ? hatchNormal() : normalGeometry;
-    const place = varying(objectToField.mul(positionGeometry.sub(fieldOrigin)) as never).toVar();
-    const fieldNormal = varying(objectToFieldNormal.mul(normal) as never);
-    const lineField = this.lineFieldInUse();
-    const turns = lineField === 'light' || lineField === 'towards';
-    const field = tsl.Fn(() =>
-      firstField(
-        turns ? fieldLight(modelViewMatrix.mul(vec4(fieldOrigin, 1)).xyz, lights).toVar() : vec4(0, 1, 0, 0),
-        lineField,
-      ),
-    )();
-    const parameters = readHatchingParameters(varying(field as never).toVar(), place, fieldNormal);
+    const parameters = readHatchingParameters(builder);
     const color = mix(vec3(1), filledColor(diffuseColor.xyz), emphasis);
     const isOpaque = !(material as Material).transparent;
     const ground = paper.mul(color).toVar();
@@ -330,15 +324,5 @@ export class HatchingNodeMaterial extends NodeMaterial {
 const curveOf = (curve: ToneCurve): number =>
   TONE_CURVES.indexOf(curve === 'linear' || curve === 'perceptual' ? curve : 'points');
 
-interface LackingMesh {
-  readonly isSkinnedMesh?: boolean;
-  readonly isInstancedMesh?: boolean;
-  readonly isBatchedMesh?: boolean;
-  readonly morphTargetInfluences?: readonly number[] | undefined;
-}
-
-/** The normal at the scale of a stroke; that of the surface where the geometry has a blank one. */
-function hatchNormal(): Value {
-  const attribute = (tsl.attribute as unknown as (name: string, type: string) => Value)('hatchNormal', 'vec4').xyz;
-  return tsl.select(tsl.dot(attribute, attribute).greaterThan(0.25), attribute, normalGeometry);
-}
+const lightsOf = (builder: NodeBuilder): readonly Light[] =>
+  (builder as NodeBuilder & { lightsNode: { getLights(): Light[] } | null }).lightsNode?.getLights() ?? [];

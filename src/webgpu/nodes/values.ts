@@ -37,14 +37,23 @@ interface Branches {
 
 interface Shading
   extends Record<
-    | ('float' | 'int' | 'uint' | 'bool' | 'vec2' | 'vec3' | 'vec4' | 'ivec2' | 'mat3' | 'uvec4')
+    | ('float' | 'int' | 'uint' | 'bool' | 'vec2' | 'vec3' | 'vec4' | 'ivec2' | 'mat3' | 'mat4' | 'uvec4')
     | ('abs' | 'ceil' | 'floor' | 'fract' | 'sign' | 'sqrt' | 'inverseSqrt' | 'exp' | 'exp2' | 'sin' | 'cos')
     | ('min' | 'max' | 'clamp' | 'mix' | 'step' | 'smoothstep' | 'pow' | 'select')
-    | ('cross' | 'distance' | 'dot' | 'length' | 'normalize' | 'determinant' | 'inverse' | 'transpose')
-    | ('attribute' | 'floatBitsToInt' | 'floatBitsToUint' | 'intBitsToFloat' | 'varying')
+    | ('add' | 'cross' | 'distance' | 'dot' | 'length' | 'normalize' | 'determinant' | 'inverse' | 'transpose')
+    | ('floatBitsToInt' | 'floatBitsToUint' | 'intBitsToFloat' | 'varying')
     | ('textureSize' | 'uintBitsToFloat' | 'unpackHalf2x16' | 'unpackSnorm2x16'),
     Operation
   > {
+  attribute(name: string, type: string): Value;
+  /** What an object has under this name. */
+  reference(name: string, type: string): Value;
+  referenceBuffer(name: string, type: string, count: number): Value;
+  /** What moves a vertex of an object, as three's own materials have it moved. */
+  batch(object: object): void;
+  instancedMesh(object: object): void;
+  morphReference(object: object): void;
+  skinning(object: object): void;
   /** Runs when a shader is built. */
   Fn(build: (builder: NodeBuilder) => Value): () => Value;
   If(condition: Value, then: () => void): Branches;
@@ -54,7 +63,10 @@ interface Shading
   /** A variable of a stage that anything in it may read. */
   property(type: string, name: string): Value;
   varyingProperty(type: string, name: string): Value;
+  readonly batchIndirectIndex: Value;
+  readonly normalLocal: Value;
   readonly positionGeometry: Value;
+  readonly positionLocal: Value;
   readonly normalGeometry: Value;
   readonly normalView: Value;
   readonly positionView: Value;

@@ -14,7 +14,7 @@ import {
   VERTICES,
 } from '../../outlines/MeshOutlines.js';
 import { HatchingOutlineNodeMaterial } from './HatchingOutlineNodeMaterial.js';
-import { InstancePlaces } from './InstancePlaces.js';
+import { placesOf } from './InstancePlaces.js';
 import { readWhereDrawn } from './readWhereDrawn.js';
 
 const drawnInto = /* @__PURE__ */ new Vector4();
@@ -39,7 +39,6 @@ export class HatchingOutlines extends MeshOutlines {
   material: HatchingOutlineNodeMaterial;
 
   private ownsMaterial: boolean;
-  private places: InstancePlaces | null = null;
   private isDrawingHidden = false;
 
   /**
@@ -69,7 +68,6 @@ export class HatchingOutlines extends MeshOutlines {
   override dispose(): void {
     super.dispose();
     if (this.ownsMaterial) this.material.dispose();
-    this.places?.dispose();
   }
 
   override readonly onBeforeRender = (either: WebGLRenderer | WebGPURenderer, _scene: Scene, camera: Camera): void => {
@@ -145,8 +143,7 @@ export class HatchingOutlines extends MeshOutlines {
     // A list holds the instance of each primitive.
     this.count = isInstanced && !isListed ? (mesh as InstancedMesh).count : 1;
     if (!isInstanced) return;
-    this.places ??= new InstancePlaces();
-    uniforms.instancePlaces.value = this.places.of(mesh as InstancedMesh);
+    uniforms.instancePlaces.value = placesOf(mesh as InstancedMesh);
   }
 }
 

@@ -35,3 +35,19 @@ export class InstancePlaces {
     this.texture = null;
   }
 }
+
+const places = /* @__PURE__ */ new WeakMap<InstancedMesh, InstancePlaces>();
+
+/** The matrices of the instances of a mesh as they are now, as a texture. It is freed with the mesh. */
+export function placesOf(mesh: InstancedMesh): DataTexture {
+  let known = places.get(mesh);
+  if (!known) {
+    const made = new InstancePlaces();
+    known = made;
+    places.set(mesh, made);
+    mesh.addEventListener('dispose', () => {
+      made.dispose();
+    });
+  }
+  return known.of(mesh);
+}

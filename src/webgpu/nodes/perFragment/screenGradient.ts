@@ -8,14 +8,15 @@ const { abs, cameraProjectionMatrix, dot, length, max, positionView, select, vec
 /** The two columns of a matrix: WGSL has no name for one of two by three that three's nodes know. */
 export type ScreenMap = readonly [x: Value, y: Value];
 
-/** From the view to the space of the places that functions are of, linear part. */
-export const viewToField: Value = /* @__PURE__ */ hatchingUniform('viewToField', 'mat3');
 const viewportHeight = /* @__PURE__ */ hatchingUniform('viewportHeight', 'float');
 
-/** @param n the normal, unit, in that space. Where the plane leans away it is held back. */
-export function screenMap(n: Value): ScreenMap {
+/**
+ * @param n the normal, unit, in the space of the places that functions are of. Where the plane leans away it is held back.
+ * @param viewToPlace from the view to that space, linear part
+ */
+export function screenMap(n: Value, viewToPlace: Value): ScreenMap {
   const isOrthographic = cameraProjectionMatrix.element(3).element(3).equal(1);
-  const normal = n.mul(viewToField).toVar();
+  const normal = n.mul(viewToPlace).toVar();
   const centre = select(isOrthographic, vec2(0), positionView.xy.div(positionView.z)).toVar();
   const facing = abs(dot(normal, vec3(centre, 1)));
   const away = select(isOrthographic, 1, positionView.z.negate());
@@ -23,8 +24,8 @@ export function screenMap(n: Value): ScreenMap {
   normal.mulAssign(perPixel.div(max(facing, length(normal).mul(SCREEN_CONSTANTS.LEAST_FACING))));
   const { x, y, z } = normal;
   return [
-    viewToField.mul(vec3(centre.x.mul(y), z.negate().sub(centre.x.mul(x)), y)).toVar(),
-    viewToField.mul(vec3(z.add(centre.y.mul(y)), centre.y.negate().mul(x), x.negate())).toVar(),
+    viewToPlace.mul(vec3(centre.x.mul(y), z.negate().sub(centre.x.mul(x)), y)).toVar(),
+    viewToPlace.mul(vec3(z.add(centre.y.mul(y)), centre.y.negate().mul(x), x.negate())).toVar(),
   ];
 }
 

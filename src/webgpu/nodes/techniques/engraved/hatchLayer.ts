@@ -1,14 +1,18 @@
 /** The twin of shaders/techniques/engraved/hatchLayer.glsl and of readCut.glsl: lines that a field cuts out of the object. */
+import type { NodeBuilder } from 'three/webgpu';
 import { FIELD_CONSTANTS } from '../../../../engraving/constants/fieldConstants.js';
 import { HAND_CONSTANTS } from '../../../../engraving/constants/handConstants.js';
 import { LINE_CONSTANTS } from '../../../../engraving/constants/lineConstants.js';
 import { leftOf, takenOf } from '../../chunks/crossedTones.js';
 import { type ScreenMap, screenGradient, screenMap } from '../../perFragment/screenGradient.js';
+import { readViewToAnchor } from '../../perFragment/viewToAnchor.js';
 import { hatchingUniform } from '../../uniforms.js';
 import { tsl, type Value } from '../../values.js';
+import { objectToField } from './emit.js';
 import { across, fieldAt } from './fieldAxis.js';
 import { handPoint, handPressure, handTone, slowWaves } from './hand.js';
 import { type Family, ruledLines } from './ruledLines.js';
+import { vField, vFieldNormal, vFieldPoint } from './varyings.js';
 
 const { cross, dot, float, If, length, max, min, mix, normalize, select, smoothstep, sqrt } = tsl;
 const { BARE_SLOPE, SIDE_FADE, SPARSEST_SLOPE } = FIELD_CONSTANTS;
@@ -35,16 +39,13 @@ interface HatchingParameters {
   shareB: Value;
 }
 
-/**
- * @param field axis and bend
- * @param place field space
- * @param fieldNormal at the scale of a stroke, of any length
- */
-export function readHatchingParameters(field: Value, place: Value, fieldNormal: Value): HatchingParameters {
-  const normal = normalize(fieldNormal).toVar();
+export function readHatchingParameters(builder: NodeBuilder): HatchingParameters {
+  const field = vField.toVar();
+  const place = vFieldPoint.toVar();
+  const normal = normalize(vFieldNormal).toVar();
   const waves = slowWaves(place.mul(HAND_CONSTANTS.HAND_WAVES)).toVar();
   const point = handPoint(place, waves).toVar();
-  const onScreen = screenMap(normal);
+  const onScreen = screenMap(normal, objectToField.mul(readViewToAnchor(builder)).toVar());
   const { value, gradient } = fieldAt(field, point);
   const along = dot(normal, gradient).toVar();
   const slope = sqrt(max(float(1).sub(along.mul(along)), 1e-12)).toVar();

@@ -3,7 +3,6 @@ import type { Light } from 'three';
 import { FIELD_CONSTANTS } from '../../../../engraving/constants/fieldConstants.js';
 import { lightLuminance } from '../../chunks/lightLuminance.js';
 import { type LightValues, valuesFor } from '../../chunks/meanLight.js';
-import { viewToField } from '../../perFragment/screenGradient.js';
 import { tsl, type Value } from '../../values.js';
 
 const { dot, float, length, max, select, vec3, vec4 } = tsl;
@@ -37,8 +36,13 @@ function axisOf(tensor: Tensor, sum: Value, count: number): Value {
   return select(dot(axis, sum).lessThan(0), axis.negate(), axis);
 }
 
-/** Unit direction and one over the distance, field space. @param place the origin of the field, view space */
-export function fieldLight(place: Value, lights: readonly Light[]): Value {
+/**
+ * Unit direction and one over the distance, field space.
+ *
+ * @param viewToField linear part
+ * @param place the origin of the field, view space
+ */
+export function fieldLight(viewToField: Value, place: Value, lights: readonly Light[]): Value {
   const directed = directedLights(lights).map((light) => {
     const values = valuesFor(light);
     const isAtPlace = hasPlace(light);
