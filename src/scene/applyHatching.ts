@@ -14,8 +14,7 @@ const IN_GLSL: LookMakers = {
   material: () => new HatchingMaterial(),
   fetchPartsOf,
   async outlineMaker(parameters) {
-    const { OutlineMaker } = await import('./OutlineMaker.js');
-    return new OutlineMaker(parameters);
+    return (await import('./outlinesInGlsl.js')).outlinesInGlsl(parameters);
   },
 };
 

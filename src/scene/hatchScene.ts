@@ -109,7 +109,7 @@ export async function hatchScene(
     };
     const scene = new HatchedScene(looks, materials, outlines, skipped, followers, disposables, releaseMeshes, forms);
     for (const { mesh } of looks) {
-      for (const material of materialsOf(mesh)) if (isHatching(material)) material.announce(mesh);
+      for (const material of materialsOf(mesh)) if (isHatching(material)) material.announce?.(mesh);
     }
     return scene;
   } catch (error) {

@@ -7,6 +7,7 @@ import {
   Matrix3,
   Matrix4,
   type Mesh,
+  type Scene,
   type Vector2,
   Vector4,
   type WebGLRenderer,
@@ -18,6 +19,10 @@ import { checkChoice, checkValues } from '../material/checkValues.js';
 import { takesWeight, writeEmphasis, writeImportance } from '../material/emphasis/emphasis.js';
 import type { SceneExtent } from '../material/emphasis/SceneExtent.js';
 import { writeSheet } from '../material/emphasis/writeSheet.js';
+import { isFitted } from '../material/exposure/isFitted.js';
+import { sceneExposure } from '../material/exposure/sceneExposure.js';
+import { writeFit } from '../material/exposure/writeFit.js';
+import { FrameStamp } from '../material/FrameStamp.js';
 import { defaultOf } from '../material/facts/defaultOf.js';
 import type { HatchingProperty } from '../material/facts/HatchingProperty.js';
 import {
@@ -88,9 +93,9 @@ class MeshValues extends Node {
     return float(1) as unknown as Node;
   }
 
-  override updateBefore({ material, object, renderer, camera }: NodeFrame): undefined {
-    if (material instanceof HatchingNodeMaterial && renderer && camera)
-      material.writeDraw(renderer as unknown as WebGPURenderer, camera, object as Mesh);
+  override updateBefore({ material, object, renderer, scene, camera }: NodeFrame): undefined {
+    if (material instanceof HatchingNodeMaterial && renderer && scene && camera)
+      material.writeDraw(renderer as unknown as WebGPURenderer, scene, camera, object as Mesh);
   }
 }
 
@@ -105,6 +110,8 @@ export interface HatchingNodeMaterial extends Pick<HatchingMaterialProperties, H
 // biome-ignore lint/suspicious/noUnsafeDeclarationMerging: the constructor defines every property of the table.
 export class HatchingNodeMaterial extends NodeMaterial {
   readonly isHatchingNodeMaterial = true;
+  /** It has the properties of a `HatchingMaterial`: what reads these, as drawings in lines do, takes it for one. */
+  readonly isHatchingMaterial = true;
   /** What nodes read, as programs in GLSL do. @internal */
   readonly uniforms: Record<string, IUniform>;
   /** three.js looks for changes only in materials that have a node. @internal */
@@ -119,6 +126,8 @@ export class HatchingNodeMaterial extends NodeMaterial {
     technique: HATCHING_DEFAULTS.technique,
   };
   private curve: ToneCurve | undefined;
+  /** The frame for which the uniforms were last written. */
+  private readonly written = new FrameStamp();
 
   static override get type(): string {
     return NAME;
@@ -198,26 +207,42 @@ export class HatchingNodeMaterial extends NodeMaterial {
     return [NAME, this.lineFieldInUse(), this.strokeAnchor, toneModel, curve, inkBlend].join(' ');
   }
 
-  /** Writes the properties, and what is of the mesh, to the uniforms. @internal */
-  writeDraw(renderer: WebGPURenderer, camera: Camera, mesh: Mesh): void {
+  /** Writes the properties, once a frame, and what is of the mesh, to the uniforms. Allocates nothing. @internal */
+  writeDraw(renderer: WebGPURenderer, scene: Scene, camera: Camera, mesh: Mesh): void {
     const u = this.uniforms;
     const look = this as unknown as HatchingMaterialProperties & { extent: SceneExtent | null };
-    writePropertyUniforms(look, u);
-    writeSizeUniforms(look, null, renderer.getPixelRatio(), u);
-    writeCurveUniforms(this.toneCurve, u);
-    writeComputedUniforms(look, u);
-    // What it asks of a renderer, both kinds have.
-    writeEmphasis(look, u, renderer as unknown as WebGLRenderer, camera);
-    const target = renderer.getRenderTarget();
-    if (target) viewport.copy(target.viewport);
-    else renderer.getViewport(viewport).multiplyScalar(renderer.getPixelRatio());
-    u.viewportHeight.value = viewport.w;
-    writeSheet(u.sheet.value, camera, viewport);
+    // What is asked of it here, both kinds of renderers have.
+    const asked = renderer as unknown as WebGLRenderer;
+    if (!this.written.isOf(asked, camera)) {
+      this.written.note(asked, camera);
+      this.writeFrame(look, asked, scene, camera);
+    }
     writeImportance(mesh, takesWeight(look), u);
     u.lineContrast.value = lineContrast(mesh.geometry);
     writeFieldFrame(u, this.tilesPerUnit, mesh.geometry, mesh);
     modelView.multiplyMatrices(camera.matrixWorldInverse, mesh.matrixWorld);
     (u.viewToObject.value as Matrix3).getNormalMatrix(modelView).transpose();
+  }
+
+  private writeFrame(
+    look: HatchingMaterialProperties & { extent: SceneExtent | null },
+    renderer: WebGLRenderer,
+    scene: Scene,
+    camera: Camera,
+  ): void {
+    const u = this.uniforms;
+    const pixelRatio = renderer.getPixelRatio();
+    writePropertyUniforms(look, u);
+    writeSizeUniforms(look, null, pixelRatio, u);
+    writeCurveUniforms(this.toneCurve, u);
+    writeComputedUniforms(look, u);
+    writeEmphasis(look, u, renderer, camera);
+    writeExposure(look, renderer, scene, camera, u);
+    const target = renderer.getRenderTarget();
+    if (target) viewport.copy(target.viewport);
+    else renderer.getViewport(viewport).multiplyScalar(pixelRatio);
+    u.viewportHeight.value = viewport.w;
+    writeSheet(u.sheet.value, camera, viewport);
   }
 
   /** Nodes are made for the values that they find. @internal */
@@ -283,7 +308,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
   }
 
   private tellOfLacks(): void {
-    const { technique, medium, toneModel, shadowStrokes, exposure } = this;
+    const { technique, medium, toneModel, shadowStrokes } = this;
     if (technique !== 'engraved')
       tellOnce(`there are no nodes of the technique "${technique}" yet; "engraved" is drawn.`);
     if (medium === 'pen' || medium === 'woodcut' || medium === 'stipple' || medium === 'dry')
@@ -291,7 +316,6 @@ export class HatchingNodeMaterial extends NodeMaterial {
     if (toneModel === 'shadow') tellOnce('there are no nodes of the tone model "shadow" yet; all tones are drawn.');
     if (shadowStrokes !== 'tone') tellOnce(`shadowStrokes "${shadowStrokes}" is not drawn by nodes yet.`);
     if (formOf(this) === true) tellOnce('there are no nodes of lines that follow the form yet.');
-    if (exposure === 'auto') tellOnce('an exposure that is fitted to the scene is not known to nodes yet; it is 1.');
   }
 
   private print(light: Value, builder: NodeBuilder): Value {
@@ -323,6 +347,17 @@ export class HatchingNodeMaterial extends NodeMaterial {
 /** The number of its kind: shaders know any curve but these two by its points. */
 const curveOf = (curve: ToneCurve): number =>
   TONE_CURVES.indexOf(curve === 'linear' || curve === 'perceptual' ? curve : 'points');
+
+/** Writes the exposure that suits the scene, where it is fitted to that. */
+function writeExposure(
+  material: HatchingMaterialProperties,
+  renderer: WebGLRenderer,
+  scene: Scene,
+  camera: Camera,
+  uniforms: Record<string, IUniform>,
+): void {
+  if (isFitted(material)) writeFit(sceneExposure(renderer, scene, camera), material, uniforms);
+}
 
 const lightsOf = (builder: NodeBuilder): readonly Light[] =>
   (builder as NodeBuilder & { lightsNode: { getLights(): Light[] } | null }).lightsNode?.getLights() ?? [];
