@@ -2,6 +2,7 @@ import type { Light } from 'three';
 import { LightingModel, type NodeBuilder } from 'three/webgpu';
 import { lightLuminance } from './nodes/chunks/lightLuminance.js';
 import { fallOff, valuesFor } from './nodes/chunks/meanLight.js';
+import { openToLights, openToSky } from './nodes/chunks/occlude.js';
 import { directedLights } from './nodes/techniques/engraved/lightField.js';
 import { hatchingUniform } from './nodes/uniforms.js';
 import { tsl, type Value } from './nodes/values.js';
@@ -12,6 +13,8 @@ const shininess = /* @__PURE__ */ hatchingUniform('shininess', 'float');
 const reflectedLight = /* @__PURE__ */ hatchingUniform('reflectedLight', 'float');
 
 interface LightingContext {
+  /** What a map takes of the light of the surroundings. */
+  ambientOcclusion: Value;
   irradiance: Value;
   outgoingLight: Value;
 }
@@ -48,7 +51,11 @@ export class HatchingLightingModel extends LightingModel {
   }
 
   override indirect(builder: NodeBuilder): void {
-    this.radiance.addAssign(lightLuminance((builder.context as LightingContext).irradiance).div(Math.PI));
+    // Lights with a direction have been walked by now.
+    this.radiance.mulAssign(openToLights());
+    const { ambientOcclusion, irradiance } = builder.context as LightingContext;
+    const surroundings = lightLuminance(irradiance).div(Math.PI).mul(ambientOcclusion);
+    this.radiance.addAssign(surroundings.mul(openToSky()));
   }
 
   override finish(builder: NodeBuilder): void {
@@ -64,6 +71,6 @@ export class HatchingLightingModel extends LightingModel {
     const away = length(way).toVar();
     const seen = float(0.5).sub(dot(way.div(away), normalView).mul(0.5));
     const arriving = isDistant ? lightLuminance(values.color) : lightLuminance(values.color).mul(fallOff(away, values));
-    this.radiance.addAssign(reflectedLight.mul(arriving).div(Math.PI).mul(seen));
+    this.radiance.addAssign(openToSky().mul(reflectedLight).mul(arriving).div(Math.PI).mul(seen));
   }
 }

@@ -52,10 +52,12 @@ import { withVectors } from '../material/vectorValues.js';
 import { tell } from '../mistakes/tell.js';
 import { HatchingLightingModel } from './HatchingLightingModel.js';
 import { deformVertex } from './nodes/chunks/deformVertex.js';
+import { emitOcclusion } from './nodes/chunks/emitOcclusion.js';
 import { emphasisAt } from './nodes/chunks/emphasis.js';
 import { lightLuminance } from './nodes/chunks/lightLuminance.js';
 import { filledColor, localDarkness } from './nodes/chunks/localColor.js';
 import { placeInstance } from './nodes/chunks/objectToView.js';
+import { hollowness } from './nodes/chunks/occlude.js';
 import { paper, printedColor } from './nodes/chunks/printedColor.js';
 import { shadedTone } from './nodes/chunks/tone.js';
 import { emitAnchor } from './nodes/perFragment/emit.js';
@@ -256,6 +258,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const deformed = deformVertex(builder);
     const place = placeInstance(builder);
     const isAtRest = this.strokeAnchor === 'rest';
+    emitOcclusion(builder);
     const anchor = emitAnchor(builder, deformed, place, isAtRest);
     emitEngraved(builder, anchor, { lineField: this.lineFieldInUse(), isAtRest, lights: lightsOf(builder) });
     return positionLocal as unknown as ReturnType<NodeMaterial['setupPosition']>;
@@ -326,7 +329,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const fromBelow = vec2(screenCoordinate.x, screenSize.y.sub(screenCoordinate.y));
     const emphasis = emphasisAt(positionView, fromBelow).toVar();
     const darkness = localDarkness(diffuseColor.xyz, emitted);
-    const tone = shadedTone(radiance, darkness, curve, this.toneModel === 'toon')
+    const tone = shadedTone(radiance, darkness, hollowness(), { curve, isToon: this.toneModel === 'toon' })
       .mul(emphasis)
       .toVar();
     const parameters = readHatchingParameters(builder);

@@ -20,18 +20,19 @@ function writeNodes() {
   const suites = JSON.parse(readFileSync('tests/output/playwright.json', 'utf8')).suites;
   const rows = new Map();
   for (const { title, tests } of suites.flatMap(specsIn)) {
-    const drawn = /nodes draw what GLSL draws, (\w+)$/.exec(title)?.[1];
-    if (!drawn || title.startsWith('three:')) continue;
+    const [, group, drawn] = /^(\w+): nodes draw what GLSL draws, (\w+)$/.exec(title) ?? [];
+    if (!drawn || group === 'three') continue;
     for (const { type, description } of tests[0].annotations.filter(({ description = '' }) =>
       description.includes('% of pixels'),
     )) {
-      const row = rows.get(type) ?? {};
+      const name = `${group} | ${type}`;
+      const row = rows.get(name) ?? {};
       row[drawn] = description.slice(0, description.indexOf(' of pixels'));
-      rows.set(type, row);
+      rows.set(name, row);
     }
   }
   const lines = [...rows].map(([name, { forceWebGL, webgpu = '–' }]) => `| ${name} | ${forceWebGL} | ${webgpu} |\n`);
-  const table = `\n| outlines | \`forceWebGL\` | WebGPU |\n| --- | ---: | ---: |\n${lines.join('')}\n`;
+  const table = `\n| group | scene | \`forceWebGL\` | WebGPU |\n| --- | --- | ---: | ---: |\n${lines.join('')}\n`;
   const text = readFileSync('docs/support.md', 'utf8');
   const [before, rest] = text.split(BEGIN);
   writeFileSync('docs/support.md', `${before}${BEGIN}${table}${END}${rest.split(END)[1]}`);

@@ -4,14 +4,18 @@ import { expect, test } from 'vitest';
 test('docs/support.md has every scene that is drawn of nodes, and no other', () => {
   const cases = readdirSync('tests/webgpu/cases')
     .filter((file) => !['three.ts', 'unlike.ts'].includes(file))
-    .flatMap((file) => [...readFileSync(`tests/webgpu/cases/${file}`, 'utf8').matchAll(/\bname: '([^']+)'/g)])
-    .map(([, name]) => name);
+    .sort()
+    .flatMap((file) =>
+      [...readFileSync(`tests/webgpu/cases/${file}`, 'utf8').matchAll(/\bname: '([^']+)'/g)].map(
+        ([, name]) => `${file.slice(0, -'.ts'.length)} | ${name}`,
+      ),
+    );
   const table = /<!-- Nodes[^>]*-->([\s\S]*?)<!-- End of nodes -->/.exec(readFileSync('docs/support.md', 'utf8'))![1];
   const rows = table
     .split('\n')
     .filter((line) => line.startsWith('|'))
     .slice(2);
   expect(cases.length).toBeGreaterThan(0);
-  expect(rows.map((row) => row.split('|')[1].trim())).toEqual(cases);
+  expect(rows.map((row) => row.split(' | ').slice(0, 2).join(' | ').replace(/^\| /, ''))).toEqual(cases);
   for (const row of rows) expect(row).toMatch(/\| \d+\.\d+ % \| (\d+\.\d+ %|–) \|$/);
 });

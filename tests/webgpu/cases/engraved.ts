@@ -16,10 +16,9 @@ export const cases: readonly SceneCase[] = [
     shadows: PCFShadowMap,
     show: async (kit) => shadowed(await drawn(kit)),
   },
-  ...(['towards', 'y', 'slant'] as const).map((lineField) => ({
-    name: `the field ${lineField}`,
-    show: (kit: Kit) => drawn(kit, { lineField }),
-  })),
+  { name: 'the field towards', show: (kit) => drawn(kit, { lineField: 'towards' }) },
+  { name: 'the field y', show: (kit) => drawn(kit, { lineField: 'y' }) },
+  { name: 'the field slant', show: (kit) => drawn(kit, { lineField: 'slant' }) },
   {
     name: 'several lights',
     async show(kit): Promise<Stage> {

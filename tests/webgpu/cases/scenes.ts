@@ -7,7 +7,7 @@ import {
   SphereGeometry,
   TorusKnotGeometry,
 } from 'three';
-import { applyHatching } from 'three-hatching';
+import { applyHatching, bakeOcclusion } from 'three-hatching';
 import { type ApplyNodeHatchingOptions, applyHatching as applyToNodes } from 'three-hatching/webgpu';
 import { knot, shadowed } from '../knot.js';
 import type { Kit, SceneCase, Stage } from '../SceneCase.js';
@@ -54,6 +54,14 @@ export const cases: readonly SceneCase[] = [
     name: 'its colours filled, half of their tone kept, far things fainter',
     show: (kit) =>
       hatched(kit, { material: { ...LINES, colorFill: 1, localTone: 0.5, depthFade: 0.8, lineField: 'towards' } }),
+  },
+  {
+    name: 'a scene with hollows',
+    async show(kit) {
+      const stage = await hatched(kit, { material: { ...LINES, occlusion: 0.9, hollowTone: 0.8 } });
+      await bakeOcclusion(stage.scene);
+      return stage;
+    },
   },
   {
     name: 'a scene with shadows',

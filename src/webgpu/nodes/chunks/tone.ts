@@ -3,7 +3,7 @@ import { hatchingUniform } from '../uniforms.js';
 import { tsl, type Value } from '../values.js';
 import { curvedTone } from './toneCurve.js';
 
-const { clamp, float, floor, max, mix } = tsl;
+const { clamp, float, floor, max, mix, step } = tsl;
 
 const toneSteps = /* @__PURE__ */ hatchingUniform('toneSteps', 'float');
 /** The tones that are printed where all light arrives, and where none does. */
@@ -26,11 +26,24 @@ function toneFromRadiance(radiance: Value, curve: number, isToon: boolean): Valu
   return highlightKept(clamp(curvedTone(tone, curve), 0, 1).toVar());
 }
 
+const exposed = (radiance: Value): Value => exposure.x.mul(radiance).add(exposure.y);
+
+/** A dark colour brings the tone nearer to that of no light at all: with dark ink, it is printed over it. */
+const darkenedByColor = (tone: Value, darkness: Value): Value => mix(tone, toneEnds.y, darkness);
+
+/** Hollows go beyond the tone of no light, where some paper shows: to the darkest image, or for chalk to bare paper. */
+const deepened = (tone: Value, hollowness: Value): Value => mix(tone, step(toneEnds.x, toneEnds.y), hollowness);
+
 /**
  * The tone that light prints.
  *
  * @param darkness of the surface's own colour
+ * @param hollowness see occlude.ts
  * @param curve the number of its kind
  */
-export const shadedTone = (radiance: Value, darkness: Value, curve: number, isToon: boolean): Value =>
-  mix(toneFromRadiance(exposure.x.mul(radiance).add(exposure.y), curve, isToon), toneEnds.y, darkness);
+export const shadedTone = (
+  radiance: Value,
+  darkness: Value,
+  hollowness: Value,
+  { curve, isToon }: { curve: number; isToon: boolean },
+): Value => deepened(darkenedByColor(toneFromRadiance(exposed(radiance), curve, isToon), darkness), hollowness);

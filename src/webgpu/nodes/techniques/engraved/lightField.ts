@@ -19,9 +19,23 @@ const hasPlace = (light: Light): boolean => 'isPointLight' in light || 'isSpotLi
 export const directedLights = (lights: readonly Light[]): Light[] =>
   lights.filter((light) => 'isDirectionalLight' in light || hasPlace(light));
 
-const weightOf = ({ color }: LightValues): Value => lightLuminance(color).add(LEAST_WEIGHT);
+/** The weight of a light. */
+const fieldWeight = ({ color }: LightValues): Value => lightLuminance(color).add(LEAST_WEIGHT).toVar();
 
-function axisOf(tensor: Tensor, sum: Value, count: number): Value {
+/** Σ w L Lᵀ and Σ w L. @param toLight of any length, field space */
+function addFieldLight(tensor: Tensor, sum: Value, toLight: Value, weight: Value): void {
+  const l = toLight.div(max(length(toLight), 1e-20)).toVar();
+  tensor[0].addAssign(l.mul(l.x).mul(weight));
+  tensor[1].addAssign(l.mul(l.y).mul(weight));
+  tensor[2].addAssign(l.mul(l.z).mul(weight));
+  sum.addAssign(l.mul(weight));
+}
+
+/** What a lamp adds to Σ w c / |P|, c = L·axis: how far the sum of the lights' own fields bends at the origin. */
+const fieldBend = (axis: Value, toLamp: Value, weight: Value): Value =>
+  weight.mul(dot(toLamp, axis)).div(max(dot(toLamp, toLamp), 1e-20));
+
+function fieldAxisOf(tensor: Tensor, sum: Value, count: number): Value {
   if (count === 1) return sum.div(max(length(sum), 1e-20));
   // Power iteration: four squarings are sixteen steps.
   let power = tensor;
@@ -47,22 +61,16 @@ export function fieldLight(viewToField: Value, place: Value, lights: readonly Li
     const values = valuesFor(light);
     const isAtPlace = hasPlace(light);
     const way = isAtPlace ? values.position.sub(place) : values.direction;
-    return { way: viewToField.mul(way).toVar(), weight: weightOf(values).toVar(), isAtPlace };
+    return { way: viewToField.mul(way).toVar(), weight: fieldWeight(values), isAtPlace };
   });
   if (directed.length === 0) return vec4(0, 1, 0, 0);
   const tensor: Tensor = [vec3(0).toVar(), vec3(0).toVar(), vec3(0).toVar()];
   const sum = vec3(0).toVar();
-  for (const { way, weight } of directed) {
-    const l = way.div(max(length(way), 1e-20)).toVar();
-    tensor[0].addAssign(l.mul(l.x).mul(weight));
-    tensor[1].addAssign(l.mul(l.y).mul(weight));
-    tensor[2].addAssign(l.mul(l.z).mul(weight));
-    sum.addAssign(l.mul(weight));
-  }
-  const axis = axisOf(tensor, sum, directed.length).toVar();
+  for (const { way, weight } of directed) addFieldLight(tensor, sum, way, weight);
+  const axis = fieldAxisOf(tensor, sum, directed.length).toVar();
   const bend = float(0).toVar();
   for (const { way, weight, isAtPlace } of directed) {
-    if (isAtPlace) bend.addAssign(weight.mul(dot(way, axis)).div(max(dot(way, way), 1e-20)));
+    if (isAtPlace) bend.addAssign(fieldBend(axis, way, weight));
   }
   return vec4(axis, bend.div(max(length(applied(tensor, axis)), 1e-20)));
 }
