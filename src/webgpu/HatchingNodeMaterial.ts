@@ -1,4 +1,5 @@
 import {
+  type BufferGeometry,
   type Camera,
   type Color,
   type IUniform,
@@ -13,6 +14,8 @@ import {
   type WebGLRenderer,
 } from 'three';
 import { Node, type NodeBuilder, type NodeFrame, NodeMaterial, type WebGPURenderer } from 'three/webgpu';
+import { hasOtherFormAngle, noteFormAngle } from '../geometry/formAngles.js';
+import { isFormed } from '../geometry/formGeometry.js';
 import { lineContrast } from '../geometry/lineFades.js';
 import type { HatchingMap } from '../material/checkTonalArtMap.js';
 import { checkChoice, checkValues } from '../material/checkValues.js';
@@ -62,7 +65,9 @@ import { paper, printedColor } from './nodes/chunks/printedColor.js';
 import { shadedTone } from './nodes/chunks/tone.js';
 import { emitAnchor } from './nodes/perFragment/emit.js';
 import { emitEngraved } from './nodes/techniques/engraved/emit.js';
-import { hatchLayer, readHatchingParameters } from './nodes/techniques/engraved/hatchLayer.js';
+import { followsForm } from './nodes/techniques/engraved/followsForm.js';
+import { hatchLayer } from './nodes/techniques/engraved/hatchLayer.js';
+import { read } from './nodes/techniques/engraved/read.js';
 import { tsl, type Value } from './nodes/values.js';
 
 const NAME = 'HatchingNodeMaterial';
@@ -206,7 +211,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
   override customProgramCacheKey(): string {
     const { inkBlend, toneModel } = this;
     const curve = curveOf(this.toneCurve);
-    return [NAME, this.lineFieldInUse(), this.strokeAnchor, toneModel, curve, inkBlend].join(' ');
+    return [NAME, this.lineField, this.medium, this.strokeAnchor, toneModel, curve, inkBlend].join(' ');
   }
 
   /** Writes the properties, once a frame, and what is of the mesh, to the uniforms. Allocates nothing. @internal */
@@ -222,6 +227,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     writeImportance(mesh, takesWeight(look), u);
     u.lineContrast.value = lineContrast(mesh.geometry);
     writeFieldFrame(u, this.tilesPerUnit, mesh.geometry, mesh);
+    if (hasOtherFormAngle(mesh.geometry, this) && formOf(this)) noteFormAngle(mesh.geometry, this);
     modelView.multiplyMatrices(camera.matrixWorldInverse, mesh.matrixWorld);
     (u.viewToObject.value as Matrix3).getNormalMatrix(modelView).transpose();
   }
@@ -257,10 +263,12 @@ export class HatchingNodeMaterial extends NodeMaterial {
   override setupPosition(builder: NodeBuilder): ReturnType<NodeMaterial['setupPosition']> {
     const deformed = deformVertex(builder);
     const place = placeInstance(builder);
-    const isAtRest = this.strokeAnchor === 'rest';
+    const lineField = this.lineFieldFor(builder.geometry as BufferGeometry);
+    // Lines that follow the form are fixed to the surface, whatever strokes are.
+    const isAtRest = this.strokeAnchor === 'rest' || followsForm(lineField);
     emitOcclusion(builder);
     const anchor = emitAnchor(builder, deformed, place, isAtRest);
-    emitEngraved(builder, anchor, { lineField: this.lineFieldInUse(), isAtRest, lights: lightsOf(builder) });
+    emitEngraved(builder, anchor, { lineField, isAtRest, lights: lightsOf(builder) });
     return positionLocal as unknown as ReturnType<NodeMaterial['setupPosition']>;
   }
 
@@ -306,8 +314,12 @@ export class HatchingNodeMaterial extends NodeMaterial {
     this.needsUpdate = true;
   }
 
-  private lineFieldInUse(): string {
-    return formOf(this) === false && this.lineField !== 'auto' ? this.lineField : withoutForm(this);
+  /** What cuts the lines of a geometry. Only those that were prepared with `form` have lines that follow it. */
+  private lineFieldFor(geometry: BufferGeometry): string {
+    const form = formOf(this);
+    if (!form) return this.lineField;
+    if (!isFormed(geometry)) return form === 'auto' ? withoutForm(this) : 'light';
+    return form === 'auto' ? 'form' : this.lineField;
   }
 
   private tellOfLacks(): void {
@@ -318,7 +330,6 @@ export class HatchingNodeMaterial extends NodeMaterial {
       tellOnce(`there are no nodes of the medium "${medium}" yet; lines of ink are drawn.`);
     if (toneModel === 'shadow') tellOnce('there are no nodes of the tone model "shadow" yet; all tones are drawn.');
     if (shadowStrokes !== 'tone') tellOnce(`shadowStrokes "${shadowStrokes}" is not drawn by nodes yet.`);
-    if (formOf(this) === true) tellOnce('there are no nodes of lines that follow the form yet.');
   }
 
   private print(light: Value, builder: NodeBuilder): Value {
@@ -332,7 +343,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const tone = shadedTone(radiance, darkness, hollowness(), { curve, isToon: this.toneModel === 'toon' })
       .mul(emphasis)
       .toVar();
-    const parameters = readHatchingParameters(builder);
+    const parameters = read(builder, this.lineFieldFor(builder.geometry as BufferGeometry));
     const color = mix(vec3(1), filledColor(diffuseColor.xyz), emphasis);
     const isOpaque = !(material as Material).transparent;
     const ground = paper.mul(color).toVar();

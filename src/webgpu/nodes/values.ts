@@ -38,7 +38,7 @@ interface Branches {
 interface Shading
   extends Record<
     | ('float' | 'int' | 'uint' | 'bool' | 'vec2' | 'vec3' | 'vec4' | 'ivec2' | 'mat3' | 'mat4' | 'uvec4')
-    | ('abs' | 'ceil' | 'floor' | 'fract' | 'sign' | 'sqrt' | 'inverseSqrt' | 'exp' | 'exp2' | 'sin' | 'cos')
+    | ('abs' | 'ceil' | 'floor' | 'round' | 'fract' | 'sign' | 'sqrt' | 'inverseSqrt' | 'exp' | 'exp2' | 'sin' | 'cos')
     | ('min' | 'max' | 'clamp' | 'mix' | 'step' | 'smoothstep' | 'pow' | 'select')
     | ('add' | 'cross' | 'distance' | 'dot' | 'length' | 'normalize' | 'determinant' | 'inverse' | 'transpose')
     | ('floatBitsToInt' | 'floatBitsToUint' | 'intBitsToFloat' | 'varying')

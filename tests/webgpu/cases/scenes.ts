@@ -7,7 +7,7 @@ import {
   SphereGeometry,
   TorusKnotGeometry,
 } from 'three';
-import { applyHatching, bakeOcclusion } from 'three-hatching';
+import { applyHatching, bakeOcclusion, type PresetName } from 'three-hatching';
 import { type ApplyNodeHatchingOptions, applyHatching as applyToNodes } from 'three-hatching/webgpu';
 import { knot, shadowed } from '../knot.js';
 import type { Kit, SceneCase, Stage } from '../SceneCase.js';
@@ -33,7 +33,7 @@ function still(): { stage: Stage; root: Group } {
 
 async function hatched(
   { either }: Kit,
-  options: Omit<ApplyNodeHatchingOptions, 'replaces'>,
+  options: Omit<ApplyNodeHatchingOptions, 'replaces'> | PresetName,
   shadows = false,
 ): Promise<Stage> {
   const { stage, root } = still();
@@ -55,6 +55,12 @@ export const cases: readonly SceneCase[] = [
     show: (kit) =>
       hatched(kit, { material: { ...LINES, colorFill: 1, localTone: 0.5, depthFade: 0.8, lineField: 'towards' } }),
   },
+  {
+    name: 'lines along the form',
+    show: (kit) => hatched(kit, { material: { ...LINES, lineField: 'form', crossFrom: 0.3 } }),
+  },
+  { name: 'lines across the form', show: (kit) => hatched(kit, { material: { ...LINES, lineField: 'acrossForm' } }) },
+  { name: 'the preset engraving', show: (kit) => hatched(kit, 'engraving') },
   {
     name: 'a scene with hollows',
     async show(kit) {

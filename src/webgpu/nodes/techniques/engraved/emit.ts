@@ -6,8 +6,10 @@ import type { Anchor } from '../../perFragment/emit.js';
 import { hatchingUniform } from '../../uniforms.js';
 import { tsl, type Value } from '../../values.js';
 import { firstField } from './fieldAxis.js';
+import { followsForm } from './followsForm.js';
+import { formCrossing, formSlope, formValue, formVarying } from './formAttributes.js';
 import { fieldLight } from './lightField.js';
-import { vField, vFieldNormal, vFieldPoint } from './varyings.js';
+import { vField, vFieldNormal, vFieldPoint, vForm, vFormCrossing } from './varyings.js';
 
 const { determinant, If, reference, referenceBuffer, vec4 } = tsl;
 
@@ -26,6 +28,14 @@ export function emitEngraved(
 ): void {
   vFieldPoint.assign(objectToField.mul(anchor.position.sub(fieldOrigin)));
   vFieldNormal.assign(objectToFieldNormal.mul(anchor.strokeNormal));
+  if (followsForm(lineField)) {
+    const along = formVarying(formSlope(), formValue().x, objectToFieldNormal, vFieldPoint);
+    const across = formVarying(formCrossing(), formValue().y, objectToFieldNormal, vFieldPoint);
+    const isAcross = lineField === 'acrossForm';
+    vForm.assign(isAcross ? across : along);
+    vFormCrossing.assign(isAcross ? along : across);
+    return;
+  }
   const turns = lineField === 'light' || lineField === 'towards';
   const light = turns ? lightOfField(builder, anchor, isAtRest, lights) : vec4(0, 1, 0, 0);
   vField.assign(firstField(light, lineField));

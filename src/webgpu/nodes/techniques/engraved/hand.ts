@@ -8,7 +8,7 @@ const { abs, float, floatBitsToUint, fract, uint, vec3 } = tsl;
 const { BEND_PHASES, BENDS, BENT_BY, PRESSURE, SLOW_WAVES, STRAY, WAVE_PHASES, WIDTHS } = HAND_CONSTANTS;
 
 /** 0: a ruling machine. */
-const handmade = /* @__PURE__ */ hatchingUniform('handmade', 'float');
+export const handmade: Value = /* @__PURE__ */ hatchingUniform('handmade', 'float');
 
 const halfOf = (numbers: readonly number[]): Value => {
   const [x, y, z] = numbers.map((number) => 0.5 * number);

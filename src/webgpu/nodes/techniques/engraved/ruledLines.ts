@@ -23,6 +23,10 @@ export interface Family {
   perPixel: Value;
   /** Its change along the surface, per tile, by which lines are spaced on the object. */
   rise: Value;
+  /** The octave of the lines that lie farthest apart. */
+  coarsest: number;
+  /** Whether the number of a line changes across the seams of a bake. */
+  isOfForm?: boolean;
 }
 
 /** The logarithm to base 2 at powers of two, and linear between them. @param x above 0 */
@@ -40,6 +44,7 @@ export function ruledLines(family: Family, tone: Value): Value {
   const onObject = octaves(lineSpacing.div(LINE_CONSTANTS.PARTS_OF_TILE).mul(family.rise).toVar());
   const onScreen = octaves(lineSpacing.mul(perPixel).toVar());
   const octave = max(mix(onObject, onScreen, sizedOnScreen), octaves(finestSpacing.mul(perPixel).toVar())).toVar();
+  octave.assign(min(octave, family.coarsest));
   const period = powerOf2(ceil(octave)).toVar();
   const pixels = period.div(perPixel).toVar();
   const spacing = powerOf2(octave).div(perPixel).toVar();
@@ -50,8 +55,8 @@ export function ruledLines(family: Family, tone: Value): Value {
   // All that a pixel may lie on: their shares of it add up.
   for (let i = 0; i < 3; i++) {
     const line = below.add(0.5 * i).toVar();
-    const halfWidth = rooms[i % 2].mul(tone).mul(handWidth(line.mul(period).toVar()));
-    covered.addAssign(lineCoverage(abs(x.sub(line).mul(pixels)), halfWidth, FRINGE));
+    const width = family.isOfForm ? tone : tone.mul(handWidth(line.mul(period).toVar()));
+    covered.addAssign(lineCoverage(abs(x.sub(line).mul(pixels)), rooms[i % 2].mul(width), FRINGE));
   }
   return min(covered, 1);
 }
