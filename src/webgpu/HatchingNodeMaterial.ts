@@ -326,7 +326,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const { technique, medium, toneModel, shadowStrokes } = this;
     if (technique !== 'engraved')
       tellOnce(`there are no nodes of the technique "${technique}" yet; "engraved" is drawn.`);
-    if (medium === 'pen' || medium === 'woodcut' || medium === 'stipple' || medium === 'dry')
+    if (medium === 'stipple' || medium === 'dry')
       tellOnce(`there are no nodes of the medium "${medium}" yet; lines of ink are drawn.`);
     if (toneModel === 'shadow') tellOnce('there are no nodes of the tone model "shadow" yet; all tones are drawn.');
     if (shadowStrokes !== 'tone') tellOnce(`shadowStrokes "${shadowStrokes}" is not drawn by nodes yet.`);
@@ -349,7 +349,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const ground = paper.mul(color).toVar();
     const printed = printedColor(
       ground,
-      hatchLayer(parameters, tone).mul(meshValues as unknown as Value),
+      hatchLayer(parameters, tone, this.medium).mul(meshValues as unknown as Value),
       this.inkBlend === 'multiply',
       isOpaque,
     ).toVar();

@@ -60,7 +60,12 @@ export const cases: readonly SceneCase[] = [
     show: (kit) => hatched(kit, { material: { ...LINES, lineField: 'form', crossFrom: 0.3 } }),
   },
   { name: 'lines across the form', show: (kit) => hatched(kit, { material: { ...LINES, lineField: 'acrossForm' } }) },
+  { name: 'the preset pen', show: (kit) => hatched(kit, 'pen') },
+  { name: 'the preset crossHatching', show: (kit) => hatched(kit, 'crossHatching') },
   { name: 'the preset engraving', show: (kit) => hatched(kit, 'engraving') },
+  { name: 'the preset banknote', show: (kit) => hatched(kit, 'banknote') },
+  { name: 'the preset technical', show: (kit) => hatched(kit, 'technical') },
+  { name: 'the preset woodcut', show: (kit) => hatched(kit, 'woodcut') },
   {
     name: 'a scene with hollows',
     async show(kit) {

@@ -4,9 +4,13 @@ import { tsl, type Value } from '../values.js';
 
 const { float, max, min } = tsl;
 
-/** The part of a tone that a layer prints itself, where others cross it from the tone `from` on. */
-export const takenOf = (tone: Value, from: Value): Value =>
-  min(tone, from).add(max(tone.sub(from), 0).mul(TONE_CONSTANTS.KEPT_SHARE));
+/**
+ * The part of a tone that a layer prints itself, where others cross it from the tone `from` on.
+ *
+ * @param kept the share of the tone above that one which it still takes
+ */
+export const takenOf = (tone: Value, from: Value, kept: number = TONE_CONSTANTS.KEPT_SHARE): Value =>
+  min(tone, from).add(max(tone.sub(from), 0).mul(kept));
 
 /** The tone that it leaves to the others: exactly 0 up to where they begin. */
 export const leftOf = (tone: Value, taken: Value): Value => max(tone.sub(taken), 0).div(max(float(1).sub(taken), 1e-4));

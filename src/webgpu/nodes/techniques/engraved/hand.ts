@@ -42,7 +42,7 @@ export const handPressure = (waves: Value): Value => handmade.mul(PRESSURE).mul(
 export const handTone = (pressure: Value, tone: Value): Value => tone.add(pressure.mul(tone).mul(float(1).sub(tone)));
 
 /** A random number in [0, 1) that belongs to a line. @param line its value, a multiple of a power of two */
-function lotOf(line: Value): Value {
+export function lotOf(line: Value): Value {
   const spread = floatBitsToUint(line).mul(uint(LOT_FACTORS.GOLDEN_RATIO));
   return float(spread.shiftRight(uint(8) as Input)).mul(1 / 16777216);
 }

@@ -36,6 +36,7 @@ export function readHatchingParameters(builder: NodeBuilder): HatchingParameters
   const shareB = mix(1, smoothstep(-SIDE_FADE, SIDE_FADE, between), has).toVar();
   const valueOnScreen = screenGradient(gradient, onScreen).toVar();
   return {
+    onScreen,
     pressure: handPressure(waves).toVar(),
     has,
     shareB,
@@ -43,7 +44,9 @@ export function readHatchingParameters(builder: NodeBuilder): HatchingParameters
       value,
       perPixel: length(valueOnScreen),
       rise: min(slope.div(SPARSEST_SLOPE), 1),
+      gradient,
       coarsest: FIELD_CONSTANTS.ANY_OCTAVE,
+      isOfForm: false,
     }),
     crossingFamily(isB, [cosine, sine]) {
       const side = isB ? sideB : sideC;
@@ -51,7 +54,9 @@ export function readHatchingParameters(builder: NodeBuilder): HatchingParameters
         value: cosine.mul(value).add(sine.mul(dot(point, side))),
         perPixel: length(valueOnScreen.mul(cosine).add(screenGradient(side, onScreen).mul(sine))),
         rise: float(1),
+        gradient: gradient.mul(cosine).add(side.mul(sine)).toVar(),
         coarsest: FIELD_CONSTANTS.ANY_OCTAVE,
+        isOfForm: false,
       };
     },
   };

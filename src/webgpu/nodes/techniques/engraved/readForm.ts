@@ -28,6 +28,7 @@ export function readHatchingParameters(builder: NodeBuilder, isAcross: boolean):
   const valueOnScreen = screenGradient(first.xyz, onScreen).toVar();
   const crossingOnScreen = screenGradient(crossing.xyz, onScreen).toVar();
   return {
+    onScreen,
     pressure: handPressure(waves).add(handmade.mul(WIDTH_WAVE).mul(waves.z)).toVar(),
     has: float(1),
     shareB: float(1),
@@ -35,16 +36,21 @@ export function readHatchingParameters(builder: NodeBuilder, isAcross: boolean):
       value: values[0],
       perPixel: length(valueOnScreen),
       rise: length(first.xyz),
+      gradient: first.xyz,
       coarsest: coarse,
       isOfForm: true,
     }),
-    // The other family crosses at the angle of the bake, whatever the angle is.
-    crossingFamily: () => ({
-      value: values[1],
-      perPixel: length(crossingOnScreen),
-      rise: length(crossing.xyz),
-      coarsest: crossingCoarse,
-      isOfForm: true,
-    }),
+    // The other family crosses at the angle of the bake. The difference of the two functions is whole across seams too, and its lines lean
+    // the other way.
+    crossingFamily(_isB, _lean, isOther) {
+      return {
+        value: isOther ? values[0].sub(values[1]) : values[1],
+        perPixel: length(isOther ? valueOnScreen.sub(crossingOnScreen) : crossingOnScreen),
+        rise: length(crossing.xyz),
+        gradient: isOther ? first.xyz.sub(crossing.xyz).toVar() : crossing.xyz,
+        coarsest: isOther ? Math.min(coarse, crossingCoarse) : crossingCoarse,
+        isOfForm: true,
+      };
+    },
   };
 }
