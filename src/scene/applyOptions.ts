@@ -71,14 +71,9 @@ function checkOwnOptions(options: ApplyHatchingOptions): void {
   if (replaces !== undefined && replaces?.isHatchedScene !== true) {
     throw new TypeError('applyHatching: replaces must be the result of an earlier call, or left out.');
   }
-  if (renderer && 'isWebGPURenderer' in renderer) {
-    throw new TypeError(
-      'applyHatching: a WebGPURenderer prepares its first frame itself. Leave out renderer and camera, and call await renderer.compileAsync(scene, camera) afterwards.',
-    );
-  }
   if ((renderer === undefined) !== (camera === undefined) || (renderer && !('isWebGLRenderer' in renderer))) {
     throw new TypeError(
-      'applyHatching: renderer must be a WebGLRenderer, and camera must come with it; or leave out both.',
+      'applyHatching: renderer must be a WebGLRenderer, and camera must come with it; or leave out both, and await renderer.compileAsync(scene, camera) afterwards.',
     );
   }
   if (filter !== undefined && typeof filter !== 'function') {

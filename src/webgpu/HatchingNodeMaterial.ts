@@ -22,9 +22,6 @@ import { checkChoice, checkValues } from '../material/checkValues.js';
 import { takesWeight, writeEmphasis, writeImportance } from '../material/emphasis/emphasis.js';
 import type { SceneExtent } from '../material/emphasis/SceneExtent.js';
 import { writeSheet } from '../material/emphasis/writeSheet.js';
-import { isFitted } from '../material/exposure/isFitted.js';
-import { sceneExposure } from '../material/exposure/sceneExposure.js';
-import { writeFit } from '../material/exposure/writeFit.js';
 import { FrameStamp } from '../material/FrameStamp.js';
 import { defaultOf } from '../material/facts/defaultOf.js';
 import type { HatchingProperty } from '../material/facts/HatchingProperty.js';
@@ -53,6 +50,7 @@ import { accessorOf, fieldOf } from '../material/propertyAccessors.js';
 import { TONE_CURVES } from '../material/shaders/shaderConventions.js';
 import { withVectors } from '../material/vectorValues.js';
 import { tell } from '../mistakes/tell.js';
+import { exposureReady, writeExposure } from './fittedExposure.js';
 import { HatchingLightingModel } from './HatchingLightingModel.js';
 import { deformVertex } from './nodes/chunks/deformVertex.js';
 import { emitOcclusion } from './nodes/chunks/emitOcclusion.js';
@@ -177,6 +175,15 @@ export class HatchingNodeMaterial extends NodeMaterial {
     super.setValues(withVectors(parameters));
   }
 
+  /**
+   * Resolves when all that the material draws with is there. The code that fits an exposure is fetched when a material first asks for it;
+   * until then the exposure is 1. For a page that draws only when something changes: `material.ready.then(render)`. Rejects if the code
+   * cannot be fetched; reading it again tries again.
+   */
+  get ready(): Promise<void> {
+    return exposureReady(this as unknown as HatchingMaterialProperties);
+  }
+
   /** Sets all that a preset names, and gives what only other presets name its default. */
   set preset(name: PresetName) {
     this.setValues({ preset: name });
@@ -205,6 +212,14 @@ export class HatchingNodeMaterial extends NodeMaterial {
   override toJSON(meta?: Parameters<Material['toJSON']>[0]): ReturnType<Material['toJSON']> {
     const json = Material.prototype.toJSON.call(this, meta);
     return Object.assign(json, propertiesToJSON(this as unknown as HatchingMaterialProperties));
+  }
+
+  /** Tells of a renderer that draws no nodes. @internal */
+  override onBeforeRender(renderer: WebGLRenderer | WebGPURenderer): void {
+    if (!('isWebGLRenderer' in renderer)) return;
+    tellOnce(
+      "WebGLRenderer draws no materials of nodes. Draw the scene with WebGPURenderer, from 'three/webgpu', or take HatchingMaterial of 'three-hatching'.",
+    );
   }
 
   /** What chooses the program. */
@@ -361,17 +376,6 @@ export class HatchingNodeMaterial extends NodeMaterial {
 /** The number of its kind: shaders know any curve but these two by its points. */
 const curveOf = (curve: ToneCurve): number =>
   TONE_CURVES.indexOf(curve === 'linear' || curve === 'perceptual' ? curve : 'points');
-
-/** Writes the exposure that suits the scene, where it is fitted to that. */
-function writeExposure(
-  material: HatchingMaterialProperties,
-  renderer: WebGLRenderer,
-  scene: Scene,
-  camera: Camera,
-  uniforms: Record<string, IUniform>,
-): void {
-  if (isFitted(material)) writeFit(sceneExposure(renderer, scene, camera), material, uniforms);
-}
 
 const lightsOf = (builder: NodeBuilder): readonly Light[] =>
   (builder as NodeBuilder & { lightsNode: { getLights(): Light[] } | null }).lightsNode?.getLights() ?? [];

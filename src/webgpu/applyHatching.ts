@@ -5,11 +5,9 @@ import type { HatchingOutlineParameters } from '../outlines/HatchingOutlineMater
 import type { ApplyHatchingOptions } from '../scene/ApplyHatchingOptions.js';
 import type { HatchedScene } from '../scene/HatchedScene.js';
 import { hatchScene, type LookMakers } from '../scene/hatchScene.js';
-import { type OutlineKind, OutlineMaker } from '../scene/OutlineMaker.js';
 import type { PresetName } from '../scene/presets.js';
 import { HatchingNodeMaterial } from './HatchingNodeMaterial.js';
-import { HatchingOutlineNodeMaterial } from './outlines/HatchingOutlineNodeMaterial.js';
-import { HatchingOutlines } from './outlines/HatchingOutlines.js';
+import type { HatchingOutlines } from './outlines/HatchingOutlines.js';
 
 /** A scene that is hatched for WebGPURenderer. */
 export type HatchedNodeScene = Omit<HatchedScene, 'materials' | 'outlines'> & {
@@ -25,16 +23,11 @@ export type ApplyNodeHatchingOptions = Omit<ApplyHatchingOptions, 'renderer' | '
   replaces?: HatchedNodeScene | undefined;
 };
 
-const OUTLINES: OutlineKind<HatchingOutlineNodeMaterial, HatchingOutlines> = {
-  material: (parameters) => new HatchingOutlineNodeMaterial(parameters),
-  outlines: (mesh, material) => new HatchingOutlines(mesh, material),
-};
-
 const OF_NODES = {
   material: () => new HatchingNodeMaterial(),
-  async fetchPartsOf() {},
+  fetchPartsOf: (material: HatchingNodeMaterial) => material.ready,
   outlineMaker: async (parameters: OutlineOptions & HatchingOutlineParameters) =>
-    new OutlineMaker(parameters, OUTLINES),
+    (await import('./outlines/outlinesOfNodes.js')).outlinesOfNodes(parameters),
 };
 
 /**

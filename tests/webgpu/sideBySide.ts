@@ -29,7 +29,11 @@ function drawerOf(drawn: Drawn): Promise<Drawer> {
 const kitOf = (drawn: Drawn): Kit => ({
   drawn,
   async hatching(parameters) {
-    if (drawn !== 'glsl') return new HatchingNodeMaterial(parameters);
+    if (drawn !== 'glsl') {
+      const material = new HatchingNodeMaterial(parameters);
+      await material.ready;
+      return material;
+    }
     await HatchingMaterial.preload();
     return new HatchingMaterial(parameters);
   },

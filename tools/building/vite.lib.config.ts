@@ -25,8 +25,10 @@ const SEPARATE = [
   'scene/hatchScene',
   'scene/applyHatching',
   'outlines/outlineProperties',
+  'webgpu/HatchingNodeMaterial',
+  'webgpu/outlines/HatchingOutlines',
 ].map((path, i, all) => ({
-  name: path.split('/')[1],
+  name: path.replace(/^(webgpu\/)?.*\//, '$1').replace('/', '.'),
   test: (id: string) => id.endsWith(`/src/${path}.ts`),
   priority: all.length - i,
 }));

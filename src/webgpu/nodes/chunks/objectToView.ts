@@ -3,9 +3,9 @@ import type { BatchedMesh, InstancedMesh, Object3D, Texture } from 'three';
 import { uniformTexture } from 'three/tsl';
 import type { NodeBuilder } from 'three/webgpu';
 import { placesOf } from '../../outlines/InstancePlaces.js';
+import { blankFloats } from '../blankTextures.js';
 import { inverseOf, linearPart } from '../matrices.js';
-import { blankFloats } from '../outlines/blankTextures.js';
-import { texelOf } from '../outlines/points.js';
+import { texelOf } from '../texelOf.js';
 import { hatchingUniform } from '../uniforms.js';
 import { type TextureValue, tsl, type Value } from '../values.js';
 

@@ -1,11 +1,12 @@
 /** The twin of shaders/outlines/points.glsl: points that outlines run between (src/bake/outlineLayout.ts). */
 import { POINT_MASK } from '../../../bake/outlineLayout.js';
+import { blankIntegers } from '../blankTextures.js';
+import { texelOf } from '../texelOf.js';
 import { hatchingTexture } from '../textures.js';
 import { hatchingUniform } from '../uniforms.js';
-import { type TextureValue, tsl, type Value } from '../values.js';
-import { blankIntegers } from './blankTextures.js';
+import { tsl, type Value } from '../values.js';
 
-const { abs, dot, float, int, ivec2, max, normalize, select, textureSize, uint, uintBitsToFloat } = tsl;
+const { abs, dot, float, int, ivec2, max, normalize, select, uint, uintBitsToFloat } = tsl;
 const { unpackHalf2x16, unpackSnorm2x16, vec3 } = tsl;
 
 const outlinePoints = /* @__PURE__ */ hatchingTexture('outlinePoints', blankIntegers);
@@ -24,12 +25,6 @@ export interface OutlinePoint {
   facing: Value;
   /** Curvature along the line of sight, times the bounding radius. */
   bend: Value;
-}
-
-/** @param i an integer, the number of the texel */
-export function texelOf(i: Value, texture: TextureValue): Value {
-  const width = int(textureSize(texture, 0).x);
-  return ivec2(i.mod(width), i.div(width));
 }
 
 export function octahedralNormal(word: Value): Value {
