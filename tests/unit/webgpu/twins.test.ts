@@ -42,6 +42,8 @@ const WITHOUT_FUNCTION: Record<string, readonly string[]> = {
   'techniques/engraved/readForm.glsl': ['fieldUv'],
   // They stand in octaves.ts, since strokes read them too.
   'techniques/engraved/ruledLines.glsl': ['octaves', 'powerOf2'],
+  // It stands in texelOf.ts, since places of instances are read by it too.
+  'outlines/points.glsl': ['texelOf'],
   // three's nodes say how depths are kept.
   'outlines/sceneDepth.glsl': ['clipDepth'],
 };
