@@ -48,6 +48,13 @@ export default defineConfig<object, ThreeOptions>({
     ...['gpu', 'visual'].map((name) => ({ name, testDir: `tests/${name}` })),
     // The whole page has a hundred things under way at once; a test that passes only at its second try is named by `npm test`.
     { name: 'e2e', testDir: 'tests/e2e', retries: 1, use: { baseURL: new URL(BUILT, pages).href } },
+    // One page for all, in a browser with WebGPU.
+    {
+      name: 'webgpu',
+      testDir: 'tests/webgpu',
+      workers: 1,
+      use: { launchOptions: await launchOptions(undefined, { webgpu: true }) },
+    },
     // All of them build into one folder.
     { name: 'consumers', testDir: 'tests/consumers', workers: 1 },
     ...['three-oldest', 'three-middle'].map((name) => ({

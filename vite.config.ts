@@ -49,6 +49,7 @@ export default defineConfig(
       include: [
         'three',
         'three/webgpu',
+        'three/tsl',
         'lil-gui',
         'mediabunny',
         'meshoptimizer/simplifier',

@@ -36,6 +36,7 @@ export type { PropertyFields } from './material/PropertyFields.js';
 export type { Vector2Like, Vector3Like } from './material/vectorValues.js';
 export { HatchingOutlineMaterial, type HatchingOutlineParameters } from './outlines/HatchingOutlineMaterial.js';
 export { HatchingOutlines } from './outlines/HatchingOutlines.js';
+export type { MeshOutlines } from './outlines/MeshOutlines.js';
 export { millimetresToPixels } from './outlines/millimetresToPixels.js';
 export type { OutlineNumberName } from './outlines/outlineProperties.js';
 export type { ScannedImage } from './scan/ScannedImage.js';

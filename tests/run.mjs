@@ -1,7 +1,7 @@
 /**
  * `npm test`: every test there is, and one plain last line, `N passed, N failed`.
  *
- * `npm test -- unit` runs one layer (unit, gpu, three-oldest, three-middle, visual, e2e, consumers), `npm test -- gpu visual` several, and any other
+ * `npm test -- unit` runs one layer (unit, gpu, three-oldest, three-middle, visual, e2e, consumers, webgpu), `npm test -- gpu visual` several, and any other
  * word goes to the runners as a filter of file names. The numbers are summed from the runners' own JSON reports; a runner that crashes, leaves no
  * report or finds no test at all counts as a failure.
  */
@@ -20,7 +20,7 @@ const require = createRequire(import.meta.url);
 const program = (name, file) => join(dirname(require.resolve(`${name}/package.json`)), file);
 
 const words = process.argv.slice(2);
-const browserLayers = ['gpu', 'three-oldest', 'three-middle', 'visual', 'e2e', 'consumers'];
+const browserLayers = ['gpu', 'three-oldest', 'three-middle', 'visual', 'e2e', 'consumers', 'webgpu'];
 const layers = words.filter((word) => ['unit', ...browserLayers].includes(word));
 const filters = words.filter((word) => !layers.includes(word));
 const chosen = (names) => names.filter((name) => layers.length === 0 || layers.includes(name));

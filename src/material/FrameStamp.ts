@@ -13,6 +13,9 @@ function numberOf({ info }: WebGLRenderer): number {
   return number;
 }
 
+/** The number of a frame. WebGPURenderer has none, and counts what it draws. */
+const frameOf = ({ info: { render } }: WebGLRenderer): number => render.frame ?? render.calls;
+
 /** Remembers a frame of a renderer as a camera sees it, and keeps neither of them. Allocates nothing. */
 export class FrameStamp {
   private renderer = 0;
@@ -22,13 +25,11 @@ export class FrameStamp {
   note(renderer: WebGLRenderer, camera: Camera): void {
     this.renderer = numberOf(renderer);
     this.camera = camera.id;
-    this.frame = renderer.info.render.frame;
+    this.frame = frameOf(renderer);
   }
 
   /** Whether it is the frame that was noted last. */
   isOf(renderer: WebGLRenderer, camera: Camera): boolean {
-    return (
-      renderer.info.render.frame === this.frame && camera.id === this.camera && numberOf(renderer) === this.renderer
-    );
+    return frameOf(renderer) === this.frame && camera.id === this.camera && numberOf(renderer) === this.renderer;
   }
 }

@@ -12,7 +12,7 @@ export function tellOfRenderer(what: string): void {
   if (wasTold) return;
   wasTold = true;
   tell(
-    `${what}: WebGPURenderer draws no materials that are written in GLSL, with its WebGL 2 backend neither. Draw the scene with WebGLRenderer, from 'three'.`,
+    `${what}: WebGPURenderer draws no materials that are written in GLSL, with its WebGL 2 backend neither. Draw the scene with WebGLRenderer, from 'three', or take what has the same name in 'three-hatching/webgpu'.`,
     'error',
   );
 }

@@ -12,8 +12,7 @@ import {
   type Vector4,
   type WebGLRenderer,
 } from 'three';
-import { HIDDEN_OUTLINES, type HiddenOutlines } from '../engraving/hiddenOutlines.js';
-import { checkNumber } from '../material/checkNumber.js';
+import type { HiddenOutlines } from '../engraving/hiddenOutlines.js';
 import { checkColor } from '../material/checkValues.js';
 import { type EmphasisLook, takesWeight, writeEmphasis, writeImportance } from '../material/emphasis/emphasis.js';
 import { writeSheet } from '../material/emphasis/writeSheet.js';
@@ -22,15 +21,10 @@ import { MeshUniforms } from '../material/MeshUniforms.js';
 import { writePictureOffset } from '../material/pictureOffset.js';
 import type { Vector2Like } from '../material/vectorValues.js';
 import { toothMap } from '../tam/toothMap.js';
-import {
-  HATCHING_OUTLINE_DEFAULTS,
-  OUTLINE_NUMBER_NAMES,
-  OUTLINE_NUMBERS,
-  OUTLINE_SIZES,
-  type OutlineNumberName,
-} from './outlineProperties.js';
+import { HATCHING_OUTLINE_DEFAULTS, OUTLINE_NUMBER_NAMES, type OutlineNumberName } from './outlineProperties.js';
 import { outlineShaders } from './outlineShaders.js';
 import { createOutlineUniforms, OUTLINE_MESH_UNIFORMS } from './outlineUniforms.js';
+import { checkHidden, checkShadeWeights, defineOutlineNumbers, writeOutlineLook } from './outlineValues.js';
 
 /** Stands for the id of a material where there is none. */
 const NO_LOOK = -1;
@@ -117,7 +111,10 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
   // React Three Fiber resets a removed attribute to its default only if the constructor's length is 0.
   constructor(parameters: HatchingOutlineParameters | undefined = undefined) {
     super();
-    for (const name of OUTLINE_NUMBER_NAMES) this.defineNumber(name);
+    defineOutlineNumbers(this, 'HatchingOutlineMaterial', (name, value) => {
+      // The define is set at once, so that `renderer.compile` compiles the program that frames use.
+      if (name === 'wobble' || name === 'tooth') this.setDefine(name.toUpperCase(), value > 0);
+    });
     this.uniforms = createOutlineUniforms();
     Object.assign(this, outlineShaders());
     this.lights = true;
@@ -142,7 +139,8 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
     if (values.ink !== undefined) checkColor('HatchingOutlineMaterial.ink', values.ink);
     const { shadeWeights, ...others } = values;
     super.setValues(others as MaterialParameters);
-    if (shadeWeights !== undefined) this.shadeWeights.set(...checkPair(shadeWeights));
+    if (shadeWeights !== undefined)
+      this.shadeWeights.set(...checkShadeWeights(shadeWeights, 'HatchingOutlineMaterial'));
   }
 
   /**
@@ -154,11 +152,7 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
   }
 
   set hidden(value: HiddenOutlines) {
-    if (!HIDDEN_OUTLINES.includes(value))
-      throw new TypeError(
-        `HatchingOutlineMaterial.hidden is ${String(value)}, but must be ${HIDDEN_OUTLINES.map((one) => `'${one}'`).join(', ')}.`,
-      );
-    this.hiddenLines = value;
+    this.hiddenLines = checkHidden(value, 'HatchingOutlineMaterial');
   }
 
   override copy(source: this): this {
@@ -181,12 +175,7 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
    * @internal
    */
   writeUniforms(isDeformed: boolean, hasMaterials: boolean, pixelRatio = 1): void {
-    for (const name of OUTLINE_NUMBER_NAMES) this.uniforms[name].value = this[name];
-    for (const name of OUTLINE_SIZES) this.uniforms[name].value *= pixelRatio;
-    this.uniforms.ink.value = this.ink;
-    this.uniforms.shadeWeights.value = this.shadeWeights;
-    this.uniforms.opacity.value = this.opacity;
-    this.uniforms.isDashed.value = this.hidden === 'dashed';
+    writeOutlineLook(this, this.uniforms, pixelRatio);
     if (this.tooth > 0) this.uniforms.toothMap.value = toothMap();
     this.writeMesh(isDeformed, hasMaterials);
     this.uniformsNeedUpdate = true;
@@ -244,25 +233,4 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
     else delete this.defines[name];
     this.needsUpdate = true;
   }
-
-  private defineNumber(name: OutlineNumberName): void {
-    let current: number = HATCHING_OUTLINE_DEFAULTS[name];
-    Object.defineProperty(this, name, {
-      get: () => current,
-      set: (value: number) => {
-        current = checkNumber(name, value, OUTLINE_NUMBERS[name], 'HatchingOutlineMaterial');
-        // The define is set at once, so that `renderer.compile` compiles the program that frames use.
-        if (name === 'wobble' || name === 'tooth') this.setDefine(name.toUpperCase(), current > 0);
-      },
-      enumerable: true,
-    });
-  }
-}
-
-function checkPair(weights: Vector2 | readonly [number, number]): [number, number] {
-  const [lit, shaded] = Symbol.iterator in Object(weights) ? [...(weights as Iterable<number>)] : [];
-  if (lit >= 0 && shaded >= 0 && lit + shaded < Infinity) return [lit, shaded];
-  throw new RangeError(
-    'HatchingOutlineMaterial.shadeWeights: pass two numbers, 0 or more: the weights on the lit side and in the shade.',
-  );
 }

@@ -27,6 +27,7 @@ export class MaterialReplacer {
     private readonly parameters:
       | HatchingMaterialParameters
       | ((source: Material, mesh: Mesh) => HatchingMaterialParameters),
+    private readonly make: () => HatchingMaterial,
   ) {}
 
   /**
@@ -60,7 +61,7 @@ export class MaterialReplacer {
     let material = this.replacements.get(key);
     if (!material) {
       const parameters = typeof this.parameters === 'function' ? this.parameters(source, mesh) : this.parameters;
-      material = hatchingMaterialFrom(source, parameters);
+      material = hatchingMaterialFrom(source, parameters, this.make());
       this.replacements.set(key, material);
       this.materials.push(material);
       this.followers.push(new MaterialFollower(source, material, Object.keys(parameters)));

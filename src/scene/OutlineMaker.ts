@@ -3,8 +3,9 @@ import type { OutlineOptions } from '../geometry/prepareHatchingGeometry.js';
 import { deforms } from '../material/deformation/canDeform.js';
 import { describeObject } from '../mistakes/describeObject.js';
 import { tell } from '../mistakes/tell.js';
-import { HatchingOutlineMaterial, type HatchingOutlineParameters } from '../outlines/HatchingOutlineMaterial.js';
-import { HatchingOutlines } from '../outlines/HatchingOutlines.js';
+import type { HatchingOutlineMaterial, HatchingOutlineParameters } from '../outlines/HatchingOutlineMaterial.js';
+import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
+import type { MeshOutlines } from '../outlines/MeshOutlines.js';
 import type { MeshLook } from './MeshLook.js';
 import { isBatched, materialsOf } from './surfaceMeshes.js';
 
@@ -22,15 +23,28 @@ function warnOfBatch(mesh: Mesh): void {
   );
 }
 
+/** Makes outlines for the renderer that draws them. */
+export interface OutlineKind<Look extends Material, Drawn> {
+  /** @throws RangeError or TypeError for a wrong parameter */
+  material(parameters: HatchingOutlineParameters, isDeforming: boolean): Look;
+  outlines(mesh: Mesh | null, material: Look): Drawn;
+}
+
 /** Makes the outlines of a scene. Meshes that deform share a material of their own, since they need another shader program. */
-export class OutlineMaker {
+export class OutlineMaker<
+  Look extends Material = HatchingOutlineMaterial,
+  Drawn extends MeshOutlines = HatchingOutlines,
+> {
   /** The options that decide which edges are creases. */
   readonly creases: OutlineOptions;
   private readonly parameters: HatchingOutlineParameters;
-  private readonly materials = new Map<boolean, HatchingOutlineMaterial>();
-  private readonly made: HatchingOutlines[] = [];
+  private readonly materials = new Map<boolean, Look>();
+  private readonly made: Drawn[] = [];
 
-  constructor({ featureAngle, creaseLength, ...parameters }: OutlineOptions & HatchingOutlineParameters) {
+  constructor(
+    { featureAngle, creaseLength, ...parameters }: OutlineOptions & HatchingOutlineParameters,
+    private readonly kind: OutlineKind<Look, Drawn>,
+  ) {
     this.creases = { featureAngle, creaseLength };
     this.parameters = parameters;
     // Wrong parameters throw here, before anything is baked.
@@ -44,18 +58,18 @@ export class OutlineMaker {
       return;
     }
     if (materialsOf({ material }).every(isCutOut)) return;
-    const outlines = new HatchingOutlines(mesh, this.materialFor(deforms(geometry, mesh)));
+    const outlines = this.kind.outlines(mesh, this.materialFor(deforms(geometry, mesh)));
     outlines.layers.mask = mesh.layers.mask;
     this.made.push(outlines);
   }
 
   /** Outlines without a mesh, to compile the program of outlines with. */
-  get samples(): readonly HatchingOutlines[] {
-    return [new HatchingOutlines(null, this.materialFor(false))];
+  get samples(): readonly Drawn[] {
+    return [this.kind.outlines(null, this.materialFor(false))];
   }
 
   /** All outlines that were made. */
-  get outlines(): readonly HatchingOutlines[] {
+  get outlines(): readonly Drawn[] {
     return this.made;
   }
 
@@ -64,11 +78,10 @@ export class OutlineMaker {
     for (const material of this.materials.values()) material.dispose();
   }
 
-  private materialFor(isDeforming: boolean): HatchingOutlineMaterial {
+  private materialFor(isDeforming: boolean): Look {
     let material = this.materials.get(isDeforming);
     if (!material) {
-      material = new HatchingOutlineMaterial(this.parameters);
-      material.writeUniforms(isDeforming, false);
+      material = this.kind.material(this.parameters, isDeforming);
       this.materials.set(isDeforming, material);
     }
     return material;

@@ -73,7 +73,7 @@ function checkOwnOptions(options: ApplyHatchingOptions): void {
   }
   if ((renderer === undefined) !== (camera === undefined) || (renderer && !('isWebGLRenderer' in renderer))) {
     throw new TypeError(
-      'applyHatching: renderer must be a WebGLRenderer, and camera must come with it; or leave out both.',
+      'applyHatching: renderer must be a WebGLRenderer, and camera must come with it; or leave out both, and await renderer.compileAsync(scene, camera) afterwards.',
     );
   }
   if (filter !== undefined && typeof filter !== 'function') {

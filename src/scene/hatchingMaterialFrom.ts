@@ -5,7 +5,7 @@ import {
   HATCHING_PROPERTIES,
   type HatchingPropertyName,
 } from '../material/facts/hatchingProperties.js';
-import { HatchingMaterial } from '../material/HatchingMaterial.js';
+import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 
 /** The properties that the surface materials of three.js have beyond `Material`. Other materials may have them too. */
@@ -49,14 +49,17 @@ export const surfaceProperties = [
 ] as const satisfies (keyof SurfaceMaterial)[];
 
 /**
- * Creates the hatching material that replaces `source`. It takes over colour, maps and their settings (the textures are shared,
+ * Turns a new hatching material into the one that replaces `source`. It takes over colour, maps and their settings (the textures are shared,
  * not copied), emission, opacity, sides, vertex colours, depth, blending, stencil, clipping, fog, wireframe, name, visibility and
  * user data.
  *
  * @param parameters override what is taken over from `source`
  */
-export function hatchingMaterialFrom(source: Material, parameters: HatchingMaterialParameters): HatchingMaterial {
-  const material = new HatchingMaterial();
+export function hatchingMaterialFrom(
+  source: Material,
+  parameters: HatchingMaterialParameters,
+  material: HatchingMaterial,
+): HatchingMaterial {
   // Material.copy clones user data through JSON, which loses some values.
   Material.prototype.copy.call(material, Object.create(source, { userData: { value: {} } }));
   material.toneMapped = false;

@@ -129,6 +129,8 @@ export const testOnOnePage = (
     },
   });
 
+export type TestOnOnePage = ReturnType<typeof testOnOnePage>;
+
 /** Runs in the page: takes away every context that was made, and what is on the page. */
 function freeContexts(): void {
   for (const gl of window.__webglContexts?.splice(0) ?? []) {

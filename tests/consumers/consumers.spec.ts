@@ -50,6 +50,7 @@ const ENTRIES = [
   'facts.js',
   'hands.js',
   'svg.js',
+  'webgpu.js',
   'react.js',
   'element.js',
   'bake.worker.js',
@@ -68,9 +69,16 @@ test.beforeAll(() => {
 const MOST_BYTES = [
   ['HatchingMaterial', 'three-hatching', 31_000],
   ['HatchingMaterial, prepareHatchingGeometry, TonalArtMap', 'three-hatching', 41_500],
-  ['applyHatching', 'three-hatching', 49_700],
+  ['applyHatching', 'three-hatching', 49_900],
   ['Hatched', 'three-hatching/react', 53_000],
   ['drawSVG', 'three-hatching/svg', 59_000],
+] as const;
+
+/** The same of a page that draws with WebGPURenderer. */
+const MOST_BYTES_OF_NODES = [
+  ['HatchingNodeMaterial', 25_000],
+  ['HatchingNodeMaterial, applyHatching', 45_000],
+  ['HatchingOutlines', 41_000],
 ] as const;
 
 /** The size of the worker's text. A minifier that writes it twice makes it double. */
@@ -123,6 +131,8 @@ test.describe('the tarball', () => {
   test('imports three and nothing else; the worker imports nothing, the command what Node has, the components React and us', () => {
     const imported = ['index.js', 'svg.js'].flatMap((name) => withImports(name)).flatMap(importsOf);
     expect(imported.filter((name) => name !== 'three' && !name.startsWith('./'))).toEqual([]);
+    const ofNodes = withImports('webgpu.js').flatMap(importsOf);
+    expect(ofNodes.filter((name) => !/^(three|three\/(webgpu|tsl)|\.\/.*)$/.test(name))).toEqual([]);
     expect(importsOf('bake.worker.js')).toEqual([]);
     expect(importsOf('svg.worker.js')).toEqual([]);
     expect(importsOf('hand.worker.js')).toEqual([]);
@@ -189,6 +199,30 @@ test.describe('the tarball', () => {
     });
   }
 
+  for (const [imports, most] of MOST_BYTES_OF_NODES) {
+    test(`is small, without GLSL and the materials that are written in it: ${imports} for WebGPURenderer`, async () => {
+      const chunks = await bundle(`export { ${imports} } from 'three-hatching/webgpu';`, /^three($|\/)/);
+      const atOnce = loadedAtOnce(chunks);
+      const bytes = sizeOf(atOnce);
+      test.info().annotations.push({ type: 'size', description: `${bytes} bytes` });
+      expect(bytes).toBeLessThanOrEqual(most);
+      const code = atOnce.map((chunk) => chunk.code).join('');
+      expect(code).toContain('materialReference');
+      // Rolldown keeps what later parts of the material in GLSL share, though nothing fetches those: `deformVertex` among it.
+      expect(code).not.toMatch(/\bgl_[A-Z]\w*|\bvoid main\b/);
+      expect(code).not.toMatch(/\bShaderMaterial as\b/);
+    });
+  }
+
+  test('has nothing twice where a page draws with both renderers', () => {
+    const dist = (name: string) => readFileSync(join(libraryFolder, 'dist', name), 'utf8');
+    const sources = [...new Set(['index.js', 'webgpu.js'].flatMap((name) => withImports(name)))].flatMap((name) =>
+      [...dist(name).matchAll(/^\/\/ (src\/.*\.ts)$/gm)].map(([, source]) => source),
+    );
+    expect(sources.length).toBeGreaterThan(100);
+    expect(sources.filter((source, i) => sources.indexOf(source) !== i)).toEqual([]);
+  });
+
   test('is small: the worker, which comes later', async () => {
     const chunks = await bundle("export { prepareHatchingGeometry } from 'three-hatching';");
     const later = chunks.filter((chunk) => !loadedAtOnce(chunks).includes(chunk));
@@ -222,6 +256,12 @@ test.describe('the tarball', () => {
   for (const moduleResolution of ['bundler', 'node16', 'nodenext']) {
     test(`has components that a strict compiler takes: ${moduleResolution}`, () => {
       expect(strictly(moduleResolution, ['reactTypes.tsx'])).toBe('');
+    });
+  }
+
+  for (const moduleResolution of ['bundler', 'node16', 'nodenext']) {
+    test(`has materials of nodes that a strict compiler takes without casts: ${moduleResolution}`, () => {
+      expect(strictly(moduleResolution, ['nodeTypes.ts'])).toBe('');
     });
   }
 

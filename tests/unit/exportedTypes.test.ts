@@ -10,6 +10,7 @@ const ENTRIES = [
   'index',
   'facts',
   'svg/index',
+  'webgpu/index',
   'react/index',
   'element/element',
   'element/react',

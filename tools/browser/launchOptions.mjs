@@ -9,6 +9,13 @@ const rasterisers = {
   gpu: ['--use-gl=angle', ...(process.platform === 'linux' ? ['--use-angle=gl-egl'] : []), '--ignore-gpu-blocklist'],
 };
 
+/** What further lets Chromium on Linux have WebGPU, which it has by itself on other systems with a card. A renderer may not present its canvas where software draws. */
+const withWebGPU = {
+  swiftshader: ['--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader'],
+  llvmpipe: ['--enable-unsafe-webgpu'],
+  gpu: ['--enable-unsafe-webgpu'],
+};
+
 /** Without these flags Chromium calls its maker's hosts, which only costs time on a closed network. */
 const quiet = [
   '--disable-background-networking',
@@ -24,8 +31,12 @@ const quiet = [
  * The path found is kept in HATCH_CHROMIUM, so that the processes a test runner starts do not search again.
  *
  * @param {keyof typeof rasterisers} rasteriser - from HATCH_RASTERISER if not given; SwiftShader by default.
+ * @param {{ webgpu?: boolean }} [options] - webgpu: whether to ask for WebGPU, which not every browser has. Default: false
  */
-export async function launchOptions(rasteriser = process.env.HATCH_RASTERISER ?? 'swiftshader') {
+export async function launchOptions(
+  rasteriser = process.env.HATCH_RASTERISER ?? 'swiftshader',
+  { webgpu = false } = {},
+) {
   const flags = rasterisers[rasteriser];
   if (!flags) {
     const known = Object.keys(rasterisers).join(', ');
@@ -34,5 +45,9 @@ export async function launchOptions(rasteriser = process.env.HATCH_RASTERISER ??
   const { executablePath } = await findChromium();
   process.env.HATCH_CHROMIUM = executablePath;
   // Chromium's sandbox does not work for root; there Playwright leaves it off, as it does by default elsewhere.
-  return { executablePath, chromiumSandbox: false, args: [...flags, ...quiet] };
+  return {
+    executablePath,
+    chromiumSandbox: false,
+    args: [...flags, ...(webgpu ? withWebGPU[rasteriser] : []), ...quiet],
+  };
 }

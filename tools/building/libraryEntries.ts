@@ -7,6 +7,7 @@ const ENTRIES: readonly [name: RegExp, source: string, built: string][] = [
   [/^three-hatching\/hands$/, 'hands/index', 'hands'],
   [/^three-hatching\/react$/, 'react/index', 'react'],
   [/^three-hatching\/svg$/, 'svg/index', 'svg'],
+  [/^three-hatching\/webgpu$/, 'webgpu/index', 'webgpu'],
   [/^three-hatching\/element$/, 'element/element', 'element'],
   // A query tells Vite how to load the file.
   [/^three-hatching\/svg\.worker(?=$|\?)/, 'svg/svg.worker', 'svg.worker'],

@@ -22,10 +22,13 @@ const SEPARATE = [
   'material/HatchingMaterial',
   'geometry/prepareHatchingGeometry',
   'tam/TonalArtMap',
+  'scene/hatchScene',
   'scene/applyHatching',
   'outlines/outlineProperties',
+  'webgpu/HatchingNodeMaterial',
+  'webgpu/outlines/HatchingOutlines',
 ].map((path, i, all) => ({
-  name: path.split('/')[1],
+  name: path.replace(/^(webgpu\/)?.*\//, '$1').replace('/', '.'),
   test: (id: string) => id.endsWith(`/src/${path}.ts`),
   priority: all.length - i,
 }));
@@ -67,7 +70,12 @@ export default defineConfig(
       sourcemap: false,
       emptyOutDir: ENTRIES[mode] === undefined,
       lib: {
-        entry: ENTRIES[mode] ?? { index: 'src/index.ts', facts: 'src/facts.ts', svg: 'src/svg/index.ts' },
+        entry: ENTRIES[mode] ?? {
+          index: 'src/index.ts',
+          facts: 'src/facts.ts',
+          svg: 'src/svg/index.ts',
+          webgpu: 'src/webgpu/index.ts',
+        },
         formats: ['es'],
       },
       rolldownOptions: {

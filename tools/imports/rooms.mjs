@@ -93,6 +93,26 @@ export const ROOMS = {
   'scene/jointForms': [],
   'scene/occlusion': ['/src/scene/HatchedScene.ts'],
   'scene/flattering': ['/src/scene/assertTree.ts', '/src/scene/surfaceMeshes.ts'],
+  // No GLSL: neither the shaders nor what puts them together.
+  webgpu: [
+    ...['mistakes', 'slices', 'bake', 'worker', 'features', 'strokes', 'tam', 'geometry', 'engraving'],
+    ...['material', 'outlines', 'scene'],
+  ],
+  'webgpu/nodes': [],
+  'webgpu/nodes/chunks': ['/src/webgpu/nodes/uniforms.ts', '/src/webgpu/nodes/values.ts'],
+  'webgpu/nodes/outlines': [
+    'chunks',
+    '/src/webgpu/nodes/textures.ts',
+    '/src/webgpu/nodes/uniforms.ts',
+    '/src/webgpu/nodes/values.ts',
+  ],
+  'webgpu/nodes/perFragment': ['/src/webgpu/nodes/uniforms.ts', '/src/webgpu/nodes/values.ts'],
+  'webgpu/nodes/techniques': [],
+  'webgpu/nodes/techniques/engraved': [
+    ...['/src/webgpu/nodes/chunks', '/src/webgpu/nodes/perFragment'],
+    ...['/src/webgpu/nodes/uniforms.ts', '/src/webgpu/nodes/values.ts'],
+  ],
+  'webgpu/outlines': ['nodes'],
   svg: [
     ...['slices', 'features', 'bake', 'worker', 'mistakes', 'tam/stippleMap.ts', 'tam/patternSizes.ts', 'geometry'],
     ...['engraving', 'vector', 'material', 'outlines', 'background'],

@@ -1,5 +1,6 @@
 import type { Camera, IUniform, Scene, WebGLRenderer } from 'three';
 import { isFitted } from '../exposure/isFitted.js';
+import { writeFit } from '../exposure/writeFit.js';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
 import { fetchedPart, fetchPart } from './parts.js';
 
@@ -21,13 +22,11 @@ export class ExposureInUse {
     renderer: WebGLRenderer,
     scene: Scene,
     camera: Camera,
-    { exposure, colorExposure }: Readonly<Record<string, IUniform>>,
+    uniforms: Readonly<Record<string, IUniform>>,
   ): void {
     this.fetch(material);
     if (!isFitted(material)) return;
     const fit = fetchedPart('exposure')?.sceneExposure?.(renderer, scene, camera);
-    if (!fit) return;
-    exposure.value.set(fit.scale, fit.offset).multiplyScalar(material.exposureCompensation);
-    colorExposure.value = 1 / fit.white;
+    if (fit) writeFit(fit, material, uniforms);
   }
 }

@@ -1,0 +1,84 @@
+import { Color, Vector2, type Vector3 } from 'three';
+import { checkNumber } from './checkNumber.js';
+import { checkHatchingMap, type HatchingMap } from './checkTonalArtMap.js';
+import { checkPoint, isWord } from './checkValues.js';
+import { defaultOf } from './facts/defaultOf.js';
+import type { HatchingProperty } from './facts/HatchingProperty.js';
+import {
+  HATCHING_DEFAULTS,
+  HATCHING_PROPERTIES,
+  type HatchingPropertyName,
+  type HatchingTechnique,
+} from './facts/hatchingProperties.js';
+import { toPoint } from './vectorValues.js';
+
+/** What a material keeps of its properties, in GLSL or of nodes. */
+interface PropertyHolder {
+  readonly technique: HatchingTechnique;
+  focused: Vector3 | null;
+  hatchImages: HatchingMap;
+  readonly numbers: Map<HatchingPropertyName, number | 'auto' | null>;
+  choice(name: HatchingPropertyName): string | boolean;
+  choose(name: HatchingPropertyName, value: string | boolean): void;
+}
+
+/** What reads and sets a property that is no plain field, as a material has it on its prototype. What is set is checked. */
+export function accessorOf(name: HatchingPropertyName): PropertyDescriptor & ThisType<PropertyHolder> {
+  const property: HatchingProperty = HATCHING_PROPERTIES[name];
+  if (property.kind === 'tonalArtMap')
+    return {
+      get() {
+        return this.hatchImages;
+      },
+      set(value) {
+        this.hatchImages = checkHatchingMap(value);
+      },
+    };
+  if (property.kind === 'point')
+    return {
+      get() {
+        return this.focused;
+      },
+      set(value) {
+        checkPoint(name, value);
+        this.focused = value === null ? null : toPoint(value);
+      },
+    };
+  if (property.kind === 'number') {
+    const defaults = new Map<HatchingTechnique, unknown>();
+    return {
+      get() {
+        const set = this.numbers.get(name);
+        if (set !== undefined && set !== null) return set;
+        const { technique } = this;
+        if (!defaults.has(technique)) defaults.set(technique, defaultOf(name, technique));
+        return defaults.get(technique);
+      },
+      set(value) {
+        this.numbers.set(name, isWord(name, value) ? value : checkNumber(name, value, property.range));
+      },
+    };
+  }
+  return {
+    get() {
+      return this.choice(name);
+    },
+    set(value) {
+      this.choose(name, value);
+    },
+  };
+}
+
+/** A new value for a plain field; undefined for other properties. */
+export function fieldOf(name: HatchingPropertyName): unknown {
+  switch (HATCHING_PROPERTIES[name].kind) {
+    case 'color':
+      return new Color(HATCHING_DEFAULTS[name] as number);
+    case 'vector2':
+      return new Vector2(...(HATCHING_DEFAULTS[name] as readonly [number, number]));
+    case 'texture':
+      return null;
+    default:
+      return undefined;
+  }
+}

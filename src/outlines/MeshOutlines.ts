@@ -1,0 +1,222 @@
+import {
+  Box3,
+  BufferGeometry,
+  type Camera,
+  Frustum,
+  type InstancedMesh,
+  type Material,
+  Matrix4,
+  type Mesh,
+  Object3D,
+  Sphere,
+  Vector3,
+  type Vector4,
+  type WebGLRenderer,
+} from 'three';
+import type { OutlineData } from '../geometry/OutlineData.js';
+import type { EmphasisLook } from '../material/emphasis/emphasis.js';
+import { FrameStamp } from '../material/FrameStamp.js';
+import { describeObject } from '../mistakes/describeObject.js';
+import { tell } from '../mistakes/tell.js';
+import { ContourList } from './ContourList.js';
+import { InstanceList } from './InstanceList.js';
+
+/** What the camera of `frustumFrame` sees in that frame. */
+const frustum = /* @__PURE__ */ new Frustum();
+const frustumFrame = /* @__PURE__ */ new FrameStamp();
+const matrix = /* @__PURE__ */ new Matrix4();
+const sphere = /* @__PURE__ */ new Sphere();
+const place = /* @__PURE__ */ new Vector3();
+/** A draw count for which three.js draws nothing. With 0 it would make a draw call, and read textures that do not exist. */
+export const NOTHING = -1;
+/** The largest number of lists that are kept, one per camera: more than the six cameras of a CubeCamera and two eyes. */
+const MAX_LISTS = 12;
+/** The number of vertices that each primitive is drawn with. */
+export const VERTICES = 3;
+
+/** The object that draws the outlines of a mesh, with whatever material: where it lies, and what of the mesh may hold an outline. */
+export abstract class MeshOutlines extends Object3D {
+  /**
+   * Makes three.js draw the outlines as it draws a sprite: from triangles, in the order of transparent objects. A mesh would be
+   * exported, would cast shadows, and would be found by code that looks for surfaces.
+   *
+   * @internal
+   */
+  readonly isSprite = true;
+  /** True while instances are drawn; three.js reads it. @internal */
+  isInstancedMesh = false;
+  /** @internal */
+  instanceMatrix: InstancedMesh['instanceMatrix'] | null = null;
+  /** Instances have neither colours nor morph targets here; an override material asks for both. @internal */
+  readonly instanceColor = null;
+  /** @internal */
+  readonly morphTexture = null;
+  /** @internal */
+  override count = 0;
+  /** A geometry without attributes: vertices read their data from textures, and other materials draw nothing. @internal */
+  readonly geometry = new BufferGeometry();
+
+  protected ownMesh: Mesh | null;
+  /** The list of each camera. */
+  private readonly lists = new Map<Camera, ContourList | InstanceList>();
+  private hasReported = false;
+
+  constructor(mesh: Mesh | null) {
+    super();
+    this.ownMesh = mesh;
+    this.frustumCulled = false;
+    this.geometry.boundingBox = new Box3();
+    this.geometry.boundingSphere = new Sphere(new Vector3(), -1);
+  }
+
+  /** The mesh whose outlines are drawn: the one that was set, or else the parent, if that is a mesh. */
+  get mesh(): Mesh | null {
+    if (this.ownMesh) return this.ownMesh;
+    return this.parent !== null && 'isMesh' in this.parent ? (this.parent as Mesh) : null;
+  }
+
+  set mesh(mesh: Mesh | null) {
+    this.ownMesh = mesh;
+  }
+
+  /** Does nothing: rays do not hit outlines. */
+  override raycast(): void {}
+
+  /** Writes an empty object instead of the outlines: loaders do not know them, and they can be made again from the geometry. */
+  override toJSON(meta?: Parameters<Object3D['toJSON']>[0]): ReturnType<Object3D['toJSON']> {
+    const empty = new Object3D().copy(this);
+    empty.uuid = this.uuid;
+    return empty.toJSON(meta);
+  }
+
+  /** Frees the GPU memory of the lists. */
+  override dispose(): void {
+    // In older versions of three.js, Object3D has no dispose().
+    super.dispose?.();
+    this.geometry.dispose();
+    for (const list of this.lists.values()) list.dispose();
+    this.lists.clear();
+  }
+
+  /**
+   * three.js sorts sprites by their position and meshes by the centre of their bounding sphere. Between draws the outlines are placed
+   * at that centre, so that outlines on a transparent surface are drawn right after it.
+   */
+  override updateMatrixWorld(force?: boolean): void {
+    super.updateMatrixWorld(force);
+    this.moveToCentre();
+  }
+
+  override updateWorldMatrix(updateParents: boolean, updateChildren: boolean): void {
+    super.updateWorldMatrix(updateParents, updateChildren);
+    this.moveToCentre();
+  }
+
+  protected moveToCentre(): void {
+    const mesh = this.mesh;
+    if (!mesh) return;
+    this.matrixWorld.copy(mesh.matrixWorld);
+    const bounds = boundsOf(mesh);
+    if (!bounds) return;
+    // These are exactly the steps of the renderer, so that both compute the same number.
+    place.copy(bounds.center).applyMatrix4(mesh.matrixWorld);
+    this.matrixWorld.setPosition(place);
+  }
+
+  /** Says once that something is not drawn, or not as it should be. */
+  protected report(mesh: Mesh, problem: string): void {
+    if (this.hasReported) return;
+    this.hasReported = true;
+    tell(`HatchingOutlines: the ${describeObject(mesh)} ${problem}`, 'error');
+  }
+
+  /** Writes where the camera is, in the space of the mesh. Allocates nothing. */
+  protected writeEye(eye: Vector4, camera: Camera, mesh: Mesh): void {
+    matrix.copy(mesh.matrixWorld).invert();
+    // Virtual reality has cameras of its own classes, so the projection decides: its last row ends in 1 if it is orthographic.
+    if (camera.projectionMatrix.elements[15] === 1) {
+      place.setFromMatrixColumn(camera.matrixWorld, 2).transformDirection(matrix);
+      eye.set(place.x, place.y, place.z, 0);
+    } else {
+      place.setFromMatrixPosition(camera.matrixWorld).applyMatrix4(matrix);
+      eye.set(place.x, place.y, place.z, 1);
+    }
+  }
+
+  /** Has three.js see the instances of the mesh until the end of the draw, since they choose another program. @internal */
+  showInstances(): void {
+    const { mesh } = this;
+    if (!mesh || !('isInstancedMesh' in mesh)) return;
+    const { instanceMatrix, count } = mesh as InstancedMesh;
+    this.isInstancedMesh = true;
+    this.instanceMatrix = instanceMatrix;
+    this.count = count;
+  }
+
+  /** Ends what `showInstances` began. @internal */
+  hideInstances(): void {
+    this.isInstancedMesh = false;
+    this.instanceMatrix = null;
+  }
+
+  /** What may hold an outline as the camera sees the mesh; null if that is not known. @param eye of the camera, in the space of the mesh @internal */
+  protected listFor(camera: Camera, data: OutlineData, mesh: Mesh, eye: Vector4): ContourList | InstanceList | null {
+    const { boundingSphere } = mesh.geometry;
+    if (!boundingSphere) return null;
+    const known = this.lists.get(camera);
+    if ('isInstancedMesh' in mesh) {
+      const list = known instanceof InstanceList ? known : this.addList(camera, new InstanceList());
+      return list.update(data, mesh as InstancedMesh, eye) ? list : null;
+    }
+    const list = known instanceof ContourList ? known : this.addList(camera, new ContourList());
+    return list.update(data, eye, boundingSphere) ? list : null;
+  }
+
+  /** Adds the list of a camera. If there are too many, the oldest one is removed, since its camera may be gone. */
+  private addList<List extends ContourList | InstanceList>(camera: Camera, list: List): List {
+    this.lists.get(camera)?.dispose();
+    const [oldest] = this.lists;
+    if (this.lists.size >= MAX_LISTS && !this.lists.has(camera)) {
+      oldest[1].dispose();
+      this.lists.delete(oldest[0]);
+    }
+    this.lists.set(camera, list);
+    return list;
+  }
+}
+
+/** How many times longer a matrix makes lengths, in the mean over directions; 1 if it flattens. `determinant()` would leave garbage in every frame. */
+export function meanScale({ elements: m }: Matrix4): number {
+  const determinant =
+    m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) + m[8] * (m[1] * m[6] - m[2] * m[5]);
+  return Math.cbrt(Math.abs(determinant)) || 1;
+}
+
+/** What says how much weight the drawing of a mesh has where: its first hatching material. Its outlines have the same. */
+export function emphasisOf({ material }: Mesh): (Material & EmphasisLook) | null {
+  const isHatching = (one: Material): boolean => 'isHatchingMaterial' in one || 'isHatchingNodeMaterial' in one;
+  const found = Array.isArray(material) ? material.find(isHatching) : isHatching(material) && material;
+  return found ? (found as Material & EmphasisLook) : null;
+}
+
+/** Whether the surface is not drawn, since no material of the mesh is visible: neither are its outlines then. */
+export const isUnseen = ({ material }: Mesh): boolean =>
+  Array.isArray(material) ? !material.some((one) => one?.visible) : material?.visible === false;
+
+/** The bounding sphere by which three.js sorts and culls a mesh; null before it has been computed. */
+function boundsOf(mesh: Mesh): Sphere | null {
+  const own = (mesh as Mesh & { boundingSphere?: Sphere | null }).boundingSphere;
+  return (own === undefined ? mesh.geometry.boundingSphere : own) ?? null;
+}
+
+export function isInFrustum(mesh: Mesh, renderer: WebGLRenderer, camera: Camera): boolean {
+  const bounds = boundsOf(mesh);
+  if (!bounds) return true;
+  if (!frustumFrame.isOf(renderer, camera)) {
+    frustumFrame.note(renderer, camera);
+    matrix.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+    const { coordinateSystem, reversedDepth } = camera as Camera & { reversedDepth?: boolean };
+    frustum.setFromProjectionMatrix(matrix, coordinateSystem, reversedDepth);
+  }
+  return frustum.intersectsSphere(sphere.copy(bounds).applyMatrix4(mesh.matrixWorld));
+}

@@ -1,0 +1,270 @@
+import type { BufferGeometry, Material, Mesh, Object3D } from 'three';
+import { assertGeometry } from '../geometry/checkGeometry.js';
+import type { OutlineOptions, PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
+import { needsMap } from '../material/facts/lookFacts.js';
+import type { HatchingMaterial } from '../material/HatchingMaterial.js';
+import { describeObject } from '../mistakes/describeObject.js';
+import { isPromise } from '../mistakes/isPromise.js';
+import { tell } from '../mistakes/tell.js';
+import type { HatchingOutlineParameters } from '../outlines/HatchingOutlineMaterial.js';
+import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
+import { runSliced } from '../slices/runSliced.js';
+import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
+import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
+import { prepareOptions, resolveOptions } from './applyOptions.js';
+import { assertTree } from './assertTree.js';
+import { bakeGeometries } from './bakeGeometries.js';
+import { type ChosenMeshes, chooseMeshes } from './chooseMeshes.js';
+import { claimMeshes } from './claimMeshes.js';
+import type { MakeLevels } from './detail/levelMaker.js';
+import type { FirstFrame } from './FirstFrame.js';
+import { failure } from './failure.js';
+import { crossingMaterials, geometryPlans, type OldLook, type PlannedMesh } from './geometryPlans.js';
+import type { HatchedScene, SkippedMesh } from './HatchedScene.js';
+import type { GeometryPlan } from './jointForms/FormGroup.js';
+import type { LaterForms } from './LaterForms.js';
+import type { MaterialFollower } from './MaterialFollower.js';
+import { MaterialReplacer } from './MaterialReplacer.js';
+import type { MeshLook } from './MeshLook.js';
+import { isToBeMade, makeMaps } from './makeMaps.js';
+import type { OutlineMaker } from './OutlineMaker.js';
+import type { PresetName } from './presets.js';
+import { progressParts } from './progressParts.js';
+import { sideBySide } from './sideBySide.js';
+import { isHatching, materialsOf, surfaceMeshes } from './surfaceMeshes.js';
+import { worldMatrices, worldScale } from './worldMatrices.js';
+
+/** What `makeLooks` returns: the content of a `HatchedScene`. */
+interface MadeLooks {
+  looks: MeshLook[];
+  materials: HatchingMaterial[];
+  outlines: HatchingOutlines[];
+  skipped: SkippedMesh[];
+  followers: MaterialFollower[];
+  forms: LaterForms | null;
+  /** Has levels of detail drawn; what it returns ends that. */
+  showDetail: (() => () => void) | undefined;
+  HatchedScene: typeof HatchedScene;
+}
+
+/** The share of the progress for the map, if one is made. */
+const MAP_SHARE = 0.2;
+
+/** The share of the progress for the first frame, if a renderer is given. */
+const FRAME_SHARE = 0.1;
+
+/** The share of the progress for levels of detail, if they are asked for. */
+const DETAIL_SHARE = 0.2;
+
+/** What hatches a scene, of the renderer that draws it. */
+export interface LookMakers<Made extends HatchingMaterial = HatchingMaterial> {
+  /** Makes a material with the values that it has by default. */
+  material(): Made;
+  /** Fetches what a material draws with, if it comes later. */
+  fetchPartsOf(material: Made): Promise<void>;
+  /** Makes outlines. @throws RangeError or TypeError for a wrong parameter */
+  outlineMaker(parameters: OutlineOptions & HatchingOutlineParameters): Promise<OutlineMaker>;
+}
+
+/** Hatches a scene, as `applyHatching` says. */
+export async function hatchScene(
+  root: Object3D,
+  given: ApplyHatchingOptions | PresetName,
+  makers: LookMakers,
+): Promise<HatchedScene> {
+  const options = resolveOptions(given);
+  options.signal?.throwIfAborted();
+  if (!root?.isObject3D) {
+    const remedy = isPromise(root) ? 'Write await before what loads it.' : 'For a loaded glTF pass gltf.scene.';
+    throw new TypeError(`applyHatching: expected a THREE.Object3D. ${remedy}`);
+  }
+  assertTree('applyHatching', root);
+  const { replaces, signal } = options;
+  const meshes = surfaceMeshes(root).filter(options.filter ?? (() => true));
+  // Whoever says what to replace, even if it is nothing, follows a scene that may be empty at first.
+  if (meshes.length === 0 && !('replaces' in options)) {
+    tell(
+      `applyHatching: there is no mesh to hatch in the ${describeObject(root)}. Call it once the model is loaded and added.`,
+    );
+  }
+  const choice = chooseMeshes(meshes, replaces);
+  let releaseMeshes = claimMeshes(choice.chosen.filter((mesh) => !replaces?.holds(mesh)));
+  const onAbort = (): void => releaseMeshes();
+  // The meshes are released at once, not when the work has stopped: the caller may abort and apply again in the same tick, as
+  // React's StrictMode does.
+  signal?.addEventListener('abort', onAbort);
+  const disposables: { dispose(): void }[] = [];
+  try {
+    root.updateWorldMatrix(true, false);
+    root.updateMatrixWorld();
+    const made = await makeLooks(root, choice, options, makers, disposables);
+    const { looks, materials, outlines, skipped, followers, forms, showDetail, HatchedScene } = made;
+    replaces?.dispose();
+    releaseMeshes();
+    const releaseLooks = claimMeshes(looks.map(({ mesh }) => mesh));
+    const hideDetail = showDetail?.();
+    releaseMeshes = () => {
+      hideDetail?.();
+      releaseLooks();
+    };
+    const scene = new HatchedScene(looks, materials, outlines, skipped, followers, disposables, releaseMeshes, forms);
+    for (const { mesh } of looks) {
+      for (const material of materialsOf(mesh)) if (isHatching(material)) material.announce?.(mesh);
+    }
+    return scene;
+  } catch (error) {
+    for (const disposable of disposables) disposable.dispose();
+    releaseMeshes();
+    throw error;
+  } finally {
+    signal?.removeEventListener('abort', onAbort);
+  }
+}
+
+/** Makes the new looks of meshes. The scene does not change. Everything that must be freed is added to `disposables`. */
+async function makeLooks(
+  root: Object3D,
+  { chosen, skipped: leftAlone, claimed }: ChosenMeshes,
+  options: ApplyHatchingOptions,
+  makers: LookMakers,
+  disposables: { dispose(): void }[],
+): Promise<MadeLooks> {
+  const { replaces, signal, tilesPerWorldUnit, onGeometry, onProgress } = options;
+  const asBefore = <Result>(work: () => Result): Result => (replaces ? replaces.suspended(work) : work());
+  const replacer = new MaterialReplacer(options.material ?? {}, makers.material);
+  disposables.push(replacer);
+  const { seen, unreadable } = asBefore(() => looksToReplace(chosen));
+  const [planned, firstFrame, outlineMaker, detail] = await Promise.all([
+    runSliced(planMeshes(seen, replacer), { signal, around: asBefore }),
+    firstFrameOf(root, options),
+    outlineMakerOf(options, makers),
+    detailOf(options),
+  ]);
+  if (outlineMaker) disposables.push(outlineMaker);
+
+  const named = replacer.materials.filter((material) => typeof material.tonalArtMap === 'string' && needsMap(material));
+  const styles = [...new Set(named.map(({ tonalArtMap }) => tonalArtMap as StrokeStyleName))];
+  const isMapMade = styles.length > 0 && (options.tonalArtMap === undefined || isToBeMade(options.tonalArtMap));
+  const mapShare = isMapMade ? MAP_SHARE : 0;
+  const frameShare = firstFrame ? FRAME_SHARE : 0;
+  const detailShare = detail ? DETAIL_SHARE : 0;
+  const bakeShare = 1 - mapShare - frameShare - detailShare;
+  const [onBake, onMap, onFrame, onDetail] = progressParts(onProgress, [bakeShare, mapShare, frameShare, detailShare]);
+  const prepare = { ...prepareOptions(options), outlines: outlineMaker?.creases ?? false };
+  const plans = geometryPlans(planned, options);
+  const forms = await laterFormsOf(plans, planned, options, prepare, disposables, { firstFrame, detail });
+  // What dresses the meshes is fetched while they are baked.
+  const [baked, maps, dressing] = await sideBySide(
+    signal,
+    (stop) =>
+      bakeGeometries(
+        forms?.atOnce ?? plans,
+        { ...prepare, onProgress: onBake, signal: stop },
+        { onBaked: (geometry) => disposables.push(geometry), onCount: onGeometry },
+      ),
+    (stop) => makeMaps(options.tonalArtMap, styles, { ...options, onProgress: onMap, signal: stop }, disposables),
+    async () => {
+      const [dressing] = await Promise.all([
+        import('./dressing/dressing.js'),
+        ...replacer.materials.map(makers.fetchPartsOf),
+      ]);
+      asBefore(() => firstFrame?.compile(planned, outlineMaker?.samples ?? [], false));
+      return dressing;
+    },
+  );
+  forms?.drawMeanwhile(baked);
+  const { assertNoFailure, changedMeanwhile, collectLooks, finishLooks, HatchedScene, hasChanged } = dressing;
+  const { looks, skipped } = asBefore(() => collectLooks(planned, baked));
+  skipped.push(...unreadable);
+  if (looks.length === 0) assertNoFailure(skipped);
+  for (const material of named) material.tonalArtMap = maps.get(material.tonalArtMap as StrokeStyleName) ?? null;
+  signal?.throwIfAborted();
+  const finishing = finishLooks(root, { looks, claimed }, replacer, { tilesPerWorldUnit, outlineMaker });
+  const allOutlines = await runSliced(finishing, { signal });
+  const showDetail = await detail?.(looks, onDetail);
+  if (firstFrame) {
+    firstFrame.compile(looks, allOutlines, true);
+    await runSliced(firstFrame.upload(looks), { signal, onProgress: onFrame });
+    await firstFrame.built(signal);
+    onFrame?.(1);
+  }
+
+  const changed = new Set(asBefore(() => planned.filter(hasChanged)).map(({ mesh }) => mesh));
+  const kept = looks.filter(({ mesh }) => !changed.has(mesh));
+  for (const { mesh } of looks) if (changed.has(mesh)) skipped.push(changedMeanwhile(mesh));
+  if (kept.length === 0) assertNoFailure(skipped);
+  const used = new Set<Material>(kept.flatMap(({ material }) => material));
+  return {
+    looks: kept,
+    materials: replacer.materials.filter((material) => used.has(material)),
+    outlines: allOutlines.filter(({ mesh }) => !changed.has(mesh!)),
+    skipped: [...leftAlone, ...skipped],
+    followers: replacer.followers,
+    forms,
+    showDetail,
+    HatchedScene,
+  };
+}
+
+/** What prepares the first frame, if there is a renderer for it. Pages that give none do not load it. */
+async function firstFrameOf(root: Object3D, { renderer, camera }: ApplyHatchingOptions): Promise<FirstFrame | null> {
+  if (!renderer || !camera) return null;
+  const { FirstFrame } = await import('./FirstFrame.js');
+  return new FirstFrame(renderer, camera, root);
+}
+
+/** What bakes lines along the form later, if any follow it. Scenes without them do not load it. */
+async function laterFormsOf(
+  plans: ReadonlyMap<BufferGeometry, GeometryPlan>,
+  planned: readonly PlannedMesh[],
+  options: ApplyHatchingOptions,
+  prepare: PrepareHatchingGeometryOptions,
+  disposables: { dispose(): void }[],
+  drawing: { firstFrame: FirstFrame | null; detail: MakeLevels | null },
+): Promise<LaterForms | null> {
+  if ([...plans.values()].every(({ form }) => !form)) return null;
+  const [{ LaterForms }, { formGroups }] = await Promise.all([
+    import('./LaterForms.js'),
+    import('./jointForms/formGroups.js'),
+  ]);
+  const groups = await runSliced(formGroups(planned, plans), { signal: options.signal });
+  for (const [geometry, plan] of plans) plan.group = groups.get(geometry);
+  return new LaterForms(plans, crossingMaterials(planned, options), prepare, options, disposables, drawing);
+}
+
+/** What makes levels of detail, if they are asked for. Scenes without them do not load it. @throws TypeError for a wrong option */
+async function detailOf(options: ApplyHatchingOptions): Promise<MakeLevels | null> {
+  return options.detail ? (await import('./detail/levelMaker.js')).levelMaker(options.detail, options) : null;
+}
+
+/** What makes outlines, if they are asked for. Scenes without them do not load it. @throws RangeError or TypeError for a wrong parameter */
+async function outlineMakerOf({ outlines }: ApplyHatchingOptions, makers: LookMakers): Promise<OutlineMaker | null> {
+  return outlines ? makers.outlineMaker(outlines === true ? {} : outlines) : null;
+}
+
+/** Collects the looks of all meshes that do not have a `HatchingMaterial` yet, and those meshes that have no geometry. */
+function looksToReplace(meshes: readonly Mesh[]): { seen: OldLook[]; unreadable: SkippedMesh[] } {
+  const seen: OldLook[] = [];
+  const unreadable: SkippedMesh[] = [];
+  for (const mesh of meshes) {
+    if (materialsOf(mesh).every(isHatching)) continue;
+    try {
+      assertGeometry(mesh.geometry, 'applyHatching');
+      seen.push({ mesh, geometry: mesh.geometry, oldMaterial: mesh.material });
+    } catch (error) {
+      unreadable.push(failure(mesh, error as Error));
+    }
+  }
+  return { seen, unreadable };
+}
+
+/** Makes the materials that the meshes will get. It yields after each mesh, since a scene may have thousands of materials. */
+function* planMeshes(looks: readonly OldLook[], replacer: MaterialReplacer): Generator<number, PlannedMesh[], void> {
+  const planned: PlannedMesh[] = [];
+  for (const look of looks) {
+    const scale = worldScale(worldMatrices(look.mesh));
+    planned.push({ ...look, material: replacer.replacementFor(look.mesh, look.oldMaterial, scale) });
+    yield planned.length / looks.length;
+  }
+  return planned;
+}

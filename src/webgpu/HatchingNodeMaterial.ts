@@ -1,0 +1,381 @@
+import {
+  type BufferGeometry,
+  type Camera,
+  type Color,
+  type IUniform,
+  type Light,
+  Material,
+  Matrix3,
+  Matrix4,
+  type Mesh,
+  type Scene,
+  type Vector2,
+  Vector4,
+  type WebGLRenderer,
+} from 'three';
+import { Node, type NodeBuilder, type NodeFrame, NodeMaterial, type WebGPURenderer } from 'three/webgpu';
+import { hasOtherFormAngle, noteFormAngle } from '../geometry/formAngles.js';
+import { isFormed } from '../geometry/formGeometry.js';
+import { lineContrast } from '../geometry/lineFades.js';
+import type { HatchingMap } from '../material/checkTonalArtMap.js';
+import { checkChoice, checkValues } from '../material/checkValues.js';
+import { takesWeight, writeEmphasis, writeImportance } from '../material/emphasis/emphasis.js';
+import type { SceneExtent } from '../material/emphasis/SceneExtent.js';
+import { writeSheet } from '../material/emphasis/writeSheet.js';
+import { FrameStamp } from '../material/FrameStamp.js';
+import { defaultOf } from '../material/facts/defaultOf.js';
+import type { HatchingProperty } from '../material/facts/HatchingProperty.js';
+import {
+  HATCHING_DEFAULTS,
+  HATCHING_PROPERTIES,
+  type HatchingPropertyName,
+} from '../material/facts/hatchingProperties.js';
+import { formOf } from '../material/facts/lookFacts.js';
+import type { PresetName } from '../material/facts/presetMaterials.js';
+import { spelledOut } from '../material/facts/presetParameters.js';
+import { fittedCurve, type ToneCurve } from '../material/fitToneCurve.js';
+import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
+import type { HatchingMaterialProperties } from '../material/HatchingMaterialProperties.js';
+import { propertiesToJSON } from '../material/hatchingJSON.js';
+import {
+  createHatchingUniforms,
+  writeComputedUniforms,
+  writeCurveUniforms,
+  writePropertyUniforms,
+  writeSizeUniforms,
+} from '../material/hatchingUniforms.js';
+import { writeFieldFrame } from '../material/parts/fieldFrame.js';
+import { withoutForm } from '../material/programDefines.js';
+import { accessorOf, fieldOf } from '../material/propertyAccessors.js';
+import { TONE_CURVES } from '../material/shaders/shaderConventions.js';
+import { withVectors } from '../material/vectorValues.js';
+import { tell } from '../mistakes/tell.js';
+import { exposureReady, writeExposure } from './fittedExposure.js';
+import { HatchingLightingModel } from './HatchingLightingModel.js';
+import { deformVertex } from './nodes/chunks/deformVertex.js';
+import { emitOcclusion } from './nodes/chunks/emitOcclusion.js';
+import { emphasisAt } from './nodes/chunks/emphasis.js';
+import { lightLuminance } from './nodes/chunks/lightLuminance.js';
+import { filledColor, localDarkness } from './nodes/chunks/localColor.js';
+import { placeInstance } from './nodes/chunks/objectToView.js';
+import { hollowness } from './nodes/chunks/occlude.js';
+import { paper, printedColor } from './nodes/chunks/printedColor.js';
+import { shadedTone } from './nodes/chunks/tone.js';
+import { emitAnchor } from './nodes/perFragment/emit.js';
+import { emitEngraved } from './nodes/techniques/engraved/emit.js';
+import { followsForm } from './nodes/techniques/engraved/followsForm.js';
+import { hatchLayer } from './nodes/techniques/engraved/hatchLayer.js';
+import { read } from './nodes/techniques/engraved/read.js';
+import { tsl, type Value } from './nodes/values.js';
+
+const NAME = 'HatchingNodeMaterial';
+const propertyNames = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
+const propertyOf = (name: HatchingPropertyName): HatchingProperty => HATCHING_PROPERTIES[name];
+
+const { diffuseColor, float, materialEmissive, mix, positionLocal, positionView, screenCoordinate } = tsl;
+const { screenSize, vec2, vec3 } = tsl;
+
+const told = new Set<string>();
+
+function tellOnce(sentence: string): void {
+  if (told.has(sentence)) return;
+  told.add(sentence);
+  tell(`${NAME}: ${sentence}`);
+}
+
+/** Of its own: WebGPURenderer leaves that of a mesh as it is. */
+const modelView = /* @__PURE__ */ new Matrix4();
+const viewport = /* @__PURE__ */ new Vector4();
+
+/** Writes what each mesh is drawn with, before nodes read it. The factor 1, which all materials share. */
+class MeshValues extends Node {
+  constructor() {
+    super('float');
+    this.updateBeforeType = 'object';
+  }
+
+  override setup(): Node {
+    return float(1) as unknown as Node;
+  }
+
+  override updateBefore({ material, object, renderer, scene, camera }: NodeFrame): undefined {
+    if (material instanceof HatchingNodeMaterial && renderer && scene && camera)
+      material.writeDraw(renderer as unknown as WebGPURenderer, scene, camera, object as Mesh);
+  }
+}
+
+const meshValues = /* @__PURE__ */ new MeshValues();
+
+export interface HatchingNodeMaterial extends Pick<HatchingMaterialProperties, HatchingPropertyName> {}
+
+/**
+ * `HatchingMaterial` for WebGPURenderer, experimental: the same properties with the same names, defaults and checks. It draws the technique
+ * `engraved` with lines of ink that a light or an axis cuts. What it does not draw yet it says once, and takes what comes nearest.
+ */
+// biome-ignore lint/suspicious/noUnsafeDeclarationMerging: the constructor defines every property of the table.
+export class HatchingNodeMaterial extends NodeMaterial {
+  readonly isHatchingNodeMaterial = true;
+  /** It has the properties of a `HatchingMaterial`: what reads these, as drawings in lines do, takes it for one. */
+  readonly isHatchingMaterial = true;
+  /** What nodes read, as programs in GLSL do. @internal */
+  readonly uniforms: Record<string, IUniform>;
+  /** three.js looks for changes only in materials that have a node. @internal */
+  readonly meshValues: Node = meshValues;
+  /** How far the scene reaches, by which `depthFade` measures depth. Without one its units are those of the world, from the eye. Default: null. */
+  extent: SceneExtent | null = null;
+
+  protected focused: HatchingMaterialProperties['focus'] = null;
+  protected hatchImages: HatchingMap = HATCHING_DEFAULTS.tonalArtMap;
+  protected numbers = new Map<HatchingPropertyName, number | 'auto' | null>();
+  private readonly chosen: Partial<Record<HatchingPropertyName, string | boolean>> = {
+    technique: HATCHING_DEFAULTS.technique,
+  };
+  private curve: ToneCurve | undefined;
+  /** The frame for which the uniforms were last written. */
+  private readonly written = new FrameStamp();
+
+  static override get type(): string {
+    return NAME;
+  }
+
+  /** @throws TypeError, RangeError or Error for a value of the wrong kind or out of its range */
+  constructor(parameters: HatchingMaterialParameters | undefined = undefined) {
+    super();
+    this.uniforms = { ...createHatchingUniforms(), viewToObject: { value: new Matrix3() } };
+    for (const name of propertyNames) {
+      const field = fieldOf(name);
+      if (field !== undefined) Object.assign(this, { [name]: field });
+      else if (!(name in this)) Object.defineProperty(HatchingNodeMaterial.prototype, name, accessorOf(name));
+    }
+    this.lights = true;
+    this.fog = true;
+    this.toneMapped = false;
+    this.setValues(parameters);
+  }
+
+  get toneCurve(): ToneCurve {
+    return this.curve ?? (defaultOf('toneCurve', this.technique) as ToneCurve);
+  }
+
+  set toneCurve(value: ToneCurve) {
+    fittedCurve(value);
+    this.curve = value;
+    this.needsUpdate = true;
+  }
+
+  /**
+   * Sets properties by name, as three's own.
+   *
+   * @throws TypeError, RangeError or Error for a value of the wrong kind or out of its range, before anything is set
+   */
+  override setValues(values?: HatchingMaterialParameters): void {
+    if (!values) return;
+    const parameters = spelledOut(values);
+    checkValues(parameters);
+    super.setValues(withVectors(parameters));
+  }
+
+  /**
+   * Resolves when all that the material draws with is there. The code that fits an exposure is fetched when a material first asks for it;
+   * until then the exposure is 1. For a page that draws only when something changes: `material.ready.then(render)`. Rejects if the code
+   * cannot be fetched; reading it again tries again.
+   */
+  get ready(): Promise<void> {
+    return exposureReady(this as unknown as HatchingMaterialProperties);
+  }
+
+  /** Sets all that a preset names, and gives what only other presets name its default. */
+  set preset(name: PresetName) {
+    this.setValues({ preset: name });
+  }
+
+  override copy(source: this): this {
+    // NodeMaterial.copy would share the uniforms.
+    Material.prototype.copy.call(this, source);
+    this.fog = source.fog;
+    this.lights = source.lights;
+    for (const name of Object.keys(this.chosen)) delete this.chosen[name as HatchingPropertyName];
+    Object.assign(this.chosen, source.chosen);
+    for (const name of propertyNames) {
+      const { kind } = propertyOf(name);
+      if (kind === 'color') (this[name] as Color).copy(source[name] as Color);
+      else if (kind === 'vector2') (this[name] as Vector2).copy(source[name] as Vector2);
+      else if (kind === 'texture' || kind === 'tonalArtMap') Object.assign(this, { [name]: source[name] });
+    }
+    this.curve = source.curve;
+    this.numbers = new Map(source.numbers);
+    this.focused = source.focused?.clone() ?? null;
+    this.extent = source.extent;
+    return this;
+  }
+
+  override toJSON(meta?: Parameters<Material['toJSON']>[0]): ReturnType<Material['toJSON']> {
+    const json = Material.prototype.toJSON.call(this, meta);
+    return Object.assign(json, propertiesToJSON(this as unknown as HatchingMaterialProperties));
+  }
+
+  /** Tells of a renderer that draws no nodes. @internal */
+  override onBeforeRender(renderer: WebGLRenderer | WebGPURenderer): void {
+    if (!('isWebGLRenderer' in renderer)) return;
+    tellOnce(
+      "WebGLRenderer draws no materials of nodes. Draw the scene with WebGPURenderer, from 'three/webgpu', or take HatchingMaterial of 'three-hatching'.",
+    );
+  }
+
+  /** What chooses the program. */
+  override customProgramCacheKey(): string {
+    const { inkBlend, toneModel } = this;
+    const curve = curveOf(this.toneCurve);
+    return [NAME, this.lineField, this.medium, this.strokeAnchor, toneModel, curve, inkBlend].join(' ');
+  }
+
+  /** Writes the properties, once a frame, and what is of the mesh, to the uniforms. Allocates nothing. @internal */
+  writeDraw(renderer: WebGPURenderer, scene: Scene, camera: Camera, mesh: Mesh): void {
+    const u = this.uniforms;
+    const look = this as unknown as HatchingMaterialProperties & { extent: SceneExtent | null };
+    // What is asked of it here, both kinds of renderers have.
+    const asked = renderer as unknown as WebGLRenderer;
+    if (!this.written.isOf(asked, camera)) {
+      this.written.note(asked, camera);
+      this.writeFrame(look, asked, scene, camera);
+    }
+    writeImportance(mesh, takesWeight(look), u);
+    u.lineContrast.value = lineContrast(mesh.geometry);
+    writeFieldFrame(u, this.tilesPerUnit, mesh.geometry, mesh);
+    if (hasOtherFormAngle(mesh.geometry, this) && formOf(this)) noteFormAngle(mesh.geometry, this);
+    modelView.multiplyMatrices(camera.matrixWorldInverse, mesh.matrixWorld);
+    (u.viewToObject.value as Matrix3).getNormalMatrix(modelView).transpose();
+  }
+
+  private writeFrame(
+    look: HatchingMaterialProperties & { extent: SceneExtent | null },
+    renderer: WebGLRenderer,
+    scene: Scene,
+    camera: Camera,
+  ): void {
+    const u = this.uniforms;
+    const pixelRatio = renderer.getPixelRatio();
+    writePropertyUniforms(look, u);
+    writeSizeUniforms(look, null, pixelRatio, u);
+    writeCurveUniforms(this.toneCurve, u);
+    writeComputedUniforms(look, u);
+    writeEmphasis(look, u, renderer, camera);
+    writeExposure(look, renderer, scene, camera, u);
+    const target = renderer.getRenderTarget();
+    if (target) viewport.copy(target.viewport);
+    else renderer.getViewport(viewport).multiplyScalar(pixelRatio);
+    u.viewportHeight.value = viewport.w;
+    writeSheet(u.sheet.value, camera, viewport);
+  }
+
+  /** Nodes are made for the values that they find. @internal */
+  override setup(builder: NodeBuilder): void {
+    writeCurveUniforms(this.toneCurve, this.uniforms);
+    super.setup(builder);
+  }
+
+  /** Puts the vertex where three's own materials do, and its strokes with it. @internal */
+  override setupPosition(builder: NodeBuilder): ReturnType<NodeMaterial['setupPosition']> {
+    const deformed = deformVertex(builder);
+    const place = placeInstance(builder);
+    const lineField = this.lineFieldFor(builder.geometry as BufferGeometry);
+    // Lines that follow the form are fixed to the surface, whatever strokes are.
+    const isAtRest = this.strokeAnchor === 'rest' || followsForm(lineField);
+    emitOcclusion(builder);
+    const anchor = emitAnchor(builder, deformed, place, isAtRest);
+    emitEngraved(builder, anchor, { lineField, isAtRest, lights: lightsOf(builder) });
+    return positionLocal as unknown as ReturnType<NodeMaterial['setupPosition']>;
+  }
+
+  /** @internal */
+  override setupLighting(builder: NodeBuilder): ReturnType<NodeMaterial['setupLighting']> {
+    this.tellOfLacks();
+    const emissive = this.emissive;
+    // The light of the surface itself is light too, and not added to the print.
+    Object.assign(this, { emissive: null });
+    try {
+      return super.setupLighting(builder);
+    } finally {
+      Object.assign(this, { emissive });
+    }
+  }
+
+  /** @internal */
+  override setupLightingModel(builder?: NodeBuilder): HatchingLightingModel {
+    const built = builder as NodeBuilder & { lightsNode: { getLights(): Light[] } };
+    const lights = built.lightsNode.getLights();
+    return new HatchingLightingModel(this.toneModel, lights, (radiance) => this.print(radiance, built));
+  }
+
+  /** Where there is no light at all. @internal */
+  override setupOutgoingLight(builder?: NodeBuilder): ReturnType<NodeMaterial['setupOutgoingLight']> {
+    const printed = builder ? this.print(float(0).toVar(), builder) : vec3(0);
+    return printed as unknown as ReturnType<NodeMaterial['setupOutgoingLight']>;
+  }
+
+  /** @internal */
+  choice(name: HatchingPropertyName): string | boolean {
+    return this.chosen[name] ?? (defaultOf(name, this.technique) as string | boolean);
+  }
+
+  /** @internal */
+  choose(name: HatchingPropertyName, value: string | boolean): void {
+    checkChoice(name, value);
+    const property = propertyOf(name);
+    const chosen = value === 'auto' && property.kind === 'choice' && property.defaultFor ? undefined : value;
+    if (chosen === this.chosen[name]) return;
+    if (chosen === undefined) delete this.chosen[name];
+    else this.chosen[name] = chosen;
+    this.needsUpdate = true;
+  }
+
+  /** What cuts the lines of a geometry. Only those that were prepared with `form` have lines that follow it. */
+  private lineFieldFor(geometry: BufferGeometry): string {
+    const form = formOf(this);
+    if (!form) return this.lineField;
+    if (!isFormed(geometry)) return form === 'auto' ? withoutForm(this) : 'light';
+    return form === 'auto' ? 'form' : this.lineField;
+  }
+
+  private tellOfLacks(): void {
+    const { technique, medium, toneModel, shadowStrokes } = this;
+    if (technique !== 'engraved')
+      tellOnce(`there are no nodes of the technique "${technique}" yet; "engraved" is drawn.`);
+    if (medium === 'stipple' || medium === 'dry')
+      tellOnce(`there are no nodes of the medium "${medium}" yet; lines of ink are drawn.`);
+    if (toneModel === 'shadow') tellOnce('there are no nodes of the tone model "shadow" yet; all tones are drawn.');
+    if (shadowStrokes !== 'tone') tellOnce(`shadowStrokes "${shadowStrokes}" is not drawn by nodes yet.`);
+  }
+
+  private print(light: Value, builder: NodeBuilder): Value {
+    const { material } = builder;
+    const emitted = materialEmissive;
+    const radiance = light.add(lightLuminance(emitted));
+    const curve = curveOf(this.toneCurve);
+    const fromBelow = vec2(screenCoordinate.x, screenSize.y.sub(screenCoordinate.y));
+    const emphasis = emphasisAt(positionView, fromBelow).toVar();
+    const darkness = localDarkness(diffuseColor.xyz, emitted);
+    const tone = shadedTone(radiance, darkness, hollowness(), { curve, isToon: this.toneModel === 'toon' })
+      .mul(emphasis)
+      .toVar();
+    const parameters = read(builder, this.lineFieldFor(builder.geometry as BufferGeometry));
+    const color = mix(vec3(1), filledColor(diffuseColor.xyz), emphasis);
+    const isOpaque = !(material as Material).transparent;
+    const ground = paper.mul(color).toVar();
+    const printed = printedColor(
+      ground,
+      hatchLayer(parameters, tone, this.medium).mul(meshValues as unknown as Value),
+      this.inkBlend === 'multiply',
+      isOpaque,
+    ).toVar();
+    if (!isOpaque) diffuseColor.w.mulAssign(printed.w);
+    return printed.xyz;
+  }
+}
+
+/** The number of its kind: shaders know any curve but these two by its points. */
+const curveOf = (curve: ToneCurve): number =>
+  TONE_CURVES.indexOf(curve === 'linear' || curve === 'perceptual' ? curve : 'points');
+
+const lightsOf = (builder: NodeBuilder): readonly Light[] =>
+  (builder as NodeBuilder & { lightsNode: { getLights(): Light[] } | null }).lightsNode?.getLights() ?? [];

@@ -1,0 +1,4 @@
+export { type ApplyNodeHatchingOptions, applyHatching, type HatchedNodeScene } from './applyHatching.js';
+export { HatchingNodeMaterial } from './HatchingNodeMaterial.js';
+export { HatchingOutlineNodeMaterial } from './outlines/HatchingOutlineNodeMaterial.js';
+export { HatchingOutlines } from './outlines/HatchingOutlines.js';

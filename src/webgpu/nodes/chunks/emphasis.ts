@@ -1,0 +1,71 @@
+/** The twin of shaders/chunks/emphasis.glsl: how much weight the drawing has at a place, 1 as usual, 0 none. */
+import { EMPHASIS_CONSTANTS } from '../../../engraving/constants/emphasisConstants.js';
+import { hatchingUniform } from '../uniforms.js';
+import { tsl, type Value } from '../values.js';
+
+const { cameraViewMatrix, clamp, dot, exp, float, length, select, sin, smoothstep, vec3 } = tsl;
+const { AIR, FOCUS_END, FRONT_GAIN, UNEVEN, VIGNETTE_START } = EMPHASIS_CONSTANTS;
+
+/** The depths from which and up to which it fades, view units; how strongly. */
+const depthFading = /* @__PURE__ */ hatchingUniform('depthFading', 'vec3');
+/** The point in focus, view space, and its radius; 0 without one. */
+const focusing = /* @__PURE__ */ hatchingUniform('focusing', 'vec4');
+/** How much falls off towards the rim. */
+const vignette = /* @__PURE__ */ hatchingUniform('vignette', 'float');
+/** Its lower left corner from that of what is drawn to, and its size, pixels. */
+const sheet = /* @__PURE__ */ hatchingUniform('sheet', 'vec4');
+/** Of the object. */
+const importance = /* @__PURE__ */ hatchingUniform('importance', 'float');
+
+/** How much air lies before a place: 0 in front, 1 at the back. */
+function airBefore(viewPosition: Value): Value {
+  const way = clamp(viewPosition.z.negate().sub(depthFading.x).div(depthFading.y.sub(depthFading.x)), 0, 1);
+  const air = float(1)
+    .sub(exp(way.mul(-AIR)))
+    .div(1 - Math.exp(-AIR));
+  return select(depthFading.z.equal(0), float(0), air);
+}
+
+/** An edge that is left open by hand: waves whose phases bend one another, in [-UNEVEN, UNEVEN]. The numbers mean nothing. */
+function uneven(p: Value): Value {
+  const a = sin(dot(p, vec3(4.3, 3.1, -3.7)).add(sin(dot(p, vec3(-2.9, 5.3, 4.1))).mul(1.6)));
+  const b = sin(
+    dot(p, vec3(-11, 13, 9))
+      .add(sin(dot(p, vec3(7, -5, 6))).mul(1.3))
+      .add(2),
+  );
+  return a.mul(0.65).add(b.mul(0.35)).mul(UNEVEN);
+}
+
+function inFocus(viewPosition: Value): Value {
+  // Turned to the world, the edge stays where it is as the camera moves.
+  const way = viewPosition.sub(focusing.xyz).toVar();
+  const [x, y, z] = [0, 1, 2].map((column) => dot(way, cameraViewMatrix.element(column).xyz));
+  const away = vec3(x, y, z).div(focusing.w).toVar();
+  const focused = float(1).sub(smoothstep(1, FOCUS_END, length(away).mul(uneven(away).add(1))));
+  return select(focusing.w.equal(0), float(1), focused);
+}
+
+function onSheet(pixel: Value): Value {
+  const away = pixel.sub(sheet.xy).mul(2).div(sheet.zw).sub(1).toVar();
+  const outside = smoothstep(VIGNETTE_START, 1, length(away).mul(uneven(vec3(away.mul(2), 0)).add(1)));
+  return select(vignette.equal(0), float(1), float(1).sub(vignette.mul(outside)));
+}
+
+/** A factor on the tone. @param pixel of what is drawn to, counted from the lower left */
+export const emphasisAt = (viewPosition: Value, pixel: Value): Value =>
+  importance
+    .mul(inFocus(viewPosition))
+    .mul(onSheet(pixel))
+    .mul(float(1).sub(depthFading.z.mul(airBefore(viewPosition))));
+
+/** A factor on the width of outlines. */
+export const outlineEmphasisAt = (viewPosition: Value, pixel: Value): Value =>
+  emphasisAt(viewPosition, pixel).mul(
+    depthFading.z
+      .mul(FRONT_GAIN)
+      .mul(float(1).sub(airBefore(viewPosition)))
+      .add(1),
+  );
+
+export const mostOutlineEmphasis = (): Value => depthFading.z.mul(FRONT_GAIN).add(1);

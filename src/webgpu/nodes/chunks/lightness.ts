@@ -1,0 +1,14 @@
+/** The twin of shaders/chunks/lightness.glsl. */
+import { tsl, type Value } from '../values.js';
+
+const { pow, select } = tsl;
+
+/** L*, over 100, of a luminance: both in [0, 1] (CIE 1976). */
+export const lightness = (y: Value): Value =>
+  select(
+    y.lessThan(216 / 24389),
+    y.mul(9.032963),
+    pow(y, 1 / 3)
+      .mul(1.16)
+      .sub(0.16),
+  );

@@ -1,0 +1,50 @@
+/** The twin of shaders/chunks/objectToView.glsl: the matrices of the object, or of one of its instances. */
+import type { BatchedMesh, InstancedMesh, Object3D, Texture } from 'three';
+import { uniformTexture } from 'three/tsl';
+import type { NodeBuilder } from 'three/webgpu';
+import { placesOf } from '../../outlines/InstancePlaces.js';
+import { blankFloats } from '../blankTextures.js';
+import { inverseOf, linearPart } from '../matrices.js';
+import { texelOf } from '../texelOf.js';
+import { hatchingUniform } from '../uniforms.js';
+import { type TextureValue, tsl, type Value } from '../values.js';
+
+const { batch, batchIndirectIndex, instancedMesh, instanceIndex, int, mat4, modelViewMatrix } = tsl;
+
+/** Of an object without instances, the same for all its vertices. Linear part. */
+export const viewToObject: Value = /* @__PURE__ */ hatchingUniform('viewToObject', 'mat3');
+
+/** Matrices of instances or of what a batch holds, a column to a texel. */
+const instancePlaces = /* @__PURE__ */ uniformTexture(blankFloats).onObjectUpdate(
+  ({ object }) => placesTexture(object as Object3D) ?? blankFloats,
+) as unknown as TextureValue;
+
+function placesTexture(object: Object3D): Texture | null {
+  if ('isInstancedMesh' in object) return placesOf(object as InstancedMesh);
+  // The name is three's own, and no part of its documented interface; materials of three.js read it by that name.
+  return 'isBatchedMesh' in object
+    ? (object as BatchedMesh & { readonly _matricesTexture: Texture })._matricesTexture
+    : null;
+}
+
+function placeOf(instance: Value): Value {
+  const first = int(instance).mul(4).toVar();
+  return mat4(...[0, 1, 2, 3].map((column) => instancePlaces.load(texelOf(first.add(column), instancePlaces)))).toVar();
+}
+
+/** Where vertices of one object lie in the view. */
+export interface ObjectPlace {
+  objectToView: Value;
+  /** Linear part. */
+  viewToObject: Value;
+}
+
+/** Puts the vertex to the place of its instance, as three's own materials do, and says where that is. */
+export function placeInstance({ object }: NodeBuilder): ObjectPlace {
+  const { isBatchedMesh, isInstancedMesh } = object as { isBatchedMesh?: boolean; isInstancedMesh?: boolean };
+  if (!isBatchedMesh && !isInstancedMesh) return { objectToView: modelViewMatrix, viewToObject };
+  if (isBatchedMesh) batch(object);
+  if (isInstancedMesh) instancedMesh(object);
+  const objectToView = modelViewMatrix.mul(placeOf(isBatchedMesh ? batchIndirectIndex : instanceIndex)).toVar();
+  return { objectToView, viewToObject: inverseOf(linearPart(objectToView)) };
+}

@@ -1,0 +1,59 @@
+/** The twin of shaders/outlines/contour.glsl: the contour of a smooth surface. */
+import { hatchingUniform } from '../uniforms.js';
+import { tsl, type Value } from '../values.js';
+import { endBetween, type Piece, type PieceEnd, weigh } from './piece.js';
+import type { OutlinePoint } from './points.js';
+
+const { If, bool, float, select, smoothstep, step } = tsl;
+
+/** Weight. */
+export const contours: Value = /* @__PURE__ */ hatchingUniform('contours', 'float');
+/** Curvature times the bounding radius from which on the outline is as wide as asked. */
+const taper = /* @__PURE__ */ hatchingUniform('taper', 'float');
+
+/**
+ * A contour is seen where the surface bends away from the eye. It ends in a cusp, where that bend is 0 (Koenderink), and the pen lifts
+ * there.
+ */
+const taperAt = (bend: Value): Value => select(taper.greaterThan(0), smoothstep(0, taper, bend), step(0, bend));
+
+/** The two points at which a value is 0 on the edges of a triangle; false if it has one sign. */
+export function zeroSet(
+  [a, b, c]: readonly [OutlinePoint, OutlinePoint, OutlinePoint],
+  valueAt: (point: OutlinePoint) => Value,
+  start: PieceEnd,
+  end: PieceEnd,
+): Value {
+  const [va, vb, vc] = [valueAt(a), valueAt(b), valueAt(c)];
+  const [pa, pb, pc] = [va, vb, vc].map((value) => value.greaterThanEqual(0).toVar());
+  const hasPiece = bool(false).toVar();
+  // The corner whose sign is its own, and the next two.
+  const cut = (one: OutlinePoint, next: OutlinePoint, last: OutlinePoint): void => {
+    const value = valueAt(one);
+    endBetween(start, one, next, value.div(value.sub(valueAt(next))));
+    endBetween(end, one, last, value.div(value.sub(valueAt(last))));
+  };
+  If(pa.and(pb).and(pc).or(pa.or(pb).or(pc).not()).not(), () => {
+    hasPiece.assign(true);
+    If(pb.equal(pc), () => {
+      cut(a, b, c);
+    }).Else(() => {
+      If(pa.equal(pc), () => {
+        cut(b, c, a);
+      }).Else(() => {
+        cut(c, a, b);
+      });
+    });
+  });
+  return hasPiece;
+}
+
+export function contour(piece: Piece, a: OutlinePoint, b: OutlinePoint, c: OutlinePoint): void {
+  If(
+    zeroSet([a, b, c], ({ facing }) => facing, piece.start, piece.end),
+    () => {
+      for (const end of [piece.start, piece.end]) weigh(end, contours.mul(taperAt(end.bend)).toVar(), float(0));
+      piece.contour.assign(1);
+    },
+  );
+}

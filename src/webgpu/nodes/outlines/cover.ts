@@ -1,0 +1,189 @@
+/** The twin of shaders/outlines/cover.glsl: from a piece of outline to the triangle on the screen that covers it. */
+import type { NodeBuilder } from 'three/webgpu';
+import { mostOutlineEmphasis } from '../chunks/emphasis.js';
+import { hatchingUniform } from '../uniforms.js';
+import { tsl, type Value } from '../values.js';
+import { lifted, liftOf, toleranceOf } from './hiding.js';
+import { accents, isSeen, SHORT, type Spine, standingAt } from './hierarchy.js';
+import type { OutlineDefines } from './OutlineDefines.js';
+import type { Piece, PieceEnd } from './piece.js';
+import type { InstancePlace } from './primitives.js';
+import { hasSceneDepth, isOrthographic, nearDistance, projection, viewport } from './sceneDepth.js';
+import { objectToView } from './shade.js';
+import * as varyings from './varyings.js';
+import { halfWidthsAt } from './width.js';
+import { wobble } from './wobble.js';
+
+const {
+  If,
+  abs,
+  bool,
+  cameraProjectionMatrix,
+  cross,
+  distance,
+  dot,
+  float,
+  int,
+  max,
+  min,
+  mix,
+  pow,
+  select,
+  vec2,
+  vec3,
+  vec4,
+} = tsl;
+
+/** View units per object unit: the mean over directions. */
+const objectScale = /* @__PURE__ */ hatchingUniform('objectScale', 'float');
+
+/** Room for the edge that fades out, in pixels. */
+const FRINGE = 1;
+/** Just behind the near plane, as a factor on its distance. */
+const BEHIND_NEAR = 1.0001;
+
+export function clearVaryings({ HIDDEN, WOBBLE }: OutlineDefines): void {
+  const { vContour, vEnd, vEnds, vHalfWidths, vOvershoots, vStandings, vStart, vTolerance } = varyings;
+  for (const varying of [vEnds, vHalfWidths, vStart, vEnd, vStandings]) varying.assign(vec4(0));
+  vOvershoots.assign(vec2(0));
+  vContour.assign(0);
+  vTolerance.assign(0);
+  if (HIDDEN) varyings.vOrigin.assign(vec2(0));
+  if (!WOBBLE) return;
+  varyings.vAnchorStart.assign(vec3(0));
+  varyings.vAnchorEnd.assign(vec3(0));
+}
+
+/** View units to a pixel at a point. */
+const unitsToPixel = (position: Value): Value =>
+  select(isOrthographic(), float(1), max(position.z.negate(), nearDistance))
+    .mul(2)
+    .div(projection(1, 1).mul(viewport.w));
+
+const toClip = (position: Value): Value => cameraProjectionMatrix.mul(vec4(position, 1));
+
+function pixelOf(clip: Value): Value {
+  const c = clip.toVar();
+  return viewport.xy.add(c.xy.mul(0.5).div(c.w).add(0.5).mul(viewport.zw));
+}
+
+/** The place of an object on the screen. */
+function originOf(place: InstancePlace): Value {
+  const origin = toClip(objectToView(vec3(0), place)).toVar();
+  origin.w.assign(max(origin.w, 1e-3));
+  return pixelOf(origin);
+}
+
+/** Moves an end that lies before the near plane onto it, along the piece. */
+function cutAt(z: Value, place: Value, cut: PieceEnd, otherPlace: Value, other: PieceEnd): void {
+  const t = z.sub(place.z).div(otherPlace.z.sub(place.z)).toVar();
+  place.assign(mix(place, otherPlace, t));
+  for (const name of ['weight', 'innerWeight', 'anchor'] as const) cut[name].assign(mix(cut[name], other[name], t));
+  cut.overshoot.assign(0);
+}
+
+const larger = (two: Value): Value => max(two.x, two.y);
+
+const scaleOf = ([x, y, z]: InstancePlace): Value => objectScale.mul(pow(abs(dot(x, cross(y, z))), 1 / 3)).toVar();
+
+/** Writes the position and the varyings of one corner of the triangle. @param clipPosition is written to */
+export function coverPiece(
+  piece: Piece,
+  corner: Value,
+  place: InstancePlace,
+  clipPosition: Value,
+  defines: OutlineDefines,
+  builder: NodeBuilder,
+): void {
+  const scale = scaleOf(place);
+  const { start: from, end: to } = piece;
+  if (defines.HIDDEN) {
+    from.overshoot.assign(0);
+    to.overshoot.assign(0);
+  }
+  const start = objectToView(from.position, place).toVar();
+  const end = objectToView(to.position, place).toVar();
+
+  // What lies before the near plane has no place on the screen.
+  const near = nearDistance.mul(-BEHIND_NEAR).toVar();
+  const isDrawn = isOrthographic().or(min(start.z, end.z).lessThanEqual(near)).toVar();
+  If(isOrthographic().not().and(isDrawn), () => {
+    If(start.z.greaterThan(near), () => {
+      cutAt(near, start, from, end, to);
+    }).Else(() => {
+      If(end.z.greaterThan(near), () => {
+        cutAt(near, end, to, start, from);
+      });
+    });
+  });
+
+  If(isDrawn, () => {
+    const halfStart = halfWidthsAt(from, defines).toVar();
+    const halfEnd = halfWidthsAt(to, defines).toVar();
+    const most = accents.mul(piece.contour).add(1).toVar();
+    const halves = vec2(larger(halfStart), larger(halfEnd)).mul(most).toVar();
+    const pixelAtStart = unitsToPixel(start).toVar();
+    const pixelAtEnd = unitsToPixel(end).toVar();
+    const nearStart = lifted(start, liftOf(from, piece, halves.x.mul(pixelAtStart), scale).toVar()).toVar();
+    const nearEnd = lifted(end, liftOf(to, piece, halves.y.mul(pixelAtEnd), scale).toVar()).toVar();
+    const clipStart = toClip(nearStart).toVar();
+    const clipEnd = toClip(nearEnd).toVar();
+    const a = pixelOf(toClip(start)).toVar();
+    const b = pixelOf(toClip(end)).toVar();
+    const depthA = clipStart.z.div(clipStart.w).toVar();
+    const depthB = clipEnd.z.div(clipEnd.w).toVar();
+
+    const size = distance(a, b).toVar();
+    const along = select(size.greaterThan(1e-4), b.sub(a).div(max(size, 1e-4)), vec2(1, 0)).toVar();
+    const slope = depthB.sub(depthA).div(max(size, FRINGE)).toVar();
+    const middle = a.add(b).mul(0.5).toVar();
+    const tolerance = toleranceOf(piece, max(pixelAtStart, pixelAtEnd), scale).toVar();
+    const whole = vec4(1, 0, 1, 0);
+    const standings = (defines.HIDDEN ? whole : select(piece.contour.greaterThan(0), vec4(-1), whole)).toVar();
+
+    if (hasSceneDepth(builder)) {
+      If(size.lessThan(SHORT), () => {
+        const spine: Spine = { start: a, viewStart: start, viewEnd: end, along, size, tolerance };
+        // What is not seen at all is not drawn either, though fragments would find out; or what is, if the hidden is drawn.
+        const drawn = bool(false).toVar();
+        for (const one of [a, middle, b]) {
+          const seen = isSeen(spine, one, builder);
+          drawn.assign(drawn.or(defines.HIDDEN ? seen.not() : seen));
+        }
+        isDrawn.assign(drawn);
+        If(drawn.and(standings.x.lessThan(0)), () => {
+          const atStart = standingAt(spine, a, larger(halfStart), builder).toVar();
+          const atEnd = standingAt(spine, b, larger(halfEnd), builder).toVar();
+          standings.assign(vec4(atStart, atEnd));
+        });
+      });
+    }
+
+    If(isDrawn, () => {
+      varyings.vEnds.assign(vec4(a, b));
+      varyings.vHalfWidths.assign(vec4(halfStart.x, halfEnd.x, halfStart.y, halfEnd.y));
+      varyings.vStart.assign(vec4(start, nearStart.z.negate()));
+      varyings.vEnd.assign(vec4(end, nearEnd.z.negate()));
+      varyings.vOvershoots.assign(vec2(from.overshoot, to.overshoot));
+      varyings.vContour.assign(piece.contour);
+      varyings.vTolerance.assign(tolerance);
+      varyings.vStandings.assign(standings);
+      if (defines.HIDDEN) varyings.vOrigin.assign(originOf(place));
+      const reach = max(mostOutlineEmphasis().mul(larger(halves)), 0.5)
+        .add(FRINGE)
+        .toVar();
+      if (defines.WOBBLE) {
+        reach.addAssign(wobble);
+        varyings.vAnchorStart.assign(from.anchor);
+        varyings.vAnchorEnd.assign(to.anchor);
+      }
+      // A right triangle that covers the rectangle around the capsule: its right angle lies at a corner, and its legs are twice the sides.
+      const reachAlong = size.mul(0.5).add(reach).add(max(from.overshoot, to.overshoot)).toVar();
+      const x = select(corner.equal(int(1)), reachAlong.mul(3), reachAlong.negate()).toVar();
+      const y = select(corner.equal(int(2)), reach.mul(3), reach.negate()).toVar();
+      const pixel = middle.add(along.mul(x)).add(vec2(along.y.negate(), along.x).mul(y)).toVar();
+      const onView = pixel.sub(viewport.xy).mul(2).div(viewport.zw).sub(1);
+      clipPosition.assign(vec4(onView, depthA.add(depthB).mul(0.5).add(slope.mul(x)), 1));
+    });
+  });
+}

@@ -1,0 +1,36 @@
+/**
+ * The twin of shaders/outlines/dryOutline.glsl. Outlines of pencil, charcoal and chalk: soft at their sides, where the hand presses least, and
+ * heavier or lighter as it goes. They catch on the tooth of the paper.
+ */
+import { normalDistribution } from '../chunks/normalDistribution.js';
+import { toothField } from '../chunks/tooth.js';
+import { hatchingUniform } from '../uniforms.js';
+import { tsl, type Value } from '../values.js';
+
+const { clamp, float, min } = tsl;
+
+const tooth = /* @__PURE__ */ hatchingUniform('tooth', 'float');
+
+/** The tooth from which on the sides fade from the middle on. */
+const SOFT_TOOTH = 0.3;
+/** How much of the tooth counts against the pressure: a line is pressed harder than what fills a surface. */
+const CAUGHT = 0.75;
+/** The range of pressures over which an outline goes from none to full ink. */
+const OUTLINE_SOFTNESS = 0.65;
+/** How much of its pressure an unsteady hand loses along the way. */
+const LIFTED = 0.5;
+
+/**
+ * What is left of full ink.
+ *
+ * @param across 0 in the middle of the outline, 1 at its side
+ * @param along a wave along it, from −1 to 1
+ * @param pixel of what is drawn to, counted from the lower left
+ */
+export function dryInk(across: Value, along: Value, pixel: Value): Value {
+  const side = min(tooth.div(SOFT_TOOTH), 1).mul(across).mul(across);
+  const loss = tooth.mul(LIFTED).mul(float(0.5).sub(along.mul(0.5)));
+  const pressure = side.oneMinus().mul(loss.oneMinus());
+  const height = normalDistribution(toothField(pixel)).x;
+  return clamp(pressure.sub(tooth.mul(CAUGHT).mul(height)).div(OUTLINE_SOFTNESS), 0, 1);
+}

@@ -1,0 +1,117 @@
+/** The twin of shaders/outlines/featureEdge.glsl: borders, creases, edges between materials, and the contour where it runs along an edge. */
+import {
+  BORDER,
+  CONTRARY,
+  CORNER_AT_END,
+  CORNER_AT_START,
+  CREASE,
+  MATERIAL_BORDER,
+} from '../../../features/edgeFlags.js';
+import { hatchingUniform } from '../uniforms.js';
+import { tsl, type Value } from '../values.js';
+import { contours } from './contour.js';
+import { endBetween, type Piece, weigh } from './piece.js';
+import type { OutlinePoint } from './points.js';
+import { hasFlag } from './primitives.js';
+
+const { If, bool, cross, dot, float, max, min, select, vec2 } = tsl;
+
+/** Weights. */
+const borders = /* @__PURE__ */ hatchingUniform('borders', 'float');
+const creases = /* @__PURE__ */ hatchingUniform('creases', 'float');
+const materialBorders = /* @__PURE__ */ hatchingUniform('materialBorders', 'float');
+/** Pixels. */
+const overshoot = /* @__PURE__ */ hatchingUniform('overshoot', 'float');
+
+/** The part of the edge, as t from start to end, on which one side faces the eye and the other does not. */
+function contourAlong(left: Value, right: Value): { hasContour: Value; part: Value } {
+  const startsOn = left.x.mul(right.x).lessThan(0).toVar();
+  const endsOn = left.y.mul(right.y).lessThan(0).toVar();
+  // Where either side turns away; outside of [0, 1] where it never does.
+  const turnOf = (side: Value): Value =>
+    select(side.x.mul(side.y).lessThan(0), side.x.div(side.x.sub(side.y)), float(-1)).toVar();
+  const leftTurn = turnOf(left);
+  const rightTurn = turnOf(right);
+  const turn = max(leftTurn, rightTurn).toVar();
+  const first = min(leftTurn, rightTurn).toVar();
+  const part = vec2(0, 1).toVar();
+  const hasContour = bool(true).toVar();
+  If(startsOn.and(endsOn).not(), () => {
+    If(startsOn, () => {
+      part.y.assign(turn);
+    }).Else(() => {
+      If(endsOn, () => {
+        part.x.assign(turn);
+      }).Else(() => {
+        part.assign(vec2(first, turn));
+        hasContour.assign(first.greaterThanEqual(0));
+      });
+    });
+    hasContour.assign(hasContour.and(part.x.lessThan(part.y)));
+  });
+  return { hasContour, part };
+}
+
+/** The normal of the side that is seen. */
+function seenNormal(left: OutlinePoint, right: OutlinePoint, sign: Value): Value {
+  const isLeftSeen = left.facing.greaterThan(0);
+  const isRightSeen = sign.mul(right.facing).greaterThan(0);
+  const ofRight = sign.mul(right.normal).toVar();
+  return select(
+    isLeftSeen,
+    select(isRightSeen, left.normal.add(ofRight), left.normal),
+    select(isRightSeen, ofRight, left.normal.negate()),
+  );
+}
+
+/** @param isHidden whether outlines behind surfaces are drawn: then those that look away are too */
+export function featureEdge(
+  piece: Piece,
+  flags: Value,
+  [leftStart, leftEnd, rightStart, rightEnd]: readonly [OutlinePoint, OutlinePoint, OutlinePoint, OutlinePoint],
+  isHidden: boolean,
+): void {
+  // Where the windings contradict each other, the right side's normals look the other way.
+  const sign = select(hasFlag(flags, CONTRARY), float(-1), float(1)).toVar();
+  const left = vec2(leftStart.facing, leftEnd.facing).toVar();
+  const right = sign.mul(vec2(rightStart.facing, rightEnd.facing)).toVar();
+
+  piece.isSmooth.assign(false);
+  const whole = select(hasFlag(flags, CREASE), creases, float(0)).toVar();
+  whole.assign(select(hasFlag(flags, MATERIAL_BORDER), max(whole, materialBorders), whole));
+  const isBorder = hasFlag(flags, BORDER).toVar();
+  // Creases that look away on either side cannot be seen; borders show their backs.
+  const canBeSeen = isHidden ? bool(true) : isBorder.or(max(max(left.x, left.y), max(right.x, right.y)).greaterThan(0));
+  If(canBeSeen, () => {
+    const { hasContour, part } = contourAlong(left, right);
+    hasContour.assign(hasContour.and(isBorder.not()));
+    const { start, end } = piece;
+    If(isBorder.or(whole.greaterThan(0)), () => {
+      // Drawn from end to end, as wide as the contour where it is one.
+      const one = (isContour: Value): Value => select(isContour, float(1), float(0)).toVar();
+      const atStart = one(left.x.mul(right.x).lessThan(0));
+      const atEnd = one(left.y.mul(right.y).lessThan(0));
+      piece.contour.assign(select(isBorder, float(1), atStart.add(atEnd).mul(0.5)));
+      endBetween(start, leftStart, leftEnd, float(0));
+      endBetween(end, leftStart, leftEnd, float(1));
+      const ofWhole = select(isBorder, float(0), whole).toVar();
+      weigh(start, select(isBorder, borders, contours.mul(atStart)).toVar(), ofWhole);
+      weigh(end, select(isBorder, borders, contours.mul(atEnd)).toVar(), ofWhole);
+      start.overshoot.assign(select(hasFlag(flags, CORNER_AT_START), overshoot, float(0)));
+      end.overshoot.assign(select(hasFlag(flags, CORNER_AT_END), overshoot, float(0)));
+    }).Else(() => {
+      If(hasContour, () => {
+        endBetween(start, leftStart, leftEnd, part.x);
+        endBetween(end, leftStart, leftEnd, part.y);
+        piece.contour.assign(1);
+        weigh(start, contours, float(0));
+        weigh(end, contours, float(0));
+      });
+    });
+    start.normal.assign(seenNormal(leftStart, rightStart, sign));
+    end.normal.assign(seenNormal(leftEnd, rightEnd, sign));
+    const turn = cross(leftStart.normal, sign.mul(rightStart.normal));
+    const isConcave = dot(turn, leftEnd.position.sub(leftStart.position)).lessThan(0);
+    piece.isValley.assign(isBorder.not().and(isConcave));
+  });
+}

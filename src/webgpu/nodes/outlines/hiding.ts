@@ -1,0 +1,38 @@
+/**
+ * The twin of shaders/outlines/hiding.glsl. Each end is moved along its ray towards the eye before the depth test, so far that the surface
+ * it lies on does not hide it, and hardly further; it stays where it is on the screen.
+ */
+import { OUTLINE_CONSTANTS } from '../../../engraving/constants/outlineConstants.js';
+import { tsl, type Value } from '../values.js';
+import type { Piece, PieceEnd } from './piece.js';
+import { radius } from './points.js';
+import { isOrthographic } from './sceneDepth.js';
+
+const { float, length, max, min, select, sqrt, vec3 } = tsl;
+const { EDGE_SLOPE, LIFT_SHARE, LOOKED_BESIDE, MOST_RISE, ROUNDING } = OUTLINE_CONSTANTS;
+
+/** @param halfWidth of the outline, in view units. @param scale view units per object unit. @returns view units */
+export function liftOf(end: PieceEnd, piece: Piece, halfWidth: Value, scale: Value): Value {
+  const r = radius.mul(scale).toVar();
+  const half = halfWidth.toVar();
+  const own = r.mul(LIFT_SHARE).add(piece.extent.mul(scale)).toVar();
+  // A surface of curvature κ rises by √(2x/κ) towards the eye over the distance x beside its contour. Without this, half of the outline drowns.
+  const rise = sqrt(half.mul(2).mul(r).div(max(end.bend, 1e-3)));
+  const ofSurface = own.add(half.mul(2)).add(min(rise, r.mul(MOST_RISE)));
+  return select(piece.isSmooth, ofSurface, own.add(half.mul(2 * EDGE_SLOPE)));
+}
+
+/** How far the surface may lie before its own outline. @param pixel in view units */
+export const toleranceOf = (piece: Piece, pixel: Value, scale: Value): Value =>
+  radius
+    .mul(ROUNDING)
+    .add(piece.ownCover)
+    .mul(scale)
+    .add(select(piece.isValley, pixel.mul(LOOKED_BESIDE * EDGE_SLOPE), float(0)));
+
+export const lifted = (position: Value, lift: Value): Value =>
+  select(
+    isOrthographic(),
+    position.add(vec3(0, 0, lift)),
+    position.mul(float(1).sub(min(lift.div(max(length(position), 1e-20)), 0.9))),
+  );

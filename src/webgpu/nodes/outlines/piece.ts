@@ -1,0 +1,102 @@
+/** The twin of shaders/outlines/piece.glsl. What is a struct there is an object of variables here, which functions write to. */
+import { hatchingUniform } from '../uniforms.js';
+import { tsl, type Value } from '../values.js';
+import { type OutlinePoint, towardsEye } from './points.js';
+
+const { bool, cross, dot, float, length, max, min, mix, normalize, select, vec3 } = tsl;
+
+/** A piece of outline on the surface: one of its ends. */
+export interface PieceEnd {
+  /** Object space. */
+  position: Value;
+  /** The same at rest. */
+  anchor: Value;
+  /** Not of unit length. */
+  normal: Value;
+  /** Of the outline's width, before the paper. */
+  weight: Value;
+  /** Before a surface. */
+  innerWeight: Value;
+  /** See OutlinePoint. */
+  bend: Value;
+  /** Pixels by which the outline runs on. */
+  overshoot: Value;
+}
+
+export interface Piece {
+  start: PieceEnd;
+  end: PieceEnd;
+  /** How deep the surface beside the piece is along the line of sight, object units. */
+  extent: Value;
+  /** How much of that may lie before the piece, though the piece is to be seen, object units. */
+  ownCover: Value;
+  /** The share of the piece that is a contour or a border. */
+  contour: Value;
+  /** On a surface, not an edge. */
+  isSmooth: Value;
+  /** An edge whose two sides rise from it. */
+  isValley: Value;
+}
+
+const noEnd = (): PieceEnd => ({
+  position: vec3(0).toVar(),
+  anchor: vec3(0).toVar(),
+  normal: vec3(0, 0, 1).toVar(),
+  weight: float(0).toVar(),
+  innerWeight: float(0).toVar(),
+  bend: float(0).toVar(),
+  overshoot: float(0).toVar(),
+});
+
+export const noPiece = (): Piece => ({
+  start: noEnd(),
+  end: noEnd(),
+  extent: float(0).toVar(),
+  ownCover: float(0).toVar(),
+  contour: float(0).toVar(),
+  isSmooth: bool(true).toVar(),
+  isValley: bool(false).toVar(),
+});
+
+export const isPiece = ({ start, end }: Piece): Value =>
+  max(max(start.weight, end.weight), max(start.innerWeight, end.innerWeight)).greaterThan(0);
+
+/** Writes the end that lies at t ∈ [0, 1] from a to b. */
+export function endBetween(end: PieceEnd, a: OutlinePoint, b: OutlinePoint, t: Value): void {
+  const at = t.toVar();
+  end.position.assign(mix(a.position, b.position, at));
+  end.anchor.assign(mix(a.anchor, b.anchor, at));
+  end.normal.assign(mix(a.normal, b.normal, at));
+  end.bend.assign(mix(a.bend, b.bend, at));
+}
+
+/** The weight of contours and borders before a surface, as a share of that before the paper. */
+const innerContours = /* @__PURE__ */ hatchingUniform('innerContours', 'float');
+
+/** Sets the weights of an end. @param ofContour as a contour or a border. @param whole as anything else */
+export function weigh(end: PieceEnd, ofContour: Value, whole: Value): void {
+  end.weight.assign(max(ofContour, whole));
+  end.innerWeight.assign(max(innerContours.mul(ofContour), whole));
+}
+
+/**
+ * Sets how deep the triangle of a piece is along the line of sight: across the piece, not along it, where a long triangle may run away
+ * from the eye over all of its length.
+ */
+export function measureExtent(piece: Piece, a: OutlinePoint, b: OutlinePoint, c: OutlinePoint, eye: Value): void {
+  const v = normalize(towardsEye(a.position, eye)).toVar();
+  const along = piece.end.position.sub(piece.start.position).toVar();
+  along.assign(along.div(max(length(along), 1e-20)));
+  const ab = b.position.sub(a.position).toVar();
+  const ac = c.position.sub(a.position).toVar();
+  const across = v.sub(dot(v, along).mul(along)).toVar();
+  const depthB = dot(ab, across).toVar();
+  const depthC = dot(ac, across).toVar();
+  piece.extent.assign(max(max(depthB, depthC), 0).sub(min(min(depthB, depthC), 0)));
+  // A triangle that looks away is hidden by its neighbours, though the smooth surface has its contour there.
+  const n = cross(ab, ac).toVar();
+  const isFacing = dot(n, v)
+    .mul(dot(n, a.normal.add(b.normal).add(c.normal)))
+    .greaterThan(0);
+  piece.ownCover.assign(select(isFacing, float(0), piece.extent));
+}

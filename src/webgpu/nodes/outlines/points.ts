@@ -1,0 +1,57 @@
+/** The twin of shaders/outlines/points.glsl: points that outlines run between (src/bake/outlineLayout.ts). */
+import { POINT_MASK } from '../../../bake/outlineLayout.js';
+import { blankIntegers } from '../blankTextures.js';
+import { texelOf } from '../texelOf.js';
+import { hatchingTexture } from '../textures.js';
+import { hatchingUniform } from '../uniforms.js';
+import { tsl, type Value } from '../values.js';
+
+const { abs, dot, float, int, ivec2, max, normalize, select, uint, uintBitsToFloat } = tsl;
+const { unpackHalf2x16, unpackSnorm2x16, vec3 } = tsl;
+
+const outlinePoints = /* @__PURE__ */ hatchingTexture('outlinePoints', blankIntegers);
+
+/** Of the bounding sphere, object units. */
+export const radius: Value = /* @__PURE__ */ hatchingUniform('radius', 'float');
+
+export interface OutlinePoint {
+  /** Object space. */
+  position: Value;
+  /** The same at rest. */
+  anchor: Value;
+  /** Of unit length. */
+  normal: Value;
+  /** n·v; more than 0 where the surface faces the eye. */
+  facing: Value;
+  /** Curvature along the line of sight, times the bounding radius. */
+  bend: Value;
+}
+
+export function octahedralNormal(word: Value): Value {
+  const folded = unpackSnorm2x16(word).toVar();
+  const z = float(1).sub(abs(folded.x)).sub(abs(folded.y)).toVar();
+  const below = max(z.negate(), 0).toVar();
+  const x = folded.x.add(select(folded.x.greaterThanEqual(0), below.negate(), below));
+  const y = folded.y.add(select(folded.y.greaterThanEqual(0), below.negate(), below));
+  return normalize(vec3(x, y, z));
+}
+
+export const towardsEye = (position: Value, eye: Value): Value => eye.xyz.sub(eye.w.mul(position));
+
+export function readPoint(word: Value, eye: Value): OutlinePoint {
+  const texel = texelOf(int(word.bitAnd(uint(POINT_MASK))).mul(2), outlinePoints).toVar();
+  const place = outlinePoints.load(texel).toVar();
+  const shape = outlinePoints.load(texel.add(ivec2(1, 0))).toVar();
+  const position = vec3(uintBitsToFloat(place.x), uintBitsToFloat(place.y), uintBitsToFloat(place.z)).toVar();
+  const normal = octahedralNormal(place.w).toVar();
+  const v = towardsEye(position, eye).toVar();
+  const facing = dot(normal, v).toVar();
+  const w = v.sub(facing.mul(normal)).toVar();
+  const kx = unpackHalf2x16(shape.x).toVar(); // xx xy
+  const ky = unpackHalf2x16(shape.y).toVar(); // xz yy
+  const kz = unpackHalf2x16(shape.z).toVar(); // yz zz
+  const kw = vec3(dot(vec3(kx, ky.x), w), dot(vec3(kx.y, ky.y, kz.x), w), dot(vec3(ky.x, kz), w));
+  const length2 = dot(w, w).toVar();
+  const bend = select(length2.greaterThan(0), dot(w, kw).div(length2), float(0)).toVar();
+  return { position, anchor: position, normal, facing, bend };
+}

@@ -1,0 +1,91 @@
+/** The twin of shaders/outlines/sceneDepth.glsl: the depth of what has been drawn before the outlines, all of it opaque. three.js copies it. */
+import { DepthFormat, DepthStencilFormat, DepthTexture, FloatType, UnsignedInt248Type, UnsignedIntType } from 'three';
+import { logarithmicDepthToViewZ, orthographicDepthToViewZ, screenUV, viewportDepthTexture } from 'three/tsl';
+import { type NodeBuilder, WebGPUCoordinateSystem } from 'three/webgpu';
+import { hatchingUniform } from '../uniforms.js';
+import { type TextureValue, tsl, type Value } from '../values.js';
+
+const { cameraFar, cameraNear, cameraProjectionMatrix, clamp, float, floor, int, ivec2, screenSize, select } = tsl;
+
+export const nearDistance: Value = /* @__PURE__ */ hatchingUniform('nearDistance', 'float');
+/** x, y, width, height in pixels, counted from the lower left. */
+export const viewport: Value = /* @__PURE__ */ hatchingUniform('viewport', 'vec4');
+
+/** three's declaration leaves the last one out. */
+const copyOf = viewportDepthTexture as unknown as (uv: unknown, level: null, depth: DepthTexture) => TextureValue;
+const copies = /* @__PURE__ */ new Map<string, TextureValue>();
+
+/** The copy of the depth of what is drawn to. It must have the format of that. */
+function sceneDepthFor({ renderer }: NodeBuilder): TextureValue {
+  const hasStencil = renderer.getRenderTarget()?.stencilBuffer ?? renderer.stencil;
+  const key = `${hasStencil} ${renderer.reversedDepthBuffer}`;
+  let copy = copies.get(key);
+  if (!copy) {
+    const depth = new DepthTexture(1, 1);
+    depth.format = hasStencil ? DepthStencilFormat : DepthFormat;
+    if (renderer.reversedDepthBuffer) depth.type = FloatType;
+    else depth.type = hasStencil ? UnsignedInt248Type : UnsignedIntType;
+    copy = copyOf(screenUV, null, depth);
+    copies.set(key, copy);
+  }
+  return copy;
+}
+
+/** Further than anything in a scene. */
+export const NOWHERE = 1e30;
+
+/** An element of the projection matrix. */
+export const projection = (column: number, row: number): Value => cameraProjectionMatrix.element(column).element(row);
+
+export const isOrthographic = (): Value => projection(2, 3).equal(0);
+
+/** Whether what is drawn to has a depth, which can be read. */
+export function hasSceneDepth({ renderer }: NodeBuilder): boolean {
+  const target = renderer.getRenderTarget();
+  return target ? target.depthBuffer : renderer.depth;
+}
+
+/** Beyond the view, which may be a tile of a picture, no depth is known. */
+export function isInView(pixel: Value): Value {
+  const place = pixel.sub(viewport.xy).toVar();
+  return place.x
+    .greaterThanEqual(0)
+    .and(place.y.greaterThanEqual(0))
+    .and(place.x.lessThan(viewport.z))
+    .and(place.y.lessThan(viewport.w));
+}
+
+/** The z in view space of a depth, of the projection that three.js draws with. */
+function viewZOf(depth: Value, { renderer }: NodeBuilder): Value {
+  if (renderer.logarithmicDepthBuffer) {
+    const read = { orthographic: orthographicDepthToViewZ, logarithmic: logarithmicDepthToViewZ } as unknown as Record<
+      'orthographic' | 'logarithmic',
+      (...values: Value[]) => Value
+    >;
+    return select(
+      isOrthographic(),
+      read.orthographic(depth, cameraNear, cameraFar),
+      read.logarithmic(depth, cameraNear, cameraFar),
+    );
+  }
+  // A reversed depth lies in [0, 1] with WebGL 2 too.
+  const isHalf = renderer.coordinateSystem === WebGPUCoordinateSystem || renderer.reversedDepthBuffer;
+  const clip = (isHalf ? depth : depth.mul(2).sub(1)).toVar();
+  return projection(3, 2)
+    .sub(clip.mul(projection(3, 3)))
+    .div(clip.mul(projection(2, 3)).sub(projection(2, 2)));
+}
+
+/** How far before the eye the surface lies that is seen in a pixel, or in the nearest of the view; NOWHERE if nothing has been drawn there. */
+export function depthAt(pixel: Value, builder: NodeBuilder): Value {
+  const place = floor(clamp(pixel, viewport.xy, viewport.xy.add(viewport.zw).sub(1))).toVar();
+  // three.js counts the rows of what it has drawn from above.
+  const texel = ivec2(int(place.x), int(screenSize.y).sub(1).sub(int(place.y)));
+  const depth = float(sceneDepthFor(builder).load(texel)).toVar();
+  const isNowhere = builder.renderer.reversedDepthBuffer ? depth.lessThanEqual(0) : depth.greaterThanEqual(1);
+  return select(isNowhere, float(NOWHERE), viewZOf(depth, builder).negate());
+}
+
+/** The height of the view at a distance from the eye, in view units. */
+export const viewHeightAt = (away: Value): Value =>
+  select(isOrthographic(), float(1), away).mul(2).div(projection(1, 1));

@@ -1,0 +1,65 @@
+/** The twin of shaders/outlines/shade.glsl: the side away from the light has a heavier outline, and there is none between lit surface and paper. */
+import type { Light } from 'three';
+import { OUTLINE_CONSTANTS } from '../../../engraving/constants/outlineConstants.js';
+import { meanLight } from '../chunks/meanLight.js';
+import { hatchingUniform } from '../uniforms.js';
+import { tsl, type Value } from '../values.js';
+import type { Piece, PieceEnd } from './piece.js';
+import { type InstancePlace, normalOfInstance, placeOfInstance } from './primitives.js';
+import { isOrthographic } from './sceneDepth.js';
+
+const {
+  cameraViewMatrix,
+  dot,
+  float,
+  length,
+  max,
+  mix,
+  modelNormalMatrix,
+  modelViewMatrix,
+  normalize,
+  select,
+  smoothstep,
+  vec3,
+  vec4,
+} = tsl;
+const { INSIDE, LIT, LOST_RANGE, LOST_TAPER, SHADED } = OUTLINE_CONSTANTS;
+
+/** Lit, shaded. */
+const shadeWeights = /* @__PURE__ */ hatchingUniform('shadeWeights', 'vec2');
+/** How much of the contours between lit surface and paper is lost. */
+const lostEdges = /* @__PURE__ */ hatchingUniform('lostEdges', 'float');
+
+/** View space. */
+export const objectToView = (position: Value, place: InstancePlace): Value =>
+  modelViewMatrix.mul(vec4(placeOfInstance(position, place), 1)).xyz;
+
+// three's modelNormalMatrix leads to the world.
+const normalInView = (normal: Value, place: InstancePlace): Value =>
+  normalize(cameraViewMatrix.mul(vec4(modelNormalMatrix.mul(normalOfInstance(normal, place)), 0)).xyz);
+
+/**
+ * Shades an end.
+ *
+ * @param light of unit length, or 0 where no light has a direction
+ * @param sight the direction to the eye. Both in view space.
+ */
+function shadeEnd(end: PieceEnd, contour: Value, light: Value, sight: Value, place: InstancePlace): void {
+  const normal = normalInView(end.normal, place).toVar();
+  const share = smoothstep(LIT, SHADED, float(0.5).sub(dot(normal, light).mul(0.5)));
+  const weight = mix(shadeWeights.x, shadeWeights.y, share).toVar();
+  const inside = dot(normalize(normal.add(sight.mul(INSIDE))), light);
+  const lost = float(1).sub(lostEdges.mul(LOST_RANGE)).toVar();
+  end.innerWeight.mulAssign(weight);
+  end.weight.mulAssign(weight.mul(float(1).sub(contour.mul(smoothstep(lost, lost.add(LOST_TAPER), inside)))));
+}
+
+/** @param lights of the scene */
+export function shade({ start, end, contour }: Piece, place: InstancePlace, lights: readonly Light[]): void {
+  const middle = objectToView(start.position.add(end.position).mul(0.5), place).toVar();
+  const light = meanLight(middle, lights).toVar();
+  light.assign(light.div(max(length(light), 1e-20)));
+  const sight = select(isOrthographic(), vec3(0, 0, 1), normalize(middle.negate())).toVar();
+  shadeEnd(start, contour, light, sight, place);
+  shadeEnd(end, contour, light, sight, place);
+}

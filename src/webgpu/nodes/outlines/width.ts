@@ -1,0 +1,12 @@
+/** The twin of shaders/outlines/width.glsl: how wide an outline is at an end of a piece. */
+import { tsl, type Value } from '../values.js';
+import { hiddenWeight } from './hidden.js';
+import { outlineWidth } from './hierarchy.js';
+import type { OutlineDefines } from './OutlineDefines.js';
+import type { PieceEnd } from './piece.js';
+
+const { max, vec2 } = tsl;
+
+/** Half the width in pixels where the drawing has its usual weight: before the paper, and before a surface. */
+export const halfWidthsAt = ({ weight, innerWeight }: PieceEnd, { HIDDEN }: OutlineDefines): Value =>
+  (HIDDEN ? vec2(hiddenWeight(max(weight, innerWeight))) : vec2(weight, innerWeight)).mul(outlineWidth).mul(0.5);

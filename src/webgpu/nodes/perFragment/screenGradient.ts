@@ -1,0 +1,42 @@
+/** The twin of shaders/perFragment/screenGradient.glsl: how fast a function of the place on the object changes on the screen. */
+import { SCREEN_CONSTANTS } from '../../../engraving/constants/screenConstants.js';
+import { hatchingUniform } from '../uniforms.js';
+import { tsl, type Value } from '../values.js';
+
+const { abs, cameraProjectionMatrix, dot, length, max, positionView, select, vec2, vec3 } = tsl;
+
+/** The two columns of a matrix: WGSL has no name for one of two by three that three's nodes know. */
+export type ScreenMap = readonly [x: Value, y: Value];
+
+const viewportHeight = /* @__PURE__ */ hatchingUniform('viewportHeight', 'float');
+
+/** The centre of the screen as seen from here: what one step in depth shifts. */
+const centreOfScreen = (isOrthographic: Value): Value =>
+  select(isOrthographic, vec2(0), positionView.xy.div(positionView.z)).toVar();
+
+/** @param normal view space, of the length at which it stands for as many view units as a pixel of the plane has */
+function screenMapOf(normal: Value, centre: Value, viewToPlace: Value): ScreenMap {
+  const { x, y, z } = normal;
+  return [
+    viewToPlace.mul(vec3(centre.x.mul(y), z.negate().sub(centre.x.mul(x)), y)).toVar(),
+    viewToPlace.mul(vec3(z.add(centre.y.mul(y)), centre.y.negate().mul(x), x.negate())).toVar(),
+  ];
+}
+
+/**
+ * @param n the normal, unit, in the space of the places that functions are of. Where the plane leans away it is held back.
+ * @param viewToPlace from the view to that space, linear part
+ */
+export function screenMap(n: Value, viewToPlace: Value): ScreenMap {
+  const isOrthographic = cameraProjectionMatrix.element(3).element(3).equal(1);
+  const normal = n.mul(viewToPlace).toVar();
+  const centre = centreOfScreen(isOrthographic);
+  const facing = abs(dot(normal, vec3(centre, 1)));
+  const away = select(isOrthographic, 1, positionView.z.negate());
+  const perPixel = away.mul(2).div(cameraProjectionMatrix.element(1).element(1).mul(viewportHeight));
+  normal.mulAssign(perPixel.div(max(facing, length(normal).mul(SCREEN_CONSTANTS.LEAST_FACING))));
+  return screenMapOf(normal, centre, viewToPlace);
+}
+
+/** The gradient per pixel, on the screen, of a function with this gradient in that space. */
+export const screenGradient = (gradient: Value, [x, y]: ScreenMap): Value => vec2(dot(gradient, x), dot(gradient, y));

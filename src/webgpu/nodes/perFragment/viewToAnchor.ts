@@ -1,0 +1,23 @@
+/** The twin of shaders/perFragment/viewToAnchor.glsl: the linear map from the view to where strokes are anchored. */
+import type { BufferGeometry } from 'three';
+import type { NodeBuilder } from 'three/webgpu';
+import { viewToObject } from '../chunks/objectToView.js';
+import { tsl, type Value } from '../values.js';
+
+const { mat3, varyingProperty } = tsl;
+
+/** Matrices between the stages are their columns. */
+export const vViewToAnchor: readonly Value[] = /* @__PURE__ */ [0, 1, 2].map((column) =>
+  varyingProperty('vec3', `vViewToAnchor${column}`),
+);
+
+/** Whether vertices move with their object alone, neither by skins nor by morph targets nor as instances. */
+export function isRigid({ object, geometry }: NodeBuilder): boolean {
+  const { morphAttributes } = geometry as BufferGeometry;
+  const moves = ['isSkinnedMesh', 'isInstancedMesh', 'isBatchedMesh'].some((kind) => kind in (object as object));
+  return !moves && !morphAttributes.position && !morphAttributes.normal;
+}
+
+/** For the fragment shader. */
+export const readViewToAnchor = (builder: NodeBuilder): Value =>
+  isRigid(builder) ? viewToObject : mat3(...vViewToAnchor).toVar();

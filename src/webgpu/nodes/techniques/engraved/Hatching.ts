@@ -1,0 +1,35 @@
+import type { ScreenMap } from '../../perFragment/screenGradient.js';
+import type { Value } from '../../values.js';
+
+/** Lines that are level sets of one function. */
+export interface Family {
+  value: Value;
+  /** Its change from one pixel to the next. */
+  perPixel: Value;
+  /** Its change along the surface, per tile, by which lines are spaced on the object. */
+  rise: Value;
+  /** Of any length; lines lie across it. */
+  gradient: Value;
+  /** The octave of the lines that lie farthest apart. */
+  coarsest: number;
+  /** Whether the number of a line changes across the seams of a bake. */
+  isOfForm: boolean;
+}
+
+/** What engraving needs to know at a fragment: the functions that lines are level sets of, and how they lie on the screen. */
+export interface HatchingParameters {
+  onScreen: ScreenMap;
+  /** Of the hand. */
+  pressure: Value;
+  /** How far the first family has lines. */
+  has: Value;
+  /** The share of what crosses that the family B takes. */
+  shareB: Value;
+  firstFamily(): Family;
+  /**
+   * @param isB towards which side it leans
+   * @param lean cosine and sine of the angle at which it crosses the first
+   * @param isOther whether that angle is the negative one
+   */
+  crossingFamily(isB: boolean, lean: readonly [cosine: Value, sine: Value], isOther: boolean): Family;
+}

@@ -1,0 +1,66 @@
+/** The twin of shaders/techniques/engraved/emit.glsl. */
+import type { Light, SkinnedMesh } from 'three';
+import type { NodeBuilder } from 'three/webgpu';
+import { inverseOf, linearPart } from '../../matrices.js';
+import type { Anchor } from '../../perFragment/emit.js';
+import { hatchingUniform } from '../../uniforms.js';
+import { tsl, type Value } from '../../values.js';
+import { firstField } from './fieldAxis.js';
+import { followsForm } from './followsForm.js';
+import { formCrossing, formSlope, formValue, formVarying } from './formAttributes.js';
+import { fieldLight } from './lightField.js';
+import { vField, vFieldNormal, vFieldPoint, vForm, vFormCrossing } from './varyings.js';
+
+const { determinant, If, reference, referenceBuffer, vec4 } = tsl;
+
+/** Object space. */
+const fieldOrigin = /* @__PURE__ */ hatchingUniform('fieldOrigin', 'vec3');
+/** Linear part. */
+export const objectToField: Value = /* @__PURE__ */ hatchingUniform('objectToField', 'mat3');
+/** Its inverse transpose. */
+const objectToFieldNormal = /* @__PURE__ */ hatchingUniform('objectToFieldNormal', 'mat3');
+
+/** @param lineField the choice */
+export function emitEngraved(
+  builder: NodeBuilder,
+  anchor: Anchor,
+  { lineField, isAtRest, lights }: { lineField: string; isAtRest: boolean; lights: readonly Light[] },
+): void {
+  vFieldPoint.assign(objectToField.mul(anchor.position.sub(fieldOrigin)));
+  vFieldNormal.assign(objectToFieldNormal.mul(anchor.strokeNormal));
+  if (followsForm(lineField)) {
+    const along = formVarying(formSlope(), formValue().x, objectToFieldNormal, vFieldPoint);
+    const across = formVarying(formCrossing(), formValue().y, objectToFieldNormal, vFieldPoint);
+    const isAcross = lineField === 'acrossForm';
+    vForm.assign(isAcross ? across : along);
+    vFormCrossing.assign(isAcross ? along : across);
+    return;
+  }
+  const turns = lineField === 'light' || lineField === 'towards';
+  const light = turns ? lightOfField(builder, anchor, isAtRest, lights) : vec4(0, 1, 0, 0);
+  vField.assign(firstField(light, lineField));
+}
+
+function lightOfField(
+  { object }: NodeBuilder,
+  { objectToView, viewToObject }: Anchor,
+  isAtRest: boolean,
+  lights: readonly Light[],
+): Value {
+  let restToView = objectToView;
+  let viewToRest = viewToObject;
+  if (isAtRest && (object as SkinnedMesh).isSkinnedMesh) {
+    // The light as the whole mesh sees it, not each of its bones: lines would break at joints. The first bone stands for the mesh.
+    const { skeleton } = object as SkinnedMesh;
+    const bones = referenceBuffer('skeleton.boneMatrices', 'mat4', skeleton.bones.length);
+    const inMesh = reference('bindMatrixInverse', 'mat4').mul(bones.element(0)).mul(reference('bindMatrix', 'mat4'));
+    const firstBone = inMesh.toVar();
+    restToView = objectToView.toVar();
+    viewToRest = viewToObject.toVar();
+    If(determinant(linearPart(firstBone)).notEqual(0), () => {
+      restToView.assign(objectToView.mul(firstBone));
+      viewToRest.assign(inverseOf(linearPart(restToView)));
+    });
+  }
+  return fieldLight(objectToField.mul(viewToRest).toVar(), restToView.mul(vec4(fieldOrigin, 1)).xyz.toVar(), lights);
+}

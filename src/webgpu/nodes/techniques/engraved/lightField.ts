@@ -1,0 +1,76 @@
+/** The twin of shaders/techniques/engraved/lightField.glsl: one light for the whole object, so that lines run on. */
+import type { Light } from 'three';
+import { FIELD_CONSTANTS } from '../../../../engraving/constants/fieldConstants.js';
+import { lightLuminance } from '../../chunks/lightLuminance.js';
+import { type LightValues, valuesFor } from '../../chunks/meanLight.js';
+import { tsl, type Value } from '../../values.js';
+
+const { dot, float, length, max, select, vec3, vec4 } = tsl;
+const { FIRST_AXIS, LEAST_WEIGHT } = FIELD_CONSTANTS;
+
+/** Its columns. */
+type Tensor = readonly [Value, Value, Value];
+
+const applied = ([x, y, z]: Tensor, v: Value): Value => x.mul(v.x).add(y.mul(v.y)).add(z.mul(v.z));
+
+const hasPlace = (light: Light): boolean => 'isPointLight' in light || 'isSpotLight' in light;
+
+/** The lights that have a direction, which are all but skies. */
+export const directedLights = (lights: readonly Light[]): Light[] =>
+  lights.filter((light) => 'isDirectionalLight' in light || hasPlace(light));
+
+/** The weight of a light. */
+const fieldWeight = ({ color }: LightValues): Value => lightLuminance(color).add(LEAST_WEIGHT).toVar();
+
+/** Σ w L Lᵀ and Σ w L. @param toLight of any length, field space */
+function addFieldLight(tensor: Tensor, sum: Value, toLight: Value, weight: Value): void {
+  const l = toLight.div(max(length(toLight), 1e-20)).toVar();
+  tensor[0].addAssign(l.mul(l.x).mul(weight));
+  tensor[1].addAssign(l.mul(l.y).mul(weight));
+  tensor[2].addAssign(l.mul(l.z).mul(weight));
+  sum.addAssign(l.mul(weight));
+}
+
+/** What a lamp adds to Σ w c / |P|, c = L·axis: how far the sum of the lights' own fields bends at the origin. */
+const fieldBend = (axis: Value, toLamp: Value, weight: Value): Value =>
+  weight.mul(dot(toLamp, axis)).div(max(dot(toLamp, toLamp), 1e-20));
+
+function fieldAxisOf(tensor: Tensor, sum: Value, count: number): Value {
+  if (count === 1) return sum.div(max(length(sum), 1e-20));
+  // Power iteration: four squarings are sixteen steps.
+  let power = tensor;
+  for (let i = 0; i < 4; i++) {
+    const [x, y, z] = power;
+    const trace = max(x.x.add(y.y).add(z.z), 1e-20).toVar();
+    const column = (v: Value): Value => applied(power, v).div(trace).toVar();
+    power = [column(x), column(y), column(z)];
+  }
+  const axis = applied(power, vec3(...FIRST_AXIS)).toVar();
+  axis.assign(axis.div(max(length(axis), 1e-20)));
+  return select(dot(axis, sum).lessThan(0), axis.negate(), axis);
+}
+
+/**
+ * Unit direction and one over the distance, field space.
+ *
+ * @param viewToField linear part
+ * @param place the origin of the field, view space
+ */
+export function fieldLight(viewToField: Value, place: Value, lights: readonly Light[]): Value {
+  const directed = directedLights(lights).map((light) => {
+    const values = valuesFor(light);
+    const isAtPlace = hasPlace(light);
+    const way = isAtPlace ? values.position.sub(place) : values.direction;
+    return { way: viewToField.mul(way).toVar(), weight: fieldWeight(values), isAtPlace };
+  });
+  if (directed.length === 0) return vec4(0, 1, 0, 0);
+  const tensor: Tensor = [vec3(0).toVar(), vec3(0).toVar(), vec3(0).toVar()];
+  const sum = vec3(0).toVar();
+  for (const { way, weight } of directed) addFieldLight(tensor, sum, way, weight);
+  const axis = fieldAxisOf(tensor, sum, directed.length).toVar();
+  const bend = float(0).toVar();
+  for (const { way, weight, isAtPlace } of directed) {
+    if (isAtPlace) bend.addAssign(fieldBend(axis, way, weight));
+  }
+  return vec4(axis, bend.div(max(length(applied(tensor, axis)), 1e-20)));
+}

@@ -1,0 +1,63 @@
+/** The twin of shaders/techniques/engraved/readCut.glsl: lines that a field cuts out of the object. */
+import type { NodeBuilder } from 'three/webgpu';
+import { FIELD_CONSTANTS } from '../../../../engraving/constants/fieldConstants.js';
+import { HAND_CONSTANTS } from '../../../../engraving/constants/handConstants.js';
+import { screenGradient, screenMap } from '../../perFragment/screenGradient.js';
+import { readViewToAnchor } from '../../perFragment/viewToAnchor.js';
+import { tsl } from '../../values.js';
+import { objectToField } from './emit.js';
+import { across, fieldAt } from './fieldAxis.js';
+import type { HatchingParameters } from './Hatching.js';
+import { handPoint, handPressure, slowWaves } from './hand.js';
+import { vField, vFieldNormal, vFieldPoint } from './varyings.js';
+
+const { cross, dot, float, length, max, min, mix, normalize, smoothstep, sqrt } = tsl;
+const { BARE_SLOPE, SIDE_FADE, SPARSEST_SLOPE } = FIELD_CONSTANTS;
+
+export function readHatchingParameters(builder: NodeBuilder): HatchingParameters {
+  const field = vField.toVar();
+  const place = vFieldPoint.toVar();
+  const normal = normalize(vFieldNormal).toVar();
+  const waves = slowWaves(place.mul(HAND_CONSTANTS.HAND_WAVES)).toVar();
+  const point = handPoint(place, waves).toVar();
+  const onScreen = screenMap(normal, objectToField.mul(readViewToAnchor(builder)).toVar());
+  const { value, gradient } = fieldAt(field, point);
+  const along = dot(normal, gradient).toVar();
+  const slope = sqrt(max(float(1).sub(along.mul(along)), 1e-12)).toVar();
+  const has = smoothstep(BARE_SLOPE[0], BARE_SLOPE[1], slope).toVar();
+  const sideB = across(field.xyz).toVar();
+  const sideC = cross(field.xyz, sideB).toVar();
+  const b = dot(normal, sideC).toVar();
+  const c = dot(normal, sideB).toVar();
+  const between = b
+    .mul(b)
+    .sub(c.mul(c))
+    .div(max(slope.mul(slope), 1e-4));
+  const shareB = mix(1, smoothstep(-SIDE_FADE, SIDE_FADE, between), has).toVar();
+  const valueOnScreen = screenGradient(gradient, onScreen).toVar();
+  return {
+    onScreen,
+    pressure: handPressure(waves).toVar(),
+    has,
+    shareB,
+    firstFamily: () => ({
+      value,
+      perPixel: length(valueOnScreen),
+      rise: min(slope.div(SPARSEST_SLOPE), 1),
+      gradient,
+      coarsest: FIELD_CONSTANTS.ANY_OCTAVE,
+      isOfForm: false,
+    }),
+    crossingFamily(isB, [cosine, sine]) {
+      const side = isB ? sideB : sideC;
+      return {
+        value: cosine.mul(value).add(sine.mul(dot(point, side))),
+        perPixel: length(valueOnScreen.mul(cosine).add(screenGradient(side, onScreen).mul(sine))),
+        rise: float(1),
+        gradient: gradient.mul(cosine).add(side.mul(sine)).toVar(),
+        coarsest: FIELD_CONSTANTS.ANY_OCTAVE,
+        isOfForm: false,
+      };
+    },
+  };
+}

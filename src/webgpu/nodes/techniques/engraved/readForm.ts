@@ -1,0 +1,56 @@
+/** The twin of shaders/techniques/engraved/readForm.glsl: lines that follow the form, level sets of two functions that were baked into the vertices. */
+import type { NodeBuilder } from 'three/webgpu';
+import { FORM_CONSTANTS } from '../../../../engraving/constants/formConstants.js';
+import { HAND_CONSTANTS } from '../../../../engraving/constants/handConstants.js';
+import { screenGradient, screenMap } from '../../perFragment/screenGradient.js';
+import { readViewToAnchor } from '../../perFragment/viewToAnchor.js';
+import { tsl, type Value } from '../../values.js';
+import { objectToField } from './emit.js';
+import type { HatchingParameters } from './Hatching.js';
+import { handmade, handPoint, handPressure, slowWaves } from './hand.js';
+import { vFieldNormal, vFieldPoint, vForm, vFormCrossing } from './varyings.js';
+
+const { dot, float, length, normalize, vec3 } = tsl;
+const { COARSEST_OCTAVES, WIDTH_WAVE } = FORM_CONSTANTS;
+
+const formValueAt = (form: Value, stray: Value): Value =>
+  form.w.add(dot(form.xyz, vFieldPoint.mul(0.5).add(stray))).toVar();
+
+/** @param isAcross whether the first family runs across the form */
+export function readHatchingParameters(builder: NodeBuilder, isAcross: boolean): HatchingParameters {
+  const first = vForm.toVar();
+  const crossing = vFormCrossing.toVar();
+  const [coarse, crossingCoarse] = isAcross ? [...COARSEST_OCTAVES].reverse() : COARSEST_OCTAVES;
+  const waves = slowWaves(vFieldPoint.mul(HAND_CONSTANTS.HAND_WAVES)).toVar();
+  const stray = handPoint(vec3(0), waves).toVar();
+  const values = [formValueAt(first, stray), formValueAt(crossing, stray)];
+  const onScreen = screenMap(normalize(vFieldNormal).toVar(), objectToField.mul(readViewToAnchor(builder)).toVar());
+  const valueOnScreen = screenGradient(first.xyz, onScreen).toVar();
+  const crossingOnScreen = screenGradient(crossing.xyz, onScreen).toVar();
+  return {
+    onScreen,
+    pressure: handPressure(waves).add(handmade.mul(WIDTH_WAVE).mul(waves.z)).toVar(),
+    has: float(1),
+    shareB: float(1),
+    firstFamily: () => ({
+      value: values[0],
+      perPixel: length(valueOnScreen),
+      rise: length(first.xyz),
+      gradient: first.xyz,
+      coarsest: coarse,
+      isOfForm: true,
+    }),
+    // The other family crosses at the angle of the bake. The difference of the two functions is whole across seams too, and its lines lean
+    // the other way.
+    crossingFamily(_isB, _lean, isOther) {
+      return {
+        value: isOther ? values[0].sub(values[1]) : values[1],
+        perPixel: length(isOther ? valueOnScreen.sub(crossingOnScreen) : crossingOnScreen),
+        rise: length(crossing.xyz),
+        gradient: isOther ? first.xyz.sub(crossing.xyz).toVar() : crossing.xyz,
+        coarsest: isOther ? Math.min(coarse, crossingCoarse) : crossingCoarse,
+        isOfForm: true,
+      };
+    },
+  };
+}

@@ -1,0 +1,71 @@
+/** The twin of shaders/techniques/engraved/ruledLines.glsl: one family of lines. */
+import { LINE_CONSTANTS } from '../../../../engraving/constants/lineConstants.js';
+import type { Medium } from '../../../../material/facts/hatchingProperties.js';
+import { lineCoverage } from '../../chunks/lineCoverage.js';
+import { hatchingUniform } from '../../uniforms.js';
+import { tsl, type Value } from '../../values.js';
+import { cutFor, cutWidth, rowOctaves } from './carving.js';
+import type { Family, HatchingParameters } from './Hatching.js';
+import { handWidth } from './hand.js';
+import { FRINGE } from './lineFringe.js';
+import { octaves, powerOf2 } from './octaves.js';
+import { penCoverage, penFor } from './penStrokes.js';
+import { sizedOnScreen } from './sizedOnScreen.js';
+
+const { abs, ceil, float, floor, int, Loop, max, min, mix, select } = tsl;
+
+/** Pixels between lines, or 256ths of a tile. */
+const lineSpacing = /* @__PURE__ */ hatchingUniform('lineSpacing', 'float');
+/** Pixels: where lines would lie closer, every other one is left out. */
+const finestSpacing = /* @__PURE__ */ hatchingUniform('finestSpacing', 'float');
+
+/** The share of a pixel that a line covers. @param away from the line, signed, pixels @param room half of what the line has, pixels */
+type Covering = (away: Value, room: Value, line: Value) => Value;
+
+function coveringBy(
+  medium: Medium,
+  h: HatchingParameters,
+  family: Family,
+  tone: Value,
+  { oldRoom, spacing }: { oldRoom: Value; spacing: Value },
+): Covering {
+  if (medium === 'pen') {
+    const pen = penFor(h, family, tone);
+    return (away, room, line) => penCoverage(pen, away, room.div(oldRoom), spacing, line);
+  }
+  if (medium === 'woodcut') {
+    const cut = cutFor(h, family, tone);
+    return (away, room, line) => lineCoverage(abs(away), room.mul(cutWidth(cut, line)).toVar(), FRINGE);
+  }
+  return (away, room, line) => {
+    const width = family.isOfForm ? tone : tone.mul(handWidth(line));
+    return lineCoverage(abs(away), room.mul(width).toVar(), FRINGE);
+  };
+}
+
+/** The darkness of a family. */
+export function ruledLines(h: HatchingParameters, family: Family, tone: Value, medium: Medium): Value {
+  const perPixel = max(family.perPixel, 1e-12).toVar();
+  const onObject = octaves(lineSpacing.div(LINE_CONSTANTS.PARTS_OF_TILE).mul(family.rise).toVar());
+  const onScreen = octaves(lineSpacing.mul(perPixel).toVar());
+  const octave = max(mix(onObject, onScreen, sizedOnScreen), octaves(finestSpacing.mul(perPixel).toVar())).toVar();
+  if (medium === 'woodcut') octave.addAssign(rowOctaves(tone));
+  octave.assign(min(octave, family.coarsest));
+  const period = powerOf2(ceil(octave)).toVar();
+  const pixels = period.div(perPixel).toVar();
+  const spacing = powerOf2(octave).div(perPixel).toVar();
+  const x = family.value.div(period).toVar();
+  const below = floor(x).toVar();
+  const oldRoom = spacing.mul(0.5).toVar();
+  const youngRoom = pixels.sub(spacing).mul(0.5).toVar();
+  const covering = coveringBy(medium, h, family, tone, { oldRoom, spacing });
+  const covered = float(0).toVar();
+  // All that a pixel may lie on: their shares of it add up.
+  Loop({ start: int(0), end: int(3), type: 'int', condition: '<' }, ({ i }) => {
+    const line = below.add(float(i).mul(0.5)).toVar();
+    const room = select(i.equal(int(1)), youngRoom, oldRoom).toVar();
+    covered.addAssign(covering(x.sub(line).mul(pixels).toVar(), room, line.mul(period).toVar()));
+  });
+  covered.assign(min(covered, 1));
+  return medium === 'woodcut' ? float(1).sub(covered) : covered;
+}

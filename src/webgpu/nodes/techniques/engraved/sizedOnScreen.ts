@@ -1,0 +1,5 @@
+import { hatchingUniform } from '../../uniforms.js';
+import type { Value } from '../../values.js';
+
+/** 0: lines spaced on the object, 1: on the screen. */
+export const sizedOnScreen: Value = /* @__PURE__ */ hatchingUniform('sizedOnScreen', 'float');

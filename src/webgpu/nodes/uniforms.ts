@@ -1,0 +1,26 @@
+import { materialReference } from 'three/tsl';
+import type { Value } from './values.js';
+
+type UniformType = 'float' | 'int' | 'vec2' | 'vec3' | 'vec4' | 'color' | 'mat3' | 'mat4';
+
+const known = new Map<string, Value>();
+
+/**
+ * A uniform of whichever material is drawn: what its `uniforms` hold, as for GLSL. All materials share the node, so that they share
+ * programs too.
+ *
+ * @param type of a flag `float`: three.js keeps one of type `bool` where it is first asked for, in a branch too
+ */
+export function hatchingUniform(name: string, type: UniformType): Value {
+  const key = `${name} ${type}`;
+  let uniform = known.get(key);
+  if (!uniform) {
+    uniform = materialReference(`uniforms.${name}.value`, type) as unknown as Value;
+    known.set(key, uniform);
+  }
+  return uniform;
+}
+
+/** A number of an array among those uniforms. */
+export const hatchingElement = (name: string, index: number): Value =>
+  materialReference(`uniforms.${name}.value.${index}`, 'float') as unknown as Value;

@@ -1,0 +1,202 @@
+import {
+  type Camera,
+  Color,
+  DoubleSide,
+  type IUniform,
+  Material,
+  type MaterialParameters,
+  type Mesh,
+  type PerspectiveCamera,
+  Vector2,
+  type Vector4,
+  type WebGLRenderer,
+} from 'three';
+import { type NodeBuilder, NodeMaterial, type WebGPURenderer } from 'three/webgpu';
+import type { HiddenOutlines } from '../../engraving/hiddenOutlines.js';
+import { checkColor } from '../../material/checkValues.js';
+import { type EmphasisLook, takesWeight, writeEmphasis, writeImportance } from '../../material/emphasis/emphasis.js';
+import { writeSheet } from '../../material/emphasis/writeSheet.js';
+import { writePictureOffset } from '../../material/pictureOffset.js';
+import type { HatchingOutlineMaterial, HatchingOutlineParameters } from '../../outlines/HatchingOutlineMaterial.js';
+import {
+  HATCHING_OUTLINE_DEFAULTS,
+  OUTLINE_NUMBER_NAMES,
+  type OutlineNumberName,
+} from '../../outlines/outlineProperties.js';
+import { createOutlineUniforms } from '../../outlines/outlineUniforms.js';
+import {
+  checkHidden,
+  checkShadeWeights,
+  defineOutlineNumbers,
+  writeOutlineLook,
+} from '../../outlines/outlineValues.js';
+import { type OutlineNodes, outlineNodes } from '../nodes/outlines/outlineNodes.js';
+
+const NAME = 'HatchingOutlineNodeMaterial';
+
+export interface HatchingOutlineNodeMaterial
+  extends Pick<HatchingOutlineMaterial, OutlineNumberName | 'ink' | 'shadeWeights' | 'hidden'> {}
+
+/**
+ * The material of `HatchingOutlines` for WebGPURenderer: the same properties as those of `HatchingOutlineMaterial`, with the same defaults.
+ * It uses the lights and the fog of the scene. Every property may be set at any time and takes effect in the next frame; `wobble` and `tooth`
+ * build another program when they change between 0 and more than 0. Several `HatchingOutlines` may share a material.
+ */
+export class HatchingOutlineNodeMaterial extends NodeMaterial {
+  readonly isHatchingOutlineNodeMaterial = true;
+  /** What nodes read, as programs in GLSL do. @internal */
+  readonly uniforms: Record<string, IUniform>;
+
+  static override get type(): string {
+    return NAME;
+  }
+
+  private hiddenLines: HiddenOutlines = HATCHING_OUTLINE_DEFAULTS.hidden;
+  private nodes!: OutlineNodes;
+  private hiddenOnes: HatchingOutlineNodeMaterial | null = null;
+  /** Whether it draws what is hidden. */
+  private isHidden = false;
+
+  /** @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour */
+  constructor(parameters: HatchingOutlineParameters | undefined = undefined) {
+    super();
+    this.uniforms = { ...createOutlineUniforms(), isInstanced: { value: false } };
+    this.ink = new Color(HATCHING_OUTLINE_DEFAULTS.ink);
+    this.shadeWeights = new Vector2(...HATCHING_OUTLINE_DEFAULTS.shadeWeights);
+    defineOutlineNumbers(this, NAME, (name) => {
+      if (name === 'wobble' || name === 'tooth') this.chooseNodes();
+    });
+    Object.defineProperty(this, 'hidden', {
+      get: () => this.hiddenLines,
+      set: (value: HiddenOutlines) => {
+        this.hiddenLines = checkHidden(value, NAME);
+      },
+      enumerable: true,
+    });
+    this.lights = true;
+    this.transparent = true;
+    this.depthWrite = false;
+    this.side = DoubleSide;
+    // Otherwise three.js draws backs before fronts, and each outline twice.
+    this.forceSinglePass = true;
+    this.chooseNodes();
+    this.setValues(parameters);
+    this.writeLook(1);
+  }
+
+  /**
+   * Sets properties by name, as `setValues` of three.js does.
+   *
+   * @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour
+   */
+  override setValues(values?: HatchingOutlineParameters): void {
+    if (!values) return;
+    if (values.ink !== undefined) checkColor(`${NAME}.ink`, values.ink);
+    const { shadeWeights, ...others } = values;
+    super.setValues(others as MaterialParameters);
+    if (shadeWeights !== undefined) this.shadeWeights.set(...checkShadeWeights(shadeWeights, NAME));
+  }
+
+  override copy(source: this): this {
+    // NodeMaterial.copy would share the uniforms.
+    Material.prototype.copy.call(this, source);
+    this.fog = source.fog;
+    this.lights = source.lights;
+    for (const name of OUTLINE_NUMBER_NAMES) this[name] = source[name];
+    this.ink.copy(source.ink);
+    this.shadeWeights.copy(source.shadeWeights);
+    this.hidden = source.hidden;
+    return this;
+  }
+
+  /**
+   * What draws the outlines that a surface hides: a material of the same look and uniforms, brought up to date.
+   *
+   * @internal
+   */
+  ofHidden(): HatchingOutlineNodeMaterial {
+    if (!this.hiddenOnes) {
+      const made = new HatchingOutlineNodeMaterial();
+      made.isHidden = true;
+      (made as { uniforms: Record<string, IUniform> }).uniforms = this.uniforms;
+      this.hiddenOnes = made;
+      this.addEventListener('dispose', () => {
+        made.dispose();
+      });
+    }
+    const { hiddenOnes } = this;
+    hiddenOnes.opacity = this.opacity;
+    hiddenOnes.fog = this.fog;
+    hiddenOnes.tooth = this.tooth;
+    hiddenOnes.wobble = this.wobble;
+    // Fragments find out what is hidden.
+    hiddenOnes.depthTest = false;
+    return hiddenOnes;
+  }
+
+  /** What materials that draw with one program have in common. */
+  override customProgramCacheKey(): string {
+    return `${NAME} ${this.nodes.key}`;
+  }
+
+  /** Writes the properties to the uniforms. @param pixelRatio pixels of what is drawn to per CSS pixel @internal */
+  writeLook(pixelRatio: number): void {
+    writeOutlineLook(this, this.uniforms, pixelRatio);
+  }
+
+  /**
+   * Writes what the outlines of one mesh are drawn with.
+   *
+   * @param viewport the part of the target that the camera draws into, pixels from the lower left
+   * @param look what says how much weight lines have where
+   * @internal
+   */
+  writeDraw(
+    renderer: WebGPURenderer,
+    camera: Camera,
+    mesh: Mesh,
+    viewport: Vector4,
+    look: (Material & EmphasisLook) | null,
+  ): void {
+    const u = this.uniforms;
+    this.writeLook(renderer.getPixelRatio());
+    // If all groups have the same material, there are no borders between materials.
+    if (!Array.isArray(mesh.material)) u.materialBorders.value = 0;
+    (u.viewport.value as Vector4).copy(viewport);
+    u.nearDistance.value = (camera as PerspectiveCamera).near ?? 0;
+    // What it asks of a renderer, both kinds have.
+    writeEmphasis(look, u, renderer as unknown as WebGLRenderer, camera);
+    writeSheet(u.sheet.value, camera, viewport);
+    writePictureOffset(u.toothOffset.value, camera, viewport);
+    writeImportance(mesh, takesWeight(look), u);
+  }
+
+  /** Fog is as dense as at the spine: the triangle that covers a piece lies across the line of sight. @internal */
+  override setup(builder: NodeBuilder): void {
+    const context = builder.context as { getViewZ?: () => OutlineNodes['viewZ'] };
+    context.getViewZ = () => this.nodes.viewZ;
+    super.setup(builder);
+  }
+
+  /** Depths are those of the spine, as fragments in GLSL write them. @internal */
+  override setupDepth(builder: NodeBuilder): void {
+    this.depthNode = builder.renderer.logarithmicDepthBuffer ? this.nodes.logarithmicDepth : null;
+    super.setupDepth(builder);
+    this.depthNode = null;
+  }
+
+  /** Outlines have a colour of their own; lights only say how wide they are. @internal */
+  override setupLighting(): ReturnType<NodeMaterial['setupLighting']> {
+    return this.nodes.outgoing;
+  }
+
+  private chooseNodes(): void {
+    const nodes = outlineNodes({ HIDDEN: this.isHidden, TOOTH: this.tooth > 0, WOBBLE: this.wobble > 0 });
+    if (nodes === this.nodes) return;
+    this.nodes = nodes;
+    // All materials share these, so that they share programs.
+    this.vertexNode = nodes.vertex;
+    this.colorNode = nodes.color;
+    this.needsUpdate = true;
+  }
+}

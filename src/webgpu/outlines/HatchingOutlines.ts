@@ -1,0 +1,171 @@
+import { type Camera, type InstancedMesh, type Mesh, type Scene, Vector2, Vector4, type WebGLRenderer } from 'three';
+import type { WebGPURenderer } from 'three/webgpu';
+import { outlineDataOf } from '../../geometry/OutlineData.js';
+import { deforms } from '../../material/deformation/canDeform.js';
+import { tell } from '../../mistakes/tell.js';
+import type { HatchingOutlineParameters } from '../../outlines/HatchingOutlineMaterial.js';
+import {
+  emphasisOf,
+  isInFrustum,
+  isUnseen,
+  MeshOutlines,
+  meanScale,
+  NOTHING,
+  VERTICES,
+} from '../../outlines/MeshOutlines.js';
+import { HatchingOutlineNodeMaterial } from './HatchingOutlineNodeMaterial.js';
+import { placesOf } from './InstancePlaces.js';
+import { readWhereDrawn } from './readWhereDrawn.js';
+
+const drawnInto = /* @__PURE__ */ new Vector4();
+const size = /* @__PURE__ */ new Vector2();
+
+let wasToldOfRenderer = false;
+
+/**
+ * Draws the contours, borders and creases of a mesh with WebGPURenderer, as the class of the same name does with WebGLRenderer. Add it to
+ * the mesh as a child. The geometry of the mesh must come from `prepareHatchingGeometry(geometry, { outlines: true })`.
+ *
+ *     mesh.geometry = await prepareHatchingGeometry(mesh.geometry, { outlines: true });
+ *     mesh.add(new HatchingOutlines(mesh, { outlineWidth: 2 }));
+ *
+ * The outlines follow instances, and are hidden where the surface hides them. Those of skins and morph targets are drawn as at rest. They
+ * cast no shadow, are left out of raycasts, bounding boxes and exporters, and draw nothing while the mesh has a geometry that was not prepared.
+ */
+export class HatchingOutlines extends MeshOutlines {
+  readonly isHatchingOutlines = true;
+  /** @internal */
+  override readonly type: string = 'HatchingOutlines';
+  material: HatchingOutlineNodeMaterial;
+
+  private ownsMaterial: boolean;
+  private isDrawingHidden = false;
+
+  /**
+   * @param mesh the mesh whose outlines are drawn. Default: the parent, if that is a mesh.
+   * @param look a material, or the parameters of a new one. A material that you pass is not disposed of with the outlines.
+   */
+  constructor(
+    mesh: Mesh | null | undefined = undefined,
+    look: HatchingOutlineNodeMaterial | HatchingOutlineParameters = {},
+  ) {
+    super(mesh ?? null);
+    this.ownsMaterial = !(look instanceof HatchingOutlineNodeMaterial);
+    this.material = look instanceof HatchingOutlineNodeMaterial ? look : new HatchingOutlineNodeMaterial(look);
+  }
+
+  override copy(source: this, recursive?: boolean): this {
+    super.copy(source, recursive);
+    if (this.ownsMaterial) this.material.dispose();
+    this.material = source.material;
+    this.ownsMaterial = false;
+    // A clone of the mesh draws its own outlines.
+    this.ownMesh = source.ownMesh === source.parent ? null : source.ownMesh;
+    return this;
+  }
+
+  /** Frees the GPU memory of the outlines and of their own material. The data of the geometry is freed with the geometry. */
+  override dispose(): void {
+    super.dispose();
+    if (this.ownsMaterial) this.material.dispose();
+  }
+
+  override readonly onBeforeRender = (either: WebGLRenderer | WebGPURenderer, _scene: Scene, camera: Camera): void => {
+    if (this.isDrawingHidden) return;
+    const { geometry, mesh } = this;
+    geometry.setDrawRange(0, NOTHING);
+    // Helpers that light a scene step by step give every object another material for a moment.
+    if (!mesh || !(this.material instanceof HatchingOutlineNodeMaterial) || isUnseen(mesh)) return;
+    if (!('isWebGPURenderer' in either)) {
+      tellOfWebGLRenderer();
+      return;
+    }
+    const renderer = either as WebGPURenderer;
+    this.matrixWorld.copy(mesh.matrixWorld);
+    const data = outlineDataOf(mesh.geometry);
+    if (!data) {
+      this.report(
+        mesh,
+        'has no outlines to draw. Give it the result of await prepareHatchingGeometry(geometry, { outlines: true }).',
+      );
+      return;
+    }
+    // What it asks of a renderer, both kinds have.
+    if (mesh.frustumCulled && !isInFrustum(mesh, renderer as unknown as WebGLRenderer, camera)) return;
+    if (deforms(mesh.geometry, mesh)) {
+      this.report(
+        mesh,
+        'has its outlines as at rest: WebGPURenderer does not draw those of skins and morph targets yet.',
+      );
+    }
+    const { suggestiveContours, uniforms } = this.material;
+    uniforms.outlinePoints.value = data.points;
+    uniforms.outlinePrimitives.value = data.primitives;
+    uniforms.radius.value = data.radius || 1;
+    this.writeEye(uniforms.eye.value, camera, mesh);
+    uniforms.objectScale.value = meanScale(mesh.matrixWorld);
+    writeViewport(renderer, drawnInto);
+    this.material.writeDraw(renderer, camera, mesh, drawnInto, emphasisOf(mesh));
+    // Suggestive contours may lie anywhere on surfaces that face the eye.
+    const list = suggestiveContours > 0 ? null : this.listFor(camera, data, mesh, uniforms.eye.value);
+    uniforms.isListed.value = list !== null;
+    uniforms.candidates.value = list?.texture ?? data.primitives;
+    this.bindInstances(mesh, list !== null);
+    readWhereDrawn(renderer);
+    geometry.setDrawRange(0, VERTICES * (list ? list.count : data.triangleCount + data.edgeCount));
+  };
+
+  override readonly onAfterRender = (either: WebGLRenderer | WebGPURenderer, scene: Scene, camera: Camera): void => {
+    if (this.isDrawingHidden) return;
+    if ('isWebGPURenderer' in either) this.drawHidden(either as WebGPURenderer, scene, camera);
+    this.moveToCentre();
+  };
+
+  /** Draws what is hidden of what has just been drawn. Lists leave out what cannot be seen, so it is looked for among all primitives. */
+  private drawHidden(renderer: WebGPURenderer, scene: Scene, camera: Camera): void {
+    const { geometry, mesh, material } = this;
+    const data = mesh && outlineDataOf(mesh.geometry);
+    if (!data || geometry.drawRange.count <= 0 || material.hidden === 'none') return;
+    material.uniforms.isListed.value = false;
+    material.uniforms.candidates.value = data.primitives;
+    this.bindInstances(mesh, false);
+    geometry.setDrawRange(0, VERTICES * (data.triangleCount + data.edgeCount));
+    this.isDrawingHidden = true;
+    const lights = renderer.lighting.getNode(scene);
+    renderer.renderObject(this, scene, camera, geometry, material.ofHidden(), null, lights, null, 'hiddenOutlines');
+    this.isDrawingHidden = false;
+  }
+
+  private bindInstances(mesh: Mesh, isListed: boolean): void {
+    const { uniforms } = this.material;
+    const isInstanced = 'isInstancedMesh' in mesh;
+    uniforms.isInstanced.value = isInstanced;
+    // A list holds the instance of each primitive.
+    this.count = isInstanced && !isListed ? (mesh as InstancedMesh).count : 1;
+    if (!isInstanced) return;
+    uniforms.instancePlaces.value = placesOf(mesh as InstancedMesh);
+  }
+}
+
+/** Writes the part of the target that is drawn into, in pixels from the lower left: this renderer counts from the upper left. */
+function writeViewport(renderer: WebGPURenderer, viewport: Vector4): void {
+  const target = renderer.getRenderTarget();
+  if (target) {
+    viewport.copy(target.viewport);
+    size.set(target.width, target.height);
+  } else {
+    renderer.getViewport(viewport).multiplyScalar(renderer.getPixelRatio());
+    renderer.getDrawingBufferSize(size);
+  }
+  viewport.floor();
+  viewport.y = size.y - viewport.y - viewport.w;
+}
+
+function tellOfWebGLRenderer(): void {
+  if (wasToldOfRenderer) return;
+  wasToldOfRenderer = true;
+  tell(
+    "HatchingOutlines of 'three-hatching/webgpu' are drawn by WebGPURenderer alone. Under WebGLRenderer take those of 'three-hatching'.",
+    'error',
+  );
+}

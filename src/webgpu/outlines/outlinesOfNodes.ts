@@ -1,0 +1,16 @@
+import type { OutlineOptions } from '../../geometry/prepareHatchingGeometry.js';
+import type { HatchingOutlineParameters } from '../../outlines/HatchingOutlineMaterial.js';
+import { type OutlineKind, OutlineMaker } from '../../scene/OutlineMaker.js';
+import { HatchingOutlineNodeMaterial } from './HatchingOutlineNodeMaterial.js';
+import { HatchingOutlines } from './HatchingOutlines.js';
+
+type MakerOfNodes = OutlineMaker<HatchingOutlineNodeMaterial, HatchingOutlines>;
+
+const OF_NODES: OutlineKind<HatchingOutlineNodeMaterial, HatchingOutlines> = {
+  material: (parameters) => new HatchingOutlineNodeMaterial(parameters),
+  outlines: (mesh, material) => new HatchingOutlines(mesh, material),
+};
+
+/** Makes outlines for WebGPURenderer. @throws RangeError or TypeError for a wrong parameter */
+export const outlinesOfNodes = (parameters: OutlineOptions & HatchingOutlineParameters): MakerOfNodes =>
+  new OutlineMaker(parameters, OF_NODES);

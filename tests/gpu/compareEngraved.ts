@@ -1,0 +1,226 @@
+import type { TestOnOnePage } from '../browser/test.js';
+import { EngravedReference } from '../reference/engravedReference.js';
+import type { ReferenceLight } from '../reference/hatchingReference.js';
+import { torus } from '../reference/meshes.js';
+import type { HatchingSpec, LineSettings } from './hatchingSpec.js';
+import { centreOf, expectDarkness, type ReferenceCase, referenceOf, SIZE, specOf } from './referenceCase.js';
+import {
+  ambient,
+  blocked,
+  crossed,
+  directional,
+  hemisphere,
+  leaning,
+  mirrored,
+  moved,
+  movedBack,
+  placed,
+  redSide,
+  rotated,
+  squashed,
+  wall,
+} from './referenceScenes.js';
+
+interface EngravedCase extends ReferenceCase {
+  lines?: Partial<LineSettings>;
+}
+
+const fromAbove: ReferenceLight = { ...directional, position: [0.2, 3, 0.3] };
+
+const lamp: ReferenceLight = { type: 'point', color: [20, 20, 20], position: [1.2, 1.5, 2], distance: 0, decay: 2 };
+const spot: ReferenceLight = {
+  type: 'spot',
+  color: [12, 9, 6],
+  position: [-2, 1, 2],
+  target: [0, 0, 0],
+  distance: 0,
+  decay: 2,
+  angle: 0.7,
+  penumbra: 0.3,
+};
+
+/** Functions that are quadratic in space are so within every triangle. Their lines lie about as far apart as those of a bake. */
+const form: NonNullable<LineSettings['form']> = [
+  { linear: [1.5, 5, 0.5], squares: [1.2, -0.6, 0.4] },
+  { linear: [4.5, -2.2, 1], squares: [0, 0.5, -0.3] },
+];
+
+const formCases: readonly EngravedCase[] = [
+  { name: 'along the form' },
+  { name: 'along the form, a ruling machine', lines: { handmade: 0 } },
+  { name: 'across the form', lines: { lineField: 'acrossForm' } },
+  { name: 'along the form, crossing from light tones on', lines: { crossFrom: 0.2 } },
+  { name: 'along the form, somewhat wider apart than the lines that were baked', lines: { lineSpacing: 40 } },
+  { name: 'across the form, wider apart than lines may lie', lines: { lineField: 'acrossForm', lineSpacing: 150 } },
+  { name: 'along the form, wider apart than lines may lie', lines: { lineSpacing: 150 } },
+  { name: 'along the form, finer than lines may lie', lines: { lineSpacing: 2.6 } },
+  { name: 'along the form, sized on the object', sizedOnScreen: 0, lines: { lineSpacing: 12 } },
+  { name: 'along the form of a rotated, moved and scaled object', matrixWorld: placed },
+  { name: 'along the form of a mirrored object', matrixWorld: mirrored },
+  { name: 'along the form of an object scaled unequally', matrixWorld: squashed },
+  { name: 'along the form of a geometry off its origin', mesh: moved(torus, 3), matrixWorld: movedBack(3) },
+  { name: 'along the form, orthographic camera', isOrthographic: true },
+  { name: 'along the form, with a pen', lines: { medium: 'pen', lineSpacing: 9 } },
+  { name: 'along the form, carved', lines: { medium: 'woodcut', crossFrom: 1, lineSpacing: 9 } },
+  ...(['tone', 'cross', 'reorient'] as const).map((shadowStrokes) => ({
+    name: `along the form, in shadow, ${shadowStrokes}`,
+    lights: [blocked, ambient],
+    material: { shadowStrokes },
+  })),
+];
+
+const cases: EngravedCase[] = [
+  ...formCases.map((one) => ({ ...one, lines: { lineField: 'form' as const, form, ...one.lines } })),
+  { name: 'tangent to the light' },
+  { name: 'tangent to the light, a ruling machine', lines: { handmade: 0 } },
+  { name: 'towards the light', lines: { lineField: 'towards' } },
+  { name: 'towards the light, a ruling machine', lines: { lineField: 'towards', handmade: 0 } },
+  { name: 'tangent to a light from above', lights: [fromAbove] },
+  ...(['x', 'y', 'z'] as const).map((lineField) => ({
+    name: `across the axis ${lineField}`,
+    lines: { lineField, handmade: lineField === 'x' ? 0 : 0.4 },
+  })),
+  { name: 'a very unsteady hand', lines: { handmade: 1 } },
+  { name: 'with a pen', lines: { medium: 'pen', lineSpacing: 9 } },
+  {
+    name: 'with a pen, aslant, crossing from light tones on',
+    matrixWorld: placed,
+    lines: { medium: 'pen', lineField: 'slant', crossFrom: 0.2, lineSpacing: 7 },
+  },
+  { name: 'across a slant', lines: { lineField: 'slant' } },
+  { name: 'carved', lines: { medium: 'woodcut', crossFrom: 1, lineSpacing: 9 } },
+  {
+    name: 'carved towards a near lamp',
+    lights: [lamp],
+    lines: { medium: 'woodcut', lineField: 'towards', crossFrom: 1 },
+  },
+  {
+    name: 'carved across the axis y, sized on the object',
+    sizedOnScreen: 0,
+    lines: { medium: 'woodcut', lineField: 'y' },
+  },
+  {
+    name: 'carved, placed and crossed by shadow',
+    lights: [blocked, ambient],
+    matrixWorld: placed,
+    lines: { medium: 'woodcut' },
+    material: { shadowStrokes: 'cross' },
+  },
+  { name: 'no crossing', lines: { crossFrom: 1 } },
+  { name: 'crossing at right angles from light tones on', lines: { crossFrom: 0.2, crossAngle: Math.PI / 2 } },
+  { name: 'finer than lines may lie', lines: { lineSpacing: 2.6 } },
+  { name: 'wide apart', lines: { lineSpacing: 21 } },
+  { name: 'sized on the object', sizedOnScreen: 0, lines: { lineSpacing: 12 } },
+  { name: 'sized half on the screen', sizedOnScreen: 0.5 },
+  { name: 'rotated object', matrixWorld: rotated },
+  { name: 'rotated, moved and scaled object', matrixWorld: placed },
+  { name: 'mirrored object', matrixWorld: mirrored },
+  { name: 'object scaled unequally', matrixWorld: squashed },
+  { name: 'geometry off its origin', mesh: moved(torus, 3), matrixWorld: movedBack(3) },
+  { name: 'orthographic camera', isOrthographic: true },
+  { name: 'seen at a slant', mesh: wall, matrixWorld: leaning },
+  { name: 'seen at a slant by an orthographic camera', mesh: wall, matrixWorld: leaning, isOrthographic: true },
+  { name: 'two lights', lights: [directional, redSide] },
+  { name: 'two lights as strong as each other, rotated object', lights: crossed, matrixWorld: rotated },
+  { name: 'no light with a direction', lights: [hemisphere] },
+  { name: 'a near lamp', lights: [lamp] },
+  { name: 'a near lamp, rotated, moved and scaled object', lights: [lamp], matrixWorld: placed },
+  { name: 'turned from the light', material: { strokeRotation: 0.7 } },
+  {
+    name: 'turned from the direction to the light',
+    material: { strokeRotation: 0.4 },
+    lines: { lineField: 'towards' },
+  },
+  { name: 'turned from a near lamp', lights: [lamp], material: { strokeRotation: -0.6 } },
+  { name: 'turned beyond a near lamp', lights: [lamp], material: { strokeRotation: 2.2 } },
+  { name: 'towards a near lamp', lights: [lamp], lines: { lineField: 'towards' } },
+  { name: 'a lamp, a spot and a light without an end', lights: [lamp, redSide, spot] },
+  { name: 'exposed, perceptual tone', lights: [redSide, spot], material: { exposure: 2.2, toneCurve: 'perceptual' } },
+  { name: 'perceptual tone, reflected light', material: { toneCurve: 'perceptual', reflectedLight: 0.4 } },
+  {
+    name: 'local tone, of light ink on dark paper',
+    material: {
+      ...{ color: [0.3, 0.12, 0.5], localTone: 0.8, colorFill: 0, reflectedLight: 0.4 },
+      toneCurve: [
+        [0, 0.95],
+        [0.6, 0.3],
+        [1, 0.05],
+      ],
+    },
+  },
+  ...(['tone', 'cross', 'reorient'] as const).flatMap((shadowStrokes) => [
+    { name: `in shadow, ${shadowStrokes}`, lights: [blocked, ambient], material: { shadowStrokes } },
+    {
+      name: `in the shadow of one of three lights, ${shadowStrokes}, moved object`,
+      lights: [lamp, blocked, redSide],
+      matrixWorld: placed,
+      material: { shadowStrokes },
+    },
+  ]),
+  { name: 'in focus at a point, falling off around it', material: { focus: [0.3, 0.4, 0.2], focusRadius: 0.4 } },
+  {
+    name: 'on a plane that falls off around a point',
+    mesh: wall,
+    matrixWorld: leaning,
+    material: { focus: [0.2, 0.1, 0.3], focusRadius: 0.5 },
+  },
+  { name: 'falling off towards the rim', material: { vignette: 0.9 } },
+  { name: 'of less importance', importance: 0.4 },
+  { name: 'fading with its depth', material: { depthFade: 0.8, depthNear: 2.4, depthFar: 4.1 } },
+  {
+    name: 'fading with its depth, seen at a slant by an orthographic camera',
+    mesh: wall,
+    matrixWorld: leaning,
+    isOrthographic: true,
+    material: { depthFade: 1, depthNear: 2, depthFar: 4.5 },
+  },
+  {
+    name: 'crossed by shadow, fading',
+    lights: [blocked, ambient],
+    material: { shadowStrokes: 'cross', depthFade: 0.6, depthNear: 2, depthFar: 4 },
+  },
+  { name: 'out of all shadows, cross', lights: [directional, redSide], material: { shadowStrokes: 'cross' } },
+];
+
+/**
+ * Declares a test for each case of `engraved`: the page draws what the reference in double precision says.
+ *
+ * @param test whose page has `renderHatching`
+ * @param takes which cases, by name. Default: all
+ */
+export function compareEngraved(test: TestOnOnePage, takes: (name: string) => boolean = () => true): void {
+  for (const { lines, ...rest } of cases.filter(({ name }) => takes(name))) {
+    test(`engraved equals the double-precision reference: ${rest.name}`, async ({ page }) => {
+      const spec: HatchingSpec = {
+        ...specOf(rest, 'engraved'),
+        lines: {
+          lineField: 'light',
+          lineSpacing: 7,
+          strokeLength: 72,
+          crossFrom: 0.52,
+          crossAngle: Math.PI / 3,
+          handmade: 0.4,
+          ...lines,
+        },
+      };
+      const { positions, matrixWorld, camera, lights, material, sizedOnScreen } = spec;
+      const reference = referenceOf(spec);
+      const engraved = new EngravedReference({
+        reference,
+        settings: {
+          ...spec.lines!,
+          strokeRotation: material.strokeRotation,
+          tilesPerUnit: material.tilesPerUnit,
+          sizedOnScreen: sizedOnScreen!,
+          shadowStrokes: material.shadowStrokes,
+        },
+        lights,
+        matrixWorld,
+        camera,
+        size: SIZE,
+        centre: centreOf(positions),
+      });
+      await expectDarkness(page, spec, reference, (...at) => engraved.darkness(...at));
+    });
+  }
+}

@@ -1,0 +1,65 @@
+import type { TestOnOnePage } from '../browser/test.js';
+import { StippleReference } from '../reference/stippleReference.js';
+import type { HatchingSpec } from './hatchingSpec.js';
+import { expectDarkness, type ReferenceCase, referenceOf, SIZE, specOf } from './referenceCase.js';
+import {
+  ambient,
+  blocked,
+  directional,
+  leaning,
+  mirrored,
+  placed,
+  redSide,
+  rotated,
+  squashed,
+  wall,
+} from './referenceScenes.js';
+
+interface StippleCase extends ReferenceCase {
+  dots?: Partial<NonNullable<HatchingSpec['dots']>>;
+}
+
+const cases: StippleCase[] = [
+  { name: 'sized on the screen' },
+  { name: 'large, with hard edges', dots: { strokeWidth: 9, edgePixels: 0 } },
+  { name: 'finer than a pixel', dots: { strokeWidth: 1 } },
+  { name: 'sized on the object', sizedOnScreen: 0, material: { tilesPerUnit: 0.3 } },
+  { name: 'sized half on the screen', sizedOnScreen: 0.5, material: { tilesPerUnit: 0.3 } },
+  { name: 'rotated object', matrixWorld: rotated },
+  { name: 'rotated, moved and scaled object, two lights', matrixWorld: placed, lights: [directional, redSide] },
+  { name: 'mirrored object', matrixWorld: mirrored },
+  { name: 'object scaled unequally', matrixWorld: squashed },
+  { name: 'orthographic camera', isOrthographic: true },
+  { name: 'seen at a slant', mesh: wall, matrixWorld: leaning },
+  { name: 'seen at a slant by an orthographic camera', mesh: wall, matrixWorld: leaning, isOrthographic: true },
+  {
+    name: 'falling off around a point, towards the rim and of less importance',
+    importance: 0.7,
+    material: { focus: [0.3, 0.4, 0.2], focusRadius: 0.5, vignette: 0.6 },
+  },
+  { name: 'fading with its depth', material: { depthFade: 0.8, depthNear: 2.4, depthFar: 4.1 } },
+  { name: 'in shadow', lights: [blocked, ambient] },
+];
+
+/**
+ * Declares a test for each case of `stipple`: the page draws what the reference in double precision says.
+ *
+ * @param test whose page has `renderHatching`
+ * @param takes which cases, by name. Default: all
+ */
+export function compareStipple(test: TestOnOnePage, takes: (name: string) => boolean = () => true): void {
+  for (const { dots, ...rest } of cases.filter(({ name }) => takes(name))) {
+    test(`stipple equals the double-precision reference: ${rest.name}`, async ({ page }) => {
+      const spec: HatchingSpec = { ...specOf(rest, 'anchored'), dots: { strokeWidth: 3.2, edgePixels: 1, ...dots } };
+      const { matrixWorld, camera } = spec;
+      const reference = referenceOf(spec);
+      const settings = {
+        ...spec.dots!,
+        tilesPerUnit: spec.material.tilesPerUnit,
+        sizedOnScreen: spec.sizedOnScreen!,
+      };
+      const stipple = new StippleReference({ reference, settings, matrixWorld, camera, size: SIZE });
+      await expectDarkness(page, spec, reference, (...at) => stipple.darkness(...at));
+    });
+  }
+}

@@ -1,0 +1,143 @@
+import {
+  BatchedMesh,
+  Bone,
+  BoxGeometry,
+  type BufferGeometry,
+  CylinderGeometry,
+  Float32BufferAttribute,
+  InstancedMesh,
+  type Material,
+  Matrix4,
+  Mesh,
+  Skeleton,
+  SkinnedMesh,
+  SphereGeometry,
+  TorusKnotGeometry,
+  Uint16BufferAttribute,
+  Vector3,
+} from 'three';
+import type { HatchingMaterialParameters } from 'three-hatching';
+import { type KnotStage, knot } from '../knot.js';
+import type { Kit, SceneCase } from '../SceneCase.js';
+
+const LINES = { technique: 'engraved', lineField: 'light', shadowStrokes: 'tone', exposure: 1 } as const;
+
+const lines = (kit: Kit, parameters: HatchingMaterialParameters = {}): Promise<Material> =>
+  kit.hatching({ ...LINES, ...parameters });
+
+/** Shows objects in place of the knot. */
+function showing(material: Material, ...objects: Mesh[]): KnotStage {
+  const stage = knot(material);
+  stage.scene.remove(stage.mesh);
+  stage.scene.add(...objects);
+  return stage;
+}
+
+const moved = (x: number, y: number, turn: number, size = 1): Matrix4 =>
+  new Matrix4()
+    .makeTranslation(x, y, 0)
+    .multiply(new Matrix4().makeRotationAxis(new Vector3(1, 2, 0.5).normalize(), turn))
+    .multiply(new Matrix4().makeScale(size, 0.7 * size, 1.2 * size));
+
+/** A tube that two bones bend. */
+function bentTube(material: Material): SkinnedMesh {
+  const geometry = new CylinderGeometry(0.35, 0.35, 1.8, 40, 24);
+  const { position } = geometry.attributes;
+  const indices: number[] = [];
+  const weights: number[] = [];
+  for (let i = 0; i < position.count; i++) {
+    const share = Math.min(Math.max(position.getY(i) + 0.5, 0), 1);
+    indices.push(0, 1, 0, 0);
+    weights.push(1 - share, share, 0, 0);
+  }
+  geometry.setAttribute('skinIndex', new Uint16BufferAttribute(indices, 4));
+  geometry.setAttribute('skinWeight', new Float32BufferAttribute(weights, 4));
+  const root = new Bone();
+  const upper = new Bone();
+  root.position.y = -0.9;
+  upper.position.y = 0.9;
+  root.add(upper);
+  const mesh = new SkinnedMesh(geometry, material);
+  mesh.add(root);
+  mesh.bind(new Skeleton([root, upper]));
+  upper.rotation.z = -0.9;
+  root.rotation.x = 0.3;
+  return mesh;
+}
+
+/** A ball that a morph target makes an egg. */
+function egg(material: Material): Mesh {
+  const geometry = new SphereGeometry(0.7, 40, 30);
+  const target = new SphereGeometry(0.7, 40, 30).scale(0.6, 1.4, 1);
+  geometry.morphAttributes = { position: [target.attributes.position], normal: [target.attributes.normal] };
+  const mesh = new Mesh<BufferGeometry, Material>(geometry, material);
+  mesh.morphTargetInfluences![0] = 0.7;
+  return mesh;
+}
+
+/** Objects that one material draws, of each kind that three.js knows. */
+export const cases: readonly SceneCase[] = [
+  {
+    name: 'two meshes of one material',
+    async show(kit) {
+      const material = await lines(kit);
+      const ball = new Mesh(new SphereGeometry(0.5, 40, 30), material);
+      ball.applyMatrix4(moved(-0.6, 0.2, 0.4));
+      const box = new Mesh(new BoxGeometry(0.8, 0.8, 0.8), material);
+      box.applyMatrix4(moved(0.5, -0.1, 1.1));
+      return showing(material, ball, box);
+    },
+  },
+  {
+    name: 'instances',
+    async show(kit) {
+      const material = await lines(kit);
+      const mesh = new InstancedMesh(new TorusKnotGeometry(0.25, 0.1, 64, 12), material, 4);
+      for (let i = 0; i < 4; i++) mesh.setMatrixAt(i, moved(0.5 * (i % 2 ? 1 : -1), i < 2 ? 0.5 : -0.5, 0.8 * i, 1.3));
+      return showing(material, mesh);
+    },
+  },
+  {
+    name: 'a batch',
+    async show(kit) {
+      const material = await lines(kit);
+      const mesh = new BatchedMesh(4, 8000, 24000, material);
+      const ids = [new TorusKnotGeometry(0.25, 0.1, 64, 12), new BoxGeometry(0.5, 0.5, 0.5)].map((geometry) =>
+        mesh.addGeometry(geometry),
+      );
+      for (let i = 0; i < 4; i++) {
+        const instance = mesh.addInstance(ids[i % 2]);
+        mesh.setMatrixAt(instance, moved(0.5 * (i % 2 ? 1 : -1), i < 2 ? 0.5 : -0.5, 0.8 * i, 1.2));
+      }
+      return showing(material, mesh);
+    },
+  },
+  {
+    name: 'a skin, strokes as at rest',
+    async show(kit) {
+      const material = await lines(kit);
+      return showing(material, bentTube(material));
+    },
+  },
+  {
+    name: 'a skin, strokes as deformed',
+    async show(kit) {
+      const material = await lines(kit, { strokeAnchor: 'deformed' });
+      return showing(material, bentTube(material));
+    },
+  },
+  {
+    name: 'a morph target, strokes as at rest',
+    async show(kit) {
+      const material = await lines(kit);
+      return showing(material, egg(material));
+    },
+  },
+  {
+    name: 'a morph target, strokes as deformed',
+    async show(kit) {
+      const material = await lines(kit, { strokeAnchor: 'deformed' });
+      return showing(material, egg(material));
+    },
+  },
+];

@@ -1,0 +1,83 @@
+import {
+  Group,
+  Mesh,
+  MeshStandardMaterial,
+  PCFShadowMap,
+  PlaneGeometry,
+  SphereGeometry,
+  TorusKnotGeometry,
+} from 'three';
+import { applyHatching, bakeOcclusion, type PresetName } from 'three-hatching';
+import { type ApplyNodeHatchingOptions, applyHatching as applyToNodes } from 'three-hatching/webgpu';
+import { knot, shadowed } from '../knot.js';
+import type { Kit, SceneCase, Stage } from '../SceneCase.js';
+
+/** A knot and a ball on a floor, in three colours. */
+function still(): { stage: Stage; root: Group } {
+  const stage = shadowed(knot(new MeshStandardMaterial()));
+  const root = new Group();
+  const add = (geometry: TorusKnotGeometry | SphereGeometry | PlaneGeometry, color: number): Mesh => {
+    const mesh = new Mesh(geometry, new MeshStandardMaterial({ color }));
+    root.add(mesh);
+    return mesh;
+  };
+  add(new TorusKnotGeometry(0.4, 0.14, 80, 16), 0xcc6633).position.set(-0.35, 0.1, 0);
+  add(new SphereGeometry(0.4, 40, 30), 0x4466aa).position.set(0.6, -0.2, 0.2);
+  const floor = add(new PlaneGeometry(4, 4), 0xdddddd);
+  floor.rotation.x = -Math.PI / 2;
+  floor.position.y = -0.62;
+  stage.scene.remove(stage.mesh);
+  stage.scene.add(root);
+  return { stage, root };
+}
+
+async function hatched(
+  { either }: Kit,
+  options: Omit<ApplyNodeHatchingOptions, 'replaces'> | PresetName,
+  shadows = false,
+): Promise<Stage> {
+  const { stage, root } = still();
+  for (const mesh of root.children) mesh.castShadow = mesh.receiveShadow = shadows;
+  await either(
+    () => applyHatching(root, options),
+    () => applyToNodes(root, options),
+  );
+  return stage;
+}
+
+const LINES = { technique: 'engraved', lineField: 'slant', shadowStrokes: 'tone' } as const;
+
+/** Whole scenes, hatched by one call. */
+export const cases: readonly SceneCase[] = [
+  { name: 'a scene with outlines', show: (kit) => hatched(kit, { material: LINES, outlines: true }) },
+  {
+    name: 'its colours filled, half of their tone kept, far things fainter',
+    show: (kit) =>
+      hatched(kit, { material: { ...LINES, colorFill: 1, localTone: 0.5, depthFade: 0.8, lineField: 'towards' } }),
+  },
+  {
+    name: 'lines along the form',
+    show: (kit) => hatched(kit, { material: { ...LINES, lineField: 'form', crossFrom: 0.3 } }),
+  },
+  { name: 'lines across the form', show: (kit) => hatched(kit, { material: { ...LINES, lineField: 'acrossForm' } }) },
+  { name: 'the preset pen', show: (kit) => hatched(kit, 'pen') },
+  { name: 'the preset crossHatching', show: (kit) => hatched(kit, 'crossHatching') },
+  { name: 'the preset engraving', show: (kit) => hatched(kit, 'engraving') },
+  { name: 'the preset banknote', show: (kit) => hatched(kit, 'banknote') },
+  { name: 'the preset technical', show: (kit) => hatched(kit, 'technical') },
+  { name: 'the preset woodcut', show: (kit) => hatched(kit, 'woodcut') },
+  {
+    name: 'a scene with hollows',
+    async show(kit) {
+      const stage = await hatched(kit, { material: { ...LINES, occlusion: 0.9, hollowTone: 0.8 } });
+      await bakeOcclusion(stage.scene);
+      return stage;
+    },
+  },
+  {
+    name: 'a scene with shadows',
+    shadows: PCFShadowMap,
+    most: 0.0015,
+    show: (kit) => hatched(kit, { material: LINES, outlines: { outlineWidth: 2 } }, true),
+  },
+];

@@ -1,0 +1,74 @@
+import { RenderTarget, WebGLRenderer, WebGLRenderTarget } from 'three';
+import { WebGPURenderer } from 'three/webgpu';
+import { fromBelow, type Pixels, SIZE } from './picturesOf.js';
+import type { Drawn, Stage } from './SceneCase.js';
+
+/** Draws into a render target: presenting WebGPU's canvas ends the graphics process of browsers without a card. */
+export interface Drawer {
+  renderer: WebGLRenderer | WebGPURenderer;
+  draw(stage: Stage): void;
+  read(): Promise<Pixels>;
+  dispose(): void;
+}
+
+function drawerInGlsl(): Drawer {
+  const renderer = new WebGLRenderer({ antialias: false });
+  renderer.setSize(SIZE, SIZE, false);
+  const target = new WebGLRenderTarget(SIZE, SIZE);
+  return {
+    renderer,
+    draw({ scene, camera }) {
+      renderer.setRenderTarget(target);
+      renderer.render(scene, camera);
+    },
+    async read() {
+      const pixels = new Uint8Array(4 * SIZE * SIZE);
+      renderer.readRenderTargetPixels(target, 0, 0, SIZE, SIZE, pixels);
+      return pixels;
+    },
+    dispose() {
+      target.dispose();
+      renderer.dispose();
+      renderer.forceContextLoss();
+    },
+  };
+}
+
+async function drawerOfNodes(drawn: 'forceWebGL' | 'webgpu'): Promise<Drawer> {
+  const renderer = new WebGPURenderer({ antialias: false, forceWebGL: drawn === 'forceWebGL' });
+  await renderer.init();
+  const { isWebGPUBackend = false } = renderer.backend as { isWebGPUBackend?: boolean };
+  if (isWebGPUBackend !== (drawn === 'webgpu')) throw new Error(`drawerOfNodes: three.js has not taken ${drawn}.`);
+  renderer.setSize(SIZE, SIZE, false);
+  const target = new RenderTarget(SIZE, SIZE);
+  return {
+    renderer,
+    draw({ scene, camera }) {
+      renderer.setRenderTarget(target);
+      renderer.render(scene, camera);
+    },
+    async read() {
+      return fromBelow((await renderer.readRenderTargetPixelsAsync(target, 0, 0, SIZE, SIZE)) as Pixels, drawn);
+    },
+    dispose() {
+      target.dispose();
+      renderer.dispose();
+    },
+  };
+}
+
+export const makeDrawer = async (drawn: Drawn): Promise<Drawer> =>
+  drawn === 'glsl' ? drawerInGlsl() : drawerOfNodes(drawn);
+
+/** Why this browser has no WebGPU, as a sentence; null where it has. */
+export async function lackOfWebGPU(): Promise<string | null> {
+  if (!navigator.gpu) return 'The browser does not know WebGPU.';
+  const adapter = await navigator.gpu.requestAdapter();
+  if (!adapter) return 'The browser knows WebGPU, and has no adapter for it.';
+  try {
+    (await adapter.requestDevice()).destroy();
+    return null;
+  } catch (error) {
+    return `The adapter for WebGPU gives no device: ${error}`;
+  }
+}
