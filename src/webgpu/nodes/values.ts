@@ -15,7 +15,7 @@ export interface Value
       | ('and' | 'or' | 'not' | 'bitAnd' | 'bitOr' | 'bitXor' | 'shiftLeft' | 'shiftRight'),
       Operation
     >,
-    Record<'x' | 'y' | 'z' | 'w' | 'xy' | 'zw' | 'xz' | 'yw' | 'xyz' | 'yzw', Value> {
+    Record<'x' | 'y' | 'z' | 'w' | 'xy' | 'zw' | 'xz' | 'yw' | 'xyz' | 'yzw' | 'yzx' | 'zxy', Value> {
   /** Has it computed here, and kept. */
   toVar(name?: string): Value;
   assign(value: Input): void;
@@ -37,8 +37,22 @@ interface Branches {
 
 interface Shading
   extends Record<
-    | ('float' | 'int' | 'uint' | 'bool' | 'vec2' | 'vec3' | 'vec4' | 'ivec2' | 'mat3' | 'uvec4')
-    | ('abs' | 'ceil' | 'floor' | 'fract' | 'sign' | 'sqrt' | 'inverseSqrt' | 'exp' | 'exp2' | 'sin' | 'cos')
+    | ('float' | 'int' | 'uint' | 'bool' | 'vec2' | 'vec3' | 'vec4' | 'ivec2' | 'mat3' | 'uvec4' | 'uvec3' | 'ivec3')
+    | (
+        | 'abs'
+        | 'ceil'
+        | 'floor'
+        | 'fract'
+        | 'sign'
+        | 'sqrt'
+        | 'inverseSqrt'
+        | 'exp'
+        | 'exp2'
+        | 'fwidth'
+        | 'log2'
+        | 'sin'
+        | 'cos'
+      )
     | ('min' | 'max' | 'clamp' | 'mix' | 'step' | 'smoothstep' | 'pow' | 'select')
     | ('cross' | 'distance' | 'dot' | 'length' | 'normalize' | 'determinant' | 'inverse' | 'transpose')
     | ('textureSize' | 'uintBitsToFloat' | 'unpackHalf2x16' | 'unpackSnorm2x16'),
