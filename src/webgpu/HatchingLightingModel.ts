@@ -3,7 +3,7 @@ import { LightingModel, type NodeBuilder } from 'three/webgpu';
 import { lightLuminance } from './nodes/chunks/lightLuminance.js';
 import { fallOff, valuesFor } from './nodes/chunks/meanLight.js';
 import { openToLights, openToSky } from './nodes/chunks/occlude.js';
-import { directedLights } from './nodes/techniques/engraved/lightField.js';
+import { directedLights } from './nodes/directedLights.js';
 import { hatchingUniform } from './nodes/uniforms.js';
 import { tsl, type Value } from './nodes/values.js';
 

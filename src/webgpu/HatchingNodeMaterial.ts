@@ -30,10 +30,11 @@ import {
   HATCHING_PROPERTIES,
   type HatchingPropertyName,
 } from '../material/facts/hatchingProperties.js';
-import { formOf } from '../material/facts/lookFacts.js';
+import { formOf, needsMap, usesThresholds } from '../material/facts/lookFacts.js';
 import type { PresetName } from '../material/facts/presetMaterials.js';
 import { spelledOut } from '../material/facts/presetParameters.js';
 import { fittedCurve, type ToneCurve } from '../material/fitToneCurve.js';
+import { fittingMap } from '../material/fittingMap.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 import type { HatchingMaterialProperties } from '../material/HatchingMaterialProperties.js';
 import { propertiesToJSON } from '../material/hatchingJSON.js';
@@ -41,6 +42,7 @@ import {
   createHatchingUniforms,
   writeComputedUniforms,
   writeCurveUniforms,
+  writeMapUniforms,
   writePropertyUniforms,
   writeSizeUniforms,
 } from '../material/hatchingUniforms.js';
@@ -48,27 +50,35 @@ import { writeFieldFrame } from '../material/parts/fieldFrame.js';
 import { withoutForm } from '../material/programDefines.js';
 import { accessorOf, fieldOf } from '../material/propertyAccessors.js';
 import { TONE_CURVES } from '../material/shaders/shaderConventions.js';
+import { mapIsReady, sharedMap } from '../material/sharedMaps.js';
 import { withVectors } from '../material/vectorValues.js';
 import { tell } from '../mistakes/tell.js';
+import type { TonalArtMap } from '../tam/TonalArtMap.js';
 import { exposureReady, writeExposure } from './fittedExposure.js';
 import { HatchingLightingModel } from './HatchingLightingModel.js';
 import { deformVertex } from './nodes/chunks/deformVertex.js';
 import { emitOcclusion } from './nodes/chunks/emitOcclusion.js';
 import { emphasisAt } from './nodes/chunks/emphasis.js';
+import { hatch } from './nodes/chunks/hatch.js';
 import { lightLuminance } from './nodes/chunks/lightLuminance.js';
 import { filledColor, localDarkness } from './nodes/chunks/localColor.js';
 import { placeInstance } from './nodes/chunks/objectToView.js';
 import { hollowness } from './nodes/chunks/occlude.js';
 import { paper, printedColor } from './nodes/chunks/printedColor.js';
 import { shadedTone } from './nodes/chunks/tone.js';
+import { directedLights } from './nodes/directedLights.js';
 import { emitAnchor } from './nodes/perFragment/emit.js';
+import { emitAnchored } from './nodes/techniques/anchored/emit.js';
+import { readHatchingParameters } from './nodes/techniques/anchored/read.js';
 import { emitEngraved } from './nodes/techniques/engraved/emit.js';
-import { followsForm } from './nodes/techniques/engraved/followsForm.js';
 import { hatchLayer } from './nodes/techniques/engraved/hatchLayer.js';
 import { read } from './nodes/techniques/engraved/read.js';
+import { followsForm } from './nodes/techniques/followsForm.js';
+import { hatchingUniform } from './nodes/uniforms.js';
 import { tsl, type Value } from './nodes/values.js';
 
 const NAME = 'HatchingNodeMaterial';
+const inked = /* @__PURE__ */ hatchingUniform('inked', 'float');
 const propertyNames = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
 const propertyOf = (name: HatchingPropertyName): HatchingProperty => HATCHING_PROPERTIES[name];
 
@@ -176,12 +186,13 @@ export class HatchingNodeMaterial extends NodeMaterial {
   }
 
   /**
-   * Resolves when all that the material draws with is there. The code that fits an exposure is fetched when a material first asks for it;
-   * until then the exposure is 1. For a page that draws only when something changes: `material.ready.then(render)`. Rejects if the code
-   * cannot be fetched; reading it again tries again.
+   * Resolves when all that the material draws with is there: its map, and the code that fits an exposure, which is fetched when a material first
+   * asks for it; until then strokes are missing, and the exposure is 1. For a page that draws only when something changes: `material.ready.then(render)`. Rejects if either
+   * fails; reading it again tries again.
    */
   get ready(): Promise<void> {
-    return exposureReady(this as unknown as HatchingMaterialProperties);
+    const map = mapIsReady(needsMap(this) ? this.tonalArtMap : null);
+    return Promise.all([map, exposureReady(this as unknown as HatchingMaterialProperties)]).then(() => {});
   }
 
   /** Sets all that a preset names, and gives what only other presets name its default. */
@@ -226,7 +237,9 @@ export class HatchingNodeMaterial extends NodeMaterial {
   override customProgramCacheKey(): string {
     const { inkBlend, toneModel } = this;
     const curve = curveOf(this.toneCurve);
-    return [NAME, this.lineField, this.medium, this.strokeAnchor, toneModel, curve, inkBlend].join(' ');
+    return [...choicesOf(this), Number(this.sizedOnScreen > 0), this.strokeAnchor, toneModel, curve, inkBlend].join(
+      ' ',
+    );
   }
 
   /** Writes the properties, once a frame, and what is of the mesh, to the uniforms. Allocates nothing. @internal */
@@ -256,7 +269,11 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const u = this.uniforms;
     const pixelRatio = renderer.getPixelRatio();
     writePropertyUniforms(look, u);
-    writeSizeUniforms(look, null, pixelRatio, u);
+    const chosen = this.mapInUse();
+    const map = fittingMap(chosen, true, maxTextureSize(renderer as unknown as WebGPURenderer));
+    writeSizeUniforms(look, chosen, pixelRatio, u);
+    writeMapUniforms(map, usesThresholds(this), u);
+    u.inked.value = Number(map !== null || !needsMap(this));
     writeCurveUniforms(this.toneCurve, u);
     writeComputedUniforms(look, u);
     writeEmphasis(look, u, renderer, camera);
@@ -278,12 +295,14 @@ export class HatchingNodeMaterial extends NodeMaterial {
   override setupPosition(builder: NodeBuilder): ReturnType<NodeMaterial['setupPosition']> {
     const deformed = deformVertex(builder);
     const place = placeInstance(builder);
-    const lineField = this.lineFieldFor(builder.geometry as BufferGeometry);
+    const field = this.fieldFor(builder.geometry as BufferGeometry);
+    const isOfForm = followsForm(field);
     // Lines that follow the form are fixed to the surface, whatever strokes are.
-    const isAtRest = this.strokeAnchor === 'rest' || followsForm(lineField);
+    const isAtRest = this.strokeAnchor === 'rest' || (isOfForm && !this.isAnchored);
     emitOcclusion(builder);
     const anchor = emitAnchor(builder, deformed, place, isAtRest);
-    emitEngraved(builder, anchor, { lineField, isAtRest, lights: lightsOf(builder) });
+    if (this.isAnchored) emitAnchored(anchor, { isOfForm, isAtRest });
+    else emitEngraved(builder, anchor, { lineField: field, isAtRest, lights: lightsOf(builder) });
     return positionLocal as unknown as ReturnType<NodeMaterial['setupPosition']>;
   }
 
@@ -329,20 +348,47 @@ export class HatchingNodeMaterial extends NodeMaterial {
     this.needsUpdate = true;
   }
 
-  /** What cuts the lines of a geometry. Only those that were prepared with `form` have lines that follow it. */
-  private lineFieldFor(geometry: BufferGeometry): string {
+  /** Whether strokes are anchored; the other techniques are engraved. */
+  private get isAnchored(): boolean {
+    return this.technique === 'anchored';
+  }
+
+  /** What the lines or strokes of a geometry run by. Only those that were prepared with `form` have some that follow it. */
+  private fieldFor(geometry: BufferGeometry): string {
     const form = formOf(this);
-    if (!form) return this.lineField;
+    const chosen = this.isAnchored ? this.strokeField : this.lineField;
+    if (!form) return chosen;
     if (!isFormed(geometry)) return form === 'auto' ? withoutForm(this) : 'light';
-    return form === 'auto' ? 'form' : this.lineField;
+    return form === 'auto' ? 'form' : chosen;
+  }
+
+  /** The darkness of the hatch where it has a tone. */
+  private hatched(tone: Value, builder: NodeBuilder): Value {
+    const field = this.fieldFor(builder.geometry as BufferGeometry);
+    if (!this.isAnchored) return hatchLayer(read(builder, field), tone, this.medium);
+    const lights = lightsOf(builder);
+    const several = directedLights(lights).length > 1;
+    const layers = this.strokeLayers === 'lights' && !several ? 'single' : this.strokeLayers;
+    const parameters = readHatchingParameters(builder, lights, field);
+    return hatch(parameters, tone, layers, {
+      isSizedOnScreen: this.sizedOnScreen > 0,
+      isUpToSign: several || followsForm(field),
+    }).mul(inked);
+  }
+
+  /** The map to draw with, if it is there. That of a style is asked for when it is first drawn with. */
+  private mapInUse(): TonalArtMap | null {
+    const { tonalArtMap } = this;
+    if (!needsMap(this)) return null;
+    return typeof tonalArtMap === 'string' ? sharedMap(tonalArtMap) : tonalArtMap;
   }
 
   private tellOfLacks(): void {
     const { technique, medium, toneModel, shadowStrokes } = this;
-    if (technique !== 'engraved')
+    if (technique !== 'engraved' && technique !== 'anchored')
       tellOnce(`there are no nodes of the technique "${technique}" yet; "engraved" is drawn.`);
     if (medium === 'stipple' || medium === 'dry')
-      tellOnce(`there are no nodes of the medium "${medium}" yet; lines of ink are drawn.`);
+      tellOnce(`there are no nodes of the medium "${medium}" yet; ink is drawn.`);
     if (toneModel === 'shadow') tellOnce('there are no nodes of the tone model "shadow" yet; all tones are drawn.');
     if (shadowStrokes !== 'tone') tellOnce(`shadowStrokes "${shadowStrokes}" is not drawn by nodes yet.`);
   }
@@ -358,13 +404,12 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const tone = shadedTone(radiance, darkness, hollowness(), { curve, isToon: this.toneModel === 'toon' })
       .mul(emphasis)
       .toVar();
-    const parameters = read(builder, this.lineFieldFor(builder.geometry as BufferGeometry));
     const color = mix(vec3(1), filledColor(diffuseColor.xyz), emphasis);
     const isOpaque = !(material as Material).transparent;
     const ground = paper.mul(color).toVar();
     const printed = printedColor(
       ground,
-      hatchLayer(parameters, tone, this.medium).mul(meshValues as unknown as Value),
+      this.hatched(tone, builder).mul(meshValues as unknown as Value),
       this.inkBlend === 'multiply',
       isOpaque,
     ).toVar();
@@ -376,6 +421,21 @@ export class HatchingNodeMaterial extends NodeMaterial {
 /** The number of its kind: shaders know any curve but these two by its points. */
 const curveOf = (curve: ToneCurve): number =>
   TONE_CURVES.indexOf(curve === 'linear' || curve === 'perceptual' ? curve : 'points');
+
+/** What chooses nodes, beside what follows from it. */
+const choicesOf = ({ technique, medium, lineField, strokeField, strokeLayers }: HatchingNodeMaterial): string[] => [
+  ...[NAME, technique, medium, lineField, strokeField, strokeLayers],
+];
+
+/** Texels per side of the largest texture that the device takes. */
+function maxTextureSize({ backend }: WebGPURenderer): number {
+  const { device, gl } = backend as { device?: GPUDeviceLike; gl?: WebGL2RenderingContext };
+  return device ? device.limits.maxTextureDimension2D : gl ? gl.getParameter(gl.MAX_TEXTURE_SIZE) : Infinity;
+}
+
+interface GPUDeviceLike {
+  readonly limits: { readonly maxTextureDimension2D: number };
+}
 
 const lightsOf = (builder: NodeBuilder): readonly Light[] =>
   (builder as NodeBuilder & { lightsNode: { getLights(): Light[] } | null }).lightsNode?.getLights() ?? [];
