@@ -21,7 +21,6 @@ import type { HatchingMap } from '../material/checkTonalArtMap.js';
 import { checkChoice, checkValues } from '../material/checkValues.js';
 import { takesWeight, writeEmphasis, writeImportance } from '../material/emphasis/emphasis.js';
 import type { SceneExtent } from '../material/emphasis/SceneExtent.js';
-import { writeSheet } from '../material/emphasis/writeSheet.js';
 import { FrameStamp } from '../material/FrameStamp.js';
 import { defaultOf } from '../material/facts/defaultOf.js';
 import type { HatchingProperty } from '../material/facts/HatchingProperty.js';
@@ -47,6 +46,7 @@ import {
   writeSizeUniforms,
 } from '../material/hatchingUniforms.js';
 import { writeFieldFrame } from '../material/parts/fieldFrame.js';
+import { writePartUniforms } from '../material/partUniforms.js';
 import { withoutForm } from '../material/programDefines.js';
 import { accessorOf, fieldOf } from '../material/propertyAccessors.js';
 import { TONE_CURVES } from '../material/shaders/shaderConventions.js';
@@ -70,6 +70,7 @@ import { directedLights } from './nodes/directedLights.js';
 import { emitAnchor } from './nodes/perFragment/emit.js';
 import { emitAnchored } from './nodes/techniques/anchored/emit.js';
 import { readHatchingParameters } from './nodes/techniques/anchored/read.js';
+import { hatchLayer as dotLayer } from './nodes/techniques/anchored/stipple.js';
 import { emitEngraved } from './nodes/techniques/engraved/emit.js';
 import { hatchLayer } from './nodes/techniques/engraved/hatchLayer.js';
 import { read } from './nodes/techniques/engraved/read.js';
@@ -281,8 +282,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const target = renderer.getRenderTarget();
     if (target) viewport.copy(target.viewport);
     else renderer.getViewport(viewport).multiplyScalar(pixelRatio);
-    u.viewportHeight.value = viewport.w;
-    writeSheet(u.sheet.value, camera, viewport);
+    writePartUniforms(camera, viewport, u);
   }
 
   /** Nodes are made for the values that they find. @internal */
@@ -370,9 +370,12 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const several = directedLights(lights).length > 1;
     const layers = this.strokeLayers === 'lights' && !several ? 'single' : this.strokeLayers;
     const parameters = readHatchingParameters(builder, lights, field);
+    if (this.medium === 'stipple') return dotLayer(parameters, tone, builder);
     return hatch(parameters, tone, layers, {
       isSizedOnScreen: this.sizedOnScreen > 0,
       isUpToSign: several || followsForm(field),
+      medium: this.medium,
+      pixel: fromBelow(),
     }).mul(inked);
   }
 
@@ -384,11 +387,9 @@ export class HatchingNodeMaterial extends NodeMaterial {
   }
 
   private tellOfLacks(): void {
-    const { technique, medium, toneModel, shadowStrokes } = this;
+    const { technique, toneModel, shadowStrokes } = this;
     if (technique !== 'engraved' && technique !== 'anchored')
       tellOnce(`there are no nodes of the technique "${technique}" yet; "engraved" is drawn.`);
-    if (medium === 'stipple' || medium === 'dry')
-      tellOnce(`there are no nodes of the medium "${medium}" yet; ink is drawn.`);
     if (toneModel === 'shadow') tellOnce('there are no nodes of the tone model "shadow" yet; all tones are drawn.');
     if (shadowStrokes !== 'tone') tellOnce(`shadowStrokes "${shadowStrokes}" is not drawn by nodes yet.`);
   }
@@ -398,8 +399,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const emitted = materialEmissive;
     const radiance = light.add(lightLuminance(emitted));
     const curve = curveOf(this.toneCurve);
-    const fromBelow = vec2(screenCoordinate.x, screenSize.y.sub(screenCoordinate.y));
-    const emphasis = emphasisAt(positionView, fromBelow).toVar();
+    const emphasis = emphasisAt(positionView, fromBelow()).toVar();
     const darkness = localDarkness(diffuseColor.xyz, emitted);
     const tone = shadedTone(radiance, darkness, hollowness(), { curve, isToon: this.toneModel === 'toon' })
       .mul(emphasis)
@@ -436,6 +436,9 @@ function maxTextureSize({ backend }: WebGPURenderer): number {
 interface GPUDeviceLike {
   readonly limits: { readonly maxTextureDimension2D: number };
 }
+
+/** The pixel of what is drawn to, counted from the lower left. */
+const fromBelow = (): Value => vec2(screenCoordinate.x, screenSize.y.sub(screenCoordinate.y));
 
 const lightsOf = (builder: NodeBuilder): readonly Light[] =>
   (builder as NodeBuilder & { lightsNode: { getLights(): Light[] } | null }).lightsNode?.getLights() ?? [];

@@ -86,7 +86,7 @@ interface Shading
   /** Runs when a shader is built. */
   Fn(build: (builder: NodeBuilder) => Value): () => Value;
   If(condition: Value, then: () => void): Branches;
-  Loop(range: object, body: (counters: { i: Value }) => void): void;
+  Loop(range: object, body: (counters: Record<string, Value>) => void): void;
   Break(): void;
   Discard(condition: Value): void;
   /** A variable of a stage that anything in it may read. */

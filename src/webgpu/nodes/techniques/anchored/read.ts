@@ -17,6 +17,8 @@ const { dot, vec3 } = tsl;
 export interface HatchingParameters extends StrokeAxes {
   /** Object space. */
   point: Value;
+  /** Unit, object space. */
+  normal: Value;
   /** Of u, v and the normal towards the viewer: proportional to their cosines. */
   lean: Value;
 }
@@ -34,5 +36,5 @@ export function readHatchingParameters(
   else if (strokeField === 'sheet') axes = readSheet(n, viewToAnchor);
   else axes = readLight(n, lights, viewToAnchor);
   const lean = vec3(dot(vToViewer, axes.uAxis), dot(vToViewer, axes.vAxis), dot(vToViewer, n)).toVar();
-  return { ...axes, point: vRestPosition.toVar(), lean };
+  return { ...axes, point: vRestPosition.toVar(), normal: n, lean };
 }

@@ -2,6 +2,8 @@
  * The twin of shaders/techniques/anchored/strokes.glsl: strokes anchored in object space. The four nearest points of a lattice that is fixed on
  * the object sample the threshold map, the fields are blended, and ink is decided once.
  */
+import type { Medium } from '../../../../material/facts/hatchingProperties.js';
+import { inkAt as dryInkAt } from '../../chunks/dryMedium.js';
 import { type HatchField, inkAt } from '../../chunks/ink.js';
 import { levelByDepth, tilesPerUnit } from '../../chunks/levelByDepth.js';
 import {
@@ -35,6 +37,9 @@ export interface StrokeDefines {
   isSizedOnScreen: boolean;
   /** Whether directions are known up to their sign alone. */
   isUpToSign: boolean;
+  medium: Medium;
+  /** Of what is drawn to, counted from the lower left. */
+  pixel: Value;
 }
 
 /** The g of one lattice's blended field. */
@@ -102,5 +107,5 @@ function anchoredField(
 export function hatchLayer(h: HatchingParameters, tone: Value, defines: StrokeDefines): Value {
   const isInked = tone.add(fwidth(tone)).greaterThan(0).toVar();
   const { field, crowding } = anchoredField(h, isInked, defines);
-  return inkAt(field, tone, crowding);
+  return defines.medium === 'dry' ? dryInkAt(field, tone, crowding, defines.pixel) : inkAt(field, tone, crowding);
 }
