@@ -56,6 +56,7 @@ import { tell } from '../mistakes/tell.js';
 import type { TonalArtMap } from '../tam/TonalArtMap.js';
 import { exposureReady, writeExposure } from './fittedExposure.js';
 import { HatchingLightingModel } from './HatchingLightingModel.js';
+import { patternReady, writePattern } from './mediumPattern.js';
 import { deformVertex } from './nodes/chunks/deformVertex.js';
 import { emitOcclusion } from './nodes/chunks/emitOcclusion.js';
 import { emphasisAt } from './nodes/chunks/emphasis.js';
@@ -187,13 +188,14 @@ export class HatchingNodeMaterial extends NodeMaterial {
   }
 
   /**
-   * Resolves when all that the material draws with is there: its map, and the code that fits an exposure, which is fetched when a material first
-   * asks for it; until then strokes are missing, and the exposure is 1. For a page that draws only when something changes: `material.ready.then(render)`. Rejects if either
+   * Resolves when all that the material draws with is there: its map, the pattern of its medium, and the code that fits an exposure, which are
+   * fetched when a material first asks for them; until then strokes are missing, and the exposure is 1. For a page that draws only when something changes: `material.ready.then(render)`. Rejects if either
    * fails; reading it again tries again.
    */
   get ready(): Promise<void> {
     const map = mapIsReady(needsMap(this) ? this.tonalArtMap : null);
-    return Promise.all([map, exposureReady(this as unknown as HatchingMaterialProperties)]).then(() => {});
+    const exposed = exposureReady(this as unknown as HatchingMaterialProperties);
+    return Promise.all([map, patternReady(this), exposed]).then(() => {});
   }
 
   /** Sets all that a preset names, and gives what only other presets name its default. */
@@ -274,7 +276,8 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const map = fittingMap(chosen, true, maxTextureSize(renderer as unknown as WebGPURenderer));
     writeSizeUniforms(look, chosen, pixelRatio, u);
     writeMapUniforms(map, usesThresholds(this), u);
-    u.inked.value = Number(map !== null || !needsMap(this));
+    const hasPattern = writePattern(this, u);
+    u.inked.value = Number(hasPattern && (map !== null || !needsMap(this)));
     writeCurveUniforms(this.toneCurve, u);
     writeComputedUniforms(look, u);
     writeEmphasis(look, u, renderer, camera);
@@ -370,7 +373,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const several = directedLights(lights).length > 1;
     const layers = this.strokeLayers === 'lights' && !several ? 'single' : this.strokeLayers;
     const parameters = readHatchingParameters(builder, lights, field);
-    if (this.medium === 'stipple') return dotLayer(parameters, tone, builder);
+    if (this.medium === 'stipple') return dotLayer(parameters, tone, builder).mul(inked);
     return hatch(parameters, tone, layers, {
       isSizedOnScreen: this.sizedOnScreen > 0,
       isUpToSign: several || followsForm(field),

@@ -1,15 +1,17 @@
 /** The twin of shaders/techniques/anchored/dots.glsl: the dots of one plane, a disc on the screen for each point of the set. */
-import { texture } from 'three/tsl';
 import { STIPPLE_CONSTANTS } from '../../../../engraving/constants/stippleConstants.js';
 import { STIPPLE_MAP_SIZE } from '../../../../tam/patternSizes.js';
-import { stippleMap } from '../../../../tam/stippleMap.js';
+import { blankDots } from '../../blankTextures.js';
+import { hatchingTexture } from '../../textures.js';
 import { hatchingUniform } from '../../uniforms.js';
-import { type TextureValue, tsl, type Value } from '../../values.js';
+import { tsl, type Value } from '../../values.js';
 
 const { abs, clamp, exp2, float, floor, fract, If, int, inverseSqrt, ivec2, length, Loop, max, min, mix } = tsl;
 const { sqrt, step, vec2 } = tsl;
 const { DOT_GROWTH, LEAST_BLANK, OVERLAP, OVERLAP_WITHIN } = STIPPLE_CONSTANTS;
 
+/** A texel per cell: its point and, in blue, when in an octave it is born. */
+const stippleMap = /* @__PURE__ */ hatchingTexture('stippleMap', blankDots);
 /** Width of the edge of a dot. */
 const edgePixels = /* @__PURE__ */ hatchingUniform('edgePixels', 'float');
 
@@ -76,7 +78,6 @@ const dotCover = (away: Value, squared: Value): Value =>
  * @param share what all of its dots together cover
  */
 export function dotsAt(at: Value, { gradientU, gradientV, area }: PlaneOnScreen, octave: Value, share: Value): Value {
-  const map = texture(stippleMap()) as unknown as TextureValue;
   const cells = exp2(floor(octave).add(1)).toVar();
   const into = fract(octave).toVar();
   // A quarter of the cells had their dots before this octave.
@@ -106,7 +107,7 @@ export function dotsAt(at: Value, { gradientU, gradientV, area }: PlaneOnScreen,
     If(y.lessThanEqual(highest), () => {
       Loop({ ...range, name: 'column' }, ({ column }) => {
         const cell = vec2(left.add(float(column)), y).toVar();
-        const texel = map.load(ivec2(cell).bitAnd(ivec2(STIPPLE_MAP_SIZE - 1))).toVar();
+        const texel = stippleMap.load(ivec2(cell).bitAnd(ivec2(STIPPLE_MAP_SIZE - 1))).toVar();
         const way = cell.add(texel.xy).sub(place).toVar();
         const away = columnU.mul(way.x).add(columnV.mul(way.y));
         // Two that meet in a pixel each have a part of it.
