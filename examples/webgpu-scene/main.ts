@@ -64,8 +64,9 @@ async function show(preset: PresetName) {
 
 const choice = document.createElement('select');
 choice.ariaLabel = 'Preset';
-choice.append(...Object.keys(presets).map((name) => new Option(name, name, name === 'engraving')));
+choice.append(...Object.keys(presets).map((name) => new Option(name)));
 choice.addEventListener('change', () => show(choice.value as PresetName));
+choice.value = 'engraving';
 canvas.after(choice);
 
 await show('engraving');

@@ -1,5 +1,4 @@
 import {
-  type BufferGeometry,
   type Camera,
   type Color,
   type IUniform,
@@ -15,7 +14,6 @@ import {
 } from 'three';
 import { Node, type NodeBuilder, type NodeFrame, NodeMaterial, type WebGPURenderer } from 'three/webgpu';
 import { hasOtherFormAngle, noteFormAngle } from '../geometry/formAngles.js';
-import { isFormed } from '../geometry/formGeometry.js';
 import { lineContrast } from '../geometry/lineFades.js';
 import type { HatchingMap } from '../material/checkTonalArtMap.js';
 import { checkChoice, checkValues } from '../material/checkValues.js';
@@ -47,7 +45,6 @@ import {
 } from '../material/hatchingUniforms.js';
 import { writeFieldFrame } from '../material/parts/fieldFrame.js';
 import { writePartUniforms } from '../material/partUniforms.js';
-import { withoutForm } from '../material/programDefines.js';
 import { accessorOf, fieldOf } from '../material/propertyAccessors.js';
 import { TONE_CURVES } from '../material/shaders/shaderConventions.js';
 import { mapIsReady, sharedMap } from '../material/sharedMaps.js';
@@ -56,36 +53,22 @@ import { tell } from '../mistakes/tell.js';
 import type { TonalArtMap } from '../tam/TonalArtMap.js';
 import { exposureReady, writeExposure } from './fittedExposure.js';
 import { HatchingLightingModel } from './HatchingLightingModel.js';
+import { darknessOf, emitVertex, pixelFromBelow } from './hatchSurface.js';
 import { patternReady, writePattern } from './mediumPattern.js';
-import { deformVertex } from './nodes/chunks/deformVertex.js';
-import { emitOcclusion } from './nodes/chunks/emitOcclusion.js';
+import { tsl, type Value } from './nodes/base/values.js';
 import { emphasisAt } from './nodes/chunks/emphasis.js';
-import { hatch } from './nodes/chunks/hatch.js';
 import { lightLuminance } from './nodes/chunks/lightLuminance.js';
 import { filledColor, localDarkness } from './nodes/chunks/localColor.js';
-import { placeInstance } from './nodes/chunks/objectToView.js';
 import { hollowness } from './nodes/chunks/occlude.js';
 import { paper, printedColor } from './nodes/chunks/printedColor.js';
 import { shadedTone } from './nodes/chunks/tone.js';
-import { directedLights } from './nodes/directedLights.js';
-import { emitAnchor } from './nodes/perFragment/emit.js';
-import { emitAnchored } from './nodes/techniques/anchored/emit.js';
-import { readHatchingParameters } from './nodes/techniques/anchored/read.js';
-import { hatchLayer as dotLayer } from './nodes/techniques/anchored/stipple.js';
-import { emitEngraved } from './nodes/techniques/engraved/emit.js';
-import { hatchLayer } from './nodes/techniques/engraved/hatchLayer.js';
-import { read } from './nodes/techniques/engraved/read.js';
-import { followsForm } from './nodes/techniques/followsForm.js';
-import { hatchingUniform } from './nodes/uniforms.js';
-import { tsl, type Value } from './nodes/values.js';
 
 const NAME = 'HatchingNodeMaterial';
-const inked = /* @__PURE__ */ hatchingUniform('inked', 'float');
 const propertyNames = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
 const propertyOf = (name: HatchingPropertyName): HatchingProperty => HATCHING_PROPERTIES[name];
 
-const { diffuseColor, float, materialEmissive, mix, positionLocal, positionView, screenCoordinate } = tsl;
-const { screenSize, vec2, vec3 } = tsl;
+const { diffuseColor, float, materialEmissive, mix, positionLocal, positionView } = tsl;
+const { vec3 } = tsl;
 
 const told = new Set<string>();
 
@@ -194,7 +177,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
    */
   get ready(): Promise<void> {
     const map = mapIsReady(needsMap(this) ? this.tonalArtMap : null);
-    const exposed = exposureReady(this as unknown as HatchingMaterialProperties);
+    const exposed = exposureReady(this.look);
     return Promise.all([map, patternReady(this), exposed]).then(() => {});
   }
 
@@ -225,7 +208,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
 
   override toJSON(meta?: Parameters<Material['toJSON']>[0]): ReturnType<Material['toJSON']> {
     const json = Material.prototype.toJSON.call(this, meta);
-    return Object.assign(json, propertiesToJSON(this as unknown as HatchingMaterialProperties));
+    return Object.assign(json, propertiesToJSON(this.look));
   }
 
   /** Tells of a renderer that draws no nodes. @internal */
@@ -248,7 +231,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
   /** Writes the properties, once a frame, and what is of the mesh, to the uniforms. Allocates nothing. @internal */
   writeDraw(renderer: WebGPURenderer, scene: Scene, camera: Camera, mesh: Mesh): void {
     const u = this.uniforms;
-    const look = this as unknown as HatchingMaterialProperties & { extent: SceneExtent | null };
+    const { look } = this;
     // What is asked of it here, both kinds of renderers have.
     const asked = renderer as unknown as WebGLRenderer;
     if (!this.written.isOf(asked, camera)) {
@@ -296,16 +279,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
 
   /** Puts the vertex where three's own materials do, and its strokes with it. @internal */
   override setupPosition(builder: NodeBuilder): ReturnType<NodeMaterial['setupPosition']> {
-    const deformed = deformVertex(builder);
-    const place = placeInstance(builder);
-    const field = this.fieldFor(builder.geometry as BufferGeometry);
-    const isOfForm = followsForm(field);
-    // Lines that follow the form are fixed to the surface, whatever strokes are.
-    const isAtRest = this.strokeAnchor === 'rest' || (isOfForm && !this.isAnchored);
-    emitOcclusion(builder);
-    const anchor = emitAnchor(builder, deformed, place, isAtRest);
-    if (this.isAnchored) emitAnchored(anchor, { isOfForm, isAtRest });
-    else emitEngraved(builder, anchor, { lineField: field, isAtRest, lights: lightsOf(builder) });
+    emitVertex(this.look, builder);
     return positionLocal as unknown as ReturnType<NodeMaterial['setupPosition']>;
   }
 
@@ -351,35 +325,8 @@ export class HatchingNodeMaterial extends NodeMaterial {
     this.needsUpdate = true;
   }
 
-  /** Whether strokes are anchored; the other techniques are engraved. */
-  private get isAnchored(): boolean {
-    return this.technique === 'anchored';
-  }
-
-  /** What the lines or strokes of a geometry run by. Only those that were prepared with `form` have some that follow it. */
-  private fieldFor(geometry: BufferGeometry): string {
-    const form = formOf(this);
-    const chosen = this.isAnchored ? this.strokeField : this.lineField;
-    if (!form) return chosen;
-    if (!isFormed(geometry)) return form === 'auto' ? withoutForm(this) : 'light';
-    return form === 'auto' ? 'form' : chosen;
-  }
-
-  /** The darkness of the hatch where it has a tone. */
-  private hatched(tone: Value, builder: NodeBuilder): Value {
-    const field = this.fieldFor(builder.geometry as BufferGeometry);
-    if (!this.isAnchored) return hatchLayer(read(builder, field), tone, this.medium);
-    const lights = lightsOf(builder);
-    const several = directedLights(lights).length > 1;
-    const layers = this.strokeLayers === 'lights' && !several ? 'single' : this.strokeLayers;
-    const parameters = readHatchingParameters(builder, lights, field);
-    if (this.medium === 'stipple') return dotLayer(parameters, tone, builder).mul(inked);
-    return hatch(parameters, tone, layers, {
-      isSizedOnScreen: this.sizedOnScreen > 0,
-      isUpToSign: several || followsForm(field),
-      medium: this.medium,
-      pixel: fromBelow(),
-    }).mul(inked);
+  private get look(): HatchingMaterialProperties & { extent: SceneExtent | null } {
+    return this as unknown as HatchingMaterialProperties & { extent: SceneExtent | null };
   }
 
   /** The map to draw with, if it is there. That of a style is asked for when it is first drawn with. */
@@ -402,7 +349,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const emitted = materialEmissive;
     const radiance = light.add(lightLuminance(emitted));
     const curve = curveOf(this.toneCurve);
-    const emphasis = emphasisAt(positionView, fromBelow()).toVar();
+    const emphasis = emphasisAt(positionView, pixelFromBelow()).toVar();
     const darkness = localDarkness(diffuseColor.xyz, emitted);
     const tone = shadedTone(radiance, darkness, hollowness(), { curve, isToon: this.toneModel === 'toon' })
       .mul(emphasis)
@@ -412,7 +359,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const ground = paper.mul(color).toVar();
     const printed = printedColor(
       ground,
-      this.hatched(tone, builder).mul(meshValues as unknown as Value),
+      darknessOf(this.look, tone, builder).mul(meshValues as unknown as Value),
       this.inkBlend === 'multiply',
       isOpaque,
     ).toVar();
@@ -439,9 +386,3 @@ function maxTextureSize({ backend }: WebGPURenderer): number {
 interface GPUDeviceLike {
   readonly limits: { readonly maxTextureDimension2D: number };
 }
-
-/** The pixel of what is drawn to, counted from the lower left. */
-const fromBelow = (): Value => vec2(screenCoordinate.x, screenSize.y.sub(screenCoordinate.y));
-
-const lightsOf = (builder: NodeBuilder): readonly Light[] =>
-  (builder as NodeBuilder & { lightsNode: { getLights(): Light[] } | null }).lightsNode?.getLights() ?? [];

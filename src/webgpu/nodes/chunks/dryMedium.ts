@@ -2,8 +2,8 @@
  * The twin of shaders/chunks/dryMedium.glsl. Pencil, charcoal, chalk: what a stroke leaves grows with its pressure, which is the tone, and
  * catches on the tooth of the paper.
  */
-import { hatchingUniform } from '../uniforms.js';
-import { tsl, type Value } from '../values.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
 import { crowdedShare, darkenedFrom, type HatchField, unskew } from './ink.js';
 import { normalDistribution } from './normalDistribution.js';
 import { toothField } from './tooth.js';

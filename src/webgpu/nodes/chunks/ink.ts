@@ -1,6 +1,6 @@
 /** The twin of shaders/chunks/ink.glsl: turns a field of thresholds into what is printed. */
-import { hatchingUniform } from '../uniforms.js';
-import { tsl, type Value } from '../values.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
 import { normalDistribution } from './normalDistribution.js';
 
 const { clamp, fwidth, min, mix, select, smoothstep, sqrt } = tsl;

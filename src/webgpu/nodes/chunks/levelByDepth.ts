@@ -1,7 +1,6 @@
 /** The twin of shaders/chunks/levelByDepth.glsl. */
-import { vUnitsPerPixel } from '../techniques/anchored/varyings.js';
-import { hatchingUniform } from '../uniforms.js';
-import { tsl, type Value } from '../values.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
 
 const { log2 } = tsl;
 
@@ -11,5 +10,5 @@ export const tilesPerUnit: Value = /* @__PURE__ */ hatchingUniform('tilesPerUnit
 const texelPixels = /* @__PURE__ */ hatchingUniform('texelPixels', 'float');
 
 /** The level of a map by the depth of the fragment alone (paper, section 3.4). @param size texels per tile */
-export const levelByDepth = (size: Value): Value =>
-  log2(tilesPerUnit.mul(vUnitsPerPixel).mul(size).mul(texelPixels)).toVar();
+export const levelByDepth = (size: Value, unitsPerPixel: Value): Value =>
+  log2(tilesPerUnit.mul(unitsPerPixel).mul(size).mul(texelPixels)).toVar();

@@ -3,8 +3,8 @@
  * lights it is a direction known up to its sign, whose sign follows their weighted sum.
  */
 import type { Light } from 'three';
-import { directedLights, hasPlace } from '../directedLights.js';
-import { tsl, type Value } from '../values.js';
+import { directedLights, hasPlace } from '../base/directedLights.js';
+import { tsl, type Value } from '../base/values.js';
 import { lightLuminance } from './lightLuminance.js';
 import { fallOff, type LightValues, valuesFor } from './meanLight.js';
 

@@ -1,5 +1,5 @@
 /** The twin of shaders/chunks/safeNormalize.glsl. */
-import { tsl, type Value } from '../values.js';
+import { tsl, type Value } from '../base/values.js';
 
 const { dot, inverseSqrt, vec3 } = tsl;
 

@@ -3,9 +3,9 @@
  * side in one texture, and beside each, in green, the next coarser one.
  */
 import { blankThresholdMap } from '../../../material/blankThresholdMap.js';
-import { hatchingTexture } from '../textures.js';
-import { hatchingUniform } from '../uniforms.js';
-import { type TextureValue, tsl, type Value } from '../values.js';
+import { hatchingTexture } from '../base/textures.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { type TextureValue, tsl, type Value } from '../base/values.js';
 
 const { clamp, dot, exp2, floor, fract, inverseSqrt, min, mix, vec2, vec3, vec4 } = tsl;
 

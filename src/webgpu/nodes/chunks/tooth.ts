@@ -1,9 +1,9 @@
 /** The twin of shaders/chunks/tooth.glsl: the tooth of paper. It lies on the screen; in the tiles of a larger picture it lies on the whole picture. */
 import { TOOTH_MAP_BUMP, TOOTH_MAP_SIZE } from '../../../tam/patternSizes.js';
-import { blankTooth } from '../blankTextures.js';
-import { hatchingTexture } from '../textures.js';
-import { hatchingUniform } from '../uniforms.js';
-import { tsl, type Value } from '../values.js';
+import { blankTooth } from '../base/blankTextures.js';
+import { hatchingTexture } from '../base/textures.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
 
 const { float, fract, inverseSqrt, select, smoothstep } = tsl;
 

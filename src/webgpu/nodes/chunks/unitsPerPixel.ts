@@ -1,6 +1,6 @@
 /** The twin of shaders/chunks/unitsPerPixel.glsl. */
-import { hatchingUniform } from '../uniforms.js';
-import { tsl, type Value } from '../values.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
 
 const { abs, cameraProjectionMatrix, determinant, pow, select } = tsl;
 

@@ -1,7 +1,7 @@
 /** The twin of shaders/perFragment/screenGradient.glsl: how fast a function of the place on the object changes on the screen. */
 import { SCREEN_CONSTANTS } from '../../../engraving/constants/screenConstants.js';
-import { hatchingUniform } from '../uniforms.js';
-import { tsl, type Value } from '../values.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
 
 const { abs, cameraProjectionMatrix, dot, length, max, positionView, select, vec2, vec3 } = tsl;
 

@@ -1,4 +1,4 @@
-import type { Value } from '../../values.js';
+import type { Value } from '../../base/values.js';
 
 /** How strokes lie in the surface. */
 export interface StrokeAxes {

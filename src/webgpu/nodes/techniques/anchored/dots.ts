@@ -1,10 +1,10 @@
 /** The twin of shaders/techniques/anchored/dots.glsl: the dots of one plane, a disc on the screen for each point of the set. */
 import { STIPPLE_CONSTANTS } from '../../../../engraving/constants/stippleConstants.js';
 import { STIPPLE_MAP_SIZE } from '../../../../tam/patternSizes.js';
-import { blankDots } from '../../blankTextures.js';
-import { hatchingTexture } from '../../textures.js';
-import { hatchingUniform } from '../../uniforms.js';
-import { tsl, type Value } from '../../values.js';
+import { blankDots } from '../../base/blankTextures.js';
+import { hatchingTexture } from '../../base/textures.js';
+import { hatchingUniform } from '../../base/uniforms.js';
+import { tsl, type Value } from '../../base/values.js';
 
 const { abs, clamp, exp2, float, floor, fract, If, int, inverseSqrt, ivec2, length, Loop, max, min, mix } = tsl;
 const { sqrt, step, vec2 } = tsl;

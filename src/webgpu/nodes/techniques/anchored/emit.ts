@@ -1,11 +1,11 @@
 /** The twin of shaders/techniques/anchored/emit.glsl. */
+import { formLayout } from '../../../../bake/formLayout.js';
+import { tsl } from '../../base/values.js';
 import { isOrthographic, unitsPerPixel } from '../../chunks/unitsPerPixel.js';
 import type { Anchor } from '../../perFragment/emit.js';
-import { tsl } from '../../values.js';
-import { formSlope } from '../engraved/formAttributes.js';
 import { vFormSlope, vRestPosition, vStrokeNormal, vToViewer, vUnitsPerPixel } from './varyings.js';
 
-const { modelViewMatrix, positionLocal, select, vec3, vec4 } = tsl;
+const { attribute, modelViewMatrix, positionLocal, select, vec3, vec4 } = tsl;
 
 /** @param look whether strokes follow the form, and whether they are anchored to the surface at rest */
 export function emitAnchored(
@@ -19,7 +19,7 @@ export function emitAnchored(
   vUnitsPerPixel.assign(unitsPerPixel(viewToAnchor, inView));
   vToViewer.assign(viewToAnchor.mul(select(isOrthographic(), vec3(0, 0, 1), inView.negate())));
   if (!isOfForm) return;
-  const slope = formSlope().xyz;
+  const slope = attribute(formLayout.slope.name, 'vec4').xyz;
   // A gradient goes with the surface as its normal does.
   vFormSlope.assign(!isAtRest && deformedToRest ? slope.mul(deformedToRest) : slope);
 }

@@ -1,8 +1,8 @@
 /** The twin of shaders/techniques/anchored/layers.glsl. */
 import { TONE_CONSTANTS } from '../../../../engraving/constants/toneConstants.js';
+import { hatchingUniform } from '../../base/uniforms.js';
+import { type Input, tsl, type Value } from '../../base/values.js';
 import { tilesPerUnit } from '../../chunks/levelByDepth.js';
-import { hatchingUniform } from '../../uniforms.js';
-import { type Input, tsl, type Value } from '../../values.js';
 import type { HatchingParameters } from './read.js';
 
 const { vec3 } = tsl;

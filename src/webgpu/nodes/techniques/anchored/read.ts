@@ -1,10 +1,10 @@
 /** The twin of shaders/techniques/anchored/read.glsl: the frame of strokes is found here, so that it turns continuously. */
 import type { Light } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
+import { followsForm } from '../../base/followsForm.js';
+import { tsl, type Value } from '../../base/values.js';
 import { safeNormalize } from '../../chunks/safeNormalize.js';
 import { readViewToAnchor } from '../../perFragment/viewToAnchor.js';
-import { tsl, type Value } from '../../values.js';
-import { followsForm } from '../followsForm.js';
 import { readStrokeAxes as readForm } from './readForm.js';
 import { readStrokeAxes as readLight } from './readLight.js';
 import { readStrokeAxes as readSheet } from './readSheet.js';

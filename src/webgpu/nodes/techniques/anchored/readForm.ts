@@ -1,6 +1,7 @@
 /** The twin of shaders/techniques/anchored/readForm.glsl: strokes along or across the level lines of a function that was baked into the vertices. */
+
+import { tsl, type Value } from '../../base/values.js';
 import { anyTangent } from '../../chunks/lightOrientation.js';
-import { tsl, type Value } from '../../values.js';
 import type { StrokeAxes } from './StrokeAxes.js';
 import { vFormSlope } from './varyings.js';
 

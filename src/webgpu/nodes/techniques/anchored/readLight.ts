@@ -1,8 +1,8 @@
 /** The twin of shaders/techniques/anchored/readLight.glsl: strokes that turn with the light. */
 import type { Light } from 'three';
+import { strokeDirection } from '../../base/strokeDirection.js';
+import { tsl, type Value } from '../../base/values.js';
 import { lightBitangent } from '../../chunks/lightOrientation.js';
-import { tsl, type Value } from '../../values.js';
-import { strokeDirection } from '../strokeDirection.js';
 import type { StrokeAxes } from './StrokeAxes.js';
 
 const { cross } = tsl;

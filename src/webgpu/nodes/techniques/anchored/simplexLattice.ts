@@ -2,8 +2,9 @@
  * The twin of shaders/techniques/anchored/simplexLattice.glsl: the four nearest points of a 3-D simplex lattice of edge 1, and a kernel around
  * each.
  */
+
+import { tsl, type Value } from '../../base/values.js';
 import { largestComponents } from '../../chunks/largestComponents.js';
-import { tsl, type Value } from '../../values.js';
 
 const { dot, floor, int, ivec3, max, select, uint, uvec3, uvec4, vec3, vec4 } = tsl;
 

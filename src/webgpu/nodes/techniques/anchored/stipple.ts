@@ -5,6 +5,8 @@
  */
 import type { NodeBuilder } from 'three/webgpu';
 import { STIPPLE_CONSTANTS } from '../../../../engraving/constants/stippleConstants.js';
+import { hatchingUniform } from '../../base/uniforms.js';
+import { tsl, type Value } from '../../base/values.js';
 import { largestComponents } from '../../chunks/largestComponents.js';
 import { tilesPerUnit } from '../../chunks/levelByDepth.js';
 import { anyTangent } from '../../chunks/lightOrientation.js';
@@ -17,8 +19,6 @@ import {
   viewUnitsPerPixel,
 } from '../../perFragment/screenGradient.js';
 import { readViewToAnchor } from '../../perFragment/viewToAnchor.js';
-import { hatchingUniform } from '../../uniforms.js';
-import { tsl, type Value } from '../../values.js';
 import { dotsAt, type PlaneOnScreen, planeOnScreen } from './dots.js';
 import type { HatchingParameters } from './read.js';
 

@@ -3,6 +3,8 @@
  * the object sample the threshold map, the fields are blended, and ink is decided once.
  */
 import type { Medium } from '../../../../material/facts/hatchingProperties.js';
+import { hatchingUniform } from '../../base/uniforms.js';
+import { tsl, type Value } from '../../base/values.js';
 import { inkAt as dryInkAt } from '../../chunks/dryMedium.js';
 import { type HatchField, inkAt } from '../../chunks/ink.js';
 import { levelByDepth, tilesPerUnit } from '../../chunks/levelByDepth.js';
@@ -13,11 +15,10 @@ import {
   type ThresholdLevel,
   thresholdMapSize,
 } from '../../chunks/thresholdMap.js';
-import { hatchingUniform } from '../../uniforms.js';
-import { tsl, type Value } from '../../values.js';
 import { anchorSpacing } from './layers.js';
 import type { HatchingParameters } from './read.js';
 import { nearestAnchors } from './simplexLattice.js';
+import { vUnitsPerPixel } from './varyings.js';
 
 const { ceil, dot, exp2, float, fwidth, If, inverseSqrt, log2, max, smoothstep, uvec4, vec2, vec4 } = tsl;
 
@@ -75,7 +76,7 @@ function anchoredField(
   { isSizedOnScreen, isUpToSign }: StrokeDefines,
 ): { field: HatchField; crowding: Value } {
   // Octaves by which the map at tilesPerUnit is magnified: > 0 too near, < 0 too far.
-  const magnification = levelByDepth(thresholdMapSize).negate().toVar();
+  const magnification = levelByDepth(thresholdMapSize, vUnitsPerPixel).negate().toVar();
   const foreshortened = foreshortenedOctaves(h.lean);
   const beyond = max(foreshortened.sub(FREE_CROWDING), 0);
   const wanted = isSizedOnScreen ? sizedOnScreen.mul(magnification).div(LATTICE_OCTAVES).toVar() : float(0);

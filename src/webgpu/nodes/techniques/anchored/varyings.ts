@@ -1,5 +1,5 @@
 /** The twin of shaders/techniques/anchored/varyings.glsl. */
-import { tsl, type Value } from '../../values.js';
+import { tsl, type Value } from '../../base/values.js';
 
 const { varyingProperty } = tsl;
 

@@ -1,7 +1,7 @@
 /** The twin of shaders/techniques/engraved/fieldAxis.glsl: the function that lines are level sets of. */
 import { FIELD_CONSTANTS } from '../../../../engraving/constants/fieldConstants.js';
-import { tsl, type Value } from '../../values.js';
-import { strokeDirection } from '../strokeDirection.js';
+import { strokeDirection } from '../../base/strokeDirection.js';
+import { tsl, type Value } from '../../base/values.js';
 
 const { abs, cross, dot, length, max, normalize, select, vec3, vec4 } = tsl;
 const { SLANT, UPRIGHT } = FIELD_CONSTANTS;

@@ -1,10 +1,10 @@
 /** The twin of shaders/techniques/engraved/lightField.glsl: one light for the whole object, so that lines run on. */
 import type { Light } from 'three';
 import { FIELD_CONSTANTS } from '../../../../engraving/constants/fieldConstants.js';
+import { directedLights, hasPlace } from '../../base/directedLights.js';
+import { tsl, type Value } from '../../base/values.js';
 import { lightLuminance } from '../../chunks/lightLuminance.js';
 import { type LightValues, valuesFor } from '../../chunks/meanLight.js';
-import { directedLights, hasPlace } from '../../directedLights.js';
-import { tsl, type Value } from '../../values.js';
 
 const { dot, float, length, max, select, vec3, vec4 } = tsl;
 const { FIRST_AXIS, LEAST_WEIGHT } = FIELD_CONSTANTS;

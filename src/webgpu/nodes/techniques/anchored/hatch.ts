@@ -1,11 +1,11 @@
 /** The twin of shaders/chunks/hatch.glsl: the darkness of the hatch, of its layers printed over one another. */
-import { TONE_CONSTANTS } from '../../../engraving/constants/toneConstants.js';
-import { crossingOf, turnedLayer } from '../techniques/anchored/layers.js';
-import type { HatchingParameters } from '../techniques/anchored/read.js';
-import { hatchLayer, type StrokeDefines } from '../techniques/anchored/strokes.js';
-import { hatchingUniform } from '../uniforms.js';
-import { tsl, type Value } from '../values.js';
-import { leftOf, takenOf } from './crossedTones.js';
+import { TONE_CONSTANTS } from '../../../../engraving/constants/toneConstants.js';
+import { hatchingUniform } from '../../base/uniforms.js';
+import { tsl, type Value } from '../../base/values.js';
+import { leftOf, takenOf } from '../../chunks/crossedTones.js';
+import { crossingOf, turnedLayer } from './layers.js';
+import type { HatchingParameters } from './read.js';
+import { hatchLayer, type StrokeDefines } from './strokes.js';
 
 const { float, max, pow } = tsl;
 
