@@ -1,4 +1,4 @@
-import { DataTexture, RGFormat } from 'three';
+import { DataTexture, LinearFilter, RGFormat } from 'three';
 
 let blank: DataTexture | undefined;
 
@@ -7,6 +7,8 @@ export function blankThresholdMap(): DataTexture {
   if (blank === undefined) {
     blank = new DataTexture(new Uint8Array([255, 255]), 1, 1, RGFormat);
     blank.unpackAlignment = 2;
+    // As those of maps: WebGPURenderer keeps the filter of the texture that it has met first.
+    blank.magFilter = blank.minFilter = LinearFilter;
     blank.needsUpdate = true;
   }
   return blank;

@@ -14,7 +14,7 @@ const IN_GLSL: LookMakers = {
   material: () => new HatchingMaterial(),
   fetchPartsOf,
   async outlineMaker(parameters) {
-    return (await import('./outlinesInGlsl.js')).outlinesInGlsl(parameters);
+    return (await import('./outlining/outlinesInGlsl.js')).outlinesInGlsl(parameters);
   },
 };
 

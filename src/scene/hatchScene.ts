@@ -27,7 +27,7 @@ import type { MaterialFollower } from './MaterialFollower.js';
 import { MaterialReplacer } from './MaterialReplacer.js';
 import type { MeshLook } from './MeshLook.js';
 import { isToBeMade, makeMaps } from './makeMaps.js';
-import type { OutlineMaker } from './OutlineMaker.js';
+import type { OutlineMaker } from './outlining/OutlineMaker.js';
 import type { PresetName } from './presets.js';
 import { progressParts } from './progressParts.js';
 import { sideBySide } from './sideBySide.js';

@@ -1,11 +1,11 @@
 import type { Light } from 'three';
 import { LightingModel, type NodeBuilder } from 'three/webgpu';
+import { directedLights } from './nodes/base/directedLights.js';
+import { hatchingUniform } from './nodes/base/uniforms.js';
+import { tsl, type Value } from './nodes/base/values.js';
 import { lightLuminance } from './nodes/chunks/lightLuminance.js';
 import { fallOff, valuesFor } from './nodes/chunks/meanLight.js';
 import { openToLights, openToSky } from './nodes/chunks/occlude.js';
-import { directedLights } from './nodes/techniques/engraved/lightField.js';
-import { hatchingUniform } from './nodes/uniforms.js';
-import { tsl, type Value } from './nodes/values.js';
 
 const { dot, float, length, max, normalView, positionView, positionViewDirection, pow, step } = tsl;
 

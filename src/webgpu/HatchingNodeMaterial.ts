@@ -1,5 +1,4 @@
 import {
-  type BufferGeometry,
   type Camera,
   type Color,
   type IUniform,
@@ -15,13 +14,11 @@ import {
 } from 'three';
 import { Node, type NodeBuilder, type NodeFrame, NodeMaterial, type WebGPURenderer } from 'three/webgpu';
 import { hasOtherFormAngle, noteFormAngle } from '../geometry/formAngles.js';
-import { isFormed } from '../geometry/formGeometry.js';
 import { lineContrast } from '../geometry/lineFades.js';
 import type { HatchingMap } from '../material/checkTonalArtMap.js';
 import { checkChoice, checkValues } from '../material/checkValues.js';
 import { takesWeight, writeEmphasis, writeImportance } from '../material/emphasis/emphasis.js';
 import type { SceneExtent } from '../material/emphasis/SceneExtent.js';
-import { writeSheet } from '../material/emphasis/writeSheet.js';
 import { FrameStamp } from '../material/FrameStamp.js';
 import { defaultOf } from '../material/facts/defaultOf.js';
 import type { HatchingProperty } from '../material/facts/HatchingProperty.js';
@@ -30,10 +27,11 @@ import {
   HATCHING_PROPERTIES,
   type HatchingPropertyName,
 } from '../material/facts/hatchingProperties.js';
-import { formOf } from '../material/facts/lookFacts.js';
+import { formOf, needsMap, usesThresholds } from '../material/facts/lookFacts.js';
 import type { PresetName } from '../material/facts/presetMaterials.js';
 import { spelledOut } from '../material/facts/presetParameters.js';
 import { fittedCurve, type ToneCurve } from '../material/fitToneCurve.js';
+import { fittingMap } from '../material/fittingMap.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 import type { HatchingMaterialProperties } from '../material/HatchingMaterialProperties.js';
 import { propertiesToJSON } from '../material/hatchingJSON.js';
@@ -41,39 +39,36 @@ import {
   createHatchingUniforms,
   writeComputedUniforms,
   writeCurveUniforms,
+  writeMapUniforms,
   writePropertyUniforms,
   writeSizeUniforms,
 } from '../material/hatchingUniforms.js';
 import { writeFieldFrame } from '../material/parts/fieldFrame.js';
-import { withoutForm } from '../material/programDefines.js';
+import { writePartUniforms } from '../material/partUniforms.js';
 import { accessorOf, fieldOf } from '../material/propertyAccessors.js';
 import { TONE_CURVES } from '../material/shaders/shaderConventions.js';
+import { mapIsReady, sharedMap } from '../material/sharedMaps.js';
 import { withVectors } from '../material/vectorValues.js';
 import { tell } from '../mistakes/tell.js';
+import type { TonalArtMap } from '../tam/TonalArtMap.js';
 import { exposureReady, writeExposure } from './fittedExposure.js';
 import { HatchingLightingModel } from './HatchingLightingModel.js';
-import { deformVertex } from './nodes/chunks/deformVertex.js';
-import { emitOcclusion } from './nodes/chunks/emitOcclusion.js';
+import { darknessOf, emitVertex, pixelFromBelow } from './hatchSurface.js';
+import { patternReady, writePattern } from './mediumPattern.js';
+import { tsl, type Value } from './nodes/base/values.js';
 import { emphasisAt } from './nodes/chunks/emphasis.js';
 import { lightLuminance } from './nodes/chunks/lightLuminance.js';
 import { filledColor, localDarkness } from './nodes/chunks/localColor.js';
-import { placeInstance } from './nodes/chunks/objectToView.js';
 import { hollowness } from './nodes/chunks/occlude.js';
 import { paper, printedColor } from './nodes/chunks/printedColor.js';
 import { shadedTone } from './nodes/chunks/tone.js';
-import { emitAnchor } from './nodes/perFragment/emit.js';
-import { emitEngraved } from './nodes/techniques/engraved/emit.js';
-import { followsForm } from './nodes/techniques/engraved/followsForm.js';
-import { hatchLayer } from './nodes/techniques/engraved/hatchLayer.js';
-import { read } from './nodes/techniques/engraved/read.js';
-import { tsl, type Value } from './nodes/values.js';
 
 const NAME = 'HatchingNodeMaterial';
 const propertyNames = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
 const propertyOf = (name: HatchingPropertyName): HatchingProperty => HATCHING_PROPERTIES[name];
 
-const { diffuseColor, float, materialEmissive, mix, positionLocal, positionView, screenCoordinate } = tsl;
-const { screenSize, vec2, vec3 } = tsl;
+const { diffuseColor, float, materialEmissive, mix, positionLocal, positionView } = tsl;
+const { vec3 } = tsl;
 
 const told = new Set<string>();
 
@@ -176,12 +171,14 @@ export class HatchingNodeMaterial extends NodeMaterial {
   }
 
   /**
-   * Resolves when all that the material draws with is there. The code that fits an exposure is fetched when a material first asks for it;
-   * until then the exposure is 1. For a page that draws only when something changes: `material.ready.then(render)`. Rejects if the code
-   * cannot be fetched; reading it again tries again.
+   * Resolves when all that the material draws with is there: its map, the pattern of its medium, and the code that fits an exposure, which are
+   * fetched when a material first asks for them; until then strokes are missing, and the exposure is 1. For a page that draws only when something changes: `material.ready.then(render)`. Rejects if either
+   * fails; reading it again tries again.
    */
   get ready(): Promise<void> {
-    return exposureReady(this as unknown as HatchingMaterialProperties);
+    const map = mapIsReady(needsMap(this) ? this.tonalArtMap : null);
+    const exposed = exposureReady(this.look);
+    return Promise.all([map, patternReady(this), exposed]).then(() => {});
   }
 
   /** Sets all that a preset names, and gives what only other presets name its default. */
@@ -211,7 +208,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
 
   override toJSON(meta?: Parameters<Material['toJSON']>[0]): ReturnType<Material['toJSON']> {
     const json = Material.prototype.toJSON.call(this, meta);
-    return Object.assign(json, propertiesToJSON(this as unknown as HatchingMaterialProperties));
+    return Object.assign(json, propertiesToJSON(this.look));
   }
 
   /** Tells of a renderer that draws no nodes. @internal */
@@ -226,13 +223,15 @@ export class HatchingNodeMaterial extends NodeMaterial {
   override customProgramCacheKey(): string {
     const { inkBlend, toneModel } = this;
     const curve = curveOf(this.toneCurve);
-    return [NAME, this.lineField, this.medium, this.strokeAnchor, toneModel, curve, inkBlend].join(' ');
+    return [...choicesOf(this), Number(this.sizedOnScreen > 0), this.strokeAnchor, toneModel, curve, inkBlend].join(
+      ' ',
+    );
   }
 
   /** Writes the properties, once a frame, and what is of the mesh, to the uniforms. Allocates nothing. @internal */
   writeDraw(renderer: WebGPURenderer, scene: Scene, camera: Camera, mesh: Mesh): void {
     const u = this.uniforms;
-    const look = this as unknown as HatchingMaterialProperties & { extent: SceneExtent | null };
+    const { look } = this;
     // What is asked of it here, both kinds of renderers have.
     const asked = renderer as unknown as WebGLRenderer;
     if (!this.written.isOf(asked, camera)) {
@@ -256,7 +255,12 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const u = this.uniforms;
     const pixelRatio = renderer.getPixelRatio();
     writePropertyUniforms(look, u);
-    writeSizeUniforms(look, null, pixelRatio, u);
+    const chosen = this.mapInUse();
+    const map = fittingMap(chosen, true, maxTextureSize(renderer as unknown as WebGPURenderer));
+    writeSizeUniforms(look, chosen, pixelRatio, u);
+    writeMapUniforms(map, usesThresholds(this), u);
+    const hasPattern = writePattern(this, u);
+    u.inked.value = Number(hasPattern && (map !== null || !needsMap(this)));
     writeCurveUniforms(this.toneCurve, u);
     writeComputedUniforms(look, u);
     writeEmphasis(look, u, renderer, camera);
@@ -264,8 +268,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const target = renderer.getRenderTarget();
     if (target) viewport.copy(target.viewport);
     else renderer.getViewport(viewport).multiplyScalar(pixelRatio);
-    u.viewportHeight.value = viewport.w;
-    writeSheet(u.sheet.value, camera, viewport);
+    writePartUniforms(camera, viewport, u);
   }
 
   /** Nodes are made for the values that they find. @internal */
@@ -276,14 +279,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
 
   /** Puts the vertex where three's own materials do, and its strokes with it. @internal */
   override setupPosition(builder: NodeBuilder): ReturnType<NodeMaterial['setupPosition']> {
-    const deformed = deformVertex(builder);
-    const place = placeInstance(builder);
-    const lineField = this.lineFieldFor(builder.geometry as BufferGeometry);
-    // Lines that follow the form are fixed to the surface, whatever strokes are.
-    const isAtRest = this.strokeAnchor === 'rest' || followsForm(lineField);
-    emitOcclusion(builder);
-    const anchor = emitAnchor(builder, deformed, place, isAtRest);
-    emitEngraved(builder, anchor, { lineField, isAtRest, lights: lightsOf(builder) });
+    emitVertex(this.look, builder);
     return positionLocal as unknown as ReturnType<NodeMaterial['setupPosition']>;
   }
 
@@ -329,20 +325,21 @@ export class HatchingNodeMaterial extends NodeMaterial {
     this.needsUpdate = true;
   }
 
-  /** What cuts the lines of a geometry. Only those that were prepared with `form` have lines that follow it. */
-  private lineFieldFor(geometry: BufferGeometry): string {
-    const form = formOf(this);
-    if (!form) return this.lineField;
-    if (!isFormed(geometry)) return form === 'auto' ? withoutForm(this) : 'light';
-    return form === 'auto' ? 'form' : this.lineField;
+  private get look(): HatchingMaterialProperties & { extent: SceneExtent | null } {
+    return this as unknown as HatchingMaterialProperties & { extent: SceneExtent | null };
+  }
+
+  /** The map to draw with, if it is there. That of a style is asked for when it is first drawn with. */
+  private mapInUse(): TonalArtMap | null {
+    const { tonalArtMap } = this;
+    if (!needsMap(this)) return null;
+    return typeof tonalArtMap === 'string' ? sharedMap(tonalArtMap) : tonalArtMap;
   }
 
   private tellOfLacks(): void {
-    const { technique, medium, toneModel, shadowStrokes } = this;
-    if (technique !== 'engraved')
+    const { technique, toneModel, shadowStrokes } = this;
+    if (technique !== 'engraved' && technique !== 'anchored')
       tellOnce(`there are no nodes of the technique "${technique}" yet; "engraved" is drawn.`);
-    if (medium === 'stipple' || medium === 'dry')
-      tellOnce(`there are no nodes of the medium "${medium}" yet; lines of ink are drawn.`);
     if (toneModel === 'shadow') tellOnce('there are no nodes of the tone model "shadow" yet; all tones are drawn.');
     if (shadowStrokes !== 'tone') tellOnce(`shadowStrokes "${shadowStrokes}" is not drawn by nodes yet.`);
   }
@@ -352,19 +349,17 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const emitted = materialEmissive;
     const radiance = light.add(lightLuminance(emitted));
     const curve = curveOf(this.toneCurve);
-    const fromBelow = vec2(screenCoordinate.x, screenSize.y.sub(screenCoordinate.y));
-    const emphasis = emphasisAt(positionView, fromBelow).toVar();
+    const emphasis = emphasisAt(positionView, pixelFromBelow()).toVar();
     const darkness = localDarkness(diffuseColor.xyz, emitted);
     const tone = shadedTone(radiance, darkness, hollowness(), { curve, isToon: this.toneModel === 'toon' })
       .mul(emphasis)
       .toVar();
-    const parameters = read(builder, this.lineFieldFor(builder.geometry as BufferGeometry));
     const color = mix(vec3(1), filledColor(diffuseColor.xyz), emphasis);
     const isOpaque = !(material as Material).transparent;
     const ground = paper.mul(color).toVar();
     const printed = printedColor(
       ground,
-      hatchLayer(parameters, tone, this.medium).mul(meshValues as unknown as Value),
+      darknessOf(this.look, tone, builder).mul(meshValues as unknown as Value),
       this.inkBlend === 'multiply',
       isOpaque,
     ).toVar();
@@ -377,5 +372,17 @@ export class HatchingNodeMaterial extends NodeMaterial {
 const curveOf = (curve: ToneCurve): number =>
   TONE_CURVES.indexOf(curve === 'linear' || curve === 'perceptual' ? curve : 'points');
 
-const lightsOf = (builder: NodeBuilder): readonly Light[] =>
-  (builder as NodeBuilder & { lightsNode: { getLights(): Light[] } | null }).lightsNode?.getLights() ?? [];
+/** What chooses nodes, beside what follows from it. */
+const choicesOf = ({ technique, medium, lineField, strokeField, strokeLayers }: HatchingNodeMaterial): string[] => [
+  ...[NAME, technique, medium, lineField, strokeField, strokeLayers],
+];
+
+/** Texels per side of the largest texture that the device takes. */
+function maxTextureSize({ backend }: WebGPURenderer): number {
+  const { device, gl } = backend as { device?: GPUDeviceLike; gl?: WebGL2RenderingContext };
+  return device ? device.limits.maxTextureDimension2D : gl ? gl.getParameter(gl.MAX_TEXTURE_SIZE) : Infinity;
+}
+
+interface GPUDeviceLike {
+  readonly limits: { readonly maxTextureDimension2D: number };
+}

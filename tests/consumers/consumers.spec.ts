@@ -76,8 +76,8 @@ const MOST_BYTES = [
 
 /** The same of a page that draws with WebGPURenderer. */
 const MOST_BYTES_OF_NODES = [
-  ['HatchingNodeMaterial', 25_000],
-  ['HatchingNodeMaterial, applyHatching', 45_000],
+  ['HatchingNodeMaterial', 31_000],
+  ['HatchingNodeMaterial, applyHatching', 49_900],
   ['HatchingOutlines', 41_000],
 ] as const;
 

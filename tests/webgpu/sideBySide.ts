@@ -29,13 +29,9 @@ function drawerOf(drawn: Drawn): Promise<Drawer> {
 const kitOf = (drawn: Drawn): Kit => ({
   drawn,
   async hatching(parameters) {
-    if (drawn !== 'glsl') {
-      const material = new HatchingNodeMaterial(parameters);
-      await material.ready;
-      return material;
-    }
-    await HatchingMaterial.preload();
-    return new HatchingMaterial(parameters);
+    const material = drawn === 'glsl' ? new HatchingMaterial(parameters) : new HatchingNodeMaterial(parameters);
+    await material.ready;
+    return material;
   },
   either: (glsl, nodes) => (drawn === 'glsl' ? glsl() : nodes()),
 });

@@ -8,4 +8,8 @@ export const toleratedMessages: readonly { pattern: RegExp; reason: string }[] =
     pattern: /^THREE\.Clock: This module has been deprecated/,
     reason: 'A remark of three.js about React Three Fiber, which still uses it.',
   },
+  {
+    pattern: /WebGPU is not available, running under WebGL2 backend/,
+    reason: 'A remark of three.js on browsers without WebGPU, where its WebGPURenderer draws with WebGL.',
+  },
 ];

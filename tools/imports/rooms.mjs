@@ -92,6 +92,7 @@ export const ROOMS = {
   'scene/detail': ['/src/scene/MeshLook.ts', '/src/scene/surfaceMeshes.ts'],
   'scene/jointForms': [],
   'scene/occlusion': ['/src/scene/HatchedScene.ts'],
+  'scene/outlining': ['/src/scene/MeshLook.ts', '/src/scene/surfaceMeshes.ts'],
   'scene/flattering': ['/src/scene/assertTree.ts', '/src/scene/surfaceMeshes.ts'],
   // No GLSL: neither the shaders nor what puts them together.
   webgpu: [
@@ -99,18 +100,20 @@ export const ROOMS = {
     ...['material', 'outlines', 'scene'],
   ],
   'webgpu/nodes': [],
-  'webgpu/nodes/chunks': ['/src/webgpu/nodes/uniforms.ts', '/src/webgpu/nodes/values.ts'],
-  'webgpu/nodes/outlines': [
-    'chunks',
-    '/src/webgpu/nodes/textures.ts',
-    '/src/webgpu/nodes/uniforms.ts',
-    '/src/webgpu/nodes/values.ts',
-  ],
-  'webgpu/nodes/perFragment': ['/src/webgpu/nodes/uniforms.ts', '/src/webgpu/nodes/values.ts'],
+  'webgpu/nodes/base': [],
+  'webgpu/nodes/chunks': ['base'],
+  'webgpu/nodes/outlines': ['base', 'chunks'],
+  'webgpu/nodes/perFragment': ['base', 'chunks'],
   'webgpu/nodes/techniques': [],
+  'webgpu/nodes/techniques/anchored': [
+    '/src/webgpu/nodes/base',
+    '/src/webgpu/nodes/chunks',
+    '/src/webgpu/nodes/perFragment',
+  ],
   'webgpu/nodes/techniques/engraved': [
-    ...['/src/webgpu/nodes/chunks', '/src/webgpu/nodes/perFragment'],
-    ...['/src/webgpu/nodes/uniforms.ts', '/src/webgpu/nodes/values.ts'],
+    '/src/webgpu/nodes/base',
+    '/src/webgpu/nodes/chunks',
+    '/src/webgpu/nodes/perFragment',
   ],
   'webgpu/outlines': ['nodes'],
   svg: [

@@ -9,7 +9,7 @@ import { needsNoAdjacency, type OldLook, type PlannedMesh } from '../geometryPla
 import type { SkippedMesh } from '../HatchedScene.js';
 import type { MaterialReplacer } from '../MaterialReplacer.js';
 import type { MeshLook } from '../MeshLook.js';
-import type { OutlineMaker } from '../OutlineMaker.js';
+import type { OutlineMaker } from '../outlining/OutlineMaker.js';
 import { isBatched } from '../surfaceMeshes.js';
 import { worldMatrices } from '../worldMatrices.js';
 import { extentOf } from './extentOf.js';

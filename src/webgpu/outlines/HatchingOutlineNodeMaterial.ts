@@ -30,6 +30,7 @@ import {
   defineOutlineNumbers,
   writeOutlineLook,
 } from '../../outlines/outlineValues.js';
+import { toothMap } from '../../tam/toothMap.js';
 import { type OutlineNodes, outlineNodes } from '../nodes/outlines/outlineNodes.js';
 
 const NAME = 'HatchingOutlineNodeMaterial';
@@ -142,6 +143,7 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
   /** Writes the properties to the uniforms. @param pixelRatio pixels of what is drawn to per CSS pixel @internal */
   writeLook(pixelRatio: number): void {
     writeOutlineLook(this, this.uniforms, pixelRatio);
+    if (this.tooth > 0) this.uniforms.toothMap.value = toothMap();
   }
 
   /**

@@ -13,8 +13,8 @@ import {
   NOTHING,
   VERTICES,
 } from '../../outlines/MeshOutlines.js';
+import { placesOf } from '../nodes/base/InstancePlaces.js';
 import { HatchingOutlineNodeMaterial } from './HatchingOutlineNodeMaterial.js';
-import { placesOf } from './InstancePlaces.js';
 import { readWhereDrawn } from './readWhereDrawn.js';
 
 const drawnInto = /* @__PURE__ */ new Vector4();

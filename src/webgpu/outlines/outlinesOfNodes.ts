@@ -1,6 +1,6 @@
 import type { OutlineOptions } from '../../geometry/prepareHatchingGeometry.js';
 import type { HatchingOutlineParameters } from '../../outlines/HatchingOutlineMaterial.js';
-import { type OutlineKind, OutlineMaker } from '../../scene/OutlineMaker.js';
+import { type OutlineKind, OutlineMaker } from '../../scene/outlining/OutlineMaker.js';
 import { HatchingOutlineNodeMaterial } from './HatchingOutlineNodeMaterial.js';
 import { HatchingOutlines } from './HatchingOutlines.js';
 

@@ -3,7 +3,7 @@ import { afterEach, expect, test, vi } from 'vitest';
 import * as identities from '../../../src/geometry/identityOf.js';
 import type { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import { applyHatching } from '../../../src/scene/applyHatching.js';
-import { OutlineMaker } from '../../../src/scene/OutlineMaker.js';
+import { OutlineMaker } from '../../../src/scene/outlining/OutlineMaker.js';
 
 vi.mock('../../../src/geometry/identityOf.js', async (original) => {
   const { identityOf } = await original<typeof identities>();

@@ -18,9 +18,8 @@ const REASONS: readonly [chunks: RegExp, reason: string][] = [
   [/^(techniques\/(triangle|adjacency)|perTriangle)\//, 'triangle and adjacency are drawn by WebGLRenderer alone'],
   [/(^|\/)deform\.glsl$/, 'three.js poses the vertices of node materials itself'],
   [/^shadowMaps\//, "three's nodes filter shadows"],
-  [/^techniques\/anchored\//, 'anchored strokes are drawn by WebGLRenderer alone'],
   [
-    /^(chunks|perFragment|environment|techniques\/engraved)\//,
+    /^(chunks|perFragment|environment|techniques\/(anchored|engraved))\//,
     'it is part of another file of nodes, or what it draws is drawn by WebGLRenderer alone',
   ],
   [/^outlines\/surroundings\.glsl$/, 'three.js fogs and clips outlines of nodes'],
@@ -40,6 +39,8 @@ const WITHOUT_FUNCTION: Record<string, readonly string[]> = {
   // Debug views are drawn by WebGLRenderer alone.
   'techniques/engraved/readCut.glsl': ['fieldUv'],
   'techniques/engraved/readForm.glsl': ['fieldUv'],
+  // Only the techniques of triangles ask for one place.
+  'chunks/thresholdMap.glsl': ['thresholdsAt', 'thresholdAt'],
   // They stand in octaves.ts, since strokes read them too.
   'techniques/engraved/ruledLines.glsl': ['octaves', 'powerOf2'],
   // It stands in texelOf.ts, since places of instances are read by it too.

@@ -140,4 +140,22 @@ export const cases: readonly SceneCase[] = [
       return showing(material, egg(material));
     },
   },
+  {
+    name: 'anchored strokes on instances',
+    onWebGPU: 'tone',
+    async show(kit) {
+      const material = await lines(kit, { technique: 'anchored' });
+      const mesh = new InstancedMesh(new TorusKnotGeometry(0.25, 0.1, 64, 12), material, 2);
+      for (let i = 0; i < 2; i++) mesh.setMatrixAt(i, moved(i ? 0.5 : -0.5, 0, 0.8 * i, 1.5));
+      return showing(material, mesh);
+    },
+  },
+  {
+    name: 'anchored strokes on a skin, as deformed',
+    onWebGPU: 'tone',
+    async show(kit) {
+      const material = await lines(kit, { technique: 'anchored', strokeAnchor: 'deformed' });
+      return showing(material, bentTube(material));
+    },
+  },
 ];

@@ -66,6 +66,10 @@ export const cases: readonly SceneCase[] = [
   { name: 'the preset banknote', show: (kit) => hatched(kit, 'banknote') },
   { name: 'the preset technical', show: (kit) => hatched(kit, 'technical') },
   { name: 'the preset woodcut', show: (kit) => hatched(kit, 'woodcut') },
+  { name: 'the preset stipple', show: (kit) => hatched(kit, 'stipple') },
+  { name: 'the preset pencil', show: (kit) => hatched(kit, 'pencil') },
+  { name: 'the preset charcoal', show: (kit) => hatched(kit, 'charcoal') },
+  { name: 'the preset chalk', show: (kit) => hatched(kit, 'chalk') },
   {
     name: 'a scene with hollows',
     async show(kit) {

@@ -1,8 +1,8 @@
 /** The twin of shaders/chunks/deformVertex.glsl: three deforms the vertex, with all that its own materials know. */
 import type { BufferGeometry, SkinnedMesh } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
-import { linearPart } from '../matrices.js';
-import { tsl, type Value } from '../values.js';
+import { linearPart } from '../base/matrices.js';
+import { tsl, type Value } from '../base/values.js';
 
 const { add, attribute, morphReference, normalLocal, positionLocal, reference, referenceBuffer, skinning } = tsl;
 

@@ -1,6 +1,6 @@
 /** The twin of shaders/chunks/emitOcclusion.glsl. */
 import type { NodeBuilder } from 'three/webgpu';
-import { tsl } from '../values.js';
+import { tsl } from '../base/values.js';
 import { hatchNormal } from './hatchNormal.js';
 import { vOcclusion } from './occlusion.js';
 

@@ -1,7 +1,7 @@
 /** The twin of shaders/chunks/emphasis.glsl: how much weight the drawing has at a place, 1 as usual, 0 none. */
 import { EMPHASIS_CONSTANTS } from '../../../engraving/constants/emphasisConstants.js';
-import { hatchingUniform } from '../uniforms.js';
-import { tsl, type Value } from '../values.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
 
 const { cameraViewMatrix, clamp, dot, exp, float, length, select, sin, smoothstep, vec3 } = tsl;
 const { AIR, FOCUS_END, FRONT_GAIN, UNEVEN, VIGNETTE_START } = EMPHASIS_CONSTANTS;

@@ -1,7 +1,7 @@
 /** The twin of shaders/chunks/hatchNormal.glsl. */
 import type { BufferGeometry } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
-import { tsl, type Value } from '../values.js';
+import { tsl, type Value } from '../base/values.js';
 
 const { attribute, dot, normalGeometry, select, vec4 } = tsl;
 

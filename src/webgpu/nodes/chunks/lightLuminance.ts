@@ -1,5 +1,5 @@
 /** The twin of shaders/chunks/lightLuminance.glsl. */
-import { tsl, type Value } from '../values.js';
+import { tsl, type Value } from '../base/values.js';
 
 const { dot, vec3 } = tsl;
 

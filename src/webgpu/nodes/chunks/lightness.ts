@@ -1,5 +1,5 @@
 /** The twin of shaders/chunks/lightness.glsl. */
-import { tsl, type Value } from '../values.js';
+import { tsl, type Value } from '../base/values.js';
 
 const { pow, select } = tsl;
 

@@ -1,5 +1,5 @@
 /** The twin of shaders/chunks/lineCoverage.glsl. */
-import { type Input, tsl, type Value } from '../values.js';
+import { type Input, tsl, type Value } from '../base/values.js';
 
 const { clamp, max, min } = tsl;
 

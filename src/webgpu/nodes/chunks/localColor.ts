@@ -1,6 +1,6 @@
 /** The twin of shaders/chunks/localColor.glsl: what the surface's own colour gives to the picture. */
-import { hatchingUniform } from '../uniforms.js';
-import { tsl, type Value } from '../values.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
 import { lightLuminance } from './lightLuminance.js';
 import { lightness } from './lightness.js';
 

@@ -2,12 +2,12 @@
 import type { BatchedMesh, InstancedMesh, Object3D, Texture } from 'three';
 import { uniformTexture } from 'three/tsl';
 import type { NodeBuilder } from 'three/webgpu';
-import { placesOf } from '../../outlines/InstancePlaces.js';
-import { blankFloats } from '../blankTextures.js';
-import { inverseOf, linearPart } from '../matrices.js';
-import { texelOf } from '../texelOf.js';
-import { hatchingUniform } from '../uniforms.js';
-import { type TextureValue, tsl, type Value } from '../values.js';
+import { blankFloats } from '../base/blankTextures.js';
+import { placesOf } from '../base/InstancePlaces.js';
+import { inverseOf, linearPart } from '../base/matrices.js';
+import { texelOf } from '../base/texelOf.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { type TextureValue, tsl, type Value } from '../base/values.js';
 
 const { batch, batchIndirectIndex, instancedMesh, instanceIndex, int, mat4, modelViewMatrix } = tsl;
 

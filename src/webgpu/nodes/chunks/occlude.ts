@@ -1,8 +1,8 @@
 /** The twin of shaders/chunks/occlude.glsl: what ambient occlusion takes of the light. */
 import { TONE_CONSTANTS } from '../../../engraving/constants/toneConstants.js';
 import { CAVITY } from '../../../material/facts/cavity.js';
-import { hatchingUniform } from '../uniforms.js';
-import { tsl, type Value } from '../values.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
 import { vOcclusion } from './occlusion.js';
 
 const { float, smoothstep } = tsl;

@@ -1,6 +1,6 @@
 /** The twin of shaders/chunks/printedColor.glsl: ink and paper as one colour with an alpha, not premultiplied. */
-import { hatchingUniform } from '../uniforms.js';
-import { tsl, type Value } from '../values.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
 
 const { float, max, mix, vec4 } = tsl;
 

@@ -1,6 +1,6 @@
 /** The twin of shaders/chunks/tone.glsl: tone in [0, 1], where 0 is paper. */
-import { hatchingUniform } from '../uniforms.js';
-import { tsl, type Value } from '../values.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
 import { curvedTone } from './toneCurve.js';
 
 const { clamp, float, floor, max, mix, step } = tsl;

@@ -1,7 +1,7 @@
 /** The twin of shaders/chunks/toneCurve.glsl: from the tone of the light to the tone that is printed. */
 import { TONE_CURVE_SPANS, TONE_CURVES } from '../../../material/shaders/shaderConventions.js';
-import { hatchingElement, hatchingUniform } from '../uniforms.js';
-import { tsl, type Value } from '../values.js';
+import { hatchingElement, hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
 import { lightness } from './lightness.js';
 
 const { clamp, float } = tsl;

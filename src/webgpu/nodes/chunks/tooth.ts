@@ -1,12 +1,14 @@
 /** The twin of shaders/chunks/tooth.glsl: the tooth of paper. It lies on the screen; in the tiles of a larger picture it lies on the whole picture. */
-import { texture } from 'three/tsl';
 import { TOOTH_MAP_BUMP, TOOTH_MAP_SIZE } from '../../../tam/patternSizes.js';
-import { toothMap } from '../../../tam/toothMap.js';
-import { hatchingUniform } from '../uniforms.js';
-import { type TextureValue, tsl, type Value } from '../values.js';
+import { blankTooth } from '../base/blankTextures.js';
+import { hatchingTexture } from '../base/textures.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
 
 const { float, fract, inverseSqrt, select, smoothstep } = tsl;
 
+/** A standard normal field, low where the paper stands up. */
+const toothMap = /* @__PURE__ */ hatchingTexture('toothMap', blankTooth);
 /** Of this picture within a larger one, pixels. */
 const toothOffset = /* @__PURE__ */ hatchingUniform('toothOffset', 'vec2');
 /** Pixels to a bump. */
@@ -27,8 +29,7 @@ const DETAIL_FINER = 3.7;
 /** @param pixel of what is drawn to, counted from the lower left. @param size pixels to a bump */
 function toothOf(pixel: Value, size: Value): Value {
   const texel = pixel.add(toothOffset).div(size).mul(TOOTH_MAP_BUMP).toVar();
-  const map = texture(toothMap()) as unknown as TextureValue;
-  const encoded = map.sample(texel.div(TOOTH_MAP_SIZE)).level(0).x;
+  const encoded = toothMap.sample(texel.div(TOOTH_MAP_SIZE)).level(0).x;
   // Gives back the variance that interpolation takes.
   const between = fract(texel.sub(0.5)).toVar();
   const variance = float(1)

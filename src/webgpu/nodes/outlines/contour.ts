@@ -1,6 +1,6 @@
 /** The twin of shaders/outlines/contour.glsl: the contour of a smooth surface. */
-import { hatchingUniform } from '../uniforms.js';
-import { tsl, type Value } from '../values.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
 import { endBetween, type Piece, type PieceEnd, weigh } from './piece.js';
 import type { OutlinePoint } from './points.js';
 

@@ -1,8 +1,8 @@
 /** The twin of shaders/outlines/cover.glsl: from a piece of outline to the triangle on the screen that covers it. */
 import type { NodeBuilder } from 'three/webgpu';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
 import { mostOutlineEmphasis } from '../chunks/emphasis.js';
-import { hatchingUniform } from '../uniforms.js';
-import { tsl, type Value } from '../values.js';
 import { lifted, liftOf, toleranceOf } from './hiding.js';
 import { accents, isSeen, SHORT, type Spine, standingAt } from './hierarchy.js';
 import type { OutlineDefines } from './OutlineDefines.js';

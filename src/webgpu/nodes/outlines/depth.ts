@@ -1,5 +1,5 @@
 import { viewZToLogarithmicDepth, viewZToOrthographicDepth } from 'three/tsl';
-import { tsl, type Value } from '../values.js';
+import { tsl, type Value } from '../base/values.js';
 import { onSpine } from './fragments.js';
 import type { OutlineDefines } from './OutlineDefines.js';
 import { isOrthographic } from './sceneDepth.js';

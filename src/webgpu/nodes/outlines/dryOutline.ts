@@ -2,10 +2,11 @@
  * The twin of shaders/outlines/dryOutline.glsl. Outlines of pencil, charcoal and chalk: soft at their sides, where the hand presses least, and
  * heavier or lighter as it goes. They catch on the tooth of the paper.
  */
+
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
 import { normalDistribution } from '../chunks/normalDistribution.js';
 import { toothField } from '../chunks/tooth.js';
-import { hatchingUniform } from '../uniforms.js';
-import { tsl, type Value } from '../values.js';
 
 const { clamp, float, min } = tsl;
 

@@ -7,8 +7,8 @@ import {
   CREASE,
   MATERIAL_BORDER,
 } from '../../../features/edgeFlags.js';
-import { hatchingUniform } from '../uniforms.js';
-import { tsl, type Value } from '../values.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
 import { contours } from './contour.js';
 import { endBetween, type Piece, weigh } from './piece.js';
 import type { OutlinePoint } from './points.js';

@@ -1,8 +1,9 @@
 /** The twin of shaders/outlines/outlines.frag. A piece of outline is a capsule on the screen, so that pieces join without mitres; its edge fades over one pixel. */
+
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
 import { outlineEmphasisAt } from '../chunks/emphasis.js';
 import { lineCoverage } from '../chunks/lineCoverage.js';
-import { hatchingUniform } from '../uniforms.js';
-import { tsl, type Value } from '../values.js';
 import { dryInk } from './dryOutline.js';
 import { hiddenCoverage } from './hidden.js';
 import { accents, alongLine, halfWidthAs, isSeen, outlineWidth, type Spine, standingAt } from './hierarchy.js';

@@ -1,7 +1,7 @@
 /** The twin of shaders/outlines/hidden.glsl. Outlines behind a surface, as technical draughtsmen keep them: thin, and dashed or faint. */
 import { OUTLINE_CONSTANTS } from '../../../engraving/constants/outlineConstants.js';
-import { hatchingUniform } from '../uniforms.js';
-import { tsl, type Value } from '../values.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
 
 const { If, abs, clamp, float, floor, select, smoothstep } = tsl;
 const { DASH, FAINT, GAP, HIDDEN_WEIGHT, WHOLE_FROM } = OUTLINE_CONSTANTS;

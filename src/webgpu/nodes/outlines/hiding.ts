@@ -3,7 +3,7 @@
  * it lies on does not hide it, and hardly further; it stays where it is on the screen.
  */
 import { OUTLINE_CONSTANTS } from '../../../engraving/constants/outlineConstants.js';
-import { tsl, type Value } from '../values.js';
+import { tsl, type Value } from '../base/values.js';
 import type { Piece, PieceEnd } from './piece.js';
 import { radius } from './points.js';
 import { isOrthographic } from './sceneDepth.js';

@@ -4,8 +4,8 @@
  */
 import type { NodeBuilder } from 'three/webgpu';
 import { ACCENT_STEPS, OUTLINE_CONSTANTS } from '../../../engraving/constants/outlineConstants.js';
-import { hatchingUniform } from '../uniforms.js';
-import { tsl, type Value } from '../values.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
 import { depthAt, isInView, isOrthographic, NOWHERE, viewHeightAt } from './sceneDepth.js';
 
 const { Break, If, Loop, abs, bool, clamp, dot, float, floor, int, max, min, mix, select, smoothstep, vec2 } = tsl;

@@ -1,6 +1,6 @@
 /** The twin of shaders/outlines/piece.glsl. What is a struct there is an object of variables here, which functions write to. */
-import { hatchingUniform } from '../uniforms.js';
-import { tsl, type Value } from '../values.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
 import { type OutlinePoint, towardsEye } from './points.js';
 
 const { bool, cross, dot, float, length, max, min, mix, normalize, select, vec3 } = tsl;

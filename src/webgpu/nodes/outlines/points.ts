@@ -1,10 +1,10 @@
 /** The twin of shaders/outlines/points.glsl: points that outlines run between (src/bake/outlineLayout.ts). */
 import { POINT_MASK } from '../../../bake/outlineLayout.js';
-import { blankIntegers } from '../blankTextures.js';
-import { texelOf } from '../texelOf.js';
-import { hatchingTexture } from '../textures.js';
-import { hatchingUniform } from '../uniforms.js';
-import { tsl, type Value } from '../values.js';
+import { blankIntegers } from '../base/blankTextures.js';
+import { texelOf } from '../base/texelOf.js';
+import { hatchingTexture } from '../base/textures.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
 
 const { abs, dot, float, int, ivec2, max, normalize, select, uint, uintBitsToFloat } = tsl;
 const { unpackHalf2x16, unpackSnorm2x16, vec3 } = tsl;

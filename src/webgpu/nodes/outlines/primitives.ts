@@ -1,11 +1,11 @@
 /** The twin of shaders/outlines/primitives.glsl: primitives, all of them or those that are listed (src/bake/outlineLayout.ts). */
 import { POINT_BITS } from '../../../bake/outlineLayout.js';
 import { IS_EDGE } from '../../../features/edgeFlags.js';
-import { blankFloats, blankIntegers } from '../blankTextures.js';
-import { texelOf } from '../texelOf.js';
-import { hatchingTexture } from '../textures.js';
-import { hatchingUniform } from '../uniforms.js';
-import { tsl, type Value } from '../values.js';
+import { blankFloats, blankIntegers } from '../base/blankTextures.js';
+import { texelOf } from '../base/texelOf.js';
+import { hatchingTexture } from '../base/textures.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
 
 const { If, cross, dot, instanceIndex, int, select, uint, vec3, vec4 } = tsl;
 

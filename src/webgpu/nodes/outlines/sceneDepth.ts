@@ -2,8 +2,8 @@
 import { DepthFormat, DepthStencilFormat, DepthTexture, FloatType, UnsignedInt248Type, UnsignedIntType } from 'three';
 import { logarithmicDepthToViewZ, orthographicDepthToViewZ, screenUV, viewportDepthTexture } from 'three/tsl';
 import { type NodeBuilder, WebGPUCoordinateSystem } from 'three/webgpu';
-import { hatchingUniform } from '../uniforms.js';
-import { type TextureValue, tsl, type Value } from '../values.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { type TextureValue, tsl, type Value } from '../base/values.js';
 
 const { cameraFar, cameraNear, cameraProjectionMatrix, clamp, float, floor, int, ivec2, screenSize, select } = tsl;
 

@@ -1,7 +1,7 @@
 /** The twin of shaders/outlines/suggestiveContour.glsl. */
 import { OUTLINE_CONSTANTS } from '../../../engraving/constants/outlineConstants.js';
-import { hatchingUniform } from '../uniforms.js';
-import { tsl, type Value } from '../values.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
 import { zeroSet } from './contour.js';
 import { type Piece, weigh } from './piece.js';
 import { type OutlinePoint, radius, towardsEye } from './points.js';

@@ -1,5 +1,5 @@
 /** The twin of shaders/outlines/varyings.glsl: the same at all three vertices, what the fragments need to know of the piece of outline they may lie on. */
-import { tsl, type Value } from '../values.js';
+import { tsl, type Value } from '../base/values.js';
 
 const { varyingProperty } = tsl;
 

@@ -4,8 +4,8 @@
  */
 import type { Light } from 'three';
 import type { LightsNode, NodeBuilder } from 'three/webgpu';
-import { hatchingUniform } from '../uniforms.js';
-import { tsl, type Value } from '../values.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
 import { contour } from './contour.js';
 import { clearVaryings, coverPiece } from './cover.js';
 import { featureEdge } from './featureEdge.js';

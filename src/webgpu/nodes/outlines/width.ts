@@ -1,5 +1,5 @@
 /** The twin of shaders/outlines/width.glsl: how wide an outline is at an end of a piece. */
-import { tsl, type Value } from '../values.js';
+import { tsl, type Value } from '../base/values.js';
 import { hiddenWeight } from './hidden.js';
 import { outlineWidth } from './hierarchy.js';
 import type { OutlineDefines } from './OutlineDefines.js';

@@ -1,7 +1,7 @@
 /** The twin of shaders/outlines/wobble.glsl: the unsteadiness of a hand, a slow shift on the screen that belongs to the place on the object. */
 import { OUTLINE_CONSTANTS } from '../../../engraving/constants/outlineConstants.js';
-import { hatchingUniform } from '../uniforms.js';
-import { tsl, type Value } from '../values.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
 import { radius } from './points.js';
 
 const { dot, sin, vec2, vec3 } = tsl;

@@ -1,10 +1,10 @@
 /** The twin of shaders/perFragment/emit.glsl: where strokes are anchored, for the vertex shader. */
 import type { NodeBuilder } from 'three/webgpu';
+import { identity, inverseOf } from '../base/matrices.js';
+import { tsl, type Value } from '../base/values.js';
 import type { DeformedVertex } from '../chunks/deformVertex.js';
 import { strokeNormalOf } from '../chunks/hatchNormal.js';
 import type { ObjectPlace } from '../chunks/objectToView.js';
-import { identity, inverseOf } from '../matrices.js';
-import { tsl, type Value } from '../values.js';
 import { rotationBetween } from './rotationBetween.js';
 import { isRigid, vViewToAnchor } from './viewToAnchor.js';
 

@@ -1,6 +1,6 @@
 /** The twin of shaders/perFragment/rotationBetween.glsl. */
-import { identity } from '../matrices.js';
-import { tsl, type Value } from '../values.js';
+import { identity } from '../base/matrices.js';
+import { tsl, type Value } from '../base/values.js';
 
 const { cross, dot, float, If, mat3, normalize, vec3 } = tsl;
 

@@ -1,7 +1,7 @@
 /** The twin of shaders/perFragment/screenGradient.glsl: how fast a function of the place on the object changes on the screen. */
 import { SCREEN_CONSTANTS } from '../../../engraving/constants/screenConstants.js';
-import { hatchingUniform } from '../uniforms.js';
-import { tsl, type Value } from '../values.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
 
 const { abs, cameraProjectionMatrix, dot, length, max, positionView, select, vec2, vec3 } = tsl;
 
@@ -11,11 +11,17 @@ export type ScreenMap = readonly [x: Value, y: Value];
 const viewportHeight = /* @__PURE__ */ hatchingUniform('viewportHeight', 'float');
 
 /** The centre of the screen as seen from here: what one step in depth shifts. */
-const centreOfScreen = (isOrthographic: Value): Value =>
+export const centreOfScreen = (isOrthographic: Value): Value =>
   select(isOrthographic, vec2(0), positionView.xy.div(positionView.z)).toVar();
 
+/** View units to a pixel. */
+export const viewUnitsPerPixel = (isOrthographic: Value): Value =>
+  select(isOrthographic, 1, positionView.z.negate())
+    .mul(2)
+    .div(cameraProjectionMatrix.element(1).element(1).mul(viewportHeight));
+
 /** @param normal view space, of the length at which it stands for as many view units as a pixel of the plane has */
-function screenMapOf(normal: Value, centre: Value, viewToPlace: Value): ScreenMap {
+export function screenMapOf(normal: Value, centre: Value, viewToPlace: Value): ScreenMap {
   const { x, y, z } = normal;
   return [
     viewToPlace.mul(vec3(centre.x.mul(y), z.negate().sub(centre.x.mul(x)), y)).toVar(),
@@ -32,9 +38,9 @@ export function screenMap(n: Value, viewToPlace: Value): ScreenMap {
   const normal = n.mul(viewToPlace).toVar();
   const centre = centreOfScreen(isOrthographic);
   const facing = abs(dot(normal, vec3(centre, 1)));
-  const away = select(isOrthographic, 1, positionView.z.negate());
-  const perPixel = away.mul(2).div(cameraProjectionMatrix.element(1).element(1).mul(viewportHeight));
-  normal.mulAssign(perPixel.div(max(facing, length(normal).mul(SCREEN_CONSTANTS.LEAST_FACING))));
+  normal.mulAssign(
+    viewUnitsPerPixel(isOrthographic).div(max(facing, length(normal).mul(SCREEN_CONSTANTS.LEAST_FACING))),
+  );
   return screenMapOf(normal, centre, viewToPlace);
 }
 

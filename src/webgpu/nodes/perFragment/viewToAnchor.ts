@@ -1,8 +1,8 @@
 /** The twin of shaders/perFragment/viewToAnchor.glsl: the linear map from the view to where strokes are anchored. */
 import type { BufferGeometry } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
+import { tsl, type Value } from '../base/values.js';
 import { viewToObject } from '../chunks/objectToView.js';
-import { tsl, type Value } from '../values.js';
 
 const { mat3, varyingProperty } = tsl;
 

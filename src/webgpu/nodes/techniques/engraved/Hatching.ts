@@ -1,5 +1,5 @@
+import type { Value } from '../../base/values.js';
 import type { ScreenMap } from '../../perFragment/screenGradient.js';
-import type { Value } from '../../values.js';
 
 /** Lines that are level sets of one function. */
 export interface Family {

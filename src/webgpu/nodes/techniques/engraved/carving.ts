@@ -1,6 +1,6 @@
 /** The twin of shaders/techniques/engraved/carving.glsl: lines that are cut white out of the block, as in a woodcut. */
 import { CARVING_CONSTANTS } from '../../../../engraving/constants/carvingConstants.js';
-import { tsl, type Value } from '../../values.js';
+import { tsl, type Value } from '../../base/values.js';
 import type { Family, HatchingParameters } from './Hatching.js';
 import { lotOf } from './hand.js';
 import { octaves } from './octaves.js';

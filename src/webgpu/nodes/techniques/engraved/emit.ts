@@ -1,12 +1,12 @@
 /** The twin of shaders/techniques/engraved/emit.glsl. */
 import type { Light, SkinnedMesh } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
-import { inverseOf, linearPart } from '../../matrices.js';
+import { followsForm } from '../../base/followsForm.js';
+import { inverseOf, linearPart } from '../../base/matrices.js';
+import { hatchingUniform } from '../../base/uniforms.js';
+import { tsl, type Value } from '../../base/values.js';
 import type { Anchor } from '../../perFragment/emit.js';
-import { hatchingUniform } from '../../uniforms.js';
-import { tsl, type Value } from '../../values.js';
 import { firstField } from './fieldAxis.js';
-import { followsForm } from './followsForm.js';
 import { formCrossing, formSlope, formValue, formVarying } from './formAttributes.js';
 import { fieldLight } from './lightField.js';
 import { vField, vFieldNormal, vFieldPoint, vForm, vFormCrossing } from './varyings.js';

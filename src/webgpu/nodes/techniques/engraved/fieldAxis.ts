@@ -1,13 +1,10 @@
 /** The twin of shaders/techniques/engraved/fieldAxis.glsl: the function that lines are level sets of. */
 import { FIELD_CONSTANTS } from '../../../../engraving/constants/fieldConstants.js';
-import { hatchingUniform } from '../../uniforms.js';
-import { tsl, type Value } from '../../values.js';
+import { strokeDirection } from '../../base/strokeDirection.js';
+import { tsl, type Value } from '../../base/values.js';
 
 const { abs, cross, dot, length, max, normalize, select, vec3, vec4 } = tsl;
 const { SLANT, UPRIGHT } = FIELD_CONSTANTS;
-
-/** Cosine and sine of the angle by which strokes are turned from the tangent to the light. */
-const strokeDirection = /* @__PURE__ */ hatchingUniform('strokeDirection', 'vec2');
 
 /** Any unit vector across another, the same for neighbours of it. */
 export const across = (axis: Value): Value =>

@@ -1,6 +1,6 @@
 /** The twin of shaders/techniques/engraved/formAttributes.glsl: what lines that follow the form are baked into. */
 import { formLayout } from '../../../../bake/formLayout.js';
-import { tsl, type Value } from '../../values.js';
+import { tsl, type Value } from '../../base/values.js';
 
 const { attribute, dot, exp2, round, vec4 } = tsl;
 

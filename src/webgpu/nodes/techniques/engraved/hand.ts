@@ -1,8 +1,8 @@
 /** The twin of shaders/techniques/engraved/hand.glsl: the unsteadiness of a hand. */
 import { HAND_CONSTANTS } from '../../../../engraving/constants/handConstants.js';
 import { LOT_FACTORS } from '../../../../engraving/constants/lotConstants.js';
-import { hatchingUniform } from '../../uniforms.js';
-import { type Input, tsl, type Value } from '../../values.js';
+import { hatchingUniform } from '../../base/uniforms.js';
+import { type Input, tsl, type Value } from '../../base/values.js';
 
 const { abs, float, floatBitsToUint, fract, uint, vec3 } = tsl;
 const { BEND_PHASES, BENDS, BENT_BY, PRESSURE, SLOW_WAVES, STRAY, WAVE_PHASES, WIDTHS } = HAND_CONSTANTS;

@@ -2,9 +2,9 @@
 import { LINE_CONSTANTS } from '../../../../engraving/constants/lineConstants.js';
 import { TONE_CONSTANTS } from '../../../../engraving/constants/toneConstants.js';
 import type { Medium } from '../../../../material/facts/hatchingProperties.js';
+import { hatchingUniform } from '../../base/uniforms.js';
+import { tsl, type Value } from '../../base/values.js';
 import { leftOf, takenOf } from '../../chunks/crossedTones.js';
-import { hatchingUniform } from '../../uniforms.js';
-import { tsl, type Value } from '../../values.js';
 import type { Family, HatchingParameters } from './Hatching.js';
 import { handTone } from './hand.js';
 import { ruledLines } from './ruledLines.js';

@@ -1,9 +1,10 @@
 /** The twin of shaders/techniques/engraved/lightField.glsl: one light for the whole object, so that lines run on. */
 import type { Light } from 'three';
 import { FIELD_CONSTANTS } from '../../../../engraving/constants/fieldConstants.js';
+import { directedLights, hasPlace } from '../../base/directedLights.js';
+import { tsl, type Value } from '../../base/values.js';
 import { lightLuminance } from '../../chunks/lightLuminance.js';
 import { type LightValues, valuesFor } from '../../chunks/meanLight.js';
-import { tsl, type Value } from '../../values.js';
 
 const { dot, float, length, max, select, vec3, vec4 } = tsl;
 const { FIRST_AXIS, LEAST_WEIGHT } = FIELD_CONSTANTS;
@@ -12,12 +13,6 @@ const { FIRST_AXIS, LEAST_WEIGHT } = FIELD_CONSTANTS;
 type Tensor = readonly [Value, Value, Value];
 
 const applied = ([x, y, z]: Tensor, v: Value): Value => x.mul(v.x).add(y.mul(v.y)).add(z.mul(v.z));
-
-const hasPlace = (light: Light): boolean => 'isPointLight' in light || 'isSpotLight' in light;
-
-/** The lights that have a direction, which are all but skies. */
-export const directedLights = (lights: readonly Light[]): Light[] =>
-  lights.filter((light) => 'isDirectionalLight' in light || hasPlace(light));
 
 /** The weight of a light. */
 const fieldWeight = ({ color }: LightValues): Value => lightLuminance(color).add(LEAST_WEIGHT).toVar();

@@ -1,5 +1,5 @@
 /** Of shaders/techniques/engraved/ruledLines.glsl: continuous octaves. */
-import { tsl, type Value } from '../../values.js';
+import { tsl, type Value } from '../../base/values.js';
 
 const { float, floatBitsToInt, int, intBitsToFloat } = tsl;
 

@@ -1,8 +1,8 @@
 /** The twin of shaders/techniques/engraved/penStrokes.glsl: lines that a pen draws in strokes. */
 import { LOT_FACTORS } from '../../../../engraving/constants/lotConstants.js';
 import { PEN_CONSTANTS } from '../../../../engraving/constants/penConstants.js';
+import { tsl, type Value } from '../../base/values.js';
 import { lineCoverage } from '../../chunks/lineCoverage.js';
-import { tsl, type Value } from '../../values.js';
 import type { Family, HatchingParameters } from './Hatching.js';
 import { handmade, lotOf } from './hand.js';
 import { FRINGE } from './lineFringe.js';

@@ -1,6 +1,6 @@
 /** The twin of shaders/techniques/engraved/read.glsl. */
 import type { NodeBuilder } from 'three/webgpu';
-import { followsForm } from './followsForm.js';
+import { followsForm } from '../../base/followsForm.js';
 import type { HatchingParameters } from './Hatching.js';
 import { readHatchingParameters as readCut } from './readCut.js';
 import { readHatchingParameters as readForm } from './readForm.js';

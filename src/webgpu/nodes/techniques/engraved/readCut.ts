@@ -2,9 +2,9 @@
 import type { NodeBuilder } from 'three/webgpu';
 import { FIELD_CONSTANTS } from '../../../../engraving/constants/fieldConstants.js';
 import { HAND_CONSTANTS } from '../../../../engraving/constants/handConstants.js';
+import { tsl } from '../../base/values.js';
 import { screenGradient, screenMap } from '../../perFragment/screenGradient.js';
 import { readViewToAnchor } from '../../perFragment/viewToAnchor.js';
-import { tsl } from '../../values.js';
 import { objectToField } from './emit.js';
 import { across, fieldAt } from './fieldAxis.js';
 import type { HatchingParameters } from './Hatching.js';

@@ -2,9 +2,9 @@
 import type { NodeBuilder } from 'three/webgpu';
 import { FORM_CONSTANTS } from '../../../../engraving/constants/formConstants.js';
 import { HAND_CONSTANTS } from '../../../../engraving/constants/handConstants.js';
+import { tsl, type Value } from '../../base/values.js';
 import { screenGradient, screenMap } from '../../perFragment/screenGradient.js';
 import { readViewToAnchor } from '../../perFragment/viewToAnchor.js';
-import { tsl, type Value } from '../../values.js';
 import { objectToField } from './emit.js';
 import type { HatchingParameters } from './Hatching.js';
 import { handmade, handPoint, handPressure, slowWaves } from './hand.js';

@@ -1,9 +1,9 @@
 /** The twin of shaders/techniques/engraved/ruledLines.glsl: one family of lines. */
 import { LINE_CONSTANTS } from '../../../../engraving/constants/lineConstants.js';
 import type { Medium } from '../../../../material/facts/hatchingProperties.js';
+import { hatchingUniform } from '../../base/uniforms.js';
+import { tsl, type Value } from '../../base/values.js';
 import { lineCoverage } from '../../chunks/lineCoverage.js';
-import { hatchingUniform } from '../../uniforms.js';
-import { tsl, type Value } from '../../values.js';
 import { cutFor, cutWidth, rowOctaves } from './carving.js';
 import type { Family, HatchingParameters } from './Hatching.js';
 import { handWidth } from './hand.js';

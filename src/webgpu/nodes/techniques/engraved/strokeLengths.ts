@@ -1,9 +1,9 @@
 /** The twin of shaders/techniques/engraved/strokeLengths.glsl: strokes that the lines of a family are drawn in. */
 import { LINE_CONSTANTS } from '../../../../engraving/constants/lineConstants.js';
 import { STROKE_LENGTH_CONSTANTS } from '../../../../engraving/constants/strokeLengthConstants.js';
+import { hatchingUniform } from '../../base/uniforms.js';
+import { tsl, type Value } from '../../base/values.js';
 import { screenGradient } from '../../perFragment/screenGradient.js';
-import { hatchingUniform } from '../../uniforms.js';
-import { tsl, type Value } from '../../values.js';
 import type { Family, HatchingParameters } from './Hatching.js';
 import { octaves, powerOf2 } from './octaves.js';
 import { sizedOnScreen } from './sizedOnScreen.js';

@@ -1,5 +1,5 @@
 /** The twin of shaders/techniques/engraved/varyings.glsl. Field space: that of the object, or one for all objects of a scene, in tiles. */
-import { tsl, type Value } from '../../values.js';
+import { tsl, type Value } from '../../base/values.js';
 
 const { varyingProperty } = tsl;
 

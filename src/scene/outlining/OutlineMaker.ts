@@ -1,13 +1,13 @@
 import type { Material, Mesh } from 'three';
-import type { OutlineOptions } from '../geometry/prepareHatchingGeometry.js';
-import { deforms } from '../material/deformation/canDeform.js';
-import { describeObject } from '../mistakes/describeObject.js';
-import { tell } from '../mistakes/tell.js';
-import type { HatchingOutlineMaterial, HatchingOutlineParameters } from '../outlines/HatchingOutlineMaterial.js';
-import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
-import type { MeshOutlines } from '../outlines/MeshOutlines.js';
-import type { MeshLook } from './MeshLook.js';
-import { isBatched, materialsOf } from './surfaceMeshes.js';
+import type { OutlineOptions } from '../../geometry/prepareHatchingGeometry.js';
+import { deforms } from '../../material/deformation/canDeform.js';
+import { describeObject } from '../../mistakes/describeObject.js';
+import { tell } from '../../mistakes/tell.js';
+import type { HatchingOutlineMaterial, HatchingOutlineParameters } from '../../outlines/HatchingOutlineMaterial.js';
+import type { HatchingOutlines } from '../../outlines/HatchingOutlines.js';
+import type { MeshOutlines } from '../../outlines/MeshOutlines.js';
+import type { MeshLook } from '../MeshLook.js';
+import { isBatched, materialsOf } from '../surfaceMeshes.js';
 
 /** Whether a map cuts out parts of a surface. Its outlines would follow the outline of the geometry, and not of the picture on it. */
 const isCutOut = ({ alphaTest, alphaHash }: Material): boolean => alphaTest > 0 || alphaHash;

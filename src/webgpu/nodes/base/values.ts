@@ -15,7 +15,7 @@ export interface Value
       | ('and' | 'or' | 'not' | 'bitAnd' | 'bitOr' | 'bitXor' | 'shiftLeft' | 'shiftRight'),
       Operation
     >,
-    Record<'x' | 'y' | 'z' | 'w' | 'xy' | 'zw' | 'xz' | 'yw' | 'xyz' | 'yzw', Value> {
+    Record<'x' | 'y' | 'z' | 'w' | 'xy' | 'zw' | 'xz' | 'yw' | 'xyz' | 'yzw' | 'yzx' | 'zxy', Value> {
   /** Has it computed here, and kept. */
   toVar(name?: string): Value;
   assign(value: Input): void;
@@ -37,8 +37,37 @@ interface Branches {
 
 interface Shading
   extends Record<
-    | ('float' | 'int' | 'uint' | 'bool' | 'vec2' | 'vec3' | 'vec4' | 'ivec2' | 'mat3' | 'mat4' | 'uvec4')
-    | ('abs' | 'ceil' | 'floor' | 'round' | 'fract' | 'sign' | 'sqrt' | 'inverseSqrt' | 'exp' | 'exp2' | 'sin' | 'cos')
+    | (
+        | 'float'
+        | 'int'
+        | 'uint'
+        | 'bool'
+        | 'vec2'
+        | 'vec3'
+        | 'vec4'
+        | 'ivec2'
+        | 'ivec3'
+        | 'uvec3'
+        | 'uvec4'
+        | 'mat3'
+        | 'mat4'
+      )
+    | (
+        | 'abs'
+        | 'ceil'
+        | 'floor'
+        | 'round'
+        | 'fract'
+        | 'sign'
+        | 'sqrt'
+        | 'inverseSqrt'
+        | 'exp'
+        | 'exp2'
+        | 'log2'
+        | 'sin'
+        | 'cos'
+      )
+    | ('dFdx' | 'dFdy' | 'fwidth')
     | ('min' | 'max' | 'clamp' | 'mix' | 'step' | 'smoothstep' | 'pow' | 'select')
     | ('add' | 'cross' | 'distance' | 'dot' | 'length' | 'normalize' | 'determinant' | 'inverse' | 'transpose')
     | ('floatBitsToInt' | 'floatBitsToUint' | 'intBitsToFloat' | 'varying')
@@ -57,7 +86,7 @@ interface Shading
   /** Runs when a shader is built. */
   Fn(build: (builder: NodeBuilder) => Value): () => Value;
   If(condition: Value, then: () => void): Branches;
-  Loop(range: object, body: (counters: { i: Value }) => void): void;
+  Loop(range: object, body: (counters: Record<string, Value>) => void): void;
   Break(): void;
   Discard(condition: Value): void;
   /** A variable of a stage that anything in it may read. */

@@ -1,6 +1,6 @@
-import type { OutlineOptions } from '../geometry/prepareHatchingGeometry.js';
-import { HatchingOutlineMaterial, type HatchingOutlineParameters } from '../outlines/HatchingOutlineMaterial.js';
-import { HatchingOutlines } from '../outlines/HatchingOutlines.js';
+import type { OutlineOptions } from '../../geometry/prepareHatchingGeometry.js';
+import { HatchingOutlineMaterial, type HatchingOutlineParameters } from '../../outlines/HatchingOutlineMaterial.js';
+import { HatchingOutlines } from '../../outlines/HatchingOutlines.js';
 import { type OutlineKind, OutlineMaker } from './OutlineMaker.js';
 
 const IN_GLSL: OutlineKind<HatchingOutlineMaterial, HatchingOutlines> = {

@@ -1,0 +1,79 @@
+import type { BufferGeometry, Light } from 'three';
+import type { NodeBuilder } from 'three/webgpu';
+import { isFormed } from '../geometry/formGeometry.js';
+import { formOf } from '../material/facts/lookFacts.js';
+import type { HatchingMaterialProperties } from '../material/HatchingMaterialProperties.js';
+import { withoutForm } from '../material/programDefines.js';
+import { directedLights } from './nodes/base/directedLights.js';
+import { followsForm } from './nodes/base/followsForm.js';
+import { hatchingUniform } from './nodes/base/uniforms.js';
+import { tsl, type Value } from './nodes/base/values.js';
+import { deformVertex } from './nodes/chunks/deformVertex.js';
+import { emitOcclusion } from './nodes/chunks/emitOcclusion.js';
+import { placeInstance } from './nodes/chunks/objectToView.js';
+import { emitAnchor } from './nodes/perFragment/emit.js';
+import { emitAnchored } from './nodes/techniques/anchored/emit.js';
+import { hatch } from './nodes/techniques/anchored/hatch.js';
+import { readHatchingParameters } from './nodes/techniques/anchored/read.js';
+import { hatchLayer as dotLayer } from './nodes/techniques/anchored/stipple.js';
+import { emitEngraved } from './nodes/techniques/engraved/emit.js';
+import { hatchLayer } from './nodes/techniques/engraved/hatchLayer.js';
+import { read } from './nodes/techniques/engraved/read.js';
+
+type Look = HatchingMaterialProperties;
+
+const { screenCoordinate, screenSize, vec2 } = tsl;
+
+/** 0 where strokes wait for their map, or have none. */
+const inked = /* @__PURE__ */ hatchingUniform('inked', 'float');
+
+/** The pixel of what is drawn to, counted from the lower left. */
+export const pixelFromBelow = (): Value => vec2(screenCoordinate.x, screenSize.y.sub(screenCoordinate.y));
+
+/** The lights that are drawn with. */
+export const lightsOf = (builder: NodeBuilder): readonly Light[] =>
+  (builder as NodeBuilder & { lightsNode: { getLights(): Light[] } | null }).lightsNode?.getLights() ?? [];
+
+/** Whether strokes are anchored; the other techniques are engraved. */
+const isAnchored = ({ technique }: Look): boolean => technique === 'anchored';
+
+/** What the lines or strokes of a geometry run by. Only those that were prepared with `form` have some that follow it. */
+function fieldFor(look: Look, geometry: BufferGeometry): string {
+  const form = formOf(look);
+  const chosen = isAnchored(look) ? look.strokeField : look.lineField;
+  if (!form) return chosen;
+  if (!isFormed(geometry)) return form === 'auto' ? withoutForm(look) : 'light';
+  return form === 'auto' ? 'form' : chosen;
+}
+
+/** Puts the vertex where three's own materials do, and its strokes with it. */
+export function emitVertex(look: Look, builder: NodeBuilder): void {
+  const field = fieldFor(look, builder.geometry as BufferGeometry);
+  const isOfForm = followsForm(field);
+  // Lines that follow the form are fixed to the surface, whatever strokes are.
+  const isAtRest = look.strokeAnchor === 'rest' || (isOfForm && !isAnchored(look));
+  const deformed = deformVertex(builder);
+  const place = placeInstance(builder);
+  emitOcclusion(builder);
+  const anchor = emitAnchor(builder, deformed, place, isAtRest);
+  if (isAnchored(look)) emitAnchored(anchor, { isOfForm, isAtRest });
+  else emitEngraved(builder, anchor, { lineField: field, isAtRest, lights: lightsOf(builder) });
+}
+
+/** The darkness of the hatch where it has a tone. */
+export function darknessOf(look: Look, tone: Value, builder: NodeBuilder): Value {
+  const { medium, sizedOnScreen, strokeLayers } = look;
+  const field = fieldFor(look, builder.geometry as BufferGeometry);
+  if (!isAnchored(look)) return hatchLayer(read(builder, field), tone, medium);
+  const lights = lightsOf(builder);
+  const several = directedLights(lights).length > 1;
+  const parameters = readHatchingParameters(builder, lights, field);
+  if (medium === 'stipple') return dotLayer(parameters, tone, builder).mul(inked);
+  const layers = strokeLayers === 'lights' && !several ? 'single' : strokeLayers;
+  return hatch(parameters, tone, layers, {
+    isSizedOnScreen: sizedOnScreen > 0,
+    isUpToSign: several || followsForm(field),
+    medium,
+    pixel: pixelFromBelow(),
+  }).mul(inked);
+}

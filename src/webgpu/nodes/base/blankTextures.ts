@@ -1,0 +1,40 @@
+import {
+  DataTexture,
+  FloatType,
+  LinearFilter,
+  RedFormat,
+  RepeatWrapping,
+  RGBAFormat,
+  RGBAIntegerFormat,
+  UnsignedIntType,
+} from 'three';
+
+function blank(texture: DataTexture): DataTexture {
+  texture.needsUpdate = true;
+  return texture;
+}
+
+/** Stands in for the textures of outlines that hold integers, where there is nothing to draw. */
+export const blankIntegers: DataTexture = /* @__PURE__ */ blank(
+  new DataTexture(new Uint32Array(4), 1, 1, RGBAIntegerFormat, UnsignedIntType),
+);
+
+/** Stands in for those that hold floats. */
+export const blankFloats: DataTexture = /* @__PURE__ */ blank(
+  new DataTexture(new Float32Array(4), 1, 1, RGBAFormat, FloatType),
+);
+
+function repeated(texture: DataTexture): DataTexture {
+  texture.wrapS = texture.wrapT = RepeatWrapping;
+  return blank(texture);
+}
+
+/** Stands in for the tooth of paper: WebGPURenderer keeps the filter and the wrapping of the texture that it has met first. */
+export const blankTooth: DataTexture = /* @__PURE__ */ (() => {
+  const texture = new DataTexture(new Uint8Array(4), 1, 1, RedFormat);
+  texture.magFilter = texture.minFilter = LinearFilter;
+  return repeated(texture);
+})();
+
+/** Stands in for the places of dots. */
+export const blankDots: DataTexture = /* @__PURE__ */ repeated(new DataTexture(new Uint8Array(4), 1, 1));

@@ -1,0 +1,79 @@
+/**
+ * The twin of shaders/chunks/thresholdMap.glsl. The threshold map says from which tone on each texel of the hatch is ink. Its levels lie side by
+ * side in one texture, and beside each, in green, the next coarser one.
+ */
+import { blankThresholdMap } from '../../../material/blankThresholdMap.js';
+import { hatchingTexture } from '../base/textures.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { type TextureValue, tsl, type Value } from '../base/values.js';
+
+const { clamp, dot, exp2, floor, fract, inverseSqrt, min, mix, vec2, vec3, vec4 } = tsl;
+
+/** Texels per side of level 0. */
+export const thresholdMapSize = /* @__PURE__ */ hatchingUniform('thresholdMapSize', 'float');
+/** Share of the texture's width and height. */
+const thresholdMapTexel = /* @__PURE__ */ hatchingUniform('thresholdMapTexel', 'vec2');
+const thresholdMapLevels = /* @__PURE__ */ hatchingUniform('thresholdMapLevels', 'float');
+/** Variance of g between texels, of a level and of the next coarser one, and their covariance. */
+const thresholdMoments = /* @__PURE__ */ hatchingUniform('thresholdMoments', 'vec3');
+
+let map: TextureValue | undefined;
+
+/** All programs share the node. */
+function thresholdMap(): TextureValue {
+  map ??= hatchingTexture('thresholdMap', blankThresholdMap());
+  return map;
+}
+
+export interface ThresholdLevel {
+  /** Where it begins in the texture. */
+  corner: Value;
+  /** Of the texture. */
+  side: Value;
+  /** Of the next coarser level. */
+  share: Value;
+  /** Gives back the variance that interpolation takes. */
+  contrast: Value;
+  mixing: Value;
+}
+
+/** The level that makes up for strokes that are too fine by so many octaves on level 0. */
+export const levelFor = (octaves: Value): Value => clamp(octaves, 0, thresholdMapLevels.sub(1));
+
+/** Between two levels their fields are interpolated. */
+export function chooseLevel(level: Value): ThresholdLevel {
+  const finer = floor(level).toVar();
+  const share = level.sub(finer).toVar();
+  const rest = share.oneMinus().toVar();
+  const variance = dot(thresholdMoments, vec3(rest.mul(rest), share.mul(share), rest.mul(share).mul(2)));
+  const size = thresholdMapSize.mul(exp2(finer.negate())).toVar();
+  // Every level has a margin of one texel.
+  const corner = vec2(thresholdMapSize.sub(size).add(finer).mul(2).add(1), 1);
+  return {
+    corner: corner.mul(thresholdMapTexel).toVar(),
+    side: thresholdMapTexel.mul(size).toVar(),
+    share,
+    contrast: inverseSqrt(variance).toVar(),
+    mixing: rest
+      .mul(share)
+      .mul(4)
+      .mul(min(share.mul(2), 1))
+      .toVar(),
+  };
+}
+
+/** The field of four places, blended by their weights. */
+export function blendedField(places: readonly Value[], weights: Value, level: ThresholdLevel): Value {
+  const components = [weights.x, weights.y, weights.z, weights.w];
+  const blended = vec2(0).toVar();
+  for (const [i, uv] of places.entries()) {
+    const texel = thresholdMap()
+      .sample(level.corner.add(level.side.mul(fract(uv))))
+      .level(0);
+    blended.addAssign(components[i].mul(texel.xy));
+  }
+  const g = mix(blended.x, blended.y, level.share)
+    .mul(6)
+    .sub(dot(weights, vec4(1)).mul(3));
+  return level.contrast.mul(g).mul(inverseSqrt(dot(weights, weights)));
+}

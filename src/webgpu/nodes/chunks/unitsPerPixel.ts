@@ -1,0 +1,17 @@
+/** The twin of shaders/chunks/unitsPerPixel.glsl. */
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
+
+const { abs, cameraProjectionMatrix, determinant, pow, select } = tsl;
+
+const viewportHeight = /* @__PURE__ */ hatchingUniform('viewportHeight', 'float');
+
+export const isOrthographic = (): Value => cameraProjectionMatrix.element(3).element(3).equal(1);
+
+/** Object units to a pixel at a vertex. @param viewToObject linear part */
+export function unitsPerPixel(viewToObject: Value, viewPosition: Value): Value {
+  const away = select(isOrthographic(), 1, viewPosition.z.negate());
+  // The cube root of the volume a view-space unit cube takes in object space: the mean of the scale over directions.
+  const scale = pow(abs(determinant(viewToObject)), 1 / 3);
+  return away.mul(scale).mul(2).div(cameraProjectionMatrix.element(1).element(1).mul(viewportHeight));
+}
