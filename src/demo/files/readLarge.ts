@@ -40,7 +40,7 @@ export async function simplified(
 ): Promise<ReadMesh> {
   const [{ MeshoptSimplifier }, { simplifyMesh }] = await Promise.all([
     import('meshoptimizer/simplifier'),
-    import('./simplifyMesh.js'),
+    import('../../files/simplify/simplifyMesh.js'),
   ]);
   await MeshoptSimplifier.ready;
   const { mesh, error } = simplifyMesh(model.mesh, MeshoptSimplifier, onProgress, most);

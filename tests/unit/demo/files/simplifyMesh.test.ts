@@ -1,9 +1,9 @@
 import { MeshoptSimplifier } from 'meshoptimizer/simplifier';
 import { beforeAll, expect, test } from 'vitest';
 import { coarseModel, exactPixels, isTooFine, simplified } from '../../../../src/demo/files/readLarge.js';
-import { simplifyMesh } from '../../../../src/demo/files/simplifyMesh.js';
 import type { PlainMesh } from '../../../../src/files/mesh/PlainMesh.js';
 import type { ReadMesh } from '../../../../src/files/readModel.js';
+import { simplifyMesh } from '../../../../src/files/simplify/simplifyMesh.js';
 import { scannedTorus } from '../../../../tools/bench/detail/scannedTorus.mjs';
 import { distanceFrom } from './distanceFrom.js';
 
