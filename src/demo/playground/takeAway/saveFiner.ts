@@ -1,4 +1,5 @@
 import type { ModelFile } from '../../../files/readModel.js';
+import { formDrawn } from '../../../settings/settingValues.js';
 import { finerModel } from './finerModel.js';
 import type { SaveDrawing } from './SaveDrawing.js';
 import { savePicture } from './savePicture.js';
@@ -17,10 +18,12 @@ export const saveFiner =
       if (stage.model !== model) throw new Error('another model was opened meanwhile.');
       stage.finer = geometry;
       const { kind, size, pixelsPerRadius } = await savePicture(stage, settings, name, report, signal);
-      if (!simplified) return `Saved as ${kind} from all triangles: ${size}.`;
+      // The form of a finer mesh has singular points of its own.
+      const anew = formDrawn(settings) ? ', lines laid anew' : '';
+      if (!simplified) return `Saved as ${kind} from all triangles${anew}: ${size}.`;
       const millions = (triangles / 1e6).toFixed(1);
       const pixels = (pixelsPerRadius * simplified.error).toFixed(1);
-      return `Saved as ${kind} from ${millions} million triangles: up to ${pixels} px off.`;
+      return `Saved as ${kind} from ${millions} million triangles${anew}: up to ${pixels} px off.`;
     } finally {
       stage.finer = undefined;
       geometry.dispose();

@@ -29,7 +29,8 @@ function makeStage(simplified?: { triangles: number; error: number }) {
   const dispose = vi.spyOn(geometry, 'dispose');
   vi.mocked(finerModel).mockResolvedValue({ geometry, triangles: 3_960_000, simplified });
   const { signal } = new AbortController();
-  const save = () => saveFiner([])(stage as never, defaultSettings(), 'scan', () => {}, signal);
+  const save = (settings = {}) =>
+    saveFiner([])(stage as never, { ...defaultSettings(), ...settings }, 'scan', () => {}, signal);
   return { stage, mesh, geometry, dispose, save };
 }
 
@@ -60,6 +61,10 @@ test('a picture is drawn of the finer geometry, which is let go when frames go o
 
 test('a picture of all triangles says so', async () => {
   expect(await makeStage().save()).toBe('Saved as PNG from all triangles: 10 × 20 px.');
+  const { save } = makeStage();
+  expect(await save({ technique: 'engraved', lineField: 'form' })).toBe(
+    'Saved as PNG from all triangles, lines laid anew: 10 × 20 px.',
+  );
 });
 
 test('without a finer geometry, pictures are drawn of the one that frames show', () => {
