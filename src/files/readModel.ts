@@ -66,6 +66,8 @@ export interface ReadMesh extends Read {
   isClosed: boolean;
   /** The axis that points up by the model's flat side, if that is not the usual one of its format. */
   stands: UpAxis | undefined;
+  /** How it was simplified, if it was: the triangles of the file, and how far those that are left lie from them at most, in radii. */
+  simplified?: { triangles: number; error: number } | undefined;
   /** The ambient occlusion, as `writeOcclusion` of src/drawing takes it, if it was baked already. */
   occlusion?: Uint8Array<ArrayBuffer> | undefined;
 }

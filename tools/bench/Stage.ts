@@ -53,6 +53,22 @@ export class Stage {
     this.camera.lookAt(0, 0, 0);
   }
 
+  /** Moves the camera away from what is shown: its distance grows by a factor. */
+  moveAway(factor: number): void {
+    this.camera.position.multiplyScalar(factor);
+  }
+
+  /** Draws a frame. @returns its pixels as RGBA, the lowest row first */
+  readFrame(object: Object3D): Uint8Array {
+    const { renderer, gl, scene, camera, size } = this;
+    const pixels = new Uint8Array(4 * size * size);
+    scene.add(object);
+    renderer.render(scene, camera);
+    gl.readPixels(0, 0, size, size, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    scene.remove(object);
+    return pixels;
+  }
+
   /** Milliseconds that a frame takes, by the page's clock. */
   async timeFrame(object: Object3D): Promise<number> {
     if (!this.timer) return this.drawFrame(object);

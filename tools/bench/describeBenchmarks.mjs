@@ -67,7 +67,9 @@ long; \`baked\` is the time until it is shown baked, with its lines. Cold is the
 main thread, including drawing, 0 if none took 50 ms. All are medians with their 95 % intervals.`,
   detail: `A large model is drawn by \`applyHatching\` with \`detail\`, which chooses the level that the view needs, and a smaller model without. Ratios are taken
 within a turn. On the page a file of more than two million triangles is simplified while it is read. The first picture is of a coarse copy, the complete one of
-the simplified model, baked; the peak is the largest memory of the page's process, with its workers, as Linux reports it.`,
+the simplified model, baked. Flips on the way from the model tell whether levels pop: they should be no more than those of the whole model. The peak is the
+largest memory of the page's process, with its workers, as Linux reports it. Where more processes ran than there are cores, only ratios, flips and the peak
+are to be relied on.`,
 };
 
 /** Writes docs/benchmarks.md from the files in tools/bench/results. */
@@ -78,9 +80,10 @@ export function describeBenchmarks() {
     );
     if (runs.length === 0) return [];
     const parts = runs.map(({ environment, seconds, result }) => {
-      const { renderer, cpu, cores, chromium, node, commit } = environment;
+      const { renderer, cpu, cores, chromium, node, commit, load } = environment;
+      const busy = load === undefined ? '' : `; ${load.toFixed(1)} processes ran in the minute before`;
       const drawn = benchmark.perRasteriser ? `Drawn by ${renderer}. ` : '';
-      return `${benchmark.perRasteriser ? `### ${benchmark.name}, ${shortName(renderer)}\n\n` : ''}${drawn}${cpu}, ${cores} cores, Chromium ${chromium}, Node ${node.slice(1)}; commit ${commit}; took ${seconds} s.
+      return `${benchmark.perRasteriser ? `### ${benchmark.name}, ${shortName(renderer)}\n\n` : ''}${drawn}${cpu}, ${cores} cores, Chromium ${chromium}, Node ${node.slice(1)}; commit ${commit}; took ${seconds} s${busy}.
 
 ${benchmark.describe(result)}`;
     });

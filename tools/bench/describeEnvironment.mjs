@@ -1,5 +1,5 @@
 import { execFileSync } from 'node:child_process';
-import { cpus } from 'node:os';
+import { cpus, loadavg } from 'node:os';
 import { describeRenderer } from '../browser/describeRenderer.mjs';
 
 const git = (...args) => execFileSync('git', args, { encoding: 'utf8' }).trim();
@@ -25,5 +25,7 @@ export async function describeEnvironment() {
     node: process.version,
     cpu: cpus()[0]?.model,
     cores: cpus().length,
+    // By which a reader knows how far times are to be relied on.
+    load: loadavg()[0],
   };
 }

@@ -152,6 +152,8 @@ export const ROOMS = {
   'files/obj': ['common', 'mesh', 'scenes'],
   'files/stl': ['common', 'mesh', 'scenes'],
   'files/gltf': ['common', 'mesh', 'pictures', 'draco', 'scenes'],
+  // The library's simplification is no part of its interface.
+  'files/simplify': ['mesh', '/src/detail'],
   'files/moving': ['common', 'pictures', 'gltf'],
   // By its path, the library's presets are data for Node too: tests of the figures read them there. Its check of hands is no part of its interface.
   settings: ['scene/presets.ts', 'hand'],
@@ -170,8 +172,8 @@ export const ROOMS = {
     'files/readingTime.ts',
   ],
   // What draws models imports the library by its package name, and three.js: it is loaded when it is asked for.
-  // The library's rows of PNG are no part of its interface.
-  'command/draw': ['/src/command', '/src/mapFiles/pngRows.ts', ...SHARED],
+  // The library's rows of PNG and what loads its simplifier are no part of its interface.
+  'command/draw': ['/src/command', '/src/mapFiles/pngRows.ts', '/src/detail/loadSimplifier.ts', ...SHARED],
 
   // These import the library by its package name. The numbers by chance that strokes are placed by are no part of its interface.
   hands: ['strokes/random.ts'],

@@ -9,12 +9,11 @@ import type { HatchedModel } from '../../drawing/HatchedModel.js';
 import { meshesOf } from '../../drawing/meshesOf.js';
 import { ModelError } from '../../files/common/ModelError.js';
 import { withPictures } from '../../files/decodePictures.js';
-import { checkTriangleCount } from '../../files/mesh/checkTriangleCount.js';
-import { triangleCount } from '../../files/mesh/PlainMesh.js';
 import { type ReadModel, readModel } from '../../files/readModel.js';
 import { turnCamera } from '../../staging/placeCamera.js';
 import type { DrawingOptions } from '../DrawingOptions.js';
 import type { DrawingCounts, DrawMessage, DrawTask } from '../DrawThread.js';
+import { fitMemory, memoryHere, mostTriangles } from './fitMemory.js';
 import { NodeSurroundings } from './NodeSurroundings.js';
 import { plainSentence } from './plainSentence.js';
 import { settingsFor } from './settingsFor.js';
@@ -71,9 +70,10 @@ async function readFrom(
   if (!(await stat(path)).isFile()) throw new ModelError(`${path} is no file.`);
   const files = [{ name: basename(path), content: await openAsBlob(path) }];
   const read = await readModel(files, onStage, surroundings);
-  // A page simplifies what it has no memory for; a file of lines is drawn from all triangles.
-  if (read.kind === 'mesh') checkTriangleCount(triangleCount(read.mesh));
-  return withPictures(read, onStage, surroundings);
+  if (read.kind !== 'mesh') return withPictures(read, onStage, surroundings);
+  const onProgress = (share: number): void =>
+    say({ kind: 'progress', stage: 'simplifying', progress: READ * (0.5 + 0.5 * share) });
+  return withPictures(await fitMemory(read, mostTriangles(memoryHere()), onProgress), onStage, surroundings);
 }
 
 /** The angles by which the camera is turned for the frames, in radians. The clip takes the place of the turn. */

@@ -6,6 +6,7 @@ const WORDS: readonly [RegExp, string][] = [
   [/, which this page does not (read|unpack)/, ', which is not $1 here'],
   [/a later version of this page, which this one cannot read/, 'a later version of the playground'],
   [/(model )?(that )?this page can read/, '$1that can be read here'],
+  [/for which a page has no memory/, 'for which three-hatching has no memory'],
   [/more memory than this page can get/, 'more memory than there is'],
   [/this page (reads|takes)/, 'three-hatching $1'],
   [

@@ -1,7 +1,7 @@
 import { ModelError } from '../../files/common/ModelError.js';
 import { readingTime } from '../../files/readingTime.js';
 import type { ModelFile, ReadModel } from '../../files/readModel.js';
-import type { ModelWorkerMessage } from './model.worker.js';
+import type { FineRequest, ModelWorkerMessage } from './model.worker.js';
 import { PAGE_SURROUNDINGS } from './pageSurroundings.js';
 import type { ReadAhead } from './readAhead.js';
 
@@ -12,6 +12,8 @@ export interface LoadOptions {
   onStage: (stage: string) => void;
   /** Called with a coarse copy of a very large model, long before that is ready. */
   onCoarse?: ((model: ReadModel) => void) | undefined;
+  /** The most triangles of a model whose triangles are simplified, if it is not to have those that a sheet shows. */
+  most?: number | undefined;
 }
 
 /** Only smaller files are read on the main thread: it does nothing else meanwhile, and reading cannot be stopped. */
@@ -71,7 +73,7 @@ const sizeOf = (files: readonly ModelFile[]): number => files.reduce((sum, { con
 
 async function readInWorker(
   given: readonly ModelFile[] | Promise<readonly ModelFile[]>,
-  { signal, onStage, onCoarse }: LoadOptions,
+  { signal, onStage, onCoarse, most }: LoadOptions,
   ahead: ReadAhead | undefined,
 ): Promise<ReadModel> {
   const worker = ahead?.worker ?? startWorker();
@@ -114,7 +116,7 @@ async function readInWorker(
         if (isOver) return;
         bytes = sizeOf(files);
         restartTimer();
-        if (!ahead) worker.postMessage(files);
+        if (!ahead) worker.postMessage(most === undefined ? files : ({ files, most } satisfies FineRequest));
       };
       if (given instanceof Promise) given.then(post).catch(reject);
       else post(given);

@@ -6,6 +6,12 @@ import { type ModelFile, type OnStage, type ReadMesh, type ReadModel, readModel 
 import { PAGE_SURROUNDINGS } from './pageSurroundings.js';
 import { coarseModel, isTooFine, simplified } from './readLarge.js';
 
+/** What the worker is given if a model is to be read with other triangles than a sheet shows: at most so many. */
+export interface FineRequest {
+  files: readonly ModelFile[];
+  most: number;
+}
+
 /** Messages of the worker: its progress, its result, or the sentence of its error. */
 export type ModelWorkerMessage =
   | { kind: 'stage'; stage: string; bytes: number | undefined }
@@ -30,10 +36,14 @@ function transferables(model: ReadModel): Transferable[] {
   return [...arrays, ...(bitmaps.filter((bitmap) => bitmap !== undefined) as Transferable[])];
 }
 
-/** Shows a coarse copy of a model at once, and simplifies the model. Where that fails, the model is drawn as it is, if it can be. */
-async function lessOf(model: ReadMesh, onStage: OnStage): Promise<ReadMesh> {
+/** Hands over a coarse copy of a model, to be drawn at once. */
+function postCoarse(model: ReadMesh): void {
   const coarse = coarseModel(model);
   post({ kind: 'coarse', model: coarse }, transferables(coarse));
+}
+
+/** Simplifies a model. Where that fails, it is drawn as it is, if it can be. */
+async function lessOf(model: ReadMesh, onStage: OnStage, most?: number): Promise<ReadMesh> {
   const stage = `simplifying ${triangleCount(model.mesh).toLocaleString('en')} triangles`;
   onStage(stage);
   let said = performance.now();
@@ -43,18 +53,21 @@ async function lessOf(model: ReadMesh, onStage: OnStage): Promise<ReadMesh> {
     onStage(`${stage}: ${Math.floor(100 * progress)} %`);
   };
   try {
-    return await simplified(model, onProgress);
+    return await simplified(model, onProgress, most);
   } catch (error) {
     console.warn(`The model is drawn with all its triangles, because it could not be simplified. ${error}`);
     return model;
   }
 }
 
-addEventListener('message', async ({ data }: MessageEvent<ModelFile[]>) => {
+addEventListener('message', async ({ data }: MessageEvent<readonly ModelFile[] | FineRequest>) => {
   try {
+    const { files, most } = 'files' in data ? data : { files: data, most: undefined };
     const onStage: OnStage = (stage, bytes) => post({ kind: 'stage', stage, bytes });
-    const model = await withPictures(await readModel(data, onStage, PAGE_SURROUNDINGS), onStage, PAGE_SURROUNDINGS);
-    const drawn = isTooFine(model) ? await lessOf(model, onStage) : model;
+    const model = await withPictures(await readModel(files, onStage, PAGE_SURROUNDINGS), onStage, PAGE_SURROUNDINGS);
+    const isLessDrawn = isTooFine(model, most);
+    if (isLessDrawn && most === undefined) postCoarse(model);
+    const drawn = isLessDrawn ? await lessOf(model, onStage, most) : model;
     if (drawn.kind === 'mesh') checkTriangleCount(triangleCount(drawn.mesh));
     post({ kind: 'done', model: drawn }, transferables(drawn));
   } catch (error) {

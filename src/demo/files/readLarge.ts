@@ -8,9 +8,12 @@ import type { ReadMesh, ReadModel } from '../../files/readModel.js';
 /** Meshes of more triangles are simplified before they are baked. */
 const MANY_TRIANGLES = 2_000_000;
 
-/** Whether a model has more triangles than a sheet shows. Pictures keep theirs: corners of one place have several coordinates there. */
-export const isTooFine = (model: ReadModel): model is ReadMesh =>
-  model.kind === 'mesh' && !model.mesh.uvs && triangleCount(model.mesh) > MANY_TRIANGLES;
+/**
+ * Whether a model has more triangles than are drawn, by default than a sheet shows. Pictures keep theirs: corners of one place have several
+ * coordinates there.
+ */
+export const isTooFine = (model: ReadModel, most = MANY_TRIANGLES): model is ReadMesh =>
+  model.kind === 'mesh' && !model.mesh.uvs && triangleCount(model.mesh) > most;
 
 /** A coarse copy of a model, to be drawn until it is simplified. */
 export function coarseModel(model: ReadMesh): ReadMesh {
@@ -29,14 +32,18 @@ export function exactPixels(error: number): number {
   return Math.floor(pixels / unit) * unit;
 }
 
-/** The model with no more triangles than a sheet shows, and with a note that says so. Where that cannot be done, the model as it is. */
-export async function simplified(model: ReadMesh, onProgress: (progress: number) => void): Promise<ReadMesh> {
+/** The model with no more triangles than `most`, by default than a sheet shows, and with a note that says so. */
+export async function simplified(
+  model: ReadMesh,
+  onProgress: (progress: number) => void,
+  most?: number,
+): Promise<ReadMesh> {
   const [{ MeshoptSimplifier }, { simplifyMesh }] = await Promise.all([
     import('meshoptimizer/simplifier'),
-    import('./simplifyMesh.js'),
+    import('../../files/simplify/simplifyMesh.js'),
   ]);
   await MeshoptSimplifier.ready;
-  const { mesh, error } = simplifyMesh(model.mesh, MeshoptSimplifier, onProgress);
+  const { mesh, error } = simplifyMesh(model.mesh, MeshoptSimplifier, onProgress, most);
   const [all, drawn] = [model.mesh, mesh].map((one) => triangleCount(one).toLocaleString('en'));
   const share = (100 * error).toFixed(2);
   const pixels = exactPixels(error).toLocaleString('en');
@@ -45,6 +52,7 @@ export async function simplified(model: ReadMesh, onProgress: (progress: number)
     mesh,
     plainNormals: plainNormals(mesh),
     isClosed: isClosed(mesh),
+    simplified: { triangles: triangleCount(model.mesh), error },
     details: [
       ...model.details,
       `${drawn} of ${all} triangles are drawn, which lie within ${share} % of the radius from all of them: less than can be seen if the model is up to ${pixels} pixels across`,

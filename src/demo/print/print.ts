@@ -2,6 +2,7 @@ import { type PrintPlan, toMillimetres } from './printPlan.js';
 
 /** Everything that drawing a picture needs. It is fetched when the first picture is saved. */
 export { cutToDrawing, drawPicture } from './drawPicture.js';
+export { nearestRadius } from './nearestRadius.js';
 export { type PrintPlan, planPrint, sheetOnView } from './printPlan.js';
 export { planSvg, printablePlan, type SvgPlan } from './svgPlan.js';
 export { ZipWriter } from './ZipWriter.js';

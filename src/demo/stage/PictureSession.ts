@@ -1,3 +1,5 @@
+import type { BufferGeometry } from 'three';
+import { meshesOf } from '../../drawing/meshesOf.js';
 import type { Settings } from '../../settings/settings.js';
 import type { Layer } from '../../staging/layers.js';
 import { LostContextError } from './LostContextError.js';
@@ -40,6 +42,8 @@ export class PictureSession {
   private changes = 0;
   /** Whether a comparison is left out. */
   private isUndivided = false;
+  /** Gives the model the geometry back that frames show. */
+  private leaveFiner: () => void = () => {};
 
   constructor(private readonly stage: Stage) {}
 
@@ -52,12 +56,14 @@ export class PictureSession {
     const { quality, frames, painter } = this.stage;
     quality.finishSketch();
     frames.isHeld = true;
+    this.showFiner();
     this.changes = this.stage.changes;
     painter.setShadowQuality(size > LARGE ? 'fine' : 'usual', true);
   }
 
   /** Goes on with frames. One is drawn at once, so that the page never shows a tile. */
   release(): void {
+    this.leaveFiner();
     this.stage.frames.isHeld = false;
     this.stage.resize();
   }
@@ -122,6 +128,19 @@ export class PictureSession {
     const below = y + rows - tile.y - tile.height;
     context.readPixels(tile.x - x, below, tile.width, tile.height, context.RGBA, context.UNSIGNED_BYTE, pixels);
     this.throwIfLost();
+  }
+
+  private showFiner(): void {
+    const { finer, model } = this.stage;
+    if (!finer || !model) return;
+    const [mesh] = meshesOf(model.root);
+    const { geometry } = mesh;
+    const exchange = (other: BufferGeometry): void => {
+      mesh.geometry = other;
+      this.stage.outdateShadows();
+    };
+    exchange(finer);
+    this.leaveFiner = () => exchange(geometry);
   }
 
   private throwIfLost(): void {

@@ -1,4 +1,4 @@
-import type { PerspectiveCamera } from 'three';
+import type { BufferGeometry, PerspectiveCamera } from 'three';
 import type { TonalArtMap } from 'three-hatching';
 import type { HatchedModel } from '../../drawing/HatchedModel.js';
 import type { Look } from '../../settings/lookOf.js';
@@ -20,6 +20,8 @@ export class Stage {
   readonly painter: Painter;
   /** How often the view, the model or the look has changed, or the size of the viewport. */
   changes = 0;
+  /** A finer geometry of the model, of which pictures are drawn instead of what frames show. The model is a single mesh then. */
+  finer: BufferGeometry | undefined;
   private readonly contextLoss: ContextLoss;
 
   /** Sets up the stage. A frame is drawn when one was requested, and when the viewport changes its size. */

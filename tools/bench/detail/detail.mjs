@@ -9,8 +9,14 @@ import { figure, table, withInterval } from '../table.mjs';
 import { timeOpening } from './timeOpening.mjs';
 import { writeScan } from './writeScan.mjs';
 
-const PLAN = { levels: { triangles: 2e6, reference: 5e5, sizes: [250, 500, 1000], turns: 15 }, opened: 1e7 };
-const QUICK = { levels: { triangles: 250_000, reference: 50_000, sizes: [64], turns: 2 }, opened: 210_000 };
+const PLAN = {
+  levels: { triangles: 2e6, reference: 5e5, sizes: [250, 500, 1000], turns: 15, zoom: { size: 500, steps: 60 } },
+  opened: 1e7,
+};
+const QUICK = {
+  levels: { triangles: 250_000, reference: 50_000, sizes: [64], turns: 2, zoom: { size: 64, steps: 6 } },
+  opened: 210_000,
+};
 
 /** Frames of a large model drawn in levels, beside those of a smaller one; and how long a very large file takes to be drawn on the page. */
 export const detail = {
@@ -19,10 +25,11 @@ export const detail = {
 
   async run({ measure, openPage, rendererPids }, isQuick) {
     const { levels, opened } = isQuick ? QUICK : PLAN;
-    const { seconds, views } = await measure('detail', levels);
+    const { seconds, views, flips } = await measure('detail', levels);
     return {
       ...levels,
       seconds,
+      flips,
       views: views.map(({ size, drawn, times }) => ({
         size,
         drawn,
@@ -34,7 +41,7 @@ export const detail = {
     };
   },
 
-  describe({ triangles, reference, turns, seconds, views, opening }) {
+  describe({ triangles, reference, turns, seconds, views, zoom, flips, opening }) {
     const { stages, first, ready, longestTask, tasks, peak } = opening;
     const [large, small] = [triangles, reference].map((count) => count.toLocaleString('en'));
     return `A scan of ${large} triangles in levels, hatched with them in ${figure(seconds)} s, beside the whole of it and beside one of ${small}; ${turns} turns, ms a frame.
@@ -47,6 +54,16 @@ ${table([
     ...[frames.levels, frames.whole, frames.smaller].map(figure),
     withInterval(toSmaller),
     withInterval(toWhole),
+  ]),
+])}
+
+Pixels that flip, by more than 32 of 255 shades, while the camera moves away by 3 % a step on ${zoom.size} × ${zoom.size} pixels.
+
+${table([
+  ['steps', 'number', 'levels', 'whole'],
+  ...Object.entries({ all: flips.all, 'to another level': flips.replacing }).map(([name, { steps, levels, whole }]) => [
+    name,
+    ...[steps, levels, whole].map((count) => count.toLocaleString('en')),
   ]),
 ])}
 

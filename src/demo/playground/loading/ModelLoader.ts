@@ -6,7 +6,7 @@ import { isOpen } from '../../../drawing/isOpen.js';
 import type { Report } from '../../../drawing/Report.js';
 import type { BundledDrawing } from '../../../files/archives/bundle.js';
 import { shownName } from '../../../files/common/shownText.js';
-import type { ModelFile, ReadModel } from '../../../files/readModel.js';
+import type { ModelFile, ReadMesh, ReadModel } from '../../../files/readModel.js';
 import type { CameraView } from '../../../settings/CameraView.js';
 import { SETTINGS, type Settings } from '../../../settings/settings.js';
 import type { CodeModel } from '../../code/CodeModel.js';
@@ -64,6 +64,8 @@ export class ModelLoader {
   sceneRadius: number | undefined;
   /** Whether the model is a single mesh with border edges, whose surfaces are drawn from both sides. */
   isOpen = false;
+  /** How the shown model was simplified, if it was. */
+  simplified: ReadMesh['simplified'];
   /** The files from which the shown model was read. Built-in models have none. */
   shownFiles: ShownFiles = { files: [], missing: [] };
   /** The state of the page that a stand-in has changed. */
@@ -273,6 +275,7 @@ export class ModelLoader {
     this.shownModel = model;
     this.title = title;
     this.shownFiles = loaded.shown ?? { files: [], missing: [] };
+    this.simplified = read.kind === 'mesh' ? read.simplified : undefined;
     this.sceneRadius = read.kind === 'mesh' ? undefined : 1 / next.root.scale.x;
     const { statistics } = next;
     this.isOpen = read.kind === 'mesh' && isOpen(statistics);

@@ -10,6 +10,9 @@ import { download } from './download.js';
 import { fileStem } from './fileStem.js';
 import type { SaveDrawing } from './SaveDrawing.js';
 
+/** How far a picture of a simplified model may lie from one of the whole without a word, in pixels. */
+const MOST_PIXELS = 1 / 3;
+
 /** The actions that export the drawing, as a picture, a video, an archive or a link, and the map. */
 export class ExportActions {
   constructor(
@@ -21,11 +24,28 @@ export class ExportActions {
   ) {}
 
   /** Saves the picture that the settings ask for: one PNG, or its layers in an archive. */
-  readonly savePng = (): Promise<void> =>
-    this.save(async () => (await import('./savePicture.js')).savePicture, {
+  readonly savePng = async (): Promise<void> => {
+    const again = { label: 'Save it again', run: this.savePng };
+    const saved = await this.draw(async () => (await import('./savePicture.js')).savePicture, again);
+    if (!saved) return;
+    const { kind, size, pixelsPerRadius } = saved;
+    const { simplified } = this.session.modelLoader;
+    const pixels = simplified ? pixelsPerRadius * simplified.error : 0;
+    if (pixels <= MOST_PIXELS) this.status.say(`Saved as ${kind}: ${size}.`);
+    else {
+      const sentence = `Saved as ${kind}, simplified: up to ${pixels.toFixed(1)} px off.`;
+      this.status.offer(sentence, { label: 'Save finer', run: this.saveFiner });
+    }
+  };
+
+  /** Saves the picture that the settings ask for from more triangles than the page draws. */
+  private readonly saveFiner = (): Promise<void> => {
+    const { files } = this.session.modelLoader.shownFiles;
+    return this.save(async () => (await import('./saveFiner.js')).saveFiner(files), {
       label: 'Save it again',
-      run: this.savePng,
+      run: this.saveFiner,
     });
+  };
 
   /** Saves the drawing as lines, for print or for a plotter. */
   readonly saveSvg = (): Promise<void> =>

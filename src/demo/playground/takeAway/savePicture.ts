@@ -1,7 +1,7 @@
 import type { Report } from '../../../drawing/Report.js';
 import type { Settings } from '../../../settings/settings.js';
 import { LAYERS } from '../../../staging/layers.js';
-import { describePrint, drawPicture, type PrintPlan, ZipWriter } from '../../print/print.js';
+import { describePrint, drawPicture, nearestRadius, type PrintPlan, ZipWriter } from '../../print/print.js';
 import type { PictureSession } from '../../stage/PictureSession.js';
 import { behindCurtain } from './behindCurtain.js';
 import { download } from './download.js';
@@ -10,12 +10,22 @@ import type { SaveDrawing } from './SaveDrawing.js';
 /** The most pixels of a picture that other programs can be expected to paste from the clipboard. */
 const MOST_COPIED_PIXELS = 64_000_000;
 
+/** A saved picture. */
+export interface SavedPicture {
+  /** As what it was saved. */
+  kind: string;
+  size: string;
+  /** How many pixels a radius of the model is where it is nearest. */
+  pixelsPerRadius: number;
+}
+
 /** Saves the picture that the settings ask for: one PNG, or its layers in an archive. */
-export const savePicture: SaveDrawing = (stage, settings, name, report, signal) =>
+export const savePicture: SaveDrawing<SavedPicture> = (stage, settings, name, report, signal) =>
   behindCurtain(stage, settings, signal, async (session, plan) => {
+    const saved = { size: describePrint(plan), pixelsPerRadius: nearestRadius(stage.camera, plan) };
     if (settings.pictureLayers === 'one') {
       download(await drawWhole(session, settings, plan, report, signal), `${name}.png`);
-      return `Saved as PNG: ${describePrint(plan)}.`;
+      return { kind: 'PNG', ...saved };
     }
     const zip = new ZipWriter();
     for (const [i, layer] of LAYERS.entries()) {
@@ -24,7 +34,7 @@ export const savePicture: SaveDrawing = (stage, settings, name, report, signal) 
       await zip.add(`${name}-${i + 1}-${layer}.png`, content);
     }
     download(zip.end(), `${name}-layers.zip`);
-    return `Saved as ${LAYERS.length} PNG images in a ZIP: ${describePrint(plan)}.`;
+    return { kind: `${LAYERS.length} PNG images in a ZIP`, ...saved };
   });
 
 /** Draws the picture that the settings ask for as one PNG, for the clipboard. */

@@ -1,6 +1,6 @@
 import { shownText } from '../../../files/common/shownText.js';
 
-/** An action that solves a problem. */
+/** An action that solves a problem, or does more than was done. */
 export interface Remedy {
   /** The label of the button. */
   label: string;
@@ -75,6 +75,13 @@ export class Status {
     this.write(sentence, false);
     this.isSaying = true;
     this.clearTimer = setTimeout(() => this.rest(), 6000);
+  }
+
+  /** Shows a message with a button that does something more, until the next message, or until the user starts a task. */
+  offer(sentence: string, more: Remedy): void {
+    this.finish();
+    this.write(sentence, false, more);
+    this.isSaying = true;
   }
 
   /**

@@ -75,6 +75,16 @@ describe('reading in a worker', () => {
     post.mockRestore();
   });
 
+  test('asks for as many triangles as are wanted', async () => {
+    const post = vi.spyOn(FakeWorker.prototype, 'postMessage') as unknown as ReturnType<typeof vi.fn>;
+    const given = files(1);
+    const { signal } = new AbortController();
+    void loadModelFiles(given, { signal, onStage: () => {} });
+    void loadModelFiles(given, { signal, onStage: () => {}, most: 4_000_000 });
+    expect(post.mock.calls).toEqual([[given], [{ files: given, most: 4_000_000 }]]);
+    post.mockRestore();
+  });
+
   test('starts before the files are there, and has time for them from then on', async () => {
     let give: (given: ReturnType<typeof files>) => void = () => {};
     const given = new Promise<ReturnType<typeof files>>((resolve) => {

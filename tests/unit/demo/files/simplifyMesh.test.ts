@@ -1,9 +1,9 @@
 import { MeshoptSimplifier } from 'meshoptimizer/simplifier';
 import { beforeAll, expect, test } from 'vitest';
-import { coarseModel, exactPixels, isTooFine } from '../../../../src/demo/files/readLarge.js';
-import { simplifyMesh } from '../../../../src/demo/files/simplifyMesh.js';
+import { coarseModel, exactPixels, isTooFine, simplified } from '../../../../src/demo/files/readLarge.js';
 import type { PlainMesh } from '../../../../src/files/mesh/PlainMesh.js';
 import type { ReadMesh } from '../../../../src/files/readModel.js';
+import { simplifyMesh } from '../../../../src/files/simplify/simplifyMesh.js';
 import { scannedTorus } from '../../../../tools/bench/detail/scannedTorus.mjs';
 import { distanceFrom } from './distanceFrom.js';
 
@@ -113,9 +113,18 @@ test('a coarse copy has the form, the colours and normals that point outwards', 
   expect(sumAlong / (mesh.positions.length / 3)).toBeGreaterThan(0.9);
 });
 
+test('a model with fewer triangles knows what it had, and how far it lies from that', async () => {
+  const { mesh, details, simplified: how } = await simplified(readOf(ball(100)), () => {}, 60_000);
+  expect(mesh.indices!.length).toBeLessThanOrEqual(3 * 60_000);
+  expect(how!.triangles).toBe(120_000);
+  expect(how!.error).toBeGreaterThan(0);
+  expect(details[0]).toContain(`${exactPixels(how!.error).toLocaleString('en')} pixels`);
+});
+
 test('only meshes of more than two million triangles without pictures are simplified', () => {
   const fine = { ...ball(1), indices: new Uint32Array(3 * 2_000_001) };
   expect(isTooFine(readOf(fine))).toBe(true);
+  expect(isTooFine(readOf(fine), 3_000_000)).toBe(false);
   expect(isTooFine(readOf({ ...fine, uvs: new Float32Array(2) }))).toBe(false);
   expect(isTooFine(readOf({ ...fine, indices: new Uint32Array(3 * 2_000_000) }))).toBe(false);
 });

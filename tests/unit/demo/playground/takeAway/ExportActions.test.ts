@@ -2,6 +2,7 @@ import { Group } from 'three';
 import { beforeEach, expect, test, vi } from 'vitest';
 import { FormLoader } from '../../../../../src/demo/playground/loading/FormLoader.js';
 import { ExportActions } from '../../../../../src/demo/playground/takeAway/ExportActions.js';
+import { saveFiner } from '../../../../../src/demo/playground/takeAway/saveFiner.js';
 import { drawForClipboard } from '../../../../../src/demo/playground/takeAway/savePicture.js';
 import { TaskRunner } from '../../../../../src/demo/playground/tasks/TaskRunner.js';
 import { bakeForm } from '../../../../../src/drawing/bakeForm.js';
@@ -11,6 +12,10 @@ import { fakeStatus } from '../tasks/fakeStatus.js';
 vi.mock('../../../../../src/drawing/bakeForm.js', () => ({ bakeForm: vi.fn() }));
 vi.mock('../../../../../src/demo/playground/takeAway/savePicture.js', () => ({
   drawForClipboard: vi.fn(async () => new Blob()),
+  savePicture: vi.fn(async () => ({ kind: 'PNG', size: '10 × 20 px', pixelsPerRadius: 1000 })),
+}));
+vi.mock('../../../../../src/demo/playground/takeAway/saveFiner.js', () => ({
+  saveFiner: vi.fn(() => async () => 'Saved finer.'),
 }));
 
 /** The bakes that were begun, each with a function that ends it. */
@@ -28,8 +33,14 @@ beforeEach(() => {
   );
 });
 
+const FILES: readonly never[] = [];
+
 /** A page with a model whose lines follow the form, or the light, and which was drawn or not. */
-function makePage(lineField: 'form' | 'light' = 'form', isOnPage = true) {
+function makePage(
+  lineField: 'form' | 'light' = 'form',
+  isOnPage = true,
+  simplified?: { triangles: number; error: number },
+) {
   const line = fakeStatus();
   const tasks = new TaskRunner(line.status, { hasDrawing: () => true, onIdle: () => {} });
   const model = { root: new Group() };
@@ -37,7 +48,7 @@ function makePage(lineField: 'form' | 'light' = 'form', isOnPage = true) {
   const frames = { invalidate: () => {}, keepPictures: () => {}, leavePictures: () => {} };
   const stage = { model, shown: { isStandIn: false }, quality, isComplete: true, frames };
   const settings = { ...defaultSettings(), technique: 'engraved' as const, lineField };
-  const session = { stage, settings, modelLoader: { title: 'A model' } };
+  const session = { stage, settings, modelLoader: { title: 'A model', simplified, shownFiles: { files: FILES } } };
   const form = new FormLoader(stage as never, settings, tasks);
   const actions = new ExportActions(session as never, {} as never, line.status, tasks, form);
   return { line, stage, settings, form, actions };
@@ -99,3 +110,26 @@ test('a picture is drawn if lines cannot be laid along the form, and not if the 
   await expect(picture).rejects.toThrow('status line');
   expect(drawn).toHaveBeenCalledOnce();
 });
+
+test('a picture in which a simplified model is seen to be simplified can be saved from more triangles', async () => {
+  const { line, actions } = makePage('light', true, { triangles: 10_000_000, error: 0.0012 });
+  await actions.savePng();
+  expect([line.text, line.isError, line.remedy]).toEqual([
+    'Saved as PNG, simplified: up to 1.2 px off.',
+    false,
+    'Save finer',
+  ]);
+  line.mend();
+  await vi.waitFor(() => expect(line.text).toBe('Saved finer.'));
+  expect(saveFiner).toHaveBeenCalledExactlyOnceWith(FILES);
+  expect(line.remedy).toBeUndefined();
+});
+
+test.each([undefined, { triangles: 10_000_000, error: 0.0003 }])(
+  'a picture as exact as its pixels is saved with its size in words: %o',
+  async (simplified) => {
+    const { line, actions } = makePage('light', true, simplified);
+    await actions.savePng();
+    expect([line.text, line.remedy]).toEqual(['Saved as PNG: 10 × 20 px.', undefined]);
+  },
+);

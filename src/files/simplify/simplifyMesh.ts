@@ -1,7 +1,7 @@
 import type { SimplifiableMesh } from '../../detail/SimplifiableMesh.js';
 import type { Simplifier } from '../../detail/Simplifier.js';
 import { simplifyTriangles } from '../../detail/simplifyTriangles.js';
-import type { PlainMesh } from '../../files/mesh/PlainMesh.js';
+import type { PlainMesh } from '../mesh/PlainMesh.js';
 
 /** A mesh of more triangles is simplified. A sheet shows no more of them. */
 const MOST_TRIANGLES = 1_500_000;
