@@ -8,7 +8,7 @@ const SCENES = {
 };
 /** `share`: of what the names of the scenes say. */
 const PLAN = { share: 1, turns: 31, size: 512, garbageFrames: 200 };
-const QUICK = { share: 0.05, turns: 2, size: 64, garbageFrames: 2 };
+const QUICK = { share: 0.05, turns: 2, size: 128, garbageFrames: 2 };
 
 /** What all are compared with. */
 const PLAIN = 'lambert';
@@ -47,11 +47,11 @@ export const many = {
       await page.close();
       scenes[name] = Object.fromEntries(rows);
     }
-    return { turns, size, garbageFrames, scenes };
+    return { share, turns, size, garbageFrames, scenes };
   },
 
-  describe({ turns, size, garbageFrames, scenes }) {
-    return `Icosahedra; ${turns} turns. Script: of \`renderer.render\` alone, on a canvas of 64 × 64 pixels. Garbage: what functions of the library
+  describe({ share, turns, size, garbageFrames, scenes }) {
+    return `Icosahedra${share < 1 ? `, of which ${figure(100 * share)} % are there` : ''}; ${turns} turns. Script: of \`renderer.render\` alone, on a canvas of 64 × 64 pixels. Garbage: what functions of the library
 allocate, and what these call, a frame, over ${garbageFrames} frames. Frames: ${size} × ${size} pixels, with ratios to Lambert's shading of the
 same geometry, which covers the same pixels; the first with its programs compiled.
 
