@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import { drop, middleOf, openPlayground, readDrawing, ready } from '../../tools/browser/playground.js';
 import { file, octahedronPly } from '../../tools/modelFiles/modelFiles.js';
-import { expect, test } from '../browser/test.js';
+import { expect, readGlErrors, test } from '../browser/test.js';
 import { changedShare } from './pictures.js';
 
 test.use({ viewport: { width: 900, height: 420 } });
@@ -299,6 +299,9 @@ test('what was asked for and did not come leaves nothing behind: no style, no ax
   await expect(status).toHaveText('');
   await drop(page, [file('stray.png', 'x')]);
   await expect(status).toHaveText(/^A part of this page could not be fetched/);
+  // What the page still fetches ahead is refused too, and would be said after the test has looked.
+  expect(await readGlErrors(page)).toEqual([]);
+  await page.close();
   expect(pageProblems.splice(0).filter((problem) => !/ERR_FAILED/.test(problem))).toEqual([]);
 });
 

@@ -136,6 +136,10 @@ test('the page of all examples shows and links each', async ({ page }) => {
 });
 
 test.describe('<hatched-model>', () => {
+  // Small, because each test draws its pictures many times.
+  const viewport = { width: 320, height: 480 };
+  test.use({ viewport });
+
   const elements = (page: Page) => page.locator('hatched-model');
   const contexts = (page: Page) =>
     page.evaluate(() => window.__webglContexts!.map((context) => (context.isContextLost() ? 'lost' : 'there')));
@@ -224,8 +228,7 @@ test.describe('<hatched-model>', () => {
     const screen = await page.context().newCDPSession(page);
     const drawnAt = async (deviceScaleFactor: number): Promise<PNG> => {
       await screen.send('Emulation.setDeviceMetricsOverride', {
-        width: 480,
-        height: 800,
+        ...viewport,
         deviceScaleFactor,
         mobile: false,
       });

@@ -3,7 +3,7 @@
  * keeps the figures in tools/bench/results and writes docs/benchmarks.md from them.
  *
  * `npm run bench -- bake frame` runs some of them, `--rasteriser=llvmpipe` draws with one rasteriser alone. `--quick` runs a
- * small version of everything and writes to tests/output/bench.
+ * small version of everything, in one browser, and writes to tests/output/bench.
  */
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -26,23 +26,35 @@ const rasterisers = values.rasteriser ? [values.rasteriser] : ['swiftshader', 'l
 const folder = fileURLToPath(new URL(values.quick ? '../../tests/output/bench/' : './results/', import.meta.url));
 mkdirSync(folder, { recursive: true });
 
-for (const benchmark of benchmarks) {
-  if (positionals.length > 0 && !positionals.includes(benchmark.name)) continue;
-  for (const rasteriser of benchmark.perRasteriser ? rasterisers : rasterisers.slice(0, 1)) {
-    process.env.HATCH_RASTERISER = rasteriser;
-    const environment = await describeEnvironment();
-    const start = performance.now();
-    const browser = await openBrowser(rasteriser);
-    try {
-      const result = await benchmark.run(browser, values.quick);
-      const seconds = Math.round((performance.now() - start) / 1000);
-      const name = benchmark.perRasteriser ? `${benchmark.name}.${rasteriser}` : benchmark.name;
-      writeFileSync(`${folder}${name}.json`, `${JSON.stringify({ environment, seconds, result }, rounded, 2)}\n`);
-      console.log(`\n${name}, ${seconds} s, ${environment.renderer}\n\n${benchmark.describe(result)}`);
-    } finally {
-      await browser.close();
+// What is measured quickly counts for nothing, so one browser will do for all. Else each benchmark has a new one.
+const shared = new Map();
+const open = async (rasteriser) => ({
+  environment: await describeEnvironment(),
+  browser: await openBrowser(rasteriser),
+});
+
+try {
+  for (const benchmark of benchmarks) {
+    if (positionals.length > 0 && !positionals.includes(benchmark.name)) continue;
+    for (const rasteriser of benchmark.perRasteriser ? rasterisers : rasterisers.slice(0, 1)) {
+      process.env.HATCH_RASTERISER = rasteriser;
+      const start = performance.now();
+      const opened = shared.get(rasteriser) ?? (await open(rasteriser));
+      if (values.quick) shared.set(rasteriser, opened);
+      const { environment, browser } = opened;
+      try {
+        const result = await benchmark.run(browser, values.quick);
+        const seconds = Math.round((performance.now() - start) / 1000);
+        const name = benchmark.perRasteriser ? `${benchmark.name}.${rasteriser}` : benchmark.name;
+        writeFileSync(`${folder}${name}.json`, `${JSON.stringify({ environment, seconds, result }, rounded, 2)}\n`);
+        console.log(`\n${name}, ${seconds} s, ${environment.renderer}\n\n${benchmark.describe(result)}`);
+      } finally {
+        if (!values.quick) await browser.close();
+      }
     }
   }
+} finally {
+  for (const { browser } of shared.values()) await browser.close();
 }
 if (!values.quick) describeBenchmarks();
 

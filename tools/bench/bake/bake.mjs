@@ -20,9 +20,9 @@ const QUICK = {
   families: { torus: TORI.slice(0, 3) },
   others: [],
   pages: 1,
-  repeats: 3,
-  whole: { models: ['torus5k', 'torus20k', 'torus80k'], turns: 3 },
-  scale: { triangles: [1e4, 1e5], turns: 3 },
+  repeats: 2,
+  whole: { models: ['torus5k', 'torus20k', 'torus80k'], turns: 2 },
+  scale: { triangles: [1e4, 1e5], turns: 2 },
 };
 
 /** The bake by phase, cold and warm, with the law by which each phase grows. */

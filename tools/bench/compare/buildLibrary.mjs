@@ -33,11 +33,17 @@ export function buildLibrary(commit, outDir) {
   }
 }
 
-/** Gives the commit its packages: a link to ours if its lockfile is the same, else an installation. */
+/** Gives the commit its packages: a link to ours if they are the same, else an installation. */
 function install(folder) {
-  const lock = (of) => readFileSync(join(of, 'package-lock.json'), 'utf8');
-  if (lock(folder) === lock(root)) symlinkSync(join(root, 'node_modules'), join(folder, 'node_modules'), 'junction');
+  if (packagesOf(folder) === packagesOf(root))
+    symlinkSync(join(root, 'node_modules'), join(folder, 'node_modules'), 'junction');
   else run(folder, 'npm', 'ci', '--no-audit', '--no-fund');
+}
+
+/** The packages that a lockfile installs, as text: all that it names but the project itself. */
+function packagesOf(folder) {
+  const { packages } = JSON.parse(readFileSync(join(folder, 'package-lock.json'), 'utf8'));
+  return JSON.stringify({ ...packages, '': undefined });
 }
 
 function build(folder, outDir) {

@@ -5,9 +5,12 @@ import { build, preview } from 'vite';
 const root = fileURLToPath(new URL('../../..', import.meta.url));
 const outDir = 'tests/output/bench/playground';
 
-/** Builds the playground into a folder and serves it, as a visitor would get it. */
+let built;
+
+/** Builds the playground into a folder, once for all benchmarks of a run, and serves it, as a visitor would get it. */
 export async function servePlayground() {
-  await build({ root, logLevel: 'error', build: { outDir, emptyOutDir: true } });
+  built ??= build({ root, logLevel: 'error', build: { outDir, emptyOutDir: true } });
+  await built;
   const server = await preview({
     root,
     logLevel: 'error',

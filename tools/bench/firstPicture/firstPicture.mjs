@@ -5,7 +5,7 @@ import { serveCompressed } from './serveCompressed.mjs';
 import { NETWORKS, timeColdPage } from './timeColdPage.mjs';
 
 const PLAN = { model: 'dragon202k', parts: 4, repeats: 5, pages: 6 };
-const QUICK = { model: 'torus20k', parts: 4, repeats: 2, pages: 1 };
+const QUICK = { model: 'torus20k', parts: 4, repeats: 1, pages: 1 };
 const ARRANGEMENTS = ['inTurn', 'together'];
 /** The phases of a page that is opened, in their order, and the longest task. */
 const COLD = ['context', 'read', 'sketch', 'whole', 'complete', 'longestTask'];

@@ -5,7 +5,7 @@ const PLAN = {
   turns: { dragon11k: 25, dragon48k: 25, dragon202k: 15, torus500k: 15, dragon871k: 15 },
   size: 1024,
 };
-const QUICK = { turns: { dragon11k: 5 }, size: 512 };
+const QUICK = { turns: { dragon11k: 2 }, size: 128 };
 
 /** What all are compared with. */
 const REFERENCES = ['phong corner', 'phong indexed', 'adjacency corner'];

@@ -1,7 +1,7 @@
 import { describeAgainst, runAgainst } from '../against.mjs';
 
 const PLAN = { models: { dragon11k: 25, dragon48k: 25, dragon202k: 15 }, size: 1024 };
-const QUICK = { models: { dragon11k: 7 }, size: 512 };
+const QUICK = { models: { torus5k: 2 }, size: 128 };
 
 /** Frames of engraved lines by what they follow. */
 export const lineFields = {

@@ -2,7 +2,7 @@ import { median, medianInterval, ratios } from '../statistics.mjs';
 import { figure, table, withInterval } from '../table.mjs';
 
 const PLAN = { models: { dragon11k: 25, dragon48k: 15, dragon871k: 15 }, moving: 'dragon48k', size: 1024 };
-const QUICK = { models: { dragon11k: 5 }, moving: '', size: 512 };
+const QUICK = { models: { torus5k: 2 }, moving: '', size: 128 };
 
 /** What each is compared with: the same mesh without lines. */
 const WITHOUT = {

@@ -2,7 +2,7 @@ import { median, medianInterval, ratios } from '../statistics.mjs';
 import { figure, table, withInterval } from '../table.mjs';
 
 const PLAN = { models: { dragon11k: 25, dragon48k: 25 }, size: 1024 };
-const QUICK = { models: { dragon11k: 5 }, size: 512 };
+const QUICK = { models: { dragon11k: 2 }, size: 128 };
 
 /** What all are compared with. */
 const INK = 'ink';

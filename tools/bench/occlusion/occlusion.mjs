@@ -2,7 +2,7 @@ import { median, medianInterval, ratios } from '../statistics.mjs';
 import { figure, table, withInterval } from '../table.mjs';
 
 const PLAN = { models: ['dragon48k', 'dragon202k'], repeats: 3, turns: 15, size: 1024 };
-const QUICK = { models: ['dragon11k'], repeats: 1, turns: 5, size: 512 };
+const QUICK = { models: ['dragon11k'], repeats: 1, turns: 2, size: 128 };
 
 /** How long a bake of occlusion takes, and what it costs in a frame. */
 export const occlusion = {
