@@ -1,0 +1,4 @@
+/** What is fetched where lines follow the form, besides `LaterForms`. */
+export { bakeGroups } from './bakeGroups.js';
+export { crossingMaterials } from './crossingMaterials.js';
+export { formGroups } from './formGroups.js';
