@@ -16,6 +16,8 @@ import { cornerCount } from './jointForms/cornerCount.js';
 import type { GeometryPlan } from './jointForms/FormGroup.js';
 import type { MeshLook } from './MeshLook.js';
 
+export { crossingMaterials } from './crossingMaterials.js';
+
 /** How long the angle of crossing lines stays as it is before lines are baked at it, in milliseconds: a slider moves on. */
 const REST = 150;
 

@@ -37,7 +37,7 @@ export async function bakeGeometries(
 ): Promise<Map<BufferGeometry, BufferGeometry | Error>> {
   const grouped = new Map([...plans].filter(([, { group }]) => group));
   if (grouped.size === 0) return bakeEach(plans, new Map(), options, listeners);
-  const { bakeGroups } = await import('./jointForms/bakeGroups.js');
+  const { bakeGroups } = await import('./jointForms/groups.js');
   const share = (FORM_SHARE * cornersOf(grouped.keys())) / Math.max(1, cornersOf(plans.keys()));
   const [onForm, onBake] = progressParts(options.onProgress, [share, 1 - share]);
   const forms = await bakeGroups(grouped, { ...options, onProgress: onForm });

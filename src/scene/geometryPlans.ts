@@ -1,7 +1,7 @@
 import type { BufferGeometry, Material, Mesh } from 'three';
+import type { PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
 import { followsForm, formFieldOf, formOf, needsAdjacency } from '../material/facts/lookFacts.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
-import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import type { GeometryPlan } from './jointForms/FormGroup.js';
 import { isBatched, isHatching, materialsOf } from './surfaceMeshes.js';
 
@@ -24,7 +24,7 @@ export const needsNoAdjacency = (plan: PlannedMesh): boolean =>
 /** All geometries to bake, each with a layout that works for all materials that draw it, and with a form field if one asks for it. */
 export function geometryPlans(
   planned: readonly PlannedMesh[],
-  options: ApplyHatchingOptions,
+  options: PrepareHatchingGeometryOptions,
 ): Map<BufferGeometry, GeometryPlan> {
   const { layout, adjacency = false } = options;
   const plans = new Map<BufferGeometry, GeometryPlan>();
@@ -40,24 +40,8 @@ export function geometryPlans(
   return plans;
 }
 
-/** For each geometry the material that says at which angle lines that follow the form cross on it, if there is one and no option does. */
-export function crossingMaterials(
-  planned: readonly PlannedMesh[],
-  { form }: ApplyHatchingOptions,
-): Map<BufferGeometry, HatchingMaterial> {
-  const materials = new Map<BufferGeometry, HatchingMaterial>();
-  if (typeof form === 'object' && form.crossAngle !== undefined) return materials;
-  for (const plan of planned) {
-    const asking = isBatched(plan.mesh) ? [] : askingMaterials(plan);
-    // What draws strokes now may draw lines later.
-    const crossing = crossingOf(asking) ?? asking[0];
-    if (crossing && !materials.has(plan.geometry)) materials.set(plan.geometry, crossing);
-  }
-  return materials;
-}
-
 /** The materials of a mesh that ask for the form: those that do whatever the shape have precedence. */
-function askingMaterials(plan: PlannedMesh): HatchingMaterial[] {
+export function askingMaterials(plan: PlannedMesh): HatchingMaterial[] {
   const following = materialsOf(plan)
     .filter(isHatching)
     .filter((material) => followsForm(material));
@@ -65,11 +49,11 @@ function askingMaterials(plan: PlannedMesh): HatchingMaterial[] {
 }
 
 /** The material whose lines cross as they were baked. Strokes cross by turning. */
-const crossingOf = (asking: readonly HatchingMaterial[]): HatchingMaterial | undefined =>
+export const crossingOf = (asking: readonly HatchingMaterial[]): HatchingMaterial | undefined =>
   asking.find((material) => formFieldOf(material) === 'lineField');
 
 /** The world's up and the angle of the material, unless the options say otherwise. */
-function formFor(plan: PlannedMesh, { form }: ApplyHatchingOptions): GeometryPlan['form'] {
+function formFor(plan: PlannedMesh, { form }: PrepareHatchingGeometryOptions): GeometryPlan['form'] {
   const asking = askingMaterials(plan);
   if (form === false || (!form && asking.length === 0)) return false;
   // The gradient of the height in the world, as a function in object space.

@@ -10,6 +10,7 @@ import type { HatchingOutlineParameters } from '../outlines/HatchingOutlineMater
 import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
 import { runSliced } from '../slices/runSliced.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
+import { startWorker } from '../worker/runTask.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import { prepareOptions, resolveOptions } from './applyOptions.js';
 import { assertTree } from './assertTree.js';
@@ -19,7 +20,7 @@ import { claimMeshes } from './claimMeshes.js';
 import type { MakeLevels } from './detail/levelMaker.js';
 import type { FirstFrame } from './FirstFrame.js';
 import { failure } from './failure.js';
-import { crossingMaterials, geometryPlans, type OldLook, type PlannedMesh } from './geometryPlans.js';
+import { geometryPlans, type OldLook, type PlannedMesh } from './geometryPlans.js';
 import type { HatchedScene, SkippedMesh } from './HatchedScene.js';
 import type { GeometryPlan } from './jointForms/FormGroup.js';
 import type { LaterForms } from './LaterForms.js';
@@ -45,6 +46,17 @@ interface MadeLooks {
   /** Has levels of detail drawn; what it returns ends that. */
   showDetail: (() => () => void) | undefined;
   HatchedScene: typeof HatchedScene;
+}
+
+/** What is to be baked for meshes, and, if lines follow the form anywhere, what makes the object that bakes them later. */
+interface PlannedBakes {
+  planned: readonly PlannedMesh[];
+  plans: Map<BufferGeometry, GeometryPlan>;
+  formsLater?: (
+    prepare: PrepareHatchingGeometryOptions,
+    disposables: { dispose(): void }[],
+    drawing: { firstFrame: FirstFrame | null; detail: MakeLevels | null },
+  ) => LaterForms;
 }
 
 /** The share of the progress for the map, if one is made. */
@@ -88,6 +100,7 @@ export async function hatchScene(
     );
   }
   const choice = chooseMeshes(meshes, replaces);
+  if (choice.chosen.length > 0) startWorker(options);
   let releaseMeshes = claimMeshes(choice.chosen.filter((mesh) => !replaces?.holds(mesh)));
   const onAbort = (): void => releaseMeshes();
   // The meshes are released at once, not when the work has stopped: the caller may abort and apply again in the same tick, as
@@ -134,8 +147,8 @@ async function makeLooks(
   const replacer = new MaterialReplacer(options.material ?? {}, makers.material);
   disposables.push(replacer);
   const { seen, unreadable } = asBefore(() => looksToReplace(chosen));
-  const [planned, firstFrame, outlineMaker, detail] = await Promise.all([
-    runSliced(planMeshes(seen, replacer), { signal, around: asBefore }),
+  const [{ planned, plans, formsLater }, firstFrame, outlineMaker, detail] = await Promise.all([
+    runSliced(planMeshes(seen, replacer), { signal, around: asBefore }).then((all) => planBakes(all, options)),
     firstFrameOf(root, options),
     outlineMakerOf(options, makers),
     detailOf(options),
@@ -151,8 +164,7 @@ async function makeLooks(
   const bakeShare = 1 - mapShare - frameShare - detailShare;
   const [onBake, onMap, onFrame, onDetail] = progressParts(onProgress, [bakeShare, mapShare, frameShare, detailShare]);
   const prepare = { ...prepareOptions(options), outlines: outlineMaker?.creases ?? false };
-  const plans = geometryPlans(planned, options);
-  const forms = await laterFormsOf(plans, planned, options, prepare, disposables, { firstFrame, detail });
+  const forms = formsLater?.(prepare, disposables, { firstFrame, detail }) ?? null;
   // What dresses the meshes is fetched while they are baked.
   const [baked, maps, dressing] = await sideBySide(
     signal,
@@ -213,23 +225,22 @@ async function firstFrameOf(root: Object3D, { renderer, camera }: ApplyHatchingO
   return new FirstFrame(renderer, camera, root);
 }
 
-/** What bakes lines along the form later, if any follow it. Scenes without them do not load it. */
-async function laterFormsOf(
-  plans: ReadonlyMap<BufferGeometry, GeometryPlan>,
-  planned: readonly PlannedMesh[],
-  options: ApplyHatchingOptions,
-  prepare: PrepareHatchingGeometryOptions,
-  disposables: { dispose(): void }[],
-  drawing: { firstFrame: FirstFrame | null; detail: MakeLevels | null },
-): Promise<LaterForms | null> {
-  if ([...plans.values()].every(({ form }) => !form)) return null;
-  const [{ LaterForms }, { formGroups }] = await Promise.all([
+/** Plans the bakes of meshes, those with lines along the form in groups. Scenes without such lines do not load what bakes these later. */
+async function planBakes(planned: readonly PlannedMesh[], options: ApplyHatchingOptions): Promise<PlannedBakes> {
+  const plans = geometryPlans(planned, options);
+  if ([...plans.values()].every(({ form }) => !form)) return { planned, plans };
+  const [{ crossingMaterials, LaterForms }, { formGroups }] = await Promise.all([
     import('./LaterForms.js'),
-    import('./jointForms/formGroups.js'),
+    import('./jointForms/groups.js'),
   ]);
   const groups = await runSliced(formGroups(planned, plans), { signal: options.signal });
   for (const [geometry, plan] of plans) plan.group = groups.get(geometry);
-  return new LaterForms(plans, crossingMaterials(planned, options), prepare, options, disposables, drawing);
+  const crossing = crossingMaterials(planned, options);
+  return {
+    planned,
+    plans,
+    formsLater: (prepare, ...others) => new LaterForms(plans, crossing, prepare, options, ...others),
+  };
 }
 
 /** What makes levels of detail, if they are asked for. Scenes without them do not load it. @throws TypeError for a wrong option */

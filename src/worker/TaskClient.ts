@@ -137,7 +137,8 @@ export class TaskClient<All extends Tasks> {
     this.fail(disposedError());
   }
 
-  private start(): void {
+  /** Starts the worker, unless it runs. @throws TypeError when `createWorker` returns no Worker */
+  start(): void {
     if (this.state === 'ready') clearTimeout(this.timer);
     if (this.state !== 'none') return;
     try {

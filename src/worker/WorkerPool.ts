@@ -3,6 +3,14 @@ import { maxWorkers } from './maxWorkers.js';
 import { type MakeAgain, TaskClient } from './TaskClient.js';
 import type { NameIn, RequestOf, ResultOf, TaskSet, Tasks } from './TaskSet.js';
 
+export { disposedError } from './disposedError.js';
+
+/** Creates a worker, or returns null if there is none; may throw. */
+export type CreateWorker = () => Worker | null;
+
+/** For each set of tasks the pool of each `createWorker` function, as long as it has a worker. */
+export type PoolsOf = Map<object, Map<CreateWorker, WorkerPool<Tasks>>>;
+
 /**
  * Runs tasks in several workers. Each request goes to the worker with the fewest pending requests; while all workers are busy,
  * another one is started, up to `maxWorkers`. If a worker could not be started, no other is tried.
@@ -18,7 +26,7 @@ export class WorkerPool<All extends Tasks> {
    */
   constructor(
     private readonly set: TaskSet<All>,
-    private readonly createWorker: () => Worker | null,
+    private readonly createWorker: CreateWorker,
     private readonly onIdle: () => void = () => {},
   ) {}
 
@@ -30,6 +38,11 @@ export class WorkerPool<All extends Tasks> {
     makeAgain?: MakeAgain<RequestOf<All, Name>>,
   ): Promise<ResultOf<All, Name>> {
     return this.choose().run(task, request, options, makeAgain);
+  }
+
+  /** Starts a worker if there is none, for a request that is about to come. @throws TypeError when `createWorker` returns no Worker */
+  start(): void {
+    if (this.clients.length === 0) this.choose().start();
   }
 
   /** Terminates all workers and rejects all pending requests. */
@@ -63,4 +76,20 @@ export class WorkerPool<All extends Tasks> {
     this.clients.splice(this.clients.indexOf(client), 1);
     if (this.clients.length === 0) this.onIdle();
   }
+}
+
+/** The pool that runs these tasks in workers of this function, made if there is none yet. */
+export function poolIn<All extends Tasks>(
+  poolsOf: PoolsOf,
+  set: TaskSet<All>,
+  createWorker: CreateWorker,
+): WorkerPool<All> {
+  const pools = poolsOf.get(set) ?? new Map<CreateWorker, WorkerPool<Tasks>>();
+  poolsOf.set(set, pools);
+  let pool = pools.get(createWorker) as WorkerPool<All> | undefined;
+  if (!pool) {
+    pool = new WorkerPool(set, createWorker, () => pools.delete(createWorker));
+    pools.set(createWorker, pool as unknown as WorkerPool<Tasks>);
+  }
+  return pool;
 }

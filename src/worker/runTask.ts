@@ -1,17 +1,14 @@
 import { bakingTasks } from './bakingTasks.js';
-import { disposedError } from './disposedError.js';
 import type { MakeAgain } from './TaskClient.js';
 import type { TaskOptions } from './TaskOptions.js';
 import type { NameIn, RequestOf, ResultOf, TaskSet, Tasks } from './TaskSet.js';
 import type { BakingTasks } from './tasks.js';
-import type { WorkerPool } from './WorkerPool.js';
-
-type CreateWorker = () => Worker | null;
+import type { CreateWorker, PoolsOf, WorkerPool } from './WorkerPool.js';
 
 const createNoWorker: CreateWorker = () => null;
 
 /** For each set of tasks the pool of each `createWorker` function, as long as it has a worker. */
-const poolsOf = /* @__PURE__ */ new Map<object, Map<CreateWorker, WorkerPool<Tasks>>>();
+const poolsOf: PoolsOf = /* @__PURE__ */ new Map();
 
 /** How often everything was disposed of. */
 let disposals = 0;
@@ -37,21 +34,25 @@ export async function runTaskOf<All extends Tasks, Name extends NameIn<All>>(
   options: TaskOptions = {},
   makeAgain?: MakeAgain<RequestOf<All, Name>>,
 ): Promise<ResultOf<All, Name>> {
+  return (await poolFor(set, options)).run(name, request, options, makeAgain);
+}
+
+/** Starts a worker for tasks that are about to come, so that they need not wait for it. What goes wrong, the first of them says. */
+export async function startWorker(options: TaskOptions): Promise<void> {
+  try {
+    (await poolFor(bakingTasks, options)).start();
+  } catch {}
+}
+
+async function poolFor<All extends Tasks>(set: TaskSet<All>, options: TaskOptions): Promise<WorkerPool<All>> {
   const disposalsBefore = disposals;
   // What runs tasks is fetched with the first of them, and so is the worker.
-  const [{ WorkerPool }, createWorker] = await Promise.all([
+  const [{ disposedError, poolIn }, createWorker] = await Promise.all([
     import('./WorkerPool.js'),
     options.createWorker ?? fetchInlineWorker(set),
   ]);
   if (disposals !== disposalsBefore) throw disposedError();
-  const pools = poolsOf.get(set) ?? new Map<CreateWorker, WorkerPool<Tasks>>();
-  poolsOf.set(set, pools);
-  let pool = pools.get(createWorker) as WorkerPool<All> | undefined;
-  if (!pool) {
-    pool = new WorkerPool(set, createWorker, () => pools.delete(createWorker));
-    pools.set(createWorker, pool as unknown as WorkerPool<Tasks>);
-  }
-  return pool.run(name, request, options, makeAgain);
+  return poolIn(poolsOf, set, createWorker);
 }
 
 async function fetchInlineWorker<All extends Tasks>(set: TaskSet<All>): Promise<CreateWorker> {

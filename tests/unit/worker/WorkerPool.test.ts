@@ -62,6 +62,26 @@ describe('the pool', () => {
     expect(workers.map(({ ids }) => ids.length)).toEqual([4, 3, 3]);
   });
 
+  test('starts a worker ahead of the first request, once, and gives it to that', () => {
+    pool.start();
+    pool.start();
+    expect(workers).toHaveLength(1);
+    run();
+    expect(workers).toHaveLength(1);
+    workers[0].say({ type: 'ready' });
+    expect(workers[0].ids).toEqual([0]);
+    pool.start();
+    expect(workers).toHaveLength(1);
+  });
+
+  test('ends a worker that was started for nothing', () => {
+    pool.start();
+    workers[0].say({ type: 'ready' });
+    vi.advanceTimersByTime(10_000);
+    expect(workers[0].isTerminated).toBe(true);
+    expect(onIdle).toHaveBeenCalledOnce();
+  });
+
   test('gives a request to the worker with the fewest', () => {
     for (let i = 0; i < 6; i++) run();
     for (const worker of workers) worker.say({ type: 'ready' });

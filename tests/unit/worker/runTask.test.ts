@@ -1,5 +1,5 @@
 import { afterEach, expect, test, vi } from 'vitest';
-import { disposeHatchingWorkers, runTask } from '../../../src/worker/runTask.js';
+import { disposeHatchingWorkers, runTask, startWorker } from '../../../src/worker/runTask.js';
 import { FakeWorker } from './FakeWorker.js';
 
 const request = () => ({
@@ -50,4 +50,26 @@ test('disposeHatchingWorkers rejects what waits for the code of workers, and sta
   disposeHatchingWorkers();
   await expect(promise).rejects.toThrow(/disposed/);
   expect(createWorker).not.toHaveBeenCalled();
+});
+
+test('a worker that was started ahead takes the first task', async () => {
+  const worker = new FakeWorker();
+  const createWorker = vi.fn(() => FakeWorker.asWorker(worker));
+  await startWorker({ createWorker });
+  expect(createWorker).toHaveBeenCalledOnce();
+  runTask('bakeCorners', request(), { createWorker }).catch(() => {});
+  worker.say({ type: 'ready' });
+  await vi.waitFor(() => expect(worker.ids).toEqual([0]));
+  expect(createWorker).toHaveBeenCalledOnce();
+});
+
+test('whoever starts a worker ahead hears of no fault; the first task does', async () => {
+  const createWorker = vi.fn(() => undefined as never);
+  await startWorker({ createWorker });
+  await expect(runTask('bakeCorners', request(), { createWorker })).rejects.toThrow(
+    /createWorker must return a Worker/,
+  );
+  const ended = startWorker({ createWorker });
+  disposeHatchingWorkers();
+  await ended;
 });
