@@ -303,9 +303,9 @@ export class HatchingNodeMaterial extends NodeMaterial {
     return new HatchingLightingModel(this.toneModel, lights, (radiance) => this.print(radiance, built));
   }
 
-  /** Where there is no light at all. @internal */
-  override setupOutgoingLight(builder?: NodeBuilder): ReturnType<NodeMaterial['setupOutgoingLight']> {
-    const printed = builder ? this.print(float(0).toVar(), builder) : vec3(0);
+  /** Where there is no light at all. three.js asks for it always, and builds it only then. @internal */
+  override setupOutgoingLight(): ReturnType<NodeMaterial['setupOutgoingLight']> {
+    const printed = tsl.Fn((builder) => this.print(float(0).toVar(), builder))();
     return printed as unknown as ReturnType<NodeMaterial['setupOutgoingLight']>;
   }
 
@@ -359,7 +359,9 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const ground = paper.mul(color).toVar();
     const printed = printedColor(
       ground,
-      darknessOf(this.look, tone, builder).mul(meshValues as unknown as Value),
+      darknessOf(this.look, tone, builder)
+        .mul(meshValues as unknown as Value)
+        .toVar(),
       this.inkBlend === 'multiply',
       isOpaque,
     ).toVar();

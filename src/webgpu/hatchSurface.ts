@@ -14,8 +14,9 @@ import { placeInstance } from './nodes/chunks/objectToView.js';
 import { emitAnchor } from './nodes/perFragment/emit.js';
 import { emitAnchored } from './nodes/techniques/anchored/emit.js';
 import { hatch } from './nodes/techniques/anchored/hatch.js';
-import { readHatchingParameters } from './nodes/techniques/anchored/read.js';
+import { type HatchingParameters, readHatchingParameters } from './nodes/techniques/anchored/read.js';
 import { hatchLayer as dotLayer } from './nodes/techniques/anchored/stipple.js';
+import { type StrokeDefines, hatchLayer as strokeLayer } from './nodes/techniques/anchored/strokes.js';
 import { emitEngraved } from './nodes/techniques/engraved/emit.js';
 import { hatchLayer } from './nodes/techniques/engraved/hatchLayer.js';
 import { read } from './nodes/techniques/engraved/read.js';
@@ -68,12 +69,14 @@ export function darknessOf(look: Look, tone: Value, builder: NodeBuilder): Value
   const lights = lightsOf(builder);
   const several = directedLights(lights).length > 1;
   const parameters = readHatchingParameters(builder, lights, field);
-  if (medium === 'stipple') return dotLayer(parameters, tone, builder).mul(inked);
   const layers = strokeLayers === 'lights' && !several ? 'single' : strokeLayers;
-  return hatch(parameters, tone, layers, {
+  const defines: StrokeDefines = {
     isSizedOnScreen: sizedOnScreen > 0,
     isUpToSign: several || followsForm(field),
     medium,
     pixel: pixelFromBelow(),
-  }).mul(inked);
+  };
+  const layer = (h: HatchingParameters, printed: Value): Value =>
+    medium === 'stipple' ? dotLayer(h, printed, builder) : strokeLayer(h, printed, defines);
+  return hatch(parameters, tone, layers, layer).mul(inked);
 }

@@ -1,8 +1,10 @@
 /** Draws scenes in GLSL on WebGLRenderer and of nodes on WebGPURenderer, and says how much the pictures differ. */
-import { Color, Mesh } from 'three';
+import { Color, Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
+
 import { HatchingMaterial } from 'three-hatching';
 import { HatchingNodeMaterial } from 'three-hatching/webgpu';
 import { type Drawer, lackOfWebGPU, makeDrawer } from './drawing.js';
+import { knot } from './knot.js';
 import { type Comparison, compare, type Pixels, sideBySide } from './picturesOf.js';
 import type { Drawn, Kit, SceneCase, Stage } from './SceneCase.js';
 
@@ -81,7 +83,53 @@ async function measure(group: string, name: string, drawn: 'forceWebGL' | 'webgp
   return { ...compare(pixels, nodes, background), picture: sideBySide(pixels, nodes) };
 }
 
+/** How many fragment programs are built for materials of two kinds, of which no two have the same numbers and colours. */
+async function programsOfMany(drawn: 'forceWebGL' | 'webgpu', count: number): Promise<number> {
+  const { renderer, draw } = await makeDrawer(drawn);
+  const stage = knot(new MeshBasicMaterial());
+  stage.scene.remove(stage.mesh);
+  const geometry = new SphereGeometry(0.1, 12, 8);
+  for (let i = 0; i < count; i++) {
+    const lineField = i % 2 ? 'light' : 'y';
+    const look = { technique: 'engraved', lineField, lineSpacing: 4 + 0.1 * i, ink: i, handmade: i / count } as const;
+    const mesh = new Mesh(geometry, await kitOf(drawn).hatching(look));
+    mesh.position.set(0.2 * (i % 10) - 1, 0.2 * Math.floor(i / 10) - 0.5, 0);
+    stage.scene.add(mesh);
+  }
+  draw(stage);
+  const { programs } = (renderer as unknown as { _pipelines: { programs: { fragment: Map<string, unknown> } } })
+    ._pipelines;
+  const built = programs.fragment.size;
+  disposeOf(stage);
+  return built;
+}
+
+/** The share of pixels that differ where a renderer draws a scene after another one has lost its device. */
+async function afterLoss(drawn: 'forceWebGL' | 'webgpu'): Promise<number> {
+  const stage = knot(await kitOf(drawn).hatching({ preset: 'pencil' }));
+  stage.scene.background = new Color(0x00ff00);
+  const first = await makeDrawer(drawn);
+  first.draw(stage);
+  const before = await first.read();
+  // Otherwise three.js reports what is done here on purpose.
+  Object.assign(first.renderer, { onDeviceLost() {} });
+  const { backend } = first.renderer as unknown as {
+    backend: { device?: { destroy(): void }; gl?: WebGL2RenderingContext };
+  };
+  backend.device?.destroy();
+  backend.gl?.getExtension('WEBGL_lose_context')?.loseContext();
+  await new Promise((resume) => setTimeout(resume, 100));
+  const second = await makeDrawer(drawn);
+  second.draw(stage);
+  const after = await second.read();
+  disposeOf(stage);
+  second.dispose();
+  return compare(before, after, [0, 255, 0]).differing;
+}
+
 const page = {
+  programsOfMany,
+  afterLoss,
   lackOfWebGPU: await lackOfWebGPU(),
   /** The names of a group's cases, and what they are held to. */
   casesOf: (group: string) =>

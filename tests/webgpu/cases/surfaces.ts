@@ -1,0 +1,132 @@
+import {
+  BufferAttribute,
+  CylinderGeometry,
+  DataTexture,
+  DoubleSide,
+  Fog,
+  HemisphereLight,
+  type Material,
+  Mesh,
+  OrthographicCamera,
+  PointLight,
+  RepeatWrapping,
+  SphereGeometry,
+  SRGBColorSpace,
+} from 'three';
+import type { HatchingMaterialParameters } from 'three-hatching';
+import { knot } from '../knot.js';
+import type { Kit, SceneCase } from '../SceneCase.js';
+
+const LINES = { technique: 'engraved', lineField: 'slant', shadowStrokes: 'tone', exposure: 1 } as const;
+
+const drawn = async (kit: Kit, parameters: HatchingMaterialParameters = {}) =>
+  knot(await kit.hatching({ ...LINES, ...parameters }));
+
+/** A picture of four squares, repeated. */
+function squares(texels: readonly number[]): DataTexture {
+  const texture = new DataTexture(new Uint8Array(texels), 2, 2);
+  texture.wrapS = texture.wrapT = RepeatWrapping;
+  texture.repeat.set(6, 3);
+  texture.needsUpdate = true;
+  return texture;
+}
+
+const colors = (): DataTexture => {
+  const texture = squares([220, 60, 40, 255, 40, 90, 200, 255, 240, 230, 200, 255, 60, 140, 70, 255]);
+  texture.colorSpace = SRGBColorSpace;
+  return texture;
+};
+
+/** Surfaces and surroundings that materials of three.js know too. */
+export const cases: readonly SceneCase[] = [
+  {
+    name: 'from within a fog',
+    async show(kit) {
+      const stage = await drawn(kit);
+      stage.scene.fog = new Fog(0x8899aa, 3.4, 4.6);
+      return stage;
+    },
+  },
+  {
+    name: 'an orthographic camera',
+    async show(kit) {
+      const stage = await drawn(kit, { sizedOnScreen: 1 });
+      const camera = new OrthographicCamera(-1, 1, 1, -1, 0.1, 20);
+      camera.position.set(0.6, 0.3, 4);
+      camera.lookAt(0, 0, 0);
+      return { ...stage, camera };
+    },
+  },
+  { name: 'half transparent', show: (kit) => drawn(kit, { transparent: true, opacity: 0.5 }) },
+  { name: 'paper that lets through', show: (kit) => drawn(kit, { transparent: true, paperOpacity: 0.2 }) },
+  {
+    name: 'both sides of a tube without ends',
+    async show(kit) {
+      const stage = await drawn(kit, { side: DoubleSide });
+      stage.mesh.geometry = new CylinderGeometry(0.6, 0.9, 1.2, 48, 1, true);
+      stage.mesh.rotation.set(1, 0.3, 0);
+      return stage;
+    },
+  },
+  { name: 'a map of colours', show: (kit) => drawn(kit, { map: colors(), colorFill: 1, localTone: 0.6 }) },
+  {
+    name: 'holes of an alpha map',
+    show: (kit) =>
+      drawn(kit, {
+        alphaMap: squares([255, 255, 255, 255, 0, 0, 0, 255, 255, 255, 255, 255, 0, 0, 0, 255]),
+        alphaTest: 0.5,
+      }),
+  },
+  {
+    name: 'colours of vertices, and light of its own',
+    async show(kit) {
+      const stage = await drawn(kit, { vertexColors: true, colorFill: 1, localTone: 0.5, emissive: 0x302010 });
+      const geometry = new SphereGeometry(0.9, 48, 32);
+      const { count } = geometry.attributes.position;
+      const values = Float32Array.from({ length: 3 * count }, (_, i) => 0.5 + 0.5 * Math.sin(0.05 * i));
+      geometry.setAttribute('color', new BufferAttribute(values, 3));
+      stage.mesh.geometry = geometry;
+      return stage;
+    },
+  },
+  {
+    name: 'reflected light of a lamp and a sky',
+    async show(kit) {
+      const stage = await drawn(kit, { reflectedLight: 0.6, toneModel: 'phong', shininess: 20 });
+      const lamp = new PointLight(0xffddbb, 12, 6, 1.5);
+      lamp.position.set(-1.5, 1, 1.5);
+      stage.scene.add(lamp, new HemisphereLight(0xffffff, 0x202020, 0.7));
+      return stage;
+    },
+  },
+  {
+    name: 'no light at all',
+    async show(kit) {
+      const stage = await drawn(kit, { emissive: 0x404040 });
+      stage.scene.remove(...stage.scene.children.filter((object) => 'isLight' in object));
+      return stage;
+    },
+  },
+  {
+    name: 'dots in three layers',
+    show: (kit) => drawn(kit, { technique: 'anchored', medium: 'stipple', exposure: 0.5 }),
+  },
+  { name: 'a tone in steps', show: (kit) => drawn(kit, { toneModel: 'toon', toneSteps: 4, toneCurve: 'perceptual' }) },
+  {
+    name: 'several materials of one mesh',
+    async show(kit) {
+      const [first, second] = await Promise.all([
+        kit.hatching({ ...LINES, ink: 0x882222 }),
+        kit.hatching({ ...LINES, lineField: 'y', ink: 0x224488, medium: 'woodcut' }),
+      ]);
+      const stage = knot(first);
+      const geometry = new SphereGeometry(0.9, 48, 32);
+      geometry.clearGroups();
+      geometry.addGroup(0, geometry.index!.count / 2, 0);
+      geometry.addGroup(geometry.index!.count / 2, Infinity, 1);
+      stage.scene.remove(stage.mesh);
+      stage.scene.add(new Mesh<SphereGeometry, Material[]>(geometry, [first, second]));
+      return stage;
+    },
+  },
+];
