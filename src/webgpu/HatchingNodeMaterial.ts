@@ -285,7 +285,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
 
   /** @internal */
   override setupLighting(builder: NodeBuilder): ReturnType<NodeMaterial['setupLighting']> {
-    this.tellOfLacks();
+    this.tellOfLacks((builder as NodeBuilder & { scene: Scene | null }).scene);
     const emissive = this.emissive;
     // The light of the surface itself is light too, and not added to the print.
     Object.assign(this, { emissive: null });
@@ -336,11 +336,12 @@ export class HatchingNodeMaterial extends NodeMaterial {
     return typeof tonalArtMap === 'string' ? sharedMap(tonalArtMap) : tonalArtMap;
   }
 
-  private tellOfLacks(): void {
+  private tellOfLacks(scene: Scene | null): void {
     const { technique, toneModel, shadowStrokes } = this;
     if (technique !== 'engraved' && technique !== 'anchored')
       tellOnce(`there are no nodes of the technique "${technique}" yet; "engraved" is drawn.`);
     if (toneModel === 'shadow') tellOnce('there are no nodes of the tone model "shadow" yet; all tones are drawn.');
+    if (scene?.environment) tellOnce('light of the environment of a scene is not drawn by nodes yet.');
     if (shadowStrokes !== 'tone') tellOnce(`shadowStrokes "${shadowStrokes}" is not drawn by nodes yet.`);
   }
 

@@ -76,9 +76,9 @@ const MOST_BYTES = [
 
 /** The same of a page that draws with WebGPURenderer. */
 const MOST_BYTES_OF_NODES = [
-  ['HatchingNodeMaterial', 31_000],
-  ['HatchingNodeMaterial, applyHatching', 49_900],
-  ['HatchingOutlines', 41_000],
+  ['HatchingNodeMaterial', 31_500],
+  ['HatchingNodeMaterial, applyHatching', 50_900],
+  ['HatchingOutlines', 42_000],
 ] as const;
 
 /** The size of the worker's text. A minifier that writes it twice makes it double. */

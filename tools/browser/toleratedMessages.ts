@@ -9,7 +9,7 @@ export const toleratedMessages: readonly { pattern: RegExp; reason: string }[] =
     reason: 'A remark of three.js about React Three Fiber, which still uses it.',
   },
   {
-    pattern: /WebGPU is not available, running under WebGL2 backend/,
-    reason: 'A remark of three.js on browsers without WebGPU, where its WebGPURenderer draws with WebGL.',
+    pattern: /WebGPU is not available, running under WebGL2 backend|^No available adapters\./,
+    reason: 'Remarks of three.js and of browsers without WebGPU, where its WebGPURenderer draws with WebGL.',
   },
 ];

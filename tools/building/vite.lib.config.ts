@@ -25,13 +25,40 @@ const SEPARATE = [
   'scene/hatchScene',
   'scene/applyHatching',
   'outlines/outlineProperties',
-  'webgpu/HatchingNodeMaterial',
-  'webgpu/outlines/HatchingOutlines',
 ].map((path, i, all) => ({
-  name: path.replace(/^(webgpu\/)?.*\//, '$1').replace('/', '.'),
+  name: path.split('/')[1],
   test: (id: string) => id.endsWith(`/src/${path}.ts`),
-  priority: all.length - i,
+  priority: 10 + all.length - i,
 }));
+
+const modules = (...paths: readonly string[]): RegExp => new RegExp(`/src/(?:${paths.join('|')})\\.ts$`);
+
+/**
+ * The files of nodes, after what they share with WebGLRenderer's lines and outlines: a file takes all that it imports, and pages without
+ * nodes must load neither these nor three's own.
+ */
+const OF_NODES = [
+  {
+    name: 'linesShared',
+    test: modules(
+      ...[
+        'engraving/constants/\\w+',
+        'geometry/(?:formAngles|lineFades)',
+        'material/(?:fieldFrameName|parts/fieldFrame)',
+      ],
+      'bake/pullLayout',
+    ),
+    priority: 5,
+  },
+  { name: 'toothMap', test: modules('tam/toothMap'), priority: 4 },
+  {
+    name: 'outlinesShared',
+    test: modules('outlines/(?:MeshOutlines|outlineUniforms|outlineValues)', 'geometry/OutlineData'),
+    priority: 3,
+  },
+  { name: 'HatchingNodeMaterial', test: modules('webgpu/HatchingNodeMaterial'), priority: 2 },
+  { name: 'nodeOutlines', test: modules('webgpu/outlines/HatchingOutlines'), priority: 1 },
+];
 
 /** Fails a build that bundles code of others, so that users of the library have nobody else to credit. */
 const nothingOfOthers: Plugin = {
@@ -89,7 +116,7 @@ export default defineConfig(
           ...((mode === 'element' || mode === 'draw') && { paths: OWN_ENTRIES }),
           // Passes lie in one folder: each further one names what its files share after itself.
           codeSplitting: {
-            groups: mode in ENTRIES ? [{ name: `${mode}Shared`, minShareCount: 2 }] : SEPARATE,
+            groups: mode in ENTRIES ? [{ name: `${mode}Shared`, minShareCount: 2 }] : [...SEPARATE, ...OF_NODES],
           },
         },
       },
