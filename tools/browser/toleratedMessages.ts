@@ -12,4 +12,8 @@ export const toleratedMessages: readonly { pattern: RegExp; reason: string }[] =
     pattern: /WebGPU is not available, running under WebGL2 backend|^No available adapters\./,
     reason: 'Remarks of three.js and of browsers without WebGPU, where its WebGPURenderer draws with WebGL.',
   },
+  {
+    pattern: /Running out of reserved outsideRenderPass queueSerial/,
+    reason: "A remark of ANGLE: three's WebGPURenderer uploads the uniforms of every mesh by themselves.",
+  },
 ];
