@@ -19,8 +19,22 @@ const REASONS: readonly [chunks: RegExp, reason: string][] = [
   [/(^|\/)deform\.glsl$/, 'three.js poses the vertices of node materials itself'],
   [/^shadowMaps\//, "three's nodes filter shadows"],
   [
-    /^(chunks|perFragment|environment|techniques\/(anchored|engraved))\//,
-    'it is part of another file of nodes, or what it draws is drawn by WebGLRenderer alone',
+    /^(chunks\/(debugViews|noNeighbours)|techniques\/(anchored|engraved)\/debug)\.glsl$/,
+    'debug views are drawn by WebGLRenderer alone',
+  ],
+  [/^chunks\/(emitMapCoordinates|mapCoordinates|smoothNormal)\.glsl$/, "three's nodes read maps and normals"],
+  [/^(chunks\/environment|environment\/\w+)\.glsl$/, 'light of an environment is drawn by WebGLRenderer alone'],
+  [
+    /^(chunks\/(shadowSearch|shadows|softShadows|shadowStrokes|turnedShadowLayer)|perFragment\/fullShadow|techniques\/\w+\/shadowStrokes)\.glsl$/,
+    'what shadows do to strokes is drawn by WebGLRenderer alone',
+  ],
+  [
+    /^chunks\/(radiance|hatch|strokeLayers|toneNormals)\.glsl$/,
+    'its nodes are HatchingLightingModel.ts, hatchSurface.ts and techniques/anchored/hatch.ts',
+  ],
+  [
+    /^(perFragment|techniques\/(anchored|engraved))\/(emphasised|faceNormals|varyings|vertex|hatchLayer|layers|fieldHere)\.glsl$/,
+    'it declares or puts together what hatchSurface.ts does for nodes',
   ],
   [/^outlines\/surroundings\.glsl$/, 'three.js fogs and clips outlines of nodes'],
 ];
