@@ -67,8 +67,7 @@ const NAME = 'HatchingNodeMaterial';
 const propertyNames = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
 const propertyOf = (name: HatchingPropertyName): HatchingProperty => HATCHING_PROPERTIES[name];
 
-const { diffuseColor, float, materialEmissive, mix, positionLocal, positionView } = tsl;
-const { vec3 } = tsl;
+const { diffuseColor, float, materialEmissive, mix, positionLocal, positionView, vec3 } = tsl;
 
 const told = new Set<string>();
 
@@ -104,8 +103,8 @@ const meshValues = /* @__PURE__ */ new MeshValues();
 export interface HatchingNodeMaterial extends Pick<HatchingMaterialProperties, HatchingPropertyName> {}
 
 /**
- * `HatchingMaterial` for WebGPURenderer, experimental: the same properties with the same names, defaults and checks. It draws the technique
- * `engraved` with lines of ink that a light or an axis cuts. What it does not draw yet it says once, and takes what comes nearest.
+ * `HatchingMaterial` for WebGPURenderer, experimental: the same properties with the same names, defaults and checks. It draws the techniques
+ * `engraved` and `anchored` in every medium. What it does not draw yet it says once, and takes what comes nearest (docs/support.md).
  */
 // biome-ignore lint/suspicious/noUnsafeDeclarationMerging: the constructor defines every property of the table.
 export class HatchingNodeMaterial extends NodeMaterial {
@@ -340,6 +339,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const { technique, toneModel, shadowStrokes } = this;
     if (technique !== 'engraved' && technique !== 'anchored')
       tellOnce(`there are no nodes of the technique "${technique}" yet; "engraved" is drawn.`);
+    else if (this.toneNormal === 'face') tellOnce('nodes take the tone from the smooth normal.');
     if (toneModel === 'shadow') tellOnce('there are no nodes of the tone model "shadow" yet; all tones are drawn.');
     if (scene?.environment) tellOnce('light of the environment of a scene is not drawn by nodes yet.');
     if (shadowStrokes !== 'tone') tellOnce(`shadowStrokes "${shadowStrokes}" is not drawn by nodes yet.`);
