@@ -380,10 +380,18 @@ const choicesOf = ({ technique, medium, lineField, strokeField, strokeLayers }: 
   ...[NAME, technique, medium, lineField, strokeField, strokeLayers],
 ];
 
+/** By the backend: WebGL is asked once, since the answer is waited for. */
+const textureSizes = /* @__PURE__ */ new WeakMap<object, number>();
+
 /** Texels per side of the largest texture that the device takes. */
 function maxTextureSize({ backend }: WebGPURenderer): number {
-  const { device, gl } = backend as { device?: GPUDeviceLike; gl?: WebGL2RenderingContext };
-  return device ? device.limits.maxTextureDimension2D : gl ? gl.getParameter(gl.MAX_TEXTURE_SIZE) : Infinity;
+  let size = textureSizes.get(backend);
+  if (size === undefined) {
+    const { device, gl } = backend as { device?: GPUDeviceLike; gl?: WebGL2RenderingContext };
+    size = device ? device.limits.maxTextureDimension2D : gl ? Number(gl.getParameter(gl.MAX_TEXTURE_SIZE)) : Infinity;
+    textureSizes.set(backend, size);
+  }
+  return size;
 }
 
 interface GPUDeviceLike {

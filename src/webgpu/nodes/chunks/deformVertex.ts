@@ -15,14 +15,21 @@ export interface DeformedVertex {
   skin: Value | null;
 }
 
+/** The matrices of the bones of the mesh that is drawn, in the space that it was bound in. */
+export const bonesOf = ({ skeleton }: SkinnedMesh): Value =>
+  referenceBuffer('skeleton.boneMatrices', 'mat4', skeleton.bones.length);
+
+/** What a matrix in the space that a mesh was bound in does in object space. */
+export const inObjectSpace = (bone: Value): Value =>
+  reference('bindMatrixInverse', 'mat4').mul(bone).mul(reference('bindMatrix', 'mat4')).toVar();
+
 /** What the bones of a vertex do, from object space to object space. */
-function skinMatrixOf({ skeleton }: SkinnedMesh): Value {
-  const bones = referenceBuffer('skeleton.boneMatrices', 'mat4', skeleton.bones.length);
+function skinMatrixOf(mesh: SkinnedMesh): Value {
+  const bones = bonesOf(mesh);
   const index = attribute('skinIndex', 'uvec4');
   const weight = attribute('skinWeight', 'vec4');
   const parts = (['x', 'y', 'z', 'w'] as const).map((c) => bones.element(index[c]).mul(weight[c]));
-  const sum = parts.reduce((a, b) => add(a, b));
-  return reference('bindMatrixInverse', 'mat4').mul(sum).mul(reference('bindMatrix', 'mat4')).toVar();
+  return inObjectSpace(parts.reduce((a, b) => add(a, b)));
 }
 
 export function deformVertex(builder: NodeBuilder): DeformedVertex {

@@ -5,13 +5,14 @@ import { followsForm } from '../../base/followsForm.js';
 import { inverseOf, linearPart } from '../../base/matrices.js';
 import { hatchingUniform } from '../../base/uniforms.js';
 import { tsl, type Value } from '../../base/values.js';
+import { bonesOf, inObjectSpace } from '../../chunks/deformVertex.js';
 import type { Anchor } from '../../perFragment/emit.js';
 import { firstField } from './fieldAxis.js';
 import { formCrossing, formSlope, formValue, formVarying } from './formAttributes.js';
 import { fieldLight } from './lightField.js';
 import { vField, vFieldNormal, vFieldPoint, vForm, vFormCrossing } from './varyings.js';
 
-const { determinant, If, reference, referenceBuffer, vec4 } = tsl;
+const { determinant, If, vec4 } = tsl;
 
 /** Object space. */
 const fieldOrigin = /* @__PURE__ */ hatchingUniform('fieldOrigin', 'vec3');
@@ -51,10 +52,7 @@ function lightOfField(
   let viewToRest = viewToObject;
   if (isAtRest && (object as SkinnedMesh).isSkinnedMesh) {
     // The light as the whole mesh sees it, not each of its bones: lines would break at joints. The first bone stands for the mesh.
-    const { skeleton } = object as SkinnedMesh;
-    const bones = referenceBuffer('skeleton.boneMatrices', 'mat4', skeleton.bones.length);
-    const inMesh = reference('bindMatrixInverse', 'mat4').mul(bones.element(0)).mul(reference('bindMatrix', 'mat4'));
-    const firstBone = inMesh.toVar();
+    const firstBone = inObjectSpace(bonesOf(object as SkinnedMesh).element(0));
     restToView = objectToView.toVar();
     viewToRest = viewToObject.toVar();
     If(determinant(linearPart(firstBone)).notEqual(0), () => {
