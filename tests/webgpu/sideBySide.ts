@@ -3,7 +3,8 @@ import { Color, Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
 
 import { HatchingMaterial } from 'three-hatching';
 import { HatchingNodeMaterial } from 'three-hatching/webgpu';
-import { type Drawer, lackOfWebGPU, makeDrawer } from './drawing.js';
+import { lackOfWebGPU } from '../../tools/browser/lackOfWebGPU.js';
+import { type Drawer, makeDrawer } from './drawing.js';
 import { knot } from './knot.js';
 import { type Comparison, compare, type Pixels, sideBySide } from './picturesOf.js';
 import type { Drawn, Kit, SceneCase, Stage } from './SceneCase.js';

@@ -1,4 +1,5 @@
-import { DirectionalLight, type Object3D, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
+import { type Object3D, type PerspectiveCamera, type Scene, Vector3, WebGLRenderer } from 'three';
+import { litScene } from './litScene.js';
 
 const UP = new Vector3(0, 1, 0);
 
@@ -14,8 +15,8 @@ const FRAMES_PER_QUERY = 8;
 export class Stage {
   private readonly renderer = new WebGLRenderer({ antialias: false });
   private readonly gl = this.renderer.getContext() as WebGL2RenderingContext;
-  private readonly scene = new Scene();
-  private readonly camera = new PerspectiveCamera(30, 1, 0.1, 100);
+  private readonly scene: Scene;
+  private readonly camera: PerspectiveCamera;
   private readonly pixel = new Uint8Array(4);
   private readonly timer: TimerQuery | null;
 
@@ -27,8 +28,9 @@ export class Stage {
     private readonly size: number,
     hasShadows = false,
   ) {
-    const sun = new DirectionalLight(0xffffff, Math.PI);
-    sun.position.set(1, 1, 1);
+    const { scene, camera, sun } = litScene();
+    this.scene = scene;
+    this.camera = camera;
     if (hasShadows) {
       this.renderer.shadowMap.enabled = true;
       this.renderer.shadowMap.autoUpdate = false;
@@ -39,9 +41,6 @@ export class Stage {
       sun.shadow.bias = -0.002;
       sun.shadow.normalBias = 0.02;
     }
-    this.scene.add(sun);
-    this.camera.position.set(0, 0.3, 3.2);
-    this.camera.lookAt(0, 0, 0);
     this.renderer.setSize(size, size, false);
     document.body.append(this.renderer.domElement);
     this.timer = timerOf(this.gl);

@@ -9,6 +9,7 @@ import { lines } from './lines/lines.mjs';
 import { many } from './many/many.mjs';
 import { media } from './media/media.mjs';
 import { memory } from './memory/memory.mjs';
+import { nodes } from './nodes/nodes.mjs';
 import { occlusion } from './occlusion/occlusion.mjs';
 import { shadows } from './shadows/shadows.mjs';
 import { tam } from './tam/tam.mjs';
@@ -21,6 +22,7 @@ import { vector } from './vector/vector.mjs';
  */
 export const benchmarks = [
   frame,
+  nodes,
   many,
   media,
   lines,

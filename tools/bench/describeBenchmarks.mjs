@@ -8,6 +8,7 @@ const RASTERISERS = ['gpu', 'swiftshader', 'llvmpipe'];
 
 const titles = {
   frame: 'Frames',
+  nodes: 'Frames of WebGPURenderer',
   many: 'Many things',
   media: 'Media',
   lines: 'Lines',
@@ -35,6 +36,8 @@ one of its pixels can be read. Ratios are taken within a turn; the tables have t
 
 This is figure 15 of Suarez et al. for this library, in time instead of frames per second. In the paper, hatching reached about half the frame rate of
 Phong shading of the same geometry, on a Quadro FX 3800: the dashed line.`,
+  nodes: `\`HatchingNodeMaterial\` beside three's \`MeshPhongMaterial\`, which \`WebGPURenderer\` draws as a \`MeshPhongNodeMaterial\`: same renderer, same geometry, in turn,
+as above. A GPU is timed by three's own queries of time.`,
   many: 'This is what a scene of many small things costs.',
   media:
     'This is what media cost, compared with the ink of a pen. Pencil, charcoal and chalk are dry; a woodcut is carved.',

@@ -25,7 +25,7 @@ export async function openBrowser(rasteriser) {
     server: { host: '127.0.0.1', port: 0, headers: isolation },
   });
   await server.listen();
-  const browser = await chromium.launch(await launchOptions(rasteriser));
+  const browser = await chromium.launch(await launchOptions(rasteriser, { webgpu: true }));
   const clock = rasteriser === 'gpu' ? '?clock=gpu' : '';
   const openPage = async (address) => {
     const page = await browser.newPage();

@@ -3,6 +3,8 @@ import { HatchingMaterial } from 'three-hatching';
 /** The page that measures: loads what one benchmark needs, and nothing else. */
 const measures = {
   frames: async () => (await import('./frame/measureFrames.js')).measureFrames,
+  nodes: async () => (await import('./nodes/measureNodes.js')).measureNodes,
+  lackOfWebGPU: async () => (await import('../browser/lackOfWebGPU.js')).lackOfWebGPU,
   detail: async () => (await import('./detail/measureDetail.js')).measureDetail,
   lines: async () => (await import('./lines/measureLines.js')).measureLines,
   many: async () => (await import('./many/measureMany.js')).measureMany,

@@ -5,7 +5,7 @@ const WARM_UP_TURNS = 2;
 
 /** Milliseconds that a frame of each object takes, one per turn; all objects are drawn in every turn, so that a slow moment slows all of them. */
 export async function timeTurns(
-  stage: Stage,
+  stage: Pick<Stage, 'timeFrame'>,
   objects: Readonly<Record<string, Object3D>>,
   turns: number,
 ): Promise<Record<string, number[]>> {
