@@ -34,13 +34,14 @@ function drawerInGlsl(): Drawer {
   };
 }
 
-async function drawerOfNodes(drawn: 'forceWebGL' | 'webgpu'): Promise<Drawer> {
+/** @param size pixels per side */
+export async function drawerOfNodes(drawn: 'forceWebGL' | 'webgpu', size = SIZE): Promise<Drawer> {
   const renderer = new WebGPURenderer({ antialias: false, forceWebGL: drawn === 'forceWebGL' });
   await renderer.init();
   const { isWebGPUBackend = false } = renderer.backend as { isWebGPUBackend?: boolean };
   if (isWebGPUBackend !== (drawn === 'webgpu')) throw new Error(`drawerOfNodes: three.js has not taken ${drawn}.`);
-  renderer.setSize(SIZE, SIZE, false);
-  const target = new RenderTarget(SIZE, SIZE);
+  renderer.setSize(size, size, false);
+  const target = new RenderTarget(size, size);
   return {
     renderer,
     draw({ scene, camera }) {
@@ -48,7 +49,7 @@ async function drawerOfNodes(drawn: 'forceWebGL' | 'webgpu'): Promise<Drawer> {
       renderer.render(scene, camera);
     },
     async read() {
-      return fromBelow((await renderer.readRenderTargetPixelsAsync(target, 0, 0, SIZE, SIZE)) as Pixels, drawn);
+      return fromBelow((await renderer.readRenderTargetPixelsAsync(target, 0, 0, size, size)) as Pixels, drawn, size);
     },
     dispose() {
       target.dispose();

@@ -50,11 +50,11 @@ export function compare(glsl: Pixels, nodes: Pixels, background: readonly number
 }
 
 /** Rows of WebGPU's textures come from the top. */
-export function fromBelow(pixels: Pixels, drawn: Drawn): Pixels {
+export function fromBelow(pixels: Pixels, drawn: Drawn, size: number): Pixels {
   if (drawn !== 'webgpu') return pixels;
   const turned = new Uint8Array(pixels.length);
-  for (let y = 0; y < SIZE; y++) {
-    turned.set(pixels.subarray(4 * SIZE * y, 4 * SIZE * (y + 1)), 4 * SIZE * (SIZE - 1 - y));
+  for (let y = 0; y < size; y++) {
+    turned.set(pixels.subarray(4 * size * y, 4 * size * (y + 1)), 4 * size * (size - 1 - y));
   }
   return turned;
 }
