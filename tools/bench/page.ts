@@ -4,7 +4,7 @@ import { HatchingMaterial } from 'three-hatching';
 const measures = {
   frames: async () => (await import('./frame/measureFrames.js')).measureFrames,
   nodes: async () => (await import('./nodes/measureNodes.js')).measureNodes,
-  lackOfWebGPU: async () => (await import('../browser/lackOfWebGPU.js')).lackOfWebGPU,
+  describeAdapter: async () => (await import('./nodes/describeAdapter.js')).describeAdapter,
   detail: async () => (await import('./detail/measureDetail.js')).measureDetail,
   lines: async () => (await import('./lines/measureLines.js')).measureLines,
   many: async () => (await import('./many/measureMany.js')).measureMany,

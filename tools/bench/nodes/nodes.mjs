@@ -14,9 +14,11 @@ export const nodes = {
 
   async run({ measure }, isQuick) {
     const { models, size } = isQuick ? QUICK : PLAN;
-    const lack = await measure('lackOfWebGPU');
+    const adapter = await measure('describeAdapter');
+    // A browser that finds no driver of the card for WebGPU draws it in software, beside which a card's WebGL says nothing.
+    const hasWebGPU = adapter && !(adapter.isSoftware && process.env.HATCH_RASTERISER === 'gpu');
     const backends = {};
-    for (const backend of lack ? ['forceWebGL'] : ['forceWebGL', 'webgpu']) {
+    for (const backend of hasWebGPU ? ['forceWebGL', 'webgpu'] : ['forceWebGL']) {
       backends[backend] = {};
       for (const [model, turns] of Object.entries(models)) {
         const { triangles, times } = await measure('nodes', model, backend, turns, size);
@@ -27,10 +29,10 @@ export const nodes = {
         backends[backend][model] = { triangles, turns, drawn: Object.fromEntries(drawn) };
       }
     }
-    return { size, lack, backends };
+    return { size, adapter: hasWebGPU ? adapter.name : null, backends };
   },
 
-  describe({ size, lack, backends }) {
+  describe({ size, adapter, backends }) {
     const rows = Object.entries(backends).flatMap(([backend, models]) =>
       Object.entries(models).map(([model, { triangles, turns, drawn }]) => [
         backend === 'webgpu' ? 'WebGPU' : '`forceWebGL`',
@@ -47,6 +49,8 @@ export const nodes = {
     const names = Object.keys(drawn).filter((name) => name !== PHONG);
     return `${size} × ${size} pixels, layout \`indexed\`; ratios to Phong. \`anchored\` and \`engraved\` are plain, \`pencil\` and \`engraving\` the presets.
 
-${table([['', '', 'triangles', 'turns', 'Phong, ms', ...names], ...rows])}${lack ? `\n\nNot on WebGPU: ${lack}` : ''}`;
+${table([['', '', 'triangles', 'turns', 'Phong, ms', ...names], ...rows])}
+
+${adapter ? `WebGPU is drawn by ${adapter}.` : 'The browser has no WebGPU that is drawn by the same.'}`;
   },
 };
