@@ -1,8 +1,7 @@
 import { type Camera, type Mesh, type Scene, Vector4, type WebGLRenderer } from 'three';
 import { type OutlineData, outlineDataOf } from '../geometry/OutlineData.js';
-import { pulledVerticesOf } from '../geometry/pulledVerticesOf.js';
-import { canDeform, deforms } from '../material/deformation/canDeform.js';
-import { deformationOf } from '../material/deformation/deformationOf.js';
+import { hasFloatTargets } from '../material/deformation/canDeform.js';
+import { glslDeformations } from '../material/deformation/glslDeformations.js';
 import { tellOfRenderer } from '../material/tellOfRenderer.js';
 import { HatchingOutlineMaterial, type HatchingOutlineParameters } from './HatchingOutlineMaterial.js';
 import { HiddenPass } from './HiddenPass.js';
@@ -23,13 +22,11 @@ const drawnInto = /* @__PURE__ */ new Vector4();
  * out of raycasts, bounding boxes, exporters and passes with an override material, and draw nothing while the mesh has a geometry
  * that was not prepared.
  */
-export class HatchingOutlines extends MeshOutlines {
+export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
   readonly isHatchingOutlines = true;
   /** @internal This is left out of the declarations, because three.js 0.170 declares an accessor and other versions a property. */
   override readonly type: string = 'HatchingOutlines';
-  material: HatchingOutlineMaterial;
 
-  private ownsMaterial: boolean;
   /** What has copied the depth of the scene for these outlines. */
   private readonly depths = new Set<SceneDepth>();
   private hiddenPass: HiddenPass | null = null;
@@ -42,25 +39,11 @@ export class HatchingOutlines extends MeshOutlines {
     mesh: Mesh | null | undefined = undefined,
     look: HatchingOutlineMaterial | HatchingOutlineParameters = {},
   ) {
-    super(mesh ?? null);
-    this.ownsMaterial = !(look instanceof HatchingOutlineMaterial);
-    this.material = look instanceof HatchingOutlineMaterial ? look : new HatchingOutlineMaterial(look);
+    super(mesh, look, HatchingOutlineMaterial);
   }
 
-  override copy(source: this, recursive?: boolean): this {
-    super.copy(source, recursive);
-    if (this.ownsMaterial) this.material.dispose();
-    this.material = source.material;
-    this.ownsMaterial = false;
-    // A clone of the mesh draws its own outlines.
-    this.ownMesh = source.ownMesh === source.parent ? null : source.ownMesh;
-    return this;
-  }
-
-  /** Frees the GPU memory of the outlines and of their own material. The data of the geometry is freed with the geometry. */
   override dispose(): void {
     super.dispose();
-    if (this.ownsMaterial) this.material.dispose();
     this.hiddenPass?.dispose();
     for (const depth of this.depths) depth.dispose();
     this.depths.clear();
@@ -124,17 +107,8 @@ export class HatchingOutlines extends MeshOutlines {
 
   /** Updates the pre-pass of a mesh that deforms. Returns whether there is one. */
   private bindDeformation(renderer: WebGLRenderer, camera: Camera, mesh: Mesh): boolean {
-    const { geometry } = mesh;
-    if (!deforms(geometry, mesh) || geometry.userData.hatching.layout === 'corner') return false;
-    if (!canDeform(renderer, mesh)) {
-      this.report(
-        mesh,
-        'has its outlines as at rest: this device cannot draw into float textures, or its instances have morph targets each of their own.',
-      );
-      return false;
-    }
-    const vertices = pulledVerticesOf(geometry) ?? null;
-    const deformation = deformationOf(renderer, camera, mesh, geometry, vertices, this.material);
+    const deformation = this.deformationBy(glslDeformations, hasFloatTargets(renderer), renderer, camera, mesh);
+    if (!deformation) return false;
     const { uniforms } = this.material;
     uniforms.deformedPositions.value = deformation.positions;
     uniforms.deformedNormals.value = deformation.normals;

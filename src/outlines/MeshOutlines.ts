@@ -14,6 +14,10 @@ import {
   type WebGLRenderer,
 } from 'three';
 import type { OutlineData } from '../geometry/OutlineData.js';
+import { pulledVerticesOf } from '../geometry/pulledVerticesOf.js';
+import { deforms, morphsEachInstance } from '../material/deformation/canDeform.js';
+import type { Deformation } from '../material/deformation/Deformation.js';
+import type { Deformations } from '../material/deformation/Deformations.js';
 import type { EmphasisLook } from '../material/emphasis/emphasis.js';
 import { FrameStamp } from '../material/FrameStamp.js';
 import { describeObject } from '../mistakes/describeObject.js';
@@ -35,7 +39,7 @@ const MAX_LISTS = 12;
 export const VERTICES = 3;
 
 /** The object that draws the outlines of a mesh, with whatever material: where it lies, and what of the mesh may hold an outline. */
-export abstract class MeshOutlines extends Object3D {
+export abstract class MeshOutlines<Look extends Material = Material> extends Object3D {
   /**
    * Makes three.js draw the outlines as it draws a sprite: from triangles, in the order of transparent objects. A mesh would be
    * exported, would cast shadows, and would be found by code that looks for surfaces.
@@ -56,14 +60,20 @@ export abstract class MeshOutlines extends Object3D {
   /** A geometry without attributes: vertices read their data from textures, and other materials draw nothing. @internal */
   readonly geometry = new BufferGeometry();
 
-  protected ownMesh: Mesh | null;
+  material: Look;
+
+  private ownMesh: Mesh | null;
+  private ownsMaterial: boolean;
   /** The list of each camera. */
   private readonly lists = new Map<Camera, ContourList | InstanceList>();
   private hasReported = false;
 
-  constructor(mesh: Mesh | null) {
+  /** @param look a material, or the parameters of a new one of this kind */
+  constructor(mesh: Mesh | null | undefined, look: Look | object, Kind: new (parameters: object) => Look) {
     super();
-    this.ownMesh = mesh;
+    this.ownMesh = mesh ?? null;
+    this.ownsMaterial = !(look instanceof Kind);
+    this.material = look instanceof Kind ? look : new Kind(look);
     this.frustumCulled = false;
     this.geometry.boundingBox = new Box3();
     this.geometry.boundingSphere = new Sphere(new Vector3(), -1);
@@ -79,6 +89,16 @@ export abstract class MeshOutlines extends Object3D {
     this.ownMesh = mesh;
   }
 
+  override copy(source: this, recursive?: boolean): this {
+    super.copy(source, recursive);
+    if (this.ownsMaterial) this.material.dispose();
+    this.material = source.material;
+    this.ownsMaterial = false;
+    // A clone of the mesh draws its own outlines.
+    this.ownMesh = source.ownMesh === source.parent ? null : source.ownMesh;
+    return this;
+  }
+
   /** Does nothing: rays do not hit outlines. */
   override raycast(): void {}
 
@@ -89,13 +109,14 @@ export abstract class MeshOutlines extends Object3D {
     return empty.toJSON(meta);
   }
 
-  /** Frees the GPU memory of the lists. */
+  /** Frees the GPU memory of the outlines and of their own material. The data of the geometry is freed with the geometry. */
   override dispose(): void {
     // In older versions of three.js, Object3D has no dispose().
     super.dispose?.();
     this.geometry.dispose();
     for (const list of this.lists.values()) list.dispose();
     this.lists.clear();
+    if (this.ownsMaterial) this.material.dispose();
   }
 
   /**
@@ -141,6 +162,30 @@ export abstract class MeshOutlines extends Object3D {
       place.setFromMatrixPosition(camera.matrixWorld).applyMatrix4(matrix);
       eye.set(place.x, place.y, place.z, 1);
     }
+  }
+
+  /**
+   * The vertices of a mesh that deforms, in its present pose; null if it does not, or if they cannot be known, which is said once.
+   *
+   * @param hasFloatTargets whether the device can draw into float textures
+   */
+  protected deformationBy<Renderer extends { readonly domElement: EventTarget }>(
+    deformations: Deformations<Renderer>,
+    hasFloatTargets: boolean,
+    renderer: Renderer,
+    camera: Camera,
+    mesh: Mesh,
+  ): Deformation | null {
+    const { geometry } = mesh;
+    if (!deforms(geometry, mesh) || geometry.userData.hatching.layout === 'corner') return null;
+    if (!hasFloatTargets || morphsEachInstance(mesh)) {
+      this.report(
+        mesh,
+        'has its outlines as at rest: this device cannot draw into float textures, or its instances have morph targets each of their own.',
+      );
+      return null;
+    }
+    return deformations.of(renderer, camera, mesh, geometry, pulledVerticesOf(geometry) ?? null, this.material);
   }
 
   /** Has three.js see the instances of the mesh until the end of the draw, since they choose another program. @internal */

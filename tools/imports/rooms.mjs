@@ -102,7 +102,8 @@ export const ROOMS = {
   'webgpu/nodes': [],
   'webgpu/nodes/base': [],
   'webgpu/nodes/chunks': ['base'],
-  'webgpu/nodes/outlines': ['base', 'chunks'],
+  'webgpu/nodes/perTriangle': ['base'],
+  'webgpu/nodes/outlines': ['base', 'chunks', 'perTriangle'],
   'webgpu/nodes/perFragment': ['base', 'chunks'],
   'webgpu/nodes/techniques': [],
   'webgpu/nodes/techniques/anchored': [
@@ -115,7 +116,8 @@ export const ROOMS = {
     '/src/webgpu/nodes/chunks',
     '/src/webgpu/nodes/perFragment',
   ],
-  'webgpu/outlines': ['nodes'],
+  'webgpu/deformation': ['nodes'],
+  'webgpu/outlines': ['nodes', 'deformation'],
   svg: [
     ...['slices', 'features', 'bake', 'worker', 'mistakes', 'tam/stippleMap.ts', 'tam/patternSizes.ts', 'geometry'],
     ...['engraving', 'vector', 'material', 'outlines', 'background'],

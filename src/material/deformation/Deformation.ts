@@ -1,9 +1,8 @@
-import { FloatType, type Material, NearestFilter, type Texture, WebGLRenderTarget } from 'three';
+import type { Material, RenderTarget, Texture } from 'three';
 import { Pose } from './Pose.js';
 
 /** Positions, normals and rotations of the vertices of a geometry in one pose: a texel each, on one graphics context. */
 export class Deformation {
-  readonly target: WebGLRenderTarget;
   /** The pose that its textures hold. */
   readonly pose: Pose = new Pose();
   /** How many meshes are in this pose, and draw with it. */
@@ -12,15 +11,7 @@ export class Deformation {
   readonly users: Set<Material> = new Set();
   isDisposed = false;
 
-  constructor(width: number, height: number) {
-    this.target = new WebGLRenderTarget(width, height, {
-      count: 3,
-      type: FloatType,
-      minFilter: NearestFilter,
-      magFilter: NearestFilter,
-      depthBuffer: false,
-    });
-  }
+  constructor(readonly target: RenderTarget) {}
 
   /** x, y, z of each vertex as drawn, in object space. */
   get positions(): Texture {

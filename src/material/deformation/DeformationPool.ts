@@ -1,8 +1,7 @@
-import type { BufferGeometry, Camera, Material, Mesh, WebGLRenderer } from 'three';
-import type { PulledVertices } from '../../geometry/PulledVertices.js';
+import type { BufferGeometry, Camera, Material, Mesh } from 'three';
 import { Deformation } from './Deformation.js';
 import { hashOf } from './Pose.js';
-import { PrePass } from './PrePass.js';
+import type { PosePass } from './PosePass.js';
 
 /** The deformation that a mesh draws with at present. */
 export interface Held {
@@ -22,7 +21,6 @@ interface MaterialUse {
  */
 export class DeformationPool {
   isDisposed = false;
-  private readonly prePass: PrePass;
   private readonly all = new Set<Deformation>();
   /** The deformations that meshes without a skin share, by the hash of their pose. */
   private readonly byPose = new Map<number, Deformation>();
@@ -31,14 +29,14 @@ export class DeformationPool {
   private readonly materials = new Map<Material, MaterialUse>();
   private readonly compiled = new Set<boolean>();
 
+  /** @param canvas is told when its context is lost */
   constructor(
-    private readonly renderer: WebGLRenderer,
+    private readonly pass: PosePass,
     private readonly geometry: BufferGeometry,
-    vertices: PulledVertices | null,
+    private readonly canvas: EventTarget,
   ) {
-    this.prePass = new PrePass(renderer, geometry, vertices);
     geometry.addEventListener('dispose', this.dispose);
-    renderer.domElement.addEventListener('webglcontextlost', this.dispose);
+    canvas.addEventListener('webglcontextlost', this.dispose);
   }
 
   /**
@@ -60,7 +58,7 @@ export class DeformationPool {
     if (this.compiled.has(isSkinned)) return;
     this.compiled.add(isSkinned);
     this.spare ??= this.make();
-    this.prePass.compile(this.spare.target, mesh);
+    this.pass.compile?.(this.spare.target, mesh);
   }
 
   /** A mesh is gone, or draws another geometry. */
@@ -84,14 +82,14 @@ export class DeformationPool {
     this.byPose.clear();
     for (const { release } of this.materials.values()) release();
     this.materials.clear();
-    this.prePass.dispose();
+    this.pass.dispose();
     this.geometry.removeEventListener('dispose', this.dispose);
-    this.renderer.domElement.removeEventListener('webglcontextlost', this.dispose);
+    this.canvas.removeEventListener('webglcontextlost', this.dispose);
   };
 
   private presentOwn(held: Held, camera: Camera, mesh: Mesh): Deformation {
     const deformation = this.heldBy(held) ?? this.give(held, this.spare ?? this.make());
-    if (deformation.pose.update(mesh)) this.prePass.draw(deformation.target, camera, mesh);
+    if (deformation.pose.update(mesh)) this.pass.draw(deformation.target, camera, mesh);
     return deformation;
   }
 
@@ -106,7 +104,7 @@ export class DeformationPool {
     this.forgetPose(deformation);
     deformation.pose.update(mesh);
     this.byPose.set(hash, deformation);
-    this.prePass.draw(deformation.target, camera, mesh);
+    this.pass.draw(deformation.target, camera, mesh);
     return deformation;
   }
 
@@ -115,8 +113,7 @@ export class DeformationPool {
   }
 
   private make(): Deformation {
-    const { width, height } = this.prePass.size;
-    const deformation = new Deformation(width, height);
+    const deformation = new Deformation(this.pass.makeTarget());
     this.all.add(deformation);
     return deformation;
   }

@@ -1,9 +1,11 @@
 import {
   type BufferGeometry,
   Camera,
+  FloatType,
   GLSL3,
   type Matrix4,
   type Mesh,
+  NearestFilter,
   NoBlending,
   Points,
   Scene,
@@ -13,11 +15,12 @@ import {
   Vector2,
   type Vector4,
   type WebGLRenderer,
-  type WebGLRenderTarget,
+  WebGLRenderTarget,
 } from 'three';
 import { pullColumns, pullTextureSize } from '../../bake/pullLayout.js';
 import type { PulledVertices } from '../../geometry/PulledVertices.js';
 import { deformationShaders } from './deformationShaders.js';
+import type { PosePass } from './PosePass.js';
 
 /** The corners of a mesh as points, or its vertices if it has an index. three.js uploads its bones and morph targets as it does for the mesh. */
 class CornerPoints extends Points {
@@ -34,9 +37,9 @@ const allCorners = { start: 0, count: Infinity };
 const noCorners = { start: 1, count: -2 };
 
 /** Deforms the vertices of a geometry of the `pull` or `indexed` layout into textures, for the poses of its meshes. */
-export class PrePass {
+export class PrePass implements PosePass {
   /** Of its render targets, in texels. */
-  readonly size: { readonly width: number; readonly height: number };
+  private readonly size: { readonly width: number; readonly height: number };
   private readonly points: CornerPoints;
   private readonly shader: ShaderMaterial;
 
@@ -66,12 +69,21 @@ export class PrePass {
     this.points = new CornerPoints(geometry);
   }
 
-  /** Draws the pose of a mesh while the renderer draws it for `camera`. Leaves the renderer's state as it was. */
+  makeTarget(): WebGLRenderTarget {
+    return new WebGLRenderTarget(this.size.width, this.size.height, {
+      count: 3,
+      type: FloatType,
+      minFilter: NearestFilter,
+      magFilter: NearestFilter,
+      depthBuffer: false,
+    });
+  }
+
   draw(target: WebGLRenderTarget, camera: Camera, mesh: Mesh): void {
     this.drawCorners(target, camera, mesh, allCorners);
   }
 
-  /** Builds the program, and draws nothing: the geometry need not be on the graphics card yet. */
+  /** The geometry need not be on the graphics card yet. */
   compile(target: WebGLRenderTarget, mesh: Mesh): void {
     this.drawCorners(target, noCamera, mesh, noCorners);
   }

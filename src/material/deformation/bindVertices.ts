@@ -2,7 +2,7 @@ import type { BufferGeometry, Camera, Mesh, Object3D, ShaderMaterial, Texture, W
 import { pulledVerticesOf } from '../../geometry/pulledVerticesOf.js';
 import type { VertexLayout } from '../shaders/shaderConventions.js';
 import { canDeform, deforms } from './canDeform.js';
-import { compileDeformation, deformationOf } from './deformationOf.js';
+import { glslDeformations } from './glslDeformations.js';
 
 /**
  * Sets the uniforms of a material that is about to draw `object`: the vertex textures of the layout `pull`, as deformed in
@@ -22,7 +22,7 @@ export function bindVertices(
   bind(material, 'pullRowShift', vertices.rowShift);
   if (!deforms(geometry, object) || !canDeform(renderer, object)) return 'pull';
 
-  const deformation = deformationOf(renderer, camera, object as Mesh, geometry, vertices, material);
+  const deformation = glslDeformations.of(renderer, camera, object as Mesh, geometry, vertices, material);
   bind(material, 'deformedPositions', deformation.positions);
   bind(material, 'deformedNormals', deformation.normals);
   bind(material, 'deformedTurns', deformation.turns);
@@ -34,7 +34,7 @@ export function compilePrePass(renderer: WebGLRenderer, mesh: Mesh): void {
   const { geometry } = mesh;
   const vertices = pulledVerticesOf(geometry);
   if (!vertices || !deforms(geometry, mesh) || !canDeform(renderer, mesh)) return;
-  compileDeformation(renderer, mesh, geometry, vertices);
+  glslDeformations.compile(renderer, mesh, geometry, vertices);
 }
 
 /** Sets a uniform that differs between meshes. By default three.js uploads uniforms once for all meshes of a material. */

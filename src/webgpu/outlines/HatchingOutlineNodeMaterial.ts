@@ -61,7 +61,7 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
   /** @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour */
   constructor(parameters: HatchingOutlineParameters | undefined = undefined) {
     super();
-    this.uniforms = { ...createOutlineUniforms(), isInstanced: { value: false } };
+    this.uniforms = { ...createOutlineUniforms(), isInstanced: { value: false }, isDeformed: { value: false } };
     this.ink = new Color(HATCHING_OUTLINE_DEFAULTS.ink);
     this.shadeWeights = new Vector2(...HATCHING_OUTLINE_DEFAULTS.shadeWeights);
     defineOutlineNumbers(this, NAME, (name) => {

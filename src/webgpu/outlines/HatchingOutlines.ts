@@ -1,7 +1,6 @@
-import { type Camera, type InstancedMesh, type Mesh, type Scene, Vector2, Vector4, type WebGLRenderer } from 'three';
+import { type Camera, type InstancedMesh, type Mesh, type Scene, type SkinnedMesh, Vector2, Vector4, type WebGLRenderer } from 'three';
 import type { WebGPURenderer } from 'three/webgpu';
 import { outlineDataOf } from '../../geometry/OutlineData.js';
-import { deforms } from '../../material/deformation/canDeform.js';
 import { tell } from '../../mistakes/tell.js';
 import type { HatchingOutlineParameters } from '../../outlines/HatchingOutlineMaterial.js';
 import {
@@ -13,6 +12,7 @@ import {
   NOTHING,
   VERTICES,
 } from '../../outlines/MeshOutlines.js';
+import { hasFloatTargets, nodeDeformations } from '../deformation/nodeDeformations.js';
 import { placesOf } from '../nodes/base/InstancePlaces.js';
 import { HatchingOutlineNodeMaterial } from './HatchingOutlineNodeMaterial.js';
 import { readWhereDrawn } from './readWhereDrawn.js';
@@ -29,16 +29,13 @@ let wasToldOfRenderer = false;
  *     mesh.geometry = await prepareHatchingGeometry(mesh.geometry, { outlines: true });
  *     mesh.add(new HatchingOutlines(mesh, { outlineWidth: 2 }));
  *
- * The outlines follow instances, and are hidden where the surface hides them. Those of skins and morph targets are drawn as at rest. They
- * cast no shadow, are left out of raycasts, bounding boxes and exporters, and draw nothing while the mesh has a geometry that was not prepared.
+ * The outlines follow skins, morph targets and instances, and are hidden where the surface hides them. They cast no shadow, are left out of raycasts, bounding boxes and exporters, and draw nothing while the mesh has a geometry that was not prepared.
  */
-export class HatchingOutlines extends MeshOutlines {
+export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> {
   readonly isHatchingOutlines = true;
   /** @internal */
   override readonly type: string = 'HatchingOutlines';
-  material: HatchingOutlineNodeMaterial;
 
-  private ownsMaterial: boolean;
   private isDrawingHidden = false;
 
   /**
@@ -49,25 +46,7 @@ export class HatchingOutlines extends MeshOutlines {
     mesh: Mesh | null | undefined = undefined,
     look: HatchingOutlineNodeMaterial | HatchingOutlineParameters = {},
   ) {
-    super(mesh ?? null);
-    this.ownsMaterial = !(look instanceof HatchingOutlineNodeMaterial);
-    this.material = look instanceof HatchingOutlineNodeMaterial ? look : new HatchingOutlineNodeMaterial(look);
-  }
-
-  override copy(source: this, recursive?: boolean): this {
-    super.copy(source, recursive);
-    if (this.ownsMaterial) this.material.dispose();
-    this.material = source.material;
-    this.ownsMaterial = false;
-    // A clone of the mesh draws its own outlines.
-    this.ownMesh = source.ownMesh === source.parent ? null : source.ownMesh;
-    return this;
-  }
-
-  /** Frees the GPU memory of the outlines and of their own material. The data of the geometry is freed with the geometry. */
-  override dispose(): void {
-    super.dispose();
-    if (this.ownsMaterial) this.material.dispose();
+    super(mesh, look, HatchingOutlineNodeMaterial);
   }
 
   override readonly onBeforeRender = (either: WebGLRenderer | WebGPURenderer, _scene: Scene, camera: Camera): void => {
@@ -92,13 +71,8 @@ export class HatchingOutlines extends MeshOutlines {
     }
     // What it asks of a renderer, both kinds have.
     if (mesh.frustumCulled && !isInFrustum(mesh, renderer as unknown as WebGLRenderer, camera)) return;
-    if (deforms(mesh.geometry, mesh)) {
-      this.report(
-        mesh,
-        'has its outlines as at rest: WebGPURenderer does not draw those of skins and morph targets yet.',
-      );
-    }
     const { suggestiveContours, uniforms } = this.material;
+    const isDeformed = this.bindDeformation(renderer, camera, mesh);
     uniforms.outlinePoints.value = data.points;
     uniforms.outlinePrimitives.value = data.primitives;
     uniforms.radius.value = data.radius || 1;
@@ -107,7 +81,8 @@ export class HatchingOutlines extends MeshOutlines {
     writeViewport(renderer, drawnInto);
     this.material.writeDraw(renderer, camera, mesh, drawnInto, emphasisOf(mesh));
     // Suggestive contours may lie anywhere on surfaces that face the eye.
-    const list = suggestiveContours > 0 ? null : this.listFor(camera, data, mesh, uniforms.eye.value);
+    const isAnywhere = isDeformed || suggestiveContours > 0;
+    const list = isAnywhere ? null : this.listFor(camera, data, mesh, uniforms.eye.value);
     uniforms.isListed.value = list !== null;
     uniforms.candidates.value = list?.texture ?? data.primitives;
     this.bindInstances(mesh, list !== null);
@@ -134,6 +109,19 @@ export class HatchingOutlines extends MeshOutlines {
     const lights = renderer.lighting.getNode(scene);
     renderer.renderObject(this, scene, camera, geometry, material.ofHidden(), null, lights, null, 'hiddenOutlines');
     this.isDrawingHidden = false;
+  }
+
+  /** Updates the pose of a mesh that deforms. Returns whether there is one. */
+  private bindDeformation(renderer: WebGPURenderer, camera: Camera, mesh: Mesh): boolean {
+    const { uniforms } = this.material;
+    // three.js has moved the bones by now only if the surface was drawn before.
+    if ('isSkinnedMesh' in mesh) (mesh as SkinnedMesh).skeleton.update();
+    const deformation = this.deformationBy(nodeDeformations, hasFloatTargets(renderer), renderer, camera, mesh);
+    const isDeformed = deformation !== null;
+    uniforms.isDeformed.value = isDeformed;
+    uniforms.deformedPositions.value = isDeformed ? deformation.target.textures[0] : null;
+    uniforms.deformedTurns.value = isDeformed ? deformation.target.textures[1] : null;
+    return isDeformed;
   }
 
   private bindInstances(mesh: Mesh, isListed: boolean): void {

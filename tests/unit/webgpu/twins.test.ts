@@ -59,6 +59,8 @@ const WITHOUT_FUNCTION: Record<string, readonly string[]> = {
   'techniques/engraved/ruledLines.glsl': ['octaves', 'powerOf2'],
   // It stands in texelOf.ts, since places of instances are read by it too.
   'outlines/points.glsl': ['texelOf'],
+  // Only the techniques of triangles ask for the turn between three.
+  'perTriangle/turns.glsl': ['addTurns'],
   // three's nodes say how depths are kept.
   'outlines/sceneDepth.glsl': ['clipDepth'],
 };

@@ -1,22 +1,16 @@
 import {
   BatchedMesh,
-  Bone,
   BoxGeometry,
-  type BufferGeometry,
-  CylinderGeometry,
-  Float32BufferAttribute,
   InstancedMesh,
   type Material,
   Matrix4,
   Mesh,
-  Skeleton,
-  SkinnedMesh,
   SphereGeometry,
   TorusKnotGeometry,
-  Uint16BufferAttribute,
   Vector3,
 } from 'three';
 import type { HatchingMaterialParameters } from 'three-hatching';
+import { bentTube, egg } from '../deforming.js';
 import { type KnotStage, knot } from '../knot.js';
 import type { Kit, SceneCase } from '../SceneCase.js';
 
@@ -38,42 +32,6 @@ const moved = (x: number, y: number, turn: number, size = 1): Matrix4 =>
     .makeTranslation(x, y, 0)
     .multiply(new Matrix4().makeRotationAxis(new Vector3(1, 2, 0.5).normalize(), turn))
     .multiply(new Matrix4().makeScale(size, 0.7 * size, 1.2 * size));
-
-/** A tube that two bones bend. */
-function bentTube(material: Material): SkinnedMesh {
-  const geometry = new CylinderGeometry(0.35, 0.35, 1.8, 40, 24);
-  const { position } = geometry.attributes;
-  const indices: number[] = [];
-  const weights: number[] = [];
-  for (let i = 0; i < position.count; i++) {
-    const share = Math.min(Math.max(position.getY(i) + 0.5, 0), 1);
-    indices.push(0, 1, 0, 0);
-    weights.push(1 - share, share, 0, 0);
-  }
-  geometry.setAttribute('skinIndex', new Uint16BufferAttribute(indices, 4));
-  geometry.setAttribute('skinWeight', new Float32BufferAttribute(weights, 4));
-  const root = new Bone();
-  const upper = new Bone();
-  root.position.y = -0.9;
-  upper.position.y = 0.9;
-  root.add(upper);
-  const mesh = new SkinnedMesh(geometry, material);
-  mesh.add(root);
-  mesh.bind(new Skeleton([root, upper]));
-  upper.rotation.z = -0.9;
-  root.rotation.x = 0.3;
-  return mesh;
-}
-
-/** A ball that a morph target makes an egg. */
-function egg(material: Material): Mesh {
-  const geometry = new SphereGeometry(0.7, 40, 30);
-  const target = new SphereGeometry(0.7, 40, 30).scale(0.6, 1.4, 1);
-  geometry.morphAttributes = { position: [target.attributes.position], normal: [target.attributes.normal] };
-  const mesh = new Mesh<BufferGeometry, Material>(geometry, material);
-  mesh.morphTargetInfluences![0] = 0.7;
-  return mesh;
-}
 
 /** Objects that one material draws, of each kind that three.js knows. */
 export const cases: readonly SceneCase[] = [

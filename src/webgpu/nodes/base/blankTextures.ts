@@ -2,10 +2,13 @@ import {
   DataTexture,
   FloatType,
   LinearFilter,
+  NearestFilter,
   RedFormat,
+  RenderTarget,
   RepeatWrapping,
   RGBAFormat,
   RGBAIntegerFormat,
+  type Texture,
   UnsignedIntType,
 } from 'three';
 
@@ -23,6 +26,10 @@ export const blankIntegers: DataTexture = /* @__PURE__ */ blank(
 export const blankFloats: DataTexture = /* @__PURE__ */ blank(
   new DataTexture(new Float32Array(4), 1, 1, RGBAFormat, FloatType),
 );
+
+/** Stands in for those that poses are drawn into: some versions of three.js turn what they have drawn, and look for it in the texture met first. */
+export const blankPoses: Texture = /* @__PURE__ */ (() =>
+  new RenderTarget(1, 1, { type: FloatType, minFilter: NearestFilter, magFilter: NearestFilter }).texture)();
 
 function repeated(texture: DataTexture): DataTexture {
   texture.wrapS = texture.wrapT = RepeatWrapping;

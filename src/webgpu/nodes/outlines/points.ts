@@ -1,15 +1,24 @@
 /** The twin of shaders/outlines/points.glsl: points that outlines run between (src/bake/outlineLayout.ts). */
 import { POINT_MASK } from '../../../bake/outlineLayout.js';
-import { blankIntegers } from '../base/blankTextures.js';
+import { blankIntegers, blankPoses } from '../base/blankTextures.js';
+import { identity } from '../base/matrices.js';
 import { texelOf } from '../base/texelOf.js';
 import { hatchingTexture } from '../base/textures.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
+import { turnBack } from '../perTriangle/turns.js';
 
-const { abs, dot, float, int, ivec2, max, normalize, select, uint, uintBitsToFloat } = tsl;
+const { If, abs, dot, float, int, ivec2, max, normalize, select, transpose, uint, uintBitsToFloat } = tsl;
 const { unpackHalf2x16, unpackSnorm2x16, vec3 } = tsl;
 
 const outlinePoints = /* @__PURE__ */ hatchingTexture('outlinePoints', blankIntegers);
+
+/** Of the pose, by vertex: its place, and 1 where the other one is a rotation. */
+const deformedPositions = /* @__PURE__ */ hatchingTexture('deformedPositions', blankPoses);
+/** The rotation by the skin, or the normal. */
+const deformedTurns = /* @__PURE__ */ hatchingTexture('deformedTurns', blankPoses);
+/** Whether the mesh is in a pose. Not a program of its own: meshes that deform and others may share a material. */
+const isDeformed = /* @__PURE__ */ hatchingUniform('isDeformed', 'float');
 
 /** Of the bounding sphere, object units. */
 export const radius: Value = /* @__PURE__ */ hatchingUniform('radius', 'float');
@@ -42,16 +51,33 @@ export function readPoint(word: Value, eye: Value): OutlinePoint {
   const texel = texelOf(int(word.bitAnd(uint(POINT_MASK))).mul(2), outlinePoints).toVar();
   const place = outlinePoints.load(texel).toVar();
   const shape = outlinePoints.load(texel.add(ivec2(1, 0))).toVar();
-  const position = vec3(uintBitsToFloat(place.x), uintBitsToFloat(place.y), uintBitsToFloat(place.z)).toVar();
+  const anchor = vec3(uintBitsToFloat(place.x), uintBitsToFloat(place.y), uintBitsToFloat(place.z)).toVar();
+  const position = anchor.toVar();
   const normal = octahedralNormal(place.w).toVar();
+  const toRest = identity().toVar();
+  If(isDeformed.greaterThan(0.5), () => {
+    const vertex = texelOf(int(shape.w), deformedPositions).toVar();
+    const posed = deformedPositions.load(vertex).toVar();
+    const turn = deformedTurns.load(vertex).toVar();
+    position.assign(posed.xyz);
+    If(posed.w.greaterThan(0.5), () => {
+      toRest.assign(turnBack(turn));
+      normal.assign(transpose(toRest).mul(normal));
+    }).Else(() => {
+      // Where morph targets move the vertex, its normal is all that is known.
+      If(dot(turn, turn).greaterThan(0), () => {
+        normal.assign(normalize(turn.xyz));
+      });
+    });
+  });
   const v = towardsEye(position, eye).toVar();
   const facing = dot(normal, v).toVar();
-  const w = v.sub(facing.mul(normal)).toVar();
+  const w = toRest.mul(v.sub(facing.mul(normal))).toVar();
   const kx = unpackHalf2x16(shape.x).toVar(); // xx xy
   const ky = unpackHalf2x16(shape.y).toVar(); // xz yy
   const kz = unpackHalf2x16(shape.z).toVar(); // yz zz
   const kw = vec3(dot(vec3(kx, ky.x), w), dot(vec3(kx.y, ky.y, kz.x), w), dot(vec3(ky.x, kz), w));
   const length2 = dot(w, w).toVar();
   const bend = select(length2.greaterThan(0), dot(w, kw).div(length2), float(0)).toVar();
-  return { position, anchor: position, normal, facing, bend };
+  return { position, anchor, normal, facing, bend };
 }

@@ -11,7 +11,7 @@ import {
 } from 'three';
 import { beforeEach, describe, expect, test } from 'vitest';
 import type { Deformation } from '../../../../src/material/deformation/Deformation.js';
-import { compileDeformation, deformationOf } from '../../../../src/material/deformation/deformationOf.js';
+import { glslDeformations } from '../../../../src/material/deformation/glslDeformations.js';
 
 const camera = new Camera();
 
@@ -47,7 +47,7 @@ describe('meshes that share a geometry', () => {
   let material: MeshBasicMaterial;
   let { renderer, drawn } = countingRenderer();
   const draw = (mesh: Mesh, with_ = material): Deformation =>
-    deformationOf(renderer, camera, mesh, mesh.geometry, null, with_);
+    glslDeformations.of(renderer, camera, mesh, mesh.geometry, null, with_);
   const drawAll = (): Set<Deformation> => new Set(crowd.map((mesh) => draw(mesh)));
   const pose = (influence: number): void => {
     for (const mesh of crowd) mesh.morphTargetInfluences![0] = influence;
@@ -107,7 +107,7 @@ describe('meshes that share a geometry', () => {
   });
 
   test('build one program', () => {
-    for (const mesh of crowd) compileDeformation(renderer, mesh, mesh.geometry, null);
+    for (const mesh of crowd) glslDeformations.compile(renderer, mesh, mesh.geometry, null);
     expect(drawn.passes).toBe(1);
   });
 
