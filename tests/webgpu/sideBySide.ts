@@ -57,6 +57,8 @@ async function draw({ show, shadows }: SceneCase, drawn: Drawn): Promise<{ pixel
   draw(stage);
   if (stage.change) {
     stage.change();
+    // WebGPURenderer moves bones once a frame.
+    await new Promise(requestAnimationFrame);
     draw(stage);
   }
   const pixels = await read();

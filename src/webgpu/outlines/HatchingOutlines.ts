@@ -1,4 +1,4 @@
-import { type Camera, type InstancedMesh, type Mesh, type Scene, type SkinnedMesh, Vector2, Vector4, type WebGLRenderer } from 'three';
+import { type Camera, type InstancedMesh, type Mesh, type Scene, Vector2, Vector4, type WebGLRenderer } from 'three';
 import type { WebGPURenderer } from 'three/webgpu';
 import { outlineDataOf } from '../../geometry/OutlineData.js';
 import { tell } from '../../mistakes/tell.js';
@@ -114,8 +114,6 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
   /** Updates the pose of a mesh that deforms. Returns whether there is one. */
   private bindDeformation(renderer: WebGPURenderer, camera: Camera, mesh: Mesh): boolean {
     const { uniforms } = this.material;
-    // three.js has moved the bones by now only if the surface was drawn before.
-    if ('isSkinnedMesh' in mesh) (mesh as SkinnedMesh).skeleton.update();
     const deformation = this.deformationBy(nodeDeformations, hasFloatTargets(renderer), renderer, camera, mesh);
     const isDeformed = deformation !== null;
     uniforms.isDeformed.value = isDeformed;

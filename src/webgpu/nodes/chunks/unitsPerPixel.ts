@@ -1,12 +1,11 @@
 /** The twin of shaders/chunks/unitsPerPixel.glsl. */
+import { isOrthographic } from '../base/isOrthographic.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 
 const { abs, cameraProjectionMatrix, determinant, pow, select } = tsl;
 
 const viewportHeight = /* @__PURE__ */ hatchingUniform('viewportHeight', 'float');
-
-export const isOrthographic = (): Value => cameraProjectionMatrix.element(3).element(3).equal(1);
 
 /** Object units to a pixel at a vertex. @param viewToObject linear part */
 export function unitsPerPixel(viewToObject: Value, viewPosition: Value): Value {

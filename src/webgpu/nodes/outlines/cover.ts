@@ -1,5 +1,6 @@
 /** The twin of shaders/outlines/cover.glsl: from a piece of outline to the triangle on the screen that covers it. */
 import type { NodeBuilder } from 'three/webgpu';
+import { isOrthographic } from '../base/isOrthographic.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 import { mostOutlineEmphasis } from '../chunks/emphasis.js';
@@ -8,7 +9,7 @@ import { accents, isSeen, SHORT, type Spine, standingAt } from './hierarchy.js';
 import type { OutlineDefines } from './OutlineDefines.js';
 import type { Piece, PieceEnd } from './piece.js';
 import type { InstancePlace } from './primitives.js';
-import { hasSceneDepth, isOrthographic, nearDistance, projection, viewport } from './sceneDepth.js';
+import { hasSceneDepth, nearDistance, projection, viewport } from './sceneDepth.js';
 import { objectToView } from './shade.js';
 import * as varyings from './varyings.js';
 import { halfWidthsAt } from './width.js';

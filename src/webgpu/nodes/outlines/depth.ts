@@ -1,8 +1,8 @@
 import { viewZToLogarithmicDepth, viewZToOrthographicDepth } from 'three/tsl';
+import { isOrthographic } from '../base/isOrthographic.js';
 import { tsl, type Value } from '../base/values.js';
 import { onSpine } from './fragments.js';
 import type { OutlineDefines } from './OutlineDefines.js';
-import { isOrthographic } from './sceneDepth.js';
 import { vEnd, vStart } from './varyings.js';
 
 const { Fn, cameraFar, cameraNear, float, mix, select } = tsl;

@@ -3,10 +3,10 @@
  * it lies on does not hide it, and hardly further; it stays where it is on the screen.
  */
 import { OUTLINE_CONSTANTS } from '../../../engraving/constants/outlineConstants.js';
+import { isOrthographic } from '../base/isOrthographic.js';
 import { tsl, type Value } from '../base/values.js';
 import type { Piece, PieceEnd } from './piece.js';
 import { radius } from './points.js';
-import { isOrthographic } from './sceneDepth.js';
 
 const { float, length, max, min, select, sqrt, vec3 } = tsl;
 const { EDGE_SLOPE, LIFT_SHARE, LOOKED_BESIDE, MOST_RISE, ROUNDING } = OUTLINE_CONSTANTS;

@@ -4,9 +4,10 @@
  */
 import type { NodeBuilder } from 'three/webgpu';
 import { ACCENT_STEPS, OUTLINE_CONSTANTS } from '../../../engraving/constants/outlineConstants.js';
+import { isOrthographic } from '../base/isOrthographic.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
-import { depthAt, isInView, isOrthographic, NOWHERE, viewHeightAt } from './sceneDepth.js';
+import { depthAt, isInView, NOWHERE, viewHeightAt } from './sceneDepth.js';
 
 const { Break, If, Loop, abs, bool, clamp, dot, float, floor, int, max, min, mix, select, smoothstep, vec2 } = tsl;
 const { ACCENT_REACH, BEGINS_AS_PAPER, BESIDE, BEYOND, FULL_JUMP, IS_PAPER, LEAST_JUMP } = OUTLINE_CONSTANTS;

@@ -2,6 +2,7 @@
 import { DepthFormat, DepthStencilFormat, DepthTexture, FloatType, UnsignedInt248Type, UnsignedIntType } from 'three';
 import { logarithmicDepthToViewZ, orthographicDepthToViewZ, screenUV, viewportDepthTexture } from 'three/tsl';
 import { type NodeBuilder, WebGPUCoordinateSystem } from 'three/webgpu';
+import { isOrthographic } from '../base/isOrthographic.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { type TextureValue, tsl, type Value } from '../base/values.js';
 
@@ -36,8 +37,6 @@ export const NOWHERE = 1e30;
 
 /** An element of the projection matrix. */
 export const projection = (column: number, row: number): Value => cameraProjectionMatrix.element(column).element(row);
-
-export const isOrthographic = (): Value => projection(2, 3).equal(0);
 
 /** Whether what is drawn to has a depth, which can be read. */
 export function hasSceneDepth({ renderer }: NodeBuilder): boolean {

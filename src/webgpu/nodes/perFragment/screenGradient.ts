@@ -1,5 +1,6 @@
 /** The twin of shaders/perFragment/screenGradient.glsl: how fast a function of the place on the object changes on the screen. */
 import { SCREEN_CONSTANTS } from '../../../engraving/constants/screenConstants.js';
+import { isOrthographic } from '../base/isOrthographic.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 
@@ -11,12 +12,12 @@ export type ScreenMap = readonly [x: Value, y: Value];
 const viewportHeight = /* @__PURE__ */ hatchingUniform('viewportHeight', 'float');
 
 /** The centre of the screen as seen from here: what one step in depth shifts. */
-export const centreOfScreen = (isOrthographic: Value): Value =>
-  select(isOrthographic, vec2(0), positionView.xy.div(positionView.z)).toVar();
+export const centreOfScreen = (): Value =>
+  select(isOrthographic(), vec2(0), positionView.xy.div(positionView.z)).toVar();
 
 /** View units to a pixel. */
-export const viewUnitsPerPixel = (isOrthographic: Value): Value =>
-  select(isOrthographic, 1, positionView.z.negate())
+export const viewUnitsPerPixel = (): Value =>
+  select(isOrthographic(), 1, positionView.z.negate())
     .mul(2)
     .div(cameraProjectionMatrix.element(1).element(1).mul(viewportHeight));
 
@@ -34,13 +35,10 @@ export function screenMapOf(normal: Value, centre: Value, viewToPlace: Value): S
  * @param viewToPlace from the view to that space, linear part
  */
 export function screenMap(n: Value, viewToPlace: Value): ScreenMap {
-  const isOrthographic = cameraProjectionMatrix.element(3).element(3).equal(1);
   const normal = n.mul(viewToPlace).toVar();
-  const centre = centreOfScreen(isOrthographic);
+  const centre = centreOfScreen();
   const facing = abs(dot(normal, vec3(centre, 1)));
-  normal.mulAssign(
-    viewUnitsPerPixel(isOrthographic).div(max(facing, length(normal).mul(SCREEN_CONSTANTS.LEAST_FACING))),
-  );
+  normal.mulAssign(viewUnitsPerPixel().div(max(facing, length(normal).mul(SCREEN_CONSTANTS.LEAST_FACING))));
   return screenMapOf(normal, centre, viewToPlace);
 }
 

@@ -1,7 +1,8 @@
 /** The twin of shaders/techniques/anchored/emit.glsl. */
 import { formLayout } from '../../../../bake/formLayout.js';
+import { isOrthographic } from '../../base/isOrthographic.js';
 import { tsl } from '../../base/values.js';
-import { isOrthographic, unitsPerPixel } from '../../chunks/unitsPerPixel.js';
+import { unitsPerPixel } from '../../chunks/unitsPerPixel.js';
 import type { Anchor } from '../../perFragment/emit.js';
 import { vFormSlope, vRestPosition, vStrokeNormal, vToViewer, vUnitsPerPixel } from './varyings.js';
 

@@ -1,9 +1,9 @@
 /** The twin of shaders/techniques/anchored/readSheet.glsl: strokes that lie one way on the sheet, whatever surface and light do. */
 
+import { isOrthographic } from '../../base/isOrthographic.js';
 import { strokeDirection } from '../../base/strokeDirection.js';
 import { tsl, type Value } from '../../base/values.js';
 import { anyTangent } from '../../chunks/lightOrientation.js';
-import { isOrthographic } from '../../chunks/unitsPerPixel.js';
 import type { StrokeAxes } from './StrokeAxes.js';
 
 const { cross, dot, float, inverseSqrt, normalize, positionView, select, vec3 } = tsl;

@@ -5,12 +5,12 @@
  */
 import type { NodeBuilder } from 'three/webgpu';
 import { STIPPLE_CONSTANTS } from '../../../../engraving/constants/stippleConstants.js';
+import { isOrthographic } from '../../base/isOrthographic.js';
 import { hatchingUniform } from '../../base/uniforms.js';
 import { tsl, type Value } from '../../base/values.js';
 import { largestComponents } from '../../chunks/largestComponents.js';
 import { tilesPerUnit } from '../../chunks/levelByDepth.js';
 import { anyTangent } from '../../chunks/lightOrientation.js';
-import { isOrthographic } from '../../chunks/unitsPerPixel.js';
 import {
   centreOfScreen,
   type ScreenMap,
@@ -83,11 +83,11 @@ const directionOfNeedles = (front: Value, toViewer: Value): Value =>
 /** The tangent plane, leaning away no further than dots stay round. */
 function roundScreenMap(n: Value, viewToPlace: Value): ScreenMap {
   const normal = n.mul(viewToPlace).toVar();
-  const toViewer = vec3(centreOfScreen(isOrthographic()), 1).toVar();
+  const toViewer = vec3(centreOfScreen(), 1).toVar();
   const facing = dot(normal, toViewer).toVar();
   const least = length(normal).mul(LEAST_ROUND).toVar();
   normal.addAssign(toViewer.mul(max(least.sub(facing), 0).div(dot(toViewer, toViewer))));
-  normal.mulAssign(viewUnitsPerPixel(isOrthographic()).div(max(facing, least)));
+  normal.mulAssign(viewUnitsPerPixel().div(max(facing, least)));
   return screenMapOf(normal, toViewer.xy.toVar(), viewToPlace);
 }
 
