@@ -1,8 +1,11 @@
 import type { Camera, Material, Scene, ShadowMapType } from 'three';
+import type { Node } from 'three/webgpu';
 import type { HatchingMaterialParameters } from 'three-hatching';
 
 /** Who draws: materials in GLSL on WebGLRenderer, or of nodes on WebGPURenderer, with its WebGL 2 backend or with WebGPU. */
 export type Drawn = 'glsl' | 'forceWebGL' | 'webgpu';
+
+export type Depth = 'plain' | 'logarithmic' | 'reversed';
 
 /** Makes what a scene is drawn with, for who draws it. */
 export interface Kit {
@@ -17,6 +20,8 @@ export interface Kit {
 export interface Stage {
   scene: Scene;
   camera: Camera;
+  /** What nodes draw the scene through: a pass of the renderer, which may make more of it than a picture. Default: none. */
+  through?(scene: Scene, camera: Camera): Node;
   /** Changes the scene after a first frame. What is compared is drawn then. */
   change?(): void;
 }
@@ -27,6 +32,8 @@ export interface SceneCase {
   show(kit: Kit): Stage | Promise<Stage>;
   /** The filter of shadows. Default: none are drawn. */
   shadows?: ShadowMapType;
+  /** How depths are kept. Default: as a device keeps them. */
+  depth?: Depth;
   /**
    * What WebGPU is held to: as many pixels alike as `forceWebGL`, or the same mean tone, where edges are as wide as derivatives on
    * the screen say, which WebGPU takes of other pixels. Default: `pixels`.

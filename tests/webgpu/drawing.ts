@@ -1,7 +1,7 @@
 import { RenderTarget, WebGLRenderer, WebGLRenderTarget } from 'three';
-import { WebGPURenderer } from 'three/webgpu';
+import { RenderPipeline, WebGPURenderer } from 'three/webgpu';
 import { fromBelow, type Pixels, SIZE } from './picturesOf.js';
-import type { Drawn, Stage } from './SceneCase.js';
+import type { Depth, Drawn, Stage } from './SceneCase.js';
 
 /** Draws into a render target: presenting WebGPU's canvas ends the graphics process of browsers without a card. */
 export interface Drawer {
@@ -11,8 +11,14 @@ export interface Drawer {
   dispose(): void;
 }
 
-function drawerInGlsl(): Drawer {
-  const renderer = new WebGLRenderer({ antialias: false });
+const keeping = (depth: Depth): { logarithmicDepthBuffer: boolean; reversedDepthBuffer: boolean } => ({
+  logarithmicDepthBuffer: depth === 'logarithmic',
+  reversedDepthBuffer: depth === 'reversed',
+});
+
+function drawerInGlsl(depth: Depth): Drawer {
+  const renderer = new WebGLRenderer({ antialias: false, ...keeping(depth) });
+  renderer.localClippingEnabled = true;
   renderer.setSize(SIZE, SIZE, false);
   const target = new WebGLRenderTarget(SIZE, SIZE);
   return {
@@ -35,8 +41,12 @@ function drawerInGlsl(): Drawer {
 }
 
 /** @param size pixels per side */
-export async function drawerOfNodes(drawn: 'forceWebGL' | 'webgpu', size = SIZE): Promise<Drawer> {
-  const renderer = new WebGPURenderer({ antialias: false, forceWebGL: drawn === 'forceWebGL' });
+export async function drawerOfNodes(
+  drawn: 'forceWebGL' | 'webgpu',
+  size = SIZE,
+  depth: Depth = 'plain',
+): Promise<Drawer> {
+  const renderer = new WebGPURenderer({ antialias: false, forceWebGL: drawn === 'forceWebGL', ...keeping(depth) });
   await renderer.init();
   const { isWebGPUBackend = false } = renderer.backend as { isWebGPUBackend?: boolean };
   if (isWebGPUBackend !== (drawn === 'webgpu')) throw new Error(`drawerOfNodes: three.js has not taken ${drawn}.`);
@@ -44,9 +54,10 @@ export async function drawerOfNodes(drawn: 'forceWebGL' | 'webgpu', size = SIZE)
   const target = new RenderTarget(size, size);
   return {
     renderer,
-    draw({ scene, camera }) {
+    draw({ scene, camera, through }) {
       renderer.setRenderTarget(target);
-      renderer.render(scene, camera);
+      if (through) new RenderPipeline(renderer, through(scene, camera)).render();
+      else renderer.render(scene, camera);
     },
     async read() {
       return fromBelow((await renderer.readRenderTargetPixelsAsync(target, 0, 0, size, size)) as Pixels, drawn, size);
@@ -58,5 +69,5 @@ export async function drawerOfNodes(drawn: 'forceWebGL' | 'webgpu', size = SIZE)
   };
 }
 
-export const makeDrawer = async (drawn: Drawn): Promise<Drawer> =>
-  drawn === 'glsl' ? drawerInGlsl() : drawerOfNodes(drawn);
+export const makeDrawer = async (drawn: Drawn, depth: Depth = 'plain'): Promise<Drawer> =>
+  drawn === 'glsl' ? drawerInGlsl(depth) : drawerOfNodes(drawn, SIZE, depth);

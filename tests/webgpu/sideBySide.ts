@@ -7,7 +7,7 @@ import { lackOfWebGPU } from '../../tools/browser/lackOfWebGPU.js';
 import { type Drawer, makeDrawer } from './drawing.js';
 import { knot } from './knot.js';
 import { type Comparison, compare, type Pixels, sideBySide } from './picturesOf.js';
-import type { Drawn, Kit, SceneCase, Stage } from './SceneCase.js';
+import type { Depth, Drawn, Kit, SceneCase, Stage } from './SceneCase.js';
 
 // Each scene shows one thing by itself, and is odd on purpose.
 HatchingMaterial.silent = true;
@@ -21,11 +21,12 @@ const groups = new Map(
 /** The largest share of pixels that may be seen to differ, where a case says nothing else. */
 const MOST_DIFFERING = 0.0005;
 
-const drawers = new Map<Drawn, Promise<Drawer>>();
+const drawers = new Map<string, Promise<Drawer>>();
 
-function drawerOf(drawn: Drawn): Promise<Drawer> {
-  const drawer = drawers.get(drawn) ?? makeDrawer(drawn);
-  drawers.set(drawn, drawer);
+function drawerOf(drawn: Drawn, depth: Depth): Promise<Drawer> {
+  const key = `${drawn} ${depth}`;
+  const drawer = drawers.get(key) ?? makeDrawer(drawn, depth);
+  drawers.set(key, drawer);
   return drawer;
 }
 
@@ -48,8 +49,8 @@ function disposeOf({ scene }: Stage): void {
 }
 
 /** A picture of a case, and the colour of its background. */
-async function draw({ show, shadows }: SceneCase, drawn: Drawn): Promise<{ pixels: Pixels; background: number[] }> {
-  const { renderer, draw, read } = await drawerOf(drawn);
+async function draw({ show, shadows, depth = 'plain' }: SceneCase, drawn: Drawn): Promise<{ pixels: Pixels; background: number[] }> {
+  const { renderer, draw, read } = await drawerOf(drawn, depth);
   renderer.shadowMap.enabled = shadows !== undefined;
   if (shadows !== undefined) renderer.shadowMap.type = shadows;
   const stage = await show(kitOf(drawn));

@@ -31,6 +31,7 @@ import {
   writeOutlineLook,
 } from '../../outlines/outlineValues.js';
 import { toothMap } from '../../tam/toothMap.js';
+import { clipSpine } from '../nodes/outlines/clipping.js';
 import { type OutlineNodes, outlineNodes } from '../nodes/outlines/outlineNodes.js';
 
 const NAME = 'HatchingOutlineNodeMaterial';
@@ -187,8 +188,19 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
     this.depthNode = null;
   }
 
+  /** Outlines are clipped by their spines. @internal */
+  override setupClipping(): ReturnType<NodeMaterial['setupClipping']> {
+    return null as unknown as ReturnType<NodeMaterial['setupClipping']>;
+  }
+
+  /** @internal */
+  override setupHardwareClipping(builder: NodeBuilder): void {
+    Object.assign(builder, { hardwareClipping: false });
+  }
+
   /** Outlines have a colour of their own; lights only say how wide they are. @internal */
-  override setupLighting(): ReturnType<NodeMaterial['setupLighting']> {
+  override setupLighting(builder: NodeBuilder): ReturnType<NodeMaterial['setupLighting']> {
+    clipSpine(builder);
     return this.nodes.outgoing;
   }
 

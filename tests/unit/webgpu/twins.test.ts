@@ -36,7 +36,7 @@ const REASONS: readonly [chunks: RegExp, reason: string][] = [
     /^(perFragment|techniques\/(anchored|engraved))\/(emphasised|faceNormals|varyings|vertex|hatchLayer|layers|fieldHere)\.glsl$/,
     'it declares or puts together what hatchSurface.ts does for nodes',
   ],
-  [/^outlines\/surroundings\.glsl$/, 'three.js fogs and clips outlines of nodes'],
+  [/^outlines\/surroundings\.glsl$/, 'three.js fogs outlines of nodes, and outlines/clipping.ts clips them'],
 ];
 
 const reasonsFor = (chunk: string): RegExp[] => REASONS.map(([path]) => path).filter((path) => path.test(chunk));

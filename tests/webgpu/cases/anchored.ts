@@ -31,6 +31,15 @@ export const cases: readonly SceneCase[] = [
     },
   },
   {
+    name: 'strokes across the form',
+    onWebGPU: 'tone',
+    async show(kit) {
+      const stage = await drawn(kit, { strokeField: 'acrossForm', sizedOnScreen: 1 });
+      stage.mesh.geometry = await prepareHatchingGeometry(stage.mesh.geometry, { form: true });
+      return stage;
+    },
+  },
+  {
     name: 'layers by several lights',
     onWebGPU: 'tone',
 

@@ -17,7 +17,9 @@ export const cases: readonly SceneCase[] = [
     show: async (kit) => shadowed(await drawn(kit)),
   },
   { name: 'the field towards', show: (kit) => drawn(kit, { lineField: 'towards' }) },
+  { name: 'the field x', show: (kit) => drawn(kit, { lineField: 'x' }) },
   { name: 'the field y', show: (kit) => drawn(kit, { lineField: 'y' }) },
+  { name: 'the field z', show: (kit) => drawn(kit, { lineField: 'z' }) },
   { name: 'the field slant', show: (kit) => drawn(kit, { lineField: 'slant' }) },
   {
     name: 'several lights',
