@@ -56,8 +56,14 @@ export async function drawerOfNodes(
     renderer,
     draw({ scene, camera, through }) {
       renderer.setRenderTarget(target);
-      if (through) new RenderPipeline(renderer, through(scene, camera)).render();
-      else renderer.render(scene, camera);
+      if (!through) {
+        renderer.render(scene, camera);
+        return;
+      }
+      const pipeline = new RenderPipeline(renderer, through(scene, camera));
+      // What is drawn into a target stays linear.
+      pipeline.outputColorTransform = false;
+      pipeline.render();
     },
     async read() {
       return fromBelow((await renderer.readRenderTargetPixelsAsync(target, 0, 0, size, size)) as Pixels, drawn, size);

@@ -49,7 +49,10 @@ function disposeOf({ scene }: Stage): void {
 }
 
 /** A picture of a case, and the colour of its background. */
-async function draw({ show, shadows, depth = 'plain' }: SceneCase, drawn: Drawn): Promise<{ pixels: Pixels; background: number[] }> {
+async function draw(
+  { show, shadows, depth = 'plain' }: SceneCase,
+  drawn: Drawn,
+): Promise<{ pixels: Pixels; background: number[] }> {
   const { renderer, draw, read } = await drawerOf(drawn, depth);
   renderer.shadowMap.enabled = shadows !== undefined;
   if (shadows !== undefined) renderer.shadowMap.type = shadows;

@@ -1,12 +1,11 @@
 /** The twin of shaders/deformation.vert and .frag: each vertex lands on its texel, as three's own nodes pose it. */
 import type { BufferGeometry } from 'three';
-import { outputStruct } from 'three/tsl';
 import type { Node } from 'three/webgpu';
 import { blankIntegers } from '../nodes/base/blankTextures.js';
 import { texelOf } from '../nodes/base/texelOf.js';
 import { hatchingTexture } from '../nodes/base/textures.js';
 import { hatchingUniform } from '../nodes/base/uniforms.js';
-import { tsl, type Value } from '../nodes/base/values.js';
+import { threeNodes, tsl, type Value } from '../nodes/base/values.js';
 import { deformVertex } from '../nodes/chunks/deformVertex.js';
 import { turnOf } from '../nodes/perTriangle/turns.js';
 
@@ -72,7 +71,7 @@ export interface PoseNodes {
 
 const poseNodes = (hasIndex: boolean): PoseNodes => ({
   vertex: vertexNode(hasIndex) as unknown as Node<'vec4'>,
-  fragment: (outputStruct as (...members: unknown[]) => Node)(vPosition, vTurn),
+  fragment: (threeNodes.outputStruct as (...members: unknown[]) => Node)(vPosition, vTurn),
 });
 
 /** Draws vertices by their number: the geometry has an index. */

@@ -1,6 +1,5 @@
 import type { IUniform, Material, Texture } from 'three';
-import { uniformTexture } from 'three/tsl';
-import type { TextureValue } from './values.js';
+import { type TextureValue, threeNodes } from './values.js';
 
 /** A material with uniforms, as one in GLSL has them. */
 type WithUniforms = Material & { uniforms?: Record<string, IUniform> };
@@ -11,6 +10,8 @@ type WithUniforms = Material & { uniforms?: Record<string, IUniform> };
  * @param blank stands in where there is none, and says what format those are of
  */
 export const hatchingTexture = (name: string, blank: Texture): TextureValue =>
-  uniformTexture(blank).onObjectUpdate(
-    ({ material }) => (material as WithUniforms | null)?.uniforms?.[name]?.value ?? blank,
-  ) as unknown as TextureValue;
+  threeNodes
+    .uniformTexture(blank)
+    .onObjectUpdate(
+      ({ material }) => (material as WithUniforms | null)?.uniforms?.[name]?.value ?? blank,
+    ) as unknown as TextureValue;

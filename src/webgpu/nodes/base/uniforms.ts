@@ -1,5 +1,6 @@
-import { materialReference } from 'three/tsl';
-import type { Value } from './values.js';
+import { threeNodes, type Value } from './values.js';
+
+const { materialReference } = threeNodes;
 
 type UniformType = 'float' | 'int' | 'vec2' | 'vec3' | 'vec4' | 'color' | 'mat3' | 'mat4';
 

@@ -1,6 +1,8 @@
 /** three's nodes, with types that say no more than that a node is a value. Those of three.js follow each operation, and lose it half way. */
+import { REVISION } from 'three';
 import * as TSL from 'three/tsl';
 import type { NodeBuilder } from 'three/webgpu';
+import { newEnough } from './newEnough.js';
 
 /** A node, or a number that becomes one. */
 export type Input = Value | number | boolean;
@@ -114,5 +116,11 @@ interface Shading
   readonly vertexIndex: Value;
 }
 
-/** three's node functions. */
-export const tsl: Shading = TSL as unknown as Shading;
+/**
+ * three's node functions, typed as three.js has them. No other file imports them: those of older versions are not all there, which would end a page
+ * before it could be said.
+ */
+export const threeNodes: typeof TSL = /* @__PURE__ */ newEnough(TSL, REVISION);
+
+/** The same, typed by values. */
+export const tsl: Shading = threeNodes as unknown as Shading;

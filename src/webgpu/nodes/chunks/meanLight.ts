@@ -1,10 +1,10 @@
 /** The twin of shaders/chunks/meanLight.glsl. It asks the lights of a scene themselves, since three's nodes of lights light fragments only. */
 import { Color, type HemisphereLight, type Light, type PointLight, type SpotLight, Vector3 } from 'three';
-import { renderGroup, uniform } from 'three/tsl';
-import { tsl, type Value } from '../base/values.js';
+import { threeNodes, tsl, type Value } from '../base/values.js';
 import { lightLuminance } from './lightLuminance.js';
 
 const { clamp, dot, float, length, max, pow, select, smoothstep, vec3 } = tsl;
+const { renderGroup, uniform } = threeNodes;
 
 const place = /* @__PURE__ */ new Vector3();
 

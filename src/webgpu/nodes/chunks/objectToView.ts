@@ -1,13 +1,12 @@
 /** The twin of shaders/chunks/objectToView.glsl: the matrices of the object, or of one of its instances. */
 import type { BatchedMesh, InstancedMesh, Object3D, Texture } from 'three';
-import { uniformTexture } from 'three/tsl';
 import type { NodeBuilder } from 'three/webgpu';
 import { blankFloats } from '../base/blankTextures.js';
 import { placesOf } from '../base/InstancePlaces.js';
 import { inverseOf, linearPart } from '../base/matrices.js';
 import { texelOf } from '../base/texelOf.js';
 import { hatchingUniform } from '../base/uniforms.js';
-import { type TextureValue, tsl, type Value } from '../base/values.js';
+import { type TextureValue, threeNodes, tsl, type Value } from '../base/values.js';
 
 const { batch, batchIndirectIndex, instancedMesh, instanceIndex, int, mat4, modelViewMatrix } = tsl;
 
@@ -15,9 +14,9 @@ const { batch, batchIndirectIndex, instancedMesh, instanceIndex, int, mat4, mode
 export const viewToObject: Value = /* @__PURE__ */ hatchingUniform('viewToObject', 'mat3');
 
 /** Matrices of instances or of what a batch holds, a column to a texel. */
-const instancePlaces = /* @__PURE__ */ uniformTexture(blankFloats).onObjectUpdate(
-  ({ object }) => placesTexture(object as Object3D) ?? blankFloats,
-) as unknown as TextureValue;
+const instancePlaces = /* @__PURE__ */ threeNodes
+  .uniformTexture(blankFloats)
+  .onObjectUpdate(({ object }) => placesTexture(object as Object3D) ?? blankFloats) as unknown as TextureValue;
 
 function placesTexture(object: Object3D): Texture | null {
   if ('isInstancedMesh' in object) return placesOf(object as InstancedMesh);

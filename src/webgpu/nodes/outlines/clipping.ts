@@ -3,12 +3,12 @@
  * node asks where the triangle lies that covers the piece.
  */
 import type { Vector4 } from 'three';
-import { cameraWorldMatrix, renderGroup, uniformArray } from 'three/tsl';
 import type { NodeBuilder } from 'three/webgpu';
-import { tsl, type Value } from '../base/values.js';
+import { threeNodes, tsl, type Value } from '../base/values.js';
 import { spinePosition } from './fragments.js';
 
 const { Discard, dot, vec4 } = tsl;
+const { cameraWorldMatrix, renderGroup, uniformArray } = threeNodes;
 
 const planesOf = uniformArray as unknown as (planes: Vector4[]) => { setGroup(group: object): Value };
 

@@ -1,11 +1,12 @@
-import { viewZToLogarithmicDepth, viewZToOrthographicDepth } from 'three/tsl';
 import { isOrthographic } from '../base/isOrthographic.js';
-import { tsl, type Value } from '../base/values.js';
+import { threeNodes, tsl, type Value } from '../base/values.js';
 import { onSpine } from './fragments.js';
 import type { OutlineDefines } from './OutlineDefines.js';
 import { vEnd, vStart } from './varyings.js';
 
 const { Fn, cameraFar, cameraNear, float, mix, select } = tsl;
+
+const { viewZToLogarithmicDepth, viewZToOrthographicDepth } = threeNodes;
 
 const depthOf = { logarithmic: viewZToLogarithmicDepth, orthographic: viewZToOrthographicDepth } as unknown as Record<
   'logarithmic' | 'orthographic',

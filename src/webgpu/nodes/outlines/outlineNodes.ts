@@ -1,5 +1,5 @@
-import { diffuseColor } from 'three/tsl';
 import type { Node } from 'three/webgpu';
+import { threeNodes } from '../base/values.js';
 import { logarithmicDepth } from './depth.js';
 import { fragments, spinePosition } from './fragments.js';
 import type { OutlineDefines } from './OutlineDefines.js';
@@ -29,7 +29,7 @@ export function outlineNodes(defines: OutlineDefines): OutlineNodes {
       key,
       vertex: vertices(defines) as unknown as Node<'vec4'>,
       color: fragments(defines) as unknown as Node<'vec4'>,
-      outgoing: diffuseColor.rgb,
+      outgoing: threeNodes.diffuseColor.rgb,
       viewZ: spinePosition.z as unknown as Node<'float'>,
       logarithmicDepth: logarithmicDepth(defines) as unknown as Node<'float'>,
     };

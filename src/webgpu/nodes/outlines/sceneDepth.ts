@@ -1,12 +1,12 @@
 /** The twin of shaders/outlines/sceneDepth.glsl: the depth of what has been drawn before the outlines, all of it opaque. three.js copies it. */
 import { DepthFormat, DepthStencilFormat, DepthTexture, FloatType, UnsignedInt248Type, UnsignedIntType } from 'three';
-import { logarithmicDepthToViewZ, orthographicDepthToViewZ, screenUV, viewportDepthTexture } from 'three/tsl';
 import { type NodeBuilder, WebGPUCoordinateSystem } from 'three/webgpu';
 import { isOrthographic } from '../base/isOrthographic.js';
 import { hatchingUniform } from '../base/uniforms.js';
-import { type TextureValue, tsl, type Value } from '../base/values.js';
+import { type TextureValue, threeNodes, tsl, type Value } from '../base/values.js';
 
 const { cameraFar, cameraNear, cameraProjectionMatrix, clamp, float, floor, int, ivec2, screenSize, select } = tsl;
+const { logarithmicDepthToViewZ, orthographicDepthToViewZ, screenUV, viewportDepthTexture } = threeNodes;
 
 export const nearDistance: Value = /* @__PURE__ */ hatchingUniform('nearDistance', 'float');
 /** x, y, width, height in pixels, counted from the lower left. */
