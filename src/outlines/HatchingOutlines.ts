@@ -107,7 +107,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
 
   /** Updates the pre-pass of a mesh that deforms. Returns whether there is one. */
   private bindDeformation(renderer: WebGLRenderer, camera: Camera, mesh: Mesh): boolean {
-    const deformation = this.deformationBy(glslDeformations, hasFloatTargets(renderer), renderer, camera, mesh);
+    const deformation = this.deformationBy(glslDeformations, hasFloatTargets, renderer, camera, mesh);
     if (!deformation) return false;
     const { uniforms } = this.material;
     uniforms.deformedPositions.value = deformation.positions;

@@ -171,14 +171,14 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Obj
    */
   protected deformationBy<Renderer extends { readonly domElement: EventTarget }>(
     deformations: Deformations<Renderer>,
-    hasFloatTargets: boolean,
+    hasFloatTargets: (renderer: Renderer) => boolean,
     renderer: Renderer,
     camera: Camera,
     mesh: Mesh,
   ): Deformation | null {
     const { geometry } = mesh;
     if (!deforms(geometry, mesh) || geometry.userData.hatching.layout === 'corner') return null;
-    if (!hasFloatTargets || morphsEachInstance(mesh)) {
+    if (!hasFloatTargets(renderer) || morphsEachInstance(mesh)) {
       this.report(
         mesh,
         'has its outlines as at rest: this device cannot draw into float textures, or its instances have morph targets each of their own.',

@@ -20,6 +20,8 @@ export function testGroup(group: string): void {
     test(`${group}: nodes draw what GLSL draws, ${drawn}`, async ({ page }) => {
       const cases = await page.evaluate((g) => window.besideGlsl.casesOf(g), group);
       expect(cases.length, `cases of ${group}`).toBeGreaterThan(0);
+      // Each builds programs of its own, on the processor.
+      test.setTimeout(Math.max(120_000, 30_000 * cases.length));
       const lack = await page.evaluate(() => window.besideGlsl.lackOfWebGPU);
       test.skip(drawn === 'webgpu' && lack !== null, lack ?? '');
       for (const { name, onWebGPU, most } of cases) {

@@ -114,7 +114,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
   /** Updates the pose of a mesh that deforms. Returns whether there is one. */
   private bindDeformation(renderer: WebGPURenderer, camera: Camera, mesh: Mesh): boolean {
     const { uniforms } = this.material;
-    const deformation = this.deformationBy(nodeDeformations, hasFloatTargets(renderer), renderer, camera, mesh);
+    const deformation = this.deformationBy(nodeDeformations, hasFloatTargets, renderer, camera, mesh);
     const isDeformed = deformation !== null;
     uniforms.isDeformed.value = isDeformed;
     uniforms.deformedPositions.value = isDeformed ? deformation.target.textures[0] : null;

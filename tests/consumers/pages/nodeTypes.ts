@@ -1,6 +1,19 @@
 /** Compiled, never run: what draws with WebGPURenderer, as a strict consumer's compiler sees it. */
-import { BoxGeometry, DirectionalLight, Mesh, MeshBasicMaterial, PerspectiveCamera, Scene } from 'three';
-import { WebGPURenderer } from 'three/webgpu';
+import {
+  BoxGeometry,
+  type BufferGeometry,
+  DirectionalLight,
+  InstancedMesh,
+  Mesh,
+  MeshBasicMaterial,
+  PerspectiveCamera,
+  Plane,
+  Scene,
+  SkinnedMesh,
+  Vector3,
+} from 'three';
+import { mrt, normalView, output, pass } from 'three/tsl';
+import { ClippingGroup, RenderPipeline, WebGPURenderer } from 'three/webgpu';
 import { prepareHatchingGeometry } from 'three-hatching';
 import {
   applyHatching,
@@ -36,4 +49,48 @@ export async function engravedScene(): Promise<HatchedNodeScene> {
   const again = await applyHatching(scene, { replaces: hatched });
   await new WebGPURenderer().compileAsync(scene, new PerspectiveCamera());
   return again;
+}
+
+/** Meshes of every kind, each with a material of nodes and outlines. */
+export async function everyKind(): Promise<Scene> {
+  const geometry: BufferGeometry = await prepareHatchingGeometry(new BoxGeometry(), { outlines: true });
+  const material = new HatchingNodeMaterial({ technique: 'engraved', ink: 0x224466, focus: new Vector3() });
+  const mesh: Mesh<BufferGeometry, HatchingNodeMaterial> = new Mesh(geometry, material);
+  mesh.material.lineSpacing = 6;
+  mesh.material = material.clone();
+  const scene = new Scene().add(mesh);
+  for (const other of [new SkinnedMesh(geometry, material), new InstancedMesh(geometry, material, 3)]) {
+    other.add(new HatchingOutlines(other, { outlineWidth: 2, hidden: 'dashed', ink: '#000' }));
+    scene.add(other);
+  }
+  const outlines = new HatchingOutlines();
+  const clone: HatchingOutlines = outlines.clone();
+  clone.mesh = mesh;
+  clone.material.shadeWeights.set(0.5, 2);
+  const shared: HatchingOutlineNodeMaterial = clone.material;
+  scene.add(clone, new HatchingOutlines(mesh, shared));
+  // @ts-expect-error: there is no such property.
+  material.setValues({ lineSpacng: 3 });
+  // @ts-expect-error: outlines have a material of outlines.
+  outlines.material = material;
+  await material.ready;
+  outlines.dispose();
+  return scene;
+}
+
+/** What lies around a scene. */
+export async function drawn(renderer: WebGPURenderer, scene: Scene, camera: PerspectiveCamera): Promise<void> {
+  const hatched = await applyHatching(scene, 'pen');
+  const material: HatchingNodeMaterial = hatched.materials[0];
+  material.preset = 'chalk';
+  // @ts-expect-error: the renderer is asked to compile afterwards.
+  await applyHatching(scene, { renderer });
+  const group = new ClippingGroup();
+  group.clippingPlanes = [new Plane(new Vector3(0, 1, 0), 0.5)];
+  scene.add(group);
+  const both = pass(scene, camera);
+  both.setMRT(mrt({ output, normal: normalView }));
+  await renderer.compileAsync(scene, camera);
+  new RenderPipeline(renderer, both.getTextureNode('output')).render();
+  hatched.dispose();
 }
