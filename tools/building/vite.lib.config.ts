@@ -56,6 +56,7 @@ const OF_NODES = [
     test: modules('outlines/(?:MeshOutlines|outlineUniforms|outlineValues)', 'geometry/OutlineData'),
     priority: 3,
   },
+  { name: 'deformations', test: modules('material/deformation/Deformations'), priority: 3 },
   { name: 'HatchingNodeMaterial', test: modules('webgpu/HatchingNodeMaterial'), priority: 2 },
   { name: 'nodeOutlines', test: modules('webgpu/outlines/HatchingOutlines'), priority: 1 },
 ];

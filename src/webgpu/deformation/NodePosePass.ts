@@ -102,6 +102,7 @@ export class NodePosePass implements PosePass {
     const outputs = renderer.getMRT();
     const drawObject = renderer.getRenderObjectFunction();
     const { start, count } = geometry.drawRange;
+    const { calls } = renderer.info.render;
     geometry.setDrawRange(0, Infinity);
     renderer.setMRT(null);
     renderer.setRenderObjectFunction(null);
@@ -111,6 +112,8 @@ export class NodePosePass implements PosePass {
     renderer.setRenderObjectFunction(drawObject);
     renderer.setMRT(outputs);
     geometry.setDrawRange(start, count);
+    // Frames are told apart by it, and this one goes on.
+    renderer.info.render.calls = calls;
     // The bones refer to the mesh, which must stay collectable.
     points.skeleton = undefined;
   }

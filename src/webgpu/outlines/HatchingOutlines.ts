@@ -14,6 +14,7 @@ import {
 } from '../../outlines/MeshOutlines.js';
 import { hasFloatTargets, nodeDeformations } from '../deformation/nodeDeformations.js';
 import { placesOf } from '../nodes/base/InstancePlaces.js';
+import { clippingOf } from './clippingOf.js';
 import { HatchingOutlineNodeMaterial } from './HatchingOutlineNodeMaterial.js';
 import { readWhereDrawn } from './readWhereDrawn.js';
 
@@ -29,7 +30,8 @@ let wasToldOfRenderer = false;
  *     mesh.geometry = await prepareHatchingGeometry(mesh.geometry, { outlines: true });
  *     mesh.add(new HatchingOutlines(mesh, { outlineWidth: 2 }));
  *
- * The outlines follow skins, morph targets and instances, and are hidden where the surface hides them. They cast no shadow, are left out of raycasts, bounding boxes and exporters, and draw nothing while the mesh has a geometry that was not prepared.
+ * The outlines follow skins, morph targets and instances, and are hidden where the surface hides them. They cast no shadow, are left
+ * out of raycasts, bounding boxes and exporters, and draw nothing while the mesh has a geometry that was not prepared.
  */
 export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> {
   readonly isHatchingOutlines = true;
@@ -107,7 +109,8 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
     geometry.setDrawRange(0, VERTICES * (data.triangleCount + data.edgeCount));
     this.isDrawingHidden = true;
     const lights = renderer.lighting.getNode(scene);
-    renderer.renderObject(this, scene, camera, geometry, material.ofHidden(), null, lights, null, 'hiddenOutlines');
+    const clipping = clippingOf(this, renderer);
+    renderer.renderObject(this, scene, camera, geometry, material.ofHidden(), null, lights, clipping, 'hiddenOutlines');
     this.isDrawingHidden = false;
   }
 

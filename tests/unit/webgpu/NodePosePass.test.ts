@@ -35,6 +35,7 @@ function recorder() {
   };
   const renderer = {
     domElement: new EventTarget(),
+    info: { render: { calls: 7 } },
     getRenderTarget: () => state.target[0],
     getActiveCubeFace: () => state.target[1],
     getActiveMipmapLevel: () => state.target[2],
@@ -44,6 +45,7 @@ function recorder() {
     getRenderObjectFunction: () => state.drawObject,
     setRenderObjectFunction: (next: unknown) => Object.assign(state, { drawObject: next }),
     render(points: SkinnedMesh) {
+      renderer.info.render.calls++;
       drawings.push({
         target: state.target[0] as RenderTarget,
         bones: points.skeleton?.bones.length ?? 0,
@@ -104,6 +106,7 @@ test('the renderer and the geometry are left as they were', () => {
   pose(mesh);
   expect(made.state).toEqual({ target: ['canvas', 2, 3], outputs, drawObject });
   expect(mesh.geometry.drawRange).toEqual({ start: 3, count: 6 });
+  expect(made.renderer.info.render.calls).toBe(7);
 });
 
 test('meshes of as many bones are drawn by one program, and stay collectable', () => {

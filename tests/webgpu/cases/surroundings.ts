@@ -1,7 +1,12 @@
 import { DoubleSide, FogExp2, type Material, Mesh, Plane, SphereGeometry, Vector3 } from 'three';
 import { mrt, normalView, output, pass } from 'three/tsl';
 import { ClippingGroup } from 'three/webgpu';
-import { type HatchingMaterialParameters, HatchingOutlines, prepareHatchingGeometry } from 'three-hatching';
+import {
+  type HatchingMaterialParameters,
+  type HatchingOutlineParameters,
+  HatchingOutlines,
+  prepareHatchingGeometry,
+} from 'three-hatching';
 import { HatchingOutlines as NodeOutlines } from 'three-hatching/webgpu';
 import { bentTube } from '../deforming.js';
 import { type KnotStage, knot } from '../knot.js';
@@ -9,27 +14,28 @@ import type { Kit, SceneCase, Stage } from '../SceneCase.js';
 
 const LINES = { technique: 'engraved', lineField: 'slant', shadowStrokes: 'tone', exposure: 1 } as const;
 
+type Look = Pick<HatchingOutlineParameters, 'hidden'>;
 type Outlined = KnotStage & { outlines: HatchingOutlines | NodeOutlines };
 
 /** Gives a mesh outlines. */
-async function outline({ either }: Kit, mesh: Mesh): Promise<Outlined['outlines']> {
+async function outline({ either }: Kit, mesh: Mesh, look: Look = {}): Promise<Outlined['outlines']> {
   mesh.geometry = await prepareHatchingGeometry(mesh.geometry, { outlines: true });
   const outlines = either(
-    () => new HatchingOutlines(mesh, { outlineWidth: 3 }),
-    () => new NodeOutlines(mesh, { outlineWidth: 3 }),
+    () => new HatchingOutlines(mesh, { outlineWidth: 3, ...look }),
+    () => new NodeOutlines(mesh, { outlineWidth: 3, ...look }),
   );
   mesh.add(outlines);
   return outlines;
 }
 
 /** An engraved knot with outlines, before a ball. */
-async function outlined(kit: Kit, parameters: HatchingMaterialParameters = {}): Promise<Outlined> {
+async function outlined(kit: Kit, parameters: HatchingMaterialParameters = {}, look?: Look): Promise<Outlined> {
   const stage = knot(await kit.hatching({ ...LINES, ...parameters }));
   const ball = new Mesh(new SphereGeometry(0.5, 40, 30), await kit.hatching(LINES));
   ball.position.set(-0.6, 0.4, -1);
   stage.scene.add(ball);
   await outline(kit, ball);
-  return { ...stage, outlines: await outline(kit, stage.mesh) };
+  return { ...stage, outlines: await outline(kit, stage.mesh, look) };
 }
 
 const planes = (): Plane[] => [
@@ -38,8 +44,8 @@ const planes = (): Plane[] => [
 ];
 
 /** Clips by planes: materials in GLSL have them, those of nodes a group. */
-async function clipped(kit: Kit, clipIntersection: boolean): Promise<Stage> {
-  const stage = await outlined(kit, { side: DoubleSide });
+async function clipped(kit: Kit, clipIntersection: boolean, look?: Look): Promise<Stage> {
+  const stage = await outlined(kit, { side: DoubleSide }, look);
   const clippingPlanes = planes();
   kit.either<void, void>(
     () => {
@@ -62,6 +68,7 @@ async function clipped(kit: Kit, clipIntersection: boolean): Promise<Stage> {
 export const cases: readonly SceneCase[] = [
   { name: 'clipped by each of two planes', show: (kit) => clipped(kit, false) },
   { name: 'clipped where two planes meet', show: (kit) => clipped(kit, true) },
+  { name: 'hidden outlines, clipped', show: (kit) => clipped(kit, false, { hidden: 'faint' }) },
   { name: 'logarithmic depth', depth: 'logarithmic', show: (kit) => outlined(kit) },
   { name: 'reversed depth', depth: 'reversed', show: (kit) => outlined(kit) },
   {
