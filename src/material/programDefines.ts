@@ -30,7 +30,7 @@ export interface ProgramFacts {
 }
 
 /** How strokes of shadows that run away from the light are drawn, whatever the look says of those of the model. */
-const AWAY: Partial<Record<HatchingPropertyName, string>> = {
+export const AWAY: Partial<Record<HatchingPropertyName, string>> = {
   lineField: 'light',
   shadowStrokes: 'tone',
   strokeField: 'light',

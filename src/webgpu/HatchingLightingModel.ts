@@ -1,11 +1,16 @@
-import type { Light } from 'three';
+import type { Light, Material } from 'three';
 import { LightingModel, type NodeBuilder } from 'three/webgpu';
-import { directedLights } from './nodes/base/directedLights.js';
+import { TONE_CONSTANTS } from '../engraving/constants/toneConstants.js';
+import { directedLights, hasPlace } from './nodes/base/directedLights.js';
+import type { HatchingSurface } from './nodes/base/HatchingSurface.js';
 import { hatchingUniform } from './nodes/base/uniforms.js';
 import { tsl, type Value } from './nodes/base/values.js';
 import { lightLuminance } from './nodes/chunks/lightLuminance.js';
 import { fallOff, valuesFor } from './nodes/chunks/meanLight.js';
 import { openToLights, openToSky } from './nodes/chunks/occlude.js';
+import { hasShadows, type ShadowedLight, type ToldLight, tellShadow } from './nodes/chunks/shadows.js';
+import { shadowLeft } from './nodes/chunks/softShadows.js';
+import { smoothNormal } from './nodes/perFragment/faceNormals.js';
 
 const { dot, float, length, max, normalView, positionView, positionViewDirection, pow, step } = tsl;
 
@@ -16,51 +21,139 @@ interface LightingContext {
   /** What a map takes of the light of the surroundings. */
   ambientOcclusion: Value;
   irradiance: Value;
+  /** That of an environment. */
+  iblIrradiance: Value;
   outgoingLight: Value;
+  /** Gives the colour of a light that casts shadows. */
+  getShadow?: (light: ShadowedLight) => Value;
+}
+
+/** The choices that decide how light is gathered. */
+export interface LightingChoices {
+  toneModel: string;
+  toneNormal: string;
+  /** As they are drawn. */
+  shadowStrokes: string;
+}
+
+/** What light makes of a surface, but for the surface's own colour. */
+export type LitSurface = Omit<HatchingSurface, 'darkness'>;
+
+/** A surface that no light reaches. */
+export const unlitSurface = (): LitSurface => ({ radiance: float(0), shadowed: null, shadowLeft: null, told: [] });
+
+/** Sums over the lights that cast shadows. */
+interface ShadowSums {
+  /** What they take of the radiance. */
+  shadowed: Value;
+  /** What they take of all lights, and how much of that has dissolved. */
+  taken: Value;
+  lost: Value;
 }
 
 /** The twin of shaders/chunks/radiance.glsl: the radiance that a white surface shows under the scene's lights. three's own nodes walk the lights. */
 export class HatchingLightingModel extends LightingModel {
   private radiance!: Value;
+  private sums: ShadowSums | null = null;
+  private told: ToldLight[] = [];
+  /** What is known of the shadow of the light at hand. */
+  private shadow: Omit<ToldLight, 'isShadowed'> | null = null;
 
-  /** @param print makes the colour of a radiance */
+  /** @param print makes the colour of a surface */
   constructor(
-    private readonly toneModel: string,
+    private readonly choices: LightingChoices,
     private readonly lights: readonly Light[],
-    private readonly print: (radiance: Value) => Value,
+    private readonly print: (surface: LitSurface) => Value,
   ) {
     super();
   }
 
+  /** Whether shadows are all that is drawn. */
+  private get dissolves(): boolean {
+    return this.choices.toneModel === 'shadow';
+  }
+
   override start(builder: NodeBuilder): void {
     this.radiance = float(0).toVar();
+    this.told = [];
+    const isTold = (this.dissolves || this.choices.shadowStrokes !== 'tone') && hasShadows(builder, this.lights);
+    this.sums = isTold ? { shadowed: float(0).toVar(), taken: float(0).toVar(), lost: float(0).toVar() } : null;
+    const context = builder.context as LightingContext;
+    // An application may have its own.
+    context.getShadow ??= (lit) => {
+      const shadow = tellShadow(builder, lit, this.dissolves);
+      if (!isTold) return lit.baseColorNode.mul(shadow.shadow);
+      this.shadow = shadow;
+      return lit.baseColorNode;
+    };
     super.start(builder);
   }
 
-  override direct(light: unknown): void {
+  override direct(light: unknown, builder?: NodeBuilder): void {
     const { lightDirection, lightColor } = light as { lightDirection: Value; lightColor: Value };
+    const { toneModel } = this.choices;
     const cosine = dot(lightDirection, normalView).toVar();
     const halfway = cosine.mul(0.5).add(0.5);
-    const response = (this.toneModel === 'halfLambert' ? halfway.mul(halfway) : max(cosine, 0)).toVar();
-    if (this.toneModel === 'phong') {
+    const response = (toneModel === 'halfLambert' ? halfway.mul(halfway) : max(cosine, 0)).toVar();
+    if (toneModel === 'phong') {
       const toViewer = positionViewDirection;
       const mirrored = cosine.mul(2).mul(dot(toViewer, normalView)).sub(dot(lightDirection, toViewer));
       response.addAssign(step(0, cosine).mul(pow(max(mirrored, 1e-6), shininess)));
     }
-    this.radiance.addAssign(lightLuminance(lightColor).mul(response).div(Math.PI));
+    const luminance = lightLuminance(lightColor).toVar();
+    const arriving = luminance.mul(response).div(Math.PI).toVar();
+    if (this.shadow && this.sums) {
+      const { material } = builder as NodeBuilder & { material: Material };
+      const n = this.choices.toneNormal === 'face' ? smoothNormal(material) : normalView;
+      this.takeShadow(this.shadow, this.sums, { arriving, luminance, facing: max(dot(lightDirection, n), 0).toVar() });
+      arriving.mulAssign(this.shadow.shadow);
+      this.shadow = null;
+    }
+    this.radiance.addAssign(arriving);
+  }
+
+  /** @param facing the cosine between a light and the smooth normal */
+  private takeShadow(
+    told: Omit<ToldLight, 'isShadowed'>,
+    { shadowed, taken, lost }: ShadowSums,
+    { arriving, luminance, facing }: Record<'arriving' | 'luminance' | 'facing', Value>,
+  ): void {
+    const { light, shadow, toneLeft } = told;
+    shadowed.addAssign(arriving.mul(float(1).sub(shadow)));
+    if (toneLeft) {
+      const takes = luminance.mul(facing).mul(float(1).sub(shadow)).toVar();
+      taken.addAssign(takes);
+      lost.addAssign(takes.mul(float(1).sub(toneLeft)));
+    }
+    let isShadowed: Value | null = null;
+    if (this.choices.shadowStrokes === 'reorient') {
+      const isTaken = facing.mul(float(1).sub(shadow.mul(2))).greaterThan(TONE_CONSTANTS.LEAST_RESPONSE);
+      // A lamp that does not reach here has no shadow either.
+      isShadowed = (hasPlace(light) ? isTaken.and(luminance.greaterThan(0)) : isTaken).toVar();
+    }
+    this.told.push({ ...told, isShadowed });
   }
 
   override indirect(builder: NodeBuilder): void {
     // Lights with a direction have been walked by now.
-    this.radiance.mulAssign(openToLights());
-    const { ambientOcclusion, irradiance } = builder.context as LightingContext;
-    const surroundings = lightLuminance(irradiance).div(Math.PI).mul(ambientOcclusion);
+    const open = openToLights().toVar();
+    this.radiance.mulAssign(open);
+    this.sums?.shadowed.mulAssign(open);
+    const { ambientOcclusion, irradiance, iblIrradiance } = builder.context as LightingContext;
+    const surroundings = lightLuminance(irradiance.add(iblIrradiance)).div(Math.PI).mul(ambientOcclusion);
     this.radiance.addAssign(surroundings.mul(openToSky()));
   }
 
   override finish(builder: NodeBuilder): void {
     for (const light of directedLights(this.lights)) this.addReflection(light);
-    (builder.context as LightingContext).outgoingLight.assign(this.print(this.radiance));
+    const { radiance, sums, told } = this;
+    const surface: LitSurface = {
+      radiance,
+      shadowed: sums?.shadowed ?? null,
+      shadowLeft: sums && this.dissolves ? shadowLeft(sums.taken, sums.lost).toVar() : null,
+      told,
+    };
+    (builder.context as LightingContext).outgoingLight.assign(this.print(surface));
   }
 
   /** What the surroundings reflect of one light. Of a lamp its cone and its shadow do not count. */

@@ -12,7 +12,14 @@ import {
   Vector4,
   type WebGLRenderer,
 } from 'three';
-import { Node, type NodeBuilder, type NodeFrame, NodeMaterial, type WebGPURenderer } from 'three/webgpu';
+import {
+  EnvironmentNode,
+  Node,
+  type NodeBuilder,
+  type NodeFrame,
+  NodeMaterial,
+  type WebGPURenderer,
+} from 'three/webgpu';
 import { hasOtherFormAngle, noteFormAngle } from '../geometry/formAngles.js';
 import { lineContrast } from '../geometry/lineFades.js';
 import type { HatchingMap } from '../material/checkTonalArtMap.js';
@@ -52,16 +59,17 @@ import { withVectors } from '../material/vectorValues.js';
 import { tell } from '../mistakes/tell.js';
 import type { TonalArtMap } from '../tam/TonalArtMap.js';
 import { exposureReady, writeExposure } from './fittedExposure.js';
-import { HatchingLightingModel } from './HatchingLightingModel.js';
-import { darknessOf, emitVertex, pixelFromBelow } from './hatchSurface.js';
+import { HatchingLightingModel, type LitSurface, unlitSurface } from './HatchingLightingModel.js';
+import { darknessOf, drawnChoice, emitVertex, pixelFromBelow } from './hatchSurface.js';
+import { maxTextureSize } from './maxTextureSize.js';
 import { patternReady, writePattern } from './mediumPattern.js';
 import { tsl, type Value } from './nodes/base/values.js';
 import { emphasisAt } from './nodes/chunks/emphasis.js';
 import { lightLuminance } from './nodes/chunks/lightLuminance.js';
 import { filledColor, localDarkness } from './nodes/chunks/localColor.js';
-import { hollowness } from './nodes/chunks/occlude.js';
 import { paper, printedColor } from './nodes/chunks/printedColor.js';
-import { shadedTone } from './nodes/chunks/tone.js';
+import { shadedTone, unshadowedTone } from './nodes/chunks/tone.js';
+import { readFaceNormals } from './nodes/perFragment/faceNormals.js';
 
 const NAME = 'HatchingNodeMaterial';
 const propertyNames = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
@@ -220,11 +228,18 @@ export class HatchingNodeMaterial extends NodeMaterial {
 
   /** What chooses the program. */
   override customProgramCacheKey(): string {
-    const { inkBlend, toneModel } = this;
+    const { inkBlend, toneModel, toneNormal, shadowDirection } = this;
     const curve = curveOf(this.toneCurve);
-    return [...choicesOf(this), Number(this.sizedOnScreen > 0), this.strokeAnchor, toneModel, curve, inkBlend].join(
-      ' ',
-    );
+    return [
+      ...choicesOf(this),
+      Number(this.sizedOnScreen > 0),
+      this.strokeAnchor,
+      toneModel,
+      toneNormal,
+      shadowDirection,
+      curve,
+      inkBlend,
+    ].join(' ');
   }
 
   /** Writes the properties, once a frame, and what is of the mesh, to the uniforms. Allocates nothing. @internal */
@@ -284,7 +299,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
 
   /** @internal */
   override setupLighting(builder: NodeBuilder): ReturnType<NodeMaterial['setupLighting']> {
-    this.tellOfLacks((builder as NodeBuilder & { scene: Scene | null }).scene);
+    this.tellOfLacks();
     const emissive = this.emissive;
     // The light of the surface itself is light too, and not added to the print.
     Object.assign(this, { emissive: null });
@@ -295,16 +310,31 @@ export class HatchingNodeMaterial extends NodeMaterial {
     }
   }
 
+  /** The light of what lies all around. @internal */
+  override setupEnvironment(builder: NodeBuilder): ReturnType<NodeMaterial['setupEnvironment']> {
+    const { environmentNode } = builder as NodeBuilder & { environmentNode: Node | null };
+    const around = super.setupEnvironment(builder) ?? environmentNode;
+    return around && (new EnvironmentNode(around) as unknown as ReturnType<NodeMaterial['setupEnvironment']>);
+  }
+
+  /** The normal that tone is taken from. @internal */
+  override setupNormal(): ReturnType<NodeMaterial['setupNormal']> {
+    if (this.toneNormal !== 'face') return super.setupNormal();
+    return readFaceNormals() as unknown as ReturnType<NodeMaterial['setupNormal']>;
+  }
+
   /** @internal */
   override setupLightingModel(builder?: NodeBuilder): HatchingLightingModel {
     const built = builder as NodeBuilder & { lightsNode: { getLights(): Light[] } };
     const lights = built.lightsNode.getLights();
-    return new HatchingLightingModel(this.toneModel, lights, (radiance) => this.print(radiance, built));
+    const { look, toneModel, toneNormal } = this;
+    const choices = { toneModel, toneNormal, shadowStrokes: drawnChoice(look, 'shadowStrokes') };
+    return new HatchingLightingModel(choices, lights, (surface) => this.print(surface, built));
   }
 
   /** Where there is no light at all. three.js asks for it always, and builds it only then. @internal */
   override setupOutgoingLight(): ReturnType<NodeMaterial['setupOutgoingLight']> {
-    const printed = tsl.Fn((builder) => this.print(float(0).toVar(), builder))();
+    const printed = tsl.Fn((builder) => this.print(unlitSurface(), builder))();
     return printed as unknown as ReturnType<NodeMaterial['setupOutgoingLight']>;
   }
 
@@ -335,32 +365,30 @@ export class HatchingNodeMaterial extends NodeMaterial {
     return typeof tonalArtMap === 'string' ? sharedMap(tonalArtMap) : tonalArtMap;
   }
 
-  private tellOfLacks(scene: Scene | null): void {
-    const { technique, toneModel, shadowStrokes } = this;
+  private tellOfLacks(): void {
+    const { technique } = this;
     if (technique !== 'engraved' && technique !== 'anchored')
       tellOnce(`there are no nodes of the technique "${technique}" yet; "engraved" is drawn.`);
-    else if (this.toneNormal === 'face') tellOnce('nodes take the tone from the smooth normal.');
-    if (toneModel === 'shadow') tellOnce('there are no nodes of the tone model "shadow" yet; all tones are drawn.');
-    if (scene?.environment) tellOnce('light of the environment of a scene is not drawn by nodes yet.');
-    if (shadowStrokes !== 'tone') tellOnce(`shadowStrokes "${shadowStrokes}" is not drawn by nodes yet.`);
   }
 
-  private print(light: Value, builder: NodeBuilder): Value {
+  private print(lit: LitSurface, builder: NodeBuilder): Value {
     const { material } = builder;
+    const { look, medium, toneModel } = this;
     const emitted = materialEmissive;
-    const radiance = light.add(lightLuminance(emitted));
-    const curve = curveOf(this.toneCurve);
+    const radiance = lit.radiance.add(lightLuminance(emitted)).toVar();
+    const surface = { ...lit, radiance, darkness: localDarkness(diffuseColor.xyz, emitted) };
+    const rules = { toneModel, curve: curveOf(this.toneCurve) };
     const emphasis = emphasisAt(positionView, pixelFromBelow()).toVar();
-    const darkness = localDarkness(diffuseColor.xyz, emitted);
-    const tone = shadedTone(radiance, darkness, hollowness(), { curve, isToon: this.toneModel === 'toon' })
-      .mul(emphasis)
-      .toVar();
+    const tone = shadedTone(surface, rules).mul(emphasis).toVar();
+    // Dots cannot cross one another, and two sets of them would clot.
+    const crosses = lit.shadowed && drawnChoice(look, 'shadowStrokes') === 'cross' && medium !== 'stipple';
+    const unshadowed = crosses ? unshadowedTone(surface, rules).mul(emphasis).toVar() : null;
     const color = mix(vec3(1), filledColor(diffuseColor.xyz), emphasis);
     const isOpaque = !(material as Material).transparent;
     const ground = paper.mul(color).toVar();
     const printed = printedColor(
       ground,
-      darknessOf(this.look, tone, builder)
+      darknessOf(look, surface, { tone, unshadowed }, builder)
         .mul(meshValues as unknown as Value)
         .toVar(),
       this.inkBlend === 'multiply',
@@ -376,24 +404,13 @@ const curveOf = (curve: ToneCurve): number =>
   TONE_CURVES.indexOf(curve === 'linear' || curve === 'perceptual' ? curve : 'points');
 
 /** What chooses nodes, beside what follows from it. */
-const choicesOf = ({ technique, medium, lineField, strokeField, strokeLayers }: HatchingNodeMaterial): string[] => [
-  ...[NAME, technique, medium, lineField, strokeField, strokeLayers],
+const choicesOf = ({
+  technique,
+  medium,
+  lineField,
+  strokeField,
+  strokeLayers,
+  shadowStrokes,
+}: HatchingNodeMaterial): string[] => [
+  ...[NAME, technique, medium, lineField, strokeField, strokeLayers, shadowStrokes],
 ];
-
-/** By the backend: WebGL is asked once, since the answer is waited for. */
-const textureSizes = /* @__PURE__ */ new WeakMap<object, number>();
-
-/** Texels per side of the largest texture that the device takes. */
-function maxTextureSize({ backend }: WebGPURenderer): number {
-  let size = textureSizes.get(backend);
-  if (size === undefined) {
-    const { device, gl } = backend as { device?: GPUDeviceLike; gl?: WebGL2RenderingContext };
-    size = device ? device.limits.maxTextureDimension2D : gl ? Number(gl.getParameter(gl.MAX_TEXTURE_SIZE)) : Infinity;
-    textureSizes.set(backend, size);
-  }
-  return size;
-}
-
-interface GPUDeviceLike {
-  readonly limits: { readonly maxTextureDimension2D: number };
-}

@@ -1,25 +1,31 @@
 import type { BufferGeometry, Light } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
 import { isFormed } from '../geometry/formGeometry.js';
-import { formOf } from '../material/facts/lookFacts.js';
+import { formOf, runsAway } from '../material/facts/lookFacts.js';
 import type { HatchingMaterialProperties } from '../material/HatchingMaterialProperties.js';
-import { withoutForm } from '../material/programDefines.js';
+import { AWAY, withoutForm } from '../material/programDefines.js';
 import { directedLights } from './nodes/base/directedLights.js';
 import { followsForm } from './nodes/base/followsForm.js';
+import type { HatchingSurface } from './nodes/base/HatchingSurface.js';
 import { hatchingUniform } from './nodes/base/uniforms.js';
 import { tsl, type Value } from './nodes/base/values.js';
 import { deformVertex } from './nodes/chunks/deformVertex.js';
 import { emitOcclusion } from './nodes/chunks/emitOcclusion.js';
 import { placeInstance } from './nodes/chunks/objectToView.js';
+import { hatchInShadow } from './nodes/chunks/shadowStrokes.js';
+import { hasShadows } from './nodes/chunks/shadows.js';
 import { emitAnchor } from './nodes/perFragment/emit.js';
 import { emitAnchored } from './nodes/techniques/anchored/emit.js';
 import { hatch } from './nodes/techniques/anchored/hatch.js';
 import { type HatchingParameters, readHatchingParameters } from './nodes/techniques/anchored/read.js';
+import { shadowLayer } from './nodes/techniques/anchored/shadowStrokes.js';
 import { hatchLayer as dotLayer } from './nodes/techniques/anchored/stipple.js';
 import { type StrokeDefines, hatchLayer as strokeLayer } from './nodes/techniques/anchored/strokes.js';
 import { emitEngraved } from './nodes/techniques/engraved/emit.js';
+import { type LineCut, turnsWithLight } from './nodes/techniques/engraved/fieldAxis.js';
 import { hatchLayer } from './nodes/techniques/engraved/hatchLayer.js';
 import { read } from './nodes/techniques/engraved/read.js';
+import { shadowLayer as shadowFamilies } from './nodes/techniques/engraved/shadowStrokes.js';
 
 type Look = HatchingMaterialProperties;
 
@@ -38,13 +44,27 @@ export const lightsOf = (builder: NodeBuilder): readonly Light[] =>
 /** Whether strokes are anchored; the other techniques are engraved. */
 const isAnchored = ({ technique }: Look): boolean => technique === 'anchored';
 
+/** A choice as it is drawn: that of shadows whose strokes run away from the light, or else that of the look. */
+export const drawnChoice = (look: Look, name: 'lineField' | 'shadowStrokes' | 'strokeField' | 'strokeLayers'): string =>
+  (runsAway(look) && AWAY[name]) || look[name];
+
 /** What the lines or strokes of a geometry run by. Only those that were prepared with `form` have some that follow it. */
 function fieldFor(look: Look, geometry: BufferGeometry): string {
   const form = formOf(look);
-  const chosen = isAnchored(look) ? look.strokeField : look.lineField;
+  const chosen = drawnChoice(look, isAnchored(look) ? 'strokeField' : 'lineField');
   if (!form) return chosen;
   if (!isFormed(geometry)) return form === 'auto' ? withoutForm(look) : 'light';
   return form === 'auto' ? 'form' : chosen;
+}
+
+function cutFor(look: Look, builder: NodeBuilder): LineCut {
+  const cut = {
+    lineField: fieldFor(look, builder.geometry as BufferGeometry),
+    runsAway: runsAway(look),
+    reorients: false,
+  };
+  const reorients = drawnChoice(look, 'shadowStrokes') === 'reorient' && hasShadows(builder, lightsOf(builder));
+  return { ...cut, reorients: reorients && turnsWithLight(cut) };
 }
 
 /** Puts the vertex where three's own materials do, and its strokes with it. */
@@ -58,17 +78,41 @@ export function emitVertex(look: Look, builder: NodeBuilder): void {
   emitOcclusion(builder);
   const anchor = emitAnchor(builder, deformed, place, isAtRest);
   if (isAnchored(look)) emitAnchored(anchor, { isOfForm, isAtRest });
-  else emitEngraved(builder, anchor, { lineField: field, isAtRest, lights: lightsOf(builder) });
+  else emitEngraved(builder, anchor, { cut: cutFor(look, builder), isAtRest, lights: lightsOf(builder) });
 }
 
-/** The darkness of the hatch where it has a tone. */
-export function darknessOf(look: Look, tone: Value, builder: NodeBuilder): Value {
-  const { medium, sizedOnScreen, strokeLayers } = look;
+/** The tones of a surface. */
+interface Tones {
+  tone: Value;
+  /** Without shadows; null where these only darken. */
+  unshadowed: Value | null;
+}
+
+/** The darkness of the hatch of a surface. */
+export function darknessOf(look: Look, surface: HatchingSurface, tones: Tones, builder: NodeBuilder): Value {
+  const darkness = isAnchored(look) ? anchoredIn(look, surface, builder) : engravedIn(look, surface, builder);
+  return hatchInShadow(tones.tone, tones.unshadowed, darkness.hatch, darkness.shadowLayer);
+}
+
+/** What prints a tone: the layers of a surface, and that of its shadows. */
+type Printing = Record<'hatch' | 'shadowLayer', (tone: Value) => Value>;
+
+function engravedIn(look: Look, { told, shadowLeft }: HatchingSurface, builder: NodeBuilder): Printing {
+  const { medium } = look;
+  const h = read(builder, cutFor(look, builder), { told, shadowLeft, lights: lightsOf(builder) });
+  return {
+    hatch: (tone) => hatchLayer(h, tone, medium),
+    shadowLayer: (tone) => shadowFamilies(h, tone, medium),
+  };
+}
+
+function anchoredIn(look: Look, { told }: HatchingSurface, builder: NodeBuilder): Printing {
+  const { medium, sizedOnScreen } = look;
   const field = fieldFor(look, builder.geometry as BufferGeometry);
-  if (!isAnchored(look)) return hatchLayer(read(builder, field), tone, medium);
+  const strokeLayers = drawnChoice(look, 'strokeLayers');
   const lights = lightsOf(builder);
   const several = directedLights(lights).length > 1;
-  const parameters = readHatchingParameters(builder, lights, field);
+  const parameters = readHatchingParameters(builder, lights, field, told);
   const layers = strokeLayers === 'lights' && !several ? 'single' : strokeLayers;
   const defines: StrokeDefines = {
     isSizedOnScreen: sizedOnScreen > 0,
@@ -78,5 +122,8 @@ export function darknessOf(look: Look, tone: Value, builder: NodeBuilder): Value
   };
   const layer = (h: HatchingParameters, printed: Value): Value =>
     medium === 'stipple' ? dotLayer(h, printed, builder) : strokeLayer(h, printed, defines);
-  return hatch(parameters, tone, layers, layer).mul(inked);
+  return {
+    hatch: (tone) => hatch(parameters, tone, layers, layer).mul(inked),
+    shadowLayer: (tone) => shadowLayer(parameters, tone, layer).mul(inked),
+  };
 }

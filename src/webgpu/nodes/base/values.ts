@@ -95,13 +95,18 @@ interface Shading
   property(type: string, name: string): Value;
   varyingProperty(type: string, name: string): Value;
   readonly batchIndirectIndex: Value;
+  readonly frontFacing: Value;
+  readonly normalFlat: Value;
   readonly normalLocal: Value;
   readonly positionGeometry: Value;
   readonly positionLocal: Value;
   readonly normalGeometry: Value;
   readonly normalView: Value;
+  readonly normalViewGeometry: Value;
+  readonly normalWorldGeometry: Value;
   readonly positionView: Value;
   readonly positionViewDirection: Value;
+  readonly positionWorld: Value;
   readonly diffuseColor: Value;
   readonly materialEmissive: Value;
   readonly cameraFar: Value;

@@ -7,9 +7,10 @@ import { directedLights, hasPlace } from '../base/directedLights.js';
 import { tsl, type Value } from '../base/values.js';
 import { lightLuminance } from './lightLuminance.js';
 import { fallOff, type LightValues, valuesFor } from './meanLight.js';
+import type { ToldLight } from './shadows.js';
 
-const { abs, cross, dot, float, inverseSqrt, length, max, normalize, positionView, select, smoothstep, vec2, vec3 } =
-  tsl;
+const { abs, cameraViewMatrix, cross, dot, float, inverseSqrt, length, max, normalize, positionView, select } = tsl;
+const { smoothstep, vec2, vec3 } = tsl;
 
 /** Below this squared sine of the angle between light and normal, the light gives no direction. */
 const PARALLEL_SQUARED_SINE = 1e-8;
@@ -28,8 +29,29 @@ export interface Orientation {
 export const anyTangent = (n: Value): Value =>
   select(abs(n.x).greaterThan(abs(n.z)), vec3(n.y.negate(), n.x, 0), vec3(0, n.z.negate(), n.y));
 
+/** Where a light does not arrive strokes run across it. Its pole lies elsewhere, so no whirl of strokes is left in the shadow. @param toLight unit, view space */
+function acrossLight(toLight: Value): Value {
+  const [right, up] = [0, 1].map((column) => cameraViewMatrix.element(column).xyz);
+  return normalize(cross(toLight, select(abs(dot(toLight, up)).lessThan(0.9), up, right)));
+}
+
+/** What a light is for strokes where it is known whether it arrives. */
+function turnInShadow({ direction, arriving }: Incident, light: Light, told: readonly ToldLight[]): Incident {
+  const isShadowed = told.find((one) => one.light === light)?.isShadowed;
+  if (!isShadowed) return { direction, arriving };
+  return {
+    direction: select(isShadowed, acrossLight(direction), direction).toVar(),
+    arriving: select(isShadowed, vec3(0), arriving),
+  };
+}
+
+interface Incident {
+  direction: Value;
+  arriving: Value;
+}
+
 /** The direction to a light from this fragment, view space, and what of it arrives. */
-function incident(light: Light, values: LightValues): { direction: Value; arriving: Value } {
+function incident(light: Light, values: LightValues): Incident {
   if (!hasPlace(light)) return { direction: values.direction, arriving: values.color };
   const way = values.position.sub(positionView).toVar();
   const away = length(way).toVar();
@@ -42,8 +64,8 @@ function incident(light: Light, values: LightValues): { direction: Value; arrivi
 }
 
 /** Algorithm 1 as it stands. */
-function bitangentOfOne(n: Value, light: Light, viewToObject: Value): Orientation {
-  const { direction } = incident(light, valuesFor(light));
+function bitangentOfOne(n: Value, light: Light, viewToObject: Value, told: readonly ToldLight[]): Orientation {
+  const { direction } = turnInShadow(incident(light, valuesFor(light)), light, told);
   const l = viewToObject.mul(direction).toVar();
   const projected = l.sub(n.mul(dot(l, n))).toVar();
   // L ∥ N: the lit pole is white and the unlit one black, so any tangent will do.
@@ -82,10 +104,16 @@ function addLight(o: LightSums, toLight: Value, arriving: Value, emitted: Value)
  * @param n unit normal, object space
  * @param lights of the scene
  * @param viewToObject linear part
+ * @param told of shadows
  */
-export function lightBitangent(n: Value, lights: readonly Light[], viewToObject: Value): Orientation {
+export function lightBitangent(
+  n: Value,
+  lights: readonly Light[],
+  viewToObject: Value,
+  told: readonly ToldLight[],
+): Orientation {
   const directed = directedLights(lights);
-  if (directed.length === 1) return bitangentOfOne(n, directed[0], viewToObject);
+  if (directed.length === 1) return bitangentOfOne(n, directed[0], viewToObject, told);
   const e1 = normalize(anyTangent(n)).toVar();
   const e2 = cross(n, e1).toVar();
   const o: LightSums = {
@@ -94,7 +122,7 @@ export function lightBitangent(n: Value, lights: readonly Light[], viewToObject:
   };
   for (const light of directed) {
     const values = valuesFor(light);
-    const { direction, arriving } = incident(light, values);
+    const { direction, arriving } = turnInShadow(incident(light, values), light, told);
     addLight(o, viewToObject.mul(direction), arriving, values.color);
   }
   if (directed.length === 0) {

@@ -1,9 +1,14 @@
 /** The twin of shaders/chunks/tone.glsl: tone in [0, 1], where 0 is paper. */
+import { TONE_CONSTANTS } from '../../../engraving/constants/toneConstants.js';
+import type { HatchingSurface } from '../base/HatchingSurface.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
+import { hollowness } from './occlude.js';
+import { shadowTone } from './softShadows.js';
 import { curvedTone } from './toneCurve.js';
 
-const { clamp, float, floor, max, mix, step } = tsl;
+const { clamp, float, floor, max, mix, select, step } = tsl;
+const { NO_LIGHT } = TONE_CONSTANTS;
 
 const toneSteps = /* @__PURE__ */ hatchingUniform('toneSteps', 'float');
 /** The tones that are printed where all light arrives, and where none does. */
@@ -15,11 +20,11 @@ const highlightRamp = /* @__PURE__ */ hatchingUniform('highlightRamp', 'vec2');
 
 const highlightKept = (tone: Value): Value => tone.mul(clamp(highlightRamp.x.mul(tone).add(highlightRamp.y), 0, 1));
 
-function toneFromRadiance(radiance: Value, curve: number, isToon: boolean): Value {
+function toneFromRadiance(radiance: Value, { curve, toneModel }: ToneRules): Value {
   const tone = float(1)
     .sub(clamp(radiance, 0, 1))
     .toVar();
-  if (isToon) {
+  if (toneModel === 'toon') {
     const last = max(toneSteps.sub(1), 1);
     tone.assign(floor(tone.mul(last).add(0.5)).div(last));
   }
@@ -34,16 +39,36 @@ const darkenedByColor = (tone: Value, darkness: Value): Value => mix(tone, toneE
 /** Hollows go beyond the tone of no light, where some paper shows: to the darkest image, or for chalk to bare paper. */
 const deepened = (tone: Value, hollowness: Value): Value => mix(tone, step(toneEnds.x, toneEnds.y), hollowness);
 
-/**
- * The tone that light prints.
- *
- * @param darkness of the surface's own colour
- * @param hollowness see occlude.ts
- * @param curve the number of its kind
- */
-export const shadedTone = (
-  radiance: Value,
-  darkness: Value,
-  hollowness: Value,
-  { curve, isToon }: { curve: number; isToon: boolean },
-): Value => deepened(darkenedByColor(toneFromRadiance(exposed(radiance), curve, isToon), darkness), hollowness);
+/** How radiance becomes tone. */
+export interface ToneRules {
+  /** The number of its kind. */
+  curve: number;
+  /** The choice. */
+  toneModel: string;
+}
+
+const litTone = (radiance: Value, { darkness }: HatchingSurface, rules: ToneRules): Value =>
+  deepened(darkenedByColor(toneFromRadiance(exposed(radiance), rules), darkness), hollowness());
+
+function toneOfShadows({ radiance, shadowed, shadowLeft }: HatchingSurface, rules: ToneRules): Value {
+  // Where no shadow falls nothing is printed.
+  if (!shadowed) return float(0);
+  // The share of the light that arrives. Where there is none that shadows could take, nothing is printed.
+  const all = radiance.add(shadowed).add(NO_LIGHT);
+  const arriving = radiance.add(NO_LIGHT).div(all).toVar();
+  // Nor where all of it arrives, whatever a curve makes of blank paper.
+  const tone = max(toneFromRadiance(arriving, rules).sub(arriving.mul(toneEnds.x)), 0).mul(shadowTone);
+  // Light ink draws the lights: its shadows are blank, soft edges too.
+  return select(toneEnds.y.lessThanEqual(toneEnds.x), float(0), shadowLeft ? tone.mul(shadowLeft) : tone);
+}
+
+/** The tone that the light of a surface prints, shadows included. */
+export const shadedTone = (surface: HatchingSurface, rules: ToneRules): Value =>
+  rules.toneModel === 'shadow' ? toneOfShadows(surface, rules) : litTone(surface.radiance, surface, rules);
+
+/** The tone that it would print if nothing cast shadows. */
+export function unshadowedTone(surface: HatchingSurface, rules: ToneRules): Value {
+  const { radiance, shadowed } = surface;
+  if (rules.toneModel === 'shadow') return float(0);
+  return litTone(shadowed ? radiance.add(shadowed) : radiance, surface, rules);
+}

@@ -16,7 +16,7 @@ const layerTurns = /* @__PURE__ */ hatchingUniform('layerTurns', 'vec4');
 const oneMinus = (x: Value): Value => float(1).sub(x).toVar();
 
 /** The darkness of one layer: of strokes or of dots. */
-type HatchLayer = (h: HatchingParameters, tone: Value) => Value;
+export type HatchLayer = (h: HatchingParameters, tone: Value) => Value;
 
 /** @param layers the choice `strokeLayers`; with one light there is nothing that layers by lights could disagree about */
 export function hatch(h: HatchingParameters, tone: Value, layers: string, hatchLayer: HatchLayer): Value {

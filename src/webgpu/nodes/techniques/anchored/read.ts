@@ -4,6 +4,8 @@ import type { NodeBuilder } from 'three/webgpu';
 import { followsForm } from '../../base/followsForm.js';
 import { tsl, type Value } from '../../base/values.js';
 import { safeNormalize } from '../../chunks/safeNormalize.js';
+import type { ToldLight } from '../../chunks/shadows.js';
+import { isInFullShadow } from '../../perFragment/fullShadow.js';
 import { readViewToAnchor } from '../../perFragment/viewToAnchor.js';
 import { readStrokeAxes as readForm } from './readForm.js';
 import { readStrokeAxes as readLight } from './readLight.js';
@@ -23,18 +25,19 @@ export interface HatchingParameters extends StrokeAxes {
   lean: Value;
 }
 
-/** @param strokeField the choice */
+/** @param strokeField the choice @param told of shadows */
 export function readHatchingParameters(
   builder: NodeBuilder,
   lights: readonly Light[],
   strokeField: string,
+  told: readonly ToldLight[],
 ): HatchingParameters {
   const n = safeNormalize(vStrokeNormal);
   const viewToAnchor = readViewToAnchor(builder);
   let axes: StrokeAxes;
-  if (followsForm(strokeField)) axes = readForm(n, strokeField === 'acrossForm');
+  if (followsForm(strokeField)) axes = readForm(n, strokeField === 'acrossForm', isInFullShadow(lights, told));
   else if (strokeField === 'sheet') axes = readSheet(n, viewToAnchor);
-  else axes = readLight(n, lights, viewToAnchor);
+  else axes = readLight(n, lights, viewToAnchor, told);
   const lean = vec3(dot(vToViewer, axes.uAxis), dot(vToViewer, axes.vAxis), dot(vToViewer, n)).toVar();
   return { ...axes, point: vRestPosition.toVar(), normal: n, lean };
 }

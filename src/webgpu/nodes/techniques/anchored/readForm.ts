@@ -7,8 +7,8 @@ import { vFormSlope } from './varyings.js';
 
 const { cross, dot, float, inverseSqrt, normalize, select } = tsl;
 
-/** @param n unit normal, object space */
-export function readStrokeAxes(n: Value, isAcross: boolean): StrokeAxes {
+/** @param n unit normal, object space @param isDark where no light arrives, whose strokes run the other way; null if that is nowhere */
+export function readStrokeAxes(n: Value, isAcross: boolean, isDark: Value | null): StrokeAxes {
   const level = cross(n, vFormSlope).toVar();
   const squaredLength = dot(level, level).toVar();
   // Any direction will do at a singular point.
@@ -17,6 +17,8 @@ export function readStrokeAxes(n: Value, isAcross: boolean): StrokeAxes {
     level.mul(inverseSqrt(squaredLength)),
     normalize(anyTangent(n)),
   ).toVar();
-  const uAxis = isAcross ? cross(n, along).toVar() : along;
+  const across = cross(n, along);
+  const [here, inTheDark] = isAcross ? [across, along] : [along, across];
+  const uAxis = (isDark ? select(isDark, inTheDark, here) : here).toVar();
   return { uAxis, vAxis: cross(n, uAxis).toVar(), crossing: float(0) };
 }

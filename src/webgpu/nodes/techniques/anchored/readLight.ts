@@ -3,13 +3,19 @@ import type { Light } from 'three';
 import { strokeDirection } from '../../base/strokeDirection.js';
 import { tsl, type Value } from '../../base/values.js';
 import { lightBitangent } from '../../chunks/lightOrientation.js';
+import type { ToldLight } from '../../chunks/shadows.js';
 import type { StrokeAxes } from './StrokeAxes.js';
 
 const { cross } = tsl;
 
 /** @param n unit normal, object space */
-export function readStrokeAxes(n: Value, lights: readonly Light[], viewToAnchor: Value): StrokeAxes {
-  const { bitangent, crossing } = lightBitangent(n, lights, viewToAnchor);
+export function readStrokeAxes(
+  n: Value,
+  lights: readonly Light[],
+  viewToAnchor: Value,
+  told: readonly ToldLight[],
+): StrokeAxes {
+  const { bitangent, crossing } = lightBitangent(n, lights, viewToAnchor, told);
   const tangent = cross(bitangent, n).toVar();
   const { x, y } = strokeDirection;
   return {

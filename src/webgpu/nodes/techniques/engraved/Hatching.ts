@@ -1,4 +1,6 @@
-import type { Value } from '../../base/values.js';
+import type { Light } from 'three';
+import type { Input, Value } from '../../base/values.js';
+import type { ToldLight } from '../../chunks/shadows.js';
 import type { ScreenMap } from '../../perFragment/screenGradient.js';
 
 /** Lines that are level sets of one function. */
@@ -11,14 +13,24 @@ export interface Family {
   /** Of any length; lines lie across it. */
   gradient: Value;
   /** The octave of the lines that lie farthest apart. */
-  coarsest: number;
+  coarsest: Input;
   /** Whether the number of a line changes across the seams of a bake. */
   isOfForm: boolean;
+}
+
+/** What the shadows of a place say of its lines. */
+export interface LinesInShadow {
+  lights: readonly Light[];
+  told: readonly ToldLight[];
+  /** Where shadows alone are drawn: how much of their tone is left. Null elsewhere. */
+  shadowLeft: Value | null;
 }
 
 /** What engraving needs to know at a fragment: the functions that lines are level sets of, and how they lie on the screen. */
 export interface HatchingParameters {
   onScreen: ScreenMap;
+  /** Where shadows alone are drawn: how much of their tone is left. Null elsewhere. */
+  shadowLeft: Value | null;
   /** Of the hand. */
   pressure: Value;
   /** How far the first family has lines. */

@@ -7,10 +7,10 @@ import { hatchingUniform } from '../../base/uniforms.js';
 import { tsl, type Value } from '../../base/values.js';
 import { bonesOf, inObjectSpace } from '../../chunks/deformVertex.js';
 import type { Anchor } from '../../perFragment/emit.js';
-import { firstField } from './fieldAxis.js';
+import { firstField, isByVertex, type LineCut, turnsWithLight } from './fieldAxis.js';
 import { formCrossing, formSlope, formValue, formVarying } from './formAttributes.js';
 import { fieldLight } from './lightField.js';
-import { vField, vFieldNormal, vFieldPoint, vForm, vFormCrossing } from './varyings.js';
+import { vField, vFieldLight, vFieldNormal, vFieldPoint, vForm, vFormCrossing } from './varyings.js';
 
 const { determinant, If, vec4 } = tsl;
 
@@ -21,12 +21,13 @@ export const objectToField: Value = /* @__PURE__ */ hatchingUniform('objectToFie
 /** Its inverse transpose. */
 const objectToFieldNormal = /* @__PURE__ */ hatchingUniform('objectToFieldNormal', 'mat3');
 
-/** @param lineField the choice */
+/** @param cut what cuts lines out of the object */
 export function emitEngraved(
   builder: NodeBuilder,
   anchor: Anchor,
-  { lineField, isAtRest, lights }: { lineField: string; isAtRest: boolean; lights: readonly Light[] },
+  { cut, isAtRest, lights }: { cut: LineCut; isAtRest: boolean; lights: readonly Light[] },
 ): void {
+  const { lineField } = cut;
   vFieldPoint.assign(objectToField.mul(anchor.position.sub(fieldOrigin)));
   vFieldNormal.assign(objectToFieldNormal.mul(anchor.strokeNormal));
   if (followsForm(lineField)) {
@@ -37,9 +38,9 @@ export function emitEngraved(
     vFormCrossing.assign(isAcross ? along : across);
     return;
   }
-  const turns = lineField === 'light' || lineField === 'towards';
-  const light = turns ? lightOfField(builder, anchor, isAtRest, lights) : vec4(0, 1, 0, 0);
-  vField.assign(firstField(light, lineField));
+  const light = turnsWithLight(cut) ? lightOfField(builder, anchor, isAtRest, lights) : vec4(0, 1, 0, 0);
+  if (isByVertex(cut)) vField.assign(firstField(light, cut));
+  else vFieldLight.assign(light);
 }
 
 function lightOfField(

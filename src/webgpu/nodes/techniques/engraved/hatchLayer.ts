@@ -19,7 +19,7 @@ const layerTurns = /* @__PURE__ */ hatchingUniform('layerTurns', 'vec4');
 const lineContrast = /* @__PURE__ */ hatchingUniform('lineContrast', 'float');
 
 /** The darkness of three families printed over one another. */
-function families(
+export function families(
   h: HatchingParameters,
   first: Value | null,
   crossing: Value,
@@ -41,6 +41,10 @@ function families(
   return float(1).sub(blank);
 }
 
+/** Lines give way to an even grey of their tone where they would shimmer. */
+export const contrasted = (tone: Value, darkness: Value): Value =>
+  select(tone.greaterThanEqual(1), 1, mix(tone, darkness, lineContrast));
+
 /** Any number of families leaves as much blank as the tone does. */
 export function hatchLayer(h: HatchingParameters, tone: Value, medium: Medium): Value {
   const kept = medium === 'pen' ? TONE_CONSTANTS.KEPT_BY_PEN : TONE_CONSTANTS.KEPT_SHARE;
@@ -54,5 +58,5 @@ export function hatchLayer(h: HatchingParameters, tone: Value, medium: Medium): 
     const those = float(1).sub(families(h, first, second, { medium, isOther: false }));
     darkness = float(1).sub(those.mul(float(1).sub(families(h, null, third, { medium, isOther: true }))));
   } else darkness = families(h, first, others, { medium, isOther: false });
-  return select(tone.greaterThanEqual(1), 1, mix(tone, darkness, lineContrast));
+  return contrasted(tone, darkness);
 }

@@ -4,7 +4,8 @@ import { FIELD_CONSTANTS } from '../../../../engraving/constants/fieldConstants.
 import { directedLights, hasPlace } from '../../base/directedLights.js';
 import { tsl, type Value } from '../../base/values.js';
 import { lightLuminance } from '../../chunks/lightLuminance.js';
-import { type LightValues, valuesFor } from '../../chunks/meanLight.js';
+import { valuesFor } from '../../chunks/meanLight.js';
+import type { ToldLight } from '../../chunks/shadows.js';
 
 const { dot, float, length, max, select, vec3, vec4 } = tsl;
 const { FIRST_AXIS, LEAST_WEIGHT } = FIELD_CONSTANTS;
@@ -15,7 +16,7 @@ type Tensor = readonly [Value, Value, Value];
 const applied = ([x, y, z]: Tensor, v: Value): Value => x.mul(v.x).add(y.mul(v.y)).add(z.mul(v.z));
 
 /** The weight of a light. */
-const fieldWeight = ({ color }: LightValues): Value => lightLuminance(color).add(LEAST_WEIGHT).toVar();
+const fieldWeight = (color: Value): Value => lightLuminance(color).add(LEAST_WEIGHT).toVar();
 
 /** Σ w L Lᵀ and Σ w L. @param toLight of any length, field space */
 function addFieldLight(tensor: Tensor, sum: Value, toLight: Value, weight: Value): void {
@@ -49,14 +50,27 @@ function fieldAxisOf(tensor: Tensor, sum: Value, count: number): Value {
  * Unit direction and one over the distance, field space.
  *
  * @param viewToField linear part
- * @param place the origin of the field, view space
+ * @param place any, view space
+ * @param fromOrigin the same in field space; null at the origin
+ * @param told of shadows: lights that do not arrive do not count
  */
-export function fieldLight(viewToField: Value, place: Value, lights: readonly Light[]): Value {
+export function fieldLight(
+  viewToField: Value,
+  place: Value,
+  lights: readonly Light[],
+  { fromOrigin, told }: { fromOrigin: Value | null; told: readonly ToldLight[] } = { fromOrigin: null, told: [] },
+): Value {
   const directed = directedLights(lights).map((light) => {
     const values = valuesFor(light);
     const isAtPlace = hasPlace(light);
-    const way = isAtPlace ? values.position.sub(place) : values.direction;
-    return { way: viewToField.mul(way).toVar(), weight: fieldWeight(values), isAtPlace };
+    const way = viewToField.mul(isAtPlace ? values.position.sub(place) : values.direction);
+    const isShadowed = told.find((one) => one.light === light)?.isShadowed;
+    const color = isShadowed ? select(isShadowed, vec3(0), values.color) : values.color;
+    return {
+      way: (isAtPlace && fromOrigin ? way.add(fromOrigin) : way).toVar(),
+      weight: fieldWeight(color),
+      isAtPlace,
+    };
   });
   if (directed.length === 0) return vec4(0, 1, 0, 0);
   const tensor: Tensor = [vec3(0).toVar(), vec3(0).toVar(), vec3(0).toVar()];

@@ -6,16 +6,21 @@ import { tsl } from '../../base/values.js';
 import { screenGradient, screenMap } from '../../perFragment/screenGradient.js';
 import { readViewToAnchor } from '../../perFragment/viewToAnchor.js';
 import { objectToField } from './emit.js';
-import { across, fieldAt } from './fieldAxis.js';
-import type { HatchingParameters } from './Hatching.js';
+import { across, fieldAt, type LineCut } from './fieldAxis.js';
+import { fieldHere } from './fieldHere.js';
+import type { HatchingParameters, LinesInShadow } from './Hatching.js';
 import { handPoint, handPressure, slowWaves } from './hand.js';
-import { vField, vFieldNormal, vFieldPoint } from './varyings.js';
+import { vFieldNormal, vFieldPoint } from './varyings.js';
 
 const { cross, dot, float, length, max, min, mix, normalize, smoothstep, sqrt } = tsl;
 const { BARE_SLOPE, SIDE_FADE, SPARSEST_SLOPE } = FIELD_CONSTANTS;
 
-export function readHatchingParameters(builder: NodeBuilder): HatchingParameters {
-  const field = vField.toVar();
+export function readHatchingParameters(
+  builder: NodeBuilder,
+  cut: LineCut,
+  { lights, told, shadowLeft }: LinesInShadow,
+): HatchingParameters {
+  const field = fieldHere(builder, cut, lights, told);
   const place = vFieldPoint.toVar();
   const normal = normalize(vFieldNormal).toVar();
   const waves = slowWaves(place.mul(HAND_CONSTANTS.HAND_WAVES)).toVar();
@@ -37,6 +42,7 @@ export function readHatchingParameters(builder: NodeBuilder): HatchingParameters
   const valueOnScreen = screenGradient(gradient, onScreen).toVar();
   return {
     onScreen,
+    shadowLeft,
     pressure: handPressure(waves).toVar(),
     has,
     shareB,

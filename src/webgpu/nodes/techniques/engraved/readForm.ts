@@ -3,24 +3,39 @@ import type { NodeBuilder } from 'three/webgpu';
 import { FORM_CONSTANTS } from '../../../../engraving/constants/formConstants.js';
 import { HAND_CONSTANTS } from '../../../../engraving/constants/handConstants.js';
 import { tsl, type Value } from '../../base/values.js';
+import { isInFullShadow } from '../../perFragment/fullShadow.js';
 import { screenGradient, screenMap } from '../../perFragment/screenGradient.js';
 import { readViewToAnchor } from '../../perFragment/viewToAnchor.js';
 import { objectToField } from './emit.js';
-import type { HatchingParameters } from './Hatching.js';
+import type { HatchingParameters, LinesInShadow } from './Hatching.js';
 import { handmade, handPoint, handPressure, slowWaves } from './hand.js';
 import { vFieldNormal, vFieldPoint, vForm, vFormCrossing } from './varyings.js';
 
-const { dot, float, length, normalize, vec3 } = tsl;
+const { dot, float, If, length, normalize, vec2, vec3 } = tsl;
 const { COARSEST_OCTAVES, WIDTH_WAVE } = FORM_CONSTANTS;
 
 const formValueAt = (form: Value, stray: Value): Value =>
   form.w.add(dot(form.xyz, vFieldPoint.mul(0.5).add(stray))).toVar();
 
 /** @param isAcross whether the first family runs across the form */
-export function readHatchingParameters(builder: NodeBuilder, isAcross: boolean): HatchingParameters {
+export function readHatchingParameters(
+  builder: NodeBuilder,
+  isAcross: boolean,
+  { lights, told, shadowLeft }: LinesInShadow,
+): HatchingParameters {
   const first = vForm.toVar();
   const crossing = vFormCrossing.toVar();
-  const [coarse, crossingCoarse] = isAcross ? [...COARSEST_OCTAVES].reverse() : COARSEST_OCTAVES;
+  const [along, across] = isAcross ? [...COARSEST_OCTAVES].reverse() : COARSEST_OCTAVES;
+  const coarsest = vec2(along, across).toVar();
+  const isDark = isInFullShadow(lights, told);
+  if (isDark) {
+    // Where no light arrives the families change places.
+    If(isDark, () => {
+      first.assign(vFormCrossing);
+      crossing.assign(vForm);
+      coarsest.assign(vec2(across, along));
+    });
+  }
   const waves = slowWaves(vFieldPoint.mul(HAND_CONSTANTS.HAND_WAVES)).toVar();
   const stray = handPoint(vec3(0), waves).toVar();
   const values = [formValueAt(first, stray), formValueAt(crossing, stray)];
@@ -29,6 +44,7 @@ export function readHatchingParameters(builder: NodeBuilder, isAcross: boolean):
   const crossingOnScreen = screenGradient(crossing.xyz, onScreen).toVar();
   return {
     onScreen,
+    shadowLeft,
     pressure: handPressure(waves).add(handmade.mul(WIDTH_WAVE).mul(waves.z)).toVar(),
     has: float(1),
     shareB: float(1),
@@ -37,7 +53,7 @@ export function readHatchingParameters(builder: NodeBuilder, isAcross: boolean):
       perPixel: length(valueOnScreen),
       rise: length(first.xyz),
       gradient: first.xyz,
-      coarsest: coarse,
+      coarsest: coarsest.x,
       isOfForm: true,
     }),
     // The other family crosses at the angle of the bake. The difference of the two functions is whole across seams too, and its lines lean
@@ -48,7 +64,7 @@ export function readHatchingParameters(builder: NodeBuilder, isAcross: boolean):
         perPixel: length(isOther ? valueOnScreen.sub(crossingOnScreen) : crossingOnScreen),
         rise: length(crossing.xyz),
         gradient: isOther ? first.xyz.sub(crossing.xyz).toVar() : crossing.xyz,
-        coarsest: isOther ? Math.min(coarse, crossingCoarse) : crossingCoarse,
+        coarsest: isOther ? Math.min(along, across) : coarsest.y,
         isOfForm: true,
       };
     },

@@ -1,4 +1,5 @@
 /** The twin of shaders/techniques/engraved/ruledLines.glsl: one family of lines. */
+import { GROUND_CONSTANTS } from '../../../../engraving/constants/groundConstants.js';
 import { LINE_CONSTANTS } from '../../../../engraving/constants/lineConstants.js';
 import type { Medium } from '../../../../material/facts/hatchingProperties.js';
 import { hatchingUniform } from '../../base/uniforms.js';
@@ -6,7 +7,7 @@ import { tsl, type Value } from '../../base/values.js';
 import { lineCoverage } from '../../chunks/lineCoverage.js';
 import { cutFor, cutWidth, rowOctaves } from './carving.js';
 import type { Family, HatchingParameters } from './Hatching.js';
-import { handWidth } from './hand.js';
+import { handWidth, lotOf } from './hand.js';
 import { FRINGE } from './lineFringe.js';
 import { octaves, powerOf2 } from './octaves.js';
 import { penCoverage, penFor } from './penStrokes.js';
@@ -16,8 +17,17 @@ const { abs, ceil, float, floor, int, Loop, max, min, mix, select } = tsl;
 
 /** Pixels between lines, or 256ths of a tile. */
 const lineSpacing = /* @__PURE__ */ hatchingUniform('lineSpacing', 'float');
+/** How many times as far apart lines of a shadow lie. */
+const shadowSpacing = /* @__PURE__ */ hatchingUniform('shadowSpacing', 'float');
 /** Pixels: where lines would lie closer, every other one is left out. */
 const finestSpacing = /* @__PURE__ */ hatchingUniform('finestSpacing', 'float');
+
+/** Where a shadow dissolves its lines end one by one: what a line has of the width that it would have if all thinned out together. */
+function lineLeft(line: Value, shadowLeft: Value): Value {
+  const end = lotOf(line).mul(GROUND_CONSTANTS.FIRST_END).toVar();
+  const left = max(shadowLeft, GROUND_CONSTANTS.LEAST_LEFT);
+  return max(shadowLeft.sub(end), 0).div(float(1).sub(end).mul(left));
+}
 
 /** The share of a pixel that a line covers. @param away from the line, signed, pixels @param room half of what the line has, pixels */
 type Covering = (away: Value, room: Value, line: Value) => Value;
@@ -38,7 +48,8 @@ function coveringBy(
     return (away, room, line) => lineCoverage(abs(away), room.mul(cutWidth(cut, line)).toVar(), FRINGE);
   }
   return (away, room, line) => {
-    const width = family.isOfForm ? tone : tone.mul(handWidth(line));
+    const ofHand = family.isOfForm ? tone : tone.mul(handWidth(line));
+    const width = h.shadowLeft && !family.isOfForm ? ofHand.mul(lineLeft(line, h.shadowLeft)) : ofHand;
     return lineCoverage(abs(away), room.mul(width).toVar(), FRINGE);
   };
 }
@@ -46,8 +57,9 @@ function coveringBy(
 /** The darkness of a family. */
 export function ruledLines(h: HatchingParameters, family: Family, tone: Value, medium: Medium): Value {
   const perPixel = max(family.perPixel, 1e-12).toVar();
-  const onObject = octaves(lineSpacing.div(LINE_CONSTANTS.PARTS_OF_TILE).mul(family.rise).toVar());
-  const onScreen = octaves(lineSpacing.mul(perPixel).toVar());
+  const wanted = h.shadowLeft ? lineSpacing.mul(shadowSpacing).toVar() : lineSpacing;
+  const onObject = octaves(wanted.div(LINE_CONSTANTS.PARTS_OF_TILE).mul(family.rise).toVar());
+  const onScreen = octaves(wanted.mul(perPixel).toVar());
   const octave = max(mix(onObject, onScreen, sizedOnScreen), octaves(finestSpacing.mul(perPixel).toVar())).toVar();
   if (medium === 'woodcut') octave.addAssign(rowOctaves(tone));
   octave.assign(min(octave, family.coarsest));
