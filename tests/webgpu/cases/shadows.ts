@@ -39,6 +39,7 @@ async function onGround(
   stage.mesh.scale.setScalar(0.7);
   const { camera } = stage.sun.shadow;
   Object.assign(camera, { left: -2, right: 2, top: 2, bottom: -2 });
+  stage.sun.position.set(2.2, 2.4, 0.4);
   const floor = new Mesh(new PlaneGeometry(4, 4), ground ? await kit.hatching(ground) : stage.mesh.material);
   floor.rotation.x = -Math.PI / 2;
   floor.position.y = -0.75;
@@ -52,12 +53,13 @@ async function onGround(
 /** The same under another light too, which casts a shadow of its own. */
 async function underTwo(kit: Kit, parameters: HatchingMaterialParameters, light: Casting): Promise<KnotStage> {
   const stage = await onGround(kit, parameters);
+  stage.sun.intensity = 1.2;
   stage.scene.add(light);
   return stage;
 }
 
-const lamp = (): PointLight => casting(new PointLight(0xffffff, 3, 0, 0), -1.5, 1.6, 1.2);
-const spot = (): SpotLight => casting(new SpotLight(0xffffff, 3, 0, 0.6, 0.3, 0), -1.8, 2.4, 1.6);
+const lamp = (): PointLight => casting(new PointLight(0xffffff, 1, 0, 0), -1.5, 1.6, 1.2);
+const spot = (): SpotLight => casting(new SpotLight(0xffffff, 1.2, 0, 0.6, 0.3, 0), -1.8, 2.4, 1.6);
 
 /** Only shadows, on the ground. @param light in the place of the sun, where there is one */
 async function alone(kit: Kit, parameters: HatchingMaterialParameters, light: Casting | null = null) {

@@ -101,7 +101,9 @@ export function shadowSearch(rays: Rays, { mapSize, radius }: ShadowValues, aske
     const span = farthest.mul(0.5).toVar();
     Loop(times(HALVINGS), () => {
       const reached = max(caster.add(span), lift).toVar();
-      If(passes(darkPlace, depth(reached).toVar()).lessThan(most), () => caster.addAssign(span));
+      If(passes(darkPlace, depth(reached).toVar()).lessThan(most), () => {
+        caster.addAssign(span);
+      });
       span.mulAssign(0.5);
     });
     // The last step is never taken: what lies as far as is looked for has dissolved.

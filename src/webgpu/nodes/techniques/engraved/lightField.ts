@@ -7,7 +7,7 @@ import { lightLuminance } from '../../chunks/lightLuminance.js';
 import { valuesFor } from '../../chunks/meanLight.js';
 import type { ToldLight } from '../../chunks/shadows.js';
 
-const { dot, float, length, max, select, vec3, vec4 } = tsl;
+const { dot, float, int, length, Loop, max, select, vec3, vec4 } = tsl;
 const { FIRST_AXIS, LEAST_WEIGHT } = FIELD_CONSTANTS;
 
 /** Its columns. */
@@ -33,14 +33,15 @@ const fieldBend = (axis: Value, toLamp: Value, weight: Value): Value =>
 
 function fieldAxisOf(tensor: Tensor, sum: Value, count: number): Value {
   if (count === 1) return sum.div(max(length(sum), 1e-20));
-  // Power iteration: four squarings are sixteen steps.
-  let power = tensor;
-  for (let i = 0; i < 4; i++) {
-    const [x, y, z] = power;
+  // Power iteration: four squarings are sixteen steps. In a loop of the shader: three.js follows nodes along every path from one to another, which
+  // are too many where each step is made of all of the last.
+  const [x, y, z] = tensor.map((column) => column.toVar());
+  const power: Tensor = [x, y, z];
+  Loop({ start: int(0), end: int(4), type: 'int', condition: '<' }, () => {
     const trace = max(x.x.add(y.y).add(z.z), 1e-20).toVar();
-    const column = (v: Value): Value => applied(power, v).div(trace).toVar();
-    power = [column(x), column(y), column(z)];
-  }
+    const squared = power.map((column) => applied(power, column).div(trace).toVar());
+    for (const [i, column] of squared.entries()) power[i].assign(column);
+  });
   const axis = applied(power, vec3(...FIRST_AXIS)).toVar();
   axis.assign(axis.div(max(length(axis), 1e-20)));
   return select(dot(axis, sum).lessThan(0), axis.negate(), axis);
