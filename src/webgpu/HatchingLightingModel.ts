@@ -1,4 +1,4 @@
-import type { Light, Material } from 'three';
+import type { Light } from 'three';
 import { LightingModel, type NodeBuilder } from 'three/webgpu';
 import { TONE_CONSTANTS } from '../engraving/constants/toneConstants.js';
 import { directedLights, hasPlace } from './nodes/base/directedLights.js';
@@ -10,7 +10,6 @@ import { fallOff, valuesFor } from './nodes/chunks/meanLight.js';
 import { openToLights, openToSky } from './nodes/chunks/occlude.js';
 import { hasShadows, type ShadowedLight, type ToldLight, tellShadow } from './nodes/chunks/shadows.js';
 import { shadowLeft } from './nodes/chunks/softShadows.js';
-import { smoothNormal } from './nodes/perFragment/faceNormals.js';
 
 const { dot, float, length, max, normalView, positionView, positionViewDirection, pow, step } = tsl;
 
@@ -31,7 +30,6 @@ interface LightingContext {
 /** The choices that decide how light is gathered. */
 export interface LightingChoices {
   toneModel: string;
-  toneNormal: string;
   /** As they are drawn. */
   shadowStrokes: string;
 }
@@ -89,7 +87,7 @@ export class HatchingLightingModel extends LightingModel {
     super.start(builder);
   }
 
-  override direct(light: unknown, builder?: NodeBuilder): void {
+  override direct(light: unknown): void {
     const { lightDirection, lightColor } = light as { lightDirection: Value; lightColor: Value };
     const { toneModel } = this.choices;
     const cosine = dot(lightDirection, normalView).toVar();
@@ -103,16 +101,14 @@ export class HatchingLightingModel extends LightingModel {
     const luminance = lightLuminance(lightColor).toVar();
     const arriving = luminance.mul(response).div(Math.PI).toVar();
     if (this.shadow && this.sums) {
-      const { material } = builder as NodeBuilder & { material: Material };
-      const n = this.choices.toneNormal === 'face' ? smoothNormal(material) : normalView;
-      this.takeShadow(this.shadow, this.sums, { arriving, luminance, facing: max(dot(lightDirection, n), 0).toVar() });
+      this.takeShadow(this.shadow, this.sums, { arriving, luminance, facing: max(cosine, 0).toVar() });
       arriving.mulAssign(this.shadow.shadow);
       this.shadow = null;
     }
     this.radiance.addAssign(arriving);
   }
 
-  /** @param facing the cosine between a light and the smooth normal */
+  /** @param facing the cosine between a light and the normal */
   private takeShadow(
     told: Omit<ToldLight, 'isShadowed'>,
     { shadowed, taken, lost }: ShadowSums,

@@ -123,6 +123,8 @@ export class HatchingNodeMaterial extends NodeMaterial {
   readonly uniforms: Record<string, IUniform>;
   /** three.js looks for changes only in materials that have a node. @internal */
   readonly meshValues: Node = meshValues;
+  /** It has no environment of its own, which three.js asks for: that of the scene is turned as the scene says. @internal */
+  readonly envMap: null = null;
   /** How far the scene reaches, by which `depthFade` measures depth. Without one its units are those of the world, from the eye. Default: null. */
   extent: SceneExtent | null = null;
 
@@ -327,8 +329,8 @@ export class HatchingNodeMaterial extends NodeMaterial {
   override setupLightingModel(builder?: NodeBuilder): HatchingLightingModel {
     const built = builder as NodeBuilder & { lightsNode: { getLights(): Light[] } };
     const lights = built.lightsNode.getLights();
-    const { look, toneModel, toneNormal } = this;
-    const choices = { toneModel, toneNormal, shadowStrokes: drawnChoice(look, 'shadowStrokes') };
+    const { look, toneModel } = this;
+    const choices = { toneModel, shadowStrokes: drawnChoice(look, 'shadowStrokes') };
     return new HatchingLightingModel(choices, lights, (surface) => this.print(surface, built));
   }
 

@@ -73,7 +73,7 @@ interface Shading
     | ('min' | 'max' | 'clamp' | 'mix' | 'step' | 'smoothstep' | 'pow' | 'select')
     | ('add' | 'cross' | 'distance' | 'dot' | 'length' | 'normalize' | 'determinant' | 'inverse' | 'transpose')
     | ('floatBitsToInt' | 'floatBitsToUint' | 'intBitsToFloat' | 'varying')
-    | ('textureSize' | 'uintBitsToFloat' | 'unpackHalf2x16' | 'unpackSnorm2x16'),
+    | ('textureSize' | 'transformNormalToView' | 'uintBitsToFloat' | 'unpackHalf2x16' | 'unpackSnorm2x16'),
     Operation
   > {
   attribute(name: string, type: string): Value;
@@ -95,15 +95,12 @@ interface Shading
   property(type: string, name: string): Value;
   varyingProperty(type: string, name: string): Value;
   readonly batchIndirectIndex: Value;
-  readonly frontFacing: Value;
   readonly normalFlat: Value;
   readonly normalLocal: Value;
   readonly positionGeometry: Value;
   readonly positionLocal: Value;
   readonly normalGeometry: Value;
   readonly normalView: Value;
-  readonly normalViewGeometry: Value;
-  readonly normalWorldGeometry: Value;
   readonly positionView: Value;
   readonly positionViewDirection: Value;
   readonly positionWorld: Value;

@@ -1,9 +1,12 @@
 /** The twin of shaders/chunks/shadows.glsl: tells the light of a lamp from its shadow. three's nodes multiply the two, with filters of their own. */
 import {
+  BackSide,
   BasicShadowMap,
+  type BufferGeometry,
   type DepthTexture,
   type Light,
   type LightShadow,
+  type Material,
   PCFShadowMap,
   type ShadowMapType,
   type Texture,
@@ -21,7 +24,8 @@ import { steadyFlat } from '../shadowMaps/steadyFlat.js';
 import { lightLuminance } from './lightLuminance.js';
 import { tellSoftShadow } from './softShadows.js';
 
-const { mix, normalWorldGeometry, positionWorld, vec3, vec4 } = tsl;
+const { cameraViewMatrix, mix, normalize, normalLocal, positionWorld, transformNormalToView, varying } = tsl;
+const { vec3, vec4 } = tsl;
 
 /** What is known at a fragment of a light that casts shadows. */
 export interface ToldLight {
@@ -85,6 +89,18 @@ const FILTERS: Readonly<Partial<Record<ShadowMapType, readonly [flat: Filter, cu
   [PCFShadowMap]: [steadyFlat, steadyCube],
 };
 
+/** The normal that a place is moved along on its way to a map, as it lies between vertices, not of unit length. World space. */
+const shadowNormal = /* @__PURE__ */ varying(
+  vec4(normalize(transformNormalToView(normalLocal)), 0).mul(cameraViewMatrix).xyz,
+);
+
+/** The place that is looked up in a map. */
+function shadowPosition({ geometry, material }: NodeBuilder, { normalBias }: ShadowValues): Value {
+  if (!(geometry as BufferGeometry).hasAttribute('normal')) return positionWorld;
+  const moved = shadowNormal.mul(normalBias);
+  return (material as Material).side === BackSide ? positionWorld.sub(moved) : positionWorld.add(moved);
+}
+
 /** How much of a light passes its shadow map. */
 function filtered(builder: NodeBuilder, lit: ShadowedLight, map: ShadowMap | null): Value {
   const { light, shadowNode } = lit;
@@ -92,9 +108,8 @@ function filtered(builder: NodeBuilder, lit: ShadowedLight, map: ShadowMap | nul
   // A user's shadow may have a colour.
   if (!map || map.hasMoments || !filters) return lightLuminance(vec3(shadowNode as unknown as Value));
   const values = shadowValuesFor(light.shadow);
-  const position = positionWorld.add(normalWorldGeometry.mul(values.normalBias));
   const matrix = lightShadowMatrix(light as never) as unknown as Value;
-  const coord = shadowNode.setupShadowCoord(builder, matrix.mul(vec4(position, 1))).xyz.toVar();
+  const coord = shadowNode.setupShadowCoord(builder, matrix.mul(vec4(shadowPosition(builder, values), 1))).xyz.toVar();
   const filter = filters[Number('isPointLight' in light)];
   const passes = shadowNode.setupShadowFilter(builder, {
     filterFn: () => filter(map, coord, values),
