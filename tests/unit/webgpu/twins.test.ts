@@ -17,23 +17,22 @@ const REASONS: readonly [chunks: RegExp, reason: string][] = [
   [/\.(frag|vert)$/, 'node materials have no main function: they put nodes together'],
   [/^(techniques\/(triangle|adjacency)|perTriangle)\//, 'triangle and adjacency are drawn by WebGLRenderer alone'],
   [/(^|\/)deform\.glsl$/, 'three.js poses the vertices of node materials itself'],
-  [/^shadowMaps\//, "three's nodes filter shadows"],
   [
     /^(chunks\/(debugViews|noNeighbours)|techniques\/(anchored|engraved)\/debug)\.glsl$/,
     'debug views are drawn by WebGLRenderer alone',
   ],
   [/^chunks\/(emitMapCoordinates|mapCoordinates|smoothNormal)\.glsl$/, "three's nodes read maps and normals"],
-  [/^(chunks\/environment|environment\/\w+)\.glsl$/, 'light of an environment is drawn by WebGLRenderer alone'],
+  [/^(chunks\/environment|environment\/\w+)\.glsl$/, "three's nodes light by environments"],
   [
-    /^(chunks\/(shadowSearch|shadows|softShadows|shadowStrokes|turnedShadowLayer)|perFragment\/fullShadow|techniques\/\w+\/shadowStrokes)\.glsl$/,
-    'what shadows do to strokes is drawn by WebGLRenderer alone',
+    /^chunks\/turnedShadowLayer\.glsl$/,
+    'its function is in techniques/anchored/shadowStrokes.ts, since no other nodes ask for it',
   ],
   [
     /^chunks\/(radiance|hatch|strokeLayers|toneNormals)\.glsl$/,
     'its nodes are HatchingLightingModel.ts, hatchSurface.ts and techniques/anchored/hatch.ts',
   ],
   [
-    /^(perFragment|techniques\/(anchored|engraved))\/(emphasised|faceNormals|varyings|vertex|hatchLayer|layers|fieldHere)\.glsl$/,
+    /^(perFragment|techniques\/(anchored|engraved))\/(emphasised|faceNormals|varyings|vertex|hatchLayer|layers)\.glsl$/,
     'it declares or puts together what hatchSurface.ts does for nodes',
   ],
   [/^outlines\/surroundings\.glsl$/, 'three.js fogs outlines of nodes, and outlines/clipping.ts clips them'],
@@ -48,8 +47,6 @@ const functionsOf = (glsl: string): string[] => [...new Set([...glsl.matchAll(DE
 
 /** Functions that nodes do not have under this name. */
 const WITHOUT_FUNCTION: Record<string, readonly string[]> = {
-  // Only what shadows take away from strokes asks for it, which WebGLRenderer alone draws.
-  'chunks/tone.glsl': ['unshadowedTone'],
   // Debug views are drawn by WebGLRenderer alone.
   'techniques/engraved/readCut.glsl': ['fieldUv'],
   'techniques/engraved/readForm.glsl': ['fieldUv'],

@@ -1,0 +1,35 @@
+import { BasicShadowMap, PCFShadowMap, VSMShadowMap } from 'three';
+import type { HatchingMaterialParameters } from 'three-hatching';
+import { type Casting, lamp, onGround, spot } from '../ground.js';
+import type { Kit, SceneCase, Stage } from '../SceneCase.js';
+
+const LINES = { technique: 'engraved', exposure: 1, lineSpacing: 6 } as const;
+const STROKES = { technique: 'anchored', exposure: 1, edgePixels: 0 } as const;
+const SHADOWS = { toneModel: 'shadow', transparent: true, paperOpacity: 0 } as const;
+
+/** Only shadows, on the ground. @param light in the place of the sun, where there is one */
+async function alone(kit: Kit, parameters: HatchingMaterialParameters, light: Casting | null = null): Promise<Stage> {
+  const stage = await onGround(kit, LINES, { ...SHADOWS, ...parameters });
+  if (light) stage.scene.remove(stage.sun).add(light);
+  return stage;
+}
+
+/** Grounds that show only shadows. */
+export const cases: readonly SceneCase[] = [
+  { name: 'shadows alone', shadows: PCFShadowMap, show: (kit) => alone(kit, LINES) },
+  { name: 'shadows alone, anchored', shadows: PCFShadowMap, show: (kit) => alone(kit, STROKES) },
+  {
+    name: 'shadows alone, carved, as dark as black and as wide as their maps say',
+    shadows: PCFShadowMap,
+    show: (kit) => alone(kit, { ...LINES, medium: 'woodcut', shadowTone: 1, shadowFade: 0, shadowSoftness: 0 }),
+  },
+  {
+    name: 'shadows alone, of strokes that cross',
+    shadows: PCFShadowMap,
+    show: (kit) => alone(kit, { ...LINES, shadowDirection: 'strokes', shadowStrokes: 'cross' }),
+  },
+  { name: 'shadows alone, of a cone', shadows: PCFShadowMap, show: (kit) => alone(kit, LINES, spot()) },
+  { name: 'shadows alone, of a lamp', shadows: PCFShadowMap, show: (kit) => alone(kit, LINES, lamp()) },
+  { name: 'shadows alone, blended', shadows: BasicShadowMap, show: (kit) => alone(kit, LINES) },
+  { name: 'shadows alone, of variances', shadows: VSMShadowMap, show: (kit) => alone(kit, LINES) },
+];
