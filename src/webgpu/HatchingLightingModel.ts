@@ -3,12 +3,13 @@ import { LightingModel, type NodeBuilder } from 'three/webgpu';
 import { TONE_CONSTANTS } from '../engraving/constants/toneConstants.js';
 import { directedLights, hasPlace } from './nodes/base/directedLights.js';
 import type { HatchingSurface } from './nodes/base/HatchingSurface.js';
+import type { ToldLight } from './nodes/base/ToldLight.js';
 import { hatchingUniform } from './nodes/base/uniforms.js';
 import { tsl, type Value } from './nodes/base/values.js';
 import { lightLuminance } from './nodes/chunks/lightLuminance.js';
 import { fallOff, valuesFor } from './nodes/chunks/meanLight.js';
 import { openToLights, openToSky } from './nodes/chunks/occlude.js';
-import { hasShadows, type ShadowedLight, type ToldLight, tellShadow } from './nodes/chunks/shadows.js';
+import { hasShadows, type ShadowedLight, tellShadow } from './nodes/chunks/shadows.js';
 import { shadowLeft } from './nodes/chunks/softShadows.js';
 
 const { dot, float, length, max, normalView, positionView, positionViewDirection, pow, step } = tsl;

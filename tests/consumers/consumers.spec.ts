@@ -76,8 +76,8 @@ const MOST_BYTES = [
 
 /** The same of a page that draws with WebGPURenderer. */
 const MOST_BYTES_OF_NODES = [
-  ['HatchingNodeMaterial', 31_500],
-  ['HatchingNodeMaterial, applyHatching', 50_900],
+  ['HatchingNodeMaterial', 36_300],
+  ['HatchingNodeMaterial, applyHatching', 55_700],
   ['HatchingOutlines', 46_000],
 ] as const;
 

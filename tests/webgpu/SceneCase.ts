@@ -40,8 +40,8 @@ export interface SceneCase {
    */
   onWebGPU?: 'pixels' | 'tone';
   /**
-   * The largest share of pixels that may be seen to differ. Default: 0.0005. Edges of shadows are more: three's own filters differ there,
-   * of Phong shading in 0.0006 of all pixels.
+   * The largest share of pixels that may be seen to differ. Default: 0.0005. Edges of the shadows of three's own materials are more: its
+   * filters differ there, in 0.0006 of all pixels.
    */
   most?: number;
 }

@@ -12,7 +12,6 @@ export const cases: readonly SceneCase[] = [
   { name: 'the field of the light', show: (kit) => drawn(kit) },
   {
     name: 'a shadow',
-    most: 0.0015,
     shadows: PCFShadowMap,
     show: async (kit) => shadowed(await drawn(kit)),
   },

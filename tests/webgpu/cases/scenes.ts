@@ -81,7 +81,6 @@ export const cases: readonly SceneCase[] = [
   {
     name: 'a scene with shadows',
     shadows: PCFShadowMap,
-    most: 0.0015,
     show: (kit) => hatched(kit, { material: LINES, outlines: { outlineWidth: 2 } }, true),
   },
 ];

@@ -1,4 +1,4 @@
-import type { ToldLight } from '../chunks/shadows.js';
+import type { ToldLight } from './ToldLight.js';
 import type { Value } from './values.js';
 
 /** What light makes of a surface at a fragment. */

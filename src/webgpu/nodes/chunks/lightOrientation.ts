@@ -4,10 +4,10 @@
  */
 import type { Light } from 'three';
 import { directedLights, hasPlace } from '../base/directedLights.js';
+import type { ToldLight } from '../base/ToldLight.js';
 import { tsl, type Value } from '../base/values.js';
 import { lightLuminance } from './lightLuminance.js';
 import { fallOff, type LightValues, valuesFor } from './meanLight.js';
-import type { ToldLight } from './shadows.js';
 
 const { abs, cameraViewMatrix, cross, dot, float, inverseSqrt, length, max, normalize, positionView, select } = tsl;
 const { smoothstep, vec2, vec3 } = tsl;

@@ -14,6 +14,7 @@ import {
 } from 'three';
 import { lightShadowMatrix } from 'three/tsl';
 import type { NodeBuilder } from 'three/webgpu';
+import type { ToldLight } from '../base/ToldLight.js';
 import { tsl, type Value } from '../base/values.js';
 import { bilinearCube } from '../shadowMaps/bilinearCube.js';
 import { bilinearFlat } from '../shadowMaps/bilinearFlat.js';
@@ -26,17 +27,6 @@ import { tellSoftShadow } from './softShadows.js';
 
 const { cameraViewMatrix, mix, normalize, normalLocal, positionWorld, transformNormalToView, varying } = tsl;
 const { vec3, vec4 } = tsl;
-
-/** What is known at a fragment of a light that casts shadows. */
-export interface ToldLight {
-  light: Light;
-  /** 1 where all of it arrives, 0 where nothing does. */
-  shadow: Value;
-  /** What is left of the tone of its shadow; null where shadows do not dissolve. */
-  toneLeft: Value | null;
-  /** Whether strokes no longer run by it; null where they always do. */
-  isShadowed: Value | null;
-}
 
 /** A light of three's that casts shadows, as its node has it when a material is built. */
 export interface ShadowedLight {

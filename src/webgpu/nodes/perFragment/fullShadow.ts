@@ -1,8 +1,8 @@
 /** The twin of shaders/perFragment/fullShadow.glsl. */
 import type { Light } from 'three';
 import { directedLights } from '../base/directedLights.js';
+import type { ToldLight } from '../base/ToldLight.js';
 import type { Value } from '../base/values.js';
-import type { ToldLight } from '../chunks/shadows.js';
 
 /** Whether no light arrives that has a direction; null where some always do. */
 export function isInFullShadow(lights: readonly Light[], told: readonly ToldLight[]): Value | null {

@@ -2,9 +2,9 @@
 import type { Light } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
 import { followsForm } from '../../base/followsForm.js';
+import type { ToldLight } from '../../base/ToldLight.js';
 import { tsl, type Value } from '../../base/values.js';
 import { safeNormalize } from '../../chunks/safeNormalize.js';
-import type { ToldLight } from '../../chunks/shadows.js';
 import { isInFullShadow } from '../../perFragment/fullShadow.js';
 import { readViewToAnchor } from '../../perFragment/viewToAnchor.js';
 import { readStrokeAxes as readForm } from './readForm.js';

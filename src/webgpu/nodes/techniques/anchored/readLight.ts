@@ -1,9 +1,9 @@
 /** The twin of shaders/techniques/anchored/readLight.glsl: strokes that turn with the light. */
 import type { Light } from 'three';
 import { strokeDirection } from '../../base/strokeDirection.js';
+import type { ToldLight } from '../../base/ToldLight.js';
 import { tsl, type Value } from '../../base/values.js';
 import { lightBitangent } from '../../chunks/lightOrientation.js';
-import type { ToldLight } from '../../chunks/shadows.js';
 import type { StrokeAxes } from './StrokeAxes.js';
 
 const { cross } = tsl;

@@ -1,6 +1,6 @@
 import type { Light } from 'three';
+import type { ToldLight } from '../../base/ToldLight.js';
 import type { Input, Value } from '../../base/values.js';
-import type { ToldLight } from '../../chunks/shadows.js';
 import type { ScreenMap } from '../../perFragment/screenGradient.js';
 
 /** Lines that are level sets of one function. */

@@ -1,8 +1,8 @@
 /** The twin of shaders/techniques/engraved/fieldHere.glsl: the field at this fragment. */
 import type { Light } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
+import type { ToldLight } from '../../base/ToldLight.js';
 import { tsl, type Value } from '../../base/values.js';
-import type { ToldLight } from '../../chunks/shadows.js';
 import { isInFullShadow } from '../../perFragment/fullShadow.js';
 import { readViewToAnchor } from '../../perFragment/viewToAnchor.js';
 import { objectToField } from './emit.js';

@@ -2,10 +2,10 @@
 import type { Light } from 'three';
 import { FIELD_CONSTANTS } from '../../../../engraving/constants/fieldConstants.js';
 import { directedLights, hasPlace } from '../../base/directedLights.js';
+import type { ToldLight } from '../../base/ToldLight.js';
 import { tsl, type Value } from '../../base/values.js';
 import { lightLuminance } from '../../chunks/lightLuminance.js';
 import { valuesFor } from '../../chunks/meanLight.js';
-import type { ToldLight } from '../../chunks/shadows.js';
 
 const { dot, float, int, length, Loop, max, select, vec3, vec4 } = tsl;
 const { FIRST_AXIS, LEAST_WEIGHT } = FIELD_CONSTANTS;
