@@ -62,7 +62,8 @@ export const hasShadows = (builder: NodeBuilder, lights: readonly Light[]): bool
 function mapOf(builder: NodeBuilder, { light, shadowNode }: ShadowedLight): ShadowMap | null {
   const { shadowMap, logarithmicDepthBuffer, reversedDepthBuffer } = rendererOf(builder);
   const { receivedShadowNode, receivedShadowPositionNode } = builder.material as unknown as Record<string, unknown>;
-  const isOfApplication = receivedShadowNode || receivedShadowPositionNode || 'filterNode' in light.shadow;
+  const { filterNode } = light.shadow as { filterNode?: unknown };
+  const isOfApplication = receivedShadowNode || receivedShadowPositionNode || filterNode;
   if (!shadowNode.isShadowNode || isOfApplication || shadowMap.transmitted || logarithmicDepthBuffer) return null;
   const hasMoments = shadowMap.type === VSMShadowMap && !('isPointLight' in light);
   const texture = hasMoments ? shadowNode.vsmShadowMapHorizontal?.texture : shadowNode.shadowMap?.depthTexture;
