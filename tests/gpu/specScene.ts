@@ -156,6 +156,16 @@ export interface SpecScene {
   dispose(): void;
 }
 
+/** A camera with the projection of a spec. Its range of depths is another one with WebGPU, where three.js reckons the projection anew. */
+function cameraOf({ orthographic, camera: { projection } }: HatchingSpec): OrthographicCamera | PerspectiveCamera {
+  const [across, up, depth, shift] = [projection[0], projection[5], projection[10], projection[14]];
+  if (orthographic) {
+    return new OrthographicCamera(-1 / across, 1 / across, 1 / up, -1 / up, (shift + 1) / depth, (shift - 1) / depth);
+  }
+  const fov = (2 * Math.atan(1 / up) * 180) / Math.PI;
+  return new PerspectiveCamera(fov, up / across, shift / (depth - 1), shift / (depth + 1));
+}
+
 /** @param make makes the material, of whichever renderer */
 export async function specScene(
   spec: HatchingSpec,
@@ -206,7 +216,7 @@ export async function specScene(
   mesh.userData.hatching = { importance: spec.importance };
   scene.add(mesh);
 
-  const camera = spec.orthographic ? new OrthographicCamera() : new PerspectiveCamera();
+  const camera = cameraOf(spec);
   camera.matrixAutoUpdate = false;
   camera.matrix.fromArray(spec.camera.view).invert();
   camera.matrixWorldNeedsUpdate = true;
