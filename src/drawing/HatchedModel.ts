@@ -15,10 +15,16 @@ import type {
   SceneExtent,
   TonalArtMap,
 } from 'three-hatching';
+import type {
+  HatchingNodeMaterial,
+  HatchingOutlineNodeMaterial,
+  HatchingOutlines as NodeOutlines,
+} from 'three-hatching/webgpu';
 import type { UpAxis } from '../files/mesh/findUpAxis.js';
 import type { Look } from '../settings/lookOf.js';
 import type { Motion } from './Motion.js';
 import { meshesOf } from './meshesOf.js';
+import type { EitherMaterial, NodeMakers } from './NodeMakers.js';
 import { parameterSetter } from './parameterSetter.js';
 import { materialSizesIn, outlineSizesIn } from './picturedSizes.js';
 import { releaseGraphics, releaseMaterial } from './releaseGraphics.js';
@@ -50,6 +56,8 @@ interface Surface {
 interface MaterialPair {
   drawn: HatchingMaterial;
   compared: HatchingMaterial | undefined;
+  /** The twin for WebGPURenderer, while that draws the model. */
+  nodes: HatchingNodeMaterial | undefined;
   surface: Surface;
   /** The stroke scale that gives one tile per world unit. */
   scale: number;
@@ -63,15 +71,25 @@ export const BLANK: readonly (readonly [number, number])[] = [
   [1, 0],
 ];
 
-/** A model with hatching materials: one set that is drawn, and, from the first comparison on, a copy of it for the compared technique. */
+/** The materials of a rendering: those of the settings, those of the technique that is compared with it, or those of nodes. */
+export type MaterialKind = 'drawn' | 'compared' | 'nodes';
+
+/**
+ * A model with hatching materials: one set that is drawn, from the first comparison on a copy of it for the compared technique, and a twin
+ * of nodes while WebGPURenderer draws the model.
+ */
 export class HatchedModel {
   /** Whether its ambient occlusion came with it, so that none is to be baked. */
   isOccluded = false;
   private readonly pairs: readonly MaterialPair[];
-  private readonly meshes: { mesh: Mesh; drawn: Material | Material[]; compared: Material | Material[] }[];
+  private readonly meshes: ({ mesh: Mesh } & Record<MaterialKind, Material | Material[]>)[];
   /** The look that the materials have, as a text; undefined while they have another. */
   private shown: string | undefined;
-  private readonly outlineMaterials: ReadonlySet<HatchingOutlineMaterial>;
+  private readonly outlineMaterials: Set<HatchingOutlineMaterial | HatchingOutlineNodeMaterial>;
+  /** The twins of the outlines; undefined while there are none. */
+  private nodeOutlines: readonly NodeOutlines[] | undefined;
+  private used: MaterialKind = 'drawn';
+  private areOutlinesShown = true;
 
   /**
    * @param root the model, centred, with a radius of 1. Its materials are hatching materials with the colours and maps
@@ -97,12 +115,14 @@ export class HatchedModel {
     this.pairs = materials.map((drawn) => ({
       drawn,
       compared: undefined,
+      nodes: undefined,
       surface: surfaceOf(drawn),
       scale: drawn.tilesPerUnit,
     }));
     this.meshes = meshesOf(root).map((mesh) => {
       mesh.castShadow = mesh.receiveShadow = true;
-      return { mesh, drawn: mesh.material, compared: mesh.material };
+      const { material } = mesh;
+      return { mesh, drawn: material, compared: material, nodes: material };
     });
     this.outlineMaterials = new Set(outlines.map(({ material }) => material));
   }
@@ -125,10 +145,12 @@ export class HatchedModel {
       if (look.compared) this.makeCopies();
       const setDrawn = parameterSetter(look.drawn);
       const setCompared = parameterSetter(look.compared ?? look.drawn);
-      for (const { drawn, compared, surface, scale } of this.pairs) {
+      for (const pair of this.pairs) {
+        const { drawn, compared, nodes, surface, scale } = pair;
         setDrawn(drawn);
         if (compared) setCompared(compared);
-        for (const material of bothOf({ drawn, compared })) {
+        if (nodes) setDrawn(nodes);
+        for (const material of allOf(pair)) {
           material.tilesPerUnit *= scale;
           showSurface(material, surface, look.showsSurfaceColors);
         }
@@ -148,11 +170,13 @@ export class HatchedModel {
 
   /** Shows or hides the outlines, until a look is applied again. */
   showOutlines(shown: boolean): void {
-    for (const outlines of this.outlines) outlines.visible = shown;
+    this.areOutlinesShown = shown;
+    for (const outlines of this.outlines) outlines.visible = shown && this.used !== 'nodes';
+    for (const outlines of this.nodeOutlines ?? []) outlines.visible = shown;
   }
 
   set tonalArtMap(map: TonalArtMap) {
-    for (const pair of this.pairs) for (const material of bothOf(pair)) material.tonalArtMap = map;
+    for (const pair of this.pairs) for (const material of allOf(pair)) material.tonalArtMap = map;
   }
 
   /**
@@ -163,7 +187,7 @@ export class HatchedModel {
    */
   setWidths(look: Look, share: number, scale = 1): void {
     const sizes = materialSizesIn(look, share, scale);
-    for (const pair of this.pairs) for (const material of bothOf(pair)) Object.assign(material, sizes);
+    for (const pair of this.pairs) for (const material of allOf(pair)) Object.assign(material, sizes);
     const outlineSizes = outlineSizesIn(look, share * scale);
     for (const material of this.outlineMaterials) material.setValues(outlineSizes);
   }
@@ -171,7 +195,8 @@ export class HatchedModel {
   /** Shows or hides the paper. Surfaces without paper still hide what is behind them. */
   showPaper(shown: boolean): void {
     this.shown = undefined;
-    for (const { surface, ...pair } of this.pairs) {
+    for (const pair of this.pairs) {
+      const { surface } = pair;
       for (const material of bothOf(pair)) {
         material.paperOpacity = shown ? 1 : 0;
         // Without blending, a near surface overwrites the strokes of those behind it, also between its own strokes.
@@ -201,8 +226,49 @@ export class HatchedModel {
   }
 
   /** Selects the materials for the next rendering. */
-  useMaterials(kind: 'drawn' | 'compared'): void {
+  useMaterials(kind: MaterialKind): void {
     for (const entry of this.meshes) entry.mesh.material = entry[kind];
+    if (kind === this.used) return;
+    this.used = kind;
+    // The other renderer would build programs also for what is hidden.
+    for (const outlines of this.nodeOutlines ?? []) {
+      if (kind === 'nodes') outlines.mesh?.add(outlines);
+      else outlines.removeFromParent();
+    }
+    this.showOutlines(this.areOutlinesShown);
+  }
+
+  /** Makes the twin of nodes in a look, if there is none. */
+  makeNodes(makers: NodeMakers, look: Look): void {
+    if (this.nodeOutlines) return;
+    for (const pair of this.pairs) pair.nodes = makers.material(pair.drawn);
+    this.giveMaterials('nodes');
+    const twins = new Map([...this.outlineMaterials].map((material) => [material, makers.outlineMaterial()]));
+    this.nodeOutlines = this.outlines.map(({ mesh, material }) => makers.outlines(mesh, twins.get(material)!));
+    for (const twin of twins.values()) this.outlineMaterials.add(twin);
+    this.shown = undefined;
+    this.apply(look);
+  }
+
+  /** Resolves when its twin of nodes has all that it draws with. */
+  async nodesReady(): Promise<void> {
+    await Promise.all(this.pairs.map(({ nodes }) => nodes?.ready));
+  }
+
+  /** Frees the twin of nodes, if there is one. */
+  dropNodes(): void {
+    this.useMaterials('drawn');
+    for (const pair of this.pairs) {
+      pair.nodes?.dispose();
+      pair.nodes = undefined;
+    }
+    this.giveMaterials('nodes');
+    for (const outlines of this.nodeOutlines ?? []) {
+      outlines.dispose();
+      outlines.material.dispose();
+      this.outlineMaterials.delete(outlines.material);
+    }
+    this.nodeOutlines = undefined;
   }
 
   /** Tells the materials which geometries they will draw, so that a renderer's `compile` builds the very programs for them. */
@@ -214,14 +280,14 @@ export class HatchedModel {
   /** As the function {@link releaseGraphics}, also for the materials and pictures that no mesh shows at the moment. */
   releaseGraphics(): void {
     releaseGraphics(this.root);
-    for (const { surface, ...pair } of this.pairs) {
+    for (const pair of this.pairs) {
       for (const material of bothOf(pair)) releaseMaterial(material);
-      surface.map?.dispose();
+      pair.surface.map?.dispose();
     }
   }
 
   dispose(): void {
-    this.useMaterials('drawn');
+    this.dropNodes();
     for (const { compared, surface } of this.pairs) {
       compared?.dispose();
       surface.map?.dispose();
@@ -233,11 +299,16 @@ export class HatchedModel {
   private makeCopies(): void {
     if (this.pairs.every(({ compared }) => compared)) return;
     for (const pair of this.pairs) pair.compared = pair.drawn.clone();
-    const copies = new Map<Material, Material | undefined>(this.pairs.map(({ drawn, compared }) => [drawn, compared]));
+    this.giveMaterials('compared');
+  }
+
+  /** Has the meshes draw with those materials of a kind that the pairs have by now. */
+  private giveMaterials(kind: 'compared' | 'nodes'): void {
+    const copies = new Map<Material, Material | undefined>(this.pairs.map((pair) => [pair.drawn, pair[kind]]));
     const copyOf = (material: Material): Material => copies.get(material) ?? material;
     for (const entry of this.meshes) {
       const { drawn } = entry;
-      entry.compared = Array.isArray(drawn) ? drawn.map(copyOf) : copyOf(drawn);
+      entry[kind] = Array.isArray(drawn) ? drawn.map(copyOf) : copyOf(drawn);
     }
   }
 }
@@ -247,8 +318,10 @@ const materialKey = ({ drawn, compared, outlines, showsSurfaceColors }: Look): s
   JSON.stringify([drawn, compared, outlines, showsSurfaceColors]);
 
 /** The material that is drawn, and its copy if there is one. */
-const bothOf = ({ drawn, compared }: Pick<MaterialPair, 'drawn' | 'compared'>): HatchingMaterial[] =>
-  compared ? [drawn, compared] : [drawn];
+const bothOf = ({ drawn, compared }: MaterialPair): HatchingMaterial[] => (compared ? [drawn, compared] : [drawn]);
+
+/** The same, and the twin of nodes if there is one. */
+const allOf = (pair: MaterialPair): EitherMaterial[] => (pair.nodes ? [...bothOf(pair), pair.nodes] : bothOf(pair));
 
 function surfaceOf(material: HatchingMaterial): Surface {
   const { color, map, vertexColors, alphaTest, opacity, transparent, depthWrite, blending, premultipliedAlpha } =
@@ -266,7 +339,7 @@ function surfaceOf(material: HatchingMaterial): Surface {
   };
 }
 
-function showSurface(material: HatchingMaterial, surface: Surface, isShown: boolean): void {
+function showSurface(material: EitherMaterial, surface: Surface, isShown: boolean): void {
   material.color.multiply(isShown ? surface.color : WHITE);
   // The map of a cut-out (a leaf, say) is kept, because it holds the alpha that cuts it out.
   const map = isShown || surface.alphaTest > 0 ? surface.map : null;

@@ -1,6 +1,7 @@
 import { type Color, type ColorRepresentation, Vector2 } from 'three';
-import type { HatchingMaterial, HatchingMaterialParameters, HatchingPropertyName } from 'three-hatching';
+import type { HatchingMaterialParameters, HatchingPropertyName } from 'three-hatching';
 import { HATCHING_PROPERTIES } from 'three-hatching/facts';
+import type { EitherMaterial } from './NodeMakers.js';
 
 /**
  * Sets parameters of materials, one material after the other. `setValues` would warn of what the technique does not use, which the
@@ -8,7 +9,7 @@ import { HATCHING_PROPERTIES } from 'three-hatching/facts';
  *
  * @returns what sets them on a material: parameters are sorted by kind once for all materials
  */
-export function parameterSetter(parameters: HatchingMaterialParameters): (material: HatchingMaterial) => void {
+export function parameterSetter(parameters: HatchingMaterialParameters): (material: EitherMaterial) => void {
   const entries = Object.entries(parameters) as [HatchingPropertyName, unknown][];
   const colors = entries.filter(([name]) => HATCHING_PROPERTIES[name].kind === 'color');
   const vectors = entries.filter(([, value]) => value instanceof Vector2);

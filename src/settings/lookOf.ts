@@ -3,6 +3,7 @@ import { needsMap } from 'three-hatching/facts';
 import { backgroundLook } from './compositionLook.js';
 import { drawnSettings } from './drawnSettings.js';
 import { type SHADOW_NUMBERS, shadowNumbers } from './groundShadow.js';
+import { lackOfNodes } from './lackOfNodes.js';
 import { type Lighting, lightingOf } from './lighting.js';
 import { materialLook, materialSizes } from './materialLook.js';
 import { type OutlineLook, outlineLook } from './outlineLook.js';
@@ -37,6 +38,8 @@ export interface Look {
   readonly upright: readonly [number, number, number];
   readonly lights: Lighting;
   readonly needsMap: boolean;
+  /** What of it materials of nodes do not draw yet, as {@link lackOfNodes} says. */
+  readonly lackOfNodes: string | undefined;
   /** A key of the programs that draw it: looks that differ in numbers and colours only have the same. */
   readonly programs: string;
 }
@@ -67,6 +70,7 @@ export function lookOf(settings: Settings): Look {
     upright: UPRIGHT[upAxis],
     lights: lightingOf(shown),
     needsMap: needsMap(drawn) || (compared !== undefined && needsMap(compared)),
+    lackOfNodes: lackOfNodes(shown),
     programs: CHOICES.map((name) => shown[name]).join(),
   };
 }

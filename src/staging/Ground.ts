@@ -1,6 +1,8 @@
 import { Group, Mesh, PlaneGeometry, type Scene } from 'three';
 import { HatchingMaterial, prepareHatchingGeometry, type SceneExtent, type TonalArtMap } from 'three-hatching';
 import { BLANK } from '../drawing/HatchedModel.js';
+import { meshesOf } from '../drawing/meshesOf.js';
+import type { EitherMaterial } from '../drawing/NodeMakers.js';
 import { parameterSetter } from '../drawing/parameterSetter.js';
 import { materialSizesIn } from '../drawing/picturedSizes.js';
 import type { Look } from '../settings/lookOf.js';
@@ -17,15 +19,18 @@ const MANY_VERSIONS = 24;
 /** What the model stands on: a sheet that shows nothing but its shadow, or a floor. It is drawn with the strokes of the model. */
 export class Ground {
   private readonly holder = new Group();
-  private readonly material = new HatchingMaterial();
   private isMade = false;
   private freedVersion = 0;
   private kind: Look['ground'] = 'none';
 
-  /** @param onReady called when the ground is made and can be drawn */
+  /**
+   * @param onReady called when the ground is made and can be drawn
+   * @param material for the renderer that draws it
+   */
   constructor(
     scene: Scene,
     private readonly onReady: () => void,
+    private readonly material: EitherMaterial = new HatchingMaterial(),
   ) {
     this.holder.visible = false;
     scene.add(this.holder);
@@ -102,6 +107,13 @@ export class Ground {
     this.holder.visible &&= layer === 'shadow' || (layer === 'colour' && isFloor);
     this.showPaper(layer === 'colour');
     if (layer === 'colour') this.material.toneCurve = BLANK;
+  }
+
+  /** Frees its material and geometry, and takes it from the scene. */
+  dispose(): void {
+    this.holder.removeFromParent();
+    for (const { geometry } of meshesOf(this.holder)) geometry.dispose();
+    this.material.dispose();
   }
 
   private async make(): Promise<void> {

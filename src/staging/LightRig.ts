@@ -98,6 +98,14 @@ export class LightRig {
     return this.second.castShadow;
   }
 
+  /** Has the shadow maps drawn anew in the next frame, and from then on only if it is called again: for WebGPURenderer, which asks each light. */
+  outdateShadows(): void {
+    for (const { shadow } of this.all) {
+      shadow.autoUpdate = false;
+      shadow.needsUpdate = true;
+    }
+  }
+
   /**
    * Where the main light casts the shadows of points on level ground, as {@link shadowOnGround} tells.
    *

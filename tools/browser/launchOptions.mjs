@@ -9,9 +9,15 @@ const rasterisers = {
   gpu: ['--use-gl=angle', ...(process.platform === 'linux' ? ['--use-angle=gl-egl'] : []), '--ignore-gpu-blocklist'],
 };
 
-/** What further lets Chromium on Linux have WebGPU, which it has by itself on other systems with a card. A renderer may not present its canvas where software draws. */
+/** What further lets Chromium on Linux have WebGPU, which it has by itself on other systems with a card. */
 const withWebGPU = {
-  swiftshader: ['--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader'],
+  // Without Vulkan for the compositor too, the process for graphics ends when a canvas is presented.
+  swiftshader: [
+    '--enable-unsafe-webgpu',
+    '--use-webgpu-adapter=swiftshader',
+    '--enable-features=Vulkan',
+    '--use-vulkan=swiftshader',
+  ],
   llvmpipe: ['--enable-unsafe-webgpu'],
   // Times of the GPU are rounded to 100 microseconds for pages that are not developed.
   gpu: ['--enable-unsafe-webgpu', '--enable-features=Vulkan', '--enable-webgpu-developer-features'],

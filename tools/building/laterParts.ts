@@ -5,6 +5,8 @@ const NAME = 'parts.json';
 
 /** Packages that are imported for their data, models, and not for code. */
 const MODELS = /\/node_modules\/(?!three\/)/;
+/** What draws with WebGPURenderer is as large as all the rest, and fetched by those who choose it. */
+const CHOSEN = /\/src\/demo\/stage\/nodes\//;
 
 let root = '';
 
@@ -35,7 +37,7 @@ export const laterParts: Plugin = {
     const all = new Set(first);
     for (const file of all) {
       const chunk = chunkOf(file);
-      if (!chunk || MODELS.test(chunk.facadeModuleId ?? '')) all.delete(file);
+      if (!chunk || [MODELS, CHOSEN].some((one) => one.test(chunk.facadeModuleId ?? ''))) all.delete(file);
       else for (const imported of [...chunk.imports, ...chunk.dynamicImports]) all.add(imported);
     }
     const later = [...all].filter((file) => !first.has(file));

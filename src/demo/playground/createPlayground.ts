@@ -1,6 +1,7 @@
 import type { Settings } from '../../settings/settings.js';
 import { savedFormat } from '../../settings/settingValues.js';
 import { type LinkedDrawing, readLink } from '../../settings/shareLink.js';
+import type { SettingGroup } from '../../settings/table/Setting.js';
 import { linkedHand } from '../drawing/OwnHand.js';
 import type { FrameQuality } from '../stage/FrameQuality.js';
 import { Stage } from '../stage/Stage.js';
@@ -18,6 +19,7 @@ import { AddressWriter } from './session/AddressWriter.js';
 import { DrawingOpener } from './session/DrawingOpener.js';
 import { Keeper } from './session/Keeper.js';
 import { PageAddress } from './session/PageAddress.js';
+import { RendererChoice } from './session/RendererChoice.js';
 import { Session } from './session/Session.js';
 import { TakeAway } from './takeAway/TakeAway.js';
 import { LaterParts } from './tasks/LaterParts.js';
@@ -66,9 +68,11 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   };
   const createActions = async () =>
     (await import('./panelActions.js')).panelActions(session, takeAway, dialogs, parts, fillScreen);
-  const card = new Card(session, status, parts, createActions, (group, isOpen) => {
+  const renderers = new RendererChoice(session, parts, status);
+  const onFold = (group: SettingGroup, isOpen: boolean): void => {
     if (group === 'Picture') overlays.showSheet(isOpen);
-  });
+  };
+  const card = new Card(session, status, parts, createActions, onFold, renderers);
   session.listen({ applied: () => showSettings(session.settings) });
   const isAwaited = (): boolean => form.isAwaited || occlusion.isAwaited;
   const state = new PageState(session, tasks, opener, status, () => overlays.hasLights, isAwaited);
@@ -158,7 +162,10 @@ function showSettings(settings: Settings): void {
 }
 
 function showFrameTime({ milliseconds, isCoarse }: FrameQuality): void {
-  if (milliseconds === undefined) return;
+  if (milliseconds === undefined) {
+    page.frameTime.textContent = '';
+    return;
+  }
   const time = `${milliseconds.toFixed(0)} ms a frame`;
   page.frameTime.textContent = isCoarse
     ? `${time}; half the resolution while it moves, because this machine is slow`

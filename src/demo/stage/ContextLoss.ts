@@ -18,7 +18,9 @@ export class ContextLoss {
     const { canvas } = painter;
     canvas.addEventListener('webglcontextlost', () => this.lose());
     canvas.addEventListener('webglcontextrestored', () => this.restore());
-    frames.onFrame(() => this.lastPicture?.frameDrawn());
+    frames.onFrame(() => {
+      if (!frames.screen) this.lastPicture?.frameDrawn();
+    });
   }
 
   /** Whether the page shows the last picture from before the context was lost. */
@@ -50,7 +52,7 @@ export class ContextLoss {
     // Where this part cannot be fetched, the page works without a last picture.
     const part = await import('./LastPicture.js').catch(() => undefined);
     if (!part || this.lastPicture) return;
-    this.lastPicture = new part.LastPicture(this.painter.canvas, () => frames.redraw());
+    this.lastPicture = new part.LastPicture(this.painter.canvas, () => !frames.screen && frames.redraw());
     frames.invalidate();
   }
 }

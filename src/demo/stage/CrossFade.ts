@@ -7,11 +7,18 @@ export class CrossFade {
   private readonly context = this.copy.getContext('2d');
   private isKept = false;
 
-  constructor(private readonly drawing: HTMLCanvasElement) {
+  /**
+   * @param under the canvas that it lies over
+   * @param drawn returns the canvas that shows the drawing
+   */
+  constructor(
+    under: HTMLCanvasElement,
+    private readonly drawn: () => HTMLCanvasElement,
+  ) {
     this.copy.className = 'earlier-picture';
     this.copy.hidden = true;
     this.copy.setAttribute('aria-hidden', 'true');
-    drawing.after(this.copy);
+    under.after(this.copy);
   }
 
   /** Whether an earlier picture is kept, or fades. */
@@ -25,9 +32,9 @@ export class CrossFade {
 
   /** Has the browser set up what copies pictures. While it draws, that would wait for the picture. */
   prepare(): void {
-    const { copy, context, drawing } = this;
+    const { copy, context } = this;
     Object.assign(copy, { width: 1, height: 1 });
-    context?.drawImage(drawing, 0, 0);
+    context?.drawImage(this.drawn(), 0, 0);
   }
 
   /**
@@ -35,8 +42,9 @@ export class CrossFade {
    * the canvas does not keep it for longer.
    */
   keep(): void {
-    const { copy, context, drawing } = this;
+    const { copy, context } = this;
     if (this.isFading) return;
+    const drawing = this.drawn();
     if (copy.width !== drawing.width || copy.height !== drawing.height) {
       Object.assign(copy, { width: drawing.width, height: drawing.height });
     }

@@ -93,6 +93,13 @@ export class FrameQuality {
     this.host.onSketched();
   }
 
+  /** To be called when a whole frame was drawn that is not measured: its time is unknown. */
+  drawnUnmeasured(): void {
+    this.restart(false);
+    this.hasBeenSketched = true;
+    for (const listener of this.listeners) listener();
+  }
+
   private measured(): void {
     if (this.isSketching) {
       // A whole frame of a stand-in that takes long would only delay the model itself.

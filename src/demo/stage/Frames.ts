@@ -4,6 +4,7 @@ import { FrameScheduler } from './FrameScheduler.js';
 import { fullPixelRatio } from './fullPixelRatio.js';
 import type { Painter } from './Painter.js';
 import type { Scenery } from './Scenery.js';
+import type { Screen } from './Screen.js';
 
 /** Draws frames into the viewport: on demand, and one after the other while the model moves by itself. */
 export class Frames {
@@ -16,6 +17,10 @@ export class Frames {
   /** Whether the next frame shows a movement, and does not only add to what is drawn. */
   private isMoving = false;
   private lastFrame = 0;
+  /** What frames are drawn on where the painter does not draw them. */
+  private wanted: Screen | undefined;
+  /** That which shows the last frame; undefined if the painter has drawn it. */
+  private shownOn: Screen | undefined;
   private readonly scheduler: FrameScheduler;
   private readonly crossFade: CrossFade;
   private readonly listeners: (() => void)[] = [];
@@ -26,12 +31,12 @@ export class Frames {
     private readonly quality: FrameQuality,
     private readonly viewport: HTMLElement,
   ) {
-    this.crossFade = new CrossFade(painter.renderer.domElement);
+    this.crossFade = new CrossFade(painter.canvas, () => this.canvas);
     // Before the first model, the page waits for others.
     setTimeout(() => this.crossFade.prepare());
     this.scheduler = new FrameScheduler(() => {
       // Until the programs are built, the last frame stays on the page.
-      if (!painter.isBuilding) this.draw();
+      if (!painter.isBuilding && !this.screen?.isBuilding) this.draw();
     });
   }
 
@@ -44,6 +49,24 @@ export class Frames {
   /** Requests one frame that adds to what is drawn where nothing moves. It is drawn in full resolution however long frames take. */
   refine(): void {
     this.scheduler.invalidate();
+  }
+
+  /** The canvas that shows the last frame. */
+  get canvas(): HTMLCanvasElement {
+    return (this.shownOn ?? this.painter).canvas;
+  }
+
+  /** Where the next frame is drawn; undefined if the painter draws it. */
+  get screen(): Screen | undefined {
+    return this.wanted?.canDraw ? this.wanted : undefined;
+  }
+
+  /** Has frames drawn on a screen, as far as it can, or by the painter alone. The screen before is disposed of when it is not seen any more. */
+  drawOn(screen: Screen | undefined): void {
+    const before = this.wanted;
+    this.wanted = screen;
+    if (before !== this.shownOn) before?.dispose();
+    this.refine();
   }
 
   /** Calls back after each frame, in its task. */
@@ -59,7 +82,8 @@ export class Frames {
   /** Whether a frame was requested and is not drawn yet, or a model was drawn as a sketch only. */
   get isWaiting(): boolean {
     const { painter, quality } = this;
-    return this.scheduler.isWaiting || painter.isBuilding || (quality.isSketch && !painter.isLost);
+    const isBuilding = painter.isBuilding || this.screen?.isBuilding === true;
+    return this.scheduler.isWaiting || isBuilding || (quality.isSketch && !painter.isLost);
   }
 
   /** Discards the picture of a stand-in, which would have faded into that of the model. */
@@ -90,18 +114,25 @@ export class Frames {
   /** Gives the canvas the size of the viewport. It is drawn at once and not in the next frame, because resizing clears it. */
   resize(width: number, height: number): void {
     const { painter, quality } = this;
-    painter.pixelRatio = fullPixelRatio(width, height) * quality.share;
-    painter.renderer.setSize(width, height, false);
+    if (!this.screen) {
+      painter.pixelRatio = fullPixelRatio(width, height) * quality.share;
+      painter.renderer.setSize(width, height, false);
+    }
     quality.restart();
     this.draw();
   }
 
   /** Draws a frame at once. */
   draw(): void {
-    const { scenery, quality, crossFade } = this;
+    const { scenery, quality, crossFade, screen } = this;
     const size = this.drawableSize;
-    if (!size) return;
-    quality.measure(() => this.drawFrame(size), this.isMoving);
+    if (!size || screen?.prepare() === false) return;
+    if (screen) this.drawScreen(screen, size);
+    else {
+      if (this.shownOn) this.painter.renderer.setSize(size.width, size.height, false);
+      quality.measure(() => this.drawFrame(size), this.isMoving);
+      this.show(undefined);
+    }
     this.isMoving = false;
     // A stand-in fades into what takes its place, be it a finer stand-in.
     if ((scenery.shown.isStandIn || this.exchanging > 0) && !this.isExchanged) crossFade.keep();
@@ -118,9 +149,11 @@ export class Frames {
    * @returns whether there is a picture
    */
   redraw(): boolean {
+    const { screen } = this;
     const size = this.drawableSize;
-    if (!size) return false;
-    this.painter.drawTile({ viewWidth: size.width, x: 0, ...size });
+    if (!size || screen !== this.shownOn || screen?.prepare() === false) return false;
+    if (screen) screen.draw({ ...size, ratio: fullPixelRatio(size.width, size.height) });
+    else this.painter.drawTile({ viewWidth: size.width, x: 0, ...size });
     return true;
   }
 
@@ -138,6 +171,28 @@ export class Frames {
     if (quality.isSketch || !scenery.shown.model) scenery.showSketch();
     painter.pixelRatio = fullPixelRatio(width, height) * quality.share;
     painter.drawTile({ viewWidth: width, x: 0, width, height });
+  }
+
+  private drawScreen(screen: Screen, { width, height }: { width: number; height: number }): void {
+    const { painter, quality } = this;
+    quality.finishSketch();
+    this.advanceMotion();
+    painter.placeLights('usual');
+    painter.release();
+    screen.draw({ width, height, ratio: fullPixelRatio(width, height) });
+    this.show(screen);
+    quality.drawnUnmeasured();
+  }
+
+  /** Has the page show what a screen has drawn, or the painter. */
+  private show(screen: Screen | undefined): void {
+    const before = this.shownOn;
+    if (before === screen) return;
+    this.shownOn = screen;
+    if (screen) screen.canvas.hidden = false;
+    if (!before) return;
+    before.canvas.hidden = true;
+    if (before !== this.wanted) before.dispose();
   }
 
   /** Advances the model's animation by the time since the last frame. */

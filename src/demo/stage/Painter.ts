@@ -15,6 +15,10 @@ export class Painter {
   private readonly builder: ProgramBuilder;
   /** The key of the programs that were built last; empty if none were. */
   private builtFor = '';
+  /** Whether there may be something of the scenery on the graphics card. */
+  private isUsed = false;
+  /** How often the shadow maps were outdated. */
+  shadowChanges = 0;
 
   /** @param onBuilt called when programs that were being built are ready */
   constructor(
@@ -63,6 +67,8 @@ export class Painter {
    * @param scale of a picture whose size is not that of the page; the widths of strokes and outlines go with it
    */
   drawTile(tile: Tile, scale = 1): void {
+    this.scenery.takeBack();
+    this.isUsed = true;
     this.setWidths(scale);
     this.sides.drawTile(tile);
   }
@@ -70,6 +76,7 @@ export class Painter {
   /** Has the shadow maps drawn anew in the next frame, because a light or the model has moved. */
   outdateShadows(): void {
     this.renderer.shadowMap.needsUpdate = true;
+    this.shadowChanges++;
   }
 
   /** Places the lights, and has the shadow maps drawn anew if they or the model have moved. */
@@ -97,6 +104,8 @@ export class Painter {
     if (!drawn || this.isLost) return;
     if (look.programs === this.builtFor) return;
     this.builtFor = look.programs;
+    scenery.takeBack();
+    this.isUsed = true;
     // Lines that are not drawn by hand have a program of their own.
     this.setWidths();
     this.builder.build(() => {
@@ -115,6 +124,19 @@ export class Painter {
 
   stopBuilding(): void {
     this.builder.stop();
+  }
+
+  /** Frees all that it has on the graphics card but the context, because another renderer draws frames. What it draws next is uploaded again. */
+  release(): void {
+    if (!this.isUsed || this.isLost) return;
+    this.isUsed = false;
+    this.stopBuilding();
+    this.forgetPrograms();
+    this.scenery.takeBack();
+    this.scenery.releaseGraphics();
+    this.outdateShadows();
+    this.pixelRatio = 1;
+    this.renderer.setSize(1, 1, false);
   }
 
   /** Sets how wide strokes and outlines are. @param scale of a picture whose size is not that of the page */

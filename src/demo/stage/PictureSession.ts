@@ -53,9 +53,10 @@ export class PictureSession {
    * @param size pixels of the longer side of the picture
    */
   hold(size: number): void {
-    const { quality, frames, painter } = this.stage;
+    const { quality, frames, painter, scenery } = this.stage;
     quality.finishSketch();
     frames.isHeld = true;
+    scenery.takeBack();
     this.showFiner();
     this.changes = this.stage.changes;
     painter.setShadowQuality(size > LARGE ? 'fine' : 'usual', true);

@@ -1,5 +1,6 @@
 import { Group, type Matrix4, Scene, Vector3 } from 'three';
 import type { TonalArtMap } from 'three-hatching';
+import type { NodeMakers } from '../../drawing/NodeMakers.js';
 import { releaseGraphics } from '../../drawing/releaseGraphics.js';
 import type { Look } from '../../settings/lookOf.js';
 import { UPRIGHT } from '../../settings/settingValues.js';
@@ -52,6 +53,27 @@ export class Scenery {
     ground.apply(look);
     this.backdrop.apply(look, shown.model?.extent ?? null);
     return { isTurned, hasOtherShadow: this.showsShadow !== hadShadow };
+  }
+
+  /** Lends the model to a scene of nodes, until {@link takeBack}. Does nothing if it is there already. */
+  lend(scene: Scene, makers: NodeMakers): void {
+    const { shown, look, upright } = this;
+    if (look) shown.model?.makeNodes(makers, look);
+    shown.model?.useMaterials('nodes');
+    if (upright.parent !== scene) scene.add(upright);
+  }
+
+  /** Has the model in its own scene, for WebGLRenderer. */
+  takeBack(): void {
+    if (this.upright.parent === this.scene) return;
+    this.shown.drawn?.useMaterials('drawn');
+    this.scene.add(this.upright);
+  }
+
+  /** Takes the model back for good, and frees what it has for a renderer of nodes. */
+  dropNodes(): void {
+    this.takeBack();
+    this.shown.dropNodes();
   }
 
   /** Puts the ground under the model. @returns xyz of points of the model, enough of them to frame it; undefined without a model */

@@ -112,6 +112,11 @@ export class ShownModel {
     if (this.current) this.current.tonalArtMap = map;
   }
 
+  /** Frees what models have for a renderer of nodes. */
+  dropNodes(): void {
+    for (const model of [this.drawn, this.replaced?.model, ...this.previous]) model?.dropNodes();
+  }
+
   disposePrevious(): void {
     for (const model of this.previous) model.dispose();
     this.previous = [];

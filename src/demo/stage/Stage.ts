@@ -132,7 +132,7 @@ export class Stage {
   rebuildPrograms(): void {
     const { painter, scenery, quality } = this;
     painter.forgetPrograms();
-    if (scenery.look && !quality.isSketch) painter.buildPrograms(scenery.look);
+    if (scenery.look && !quality.isSketch && !this.frames.screen) painter.buildPrograms(scenery.look);
     this.frames.refine();
   }
 
@@ -148,7 +148,7 @@ export class Stage {
     } else if (hasOtherShadow && view.isFramed) view.frame();
     painter.setPaper(look.paper);
     // A sketch needs few programs, and its own frame builds them.
-    if (!this.quality.isSketch) painter.buildPrograms(look);
+    if (!this.quality.isSketch && !this.frames.screen) painter.buildPrograms(look);
     this.frames.invalidate();
   }
 

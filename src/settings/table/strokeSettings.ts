@@ -79,4 +79,11 @@ export const STROKE_SETTINGS = inGroup('More', 'hand', {
     choices: { 64: '64 px', 128: '128 px', 256: '256 px', 512: '512 px' },
   },
   mapSeed: { kind: 'number', label: 'Seed', partOf: 'tonalArtMap', default: 1, unit: '', min: 1, max: 99, step: 1 },
+  renderer: {
+    kind: 'choice',
+    label: 'Renderer',
+    owner: 'subject',
+    default: 'webgl',
+    choices: { webgl: 'WebGL', webgpu: 'WebGPU, experimental' },
+  },
 });

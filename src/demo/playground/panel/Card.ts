@@ -3,6 +3,7 @@ import { wholeLook } from '../../../settings/presets.js';
 import type { SettingGroup } from '../../../settings/table/Setting.js';
 import { page } from '../elements/page.js';
 import { drawnView } from '../elements/viewSize.js';
+import type { RendererChoice } from '../session/RendererChoice.js';
 import type { Session } from '../session/Session.js';
 import type { Shelf } from '../shelf/Shelf.js';
 import type { LaterPart, LaterParts } from '../tasks/LaterParts.js';
@@ -27,6 +28,7 @@ export class Card {
     parts: LaterParts,
     createActions: () => Promise<readonly PanelAction[]>,
     onFold: (group: SettingGroup, isOpen: boolean) => void,
+    renderers: RendererChoice,
   ) {
     const { stage, settings } = session;
     const presets = new PresetBar(page.presets, settings, (name) => session.useLook(wholeLook(name)));
@@ -45,8 +47,12 @@ export class Card {
           const onChange = session.settingChanged.bind(session);
           // Files are opened, not chosen.
           const hasOwn = (value: string) => value === 'ownHand' && session.mapLoader.hand?.hand !== undefined;
+          const folded = (group: SettingGroup, isOpen: boolean): void => {
+            onFold(group, isOpen);
+            if (group === 'More' && isOpen) void renderers.ask().then(() => this.panel?.refresh());
+          };
           this.panel = new SettingsPanel(
-            ...([page.panel, settings, actions, onChange, () => drawnView(stage), onFold, hasOwn] as const),
+            ...([page.panel, settings, actions, onChange, () => drawnView(stage), folded, hasOwn, renderers] as const),
           );
         },
         (error) => status.fail(`The settings could not be fetched: ${errorMessage(error)}.`),

@@ -31,6 +31,7 @@ export class SettingsPanel {
   private readonly controllers = new Map<SettingKey, Controller>();
   private readonly units = new Map<SettingKey, HTMLElement>();
   private readonly changingLabels: (() => void)[] = [];
+  private readonly rendererNote = note('');
   /** Show the widths of strokes and lines in a print of the chosen size. */
   private readonly printNotes = { strokeWidth: note(''), outlineWidth: note('') };
 
@@ -44,6 +45,8 @@ export class SettingsPanel {
     onFold: (group: SettingGroup, isOpen: boolean) => void,
     /** Whether there is something of the user's own that can be chosen. */
     private readonly hasOwn: (value: OwnChoice) => boolean,
+    /** Whether there is a choice of renderers, and what is to be said of it. */
+    private readonly renderers: { readonly isOffered: boolean; readonly note: string },
   ) {
     // The page's own style sheet styles the panel, because the Content-Security-Policy forbids style elements.
     const gui = new GUI({ container, injectStyles: false, title: 'Settings' });
@@ -92,7 +95,7 @@ export class SettingsPanel {
     const { settings } = this;
     const looks = looksOf(settings);
     for (const [key, controller] of this.controllers) {
-      const isUsed = hasEffect(key, settings, looks);
+      const isUsed = hasEffect(key, settings, looks) && (key !== 'renderer' || this.renderers.isOffered);
       const setting: Setting = SETTINGS[key];
       if (setting.staysInPlace) controller.enable(isUsed);
       else controller.show(isUsed);
@@ -109,6 +112,7 @@ export class SettingsPanel {
       }
     }
     this.notePrintedWidths();
+    this.rendererNote.textContent = this.renderers.note;
     for (const key of ['model', 'mapStyle'] as const) {
       const options = this.controllers.get(key)!.domElement.querySelectorAll('option');
       for (const [i, value] of Object.keys(SETTINGS[key].choices).entries()) {
@@ -134,7 +138,9 @@ export class SettingsPanel {
     switch (setting.kind) {
       case 'choice': {
         const choices = Object.fromEntries(Object.entries(setting.choices).map(([value, words]) => [words, value]));
-        return this.finish(gui.add(settings, key, choices), setting);
+        const controller = gui.add(settings, key, choices);
+        if (key === 'renderer') controller.$widget.append(this.rendererNote);
+        return this.finish(controller, setting);
       }
       case 'color':
         return this.finish(gui.addColor(settings, key), setting);

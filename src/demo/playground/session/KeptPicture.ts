@@ -23,8 +23,8 @@ export class KeptPicture {
   frameDrawn(): void {
     if (!this.isWanted || !this.isAtRest) return;
     this.isWanted = false;
-    const { context, canvas } = this.stage;
-    this.take(thumbnailWhen(whenDrawn(context), canvas));
+    const { context, frames } = this.stage;
+    this.take(thumbnailWhen(whenDrawn(context), frames.canvas));
   }
 
   /** Whether the drawing is final. If not, another frame follows: after a sketch, after a coarse frame, or with the result of a task. */

@@ -233,7 +233,7 @@ export class Session {
   }
 
   /** Applies settings that the page has changed by itself, which is no step. */
-  private adopt(): void {
+  adopt(): void {
     this.apply();
     this.history.adopt();
   }

@@ -36,7 +36,7 @@ export class Shelf {
     private readonly views: SavedViews,
     onLook: (look: OwnLook) => void,
   ) {
-    const picture = () => (stage.isComplete && stage.frames.redraw() ? thumbnailOf(stage.canvas) : undefined);
+    const picture = () => (stage.isComplete && stage.frames.redraw() ? thumbnailOf(stage.frames.canvas) : undefined);
     this.looks = new OwnLooks(settings, picture, onLook, () => this.refresh());
     this.bars = [new NamedBar(findElement('own-looks'), this.looks), new NamedBar(findElement('saved-views'), views)];
   }

@@ -1,0 +1,182 @@
+import { type PerspectiveCamera, Scene } from 'three';
+import { WebGPURenderer } from 'three/webgpu';
+import { HatchingNodeMaterial } from 'three-hatching/webgpu';
+import type { HatchedModel } from '../../../drawing/HatchedModel.js';
+import type { Look } from '../../../settings/lookOf.js';
+import { createCamera } from '../../../staging/createCamera.js';
+import { Ground } from '../../../staging/Ground.js';
+import { LightRig } from '../../../staging/LightRig.js';
+import { strokeShare } from '../../../staging/strokeShare.js';
+import type { Painter } from '../Painter.js';
+import type { Scenery } from '../Scenery.js';
+import type { FrameSize, Screen } from '../Screen.js';
+import { nodeMakers } from './nodeMakers.js';
+
+/** What a {@link NodeScreen} needs to know of the page, and whom it tells. */
+interface NodeScreenHost {
+  painter: Painter;
+  scenery: Scenery;
+  /** Requests a frame. */
+  refine(): void;
+  /** Called when the device is lost. The screen is of no use any more. */
+  onLost(): void;
+}
+
+/**
+ * Draws the scenery with WebGPURenderer and materials of nodes. The model is lent by the scenery; camera, lights and ground are of its own, because
+ * each kind of renderer writes to these what the other cannot read.
+ */
+export class NodeScreen implements Screen {
+  readonly canvas = document.createElement('canvas');
+  private readonly scene = new Scene();
+  private readonly camera = createCamera();
+  private readonly lights = new LightRig(this.scene);
+  private readonly groundMaterial = new HatchingNodeMaterial();
+  private readonly ground: Ground;
+  private readonly renderer: WebGPURenderer;
+  private look: Look | undefined;
+  /** The model and the programs that were built last. */
+  private builtModel: HatchedModel | undefined;
+  private builtFor = '';
+  private builds = 0;
+  private isPreparing = false;
+  private isDisposed = false;
+  /** The shadows that were drawn last, by the painter's number. */
+  private shadows = -1;
+  /** The size of the canvas. */
+  private readonly size: FrameSize = { width: 0, height: 0, ratio: 0 };
+
+  /**
+   * Sets up the renderer, on a canvas over that of the painter.
+   *
+   * @throws Error if the browser gives no device
+   */
+  static async create(host: NodeScreenHost): Promise<NodeScreen> {
+    const screen = new NodeScreen(host);
+    try {
+      await screen.renderer.init();
+      if (!('isWebGPUBackend' in screen.renderer.backend)) throw new Error('There is no device.');
+    } catch (error) {
+      screen.dispose();
+      throw error;
+    }
+    host.painter.canvas.after(screen.canvas);
+    return screen;
+  }
+
+  private constructor(private readonly host: NodeScreenHost) {
+    const { canvas, groundMaterial } = this;
+    canvas.className = 'node-screen';
+    canvas.setAttribute('aria-hidden', 'true');
+    const antialias = host.painter.context.getContextAttributes()?.antialias ?? true;
+    this.renderer = new WebGPURenderer({ canvas, antialias });
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.onDeviceLost = () => {
+      if (!this.isDisposed) host.onLost();
+    };
+    this.ground = new Ground(this.scene, () => this.outdate(), groundMaterial);
+  }
+
+  get canDraw(): boolean {
+    const { look, shown } = this.host.scenery;
+    // Outlines of what moves are drawn as at rest.
+    const isAtRest = shown.model?.motion !== undefined && look?.showsOutlines;
+    return look !== undefined && shown.model !== undefined && look.lackOfNodes === undefined && !isAtRest;
+  }
+
+  get isBuilding(): boolean {
+    return this.isPreparing;
+  }
+
+  prepare(): boolean {
+    const { look, shown } = this.host.scenery;
+    if (!look || (look.programs === this.builtFor && shown.model === this.builtModel)) return !this.isPreparing;
+    this.builtFor = look.programs;
+    this.builtModel = shown.model;
+    void this.build();
+    return false;
+  }
+
+  draw({ width, height, ratio }: FrameSize): void {
+    const { renderer, size } = this;
+    this.follow(width, height);
+    // Either gives the canvas new memory.
+    if (size.ratio !== ratio) renderer.setPixelRatio(ratio);
+    if (size.width !== width || size.height !== height) renderer.setSize(width, height, false);
+    Object.assign(size, { width, height, ratio });
+    renderer.render(this.scene, this.camera);
+  }
+
+  dispose(): void {
+    const { canvas, ground, host, renderer } = this;
+    this.isDisposed = true;
+    this.isPreparing = false;
+    host.scenery.dropNodes();
+    ground.dispose();
+    canvas.remove();
+    renderer.dispose();
+  }
+
+  /** Has the next frame wait for programs, because there is more to draw. */
+  private outdate(): void {
+    this.builtFor = '';
+    this.host.refine();
+  }
+
+  /** Builds what the next frame is drawn with, and requests it then. The canvas keeps the last frame meanwhile. */
+  private async build(): Promise<void> {
+    const { host, renderer, groundMaterial, lights } = this;
+    const build = ++this.builds;
+    this.isPreparing = true;
+    this.follow(this.size.width, this.size.height);
+    // What cannot be fetched or built is missing in the frame, and the console says why.
+    try {
+      await Promise.all([host.scenery.shown.model?.nodesReady(), groundMaterial.ready]);
+      if (!this.isDisposed) await renderer.compileAsync(this.scene, this.camera);
+    } catch (error) {
+      if (!this.isDisposed) console.error(error);
+    }
+    if (build !== this.builds || this.isDisposed) return;
+    this.isPreparing = false;
+    lights.outdateShadows();
+    host.refine();
+  }
+
+  /** Takes over what is shown, on a sheet of this size in CSS pixels. */
+  private follow(width: number, height: number): void {
+    const { camera, ground, host, lights, renderer } = this;
+    const { painter, scenery } = host;
+    const { look, shown, tonalArtMap } = scenery;
+    if (!look) return;
+    scenery.lend(this.scene, nodeMakers);
+    if (look !== this.look) {
+      this.look = look;
+      lights.apply(look.lights);
+      ground.apply(look);
+      renderer.setClearColor(look.paper, 1);
+    }
+    ground.height = scenery.ground.height;
+    ground.extent = shown.model?.extent ?? null;
+    if (tonalArtMap) ground.tonalArtMap = tonalArtMap;
+    const share = strokeShare(width, height);
+    shown.model?.setWidths(look, share);
+    ground.setWidths(look, share);
+    placeLike(camera, painter.camera);
+    lights.place(camera);
+    if (painter.shadowChanges === this.shadows) return;
+    this.shadows = painter.shadowChanges;
+    lights.outdateShadows();
+  }
+}
+
+/** Gives a camera the place and the lens of another one. */
+function placeLike(
+  camera: PerspectiveCamera,
+  { position, quaternion, fov, aspect, near, far }: PerspectiveCamera,
+): void {
+  camera.position.copy(position);
+  camera.quaternion.copy(quaternion);
+  if (camera.fov === fov && camera.aspect === aspect && camera.near === near && camera.far === far) return;
+  Object.assign(camera, { fov, aspect, near, far });
+  camera.updateProjectionMatrix();
+}
