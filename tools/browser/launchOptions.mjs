@@ -11,17 +11,14 @@ const rasterisers = {
 
 /** What further lets Chromium on Linux have WebGPU, which it has by itself on other systems with a card. */
 const withWebGPU = {
-  // Without Vulkan for the compositor too, the process for graphics ends when a canvas is presented.
-  swiftshader: [
-    '--enable-unsafe-webgpu',
-    '--use-webgpu-adapter=swiftshader',
-    '--enable-features=Vulkan',
-    '--use-vulkan=swiftshader',
-  ],
+  swiftshader: ['--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader'],
   llvmpipe: ['--enable-unsafe-webgpu'],
   // Times of the GPU are rounded to 100 microseconds for pages that are not developed.
   gpu: ['--enable-unsafe-webgpu', '--enable-features=Vulkan', '--enable-webgpu-developer-features'],
 };
+
+/** Where software draws, the process for graphics ends when a canvas of WebGPU is shown, unless the compositor draws by Vulkan too. */
+const showingWebGPU = { swiftshader: ['--enable-features=Vulkan', '--use-vulkan=swiftshader'], llvmpipe: [], gpu: [] };
 
 /** Without these flags Chromium calls its maker's hosts, which only costs time on a closed network. */
 const quiet = [
@@ -38,7 +35,8 @@ const quiet = [
  * The path found is kept in HATCH_CHROMIUM, so that the processes a test runner starts do not search again.
  *
  * @param {keyof typeof rasterisers} rasteriser - from HATCH_RASTERISER if not given; SwiftShader by default.
- * @param {{ webgpu?: boolean }} [options] - webgpu: whether to ask for WebGPU, which not every browser has. Default: false
+ * @param {{ webgpu?: boolean | 'shown' }} [options] - webgpu: whether to ask for WebGPU, which not every browser has, and whether its canvases
+ *   are shown on pages. Default: false
  */
 export async function launchOptions(
   rasteriser = process.env.HATCH_RASTERISER ?? 'swiftshader',
@@ -55,6 +53,11 @@ export async function launchOptions(
   return {
     executablePath,
     chromiumSandbox: false,
-    args: [...flags, ...(webgpu ? withWebGPU[rasteriser] : []), ...quiet],
+    args: [
+      ...flags,
+      ...(webgpu ? withWebGPU[rasteriser] : []),
+      ...(webgpu === 'shown' ? showingWebGPU[rasteriser] : []),
+      ...quiet,
+    ],
   };
 }

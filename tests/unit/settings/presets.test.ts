@@ -128,7 +128,7 @@ describe('the presets of the page', () => {
 });
 
 describe('the button of a preset', () => {
-  test('gives the same picture whatever was chosen before, but for the model, the lights and the export', () => {
+  test('gives the same picture whatever was chosen before, but for the model, the lights, the renderer and the export', () => {
     const others: Partial<Settings> = Object.fromEntries(SETTING_KEYS.map((key) => [key, otherValue(key)] as const));
     for (const name of PRESET_NAMES) {
       const fresh = { ...defaultSettings(), ...wholeLook(name) };
@@ -137,7 +137,7 @@ describe('the button of a preset', () => {
       expect(kept).toEqual(
         SETTING_KEYS.filter(
           (key) =>
-            /^(model|compare|surfaceColors|upAxis|lightKind|lightAzimuth|lightElevation|lightFollows|lightDistance)$/.test(
+            /^(model|compare|renderer|surfaceColors|upAxis|lightKind|lightAzimuth|lightElevation|lightFollows|lightDistance)$/.test(
               key,
             ) || /^(spot|second|picture|video|focus)/.test(key),
         ),

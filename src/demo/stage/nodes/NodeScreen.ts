@@ -114,7 +114,8 @@ export class NodeScreen implements Screen {
     host.scenery.dropNodes();
     ground.dispose();
     canvas.remove();
-    renderer.dispose();
+    // It waits for what was not set up, which whoever creates the screen has been told of.
+    Promise.resolve(renderer.dispose()).catch(() => {});
   }
 
   /** Has the next frame wait for programs, because there is more to draw. */

@@ -1,0 +1,183 @@
+import type { Page } from '@playwright/test';
+import type { PNG } from 'pngjs';
+import { launchOptions } from '../../tools/browser/launchOptions.mjs';
+import { enterLink, idle, openPlayground, readDrawing, ready, savePicture } from '../../tools/browser/playground.js';
+import { expect, test } from '../browser/test.js';
+import { changedShare, meanInk } from './pictures.js';
+
+test.use({ viewport: { width: 860, height: 440 }, launchOptions: await launchOptions(undefined, { webgpu: 'shown' }) });
+
+const LINES = 'model=knot&technique=engraved&shadows=on&ground=floor';
+
+declare global {
+  interface Window {
+    /** What the page has on the graphics card, as the tests have counted it. */
+    __held?: { programs: number; textures: number; devices: number; lose: () => void };
+  }
+}
+
+/** Runs in the page before its own scripts: counts programs and textures of WebGL and devices of WebGPU, and can say that a device is lost. */
+function count(): void {
+  const held = { programs: 0, textures: 0, devices: 0, lose: () => {} };
+  window.__held = held;
+  const { prototype } = WebGL2RenderingContext;
+  for (const [what, counter] of [
+    ['Program', 'programs'],
+    ['Texture', 'textures'],
+  ] as const) {
+    const [create, remove] = [prototype[`create${what}`], prototype[`delete${what}`]];
+    Object.assign(prototype, {
+      [`create${what}`](this: WebGL2RenderingContext) {
+        held[counter]++;
+        return create.call(this);
+      },
+      [`delete${what}`](this: WebGL2RenderingContext, object: WebGLProgram | WebGLTexture | null) {
+        if (object) held[counter]--;
+        remove.call(this, object);
+      },
+    });
+  }
+  if (!('gpu' in navigator)) return;
+  const { requestDevice } = GPUAdapter.prototype;
+  GPUAdapter.prototype.requestDevice = async function (...args) {
+    const device = await requestDevice.apply(this, args);
+    held.devices++;
+    void device.lost.then(() => held.devices--);
+    const isLost = new Promise<object>((resolve) => {
+      held.lose = () => resolve({ reason: 'unknown', message: 'for a test' });
+    });
+    Object.defineProperty(device, 'lost', { value: isLost });
+    return device;
+  };
+}
+
+const held = (page: Page) =>
+  page.evaluate(() => {
+    const { programs, textures, devices } = window.__held!;
+    return { programs, textures, devices };
+  });
+
+const renderers = (page: Page) => page.getByLabel('Renderer');
+const nodeScreen = (page: Page) => page.locator('.node-screen');
+const note = (page: Page) => page.locator('.lil-controller', { hasText: 'Renderer' }).locator('.note');
+
+async function openMore(page: Page): Promise<void> {
+  await page.getByRole('button', { name: 'More', exact: true }).click();
+}
+
+/** The share of pixels that differ by more than a little: the edges of strokes may be smoothed another way. */
+function unlikeShare(a: PNG, b: PNG): number {
+  let unlike = 0;
+  for (let i = 0; i < a.data.length; i += 4) if (Math.abs(a.data[i] - b.data[i]) > 32) unlike++;
+  return unlike / (a.data.length / 4);
+}
+
+test.beforeEach(async ({ page }) => {
+  await page.addInitScript(count);
+  await page.goto('/tests/browser/blank.html');
+  const hasWebGPU = await page.evaluate(async () => (await navigator.gpu?.requestAdapter()) != null);
+  test.skip(!hasWebGPU, 'This browser has no WebGPU.');
+});
+
+test('WebGPU draws the same picture when it is chosen, WebGL draws it again, and each leaves nothing behind', async ({
+  page,
+}) => {
+  const scripts: string[] = [];
+  page.on('response', async (response) => {
+    if (/\.js$/.test(response.url()) && (await response.text().catch(() => '')).includes('isWebGPUBackend'))
+      scripts.push(response.url());
+  });
+  await openPlayground(page, LINES);
+  const before = await readDrawing(page);
+  await page.waitForLoadState('networkidle');
+  expect(scripts).toEqual([]);
+  const usual = await held(page);
+  expect(usual).toMatchObject({ devices: 0 });
+
+  await openMore(page);
+  await renderers(page).selectOption('WebGPU, experimental');
+  await idle(page);
+  const onWebGPU = await readDrawing(page);
+  expect(scripts.length).toBeGreaterThan(0);
+  await expect(nodeScreen(page)).toBeVisible();
+  await expect(note(page)).toHaveText('Pictures, prints, videos and vector files are drawn by WebGL.');
+  expect(page.url()).toContain('renderer=webgpu');
+  expect(await held(page)).toMatchObject({ programs: 0, devices: 1 });
+  expect(unlikeShare(before, onWebGPU)).toBeLessThan(0.005);
+
+  // The light is dragged, and the picture that is saved shows it.
+  await page.locator('#lamp').focus();
+  for (let i = 0; i < 6; i++) await page.keyboard.press('ArrowRight');
+  const turned = await readDrawing(page);
+  expect(changedShare(onWebGPU, turned)).toBeGreaterThan(0.02);
+  const saved = await savePicture(page);
+  expect(meanInk(saved)).toBeGreaterThan(0.02);
+  await ready(page);
+  await expect(nodeScreen(page)).toBeVisible();
+  expect(unlikeShare(turned, await readDrawing(page))).toBe(0);
+  expect(await held(page)).toMatchObject({ programs: 0, devices: 1 });
+
+  await renderers(page).selectOption('WebGL');
+  await idle(page);
+  await expect(nodeScreen(page)).toHaveCount(0);
+  expect(unlikeShare(turned, await readDrawing(page))).toBeLessThan(0.005);
+  await expect.poll(() => held(page)).toMatchObject({ devices: 0 });
+  expect((await held(page)).textures).toBeLessThanOrEqual(usual.textures);
+  await expect(note(page)).toBeEmpty();
+
+  // Both choices are steps.
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await idle(page);
+  await expect(nodeScreen(page)).toBeVisible();
+  await expect(renderers(page)).toHaveValue('WebGPU, experimental');
+});
+
+test('what WebGPU lacks is drawn by WebGL, which is said beside the choice', async ({ page }) => {
+  await openPlayground(page, 'model=cube&renderer=webgpu&shadows=on&ground=shadow');
+  await openMore(page);
+  await expect(note(page)).toHaveText('WebGL draws this, because WebGPU lacks a shadow on bare paper.');
+  await expect(nodeScreen(page)).toBeHidden();
+  const onWebGL = await readDrawing(page);
+  await enterLink(page, 'model=cube&renderer=webgpu&shadows=on&ground=none');
+  await idle(page);
+  await expect(nodeScreen(page)).toBeVisible();
+  expect(changedShare(onWebGL, await readDrawing(page))).toBeGreaterThan(0.01);
+  await enterLink(page, 'model=cube&renderer=webgpu&shadows=on&ground=shadow');
+  await idle(page);
+  await expect(nodeScreen(page)).toBeHidden();
+  expect(unlikeShare(onWebGL, await readDrawing(page))).toBeLessThan(0.001);
+});
+
+test('WebGL draws on when WebGPU is lost, and can be left again for it', async ({ page }) => {
+  await openPlayground(page, 'model=cube&technique=engraved&renderer=webgpu');
+  await expect(nodeScreen(page)).toBeVisible();
+  const before = await readDrawing(page);
+  await page.evaluate(() => window.__held!.lose());
+  await expect(page.locator('#status')).toHaveText('The graphics card has let go of WebGPU; WebGL draws on.');
+  await idle(page);
+  await expect(nodeScreen(page)).toHaveCount(0);
+  expect(unlikeShare(before, await readDrawing(page))).toBeLessThan(0.02);
+  expect(page.url()).not.toContain('renderer=webgpu');
+  await openMore(page);
+  await renderers(page).selectOption('WebGPU, experimental');
+  await idle(page);
+  await expect(nodeScreen(page)).toBeVisible();
+});
+
+test('without an adapter there is no choice, and a link that asks for WebGPU is drawn by WebGL, in so many words', async ({
+  page,
+}) => {
+  await page.addInitScript(() => {
+    GPU.prototype.requestAdapter = async () => null;
+  });
+  await openPlayground(page, 'model=cube');
+  await openMore(page);
+  await expect(page.getByLabel('Tooth size')).toBeHidden();
+  await expect(renderers(page)).toBeHidden();
+  await enterLink(page, 'model=cube&renderer=webgpu');
+  await expect(page.locator('#status')).toHaveText('This browser has no WebGPU for the page; WebGL draws on.');
+  await idle(page);
+  await expect(renderers(page)).toBeHidden();
+  await expect(nodeScreen(page)).toHaveCount(0);
+  expect(meanInk(await readDrawing(page))).toBeGreaterThan(0.01);
+});
