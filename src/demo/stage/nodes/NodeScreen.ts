@@ -66,6 +66,8 @@ export class NodeScreen implements Screen {
 
   private constructor(private readonly host: NodeScreenHost) {
     const { canvas, groundMaterial } = this;
+    // Until its first frame, the painter's last one is seen.
+    canvas.hidden = true;
     canvas.className = 'node-screen';
     canvas.setAttribute('aria-hidden', 'true');
     const antialias = host.painter.context.getContextAttributes()?.antialias ?? true;
