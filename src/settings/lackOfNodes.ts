@@ -6,15 +6,9 @@ const LACKS: readonly { [Key in keyof Settings]: [Key, readonly Settings[Key][],
   ['debugView', ['blendFactors', 'tone', 'frames'], 'views for checking'],
   ['background', ['on'], 'a hatched background'],
 ];
-/** Those that count only where shadows are drawn. */
-const LACKS_OF_SHADOWS: typeof LACKS = [
-  ['shadowStrokes', ['cross', 'reorient'], 'strokes that cross or turn in shadows'],
-  ['ground', ['shadow'], 'a shadow on bare paper'],
-];
 
 /** What of a drawing materials of nodes do not draw yet, in words; undefined if they draw all of it. */
 export function lackOfNodes(settings: Settings): string | undefined {
   if (settings.compare !== 'none') return 'a comparison';
-  const lacks = settings.shadows === 'on' ? [...LACKS, ...LACKS_OF_SHADOWS] : LACKS;
-  return lacks.find(([key, values]) => values.some((value) => value === settings[key]))?.[2];
+  return LACKS.find(([key, values]) => values.some((value) => value === settings[key]))?.[2];
 }

@@ -41,7 +41,7 @@ const WORDS = [
   'eleven',
   'twelve',
 ];
-WORDS.push('thirteen', 'fourteen', 'fifteen', 'sixteen', 'seventeen', 'eighteen', 'nineteen', 'twenty');
+WORDS.push('thirteen', 'fourteen', 'fifteen', 'sixteen', 'seventeen', 'eighteen', 'nineteen', 'twenty', 'twenty-one');
 
 describe('times are those of the benchmarks', () => {
   type Frame = { drawn: Record<string, { to: Record<string, number[]> }> };

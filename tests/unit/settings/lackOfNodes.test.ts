@@ -7,10 +7,13 @@ import { defaultSettings, type Settings } from '../../../src/settings/settings.j
 
 const lackOf = (changes: Partial<Settings>) => lackOfNodes({ ...defaultSettings(), ...changes });
 
-test('materials of nodes draw every preset, with lamps, shadows and a floor', () => {
+test('materials of nodes draw every preset, with lamps, shadows that turn strokes, and the shadow on bare paper', () => {
   for (const name of PRESET_NAMES) {
     const look = presetLook(name);
-    expect(lackOf({ ...look, shadows: 'on', ground: 'floor', lightKind: 'spot', secondLight: 'left' })).toBeUndefined();
+    for (const shadowStrokes of ['cross', 'reorient'] as const) {
+      const shadows = { shadows: 'on', shadowStrokes, ground: 'shadow' } as const;
+      expect(lackOf({ ...look, ...shadows, lightKind: 'spot', secondLight: 'left' })).toBeUndefined();
+    }
   }
 });
 
@@ -23,12 +26,4 @@ test.each<[Partial<Settings>, string]>([
 ])('they lack something of %o', (changes, lack) => {
   expect(lackOf(changes)).toBe(lack);
   expect(lookOf({ ...defaultSettings(), ...changes }).lackOfNodes).toBe(lack);
-});
-
-test('what shadows would lack counts only where they are drawn', () => {
-  const strokes = { shadowStrokes: 'cross' } as const;
-  expect(lackOf(strokes)).toBeUndefined();
-  expect(lackOf({ ...strokes, shadows: 'on' })).toBeDefined();
-  expect(lackOf({ ground: 'shadow' })).toBeUndefined();
-  expect(lackOf({ ground: 'shadow', shadows: 'on' })).toBeDefined();
 });

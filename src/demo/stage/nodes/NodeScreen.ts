@@ -81,9 +81,7 @@ export class NodeScreen implements Screen {
 
   get canDraw(): boolean {
     const { look, shown } = this.host.scenery;
-    // Outlines of what moves are drawn as at rest.
-    const isAtRest = shown.model?.motion !== undefined && look?.showsOutlines;
-    return look !== undefined && shown.model !== undefined && look.lackOfNodes === undefined && !isAtRest;
+    return look !== undefined && shown.model !== undefined && look.lackOfNodes === undefined;
   }
 
   get isBuilding(): boolean {

@@ -12,10 +12,9 @@ import {
   type Texture,
   VSMShadowMap,
 } from 'three';
-import { lightShadowMatrix } from 'three/tsl';
 import type { NodeBuilder } from 'three/webgpu';
 import type { ToldLight } from '../base/ToldLight.js';
-import { tsl, type Value } from '../base/values.js';
+import { threeNodes, tsl, type Value } from '../base/values.js';
 import { bilinearCube } from '../shadowMaps/bilinearCube.js';
 import { bilinearFlat } from '../shadowMaps/bilinearFlat.js';
 import type { ShadowMap } from '../shadowMaps/depth.js';
@@ -25,6 +24,7 @@ import { steadyFlat } from '../shadowMaps/steadyFlat.js';
 import { lightLuminance } from './lightLuminance.js';
 import { tellSoftShadow } from './softShadows.js';
 
+const { lightShadowMatrix } = threeNodes;
 const { cameraViewMatrix, mix, normalize, normalLocal, positionWorld, transformNormalToView, varying } = tsl;
 const { vec3, vec4 } = tsl;
 

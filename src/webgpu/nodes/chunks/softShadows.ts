@@ -1,15 +1,15 @@
 /** The twin of shaders/chunks/softShadows.glsl: shadows alone, whose edges widen, and whose tone dissolves, with the distance from what casts them. */
 import type { Light, LightShadow } from 'three';
-import { lightShadowMatrix } from 'three/tsl';
 import { SHADOW_CONSTANTS } from '../../../engraving/constants/shadowConstants.js';
 import { hasPlace } from '../base/directedLights.js';
 import { hatchingUniform } from '../base/uniforms.js';
-import { tsl, type Value } from '../base/values.js';
+import { threeNodes, tsl, type Value } from '../base/values.js';
 import { biased, passesCube, passesFlat, type ShadowMap } from '../shadowMaps/depth.js';
 import { type ShadowValues, shadowValuesFor } from '../shadowMaps/ShadowValues.js';
 import { valuesFor } from './meanLight.js';
 import { type Rays, shadowFade, shadowSearch, shadowSoftness } from './shadowSearch.js';
 
+const { lightShadowMatrix } = threeNodes;
 const { abs, cameraViewMatrix, cross, float, If, length, max, mix, normalize, positionView, positionWorld } = tsl;
 const { select, vec2, vec3, vec4 } = tsl;
 const { FARTHEST_CASTER, OVERHEAD } = SHADOW_CONSTANTS;

@@ -1,6 +1,7 @@
 import type { LightShadow } from 'three';
-import { reference, renderGroup } from 'three/tsl';
-import type { Value } from '../base/values.js';
+import { threeNodes, type Value } from '../base/values.js';
+
+const { reference, renderGroup } = threeNodes;
 
 /** What shaders ask of a shadow. All programs share it. */
 export interface ShadowValues {

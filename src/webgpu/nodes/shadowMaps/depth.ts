@@ -1,9 +1,9 @@
 /** The twin of shaders/shadowMaps/depth.glsl: how much light passes a shadow map to a point beyond a depth. */
 import type { Texture } from 'three';
-import { cubeTexture, texture } from 'three/tsl';
-import { tsl, type Value } from '../base/values.js';
+import { threeNodes, tsl, type Value } from '../base/values.js';
 import type { ShadowValues } from './ShadowValues.js';
 
+const { cubeTexture, texture } = threeNodes;
 const { abs, float, max, normalize, select, vec2 } = tsl;
 
 /** A shadow map, and how it is kept. */
