@@ -76,9 +76,9 @@ const MOST_BYTES = [
 
 /** The same of a page that draws with WebGPURenderer. */
 const MOST_BYTES_OF_NODES = [
-  ['HatchingNodeMaterial', 36_300],
-  ['HatchingNodeMaterial, applyHatching', 55_700],
-  ['HatchingOutlines', 46_000],
+  ['HatchingNodeMaterial', 36_400],
+  ['HatchingNodeMaterial, applyHatching', 55_900],
+  ['HatchingOutlines', 46_500],
 ] as const;
 
 /** The size of the worker's text. A minifier that writes it twice makes it double. */
