@@ -1,10 +1,8 @@
 import { type Object3D, type PerspectiveCamera, type Scene, Vector3, WebGLRenderer } from 'three';
+import { GpuClock } from './GpuClock.js';
 import { litScene } from './litScene.js';
 
 const UP = new Vector3(0, 1, 0);
-
-/** Frames of a GPU are too short to be timed one by one: this many are timed together. */
-const FRAMES_PER_QUERY = 8;
 
 /**
  * A lit scene on a square canvas that shows one object at a time and tells how long it takes to draw.
@@ -18,7 +16,7 @@ export class Stage {
   private readonly scene: Scene;
   private readonly camera: PerspectiveCamera;
   private readonly pixel = new Uint8Array(4);
-  private readonly timer: TimerQuery | null;
+  private readonly clock: GpuClock | null;
 
   /**
    * @param size pixels per side
@@ -43,7 +41,7 @@ export class Stage {
     }
     this.renderer.setSize(size, size, false);
     document.body.append(this.renderer.domElement);
-    this.timer = timerOf(this.gl);
+    this.clock = GpuClock.of(this.gl);
   }
 
   /** Moves the camera around what is shown. */
@@ -70,20 +68,12 @@ export class Stage {
 
   /** Milliseconds that a frame takes, by the page's clock. */
   async timeFrame(object: Object3D): Promise<number> {
-    if (!this.timer) return this.drawFrame(object);
-    const { renderer, gl, scene, camera, timer } = this;
-    const query = gl.createQuery();
+    if (!this.clock) return this.drawFrame(object);
+    const { renderer, scene, camera } = this;
     scene.add(object);
-    gl.beginQuery(timer.TIME_ELAPSED_EXT, query);
-    for (let i = 0; i < FRAMES_PER_QUERY; i++) renderer.render(scene, camera);
-    gl.endQuery(timer.TIME_ELAPSED_EXT);
+    const time = await this.clock.time(() => renderer.render(scene, camera));
     scene.remove(object);
-    // Results arrive between tasks, never within one.
-    do await new Promise((resolve) => setTimeout(resolve, 0));
-    while (!gl.getQueryParameter(query, gl.QUERY_RESULT_AVAILABLE));
-    const nanoseconds = gl.getQueryParameter(query, gl.QUERY_RESULT);
-    gl.deleteQuery(query);
-    return nanoseconds / 1e6 / FRAMES_PER_QUERY;
+    return time;
   }
 
   /** Milliseconds of the page's clock from the first command to the last pixel. */
@@ -98,17 +88,4 @@ export class Stage {
     scene.remove(object);
     return time;
   }
-}
-
-/** The extension of WebGL 2 that times on the GPU. */
-interface TimerQuery {
-  readonly TIME_ELAPSED_EXT: number;
-}
-
-/** @throws if the page asks for the clock of the GPU, and the browser has none. */
-function timerOf(gl: WebGL2RenderingContext): TimerQuery | null {
-  if (new URLSearchParams(location.search).get('clock') !== 'gpu') return null;
-  const timer = gl.getExtension('EXT_disjoint_timer_query_webgl2');
-  if (!timer) throw new Error('Stage: this browser cannot time on the GPU (EXT_disjoint_timer_query_webgl2).');
-  return timer;
 }

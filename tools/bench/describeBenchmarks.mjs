@@ -37,7 +37,7 @@ one of its pixels can be read. Ratios are taken within a turn; the tables have t
 This is figure 15 of Suarez et al. for this library, in time instead of frames per second. In the paper, hatching reached about half the frame rate of
 Phong shading of the same geometry, on a Quadro FX 3800: the dashed line.`,
   nodes: `\`HatchingNodeMaterial\` beside three's \`MeshPhongMaterial\`, which \`WebGPURenderer\` draws as a \`MeshPhongNodeMaterial\`: same renderer, same geometry, in turn,
-as above. A GPU is timed by three's own queries of time.`,
+as above. The page's clock times it until a pixel can be read, the processor's part in a frame included.`,
   many: 'This is what a scene of many small things costs.',
   media:
     'This is what media cost, compared with the ink of a pen. Pencil, charcoal and chalk are dry; a woodcut is carved.',
@@ -104,8 +104,8 @@ const introduction = `# Benchmarks
 
 \`npm run bench\` writes this page from the files in \`tools/bench/results\`. SwiftShader and llvmpipe draw on the CPU, so their times say little about a GPU.
 They are good for comparisons, and only of ratios from one run: on a busy machine times drift by a factor of two, but ratios within a turn hardly change. Where
-a GPU is named (\`--rasteriser=gpu\`), it draws, and measures its own time (\`EXT_disjoint_timer_query_webgl2\`), without the time of the CPU. The H100 is made
-for computing: only two of its 66 clusters can draw, so its times are those of a small card.
+a GPU is named (\`--rasteriser=gpu\`), it draws, and measures its own time (\`EXT_disjoint_timer_query_webgl2\`), without the time of the CPU. The H100 and the H200
+are made for computing: only two of their 66 clusters can draw, so their times are those of a small card.
 
 \`a [b, c]\` is a median a with its 95 % interval from b to c, computed from the ranks of the values, whatever their distribution.
 

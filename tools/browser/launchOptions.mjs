@@ -13,8 +13,7 @@ const rasterisers = {
 const withWebGPU = {
   swiftshader: ['--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader'],
   llvmpipe: ['--enable-unsafe-webgpu'],
-  // Times of the GPU are rounded to 100 microseconds for pages that are not developed.
-  gpu: ['--enable-unsafe-webgpu', '--enable-features=Vulkan', '--enable-webgpu-developer-features'],
+  gpu: ['--enable-unsafe-webgpu'],
 };
 
 /** Where software draws, the process for graphics ends when a canvas of WebGPU is shown, unless the compositor draws by Vulkan too. */

@@ -1,12 +1,15 @@
 import type { Object3D } from 'three';
 import { RenderTarget, WebGPURenderer } from 'three/webgpu';
+import { GpuClock } from '../GpuClock.js';
 import { litScene } from '../litScene.js';
 
 /** What a renderer of nodes draws with. */
 export type Backend = 'forceWebGL' | 'webgpu';
 
-/** A GPU runs at its full clock only after some frames: the last of so many is timed. */
-const FRAMES_PER_QUERY = 8;
+interface BackendOfThree {
+  readonly isWebGPUBackend?: boolean;
+  readonly gl?: WebGL2RenderingContext;
+}
 
 /**
  * The counterpart of `Stage` for `WebGPURenderer`. It draws into a render target: presenting WebGPU's canvas ends the graphics process of
@@ -18,7 +21,7 @@ export class NodeStage {
 
   private constructor(
     private readonly renderer: WebGPURenderer,
-    private readonly hasTimer: boolean,
+    private readonly clock: GpuClock | null,
     size: number,
   ) {
     renderer.setSize(size, size, false);
@@ -28,36 +31,23 @@ export class NodeStage {
 
   /**
    * @param size pixels per side
-   * @throws if three.js has taken another backend, or if the page asks for the clock of the GPU (`?clock=gpu`), and the browser has none
+   * @throws if three.js has taken another backend
    */
   static async open(backend: Backend, size: number): Promise<NodeStage> {
-    const hasTimer = new URLSearchParams(location.search).get('clock') === 'gpu';
-    const renderer = new WebGPURenderer({
-      antialias: false,
-      forceWebGL: backend === 'forceWebGL',
-      trackTimestamp: hasTimer,
-    });
+    const renderer = new WebGPURenderer({ antialias: false, forceWebGL: backend === 'forceWebGL' });
     await renderer.init();
-    const { isWebGPUBackend = false } = renderer.backend as { isWebGPUBackend?: boolean };
+    const { isWebGPUBackend = false, gl } = renderer.backend as BackendOfThree;
     if (isWebGPUBackend !== (backend === 'webgpu')) throw new Error(`NodeStage: three.js has not taken ${backend}.`);
-    return new NodeStage(renderer, hasTimer, size);
+    return new NodeStage(renderer, gl ? GpuClock.of(gl) : null, size);
   }
 
-  /** Milliseconds that a frame takes, by the page's clock or by that of the GPU. */
+  /** Milliseconds that a frame takes: with WebGL 2 by the clock of the GPU, if the page's address asks for it, else by that of the page. */
   async timeFrame(object: Object3D): Promise<number> {
-    const { scene } = this.lit;
+    const { renderer, lit, clock } = this;
+    const { scene, camera } = lit;
     scene.add(object);
-    const time = await (this.hasTimer ? this.timeOnGpu() : this.timeOnPage());
+    const time = await (clock ? clock.time(() => renderer.render(scene, camera)) : this.timeOnPage());
     scene.remove(object);
-    return time;
-  }
-
-  /** three.js tells the time of the last frame alone. */
-  private async timeOnGpu(): Promise<number> {
-    const { renderer, lit } = this;
-    for (let i = 0; i < FRAMES_PER_QUERY; i++) renderer.render(lit.scene, lit.camera);
-    const time = await renderer.resolveTimestampsAsync();
-    if (time === undefined) throw new Error('NodeStage: this browser cannot time on the GPU.');
     return time;
   }
 

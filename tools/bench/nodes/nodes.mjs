@@ -14,11 +14,10 @@ export const nodes = {
 
   async run({ measure }, isQuick) {
     const { models, size } = isQuick ? QUICK : PLAN;
-    const adapter = await measure('describeAdapter');
-    // A browser that finds no driver of the card for WebGPU draws it in software, beside which a card's WebGL says nothing.
-    const hasWebGPU = adapter && !(adapter.isSoftware && process.env.HATCH_RASTERISER === 'gpu');
+    // A GPU's own clock is that of WebGL: what WebGPU draws there is not timed.
+    const adapter = process.env.HATCH_RASTERISER === 'gpu' ? null : await measure('describeAdapter');
     const backends = {};
-    for (const backend of hasWebGPU ? ['forceWebGL', 'webgpu'] : ['forceWebGL']) {
+    for (const backend of adapter ? ['forceWebGL', 'webgpu'] : ['forceWebGL']) {
       backends[backend] = {};
       for (const [model, turns] of Object.entries(models)) {
         const { triangles, times } = await measure('nodes', model, backend, turns, size);
@@ -29,7 +28,7 @@ export const nodes = {
         backends[backend][model] = { triangles, turns, drawn: Object.fromEntries(drawn) };
       }
     }
-    return { size, adapter: hasWebGPU ? adapter.name : null, backends };
+    return { size, adapter, backends };
   },
 
   describe({ size, adapter, backends }) {
@@ -51,6 +50,6 @@ export const nodes = {
 
 ${table([['', '', 'triangles', 'turns', 'Phong, ms', ...names], ...rows])}
 
-${adapter ? `WebGPU is drawn by ${adapter}.` : 'The browser has no WebGPU that is drawn by the same.'}`;
+${adapter ? `WebGPU is drawn by ${adapter}.` : 'WebGPU was not timed.'}`;
   },
 };
