@@ -11,7 +11,7 @@ import { pairEdges } from './pairEdges.js';
 export interface TriangleAdjacency extends EdgeCounts {
   /** For each corner the corner that starts the same edge in the neighbouring triangle, or NO_TWIN. Symmetric. */
   twins: Int32Array<ArrayBuffer>;
-  /** For each corner its canonical vertex. Corners at the same position share one, and so do corners that were joined. */
+  /** For each corner its canonical vertex. Corners at the same position share one, and so do corners that were joined. Not to be changed. */
   canonicalCorners: Uint32Array<ArrayBuffer>;
   /** Three doubles per triangle, see `computeAreaNormals`. Zero where degenerate. */
   areaNormals: Float64Array<ArrayBuffer>;
@@ -36,20 +36,42 @@ export function* buildTriangleAdjacency(
   mesh: TriangleMesh,
   nearness: Nearness = EXACT,
 ): Generator<number, TriangleAdjacency, void> {
-  const { positions, indices } = mesh;
-  const { canonical, steps: weldSteps } = yield* asPhase(weldPositions(positions), 0, 0.25);
+  const { positions } = mesh;
+  const { canonicalCorners, steps: weldSteps } = yield* asPhase(weldCorners(mesh), 0, 0.3);
+  const areaNormals = yield* asPhase(computeAreaNormals(mesh), 0.3, 0.4);
+  const pairing = yield* asPhase(pairEdges(positions, canonicalCorners, areaNormals), 0.4, 0.9);
+  const paired = { positions, canonicalCorners, areaNormals, pairing };
+  yield* asPhase(joinBorders(paired, nearness), 0.9, 1);
+  yield 1;
+  const { borders, steps, ...found } = pairing;
+  return {
+    ...found,
+    borderEdges: borders.length,
+    canonicalCorners: paired.canonicalCorners,
+    areaNormals,
+    steps: weldSteps + steps,
+  };
+}
+
+/** The canonical vertex of each corner. Most scans have no two vertices at one position: then it is the index of the mesh itself. */
+function* weldCorners({
+  positions,
+  indices,
+}: TriangleMesh): Generator<number, Pick<TriangleAdjacency, 'canonicalCorners' | 'steps'>, void> {
+  const { canonical, steps } = yield* asPhase(weldPositions(positions), 0, 0.8);
+  if (isIdentity(canonical)) return { canonicalCorners: indices, steps };
   const canonicalCorners = new Uint32Array(indices.length);
   yield* asPhase(
     forEachChunk(indices.length, (start, end) => gatherRange(canonical, indices, canonicalCorners, start, end)),
-    0.25,
-    0.3,
+    0.8,
+    1,
   );
-  const areaNormals = yield* asPhase(computeAreaNormals(mesh), 0.3, 0.4);
-  const pairing = yield* asPhase(pairEdges(positions, canonicalCorners, areaNormals), 0.4, 0.9);
-  yield* asPhase(joinBorders({ positions, canonicalCorners, areaNormals, pairing }, nearness), 0.9, 1);
-  yield 1;
-  const { borders, steps, ...found } = pairing;
-  return { ...found, borderEdges: borders.length, canonicalCorners, areaNormals, steps: weldSteps + steps };
+  return { canonicalCorners, steps };
+}
+
+function isIdentity(map: Uint32Array): boolean {
+  for (let i = 0; i < map.length; i++) if (map[i] !== i) return false;
+  return true;
 }
 
 function gatherRange(

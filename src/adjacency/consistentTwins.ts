@@ -2,17 +2,19 @@ import { NO_TWIN } from '../mesh/corners.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
 import type { TriangleAdjacency } from './buildTriangleAdjacency.js';
 
-/** Returns a copy of the twins that also has NO_TWIN where the windings of the two triangles contradict each other. */
-export function* consistentTwins({
-  twins,
-  canonicalCorners,
-  inconsistentEdges,
-}: Pick<TriangleAdjacency, 'twins' | 'canonicalCorners' | 'inconsistentEdges'>): Generator<
-  number,
-  Int32Array<ArrayBuffer>,
-  void
-> {
-  const consistent = twins.slice();
+/**
+ * Returns the twins with NO_TWIN also where the windings of the two triangles contradict each other.
+ *
+ * @param consistent the twins of the adjacency, which are changed: a copy, unless nothing else needs them
+ */
+export function* consistentTwins(
+  {
+    twins,
+    canonicalCorners,
+    inconsistentEdges,
+  }: Pick<TriangleAdjacency, 'twins' | 'canonicalCorners' | 'inconsistentEdges'>,
+  consistent: Int32Array<ArrayBuffer> = twins.slice(),
+): Generator<number, Int32Array<ArrayBuffer>, void> {
   if (inconsistentEdges === 0) return consistent;
   yield* forEachChunk(twins.length, (start, end) => dropRange(canonicalCorners, consistent, start, end));
   return consistent;

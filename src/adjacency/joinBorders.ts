@@ -18,7 +18,8 @@ export interface Nearness {
 /** A mesh whose edges are paired, before its borders are joined. `joinBorders` changes it in place. */
 export interface PairedMesh {
   positions: Float32Array;
-  canonicalCorners: Uint32Array;
+  /** Replaced by a copy where positions are joined. */
+  canonicalCorners: Uint32Array<ArrayBuffer>;
   areaNormals: Float64Array;
   pairing: Pairing;
 }
@@ -36,13 +37,16 @@ const MAX_EXTENT = 4;
  * rounding error are an exception: they become degenerate when their corners are joined, as at the pole of three's capsule.
  */
 export function* joinBorders(mesh: PairedMesh, { tolerance, rounding }: Nearness): Generator<number, void, void> {
-  const { positions, canonicalCorners, pairing } = mesh;
+  const { positions, pairing } = mesh;
   if (!(tolerance > 0) || pairing.borders.length === 0) return;
   const { near, steps } = yield* asPhase(findNearPositions(positions, endsOf(mesh), tolerance), 0, 0.2);
   const { first, steps: clusterSteps } = yield* asPhase(clusterPositions(positions, near, tolerance), 0.2, 0.5);
   pairing.steps += steps + clusterSteps;
   const joined = joinedVertices(positions, near, first, tolerance);
   if (joined === null) return;
+  // They may be the indices of the mesh, which are not ours to change.
+  const canonicalCorners = mesh.canonicalCorners.slice();
+  mesh.canonicalCorners = canonicalCorners;
   const corners: number[] = [];
   yield* asPhase(
     forEachChunk(canonicalCorners.length, (start, end) => findRange(canonicalCorners, joined, corners, start, end)),

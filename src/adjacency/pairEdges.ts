@@ -24,20 +24,10 @@ interface Buckets {
   highs: Uint32Array;
 }
 
-/** Chains the half-edges of each undirected edge, from the last to the first. */
-interface Chains {
-  /** For each slot the previous slot on the same edge, or END. */
-  previous: Uint32Array;
-  /** 1 for each slot that a later slot links to, so that it is not the last of its chain. */
-  hasSuccessor: Uint8Array;
-}
-
-const END = 0xffffffff;
-
 /**
- * Finds twins by counting sort. Half-edges are sorted into one bucket per smaller end; within a bucket, those with the same
- * larger end are chained. An array holds the latest half-edge for each larger end, so nothing is searched: a bucket of any
- * size costs one visit per entry. Half-edges of degenerate triangles are left out.
+ * Finds twins by counting sort. Half-edges are sorted into one bucket per smaller end; within a bucket, an array holds the latest
+ * half-edge for each larger end, so nothing is searched: a bucket of any size costs two visits per entry. Half-edges of degenerate
+ * triangles are left out.
  */
 export function* pairEdges(
   positions: Float32Array,
@@ -72,17 +62,6 @@ export function* pairEdges(
     0.45,
   );
 
-  const chains = { previous: new Uint32Array(halfEdgeCount).fill(END), hasSuccessor: new Uint8Array(halfEdgeCount) };
-  const latest = new Uint32Array(vertexCount);
-  let low = 0;
-  yield* asPhase(
-    forEachChunk(halfEdgeCount, (start, end) => {
-      low = chainRange(buckets, chains, latest, low, start, end);
-    }),
-    0.45,
-    0.7,
-  );
-
   const pairing: Pairing = {
     twins: new Int32Array(canonicalCorners.length).fill(NO_TWIN),
     borders: [],
@@ -92,11 +71,13 @@ export function* pairEdges(
     degenerateTriangles,
     steps: halfEdgeCount,
   };
+  const pairs = { positions, canonicalCorners, latest: new Uint32Array(vertexCount), pairing };
+  let low = 0;
   yield* asPhase(
-    forEachChunk(halfEdgeCount, (start, end) =>
-      pairRange(positions, canonicalCorners, buckets, chains, pairing, start, end),
-    ),
-    0.7,
+    forEachChunk(halfEdgeCount, (_, end) => {
+      low = pairRange(pairs, buckets, low, end);
+    }),
+    0.45,
     1,
   );
   return pairing;
@@ -152,63 +133,68 @@ function scatterRange(
   }
 }
 
-/**
- * Chains the slots of a range. `latest` holds the latest slot + 1 for each larger end. Entries of earlier buckets are
- * recognised by their lower numbers, so nothing needs to be reset. `low` is the bucket of the slot before the range; the
- * bucket of the last slot is returned.
- */
-function chainRange(
-  { starts, highs }: Buckets,
-  { previous, hasSuccessor }: Chains,
-  latest: Uint32Array,
-  low: number,
-  start: number,
-  end: number,
-): number {
-  for (let slot = start; slot < end; slot++) {
-    while (starts[low + 1] <= slot) low++;
-    const high = highs[slot];
-    const before = latest[high] - 1;
-    if (before >= starts[low]) {
-      previous[slot] = before;
-      hasSuccessor[before] = 1;
-    }
-    latest[high] = slot + 1;
-  }
-  return low;
+/** What buckets are paired with. */
+interface Pairs {
+  positions: Float32Array;
+  canonicalCorners: Uint32Array;
+  /**
+   * The slot + 1 of a half-edge for each larger end: the first in the bucket until there is a second. Entries of earlier buckets are
+   * recognised by their lower numbers, so nothing needs to be reset.
+   */
+  latest: Uint32Array;
+  pairing: Pairing;
 }
 
-/** Pairs the chains that end in the slots of a range, and counts the edges. */
-function pairRange(
-  positions: Float32Array,
-  canonicalCorners: Uint32Array,
-  { corners }: Buckets,
-  { previous, hasSuccessor }: Chains,
-  pairing: Pairing,
-  start: number,
-  end: number,
-): void {
-  const { twins } = pairing;
-  let inconsistentEdges = 0;
-  let steps = end - start;
-  for (let slot = start; slot < end; slot++) {
-    if (hasSuccessor[slot] === 1) continue;
-    const second = previous[slot];
-    if (second === END) {
-      pairing.borders.push(corners[slot]);
-    } else if (previous[second] === END) {
-      const corner = corners[slot];
-      const twin = corners[second];
-      twins[corner] = twin;
-      twins[twin] = corner;
-      if (canonicalCorners[corner] === canonicalCorners[twin]) inconsistentEdges++;
-    } else {
-      const group: number[] = [];
-      for (let member = slot; member !== END; member = previous[member]) group.push(corners[member]);
-      steps += group.length;
-      matchNonManifoldEdge(group, positions, canonicalCorners, pairing);
-    }
+/** Pairs the buckets from `low` on that begin before the slot `end`. Returns the bucket after these. */
+function pairRange(pairs: Pairs, buckets: Buckets, low: number, end: number): number {
+  const { starts } = buckets;
+  let bucket = low;
+  for (; starts[bucket] < end; bucket++) {
+    if (starts[bucket] < starts[bucket + 1]) pairBucket(pairs, buckets, starts[bucket], starts[bucket + 1]);
   }
-  pairing.inconsistentEdges += inconsistentEdges;
-  pairing.steps += steps;
+  return bucket;
+}
+
+/** Pairs the half-edges of a bucket, and counts the edges. */
+function pairBucket(pairs: Pairs, { corners, highs }: Buckets, first: number, end: number): void {
+  const { canonicalCorners, latest, pairing } = pairs;
+  const { twins } = pairing;
+  let crowded: Map<number, number[]> | null = null;
+  for (let slot = first; slot < end; slot++) {
+    const high = highs[slot];
+    const before = latest[high] - 1;
+    if (before < first) {
+      latest[high] = slot + 1;
+      continue;
+    }
+    const corner = corners[slot];
+    const other = corners[before];
+    const twin = twins[other];
+    if (twin === NO_TWIN) {
+      twins[corner] = other;
+      twins[other] = corner;
+      if (canonicalCorners[corner] === canonicalCorners[other]) pairing.inconsistentEdges++;
+      continue;
+    }
+    // More than two triangles share the edge.
+    crowded ??= new Map();
+    const group = crowded.get(high);
+    if (group) group.push(corner);
+    else crowded.set(high, [other, twin, corner]);
+  }
+  for (let slot = first; slot < end; slot++) {
+    if (twins[corners[slot]] === NO_TWIN && !crowded?.has(highs[slot])) pairing.borders.push(corners[slot]);
+  }
+  pairing.steps += end - first;
+  if (crowded) for (const group of crowded.values()) pairCrowded(pairs, group);
+}
+
+/** Pairs the half-edges of an edge of more than two triangles, of which the first two were paired. */
+function pairCrowded({ positions, canonicalCorners, pairing }: Pairs, group: readonly number[]): void {
+  const [one, other] = group;
+  pairing.twins[one] = NO_TWIN;
+  pairing.twins[other] = NO_TWIN;
+  if (canonicalCorners[one] === canonicalCorners[other]) pairing.inconsistentEdges--;
+  pairing.steps += group.length;
+  matchNonManifoldEdge(group, positions, canonicalCorners, pairing);
 }

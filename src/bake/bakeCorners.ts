@@ -21,7 +21,7 @@ export interface BakeCornersResult extends PackedCorners, CornerAttributes, Bake
  */
 export function* bakeCorners(request: BakeRequest): Generator<number, BakeCornersResult, void> {
   const { mesh, attributes } = request;
-  const surface = yield* asPhase(bakeSurface(request), 0, 0.7);
+  const surface = yield* asPhase(bakeSurface(request, true), 0, 0.7);
   const packed = yield* asPhase(packCorners(mesh, surface.adjacency.twins), 0.7, 0.85);
   const ofCorners = yield* asPhase(packCornerAttributes(surface, mesh.indices, attributes), 0.85, 0.97);
   return { ...packed, ...(yield* asPhase(reportOf(surface, mesh.indices), 0.97, 1)), ...ofCorners };

@@ -29,7 +29,7 @@ const MAX_SHORT_VERTICES = 0xffff;
  * names. It is pure, and throws as `bakeCorners` does.
  */
 export function* bakeIndexed(request: SurfaceRequest): Generator<number, BakeIndexedResult, void> {
-  const surface = yield* asPhase(bakeSurface(request), 0, 0.85);
+  const surface = yield* asPhase(bakeSurface(request, false), 0, 0.85);
   const { hatchNormals, smoothNormals, adjacency, form } = surface;
   const splitting = splitVertices(request.mesh, adjacency.areaNormals, hatchNormals.fans, form?.ofCorner);
   const split = yield* asPhase(splitting, 0.85, 0.95);

@@ -18,7 +18,7 @@ export interface BakePullResult extends PackedPull, CornerAttributes, BakeReport
 /** Bakes triangle adjacency into the `pull` layout (`pullLayout.ts`). It is pure, and throws as `bakeCorners` does. */
 export function* bakePull(request: BakeRequest): Generator<number, BakePullResult, void> {
   const { mesh, attributes } = request;
-  const surface = yield* asPhase(bakeSurface(request), 0, 0.7);
+  const surface = yield* asPhase(bakeSurface(request, true), 0, 0.7);
   const { adjacency, smoothNormals } = surface;
   let { positions, indices }: TriangleMesh = mesh;
   if (smoothNormals) {

@@ -52,7 +52,7 @@ export interface FormRequest extends FormOptions {
 
 /** The result of the part of the bake that all layouts share. */
 export interface Surface {
-  /** The adjacency after the creases were cut. */
+  /** The adjacency after the creases were cut, and the sharp edges where the layout does not need the twins. */
   adjacency: TriangleAdjacency;
   bounds: Bounds;
   hatchNormals: FanNormals;
@@ -88,8 +88,12 @@ export function nearnessOf({ radius }: Bounds, share = DEFAULT_WELD_TOLERANCE): 
 /** The share of the progress for the form field, if there is one. */
 const FORM_SHARE = 0.75;
 
-/** Validates the mesh, finds its adjacency, cuts the creases and computes the hatch normals, the smooth ones, the outlines and the form field. */
-export function* bakeSurface(request: SurfaceRequest): Generator<number, Surface, void> {
+/**
+ * Validates the mesh, finds its adjacency, cuts the creases and computes the hatch normals, the smooth ones, the outlines and the form field.
+ *
+ * @param keepsTwins whether the layout needs the twins. Else they are cut at sharp edges too: a copy would take memory
+ */
+export function* bakeSurface(request: SurfaceRequest, keepsTwins: boolean): Generator<number, Surface, void> {
   const { mesh, bakedForm = null } = request;
   const formToBake = bakedForm ? null : request.form;
   const total = formToBake ? 1 - FORM_SHARE : 1;
@@ -100,7 +104,8 @@ export function* bakeSurface(request: SurfaceRequest): Generator<number, Surface
   const adjacency = yield* asPhase(buildTriangleAdjacency(mesh, nearness), 0.06 * share, 0.3 * share);
   const joinedTwins = request.outlines ? adjacency.twins.slice() : null;
   yield* asPhase(cutCreases(adjacency, request.creaseAngle), 0.3 * share, 0.33 * share);
-  const twins = yield* asPhase(consistentTwins(adjacency), 0.33 * share, 0.34 * share);
+  const cutTwins = keepsTwins ? adjacency.twins.slice() : adjacency.twins;
+  const twins = yield* asPhase(consistentTwins(adjacency, cutTwins), 0.33 * share, 0.34 * share);
   const formTwins = formToBake ? twins.slice() : null;
   const smoothNormals = request.wantsNormals
     ? yield* asPhase(bakeSmoothNormals(twins, adjacency.areaNormals), 0.34 * share, 0.4 * share)

@@ -2,15 +2,11 @@ import type { TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
 import { fanCurvatures } from '../features/fanCurvatures.js';
 import { triangleOf } from '../mesh/corners.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
-import {
-  assembleHeatEquation,
-  countEdges,
-  type FanSurface,
-  type HeatEquation,
-} from '../normals/assembleHeatEquation.js';
+import { assembleHeatEquation, type FanSurface, type HeatEquation } from '../normals/assembleHeatEquation.js';
 import { buildFans, type Fans } from '../normals/buildFans.js';
 import { fanDirections } from '../normals/fanDirections.js';
 import { meanNormals } from '../normals/meanNormals.js';
+import { fansInOrder } from '../normals/sortFans.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
 import type { FormOptions } from './FormOptions.js';
@@ -84,7 +80,7 @@ export function* surfaceWithin(
 }
 
 function* fanHeat(surface: FanSurface): Generator<number, HeatEquation, void> {
-  const { masses } = yield* asPhase(meanNormals(surface), 0, 0.2);
-  const sizes = yield* asPhase(countEdges(surface), 0.2, 0.3);
-  return yield* asPhase(assembleHeatEquation(surface, masses, sizes), 0.3, 1);
+  const sorted = yield* asPhase(fansInOrder(surface), 0, 0.1);
+  const { masses } = yield* asPhase(meanNormals(surface, sorted), 0.1, 0.3);
+  return yield* asPhase(assembleHeatEquation(surface, masses, sorted), 0.3, 1);
 }

@@ -1,9 +1,10 @@
 import { doubleArea } from '../mesh/computeAreaNormals.js';
-import { NO_TWIN, nextCorner, previousCorner } from '../mesh/corners.js';
+import { NO_TWIN } from '../mesh/corners.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
 import type { Fans } from './buildFans.js';
+import type { SortedFans } from './sortFans.js';
 
 /**
  * The largest cotangent that is used as a weight, that of 5.7°. The larger ones of slivers would force very small steps. All
@@ -32,31 +33,32 @@ export interface HeatEquation {
   /** For each fan a third of the area of its triangles. */
   masses: Float64Array<ArrayBuffer>;
   /** For each fan the sum of the magnitudes of its weights: a bound on the rate at which heat leaves it. */
-  degrees: Float64Array;
+  degrees: Float64Array<ArrayBuffer>;
 }
 
 /**
- * Assembles the heat equation. The edges are sorted by the fan they start from (counting sort); every edge is entered twice,
- * once for each end.
+ * Assembles the heat equation of sorted fans. Their edges are sorted by the fan they start from (counting sort); every edge is entered
+ * twice, once for each end.
  *
  * @param masses see `HeatEquation`
- * @param starts what `countEdges` gives for the surface. It becomes `starts` of the equation
+ * @param sorted its `sizes` become `starts` of the equation
  */
 export function* assembleHeatEquation(
   surface: FanSurface,
   masses: Float64Array<ArrayBuffer>,
-  starts: Uint32Array<ArrayBuffer>,
+  { numbers, sizes }: SortedFans,
 ): Generator<number, HeatEquation, void> {
-  const { areaNormals, fans } = surface;
-  const cornerCount = fans.ofCorner.length;
-  const cotangents = new Float32Array(cornerCount);
+  const { ofCorner, count } = surface.fans;
+  const triangleCount = ofCorner.length / 3;
+  const cotangents = new Float32Array(ofCorner.length);
   yield* asPhase(
-    forEachChunk(cornerCount / 3, (start, end) => cotangentRange(surface, cotangents, start, end)),
+    forEachChunk(triangleCount, (start, end) => cotangentRange(surface, cotangents, start, end)),
     0,
     0.4,
   );
+  const starts = sizes;
   let edgeCount = 0;
-  for (let fan = 0; fan <= fans.count; fan++) {
+  for (let fan = 0; fan <= count; fan++) {
     edgeCount += starts[fan];
     starts[fan] = edgeCount;
   }
@@ -65,26 +67,17 @@ export function* assembleHeatEquation(
     neighbours: new Int32Array(edgeCount),
     weights: new Float32Array(edgeCount),
     masses,
-    degrees: new Float64Array(fans.count),
+    degrees: new Float64Array(count),
   };
   yield* asPhase(
-    forEachChunk(areaNormals.length, (start, end) => scatterRange(surface, cotangents, heat, start, end)),
+    forEachChunk(triangleCount, (start, end) => scatterRange(surface, numbers, cotangents, heat, start, end)),
     0.4,
     1,
   );
   return heat;
 }
 
-/** Counts the edges of each fan. The array has one entry more, which is 0. */
-export function* countEdges(
-  surface: Pick<FanSurface, 'twins' | 'fans'>,
-): Generator<number, Uint32Array<ArrayBuffer>, void> {
-  const sizes = new Uint32Array(surface.fans.count + 1);
-  yield* forEachChunk(surface.twins.length, (start, end) => countRange(surface, sizes, start, end));
-  return sizes;
-}
-
-/** Writes the cotangents of the angles of a range of triangles, limited to LARGEST_COTANGENT; 0 in degenerate triangles. */
+/** Writes the cotangents of a range of triangles, limited to LARGEST_COTANGENT, for each edge that of the angle opposite; 0 in degenerate triangles. */
 function cotangentRange(
   { mesh: { positions, indices }, areaNormals }: FanSurface,
   cotangents: Float32Array,
@@ -101,9 +94,9 @@ function cotangentRange(
     const atB = dotFrom(positions, b, c, a) / area;
     const atC = dotFrom(positions, c, a, b) / area;
     const scale = LARGEST_COTANGENT / Math.max(LARGEST_COTANGENT, Math.abs(atA), Math.abs(atB), Math.abs(atC));
-    cotangents[first] = scale * atA;
-    cotangents[first + 1] = scale * atB;
-    cotangents[first + 2] = scale * atC;
+    cotangents[first] = scale * atC;
+    cotangents[first + 1] = scale * atA;
+    cotangents[first + 2] = scale * atB;
   }
 }
 
@@ -119,43 +112,32 @@ function dotFrom(positions: Float32Array, origin: number, a: number, b: number):
   );
 }
 
-/** Counts the edges of each fan. A half-edge counts for the fan it starts from; without a twin it also counts for its end. */
-function countRange(
-  { twins, fans: { ofCorner } }: Pick<FanSurface, 'twins' | 'fans'>,
-  sizes: Uint32Array,
-  start: number,
-  end: number,
-): void {
-  for (let corner = start; corner < end; corner++) {
-    sizes[ofCorner[corner]]++;
-    if (twins[corner] === NO_TWIN) sizes[ofCorner[nextCorner(corner)]]++;
-  }
-}
-
-/** Fills the range of each fan from its back: `starts` holds the ends of the ranges before, and their starts afterwards. */
+/** Enters the edges of a range of triangles. The range of each fan is filled from its back: `starts` holds the ends of the ranges before, and their starts afterwards. */
 function scatterRange(
-  surface: FanSurface,
+  { twins, fans: { ofCorner } }: FanSurface,
+  numbers: Uint32Array,
   cotangents: Float32Array,
   { starts, neighbours, weights, degrees }: HeatEquation,
   start: number,
   end: number,
 ): void {
-  const { twins } = surface;
-  const { ofCorner } = surface.fans;
-  for (let corner = start; corner < end; corner++) {
-    const from = ofCorner[corner];
-    const to = ofCorner[nextCorner(corner)];
-    const twin = twins[corner];
-    const across = twin === NO_TWIN ? 0 : cotangents[previousCorner(twin)];
-    const weight = 0.5 * (cotangents[previousCorner(corner)] + across);
-    let slot = --starts[from];
-    neighbours[slot] = 3 * to;
-    weights[slot] = weight;
-    degrees[from] += Math.abs(weight);
-    if (twin !== NO_TWIN) continue;
-    slot = --starts[to];
-    neighbours[slot] = 3 * from;
-    weights[slot] = weight;
-    degrees[to] += Math.abs(weight);
+  for (let first = 3 * start; first < 3 * end; first += 3) {
+    let from = numbers[ofCorner[first + 2]];
+    for (let corner = first, edge = first + 2; corner < first + 3; edge = corner++) {
+      const to = numbers[ofCorner[corner]];
+      const twin = twins[edge];
+      const weight = 0.5 * (cotangents[edge] + (twin === NO_TWIN ? 0 : cotangents[twin]));
+      let slot = --starts[from];
+      neighbours[slot] = 3 * to;
+      weights[slot] = weight;
+      degrees[from] += Math.abs(weight);
+      if (twin === NO_TWIN) {
+        slot = --starts[to];
+        neighbours[slot] = 3 * from;
+        weights[slot] = weight;
+        degrees[to] += Math.abs(weight);
+      }
+      from = to;
+    }
   }
 }

@@ -1,6 +1,7 @@
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
 import type { FanSurface } from './assembleHeatEquation.js';
+import type { SortedFans } from './sortFans.js';
 
 /** What `meanNormals` returns. */
 export interface MeanNormals {
@@ -10,16 +11,16 @@ export interface MeanNormals {
   masses: Float64Array<ArrayBuffer>;
 }
 
-/** Computes the mean normal and the mass of each fan. */
-export function* meanNormals({
-  fans,
-  areaNormals,
-}: Pick<FanSurface, 'fans' | 'areaNormals'>): Generator<number, MeanNormals, void> {
+/** Computes the mean normal and the mass of each sorted fan. */
+export function* meanNormals(
+  { fans, areaNormals }: Pick<FanSurface, 'fans' | 'areaNormals'>,
+  { numbers }: Pick<SortedFans, 'numbers'>,
+): Generator<number, MeanNormals, void> {
   const sums = new Float64Array(3 * fans.count);
   const masses = new Float64Array(fans.count);
   yield* asPhase(
     forEachChunk(areaNormals.length / 3, (start, end) =>
-      sumRange(areaNormals, fans.ofCorner, sums, masses, start, end),
+      sumRange(areaNormals, fans.ofCorner, numbers, sums, masses, start, end),
     ),
     0,
     0.5,
@@ -37,6 +38,7 @@ export function* meanNormals({
 function sumRange(
   areaNormals: Float64Array,
   ofCorner: Uint32Array,
+  numbers: Uint32Array,
   sums: Float64Array,
   masses: Float64Array,
   start: number,
@@ -49,7 +51,7 @@ function sumRange(
     const z = areaNormals[first + 2] / 6;
     const mass = Math.sqrt(x * x + y * y + z * z);
     for (let corner = first; corner < first + 3; corner++) {
-      const fan = ofCorner[corner];
+      const fan = numbers[ofCorner[corner]];
       masses[fan] += mass;
       sums[3 * fan] += x;
       sums[3 * fan + 1] += y;

@@ -40,10 +40,6 @@ export function* smoothFanNormals(
   radii: readonly number[],
   shares?: Float32Array,
 ): Generator<number, Float32Array<ArrayBuffer>[], void> {
-  if (radii.every((radius) => radius === 0)) {
-    const { normals } = yield* meanNormals(surface);
-    return radii.map(() => normals);
-  }
   const { order, ...flow } = yield* asPhase(startFlow(surface), 0, 0.25);
   const results = yield* asPhase(diffuse(flow, radii, shares && gathered(shares, order)), 0.25, 0.98);
   return yield* asPhase(inOrderOfFans(results, order), 0.98, 1);
@@ -57,13 +53,12 @@ interface NormalFlow {
 
 /** Prepares `diffuse`. What is needed only for that is free when the normals diffuse. `order` is that of `sortFans`. */
 function* startFlow(surface: FanSurface): Generator<number, NormalFlow & { order: Uint32Array<ArrayBuffer> }, void> {
-  const { fans, order, sizes } = yield* asPhase(sortFans(surface), 0, 0.3);
-  const sorted = { ...surface, fans };
-  const { normals, masses } = yield* asPhase(meanNormals(sorted), 0.3, 0.5);
-  return { order, normals, heat: yield* asPhase(assembleHeatEquation(sorted, masses, sizes), 0.5, 1) };
+  const sorted = yield* asPhase(sortFans(surface), 0, 0.2);
+  const { normals, masses } = yield* asPhase(meanNormals(surface, sorted), 0.2, 0.4);
+  return { order: sorted.order, normals, heat: yield* asPhase(assembleHeatEquation(surface, masses, sorted), 0.4, 1) };
 }
 
-/** Lets normals diffuse. The weights of `heat` are lost. */
+/** Lets normals diffuse. Weights and degrees of `heat` are lost. */
 function* diffuse(
   { normals, heat }: NormalFlow,
   radii: readonly number[],
@@ -75,7 +70,8 @@ function* diffuse(
     const series = parts.map(({ steps }) => heatSeries(steps, TOLERANCE));
     // The last flow overwrites what the others have copied.
     const isLast = i === flows.length - 1;
-    const matrix = twiceP(heat, rate, shares, isLast ? heat.weights : heat.weights.slice());
+    const kept = isLast ? heat : { ...heat, weights: heat.weights.slice(), degrees: heat.degrees.slice() };
+    const matrix = twiceP(kept, rate, shares);
     const task = flow(matrix, isLast && parts.length === radii.length ? normals : normals.slice(), series);
     const results = yield* asPhase(task, i / flows.length, (i + 1) / flows.length);
     for (const [k, { radius }] of parts.entries()) smoothed[radius] = results[k];
@@ -201,19 +197,15 @@ interface Mixing extends Pick<HeatEquation, 'starts' | 'neighbours'> {
 }
 
 /**
- * Computes 2P. A fan with so little area that it would mix faster than the rate is treated as larger, which keeps the eigenvalues
- * of P within [−1, 1].
- *
- * @param weights those of the heat equation, or a copy. They are overwritten
+ * Computes 2P in place of the weights and degrees of the heat equation. A fan with so little area that it would mix faster than the
+ * rate is treated as larger, which keeps the eigenvalues of P within [−1, 1].
  */
 function twiceP(
-  { starts, neighbours, masses, degrees }: HeatEquation,
+  { starts, neighbours, weights, masses, degrees }: HeatEquation,
   rate: number,
   shares: Float32Array | undefined,
-  weights: Float32Array,
 ): Mixing {
-  const owns = new Float64Array(masses.length);
-  for (let fan = 0; fan < owns.length; fan++) {
+  for (let fan = 0; fan < degrees.length; fan++) {
     let step = 2 / (Math.max(rate * masses[fan], degrees[fan]) || 1);
     // Heat spreads over a share of the radius in that share, squared, of the time.
     if (shares) step *= shares[fan] ** 2;
@@ -222,9 +214,9 @@ function twiceP(
       weights[edge] *= step;
       own -= weights[edge];
     }
-    owns[fan] = own;
+    degrees[fan] = own;
   }
-  return { starts, neighbours, owns, weights };
+  return { starts, neighbours, owns: degrees, weights };
 }
 
 /** Multiplies values by a factor. `map` would call a function for each value, which was measured to be ten times as slow. */

@@ -1,13 +1,14 @@
+import { NO_TWIN, nextCorner } from '../mesh/corners.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
-import { countEdges, type FanSurface } from './assembleHeatEquation.js';
-import type { Fans } from './buildFans.js';
+import type { FanSurface } from './assembleHeatEquation.js';
 
 /** Fans in another order. */
 export interface SortedFans {
-  fans: Fans;
   /** For each of the sorted fans its number before. */
   order: Uint32Array<ArrayBuffer>;
+  /** For each fan, by its number before, its number now. */
+  numbers: Uint32Array<ArrayBuffer>;
   /** The number of edges of each of the sorted fans, and a 0. */
   sizes: Uint32Array<ArrayBuffer>;
 }
@@ -20,26 +21,47 @@ const MOST_EDGES = 31;
 
 /** Sorts the fans of each block by their number of edges, and else by their numbers (counting sort). It takes linear time. */
 export function* sortFans(surface: Pick<FanSurface, 'twins' | 'fans'>): Generator<number, SortedFans, void> {
-  const { ofCorner, count } = surface.fans;
-  const unsorted = yield* asPhase(countEdges(surface), 0, 0.5);
+  const { count } = surface.fans;
+  const unsorted = yield* asPhase(countEdges(surface), 0, 0.7);
   const order = new Uint32Array(count);
-  const numbers = new Uint32Array(count);
-  const sizes = new Uint32Array(count + 1);
   for (let first = 0; first < count; first += BLOCK) {
     sortBlock(unsorted, order, first, Math.min(first + BLOCK, count));
-    yield 0.5 + 0.2 * (first / count);
+    yield 0.7 + 0.3 * (first / count);
   }
+  const numbers = new Uint32Array(count);
+  const sizes = new Uint32Array(count + 1);
   for (let i = 0; i < count; i++) {
     numbers[order[i]] = i;
     sizes[i] = unsorted[order[i]];
   }
-  const sorted = new Uint32Array(ofCorner.length);
-  yield* asPhase(
-    forEachChunk(ofCorner.length, (start, end) => renumberRange(ofCorner, numbers, sorted, start, end)),
-    0.7,
-    1,
-  );
-  return { fans: { ofCorner: sorted, count }, order, sizes };
+  return { order, numbers, sizes };
+}
+
+/** The fans in the order that they have. */
+export function* fansInOrder(surface: Pick<FanSurface, 'twins' | 'fans'>): Generator<number, SortedFans, void> {
+  const order = new Uint32Array(surface.fans.count);
+  for (let fan = 0; fan < order.length; fan++) order[fan] = fan;
+  return { order, numbers: order, sizes: yield* countEdges(surface) };
+}
+
+/** Counts the edges of each fan. The array has one entry more, which is 0. */
+function* countEdges(surface: Pick<FanSurface, 'twins' | 'fans'>): Generator<number, Uint32Array<ArrayBuffer>, void> {
+  const sizes = new Uint32Array(surface.fans.count + 1);
+  yield* forEachChunk(surface.twins.length, (start, end) => countRange(surface, sizes, start, end));
+  return sizes;
+}
+
+/** Counts the edges of each fan. A half-edge counts for the fan it starts from; without a twin it also counts for its end. */
+function countRange(
+  { twins, fans: { ofCorner } }: Pick<FanSurface, 'twins' | 'fans'>,
+  sizes: Uint32Array,
+  start: number,
+  end: number,
+): void {
+  for (let corner = start; corner < end; corner++) {
+    sizes[ofCorner[corner]]++;
+    if (twins[corner] === NO_TWIN) sizes[ofCorner[nextCorner(corner)]]++;
+  }
 }
 
 function sortBlock(sizes: Uint32Array, order: Uint32Array, first: number, end: number): void {
@@ -47,14 +69,4 @@ function sortBlock(sizes: Uint32Array, order: Uint32Array, first: number, end: n
   for (let fan = first; fan < end; fan++) slots[Math.min(sizes[fan], MOST_EDGES) + 1]++;
   for (let size = 1; size < slots.length; size++) slots[size] += slots[size - 1];
   for (let fan = first; fan < end; fan++) order[first + slots[Math.min(sizes[fan], MOST_EDGES)]++] = fan;
-}
-
-function renumberRange(
-  ofCorner: Uint32Array,
-  numbers: Uint32Array,
-  sorted: Uint32Array,
-  start: number,
-  end: number,
-): void {
-  for (let corner = start; corner < end; corner++) sorted[corner] = numbers[ofCorner[corner]];
 }

@@ -48,14 +48,17 @@ export function featureSurface(mesh: TriangleMesh, triangleGroups: Uint16Array |
 /** The outlines of a mesh, by the whole bake. */
 export const outlinesOf = (mesh: TriangleMesh, options: Partial<SurfaceRequest> = {}) =>
   finish(
-    bakeSurface({
-      label: 'test',
-      mesh,
-      creaseAngle: Math.PI / 2,
-      wantsNormals: false,
-      outlines: { triangleGroups: null },
-      ...options,
-    }),
+    bakeSurface(
+      {
+        label: 'test',
+        mesh,
+        creaseAngle: Math.PI / 2,
+        wantsNormals: false,
+        outlines: { triangleGroups: null },
+        ...options,
+      },
+      false,
+    ),
   ).outlines!;
 
 /** The position of each fan. */

@@ -39,18 +39,23 @@ export function bakeByPhase(mesh: TriangleMesh, run: Run) {
   const canonicalCorners = run('pair', canonicalOf(canonical, mesh.indices));
   const areaNormals = run('pair', computeAreaNormals(mesh));
   const pairing = run('pair', pairEdges(mesh.positions, canonicalCorners, areaNormals));
-  run('join', joinBorders({ positions: mesh.positions, canonicalCorners, areaNormals, pairing }, nearnessOf(bounds)));
+  const paired = { positions: mesh.positions, canonicalCorners, areaNormals, pairing };
+  run('join', joinBorders(paired, nearnessOf(bounds)));
   const adjacency = {
     ...pairing,
     borderEdges: pairing.borders.length,
-    canonicalCorners,
+    canonicalCorners: paired.canonicalCorners,
     areaNormals,
     steps: weldSteps + pairing.steps,
   };
   run('creases', cutCreases(adjacency, Math.PI / 2));
   const twins = run('creases', consistentTwins(adjacency));
   run('creases', cutSharpEdges(twins, areaNormals));
-  const hatchNormals = smoothNormals({ mesh, twins, canonicalCorners, areaNormals }, bounds.radius, run);
+  const hatchNormals = smoothNormals(
+    { mesh, twins, canonicalCorners: paired.canonicalCorners, areaNormals },
+    bounds.radius,
+    run,
+  );
   const surface: Surface = { adjacency, bounds, hatchNormals, smoothNormals: null, outlines: null, form: null };
   return {
     steps: adjacency.steps,
