@@ -1,5 +1,4 @@
 import { isDegenerate } from '../mesh/computeAreaNormals.js';
-import { triangleOf } from '../mesh/corners.js';
 import { hashWords } from '../mesh/hashWords.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
 import type { Fans } from '../normals/buildFans.js';
@@ -34,23 +33,21 @@ export function* splitVertices(
   partOf: Uint32Array = ofCorner,
 ): Generator<number, VertexSplit, void> {
   const vertexCount = mesh.positions.length / 3;
-  const cornerCount = mesh.indices.length;
   const indices = mesh.indices.slice();
   const firstCorners = new Uint32Array(vertexCount).fill(NO_CORNER);
-  yield* asPhase(
-    forEachChunk(cornerCount, (start, end) => findFirst(indices, areaNormals, firstCorners, start, end)),
-    0,
-    0.3,
-  );
   const divisions: Divisions = { ofCorner, partOf };
   const conflicts: number[] = [];
+  const degenerate: number[] = [];
   yield* asPhase(
-    forEachChunk(cornerCount, (start, end) =>
-      findConflicts(indices, areaNormals, divisions, firstCorners, conflicts, start, end),
+    forEachChunk(indices.length / 3, (start, end) =>
+      findConflicts(indices, areaNormals, divisions, firstCorners, conflicts, degenerate, start, end),
     ),
-    0.3,
+    0,
     0.8,
   );
+  for (const corner of degenerate) {
+    if (firstCorners[indices[corner]] === NO_CORNER) firstCorners[indices[corner]] = corner;
+  }
   let size = 16;
   while (size < 2 * conflicts.length) size *= 2;
   const copies: Copies = { table: new Uint32Array(size), corners: new Uint32Array(conflicts.length), count: 0 };
@@ -86,37 +83,28 @@ interface Copies {
   count: number;
 }
 
-/** Finds the first corner of each vertex, preferring triangles that are not degenerate. */
-function findFirst(
-  indices: Uint32Array,
-  areaNormals: Float64Array,
-  firstCorners: Uint32Array,
-  start: number,
-  end: number,
-): void {
-  for (let corner = start; corner < end; corner++) {
-    const vertex = indices[corner];
-    const first = firstCorners[vertex];
-    if (first === NO_CORNER) firstCorners[vertex] = corner;
-    else if (isDegenerate(areaNormals, triangleOf(first)) && !isDegenerate(areaNormals, triangleOf(corner))) {
-      firstCorners[vertex] = corner;
-    }
-  }
-}
-
-/** Finds the corners that need a copy of their vertex, because it belongs to another fan or part. */
+/**
+ * Finds the first corner of each vertex, and the corners that need a copy of their vertex because it belongs to another fan or part.
+ * Corners of degenerate triangles are collected instead: they count only where a vertex has no others.
+ */
 function findConflicts(
   indices: Uint32Array,
   areaNormals: Float64Array,
   divisions: Divisions,
   firstCorners: Uint32Array,
   conflicts: number[],
+  degenerate: number[],
   start: number,
   end: number,
 ): void {
-  for (let corner = start; corner < end; corner++) {
-    const first = firstCorners[indices[corner]];
-    if (!isSame(divisions, first, corner) && !isDegenerate(areaNormals, triangleOf(corner))) conflicts.push(corner);
+  for (let triangle = start; triangle < end; triangle++) {
+    const isFlat = isDegenerate(areaNormals, triangle);
+    for (let corner = 3 * triangle; corner < 3 * triangle + 3; corner++) {
+      const first = firstCorners[indices[corner]];
+      if (isFlat) degenerate.push(corner);
+      else if (first === NO_CORNER) firstCorners[indices[corner]] = corner;
+      else if (!isSame(divisions, first, corner)) conflicts.push(corner);
+    }
   }
 }
 

@@ -2,7 +2,6 @@ import { doubleArea } from '../mesh/computeAreaNormals.js';
 import { NO_TWIN, triangleOf } from '../mesh/corners.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
-import { writeNormalized } from './writeNormalized.js';
 
 /**
  * An edge is sharp if the filtered normals of its triangles differ by more than this. It is below 60°, so that the edges of a
@@ -62,8 +61,12 @@ function splitRange(
   end: number,
 ): void {
   for (let triangle = start; triangle < end; triangle++) {
-    areas[triangle] = doubleArea(areaNormals, triangle);
-    writeNormalized(areaNormals, 3 * triangle, normals, 3 * triangle);
+    const area = doubleArea(areaNormals, triangle);
+    areas[triangle] = area;
+    if (area === 0) continue;
+    normals[3 * triangle] = areaNormals[3 * triangle] / area;
+    normals[3 * triangle + 1] = areaNormals[3 * triangle + 1] / area;
+    normals[3 * triangle + 2] = areaNormals[3 * triangle + 2] / area;
   }
 }
 
