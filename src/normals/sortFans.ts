@@ -1,7 +1,13 @@
 import { NO_TWIN, nextCorner } from '../mesh/corners.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
-import type { FanSurface } from './assembleHeatEquation.js';
+import type { Fans } from './buildFans.js';
+
+/** Fans, and the twins that they were built from. */
+interface CutSurface {
+  twins: Int32Array;
+  fans: Fans;
+}
 
 /** Fans in another order. */
 export interface SortedFans {
@@ -20,7 +26,7 @@ const BLOCK = 1 << 14;
 const MOST_EDGES = 31;
 
 /** Sorts the fans of each block by their number of edges, and else by their numbers (counting sort). It takes linear time. */
-export function* sortFans(surface: Pick<FanSurface, 'twins' | 'fans'>): Generator<number, SortedFans, void> {
+export function* sortFans(surface: CutSurface): Generator<number, SortedFans, void> {
   const { count } = surface.fans;
   const unsorted = yield* asPhase(countEdges(surface), 0, 0.7);
   const order = new Uint32Array(count);
@@ -38,14 +44,14 @@ export function* sortFans(surface: Pick<FanSurface, 'twins' | 'fans'>): Generato
 }
 
 /** The fans in the order that they have. */
-export function* fansInOrder(surface: Pick<FanSurface, 'twins' | 'fans'>): Generator<number, SortedFans, void> {
+export function* fansInOrder(surface: CutSurface): Generator<number, SortedFans, void> {
   const order = new Uint32Array(surface.fans.count);
   for (let fan = 0; fan < order.length; fan++) order[fan] = fan;
   return { order, numbers: order, sizes: yield* countEdges(surface) };
 }
 
 /** Counts the edges of each fan. The array has one entry more, which is 0. */
-function* countEdges(surface: Pick<FanSurface, 'twins' | 'fans'>): Generator<number, Uint32Array<ArrayBuffer>, void> {
+function* countEdges(surface: CutSurface): Generator<number, Uint32Array<ArrayBuffer>, void> {
   const sizes = new Uint32Array(surface.fans.count + 1);
   yield* forEachChunk(surface.twins.length, (start, end) => countRange(surface, sizes, start, end));
   return sizes;
@@ -53,7 +59,7 @@ function* countEdges(surface: Pick<FanSurface, 'twins' | 'fans'>): Generator<num
 
 /** Counts the edges of each fan. A half-edge counts for the fan it starts from; without a twin it also counts for its end. */
 function countRange(
-  { twins, fans: { ofCorner } }: Pick<FanSurface, 'twins' | 'fans'>,
+  { twins, fans: { ofCorner } }: CutSurface,
   sizes: Uint32Array,
   start: number,
   end: number,

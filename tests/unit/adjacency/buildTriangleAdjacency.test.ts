@@ -327,3 +327,8 @@ describe('buildTriangleAdjacency', () => {
     expect(progress.at(-1)).toBe(1);
   });
 });
+
+test('a mesh without two vertices at one position lends its indices as canonical corners', () => {
+  const mesh = fan(5);
+  expect(finish(buildTriangleAdjacency(mesh)).canonicalCorners).toBe(mesh.indices);
+});

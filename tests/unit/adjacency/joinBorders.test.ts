@@ -36,6 +36,14 @@ describe('borders within the tolerance', () => {
     expect(finish(buildTriangleAdjacency(split(gap), NEAR)).borderEdges).toBe(borderEdges);
   });
 
+  test('are joined in a copy: the indices of the mesh stay as they are', () => {
+    const mesh = split(0.5e-3);
+    const indices = [...mesh.indices];
+    const { canonicalCorners } = finish(buildTriangleAdjacency(mesh, NEAR));
+    expect(new Set(canonicalCorners).size).toBe(4);
+    expect([...mesh.indices]).toEqual(indices);
+  });
+
   test('are left alone if the tolerance is 0', () => {
     expect(finish(buildTriangleAdjacency(split(1e-7))).borderEdges).toBe(6);
   });
