@@ -58,12 +58,7 @@ function* countEdges(surface: CutSurface): Generator<number, Uint32Array<ArrayBu
 }
 
 /** Counts the edges of each fan. A half-edge counts for the fan it starts from; without a twin it also counts for its end. */
-function countRange(
-  { twins, fans: { ofCorner } }: CutSurface,
-  sizes: Uint32Array,
-  start: number,
-  end: number,
-): void {
+function countRange({ twins, fans: { ofCorner } }: CutSurface, sizes: Uint32Array, start: number, end: number): void {
   for (let corner = start; corner < end; corner++) {
     sizes[ofCorner[corner]]++;
     if (twins[corner] === NO_TWIN) sizes[ofCorner[nextCorner(corner)]]++;
