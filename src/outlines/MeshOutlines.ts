@@ -168,6 +168,7 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Obj
    * The vertices of a mesh that deforms, in its present pose; null if it does not, or if they cannot be known, which is said once.
    *
    * @param hasFloatTargets whether the device can draw into float textures
+   * @internal
    */
   protected deformationBy<Renderer extends { readonly domElement: EventTarget }>(
     deformations: Deformations<Renderer>,
