@@ -120,7 +120,7 @@ test('WebGPU draws the same picture when it is chosen, WebGL draws it again, and
   expect(meanInk(await savePicture(page))).toBeGreaterThan(0.02);
   await ready(page);
   await expect(nodeScreen(page)).toBeVisible();
-  // The caption that says so leaves the sheet less room. Saved once more, it does not change.
+  // Saving frames the model anew, with the shadow of the moved light. Saved once more, it does not change.
   const turned = await readDrawing(page);
   await savePicture(page);
   await ready(page);
