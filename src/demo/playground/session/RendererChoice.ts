@@ -25,10 +25,10 @@ export class RendererChoice {
 
   /** What WebGL draws although WebGPU is chosen, in a sentence; empty if it is not chosen. */
   get note(): string {
-    const { session, screen } = this;
-    if (session.settings.renderer !== 'webgpu') return '';
-    if (!screen || screen.canDraw) return 'Pictures, prints, videos and vector files are drawn by WebGL.';
-    const lack = session.stage.scenery.look?.lackOfNodes ?? 'the outlines of what moves';
+    const { settings, stage } = this.session;
+    if (settings.renderer !== 'webgpu') return '';
+    const lack = stage.scenery.look?.lackOfNodes;
+    if (lack === undefined) return 'Pictures, prints, videos and vector files are drawn by WebGL.';
     return `WebGL draws this, because WebGPU lacks ${lack}.`;
   }
 
