@@ -81,7 +81,8 @@ export class NodeScreen implements Screen {
 
   get canDraw(): boolean {
     const { look, shown } = this.host.scenery;
-    return look !== undefined && shown.model !== undefined && look.lackOfNodes === undefined;
+    if (!look || !shown.model) return false;
+    return look.lackOfNodes === undefined && shown.model.lackOfNodes === undefined;
   }
 
   get isBuilding(): boolean {
