@@ -37,7 +37,7 @@ function makeFrames() {
   };
   const drawing = { after: () => {}, width: 100, height: 100 };
   const painter = {
-    renderer: { domElement: drawing },
+    canvas: drawing,
     drawTile,
     placeLights: () => {},
     isBuilding: false,

@@ -36,7 +36,7 @@ function makeFrames() {
   const shown = { isStandIn: false, name: '', disposePrevious: () => {}, model: {} };
   const canvas = { width: 100, height: 100, shows: '', after: () => {} };
   const painter = {
-    renderer: { domElement: canvas },
+    canvas,
     drawTile: () => {
       canvas.shows = shown.name;
     },

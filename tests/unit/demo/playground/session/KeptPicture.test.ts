@@ -18,10 +18,9 @@ function createPicture() {
   vi.stubGlobal('document', { createElement: () => ({ toDataURL, getContext: () => ({ drawImage }) }) });
   const stage = {
     isComplete: true,
-    frames: { isWaiting: false, redraw: () => true },
+    frames: { isWaiting: false, redraw: () => true, canvas: { width: 300, height: 200 } },
     quality: { isCoarse: false },
     shown: { isStandIn: false },
-    canvas: { width: 300, height: 200 },
     context: gl.context,
   };
   const taken: string[] = [];

@@ -20,6 +20,7 @@ function makeStage(simplified?: { triangles: number; error: number }) {
     finer: undefined as BufferGeometry | undefined,
     quality: { finishSketch: () => {} },
     frames,
+    scenery: { takeBack: vi.fn() },
     painter: { setShadowQuality: () => {} },
     changes: 0,
     outdateShadows: vi.fn(),
@@ -47,6 +48,8 @@ test('a picture is drawn of the finer geometry, which is let go when frames go o
     expect(mesh.geometry).toBe(shown);
     session.hold(1000);
     expect([mesh.geometry, stage.frames.isHeld]).toEqual([geometry, true]);
+    // Nodes may have drawn the frames.
+    expect(stage.scenery.takeBack).toHaveBeenCalledOnce();
     session.release();
     expect([mesh.geometry, stage.frames.isHeld]).toEqual([shown, false]);
     // Shadows are those of the geometry, both times.
