@@ -18,18 +18,16 @@ export async function behindCurtain<Result>(
 ): Promise<Result> {
   const curtain = raiseCurtain(stage, settings.paper);
   const session = new PictureSession(stage);
-  const { view } = stage;
-  const { sheet } = view;
+  const goBack = stage.view.composeFor(sheetOnView(settings, drawnView(stage)));
   try {
     const whole = planPrint(settings, drawnView(stage));
-    view.sheet = sheetOnView(settings, drawnView(stage));
     session.hold(Math.max(whole.width, whole.height));
     const plan = settings.pictureCrop === 'drawing' ? await cutToDrawing(session, whole, signal) : whole;
     return await draw(session, plan);
   } catch (error) {
     throw error instanceof LostContextError ? new LostContextError(LOST) : error;
   } finally {
-    view.sheet = sheet;
+    goBack();
     session.release();
     curtain.lower();
   }

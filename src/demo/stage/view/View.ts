@@ -39,8 +39,8 @@ export class View {
   proportion = 1;
   /** Called when the user has moved the camera. */
   onMoved: () => void = () => {};
-  /** Whether the camera is where {@link frame} put it. If so, it is placed again when the viewport changes its size. */
-  private hasFramed = true;
+  /** The viewport and the sheet that the model was framed for, empty before it was; undefined if the user has placed the camera. */
+  private framedFor: string | undefined = '';
   private frames = 0;
   private isPlacing = false;
   private readonly first = new Vector3(...DEFAULT_VIEW);
@@ -73,7 +73,7 @@ export class View {
   private readonly moved = (): void => {
     this.round();
     if (!this.isPlacing) {
-      this.hasFramed = false;
+      this.framedFor = undefined;
       this.onMoved();
     }
     this.onChange();
@@ -96,13 +96,14 @@ export class View {
     });
   }
 
+  /** Whether the camera is where {@link frame} put it. If so, it is placed again for another shape of the viewport, or another sheet. */
   get isFramed(): boolean {
-    return this.hasFramed;
+    return this.framedFor !== undefined;
   }
 
   /** How often a model was framed; 0 while the camera is where the user has placed it. */
   get framedCount(): number {
-    return this.hasFramed ? this.frames : 0;
+    return this.isFramed ? this.frames : 0;
   }
 
   /** xyz of points on the outer parts of the model. */
@@ -114,10 +115,15 @@ export class View {
   readonly frame = (): void => {
     this.controls.target.copy(this.fit(this.camera));
     this.update();
-    this.hasFramed = true;
+    this.framedFor = this.frameFor;
     this.frames++;
     this.onChange();
   };
+
+  /** Frames a framed model anew where the viewport or the sheet asks for it. Otherwise the view stays: its lights may have moved since. */
+  private frameAnew(): void {
+    if (this.isFramed && this.framedFor !== this.frameFor) this.frame();
+  }
 
   private fit(camera: PerspectiveCamera): Vector3 {
     const { outline, first, ...framing } = this.framing;
@@ -142,9 +148,26 @@ export class View {
   }
 
   set sheet(sheet: readonly [number, number] | undefined) {
-    if (sheet?.join() === this.shownSheet?.join()) return;
     this.shownSheet = sheet;
-    if (this.hasFramed) this.frame();
+    this.frameAnew();
+  }
+
+  /**
+   * Composes a framed model for a sheet that the page does not show.
+   *
+   * @returns goes back to the sheet of the page, and to the very view before unless it was changed meanwhile
+   */
+  composeFor(sheet: readonly [number, number] | undefined): () => void {
+    const { shownSheet, state, frames } = this;
+    this.sheet = sheet;
+    const composed = JSON.stringify(this.state);
+    return () => {
+      const isChanged = JSON.stringify(this.state) !== composed;
+      this.sheet = shownSheet;
+      if (isChanged) return;
+      this.state = state;
+      this.frames = frames;
+    };
   }
 
   /** What the model is framed by, as {@link fitCamera} takes it. */
@@ -170,14 +193,14 @@ export class View {
     this.outline = outline;
     if (first) this.first.set(...first);
     this.proportion = proportionOf(outline, this.first);
-    if (this.hasFramed) this.frame();
+    if (this.isFramed) this.frame();
   }
 
   /** To be called when the viewport has changed its size. */
   resized(aspect: number): void {
     this.camera.aspect = aspect;
     this.camera.updateProjectionMatrix();
-    if (this.hasFramed) this.frame();
+    this.frameAnew();
   }
 
   get place(): CameraView {
@@ -186,7 +209,7 @@ export class View {
 
   /** As {@link place}; undefined if the camera is where {@link frame} would put it, as whoever frames the same model will see it. */
   get ownPlace(): CameraView | undefined {
-    if (!this.hasFramed) return this.place;
+    if (!this.isFramed) return this.place;
     const camera = this.camera.clone();
     const target = roundToSingle(this.fit(camera));
     const isThere = roundToSingle(camera.position).equals(this.camera.position) && target.equals(this.controls.target);
@@ -197,19 +220,18 @@ export class View {
     this.camera.position.fromArray(position);
     this.controls.target.fromArray(target);
     this.update();
-    this.hasFramed = false;
+    this.framedFor = undefined;
     this.onChange();
   }
 
   get state(): ViewState {
-    return { ...this.place, framedFor: this.hasFramed ? this.frameFor : undefined };
+    return { ...this.place, framedFor: this.framedFor };
   }
 
-  /** A model is framed anew only for another viewport or sheet: its lights may have moved since. */
   set state({ framedFor, ...place }: ViewState) {
     this.place = place;
-    if (framedFor === this.frameFor) this.hasFramed = true;
-    else if (framedFor !== undefined) this.frame();
+    this.framedFor = framedFor;
+    this.frameAnew();
   }
 
   private get frameFor(): string {

@@ -98,3 +98,48 @@ test('a framed model is composed for the sheet that is shown, and for the viewpo
   view.sheet = [0.5, 0.9];
   expect(view.place).toEqual(turned);
 });
+
+describe('a view, after the light has moved', () => {
+  /** A framed view of a box whose light was moved since. */
+  function litAnew() {
+    let shadow = [3, -0.5, 0];
+    const made = viewOf(() => shadow);
+    shadow = [-3, -0.5, 0];
+    return made;
+  }
+
+  test('stays in a viewport of the same shape, and is framed with the new shadow in another one', () => {
+    const { view, press } = litAnew();
+    const { state, framedCount } = view;
+    view.resized(4 / 3);
+    expect([view.state, view.framedCount]).toEqual([state, framedCount]);
+    view.resized(2);
+    view.resized(4 / 3);
+    const framed = view.state;
+    expect(framed).not.toEqual(state);
+    expect(view.ownPlace).toBeUndefined();
+    press('ArrowLeft');
+    const turned = view.state;
+    for (const aspect of [2, 4 / 3]) view.resized(aspect);
+    expect(view.state).toEqual(turned);
+  });
+
+  test('stays when a picture was composed for a sheet that is not shown', () => {
+    const { view } = litAnew();
+    const { state, framedCount } = view;
+    const goBack = view.composeFor([0.5, 0.9]);
+    expect(view.ownPlace).toBeUndefined();
+    expect(view.place.position).not.toEqual(state.position);
+    goBack();
+    expect([view.state, view.framedCount, view.sheet]).toEqual([state, framedCount, undefined]);
+  });
+
+  test('stays where it was put while a picture was composed', () => {
+    const { view, press } = litAnew();
+    const goBack = view.composeFor([0.5, 0.9]);
+    press('ArrowLeft');
+    const turned = view.state;
+    goBack();
+    expect([view.state, view.sheet]).toEqual([turned, undefined]);
+  });
+});
