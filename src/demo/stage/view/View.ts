@@ -45,6 +45,8 @@ export class View {
   private isPlacing = false;
   private readonly first = new Vector3(...DEFAULT_VIEW);
   private outline: ArrayLike<number> = NO_OUTLINE;
+  /** The shape of the viewport: that of the camera is another one while pictures are drawn. */
+  private aspect = 1;
   private shownSheet: readonly [number, number] | undefined;
 
   /**
@@ -115,14 +117,14 @@ export class View {
   readonly frame = (): void => {
     this.controls.target.copy(this.fit(this.camera));
     this.update();
-    this.framedFor = this.frameFor;
+    this.framedFor = this.frameFor(this.camera.aspect);
     this.frames++;
     this.onChange();
   };
 
   /** Frames a framed model anew where the viewport or the sheet asks for it. Otherwise the view stays: its lights may have moved since. */
   private frameAnew(): void {
-    if (this.isFramed && this.framedFor !== this.frameFor) this.frame();
+    if (this.isFramed && this.framedFor !== this.frameFor(this.aspect)) this.frame();
   }
 
   private fit(camera: PerspectiveCamera): Vector3 {
@@ -178,9 +180,9 @@ export class View {
   }
 
   private get framingForSheet(): Partial<ModelFraming> {
-    const { outline, first, shownSheet, camera } = this;
+    const { outline, first, shownSheet, aspect } = this;
     if (shownSheet) return { ...ON_SHEET, part: shownSheet };
-    return camera.aspect < UPRIGHT.aspect ? uprightFraming(outline, first, camera.aspect) : {};
+    return aspect < UPRIGHT.aspect ? uprightFraming(outline, first, aspect) : {};
   }
 
   /**
@@ -198,6 +200,7 @@ export class View {
 
   /** To be called when the viewport has changed its size. */
   resized(aspect: number): void {
+    this.aspect = aspect;
     this.camera.aspect = aspect;
     this.camera.updateProjectionMatrix();
     this.frameAnew();
@@ -234,8 +237,8 @@ export class View {
     this.frameAnew();
   }
 
-  private get frameFor(): string {
-    return [this.camera.aspect, ...(this.shownSheet ?? [])].join();
+  private frameFor(aspect: number): string {
+    return [aspect, ...(this.shownSheet ?? [])].join();
   }
 
   /** Takes over where the camera was put. */

@@ -99,6 +99,16 @@ test('a framed model is composed for the sheet that is shown, and for the viewpo
   expect(view.place).toEqual(turned);
 });
 
+test('a model that is framed while a picture of another shape is drawn is framed again for the viewport', () => {
+  const { view, camera } = viewOf();
+  const { state } = view;
+  camera.aspect = 0.5;
+  view.frame();
+  expect(view.state).not.toEqual(state);
+  view.resized(4 / 3);
+  expect(view.state).toEqual(state);
+});
+
 describe('a view, after the light has moved', () => {
   /** A framed view of a box whose light was moved since. */
   function litAnew() {
@@ -109,9 +119,12 @@ describe('a view, after the light has moved', () => {
   }
 
   test('stays in a viewport of the same shape, and is framed with the new shadow in another one', () => {
-    const { view, press } = litAnew();
+    const { view, camera, press } = litAnew();
     const { state, framedCount } = view;
+    // As after a picture, whose pixels have nearly the same shape.
+    camera.aspect = 1.33;
     view.resized(4 / 3);
+    expect(camera.aspect).toBe(4 / 3);
     expect([view.state, view.framedCount]).toEqual([state, framedCount]);
     view.resized(2);
     view.resized(4 / 3);
