@@ -2,7 +2,7 @@ import { readFile } from 'node:fs/promises';
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { unzipSync } from 'three/addons/libs/fflate.module.js';
-import { openPlayground, readDrawing, ready } from '../../tools/browser/playground.js';
+import { middleOf, openPlayground, readDrawing, ready } from '../../tools/browser/playground.js';
 import { expect, test } from '../browser/test.js';
 import { changedShare, largestDifference } from './pictures.js';
 
@@ -86,6 +86,15 @@ test('an A6 sheet measures what it should; cut to the drawing it is the same, sm
   expect(Math.abs(wide - 148)).toBeLessThan(pixel / 2 + 0.01);
   expect(Math.abs(high - 105)).toBeLessThan(pixel / 2 + 0.01);
   expect(changedShare(shown, await readDrawing(page))).toBe(0);
+  // Also after the light has moved, for whose shadow the sheet is composed anew.
+  await page.locator('#lamp').focus();
+  for (let i = 0; i < 6; i++) await page.keyboard.press('ArrowRight');
+  const lit = await readDrawing(page);
+  expect(changedShare(shown, lit)).toBeGreaterThan(0.01);
+  const lamp = await middleOf(page, '#lamp');
+  await saved(page);
+  expect(changedShare(lit, await readDrawing(page))).toBe(0);
+  expect(await middleOf(page, '#lamp')).toEqual(lamp);
 
   await openPlayground(page, `${LOOK}&pictureSize=a6&pictureDpi=150&pictureCrop=drawing`);
   const cut = PNG.sync.read(await saved(page));
