@@ -11,14 +11,17 @@ const LINES = 'model=knot&technique=engraved&shadows=on&ground=floor';
 
 declare global {
   interface Window {
-    /** What the page has on the graphics card, as the tests have counted it. */
-    __held?: { programs: number; textures: number; devices: number; lose: () => void };
+    /**
+     * What the page has on the graphics card, as the tests have counted it, and how many programs of WebGPU are being built for a frame
+     * that waits for them.
+     */
+    __held?: { programs: number; textures: number; devices: number; awaited: number; lose: () => void };
   }
 }
 
-/** Runs in the page before its own scripts: counts programs and textures of WebGL and devices of WebGPU, and can say that a device is lost. */
+/** Runs in the page before its own scripts: counts what it holds, as `__held` says, and can say that a device is lost. */
 function count(): void {
-  const held = { programs: 0, textures: 0, devices: 0, lose: () => {} };
+  const held = { programs: 0, textures: 0, devices: 0, awaited: 0, lose: () => {} };
   window.__held = held;
   const { prototype } = WebGL2RenderingContext;
   for (const [what, counter] of [
@@ -49,12 +52,18 @@ function count(): void {
     Object.defineProperty(device, 'lost', { value: isLost });
     return device;
   };
+  const { createRenderPipeline } = GPUDevice.prototype;
+  GPUDevice.prototype.createRenderPipeline = function (descriptor) {
+    held.awaited++;
+    setTimeout(() => this.queue.onSubmittedWorkDone().finally(() => held.awaited--));
+    return createRenderPipeline.call(this, descriptor);
+  };
 }
 
 const held = (page: Page) =>
   page.evaluate(() => {
-    const { programs, textures, devices } = window.__held!;
-    return { programs, textures, devices };
+    const { programs, textures, devices, awaited } = window.__held!;
+    return { programs, textures, devices, awaited };
   });
 
 /** three.js never gives back the program of its shadow maps. */
@@ -105,6 +114,7 @@ test('WebGPU draws the same picture when it is chosen, WebGL draws it again, and
   await openMore(page);
   await renderers(page).selectOption('WebGPU, experimental');
   await idle(page);
+  expect((await held(page)).awaited).toBe(0);
   const onWebGPU = await readDrawing(page);
   expect(scripts.length).toBeGreaterThan(0);
   await expect(nodeScreen(page)).toBeVisible();

@@ -24,7 +24,7 @@ export class PageState {
   ) {
     const { stage } = session;
     stage.frames.onFrame(() => {
-      if (!tasks.isIdle || !stage.isComplete) return;
+      if (!tasks.isIdle || !stage.isComplete || stage.frames.isBuilding) return;
       if (hasLights()) setPageState('ready');
       this.fetchRest();
     });

@@ -36,7 +36,7 @@ export class Frames {
     setTimeout(() => this.crossFade.prepare());
     this.scheduler = new FrameScheduler(() => {
       // Until the programs are built, the last frame stays on the page.
-      if (!painter.isBuilding && !this.screen?.isBuilding) this.draw();
+      if (!this.isBuilding) this.draw();
     });
   }
 
@@ -79,11 +79,15 @@ export class Frames {
     return this.scheduler.frames;
   }
 
+  /** Whether what frames are drawn with is being built. Meanwhile the page shows an earlier frame. */
+  get isBuilding(): boolean {
+    return this.painter.isBuilding || this.screen?.isBuilding === true;
+  }
+
   /** Whether a frame was requested and is not drawn yet, or a model was drawn as a sketch only. */
   get isWaiting(): boolean {
     const { painter, quality } = this;
-    const isBuilding = painter.isBuilding || this.screen?.isBuilding === true;
-    return this.scheduler.isWaiting || isBuilding || (quality.isSketch && !painter.isLost);
+    return this.scheduler.isWaiting || this.isBuilding || (quality.isSketch && !painter.isLost);
   }
 
   /** Discards the picture of a stand-in, which would have faded into that of the model. */

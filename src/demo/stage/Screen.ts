@@ -10,7 +10,7 @@ export interface Screen {
   readonly canvas: HTMLCanvasElement;
   /** Whether its renderer draws all that is shown at present. If not, the painter does. */
   readonly canDraw: boolean;
-  /** Whether what frames are drawn with is being built. */
+  /** Whether what frames are drawn with is being built, be it by the first of them. A frame is requested when it is there. */
   readonly isBuilding: boolean;
   /** Whether a frame can be drawn now. If not, what it needs is built, and a frame is requested then. */
   prepare(): boolean;

@@ -39,7 +39,10 @@ export class NodeScreen implements Screen {
   private builtModel: HatchedModel | undefined;
   private builtFor = '';
   private builds = 0;
-  private isPreparing = false;
+  /** What is being built: the programs, or what else the first frame needs. */
+  private building: 'programs' | 'rest' | undefined;
+  /** Whether no frame was drawn since programs were built. */
+  private isFirst = false;
   private isDisposed = false;
   /** The shadows that were drawn last, by the painter's number. */
   private shadows = -1;
@@ -55,7 +58,7 @@ export class NodeScreen implements Screen {
     const screen = new NodeScreen(host);
     try {
       await screen.renderer.init();
-      if (!('isWebGPUBackend' in screen.renderer.backend)) throw new Error('There is no device.');
+      if (!screen.device) throw new Error('There is no device.');
     } catch (error) {
       screen.dispose();
       throw error;
@@ -79,6 +82,11 @@ export class NodeScreen implements Screen {
     this.ground = new Ground(this.scene, () => this.outdate(), groundMaterial);
   }
 
+  /** The graphics card; undefined if the renderer has fallen back to WebGL. */
+  private get device(): GPUDevice | undefined {
+    return (this.renderer.backend as { device?: GPUDevice }).device;
+  }
+
   get canDraw(): boolean {
     const { look, shown } = this.host.scenery;
     if (!look || !shown.model) return false;
@@ -86,12 +94,13 @@ export class NodeScreen implements Screen {
   }
 
   get isBuilding(): boolean {
-    return this.isPreparing;
+    return this.building !== undefined;
   }
 
   prepare(): boolean {
     const { look, shown } = this.host.scenery;
-    if (!look || (look.programs === this.builtFor && shown.model === this.builtModel)) return !this.isPreparing;
+    if (!look || (look.programs === this.builtFor && shown.model === this.builtModel))
+      return this.building !== 'programs';
     this.builtFor = look.programs;
     this.builtModel = shown.model;
     void this.build();
@@ -106,12 +115,13 @@ export class NodeScreen implements Screen {
     if (size.width !== width || size.height !== height) renderer.setSize(width, height, false);
     Object.assign(size, { width, height, ratio });
     renderer.render(this.scene, this.camera);
+    if (this.isFirst) void this.buildRest();
   }
 
   dispose(): void {
     const { canvas, ground, host, renderer } = this;
     this.isDisposed = true;
-    this.isPreparing = false;
+    this.building = undefined;
     host.scenery.dropNodes();
     ground.dispose();
     canvas.remove();
@@ -129,7 +139,7 @@ export class NodeScreen implements Screen {
   private async build(): Promise<void> {
     const { host, renderer, groundMaterial, lights } = this;
     const build = ++this.builds;
-    this.isPreparing = true;
+    this.building = 'programs';
     this.follow(this.size.width, this.size.height);
     // What cannot be fetched or built is missing in the frame, and the console says why.
     try {
@@ -139,9 +149,25 @@ export class NodeScreen implements Screen {
       if (!this.isDisposed) console.error(error);
     }
     if (build !== this.builds || this.isDisposed) return;
-    this.isPreparing = false;
+    this.building = undefined;
+    this.isFirst = true;
     lights.outdateShadows();
     host.refine();
+  }
+
+  /**
+   * Waits for the first frame. The graphics card builds the programs of shadows for it, and that which puts it on the canvas. Until then, the
+   * page shows the frame before, and further ones would wait as well.
+   */
+  private async buildRest(): Promise<void> {
+    const { builds } = this;
+    this.isFirst = false;
+    this.building = 'rest';
+    // A card that is let go of meanwhile does not finish it.
+    await this.device?.queue.onSubmittedWorkDone().catch(() => {});
+    if (builds !== this.builds || this.isDisposed) return;
+    this.building = undefined;
+    this.host.refine();
   }
 
   /** Takes over what is shown, on a sheet of this size in CSS pixels. */

@@ -34,12 +34,15 @@ function makeFrames() {
     },
     isSketch: false,
     share: 1,
+    finishSketch: () => {},
+    drawnUnmeasured: () => {},
   };
   const drawing = { after: () => {}, width: 100, height: 100 };
   const painter = {
     canvas: drawing,
     drawTile,
     placeLights: () => {},
+    release: () => {},
     isBuilding: false,
     isLost: false,
   };
@@ -101,6 +104,32 @@ test('a frame that only adds to the drawing is none of a movement', () => {
   sheet.refine();
   next();
   expect(moving).toEqual([false, true, false]);
+});
+
+test('while a screen builds what frames are drawn with, be it by the first of them, frames are waited for and not drawn', () => {
+  const { sheet, next } = makeFrames();
+  const screen = {
+    canvas: { hidden: true },
+    canDraw: true,
+    isBuilding: true,
+    prepare: () => true,
+    draw: vi.fn(() => {
+      screen.isBuilding = true;
+    }),
+    dispose: () => {},
+  };
+  const ask = (): number => {
+    sheet.refine();
+    next();
+    return screen.draw.mock.calls.length;
+  };
+  sheet.drawOn(screen as never);
+  expect([ask(), sheet.isWaiting]).toEqual([0, true]);
+  screen.isBuilding = false;
+  expect([ask(), sheet.isWaiting]).toEqual([1, true]);
+  expect(ask()).toBe(1);
+  screen.isBuilding = false;
+  expect(sheet.isWaiting).toBe(false);
 });
 
 test('before there is a model, no ground is drawn', () => {
