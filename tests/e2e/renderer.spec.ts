@@ -77,6 +77,20 @@ const renderers = (page: Page) => page.getByLabel('Renderer');
 const nodeScreen = (page: Page) => page.locator('.node-screen');
 const note = (page: Page) => page.locator('.lil-controller', { hasText: 'Renderer' }).locator('.note');
 
+/** The copy that covers the drawing while a picture is saved: its size, and whether something is on it. */
+const firstCurtain = (page: Page) =>
+  page.evaluate(
+    () =>
+      new Promise<object>((resolve) => {
+        new MutationObserver(() => {
+          const copy = document.querySelector<HTMLCanvasElement>('.curtain');
+          if (!copy) return;
+          const { width, height } = copy;
+          resolve({ width, height, alpha: copy.getContext('2d')!.getImageData(0, 0, 1, 1).data[3] });
+        }).observe(document.querySelector('#viewport')!, { childList: true });
+      }),
+  );
+
 async function openMore(page: Page): Promise<void> {
   await page.getByRole('button', { name: 'More', exact: true }).click();
 }
@@ -128,7 +142,9 @@ test('WebGPU draws the same picture when it is chosen, WebGL draws it again, and
   for (let i = 0; i < 6; i++) await page.keyboard.press('ArrowRight');
   const turned = await readDrawing(page);
   expect(changedShare(onWebGPU, turned)).toBeGreaterThan(0.02);
+  const curtain = firstCurtain(page);
   expect(unlikeShare(turned, await savePicture(page))).toBeLessThan(0.005);
+  expect(await curtain).toEqual({ width: turned.width, height: turned.height, alpha: 255 });
   expect(unlikeShare(turned, await readDrawing(page))).toBe(0);
   await expect(nodeScreen(page)).toBeVisible();
   await expectWebGPUAlone(page);

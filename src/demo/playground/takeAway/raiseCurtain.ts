@@ -14,12 +14,13 @@ interface Curtain {
  * video frame by frame.
  */
 export function raiseCurtain(stage: Stage, paper: string): Curtain {
-  const { canvas, viewport, card, bar } = page;
+  const { viewport, card, bar } = page;
   const copy = document.createElement('canvas');
   copy.className = 'curtain';
   copy.setAttribute('aria-hidden', 'true');
   // The drawing is copied in the same task, because the canvas does not keep its content for longer.
   stage.frames.draw();
+  const { canvas } = stage.frames;
   const { width, height } = Object.assign(copy, { width: canvas.width, height: canvas.height });
   const context = copy.getContext('2d');
   context?.drawImage(canvas, 0, 0);
