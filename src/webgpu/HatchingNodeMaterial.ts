@@ -56,7 +56,6 @@ import { accessorOf, fieldOf } from '../material/propertyAccessors.js';
 import { TONE_CURVES } from '../material/shaders/shaderConventions.js';
 import { mapIsReady, sharedMap } from '../material/sharedMaps.js';
 import { withVectors } from '../material/vectorValues.js';
-import { tell } from '../mistakes/tell.js';
 import type { TonalArtMap } from '../tam/TonalArtMap.js';
 import { exposureReady, writeExposure } from './fittedExposure.js';
 import { HatchingLightingModel, type LitSurface, unlitSurface } from './HatchingLightingModel.js';
@@ -70,20 +69,13 @@ import { filledColor, localDarkness } from './nodes/chunks/localColor.js';
 import { paper, printedColor } from './nodes/chunks/printedColor.js';
 import { shadedTone, unshadowedTone } from './nodes/chunks/tone.js';
 import { readFaceNormals } from './nodes/perFragment/faceNormals.js';
+import { tellOnce } from './tellOnce.js';
 
 const NAME = 'HatchingNodeMaterial';
 const propertyNames = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
 const propertyOf = (name: HatchingPropertyName): HatchingProperty => HATCHING_PROPERTIES[name];
 
 const { diffuseColor, float, materialEmissive, mix, positionLocal, positionView, vec3 } = tsl;
-
-const told = new Set<string>();
-
-function tellOnce(sentence: string): void {
-  if (told.has(sentence)) return;
-  told.add(sentence);
-  tell(`${NAME}: ${sentence}`);
-}
 
 /** Of its own: WebGPURenderer leaves that of a mesh as it is. */
 const modelView = /* @__PURE__ */ new Matrix4();

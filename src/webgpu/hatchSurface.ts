@@ -4,6 +4,7 @@ import { isFormed } from '../geometry/formGeometry.js';
 import { formOf, runsAway } from '../material/facts/lookFacts.js';
 import type { HatchingMaterialProperties } from '../material/HatchingMaterialProperties.js';
 import { AWAY, withoutForm } from '../material/programDefines.js';
+import { hasRoomForForm } from './hasRoomForForm.js';
 import { directedLights } from './nodes/base/directedLights.js';
 import { followsForm } from './nodes/base/followsForm.js';
 import type { HatchingSurface } from './nodes/base/HatchingSurface.js';
@@ -48,18 +49,19 @@ const isAnchored = ({ technique }: Look): boolean => technique === 'anchored';
 export const drawnChoice = (look: Look, name: 'lineField' | 'shadowStrokes' | 'strokeField' | 'strokeLayers'): string =>
   (runsAway(look) && AWAY[name]) || look[name];
 
-/** What the lines or strokes of a geometry run by. Only those that were prepared with `form` have some that follow it. */
-function fieldFor(look: Look, geometry: BufferGeometry): string {
+/** What the lines or strokes of a mesh run by. Only geometries that were prepared with `form` have some that follow it. */
+function fieldFor(look: Look, builder: NodeBuilder): string {
   const form = formOf(look);
   const chosen = drawnChoice(look, isAnchored(look) ? 'strokeField' : 'lineField');
   if (!form) return chosen;
-  if (!isFormed(geometry)) return form === 'auto' ? withoutForm(look) : 'light';
+  const hasForm = isFormed(builder.geometry as BufferGeometry) && hasRoomForForm(builder, isAnchored(look));
+  if (!hasForm) return form === 'auto' ? withoutForm(look) : 'light';
   return form === 'auto' ? 'form' : chosen;
 }
 
 function cutFor(look: Look, builder: NodeBuilder): LineCut {
   const cut = {
-    lineField: fieldFor(look, builder.geometry as BufferGeometry),
+    lineField: fieldFor(look, builder),
     runsAway: runsAway(look),
     reorients: false,
   };
@@ -69,7 +71,7 @@ function cutFor(look: Look, builder: NodeBuilder): LineCut {
 
 /** Puts the vertex where three's own materials do, and its strokes with it. */
 export function emitVertex(look: Look, builder: NodeBuilder): void {
-  const field = fieldFor(look, builder.geometry as BufferGeometry);
+  const field = fieldFor(look, builder);
   const isOfForm = followsForm(field);
   // Lines that follow the form are fixed to the surface, whatever strokes are.
   const isAtRest = look.strokeAnchor === 'rest' || (isOfForm && !isAnchored(look));
@@ -108,7 +110,7 @@ function engravedIn(look: Look, { told, shadowLeft }: HatchingSurface, builder: 
 
 function anchoredIn(look: Look, { told }: HatchingSurface, builder: NodeBuilder): Printing {
   const { medium, sizedOnScreen } = look;
-  const field = fieldFor(look, builder.geometry as BufferGeometry);
+  const field = fieldFor(look, builder);
   const strokeLayers = drawnChoice(look, 'strokeLayers');
   const lights = lightsOf(builder);
   const several = directedLights(lights).length > 1;
