@@ -5,7 +5,7 @@ import { expectForm, isFormed } from '../geometry/formGeometry.js';
 import { crossAngleOf, type HatchingFormOptions } from '../geometry/HatchingFormOptions.js';
 import { identityOf } from '../geometry/identityOf.js';
 import { fadeIn, fadeOut, showLines } from '../geometry/lineFades.js';
-import { MANY_TRIANGLES, type PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
+import { MANY_TRIANGLES, type PrepareHatchingGeometryOptions } from '../geometry/PrepareHatchingGeometryOptions.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { tell } from '../mistakes/tell.js';
 import { runSliced } from '../slices/runSliced.js';

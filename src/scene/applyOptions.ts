@@ -1,4 +1,7 @@
-import { checkPrepareOptions, type PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
+import {
+  checkPrepareOptions,
+  type PrepareHatchingGeometryOptions,
+} from '../geometry/PrepareHatchingGeometryOptions.js';
 import { checkTonalArtMap } from '../material/checkTonalArtMap.js';
 import { checkHatchImageOptions } from '../tam/checkHatchImageOptions.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';

@@ -1,6 +1,6 @@
 import type { BufferGeometry, Material, Mesh, Object3D } from 'three';
 import { assertGeometry } from '../geometry/checkGeometry.js';
-import type { OutlineOptions, PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
+import type { OutlineOptions, PrepareHatchingGeometryOptions } from '../geometry/PrepareHatchingGeometryOptions.js';
 import { needsMap } from '../material/facts/lookFacts.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { describeObject } from '../mistakes/describeObject.js';
@@ -14,7 +14,6 @@ import { startWorker } from '../worker/runTask.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import { prepareOptions, resolveOptions } from './applyOptions.js';
 import { assertTree } from './assertTree.js';
-import { bakeGeometries } from './bakeGeometries.js';
 import { type ChosenMeshes, chooseMeshes } from './chooseMeshes.js';
 import { claimMeshes } from './claimMeshes.js';
 import type { MakeLevels } from './detail/levelMaker.js';
@@ -147,11 +146,13 @@ async function makeLooks(
   const replacer = new MaterialReplacer(options.material ?? {}, makers.material);
   disposables.push(replacer);
   const { seen, unreadable } = asBefore(() => looksToReplace(chosen));
-  const [{ planned, plans, formsLater }, firstFrame, outlineMaker, detail] = await Promise.all([
+  // Materials are planned while what bakes is fetched.
+  const [{ planned, plans, formsLater }, firstFrame, outlineMaker, detail, { bakeGeometries }] = await Promise.all([
     runSliced(planMeshes(seen, replacer), { signal, around: asBefore }).then((all) => planBakes(all, options)),
     firstFrameOf(root, options),
     outlineMakerOf(options, makers),
     detailOf(options),
+    import('./bakeGeometries.js'),
   ]);
   if (outlineMaker) disposables.push(outlineMaker);
 

@@ -2,7 +2,7 @@ import type { MapDrawing } from '../hatchImages/hatchImageOptions.js';
 import { checkTonalArtMap, isTonalArtMap } from '../material/checkTonalArtMap.js';
 import { isPromise } from '../mistakes/isPromise.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
-import { TonalArtMap } from '../tam/TonalArtMap.js';
+import type { TonalArtMap } from '../tam/TonalArtMap.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import { progressParts } from './progressParts.js';
@@ -46,16 +46,22 @@ async function makeMap(
     return own;
   }
   if (namesStyleAlone(wanted)) return sharedMap(wanted, options);
+  const { TonalArtMap } = await fetchMaps();
   const map = await TonalArtMap.generate({ ...wanted, signal, createWorker, onProgress });
   disposables.push(map);
   return map;
 }
+
+/** The code of maps, which looks without one do not need. */
+const fetchMaps = () => import('../tam/TonalArtMap.js');
 
 const namesStyleAlone = (drawing: MapDrawing): boolean =>
   Object.entries(drawing).every(([name, value]) => name === 'style' || value === undefined);
 
 /** The shared map when it is ready. An abort ends the waiting, and not the drawing, which others may wait for, too. */
 async function sharedMap(drawing: MapDrawing, { signal, createWorker, onProgress }: TaskOptions): Promise<TonalArtMap> {
+  signal?.throwIfAborted();
+  const { TonalArtMap } = await fetchMaps();
   signal?.throwIfAborted();
   const { ready } = TonalArtMap.shared(drawing, { createWorker, onProgress });
   const aborted = new Promise<never>((_, reject) => {

@@ -61,7 +61,7 @@ import { exposureReady, writeExposure } from './fittedExposure.js';
 import { HatchingLightingModel, type LitSurface, unlitSurface } from './HatchingLightingModel.js';
 import { darknessOf, drawnChoice, emitVertex, pixelFromBelow } from './hatchSurface.js';
 import { maxTextureSize } from './maxTextureSize.js';
-import { patternReady, writePattern } from './mediumPattern.js';
+import { dotLayerOf, patternReady, writePattern } from './mediumPattern.js';
 import { tsl, type Value } from './nodes/base/values.js';
 import { emphasisAt } from './nodes/chunks/emphasis.js';
 import { lightLuminance } from './nodes/chunks/lightLuminance.js';
@@ -129,6 +129,10 @@ export class HatchingNodeMaterial extends NodeMaterial {
   private curve: ToneCurve | undefined;
   /** The frame for which the uniforms were last written. */
   private readonly written = new FrameStamp();
+  /** Has its nodes made anew. */
+  private readonly renew = (): void => {
+    this.needsUpdate = true;
+  };
 
   static override get type(): string {
     return NAME;
@@ -233,6 +237,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
       shadowDirection,
       curve,
       inkBlend,
+      Number(dotLayerOf(this) !== undefined),
     ].join(' ');
   }
 
@@ -267,7 +272,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const map = fittingMap(chosen, true, maxTextureSize(renderer as unknown as WebGPURenderer));
     writeSizeUniforms(look, chosen, pixelRatio, u);
     writeMapUniforms(map, usesThresholds(this), u);
-    const hasPattern = writePattern(this, u);
+    const hasPattern = writePattern(this, u, this.renew);
     u.inked.value = Number(hasPattern && (map !== null || !needsMap(this)));
     writeCurveUniforms(this.toneCurve, u);
     writeComputedUniforms(look, u);

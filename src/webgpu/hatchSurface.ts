@@ -5,6 +5,7 @@ import { formOf, runsAway } from '../material/facts/lookFacts.js';
 import type { HatchingMaterialProperties } from '../material/HatchingMaterialProperties.js';
 import { AWAY, withoutForm } from '../material/programDefines.js';
 import { hasRoomForForm } from './hasRoomForForm.js';
+import { dotLayerOf } from './mediumPattern.js';
 import { directedLights } from './nodes/base/directedLights.js';
 import { followsForm } from './nodes/base/followsForm.js';
 import type { HatchingSurface } from './nodes/base/HatchingSurface.js';
@@ -20,7 +21,6 @@ import { emitAnchored } from './nodes/techniques/anchored/emit.js';
 import { hatch } from './nodes/techniques/anchored/hatch.js';
 import { type HatchingParameters, readHatchingParameters } from './nodes/techniques/anchored/read.js';
 import { shadowLayer } from './nodes/techniques/anchored/shadowStrokes.js';
-import { hatchLayer as dotLayer } from './nodes/techniques/anchored/stipple.js';
 import { type StrokeDefines, hatchLayer as strokeLayer } from './nodes/techniques/anchored/strokes.js';
 import { emitEngraved } from './nodes/techniques/engraved/emit.js';
 import { type LineCut, turnsWithLight } from './nodes/techniques/engraved/fieldAxis.js';
@@ -30,7 +30,7 @@ import { shadowLayer as shadowFamilies } from './nodes/techniques/engraved/shado
 
 type Look = HatchingMaterialProperties;
 
-const { screenCoordinate, screenSize, vec2 } = tsl;
+const { float, screenCoordinate, screenSize, vec2 } = tsl;
 
 /** 0 where strokes wait for their map, or have none. */
 const inked = /* @__PURE__ */ hatchingUniform('inked', 'float');
@@ -108,6 +108,9 @@ function engravedIn(look: Look, { told, shadowLeft }: HatchingSurface, builder: 
   };
 }
 
+/** Paper, until the code of a medium is there. */
+const noLayer = (): Value => float(0);
+
 function anchoredIn(look: Look, { told }: HatchingSurface, builder: NodeBuilder): Printing {
   const { medium, sizedOnScreen } = look;
   const field = fieldFor(look, builder);
@@ -122,6 +125,7 @@ function anchoredIn(look: Look, { told }: HatchingSurface, builder: NodeBuilder)
     medium,
     pixel: pixelFromBelow(),
   };
+  const dotLayer = dotLayerOf(look) ?? noLayer;
   const layer = (h: HatchingParameters, printed: Value): Value =>
     medium === 'stipple' ? dotLayer(h, printed, builder) : strokeLayer(h, printed, defines);
   return {

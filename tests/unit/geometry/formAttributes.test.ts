@@ -1,10 +1,8 @@
 import { type BufferGeometry, CylinderGeometry, TorusGeometry } from 'three';
 import { describe, expect, test } from 'vitest';
 import type { HatchingFormOptions } from '../../../src/geometry/HatchingFormOptions.js';
-import {
-  type PrepareHatchingGeometryOptions,
-  prepareHatchingGeometry,
-} from '../../../src/geometry/prepareHatchingGeometry.js';
+import type { PrepareHatchingGeometryOptions } from '../../../src/geometry/PrepareHatchingGeometryOptions.js';
+import { prepareHatchingGeometry } from '../../../src/geometry/prepareHatchingGeometry.js';
 import type { VertexAttribute } from '../../../src/geometry/vertexAttributes.js';
 
 /** An open tube of radius 0.5 and height 1.5, which three.js gives a seam. */
