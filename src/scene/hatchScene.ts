@@ -26,12 +26,10 @@ import type { LaterForms } from './LaterForms.js';
 import type { MaterialFollower } from './MaterialFollower.js';
 import { MaterialReplacer } from './MaterialReplacer.js';
 import type { MeshLook } from './MeshLook.js';
-import { isToBeMade, makeMaps } from './makeMaps.js';
 import type { OutlineMaker } from './outlining/OutlineMaker.js';
 import type { PresetName } from './presets.js';
-import { progressParts } from './progressParts.js';
-import { sideBySide } from './sideBySide.js';
 import { isHatching, materialsOf, surfaceMeshes } from './surfaceMeshes.js';
+import { isToBeMade } from './wantedMap.js';
 import { worldMatrices, worldScale } from './worldMatrices.js';
 
 /** What `makeLooks` returns: the content of a `HatchedScene`. */
@@ -146,14 +144,14 @@ async function makeLooks(
   const replacer = new MaterialReplacer(options.material ?? {}, makers.material);
   disposables.push(replacer);
   const { seen, unreadable } = asBefore(() => looksToReplace(chosen));
-  // Materials are planned while what bakes is fetched.
-  const [{ planned, plans, formsLater }, firstFrame, outlineMaker, detail, { bakeGeometries }] = await Promise.all([
+  const [{ planned, plans, formsLater }, firstFrame, outlineMaker, detail, making] = await Promise.all([
     runSliced(planMeshes(seen, replacer), { signal, around: asBefore }).then((all) => planBakes(all, options)),
     firstFrameOf(root, options),
     outlineMakerOf(options, makers),
     detailOf(options),
-    import('./bakeGeometries.js'),
+    import('./making.js'),
   ]);
+  const { bakeGeometries, makeMaps, progressParts, sideBySide } = making;
   if (outlineMaker) disposables.push(outlineMaker);
 
   const named = replacer.materials.filter((material) => typeof material.tonalArtMap === 'string' && needsMap(material));

@@ -1,14 +1,10 @@
 import type { MapDrawing } from '../hatchImages/hatchImageOptions.js';
-import { checkTonalArtMap, isTonalArtMap } from '../material/checkTonalArtMap.js';
-import { isPromise } from '../mistakes/isPromise.js';
+import { checkTonalArtMap } from '../material/checkTonalArtMap.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
 import type { TonalArtMap } from '../tam/TonalArtMap.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
-import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import { progressParts } from './progressParts.js';
-
-/** What the option `tonalArtMap` asks for. */
-export type WantedMap = ApplyHatchingOptions['tonalArtMap'];
+import { isToBeMade, type WantedMap } from './wantedMap.js';
 
 /**
  * Returns the map for each style that materials name: what the option asks for, for all of them, or else the shared map of the style. A
@@ -71,8 +67,3 @@ async function sharedMap(drawing: MapDrawing, { signal, createWorker, onProgress
   onProgress?.(1);
   return map;
 }
-
-/** Whether the map does not exist yet: these are options to draw it, or a function that resolves with it. */
-export const isToBeMade = (wanted: WantedMap): wanted is Exclude<WantedMap, TonalArtMap | null | undefined> =>
-  typeof wanted === 'function' ||
-  (typeof wanted === 'object' && wanted !== null && !isTonalArtMap(wanted) && !isPromise(wanted));
