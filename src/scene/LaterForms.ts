@@ -9,12 +9,12 @@ import { MANY_TRIANGLES, type PrepareHatchingGeometryOptions } from '../geometry
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { tell } from '../mistakes/tell.js';
 import { runSliced } from '../slices/runSliced.js';
-import { bakeGeometries } from './bakeGeometries.js';
 import type { MakeLevels } from './detail/levelMaker.js';
 import type { FirstFrame } from './FirstFrame.js';
 import { cornerCount } from './jointForms/cornerCount.js';
 import type { GeometryPlan } from './jointForms/FormGroup.js';
 import type { MeshLook } from './MeshLook.js';
+import { bakeGeometries } from './making/bakeGeometries.js';
 
 export { crossingMaterials } from './crossingMaterials.js';
 

@@ -149,7 +149,7 @@ async function makeLooks(
     firstFrameOf(root, options),
     outlineMakerOf(options, makers),
     detailOf(options),
-    import('./making.js'),
+    import('./making/making.js'),
   ]);
   const { bakeGeometries, makeMaps, progressParts, sideBySide } = making;
   if (outlineMaker) disposables.push(outlineMaker);

@@ -1,10 +1,10 @@
-import type { MapDrawing } from '../hatchImages/hatchImageOptions.js';
-import { checkTonalArtMap } from '../material/checkTonalArtMap.js';
-import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
-import type { TonalArtMap } from '../tam/TonalArtMap.js';
-import type { TaskOptions } from '../worker/TaskOptions.js';
+import type { MapDrawing } from '../../hatchImages/hatchImageOptions.js';
+import { checkTonalArtMap } from '../../material/checkTonalArtMap.js';
+import type { StrokeStyleName } from '../../strokes/strokeStyleNames.js';
+import type { TonalArtMap } from '../../tam/TonalArtMap.js';
+import type { TaskOptions } from '../../worker/TaskOptions.js';
+import { isToBeMade, type WantedMap } from '../wantedMap.js';
 import { progressParts } from './progressParts.js';
-import { isToBeMade, type WantedMap } from './wantedMap.js';
 
 /**
  * Returns the map for each style that materials name: what the option asks for, for all of them, or else the shared map of the style. A
@@ -49,7 +49,7 @@ async function makeMap(
 }
 
 /** The code of maps, which looks without one do not need. */
-const fetchMaps = () => import('../tam/TonalArtMap.js');
+const fetchMaps = () => import('../../tam/TonalArtMap.js');
 
 const namesStyleAlone = (drawing: MapDrawing): boolean =>
   Object.entries(drawing).every(([name, value]) => name === 'style' || value === undefined);
