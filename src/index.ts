@@ -10,7 +10,7 @@ export { HatchingBackground, type HatchingBackgroundParameters } from './backgro
 export type { HiddenOutlines } from './engraving/hiddenOutlines.js';
 export type { HatchingFormOptions } from './geometry/HatchingFormOptions.js';
 export type { HatchingStatistics } from './geometry/HatchingStatistics.js';
-export type { OutlineOptions, PrepareHatchingGeometryOptions } from './geometry/prepareHatchingGeometry.js';
+export type { OutlineOptions, PrepareHatchingGeometryOptions } from './geometry/PrepareHatchingGeometryOptions.js';
 export { prepareHatchingGeometry } from './geometry/prepareHatchingGeometry.js';
 export type { Repairs } from './geometry/repairValues.js';
 export { type EngravedHand, type EngravedHandOptions, engravedHand } from './hand/engravedHand.js';

@@ -8,3 +8,6 @@ export const formLayout = {
   slope: { name: 'formSlope', itemSize: 4 },
   crossing: { name: 'formCrossing', itemSize: 4 },
 } as const;
+
+/** Integers a vertex of the buffer that `formSlope` and `formCrossing` share. */
+export const GRADIENTS_STRIDE = formLayout.slope.itemSize + formLayout.crossing.itemSize;

@@ -1,6 +1,7 @@
 import type { FormField } from '../form/FormField.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
+import { formLayout, GRADIENTS_STRIDE } from './formLayout.js';
 import { NO_CORNER } from './splitVertices.js';
 
 /** The normalised 16-bit integer that stands for 1. */
@@ -12,8 +13,8 @@ const LONGEST_GRADIENT = 64;
 /** The attributes of `formLayout`. */
 export interface PackedForm {
   values: Float32Array<ArrayBuffer>;
-  slopes: Int16Array<ArrayBuffer>;
-  crossings: Int16Array<ArrayBuffer>;
+  /** For each vertex its slope, then its crossing, in one buffer: WebGPU takes no more than eight. */
+  gradients: Int16Array<ArrayBuffer>;
 }
 
 /**
@@ -30,8 +31,7 @@ export function* packForm(
   const count = (cornerOfVertex ?? ofCorner).length;
   const packed: PackedForm = {
     values: new Float32Array(2 * count),
-    slopes: new Int16Array(4 * count),
-    crossings: new Int16Array(4 * count),
+    gradients: new Int16Array(GRADIENTS_STRIDE * count),
   };
   const formVertexOf = (vertex: number): number => {
     const corner = cornerOfVertex ? cornerOfVertex[vertex] : vertex;
@@ -44,12 +44,14 @@ export function* packForm(
     0.2,
   );
   yield* asPhase(
-    forEachChunk(count, (start, end) => packGradients(slopes, exponent, formVertexOf, packed.slopes, start, end)),
+    forEachChunk(count, (start, end) => packGradients(slopes, exponent, formVertexOf, packed.gradients, 0, start, end)),
     0.2,
     0.6,
   );
   yield* asPhase(
-    forEachChunk(count, (start, end) => packGradients(crossings, exponent, formVertexOf, packed.crossings, start, end)),
+    forEachChunk(count, (start, end) => {
+      packGradients(crossings, exponent, formVertexOf, packed.gradients, formLayout.slope.itemSize, start, end);
+    }),
     0.6,
     1,
   );
@@ -58,7 +60,7 @@ export function* packForm(
 
 /** The buffers of a packed form, which are transferred with it. */
 export const formBuffers = (form: PackedForm | null): ArrayBuffer[] =>
-  form === null ? [] : [form.values.buffer, form.slopes.buffer, form.crossings.buffer];
+  form === null ? [] : [form.values.buffer, form.gradients.buffer];
 
 function packValues(
   values: Float32Array,
@@ -80,6 +82,7 @@ function packGradients(
   exponent: number,
   formVertexOf: (vertex: number) => number,
   packed: Int16Array,
+  offset: number,
   start: number,
   end: number,
 ): void {
@@ -87,10 +90,11 @@ function packGradients(
   for (let vertex = start; vertex < end; vertex++) {
     const source = formVertexOf(vertex);
     if (source === NO_CORNER) continue;
+    const target = GRADIENTS_STRIDE * vertex + offset;
     for (let axis = 0; axis < 3; axis++) {
       const value = Math.round(scale * gradients[3 * source + axis]);
-      packed[4 * vertex + axis] = Math.min(Math.max(value, -ONE), ONE);
+      packed[target + axis] = Math.min(Math.max(value, -ONE), ONE);
     }
-    packed[4 * vertex + 3] = exponent;
+    packed[target + 3] = exponent;
   }
 }

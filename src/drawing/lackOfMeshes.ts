@@ -10,7 +10,7 @@ const isPacked = ({ attributes }: BufferGeometry): boolean => Object.values(attr
 
 /** What of a model nodes do not draw on a page that goes back to WebGL, in words; undefined if they draw all of it. */
 export function lackOfMeshes(meshes: readonly Mesh[]): string | undefined {
-  // Bones with lines along the form and a map take more vertex buffers than every device of WebGPU has.
+  // The indices of bones are narrow too, in almost every file: this says it in better words.
   if (meshes.some((mesh) => (mesh as Partial<SkinnedMesh>).isSkinnedMesh)) return 'models with bones';
   return meshes.some(({ geometry }) => isPacked(geometry)) ? 'models with packed vertices' : undefined;
 }

@@ -4,7 +4,7 @@ import { runTask } from '../worker/runTask.js';
 import { cornerRange } from './cornerRange.js';
 import { extractMesh } from './extractMesh.js';
 import { formRequest } from './HatchingFormOptions.js';
-import { DEFAULT_CREASE_ANGLE, type PrepareHatchingGeometryOptions } from './prepareHatchingGeometry.js';
+import { DEFAULT_CREASE_ANGLE, type PrepareHatchingGeometryOptions } from './PrepareHatchingGeometryOptions.js';
 
 /** A geometry that is a part of something larger. */
 export interface GeometryPart {

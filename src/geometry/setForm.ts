@@ -1,5 +1,5 @@
-import { BufferAttribute, type BufferGeometry } from 'three';
-import { formLayout } from '../bake/formLayout.js';
+import { BufferAttribute, type BufferGeometry, InterleavedBuffer, InterleavedBufferAttribute } from 'three';
+import { formLayout, GRADIENTS_STRIDE } from '../bake/formLayout.js';
 import type { PackedForm } from '../bake/packForm.js';
 
 /** Sets the attributes of lines that follow the form, if they were baked. */
@@ -7,6 +7,9 @@ export function setForm(geometry: BufferGeometry, form: PackedForm | null): void
   if (form === null) return;
   const { value, slope, crossing } = formLayout;
   geometry.setAttribute(value.name, new BufferAttribute(form.values, value.itemSize));
-  geometry.setAttribute(slope.name, new BufferAttribute(form.slopes, slope.itemSize, true));
-  geometry.setAttribute(crossing.name, new BufferAttribute(form.crossings, crossing.itemSize, true));
+  const gradients = new InterleavedBuffer(form.gradients, GRADIENTS_STRIDE);
+  const gradient = ({ itemSize }: { itemSize: number }, offset: number) =>
+    new InterleavedBufferAttribute(gradients, itemSize, offset, true);
+  geometry.setAttribute(slope.name, gradient(slope, 0));
+  geometry.setAttribute(crossing.name, gradient(crossing, slope.itemSize));
 }

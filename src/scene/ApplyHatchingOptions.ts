@@ -1,5 +1,5 @@
 import type { Camera, Material, Mesh, WebGLRenderer } from 'three';
-import type { OutlineOptions, PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
+import type { OutlineOptions, PrepareHatchingGeometryOptions } from '../geometry/PrepareHatchingGeometryOptions.js';
 import type { MapDrawing } from '../hatchImages/hatchImageOptions.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 import type { HatchingOutlineParameters } from '../outlines/HatchingOutlineMaterial.js';

@@ -5,16 +5,16 @@ import { expectForm, isFormed } from '../geometry/formGeometry.js';
 import { crossAngleOf, type HatchingFormOptions } from '../geometry/HatchingFormOptions.js';
 import { identityOf } from '../geometry/identityOf.js';
 import { fadeIn, fadeOut, showLines } from '../geometry/lineFades.js';
-import { MANY_TRIANGLES, type PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
+import { MANY_TRIANGLES, type PrepareHatchingGeometryOptions } from '../geometry/PrepareHatchingGeometryOptions.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { tell } from '../mistakes/tell.js';
 import { runSliced } from '../slices/runSliced.js';
-import { bakeGeometries } from './bakeGeometries.js';
 import type { MakeLevels } from './detail/levelMaker.js';
 import type { FirstFrame } from './FirstFrame.js';
 import { cornerCount } from './jointForms/cornerCount.js';
 import type { GeometryPlan } from './jointForms/FormGroup.js';
 import type { MeshLook } from './MeshLook.js';
+import { bakeGeometries } from './making/bakeGeometries.js';
 
 export { crossingMaterials } from './crossingMaterials.js';
 

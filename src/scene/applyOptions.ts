@@ -1,9 +1,12 @@
-import { checkPrepareOptions, type PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
+import {
+  checkPrepareOptions,
+  type PrepareHatchingGeometryOptions,
+} from '../geometry/PrepareHatchingGeometryOptions.js';
 import { checkTonalArtMap } from '../material/checkTonalArtMap.js';
 import { checkHatchImageOptions } from '../tam/checkHatchImageOptions.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
-import { isToBeMade } from './makeMaps.js';
 import type { PresetName } from './presets.js';
+import { isToBeMade } from './wantedMap.js';
 import { withPreset } from './withPreset.js';
 
 /** The names of the options that `prepareHatchingGeometry` does not have. */

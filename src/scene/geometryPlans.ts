@@ -1,5 +1,5 @@
 import type { BufferGeometry, Material, Mesh } from 'three';
-import type { PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
+import type { PrepareHatchingGeometryOptions } from '../geometry/PrepareHatchingGeometryOptions.js';
 import { followsForm, formFieldOf, formOf, needsAdjacency } from '../material/facts/lookFacts.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { GeometryPlan } from './jointForms/FormGroup.js';

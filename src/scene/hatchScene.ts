@@ -1,6 +1,6 @@
 import type { BufferGeometry, Material, Mesh, Object3D } from 'three';
 import { assertGeometry } from '../geometry/checkGeometry.js';
-import type { OutlineOptions, PrepareHatchingGeometryOptions } from '../geometry/prepareHatchingGeometry.js';
+import type { OutlineOptions, PrepareHatchingGeometryOptions } from '../geometry/PrepareHatchingGeometryOptions.js';
 import { needsMap } from '../material/facts/lookFacts.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { describeObject } from '../mistakes/describeObject.js';
@@ -14,7 +14,6 @@ import { startWorker } from '../worker/runTask.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import { prepareOptions, resolveOptions } from './applyOptions.js';
 import { assertTree } from './assertTree.js';
-import { bakeGeometries } from './bakeGeometries.js';
 import { type ChosenMeshes, chooseMeshes } from './chooseMeshes.js';
 import { claimMeshes } from './claimMeshes.js';
 import type { MakeLevels } from './detail/levelMaker.js';
@@ -27,12 +26,10 @@ import type { LaterForms } from './LaterForms.js';
 import type { MaterialFollower } from './MaterialFollower.js';
 import { MaterialReplacer } from './MaterialReplacer.js';
 import type { MeshLook } from './MeshLook.js';
-import { isToBeMade, makeMaps } from './makeMaps.js';
 import type { OutlineMaker } from './outlining/OutlineMaker.js';
 import type { PresetName } from './presets.js';
-import { progressParts } from './progressParts.js';
-import { sideBySide } from './sideBySide.js';
 import { isHatching, materialsOf, surfaceMeshes } from './surfaceMeshes.js';
+import { isToBeMade } from './wantedMap.js';
 import { worldMatrices, worldScale } from './worldMatrices.js';
 
 /** What `makeLooks` returns: the content of a `HatchedScene`. */
@@ -147,12 +144,14 @@ async function makeLooks(
   const replacer = new MaterialReplacer(options.material ?? {}, makers.material);
   disposables.push(replacer);
   const { seen, unreadable } = asBefore(() => looksToReplace(chosen));
-  const [{ planned, plans, formsLater }, firstFrame, outlineMaker, detail] = await Promise.all([
+  const [{ planned, plans, formsLater }, firstFrame, outlineMaker, detail, making] = await Promise.all([
     runSliced(planMeshes(seen, replacer), { signal, around: asBefore }).then((all) => planBakes(all, options)),
     firstFrameOf(root, options),
     outlineMakerOf(options, makers),
     detailOf(options),
+    import('./making/making.js'),
   ]);
+  const { bakeGeometries, makeMaps, progressParts, sideBySide } = making;
   if (outlineMaker) disposables.push(outlineMaker);
 
   const named = replacer.materials.filter((material) => typeof material.tonalArtMap === 'string' && needsMap(material));

@@ -1,4 +1,4 @@
-import type { OutlineOptions } from '../geometry/prepareHatchingGeometry.js';
+import type { OutlineOptions } from '../geometry/PrepareHatchingGeometryOptions.js';
 import type { MapDrawing } from '../hatchImages/hatchImageOptions.js';
 import { HATCHING_DEFAULTS } from '../material/facts/hatchingProperties.js';
 import { needsMap } from '../material/facts/lookFacts.js';

@@ -56,13 +56,12 @@ import { accessorOf, fieldOf } from '../material/propertyAccessors.js';
 import { TONE_CURVES } from '../material/shaders/shaderConventions.js';
 import { mapIsReady, sharedMap } from '../material/sharedMaps.js';
 import { withVectors } from '../material/vectorValues.js';
-import { tell } from '../mistakes/tell.js';
 import type { TonalArtMap } from '../tam/TonalArtMap.js';
 import { exposureReady, writeExposure } from './fittedExposure.js';
 import { HatchingLightingModel, type LitSurface, unlitSurface } from './HatchingLightingModel.js';
 import { darknessOf, drawnChoice, emitVertex, pixelFromBelow } from './hatchSurface.js';
 import { maxTextureSize } from './maxTextureSize.js';
-import { patternReady, writePattern } from './mediumPattern.js';
+import { dotLayerOf, patternReady, writePattern } from './mediumPattern.js';
 import { tsl, type Value } from './nodes/base/values.js';
 import { emphasisAt } from './nodes/chunks/emphasis.js';
 import { lightLuminance } from './nodes/chunks/lightLuminance.js';
@@ -70,20 +69,13 @@ import { filledColor, localDarkness } from './nodes/chunks/localColor.js';
 import { paper, printedColor } from './nodes/chunks/printedColor.js';
 import { shadedTone, unshadowedTone } from './nodes/chunks/tone.js';
 import { readFaceNormals } from './nodes/perFragment/faceNormals.js';
+import { tellOnce } from './tellOnce.js';
 
 const NAME = 'HatchingNodeMaterial';
 const propertyNames = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
 const propertyOf = (name: HatchingPropertyName): HatchingProperty => HATCHING_PROPERTIES[name];
 
 const { diffuseColor, float, materialEmissive, mix, positionLocal, positionView, vec3 } = tsl;
-
-const told = new Set<string>();
-
-function tellOnce(sentence: string): void {
-  if (told.has(sentence)) return;
-  told.add(sentence);
-  tell(`${NAME}: ${sentence}`);
-}
 
 /** Of its own: WebGPURenderer leaves that of a mesh as it is. */
 const modelView = /* @__PURE__ */ new Matrix4();
@@ -137,6 +129,10 @@ export class HatchingNodeMaterial extends NodeMaterial {
   private curve: ToneCurve | undefined;
   /** The frame for which the uniforms were last written. */
   private readonly written = new FrameStamp();
+  /** Has its nodes made anew. */
+  private readonly renew = (): void => {
+    this.needsUpdate = true;
+  };
 
   static override get type(): string {
     return NAME;
@@ -241,6 +237,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
       shadowDirection,
       curve,
       inkBlend,
+      Number(dotLayerOf(this) !== undefined),
     ].join(' ');
   }
 
@@ -275,7 +272,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const map = fittingMap(chosen, true, maxTextureSize(renderer as unknown as WebGPURenderer));
     writeSizeUniforms(look, chosen, pixelRatio, u);
     writeMapUniforms(map, usesThresholds(this), u);
-    const hasPattern = writePattern(this, u);
+    const hasPattern = writePattern(this, u, this.renew);
     u.inked.value = Number(hasPattern && (map !== null || !needsMap(this)));
     writeCurveUniforms(this.toneCurve, u);
     writeComputedUniforms(look, u);

@@ -27,9 +27,9 @@ export class Later<Code> {
     return this.fetching;
   }
 
-  /** Asks for it, and does not wait. */
-  ask(): void {
+  /** Asks for it, and does not wait. @param whenThere called when it is there */
+  ask(whenThere?: () => void): void {
     // The failure is told of where it happens.
-    this.fetch().catch(() => {});
+    this.fetch().then(whenThere, () => {});
   }
 }

@@ -1,5 +1,5 @@
 import type { Object3D } from 'three';
-import type { OutlineOptions } from '../geometry/prepareHatchingGeometry.js';
+import type { OutlineOptions } from '../geometry/PrepareHatchingGeometryOptions.js';
 import { mustBeAwaited } from '../mistakes/mustBeAwaited.js';
 import type { HatchingOutlineParameters } from '../outlines/HatchingOutlineMaterial.js';
 import type { ApplyHatchingOptions } from '../scene/ApplyHatchingOptions.js';

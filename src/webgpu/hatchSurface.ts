@@ -4,6 +4,8 @@ import { isFormed } from '../geometry/formGeometry.js';
 import { formOf, runsAway } from '../material/facts/lookFacts.js';
 import type { HatchingMaterialProperties } from '../material/HatchingMaterialProperties.js';
 import { AWAY, withoutForm } from '../material/programDefines.js';
+import { hasRoomForForm } from './hasRoomForForm.js';
+import { dotLayerOf } from './mediumPattern.js';
 import { directedLights } from './nodes/base/directedLights.js';
 import { followsForm } from './nodes/base/followsForm.js';
 import type { HatchingSurface } from './nodes/base/HatchingSurface.js';
@@ -19,7 +21,6 @@ import { emitAnchored } from './nodes/techniques/anchored/emit.js';
 import { hatch } from './nodes/techniques/anchored/hatch.js';
 import { type HatchingParameters, readHatchingParameters } from './nodes/techniques/anchored/read.js';
 import { shadowLayer } from './nodes/techniques/anchored/shadowStrokes.js';
-import { hatchLayer as dotLayer } from './nodes/techniques/anchored/stipple.js';
 import { type StrokeDefines, hatchLayer as strokeLayer } from './nodes/techniques/anchored/strokes.js';
 import { emitEngraved } from './nodes/techniques/engraved/emit.js';
 import { type LineCut, turnsWithLight } from './nodes/techniques/engraved/fieldAxis.js';
@@ -29,7 +30,7 @@ import { shadowLayer as shadowFamilies } from './nodes/techniques/engraved/shado
 
 type Look = HatchingMaterialProperties;
 
-const { screenCoordinate, screenSize, vec2 } = tsl;
+const { float, screenCoordinate, screenSize, vec2 } = tsl;
 
 /** 0 where strokes wait for their map, or have none. */
 const inked = /* @__PURE__ */ hatchingUniform('inked', 'float');
@@ -48,18 +49,19 @@ const isAnchored = ({ technique }: Look): boolean => technique === 'anchored';
 export const drawnChoice = (look: Look, name: 'lineField' | 'shadowStrokes' | 'strokeField' | 'strokeLayers'): string =>
   (runsAway(look) && AWAY[name]) || look[name];
 
-/** What the lines or strokes of a geometry run by. Only those that were prepared with `form` have some that follow it. */
-function fieldFor(look: Look, geometry: BufferGeometry): string {
+/** What the lines or strokes of a mesh run by. Only geometries that were prepared with `form` have some that follow it. */
+function fieldFor(look: Look, builder: NodeBuilder): string {
   const form = formOf(look);
   const chosen = drawnChoice(look, isAnchored(look) ? 'strokeField' : 'lineField');
   if (!form) return chosen;
-  if (!isFormed(geometry)) return form === 'auto' ? withoutForm(look) : 'light';
+  const hasForm = isFormed(builder.geometry as BufferGeometry) && hasRoomForForm(builder, isAnchored(look));
+  if (!hasForm) return form === 'auto' ? withoutForm(look) : 'light';
   return form === 'auto' ? 'form' : chosen;
 }
 
 function cutFor(look: Look, builder: NodeBuilder): LineCut {
   const cut = {
-    lineField: fieldFor(look, builder.geometry as BufferGeometry),
+    lineField: fieldFor(look, builder),
     runsAway: runsAway(look),
     reorients: false,
   };
@@ -69,7 +71,7 @@ function cutFor(look: Look, builder: NodeBuilder): LineCut {
 
 /** Puts the vertex where three's own materials do, and its strokes with it. */
 export function emitVertex(look: Look, builder: NodeBuilder): void {
-  const field = fieldFor(look, builder.geometry as BufferGeometry);
+  const field = fieldFor(look, builder);
   const isOfForm = followsForm(field);
   // Lines that follow the form are fixed to the surface, whatever strokes are.
   const isAtRest = look.strokeAnchor === 'rest' || (isOfForm && !isAnchored(look));
@@ -106,9 +108,12 @@ function engravedIn(look: Look, { told, shadowLeft }: HatchingSurface, builder: 
   };
 }
 
+/** Paper, until the code of a medium is there. */
+const noLayer = (): Value => float(0);
+
 function anchoredIn(look: Look, { told }: HatchingSurface, builder: NodeBuilder): Printing {
   const { medium, sizedOnScreen } = look;
-  const field = fieldFor(look, builder.geometry as BufferGeometry);
+  const field = fieldFor(look, builder);
   const strokeLayers = drawnChoice(look, 'strokeLayers');
   const lights = lightsOf(builder);
   const several = directedLights(lights).length > 1;
@@ -120,6 +125,7 @@ function anchoredIn(look: Look, { told }: HatchingSurface, builder: NodeBuilder)
     medium,
     pixel: pixelFromBelow(),
   };
+  const dotLayer = dotLayerOf(look) ?? noLayer;
   const layer = (h: HatchingParameters, printed: Value): Value =>
     medium === 'stipple' ? dotLayer(h, printed, builder) : strokeLayer(h, printed, defines);
   return {

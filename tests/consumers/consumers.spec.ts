@@ -68,17 +68,17 @@ test.beforeAll(() => {
 /** What a page with its own build loads at once that uses these, in bytes after gzip, without three.js, React and React Three Fiber. */
 const MOST_BYTES = [
   ['HatchingMaterial', 'three-hatching', 31_000],
-  ['HatchingMaterial, prepareHatchingGeometry, TonalArtMap', 'three-hatching', 41_500],
-  ['applyHatching', 'three-hatching', 49_900],
-  ['Hatched', 'three-hatching/react', 53_000],
-  ['drawSVG', 'three-hatching/svg', 59_000],
+  ['HatchingMaterial, prepareHatchingGeometry, TonalArtMap', 'three-hatching', 42_100],
+  ['applyHatching', 'three-hatching', 40_800],
+  ['Hatched', 'three-hatching/react', 48_800],
+  ['drawSVG', 'three-hatching/svg', 45_400],
 ] as const;
 
 /** The same of a page that draws with WebGPURenderer. */
 const MOST_BYTES_OF_NODES = [
-  ['HatchingNodeMaterial', 36_400],
-  ['HatchingNodeMaterial, applyHatching', 55_900],
-  ['HatchingOutlines', 46_500],
+  ['HatchingNodeMaterial', 35_600],
+  ['HatchingNodeMaterial, applyHatching', 46_400],
+  ['HatchingOutlines', 37_400],
 ] as const;
 
 /** The size of the worker's text. A minifier that writes it twice makes it double. */

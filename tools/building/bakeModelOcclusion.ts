@@ -1,6 +1,6 @@
 import { bakePull } from '../../src/bake/bakePull.js';
 import { type ModelFile, readModel } from '../../src/files/readModel.js';
-import { DEFAULT_CREASE_ANGLE } from '../../src/geometry/prepareHatchingGeometry.js';
+import { DEFAULT_CREASE_ANGLE } from '../../src/geometry/PrepareHatchingGeometryOptions.js';
 import { addDirections } from '../../src/occlusion/addDirections.js';
 import type { OcclusionScene } from '../../src/occlusion/OcclusionScene.js';
 import { startOcclusion } from '../../src/occlusion/startOcclusion.js';

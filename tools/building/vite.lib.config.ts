@@ -14,24 +14,36 @@ const ENTRIES: Record<string, Record<string, string>> = {
   element: { element: 'src/element/element.ts' },
 };
 
+const modules = (...paths: readonly string[]): RegExp => new RegExp(`/src/(?:${paths.join('|')})\\.ts$`);
+
 /**
  * What pages use alone: each has a file of its own, with all that it imports and that those before it do not have. Bundlers move whole files
  * between what a page loads at once and what it loads later, and many small ones that both need would be many requests.
  */
 const SEPARATE = [
-  'material/HatchingMaterial',
-  'geometry/prepareHatchingGeometry',
-  'tam/TonalArtMap',
-  'scene/hatchScene',
-  'scene/applyHatching',
-  'outlines/outlineProperties',
-].map((path, i, all) => ({
-  name: path.split('/')[1],
-  test: (id: string) => id.endsWith(`/src/${path}.ts`),
-  priority: 10 + all.length - i,
-}));
-
-const modules = (...paths: readonly string[]): RegExp => new RegExp(`/src/(?:${paths.join('|')})\\.ts$`);
+  { name: 'HatchingMaterial', test: modules('material/HatchingMaterial') },
+  // What materials and bakes share is not in the files of bakes, which come later.
+  { name: 'layouts', test: modules('bake/(?:formLayout|hatchNormal)') },
+  // What is checked at once, for work that comes later.
+  {
+    name: 'checks',
+    test: modules(
+      ...[
+        'geometry/(?:PrepareHatchingGeometryOptions|checkGeometry)',
+        'mistakes/mustBeAwaited',
+        'tam/checkHatchImageOptions',
+      ],
+      'worker/runTask',
+    ),
+  },
+  { name: 'describeObject', test: modules('mistakes/describeObject') },
+  { name: 'prepareHatchingGeometry', test: modules('geometry/prepareHatchingGeometry') },
+  { name: 'toothMap', test: modules('tam/toothMap') },
+  { name: 'TonalArtMap', test: modules('tam/TonalArtMap') },
+  { name: 'hatchScene', test: modules('scene/hatchScene') },
+  { name: 'applyHatching', test: modules('scene/applyHatching') },
+  { name: 'outlineProperties', test: modules('outlines/outlineProperties') },
+].map((group, i, all) => ({ ...group, priority: 10 + all.length - i }));
 
 /**
  * The files of nodes, after what they share with WebGLRenderer's lines and outlines: a file takes all that it imports, and pages without
@@ -50,7 +62,6 @@ const OF_NODES = [
     ),
     priority: 5,
   },
-  { name: 'toothMap', test: modules('tam/toothMap'), priority: 4 },
   {
     name: 'outlinesShared',
     test: modules('outlines/(?:MeshOutlines|outlineUniforms|outlineValues)', 'geometry/OutlineData'),

@@ -2,7 +2,7 @@ import type { BufferGeometry } from 'three';
 import type { JointForm } from '../../bake/bakeJointForms.js';
 import type { HatchingFormOptions } from '../../geometry/HatchingFormOptions.js';
 import { bakeJointForms } from '../../geometry/jointForms.js';
-import type { PrepareHatchingGeometryOptions } from '../../geometry/prepareHatchingGeometry.js';
+import type { PrepareHatchingGeometryOptions } from '../../geometry/PrepareHatchingGeometryOptions.js';
 import { cornerCount } from './cornerCount.js';
 import type { FormGroup, GeometryPlan } from './FormGroup.js';
 

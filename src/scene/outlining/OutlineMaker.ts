@@ -1,5 +1,5 @@
 import type { Material, Mesh } from 'three';
-import type { OutlineOptions } from '../../geometry/prepareHatchingGeometry.js';
+import type { OutlineOptions } from '../../geometry/PrepareHatchingGeometryOptions.js';
 import { deforms } from '../../material/deformation/canDeform.js';
 import { describeObject } from '../../mistakes/describeObject.js';
 import { tell } from '../../mistakes/tell.js';

@@ -1,4 +1,4 @@
-import type { OutlineOptions } from '../../geometry/prepareHatchingGeometry.js';
+import type { OutlineOptions } from '../../geometry/PrepareHatchingGeometryOptions.js';
 import { HatchingOutlineMaterial, type HatchingOutlineParameters } from '../../outlines/HatchingOutlineMaterial.js';
 import { HatchingOutlines } from '../../outlines/HatchingOutlines.js';
 import { type OutlineKind, OutlineMaker } from './OutlineMaker.js';

@@ -1,4 +1,4 @@
-import type { OutlineOptions } from '../../geometry/prepareHatchingGeometry.js';
+import type { OutlineOptions } from '../../geometry/PrepareHatchingGeometryOptions.js';
 import type { HatchingOutlineParameters } from '../../outlines/HatchingOutlineMaterial.js';
 import { type OutlineKind, OutlineMaker } from '../../scene/outlining/OutlineMaker.js';
 import { HatchingOutlineNodeMaterial } from './HatchingOutlineNodeMaterial.js';

@@ -16,41 +16,46 @@ const field = (ofCorner: number[], count: number, slope = 16): FormField => ({
   statistics: { singularPoints: 0, addedVertices: 0 },
 });
 
+/** Where gradients lie among those of a vertex. */
+const [SLOPE, CROSSING] = [0, 4];
+
 /** A gradient as the shader reads it. */
-const unpacked = (packed: Int16Array, vertex: number): number[] =>
-  [0, 1, 2].map((axis) => (packed[4 * vertex + axis] / 32767) * 2 ** packed[4 * vertex + 3]);
+function unpacked(packed: Int16Array, vertex: number, offset = SLOPE): number[] {
+  const [x, y, z, exponent] = packed.subarray(8 * vertex + offset);
+  return [x, y, z].map((value) => (value / 32767) * 2 ** exponent);
+}
 
 describe('packForm', () => {
   test('gives each corner what its form vertex has', () => {
     const form = field([0, 1, 2, 2, 1, 3], 4);
-    const { values, slopes, crossings } = finish(packForm(form, 1, null));
+    const { values, gradients: packed } = finish(packForm(form, 1, null));
     for (const [corner, vertex] of form.ofCorner.entries()) {
       expect([...values.subarray(2 * corner, 2 * corner + 2)]).toEqual([
         ...form.values.subarray(2 * vertex, 2 * vertex + 2),
       ]);
-      for (const [packed, gradients] of [
-        [slopes, form.slopes],
-        [crossings, form.crossings],
+      for (const [offset, gradients] of [
+        [SLOPE, form.slopes],
+        [CROSSING, form.crossings],
       ] as const) {
         const expected = [...gradients.subarray(3 * vertex, 3 * vertex + 3)];
-        expect(unpacked(packed, corner)).toEqual(expected.map((slope) => expect.closeTo(slope, 2)));
+        expect(unpacked(packed, corner, offset)).toEqual(expected.map((slope) => expect.closeTo(slope, 2)));
       }
     }
   });
 
   test('gives each vertex what its corner has, and zeros to one without a corner', () => {
     const form = field([0, 1, 2, 2, 1, 3], 4);
-    const { values, slopes } = finish(packForm(form, 1, Uint32Array.of(5, NO_CORNER, 0)));
+    const { values, gradients } = finish(packForm(form, 1, Uint32Array.of(5, NO_CORNER, 0)));
     expect([...values]).toEqual([...form.values.subarray(6, 8), 0, 0, ...form.values.subarray(0, 2)]);
-    expect(unpacked(slopes, 1)).toEqual([0, 0, 0]);
-    expect(unpacked(slopes, 2)[0]).toBeCloseTo(form.slopes[0], 2);
+    expect(unpacked(gradients, 1)).toEqual([0, 0, 0]);
+    expect(unpacked(gradients, 2)[0]).toBeCloseTo(form.slopes[0], 2);
   });
 
   test.each([1e-7, 1e-3, 1, 1e4, 1e9])('keeps gradients of an object with a radius of %s to a thousandth', (radius) => {
     const form = field([0, 1, 2], 3, 16 / radius);
-    const { slopes } = finish(packForm(form, radius, null));
+    const { gradients } = finish(packForm(form, radius, null));
     for (let vertex = 0; vertex < 3; vertex++) {
-      for (const [axis, slope] of unpacked(slopes, vertex).entries()) {
+      for (const [axis, slope] of unpacked(gradients, vertex).entries()) {
         expect(Math.abs(slope - form.slopes[3 * vertex + axis]) * radius).toBeLessThan(0.004);
       }
     }
@@ -58,8 +63,8 @@ describe('packForm', () => {
 
   test('keeps to its range where a gradient is out of all bounds, or an object has no extent', () => {
     const form = field([0, 1, 2], 3, 1e6);
-    expect(Math.max(...finish(packForm(form, 1, null)).slopes.map(Math.abs))).toBe(32767);
-    expect(finish(packForm(field([0, 1, 2], 3, 0), 0, null)).slopes.every((slope) => slope === 0)).toBe(true);
+    expect(Math.max(...finish(packForm(form, 1, null)).gradients.map(Math.abs))).toBe(32767);
+    expect(finish(packForm(field([0, 1, 2], 3, 0), 0, null)).gradients.every((slope) => slope === 0)).toBe(true);
   });
 });
 

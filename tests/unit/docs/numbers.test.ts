@@ -4,7 +4,7 @@ import { EXAMPLES } from '../../../examples/examples.js';
 import { CORNER_STRIDE } from '../../../src/bake/cornerLayout.js';
 import { hatchNormal } from '../../../src/bake/hatchNormal.js';
 import { TRIANGLE_WORDS, VERTEX_WORDS } from '../../../src/bake/pullLayout.js';
-import { MANY_TRIANGLES } from '../../../src/geometry/prepareHatchingGeometry.js';
+import { MANY_TRIANGLES } from '../../../src/geometry/PrepareHatchingGeometryOptions.js';
 import { MAX_SEARCHED } from '../../../src/outlines/InstanceList.js';
 import { presets } from '../../../src/scene/presets.js';
 import { strokeStyles } from '../../../src/strokes/strokeStyles.js';

@@ -1,10 +1,9 @@
 import { type BufferGeometry, CylinderGeometry, TorusGeometry } from 'three';
 import { describe, expect, test } from 'vitest';
 import type { HatchingFormOptions } from '../../../src/geometry/HatchingFormOptions.js';
-import {
-  type PrepareHatchingGeometryOptions,
-  prepareHatchingGeometry,
-} from '../../../src/geometry/prepareHatchingGeometry.js';
+import type { PrepareHatchingGeometryOptions } from '../../../src/geometry/PrepareHatchingGeometryOptions.js';
+import { prepareHatchingGeometry } from '../../../src/geometry/prepareHatchingGeometry.js';
+import type { VertexAttribute } from '../../../src/geometry/vertexAttributes.js';
 
 /** An open tube of radius 0.5 and height 1.5, which three.js gives a seam. */
 const tube = () => new CylinderGeometry(0.5, 0.5, 1.5, 36, 12, true);
@@ -57,6 +56,12 @@ test('it takes 24 bytes per vertex, and no geometry has it that did not ask', as
     0,
   );
   expect(bytes).toBe(24);
+});
+
+test('it takes two vertex buffers', async () => {
+  const { formValue, formSlope, formCrossing } = (await prepareTube({ form: true })).attributes;
+  const bufferOf = (attribute: VertexAttribute) => ('data' in attribute ? attribute.data : attribute);
+  expect(new Set([formValue, formSlope, formCrossing].map(bufferOf)).size).toBe(2);
 });
 
 test('a prepared geometry that is prepared again takes nothing over', async () => {

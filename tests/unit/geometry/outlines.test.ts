@@ -4,10 +4,8 @@ import { describe, expect, test } from 'vitest';
 import { POINT_MASK } from '../../../src/bake/outlineLayout.js';
 import { BORDER, CREASE, MATERIAL_BORDER } from '../../../src/features/edgeFlags.js';
 import { OutlineData, outlineDataOf } from '../../../src/geometry/OutlineData.js';
-import {
-  type PrepareHatchingGeometryOptions,
-  prepareHatchingGeometry,
-} from '../../../src/geometry/prepareHatchingGeometry.js';
+import type { PrepareHatchingGeometryOptions } from '../../../src/geometry/PrepareHatchingGeometryOptions.js';
+import { prepareHatchingGeometry } from '../../../src/geometry/prepareHatchingGeometry.js';
 import { reactive } from './reactive.js';
 
 const prepare = (geometry: BufferGeometry, options: PrepareHatchingGeometryOptions = { outlines: true }) =>

@@ -4,14 +4,14 @@ import { noteFormAngle } from '../../../src/geometry/formAngles.js';
 import { isFormExpected } from '../../../src/geometry/formGeometry.js';
 import { lineContrast } from '../../../src/geometry/lineFades.js';
 import { outlineDataOf } from '../../../src/geometry/OutlineData.js';
-import type * as preparing from '../../../src/geometry/prepareHatchingGeometry.js';
+import type * as options from '../../../src/geometry/PrepareHatchingGeometryOptions.js';
 import type { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import { applyHatching } from '../../../src/scene/applyHatching.js';
 import { disposeHatchingWorkers } from '../../../src/worker/runTask.js';
 
 // What counts as large is some hundred triangles here.
-vi.mock('../../../src/geometry/prepareHatchingGeometry.js', async (original) => ({
-  ...(await original<typeof preparing>()),
+vi.mock('../../../src/geometry/PrepareHatchingGeometryOptions.js', async (original) => ({
+  ...(await original<typeof options>()),
   MANY_TRIANGLES: 400,
 }));
 

@@ -1,6 +1,7 @@
 import {
   BatchedMesh,
   BoxGeometry,
+  DataTexture,
   InstancedMesh,
   type Material,
   Matrix4,
@@ -9,7 +10,7 @@ import {
   TorusKnotGeometry,
   Vector3,
 } from 'three';
-import type { HatchingMaterialParameters } from 'three-hatching';
+import { type HatchingMaterialParameters, prepareHatchingGeometry } from 'three-hatching';
 import { bentTube, egg } from '../deforming.js';
 import { type KnotStage, knot } from '../knot.js';
 import type { Kit, SceneCase } from '../SceneCase.js';
@@ -82,6 +83,18 @@ export const cases: readonly SceneCase[] = [
     async show(kit) {
       const material = await lines(kit, { strokeAnchor: 'deformed' });
       return showing(material, bentTube(material));
+    },
+  },
+  {
+    // Of all that is common, what takes the most vertex buffers: as many as WebGPU has.
+    name: 'a skin with a map, lines along its form',
+    async show(kit) {
+      const map = new DataTexture(Uint8Array.of(255, 200, 150, 255, 90, 120, 255, 255), 2, 1);
+      map.needsUpdate = true;
+      const material = Object.assign(await lines(kit, { lineField: 'form' }), { map });
+      const mesh = bentTube(material);
+      mesh.geometry = await prepareHatchingGeometry(mesh.geometry, { form: true });
+      return showing(material, mesh);
     },
   },
   {

@@ -1,9 +1,10 @@
 import type { BufferGeometry } from 'three';
-import type { JointForm } from '../bake/bakeJointForms.js';
-import { type PrepareHatchingGeometryOptions, prepareWithForm } from '../geometry/prepareHatchingGeometry.js';
-import { maxWorkers } from '../worker/maxWorkers.js';
-import { cornerCount } from './jointForms/cornerCount.js';
-import type { GeometryPlan } from './jointForms/FormGroup.js';
+import type { JointForm } from '../../bake/bakeJointForms.js';
+import type { PrepareHatchingGeometryOptions } from '../../geometry/PrepareHatchingGeometryOptions.js';
+import { prepareWithForm } from '../../geometry/prepareHatchingGeometry.js';
+import { maxWorkers } from '../../worker/maxWorkers.js';
+import { cornerCount } from '../jointForms/cornerCount.js';
+import type { GeometryPlan } from '../jointForms/FormGroup.js';
 import { progressParts } from './progressParts.js';
 
 /** The number of corners that are baked at the same time, unless one geometry has more: a bake takes some hundred bytes for each. */
@@ -37,7 +38,7 @@ export async function bakeGeometries(
 ): Promise<Map<BufferGeometry, BufferGeometry | Error>> {
   const grouped = new Map([...plans].filter(([, { group }]) => group));
   if (grouped.size === 0) return bakeEach(plans, new Map(), options, listeners);
-  const { bakeGroups } = await import('./jointForms/groups.js');
+  const { bakeGroups } = await import('../jointForms/groups.js');
   const share = (FORM_SHARE * cornersOf(grouped.keys())) / Math.max(1, cornersOf(plans.keys()));
   const [onForm, onBake] = progressParts(options.onProgress, [share, 1 - share]);
   const forms = await bakeGroups(grouped, { ...options, onProgress: onForm });

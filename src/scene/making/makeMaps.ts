@@ -1,14 +1,10 @@
-import type { MapDrawing } from '../hatchImages/hatchImageOptions.js';
-import { checkTonalArtMap, isTonalArtMap } from '../material/checkTonalArtMap.js';
-import { isPromise } from '../mistakes/isPromise.js';
-import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
-import { TonalArtMap } from '../tam/TonalArtMap.js';
-import type { TaskOptions } from '../worker/TaskOptions.js';
-import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
+import type { MapDrawing } from '../../hatchImages/hatchImageOptions.js';
+import { checkTonalArtMap } from '../../material/checkTonalArtMap.js';
+import type { StrokeStyleName } from '../../strokes/strokeStyleNames.js';
+import type { TonalArtMap } from '../../tam/TonalArtMap.js';
+import type { TaskOptions } from '../../worker/TaskOptions.js';
+import { isToBeMade, type WantedMap } from '../wantedMap.js';
 import { progressParts } from './progressParts.js';
-
-/** What the option `tonalArtMap` asks for. */
-export type WantedMap = ApplyHatchingOptions['tonalArtMap'];
 
 /**
  * Returns the map for each style that materials name: what the option asks for, for all of them, or else the shared map of the style. A
@@ -46,16 +42,22 @@ async function makeMap(
     return own;
   }
   if (namesStyleAlone(wanted)) return sharedMap(wanted, options);
+  const { TonalArtMap } = await fetchMaps();
   const map = await TonalArtMap.generate({ ...wanted, signal, createWorker, onProgress });
   disposables.push(map);
   return map;
 }
+
+/** The code of maps, which looks without one do not need. */
+const fetchMaps = () => import('../../tam/TonalArtMap.js');
 
 const namesStyleAlone = (drawing: MapDrawing): boolean =>
   Object.entries(drawing).every(([name, value]) => name === 'style' || value === undefined);
 
 /** The shared map when it is ready. An abort ends the waiting, and not the drawing, which others may wait for, too. */
 async function sharedMap(drawing: MapDrawing, { signal, createWorker, onProgress }: TaskOptions): Promise<TonalArtMap> {
+  signal?.throwIfAborted();
+  const { TonalArtMap } = await fetchMaps();
   signal?.throwIfAborted();
   const { ready } = TonalArtMap.shared(drawing, { createWorker, onProgress });
   const aborted = new Promise<never>((_, reject) => {
@@ -65,8 +67,3 @@ async function sharedMap(drawing: MapDrawing, { signal, createWorker, onProgress
   onProgress?.(1);
   return map;
 }
-
-/** Whether the map does not exist yet: these are options to draw it, or a function that resolves with it. */
-export const isToBeMade = (wanted: WantedMap): wanted is Exclude<WantedMap, TonalArtMap | null | undefined> =>
-  typeof wanted === 'function' ||
-  (typeof wanted === 'object' && wanted !== null && !isTonalArtMap(wanted) && !isPromise(wanted));

@@ -1,0 +1,12 @@
+import { isTonalArtMap } from '../material/checkTonalArtMap.js';
+import { isPromise } from '../mistakes/isPromise.js';
+import type { TonalArtMap } from '../tam/TonalArtMap.js';
+import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
+
+/** What the option `tonalArtMap` asks for. */
+export type WantedMap = ApplyHatchingOptions['tonalArtMap'];
+
+/** Whether the map does not exist yet: these are options to draw it, or a function that resolves with it. */
+export const isToBeMade = (wanted: WantedMap): wanted is Exclude<WantedMap, TonalArtMap | null | undefined> =>
+  typeof wanted === 'function' ||
+  (typeof wanted === 'object' && wanted !== null && !isTonalArtMap(wanted) && !isPromise(wanted));

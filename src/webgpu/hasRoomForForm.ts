@@ -1,0 +1,42 @@
+import { type BufferGeometry, type InstancedMesh, Material, type SkinnedMesh, Texture } from 'three';
+import type { NodeBuilder } from 'three/webgpu';
+import { formLayout } from '../bake/formLayout.js';
+import { hatchNormal } from '../bake/hatchNormal.js';
+import { tellOnce } from './tellOnce.js';
+
+/**
+ * Whether lines that follow the form have room beside what else a mesh is drawn with. Devices of WebGPU have few vertex buffers, often
+ * eight, and draw nothing of a mesh that takes more. If there is none, it says so once.
+ *
+ * @param isAnchored whether strokes follow the form, which need its directions alone
+ */
+export function hasRoomForForm(builder: NodeBuilder, isAnchored: boolean): boolean {
+  const { device } = builder.renderer.backend as { device?: { limits: { maxVertexBuffers: number } } };
+  if (!device) return true;
+  const { maxVertexBuffers } = device.limits;
+  const count = countBuffers(builder, isAnchored);
+  if (count <= maxVertexBuffers) return true;
+  tellOnce(
+    `a mesh that follows its form takes ${count} vertex buffers, and the device has ${maxVertexBuffers}: it is drawn without its form. Leave out vertex colors or a second set of texture coordinates, or ask for more buffers, which some devices have: new WebGPURenderer({ requiredLimits: { maxVertexBuffers: ${count} } }).`,
+  );
+  return false;
+}
+
+/** The vertex buffers of a mesh that follows its form. */
+function countBuffers({ geometry, material, object }: NodeBuilder, isAnchored: boolean): number {
+  const { attributes } = geometry as BufferGeometry;
+  const { slope, crossing, value } = formLayout;
+  const names = ['position', 'normal', hatchNormal.name, slope.name];
+  if (!isAnchored) names.push(crossing.name, value.name);
+  if (material instanceof Material && material.vertexColors) names.push('color');
+  if ((object as SkinnedMesh).isSkinnedMesh) names.push('skinIndex', 'skinWeight');
+  for (const [property, map] of Object.entries(material as object)) {
+    if (!(map instanceof Texture)) continue;
+    names.push(map.channel > 0 ? `uv${map.channel}` : 'uv');
+    if (property === 'normalMap') names.push('tangent');
+  }
+  const used = names.filter((name) => name in attributes).map((name) => attributes[name]);
+  const buffers = new Set(used.map((attribute) => ('data' in attribute ? attribute.data : attribute)));
+  const { isInstancedMesh, instanceColor } = object as InstancedMesh;
+  return buffers.size + Number(isInstancedMesh === true) + Number(isInstancedMesh === true && instanceColor !== null);
+}
