@@ -1,0 +1,39 @@
+import { beforeEach, expect, test, vi } from 'vitest';
+import { HatchingNodeMaterial } from '../../../src/webgpu/HatchingNodeMaterial.js';
+import type * as mediumPattern from '../../../src/webgpu/mediumPattern.js';
+
+const STIPPLE = { technique: 'anchored', medium: 'stipple' } as const;
+
+/** Anew for each test, with nothing fetched. */
+let pattern: typeof mediumPattern;
+
+beforeEach(async () => {
+  vi.resetModules();
+  pattern = await import('../../../src/webgpu/mediumPattern.js');
+});
+
+test('dots are fetched when they are first drawn with, and whoever waits for them is told', async () => {
+  const uniforms = { stippleMap: { value: null } };
+  const whenThere = vi.fn();
+  expect([pattern.writePattern(STIPPLE, uniforms, whenThere), pattern.dotLayerOf(STIPPLE)]).toEqual([false, undefined]);
+  expect([uniforms.stippleMap.value, whenThere.mock.calls.length]).toEqual([null, 0]);
+  await vi.waitFor(() => expect(whenThere).toHaveBeenCalledOnce());
+  expect(pattern.writePattern(STIPPLE, uniforms, whenThere)).toBe(true);
+  expect([uniforms.stippleMap.value, pattern.dotLayerOf(STIPPLE)]).toEqual([
+    expect.objectContaining({ isDataTexture: true }),
+    expect.any(Function),
+  ]);
+});
+
+test('strokes of ink wait for nothing', () => {
+  const ink = { technique: 'anchored', medium: 'ink' } as const;
+  expect(pattern.writePattern(ink, {}, vi.fn())).toBe(true);
+  expect(pattern.dotLayerOf(ink)).toBeUndefined();
+});
+
+test('nodes that were made without dots are not taken for those with them', async () => {
+  const material = new HatchingNodeMaterial(STIPPLE);
+  const before = material.customProgramCacheKey();
+  await material.ready;
+  expect(material.customProgramCacheKey()).not.toBe(before);
+});
