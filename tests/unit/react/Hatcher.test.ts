@@ -18,8 +18,8 @@ import { noteFormAngle } from '../../../src/geometry/formAngles.js';
 import { Hatcher } from '../../../src/react/Hatcher.js';
 
 // What counts as large is some hundred triangles here.
-vi.mock('../../../src/geometry/prepareHatchingGeometry.js', async (original) => ({
-  ...(await original<typeof import('../../../src/geometry/prepareHatchingGeometry.js')>()),
+vi.mock('../../../src/geometry/PrepareHatchingGeometryOptions.js', async (original) => ({
+  ...(await original<typeof import('../../../src/geometry/PrepareHatchingGeometryOptions.js')>()),
   MANY_TRIANGLES: 400,
 }));
 
