@@ -29,3 +29,6 @@ export const POINT_BITS = 28;
 
 /** The bits of a word that hold the number of a point. */
 export const POINT_MASK: number = 2 ** POINT_BITS - 1;
+
+/** With this many triangles, a search for contours takes more than about a millisecond. Then it runs in the worker, on arrays of its own. */
+export const SEARCHED_IN_WORKER = 100_000;

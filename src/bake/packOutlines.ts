@@ -5,7 +5,7 @@ import { forEachChunk } from '../slices/forEachChunk.js';
 import type { OutlineSurface } from './bakeOutlines.js';
 import { halfFloat } from './halfFloat.js';
 import { octahedral } from './octahedral.js';
-import { POINT_BITS, POINT_WORDS, PRIMITIVE_WORDS } from './outlineLayout.js';
+import { POINT_BITS, POINT_WORDS, PRIMITIVE_WORDS, SEARCHED_IN_WORKER } from './outlineLayout.js';
 import { paddedWords } from './packPull.js';
 
 /** The data that outlines are drawn from (`outlineLayout.ts`). Plain data: the worker posts it back. */
@@ -14,6 +14,8 @@ export interface PackedOutlines {
   points: Uint32Array<ArrayBuffer>;
   /** `PRIMITIVE_WORDS` words per primitive, all triangles before all edges, padded to whole rows. */
   primitives: Uint32Array<ArrayBuffer>;
+  /** A copy of them for a search in the worker, which takes it away; null if there is none. */
+  searched: Uint32Array<ArrayBuffer> | null;
   triangleCount: number;
   edgeCount: number;
   /** x, y, z of each point, for the search for contours. */
@@ -64,14 +66,17 @@ export function* packOutlines(
     primitives[first + PRIMITIVE_WORDS * edge] |= (flags & LOW_FLAGS) << POINT_BITS;
     primitives[first + PRIMITIVE_WORDS * edge + 1] |= (flags >> 4) << POINT_BITS;
   }
-  return { points, primitives, triangleCount, edgeCount, positions, normals, radius };
+  const searched = triangleCount < SEARCHED_IN_WORKER ? null : primitives.slice();
+  return { points, primitives, searched, triangleCount, edgeCount, positions, normals, radius };
 }
 
 /** The buffers of packed outlines, which are transferred with them. */
 export const outlineBuffers = (outlines: PackedOutlines | null): ArrayBuffer[] =>
   outlines === null
     ? []
-    : [outlines.points.buffer, outlines.primitives.buffer, outlines.positions.buffer, outlines.normals.buffer];
+    : [outlines.points, outlines.primitives, outlines.searched, outlines.positions, outlines.normals].flatMap(
+        (array) => array?.buffer ?? [],
+      );
 
 /** Writes the position and a vertex of the fan of each corner in a range. */
 function placeRange(

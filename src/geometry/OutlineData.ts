@@ -1,13 +1,10 @@
 import { type BufferGeometry, DataTexture, RGBAIntegerFormat, UnsignedIntType } from 'three';
-import { POINT_BITS, POINT_MASK } from '../bake/outlineLayout.js';
+import { POINT_BITS, POINT_MASK, SEARCHED_IN_WORKER } from '../bake/outlineLayout.js';
 import type { PackedOutlines } from '../bake/packOutlines.js';
 import { pullTextureSize } from '../bake/pullLayout.js';
 import { unpackPoints } from '../bake/unpackPoints.js';
 import type { ContourSearch } from '../features/contourCandidates.js';
 import { identityOf } from './identityOf.js';
-
-/** With this many triangles, a search for contours takes more than about a millisecond. Then it runs in the worker. */
-const SEARCHED_IN_WORKER = 100_000;
 
 /** How often the data for the search is restored after it was lost with a worker. */
 const MAX_RESTORES = 3;
@@ -27,7 +24,7 @@ export class OutlineData {
 
   /** @param createWorker creates the worker that searches for contours. By default it is the inlined worker. */
   constructor(
-    { points, primitives, triangleCount, edgeCount, positions, normals, radius }: PackedOutlines,
+    { points, primitives, searched, triangleCount, edgeCount, positions, normals, radius }: PackedOutlines,
     public createWorker?: (() => Worker) | undefined,
   ) {
     this.points = integerTexture(points);
@@ -36,7 +33,7 @@ export class OutlineData {
     this.edgeCount = edgeCount;
     this.radius = radius;
     this.pointCount = positions.length / 3;
-    this.search = this.searchIn(positions, normals);
+    this.search = this.searchIn(positions, normals, searched ?? primitives);
   }
 
   /** Whether the search for contours runs in the worker, because it takes long. */
@@ -51,17 +48,21 @@ export class OutlineData {
   restoreSearch(): void {
     if (this.restored++ >= MAX_RESTORES) return;
     const { positions, normals } = unpackPoints(this.points.image.data as Uint32Array<ArrayBuffer>, this.pointCount);
-    this.search = this.searchIn(positions, normals);
+    const primitives = this.primitives.image.data as Uint32Array<ArrayBuffer>;
+    // The array is transferred to the worker, and the texture must keep its own for the case that the context is lost.
+    this.search = this.searchIn(positions, normals, this.isSearchedInWorker ? primitives.slice() : primitives);
   }
 
-  private searchIn(positions: Float32Array<ArrayBuffer>, normals: Float32Array<ArrayBuffer>): ContourSearch {
+  private searchIn(
+    positions: Float32Array<ArrayBuffer>,
+    normals: Float32Array<ArrayBuffer>,
+    primitives: Uint32Array<ArrayBuffer>,
+  ): ContourSearch {
     const { triangleCount, edgeCount, pointCount } = this;
-    const primitives = this.primitives.image.data as Uint32Array<ArrayBuffer>;
     return {
       positions,
       normals,
-      // The array is transferred to the worker, and the texture must keep its own for the case that the context is lost.
-      primitives: this.isSearchedInWorker ? primitives.slice() : primitives,
+      primitives,
       pointMask: POINT_MASK,
       pointBits: POINT_BITS,
       triangleCount,

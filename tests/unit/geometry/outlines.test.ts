@@ -1,9 +1,9 @@
 import { isDeepStrictEqual } from 'node:util';
-import { BoxGeometry, type BufferGeometry, PlaneGeometry, SphereGeometry, type Texture } from 'three';
+import { BoxGeometry, type BufferGeometry, PlaneGeometry, SphereGeometry, type Texture, TorusGeometry } from 'three';
 import { describe, expect, test } from 'vitest';
 import { POINT_MASK } from '../../../src/bake/outlineLayout.js';
 import { BORDER, CREASE, MATERIAL_BORDER } from '../../../src/features/edgeFlags.js';
-import { OutlineData, outlineDataOf } from '../../../src/geometry/OutlineData.js';
+import { type OutlineData, outlineDataOf } from '../../../src/geometry/OutlineData.js';
 import type { PrepareHatchingGeometryOptions } from '../../../src/geometry/PrepareHatchingGeometryOptions.js';
 import { prepareHatchingGeometry } from '../../../src/geometry/prepareHatchingGeometry.js';
 import { reactive } from './reactive.js';
@@ -174,22 +174,18 @@ describe('the data of outlines', () => {
     expect(search!.primitives).toBe(wordsOf(primitives));
   });
 
-  test('have a copy for the worker where that does the search', () => {
-    const triangleCount = 100_000;
-    const packed = {
-      points: new Uint32Array(8 * 2048),
-      primitives: new Uint32Array(4 * 2048 * 49).map((_, i) => i),
-      triangleCount,
-      edgeCount: 0,
-      positions: new Float32Array(9),
-      normals: new Float32Array(9),
-      radius: 1,
-    };
-    const large = new OutlineData(packed);
+  test('have a copy for the worker where that does the search, which the bake has made', async () => {
+    const prepared = await prepareHatchingGeometry(new TorusGeometry(1, 0.4, 250, 200), { outlines: true });
+    const large = outlineDataOf(prepared)!;
     expect(large.isSearchedInWorker).toBe(true);
+    const copy = large.search!.primitives;
+    expect(copy === wordsOf(large.primitives)).toBe(false);
+    expect(isDeepStrictEqual(copy, wordsOf(large.primitives))).toBe(true);
+    large.restoreSearch();
     expect(large.search!.primitives === wordsOf(large.primitives)).toBe(false);
-    expect(isDeepStrictEqual(large.search!.primitives, wordsOf(large.primitives))).toBe(true);
-    expect(new OutlineData({ ...packed, triangleCount: triangleCount - 1 }).isSearchedInWorker).toBe(false);
+    expect(isDeepStrictEqual(large.search!.primitives, copy)).toBe(true);
+    const small = await prepareHatchingGeometry(new TorusGeometry(1, 0.4, 250, 199), { outlines: true });
+    expect(outlineDataOf(small)!.isSearchedInWorker).toBe(false);
   });
 
   test.each(['corner', 'pull', 'indexed'] as const)(
