@@ -1,4 +1,13 @@
-import { type Camera, type InstancedMesh, type Mesh, type Scene, Vector2, Vector4, type WebGLRenderer } from 'three';
+import {
+  type Camera,
+  type InstancedMesh,
+  type Mesh,
+  REVISION,
+  type Scene,
+  Vector2,
+  Vector4,
+  type WebGLRenderer,
+} from 'three';
 import type { WebGPURenderer } from 'three/webgpu';
 import { outlineDataOf } from '../../geometry/OutlineData.js';
 import { tell } from '../../mistakes/tell.js';
@@ -17,6 +26,7 @@ import { placesOf } from '../nodes/base/InstancePlaces.js';
 import { clippingOf } from './clippingOf.js';
 import { HatchingOutlineNodeMaterial } from './HatchingOutlineNodeMaterial.js';
 import { readWhereDrawn } from './readWhereDrawn.js';
+import { tellOfOlderThree } from './tellOfOlderThree.js';
 
 const drawnInto = /* @__PURE__ */ new Vector4();
 const size = /* @__PURE__ */ new Vector2();
@@ -49,6 +59,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
     look: HatchingOutlineNodeMaterial | HatchingOutlineParameters = {},
   ) {
     super(mesh, look, HatchingOutlineNodeMaterial);
+    tellOfOlderThree(REVISION);
   }
 
   override readonly onBeforeRender = (either: WebGLRenderer | WebGPURenderer, _scene: Scene, camera: Camera): void => {
