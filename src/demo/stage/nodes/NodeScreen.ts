@@ -114,7 +114,14 @@ export class NodeScreen implements Screen {
     if (size.ratio !== ratio) renderer.setPixelRatio(ratio);
     if (size.width !== width || size.height !== height) renderer.setSize(width, height, false);
     Object.assign(size, { width, height, ratio });
-    renderer.render(this.scene, this.camera);
+    try {
+      renderer.render(this.scene, this.camera);
+    } catch (error) {
+      // Where the browser's graphics process has fallen over, three.js is not told of the lost device.
+      console.error(error);
+      this.host.onLost();
+      return;
+    }
     if (this.isFirst) void this.buildRest();
   }
 
