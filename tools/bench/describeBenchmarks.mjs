@@ -67,7 +67,7 @@ its graphics context, \`read\` when its model is read, \`sketch\` when that was 
 as it is, and \`complete\` when the last frame was drawn, with lines along the form and with dark hollows.`,
   drop: `A file is dropped on the built playground. \`read\` is the time until a worker has read it, \`first\` the time until the first frame that shows it can be read, with its own normals if the bake takes
 long; \`baked\` is the time until it is shown baked, with its lines. Cold is the first file of a page, warm the following ones. The longest task is that of the
-main thread, including drawing, 0 if none took 50 ms. All are medians with their 95 % intervals.`,
+page's main thread, 0 if none took 50 ms; the browser draws in a process of its own. All are medians with their 95 % intervals.`,
   detail: `A large model is drawn by \`applyHatching\` with \`detail\`, which chooses the level that the view needs, and a smaller model without. Ratios are taken
 within a turn. On the page a file of more than two million triangles is simplified while it is read. The first picture is of a coarse copy, the complete one of
 the simplified model, baked. Flips on the way from the model tell whether levels pop: they should be no more than those of the whole model. The peak is the

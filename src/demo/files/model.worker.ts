@@ -4,7 +4,7 @@ import { checkTriangleCount } from '../../files/mesh/checkTriangleCount.js';
 import { meshBuffers, triangleCount } from '../../files/mesh/PlainMesh.js';
 import { type ModelFile, type OnStage, type ReadMesh, type ReadModel, readModel } from '../../files/readModel.js';
 import { PAGE_SURROUNDINGS } from './pageSurroundings.js';
-import { coarseModel, isTooFine, simplified } from './readLarge.js';
+import { coarseModel, isTooFine, simplified, withoutHeavyPictures } from './readLarge.js';
 
 /** What the worker is given if a model is to be read with other triangles than a sheet shows: at most so many. */
 export interface FineRequest {
@@ -64,7 +64,8 @@ addEventListener('message', async ({ data }: MessageEvent<readonly ModelFile[] |
   try {
     const { files, most } = 'files' in data ? data : { files: data, most: undefined };
     const onStage: OnStage = (stage, bytes) => post({ kind: 'stage', stage, bytes });
-    const model = await withPictures(await readModel(files, onStage, PAGE_SURROUNDINGS), onStage, PAGE_SURROUNDINGS);
+    const read = withoutHeavyPictures(await readModel(files, onStage, PAGE_SURROUNDINGS));
+    const model = await withPictures(read, onStage, PAGE_SURROUNDINGS);
     const isLessDrawn = isTooFine(model, most);
     if (isLessDrawn && most === undefined) postCoarse(model);
     const drawn = isLessDrawn ? await lessOf(model, onStage, most) : model;

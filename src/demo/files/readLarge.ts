@@ -1,5 +1,6 @@
 import { MOST_PIXELS } from '../../detail/chooseLevel.js';
 import { clusterMesh } from '../../files/mesh/clusterMesh.js';
+import { canDraw } from '../../files/mesh/checkTriangleCount.js';
 import { isClosed } from '../../files/mesh/isClosed.js';
 import { triangleCount } from '../../files/mesh/PlainMesh.js';
 import { plainNormals } from '../../files/mesh/plainNormals.js';
@@ -14,6 +15,13 @@ const MANY_TRIANGLES = 2_000_000;
  */
 export const isTooFine = (model: ReadModel, most = MANY_TRIANGLES): model is ReadMesh =>
   model.kind === 'mesh' && !model.mesh.uvs && triangleCount(model.mesh) > most;
+
+/** The model, without its pictures if it has more triangles than can be drawn with them. */
+export function withoutHeavyPictures(model: ReadModel): ReadModel {
+  if (model.kind !== 'mesh' || !model.mesh.uvs || canDraw(triangleCount(model.mesh))) return model;
+  const { uvs: _, ranges: __, ...mesh } = model.mesh;
+  return { ...model, mesh, pictures: [], notes: [...model.notes, 'too large to be drawn with its pictures'] };
+}
 
 /** A coarse copy of a model, to be drawn until it is simplified. */
 export function coarseModel(model: ReadMesh): ReadMesh {

@@ -1,5 +1,5 @@
 import type { Attribute, DecoderModule } from 'draco3d';
-import { checkTriangleCount } from '../mesh/checkTriangleCount.js';
+import { checkReadTriangles } from '../mesh/checkTriangleCount.js';
 
 /** The typed array for each component type of glTF, and Draco's name of that type. */
 const TYPES = {
@@ -51,7 +51,7 @@ export function decodeDraco(
     if (!status.ok()) throw new Error(`Draco: ${status.error_msg()}`);
     const triangles = mesh.num_faces();
     // A part may be empty.
-    checkTriangleCount(Math.max(1, triangles));
+    checkReadTriangles(Math.max(1, triangles));
     const indexBytes = 12 * triangles;
     const indices = copyOut(draco, indexBytes, (at) => decoder.GetTrianglesUInt32Array(mesh, indexBytes, at));
     const valuesOf = ({ id, componentType }: DracoAttribute): DracoValues => {

@@ -1,4 +1,4 @@
-import { checkTriangleCount } from '../mesh/checkTriangleCount.js';
+import { checkReadTriangles } from '../mesh/checkTriangleCount.js';
 import { fitWeights, type GltfGeometry, type PlainGltfMesh } from './GltfGeometry.js';
 import type { GltfValues } from './GltfValues.js';
 import type { GltfWriter } from './GltfWriter.js';
@@ -81,7 +81,7 @@ export class GltfNodes {
   /** The instances of a mesh; undefined if it has none. They are counted before they are read. */
   private instancesOf(places: InstanceAccessors, { triangles }: PlainGltfMesh): Instances | undefined {
     const count = places.length > 0 ? instanceCount(places, this.values) : 1;
-    checkTriangleCount(Math.max(1, this.sums.triangles + triangles * count));
+    checkReadTriangles(Math.max(1, this.sums.triangles + triangles * count));
     if (places.length === 0) return undefined;
     const instances = readInstances(places, count, this.values);
     this.leftOut.instances += instances.leftOut;

@@ -12,6 +12,9 @@ const BYTES_PER_TRIANGLE = 205;
 /** A round number, since a message gives it. */
 const MAX_TRIANGLES = Math.floor(MAX_BYTES / BYTES_PER_TRIANGLE / 1e5) * 1e5;
 
+/** Whether memory allows to draw so many triangles. */
+export const canDraw = (triangles: number): boolean => triangles <= MAX_TRIANGLES;
+
 const MAX_READ_TRIANGLES = Math.floor(MAX_BYTES / BYTES_PER_READ_TRIANGLE / 1e6) * 1e6;
 
 /** @throws ModelError if there are no triangles to read, or more than memory allows before they are simplified */

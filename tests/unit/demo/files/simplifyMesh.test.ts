@@ -1,6 +1,12 @@
 import { MeshoptSimplifier } from 'meshoptimizer/simplifier';
 import { beforeAll, expect, test } from 'vitest';
-import { coarseModel, exactPixels, isTooFine, simplified } from '../../../../src/demo/files/readLarge.js';
+import {
+  coarseModel,
+  exactPixels,
+  isTooFine,
+  simplified,
+  withoutHeavyPictures,
+} from '../../../../src/demo/files/readLarge.js';
 import type { PlainMesh } from '../../../../src/files/mesh/PlainMesh.js';
 import type { ReadMesh } from '../../../../src/files/readModel.js';
 import { simplifyMesh } from '../../../../src/files/simplify/simplifyMesh.js';
@@ -127,6 +133,20 @@ test('only meshes of more than two million triangles without pictures are simpli
   expect(isTooFine(readOf(fine), 3_000_000)).toBe(false);
   expect(isTooFine(readOf({ ...fine, uvs: new Float32Array(2) }))).toBe(false);
   expect(isTooFine(readOf({ ...fine, indices: new Uint32Array(3 * 2_000_000) }))).toBe(false);
+});
+
+test('pictures are left out, and the caption says so, where there are more triangles than can be drawn with them', () => {
+  const pictured = (triangles: number): ReadMesh => ({
+    ...readOf({ ...ball(1), indices: new Uint32Array(3 * triangles), uvs: new Float32Array(2), ranges: [] }),
+    pictures: [undefined],
+    notes: ['a note'],
+  });
+  const light = pictured(5_000_000);
+  expect(withoutHeavyPictures(light)).toBe(light);
+  const bare = withoutHeavyPictures(pictured(5_300_000));
+  expect(bare.notes).toEqual(['a note', 'too large to be drawn with its pictures']);
+  expect(bare).toMatchObject({ pictures: [] });
+  expect(isTooFine(bare)).toBe(true);
 });
 
 test.each([
