@@ -1,6 +1,6 @@
 import { MOST_PIXELS } from '../../detail/chooseLevel.js';
-import { clusterMesh } from '../../files/mesh/clusterMesh.js';
 import { canDraw } from '../../files/mesh/checkTriangleCount.js';
+import { clusterMesh } from '../../files/mesh/clusterMesh.js';
 import { isClosed } from '../../files/mesh/isClosed.js';
 import { triangleCount } from '../../files/mesh/PlainMesh.js';
 import { plainNormals } from '../../files/mesh/plainNormals.js';
