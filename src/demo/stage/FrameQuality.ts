@@ -1,5 +1,6 @@
 import type { WebGLRenderer } from 'three';
 import { AdaptiveResolution } from 'three-hatching';
+import { whenDrawn } from './whenDrawn.js';
 
 /**
  * The first frame of a model is a sketch, so that there is something to see early on a slow machine: in a lower resolution, by this
@@ -8,6 +9,8 @@ import { AdaptiveResolution } from 'three-hatching';
 const SKETCH_SHARE = 0.5;
 /** A sketch of a stand-in that takes longer stays until the model itself is there. */
 const LONG_MILLISECONDS = 500;
+/** Frames that take no longer may follow each other at once. */
+const QUICK_MILLISECONDS = 50;
 /** A frame that takes longer is drawn only for what can be seen clearly. */
 const SLOW_MILLISECONDS = 150;
 
@@ -25,6 +28,9 @@ interface FrameQualityHost {
 export class FrameQuality {
   private isSketching = false;
   private hasBeenSketched = false;
+  /** How many frames are being drawn that take long, as far as is known. */
+  private underway = 0;
+  private readonly context: WebGL2RenderingContext;
   private readonly resolution: AdaptiveResolution;
   private readonly listeners: (() => void)[] = [];
 
@@ -32,6 +38,7 @@ export class FrameQuality {
     renderer: WebGLRenderer,
     private readonly host: FrameQualityHost,
   ) {
+    this.context = renderer.getContext() as WebGL2RenderingContext;
     this.resolution = new AdaptiveResolution(renderer, {
       onRest: () => host.invalidate(),
       onMeasured: () => this.measured(),
@@ -41,6 +48,18 @@ export class FrameQuality {
   /** Draws a frame and measures it. @param isMoving whether it shows a movement: in one, frames may be drawn coarsely */
   measure(draw: () => void, isMoving: boolean): void {
     this.resolution.frame(draw, isMoving);
+    const { milliseconds } = this;
+    if (milliseconds !== undefined && milliseconds <= QUICK_MILLISECONDS) return;
+    this.underway++;
+    void whenDrawn(this.context).then(() => this.underway--);
+  }
+
+  /**
+   * Whether the graphics card still draws a frame that takes long. Another one would wait in its queue, and the page with it as soon as it
+   * asks the card for anything, be it only for a canvas of another size.
+   */
+  get isBusy(): boolean {
+    return this.underway > 0;
   }
 
   /** Whether frames take so long that those which would show little more are better left out. */

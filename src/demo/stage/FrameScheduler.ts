@@ -4,7 +4,14 @@ export class FrameScheduler {
   frames = 0;
   private request = 0;
 
-  constructor(private readonly draw: () => void) {}
+  /**
+   * @param draw draws a frame
+   * @param mustWait whether a frame that was requested has to wait: it is asked for anew with the next refresh
+   */
+  constructor(
+    private readonly draw: () => void,
+    private readonly mustWait: () => boolean = () => false,
+  ) {}
 
   /** Requests one frame. Further requests before it is drawn have no effect. */
   invalidate(): void {
@@ -17,6 +24,10 @@ export class FrameScheduler {
   }
 
   private readonly onFrame = (): void => {
+    if (this.mustWait()) {
+      this.request = requestAnimationFrame(this.onFrame);
+      return;
+    }
     this.request = 0;
     this.frames++;
     this.draw();

@@ -34,10 +34,13 @@ export class Frames {
     this.crossFade = new CrossFade(painter.canvas, () => this.canvas);
     // Before the first model, the page waits for others.
     setTimeout(() => this.crossFade.prepare());
-    this.scheduler = new FrameScheduler(() => {
-      // Until the programs are built, the last frame stays on the page.
-      if (!this.isBuilding) this.draw();
-    });
+    this.scheduler = new FrameScheduler(
+      () => {
+        // Until the programs are built, the last frame stays on the page.
+        if (!this.isBuilding) this.draw();
+      },
+      () => quality.isBusy,
+    );
   }
 
   /** Requests one frame. */

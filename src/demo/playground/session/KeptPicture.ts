@@ -23,8 +23,17 @@ export class KeptPicture {
   frameDrawn(): void {
     if (!this.isWanted || !this.isAtRest) return;
     this.isWanted = false;
+    this.take(thumbnailWhen(this.whenStill(), this.stage.frames.canvas));
+  }
+
+  /** Resolves when the graphics card has nothing to draw: reading the copy waits for later frames too. */
+  private async whenStill(): Promise<void> {
     const { context, frames } = this.stage;
-    this.take(thumbnailWhen(whenDrawn(context), frames.canvas));
+    let count: number;
+    do {
+      count = frames.count;
+      await whenDrawn(context);
+    } while (frames.count !== count);
   }
 
   /** Whether the drawing is final. If not, another frame follows: after a sketch, after a coarse frame, or with the result of a task. */

@@ -33,6 +33,7 @@ function makeFrames() {
       draw();
     },
     isSketch: false,
+    isBusy: false,
     share: 1,
     finishSketch: () => {},
     drawnUnmeasured: () => {},
@@ -58,7 +59,7 @@ function makeFrames() {
   const next = (): void => {
     for (const draw of frames.splice(0)) draw();
   };
-  return { sheet, scenery, drawTile, moving, next };
+  return { sheet, scenery, quality, drawTile, moving, next };
 }
 
 test('a picture that is to fade is drawn a second time, unless it was copied because that was known before', () => {
@@ -141,4 +142,15 @@ test('before there is a model, no ground is drawn', () => {
   sheet.refine();
   next();
   expect(scenery.showSketch).toHaveBeenCalledTimes(1);
+});
+
+test('a frame waits while the graphics card draws one that takes long, and is drawn then without being asked for again', () => {
+  const { sheet, quality, drawTile, next } = makeFrames();
+  quality.isBusy = true;
+  sheet.invalidate();
+  for (let i = 0; i < 3; i++) next();
+  expect([drawTile.mock.calls.length, sheet.isWaiting, sheet.count]).toEqual([0, true, 0]);
+  quality.isBusy = false;
+  next();
+  expect([drawTile.mock.calls.length, sheet.isWaiting, sheet.count]).toEqual([1, false, 1]);
 });

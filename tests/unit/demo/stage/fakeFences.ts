@@ -27,6 +27,10 @@ export function fakeFences() {
     get isFlushed() {
       return state.isFlushed;
     },
+    /** Something is asked for that is not drawn yet. */
+    begin: () => {
+      state.isFinished = false;
+    },
     /** Everything that was asked for is drawn. */
     finish: () => {
       state.isFinished = true;

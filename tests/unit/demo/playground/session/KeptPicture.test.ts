@@ -18,7 +18,7 @@ function createPicture() {
   vi.stubGlobal('document', { createElement: () => ({ toDataURL, getContext: () => ({ drawImage }) }) });
   const stage = {
     isComplete: true,
-    frames: { isWaiting: false, redraw: () => true, canvas: { width: 300, height: 200 } },
+    frames: { isWaiting: false, redraw: () => true, canvas: { width: 300, height: 200 }, count: 0 },
     quality: { isCoarse: false },
     shown: { isStandIn: false },
     context: gl.context,
@@ -55,4 +55,17 @@ test('what is not at rest yet waits for a later frame, and is read once', async 
   picture.frameDrawn();
   await vi.advanceTimersByTimeAsync(1000);
   expect([drawImage.mock.calls.length, taken]).toEqual([1, [PICTURE]]);
+});
+
+test('is not read while later frames are drawn, for which reading would wait', async () => {
+  const { gl, stage, toDataURL, picture } = createPicture();
+  gl.finish();
+  picture.want();
+  for (let i = 0; i < 5; i++) {
+    stage.frames.count++;
+    await vi.advanceTimersByTimeAsync(10);
+  }
+  expect(toDataURL).not.toHaveBeenCalled();
+  await vi.advanceTimersByTimeAsync(30);
+  expect(toDataURL).toHaveBeenCalledTimes(1);
 });
