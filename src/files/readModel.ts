@@ -60,7 +60,7 @@ export interface ReadMesh extends Read {
   mesh: PlainMesh;
   /** The pictures of the mesh's ranges; undefined for missing ones. */
   pictures: (MeshPicture | undefined)[];
-  /** Normals for a stand-in that is drawn until the mesh is baked; null if it needs none. */
+  /** Normals for a stand-in that is drawn until the mesh is baked; null if it needs none, or another mesh stands in for it. */
   plainNormals: Float32Array | null;
   /** Whether the stand-in encloses something, so that the backs of its triangles are not seen. */
   isClosed: boolean;

@@ -1,4 +1,4 @@
-import { drop, openPlayground, readDrawing, ready } from '../../tools/browser/playground.js';
+import { drop, follow, openPlayground, readDrawing, ready } from '../../tools/browser/playground.js';
 import {
   file,
   largeTorus,
@@ -227,6 +227,33 @@ test('a large model is drawn at once, before it is baked, and stays where it was
   await ready(page);
   await expect(page.locator('#model-statistics')).toHaveText(/^\d+,\d+ triangles$/);
   await expect(page.locator('.earlier-picture')).toBeHidden();
+});
+
+test('a model that is opened while another is joined is framed, lit and shadowed as if there had been no other', async ({
+  page,
+}) => {
+  const own = [file('octahedron.obj', octahedronObj)];
+  await openPlayground(page, 'model=cube');
+  await drop(page, own);
+  const alone = await readDrawing(page);
+  const link = await page.evaluate(() => location.hash);
+  await follow(page, 'model=cube');
+  await page.evaluate(
+    () =>
+      new Promise<void>((resolve) => {
+        location.hash = 'model=dragon1';
+        const look = (): void => {
+          if (/^Joining/.test(document.querySelector('#status')!.textContent!)) resolve();
+          else requestAnimationFrame(look);
+        };
+        look();
+      }),
+  );
+  await expect(page.locator('#model-name')).toHaveText(/dragon/);
+  await drop(page, own);
+  await ready(page);
+  expect(await page.evaluate(() => location.hash)).toBe(link);
+  expect(changedShare(alone, await readDrawing(page))).toBe(0);
 });
 
 test('the caption says what is missing, whole, and all else is behind a button', async ({ page }) => {

@@ -10,7 +10,7 @@ export interface LoadOptions {
   signal: AbortSignal;
   /** Called with a few words on what is being done. */
   onStage: (stage: string) => void;
-  /** Called with a coarse copy of a very large model, long before that is ready. */
+  /** Called with a coarse copy of a large model, before that is ready. */
   onCoarse?: ((model: ReadModel) => void) | undefined;
   /** The most triangles of a model whose triangles are simplified, if it is not to have those that a sheet shows. */
   most?: number | undefined;

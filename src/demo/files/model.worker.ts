@@ -2,6 +2,7 @@ import { toModelError } from '../../files/common/ModelError.js';
 import { withPictures } from '../../files/decodePictures.js';
 import { checkTriangleCount } from '../../files/mesh/checkTriangleCount.js';
 import { meshBuffers, triangleCount } from '../../files/mesh/PlainMesh.js';
+import { needsCoarse } from '../../files/mesh/plainNormals.js';
 import { type ModelFile, type OnStage, type ReadMesh, type ReadModel, readModel } from '../../files/readModel.js';
 import { PAGE_SURROUNDINGS } from './pageSurroundings.js';
 import { coarseModel, isTooFine, simplified, withoutHeavyPictures } from './readLarge.js';
@@ -67,7 +68,7 @@ addEventListener('message', async ({ data }: MessageEvent<readonly ModelFile[] |
     const read = withoutHeavyPictures(await readModel(files, onStage, PAGE_SURROUNDINGS));
     const model = await withPictures(read, onStage, PAGE_SURROUNDINGS);
     const isLessDrawn = isTooFine(model, most);
-    if (isLessDrawn && most === undefined) postCoarse(model);
+    if (most === undefined && model.kind === 'mesh' && needsCoarse(model.mesh)) postCoarse(model);
     const drawn = isLessDrawn ? await lessOf(model, onStage, most) : model;
     if (drawn.kind === 'mesh') checkTriangleCount(triangleCount(drawn.mesh));
     post({ kind: 'done', model: drawn }, transferables(drawn));

@@ -3,7 +3,7 @@ import { canDraw } from '../../files/mesh/checkTriangleCount.js';
 import { clusterMesh } from '../../files/mesh/clusterMesh.js';
 import { isClosed } from '../../files/mesh/isClosed.js';
 import { triangleCount } from '../../files/mesh/PlainMesh.js';
-import { plainNormals } from '../../files/mesh/plainNormals.js';
+import { meanNormals, plainNormals } from '../../files/mesh/plainNormals.js';
 import type { ReadMesh, ReadModel } from '../../files/readModel.js';
 
 /** Meshes of more triangles are simplified before they are baked. */
@@ -23,10 +23,10 @@ export function withoutHeavyPictures(model: ReadModel): ReadModel {
   return { ...model, mesh, pictures: [], notes: [...model.notes, 'too large to be drawn with its pictures'] };
 }
 
-/** A coarse copy of a model, to be drawn until it is simplified. */
+/** A coarse copy of a model, to be drawn until it is simplified and baked. */
 export function coarseModel(model: ReadMesh): ReadMesh {
   const mesh = clusterMesh(model.mesh);
-  return { ...model, mesh, plainNormals: plainNormals({ ...mesh, normals: null }), isClosed: isClosed(mesh) };
+  return { ...model, mesh, plainNormals: meanNormals(mesh), isClosed: isClosed(mesh) };
 }
 
 /**

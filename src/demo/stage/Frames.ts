@@ -141,7 +141,7 @@ export class Frames {
       this.show(undefined);
     }
     this.isMoving = false;
-    // A stand-in fades into what takes its place, be it a finer stand-in.
+    // A stand-in fades into what takes its place, be it another stand-in.
     if ((scenery.shown.isStandIn || this.exchanging > 0) && !this.isExchanged) crossFade.keep();
     else crossFade.start();
     this.isExchanged = false;

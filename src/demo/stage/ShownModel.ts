@@ -9,10 +9,10 @@ import { DEFAULT_VIEW } from '../../staging/createCamera.js';
 type ViewDirection = readonly [number, number, number];
 
 /**
- * What has changed: another model is drawn for the first time, a finer stand-in or the model itself has taken a stand-in's place, or an
- * earlier model is back.
+ * What has changed: another model or its stand-in is drawn for the first time, a model has taken its stand-in's place, or an earlier model
+ * is back.
  */
-export type ModelChange = 'another' | 'finer' | 'completed' | 'back';
+export type ModelChange = 'another' | 'completed' | 'back';
 
 /** The model that is shown. A stand-in may take its place until the next model is baked; if that fails, the earlier model comes back. */
 export class ShownModel {
@@ -56,10 +56,14 @@ export class ShownModel {
     this.holder.add(forerunner.root);
   }
 
-  /** Replaces the model. The previous one is disposed of when the new one has been drawn. */
-  set(next: HatchedModel, firstView: ViewDirection = DEFAULT_VIEW): void {
+  /**
+   * Replaces the model. The previous one is disposed of when the new one has been drawn.
+   *
+   * @param hasStandIn whether the model that is shown stands in for this one, and not for another that was given up
+   */
+  set(next: HatchedModel, firstView: ViewDirection = DEFAULT_VIEW, hasStandIn = this.isTemporary): void {
     this.disposePrevious();
-    const change = this.isTemporary ? 'completed' : 'another';
+    const change = hasStandIn ? 'completed' : 'another';
     const before = this.exchange(next);
     this.previous.push(...[before, this.replaced?.model].filter((model) => model !== undefined));
     this.isTemporary = false;
@@ -71,11 +75,10 @@ export class ShownModel {
   setStandIn(next: HatchedModel, firstView: ViewDirection = DEFAULT_VIEW): void {
     this.disposePrevious();
     const before = this.exchange(next);
-    const change = this.isTemporary ? 'finer' : 'another';
     if (!this.isTemporary) this.replaced = { model: before, firstView: this.firstView };
     else if (before) this.previous.push(before);
     this.isTemporary = true;
-    this.report(change, firstView);
+    this.report('another', firstView);
   }
 
   /** Takes away the stand-in, if one is shown. */

@@ -1,16 +1,22 @@
-import type { PlainMesh } from './PlainMesh.js';
+import { type PlainMesh, triangleCount } from './PlainMesh.js';
 
 /** A mesh with fewer triangles is baked so fast that a stand-in would only flicker. */
 const LEAST_TRIANGLES = 100_000;
+/** A mesh with more triangles takes long to be lit, uploaded and drawn: a coarse copy stands in for it. */
+const MOST_TRIANGLES = 400_000;
 
-/**
- * Normals to draw a mesh with until it is baked: its own, or the means of its triangles weighted by area where it has none. Null
- * for a mesh that needs no stand-in: a small one, or one with pictures, which are decoded once.
- */
+/** Whether a coarse copy of a mesh is drawn until it is baked. A mesh with pictures, which are decoded once, has none. */
+export const needsCoarse = (mesh: PlainMesh): boolean => !mesh.uvs && triangleCount(mesh) > MOST_TRIANGLES;
+
+/** The normals of {@link meanNormals}; null for a mesh that does not stand in for itself: a small or a large one, or one with pictures. */
 export function plainNormals(mesh: PlainMesh): Float32Array | null {
-  const { positions, normals, indices, uvs } = mesh;
+  const isSmall = triangleCount(mesh) < LEAST_TRIANGLES;
+  return isSmall || mesh.uvs || needsCoarse(mesh) ? null : meanNormals(mesh);
+}
+
+/** Normals to draw a mesh with until it is baked: its own, or the means of its triangles weighted by area where it has none. */
+export function meanNormals({ positions, normals, indices }: PlainMesh): Float32Array {
   const cornerCount = indices?.length ?? positions.length / 3;
-  if (cornerCount < 3 * LEAST_TRIANGLES || uvs) return null;
   if (normals && areAllSet(normals)) return normals;
   const sums = new Float32Array(positions.length);
   for (let corner = 0; corner + 2 < cornerCount; corner += 3) {

@@ -77,6 +77,8 @@ export class ModelLoader {
         place: CameraView | undefined;
       }
     | undefined;
+  /** The model for which a stand-in was shown last. */
+  private stoodInFor: WantedModel | undefined;
   /** Where the light was put for a model. */
   private lit: Pick<Settings, 'lightAzimuth' | 'lightElevation'> | undefined;
   /** The shown model, as the value of its setting. */
@@ -166,7 +168,10 @@ export class ModelLoader {
       const files = [await fetchModel(address, { signal, onProgress: (progress) => report(stage, progress) })];
       wanted.files = files;
       this.addresses.set(files, address);
-      const read = await loadModelFiles(files, { signal, onStage: report });
+      const onCoarse = (read: ReadModel): void => {
+        if (!signal.aborted) this.showStandIn({ title: read.name, read }, { isFramed, isRestored: true });
+      };
+      const read = await loadModelFiles(files, { signal, onStage: report, onCoarse });
       const { name: title, missing, unpacked } = read;
       return { title, read, shown: { files, missing, unpacked } };
     });
@@ -223,7 +228,12 @@ export class ModelLoader {
     return this.show({ model }, { isFramed, isRestored: true }, async (report, signal) => {
       const { title, view, load } = BUILT_IN_MODELS[model];
       report(`fetching ${title}`);
-      const [read, light] = await Promise.all([load({ signal, onStage: report }), isLit ? fetchLight() : undefined]);
+      const lighting = isLit ? fetchLight() : undefined;
+      const onCoarse = async (read: ReadModel): Promise<void> => {
+        const light = await lighting?.catch(() => undefined);
+        if (!signal.aborted) this.showStandIn({ title, view, read, light }, { isFramed, isRestored: true });
+      };
+      const [read, light] = await Promise.all([load({ signal, onStage: report, onCoarse }), lighting]);
       return { title, view, read, light };
     });
   }
@@ -241,7 +251,8 @@ export class ModelLoader {
       const techniques = HatchingMaterial.preload();
       if (!stage.shown.drawn) void techniques.then(() => stage.buildAhead());
       const [loaded] = await Promise.all([load(report, signal), techniques]);
-      if (this.showStandIn(loaded, way)) await afterFrame();
+      this.showStandIn(loaded, way);
+      if (this.hasStandIn) await afterFrame();
       signal.throwIfAborted();
       const built = await buildModel(loaded.read, report, signal);
       try {
@@ -270,7 +281,7 @@ export class ModelLoader {
   ): void {
     const { settings, stage } = this;
     const { title, read, view, drawing, light } = loaded;
-    const hasStandIn = stage.shown.isStandIn;
+    const { hasStandIn } = this;
     this.beforeStandIn = undefined;
     this.shownModel = model;
     this.title = title;
@@ -285,8 +296,8 @@ export class ModelLoader {
     const isOwn = model === 'file';
     const details = isOwn && 'details' in read ? read.details : [];
     this.name({ title, statistics, notes: isOwn ? notes : [], details });
-    if (hasStandIn) stage.frames.fadeIntoNext();
-    stage.shown.set(next, view);
+    if (stage.shown.isStandIn) stage.frames.fadeIntoNext();
+    stage.shown.set(next, view, hasStandIn);
     // The user may have moved the camera while the stand-in was shown.
     if (isFramed && !hasStandIn) stage.view.frame();
     if (!hasStandIn) this.light(light);
@@ -295,28 +306,31 @@ export class ModelLoader {
     page.lamp.hidden = false;
   }
 
-  /** Draws a large mesh at once, as well as it can be drawn before it is prepared. @returns whether there is one to be drawn */
-  private showStandIn({ read, title, view, light }: LoadedModel, { isFramed, isRestored }: WayToShow): boolean {
+  /** Draws a large mesh at once, as well as it can be drawn before it is prepared, or a coarse copy of it. */
+  private showStandIn({ read, title, view, light }: LoadedModel, { isFramed, isRestored }: WayToShow): void {
     const { stage, settings } = this;
     const standIn = standInOf(read, settings);
-    if (!standIn) return false;
-    const hasStandIn = this.beforeStandIn !== undefined;
+    if (!standIn) return;
     const { upAxis, lightAzimuth, lightElevation } = settings;
+    // Where the stand-in of a model that was given up is shown, the page before that one is what may come back.
     this.beforeStandIn ??= {
       settings: { upAxis, lightAzimuth, lightElevation },
       title: document.title,
       caption: this.caption.content,
       place: stage.view.ownPlace,
     };
-    if (!isRestored && !hasStandIn) settings.upAxis = read.upAxis;
+    this.stoodInFor = this.wanted;
+    if (!isRestored) settings.upAxis = read.upAxis;
     this.name({ title, statistics: standIn.statistics, notes: [], details: [] });
-    if (hasStandIn) stage.frames.fadeIntoNext();
+    if (stage.shown.isStandIn) stage.frames.fadeIntoNext();
     stage.shown.setStandIn(standIn, view);
-    // The user may have moved camera and light while a coarser one was shown.
-    if (hasStandIn) return true;
     if (isFramed) stage.view.frame();
     this.light(light);
-    return true;
+  }
+
+  /** Whether a stand-in for the model that is being loaded is shown. */
+  private get hasStandIn(): boolean {
+    return this.stage.shown.isStandIn && this.stoodInFor === this.wanted;
   }
 
   private light(light: LoadedModel['light']): void {

@@ -8,6 +8,7 @@ import {
   withoutHeavyPictures,
 } from '../../../../src/demo/files/readLarge.js';
 import type { PlainMesh } from '../../../../src/files/mesh/PlainMesh.js';
+import { needsCoarse, plainNormals } from '../../../../src/files/mesh/plainNormals.js';
 import type { ReadMesh } from '../../../../src/files/readModel.js';
 import { simplifyMesh } from '../../../../src/files/simplify/simplifyMesh.js';
 import { scannedTorus } from '../../../../tools/bench/detail/scannedTorus.mjs';
@@ -133,6 +134,17 @@ test('only meshes of more than two million triangles without pictures are simpli
   expect(isTooFine(readOf(fine), 3_000_000)).toBe(false);
   expect(isTooFine(readOf({ ...fine, uvs: new Float32Array(2) }))).toBe(false);
   expect(isTooFine(readOf({ ...fine, indices: new Uint32Array(3 * 2_000_000) }))).toBe(false);
+});
+
+test('large meshes have a coarse copy, which is drawn however small, and medium ones stand in for themselves', () => {
+  const mesh = ball(1);
+  const withTriangles = (count: number): PlainMesh => ({ ...mesh, indices: new Uint32Array(3 * count) });
+  const [small, medium, large] = [99_000, 400_000, 400_001].map(withTriangles);
+  expect([small, medium, large].map(needsCoarse)).toEqual([false, false, true]);
+  expect([small, medium, large].map((one) => plainNormals(one) !== null)).toEqual([false, true, false]);
+  const pictured = { ...large, uvs: new Float32Array(2) };
+  expect([needsCoarse(pictured), plainNormals(pictured)]).toEqual([false, null]);
+  expect(coarseModel(readOf(mesh)).plainNormals).toHaveLength(coarseModel(readOf(mesh)).mesh.positions.length);
 });
 
 test('pictures are left out, and the caption says so, where there are more triangles than can be drawn with them', () => {

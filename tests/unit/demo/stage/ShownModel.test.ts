@@ -62,7 +62,8 @@ test('the model that was waited for takes the place of its stand-in, and of the 
   expect(onChange).toHaveBeenLastCalledWith('another', DEFAULT_VIEW);
   shown.disposePrevious();
   shown.setStandIn(other);
-  expect(onChange).toHaveBeenLastCalledWith('finer', DEFAULT_VIEW);
+  expect(onChange).toHaveBeenCalledTimes(3);
+  expect(onChange).toHaveBeenLastCalledWith('another', DEFAULT_VIEW);
   expect(shown.isStandIn).toBe(true);
   shown.disposePrevious();
   expect(disposed()).toEqual(['stand-in']);
@@ -72,6 +73,16 @@ test('the model that was waited for takes the place of its stand-in, and of the 
   expect(seen()).toEqual(['model']);
   shown.disposePrevious();
   expect(disposed()).toEqual(['before', 'stand-in', 'other stand-in']);
+});
+
+test('another model than the one whose stand-in is shown does not complete it', () => {
+  const { shown, models, onChange, disposed } = stageOf('stand-in', 'other');
+  shown.setStandIn(asModel(models[0]));
+  shown.set(asModel(models[1]), DEFAULT_VIEW, false);
+  expect(onChange).toHaveBeenLastCalledWith('another', DEFAULT_VIEW);
+  expect(shown.isStandIn).toBe(false);
+  shown.disposePrevious();
+  expect(disposed()).toEqual(['stand-in']);
 });
 
 test('without the model that was waited for, the one before is back as it was framed, and has the map that came meanwhile', () => {

@@ -53,27 +53,27 @@ function makeFrames() {
   return { frames, replace };
 }
 
-test('a coarse stand-in fades into a finer one, and that into the model', async () => {
+test('a stand-in fades into another one, and that into the model', async () => {
   const { frames, replace } = makeFrames();
-  replace('coarse', true);
+  replace('first', true);
   expect(copy.hidden).toBe(true);
-  replace('finer', true);
-  expect([copy.hidden, copy.copied.at(-1)]).toEqual([false, 'coarse']);
+  replace('other', true);
+  expect([copy.hidden, copy.copied.at(-1)]).toEqual([false, 'first']);
   // What is drawn while it fades leaves the fading picture as it is.
   frames.draw();
-  expect(copy.copied).not.toContain('finer');
+  expect(copy.copied).not.toContain('other');
   endFading();
   await vi.waitFor(() => expect(copy.hidden).toBe(true));
   // No frame was drawn since: the stand-in is drawn once more, to be copied.
   replace('model', false);
-  expect([copy.hidden, copy.copied.at(-1)]).toEqual([false, 'finer']);
+  expect([copy.hidden, copy.copied.at(-1)]).toEqual([false, 'other']);
 });
 
 test('where motion is to be reduced, nothing fades', () => {
   isMotionReduced = true;
   const { replace } = makeFrames();
-  replace('coarse', true);
-  replace('finer', true);
+  replace('first', true);
+  replace('other', true);
   expect([copy.hidden, copy.width]).toEqual([true, 0]);
   replace('model', false);
   expect([copy.hidden, copy.width]).toEqual([true, 0]);
