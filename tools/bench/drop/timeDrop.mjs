@@ -7,20 +7,13 @@ import { basename } from 'node:path';
  */
 export async function timeDrop(page, path) {
   const name = basename(path).replace(/\.\w+$/, '');
+  // What is still drawn of what was there before is not to be waited for.
+  await page.evaluate(drawnFrames);
   const drawn = page.evaluate(
     (name) =>
       new Promise((resolve) => {
         const root = document.documentElement;
-        const gl = document.querySelector('#drawing').getContext('webgl2');
-        // Asked again and again, since reading a pixel would hold the main thread until then, as a task of the page.
-        const drawing = async () => {
-          const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-          gl.flush();
-          while (gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) {
-            await new Promise((resolve) => setTimeout(resolve, 2));
-          }
-          gl.deleteSync(fence);
-        };
+        const { drawing } = window;
         const picked = () => {
           const start = performance.now();
           let longestTask = 0;
@@ -73,6 +66,23 @@ export async function timeDrop(page, path) {
   const title = await page.title();
   if (!title.includes(name)) throw new Error(`timeDrop: ${name} was not drawn, the page shows ${title}.`);
   return times;
+}
+
+/**
+ * Runs in the page. Resolves when the graphics process has drawn all that it was asked for, and leaves itself there as `drawing`. It asks again
+ * and again: reading a pixel would hold the main thread until then, which would count as a task of the page.
+ */
+async function drawnFrames() {
+  const gl = document.querySelector('#drawing').getContext('webgl2');
+  window.drawing = async () => {
+    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    while (gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) {
+      await new Promise((resolve) => setTimeout(resolve, 2));
+    }
+    gl.deleteSync(fence);
+  };
+  await window.drawing();
 }
 
 /** Waits until the playground has nothing left to do. */
