@@ -21,7 +21,7 @@ const program = (name, file) => join(dirname(require.resolve(`${name}/package.js
 
 const words = process.argv.slice(2);
 const browserLayers = ['gpu', 'three-oldest', 'three-middle', 'visual', 'e2e', 'consumers', 'webgpu'];
-/** Runs only where it is named: what breaks with a version in between nearly always breaks with the oldest too. */
+/** Runs only where it is named: it repeats the tests of `three-oldest`. */
 const onRequest = ['three-middle'];
 const layers = words.filter((word) => ['unit', ...browserLayers].includes(word));
 const filters = words.filter((word) => !layers.includes(word));
