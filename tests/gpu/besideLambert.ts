@@ -2,6 +2,7 @@
  * What three.js offers, each feature in a scene of its own that is drawn twice: with `HatchingMaterial` and with three's
  * `MeshLambertMaterial`. Light is compared as tone (`debugView: 'tone'`), what colours and cuts as blank paper.
  */
+import './quickBlur.js';
 import * as THREE from 'three';
 import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
 import { HatchingMaterial, type HatchingTechnique, prepareHatchingGeometry } from 'three-hatching';
