@@ -1,9 +1,9 @@
 /**
- * `npm test`: every test there is, and one plain last line, `N passed, N failed`.
+ * `npm test`: every test there is but those of `three-middle`, and one plain last line, `N passed, N failed`.
  *
- * `npm test -- unit` runs one layer (unit, gpu, three-oldest, three-middle, visual, e2e, consumers, webgpu), `npm test -- gpu visual` several, and any other
- * word goes to the runners as a filter of file names. The numbers are summed from the runners' own JSON reports; a runner that crashes, leaves no
- * report or finds no test at all counts as a failure.
+ * `npm test -- unit` runs one layer (unit, gpu, three-oldest, visual, e2e, consumers, webgpu), `npm test -- gpu visual` several, and any other
+ * word goes to the runners as a filter of file names. `npm test -- three-middle` repeats what `three-oldest` runs with a version in between. The
+ * numbers are summed from the runners' own JSON reports; a runner that crashes, leaves no report or finds no test at all counts as a failure.
  */
 import { spawn } from 'node:child_process';
 import { mkdirSync, readFileSync, rmSync } from 'node:fs';
@@ -21,9 +21,12 @@ const program = (name, file) => join(dirname(require.resolve(`${name}/package.js
 
 const words = process.argv.slice(2);
 const browserLayers = ['gpu', 'three-oldest', 'three-middle', 'visual', 'e2e', 'consumers', 'webgpu'];
+/** Runs only where it is named: it repeats the tests of `three-oldest`. */
+const onRequest = ['three-middle'];
 const layers = words.filter((word) => ['unit', ...browserLayers].includes(word));
 const filters = words.filter((word) => !layers.includes(word));
-const chosen = (names) => names.filter((name) => layers.length === 0 || layers.includes(name));
+const chosen = (names) =>
+  names.filter((name) => (layers.length === 0 ? !onRequest.includes(name) : layers.includes(name)));
 
 const runners = [];
 if (chosen(['unit']).length > 0) {

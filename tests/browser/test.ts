@@ -1,5 +1,6 @@
 import { test as base, type ConsoleMessage, expect, type Page } from '@playwright/test';
 import { toleratedMessages } from '../../tools/browser/toleratedMessages.js';
+import { passNumbersAsBytes } from './passNumbersAsBytes.js';
 import { serveTests } from './serveTests.js';
 import type { ThreeOptions } from './ThreeOptions.js';
 
@@ -55,6 +56,7 @@ export const test = base.extend<PageChecks, ThreeOptions & Site>({
 
   page: async ({ page, pageProblems, checkGlErrors }, use) => {
     await page.addInitScript(recordContexts);
+    passNumbersAsBytes(page);
     await usePage(page, pageProblems, checkGlErrors, use);
   },
 });
@@ -113,6 +115,7 @@ export const testOnOnePage = (
       async ({ browser, site }, use) => {
         const page = await browser.newPage({ baseURL: site });
         await page.addInitScript(recordContexts);
+        passNumbersAsBytes(page);
         await page.goto(address);
         await use(page);
         await page.close();

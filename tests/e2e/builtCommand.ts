@@ -12,8 +12,11 @@ const outDir = join(root, 'tests/output/drawCommand');
 export async function buildCommand(): Promise<void> {
   const vite = join(dirname(fileURLToPath(import.meta.resolve('vite/package.json'))), 'bin/vite.js');
   const config = ['--config', join(root, 'tools/building/vite.lib.config.ts'), '--outDir', outDir];
-  for (const mode of ['production', 'command', 'draw'])
-    await run(process.execPath, [vite, 'build', ...config, '--mode', mode, '--logLevel', 'error'], { cwd: root });
+  const build = (mode: string) =>
+    run(process.execPath, [vite, 'build', ...config, '--mode', mode, '--logLevel', 'error'], { cwd: root });
+  // The first empties the folder.
+  await build('production');
+  await Promise.all(['command', 'draw'].map(build));
 }
 
 /** Runs `npx three-hatching draw` with arguments. Rejects unless all is drawn. */

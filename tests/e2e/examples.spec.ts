@@ -156,186 +156,192 @@ test.describe('<hatched-model>', () => {
     return PNG.sync.read(Buffer.from(address.slice(address.indexOf(',') + 1), 'base64'));
   };
 
-  test('turns by keys and by hand, and draws only then', async ({ page }) => {
+  // Three models are loaded whenever the page is opened: as few times as will do.
+  test('turns by keys and by hand, draws as its attributes say and only then, and has strokes as wide on a dense screen', async ({
+    page,
+  }) => {
+    test.slow();
     const first = await openElements(page);
     expect(await contexts(page)).toEqual(['there']);
     const fetched = await page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => name));
     expect(fetched.filter((address) => /element\.js|decoder/i.test(address))).toEqual([
       expect.stringMatching(/\/element\.js$/),
     ]);
-    const canvas = page.getByRole('img', { name: 'A jug and fruit in pen and ink' });
-    await canvas.focus();
-    const home = await pixels(canvas);
-    for (const key of ['ArrowLeft', 'Shift+ArrowRight', '+']) {
-      await page.keyboard.press(key);
-      await expect.poll(async () => changedShare(home, await pixels(canvas)), { message: key }).toBeGreaterThan(0.02);
-      await page.keyboard.press('Home');
-      await expect.poll(async () => changedShare(home, await pixels(canvas))).toBeLessThan(0.005);
-    }
-    const { x, y, width, height } = (await first.boundingBox())!;
-    for (const button of ['left', 'right'] as const) {
-      await page.mouse.move(x + width / 2, y + height / 2);
-      await page.mouse.down({ button });
-      await page.mouse.move(x + 0.7 * width, y + 0.4 * height, { steps: 3 });
-      await page.mouse.up({ button });
-      await expect
-        .poll(async () => changedShare(home, await pixels(canvas)), { message: button })
-        .toBeGreaterThan(0.02);
-      await page.keyboard.press('Home');
-    }
-    // Nothing is drawn while nothing changes.
-    await expect.poll(async () => changedShare(home, await pixels(canvas))).toBeLessThan(0.005);
-    await page.evaluate(() => {
-      const { drawImage } = CanvasRenderingContext2D.prototype;
-      const counted = window as unknown as { frames: number };
-      counted.frames = 0;
-      CanvasRenderingContext2D.prototype.drawImage = function (this: CanvasRenderingContext2D, ...args: unknown[]) {
-        counted.frames++;
-        return drawImage.apply(this, args as Parameters<typeof drawImage>);
-      } as typeof drawImage;
-    });
-    await page.waitForTimeout(500);
-    expect(await page.evaluate(() => (window as unknown as { frames: number }).frames)).toBe(0);
-    await first.evaluate((element) => element.setAttribute('light', '70, 20'));
-    await expect.poll(async () => changedShare(home, await pixels(canvas))).toBeGreaterThan(0.02);
-    expect(await page.evaluate(() => (window as unknown as { frames: number }).frames)).toBeLessThan(4);
-  });
+    const plain = await pixels(first.locator('canvas'));
 
-  test('draws lighter, paler at the rim, and dark colours white, as its attributes say', async ({ page }) => {
-    await openElements(page);
-    const ink = async (at: number): Promise<number> => meanInk(await pixels(elements(page).nth(at).locator('canvas')));
-    const set = (at: number, name: string, value: string) =>
-      elements(page)
-        .nth(at)
-        .evaluate((element, [attribute, text]) => element.setAttribute(attribute, text), [name, value] as const);
-    const [jug, fish] = [0, 1];
-    const usual = await ink(jug);
-    await set(jug, 'exposure', '1.6');
-    await expect.poll(() => ink(jug)).toBeLessThan(0.9 * usual);
-    await set(jug, 'exposure', '1');
-    await expect.poll(() => ink(jug)).toBeCloseTo(usual, 4);
-    await set(jug, 'vignette', '1');
-    await expect.poll(() => ink(jug)).toBeLessThan(0.95 * usual);
-    // The eyes of the fish are black.
-    const hatched = await ink(fish);
-    await set(fish, 'local-tone', '0');
-    await expect.poll(() => ink(fish)).toBeLessThan(hatched - 5e-5);
-    await set(fish, 'color-fill', '1');
-    await expect.poll(() => ink(fish)).toBeGreaterThan(hatched);
-  });
-
-  test('has strokes as wide on a dense screen', async ({ page }) => {
-    const screen = await page.context().newCDPSession(page);
-    const drawnAt = async (deviceScaleFactor: number): Promise<PNG> => {
-      await screen.send('Emulation.setDeviceMetricsOverride', {
-        ...viewport,
-        deviceScaleFactor,
-        mobile: false,
-      });
-      return pixels((await openElements(page)).locator('canvas'));
-    };
-    const plain = await drawnAt(1);
-    const dense = await drawnAt(2);
-    expect([dense.width, dense.height]).toEqual([2 * plain.width, 2 * plain.height]);
-    // Where four pixels of the one are ink, the other has ink, and the same for paper.
-    let same = 0;
-    let opposite = 0;
-    for (let i = 0; i < plain.width * plain.height; i++) {
-      const [x, y] = [2 * (i % plain.width), 2 * Math.floor(i / plain.width)];
-      const four = [0, 1, dense.width, dense.width + 1].map((next) => dense.data[4 * (y * dense.width + x + next)]);
-      const isInk = plain.data[4 * i] < 128;
-      if (four.every((red) => red < 100 || red > 156) && new Set(four.map((red) => red < 128)).size === 1) {
-        if (four[0] < 128 === isInk) same++;
-        else opposite++;
+    await test.step('turns by keys and by hand, and draws only then', async () => {
+      const canvas = page.getByRole('img', { name: 'A jug and fruit in pen and ink' });
+      await canvas.focus();
+      const home = await pixels(canvas);
+      for (const key of ['ArrowLeft', 'Shift+ArrowRight', '+']) {
+        await page.keyboard.press(key);
+        await expect.poll(async () => changedShare(home, await pixels(canvas)), { message: key }).toBeGreaterThan(0.02);
+        await page.keyboard.press('Home');
+        await expect.poll(async () => changedShare(home, await pixels(canvas))).toBeLessThan(0.005);
       }
-    }
-    // Strokes of a pen that taper to less than a pixel end in other places.
-    expect(opposite / same).toBeLessThan(0.012);
-  });
-
-  test('bears being moved, taken out and put back, and frees the context with the last', async ({ page }) => {
-    await openElements(page);
-    const answer = await page.evaluate(async () => {
-      const all = [...document.querySelectorAll('hatched-model')] as HTMLElement[];
-      const main = document.querySelector('main')!;
-      const lost = () => window.__webglContexts!.map((context) => context.isContextLost());
-      const tasks = () => new Promise((resolve) => setTimeout(resolve));
-      const isDrawn = (element: HTMLElement) =>
-        element.shadowRoot!.querySelector('canvas')!.dataset.drawn !== undefined;
-      main.append(all[0]);
-      await tasks();
-      const afterMove = all.map(isDrawn);
-      for (const element of all.slice(1)) element.remove();
-      await tasks();
-      const afterTwo = [all.map(isDrawn), lost()];
-      all[0].remove();
-      await tasks();
-      const afterAll = [all.map(isDrawn), lost()];
-      const loaded = Promise.all(
-        all.map((element) => new Promise((resolve) => element.addEventListener('load', resolve))),
-      );
-      main.append(...all);
-      await loaded;
-      return { afterMove, afterTwo, afterAll };
+      const { x, y, width, height } = (await first.boundingBox())!;
+      for (const button of ['left', 'right'] as const) {
+        await page.mouse.move(x + width / 2, y + height / 2);
+        await page.mouse.down({ button });
+        await page.mouse.move(x + 0.7 * width, y + 0.4 * height, { steps: 3 });
+        await page.mouse.up({ button });
+        await expect
+          .poll(async () => changedShare(home, await pixels(canvas)), { message: button })
+          .toBeGreaterThan(0.02);
+        await page.keyboard.press('Home');
+      }
+      // Nothing is drawn while nothing changes.
+      await expect.poll(async () => changedShare(home, await pixels(canvas))).toBeLessThan(0.005);
+      await page.evaluate(() => {
+        const { drawImage } = CanvasRenderingContext2D.prototype;
+        const counted = window as unknown as { frames: number };
+        counted.frames = 0;
+        CanvasRenderingContext2D.prototype.drawImage = function (this: CanvasRenderingContext2D, ...args: unknown[]) {
+          counted.frames++;
+          return drawImage.apply(this, args as Parameters<typeof drawImage>);
+        } as typeof drawImage;
+      });
+      await page.waitForTimeout(500);
+      expect(await page.evaluate(() => (window as unknown as { frames: number }).frames)).toBe(0);
+      await first.evaluate((element) => element.setAttribute('light', '70, 20'));
+      await expect.poll(async () => changedShare(home, await pixels(canvas))).toBeGreaterThan(0.02);
+      expect(await page.evaluate(() => (window as unknown as { frames: number }).frames)).toBeLessThan(4);
     });
-    expect(answer.afterMove).toEqual([true, true, true]);
-    expect(answer.afterTwo).toEqual([[true, false, false], [false]]);
-    expect(answer.afterAll).toEqual([[false, false, false], [true]]);
-    await expect(page.locator('hatched-model canvas[data-drawn]')).toHaveCount(3, { timeout: 60_000 });
-    await drawn(elements(page).first());
-    expect(await contexts(page)).toEqual(['lost', 'there']);
+
+    // As it was.
+    await first.evaluate((element) => element.removeAttribute('light'));
+    await expect.poll(async () => changedShare(plain, await pixels(first.locator('canvas')))).toBeLessThan(0.005);
+
+    await test.step('draws lighter, paler at the rim, and dark colours white, as its attributes say', async () => {
+      const ink = async (at: number): Promise<number> =>
+        meanInk(await pixels(elements(page).nth(at).locator('canvas')));
+      const set = (at: number, name: string, value: string) =>
+        elements(page)
+          .nth(at)
+          .evaluate((element, [attribute, text]) => element.setAttribute(attribute, text), [name, value] as const);
+      const [jug, fish] = [0, 1];
+      const usual = await ink(jug);
+      await set(jug, 'exposure', '1.6');
+      await expect.poll(() => ink(jug)).toBeLessThan(0.9 * usual);
+      await set(jug, 'exposure', '1');
+      await expect.poll(() => ink(jug)).toBeCloseTo(usual, 4);
+      await set(jug, 'vignette', '1');
+      await expect.poll(() => ink(jug)).toBeLessThan(0.95 * usual);
+      // The eyes of the fish are black.
+      const hatched = await ink(fish);
+      await set(fish, 'local-tone', '0');
+      await expect.poll(() => ink(fish)).toBeLessThan(hatched - 5e-5);
+      await set(fish, 'color-fill', '1');
+      await expect.poll(() => ink(fish)).toBeGreaterThan(hatched);
+    });
+
+    await test.step('has strokes as wide on a dense screen', async () => {
+      const screen = await page.context().newCDPSession(page);
+      await screen.send('Emulation.setDeviceMetricsOverride', { ...viewport, deviceScaleFactor: 2, mobile: false });
+      const dense = await pixels((await openElements(page)).locator('canvas'));
+      expect([dense.width, dense.height]).toEqual([2 * plain.width, 2 * plain.height]);
+      // Where four pixels of the one are ink, the other has ink, and the same for paper.
+      let same = 0;
+      let opposite = 0;
+      for (let i = 0; i < plain.width * plain.height; i++) {
+        const [x, y] = [2 * (i % plain.width), 2 * Math.floor(i / plain.width)];
+        const four = [0, 1, dense.width, dense.width + 1].map((next) => dense.data[4 * (y * dense.width + x + next)]);
+        const isInk = plain.data[4 * i] < 128;
+        if (four.every((red) => red < 100 || red > 156) && new Set(four.map((red) => red < 128)).size === 1) {
+          if (four[0] < 128 === isInk) same++;
+          else opposite++;
+        }
+      }
+      // Strokes of a pen that taper to less than a pixel end in other places.
+      expect(opposite / same).toBeLessThan(0.012);
+    });
   });
 
-  test('says what is wrong, shows its poster until then, and loads what comes into view', async ({
+  test('bears being moved, taken out and put back, and frees the context with the last; says what is wrong, shows its poster until then, and loads what comes into view', async ({
     page,
     pageProblems,
   }) => {
-    await openElements(page);
-    const say = async (attributes: Record<string, string>) =>
-      elements(page)
-        .last()
-        .evaluate(async (element, values) => {
-          const failed = new Promise<string>((resolve) =>
-            element.addEventListener('error', (event) => resolve((event as ErrorEvent).message), { once: true }),
-          );
-          for (const [name, value] of Object.entries(values)) element.setAttribute(name, value);
-          return failed;
-        }, attributes);
-    const sentence = 'The model "none.glb" could not be fetched: the server answered 404.';
-    expect(await say({ src: 'none.glb' })).toBe(sentence);
-    await expect(page.getByRole('alert')).toHaveText(sentence);
-    expect(pageProblems.splice(0).join()).toContain('404');
-    expect(await say({ src: '../models/fish.glb', preset: 'oils' })).toMatch(
-      /^There is no preset "oils"\. There are pen, /,
-    );
-    expect(await say({ light: 'left' })).toMatch(/^The light is "left", but must be/);
-    // A right preset does not help while the light is wrong; a right light does.
-    expect(await say({ preset: 'stipple' })).toMatch(/^The light is "left"/);
-    await elements(page)
-      .last()
-      .evaluate((element) => Object.assign(element, { light: '0 60' }));
-    await expect(page.getByRole('alert')).toHaveCount(0, { timeout: 60_000 });
-
-    const asked: string[] = [];
-    page.on('request', (request) => asked.push(request.url()));
-    await page.evaluate(() => {
-      document.body.style.paddingBottom = '4000px';
-      const late = Object.assign(document.createElement('hatched-model'), {
-        src: '../models/fish.glb?late',
-        poster: '../animated-model/picture.webp',
-        alt: 'late',
+    test.slow();
+    await test.step('bears being moved, taken out and put back, and frees the context with the last', async () => {
+      await openElements(page);
+      const answer = await page.evaluate(async () => {
+        const all = [...document.querySelectorAll('hatched-model')] as HTMLElement[];
+        const main = document.querySelector('main')!;
+        const lost = () => window.__webglContexts!.map((context) => context.isContextLost());
+        const tasks = () => new Promise((resolve) => setTimeout(resolve));
+        const isDrawn = (element: HTMLElement) =>
+          element.shadowRoot!.querySelector('canvas')!.dataset.drawn !== undefined;
+        main.append(all[0]);
+        await tasks();
+        const afterMove = all.map(isDrawn);
+        for (const element of all.slice(1)) element.remove();
+        await tasks();
+        const afterTwo = [all.map(isDrawn), lost()];
+        all[0].remove();
+        await tasks();
+        const afterAll = [all.map(isDrawn), lost()];
+        const loaded = Promise.all(
+          all.map((element) => new Promise((resolve) => element.addEventListener('load', resolve))),
+        );
+        main.append(...all);
+        await loaded;
+        return { afterMove, afterTwo, afterAll };
       });
-      late.style.cssText = 'position: absolute; top: 3000px; width: 200px; height: 150px';
-      document.body.append(late);
+      expect(answer.afterMove).toEqual([true, true, true]);
+      expect(answer.afterTwo).toEqual([[true, false, false], [false]]);
+      expect(answer.afterAll).toEqual([[false, false, false], [true]]);
+      await expect(page.locator('hatched-model canvas[data-drawn]')).toHaveCount(3, { timeout: 60_000 });
+      await drawn(elements(page).first());
+      expect(await contexts(page)).toEqual(['lost', 'there']);
     });
-    const late = elements(page).last();
-    await expect.poll(() => late.locator('img').evaluate((image: HTMLImageElement) => image.naturalWidth)).toBe(480);
-    // Frames enough for the page to know what is in view.
-    for (let i = 0; i < 3; i++) await page.evaluate(() => new Promise(requestAnimationFrame));
-    expect(asked.filter((address) => address.endsWith('?late'))).toEqual([]);
-    await late.scrollIntoViewIfNeeded();
-    await expect(late.locator('canvas[data-drawn]')).toHaveCount(1, { timeout: 60_000 });
-    await expect(late.locator('img')).toBeHidden();
+
+    await test.step('says what is wrong, shows its poster until then, and loads what comes into view', async () => {
+      const say = async (attributes: Record<string, string>) =>
+        elements(page)
+          .last()
+          .evaluate(async (element, values) => {
+            const failed = new Promise<string>((resolve) =>
+              element.addEventListener('error', (event) => resolve((event as ErrorEvent).message), { once: true }),
+            );
+            for (const [name, value] of Object.entries(values)) element.setAttribute(name, value);
+            return failed;
+          }, attributes);
+      const sentence = 'The model "none.glb" could not be fetched: the server answered 404.';
+      expect(await say({ src: 'none.glb' })).toBe(sentence);
+      await expect(page.getByRole('alert')).toHaveText(sentence);
+      expect(pageProblems.splice(0).join()).toContain('404');
+      expect(await say({ src: '../models/fish.glb', preset: 'oils' })).toMatch(
+        /^There is no preset "oils"\. There are pen, /,
+      );
+      expect(await say({ light: 'left' })).toMatch(/^The light is "left", but must be/);
+      // A right preset does not help while the light is wrong; a right light does.
+      expect(await say({ preset: 'stipple' })).toMatch(/^The light is "left"/);
+      await elements(page)
+        .last()
+        .evaluate((element) => Object.assign(element, { light: '0 60' }));
+      await expect(page.getByRole('alert')).toHaveCount(0, { timeout: 60_000 });
+
+      const asked: string[] = [];
+      page.on('request', (request) => asked.push(request.url()));
+      await page.evaluate(() => {
+        document.body.style.paddingBottom = '4000px';
+        const late = Object.assign(document.createElement('hatched-model'), {
+          src: '../models/fish.glb?late',
+          poster: '../animated-model/picture.webp',
+          alt: 'late',
+        });
+        late.style.cssText = 'position: absolute; top: 3000px; width: 200px; height: 150px';
+        document.body.append(late);
+      });
+      const late = elements(page).last();
+      await expect.poll(() => late.locator('img').evaluate((image: HTMLImageElement) => image.naturalWidth)).toBe(480);
+      // Frames enough for the page to know what is in view.
+      for (let i = 0; i < 3; i++) await page.evaluate(() => new Promise(requestAnimationFrame));
+      expect(asked.filter((address) => address.endsWith('?late'))).toEqual([]);
+      await late.scrollIntoViewIfNeeded();
+      await expect(late.locator('canvas[data-drawn]')).toHaveCount(1, { timeout: 60_000 });
+      await expect(late.locator('img')).toBeHidden();
+    });
   });
 
   const libs = '/three/examples/jsm/libs';

@@ -2,6 +2,7 @@
  * What three.js offers, each feature in a scene of its own that is drawn twice: with `HatchingMaterial` and with three's
  * `MeshLambertMaterial`. Light is compared as tone (`debugView: 'tone'`), what colours and cuts as blank paper.
  */
+import './quickBlur.js';
 import * as THREE from 'three';
 import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
 import { HatchingMaterial, type HatchingTechnique, prepareHatchingGeometry } from 'three-hatching';
@@ -242,7 +243,7 @@ const FEATURES: readonly Feature[] = [
     group: 'Light',
     name: '`scene.environment`',
     show: async ({ scene, renderer, dress }) => {
-      scene.environment = new THREE.PMREMGenerator(renderer).fromScene(new RoomEnvironment()).texture;
+      scene.environment = roomFor(renderer);
       scene.environmentIntensity = 0.7;
       scene.environmentRotation.set(0.5, 1.2, -0.4);
       scene.add(await dress(ball()));
@@ -365,6 +366,15 @@ const FEATURES: readonly Feature[] = [
     },
   },
 ];
+
+/** Blurred once for each renderer: a software rasterizer takes its time over it. */
+const rooms = new Map<THREE.WebGLRenderer, THREE.Texture>();
+
+function roomFor(renderer: THREE.WebGLRenderer): THREE.Texture {
+  const room = rooms.get(renderer) ?? new THREE.PMREMGenerator(renderer).fromScene(new RoomEnvironment()).texture;
+  rooms.set(renderer, room);
+  return room;
+}
 
 function placed<Light extends THREE.Light>(light: Light): Light {
   light.position.set(1, 1.5, 3);

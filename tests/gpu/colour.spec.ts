@@ -177,8 +177,10 @@ test('alphaHash leaves as many pixels as there is ink', async ({ page }) => {
     return pixelsOf(sceneOf(mesh, sun(Math.PI / 2, [0, 0, 1])));
   });
   expect(covered(pixels) / 96 ** 2).toBeCloseTo(0.5, 1);
+  const inks = new Set<string>();
   for (let i = 0; i < pixels.length; i += 4) {
     const rgb = pixels.slice(i, i + 3);
-    if (!isGround(rgb)) expect(rgb).toEqual([0, 0, 255]);
+    if (!isGround(rgb)) inks.add(rgb.join());
   }
+  expect([...inks]).toEqual(['0,0,255']);
 });

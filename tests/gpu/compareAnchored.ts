@@ -233,7 +233,8 @@ export function compareAnchored(test: TestOnOnePage, takes: (name: string) => bo
         // On the very edge of a stroke a rounding decides.
         if (Math.abs(excess) > 0.01 && value < 128 !== excess > 0) wrong++;
       }
-      expect(inked, 'pixels of ink').toBeGreaterThan(0.1 * interior.length);
+      // Where few strokes fit into the picture, their share depends on where they lie.
+      expect(inked, 'pixels of ink').toBeGreaterThan(0.08 * interior.length);
       expect(inked, 'pixels of ink').toBeLessThan(0.98 * interior.length);
       // Where threshold and tone are the same number, rounding leaves a half.
       expect(grey, 'grey pixels, with hard edges').toBeLessThanOrEqual(2);

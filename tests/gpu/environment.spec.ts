@@ -47,6 +47,8 @@ test("a room lights as it lights three's Lambert, alone and with a sun", async (
         return pixels;
       };
       for (const toneNormal of ['face', 'smooth'] as const) {
+        // Without a sun, by smooth normals, it is in `besideLambert`.
+        if (light === 'alone' && toneNormal === 'smooth') continue;
         const flatShading = toneNormal === 'face';
         const lambert = show(new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ flatShading })));
         for (const technique of techniques) {
@@ -59,7 +61,7 @@ test("a room lights as it lights three's Lambert, alone and with a sun", async (
     }
     return compared;
   }, techniques);
-  expect(Object.keys(shown)).toHaveLength(4 * techniques.length);
+  expect(Object.keys(shown)).toHaveLength(3 * techniques.length);
   for (const [name, [tone, lambert]] of Object.entries(shown)) {
     const found = worst(tone, lambert);
     testInfo.annotations.push({ type: name, description: JSON.stringify(found) });

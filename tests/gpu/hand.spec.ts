@@ -25,25 +25,25 @@ const five = learnHand(
   }),
 );
 
-for (const [name, hand] of [
-  ['five strokes', five],
-  ['a reed pen', learnHand(drawSwatches(exampleHabits.reedPen, 1))],
-] as const) {
-  test(`while the light moves, a map by a hand pops no more than hatching: ${name}`, async ({ page }) => {
-    const hatching = await film(page, { style: 'hatching' });
+test('while the light moves, a map by a hand pops no more than hatching', async ({ page }) => {
+  const hatching = await film(page, { style: 'hatching' });
+  for (const [name, hand] of [
+    ['five strokes', five],
+    ['a reed pen', learnHand(drawSwatches(exampleHabits.reedPen, 1))],
+  ] as const) {
     const drawn = await film(page, { hand });
     test.info().annotations.push({
-      type: 'popping',
+      type: name,
       description: [hatching, drawn]
         .map(({ worst, popping }) => `${worst.toFixed(4)} (${popping.toFixed(2)})`)
         .join(', '),
     });
     // There is something to see: pixels change from frame to frame.
-    expect(Math.min(hatching.worst, drawn.worst)).toBeGreaterThan(0.005);
-    expect(drawn.worst).toBeLessThanOrEqual(1.05 * hatching.worst);
-    expect(drawn.popping).toBeLessThanOrEqual(1.1 * hatching.popping);
-  });
-}
+    expect(Math.min(hatching.worst, drawn.worst), name).toBeGreaterThan(0.005);
+    expect(drawn.worst, name).toBeLessThanOrEqual(1.05 * hatching.worst);
+    expect(drawn.popping, name).toBeLessThanOrEqual(1.1 * hatching.popping);
+  }
+});
 
 /** The share of pixels that change between two frames at the most, beside noise, and how much that frame stands out. */
 async function film(page: Page, drawing: object): Promise<{ worst: number; popping: number }> {
@@ -66,19 +66,19 @@ async function film(page: Page, drawing: object): Promise<{ worst: number; poppi
         renderer.render(scene, camera);
         const pixels = new Uint8Array(side * side * 4);
         gl.readPixels(0, 0, side, side, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-        // The ground is green, and paper and ink are grey: -1 for the ground.
+        // The ground is green, and paper and ink are grey. As text, which is passed much faster than a list of numbers.
         return Array.from({ length: side * side }, (_, i) =>
-          pixels[4 * i + 1] > pixels[4 * i] + 60 ? -1 : pixels[4 * i],
-        );
+          pixels[4 * i + 1] > pixels[4 * i] + 60 ? ' ' : pixels[4 * i] < 128 ? '#' : '.',
+        ).join('');
       });
     },
     [drawing, SIDE, FRAMES] as const,
   );
   const changes = frames.slice(1).map((after, i) => {
     const count = new FlipCount();
-    frames[i].forEach((value, k) => {
-      if (value >= 0 && after[k] >= 0) count.add(value < 128, after[k] < 128);
-    });
+    for (let k = 0; k < after.length; k++) {
+      if (frames[i][k] !== ' ' && after[k] !== ' ') count.add(frames[i][k] === '#', after[k] === '#');
+    }
     return count.normalised();
   });
   return { worst: Math.max(...changes), popping: poppingIndex(changes) };

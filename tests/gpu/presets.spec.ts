@@ -9,25 +9,29 @@ import { type PictureTraits, pictureTraits, traitDistances } from './pictureTrai
 /** The distance of two presets must be this many times that of a preset from itself after the light has moved by a few degrees. */
 const CLEARLY = 4;
 
-/** A drawing of the sheet in docs/presets.md, 200 pixels wide. */
-async function thumbnail(page: Page, picture: Picture, change: Partial<Picture> = {}): Promise<PictureTraits> {
-  const small: unknown = { ...picture, width: 200, height: 250, pixelRatio: 1, ...change };
-  const address = await page.evaluate((what) => window.drawPicture?.(what as Picture, ''), small);
-  return pictureTraits(PNG.sync.read(Buffer.from(address!.slice(address!.indexOf(',') + 1), 'base64')));
+/** A drawing of the sheet in docs/presets.md, 200 pixels wide, under each light. */
+async function thumbnails(page: Page, picture: Picture, lights: readonly Picture['light'][]): Promise<PictureTraits[]> {
+  const small: unknown = { ...picture, width: 200, height: 250, pixelRatio: 1 };
+  const addresses = await page.evaluate(([what, from]) => window.drawUnder?.(what as Picture, '', from), [
+    small,
+    lights,
+  ] as const);
+  return addresses!.map((address) =>
+    pictureTraits(PNG.sync.read(Buffer.from(address.slice(address.indexOf(',') + 1), 'base64'))),
+  );
 }
 
 test('the presets can be distinguished at 200 pixels, and not only by colour', async ({ page }) => {
   test.setTimeout(300_000);
   await page.goto('./tools/pictures/pictures.html');
-  await page.waitForFunction(() => typeof window.drawPicture === 'function');
+  await page.waitForFunction(() => typeof window.drawUnder === 'function');
   const { pictures } = plansOf(Object.keys(presets), []).presets;
   const traits = ['ink', 'grey', 'fineness', 'coherence', 'directions'] as const;
   const seen: { name: string; own: PictureTraits; moved: Record<(typeof traits)[number], number> }[] = [];
   for (const picture of pictures) {
-    const own = await thumbnail(page, picture);
     const [x, y, z] = picture.light;
-    const moved = traitDistances(own, await thumbnail(page, picture, { light: [x, y + 0.02, z + 0.07] }));
-    seen.push({ name: picture.preset, own, moved });
+    const [own, other] = await thumbnails(page, picture, [picture.light, [x, y + 0.02, z + 0.07]]);
+    seen.push({ name: picture.preset, own, moved: traitDistances(own, other) });
   }
   type Seen = (typeof seen)[number];
   const tellApart = (a: Seen, b: Seen): boolean => {
@@ -39,6 +43,7 @@ test('the presets can be distinguished at 200 pixels, and not only by colour', a
   }
   // Control: other colours alone are no other preset.
   const colours = { ink: '#203080', paper: '#ffe0c0' };
-  const tinted = await thumbnail(page, pictures[0], { material: colours, outlines: { ink: colours.ink } });
+  const inColours = { ...pictures[0], material: colours, outlines: { ink: colours.ink } };
+  const [tinted] = await thumbnails(page, inColours, [inColours.light]);
   expect(tellApart(seen[0], { ...seen[0], own: tinted })).toBe(false);
 });

@@ -10,7 +10,7 @@ import { describeError, expectEqualPictures, pictureError } from './pictureError
 import { defaults, directional, eye, identity, orthographic, perspective } from './referenceScenes.js';
 
 /** Pixels per side of the pictures that are compared with a reference in double precision. */
-export const SIZE = 192;
+export const SIZE = 128;
 
 /** The differences from a torus under one light, seen in perspective. */
 export interface ReferenceCase {

@@ -14,7 +14,7 @@ for (const style of Object.keys(strokeStyles) as StrokeStyleName[]) {
 /** Mean ink less the tone asked for, over tones and sizes of strokes, on a wall much larger than the map. */
 async function measureTones(style: StrokeStyleName): Promise<number[]> {
   const { THREE, TonalArtMap, hatchedMesh, makeRenderer, sceneOf, sun } = window.toolkit;
-  const [size, side, places] = [128, 512, 4];
+  const [size, side, places] = [128, 512, 2];
   const tonalArtMap = await TonalArtMap.generate({ style, size });
   const camera = new THREE.PerspectiveCamera(90, 1, 0.1, 10);
   const mesh = await hatchedMesh(new THREE.PlaneGeometry(40, 40), {
@@ -36,7 +36,7 @@ async function measureTones(style: StrokeStyleName): Promise<number[]> {
       light.position.set(Math.sqrt(1 - (1 - tone) ** 2), 0, 1 - tone);
       let paper = 0;
       for (let place = 0; place < places; place++) {
-        camera.position.set(2.1 * (place % 2), 2.1 * (place >> 1), 1);
+        camera.position.set(2.1 * place, 2.1 * place, 1);
         renderer.render(scene, camera);
         gl.readPixels(0, 0, side, side, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
         for (let i = 0; i < pixels.length; i += 4) paper += pixels[i];

@@ -1,4 +1,5 @@
 /** The helpers with which tests build their scenes. They are a global, since the code of a test runs inside `evaluate`. */
+import './quickBlur.js';
 import * as THREE from 'three';
 import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';

@@ -84,6 +84,19 @@ async function drawPicture(picture: Picture, content: string): Promise<string> {
   return address;
 }
 
+/**
+ * Draws a picture once under each light.
+ *
+ * @param lights directions to the light
+ * @returns the pictures as addresses of PNGs
+ */
+async function drawUnder(picture: Picture, content: string, lights: readonly Picture['light'][]): Promise<string[]> {
+  const drawing = await createDrawing(picture, content);
+  const addresses = lights.map((light) => drawing.draw(light).toDataURL('image/png'));
+  drawing.dispose();
+  return addresses;
+}
+
 /** A drawing by a hand, below the swatches that the hand was learnt from. */
 function belowSwatches(drawing: HTMLCanvasElement, name: ExampleHandName, { preset }: Picture): HTMLCanvasElement {
   const { paper = 'white', ink = 'black' } = presets[preset].material;
@@ -309,8 +322,9 @@ const sampled = (points: Vector3[]): Vector3[] => points.filter((_, i) => i % Ma
 declare global {
   interface Window {
     drawPicture?: typeof drawPicture;
+    drawUnder?: typeof drawUnder;
     drawThreeLines?: typeof drawThreeLines;
     drawMotion?: typeof drawMotion;
   }
 }
-Object.assign(window, { drawPicture, drawThreeLines, drawMotion });
+Object.assign(window, { drawPicture, drawUnder, drawThreeLines, drawMotion });
