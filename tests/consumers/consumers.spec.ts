@@ -70,7 +70,7 @@ const MOST_BYTES = [
   ['HatchingMaterial', 'three-hatching', 31_000],
   ['HatchingMaterial, prepareHatchingGeometry, TonalArtMap', 'three-hatching', 42_100],
   ['applyHatching', 'three-hatching', 38_000],
-  ['Hatched', 'three-hatching/react', 48_800],
+  ['Hatched', 'three-hatching/react', 46_100],
   ['drawSVG', 'three-hatching/svg', 44_800],
 ] as const;
 
