@@ -20,6 +20,7 @@ import { checkNumber } from '../material/checkNumber.js';
 import { SceneExtent } from '../material/emphasis/SceneExtent.js';
 import { writeSheet } from '../material/emphasis/writeSheet.js';
 import { keptFromProxies } from '../material/hatchingUniforms.js';
+import { tellOfRenderer } from '../material/tellOfRenderer.js';
 import {
   BACKGROUND_NUMBER_NAMES,
   BACKGROUND_NUMBERS,
@@ -95,6 +96,11 @@ export class HatchingBackground extends Mesh<BufferGeometry, ShaderMaterial> {
 
   override readonly onBeforeRender = (renderer: WebGLRenderer, _scene: Scene, camera: Camera): void => {
     const { geometry, subject, material } = this;
+    if ('isWebGPURenderer' in renderer) {
+      geometry.setDrawRange(0, -1);
+      tellOfRenderer('HatchingBackground', false);
+      return;
+    }
     const seen = subject?.seenFrom(renderer, camera);
     geometry.setDrawRange(0, seen ? VERTICES : -1);
     if (!subject || !seen) return;

@@ -22,7 +22,6 @@ import type {
 } from 'three-hatching/webgpu';
 import type { UpAxis } from '../files/mesh/findUpAxis.js';
 import type { Look } from '../settings/lookOf.js';
-import { lackOfMeshes } from './lackOfMeshes.js';
 import type { Motion } from './Motion.js';
 import { meshesOf } from './meshesOf.js';
 import type { EitherMaterial, NodeMakers } from './NodeMakers.js';
@@ -82,8 +81,6 @@ export type MaterialKind = 'drawn' | 'compared' | 'nodes';
 export class HatchedModel {
   /** Whether its ambient occlusion came with it, so that none is to be baked. */
   isOccluded = false;
-  /** What of it nodes do not draw, in words; undefined if they draw all of it. */
-  readonly lackOfNodes: string | undefined;
   private readonly pairs: readonly MaterialPair[];
   private readonly meshes: ({ mesh: Mesh } & Record<MaterialKind, Material | Material[]>)[];
   /** The look that the materials have, as a text; undefined while they have another. */
@@ -127,7 +124,6 @@ export class HatchedModel {
       const { material } = mesh;
       return { mesh, drawn: material, compared: material, nodes: material };
     });
-    this.lackOfNodes = lackOfMeshes(this.meshes.map(({ mesh }) => mesh));
     this.outlineMaterials = new Set(outlines.map(({ material }) => material));
   }
 

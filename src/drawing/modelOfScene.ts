@@ -13,6 +13,7 @@ import { HatchedModel, type ModelStatistics } from './HatchedModel.js';
 import { Motion } from './Motion.js';
 import { meshesOf } from './meshesOf.js';
 import { freeGraphics } from './releaseGraphics.js';
+import { widenIntegers } from './widenIntegers.js';
 
 /**
  * The most poses and vertices at which the bounds of a clip are measured. A skinned vertex takes about a microsecond.
@@ -45,6 +46,8 @@ export async function modelOfScene(
   const usable = animations.filter(isUsable);
   hideAllButMeshes(root);
   repairScene(root);
+  await slices.next();
+  widenIntegers(root);
   await slices.next();
   const motion = new Motion(root, usable);
   const holder = new Group().add(root);

@@ -1,4 +1,5 @@
 import type { BufferGeometry } from 'three';
+import { assertGeometry, kindOf, labelOf } from '../mistakes/assertGeometry.js';
 import { isInstanced, type VertexAttribute } from './vertexAttributes.js';
 
 /** The types of arrays that three.js can read as normalized attributes. */
@@ -12,34 +13,6 @@ const NORMALIZABLE: ReadonlySet<string> = new Set([
   'Int16Array',
   'Int8Array',
 ]);
-
-/**
- * Checks that a value is a BufferGeometry and has the properties that every geometry has. The data of its attributes is not
- * checked; see `checkGeometry`.
- *
- * @throws TypeError that names the caller and the fault
- */
-export function assertGeometry(geometry: BufferGeometry, caller: string): void {
-  if (!geometry?.isBufferGeometry) {
-    const kind = kindOf(geometry);
-    const remedy = kind === 'Promise' ? 'Write await before it.' : 'For a mesh pass mesh.geometry.';
-    throw new TypeError(`${caller}: expected a THREE.BufferGeometry, got ${kind}. ${remedy}`);
-  }
-  const { attributes, morphAttributes, groups, drawRange } = geometry;
-  for (const [name, value] of Object.entries({ attributes, morphAttributes, drawRange })) {
-    if (typeof value === 'object' && value !== null) continue;
-    throw new TypeError(
-      `${labelOf(geometry, caller)}: ${name} is ${kindOf(value)}. Keep the object that three.js has created, and change its content.`,
-    );
-  }
-  if (Array.isArray(groups) && groups.every((group) => typeof group === 'object' && group !== null)) return;
-  throw new TypeError(
-    `${labelOf(geometry, caller)}: its groups are not an array of groups. Use addGroup() and clearGroups().`,
-  );
-}
-
-const labelOf = ({ name }: BufferGeometry, caller: string): string =>
-  `${caller}: the geometry${name ? ` "${name}"` : ''}`;
 
 /**
  * Checks that the vertex data of `geometry` can be read.
@@ -121,9 +94,4 @@ function morphTargets(label: string, { morphAttributes }: BufferGeometry): [stri
     }
     return targets.map((target, i): [string, VertexAttribute] => [`${name}, morph target ${i}`, target]);
   });
-}
-
-function kindOf(value: unknown): string {
-  if (value === null || typeof value !== 'object') return String(value);
-  return (value as { type?: string }).type ?? value.constructor?.name ?? 'an object';
 }

@@ -7,12 +7,13 @@ let wasTold = false;
  * default material in its place; this message also says what to do.
  *
  * @param what the class that cannot be drawn
+ * @param hasTwin whether there is one for WebGPURenderer
  */
-export function tellOfRenderer(what: string): void {
+export function tellOfRenderer(what: string, hasTwin = true): void {
   if (wasTold) return;
   wasTold = true;
   tell(
-    `${what}: WebGPURenderer draws no materials that are written in GLSL, with its WebGL 2 backend neither. Draw the scene with WebGLRenderer, from 'three', or take what has the same name in 'three-hatching/webgpu'.`,
+    `${what}: WebGPURenderer draws no materials that are written in GLSL, with its WebGL 2 backend neither. Draw the scene with WebGLRenderer, from 'three'${hasTwin ? ", or take what has the same name in 'three-hatching/webgpu'" : ''}.`,
     'error',
   );
 }

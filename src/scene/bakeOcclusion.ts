@@ -1,7 +1,8 @@
 import { BackSide, type Mesh, type Object3D } from 'three';
-import { assertGeometry, checkGeometry } from '../geometry/checkGeometry.js';
+import { checkGeometry } from '../geometry/checkGeometry.js';
 import { cornerRange } from '../geometry/cornerRange.js';
 import { copyVectors, extractMesh } from '../geometry/extractMesh.js';
+import { assertGeometry } from '../mistakes/assertGeometry.js';
 import type { OcclusionMesh, OcclusionScene } from '../occlusion/OcclusionScene.js';
 import { checkOptions } from '../worker/checkOptions.js';
 import { maxWorkers } from '../worker/maxWorkers.js';

@@ -1,8 +1,8 @@
 import type { BufferGeometry, Material, Mesh, Object3D } from 'three';
-import { assertGeometry } from '../geometry/checkGeometry.js';
 import type { OutlineOptions, PrepareHatchingGeometryOptions } from '../geometry/PrepareHatchingGeometryOptions.js';
 import { needsMap } from '../material/facts/lookFacts.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
+import { assertGeometry } from '../mistakes/assertGeometry.js';
 import { describeObject } from '../mistakes/describeObject.js';
 import { isPromise } from '../mistakes/isPromise.js';
 import { tell } from '../mistakes/tell.js';
@@ -19,18 +19,17 @@ import { claimMeshes } from './claimMeshes.js';
 import type { MakeLevels } from './detail/levelMaker.js';
 import type { FirstFrame } from './FirstFrame.js';
 import { failure } from './failure.js';
-import { geometryPlans, type OldLook, type PlannedMesh } from './geometryPlans.js';
+import type { OldLook, PlannedMesh } from './geometryPlans.js';
 import type { HatchedScene, SkippedMesh } from './HatchedScene.js';
 import type { GeometryPlan } from './jointForms/FormGroup.js';
 import type { LaterForms } from './LaterForms.js';
 import type { MaterialFollower } from './MaterialFollower.js';
-import { MaterialReplacer } from './MaterialReplacer.js';
+import type { MaterialReplacer } from './MaterialReplacer.js';
 import type { MeshLook } from './MeshLook.js';
 import type { OutlineMaker } from './outlining/OutlineMaker.js';
 import type { PresetName } from './presets.js';
 import { isHatching, materialsOf, surfaceMeshes } from './surfaceMeshes.js';
 import { isToBeMade } from './wantedMap.js';
-import { worldMatrices, worldScale } from './worldMatrices.js';
 
 /** What `makeLooks` returns: the content of a `HatchedScene`. */
 interface MadeLooks {
@@ -45,8 +44,10 @@ interface MadeLooks {
   HatchedScene: typeof HatchedScene;
 }
 
-/** What is to be baked for meshes, and, if lines follow the form anywhere, what makes the object that bakes them later. */
-interface PlannedBakes {
+/** The materials that meshes will get, what is to be baked, and, if lines follow the form anywhere, what makes the object that bakes them later. */
+interface Planning {
+  making: typeof import('./making/making.js');
+  replacer: MaterialReplacer;
   planned: readonly PlannedMesh[];
   plans: Map<BufferGeometry, GeometryPlan>;
   formsLater?: (
@@ -141,15 +142,12 @@ async function makeLooks(
 ): Promise<MadeLooks> {
   const { replaces, signal, tilesPerWorldUnit, onGeometry, onProgress } = options;
   const asBefore = <Result>(work: () => Result): Result => (replaces ? replaces.suspended(work) : work());
-  const replacer = new MaterialReplacer(options.material ?? {}, makers.material);
-  disposables.push(replacer);
   const { seen, unreadable } = asBefore(() => looksToReplace(chosen));
-  const [{ planned, plans, formsLater }, firstFrame, outlineMaker, detail, making] = await Promise.all([
-    runSliced(planMeshes(seen, replacer), { signal, around: asBefore }).then((all) => planBakes(all, options)),
+  const [{ making, replacer, planned, plans, formsLater }, firstFrame, outlineMaker, detail] = await Promise.all([
+    plan(seen, options, makers, disposables, asBefore),
     firstFrameOf(root, options),
     outlineMakerOf(options, makers),
     detailOf(options),
-    import('./making/making.js'),
   ]);
   const { bakeGeometries, makeMaps, progressParts, sideBySide } = making;
   if (outlineMaker) disposables.push(outlineMaker);
@@ -224,10 +222,24 @@ async function firstFrameOf(root: Object3D, { renderer, camera }: ApplyHatchingO
   return new FirstFrame(renderer, camera, root);
 }
 
-/** Plans the bakes of meshes, those with lines along the form in groups. Scenes without such lines do not load what bakes these later. */
-async function planBakes(planned: readonly PlannedMesh[], options: ApplyHatchingOptions): Promise<PlannedBakes> {
-  const plans = geometryPlans(planned, options);
-  if ([...plans.values()].every(({ form }) => !form)) return { planned, plans };
+/**
+ * Makes the materials of meshes, and plans their bakes, those with lines along the form in groups. Scenes without such lines do not load what
+ * bakes these later.
+ */
+async function plan(
+  seen: readonly OldLook[],
+  options: ApplyHatchingOptions,
+  makers: LookMakers,
+  disposables: { dispose(): void }[],
+  asBefore: <Result>(work: () => Result) => Result,
+): Promise<Planning> {
+  const making = await import('./making/making.js');
+  const replacer = new making.MaterialReplacer(options.material ?? {}, makers.material);
+  disposables.push(replacer);
+  const planned = await runSliced(making.planMeshes(seen, replacer), { signal: options.signal, around: asBefore });
+  const plans = making.geometryPlans(planned, options);
+  const planning = { making, replacer, planned, plans };
+  if ([...plans.values()].every(({ form }) => !form)) return planning;
   const [{ crossingMaterials, LaterForms }, { formGroups }] = await Promise.all([
     import('./LaterForms.js'),
     import('./jointForms/groups.js'),
@@ -236,8 +248,7 @@ async function planBakes(planned: readonly PlannedMesh[], options: ApplyHatching
   for (const [geometry, plan] of plans) plan.group = groups.get(geometry);
   const crossing = crossingMaterials(planned, options);
   return {
-    planned,
-    plans,
+    ...planning,
     formsLater: (prepare, ...others) => new LaterForms(plans, crossing, prepare, options, ...others),
   };
 }
@@ -266,15 +277,4 @@ function looksToReplace(meshes: readonly Mesh[]): { seen: OldLook[]; unreadable:
     }
   }
   return { seen, unreadable };
-}
-
-/** Makes the materials that the meshes will get. It yields after each mesh, since a scene may have thousands of materials. */
-function* planMeshes(looks: readonly OldLook[], replacer: MaterialReplacer): Generator<number, PlannedMesh[], void> {
-  const planned: PlannedMesh[] = [];
-  for (const look of looks) {
-    const scale = worldScale(worldMatrices(look.mesh));
-    planned.push({ ...look, material: replacer.replacementFor(look.mesh, look.oldMaterial, scale) });
-    yield planned.length / looks.length;
-  }
-  return planned;
 }

@@ -345,6 +345,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
   /** @internal */
   choose(name: HatchingPropertyName, value: string | boolean): void {
     checkChoice(name, value);
+    if (name === 'debugView' && value !== 'none') tellOnce('there are no nodes of debugView; the hatching is drawn.');
     const property = propertyOf(name);
     const chosen = value === 'auto' && property.kind === 'choice' && property.defaultFor ? undefined : value;
     if (chosen === this.chosen[name]) return;

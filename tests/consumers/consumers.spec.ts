@@ -69,16 +69,16 @@ test.beforeAll(() => {
 const MOST_BYTES = [
   ['HatchingMaterial', 'three-hatching', 31_000],
   ['HatchingMaterial, prepareHatchingGeometry, TonalArtMap', 'three-hatching', 42_100],
-  ['applyHatching', 'three-hatching', 40_800],
-  ['Hatched', 'three-hatching/react', 48_800],
-  ['drawSVG', 'three-hatching/svg', 45_400],
+  ['applyHatching', 'three-hatching', 38_000],
+  ['Hatched', 'three-hatching/react', 46_100],
+  ['drawSVG', 'three-hatching/svg', 44_800],
 ] as const;
 
 /** The same of a page that draws with WebGPURenderer. */
 const MOST_BYTES_OF_NODES = [
-  ['HatchingNodeMaterial', 35_600],
-  ['HatchingNodeMaterial, applyHatching', 46_400],
-  ['HatchingOutlines', 37_400],
+  ['HatchingNodeMaterial', 35_800],
+  ['HatchingNodeMaterial, applyHatching', 43_600],
+  ['HatchingOutlines', 36_200],
 ] as const;
 
 /** The size of the worker's text. A minifier that writes it twice makes it double. */

@@ -1,7 +1,10 @@
 import type { Page } from '@playwright/test';
 import type { PNG } from 'pngjs';
 import { launchOptions } from '../../tools/browser/launchOptions.mjs';
-import { enterLink, idle, openPlayground, readDrawing, savePicture } from '../../tools/browser/playground.js';
+import { drop, enterLink, idle, openPlayground, readDrawing, savePicture } from '../../tools/browser/playground.js';
+import { columnGlb } from '../../tools/modelFiles/columnModel.js';
+import { tetrahedron } from '../../tools/modelFiles/GltfBuilder.js';
+import { file } from '../../tools/modelFiles/modelFiles.js';
 import { expect, test } from '../browser/test.js';
 import { changedShare, meanInk } from './pictures.js';
 
@@ -76,6 +79,23 @@ async function expectWebGPUAlone(page: Page): Promise<void> {
 const renderers = (page: Page) => page.getByLabel('Renderer');
 const nodeScreen = (page: Page) => page.locator('.node-screen');
 const note = (page: Page) => page.locator('.lil-controller', { hasText: 'Renderer' }).locator('.note');
+
+/** The column, bent by its bones. */
+function bentGlb(): Buffer {
+  const bend = { rotation: [0, 0, Math.sin(0.4), Math.cos(0.4)] };
+  return columnGlb({ changes: () => ({ nodes: [{ mesh: 0, skin: 0 }, bend, { children: [1] }], animations: [] }) });
+}
+
+/** A tetrahedron whose places are integers of 16 bits, with a gap after each. */
+function packedGlb(): Buffer {
+  const builder = tetrahedron();
+  const { json } = builder;
+  const corners = Uint16Array.of(20, 20, 20, 0, 0, 0, 20, 0, 0, 20, 0, 0, 20, 0, 0, 0);
+  json.meshes[0].primitives[0].attributes.POSITION = builder.accessor(corners, 'VEC3', { count: 4 });
+  json.bufferViews.at(-1).byteStride = 8;
+  json.extensionsUsed = json.extensionsRequired = ['KHR_mesh_quantization'];
+  return Buffer.from(builder.glb());
+}
 
 /** The copy that covers the drawing while a picture is saved: its size, and whether something is on it. */
 const firstCurtain = (page: Page) =>
@@ -178,6 +198,49 @@ test('what WebGPU lacks is drawn by WebGL, which is said beside the choice', asy
   await idle(page);
   await expect(nodeScreen(page)).toBeHidden();
   expect(unlikeShare(onWebGL, await readDrawing(page))).toBeLessThan(0.001);
+});
+
+for (const [what, glb] of [
+  ['bones', bentGlb()],
+  ['packed vertices', packedGlb()],
+] as const) {
+  test(`a model with ${what} is drawn by both, whichever of them has drawn it first`, async ({ page }) => {
+    await openPlayground(page, 'model=cube&technique=engraved&shadows=on');
+    await drop(page, [file('model.glb', glb)]);
+    await idle(page);
+    const before = await readDrawing(page);
+    await openMore(page);
+    await renderers(page).selectOption('WebGPU, experimental');
+    await idle(page);
+    await expect(nodeScreen(page)).toBeVisible();
+    expect(unlikeShare(before, await readDrawing(page))).toBeLessThan(0.005);
+    await drop(page, [file('again.glb', glb)]);
+    await idle(page);
+    await expect(nodeScreen(page)).toBeVisible();
+    expect(unlikeShare(before, await readDrawing(page))).toBeLessThan(0.005);
+    await renderers(page).selectOption('WebGL');
+    await idle(page);
+    await expect(nodeScreen(page)).toHaveCount(0);
+    expect(unlikeShare(before, await readDrawing(page))).toBeLessThan(0.005);
+  });
+}
+
+test('WebGL draws on when a frame of WebGPU fails', async ({ page, pageProblems }) => {
+  await openPlayground(page, 'model=cube&technique=engraved&renderer=webgpu');
+  await expect(nodeScreen(page)).toBeVisible();
+  const before = await readDrawing(page);
+  await page.evaluate(() => {
+    GPUQueue.prototype.submit = () => {
+      throw new Error('for a test');
+    };
+  });
+  await page.locator('#lamp').focus();
+  await page.keyboard.press('ArrowRight');
+  await expect(page.locator('#status')).toHaveText('The graphics card has let go of WebGPU; WebGL draws on.');
+  await idle(page);
+  await expect(nodeScreen(page)).toHaveCount(0);
+  expect(changedShare(before, await readDrawing(page))).toBeGreaterThan(0.001);
+  expect(pageProblems.splice(0)).toEqual([expect.stringContaining('for a test')]);
 });
 
 test('WebGL draws on when WebGPU is lost, and can be left again for it', async ({ page }) => {

@@ -29,14 +29,16 @@ const SEPARATE = [
     name: 'checks',
     test: modules(
       ...[
-        'geometry/(?:PrepareHatchingGeometryOptions|checkGeometry)',
-        'mistakes/mustBeAwaited',
+        'geometry/PrepareHatchingGeometryOptions',
+        'mistakes/(?:assertGeometry|mustBeAwaited)',
         'tam/checkHatchImageOptions',
       ],
       'worker/runTask',
     ),
   },
   { name: 'describeObject', test: modules('mistakes/describeObject') },
+  // Of vertices, which are read later.
+  { name: 'checkGeometry', test: modules('geometry/checkGeometry') },
   { name: 'prepareHatchingGeometry', test: modules('geometry/prepareHatchingGeometry') },
   { name: 'toothMap', test: modules('tam/toothMap') },
   { name: 'TonalArtMap', test: modules('tam/TonalArtMap') },

@@ -91,7 +91,10 @@ export const ROOMS = {
   ],
   'scene/detail': ['/src/scene/MeshLook.ts', '/src/scene/surfaceMeshes.ts'],
   'scene/jointForms': [],
-  'scene/making': ['jointForms', '/src/scene/wantedMap.ts'],
+  'scene/making': [
+    'jointForms',
+    ...['geometryPlans', 'MaterialReplacer', 'planMeshes', 'wantedMap'].map((name) => `/src/scene/${name}.ts`),
+  ],
   'scene/occlusion': ['/src/scene/HatchedScene.ts'],
   'scene/outlining': ['/src/scene/MeshLook.ts', '/src/scene/surfaceMeshes.ts'],
   'scene/flattering': ['/src/scene/assertTree.ts', '/src/scene/surfaceMeshes.ts'],

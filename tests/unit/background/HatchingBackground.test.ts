@@ -1,5 +1,5 @@
-import { Box3, Group, Mesh, Raycaster, Scene, SphereGeometry, Vector3 } from 'three';
-import { expect, test } from 'vitest';
+import { Box3, Camera, Group, Mesh, Raycaster, Scene, SphereGeometry, Vector3 } from 'three';
+import { expect, test, vi } from 'vitest';
 import { HatchingBackground } from '../../../src/background/HatchingBackground.js';
 import { SceneExtent } from '../../../src/material/emphasis/SceneExtent.js';
 
@@ -29,4 +29,18 @@ test('rays do not hit it, and it takes no room', () => {
   scene.updateMatrixWorld();
   expect(new Raycaster(new Vector3(0, 0, 5), new Vector3(0, 0, -1)).intersectObjects([scene])).toEqual([]);
   expect(new Box3().setFromObject(scene).isEmpty()).toBe(true);
+});
+
+test('says once that WebGPURenderer does not draw it', () => {
+  const error = vi.spyOn(console, 'error').mockImplementation(() => {});
+  const background = new HatchingBackground(new Mesh(new SphereGeometry()));
+  const draw = () => background.onBeforeRender({ isWebGPURenderer: true } as never, new Scene(), new Camera());
+  draw();
+  draw();
+  expect(error.mock.calls.flat()).toEqual([
+    expect.stringMatching(
+      /^.*HatchingBackground: WebGPURenderer draws no materials .* Draw the scene with WebGLRenderer, from 'three'\.$/,
+    ),
+  ]);
+  error.mockRestore();
 });

@@ -59,6 +59,13 @@ describe('HatchingNodeMaterial', () => {
     expect(new Set(keys).size).toBe(keys.length);
   });
 
+  test('says once that it has no debug views', () => {
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
+    for (const debugView of ['none', 'tone', 'frames'] as const) new HatchingNodeMaterial({ debugView });
+    expect(warn.mock.calls.flat().filter((text) => /there are no nodes of debugView/.test(text))).toHaveLength(1);
+    warn.mockRestore();
+  });
+
   test('says what WebGLRenderer does not draw', () => {
     const error = vi.spyOn(console, 'warn').mockImplementation(() => {});
     const material = new HatchingNodeMaterial();

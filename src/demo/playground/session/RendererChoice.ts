@@ -27,8 +27,7 @@ export class RendererChoice {
   get note(): string {
     const { settings, stage } = this.session;
     if (settings.renderer !== 'webgpu') return '';
-    const { look, shown } = stage.scenery;
-    const lack = look?.lackOfNodes ?? shown.model?.lackOfNodes;
+    const lack = stage.scenery.look?.lackOfNodes;
     if (lack === undefined) return 'Pictures, prints, videos and vector files are drawn by WebGL.';
     return `WebGL draws this, because WebGPU lacks ${lack}.`;
   }

@@ -89,8 +89,7 @@ export class NodeScreen implements Screen {
 
   get canDraw(): boolean {
     const { look, shown } = this.host.scenery;
-    if (!look || !shown.model) return false;
-    return look.lackOfNodes === undefined && shown.model.lackOfNodes === undefined;
+    return look !== undefined && shown.model !== undefined && look.lackOfNodes === undefined;
   }
 
   get isBuilding(): boolean {
