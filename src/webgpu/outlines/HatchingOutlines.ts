@@ -1,13 +1,4 @@
-import {
-  type Camera,
-  type InstancedMesh,
-  type Mesh,
-  REVISION,
-  type Scene,
-  Vector2,
-  Vector4,
-  type WebGLRenderer,
-} from 'three';
+import { type Camera, type InstancedMesh, type Mesh, type Scene, Vector2, Vector4, type WebGLRenderer } from 'three';
 import type { WebGPURenderer } from 'three/webgpu';
 import { outlineDataOf } from '../../geometry/OutlineData.js';
 import { tell } from '../../mistakes/tell.js';
@@ -26,7 +17,6 @@ import { placesOf } from '../nodes/base/InstancePlaces.js';
 import { clippingOf } from './clippingOf.js';
 import { HatchingOutlineNodeMaterial } from './HatchingOutlineNodeMaterial.js';
 import { readWhereDrawn } from './readWhereDrawn.js';
-import { tellOfOlderThree } from './tellOfOlderThree.js';
 
 const drawnInto = /* @__PURE__ */ new Vector4();
 const size = /* @__PURE__ */ new Vector2();
@@ -59,7 +49,6 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
     look: HatchingOutlineNodeMaterial | HatchingOutlineParameters = {},
   ) {
     super(mesh, look, HatchingOutlineNodeMaterial);
-    tellOfOlderThree(REVISION);
   }
 
   override readonly onBeforeRender = (either: WebGLRenderer | WebGPURenderer, _scene: Scene, camera: Camera): void => {
@@ -97,7 +86,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
     const isAnywhere = isDeformed || suggestiveContours > 0;
     const list = isAnywhere ? null : this.listFor(camera, data, mesh, uniforms.eye.value);
     uniforms.isListed.value = list !== null;
-    uniforms.candidates.value = list?.texture ?? data.primitives;
+    uniforms.candidates.value = list?.texture ?? null;
     this.bindInstances(mesh, list !== null);
     readWhereDrawn(renderer);
     geometry.setDrawRange(0, VERTICES * (list ? list.count : data.triangleCount + data.edgeCount));
@@ -115,7 +104,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
     const data = mesh && outlineDataOf(mesh.geometry);
     if (!data || geometry.drawRange.count <= 0 || material.hidden === 'none') return;
     material.uniforms.isListed.value = false;
-    material.uniforms.candidates.value = data.primitives;
+    material.uniforms.candidates.value = null;
     this.bindInstances(mesh, false);
     geometry.setDrawRange(0, VERTICES * (data.triangleCount + data.edgeCount));
     this.isDrawingHidden = true;

@@ -9,9 +9,12 @@ type WithUniforms = Material & { uniforms?: Record<string, IUniform> };
  *
  * @param blank stands in where there is none, and says what format those are of
  */
-export const hatchingTexture = (name: string, blank: Texture): TextureValue =>
-  threeNodes
-    .uniformTexture(blank)
+export function hatchingTexture(name: string, blank: Texture): TextureValue {
+  // three.js 0.186 takes nodes that hold one texture while a shader is built for the same uniform.
+  const own = blank.clone();
+  return threeNodes
+    .uniformTexture(own)
     .onObjectUpdate(
-      ({ material }) => (material as WithUniforms | null)?.uniforms?.[name]?.value ?? blank,
+      ({ material }) => (material as WithUniforms | null)?.uniforms?.[name]?.value ?? own,
     ) as unknown as TextureValue;
+}
