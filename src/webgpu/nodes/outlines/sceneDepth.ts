@@ -1,5 +1,13 @@
 /** The twin of shaders/outlines/sceneDepth.glsl: the depth of what has been drawn before the outlines, all of it opaque. three.js copies it. */
-import { DepthFormat, DepthStencilFormat, DepthTexture, FloatType, UnsignedInt248Type, UnsignedIntType } from 'three';
+import {
+  DepthFormat,
+  DepthStencilFormat,
+  DepthTexture,
+  FloatType,
+  REVISION,
+  UnsignedInt248Type,
+  UnsignedIntType,
+} from 'three';
 import { type NodeBuilder, WebGPUCoordinateSystem } from 'three/webgpu';
 import { isOrthographic } from '../base/isOrthographic.js';
 import { hatchingUniform } from '../base/uniforms.js';
@@ -16,6 +24,9 @@ export const viewport: Value = /* @__PURE__ */ hatchingUniform('viewport', 'vec4
 const copyOf = viewportDepthTexture as unknown as (uv: unknown, level: null, depth: DepthTexture) => TextureValue;
 const copies = /* @__PURE__ */ new Map<string, TextureValue>();
 
+/** Whether three.js draws a reversed depth into floats: 0.186 draws it into integers. */
+const REVERSES_FLOATS = Number.parseInt(REVISION, 10) >= 187;
+
 /** The copy of the depth of what is drawn to. It must have the format of that. */
 function sceneDepthFor({ renderer }: NodeBuilder): TextureValue {
   const hasStencil = renderer.getRenderTarget()?.stencilBuffer ?? renderer.stencil;
@@ -24,7 +35,7 @@ function sceneDepthFor({ renderer }: NodeBuilder): TextureValue {
   if (!copy) {
     const depth = new DepthTexture(1, 1);
     depth.format = hasStencil ? DepthStencilFormat : DepthFormat;
-    if (renderer.reversedDepthBuffer) depth.type = FloatType;
+    if (renderer.reversedDepthBuffer && REVERSES_FLOATS) depth.type = FloatType;
     else depth.type = hasStencil ? UnsignedInt248Type : UnsignedIntType;
     copy = copyOf(screenUV, null, depth);
     copies.set(key, copy);
