@@ -24,6 +24,7 @@ export class Frames {
   private readonly scheduler: FrameScheduler;
   private readonly crossFade: CrossFade;
   private readonly listeners: (() => void)[] = [];
+  private readonly waiting: (() => void)[] = [];
 
   constructor(
     private readonly painter: Painter,
@@ -39,7 +40,7 @@ export class Frames {
         // Until the programs are built, the last frame stays on the page.
         if (!this.isBuilding) this.draw();
       },
-      () => quality.isBusy,
+      () => this.mustWait(),
     );
   }
 
@@ -75,6 +76,11 @@ export class Frames {
   /** Calls back after each frame, in its task. */
   onFrame(listener: () => void): void {
     this.listeners.push(listener);
+  }
+
+  /** Calls back with each refresh of the screen in which a frame has to wait: what lies over the drawing need not. The lights are placed by then. */
+  onWait(listener: () => void): void {
+    this.waiting.push(listener);
   }
 
   /** The number of frames that were requested and drawn. */
@@ -161,6 +167,15 @@ export class Frames {
     if (!size || screen !== this.shownOn || screen?.prepare() === false) return false;
     if (screen) screen.draw({ ...size, ratio: fullPixelRatio(size.width, size.height) });
     else this.painter.drawTile({ viewWidth: size.width, x: 0, ...size });
+    return true;
+  }
+
+  /** Whether a frame has to wait for an earlier one that takes long. */
+  private mustWait(): boolean {
+    const { quality, painter } = this;
+    if (this.isHeld || !quality.isBusy) return false;
+    painter.placeLights(quality.isCoarse ? 'coarse' : 'usual');
+    for (const listener of this.waiting) listener();
     return true;
   }
 

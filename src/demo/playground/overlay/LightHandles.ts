@@ -62,7 +62,7 @@ export class LightHandles {
     });
   }
 
-  /** Moves the handles to where the lights are in the picture. To be called after each frame. */
+  /** Moves the handles to where the lights are in the picture. To be called after each frame, and while one has to wait. */
   update(): void {
     page.secondLamp.hidden = page.lamp.hidden || this.settings.secondLight === 'none';
     this.first.update();

@@ -34,10 +34,12 @@ export class Overlays {
       },
       modelShown: () => turnHint.about(settings.model === 'file' ? stage.model?.stands : undefined),
     });
-    stage.frames.onFrame(() => {
+    const follow = (): void => {
       this.lights.present?.update();
       comparison.place();
-    });
+    };
+    stage.frames.onFrame(follow);
+    stage.frames.onWait(follow);
     this.lights.use(() => stage.frames.invalidate());
   }
 

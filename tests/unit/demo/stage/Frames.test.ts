@@ -34,6 +34,7 @@ function makeFrames() {
     },
     isSketch: false,
     isBusy: false,
+    isCoarse: false,
     share: 1,
     finishSketch: () => {},
     drawnUnmeasured: () => {},
@@ -42,7 +43,7 @@ function makeFrames() {
   const painter = {
     canvas: drawing,
     drawTile,
-    placeLights: () => {},
+    placeLights: vi.fn(),
     release: () => {},
     isBuilding: false,
     isLost: false,
@@ -59,7 +60,7 @@ function makeFrames() {
   const next = (): void => {
     for (const draw of frames.splice(0)) draw();
   };
-  return { sheet, scenery, quality, drawTile, moving, next };
+  return { sheet, scenery, quality, painter, drawTile, moving, next };
 }
 
 test('a picture that is to fade is drawn a second time, unless it was copied because that was known before', () => {
@@ -145,12 +146,25 @@ test('before there is a model, no ground is drawn', () => {
 });
 
 test('a frame waits while the graphics card draws one that takes long, and is drawn then without being asked for again', () => {
-  const { sheet, quality, drawTile, next } = makeFrames();
+  const { sheet, quality, painter, drawTile, next } = makeFrames();
+  const onWait = vi.fn();
+  sheet.onWait(onWait);
   quality.isBusy = true;
   sheet.invalidate();
   for (let i = 0; i < 3; i++) next();
+  // The handles of lights go on to follow the pointer.
+  expect([onWait.mock.calls.length, painter.placeLights.mock.calls.length]).toEqual([3, 3]);
   expect([drawTile.mock.calls.length, sheet.isWaiting, sheet.count]).toEqual([0, true, 0]);
   quality.isBusy = false;
   next();
   expect([drawTile.mock.calls.length, sheet.isWaiting, sheet.count]).toEqual([1, false, 1]);
+});
+
+test('nothing moves while a picture is drawn in tiles, though the graphics card is busy', () => {
+  const { sheet, quality, painter, drawTile, next } = makeFrames();
+  quality.isBusy = true;
+  sheet.isHeld = true;
+  sheet.invalidate();
+  next();
+  expect([painter.placeLights.mock.calls.length, drawTile.mock.calls.length]).toEqual([0, 0]);
 });
