@@ -12,7 +12,7 @@ import { turnOf } from '../nodes/perTriangle/turns.js';
 const { Fn, If, dot, int, ivec2, normalLocal, select, uint, varyingProperty, vec2, vec3, vec4, vertexIndex } = tsl;
 
 /** Of the `pull` layout. */
-const triangleVertices = /* @__PURE__ */ hatchingTexture('triangleVertices', blankIntegers);
+const triangleVertices = /* @__PURE__ */ hatchingTexture('triangleVertices', /* @__PURE__ */ blankIntegers());
 /** Of the textures that are drawn into, texels. */
 const targetSize = /* @__PURE__ */ hatchingUniform('targetSize', 'vec2');
 

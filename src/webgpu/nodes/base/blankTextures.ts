@@ -17,19 +17,16 @@ function blank(texture: DataTexture): DataTexture {
   return texture;
 }
 
-/** Stands in for the textures of outlines that hold integers, where there is nothing to draw. */
-export const blankIntegers: DataTexture = /* @__PURE__ */ blank(
-  new DataTexture(new Uint32Array(4), 1, 1, RGBAIntegerFormat, UnsignedIntType),
-);
+/** Stands in for a texture of outlines that holds integers, where there is nothing to draw. */
+export const blankIntegers = (): DataTexture =>
+  blank(new DataTexture(new Uint32Array(4), 1, 1, RGBAIntegerFormat, UnsignedIntType));
 
-/** Stands in for those that hold floats. */
-export const blankFloats: DataTexture = /* @__PURE__ */ blank(
-  new DataTexture(new Float32Array(4), 1, 1, RGBAFormat, FloatType),
-);
+/** Stands in for one that holds floats. */
+export const blankFloats = (): DataTexture => blank(new DataTexture(new Float32Array(4), 1, 1, RGBAFormat, FloatType));
 
-/** Stands in for those that poses are drawn into: some versions of three.js turn what they have drawn, and look for it in the texture met first. */
-export const blankPoses: Texture = /* @__PURE__ */ (() =>
-  new RenderTarget(1, 1, { type: FloatType, minFilter: NearestFilter, magFilter: NearestFilter }).texture)();
+/** Stands in for one that poses are drawn into: some versions of three.js turn what they have drawn, and look for it in the texture met first. */
+export const blankPoses = (): Texture =>
+  new RenderTarget(1, 1, { type: FloatType, minFilter: NearestFilter, magFilter: NearestFilter }).texture;
 
 function repeated(texture: DataTexture): DataTexture {
   texture.wrapS = texture.wrapT = RepeatWrapping;

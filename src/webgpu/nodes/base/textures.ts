@@ -7,14 +7,12 @@ type WithUniforms = Material & { uniforms?: Record<string, IUniform> };
 /**
  * A texture among the uniforms of whichever material is drawn.
  *
- * @param blank stands in where there is none, and says what format those are of
+ * @param blank stands in where there is none, and says what format those are of. Of its own: three.js 0.186 takes nodes that hold one
+ *   texture while a shader is built for the same uniform
  */
-export function hatchingTexture(name: string, blank: Texture): TextureValue {
-  // three.js 0.186 takes nodes that hold one texture while a shader is built for the same uniform.
-  const own = blank.clone();
-  return threeNodes
-    .uniformTexture(own)
+export const hatchingTexture = (name: string, blank: Texture): TextureValue =>
+  threeNodes
+    .uniformTexture(blank)
     .onObjectUpdate(
-      ({ material }) => (material as WithUniforms | null)?.uniforms?.[name]?.value ?? own,
+      ({ material }) => (material as WithUniforms | null)?.uniforms?.[name]?.value ?? blank,
     ) as unknown as TextureValue;
-}

@@ -13,10 +13,12 @@ const { batch, batchIndirectIndex, instancedMesh, instanceIndex, int, mat4, mode
 /** Of an object without instances, the same for all its vertices. Linear part. */
 export const viewToObject: Value = /* @__PURE__ */ hatchingUniform('viewToObject', 'mat3');
 
+/** Of an object that has neither. */
+const noPlaces = /* @__PURE__ */ blankFloats();
 /** Matrices of instances or of what a batch holds, a column to a texel. */
 const instancePlaces = /* @__PURE__ */ threeNodes
-  .uniformTexture(blankFloats)
-  .onObjectUpdate(({ object }) => placesTexture(object as Object3D) ?? blankFloats) as unknown as TextureValue;
+  .uniformTexture(noPlaces)
+  .onObjectUpdate(({ object }) => placesTexture(object as Object3D) ?? noPlaces) as unknown as TextureValue;
 
 function placesTexture(object: Object3D): Texture | null {
   if ('isInstancedMesh' in object) return placesOf(object as InstancedMesh);

@@ -11,12 +11,12 @@ import { turnBack } from '../perTriangle/turns.js';
 const { If, abs, dot, float, int, ivec2, max, normalize, select, transpose, uint, uintBitsToFloat } = tsl;
 const { unpackHalf2x16, unpackSnorm2x16, vec3 } = tsl;
 
-const outlinePoints = /* @__PURE__ */ hatchingTexture('outlinePoints', blankIntegers);
+const outlinePoints = /* @__PURE__ */ hatchingTexture('outlinePoints', /* @__PURE__ */ blankIntegers());
 
 /** Of the pose, by vertex: its place, and 1 where the other one is a rotation. */
-const deformedPositions = /* @__PURE__ */ hatchingTexture('deformedPositions', blankPoses);
+const deformedPositions = /* @__PURE__ */ hatchingTexture('deformedPositions', /* @__PURE__ */ blankPoses());
 /** The rotation by the skin, or the normal. */
-const deformedTurns = /* @__PURE__ */ hatchingTexture('deformedTurns', blankPoses);
+const deformedTurns = /* @__PURE__ */ hatchingTexture('deformedTurns', /* @__PURE__ */ blankPoses());
 /** Whether the mesh is in a pose. Not a program of its own: meshes that deform and others may share a material. */
 const isDeformed = /* @__PURE__ */ hatchingUniform('isDeformed', 'float');
 

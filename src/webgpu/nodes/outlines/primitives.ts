@@ -9,11 +9,11 @@ import { tsl, type Value } from '../base/values.js';
 
 const { If, cross, dot, instanceIndex, int, select, uint, vec3, vec4 } = tsl;
 
-const outlinePrimitives = /* @__PURE__ */ hatchingTexture('outlinePrimitives', blankIntegers);
+const outlinePrimitives = /* @__PURE__ */ hatchingTexture('outlinePrimitives', /* @__PURE__ */ blankIntegers());
 /** Four numbers to a texel; of instances two, each with the instance it is of. */
-const candidates = /* @__PURE__ */ hatchingTexture('candidates', blankIntegers);
+const candidates = /* @__PURE__ */ hatchingTexture('candidates', /* @__PURE__ */ blankIntegers());
 /** A column to a texel. */
-const instancePlaces = /* @__PURE__ */ hatchingTexture('instancePlaces', blankFloats);
+const instancePlaces = /* @__PURE__ */ hatchingTexture('instancePlaces', /* @__PURE__ */ blankFloats());
 const isListed = /* @__PURE__ */ hatchingUniform('isListed', 'float');
 
 /** Whether the mesh has instances. Not a program of its own: three.js takes the programs of objects of both kinds for one. */
