@@ -18,8 +18,8 @@ const SLOW_MILLISECONDS = 150;
 interface FrameQualityHost {
   /** Whether the model that is drawn only stands in for one that is being baked. */
   isStandIn(): boolean;
-  /** Requests one frame. */
-  invalidate(): void;
+  /** Requests one frame in full resolution, because nothing moves any more. */
+  refine(): void;
   /** Called when the sketch of a model is on the page: the rest is added in the next frame. */
   onSketched(): void;
 }
@@ -40,7 +40,7 @@ export class FrameQuality {
   ) {
     this.context = renderer.getContext() as WebGL2RenderingContext;
     this.resolution = new AdaptiveResolution(renderer, {
-      onRest: () => host.invalidate(),
+      onRest: () => host.refine(),
       onMeasured: () => this.measured(),
     });
   }

@@ -37,7 +37,7 @@ export class Stage {
     const { painter } = this;
     this.camera = painter.camera;
     this.quality = new FrameQuality(painter.renderer, {
-      invalidate,
+      refine: () => this.frames.refine(),
       isStandIn: () => scenery.shown.isStandIn,
       onSketched: () => {
         painter.outdateShadows();

@@ -9,7 +9,7 @@ afterEach(() => void vi.useRealTimers());
 function createQuality() {
   const gl = fakeFences();
   const renderer = { getContext: () => gl.context, getPixelRatio: () => 1, setPixelRatio: () => {} };
-  const host = { isStandIn: () => false, invalidate: () => {}, onSketched: () => {} };
+  const host = { isStandIn: () => false, refine: vi.fn(), onSketched: () => {} };
   const quality = new FrameQuality(renderer as never, host);
   /** Draws a frame that takes so many milliseconds. */
   const draw = async (milliseconds: number): Promise<void> => {
@@ -19,7 +19,7 @@ function createQuality() {
     gl.finish();
     await vi.advanceTimersByTimeAsync(20);
   };
-  return { gl, quality, draw };
+  return { gl, quality, host, draw };
 }
 
 test('the graphics card is busy while it draws a frame of unknown length, or a long one, and not with quick ones', async () => {
@@ -56,4 +56,20 @@ test('a lost context keeps no frame waiting', async () => {
   gl.lose();
   await vi.advanceTimersByTimeAsync(20);
   expect(quality.isBusy).toBe(false);
+});
+
+test('after a movement a frame in full resolution is asked for, and drawn so though frames of the movement took longer than the pause', async () => {
+  const { gl, quality, host } = createQuality();
+  const move = async (isMoving: boolean): Promise<number> => {
+    gl.begin();
+    let share = 0;
+    quality.measure(() => (share = quality.share), isMoving);
+    await vi.advanceTimersByTimeAsync(600);
+    gl.finish();
+    await vi.advanceTimersByTimeAsync(20);
+    return share;
+  };
+  for (let i = 0; i < 4; i++) await move(true);
+  expect(host.refine).toHaveBeenCalled();
+  expect(await move(false)).toBe(1);
 });
