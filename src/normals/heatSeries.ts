@@ -24,7 +24,4 @@ export function heatSeries(time: number, tolerance: number): number[] {
   return coefficients.map((coefficient) => coefficient / kept);
 }
 
-/** The longest time whose series has about `count` coefficients. */
-export const longestHeatTime = (count: number, tolerance: number): number => count ** 2 / (2 * Math.log(1 / tolerance));
-
 const sum = (values: readonly number[]): number => values.reduce((total, value) => total + value, 0);

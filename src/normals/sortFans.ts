@@ -2,6 +2,7 @@ import { NO_TWIN, nextCorner } from '../mesh/corners.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
 import type { Fans } from './buildFans.js';
+import { orderBySize } from './orderBySize.js';
 
 /** Fans, and the twins that they were built from. */
 interface CutSurface {
@@ -19,21 +20,11 @@ export interface SortedFans {
   sizes: Uint32Array<ArrayBuffer>;
 }
 
-/** Fans are sorted in blocks of as many, so that fans which lie near each other stay near each other in memory. */
-const BLOCK = 1 << 14;
-
-/** A fan with more edges counts as having as many: such fans are few. */
-const MOST_EDGES = 31;
-
-/** Sorts the fans of each block by their number of edges, and else by their numbers (counting sort). It takes linear time. */
+/** Sorts fans by their number of edges, as far as that keeps neighbours near each other; see `orderBySize`. */
 export function* sortFans(surface: CutSurface): Generator<number, SortedFans, void> {
   const { count } = surface.fans;
   const unsorted = yield* asPhase(countEdges(surface), 0, 0.7);
-  const order = new Uint32Array(count);
-  for (let first = 0; first < count; first += BLOCK) {
-    sortBlock(unsorted, order, first, Math.min(first + BLOCK, count));
-    yield 0.7 + 0.3 * (first / count);
-  }
+  const order = yield* asPhase(orderBySize(unsorted, count), 0.7, 1);
   const numbers = new Uint32Array(count);
   const sizes = new Uint32Array(count + 1);
   for (let i = 0; i < count; i++) {
@@ -63,11 +54,4 @@ function countRange({ twins, fans: { ofCorner } }: CutSurface, sizes: Uint32Arra
     sizes[ofCorner[corner]]++;
     if (twins[corner] === NO_TWIN) sizes[ofCorner[nextCorner(corner)]]++;
   }
-}
-
-function sortBlock(sizes: Uint32Array, order: Uint32Array, first: number, end: number): void {
-  const slots = new Uint32Array(MOST_EDGES + 2);
-  for (let fan = first; fan < end; fan++) slots[Math.min(sizes[fan], MOST_EDGES) + 1]++;
-  for (let size = 1; size < slots.length; size++) slots[size] += slots[size - 1];
-  for (let fan = first; fan < end; fan++) order[first + slots[Math.min(sizes[fan], MOST_EDGES)]++] = fan;
 }

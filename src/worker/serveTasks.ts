@@ -3,6 +3,9 @@ import { holdLifeLock } from './lifeLock.js';
 import { type FromWorker, packError, type ToWorker } from './protocol.js';
 import type { AnyTask, Tasks } from './TaskSet.js';
 
+/** How often a task says how far it is, in milliseconds. A message after each slice was measured to take a twentieth of the time. */
+const PROGRESS_MS = 40;
+
 /** The members of a worker's global scope that are used here. TypeScript's DOM types only describe a window. */
 interface WorkerScope {
   onmessage: ((event: MessageEvent<ToWorker>) => void) | null;
@@ -27,9 +30,15 @@ export function serveTasks(tasks: Tasks): void {
           `createWorker started a worker that cannot do this (${name}): drawSVG needs three-hatching/svg.worker, learnHandAsync and traceStrokes three-hatching/hand.worker, all else three-hatching/bake.worker.`,
         );
       await task.prepare?.(request);
+      let said = -Infinity;
       const result = await runSliced(task.run(request), {
         signal: controller.signal,
-        onProgress: (progress) => scope.postMessage({ type: 'progress', id, progress }),
+        onProgress: (progress) => {
+          const now = performance.now();
+          if (now < said + PROGRESS_MS) return;
+          said = now;
+          scope.postMessage({ type: 'progress', id, progress });
+        },
       });
       scope.postMessage({ type: 'done', id, result }, task.resultBuffers(result));
     } catch (error) {

@@ -8,32 +8,49 @@ const CELLS = 96;
  * a second for ten million triangles, and keeps some hundred thousand of them.
  */
 export function clusterMesh({ positions, colors, indices }: PlainMesh): PlainMesh {
-  const side = 2 * CELLS + 2;
-  const numbers = new Int32Array(side ** 3);
-  const count = positions.length / 3;
-  const clusterOf = new Uint32Array(count);
-  let clusters = 0;
-  for (let i = 0; i < count; i++) {
-    let cell = 0;
-    for (let axis = 2; axis >= 0; axis--) cell = cell * side + Math.floor((positions[3 * i + axis] + 1) * CELLS);
-    if (numbers[cell] === 0) numbers[cell] = ++clusters;
-    clusterOf[i] = numbers[cell] - 1;
-  }
-  const sizes = new Uint32Array(clusters);
-  for (let i = 0; i < count; i++) sizes[clusterOf[i]]++;
-  const means = (values: Float32Array): Float32Array => {
-    const sums = new Float64Array(3 * clusters);
-    for (let i = 0; i < count; i++) {
-      for (let k = 0; k < 3; k++) sums[3 * clusterOf[i] + k] += values[3 * i + k];
-    }
-    return Float32Array.from(sums, (sum, i) => sum / sizes[Math.floor(i / 3)]);
-  };
+  const { clusterOf, sizes } = findClusters(positions);
   return {
-    positions: means(positions),
+    positions: meansOf(positions, clusterOf, sizes),
     normals: null,
-    colors: colors && means(colors),
+    colors: colors && meansOf(colors, clusterOf, sizes),
     indices: joinCorners(indices, clusterOf),
   };
+}
+
+/** The cluster of each vertex, in the order of their first ones, and how many vertices each has. */
+function findClusters(positions: Float32Array): { clusterOf: Uint32Array; sizes: Uint32Array } {
+  const side = 2 * CELLS + 2;
+  const numbers = new Int32Array(side ** 3);
+  const clusterOf = new Uint32Array(positions.length / 3);
+  let clusters = 0;
+  for (let vertex = 0, i = 0; vertex < clusterOf.length; vertex++, i += 3) {
+    // No coordinate is less than -1, so this rounds down.
+    const x = ((positions[i] + 1) * CELLS) | 0;
+    const y = ((positions[i + 1] + 1) * CELLS) | 0;
+    const z = ((positions[i + 2] + 1) * CELLS) | 0;
+    const cell = (z * side + y) * side + x;
+    if (numbers[cell] === 0) numbers[cell] = ++clusters;
+    clusterOf[vertex] = numbers[cell] - 1;
+  }
+  const sizes = new Uint32Array(clusters);
+  for (let vertex = 0; vertex < clusterOf.length; vertex++) sizes[clusterOf[vertex]]++;
+  return { clusterOf, sizes };
+}
+
+/** The mean of three values over each cluster. */
+function meansOf(values: Float32Array, clusterOf: Uint32Array, sizes: Uint32Array): Float32Array {
+  const sums = new Float64Array(3 * sizes.length);
+  for (let vertex = 0, i = 0; vertex < clusterOf.length; vertex++, i += 3) {
+    const cluster = 3 * clusterOf[vertex];
+    sums[cluster] += values[i];
+    sums[cluster + 1] += values[i + 1];
+    sums[cluster + 2] += values[i + 2];
+  }
+  const means = new Float32Array(sums.length);
+  for (let cluster = 0, i = 0; cluster < sizes.length; cluster++, i += 3) {
+    for (let k = i; k < i + 3; k++) means[k] = sums[k] / sizes[cluster];
+  }
+  return means;
 }
 
 /** The triangles whose corners are three different vertices still. */

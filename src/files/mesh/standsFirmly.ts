@@ -1,14 +1,16 @@
 import { boundsOf } from './boundsOf.js';
-import { forEachTriangle } from './triangleAreas.js';
+import { areaOf } from './triangleAreas.js';
 
 /** How far above the lowest point a vertex may lie and still touch the ground, as a share of the model's extent. */
 const CONTACT = 0.005;
 /** A model stands firmly if it can be tilted by 20 degrees in any direction and does not fall over. */
 const TILT = Math.tan((20 * Math.PI) / 180);
+/** Of a larger mesh so many triangles are looked at, which are enough to know its centre. */
+const SAMPLED_TRIANGLES = 250_000;
 /** The number of directions in which it is tilted. */
 const DIRECTIONS = Array.from({ length: 24 }, (_, i) => {
   const angle = (2 * Math.PI * i) / 24;
-  return [Math.cos(angle), Math.sin(angle)] as const;
+  return { cos: Math.cos(angle), sin: Math.sin(angle) };
 });
 
 /**
@@ -27,22 +29,34 @@ export function standsFirmly(positions: ArrayLike<number>, indices: ArrayLike<nu
   const centre = centreOfArea(positions, indices);
   /** How far the vertices on the ground reach in each direction, from the point below the centre. */
   const reach = DIRECTIONS.map(() => -Infinity);
+  const contact = CONTACT * extent;
   for (let i = 0; i < positions.length; i += 3) {
-    if (positions[i + height] - lowest > CONTACT * extent) continue;
-    DIRECTIONS.forEach(([cos, sin], k) => {
-      reach[k] = Math.max(reach[k], cos * (positions[i + u] - centre[u]) + sin * (positions[i + v] - centre[v]));
-    });
+    if (positions[i + height] - lowest > contact) continue;
+    const x = positions[i + u] - centre[u];
+    const y = positions[i + v] - centre[v];
+    // A plain loop: in a large model many vertices are on the ground.
+    for (let k = 0; k < DIRECTIONS.length; k++) {
+      const { cos, sin } = DIRECTIONS[k];
+      reach[k] = Math.max(reach[k], cos * x + sin * y);
+    }
   }
   return Math.min(...reach) > TILT * (centre[height] - lowest);
 }
 
+/** The centre of the triangles, by their areas. */
 function centreOfArea(positions: ArrayLike<number>, indices: ArrayLike<number> | null): number[] {
   let [x, y, z, total] = [0, 0, 0, 0];
-  forEachTriangle(positions, indices, (a, b, c, area) => {
+  const count = indices?.length ?? positions.length / 3;
+  const step = 3 * Math.ceil(count / 3 / SAMPLED_TRIANGLES);
+  for (let corner = 0; corner + 2 < count; corner += step) {
+    const a = 3 * (indices ? indices[corner] : corner);
+    const b = 3 * (indices ? indices[corner + 1] : corner + 1);
+    const c = 3 * (indices ? indices[corner + 2] : corner + 2);
+    const area = areaOf(positions, a, b, c);
     total += area;
     x += area * (positions[a] + positions[b] + positions[c]);
     y += area * (positions[a + 1] + positions[b + 1] + positions[c + 1]);
     z += area * (positions[a + 2] + positions[b + 2] + positions[c + 2]);
-  });
+  }
   return [x, y, z].map((sum) => sum / (3 * total));
 }

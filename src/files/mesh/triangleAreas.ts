@@ -1,23 +1,3 @@
-/**
- * Calls back with every triangle of a mesh: the index of each corner's x among the positions, and the area.
- *
- * @param positions xyz of each vertex
- * @param indices three per triangle, or null if every three vertices make one
- */
-export function forEachTriangle(
-  positions: ArrayLike<number>,
-  indices: ArrayLike<number> | null,
-  visit: (a: number, b: number, c: number, area: number) => void,
-): void {
-  const count = indices?.length ?? positions.length / 3;
-  for (let corner = 0; corner + 2 < count; corner += 3) {
-    const a = 3 * (indices ? indices[corner] : corner);
-    const b = 3 * (indices ? indices[corner + 1] : corner + 1);
-    const c = 3 * (indices ? indices[corner + 2] : corner + 2);
-    visit(a, b, c, areaOf(positions, a, b, c));
-  }
-}
-
 /** Whether the area of all triangles together is less than this one. Of most meshes few have to be looked at. */
 export function isAreaLess(positions: ArrayLike<number>, indices: ArrayLike<number> | null, least: number): boolean {
   let sum = 0;
@@ -29,7 +9,8 @@ export function isAreaLess(positions: ArrayLike<number>, indices: ArrayLike<numb
   return sum < least;
 }
 
-function areaOf(positions: ArrayLike<number>, a: number, b: number, c: number): number {
+/** The area of the triangle whose corners have their coordinates from these places on. */
+export function areaOf(positions: ArrayLike<number>, a: number, b: number, c: number): number {
   const ux = positions[b] - positions[a];
   const uy = positions[b + 1] - positions[a + 1];
   const uz = positions[b + 2] - positions[a + 2];

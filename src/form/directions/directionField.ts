@@ -1,6 +1,6 @@
+import { type Cells, type CoarseGraph, clusterNodes, coarsen } from '../../adjacency/cells.js';
 import { asPhase } from '../../slices/asPhase.js';
 import { forEachChunk } from '../../slices/forEachChunk.js';
-import { type Cells, type CoarseGraph, clusterNodes, coarsen } from '../cells.js';
 import type { FormOptions } from '../FormOptions.js';
 import type { FormSurface } from '../FormSurface.js';
 import { bendSigns } from './bendSigns.js';

@@ -1,6 +1,6 @@
+import { type Cells, type CoarseGraph, clusterNodes, coarsen } from '../../adjacency/cells.js';
 import { asPhase } from '../../slices/asPhase.js';
 import { forEachChunk } from '../../slices/forEachChunk.js';
-import { type Cells, type CoarseGraph, clusterNodes, coarsen } from '../cells.js';
 import type { PhaseMatrix } from './phaseMatrix.js';
 
 /** One level of the hierarchy: the fans, then cells of fans, then cells of cells. */

@@ -1,8 +1,8 @@
+import type { Graph } from '../../adjacency/cells.js';
 import { doubleArea } from '../../mesh/computeAreaNormals.js';
 import { nextCorner, previousCorner } from '../../mesh/corners.js';
 import { asPhase } from '../../slices/asPhase.js';
 import { forEachChunk } from '../../slices/forEachChunk.js';
-import type { Graph } from '../cells.js';
 import type { FormSeam } from '../cutForm.js';
 import type { FormSurface } from '../FormSurface.js';
 import { NO_OFFSET, type SeamRelations } from './seamRelations.js';

@@ -1,5 +1,5 @@
+import type { Cells } from '../../adjacency/cells.js';
 import { asPhase } from '../../slices/asPhase.js';
-import type { Cells } from '../cells.js';
 import type { FormSeam } from '../cutForm.js';
 import type { FormSurface } from '../FormSurface.js';
 import { conjugateGradients, type Patience } from './conjugateGradients.js';

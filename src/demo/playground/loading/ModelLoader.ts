@@ -15,6 +15,7 @@ import { loadModelFiles } from '../../files/loadModelFiles.js';
 import { BUILT_IN_MODELS, type BuiltInModel } from '../../models/models.js';
 import { setPageState } from '../../page/setPageState.js';
 import type { Stage } from '../../stage/Stage.js';
+import { whenDrawn } from '../../stage/whenDrawn.js';
 import { page } from '../elements/page.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
 import type { lightModel } from './lightModel.js';
@@ -252,7 +253,7 @@ export class ModelLoader {
       if (!stage.shown.drawn) void techniques.then(() => stage.buildAhead());
       const [loaded] = await Promise.all([load(report, signal), techniques]);
       this.showStandIn(loaded, way);
-      if (this.hasStandIn) await afterFrame();
+      if (this.hasStandIn) await afterFrame(stage.context);
       signal.throwIfAborted();
       const built = await buildModel(loaded.read, report, signal);
       try {
@@ -359,18 +360,25 @@ export class ModelLoader {
   }
 }
 
-/** How long a frame is waited for at most, in milliseconds: a page in the background draws none. */
-const FRAME_PATIENCE = 100;
+/** How long a frame is waited for at most until it is handed over: a page in the background draws none. */
+const FRAME_MILLISECONDS = 100;
+/** How long it is waited for at most until it is drawn. */
+const DRAWING_MILLISECONDS = 1000;
 
-/** Resolves when the page has handed over its next frame, so that long work after it does not delay it. */
-function afterFrame(): Promise<void> {
-  return new Promise((resolve) => {
-    const timer = setTimeout(resolve, FRAME_PATIENCE);
-    requestAnimationFrame(() => {
-      clearTimeout(timer);
-      setTimeout(resolve);
-    });
-  });
+/**
+ * Resolves when the next frame is on the page. Long work waits for it: on a machine without a graphics card the two would share its
+ * processor, and the frame would take twice as long.
+ */
+async function afterFrame(context: WebGL2RenderingContext): Promise<void> {
+  await within(FRAME_MILLISECONDS, new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve))));
+  await within(DRAWING_MILLISECONDS, whenDrawn(context));
+}
+
+/** Resolves as soon as something does, or after some milliseconds. */
+async function within(milliseconds: number, task: Promise<unknown>): Promise<void> {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  await Promise.race([task, new Promise((resolve) => (timer = setTimeout(resolve, milliseconds)))]);
+  clearTimeout(timer);
 }
 
 const fetchLight = async (): Promise<typeof lightModel> => (await import('./lightModel.js')).lightModel;

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { type Cells, clusterNodes, coarsen, type Graph, NONE } from '../../../src/form/cells.js';
+import { type Cells, clusterNodes, coarsen, type Graph, NONE } from '../../../src/adjacency/cells.js';
 import { finish } from '../mesh/meshes.js';
 
 /** A graph from its edges. */
