@@ -3,6 +3,7 @@ import type { TriangleMesh } from '../mesh/TriangleMesh.js';
 import { weldPositions } from '../mesh/weldPositions.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
+import { release } from '../slices/release.js';
 import type { EdgeCounts } from './EdgeCounts.js';
 import { joinBorders, type Nearness } from './joinBorders.js';
 import { pairEdges } from './pairEdges.js';
@@ -59,13 +60,17 @@ function* weldCorners({
   indices,
 }: TriangleMesh): Generator<number, Pick<TriangleAdjacency, 'canonicalCorners' | 'steps'>, void> {
   const { canonical, steps } = yield* asPhase(weldPositions(positions), 0, 0.8);
-  if (isIdentity(canonical)) return { canonicalCorners: indices, steps };
+  if (isIdentity(canonical)) {
+    release(canonical);
+    return { canonicalCorners: indices, steps };
+  }
   const canonicalCorners = new Uint32Array(indices.length);
   yield* asPhase(
     forEachChunk(indices.length, (start, end) => gatherRange(canonical, indices, canonicalCorners, start, end)),
     0.8,
     1,
   );
+  release(canonical);
   return { canonicalCorners, steps };
 }
 

@@ -1,5 +1,6 @@
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
+import { release } from '../slices/release.js';
 
 /** A graph: the neighbours of node i lie in entries starts[i] … starts[i + 1] − 1. Each edge has two entries, one for each end. */
 export interface Graph {
@@ -35,10 +36,9 @@ export interface Cells {
  */
 export function* clusterNodes(graph: Graph, rings: number, isWall?: Uint8Array): Generator<number, Cells, void> {
   const nodeCount = graph.starts.length - 1;
-  const walls = isWall ?? new Uint8Array(graph.neighbours.length);
   const order = new Uint32Array(nodeCount);
   const search: SeedSearch = {
-    walls,
+    isWall,
     rings,
     seeds: order,
     seedCount: 0,
@@ -51,6 +51,7 @@ export function* clusterNodes(graph: Graph, rings: number, isWall?: Uint8Array):
     0,
     0.5,
   );
+  release(search.depths, search.stamps);
   const count = search.seedCount;
   const ofNode = search.queue;
   const cells: Cells = {
@@ -66,7 +67,7 @@ export function* clusterNodes(graph: Graph, rings: number, isWall?: Uint8Array):
   let reached = count;
   yield* asPhase(
     forEachChunk(nodeCount, (start, end) => {
-      reached = growRange(graph, walls, cells, reached, start, end);
+      reached = growRange(graph, isWall, cells, reached, start, end);
     }),
     0.5,
     1,
@@ -79,7 +80,7 @@ const UNREACHED = 0xffffffff;
 
 /** What the search for seeds keeps between ranges. */
 interface SeedSearch {
-  walls: Uint8Array;
+  isWall: Uint8Array | undefined;
   rings: number;
   seeds: Uint32Array;
   seedCount: number;
@@ -92,7 +93,7 @@ interface SeedSearch {
 }
 
 function seedRange({ starts, neighbours }: Graph, search: SeedSearch, start: number, end: number): void {
-  const { walls, rings, seeds, queue, depths, stamps } = search;
+  const { isWall, rings, seeds, queue, depths, stamps } = search;
   let { seedCount } = search;
   for (let seed = start; seed < end; seed++) {
     if (stamps[seed] !== NONE) continue;
@@ -104,7 +105,7 @@ function seedRange({ starts, neighbours }: Graph, search: SeedSearch, start: num
       const node = queue[head];
       for (let entry = starts[node]; entry < starts[node + 1]; entry++) {
         const neighbour = neighbours[entry];
-        if (stamps[neighbour] === seedCount || walls[entry] === 1) continue;
+        if (stamps[neighbour] === seedCount || isWall?.[entry] === 1) continue;
         stamps[neighbour] = seedCount;
         depths[neighbour] = depths[node] + 1;
         queue[length++] = neighbour;
@@ -118,7 +119,7 @@ function seedRange({ starts, neighbours }: Graph, search: SeedSearch, start: num
 /** Lets the nodes of a range of `order` reach their neighbours. Returns how many nodes are reached then. */
 function growRange(
   { starts, neighbours }: Graph,
-  walls: Uint8Array,
+  isWall: Uint8Array | undefined,
   { ofNode, order, parents, parentEntries }: Cells,
   reachedBefore: number,
   start: number,
@@ -129,7 +130,7 @@ function growRange(
     const node = order[i];
     for (let entry = starts[node]; entry < starts[node + 1]; entry++) {
       const neighbour = neighbours[entry];
-      if (ofNode[neighbour] !== UNREACHED || walls[entry] === 1) continue;
+      if (ofNode[neighbour] !== UNREACHED || isWall?.[entry] === 1) continue;
       ofNode[neighbour] = ofNode[node];
       parents[neighbour] = node;
       parentEntries[neighbour] = entry;
@@ -154,12 +155,24 @@ export function* coarsen(graph: Graph, { ofNode, count }: Cells): Generator<numb
   const members = new Uint32Array(nodeCount);
   for (let node = nodeCount - 1; node >= 0; node--) members[--ends[ofNode[node]]] = node;
   const starts = new Uint32Array(count + 1);
-  const neighbours = new Uint32Array(graph.neighbours.length);
+  const neighbours = new Uint32Array(countBetween(graph, ofNode));
   const ofEntry = new Int32Array(graph.neighbours.length);
   const marks = new Int32Array(count).fill(NONE);
   const coarse = { starts, neighbours, ofEntry };
   yield* forEachChunk(count, (start, end) => joinRange(graph, ofNode, members, ends, coarse, marks, start, end));
-  return { starts, neighbours: neighbours.slice(0, starts[count]), ofEntry };
+  const joined = neighbours.slice(0, starts[count]);
+  release(members, ends, marks, neighbours);
+  return { starts, neighbours: joined, ofEntry };
+}
+
+/** The number of entries that lead from one cell to another. */
+function countBetween({ starts, neighbours }: Graph, ofNode: Uint32Array): number {
+  let count = 0;
+  for (let node = 0; node < ofNode.length; node++) {
+    const cell = ofNode[node];
+    for (let entry = starts[node]; entry < starts[node + 1]; entry++) if (ofNode[neighbours[entry]] !== cell) count++;
+  }
+  return count;
 }
 
 /**

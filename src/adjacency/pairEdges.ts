@@ -2,6 +2,7 @@ import { isDegenerate } from '../mesh/computeAreaNormals.js';
 import { NO_TWIN, nextCorner } from '../mesh/corners.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
+import { release } from '../slices/release.js';
 import type { EdgeCounts } from './EdgeCounts.js';
 import { matchNonManifoldEdge } from './matchNonManifoldEdge.js';
 
@@ -80,6 +81,7 @@ export function* pairEdges(
     0.45,
     1,
   );
+  release(starts, buckets.corners, buckets.highs, pairs.latest);
   return pairing;
 }
 

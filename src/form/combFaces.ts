@@ -61,7 +61,7 @@ function* distancesFromEnds(
       }
       const fan = queue[i];
       for (let entry = starts[fan]; entry < starts[fan + 1]; entry++) {
-        const neighbour = neighbours[entry] / 3;
+        const neighbour = neighbours[entry];
         if (distances[neighbour] !== UNREACHED) continue;
         distances[neighbour] = distances[fan] + 1;
         queue[reached++] = neighbour;

@@ -1,4 +1,5 @@
 import { forEachChunk } from '../slices/forEachChunk.js';
+import { release } from '../slices/release.js';
 import { hashWords } from './hashWords.js';
 
 /** What `weldPositions` returns. */
@@ -31,6 +32,7 @@ export function* weldPositions(positions: Float32Array<ArrayBuffer>): Generator<
   yield* forEachChunk(vertexCount, (start, end) => {
     steps += weldRange(bits, table, canonical, start, end);
   });
+  release(table);
   return { canonical, steps };
 }
 

@@ -3,6 +3,7 @@ import { NO_TWIN } from '../mesh/corners.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
+import { release } from '../slices/release.js';
 import type { Fans } from './buildFans.js';
 import type { SortedFans } from './sortFans.js';
 
@@ -26,8 +27,8 @@ export interface FanSurface {
 export interface HeatEquation {
   /** The edges of fan i lie in entries starts[i] … starts[i + 1] − 1. */
   starts: Uint32Array;
-  /** For each edge the offset of the vector at its other end: three times the number of the fan there. */
-  neighbours: Int32Array;
+  /** For each edge the number of the fan at its other end. */
+  neighbours: Uint32Array;
   /** For each edge half the sum of the cotangents of the two angles opposite to it. */
   weights: Float32Array;
   /** For each fan a third of the area of its triangles. */
@@ -64,7 +65,7 @@ export function* assembleHeatEquation(
   }
   const heat: HeatEquation = {
     starts,
-    neighbours: new Int32Array(edgeCount),
+    neighbours: new Uint32Array(edgeCount),
     weights: new Float32Array(edgeCount),
     masses,
     degrees: new Float64Array(count),
@@ -74,6 +75,7 @@ export function* assembleHeatEquation(
     0.4,
     1,
   );
+  release(cotangents);
   return heat;
 }
 
@@ -128,12 +130,12 @@ function scatterRange(
       const twin = twins[edge];
       const weight = 0.5 * (cotangents[edge] + (twin === NO_TWIN ? 0 : cotangents[twin]));
       let slot = --starts[from];
-      neighbours[slot] = 3 * to;
+      neighbours[slot] = to;
       weights[slot] = weight;
       degrees[from] += Math.abs(weight);
       if (twin === NO_TWIN) {
         slot = --starts[to];
-        neighbours[slot] = 3 * from;
+        neighbours[slot] = from;
         weights[slot] = weight;
         degrees[to] += Math.abs(weight);
       }

@@ -1,6 +1,7 @@
 import { type Cells, type CoarseGraph, clusterNodes, coarsen, NONE } from '../adjacency/cells.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
+import { release } from '../slices/release.js';
 import type { HeatEquation } from './assembleHeatEquation.js';
 import type { HeatLevel } from './HeatLevel.js';
 import { orderBySize } from './orderBySize.js';
@@ -23,9 +24,9 @@ export interface CoarseHeat extends PlacedHeat {
  * sums of the nodes' weights, heat would spread as many times too fast as a cell is nodes wide.
  */
 export function* coarsenHeat({ heat, places, shares }: PlacedHeat): Generator<number, CoarseHeat, void> {
-  const graph = { starts: heat.starts, neighbours: numbersOf(heat.neighbours) };
-  const cells = yield* asPhase(clusterNodes(graph, RINGS), 0, 0.4);
-  const coarse = yield* asPhase(coarsen(graph, cells), 0.4, 0.7);
+  const cells = yield* asPhase(clusterNodes(heat, RINGS), 0, 0.4);
+  release(cells.order, cells.parents, cells.parentEntries);
+  const coarse = yield* asPhase(coarsen(heat, cells), 0.4, 0.7);
   const { masses, centres } = centresOf(heat.masses, places, cells);
   const fluxes = new Float64Array(3 * coarse.neighbours.length);
   yield* asPhase(
@@ -34,15 +35,9 @@ export function* coarsenHeat({ heat, places, shares }: PlacedHeat): Generator<nu
     0.9,
   );
   const weights = weightsOf(coarse, centres, fluxes);
+  release(coarse.ofEntry, fluxes);
   const cellShares = shares && Float32Array.from(cells.seeds, (seed) => shares[seed]);
   return yield* asPhase(sortCells({ cells, coarse, masses, centres, weights, cellShares }), 0.9, 1);
-}
-
-/** Numbers of nodes, from the offsets of their vectors. */
-function numbersOf(offsets: Int32Array): Uint32Array {
-  const numbers = new Uint32Array(offsets.length);
-  for (let i = 0; i < numbers.length; i++) numbers[i] = offsets[i] / 3;
-  return numbers;
 }
 
 /** The mass of each cell and its centre of mass. A cell without mass has its seed as its centre. */
@@ -83,7 +78,7 @@ function sumFluxes(
     for (let entry = starts[node]; entry < starts[node + 1]; entry++) {
       if (ofEntry[entry] === NONE) continue;
       const at = 3 * ofEntry[entry];
-      const neighbour = neighbours[entry];
+      const neighbour = 3 * neighbours[entry];
       const weight = weights[entry];
       fluxes[at] += weight * (places[3 * node] - places[neighbour]);
       fluxes[at + 1] += weight * (places[3 * node + 1] - places[neighbour + 1]);
@@ -143,7 +138,7 @@ function* sortCells({
   for (let i = 0; i < count; i++) numbers[order[i]] = i;
   const heat = {
     starts: new Uint32Array(count + 1),
-    neighbours: new Int32Array(weights.length),
+    neighbours: new Uint32Array(weights.length),
     weights: new Float32Array(weights.length),
     masses: new Float64Array(count),
     degrees: new Float64Array(count),
@@ -153,7 +148,7 @@ function* sortCells({
   for (let i = 0; i < count; i++) {
     const cell = order[i];
     for (let entry = coarse.starts[cell]; entry < coarse.starts[cell + 1]; entry++) {
-      heat.neighbours[length] = 3 * numbers[coarse.neighbours[entry]];
+      heat.neighbours[length] = numbers[coarse.neighbours[entry]];
       heat.weights[length] = weights[entry];
       heat.degrees[i] += weights[entry];
       length++;

@@ -2,6 +2,7 @@ import { doubleArea } from '../mesh/computeAreaNormals.js';
 import { NO_TWIN, triangleOf } from '../mesh/corners.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
+import { release } from '../slices/release.js';
 
 /**
  * An edge is sharp if the filtered normals of its triangles differ by more than this. It is below 60°, so that the edges of a
@@ -50,6 +51,7 @@ export function* cutSharpEdges(twins: Int32Array, areaNormals: Float64Array): Ge
     1 - share,
     1,
   );
+  release(areas, normals, filtered);
 }
 
 /** Splits the area normals of a range of triangles into double areas and unit normals. */

@@ -1,4 +1,5 @@
 import { asPhase } from '../slices/asPhase.js';
+import { release } from '../slices/release.js';
 import { type CoarseHeat, coarsenHeat } from './coarsenHeat.js';
 import type { HeatLevel } from './HeatLevel.js';
 import { flow, highestRate, limitRate, twiceP } from './heatFlow.js';
@@ -52,6 +53,7 @@ export function* diffuse(
   if (!coarse) return results;
   const left = far.map((i) => times[i] - (2 * OVERLAP_STEPS) / rate);
   const means = meansOf(flowed.at(-1)!, level.heat.masses, coarse);
+  release(flowed.at(-1)!);
   const onCells = yield* asPhase(diffuse(coarse, means, left), 0.5, 0.7);
   for (const [k, i] of far.entries()) {
     const smoothing = flow(matrix, onNodes(onCells[k], coarse), [overlap]);

@@ -4,6 +4,7 @@ import { triangleOf } from '../mesh/corners.js';
 import { disjointSets, join, rootOf } from '../mesh/disjointSets.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
+import { release } from '../slices/release.js';
 
 /** The patches of a mesh: sets of triangles that are connected across edges with twins. */
 export interface Patches {
@@ -36,6 +37,7 @@ export function* findPatches({
     0.6,
     0.8,
   );
+  release(parents);
   const areas = new Float64Array(patchCount);
   const sizes = new Uint32Array(patchCount);
   yield* asPhase(

@@ -1,3 +1,4 @@
+import { release } from '../slices/release.js';
 import type { HeatEquation } from './assembleHeatEquation.js';
 
 /** The largest rate of mixing, as a multiple of the mean rate. Nodes of very small triangles are slowed down to it. */
@@ -58,7 +59,7 @@ export function twiceP(
 /**
  * Computes Σ cₖ·Tₖ(P)·values for each series of coefficients cₖ, where P = 1 − L/rate and L is the Laplacian, by the recurrence
  * of the Chebyshev polynomials. With the coefficients of `heatSeries` that is e^(−steps·(1 − P))·values.
- * Overwrites `values`.
+ * `values` are lost.
  */
 export function* flow(
   matrix: Mixing,
@@ -87,9 +88,10 @@ export function* flow(
       if (run % RUNS_PER_YIELD === 0) yield (k - 1 + end / nodeCount) / passes;
       start = end;
     }
-    if (k === 1) previous = scaled(previous, share);
+    if (k === 1) for (let i = 0; i < previous.length; i++) previous[i] *= share;
     [current, previous] = [previous, current];
   }
+  release(current, previous);
   return results;
 }
 
@@ -144,7 +146,7 @@ function stepRun(
     let y = own * current[i + 1] - previous[i + 1];
     let z = own * current[i + 2] - previous[i + 2];
     for (const last = edge + size; edge < last; edge++) {
-      const neighbour = neighbours[edge];
+      const neighbour = Math.imul(3, neighbours[edge]);
       const weight = weights[edge];
       x += weight * current[neighbour];
       y += weight * current[neighbour + 1];

@@ -1,5 +1,6 @@
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
+import { release } from '../slices/release.js';
 import type { FanSurface } from './assembleHeatEquation.js';
 import type { SortedFans } from './sortFans.js';
 
@@ -31,6 +32,7 @@ export function* meanNormals(
     0.5,
     1,
   );
+  release(sums);
   return { normals, masses };
 }
 

@@ -1,5 +1,6 @@
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
+import { release } from '../slices/release.js';
 import { assembleHeatEquation, type FanSurface, type HeatEquation } from './assembleHeatEquation.js';
 import { diffuse, isFar } from './diffuse.js';
 import { highestRate } from './heatFlow.js';
@@ -29,6 +30,7 @@ export function* smoothFanNormals(
   const places = times.some((time) => isFar(time * rate)) ? placesOf(surface, order) : undefined;
   const level = { heat, places, shares: shares && gathered(shares, order) };
   const results = yield* asPhase(diffuse(level, normals, times), 0.25, 0.98);
+  release(heat.starts, heat.neighbours, heat.weights, heat.masses, heat.degrees);
   return yield* asPhase(inOrderOfFans(results, order), 0.98, 1);
 }
 
@@ -42,7 +44,9 @@ interface NormalFlow {
 function* startFlow(surface: FanSurface): Generator<number, NormalFlow & { order: Uint32Array<ArrayBuffer> }, void> {
   const sorted = yield* asPhase(sortFans(surface), 0, 0.2);
   const { normals, masses } = yield* asPhase(meanNormals(surface, sorted), 0.2, 0.4);
-  return { order: sorted.order, normals, heat: yield* asPhase(assembleHeatEquation(surface, masses, sorted), 0.4, 1) };
+  const heat = yield* asPhase(assembleHeatEquation(surface, masses, sorted), 0.4, 1);
+  release(sorted.numbers);
+  return { order: sorted.order, normals, heat };
 }
 
 /** Where each of the sorted fans lies: its vertex. */
@@ -73,7 +77,9 @@ function* inOrderOfFans(
     const target = new Float32Array(result.length);
     targets.set(result, target);
     yield* forEachChunk(order.length, (start, end) => scatterVectors(result, order, target, start, end));
+    release(result);
   }
+  release(order);
   return results.map((result) => targets.get(result)!);
 }
 

@@ -1,6 +1,7 @@
 import { NO_TWIN, nextCorner } from '../mesh/corners.js';
 import { asPhase } from '../slices/asPhase.js';
 import { forEachChunk } from '../slices/forEachChunk.js';
+import { release } from '../slices/release.js';
 import type { Fans } from './buildFans.js';
 import { orderBySize } from './orderBySize.js';
 
@@ -31,6 +32,7 @@ export function* sortFans(surface: CutSurface): Generator<number, SortedFans, vo
     numbers[order[i]] = i;
     sizes[i] = unsorted[order[i]];
   }
+  release(unsorted);
   return { order, numbers, sizes };
 }
 

@@ -29,7 +29,7 @@ export function* assembleConnection(
   const fanCount = heat.masses.length;
   const connection: Connection = {
     starts: heat.starts,
-    neighbours: new Uint32Array(heat.neighbours.length),
+    neighbours: heat.neighbours,
     transports: new Float32Array(2 * heat.neighbours.length),
     degrees: new Float64Array(fanCount),
   };
@@ -52,8 +52,8 @@ function assembleRange(
     const own = FRAME_FLOATS * fan;
     let degree = 0;
     for (let entry = starts[fan]; entry < starts[fan + 1]; entry++) {
-      const neighbour = heat.neighbours[entry];
-      const other = (FRAME_FLOATS / 3) * neighbour;
+      const neighbour = 3 * neighbours[entry];
+      const other = FRAME_FLOATS * neighbours[entry];
       const mx = normals[neighbour] + nx;
       const my = normals[neighbour + 1] + ny;
       const mz = normals[neighbour + 2] + nz;
@@ -69,7 +69,6 @@ function assembleRange(
       const sine = tx * frames[own + 3] + ty * frames[own + 4] + tz * frames[own + 5];
       const weight = Math.max(heat.weights[entry], LEAST_WEIGHT);
       const perSquare = weight / (cosine * cosine + sine * sine || 1);
-      neighbours[entry] = neighbour / 3;
       transports[2 * entry] = perSquare * (cosine * cosine - sine * sine);
       transports[2 * entry + 1] = 2 * perSquare * cosine * sine;
       degree += weight;
