@@ -88,6 +88,15 @@ test('the first model is read by one worker that was begun before the page’s s
   const other = await opened('model=cube&technique=triangle&outlines=off&mapSize=64&mapTones=4');
   expect(other.slice(0, other.indexOf('|'))).toEqual(['graphics']);
   expect(other.filter((name) => name.startsWith('dragon'))).toEqual([]);
+  // A script that comes after the page's own would do once more what that has done.
+  await page.goto('about:blank');
+  await page.route(/\/ahead-[^/]*\.js$/, async (route) => {
+    await page.waitForFunction(() => window.__playground);
+    await route.continue();
+  });
+  const late = await opened('model=cube&technique=triangle&outlines=off&mapSize=64&mapTones=4');
+  expect(late).toContain('index');
+  expect(late).not.toContain('graphics');
 });
 
 test('what nobody has opened yet opens without a connection, once the page has been idle', async ({

@@ -35,9 +35,10 @@ close();
 
 /**
  * What runs before the first scripts are there: graphics are set up, and a worker fetches and reads the first model, if the address asks
- * for no other. `rendererAhead` and `takeReadAhead` take what comes of it.
+ * for no other. `rendererAhead` and `takeReadAhead` take what comes of it. Where this script comes late, the page has done so itself.
  */
-const scriptAhead = (graphics: string, model: string, worker: string): string => `try {
+const scriptAhead = (graphics: string, model: string, worker: string): string => `if (!self.hatchingHasBegun) {
+try {
   const worker = new Worker(${JSON.stringify(graphics)});
   self.hatchingRenderer = new Promise((resolve) => {
     worker.onmessage = ({ data }) => resolve(data);
@@ -59,6 +60,7 @@ if (location.hash.length < 2 && !history.state?.drawing) {
     files.then((content) => worker.postMessage(content)).catch(() => {});
     self.hatchingReadAhead = ahead;
   } catch {}
+}
 }
 `;
 
@@ -95,7 +97,10 @@ export const fetchedAhead: Plugin = {
       .filter((file) => !html.includes(file))
       .map((file) => `    <link rel="modulepreload" crossorigin href="./${file}">\n`);
     page.source = html
-      .replace(/^ *<script type="module"/m, (first) => `    <script async src="./${name}"></script>\n${first}`)
+      .replace(
+        /^ *<script type="module"/m,
+        (first) => `    <script async fetchpriority="high" src="./${name}"></script>\n${first}`,
+      )
       .replace('  </head>', `${links.join('')}  </head>`);
   },
 };
