@@ -26,6 +26,10 @@ const resultOf = (benchmark: string) =>
 
 const rounded = (value: number, digits: number): number => Number(value.toFixed(digits));
 
+test('every benchmark says what its numbers mean', () => {
+  expect(DOCUMENTS['docs/benchmarks.md']).not.toMatch(/\b(undefined|NaN|null)\b/);
+});
+
 const WORDS = [
   'zero',
   'one',
