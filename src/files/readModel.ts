@@ -62,7 +62,7 @@ export interface ReadMesh extends Read {
   pictures: (MeshPicture | undefined)[];
   /** Normals for a stand-in that is drawn until the mesh is baked; null if it needs none, or another mesh stands in for it. */
   plainNormals: Float32Array | null;
-  /** Whether the stand-in encloses something, so that the backs of its triangles are not seen. */
+  /** Whether the stand-in encloses something, so that the backs of its triangles are not seen. False if there are no `plainNormals`. */
   isClosed: boolean;
   /** The axis that points up by the model's flat side, if that is not the usual one of its format. */
   stands: UpAxis | undefined;
@@ -155,6 +155,7 @@ async function readMain(
   const { mesh: distinct, duplicates } = dropDuplicates(merged);
   const { mesh, broken } = cleanMesh(distinct);
   fitModel(mesh);
+  const normals = plainNormals(mesh);
   const { pictures, notes, ...lacks } = await readMeshPictures(wanted, findFile, decodePicture, (number, count) =>
     onStage(`decoding picture ${number} of ${count}`),
   );
@@ -165,8 +166,8 @@ async function readMain(
     upAxis,
     mesh,
     pictures,
-    plainNormals: plainNormals(mesh),
-    isClosed: isClosed(mesh),
+    plainNormals: normals,
+    isClosed: normals !== null && isClosed(mesh),
     stands: usual && findUpAxis(mesh.positions, mesh.indices, usual),
     missing,
     notes: [...missingNote(missing), ...thinNote(mesh.positions, mesh.indices), ...parsed.notes, ...notes],

@@ -52,14 +52,15 @@ export async function simplified(
   ]);
   await MeshoptSimplifier.ready;
   const { mesh, error } = simplifyMesh(model.mesh, MeshoptSimplifier, onProgress, most);
+  const normals = plainNormals(mesh);
   const [all, drawn] = [model.mesh, mesh].map((one) => triangleCount(one).toLocaleString('en'));
   const share = (100 * error).toFixed(2);
   const pixels = exactPixels(error).toLocaleString('en');
   return {
     ...model,
     mesh,
-    plainNormals: plainNormals(mesh),
-    isClosed: isClosed(mesh),
+    plainNormals: normals,
+    isClosed: normals !== null && isClosed(mesh),
     simplified: { triangles: triangleCount(model.mesh), error },
     details: [
       ...model.details,
