@@ -24,10 +24,11 @@ function findClusters(positions: Float32Array): { clusterOf: Uint32Array; sizes:
   const clusterOf = new Uint32Array(positions.length / 3);
   let clusters = 0;
   for (let vertex = 0, i = 0; vertex < clusterOf.length; vertex++, i += 3) {
-    // No coordinate is less than -1, so this rounds down.
-    const x = ((positions[i] + 1) * CELLS) | 0;
-    const y = ((positions[i + 1] + 1) * CELLS) | 0;
-    const z = ((positions[i + 2] + 1) * CELLS) | 0;
+    // Planes through the centre lie in the middle of cells: seams of made models often lie there, and two sides that rounding has put on either
+    // side of such a plane must not come apart.
+    const x = ((positions[i] + 1) * CELLS + 0.5) | 0;
+    const y = ((positions[i + 1] + 1) * CELLS + 0.5) | 0;
+    const z = ((positions[i + 2] + 1) * CELLS + 0.5) | 0;
     const cell = (z * side + y) * side + x;
     if (numbers[cell] === 0) numbers[cell] = ++clusters;
     clusterOf[vertex] = numbers[cell] - 1;

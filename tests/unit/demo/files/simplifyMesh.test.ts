@@ -1,4 +1,5 @@
 import { MeshoptSimplifier } from 'meshoptimizer/simplifier';
+import { TorusGeometry } from 'three';
 import { beforeAll, expect, test } from 'vitest';
 import {
   coarseModel,
@@ -7,6 +8,8 @@ import {
   simplified,
   withoutHeavyPictures,
 } from '../../../../src/demo/files/readLarge.js';
+import { clusterMesh } from '../../../../src/files/mesh/clusterMesh.js';
+import { isClosed } from '../../../../src/files/mesh/isClosed.js';
 import type { PlainMesh } from '../../../../src/files/mesh/PlainMesh.js';
 import { needsCoarse, plainNormals } from '../../../../src/files/mesh/plainNormals.js';
 import type { ReadMesh } from '../../../../src/files/readModel.js';
@@ -118,6 +121,19 @@ test('a coarse copy has the form, the colours and normals that point outwards', 
   // A triangle may fold over where its corners move to the means of their cells.
   expect(inwards / (mesh.positions.length / 3)).toBeLessThan(0.002);
   expect(sumAlong / (mesh.positions.length / 3)).toBeGreaterThan(0.9);
+});
+
+test('a coarse copy of a made model is closed at its seams, which lie on planes through its centre', () => {
+  const { attributes, index } = new TorusGeometry(0.7, 0.3, 200, 300);
+  const torus = {
+    positions: Float32Array.from(attributes.position.array),
+    normals: null,
+    colors: null,
+    indices: Uint32Array.from(index!.array),
+  };
+  // Both ends of each ring have vertices of their own, and rounding puts one of them on the other side of the plane.
+  expect(isClosed(torus)).toBe(false);
+  expect(isClosed(clusterMesh(torus))).toBe(true);
 });
 
 test('a model with fewer triangles knows what it had, and how far it lies from that', async () => {
