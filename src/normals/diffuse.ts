@@ -45,8 +45,8 @@ export function* diffuse(
   const matrix = twiceP(level.heat, rate, level.shares);
   const overlap = heatSeries(OVERLAP_STEPS, TOLERANCE);
   const series = near.map((i) => heatSeries(times[i] * rate, TOLERANCE));
-  const isLast = flowing.length === times.length;
-  const start = isLast ? values : values.slice();
+  // Where a time is too short for a step, the values are a result themselves.
+  const start = flowing.length === times.length ? values : values.slice();
   const [from, to] = coarse ? [0.2, 0.5] : [0, 1];
   const flowed = yield* asPhase(flow(matrix, start, coarse ? [...series, overlap] : series), from, to);
   for (const [k, i] of near.entries()) results[i] = flowed[k];
