@@ -23,6 +23,8 @@ export interface PhaseSystem {
   level: number;
   /** Whether jumps are unknowns too, or given. */
   isFree: boolean;
+  /** For each value of a free jump 1 if it is given all the same, two values for each; null while none is. Then none of `lastParts` is free. */
+  held: Uint8Array | null;
 }
 
 /**
@@ -73,6 +75,7 @@ export function phaseSystem(relations: SeamRelations, levels: readonly PhaseLeve
     lastParts: [],
     level: levels.length - 1,
     isFree: true,
+    held: null,
   };
 }
 
@@ -102,14 +105,18 @@ export function spreadJumps({ relations, seamBuffers: { segments, offsets } }: P
   offsetsOf(relations, segments, offsets);
 }
 
-/** Sums up what pulls at the offsets to what pulls at the free jumps. Overwrites what pulls. */
-export function gatherJumps({ relations, seamBuffers: { segments, pulls } }: PhaseSystem, jumps: Float64Array): void {
+/** Sums up what pulls at the offsets to what pulls at the free jumps: nothing where they are held. Overwrites what pulls. */
+export function gatherJumps(
+  { relations, seamBuffers: { segments, pulls }, held }: PhaseSystem,
+  jumps: Float64Array,
+): void {
   const { free } = relations.jumps;
   jumpPulls(relations, pulls, segments);
   for (let i = 0; i < free.length; i++) {
     jumps[2 * i] = segments[2 * free[i]];
     jumps[2 * i + 1] = segments[2 * free[i] + 1];
   }
+  if (held) for (let i = 0; i < held.length; i++) if (held[i] === 1) jumps[i] = 0;
 }
 
 /** Sums up, for each free jump, the weights of all edges that it moves: a bound on how strongly it is held. */

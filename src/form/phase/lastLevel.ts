@@ -4,16 +4,6 @@ import { applySystem, type LastPart, type PhaseSystem, type PhaseVector } from '
 /** A part with more unknowns than these is not solved at once: its dense matrix would take longer than all else. */
 const MOST_UNKNOWNS = 600;
 
-/**
- * Jumps of φ are multiples of four, those of φ₂ of two, so that every fourth line runs on across the cut, and every second one of those
- * that cross: all that is left of them where an object is small. More would bend lines, above all those along thin limbs, around
- * which φ₂ rises by little.
- */
-export const MULTIPLES = [4, 2] as const;
-
-/** The largest share of its energy that rounding may add to a part, unless it is rounded to whole numbers. */
-const MOST_MOVED = 0.2;
-
 /** A pivot below this share of its diagonal belongs to an unknown that nothing holds. */
 const SMALLEST_PIVOT = 1e-9;
 
@@ -136,58 +126,4 @@ export function solveLastPart(part: LastPart, forces: PhaseVector, values: Phase
       else values.jumps[2 * jumps[i - nodes.length] + family] = x[i];
     }
   }
-}
-
-/**
- * Rounds jumps to multiples of the whole number of their family, in place; those of a part too small for that to smaller multiples.
- */
-export function roundJumps(parts: readonly LastPart[], jumps: Float64Array): void {
-  const isRound = new Uint8Array(jumps.length);
-  for (const part of parts) {
-    for (const [family, multiple] of MULTIPLES.entries()) {
-      const places = part.jumps.map((jump) => 2 * jump + family);
-      const given = places.map((place) => jumps[place]);
-      for (const [i, value] of roundedPart(part, given, multiple).entries()) {
-        jumps[places[i]] = value;
-        isRound[places[i]] = 1;
-      }
-    }
-  }
-  for (let i = 0; i < jumps.length; i++) if (isRound[i] === 0) jumps[i] = roundTo(MULTIPLES[i % 2], jumps[i]);
-}
-
-const roundTo = (multiple: number, jump: number): number => multiple * Math.round(jump / multiple);
-
-/** The jumps of a part, rounded to `multiple`, or to a smaller power of two where little would be left of them. */
-function roundedPart(part: LastPart, given: readonly number[], multiple: number): number[] {
-  const rounded = nearestPlane(part, given, multiple);
-  const moves = rounded.map((value, i) => value - given[i]);
-  const isFar = jumpEnergy(part, moves) > MOST_MOVED * jumpEnergy(part, given);
-  return multiple > 1 && isFar ? roundedPart(part, given, multiple / 2) : rounded;
-}
-
-/**
- * Rounds jumps, which depend on each other: where one has been rounded up, the next follows it before it is rounded. That is
- * Babai's nearest plane, for the energy that is left in jumps when all nodes give way (the last rows of L).
- */
-function nearestPlane(part: LastPart, given: readonly number[], multiple: number): number[] {
-  const rounded = given.slice();
-  const moves = given.map(() => 0);
-  for (let i = given.length - 1; i >= 0; i--) {
-    rounded[i] = roundTo(multiple, given[i] - jumpForce(part, moves, i) * part.inverses[part.nodes.length + i]);
-    moves[i] = rounded[i] - given[i];
-  }
-  return rounded;
-}
-
-const jumpEnergy = (part: LastPart, jumps: readonly number[]): number =>
-  jumps.reduce((sum, _, i) => sum + jumpForce(part, jumps, i) ** 2, 0);
-
-/** Entry i of Lᵀ·jumps, in the last rows of L. */
-function jumpForce({ factor, nodes, jumps: { length } }: LastPart, jumps: readonly number[], i: number): number {
-  const first = nodes.length;
-  const size = first + length;
-  let sum = 0;
-  for (let k = i; k < length; k++) sum += factor[size * (first + k) + first + i] * jumps[k];
-  return sum;
 }

@@ -1,6 +1,7 @@
 import { type Cells, type CoarseGraph, clusterNodes, coarsen } from '../../adjacency/cells.js';
 import { asPhase } from '../../slices/asPhase.js';
 import { forEachChunk } from '../../slices/forEachChunk.js';
+import { coarsenSeam } from './coarsenSeam.js';
 import type { PhaseMatrix } from './phaseMatrix.js';
 
 /** One level of the hierarchy: the fans, then cells of fans, then cells of cells. */
@@ -45,14 +46,13 @@ function linkedNodes({ starts }: PhaseMatrix): number {
 /** The matrix for values that are constant in each cell. */
 function* coarsenMatrix(matrix: PhaseMatrix, cells: Cells): Generator<number, PhaseMatrix, void> {
   const graph = yield* asPhase(coarsen(matrix, cells), 0, 0.5);
-  const { seam } = matrix;
   const coarse: PhaseMatrix = {
     starts: graph.starts,
     neighbours: graph.neighbours,
     values: new Float64Array(graph.neighbours.length),
     diagonal: new Float64Array(cells.count),
     walls: new Uint8Array(graph.neighbours.length),
-    seam: { ...seam, nodes: seam.nodes.map((node) => cells.ofNode[node]) },
+    seam: coarsenSeam(matrix.seam, cells.ofNode),
   };
   const votes = new Int32Array(graph.neighbours.length);
   yield* asPhase(

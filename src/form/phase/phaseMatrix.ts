@@ -32,7 +32,7 @@ export interface SeamEdges {
   /** The number of each end's offset, or NO_OFFSET. */
   offsets: Int32Array;
   /** For each edge its weight. */
-  weights: Float32Array;
+  weights: Float64Array;
 }
 
 /** The matrix of the fans, and what divides the triangles. */
@@ -87,7 +87,7 @@ export function* phaseMatrix(
       nodes: Uint32Array.from(assembly.seam.nodes),
       signs: Int8Array.from(assembly.seam.signs),
       offsets: Int32Array.from(assembly.seam.offsets),
-      weights: Float32Array.from(assembly.seam.weights),
+      weights: Float64Array.from(assembly.seam.weights),
     },
   };
   return { matrix, shares };

@@ -11,7 +11,7 @@ import { pullNodes, pullOffsets, residual, sweep } from './phaseOperator.js';
 const OVERCORRECTION = 1.6;
 
 /** Sweeps in each direction on the last level, for parts that are too large to be solved at once. */
-const LAST_SWEEPS = 6;
+const LAST_SWEEPS = 2;
 
 /**
  * A V-cycle of multigrid: solves system · values = forces roughly, by sweeps and by corrections from all coarser levels. It is
@@ -23,7 +23,7 @@ export function* precondition(system: PhaseSystem): Generator<number, void, void
   const { forces, values, rest } = buffers[level];
   if (!cells) {
     yield* sweepLastLevel(system);
-    for (const part of system.lastParts) solveLastPart(part, forces, values, system.isFree);
+    for (const part of system.lastParts) solveLastPart(part, forces, values, system.isFree && !system.held);
     return;
   }
   values.nodes.fill(0);

@@ -12,7 +12,8 @@ export const NO_OFFSET = -1;
 /**
  * How φ at the wedges follows from one value per fan and from the free jumps: φ = sign · (value of the fan) + offset. The first
  * wedge of a fan has no offset; where a walk around the fan crosses the cut, φ′ = sφ + j gives those of the others. At a singular
- * point φ = −φ + Σ ±j once around: its sign is 0, and the offset of its first wedge is half of the sum.
+ * point φ = −φ + Σ ±j once around: its sign is 0, and the offset of its first wedge is half of the sum. Offsets that are the same
+ * sums have one number.
  */
 export interface SeamRelations {
   /** For each wedge 1, −1 or 0. */
@@ -43,8 +44,13 @@ interface Collection {
   starts: number[];
   segments: number[];
   factors: number[];
+  /** The number of each offset, by what it is the sum of. */
+  known: Map<string, number>;
   equations: JumpEquations;
 }
+
+/** A jump of a segment, with its factor. */
+type Term = readonly [segment: number, factor: number];
 
 /** Finds the relations, by a walk around each fan of the cut. */
 export function* seamRelations(surface: FormSurface, seam: FormSeam): Generator<number, SeamRelations, void> {
@@ -61,6 +67,7 @@ export function* seamRelations(surface: FormSurface, seam: FormSeam): Generator<
     starts: [0],
     segments: [],
     factors: [],
+    known: new Map(),
     equations: { starts: [0], segments: [], signs: [] },
   };
   yield* asPhase(
@@ -98,8 +105,8 @@ function relateWedges(collection: Collection, fan: number): void {
     const around = crossed.reduce((sign, edge) => sign * cutSign[edge], 1);
     if (around < 0) {
       signs[wedge] = 0;
-      addOffset(collection, wedge, NO_OFFSET, 1);
-      for (const [segment, sign] of terms) addTerm(collection, segment, sign / 2);
+      const half = terms.map(([segment, sign]): Term => [segment, sign / 2]);
+      ofWedge[wedge] = enterOffset(collection, NO_OFFSET, 1, half);
     } else if (isPuncture[fan] === 0 && !cancels(terms)) {
       for (const [segment, sign] of terms) {
         equations.segments.push(segment);
@@ -113,25 +120,31 @@ function relateWedges(collection: Collection, fan: number): void {
   for (const edge of crossed) {
     const next = wedges.ofCorner[nextCorner(twins[edge])];
     signs[next] = cutSign[edge] * signs[wedge];
-    addOffset(collection, next, ofWedge[wedge], cutSign[edge]);
-    addTerm(collection, cut.ofEdge[edge], cut.signs[edge]);
+    const jump: Term = [cut.ofEdge[edge], cut.signs[edge]];
+    ofWedge[next] = enterOffset(collection, ofWedge[wedge], cutSign[edge], [jump]);
     wedge = next;
   }
 }
 
-function addOffset(collection: Collection, wedge: number, origin: number, sign: number): void {
-  const { ofWedge, origins, originSigns, starts } = collection;
-  ofWedge[wedge] = origins.length;
+/**
+ * Enters an offset, and returns its number. Along a segment all wedges have the same one, so that edges between the same cells become one edge on
+ * coarser levels.
+ */
+function enterOffset(collection: Collection, origin: number, originSign: number, terms: readonly Term[]): number {
+  const { known, origins, originSigns, starts, segments, factors } = collection;
+  const key = [origin, originSign, ...terms.flat()].join();
+  const before = known.get(key);
+  if (before !== undefined) return before;
+  const offset = origins.length;
+  known.set(key, offset);
   origins.push(origin);
-  originSigns.push(sign);
-  starts.push(starts[starts.length - 1]);
-}
-
-/** Adds a term to the last offset. */
-function addTerm({ starts, segments, factors }: Collection, segment: number, factor: number): void {
-  segments.push(segment);
-  factors.push(factor);
-  starts[starts.length - 1]++;
+  originSigns.push(originSign);
+  for (const [segment, factor] of terms) {
+    segments.push(segment);
+    factors.push(factor);
+  }
+  starts.push(segments.length);
+  return offset;
 }
 
 /** The corner where a walk around a fan of the cut begins: at the border, or just behind a cut edge. */
@@ -155,17 +168,17 @@ function crossedEdges({ twins }: FormSurface, { cut }: FormSeam, first: number):
 }
 
 /** The terms of what φ jumps by on a walk around a closed fan. */
-function jumpsAround(cut: CutSegments, { cutSign }: FormSeam, crossed: readonly number[]): [number, number][] {
+function jumpsAround(cut: CutSegments, { cutSign }: FormSeam, crossed: readonly number[]): Term[] {
   let sign = 1;
   return crossed.toReversed().map((edge) => {
-    const term: [segment: number, sign: number] = [cut.ofEdge[edge], sign * cut.signs[edge]];
+    const term: Term = [cut.ofEdge[edge], sign * cut.signs[edge]];
     sign *= cutSign[edge];
     return term;
   });
 }
 
 /** Whether a segment that only passes takes away with one term what it brings with the other. */
-const cancels = (terms: readonly (readonly [segment: number, sign: number])[]): boolean =>
+const cancels = (terms: readonly Term[]): boolean =>
   terms.length === 2 && terms[0][0] === terms[1][0] && terms[0][1] === -terms[1][1];
 
 /** Writes the offsets that follow from `jumps`. Both have two values for each, one per family of lines; only free jumps are read. */

@@ -3,20 +3,22 @@ import { asPhase } from '../../slices/asPhase.js';
 import type { FormSeam } from '../cutForm.js';
 import type { FormSurface } from '../FormSurface.js';
 import { conjugateGradients, type Patience } from './conjugateGradients.js';
-import { factoriseLastLevel, roundJumps } from './lastLevel.js';
-import { gatherJumps, type PhaseSystem, type PhaseVector, phaseSystem, spreadJumps } from './PhaseSystem.js';
+import { factoriseLastLevel } from './lastLevel.js';
+import { type PhaseSystem, type PhaseVector, phaseSystem, spreadJumps } from './PhaseSystem.js';
 import type { PhaseLevel } from './phaseLevels.js';
 import { pullNodes, pullOffsets, residual } from './phaseOperator.js';
 import type { PhaseSource } from './phaseSource.js';
 import { restrict } from './precondition.js';
 import { riseInCells } from './riseInCells.js';
+import { roundJumps } from './roundJumps.js';
 import type { SeamRelations } from './seamRelations.js';
+import { type FreeForces, solveFree } from './solveFree.js';
 
 /** Jumps are rounded on the finest level that has at most so many nodes. Finer ones would hardly change what they are rounded to. */
 const MOST_NODES_TO_ROUND = 12_000;
 
 /** The last level starts from nothing. */
-const LAST_LEVEL: Patience = { tolerance: 1e-4, steps: 400 };
+const LAST_LEVEL: Patience = { tolerance: 1e-3, steps: 200 };
 
 /** The others start from the level before. */
 const FREE_JUMPS: Patience = { tolerance: 1e-2, steps: 30 };
@@ -31,9 +33,7 @@ export interface Phase {
 }
 
 /** What drives the unknowns of one level, and by how much each node should lie above the seed of its cell. */
-interface LevelForces {
-  nodes: Float64Array;
-  offsets: Float64Array;
+interface LevelForces extends FreeForces {
   rises: Float64Array;
 }
 
@@ -73,7 +73,7 @@ export function* solvePhase(
       const patience = level === last ? LAST_LEVEL : FREE_JUMPS;
       yield* asPhase(solveFree(system, forces[level], x, patience), begun, begun);
     }
-    if (level === roundAt) roundJumps(lastParts, x.jumps);
+    if (level === roundAt) yield* asPhase(roundJumps(system, forces[level], x), begun, begun);
     if (level <= roundAt) yield* asPhase(solveGiven(system, forces[level], x), begun, begun);
   }
   return { nodes: x.nodes, offsets: coarsest.seamBuffers.offsets };
@@ -92,19 +92,6 @@ function* restrictForces(
   seamBuffers.offsets.fill(0);
   pullOffsets(matrix.seam, rises, seamBuffers.offsets, seamBuffers.pulls);
   return { forces: coarse, offsetForces: offsets.map((force, i) => force - seamBuffers.pulls[i]) };
-}
-
-/** Solves for nodes and jumps. */
-function* solveFree(
-  system: PhaseSystem,
-  forces: LevelForces,
-  x: PhaseVector,
-  patience: Patience,
-): Generator<number, void, void> {
-  const jumps = new Float64Array(x.jumps.length);
-  system.seamBuffers.pulls.set(forces.offsets);
-  gatherJumps(system, jumps);
-  yield* conjugateGradients(system, { nodes: forces.nodes, jumps }, x, patience);
 }
 
 /** Solves for the nodes alone. Overwrites the forces. */

@@ -2,7 +2,7 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
 import { backgroundShaders } from '../../../src/background/backgroundShaders.js';
 import { FORM_CONSTANTS } from '../../../src/engraving/constants/formConstants.js';
-import { MULTIPLES } from '../../../src/form/phase/lastLevel.js';
+import { MULTIPLES } from '../../../src/form/phase/roundJumps.js';
 import {
   HATCHING_PROPERTIES,
   HATCHING_TECHNIQUES,

@@ -1,15 +1,7 @@
 import { describe, expect, test } from 'vitest';
-import { roundJumps, solveLastPart } from '../../../../src/form/phase/lastLevel.js';
-import type { LastPart } from '../../../../src/form/phase/PhaseSystem.js';
+import { solveLastPart } from '../../../../src/form/phase/lastLevel.js';
 import { noise } from '../../mesh/shapes.js';
-
-/** A part whose factor L has these rows. */
-const partOf = (nodes: number[], jumps: number[], rows: readonly (readonly number[])[]): LastPart => ({
-  nodes,
-  jumps,
-  factor: new Float64Array(rows.flatMap((row) => rows.map((_, column) => row[column] ?? 0))),
-  inverses: new Float64Array(rows.map((row, i) => 1 / row[i])),
-});
+import { partOf } from './parts.js';
 
 /** L·Lᵀ·x */
 function product(rows: readonly (readonly number[])[], x: readonly number[]): number[] {
@@ -44,31 +36,5 @@ describe('solveLastPart', () => {
         expect(found).toBeCloseTo(value, 9);
       }
     }
-  });
-});
-
-describe('roundJumps', () => {
-  /** Jumps of φ and φ₂, one after the other. */
-  const rounded = (parts: readonly LastPart[], ...jumps: number[]) => {
-    const values = Float64Array.from(jumps);
-    roundJumps(parts, values);
-    return [...values];
-  };
-
-  test('to multiples of 4, and of 2 for lines that cross; of two jumps that are held to each other, one up and the other down', () => {
-    // Their energy is (x + y)² and a little more.
-    const part = partOf([0], [0, 1], [[1], [0, 1], [0, 1, 0.1]]);
-    expect(rounded([part], 21.6, 10.8, 5.8, 2.8)).toEqual([24, 12, 4, 2]);
-  });
-
-  test('where little would be left, to 2 or 1', () => {
-    const part = partOf([0], [0], [[1], [0, 1]]);
-    expect(rounded([part], 1.3, 0.8)).toEqual([1, 1]);
-    expect(rounded([part], 2.3, 12.9)).toEqual([2, 12]);
-    expect(rounded([part], 9.1, 0.1)).toEqual([8, 0]);
-  });
-
-  test('jumps of no part are rounded to the nearest', () => {
-    expect(rounded([], 5.6, -1.2, 13.4, 0.1)).toEqual([4, -2, 12, 0]);
   });
 });
