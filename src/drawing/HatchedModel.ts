@@ -10,11 +10,14 @@ import {
 } from 'three';
 import type {
   HatchingMaterial,
+  HatchingMaterialParameters,
   HatchingOutlineMaterial,
   HatchingOutlines,
+  HatchingStatistics,
   SceneExtent,
   TonalArtMap,
 } from 'three-hatching';
+import { needsAdjacency } from 'three-hatching/facts';
 import type {
   HatchingNodeMaterial,
   HatchingOutlineNodeMaterial,
@@ -132,13 +135,22 @@ export class HatchedModel {
     return this.pairs[0]?.drawn.extent ?? null;
   }
 
-  /** Gives the materials a look. */
+  /** Whether a geometry has no triangle adjacency, so that no technique that asks for it can draw the model yet. */
+  get lacksAdjacency(): boolean {
+    return this.meshes.some(({ mesh }) => {
+      const { layout } = (mesh.geometry.userData.hatching ?? {}) as Partial<HatchingStatistics>;
+      return layout !== 'corner' && layout !== 'pull';
+    });
+  }
+
+  /** Gives the materials a look. While it lacks adjacency, techniques that ask for it are drawn as `anchored`. */
   apply(look: Look): void {
     for (const _ of this.applying(look));
   }
 
   /** The same in steps, material by material: models have thousands. Does nothing to materials that have the look already. */
-  *applying(look: Look): Generator<void, void, void> {
+  *applying(asked: Look): Generator<void, void, void> {
+    const look = this.lacksAdjacency ? withoutAdjacency(asked) : asked;
     const shown = materialKey(look);
     if (shown !== this.shown) {
       this.shown = undefined;
@@ -311,6 +323,14 @@ export class HatchedModel {
       entry[kind] = Array.isArray(drawn) ? drawn.map(copyOf) : copyOf(drawn);
     }
   }
+}
+
+/** A look with `anchored` in the place of techniques that ask for triangle adjacency. */
+function withoutAdjacency(look: Look): Look {
+  const { drawn, compared } = look;
+  const without = (parameters: HatchingMaterialParameters): HatchingMaterialParameters =>
+    needsAdjacency(parameters) ? { ...parameters, technique: 'anchored', crisp: false } : parameters;
+  return { ...look, drawn: without(drawn), compared: compared && without(compared) };
 }
 
 /** What materials take of a look, as a text: two looks with the same text give equal materials. */

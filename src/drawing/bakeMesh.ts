@@ -1,7 +1,10 @@
 import { BufferAttribute, BufferGeometry, DoubleSide, FrontSide, type Side } from 'three';
 import { type HatchingStatistics, prepareHatchingGeometry } from 'three-hatching';
-import type { PlainMesh } from '../files/mesh/PlainMesh.js';
+import { type PlainMesh, triangleCount } from '../files/mesh/PlainMesh.js';
 import { isOpen } from './isOpen.js';
+
+/** Up to so many triangles get adjacency also where nothing asks for it: then every technique draws them at once. */
+const MOST_WITH_ADJACENCY = 200_000;
 
 /** A mesh baked for hatching. */
 export interface BakedMesh {
@@ -12,14 +15,25 @@ export interface BakedMesh {
 }
 
 /**
- * Bakes a mesh for hatching by any technique, in the library's worker. Missing normals are computed there, with creases kept.
+ * Bakes a mesh for hatching, in the library's worker. Missing normals are computed there, with creases kept.
  *
+ * @param options.adjacency whether techniques that ask for adjacency draw it, which takes six times the memory. Small meshes have it
+ *   all the same
  * @param options.outlines whether contours, borders and creases are to be drawn too
  * @param options.form whether lines are to follow the form
  */
 export async function bakeMesh(
   mesh: PlainMesh,
-  options: { outlines?: boolean; form?: boolean; signal?: AbortSignal; onProgress?: (progress: number) => void } = {},
+  {
+    adjacency = false,
+    ...options
+  }: {
+    adjacency?: boolean;
+    outlines?: boolean;
+    form?: boolean;
+    signal?: AbortSignal;
+    onProgress?: (progress: number) => void;
+  } = {},
 ): Promise<BakedMesh> {
   const source = new BufferGeometry();
   source.setAttribute('position', new BufferAttribute(mesh.positions, 3));
@@ -30,7 +44,10 @@ export async function bakeMesh(
   mesh.ranges?.forEach(({ start, count }, i) => {
     source.addGroup(start, count, i);
   });
-  const geometry = await prepareHatchingGeometry(source, { ...options, adjacency: true });
+  const geometry = await prepareHatchingGeometry(source, {
+    ...options,
+    adjacency: adjacency || triangleCount(mesh) <= MOST_WITH_ADJACENCY,
+  });
   const statistics = geometry.userData.hatching as HatchingStatistics;
   return {
     geometry,

@@ -8,14 +8,16 @@ import type { Report } from './Report.js';
 /**
  * Makes a hatched model of what was read. `notes` is what the caption is to say of what was left out.
  *
+ * @param adjacency whether techniques that ask for triangle adjacency draw it (`bakeFurther` adds it later)
  * @throws ModelError with one sentence for the user, also if there is nothing to be seen of any triangle
  */
 export async function buildModel(
   read: ReadModel | BuiltInScene,
   report: Report,
   signal: AbortSignal,
+  adjacency = false,
 ): Promise<{ model: HatchedModel; notes: string[] }> {
-  const hatched = await hatch(read, report, signal);
+  const hatched = await hatch(read, report, signal, adjacency);
   const { triangles, degenerateTriangles } = hatched.model.statistics;
   if (degenerateTriangles < triangles) return hatched;
   hatched.model.dispose();
@@ -26,13 +28,14 @@ async function hatch(
   read: ReadModel | BuiltInScene,
   report: Report,
   signal: AbortSignal,
+  adjacency: boolean,
 ): Promise<{ model: HatchedModel; notes: string[] }> {
   if (read.kind === 'mesh') {
     const count = triangleCount(read.mesh).toLocaleString('en');
     const onProgress = (progress: number): void => report(`joining ${count} triangles`, progress);
     try {
       const { modelOfMesh } = await import('./modelOfMesh.js');
-      const model = await modelOfMesh(read.mesh, { signal, onProgress }, read);
+      const model = await modelOfMesh(read.mesh, { adjacency, signal, onProgress }, read);
       return { model, notes: read.notes };
     } catch (error) {
       signal.throwIfAborted();
@@ -53,7 +56,7 @@ async function hatch(
     const onGeometry = (done: number, total: number): void => {
       if (total > 1) stage = `joining triangles, ${done} of ${total} meshes are done`;
     };
-    const { model, notes } = await modelOfScene(scene, { usual, signal, onProgress, onGeometry });
+    const { model, notes } = await modelOfScene(scene, { usual, adjacency, signal, onProgress, onGeometry });
     return { model, notes: [...('notes' in read ? read.notes : []), ...notes] };
   } catch (error) {
     signal.throwIfAborted();

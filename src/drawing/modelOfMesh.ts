@@ -18,7 +18,7 @@ const CUT_OUT = 0.5;
  */
 export async function modelOfMesh(
   mesh: PlainMesh,
-  options: { signal: AbortSignal; onProgress: (progress: number) => void },
+  options: { adjacency?: boolean; signal: AbortSignal; onProgress: (progress: number) => void },
   { pictures = [], stands, occlusion }: Partial<Pick<ReadMesh, 'pictures' | 'stands' | 'occlusion'>> = {},
 ): Promise<HatchedModel> {
   const { geometry, statistics, side } = await bakeMesh(mesh, { ...options, outlines: true });

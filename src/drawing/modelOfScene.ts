@@ -37,6 +37,7 @@ export async function modelOfScene(
     ...options
   }: {
     usual?: UsualUp | undefined;
+    adjacency?: boolean;
     signal: AbortSignal;
     onProgress: (progress: number) => void;
     onGeometry: (done: number, total: number) => void;

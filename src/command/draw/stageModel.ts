@@ -1,6 +1,6 @@
 import { Group, MathUtils, PerspectiveCamera, Scene, Spherical, Vector3 } from 'three';
 import { bakeOcclusion, flatteringLight } from 'three-hatching';
-import { bakeForm } from '../../drawing/bakeForm.js';
+import { bakeFurther } from '../../drawing/bakeFurther.js';
 import type { HatchedModel } from '../../drawing/HatchedModel.js';
 import { meshesOf } from '../../drawing/meshesOf.js';
 import { lookOf } from '../../settings/lookOf.js';
@@ -120,7 +120,7 @@ async function bake(
     const stage = 'laying lines along the form';
     const onProgress = (progress: number): void => report(stage, 0.6 * progress);
     const crossAngle = MathUtils.degToRad(settings.crossAngle);
-    await bakeForm(model.root, { crossAngle, auto: form.auto }, { signal, onProgress }, (former, made) => {
+    await bakeFurther(model.root, { form: { crossAngle, auto: form.auto } }, { signal, onProgress }, (former, made) => {
       if (made !== former) former.dispose();
     });
   }

@@ -10,7 +10,7 @@ import { Dialogs } from './dialogs/Dialogs.js';
 import { page } from './elements/page.js';
 import { pageForm } from './elements/pageForm.js';
 import { toggleFullScreen } from './fullScreen.js';
-import { FormLoader } from './loading/FormLoader.js';
+import { GeometryLoader } from './loading/GeometryLoader.js';
 import { OcclusionLoader } from './loading/OcclusionLoader.js';
 import { Overlays } from './overlay/Overlays.js';
 import { PageState } from './PageState.js';
@@ -52,9 +52,9 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   const keeper = new Keeper(address, status, () => void showRecent(keeper));
   const opener = new DrawingOpener(session, address, keeper, status);
   const occlusion = new OcclusionLoader(stage, session.settings, tasks);
-  const form = new FormLoader(stage, session.settings, tasks);
+  const geometries = new GeometryLoader(stage, session.settings, tasks);
   const update = (): void => {
-    form.update();
+    geometries.update();
     occlusion.update();
   };
   session.listen({ applied: update });
@@ -62,7 +62,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   // What the page shows.
   const overlays = new Overlays(session, parts);
   const dialogs = new Dialogs(session, keeper, opener, parts);
-  const takeAway = new TakeAway(session, address, status, tasks, form, parts);
+  const takeAway = new TakeAway(session, address, status, tasks, geometries, parts);
   const fillScreen = (): void => {
     toggleFullScreen(page.sheet).catch(() => status.fail('The browser does not let the drawing fill the screen.'));
   };
@@ -74,7 +74,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   };
   const card = new Card(session, status, parts, createActions, onFold, renderers);
   session.listen({ applied: () => showSettings(session.settings) });
-  const isAwaited = (): boolean => form.isAwaited || occlusion.isAwaited;
+  const isAwaited = (): boolean => geometries.isAwaited || occlusion.isAwaited;
   const state = new PageState(session, tasks, opener, status, () => overlays.hasLights, isAwaited);
   stage.quality.onMeasured(() => {
     update();

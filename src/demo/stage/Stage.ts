@@ -76,6 +76,11 @@ export class Stage {
     this.painter.outdateShadows();
   }
 
+  /** Draws in the same look again, because the geometries of the model can be drawn otherwise now. */
+  reapply(): void {
+    if (this.scenery.look) this.apply(this.scenery.look);
+  }
+
   get tonalArtMap(): TonalArtMap | undefined {
     return this.scenery.tonalArtMap;
   }

@@ -9,6 +9,7 @@ import { shownName } from '../../../files/common/shownText.js';
 import type { ModelFile, ReadMesh, ReadModel } from '../../../files/readModel.js';
 import type { CameraView } from '../../../settings/CameraView.js';
 import { SETTINGS, type Settings } from '../../../settings/settings.js';
+import { drawsWithAdjacency } from '../../../settings/settingValues.js';
 import type { CodeModel } from '../../code/CodeModel.js';
 import { standInOf } from '../../drawing/standInOf.js';
 import { loadModelFiles } from '../../files/loadModelFiles.js';
@@ -255,7 +256,7 @@ export class ModelLoader {
       this.showStandIn(loaded, way);
       if (this.hasStandIn) await afterFrame(stage.context);
       signal.throwIfAborted();
-      const built = await buildModel(loaded.read, report, signal);
+      const built = await buildModel(loaded.read, report, signal, drawsWithAdjacency(settings));
       try {
         await stage.shown.dress(built.model, signal);
       } catch (error) {

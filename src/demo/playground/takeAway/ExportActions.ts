@@ -1,4 +1,4 @@
-import type { FormLoader } from '../loading/FormLoader.js';
+import type { GeometryLoader } from '../loading/GeometryLoader.js';
 import { zipMap } from '../loading/mapFiles.js';
 import type { PageAddress } from '../session/PageAddress.js';
 import type { Session } from '../session/Session.js';
@@ -20,7 +20,7 @@ export class ExportActions {
     private readonly address: PageAddress,
     private readonly status: Status,
     private readonly tasks: TaskRunner,
-    private readonly form: Pick<FormLoader, 'settled'>,
+    private readonly geometries: Pick<GeometryLoader, 'settled'>,
   ) {}
 
   /** Saves the picture that the settings ask for: one PNG, or its layers in an archive. */
@@ -70,7 +70,7 @@ export class ExportActions {
     if (sentence !== undefined) this.status.say(sentence);
   }
 
-  /** Runs the function that `fetchDraw` fetches, when lines along the form are laid. No other picture is drawn meanwhile. Undefined if it fails. */
+  /** Runs the function that `fetchDraw` fetches, when all is baked that it is drawn with. No other picture is drawn meanwhile. Undefined if it fails. */
   private async draw<Result>(
     fetchDraw: () => Promise<SaveDrawing<Result>>,
     again?: Remedy,
@@ -85,7 +85,7 @@ export class ExportActions {
       const end = await this.tasks.run(
         'picture',
         async (report, signal) => {
-          const [draw] = await Promise.all([fetchDraw(), this.form.settled(signal)]);
+          const [draw] = await Promise.all([fetchDraw(), this.geometries.settled(signal)]);
           signal.throwIfAborted();
           result = await draw(stage, { ...this.session.settings }, fileStem(modelLoader.title), report, signal);
         },

@@ -1,4 +1,4 @@
-import type { FormLoader } from '../loading/FormLoader.js';
+import type { GeometryLoader } from '../loading/GeometryLoader.js';
 import type { PageAddress } from '../session/PageAddress.js';
 import type { Session } from '../session/Session.js';
 import type { LaterPart, LaterParts } from '../tasks/LaterParts.js';
@@ -21,12 +21,12 @@ export class TakeAway {
     address: PageAddress,
     private readonly status: Status,
     tasks: TaskRunner,
-    form: FormLoader,
+    geometries: GeometryLoader,
     parts: LaterParts,
   ) {
     this.actions = parts.later(async () => {
       const { ExportActions } = await import('./ExportActions.js');
-      return new ExportActions(session, address, status, tasks, form);
+      return new ExportActions(session, address, status, tasks, geometries);
     });
     this.codeDialog = parts.later(async () => {
       const { CodeDialog } = await import('./CodeDialog.js');

@@ -6,7 +6,7 @@ import { triangleCount } from '../../../files/mesh/PlainMesh.js';
 import type { ModelFile, ReadMesh } from '../../../files/readModel.js';
 import { lookOf } from '../../../settings/lookOf.js';
 import type { Settings } from '../../../settings/settings.js';
-import { formDrawn } from '../../../settings/settingValues.js';
+import { drawsWithAdjacency, formDrawn } from '../../../settings/settingValues.js';
 import { loadModelFiles } from '../../files/loadModelFiles.js';
 import type { Stage } from '../../stage/Stage.js';
 
@@ -40,7 +40,12 @@ export async function finerModel(
   const triangles = triangleCount(mesh);
   const joining = `joining ${triangles.toLocaleString('en')} triangles`;
   const onProgress = (progress: number): void => report(joining, progress);
-  const { geometry } = await bakeMesh(mesh, { signal, onProgress, outlines: true });
+  const { geometry } = await bakeMesh(mesh, {
+    adjacency: drawsWithAdjacency(settings),
+    signal,
+    onProgress,
+    outlines: true,
+  });
   const [shown] = meshesOf(stage.model!.root);
   const drawn = new Mesh(geometry, shown.material);
   try {
@@ -58,10 +63,10 @@ async function bakeLook(drawn: Mesh, settings: Settings, report: Report, signal:
   root.rotation.set(...lookOf(settings).upright);
   const form = formDrawn(settings);
   if (form) {
-    const { bakeForm } = await import('../../../drawing/bakeForm.js');
+    const { bakeFurther } = await import('../../../drawing/bakeFurther.js');
     const onProgress = (progress: number): void => report('laying lines along the form', progress);
     const crossAngle = MathUtils.degToRad(settings.crossAngle);
-    await bakeForm(root, { crossAngle, auto: form.auto }, { signal, onProgress }, (former, made) => {
+    await bakeFurther(root, { form: { crossAngle, auto: form.auto } }, { signal, onProgress }, (former, made) => {
       if (made !== former) former.dispose();
     });
   }

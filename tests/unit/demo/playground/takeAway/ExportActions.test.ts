@@ -1,15 +1,15 @@
 import { Group } from 'three';
 import { beforeEach, expect, test, vi } from 'vitest';
-import { FormLoader } from '../../../../../src/demo/playground/loading/FormLoader.js';
+import { GeometryLoader } from '../../../../../src/demo/playground/loading/GeometryLoader.js';
 import { ExportActions } from '../../../../../src/demo/playground/takeAway/ExportActions.js';
 import { saveFiner } from '../../../../../src/demo/playground/takeAway/saveFiner.js';
 import { drawForClipboard } from '../../../../../src/demo/playground/takeAway/savePicture.js';
 import { TaskRunner } from '../../../../../src/demo/playground/tasks/TaskRunner.js';
-import { bakeForm } from '../../../../../src/drawing/bakeForm.js';
+import { bakeFurther } from '../../../../../src/drawing/bakeFurther.js';
 import { defaultSettings } from '../../../../../src/settings/settings.js';
 import { fakeStatus } from '../tasks/fakeStatus.js';
 
-vi.mock('../../../../../src/drawing/bakeForm.js', () => ({ bakeForm: vi.fn() }));
+vi.mock('../../../../../src/drawing/bakeFurther.js', () => ({ bakeFurther: vi.fn() }));
 vi.mock('../../../../../src/demo/playground/takeAway/savePicture.js', () => ({
   drawForClipboard: vi.fn(async () => new Blob()),
   savePicture: vi.fn(async () => ({ kind: 'PNG', size: '10 × 20 px', pixelsPerRadius: 1000 })),
@@ -24,7 +24,7 @@ const bakes: { end: () => void; report: (progress: number) => void }[] = [];
 beforeEach(() => {
   bakes.length = 0;
   vi.mocked(drawForClipboard).mockClear();
-  vi.mocked(bakeForm).mockImplementation(
+  vi.mocked(bakeFurther).mockImplementation(
     (_, _form, { signal, onProgress }) =>
       new Promise((resolve, reject) => {
         bakes.push({ end: () => resolve(), report: onProgress });
@@ -49,7 +49,7 @@ function makePage(
   const stage = { model, shown: { isStandIn: false }, quality, isComplete: true, frames };
   const settings = { ...defaultSettings(), technique: 'engraved' as const, lineField };
   const session = { stage, settings, modelLoader: { title: 'A model', simplified, shownFiles: { files: FILES } } };
-  const form = new FormLoader(stage as never, settings, tasks);
+  const form = new GeometryLoader(stage as never, settings, tasks);
   const actions = new ExportActions(session as never, {} as never, line.status, tasks, form);
   return { line, stage, settings, form, actions };
 }
@@ -100,7 +100,7 @@ test('a picture for which another model was opened waits for the lines of that o
 
 test('a picture is drawn if lines cannot be laid along the form, and not if the user cancels', async () => {
   const failing = makePage();
-  vi.mocked(bakeForm).mockRejectedValueOnce(new Error('no field'));
+  vi.mocked(bakeFurther).mockRejectedValueOnce(new Error('no field'));
   await failing.actions.drawPicture();
   expect(drawn).toHaveBeenCalledOnce();
   const { line, actions } = makePage();

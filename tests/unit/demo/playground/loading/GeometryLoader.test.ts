@@ -1,14 +1,14 @@
 import { BufferGeometry, Group } from 'three';
-import { beforeEach, expect, test, vi } from 'vitest';
-import { FormLoader } from '../../../../../src/demo/playground/loading/FormLoader.js';
+import { beforeEach, describe, expect, test, vi } from 'vitest';
+import { GeometryLoader } from '../../../../../src/demo/playground/loading/GeometryLoader.js';
 import { TaskRunner } from '../../../../../src/demo/playground/tasks/TaskRunner.js';
-import { bakeForm } from '../../../../../src/drawing/bakeForm.js';
+import { bakeFurther } from '../../../../../src/drawing/bakeFurther.js';
 import { defaultSettings, type Settings } from '../../../../../src/settings/settings.js';
 import { fakeStatus } from '../tasks/fakeStatus.js';
 
-vi.mock('../../../../../src/drawing/bakeForm.js', () => ({ bakeForm: vi.fn() }));
+vi.mock('../../../../../src/drawing/bakeFurther.js', () => ({ bakeFurther: vi.fn() }));
 
-const begun = vi.mocked(bakeForm);
+const begun = vi.mocked(bakeFurther);
 
 beforeEach(() => {
   begun.mockReset();
@@ -21,14 +21,15 @@ function makePage(changes: Partial<Settings>) {
   const { status } = fakeStatus();
   const frames = { fadeIntoNext: vi.fn(), invalidate: vi.fn(), keepPictures: vi.fn(), leavePictures: vi.fn() };
   const stage = {
-    model: { root: new Group() },
+    model: { root: new Group(), lacksAdjacency: false },
     shown: { isStandIn: false },
     quality: { isOnPage: true },
     frames,
     rebuildPrograms: vi.fn(),
+    reapply: vi.fn(),
   };
   const tasks = new TaskRunner(status, { hasDrawing: () => true, onIdle: () => {} });
-  const form = new FormLoader(stage as never, settings, tasks);
+  const form = new GeometryLoader(stage as never, settings, tasks);
   const change = async (changed: Partial<Settings>): Promise<number> => {
     Object.assign(settings, changed);
     form.update();
@@ -42,7 +43,7 @@ test('strokes that follow the form have it baked whatever the shape is, and thos
   const { change } = makePage({ technique: 'anchored', lineField: 'auto' });
   expect(await change({})).toBe(0);
   expect(await change({ strokeField: 'form' })).toBe(1);
-  expect(begun.mock.calls[0][1]).toMatchObject({ auto: false });
+  expect(begun.mock.calls[0][1].form).toMatchObject({ auto: false });
   expect(await change({ strokeField: 'acrossForm' })).toBe(1);
   expect(await change({ strokeField: 'form', medium: 'stipple' })).toBe(1);
 });
@@ -55,15 +56,15 @@ test('at another angle lines are baked again, and strokes are not', async () => 
   expect(await change({ technique: 'anchored' })).toBe(2);
   expect(await change({ crossAngle: 80 })).toBe(2);
   expect(await change({ technique: 'engraved' })).toBe(3);
-  expect(begun.mock.lastCall![1].crossAngle).toBeCloseTo((80 / 180) * Math.PI);
+  expect(begun.mock.lastCall![1].form?.crossAngle).toBeCloseTo((80 / 180) * Math.PI);
 });
 
 test('beside lines that leave it to the shape, strokes have the form baked for all', async () => {
   const { change } = makePage({ technique: 'engraved', lineField: 'auto' });
   expect(await change({})).toBe(1);
-  expect(begun.mock.lastCall![1].auto).toBe(true);
+  expect(begun.mock.lastCall![1].form?.auto).toBe(true);
   expect(await change({ compare: 'anchored', strokeField: 'form' })).toBe(2);
-  expect(begun.mock.lastCall![1].auto).toBe(false);
+  expect(begun.mock.lastCall![1].form?.auto).toBe(false);
 });
 
 test('each geometry fades into the next one, which frees what was made before it and nothing else', async () => {
@@ -86,7 +87,7 @@ test('each geometry fades into the next one, which frees what was made before it
   expect(stage.frames.fadeIntoNext).toHaveBeenCalledTimes(6);
   // Programs that the next geometry asks for are built before it is drawn, not in its frame.
   expect(stage.rebuildPrograms).toHaveBeenCalledTimes(6);
-  stage.model = { root: new Group() };
+  stage.model = { root: new Group(), lacksAdjacency: false };
   form.update();
   expect(freed).toEqual([1, 2, 3]);
 });
@@ -96,6 +97,48 @@ test('while a slider moves nothing is baked, and then once', async () => {
   expect(await change({})).toBe(1);
   const changes = [70, 75, 80].map((crossAngle) => change({ crossAngle }));
   await Promise.all(changes);
-  expect(begun.mock.calls.map(([, { crossAngle }]) => Math.round((crossAngle / Math.PI) * 180))).toEqual([60, 80]);
+  expect(begun.mock.calls.map(([, { form }]) => Math.round((form!.crossAngle / Math.PI) * 180))).toEqual([60, 80]);
   expect([form.isAwaited, stage.rebuildPrograms.mock.calls.length]).toEqual([false, 0]);
+});
+
+describe('adjacency', () => {
+  /** A page whose model gets adjacency when it is baked, if that is asked for. */
+  function pageWithout(changes: Partial<Settings>) {
+    const made = makePage(changes);
+    const { stage } = made;
+    stage.model.lacksAdjacency = true;
+    begun.mockImplementation(async (_root, { adjacency }) => {
+      if (adjacency) stage.model.lacksAdjacency = false;
+    });
+    return made;
+  }
+
+  test('is baked once a technique asks for it, also for a comparison, and then the look is applied again', async () => {
+    const { change, stage } = pageWithout({ technique: 'anchored' });
+    expect(await change({})).toBe(0);
+    expect(await change({ compare: 'adjacencyCrisp' })).toBe(1);
+    expect(begun.mock.lastCall![1]).toEqual({ form: undefined, adjacency: true });
+    expect(stage.reapply).toHaveBeenCalledTimes(1);
+    expect(await change({ technique: 'triangle', compare: 'none' })).toBe(1);
+  });
+
+  test('keeps the form that was baked before, which is not baked again', async () => {
+    const { change, stage } = pageWithout({ technique: 'engraved', lineField: 'form', crossAngle: 60 });
+    expect(await change({})).toBe(1);
+    expect(begun.mock.lastCall![1].adjacency).toBe(false);
+    expect(stage.reapply).not.toHaveBeenCalled();
+    expect(await change({ technique: 'adjacency', crossAngle: 70 })).toBe(2);
+    expect(begun.mock.lastCall![1].adjacency).toBe(true);
+    expect(begun.mock.lastCall![1].form?.crossAngle).toBeCloseTo(Math.PI / 3);
+    expect(await change({ technique: 'engraved', crossAngle: 60 })).toBe(2);
+  });
+
+  test('is tried once, and again when it is asked for again', async () => {
+    const { change } = pageWithout({ technique: 'adjacency' });
+    begun.mockRejectedValue(new Error('no memory'));
+    expect(await change({})).toBe(1);
+    expect(await change({ crossAngle: 70 })).toBe(1);
+    expect(await change({ technique: 'anchored' })).toBe(1);
+    expect(await change({ technique: 'adjacency' })).toBe(2);
+  });
 });
