@@ -20,6 +20,7 @@ import { fanDirections } from '../normals/fanDirections.js';
 import { findPatches, type Patches } from '../normals/findPatches.js';
 import { smoothFanNormals } from '../normals/smoothFanNormals.js';
 import { asPhase } from '../slices/asPhase.js';
+import { release } from '../slices/release.js';
 import { bakeOutlines, type OutlineRequest, type OutlineSurface, outlineSmoothingRadii } from './bakeOutlines.js';
 import { type PackedOutlines, packOutlines } from './packOutlines.js';
 
@@ -52,7 +53,7 @@ export interface FormRequest extends FormOptions {
 
 /** The result of the part of the bake that all layouts share. */
 export interface Surface {
-  /** The adjacency after the creases were cut, and the sharp edges where the layout does not need the twins. */
+  /** The adjacency after the creases were cut. Its twins are free where the layout does not need them. */
   adjacency: TriangleAdjacency;
   bounds: Bounds;
   hatchNormals: FanNormals;
@@ -134,6 +135,9 @@ export function* bakeSurface(request: SurfaceRequest, keepsTwins: boolean): Gene
       share,
       total,
     ));
+  // What the field does not need is free while it is baked. With `keepsTwins` these twins are a copy of the layout's.
+  release(...smoothed, patches.ofTriangle, twins);
+  if (joinedTwins) release(joinedTwins);
   const bakeField = formToBake?.isChosen ? bakeChosenForm : bakeForm;
   const form = formTwins
     ? yield* asPhase(bakeField(mesh, adjacency, formTwins, bounds.radius, formToBake!), total, 1)

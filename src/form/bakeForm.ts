@@ -1,6 +1,7 @@
 import type { TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
 import type { TriangleMesh } from '../mesh/TriangleMesh.js';
 import { asPhase } from '../slices/asPhase.js';
+import { release } from '../slices/release.js';
 import { chooseLineField } from './chooseLineField.js';
 import { cutForm, type FormSeam } from './cutForm.js';
 import { directionField } from './directions/directionField.js';
@@ -22,7 +23,7 @@ export const LINES_PER_RADIUS = 16;
  * Bakes the field of lines that follow the form. It depends on the shape alone: on no scale, no place, no chance. φ does not depend
  * on `crossAngle`, to the last bit.
  *
- * @param twins with NO_TWIN where windings contradict each other (`consistentTwins`)
+ * @param twins with NO_TWIN where windings contradict each other (`consistentTwins`). They are lost
  * @param radius the bounding radius of the mesh
  */
 export function* bakeForm(
@@ -33,6 +34,7 @@ export function* bakeForm(
   options: FormOptions,
 ): Generator<number, FormField, void> {
   const surface = yield* asPhase(formSurface(mesh, adjacency, twins, radius, options), 0, 0.3);
+  release(twins);
   return yield* asPhase(fieldOn(surface, options), 0.3, 1);
 }
 
@@ -45,14 +47,18 @@ export function* bakeChosenForm(
   options: FormOptions,
 ): Generator<number, FormField | null, void> {
   const surface = yield* asPhase(formSurface(mesh, adjacency, twins, radius, options), 0, 0.3);
+  release(twins);
   const { lineField } = yield* asPhase(chooseLineField(surface), 0.3, 0.31);
   return lineField === 'form' ? yield* asPhase(fieldOn(surface, options), 0.31, 1) : null;
 }
 
-/** The field on a surface that was prepared for it. */
+/** The field on a surface that was prepared for it, which is lost: its arrays are freed one by one, as they are no longer needed. */
 function* fieldOn(surface: FormSurface, options: FormOptions): Generator<number, FormField, void> {
   const directions = yield* asPhase(formDirections(surface, options), 0, 0.5);
+  const { heat, normals, partShares } = surface;
+  release(normals, partShares, heat.masses, heat.degrees);
   const seam = yield* asPhase(cutForm(surface, directions), 0.5, 0.6);
+  release(seam.cutTwins);
   return yield* asPhase(combedField(surface, directions, seam, options.crossAngle), 0.6, 1);
 }
 
@@ -62,7 +68,7 @@ function* formDirections(surface: FormSurface, options: FormOptions): Generator<
   return yield* asPhase(faceDirections(surface, field), 0.92, 1);
 }
 
-/** Finds φ and φ₂ on a surface that is cut so that directions can be combed. */
+/** Finds φ and φ₂ on a surface that is cut so that directions can be combed. The directions are lost. */
 export function* combedField(
   surface: FormSurface,
   directions: FaceDirections,
@@ -82,10 +88,12 @@ function* combedPhase(
 ): Generator<number, { relations: SeamRelations; phase: Phase }, void> {
   const relations = yield* asPhase(seamRelations(surface, seam), 0, 0.05);
   const { matrix, shares } = yield* asPhase(phaseMatrix(surface, seam, relations), 0.05, 0.15);
+  release(surface.heat.neighbours);
   const levels = yield* asPhase(phaseLevels(matrix), 0.15, 0.25);
   // A mesh without extent has no lines.
   const slope = surface.radius > 0 ? LINES_PER_RADIUS / surface.radius : 0;
   const families = { slope, crossAngle };
   const source = yield* asPhase(phaseSource(surface, directions, seam, relations, shares, families), 0.25, 0.3);
+  release(directions.across, directions.normals, shares);
   return { relations, phase: yield* asPhase(solvePhase(surface, seam, relations, levels, source), 0.3, 1) };
 }

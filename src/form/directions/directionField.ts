@@ -1,6 +1,7 @@
 import { type Cells, type CoarseGraph, clusterNodes, coarsen } from '../../adjacency/cells.js';
 import { asPhase } from '../../slices/asPhase.js';
 import { forEachChunk } from '../../slices/forEachChunk.js';
+import { release } from '../../slices/release.js';
 import type { FormOptions } from '../FormOptions.js';
 import type { FormSurface } from '../FormSurface.js';
 import { bendSigns } from './bendSigns.js';
@@ -46,12 +47,15 @@ const ROUNDS = 2;
  * Computes the field of lines along the form: the smoothest one that keeps to curvature where curvature says something. Which of
  * the two principal directions lines take is decided at large, so that they do not change from rings to meridians where a body
  * of revolution bends more along than around. Then all counts as much as it shows.
+ *
+ * @param surface its tensors are lost, and the weights of its heat equation
  */
 export function* directionField(surface: FormSurface, options: FormOptions): Generator<number, DirectionField, void> {
   const frames = yield* asPhase(tangentFrames(surface.normals), 0, 0.03);
   const signs = yield* asPhase(bendSigns(surface), 0.03, 0.07);
   const targets = yield* asPhase(curvatureLines(surface, frames, signs, options), 0.07, 0.12);
   const connection = yield* asPhase(assembleConnection(surface.heat, surface.normals, frames), 0.12, 0.22);
+  release(surface.tensors, surface.heat.weights);
   const division = yield* asPhase(divideIntoCells(connection), 0.22, 0.3);
   yield* asPhase(turnAtLarge(connection, division, targets, options.reach), 0.3, 0.42);
   const prominences = yield* asPhase(prominence(surface, signs, options), 0.42, 0.44);

@@ -1,5 +1,6 @@
 import type { Cells } from '../../adjacency/cells.js';
 import { asPhase } from '../../slices/asPhase.js';
+import { release } from '../../slices/release.js';
 import type { FormSeam } from '../cutForm.js';
 import type { FormSurface } from '../FormSurface.js';
 import { conjugateGradients, type Patience } from './conjugateGradients.js';
@@ -41,6 +42,9 @@ interface LevelForces extends FreeForces {
  * Solves for φ and φ₂: first on the last level, then on each finer one from what the level before says. A cell has the value of
  * its seed; its other nodes lie higher by what lines ask for on the way there. Jumps are unknowns at first. Once a level is fine
  * enough they are rounded to multiples of whole numbers, so that lines go on across the cut, and are given from there on.
+ *
+ * @param levels how cells have grown is lost
+ * @param source its slopes are lost
  */
 export function* solvePhase(
   surface: FormSurface,
@@ -56,7 +60,9 @@ export function* solvePhase(
     const above = i === 0 ? source : yield* asPhase(restrictForces({ ...coarsest, level: i - 1 }, forces[i - 1]), 0, 0);
     const rises = yield* asPhase(riseInCells(surface, seam, source.slopes, level), 0, 0);
     forces.push({ nodes: above.forces, offsets: above.offsetForces, rises });
+    if (level.cells) release(level.cells.order, level.cells.parents, level.cells.parentEntries);
   }
+  release(source.slopes);
   const last = levels.length - 1;
   const roundAt = levels.findIndex(({ fans }, i) => i === last || fans.length <= MOST_NODES_TO_ROUND);
   let x: PhaseVector = {

@@ -8,10 +8,10 @@ import type { TriangleMesh } from '../../../src/mesh/TriangleMesh.js';
 import { meshFrom, scaled } from '../features/surfaces.js';
 import { finish, meshOf } from '../mesh/meshes.js';
 import { cube, patch, prism, sphere, torus } from '../mesh/shapes.js';
-import { frontOf } from './fronts.js';
+import { surfaceOf } from './fronts.js';
 import { readObj } from './readObj.js';
 
-const choiceOf = (mesh: TriangleMesh) => finish(chooseLineField(frontOf(mesh).surface));
+const choiceOf = (mesh: TriangleMesh) => finish(chooseLineField(surfaceOf(mesh)));
 
 test.each<[string, () => TriangleMesh]>([
   ['a sphere', () => sphere(10)],

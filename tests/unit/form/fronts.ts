@@ -28,15 +28,20 @@ export function twinsOf(mesh: TriangleMesh) {
   return { adjacency, radius: bounds.radius, parts, whole, sharp, twins };
 }
 
+/** The surface of a form field. Without `creases` it is whole. */
+export function surfaceOf(mesh: TriangleMesh, options: FormOptions = FORM_DEFAULTS, creases = true): FormSurface {
+  const { adjacency, radius, parts, whole } = twinsOf(mesh);
+  return finish(
+    creases
+      ? formSurface(mesh, adjacency, whole, radius, options)
+      : surfaceWithin(mesh, adjacency, whole, radius, parts, options),
+  );
+}
+
 /** All of a form field that comes before its phase. Without `creases` the surface is whole. */
 export function frontOf(mesh: TriangleMesh, options: Partial<FormOptions> = {}, creases = true) {
   const all = { ...FORM_DEFAULTS, ...options };
-  const { adjacency, radius, parts, whole } = twinsOf(mesh);
-  const surface = finish(
-    creases
-      ? formSurface(mesh, adjacency, whole, radius, all)
-      : surfaceWithin(mesh, adjacency, whole, radius, parts, all),
-  );
+  const surface = surfaceOf(mesh, all, creases);
   const field = finish(directionField(surface, all));
   const directions = finish(faceDirections(surface, field));
   return { mesh, surface, field, directions, seam: finish(cutForm(surface, directions)) };
