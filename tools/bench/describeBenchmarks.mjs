@@ -54,7 +54,7 @@ normals and measures curvature, \`directions\` finds the field of lines, \`cut\`
 does is not counted. Added vertices are those along the cut and around singular points.`,
   memory: `Tori without normals are baked in the library's worker and drawn once. The peak is the largest memory of the page's process, with worker and arrays,
 as Linux reports it. The longest task is that of the main thread during the bake, 0 if none took 50 ms. Bytes are those of all arrays and
-textures of the result, without lines.`,
+textures of the result, without outlines.`,
   occlusion: `\`bakeOcclusion\` of one model with the layout \`corner\` and the default number of directions, in the library's worker.`,
   upload: `This is how much longer a frame takes if the geometry must be uploaded to the GPU: the cost of \`bufferData\` and \`texImage2D\`.
 Only one triangle is drawn.`,

@@ -20,13 +20,15 @@ export interface MemoryPlan {
   technique: HatchingTechnique;
   layout: PrepareHatchingGeometryOptions['layout'];
   outlines?: boolean;
+  /** Whether the form's field is baked too. */
+  form?: boolean;
 }
 
 let stage: Stage | undefined;
 let mesh: Mesh | undefined;
 
 /** Bakes and draws a torus once. Returns the bytes of the result and of its source, and the longest task of the main thread in ms. */
-export async function measureMemory({ triangles, technique, layout, outlines = false }: MemoryPlan) {
+export async function measureMemory({ triangles, technique, layout, outlines = false, form = false }: MemoryPlan) {
   let longestTask = 0;
   const tasks = new PerformanceObserver((list) => {
     for (const { duration } of list.getEntries()) longestTask = Math.max(longestTask, duration);
@@ -36,7 +38,7 @@ export async function measureMemory({ triangles, technique, layout, outlines = f
   await pause();
   tasks.observe({ entryTypes: ['longtask'] });
   const start = performance.now();
-  const geometry = await prepareHatchingGeometry(source, { layout, outlines });
+  const geometry = await prepareHatchingGeometry(source, { layout, outlines, form });
   const seconds = (performance.now() - start) / 1000;
   await pause();
   tasks.disconnect();

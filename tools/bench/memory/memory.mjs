@@ -6,6 +6,8 @@ const SCALE = [
   { triangles: 1e7, technique: 'anchored', layout: 'indexed' },
   { triangles: 1e6, technique: 'adjacency', layout: 'pull' },
   { triangles: 1e7, technique: 'adjacency', layout: 'pull' },
+  { triangles: 1e6, technique: 'engraved', layout: 'indexed', form: true },
+  { triangles: 4e6, technique: 'engraved', layout: 'indexed', form: true },
 ];
 const STEADY = ['adjacency', 'anchored', 'engraved'].map((technique) => ({
   triangles: 5000,
@@ -49,8 +51,8 @@ export const memory = {
         'bytes a triangle',
         'of the source',
       ],
-      ...baked.map(({ layout, triangles, seconds, peak, longestTask, bytes, sourceBytes }) => [
-        layout,
+      ...baked.map(({ layout, form, triangles, seconds, peak, longestTask, bytes, sourceBytes }) => [
+        nameOf({ layout, form }),
         triangles.toLocaleString('en'),
         figure(seconds),
         figure(triangles / seconds / 1e6),
@@ -71,11 +73,13 @@ ${table([
   },
 };
 
+const nameOf = ({ layout, form }) => (form ? `${layout}, form` : layout);
+
 /** What the peak grows by from the smaller to the larger mesh of a layout: the browser itself takes as much with both. */
 function describeGrowth(baked) {
-  const layouts = [...new Set(baked.map(({ layout }) => layout))];
+  const layouts = [...new Set(baked.map(nameOf))];
   const parts = layouts.flatMap((layout) => {
-    const [small, large] = baked.filter((row) => row.layout === layout);
+    const [small, large] = baked.filter((row) => nameOf(row) === layout);
     if (!large) return [];
     const perTriangle = (name) => (large[name] - small[name]) / (large.triangles - small.triangles);
     return `${figure(perTriangle('peak') - perTriangle('sourceBytes'))} bytes with \`${layout}\``;
