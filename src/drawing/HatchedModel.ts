@@ -135,11 +135,11 @@ export class HatchedModel {
     return this.pairs[0]?.drawn.extent ?? null;
   }
 
-  /** Whether a geometry has no triangle adjacency, so that no technique that asks for it can draw the model yet. */
+  /** Whether a geometry has no triangle adjacency, so that no technique that asks for it can draw the model yet. Damaged meshes, which are hidden, do not count. */
   get lacksAdjacency(): boolean {
-    return this.meshes.some(({ mesh }) => {
-      const { layout } = (mesh.geometry.userData.hatching ?? {}) as Partial<HatchingStatistics>;
-      return layout !== 'corner' && layout !== 'pull';
+    return this.meshes.some(({ mesh: { visible, geometry } }) => {
+      const { layout } = (geometry.userData.hatching ?? {}) as Partial<HatchingStatistics>;
+      return visible && layout !== 'corner' && layout !== 'pull';
     });
   }
 

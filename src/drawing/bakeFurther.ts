@@ -29,7 +29,8 @@ export async function bakeFurther(
 ): Promise<void> {
   root.updateMatrixWorld();
   const meshes = meshesOf(root);
-  const geometries = new Set(meshes.map(({ geometry }) => geometry));
+  // Damaged geometries could not be baked before either.
+  const geometries = new Set(meshes.map(({ geometry }) => geometry).filter(isBaked));
   let done = 0;
   for (const geometry of geometries) {
     const sharing = meshes.filter((mesh) => mesh.geometry === geometry);
@@ -63,6 +64,8 @@ export async function bakeFurther(
 }
 
 const statisticsOf = ({ userData }: BufferGeometry): HatchingStatistics => userData.hatching;
+
+const isBaked = (geometry: BufferGeometry): boolean => statisticsOf(geometry) !== undefined;
 
 /** What lines follow on a geometry. */
 const lineFieldOf = (geometry: BufferGeometry): 'form' | 'light' => statisticsOf(geometry).lineField;

@@ -1,4 +1,12 @@
-import { BoxGeometry, type BufferGeometry, Group, Mesh, MeshStandardMaterial, TorusGeometry } from 'three';
+import {
+  BoxGeometry,
+  type BufferGeometry,
+  Float32BufferAttribute,
+  Group,
+  Mesh,
+  MeshStandardMaterial,
+  TorusGeometry,
+} from 'three';
 import { describe, expect, test } from 'vitest';
 import { bakeFurther } from '../../../src/drawing/bakeFurther.js';
 import { meshesOf } from '../../../src/drawing/meshesOf.js';
@@ -52,6 +60,19 @@ describe('triangle adjacency', () => {
     expect(torus.geometry.hasAttribute('formValue')).toBe(true);
     expect(torus.geometry.userData.hatching.layout).toBe('corner');
     expect(occlusionOf(torus.geometry)).toEqual(before);
+    model.dispose();
+  });
+
+  test('is not asked of a damaged part, which is hidden', async () => {
+    const damaged = new BoxGeometry();
+    damaged.setAttribute('position', new Float32BufferAttribute([0, 0, 0], 3));
+    const meshes = [damaged, new BoxGeometry()].map((shape) => new Mesh(shape, new MeshStandardMaterial()));
+    const scene = { root: new Group().add(...meshes), animations: [] };
+    const { model, notes } = await modelOfScene(scene, { ...OPTIONS, onGeometry: () => {} });
+    expect(notes).toEqual(['1 damaged part left out']);
+    await bakeFurther(model.root, { form: FORM, adjacency: true }, OPTIONS, () => {});
+    expect(meshes[1].geometry.userData.hatching.layout).toBe('corner');
+    expect(model.lacksAdjacency).toBe(false);
     model.dispose();
   });
 

@@ -81,8 +81,9 @@ export class GeometryLoader {
     const drawn = formDrawn(settings);
     this.model = model;
     const { upAxis, crossAngle } = settings;
-    // Geometries with adjacency keep a form that was baked before.
+    // Geometries that get adjacency keep a form that was baked before.
     if (drawn) this.form = { upAxis, crossAngle, auto: drawn.auto };
+    else if (!isAnew) this.form = undefined;
     this.adjacency ||= adjacency;
     const form = this.form && { crossAngle: MathUtils.degToRad(this.form.crossAngle), auto: this.form.auto };
     const what = !drawn ? ADJACENCY : drawn.hasLines ? LINES : STROKES;
