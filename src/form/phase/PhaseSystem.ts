@@ -23,7 +23,7 @@ export interface PhaseSystem {
   level: number;
   /** Whether jumps are unknowns too, or given. */
   isFree: boolean;
-  /** For each value of a free jump 1 if it is given all the same, two values for each; null while none is. Then none of `lastParts` is free. */
+  /** For each value of a free jump, two for each, 1 if it is given all the same; null while none is. Once some are, all of `lastParts` are. */
   held: Uint8Array | null;
 }
 
