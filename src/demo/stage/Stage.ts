@@ -76,9 +76,12 @@ export class Stage {
     this.painter.outdateShadows();
   }
 
-  /** Draws in the same look again, because the geometries of the model can be drawn otherwise now. */
+  /** Draws in the same look again, because the geometries of the model can be drawn otherwise now, with other programs. */
   reapply(): void {
-    if (this.scenery.look) this.apply(this.scenery.look);
+    const { look } = this.scenery;
+    if (!look) return;
+    this.painter.forgetPrograms();
+    this.apply(look);
   }
 
   get tonalArtMap(): TonalArtMap | undefined {
