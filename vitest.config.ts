@@ -11,8 +11,12 @@ export default defineConfig({
     environment: 'node',
     include: ['tests/unit/**/*.test.ts', 'tests/reference/**/*.test.ts'],
     // Property tests and whole map generations on a busy machine; what must be fast is shown by counting steps.
-    testTimeout: 60_000,
-    hookTimeout: 60_000,
+    testTimeout: 300_000,
+    hookTimeout: 300_000,
+    tags: [
+      { name: 'all', description: 'A test that `npm test` leaves out.' },
+      { name: 'more', description: 'A test that tries fewer cases in `npm test`.' },
+    ],
     // Two cores: a third process only takes time from the others.
     maxWorkers: 2,
   },

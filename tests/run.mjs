@@ -1,9 +1,10 @@
 /**
- * `npm test`: every test there is but those of `three-middle`, and one plain last line, `N passed, N failed`.
+ * `npm test`: a selection of every layer. `npm run test:all`: every test but those of `three-middle`. `npm run test:rest`: what `npm test` leaves
+ * out. Each ends with what every layer took, and one plain last line, `N passed, N failed`.
  *
- * `npm test -- unit` runs one layer (unit, gpu, three-oldest, visual, e2e, consumers, webgpu), `npm test -- gpu visual` several, and any other
- * word goes to the runners as a filter of file names. `npm test -- three-middle` repeats what `three-oldest` runs with a version in between. The
- * numbers are summed from the runners' own JSON reports; a runner that crashes, leaves no report or finds no test at all counts as a failure.
+ * The first word is the selection (see selection.mjs). Names of layers (unit, gpu, three-oldest, three-middle, visual, e2e, consumers, webgpu) run
+ * these alone; any other word goes to the runners as a filter of file names. The numbers are summed from the runners' own JSON reports; a runner
+ * that crashes, leaves no report or finds no test at all counts as a failure.
  */
 import { spawn } from 'node:child_process';
 import { mkdirSync, readFileSync, rmSync } from 'node:fs';
@@ -11,6 +12,8 @@ import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { findChromium } from '../tools/browser/findChromium.mjs';
+import { describeLayers } from './layerTimes.mjs';
+import { argumentsOf, readSelection } from './selection.mjs';
 import { summariseReports } from './summariseReports.mjs';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
@@ -19,7 +22,11 @@ const require = createRequire(import.meta.url);
 /** A package's command line program, run by this same Node. */
 const program = (name, file) => join(dirname(require.resolve(`${name}/package.json`)), file);
 
-const words = process.argv.slice(2);
+const [chosenSelection, ...words] = process.argv.slice(2);
+const selection = readSelection(chosenSelection);
+// The tests themselves ask it how many cases to try.
+process.env.HATCH_TESTS = selection;
+
 const browserLayers = ['gpu', 'three-oldest', 'three-middle', 'visual', 'e2e', 'consumers', 'webgpu'];
 /** Runs only where it is named: it repeats the tests of `three-oldest`. */
 const onRequest = ['three-middle'];
@@ -35,7 +42,7 @@ if (chosen(['unit']).length > 0) {
     name: 'vitest',
     report,
     args: [program('vitest', 'vitest.mjs'), 'run', '--reporter=default', '--reporter=json', '--passWithNoTests'],
-    rest: [`--outputFile.json=${report}`, ...filters],
+    rest: [`--outputFile.json=${report}`, ...argumentsOf('vitest', selection), ...filters],
   });
 }
 if (chosen(browserLayers).length > 0) {
@@ -43,7 +50,11 @@ if (chosen(browserLayers).length > 0) {
     name: 'playwright',
     report: join(output, 'playwright.json'),
     args: [program('@playwright/test', 'cli.js'), 'test', '--pass-with-no-tests'],
-    rest: [...chosen(browserLayers).map((project) => `--project=${project}`), ...filters],
+    rest: [
+      ...chosen(browserLayers).map((project) => `--project=${project}`),
+      ...argumentsOf('playwright', selection),
+      ...filters,
+    ],
   });
 }
 
@@ -58,15 +69,19 @@ try {
     console.log(`Browser: ${version}, ${executablePath} (${route})`);
   }
   for (const { name, report, args, rest } of runners) {
+    const begin = performance.now();
     const exitCode = await run(process.execPath, [...args, ...rest]);
-    finished.push({ name, exitCode, report: readReport(report) });
+    finished.push({ name, exitCode, report: readReport(report), seconds: (performance.now() - begin) / 1000 });
   }
 } catch (error) {
   console.error(error instanceof Error ? error.message : error);
-  finished.push({ name: 'The search for a browser', exitCode: 1, report: undefined });
+  finished.push({ name: 'The search for a browser', exitCode: 1, report: undefined, seconds: 0 });
 }
 
-const { passed, failed, skipped, remarks } = summariseReports(finished, { filtered: filters.length > 0 });
+// Where a layer or a file is named, or everything but a few cases ran before, a runner may find nothing.
+const filtered = filters.length > 0 || selection === 'rest';
+const { passed, failed, skipped, remarks } = summariseReports(finished, { filtered });
+for (const line of describeLayers(finished)) console.log(line);
 for (const remark of remarks) console.error(remark);
 process.exitCode = failed > 0 ? 1 : 0;
 if (skipped > 0) console.log(`${skipped} skipped`);

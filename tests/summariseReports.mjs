@@ -21,7 +21,6 @@ export function summariseReports(runs, { filtered }) {
     total.passed += counts.passed;
     total.failed += counts.failed;
     total.skipped += counts.skipped;
-    total.remarks.push(...(counts.remarks ?? []));
     if (exitCode !== 0 && counts.failed === 0) fail(`${name} ended with code ${exitCode} although no test failed.`);
     if (counts.passed + counts.failed + counts.skipped === 0 && !filtered && exitCode === 0)
       fail(`${name} ran no test.`);
@@ -44,18 +43,9 @@ const readers = {
     },
   playwright: (report) =>
     report && {
-      // Only the whole page has a second try; what needed it is named. Errors outside of tests stop the run.
-      passed: report.stats.expected + report.stats.flaky,
+      // Errors outside of tests stop the run.
+      passed: report.stats.expected,
       failed: report.stats.unexpected + report.errors.length,
       skipped: report.stats.skipped,
-      remarks: report.stats.flaky > 0 ? report.suites.flatMap(secondTries) : [],
     },
 };
-
-/** A sentence for each test of a suite of Playwright's that passed only when it was run again. */
-const secondTries = ({ specs = [], suites = [] }) => [
-  ...specs
-    .filter(({ tests }) => tests.some(({ status }) => status === 'flaky'))
-    .map(({ file, title }) => `Passed only at the second try: ${file}, ${title}`),
-  ...suites.flatMap(secondTries),
-];

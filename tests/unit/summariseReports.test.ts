@@ -8,9 +8,8 @@ const vitest = (numPassedTests: number, numFailedTests = 0, emptyFailedFiles = 0
   numTodoTests: 0,
   testResults: Array.from({ length: emptyFailedFiles }, () => ({ status: 'failed', assertionResults: [] })),
 });
-const playwright = (expected: number, unexpected = 0, flaky = 0, skipped = 0, errors: unknown[] = []) => ({
-  stats: { expected, unexpected, flaky, skipped },
-  suites: [] as unknown[],
+const playwright = (expected: number, unexpected = 0, skipped = 0, errors: unknown[] = []) => ({
+  stats: { expected, unexpected, skipped },
   errors,
 });
 const summarise = (name: string, report: unknown, exitCode = 0, filtered = false) => {
@@ -27,21 +26,11 @@ describe('summariseReports', () => {
     ['no report', 'vitest', undefined, 1, { passed: 0, failed: 1, skipped: 0 }],
     ['no report and a good end', 'playwright', undefined, 0, { passed: 0, failed: 1, skipped: 0 }],
     ['an unknown runner', 'browser', undefined, 1, { passed: 0, failed: 1, skipped: 0 }],
-    ['a second try', 'playwright', playwright(3, 1, 1, 2), 1, { passed: 4, failed: 1, skipped: 2 }],
-    ['errors outside of tests', 'playwright', playwright(0, 0, 0, 0, ['no']), 1, { passed: 0, failed: 1, skipped: 0 }],
-    ['only skipped', 'playwright', playwright(0, 0, 0, 4), 0, { passed: 0, failed: 1, skipped: 4 }],
+    ['one failed on a page', 'playwright', playwright(3, 1, 2), 1, { passed: 3, failed: 1, skipped: 2 }],
+    ['errors outside of tests', 'playwright', playwright(0, 0, 0, ['no']), 1, { passed: 0, failed: 1, skipped: 0 }],
+    ['only skipped', 'playwright', playwright(0, 0, 4), 0, { passed: 0, failed: 1, skipped: 4 }],
   ])('%s', (_, name, report, exitCode, expected) => {
     expect(summarise(name, report, exitCode)).toEqual(expected);
-  });
-
-  test('names what passed only at the second try', () => {
-    const spec = (title: string, status: string) => ({ title, file: 'page.spec.ts', tests: [{ status }] });
-    const report = {
-      ...playwright(1, 0, 1),
-      suites: [{ suites: [{ specs: [spec('one', 'expected'), spec('two', 'flaky')] }] }],
-    };
-    const { remarks } = summariseReports([{ name: 'playwright', exitCode: 0, report }], { filtered: false });
-    expect(remarks).toEqual(['Passed only at the second try: page.spec.ts, two']);
   });
 
   test('a runner without tests is a failure, unless a filter was given and the other one has some', () => {

@@ -5,9 +5,9 @@ import { chromium } from '@playwright/test';
 import { installNpmChromium, npmChromiumSupported } from './installNpmChromium.mjs';
 
 /**
- * Finds a Chromium, in this order: the one named by the environment variable HATCH_CHROMIUM, Playwright's own, one
- * installed on the system, one carried by npm (fetched only then). HATCH_CHROMIUM may also be a route, `playwright`,
- * `system` or `npm`, and then only that route is tried.
+ * Finds a Chromium, in this order: the one named by the environment variable HATCH_CHROMIUM; the one that npm carries, whose version is pinned, so
+ * that pictures and limits are the same everywhere; Playwright's own; one installed on the system. HATCH_CHROMIUM may also be a route, `npm`,
+ * `playwright` or `system`, and then only that route is tried.
  *
  * @returns {Promise<{ executablePath: string, route: string, version: string }>}
  * @throws when there is none, naming the remedies.
@@ -15,9 +15,9 @@ import { installNpmChromium, npmChromiumSupported } from './installNpmChromium.m
 export async function findChromium() {
   const wish = process.env.HATCH_CHROMIUM;
   const routes = {
+    npm: async () => (npmChromiumSupported ? [await installNpmChromium()] : []),
     playwright: () => [chromium.executablePath()],
     system: systemCandidates,
-    npm: async () => (npmChromiumSupported ? [await installNpmChromium()] : []),
   };
   const tried = [];
   const firstUsable = async (route, candidates) => {

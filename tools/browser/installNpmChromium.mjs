@@ -28,6 +28,7 @@ export const npmChromiumSupported = process.platform === 'linux' && process.arch
  *
  * The package's own start-up code is not used: it looks in the shared temporary folder, and its flags switch web
  * security off. Where the system lacks libraries such as libnss3, a small launcher uses those of the package.
+ * Its fonts are those of the package, never those of the system.
  *
  * @returns {Promise<string>} the path of the launcher.
  */
@@ -56,6 +57,7 @@ export async function installNpmChromium() {
     unpack('al2023.tar.br', extract(join(unpacked, 'al2023'))),
   ]);
   await chmod(join(unpacked, 'chromium'), 0o755);
+  writeFileSync(join(unpacked, 'fonts', 'fonts.conf'), FONTS);
   writeFileSync(join(unpacked, 'launch.sh'), launcherText(join(unpacked, 'chromium')), { mode: 0o755 });
   try {
     await rename(unpacked, join(cache, 'unpacked'));
@@ -67,13 +69,25 @@ export async function installNpmChromium() {
   return launcher;
 }
 
-/** Sets the library and font paths that a bare system needs, and no others. */
+/**
+ * The only fonts of this browser are those beside this file: text is as wide on every machine, and a system without any font, where Chromium
+ * would end at the first text, needs none.
+ */
+const FONTS = `<?xml version="1.0"?>
+<!DOCTYPE fontconfig SYSTEM "fonts.dtd">
+<fontconfig>
+  <dir prefix="relative">fonts</dir>
+  <cachedir prefix="relative">cache</cachedir>
+</fontconfig>
+`;
+
+/** Sets the path of the fonts, and that of the libraries where the system lacks some. */
 function launcherText(binary) {
   const starts = spawnSync(binary, ['--version'], { stdio: 'ignore', timeout: 30_000 }).status === 0;
   const lines = ['#!/bin/sh', 'here=$(dirname "$(readlink -f "$0")")'];
   // biome-ignore lint/suspicious/noTemplateCurlyInString: a shell's expansion, not ours.
   if (!starts) lines.push('export LD_LIBRARY_PATH="$here/al2023/lib${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}"');
-  if (!existsSync('/etc/fonts/fonts.conf')) lines.push('export FONTCONFIG_PATH="$here/fonts"');
+  lines.push('export FONTCONFIG_FILE="$here/fonts/fonts.conf"');
   lines.push('exec "$here/chromium" "$@"', '');
   return lines.join('\n');
 }
