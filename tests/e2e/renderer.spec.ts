@@ -155,7 +155,7 @@ test('WebGPU draws the same picture when it is chosen, WebGL draws it again, and
   await expect(note(page)).toHaveText('Pictures, prints, videos and vector files are drawn by WebGL.');
   expect(page.url()).toContain('renderer=webgpu');
   await expectWebGPUAlone(page);
-  expect(unlikeShare(before, onWebGPU)).toBeLessThan(0.005);
+  expect(unlikeShare(before, onWebGPU)).toBeLessThan(0.002);
 
   // The light is dragged, and the picture that is saved shows it.
   await page.locator('#lamp').focus();
@@ -163,7 +163,7 @@ test('WebGPU draws the same picture when it is chosen, WebGL draws it again, and
   const turned = await readDrawing(page);
   expect(changedShare(onWebGPU, turned)).toBeGreaterThan(0.02);
   const curtain = firstCurtain(page);
-  expect(unlikeShare(turned, await savePicture(page))).toBeLessThan(0.005);
+  expect(unlikeShare(turned, await savePicture(page))).toBeLessThan(0.002);
   expect(await curtain).toEqual({ width: turned.width, height: turned.height, alpha: 255 });
   expect(unlikeShare(turned, await readDrawing(page))).toBe(0);
   await expect(nodeScreen(page)).toBeVisible();
@@ -172,7 +172,7 @@ test('WebGPU draws the same picture when it is chosen, WebGL draws it again, and
   await renderers(page).selectOption('WebGL');
   await idle(page);
   await expect(nodeScreen(page)).toHaveCount(0);
-  expect(unlikeShare(turned, await readDrawing(page))).toBeLessThan(0.005);
+  expect(unlikeShare(turned, await readDrawing(page))).toBeLessThan(0.002);
   await expect.poll(async () => (await held(page)).devices).toBe(0);
   expect((await held(page)).textures).toBeLessThanOrEqual(usual.textures);
   await expect(note(page)).toBeEmpty();
@@ -213,15 +213,15 @@ for (const [what, glb] of [
     await renderers(page).selectOption('WebGPU, experimental');
     await idle(page);
     await expect(nodeScreen(page)).toBeVisible();
-    expect(unlikeShare(before, await readDrawing(page))).toBeLessThan(0.005);
+    expect(unlikeShare(before, await readDrawing(page))).toBeLessThan(0.002);
     await drop(page, [file('again.glb', glb)]);
     await idle(page);
     await expect(nodeScreen(page)).toBeVisible();
-    expect(unlikeShare(before, await readDrawing(page))).toBeLessThan(0.005);
+    expect(unlikeShare(before, await readDrawing(page))).toBeLessThan(0.002);
     await renderers(page).selectOption('WebGL');
     await idle(page);
     await expect(nodeScreen(page)).toHaveCount(0);
-    expect(unlikeShare(before, await readDrawing(page))).toBeLessThan(0.005);
+    expect(unlikeShare(before, await readDrawing(page))).toBeLessThan(0.002);
   });
 }
 

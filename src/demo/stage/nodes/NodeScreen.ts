@@ -1,4 +1,4 @@
-import { type PerspectiveCamera, Scene } from 'three';
+import { Color, type PerspectiveCamera, Scene } from 'three';
 import { WebGPURenderer } from 'three/webgpu';
 import { HatchingNodeMaterial } from 'three-hatching/webgpu';
 import type { HatchedModel } from '../../../drawing/HatchedModel.js';
@@ -10,6 +10,7 @@ import { strokeShare } from '../../../staging/strokeShare.js';
 import type { Painter } from '../Painter.js';
 import type { Scenery } from '../Scenery.js';
 import type { FrameSize, Screen } from '../Screen.js';
+import { encodeInMaterials } from './encodeInMaterials.js';
 import { nodeMakers } from './nodeMakers.js';
 
 /** What a {@link NodeScreen} needs to know of the page, and whom it tells. */
@@ -75,6 +76,7 @@ export class NodeScreen implements Screen {
     canvas.setAttribute('aria-hidden', 'true');
     const antialias = host.painter.context.getContextAttributes()?.antialias ?? true;
     this.renderer = new WebGPURenderer({ canvas, antialias });
+    encodeInMaterials(this.renderer);
     this.renderer.shadowMap.enabled = true;
     this.renderer.onDeviceLost = () => {
       if (!this.isDisposed) host.onLost();
@@ -187,7 +189,7 @@ export class NodeScreen implements Screen {
       this.look = look;
       lights.apply(look.lights);
       ground.apply(look);
-      renderer.setClearColor(look.paper, 1);
+      renderer.setClearColor(new Color(look.paper).convertLinearToSRGB(), 1);
     }
     ground.height = scenery.ground.height;
     ground.extent = shown.model?.extent ?? null;
