@@ -7,12 +7,12 @@
  * that crashes, leaves no report or finds no test at all counts as a failure.
  */
 import { spawn } from 'node:child_process';
-import { mkdirSync, readFileSync, rmSync } from 'node:fs';
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { findChromium } from '../tools/browser/findChromium.mjs';
-import { describeLayers } from './layerTimes.mjs';
+import { layerTimes } from './layerTimes.mjs';
 import { argumentsOf, readSelection } from './selection.mjs';
 import { summariseReports } from './summariseReports.mjs';
 
@@ -81,7 +81,15 @@ try {
 // Where a layer or a file is named, or everything but a few cases ran before, a runner may find nothing.
 const filtered = filters.length > 0 || selection === 'rest';
 const { passed, failed, skipped, remarks } = summariseReports(finished, { filtered });
-for (const line of describeLayers(finished)) console.log(line);
+const times = layerTimes(finished);
+for (const { layer, tests, seconds } of times) console.log(`${layer}: ${tests} tests, ${Math.round(seconds)} s`);
+console.log(`On the clock: ${Math.round(performance.now() / 1000)} s`);
+// Whole runs are what the table in CONTRIBUTING.md is written from.
+if (words.length === 0) {
+  mkdirSync(join(output, 'times'), { recursive: true });
+  const text = JSON.stringify({ seconds: performance.now() / 1000, layers: times });
+  writeFileSync(join(output, 'times', `${selection}.json`), text);
+}
 for (const remark of remarks) console.error(remark);
 process.exitCode = failed > 0 ? 1 : 0;
 if (skipped > 0) console.log(`${skipped} skipped`);
