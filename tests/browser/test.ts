@@ -1,10 +1,11 @@
-import { test as base, type ConsoleMessage, expect, type Page } from '@playwright/test';
+import { test as base, expect as baseExpect, type ConsoleMessage, type Page } from '@playwright/test';
 import { toleratedMessages } from '../../tools/browser/toleratedMessages.js';
 import { passNumbersAsBytes } from './passNumbersAsBytes.js';
+import { recordLimits } from './recordLimits.js';
 import { serveTests } from './serveTests.js';
 import type { ThreeOptions } from './ThreeOptions.js';
 
-export { expect };
+export const expect = recordLimits(baseExpect, process.env.HATCH_LIMITS);
 
 declare global {
   interface Window {
