@@ -57,7 +57,7 @@ export async function installNpmChromium() {
     unpack('al2023.tar.br', extract(join(unpacked, 'al2023'))),
   ]);
   await chmod(join(unpacked, 'chromium'), 0o755);
-  writeFileSync(join(unpacked, 'fonts', 'fonts.conf'), FONTS);
+  writeFileSync(join(unpacked, 'fonts', 'fonts.conf'), fontsText());
   writeFileSync(join(unpacked, 'launch.sh'), launcherText(join(unpacked, 'chromium')), { mode: 0o755 });
   try {
     await rename(unpacked, join(cache, 'unpacked'));
@@ -73,11 +73,11 @@ export async function installNpmChromium() {
  * The only fonts of this browser are those beside this file: text is as wide on every machine, and a system without any font, where Chromium
  * would end at the first text, needs none.
  */
-const FONTS = `<?xml version="1.0"?>
+const fontsText = () => `<?xml version="1.0"?>
 <!DOCTYPE fontconfig SYSTEM "fonts.dtd">
 <fontconfig>
   <dir prefix="relative">fonts</dir>
-  <cachedir prefix="relative">cache</cachedir>
+  <cachedir>${join(cache, 'fontconfig')}</cachedir>
 </fontconfig>
 `;
 
