@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test';
-import { drop, middleOf, openPlayground, readDrawing, ready } from '../../tools/browser/playground.js';
+import { drop, middleOf, openPlayground, readDrawing, ready, writtenHash } from '../../tools/browser/playground.js';
 import { file, octahedronPly } from '../../tools/modelFiles/modelFiles.js';
 import { expect, readGlErrors, test } from '../browser/test.js';
 import { changedShare } from './pictures.js';
@@ -230,11 +230,17 @@ test('what was asked for and did not come leaves nothing behind: no style, no ax
   // Nothing is there to be saved.
   await page.goto(`./#model=dragon4&${LOOK}`);
   await expect(status).toHaveText(/^Fetching the dragon/);
-  // Until the map is there too, its progress may take the place of the sentence.
-  await expect(async () => {
-    await page.locator('#save-png').click();
-    await expect(status).toHaveText('There is no drawing to save yet.', { timeout: 1000 });
-  }).toPass();
+  // Until the map is there too, its progress may take the place of the sentence soon.
+  await status.evaluate(
+    (line, sentence) =>
+      new Promise<void>((resolve) => {
+        new MutationObserver(() => {
+          if (line.textContent === sentence) resolve();
+        }).observe(line, { childList: true, characterData: true, subtree: true });
+        document.querySelector<HTMLElement>('#save-png')!.click();
+      }),
+    'There is no drawing to save yet.',
+  );
   release();
   await ready(page);
 
@@ -251,8 +257,7 @@ test('what was asked for and did not come leaves nothing behind: no style, no ax
   // A link that is pasted brings its own axis, also to another model.
   await follow(page, `model=cube&${LOOK}`);
   await expect(page.locator('#model-name')).toHaveText('Cube');
-  await ready(page);
-  expect(await page.evaluate(() => location.hash)).toContain('upAxis=z');
+  expect(await writtenHash(page)).toContain('upAxis=z');
 
   // A link that is followed just when the page would write its address is not written over.
   await page.getByRole('button', { name: 'Stipple' }).click();
@@ -310,19 +315,18 @@ test('a link draws the very picture of who sends it: orbited, and framed before 
 }) => {
   const sent = async (): Promise<void> => {
     const drawn = await readDrawing(page);
-    const written = await page.evaluate(() => location.hash);
+    const written = await writtenHash(page);
     await page.goto('about:blank');
     await openPlayground(page, written.slice(1));
     expect(changedShare(drawn, await readDrawing(page))).toBe(0);
-    expect(await page.evaluate(() => location.hash)).toBe(written);
+    expect(await writtenHash(page)).toBe(written);
   };
   const link = 'technique=engraved&model=knot&shadows=on&ground=shadow&lightAzimuth=-80&lightElevation=20';
   await openPlayground(page, link);
-  const before = await page.evaluate(() => location.hash);
   await page.locator('#lamp').focus();
   // To the other side, where the shadow would need room.
   for (let i = 0; i < 30; i++) await page.keyboard.press('ArrowRight');
-  await expect.poll(() => page.evaluate(() => location.hash)).toMatch(/lightAzimuth=70&.*camera=/);
+  expect(await writtenHash(page)).toMatch(/lightAzimuth=70&.*camera=/);
   await sent();
 
   const { x, y } = await middleOf(page, '#viewport');
@@ -331,7 +335,5 @@ test('a link draws the very picture of who sends it: orbited, and framed before 
   await page.mouse.move(x + 67, y + 21, { steps: 7 });
   await page.mouse.up();
   await page.mouse.wheel(0, -130);
-  await expect.poll(() => page.evaluate(() => location.hash)).not.toBe(before);
-  await ready(page);
   await sent();
 });

@@ -3,6 +3,7 @@ import type { Locator, Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { buildExamples } from '../../examples/build.mjs';
 import { readExamples } from '../../examples/readExamples.mjs';
+import { refreshes } from '../../tools/browser/playground.js';
 import { serveFolders } from '../../tools/browser/serveFolders.js';
 import { toleratedMessages } from '../../tools/browser/toleratedMessages.js';
 import { columnGlb } from '../../tools/modelFiles/columnModel.js';
@@ -201,7 +202,7 @@ test.describe('<hatched-model>', () => {
           return drawImage.apply(this, args as Parameters<typeof drawImage>);
         } as typeof drawImage;
       });
-      await page.waitForTimeout(500);
+      await refreshes(page, 10);
       expect(await page.evaluate(() => (window as unknown as { frames: number }).frames)).toBe(0);
       await first.evaluate((element) => element.setAttribute('light', '70, 20'));
       await expect.poll(async () => changedShare(home, await pixels(canvas))).toBeGreaterThan(0.02);

@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { FIGURES, type Figure } from '../../src/demo/figures/figures.js';
-import { openPlayground, ready } from '../../tools/browser/playground.js';
+import { openPlayground, ready, refreshes } from '../../tools/browser/playground.js';
 import { expect, test } from '../browser/test.js';
 import { angleBetween, changedShare, strokeDirection } from './pictures.js';
 
@@ -144,7 +144,7 @@ test('draws nothing while nothing changes, and only what is in view when somethi
   await openFigures(page);
   const frames = () => page.evaluate(() => window.__figures!.framesDrawn);
   const before = await frames();
-  await page.waitForTimeout(1000);
+  await refreshes(page, 10);
   expect(await frames()).toBe(before);
   const sizeOfLast = () => page.locator(panelOf(14, 'tangent')).evaluate((canvas: HTMLCanvasElement) => canvas.width);
   expect(await sizeOfLast()).toBe(0);

@@ -1,4 +1,4 @@
-import { drop, follow, openPlayground, readDrawing, ready } from '../../tools/browser/playground.js';
+import { drop, follow, openPlayground, readDrawing, ready, writtenHash } from '../../tools/browser/playground.js';
 import {
   file,
   largeTorus,
@@ -236,7 +236,7 @@ test('a model that is opened while another is joined is framed, lit and shadowed
   await openPlayground(page, 'model=cube');
   await drop(page, own);
   const alone = await readDrawing(page);
-  const link = await page.evaluate(() => location.hash);
+  const link = await writtenHash(page);
   await follow(page, 'model=cube');
   await page.evaluate(
     () =>
@@ -252,7 +252,7 @@ test('a model that is opened while another is joined is framed, lit and shadowed
   await expect(page.locator('#model-name')).toHaveText(/dragon/);
   await drop(page, own);
   await ready(page);
-  expect(await page.evaluate(() => location.hash)).toBe(link);
+  expect(await writtenHash(page)).toBe(link);
   expect(changedShare(alone, await readDrawing(page))).toBe(0);
 });
 

@@ -1,4 +1,4 @@
-import { dragLamp, lampPlace, middleOf, readDrawing, ready } from '../../tools/browser/playground.js';
+import { dragLamp, lampPlace, middleOf, readDrawing, ready, writtenHash } from '../../tools/browser/playground.js';
 import { file, octahedronPly } from '../../tools/modelFiles/modelFiles.js';
 import { expect, test } from '../browser/test.js';
 import { changedShare } from './pictures.js';
@@ -23,8 +23,7 @@ test('in a frame of another page: the drawing and its lamp alone, and the wheel 
   await dragLamp(page, { x: 60, y: 10 });
   expect((await lampPlace(page)).azimuth).not.toBe(azimuth);
   // The address is that of the page around it.
-  await page.waitForTimeout(600);
-  expect(new URL(page.url()).hash).toBe(`#${link}`);
+  expect(await writtenHash(page)).toBe(`#${link}`);
   const home = page.getByRole('link', { name: 'Open the playground' });
   await home.evaluate((element) => element.addEventListener('click', (event) => event.preventDefault()));
   await home.click();

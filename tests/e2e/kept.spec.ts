@@ -2,7 +2,7 @@ import { readFile } from 'node:fs/promises';
 import type { Locator, Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { strFromU8, strToU8, unzipSync, zipSync } from 'three/addons/libs/fflate.module.js';
-import { drop, middleOf, openPlayground, readDrawing, ready } from '../../tools/browser/playground.js';
+import { drop, middleOf, openPlayground, readDrawing, ready, writtenHash } from '../../tools/browser/playground.js';
 import { file, octahedronPly } from '../../tools/modelFiles/modelFiles.js';
 import { expect, test } from '../browser/test.js';
 import { changedShare, meanInk } from './pictures.js';
@@ -14,7 +14,7 @@ const octahedron = file('octahedron.ply', octahedronPly);
 
 /** Waits until the browser keeps what the page shows, by the link in the page's address. */
 async function kept(page: Page): Promise<void> {
-  await ready(page);
+  await writtenHash(page);
   await expect
     .poll(() =>
       page.evaluate(
@@ -270,8 +270,6 @@ test('Undo and Redo take back settings, the model, the view and the light, by bu
   const pictures = [await readDrawing(page)];
   const after = async (change: () => Promise<unknown>): Promise<void> => {
     await change();
-    // Changes of one kind that follow at once would be one step.
-    await page.waitForTimeout(1000);
     pictures.push(await readDrawing(page));
     expect(changedShare(pictures.at(-2)!, pictures.at(-1)!)).toBeGreaterThan(0.002);
   };

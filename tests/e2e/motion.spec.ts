@@ -1,7 +1,7 @@
 import { existsSync, readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import type { PNG } from 'pngjs';
-import { drop, framesDrawn, openPlayground, readDrawing, ready } from '../../tools/browser/playground.js';
+import { drop, framesDrawn, openPlayground, readDrawing, ready, refreshes } from '../../tools/browser/playground.js';
 import { columnGlb } from '../../tools/modelFiles/columnModel.js';
 import { file, type TestFile } from '../../tools/modelFiles/modelFiles.js';
 import { expect, test } from '../browser/test.js';
@@ -39,7 +39,7 @@ test('a model with a clip plays when it is dropped; paused, the page is idle', a
   await pause(page).click();
   await ready(page);
   const frames = await framesDrawn(page);
-  await page.waitForTimeout(700);
+  await refreshes(page, 10);
   expect(await framesDrawn(page)).toBe(frames);
   // The space bar on the drawing does the same.
   await page.locator('#drawing').press(' ');

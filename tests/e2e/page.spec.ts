@@ -9,6 +9,7 @@ import {
   openPlayground,
   readDrawing,
   ready,
+  refreshes,
   savePicture,
 } from '../../tools/browser/playground.js';
 import { columnGlb } from '../../tools/modelFiles/columnModel.js';
@@ -145,7 +146,7 @@ test('what nobody has opened yet opens without a connection, once the page has b
 test('an idle page draws no frames', async ({ page }) => {
   await openPlayground(page, 'model=cube');
   const before = await framesDrawn(page);
-  await page.waitForTimeout(1000);
+  await refreshes(page, 10);
   expect(await framesDrawn(page)).toBe(before);
   await page.locator('#lamp').press('ArrowLeft');
   await ready(page);

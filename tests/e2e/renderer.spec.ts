@@ -1,7 +1,15 @@
 import type { Page } from '@playwright/test';
 import type { PNG } from 'pngjs';
 import { launchOptions } from '../../tools/browser/launchOptions.mjs';
-import { drop, enterLink, idle, openPlayground, readDrawing, savePicture } from '../../tools/browser/playground.js';
+import {
+  drop,
+  enterLink,
+  idle,
+  openPlayground,
+  readDrawing,
+  savePicture,
+  writtenHash,
+} from '../../tools/browser/playground.js';
 import { columnGlb } from '../../tools/modelFiles/columnModel.js';
 import { tetrahedron } from '../../tools/modelFiles/GltfBuilder.js';
 import { file } from '../../tools/modelFiles/modelFiles.js';
@@ -153,7 +161,7 @@ test('WebGPU draws the same picture when it is chosen, WebGL draws it again, and
   expect(scripts.length).toBeGreaterThan(0);
   await expect(nodeScreen(page)).toBeVisible();
   await expect(note(page)).toHaveText('Pictures, prints, videos and vector files are drawn by WebGL.');
-  expect(page.url()).toContain('renderer=webgpu');
+  expect(await writtenHash(page)).toContain('renderer=webgpu');
   await expectWebGPUAlone(page);
   expect(unlikeShare(before, onWebGPU)).toBeLessThan(0.002);
 
@@ -252,7 +260,7 @@ test('WebGL draws on when WebGPU is lost, and can be left again for it', async (
   await idle(page);
   await expect(nodeScreen(page)).toHaveCount(0);
   expect(unlikeShare(before, await readDrawing(page))).toBeLessThan(0.02);
-  expect(page.url()).not.toContain('renderer=webgpu');
+  expect(await writtenHash(page)).not.toContain('renderer=webgpu');
   await openMore(page);
   await renderers(page).selectOption('WebGPU, experimental');
   await idle(page);

@@ -4,37 +4,32 @@ import { PNG } from 'pngjs';
 
 import type { TestFile } from '../modelFiles/modelFiles.js';
 
-/** A page that draws no frame for so long is idle. Longer than the pause before it restores the full resolution. */
-const QUIET_MILLISECONDS = 500;
-
 /** Opens the playground with the hash of a link and waits until it shows the drawing. */
 export async function openPlayground(page: Page, hash = ''): Promise<void> {
   await page.goto(`./#${hash}`);
   await ready(page);
 }
 
-/** Waits until the page is idle: nothing is loading, baking or moving. */
-export async function ready(page: Page): Promise<void> {
-  await page.waitForFunction(() => document.documentElement.dataset.state === 'ready', null, { timeout: 60_000 });
-  await page.waitForFunction(
-    (quiet) => {
-      const state = window as unknown as { __seen?: { frames: number; since: number } };
-      const { framesDrawn: frames, isIdle } = window.__playground!;
-      if (!isIdle || state.__seen?.frames !== frames) state.__seen = { frames, since: performance.now() };
-      return performance.now() - state.__seen.since > quiet;
-    },
-    QUIET_MILLISECONDS,
-    { polling: 100 },
-  );
-}
-
 /** Longer than anything here should take, also on a slow machine. */
 const STUCK_MILLISECONDS = 120_000;
 
-/** As {@link ready}, without the pause: nothing is loading or baking. A clip that plays is stopped, because it would go on for ever. */
+/** Waits until the page has handled what was done to it: some of that begins in a later task, or with the next refresh of the screen. */
+export const handled = (page: Page): Promise<void> =>
+  page.evaluate(() => new Promise<void>((resolve) => requestAnimationFrame(() => setTimeout(resolve))));
+
+/** Waits until the page shows a drawing and is idle: nothing is loading, baking, moving or fading. */
+export async function ready(page: Page): Promise<void> {
+  await handled(page);
+  await page.waitForFunction(
+    () => document.documentElement.dataset.state === 'ready' && window.__playground!.isIdle,
+    null,
+    { timeout: STUCK_MILLISECONDS },
+  );
+}
+
+/** Waits until the page is idle, with or without a drawing. A clip that plays is stopped, because it would go on for ever. */
 export async function idle(page: Page): Promise<void> {
-  // The page handles some events in a later task.
-  await page.evaluate(() => new Promise((resolve) => setTimeout(resolve)));
+  await handled(page);
   await page.waitForFunction(
     () => {
       const playing = [...document.querySelectorAll('button')].find(({ textContent }) => textContent === 'Pause');
@@ -42,9 +37,15 @@ export async function idle(page: Page): Promise<void> {
       return window.__playground!.isIdle;
     },
     null,
-    { timeout: STUCK_MILLISECONDS, polling: 50 },
+    { timeout: STUCK_MILLISECONDS },
   );
 }
+
+/** Waits for some refreshes of the screen, in each of which the page could draw a frame. */
+export const refreshes = (page: Page, count: number): Promise<void> =>
+  page.evaluate(async (awaited) => {
+    for (let i = 0; i < awaited; i++) await new Promise(requestAnimationFrame);
+  }, count);
 
 /** Follows a link in the open page. */
 export async function follow(page: Page, hash: string): Promise<void> {
@@ -62,6 +63,15 @@ export async function enterLink(page: Page, hash: string): Promise<void> {
     location.hash = link;
     await isTold;
   }, hash);
+}
+
+/** The hash of the page's address, for which the page would wait for a moment without changes. The page writes it now, as before it is left. */
+export async function writtenHash(page: Page): Promise<string> {
+  await ready(page);
+  return page.evaluate(() => {
+    dispatchEvent(new Event('pagehide'));
+    return location.hash;
+  });
 }
 
 /** Drags files over the page and drops them. */

@@ -29,8 +29,8 @@ import { TaskRunner } from './tasks/TaskRunner.js';
 declare global {
   interface Window {
     /**
-     * For tests: the number of frames drawn since the page was opened, and whether no model, map or frame is being
-     * waited for. An idle page draws no frames.
+     * For tests: the number of frames drawn since the page was opened, and whether the drawing stays as it is: no model, map, part of the
+     * page or frame is being waited for, and nothing fades. An idle page draws no frames.
      */
     __playground?: { readonly framesDrawn: number; readonly isIdle: boolean };
   }
@@ -74,7 +74,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   };
   const card = new Card(session, status, parts, createActions, onFold, renderers);
   session.listen({ applied: () => showSettings(session.settings) });
-  const isAwaited = (): boolean => geometries.isAwaited || occlusion.isAwaited;
+  const isAwaited = (): boolean => geometries.isAwaited || occlusion.isAwaited || session.mapLoader.isAwaited;
   const state = new PageState(session, tasks, opener, status, () => overlays.hasLights, isAwaited);
   stage.quality.onMeasured(() => {
     update();
@@ -93,7 +93,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   // The wheel scrolls the page around the frame until the drawing has the focus.
   if (pageForm === 'embed') stage.view.zoomsWhenFocused(page.canvas);
   const isIdle = (): boolean =>
-    tasks.isIdle && !stage.frames.isWaiting && !isAwaited() && !parts.isFetching && !opener.isOpening;
+    tasks.isIdle && stage.frames.isSettled && !isAwaited() && !parts.isFetching && !opener.isOpening;
   showToTests(stage, isIdle);
   if (pageForm === 'playground') void showRecent(keeper);
   openFirst(linked, session, opener, pageForm === 'playground' ? address.drawing : undefined);

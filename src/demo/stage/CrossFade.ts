@@ -26,7 +26,8 @@ export class CrossFade {
     return this.isKept || this.isFading;
   }
 
-  private get isFading(): boolean {
+  /** Whether an earlier picture fades. */
+  get isFading(): boolean {
     return !this.copy.hidden;
   }
 

@@ -99,6 +99,15 @@ export class Frames {
     return this.scheduler.isWaiting || this.isBuilding || (quality.isSketch && !painter.isLost);
   }
 
+  /**
+   * Whether what the page shows stays as it is: no frame is awaited or being drawn, none in full resolution will follow a coarse one, and
+   * no picture fades.
+   */
+  get isSettled(): boolean {
+    const { quality, crossFade } = this;
+    return !this.isWaiting && !quality.isBusy && !quality.isCoarse && !crossFade.isFading;
+  }
+
   /** Discards the picture of a stand-in, which would have faded into that of the model. */
   forgetStandIn(): void {
     this.crossFade.forget();

@@ -51,7 +51,6 @@ export class HandSheet {
   /** The hand that was chosen from the given ones, as long as it is as it was given. */
   private chosen: OwnHand | undefined;
   private opener: Element | null = null;
-  private timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(
     private readonly sheet: HTMLElement,
@@ -221,8 +220,7 @@ export class HandSheet {
     const lookWith = had ? linesOfHand : handLook;
     const look = hand ? lookWith(settings, hand) : lookWithoutHand(settings);
     session.handChanged(next, look, source);
-    clearTimeout(this.timer);
-    this.timer = setTimeout(() => void session.mapLoader.showChosen(), PAUSE);
+    session.mapLoader.showChosenAfter(PAUSE);
   }
 
   /** Shows the hand that the page has now, and whether it is drawn with. */

@@ -19,6 +19,7 @@ export class MapLoader {
   private cache: TonalArtMapCache | undefined;
   /** The settings of the map in use. */
   private shown: MapSettings | undefined;
+  private timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(
     private readonly stage: Stage,
@@ -57,6 +58,20 @@ export class MapLoader {
     if (end !== 'failed' || !this.shown) return;
     Object.assign(this.settings, this.shown);
     this.onPutBack();
+  }
+
+  /** Draws with the map that the settings ask for by the end of a pause, which begins anew with each call. @param pause in milliseconds */
+  showChosenAfter(pause: number): void {
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => {
+      this.timer = undefined;
+      void this.showChosen();
+    }, pause);
+  }
+
+  /** Whether a map will be drawn after a pause. */
+  get isAwaited(): boolean {
+    return this.timer !== undefined;
   }
 
   /** Draws with a map or a hand from files. @param isRestored whether the page goes back to the map, so that it is no change by the user */

@@ -160,6 +160,37 @@ test('a frame waits while the graphics card draws one that takes long, and is dr
   expect([drawTile.mock.calls.length, sheet.isWaiting, sheet.count]).toEqual([1, false, 1]);
 });
 
+test('what is seen stays as it is once nothing is awaited, being drawn or coarse, and nothing fades', async () => {
+  const { sheet, quality, painter, next } = makeFrames();
+  expect(sheet.isSettled).toBe(true);
+  sheet.refine();
+  expect(sheet.isSettled).toBe(false);
+  next();
+  expect(sheet.isSettled).toBe(true);
+  for (const [part, state] of [
+    [quality, 'isBusy'],
+    [quality, 'isCoarse'],
+    [quality, 'isSketch'],
+    [painter, 'isBuilding'],
+  ] as const) {
+    Object.assign(part, { [state]: true });
+    expect(sheet.isSettled, state).toBe(false);
+    Object.assign(part, { [state]: false });
+  }
+  let end = (): void => {};
+  const finished = new Promise<void>((resolve) => {
+    end = resolve;
+  });
+  animate.mockReturnValueOnce({ finished });
+  sheet.fadeIntoNext();
+  sheet.refine();
+  next();
+  expect(sheet.isSettled).toBe(false);
+  end();
+  await finished;
+  expect(sheet.isSettled).toBe(true);
+});
+
 test('nothing moves while a picture is drawn in tiles, though the graphics card is busy', () => {
   const { sheet, quality, painter, drawTile, next } = makeFrames();
   quality.isBusy = true;
