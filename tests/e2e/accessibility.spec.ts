@@ -2,11 +2,12 @@ import AxeBuilder from '@axe-core/playwright';
 import type { Page } from '@playwright/test';
 import { openPlayground } from '../../tools/browser/playground.js';
 import { expect, test } from '../browser/test.js';
+import { cases } from '../selection.mjs';
 
 const SIZES = [
   [360, 640],
-  [740, 360],
   [1000, 700],
+  [740, 360],
   [1920, 1080],
 ] as const;
 
@@ -21,9 +22,11 @@ async function violations(page: Page): Promise<string[]> {
   return found.flatMap(({ id, nodes }) => nodes.map(({ target }) => `${id}: ${target.join(' ')}`));
 }
 
-test('axe finds nothing on the playground, at four sizes, with settings and gallery open', async ({ page }) => {
+test('axe finds nothing on the playground, at four sizes, with settings and gallery open', { tag: '@more' }, async ({
+  page,
+}) => {
   await openPlayground(page, 'model=cube&outlines=off');
-  for (const [width, height] of SIZES) {
+  for (const [width, height] of cases<readonly (readonly [number, number])[]>(SIZES.slice(0, 2), SIZES)) {
     await page.setViewportSize({ width, height });
     expect.soft(await violations(page), `${width} × ${height}`).toEqual([]);
     const settings = page.getByRole('button', { name: 'Settings' });
@@ -71,22 +74,22 @@ test('axe finds nothing on the playground, at four sizes, with settings and gall
   }
 });
 
-test('axe finds nothing on the sheet for a hand of one’s own, at two sizes, empty and with a hand', async ({
-  page,
-}) => {
+test('axe finds nothing on the sheet for a hand of one’s own, at two sizes, empty and with a hand', {
+  tag: '@all',
+}, async ({ page }) => {
   await openPlayground(page, 'model=cube&outlines=off&technique=anchored&mapSize=64&mapTones=4');
   await page.getByRole('button', { name: 'Draw with your own hand' }).click();
   await expect(page.getByRole('heading', { name: 'Your own hand' })).toBeVisible();
   expect.soft(await violations(page), 'empty').toEqual([]);
   await page.getByRole('combobox', { name: 'Begin from' }).selectOption('a reed pen');
   await expect(page.getByRole('slider', { name: 'Length', exact: true })).toBeVisible();
-  for (const [width, height] of [SIZES[0], SIZES[2]]) {
+  for (const [width, height] of SIZES.slice(0, 2)) {
     await page.setViewportSize({ width, height });
     expect.soft(await violations(page), `${width} × ${height}`).toEqual([]);
   }
 });
 
-test('axe finds nothing on the page of the figures, at four sizes', async ({ page }) => {
+test('axe finds nothing on the page of the figures, at four sizes', { tag: '@all' }, async ({ page }) => {
   await page.goto('./figures/');
   for (const [width, height] of SIZES) {
     await page.setViewportSize({ width, height });

@@ -77,10 +77,9 @@ test('a model by its address is fetched when the user has agreed, by the one pag
   expect(pageProblems.splice(0).join()).toMatch(/Content Security Policy/);
 });
 
-test('an agreement is to one model on one site, whatever a link, its sender or a visitor in haste does', async ({
-  page,
-  pageProblems,
-}) => {
+test('an agreement is to one model on one site, whatever a link, its sender or a visitor in haste does', {
+  tag: '@all',
+}, async ({ page, pageProblems }) => {
   const asked: string[] = [];
   await page.route(/^https:/, (route) => {
     const { host, pathname } = new URL(route.request().url());
@@ -208,10 +207,9 @@ test('an agreement is to one model on one site, whatever a link, its sender or a
   expect(pageProblems.splice(0).filter((problem) => !/Content Security Policy|ERR_|CORS/.test(problem))).toEqual([]);
 });
 
-test('what was asked for and did not come leaves nothing behind: no style, no axis, no picture', async ({
-  page,
-  pageProblems,
-}) => {
+test('what was asked for and did not come leaves nothing behind: no style, no axis, no picture', {
+  tag: '@all',
+}, async ({ page, pageProblems }) => {
   let release = (): void => {};
   const held = new Promise<void>((resolve) => {
     release = resolve;
@@ -310,9 +308,9 @@ test('what was asked for and did not come leaves nothing behind: no style, no ax
   expect(pageProblems.splice(0).filter((problem) => !/ERR_FAILED/.test(problem))).toEqual([]);
 });
 
-test('a link draws the very picture of who sends it: orbited, and framed before the light was moved', async ({
-  page,
-}) => {
+test('a link draws the very picture of who sends it: orbited, and framed before the light was moved', {
+  tag: '@all',
+}, async ({ page }) => {
   const sent = async (): Promise<void> => {
     const drawn = await readDrawing(page);
     const written = await writtenHash(page);

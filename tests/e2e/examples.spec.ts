@@ -13,6 +13,8 @@ import { ktx2Picture } from './ktx2Picture.js';
 import { changedShare, meanInk } from './pictures.js';
 
 const EXAMPLES = readExamples();
+/** Those that `npm test` draws: a mesh alone, the element, and one whose work is done in workers. */
+const QUICK = ['one-mesh', 'web-component', 'strict-csp'];
 
 const folder = fileURLToPath(new URL('../output/examples', import.meta.url));
 const three = fileURLToPath(new URL('../../node_modules/three', import.meta.url));
@@ -71,7 +73,9 @@ function listen(page: Page): string[] {
 }
 
 for (const example of EXAMPLES) {
-  test(`the example "${example.title}" is drawn, beside its source`, async ({ page }) => {
+  test(`the example "${example.title}" is drawn, beside its source`, {
+    tag: QUICK.includes(example.folder) ? [] : ['@all'],
+  }, async ({ page }) => {
     const heard = listen(page);
     const workers: string[] = [];
     page.on('worker', (worker) => workers.push(worker.url()));
@@ -120,7 +124,7 @@ for (const example of EXAMPLES) {
   });
 }
 
-test('the page of all examples shows and links each', async ({ page }) => {
+test('the page of all examples shows and links each', { tag: '@all' }, async ({ page }) => {
   const heard = listen(page);
   await page.goto(`${server.url}/some/folder/index.html`);
   const pictures = page.locator('.gallery img');
@@ -158,9 +162,9 @@ test.describe('<hatched-model>', () => {
   };
 
   // Three models are loaded whenever the page is opened: as few times as will do.
-  test('turns by keys and by hand, draws as its attributes say and only then, and has strokes as wide on a dense screen', async ({
-    page,
-  }) => {
+  test('turns by keys and by hand, draws as its attributes say and only then, and has strokes as wide on a dense screen', {
+    tag: '@all',
+  }, async ({ page }) => {
     test.slow();
     const first = await openElements(page);
     expect(await contexts(page)).toEqual(['there']);
@@ -258,10 +262,9 @@ test.describe('<hatched-model>', () => {
     });
   });
 
-  test('bears being moved, taken out and put back, and frees the context with the last; says what is wrong, shows its poster until then, and loads what comes into view', async ({
-    page,
-    pageProblems,
-  }) => {
+  test('bears being moved, taken out and put back, and frees the context with the last; says what is wrong, shows its poster until then, and loads what comes into view', {
+    tag: '@all',
+  }, async ({ page, pageProblems }) => {
     test.slow();
     await test.step('bears being moved, taken out and put back, and frees the context with the last', async () => {
       await openElements(page);
@@ -433,10 +436,9 @@ test.describe('<hatched-model>', () => {
     return { red: (4 * counts.red) / data.length, blue: (4 * counts.blue) / data.length };
   }
 
-  test('reads models that are packed, with decoders of its own host, which are fetched for them and end with the loading', async ({
-    page,
-    pageProblems,
-  }) => {
+  test('reads models that are packed, with decoders of its own host, which are fetched for them and end with the loading', {
+    tag: '@all',
+  }, async ({ page, pageProblems }) => {
     const asked = await openPacked(page);
     const [draco, , ktx2, meshopt] = await elements(page).all();
     const alert = page.getByRole('alert');
@@ -488,7 +490,7 @@ test.describe('<hatched-model>', () => {
     expect(pageProblems.splice(0).join()).toContain('Not a Draco file');
   });
 
-  test('runs its decoders where a policy allows them, and says so where it forbids one', async ({
+  test('runs its decoders where a policy allows them, and says so where it forbids one', { tag: '@all' }, async ({
     page,
     pageProblems,
   }) => {

@@ -58,9 +58,9 @@ const isBlank = (page: Page, selector: string): Promise<boolean> =>
     return new Set(new Uint32Array(data.buffer)).size === 1;
   });
 
-test('every figure has a caption, and every panel of it is drawn, in one graphics context; light and technique change what they should', async ({
-  page,
-}) => {
+test('every figure has a caption, and every panel of it is drawn, in one graphics context; light and technique change what they should', {
+  tag: '@all',
+}, async ({ page }) => {
   test.setTimeout(300_000);
   const addresses: string[] = [];
   page.on('request', (request) => addresses.push(request.url()));
@@ -128,9 +128,9 @@ test('every figure has a caption, and every panel of it is drawn, in one graphic
 test.describe('on a screen of high resolution, where strokes are wide enough to measure', () => {
   test.use({ deviceScaleFactor: 2 });
 
-  test('strokes of a flat triangle that faces the viewer follow a light that turns about the line of sight', async ({
-    page,
-  }) => {
+  test('strokes of a flat triangle that faces the viewer follow a light that turns about the line of sight', {
+    tag: '@all',
+  }, async ({ page }) => {
     await openFigures(page);
     const direction = strokeDirection(await readPanel(page, panelOf(4, 'a')), MIDDLE_TRIANGLE);
     await turnLight(page);
@@ -140,7 +140,9 @@ test.describe('on a screen of high resolution, where strokes are wide enough to 
   });
 });
 
-test('draws nothing while nothing changes, and only what is in view when something does', async ({ page }) => {
+test('draws nothing while nothing changes, and only what is in view when something does', { tag: '@all' }, async ({
+  page,
+}) => {
   await openFigures(page);
   const frames = () => page.evaluate(() => window.__figures!.framesDrawn);
   const before = await frames();
@@ -154,7 +156,9 @@ test('draws nothing while nothing changes, and only what is in view when somethi
   expect(await sizeOfLast()).toBe(0);
 });
 
-test('fits a screen 360 pixels wide in dark mode, with a light slider large enough for a thumb', async ({ page }) => {
+test('fits a screen 360 pixels wide in dark mode, with a light slider large enough for a thumb', {
+  tag: '@all',
+}, async ({ page }) => {
   await page.emulateMedia({ colorScheme: 'dark', reducedMotion: 'reduce' });
   await page.setViewportSize({ width: 360, height: 640 });
   await openFigures(page);
@@ -188,7 +192,7 @@ test('the pages link to each other', async ({ page }) => {
   expect((await page.request.get('/figures')).url()).toMatch(/\/figures\/$/);
 });
 
-test('a lost graphics context is reported, and the figures come back', async ({ page }) => {
+test('a lost graphics context is reported, and the figures come back', { tag: '@all' }, async ({ page }) => {
   await openFigures(page);
   const before = await readPanel(page, panelOf(4, 'b'));
   await page.evaluate(() => {
@@ -203,7 +207,7 @@ test('a lost graphics context is reported, and the figures come back', async ({ 
   expect(changedShare(before, await readPanel(page, panelOf(4, 'b')))).toBeGreaterThan(0.02);
 });
 
-test('a browser without WebGL 2 gets a message, and the captions', async ({ page }) => {
+test('a browser without WebGL 2 gets a message, and the captions', { tag: '@all' }, async ({ page }) => {
   await page.addInitScript(() => {
     HTMLCanvasElement.prototype.getContext = () => null;
   });

@@ -19,15 +19,20 @@ import {
 } from '../../tools/modelFiles/modelFiles.js';
 import { dae, fbx, usda, zip } from '../../tools/modelFiles/sceneWriters.js';
 import { expect, test } from '../browser/test.js';
+import { cases } from '../selection.mjs';
 import { changedShare, meanInk, WHOLE } from './pictures.js';
 
 test.use({ viewport: { width: 640, height: 480 } });
 
-test('models of every format are drawn when dropped', async ({ page }) => {
+test('models of every format are drawn when dropped', { tag: '@more' }, async ({ page }) => {
   await openPlayground(page, 'model=cube');
   const before = await readDrawing(page);
-  const cases: [name: string, statistics: string, files: TestFile[]][] = [
+  const formats: [name: string, statistics: string, files: TestFile[]][] = [
     ['octahedron.glb', '16 triangles', [file('octahedron.glb', octahedronGlb())]],
+    ['octahedron.obj', '8 triangles', [file('octahedron.obj', octahedronObj), file('octahedron.mtl', octahedronMtl)]],
+    ['octahedron.ply', '8 triangles', [file('octahedron.ply', octahedronPly)]],
+  ];
+  const others: [name: string, statistics: string, files: TestFile[]][] = [
     [
       'octahedron.gltf',
       '16 triangles',
@@ -35,8 +40,6 @@ test('models of every format are drawn when dropped', async ({ page }) => {
     ],
     ['meshopt.glb', '16 triangles', [file('meshopt.glb', await octahedronMeshoptGlb())]],
     ['draco.glb', '16 triangles', [file('draco.glb', await octahedronDracoGlb())]],
-    ['octahedron.obj', '8 triangles', [file('octahedron.obj', octahedronObj), file('octahedron.mtl', octahedronMtl)]],
-    ['octahedron.ply', '8 triangles', [file('octahedron.ply', octahedronPly)]],
     ['binary.stl', '8 triangles', [file('binary.stl', octahedronBinaryStl())]],
     ['ascii.stl', '8 triangles', [file('ascii.stl', octahedronAsciiStl)]],
     // It moves: its materials stay apart, and where they meet are borders.
@@ -45,7 +48,7 @@ test('models of every format are drawn when dropped', async ({ page }) => {
     ['box.usdz', '12 triangles', [file('box.usdz', Buffer.from(zip({ 'box.usda': usda() }, 0)))]],
     ['misnamed.obj', '8 triangles', [file('misnamed.obj', octahedronPly)]],
   ];
-  for (const [name, statistics, files] of cases) {
+  for (const [name, statistics, files] of [...formats, ...cases([], others)]) {
     await drop(page, files);
     await expect(page.locator('#model-name')).toHaveText(name);
     await expect(page.locator('#model-statistics')).toHaveText(statistics);
@@ -55,7 +58,7 @@ test('models of every format are drawn when dropped', async ({ page }) => {
   expect(meanInk(after)).toBeGreaterThan(0.02);
 });
 
-test('a mirrored part of a model is not turned inside out', async ({ page }) => {
+test('a mirrored part of a model is not turned inside out', { tag: '@all' }, async ({ page }) => {
   await openPlayground(page, 'model=cube');
   await drop(page, [file('octahedron.glb', octahedronGlb())]);
   await expect(page.locator('#model-statistics')).toHaveText('16 triangles');
@@ -76,7 +79,7 @@ test('a mirrored part of a model is not turned inside out', async ({ page }) => 
   expect(below).toBeGreaterThan(1.5 * mirrored);
 });
 
-test('a picked file is drawn, with its colours and its picture', async ({ page }) => {
+test('a picked file is drawn, with its colours and its picture', { tag: '@all' }, async ({ page }) => {
   await openPlayground(page, 'model=cube&camera=0,0,5,0,0,0');
   await page
     .locator('#file-input')
@@ -114,7 +117,7 @@ test('a file that cannot be read gives one clear sentence and leaves the drawing
   const before = await readDrawing(page);
   const glb = octahedronGlb();
   const points = octahedronPly.replace(/element face.*\nproperty list.*\n/, '').replace(/^3 .*\n/gm, '');
-  const cases: [files: TestFile[], sentence: RegExp][] = [
+  const refused: [files: TestFile[], sentence: RegExp][] = [
     [[file('empty.glb', '')], /^empty\.glb is empty\.$/],
     [[file('page.stl', '<!DOCTYPE html><html><body>404</body></html>')], /^page\.stl is a web page, not a 3D model\.$/],
     [[file('photo.obj', Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'))], /^photo\.obj is a picture/],
@@ -154,7 +157,7 @@ test('a file that cannot be read gives one clear sentence and leaves the drawing
     [[file('lines.obj', 'v 0 0 0\nv 1 0 0\nl 1 2\n')], /^The file holds no triangles/],
     [[file('letter.txt', 'Dear all,')], /^letter\.txt is not a model this page can read/],
   ];
-  for (const [files, sentence] of cases) {
+  for (const [files, sentence] of refused) {
     await drop(page, files);
     await expect(page.locator('#status')).toHaveText(sentence);
   }
@@ -163,7 +166,7 @@ test('a file that cannot be read gives one clear sentence and leaves the drawing
   expect(changedShare(before, await readDrawing(page))).toBe(0);
 });
 
-test('joining the triangles of a large model can be cancelled', async ({ page }) => {
+test('joining the triangles of a large model can be cancelled', { tag: '@all' }, async ({ page }) => {
   await openPlayground(page, 'model=cube');
   const before = await readDrawing(page);
   // In the page, because the bake does not wait; and after the stand-in was drawn, which has to go again.
@@ -199,9 +202,9 @@ test('joining the triangles of a large model can be cancelled', async ({ page })
   expect(changedShare(before, await readDrawing(page))).toBe(0);
 });
 
-test('a large model is drawn at once, before it is baked, and stays where it was when it is ready', async ({
-  page,
-}) => {
+test('a large model is drawn at once, before it is baked, and stays where it was when it is ready', {
+  tag: '@all',
+}, async ({ page }) => {
   await openPlayground(page, 'model=cube');
   // Whether a frame has shown the model while there was work left, and how the model was framed then.
   await page.evaluate(() => {
@@ -229,9 +232,9 @@ test('a large model is drawn at once, before it is baked, and stays where it was
   await expect(page.locator('.earlier-picture')).toBeHidden();
 });
 
-test('a model that is opened while another is joined is framed, lit and shadowed as if there had been no other', async ({
-  page,
-}) => {
+test('a model that is opened while another is joined is framed, lit and shadowed as if there had been no other', {
+  tag: '@all',
+}, async ({ page }) => {
   const own = [file('octahedron.obj', octahedronObj)];
   await openPlayground(page, 'model=cube');
   await drop(page, own);
@@ -256,7 +259,7 @@ test('a model that is opened while another is joined is framed, lit and shadowed
   expect(changedShare(alone, await readDrawing(page))).toBe(0);
 });
 
-test('the caption says what is missing, whole, and all else is behind a button', async ({ page }) => {
+test('the caption says what is missing, whole, and all else is behind a button', { tag: '@all' }, async ({ page }) => {
   await openPlayground(page, 'model=cube&outlines=off');
   const name = 'a square with a name that is as long as names of files get, more or less';
   const [obj, mtl] = [squareObj.replace('square.mtl', `${name}.mtl`), squareMtl.replace('sky.png', `${name}.png`)];
@@ -297,7 +300,9 @@ test('the caption says what is missing, whole, and all else is behind a button',
   await expect(note).not.toHaveText(/missing/);
 });
 
-test('a model that is the wrong way up is turned when asked to, and turned back with Undo', async ({ page }) => {
+test('a model that is the wrong way up is turned when asked to, and turned back with Undo', { tag: '@all' }, async ({
+  page,
+}) => {
   await openPlayground(page, 'model=cube&outlines=off');
   await drop(page, [file('cone.obj', lyingConeObj())]);
   await expect(page.locator('#model-name')).toHaveText('cone.obj');

@@ -29,7 +29,11 @@ const CASES: [kind: string, seed: number][] = [
   [QUESTIONS, 20],
 ];
 
-test('damaged files leave the page drawing, silent and on its own', async ({ page, baseURL, pageProblems }) => {
+test('damaged files leave the page drawing, silent and on its own', { tag: '@all' }, async ({
+  page,
+  baseURL,
+  pageProblems,
+}) => {
   const elsewhere = await watchPage(page, baseURL!);
   const ended: FuzzOutcome[] = [];
   await fuzzPage(

@@ -79,7 +79,7 @@ test('five strokes of a pen are a hand: the model is hatched with it, and what i
   await expect(swatches(page)).toHaveAccessibleName('The sheet to draw on, with 5 strokes: light 0, middle 5, dark 0');
 });
 
-test('the names of the fields stay on paper where strokes are drawn over them', async ({ page }) => {
+test('the names of the fields stay on paper where strokes are drawn over them', { tag: '@all' }, async ({ page }) => {
   await openPlayground(page, PLAIN);
   await openSheet(page);
   const label = sheetOf(page).getByText('Middle', { exact: true });
@@ -94,7 +94,7 @@ test('the names of the fields stay on paper where strokes are drawn over them', 
   expect((await label.screenshot()).equals(before)).toBe(true);
 });
 
-test('the pen’s pressure is learnt: pressed harder, strokes are wider', async ({ page }) => {
+test('the pen’s pressure is learnt: pressed harder, strokes are wider', { tag: '@all' }, async ({ page }) => {
   await openPlayground(page, PLAIN);
   await openSheet(page);
   for (let i = 0; i < 5; i++) await drawWithPen(page, stroke(0.1 + 0.07 * i, 0.62, 0.25));
@@ -104,7 +104,7 @@ test('the pen’s pressure is learnt: pressed harder, strokes are wider', async 
   expect(await numberOf(page, 'Width')).toBeGreaterThan(1.5 * light);
 });
 
-test('strokes are undone, redone, rubbed out and cleared, each as one step', async ({ page }) => {
+test('strokes are undone, redone, rubbed out and cleared, each as one step', { tag: '@all' }, async ({ page }) => {
   await openPlayground(page, PLAIN);
   const before = await readDrawing(page);
   await openSheet(page);
@@ -136,9 +136,9 @@ test('strokes are undone, redone, rubbed out and cleared, each as one step', asy
   await expect(said).toHaveText(/^5 strokes/);
 });
 
-test('a slider of the hand changes the drawing, keeps its value when more is drawn, and goes back', async ({
-  page,
-}) => {
+test('a slider of the hand changes the drawing, keeps its value when more is drawn, and goes back', {
+  tag: '@all',
+}, async ({ page }) => {
   await openPlayground(page, PLAIN);
   await openSheet(page);
   await drawStrokes(page, 5);
@@ -158,9 +158,9 @@ test('a slider of the hand changes the drawing, keeps its value when more is dra
   expect(await numberOf(page, 'Wobble')).toBeLessThan(value + 0.1);
 });
 
-test('a hand is saved as a file, which gives it back in another drawing; a bad file is refused in a sentence', async ({
-  page,
-}) => {
+test('a hand is saved as a file, which gives it back in another drawing; a bad file is refused in a sentence', {
+  tag: '@all',
+}, async ({ page }) => {
   await openPlayground(page, PLAIN);
   await openSheet(page);
   await drawStrokes(page, 5);
@@ -181,7 +181,7 @@ test('a hand is saved as a file, which gives it back in another drawing; a bad f
   await expect.poll(async () => (await readDrawing(page)).data.equals(own.data)).toBe(true);
 });
 
-test('a link brings the hand along, and a reload its very strokes', async ({ page }) => {
+test('a link brings the hand along, and a reload its very strokes', { tag: '@all' }, async ({ page }) => {
   await openPlayground(page, PLAIN);
   await openSheet(page);
   await drawStrokes(page, 5);
@@ -203,13 +203,13 @@ test('a link brings the hand along, and a reload its very strokes', async ({ pag
   expect(Math.abs((await numberOf(page, 'Length')) - length)).toBeLessThan(0.11);
 });
 
-test('a link with a damaged hand is drawn without it, and says so', async ({ page }) => {
+test('a link with a damaged hand is drawn without it, and says so', { tag: '@all' }, async ({ page }) => {
   await openPlayground(page, `${PLAIN}&mapStyle=ownHand&hand=AAAA`);
   await expect(page.locator('#status')).toContainText('The hand in this link is damaged');
   await expect(page.getByRole('combobox', { name: 'Style' }).locator('option:checked')).toHaveText('Hatching');
 });
 
-test('on a small phone, a finger draws, two draw nothing, and the model stays in sight', async ({
+test('on a small phone, a finger draws, two draw nothing, and the model stays in sight', { tag: '@all' }, async ({
   browser,
   baseURL,
 }) => {
@@ -248,7 +248,7 @@ test('on a small phone, a finger draws, two draw nothing, and the model stays in
   await context.close();
 });
 
-test('by keyboard the sheet opens, closes with Escape, and gives the focus back', async ({ page }) => {
+test('by keyboard the sheet opens, closes with Escape, and gives the focus back', { tag: '@all' }, async ({ page }) => {
   await openPlayground(page, PLAIN);
   const opener = page.getByRole('button', { name: 'Draw with your own hand' });
   await opener.focus();
@@ -260,9 +260,9 @@ test('by keyboard the sheet opens, closes with Escape, and gives the focus back'
   await expect(opener).toBeFocused();
 });
 
-test('without drawing: a given hand is chosen and varied by keyboard, and the model is hatched with it', async ({
-  page,
-}) => {
+test('without drawing: a given hand is chosen and varied by keyboard, and the model is hatched with it', {
+  tag: '@all',
+}, async ({ page }) => {
   await openPlayground(page, PLAIN);
   const before = await readDrawing(page);
   await page.getByRole('button', { name: 'Draw with your own hand' }).press('Enter');
@@ -302,9 +302,9 @@ async function scan(name: string, strokes: number) {
   return { name, mimeType: 'image/png', buffer: Buffer.from(await encodePng({ width, height, channels: 1, data })) };
 }
 
-test('the strokes of a picture become a hand; without strokes, or where it is none, a sentence says so', async ({
-  page,
-}) => {
+test('the strokes of a picture become a hand; without strokes, or where it is none, a sentence says so', {
+  tag: '@all',
+}, async ({ page }) => {
   await openPlayground(page, PLAIN);
   const before = await readDrawing(page);
   await openSheet(page);
@@ -329,7 +329,7 @@ test('the strokes of a picture become a hand; without strokes, or where it is no
   expect(Math.abs((await numberOf(page, 'Width')) - 0.9)).toBeLessThan(0.12);
 });
 
-test('the copied code draws with the hand as a file beside it', async ({ page }) => {
+test('the copied code draws with the hand as a file beside it', { tag: '@all' }, async ({ page }) => {
   await openPlayground(page, PLAIN);
   await openSheet(page);
   await drawStrokes(page, 5);

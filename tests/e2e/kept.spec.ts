@@ -121,9 +121,9 @@ test("one's own model, its settings and the view survive a reload, Back and a cl
   await expect(later.locator('#model-name')).not.toHaveText('octahedron.ply');
 });
 
-test('a look of one’s own stands beside the presets, also after a reload, and can be renamed and deleted; it stays where nothing is kept', async ({
-  page,
-}) => {
+test('a look of one’s own stands beside the presets, also after a reload, and can be renamed and deleted; it stays where nothing is kept', {
+  tag: '@all',
+}, async ({ page }) => {
   await page.addInitScript(() => {
     if (location.search !== '?full') return;
     Storage.prototype.setItem = () => {
@@ -172,7 +172,9 @@ test('a look of one’s own stands beside the presets, also after a reload, and 
   await expect(looks.getByRole('button', { name: 'Full' })).toHaveAttribute('aria-pressed', 'true');
 });
 
-test('a browser that keeps nothing, or has no room, says so in one sentence, once', async ({ page }) => {
+test('a browser that keeps nothing, or has no room, says so in one sentence, once', { tag: '@all' }, async ({
+  page,
+}) => {
   await page.addInitScript(() => {
     if (location.search === '?full') {
       IDBObjectStore.prototype.put = () => {
@@ -213,9 +215,9 @@ test('a browser that keeps nothing, or has no room, says so in one sentence, onc
   await expect.poll(() => page.evaluate(() => history.state)).toBe(null);
 });
 
-test('a model is saved with its look, its view and its light, and is the same drawing where it is dropped; a hostile bundle changes nothing', async ({
-  page,
-}) => {
+test('a model is saved with its look, its view and its light, and is the same drawing where it is dropped; a hostile bundle changes nothing', {
+  tag: '@all',
+}, async ({ page }) => {
   const name = page.locator('#model-name');
   await openPlayground(page, `${LINK}&ink=%237a2e1d&lightAzimuth=20`);
   await drop(page, [octahedron]);

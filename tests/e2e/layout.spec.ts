@@ -1,6 +1,7 @@
 import type { Page } from '@playwright/test';
 import { openPlayground } from '../../tools/browser/playground.js';
 import { expect, test } from '../browser/test.js';
+import { cases } from '../selection.mjs';
 
 const WIDTHS = [320, 375, 600, 820, 1000, 1280, 1920, 3840];
 /** That of the page, a wide one and a very wide one. */
@@ -86,15 +87,17 @@ async function openAll(page: Page): Promise<void> {
   });
 }
 
-test('nothing overlaps, is cut off or sticks out, at eight widths and in three fonts', async ({ page }) => {
+test('nothing overlaps, is cut off or sticks out, at eight widths and in three fonts', { tag: '@more' }, async ({
+  page,
+}) => {
   await page.setViewportSize({ width: 1000, height: 500 });
   await openPlayground(page, 'model=cube&outlines=off');
-  for (const font of FONTS) {
+  for (const font of cases(FONTS.slice(0, 1), FONTS)) {
     await page.evaluate((name) => {
       if (name) document.body.style.setProperty('--serif', `"${name}"`);
       document.body.style.fontFamily = 'var(--serif)';
     }, font);
-    for (const width of WIDTHS) {
+    for (const width of cases([320, 1000], WIDTHS)) {
       await page.setViewportSize({ width, height: 500 });
       await openAll(page);
       expect.soft(await page.evaluate(findFaults), `${width} pixels, ${font || 'the font of the page'}`).toEqual([]);
@@ -105,7 +108,9 @@ test('nothing overlaps, is cut off or sticks out, at eight widths and in three f
 test.describe('at 200 %', () => {
   test.use({ deviceScaleFactor: 2, viewport: { width: 640, height: 512 } });
 
-  test('nothing is cut off or out of reach: the page twice as large, or its letters alone', async ({ page }) => {
+  test('nothing is cut off or out of reach: the page twice as large, or its letters alone', { tag: '@all' }, async ({
+    page,
+  }) => {
     await openPlayground(page, 'model=cube&outlines=off');
     // Windows of 1,280 × 1,024, 1,366 × 768 and 1,920 × 1,080 pixels: what is left of them at twice the size.
     for (const [width, height] of [

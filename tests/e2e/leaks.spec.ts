@@ -57,7 +57,9 @@ async function oneRound(page: Page): Promise<void> {
   await follow(page, 'model=cube');
 }
 
-test('what is made for models, maps, techniques, comparisons and shadows is given back', async ({ page }) => {
+test('what is made for models, maps, techniques, comparisons and shadows is given back', { tag: '@all' }, async ({
+  page,
+}) => {
   await countObjects(page);
   await openPlayground(page, `${SMALL}&model=cube`);
   // The first round fills what is kept for later.

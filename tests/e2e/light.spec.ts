@@ -61,9 +61,9 @@ test('strokes and tone of a face follow the light when it is dragged', async ({ 
   await expectFaceAsReference(page, 'T');
 });
 
-test('from its first place the light goes across in front of the model, also for a hand that wavers at the edge', async ({
-  page,
-}) => {
+test('from its first place the light goes across in front of the model, also for a hand that wavers at the edge', {
+  tag: '@all',
+}, async ({ page }) => {
   await openPlayground(page, `${PAPER}model=cube`);
   const lamp = await middleOf(page, '#lamp');
   await page.mouse.move(lamp.x, lamp.y);
@@ -75,9 +75,9 @@ test('from its first place the light goes across in front of the model, also for
   await expect(page.getByRole('slider', { name: 'Light' })).toHaveAttribute('aria-valuetext', /in front of the model/);
 });
 
-test('the side that faces the light is lighter, and the light goes behind the model past the edge', async ({
-  page,
-}) => {
+test('the side that faces the light is lighter, and the light goes behind the model past the edge', {
+  tag: '@all',
+}, async ({ page }) => {
   await openPlayground(page, `${PAPER}model=sphere&camera=0,0,6,0,0,0&lightAzimuth=-60&lightElevation=0`);
   const fromLeft = await readDrawing(page);
   expect(meanInk(fromLeft, RIGHT_HALF)).toBeGreaterThan(meanInk(fromLeft, LEFT_HALF) + 0.2);
@@ -103,7 +103,9 @@ test('the side that faces the light is lighter, and the light goes behind the mo
   expect(await lampPlace(page)).toMatchObject({ azimuth: -54, elevation: 38 });
 });
 
-test('a second sun lightens its side, and crosses the strokes unless there is one layer', async ({ page }) => {
+test('a second sun lightens its side, and crosses the strokes unless there is one layer', { tag: '@all' }, async ({
+  page,
+}) => {
   const view = `${PAPER}model=sphere&camera=0,0,6,0,0,0&lightAzimuth=-70&lightElevation=20`;
   await openPlayground(page, view);
   const alone = await readDrawing(page);
@@ -117,7 +119,9 @@ test('a second sun lightens its side, and crosses the strokes unless there is on
   expect(meanInk(crossed, RIGHT_HALF)).toBeCloseTo(meanInk(single, RIGHT_HALF), 1);
 });
 
-test('at first sight no lamp hides what it lights, on no sheet, and its label has no box', async ({ page }) => {
+test('at first sight no lamp hides what it lights, on no sheet, and its label has no box', { tag: '@all' }, async ({
+  page,
+}) => {
   test.slow();
   // A view that colours all of the model, and nothing else.
   const all = 'debugView=frames&outlines=off&technique=triangle&mapSize=64&mapTones=4';
@@ -153,7 +157,7 @@ test('at first sight no lamp hides what it lights, on no sheet, and its label ha
   }
 });
 
-test('a second light is dragged by a lamp of its own', async ({ page }) => {
+test('a second light is dragged by a lamp of its own', { tag: '@all' }, async ({ page }) => {
   await openPlayground(
     page,
     `${PAPER}model=sphere&camera=0,0,6,0,0,0&lightAzimuth=-70&lightElevation=20&secondLight=right&secondStrength=100`,
@@ -185,7 +189,7 @@ test('a second light is dragged by a lamp of its own', async ({ page }) => {
 test.describe('on a narrow sheet', () => {
   test.use({ viewport: { width: 320, height: 640 } });
 
-  test('each light goes behind the model without leaving the sheet', async ({ page }) => {
+  test('each light goes behind the model without leaving the sheet', { tag: '@all' }, async ({ page }) => {
     const isOnSheet = async () => {
       const { x, y } = await middleOf(page, '#lamp');
       const sheet = (await page.locator('#viewport').boundingBox())!;
@@ -227,7 +231,7 @@ test('arrow keys move the light by 5°, with Shift by 1°', async ({ page }) => 
 test.describe('by touch', () => {
   test.use({ hasTouch: true });
 
-  test('a finger moves the light, a second one changes its distance', async ({ page }) => {
+  test('a finger moves the light, a second one changes its distance', { tag: '@all' }, async ({ page }) => {
     await openPlayground(
       page,
       `${PAPER}model=cube&camera=0,0,5,0,0,0&lightAzimuth=40&lightElevation=10&lightKind=point&tilesPerUnit=5`,
@@ -259,9 +263,9 @@ test.describe('by touch', () => {
   });
 });
 
-test('a light that stays with the viewer is dragged where the pointer goes, and lights the side that is seen', async ({
-  page,
-}) => {
+test('a light that stays with the viewer is dragged where the pointer goes, and lights the side that is seen', {
+  tag: '@all',
+}, async ({ page }) => {
   const seenFrom = (camera: string) =>
     `model=sphere&camera=${camera},0,0,0&lightAzimuth=-90&lightElevation=0&outlines=off`;
   const left = async () => {
@@ -281,7 +285,7 @@ test('a light that stays with the viewer is dragged where the pointer goes, and 
   expect(Math.abs(moved.y - middle.y + 50)).toBeLessThan(3);
 });
 
-test('a model goes aside for its shadow, and is in the middle again without one', async ({ page }) => {
+test('a model goes aside for its shadow, and is in the middle again without one', { tag: '@all' }, async ({ page }) => {
   await page.setViewportSize({ width: 900, height: 600 });
   const look = 'technique=engraved&outlines=off&model=knot&ground=shadow&lightAzimuth=-70&lightElevation=18';
   await openPlayground(page, look);
@@ -298,7 +302,7 @@ test('a model goes aside for its shadow, and is in the middle again without one'
   expect(changedShare(alone, await readDrawing(page))).toBe(0);
 });
 
-test('a light that illustrators use is one press, and one undo', async ({ page }) => {
+test('a light that illustrators use is one press, and one undo', { tag: '@all' }, async ({ page }) => {
   await page.setViewportSize({ width: 900, height: 600 });
   await openPlayground(page, 'model=sphere&lightAzimuth=60&lightElevation=5&outlines=off');
   const before = await readDrawing(page);
@@ -311,7 +315,7 @@ test('a light that illustrators use is one press, and one undo', async ({ page }
   expect((await lampPlace(page)).elevation).toBeCloseTo(5, 0);
 });
 
-test('hollows become darker when asked for, by the light of the page', async ({ page }) => {
+test('hollows become darker when asked for, by the light of the page', { tag: '@all' }, async ({ page }) => {
   const view = 'model=teapot&outlines=off&debugView=tone&lightAzimuth=30&lightElevation=60';
   await openPlayground(page, view);
   const open = await readDrawing(page);
@@ -322,7 +326,9 @@ test('hollows become darker when asked for, by the light of the page', async ({ 
   expect(after).toBeGreaterThan(before + 0.002);
 });
 
-test('a model that is opened is lit from the upper front, and Undo takes its light back', async ({ page }) => {
+test('a model that is opened is lit from the upper front, and Undo takes its light back', { tag: '@all' }, async ({
+  page,
+}) => {
   await openPlayground(page, 'model=cube&camera=0,0,5,0,0,0&lightAzimuth=170&lightElevation=-30');
   await drop(page, [file('octahedron.obj', octahedronObj)]);
   await expect(page.locator('#model-name')).toHaveText('octahedron.obj');

@@ -16,7 +16,9 @@ async function tile(name: string, share: number, size = 64) {
   };
 }
 
-test('the contact sheet opens by keyboard, shows every tone and level, and follows the map', async ({ page }) => {
+test('the contact sheet opens by keyboard, shows every tone and level, and follows the map', { tag: '@all' }, async ({
+  page,
+}) => {
   await openPlayground(page, PLAIN);
   const sheet = page.getByRole('region', { name: /4 tones/ });
   const opener = page.getByRole('button', { name: 'Show the map' });
@@ -75,7 +77,7 @@ test('PNG images of the user become the map; invalid ones leave it unchanged', a
   expect((await readDrawing(page)).data.equals(own.data)).toBe(true);
 });
 
-test('the map is saved as an archive that restores it', async ({ page }) => {
+test('the map is saved as an archive that restores it', { tag: '@all' }, async ({ page }) => {
   await openPlayground(page, PLAIN);
   await page.getByRole('button', { name: 'Show the map' }).click();
   const waiting = page.waitForEvent('download');
@@ -96,7 +98,7 @@ test('the map is saved as an archive that restores it', async ({ page }) => {
   expect((await readDrawing(page)).data.equals(before.data)).toBe(true);
 });
 
-test('the contact sheet fits a small screen and scrolls', async ({ page }) => {
+test('the contact sheet fits a small screen and scrolls', { tag: '@all' }, async ({ page }) => {
   await page.setViewportSize({ width: 360, height: 640 });
   await openPlayground(page, PLAIN);
   await page.getByRole('button', { name: 'Settings' }).first().click();

@@ -50,7 +50,7 @@ test('a model with a clip plays when it is dropped; paused, the page is idle', a
   await expect(play(page)).toBeVisible();
 });
 
-test('the built-in fish swims, and is in the link', async ({ page }) => {
+test('the built-in fish swims, and is in the link', { tag: '@all' }, async ({ page }) => {
   await page.goto('./#model=fish&lightElevation=50');
   await expect(page.locator('#model-name')).toHaveText('Fish');
   await expect(pause(page)).toBeVisible();
@@ -69,9 +69,9 @@ test('the built-in fish swims, and is in the link', async ({ page }) => {
 test.describe('with reduced motion', () => {
   test.use({ contextOptions: { reducedMotion: 'reduce' } });
 
-  test('a model does not start by itself; time, clips and morph targets change the drawing, and back', async ({
-    page,
-  }) => {
+  test('a model does not start by itself; time, clips and morph targets change the drawing, and back', {
+    tag: '@all',
+  }, async ({ page }) => {
     await openModel(page, column());
     const first = await readDrawing(page);
     await expect(play(page)).toBeVisible();
@@ -103,7 +103,7 @@ test.describe('with reduced motion', () => {
     expect(changedShare(first, await readDrawing(page))).toBe(0);
   });
 
-  test('techniques and the comparison follow the pose', async ({ page }) => {
+  test('techniques and the comparison follow the pose', { tag: '@all' }, async ({ page }) => {
     for (const technique of ['adjacency', 'triangle']) {
       await openModel(page, column(), `technique=${technique}&compare=anchored&surfaceColors=paper`);
       const first = await readDrawing(page);
@@ -114,7 +114,7 @@ test.describe('with reduced motion', () => {
     }
   });
 
-  test('the controls disappear with a model that does not move', async ({ page }) => {
+  test('the controls disappear with a model that does not move', { tag: '@all' }, async ({ page }) => {
     await openModel(page, column());
     await expect(page.getByRole('group', { name: 'Motion' })).toBeVisible();
     await drop(page, [file('still.glb', columnGlb({ still: true }))]);
@@ -124,7 +124,7 @@ test.describe('with reduced motion', () => {
     await ready(page);
   });
 
-  test('surfaces show their textures, or paper, and undo restores them', async ({ page }) => {
+  test('surfaces show their textures, or paper, and undo restores them', { tag: '@all' }, async ({ page }) => {
     await openModel(page, column());
     const coloured = await readDrawing(page);
     expect(colouredShare(coloured, 0)).toBeGreaterThan(0.01);
@@ -141,7 +141,7 @@ test.describe('with reduced motion', () => {
     await expect(page.locator('#model-name')).toHaveText('column.glb');
   });
 
-  test('broken parts of an animated model are left out or reported', async ({ page }) => {
+  test('broken parts of an animated model are left out or reported', { tag: '@all' }, async ({ page }) => {
     const numbers = [0, 0, 0, 1, Number.NaN, 0, 0, 1, 0, 0, 0, 1];
     await openModel(page, column({ bend: numbers }));
     await expect(page.locator('#model-note')).toHaveText('1 damaged animation track left out');
@@ -189,7 +189,7 @@ test.describe('with reduced motion', () => {
     expect(changedShare(before, await readDrawing(page))).toBe(0);
   });
 
-  test('assembling a large animated model can be cancelled', async ({ page }) => {
+  test('assembling a large animated model can be cancelled', { tag: '@all' }, async ({ page }) => {
     await openModel(page, column());
     const before = await readDrawing(page);
     // Pressed by the page itself: the model may be there before a test has found the button.
@@ -215,7 +215,7 @@ test.describe('with reduced motion', () => {
     [['MorphStressTest.gltf'], 1],
     [['AnimatedMorphCube.gltf', 'AnimatedMorphCube.bin'], 2],
   ] as const) {
-    test(`${names[0]} moves`, async ({ page }) => {
+    test(`${names[0]} moves`, { tag: '@all' }, async ({ page }) => {
       test.skip(!existsSync(folder), 'The folder ../shared/models with sample models is not there.');
       await openModel(
         page,

@@ -47,7 +47,9 @@ test('a closed contour is drawn also where the light leaves the paper bare, and 
   expect(Math.max(...leftmostInk(await readDrawing(page))), 'the contour is open').toBeLessThan(radius - 15);
 });
 
-test('a link without outlines opens without them; undo brings back what was switched off', async ({ page }) => {
+test('a link without outlines opens without them; undo brings back what was switched off', { tag: '@all' }, async ({
+  page,
+}) => {
   await openPlayground(page, `${SPHERE}&outlines=off`);
   await openFold(page);
   const without = await readDrawing(page);
@@ -70,7 +72,9 @@ test('a link without outlines opens without them; undo brings back what was swit
   await expect.poll(async () => changedShare(drawn, await readDrawing(page))).toBe(0);
 });
 
-test('width, weights and hand of the outlines have labels and change the drawing', async ({ page }) => {
+test('width, weights and hand of the outlines have labels and change the drawing', { tag: '@all' }, async ({
+  page,
+}) => {
   await openPlayground(page, 'model=cube');
   await openFold(page);
   let before = await readDrawing(page);
@@ -98,7 +102,7 @@ test('width, weights and hand of the outlines have labels and change the drawing
   expect(changedShare(before, await readDrawing(page))).toBe(0);
 });
 
-test('outlines of a saved picture are wider by as much as the picture', async ({ page }) => {
+test('outlines of a saved picture are wider by as much as the picture', { tag: '@all' }, async ({ page }) => {
   await openPlayground(page, `${SPHERE}&${RULED}&outlineWidth=4&pictureSize=2`);
   const shown = await readDrawing(page);
   const saved = await savePicture(page);
@@ -111,7 +115,7 @@ test('outlines of a saved picture are wider by as much as the picture', async ({
 test.describe('with reduced motion', () => {
   test.use({ reducedMotion: 'reduce' });
 
-  test('a model that moves has outlines, which follow its pose', async ({ page }) => {
+  test('a model that moves has outlines, which follow its pose', { tag: '@all' }, async ({ page }) => {
     const fish = 'model=fish&lightStrength=200&reflectedLight=60';
     await openPlayground(page, `${fish}&outlines=off`);
     const without = meanInk(await readDrawing(page), WHOLE);

@@ -54,9 +54,9 @@ test('opens with the dragon, hatched, without a layout shift and without request
   expect(await page.evaluate(() => (window as unknown as { __problems: string[] }).__problems)).toEqual([]);
 });
 
-test('the first model is read by one worker that was begun before the page’s script, and other models are not read ahead', async ({
-  page,
-}) => {
+test('the first model is read by one worker that was begun before the page’s script, and other models are not read ahead', {
+  tag: '@all',
+}, async ({ page }) => {
   const opened = async (hash: string): Promise<string[]> => {
     const seen: string[] = [];
     const note = (address: string): void => {
@@ -142,7 +142,7 @@ test('what nobody has opened yet opens without a connection, once the page has b
   expect(pageProblems.splice(0).filter((problem) => !isOffline(problem))).toEqual([]);
 });
 
-test('an idle page draws no frames', async ({ page }) => {
+test('an idle page draws no frames', { tag: '@all' }, async ({ page }) => {
   await openPlayground(page, 'model=cube');
   const before = await framesDrawn(page);
   await refreshes(page, 10);
@@ -152,7 +152,7 @@ test('an idle page draws no frames', async ({ page }) => {
   expect(await framesDrawn(page)).toBeGreaterThan(before);
 });
 
-test('the camera orbits by mouse and keys, and frames the whole model again', async ({ page }) => {
+test('the camera orbits by mouse and keys, and frames the whole model again', { tag: '@all' }, async ({ page }) => {
   await openPlayground(page, 'model=cube');
   const first = await readDrawing(page);
   const { x, y } = await middleOf(page, '#viewport');
@@ -170,7 +170,9 @@ test('the camera orbits by mouse and keys, and frames the whole model again', as
   expect(changedShare(first, await readDrawing(page))).toBe(0);
 });
 
-test('another model is seen whole, however near the camera was; a link keeps its own place', async ({ page }) => {
+test('another model is seen whole, however near the camera was; a link keeps its own place', { tag: '@all' }, async ({
+  page,
+}) => {
   const near = '0.2,0.1,1,0,0,0.7';
   await page.setViewportSize({ width: 900, height: 600 });
   await openPlayground(page, `model=cube&outlines=off&camera=${near}`);
@@ -231,10 +233,9 @@ test('saves the drawing as PNG, on paper and without, at the size of the page an
   await expect(page.getByRole('button', { name: 'Save ZIP' })).toHaveCount(2);
 });
 
-test('copies the picture to the clipboard, asked for within the click; where that is not allowed, one sentence says so', async ({
-  page,
-  context,
-}) => {
+test('copies the picture to the clipboard, asked for within the click; where that is not allowed, one sentence says so', {
+  tag: '@all',
+}, async ({ page, context }) => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   await page.addInitScript(() => {
     const { write } = Clipboard.prototype;
@@ -273,7 +274,10 @@ test('copies the picture to the clipboard, asked for within the click; where tha
 test.describe('with a touch screen', () => {
   test.use({ hasTouch: true });
 
-  test('copies the facts for a report by key and by touch, without the name of the file', async ({ page, context }) => {
+  test('copies the facts for a report by key and by touch, without the name of the file', { tag: '@all' }, async ({
+    page,
+    context,
+  }) => {
     await context.grantPermissions(['clipboard-read', 'clipboard-write']);
     await openPlayground(page, 'mapSize=64&mapTones=4&outlines=off&ink=%23123456');
     await drop(page, [file('secret.ply', octahedronPly)]);
@@ -338,7 +342,7 @@ function differentlyOpaqueShare(small: PNG, large: PNG): number {
   return different / (small.width * small.height);
 }
 
-test('fits a screen 360 pixels wide, with everything large enough for a thumb', async ({ page }) => {
+test('fits a screen 360 pixels wide, with everything large enough for a thumb', { tag: '@all' }, async ({ page }) => {
   await page.setViewportSize({ width: 360, height: 740 });
   await openPlayground(page, 'model=cube');
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(360);
@@ -363,7 +367,9 @@ test('fits a screen 360 pixels wide, with everything large enough for a thumb', 
   await expect(page.getByLabel('Technique')).toBeHidden();
 });
 
-test('settings have labels and units, apply at once and are reset by double-click', async ({ page }) => {
+test('settings have labels and units, apply at once and are reset by double-click', { tag: '@all' }, async ({
+  page,
+}) => {
   await page.setViewportSize({ width: 900, height: 600 });
   await openPlayground(page, 'model=cube&technique=adjacency');
   const before = await readDrawing(page);
@@ -380,7 +386,9 @@ test('settings have labels and units, apply at once and are reset by double-clic
   await expect.poll(async () => changedShare(before, await readDrawing(page))).toBeGreaterThan(0.05);
 });
 
-test('the drawing fills the screen by button and key, and a letter in a field does not make it', async ({ page }) => {
+test('the drawing fills the screen by button and key, and a letter in a field does not make it', {
+  tag: '@all',
+}, async ({ page }) => {
   await page.setViewportSize({ width: 900, height: 600 });
   await openPlayground(page, 'model=cube&technique=adjacency');
   const filling = () => page.evaluate(() => document.fullscreenElement?.id);
@@ -396,9 +404,9 @@ test('the drawing fills the screen by button and key, and a letter in a field do
   await expect.poll(filling).toBe('sheet');
 });
 
-test('the keys are shown by ?, H, F1 and a button, but not by a letter in a field; an open fold has the height of the window', async ({
-  page,
-}) => {
+test('the keys are shown by ?, H, F1 and a button, but not by a letter in a field; an open fold has the height of the window', {
+  tag: '@all',
+}, async ({ page }) => {
   await page.setViewportSize({ width: 1440, height: 900 });
   await openPlayground(page, 'model=cube&technique=adjacency');
   const dialog = page.getByRole('dialog', { name: 'Keys and gestures' });
@@ -430,7 +438,7 @@ test('the keys are shown by ?, H, F1 and a button, but not by a letter in a fiel
   expect(await page.evaluate(() => document.querySelector('#card')!.clientHeight)).toBeGreaterThan(780);
 });
 
-test('only settings of the techniques in use are offered', async ({ page }) => {
+test('only settings of the techniques in use are offered', { tag: '@all' }, async ({ page }) => {
   await page.setViewportSize({ width: 900, height: 600 });
   await openPlayground(page, 'model=cube');
   await page.getByRole('button', { name: 'More' }).click();
@@ -501,9 +509,9 @@ test.describe('a lost graphics context', () => {
   });
 });
 
-test('after a crash of the graphics process the same drawing comes back, also as a saved picture; after a second, its last picture stays', async ({
-  baseURL,
-}) => {
+test('after a crash of the graphics process the same drawing comes back, also as a saved picture; after a second, its last picture stays', {
+  tag: '@all',
+}, async ({ baseURL }) => {
   // A browser of its own, because others would crash with it.
   const browser = await chromium.launch(await launchOptions());
   try {
@@ -540,7 +548,10 @@ async function readLastPicture(page: Page): Promise<PNG> {
   return PNG.sync.read(picture);
 }
 
-test('what is missing at the start is said, and not covered by what goes well', async ({ page, pageProblems }) => {
+test('what is missing at the start is said, and not covered by what goes well', { tag: '@all' }, async ({
+  page,
+  pageProblems,
+}) => {
   const status = page.locator('#status');
   await page.route(/dragon_vrip_res4\.ply.*\.gz$/, (route) => route.fulfill({ status: 404 }));
   await page.goto('./#model=dragon4&mapSeed=1.5');
@@ -562,7 +573,7 @@ test('what is missing at the start is said, and not covered by what goes well', 
   await expect(status).toHaveText('');
 });
 
-test('a model is drawn as ever though the worker that prepares it ends without a word', async ({
+test('a model is drawn as ever though the worker that prepares it ends without a word', { tag: '@all' }, async ({
   page,
   pageProblems,
 }) => {

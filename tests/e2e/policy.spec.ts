@@ -41,34 +41,42 @@ async function forbid(page: Page, policy: string): Promise<void> {
 /** What the browser and the library say of the policy, which they should. */
 const ABOUT_THE_POLICY = /Content[ -]Security[ -]Policy/i;
 
-test('files are read and drawn where a page may use neither blob: nor data:, and where it may have no workers', async ({
+/** Drops models under a policy, each of which needs something that policies forbid. */
+async function expectModelsDrawn(page: Page, pageProblems: string[], policy: string): Promise<void> {
+  const name = page.locator('#model-name');
+  await forbid(page, policy);
+  await openPlayground(page, 'model=cube&mapSize=64&mapTones=4');
+  const before = await readDrawing(page);
+  // With the buffer in a data: URI.
+  const uri = `data:application/octet-stream;base64,${octahedronBin().toString('base64')}`;
+  await drop(page, [file('inside.gltf', octahedronGltf(uri))]);
+  await expect(name).toHaveText('inside.gltf');
+  // With a decoder that is fetched.
+  await drop(page, [file('draco.glb', await octahedronDracoGlb())]);
+  await expect(name).toHaveText('draco.glb');
+  // With a picture within.
+  await drop(page, [file('column.glb', columnGlb())]);
+  await expect(name).toHaveText('column.glb');
+  expect(changedShare(before, await readDrawing(page))).toBeGreaterThan(0.05);
+  await expect(page.locator('#status')).toHaveText('');
+  expect(pageProblems.filter((problem) => !ABOUT_THE_POLICY.test(problem))).toEqual([]);
+  pageProblems.splice(0);
+  // The policy holds.
+  expect(await page.evaluate(() => fetch('data:,x').then(String, () => 'forbidden'))).toBe('forbidden');
+  expect(pageProblems.splice(0).length).toBeGreaterThan(0);
+}
+
+test('files are read and drawn where a page may use neither blob: nor data:', async ({ page, pageProblems }) => {
+  await expectModelsDrawn(page, pageProblems, "worker-src 'self'; connect-src 'self'; img-src 'self'");
+});
+
+test('files are read and drawn where a page may have no workers, nor WebAssembly', { tag: '@all' }, async ({
   page,
   pageProblems,
 }) => {
   const name = page.locator('#model-name');
   const status = page.locator('#status');
-  for (const policy of ["worker-src 'self'; connect-src 'self'; img-src 'self'", "worker-src 'none'"]) {
-    await forbid(page, policy);
-    await openPlayground(page, 'model=cube&mapSize=64&mapTones=4');
-    const before = await readDrawing(page);
-    // With the buffer in a data: URI.
-    const uri = `data:application/octet-stream;base64,${octahedronBin().toString('base64')}`;
-    await drop(page, [file('inside.gltf', octahedronGltf(uri))]);
-    await expect(name).toHaveText('inside.gltf');
-    // With a decoder that is fetched.
-    await drop(page, [file('draco.glb', await octahedronDracoGlb())]);
-    await expect(name).toHaveText('draco.glb');
-    // With a picture within.
-    await drop(page, [file('column.glb', columnGlb())]);
-    await expect(name).toHaveText('column.glb');
-    expect(changedShare(before, await readDrawing(page))).toBeGreaterThan(0.05);
-    await expect(status).toHaveText('');
-    expect(pageProblems.filter((problem) => !ABOUT_THE_POLICY.test(problem))).toEqual([]);
-    pageProblems.splice(0);
-    // The policies hold.
-    expect(await page.evaluate(() => fetch('data:,x').then(String, () => 'forbidden'))).toBe('forbidden');
-    expect(pageProblems.splice(0).length).toBeGreaterThan(0);
-  }
+  await expectModelsDrawn(page, pageProblems, "worker-src 'none'");
   // Without workers all of them are read on the main thread.
   const formats: TestFile[][] = [
     [file('octahedron.obj', octahedronObj), file('octahedron.mtl', octahedronMtl)],

@@ -130,9 +130,9 @@ test('an A6 sheet measures what it should; cut to the drawing it is the same, sm
   expect(far).toBeLessThan(0.004);
 });
 
-test('the sheet that is chosen is framed over the drawing, which is composed for it; what it frames is what is saved', async ({
-  page,
-}) => {
+test('the sheet that is chosen is framed over the drawing, which is composed for it; what it frames is what is saved', {
+  tag: '@all',
+}, async ({ page }) => {
   await openPlayground(page, 'technique=engraved&outlines=off&model=column&pictureSize=a6&pictureDpi=150');
   const frame = page.locator('.sheet-frame');
   await expect(frame).toHaveCount(0);
@@ -193,7 +193,7 @@ async function readSheet(page: Page): Promise<PNG> {
 test.describe('on a dense screen', () => {
   test.use({ deviceScaleFactor: 2 });
 
-  test('a picture of twice the page has the very strokes that are shown', async ({ page }) => {
+  test('a picture of twice the page has the very strokes that are shown', { tag: '@all' }, async ({ page }) => {
     await openPlayground(page, `${LOOK}&pictureSize=2`);
     const shown = await readDrawing(page);
     const picture = PNG.sync.read(await saved(page));
@@ -202,7 +202,7 @@ test.describe('on a dense screen', () => {
   });
 });
 
-test('tiles meet without a seam, and a large picture can be given up', async ({ page }) => {
+test('tiles meet without a seam, and a large picture can be given up', { tag: '@all' }, async ({ page }) => {
   test.slow();
   // 3,496 pixels wide: with edges of tiles at 2,048, and elsewhere when it is cut.
   await openPlayground(page, `${LOOK}&pictureSize=a6&pictureDpi=600`);

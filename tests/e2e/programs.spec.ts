@@ -3,7 +3,9 @@ import { expect, test } from '../browser/test.js';
 
 test.use({ viewport: { width: 640, height: 420 } });
 
-test('programs of another technique are ready before anything is drawn with them', async ({ page }) => {
+test('programs of another technique are ready before anything is drawn with them', { tag: '@all' }, async ({
+  page,
+}) => {
   await openPlayground(page, 'model=cube&technique=triangle&outlines=off&mapSize=64&mapTones=4');
   await page.evaluate(() => {
     const gl = document.querySelector<HTMLCanvasElement>('#drawing')!.getContext('webgl2')!;

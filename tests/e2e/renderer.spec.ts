@@ -192,7 +192,7 @@ test('WebGPU draws the same picture when it is chosen, WebGL draws it again, and
   await expect(renderers(page)).toHaveValue('WebGPU, experimental');
 });
 
-test('what WebGPU lacks is drawn by WebGL, which is said beside the choice', async ({ page }) => {
+test('what WebGPU lacks is drawn by WebGL, which is said beside the choice', { tag: '@all' }, async ({ page }) => {
   await openPlayground(page, 'model=cube&technique=engraved&renderer=webgpu&background=on');
   await openMore(page);
   await expect(note(page)).toHaveText('WebGL draws this, because WebGPU lacks a hatched background.');
@@ -212,7 +212,9 @@ for (const [what, glb] of [
   ['bones', bentGlb()],
   ['packed vertices', packedGlb()],
 ] as const) {
-  test(`a model with ${what} is drawn by both, whichever of them has drawn it first`, async ({ page }) => {
+  test(`a model with ${what} is drawn by both, whichever of them has drawn it first`, { tag: '@all' }, async ({
+    page,
+  }) => {
     await openPlayground(page, 'model=cube&technique=engraved&shadows=on');
     await drop(page, [file('model.glb', glb)]);
     await idle(page);
@@ -233,7 +235,7 @@ for (const [what, glb] of [
   });
 }
 
-test('WebGL draws on when a frame of WebGPU fails', async ({ page, pageProblems }) => {
+test('WebGL draws on when a frame of WebGPU fails', { tag: '@all' }, async ({ page, pageProblems }) => {
   await openPlayground(page, 'model=cube&technique=engraved&renderer=webgpu');
   await expect(nodeScreen(page)).toBeVisible();
   const before = await readDrawing(page);
@@ -251,7 +253,7 @@ test('WebGL draws on when a frame of WebGPU fails', async ({ page, pageProblems 
   expect(pageProblems.splice(0)).toEqual([expect.stringContaining('for a test')]);
 });
 
-test('WebGL draws on when WebGPU is lost, and can be left again for it', async ({ page }) => {
+test('WebGL draws on when WebGPU is lost, and can be left again for it', { tag: '@all' }, async ({ page }) => {
   await openPlayground(page, 'model=cube&technique=engraved&renderer=webgpu');
   await expect(nodeScreen(page)).toBeVisible();
   const before = await readDrawing(page);
@@ -267,9 +269,9 @@ test('WebGL draws on when WebGPU is lost, and can be left again for it', async (
   await expect(nodeScreen(page)).toBeVisible();
 });
 
-test('without an adapter there is no choice, and a link that asks for WebGPU is drawn by WebGL, in so many words', async ({
-  page,
-}) => {
+test('without an adapter there is no choice, and a link that asks for WebGPU is drawn by WebGL, in so many words', {
+  tag: '@all',
+}, async ({ page }) => {
   await page.addInitScript(() => {
     GPU.prototype.requestAdapter = async () => null;
   });

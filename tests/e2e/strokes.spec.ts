@@ -1,6 +1,7 @@
 import type { PNG } from 'pngjs';
 import { enterLink, follow, idle, openPlayground, readDrawing, savePicture } from '../../tools/browser/playground.js';
 import { expect, test } from '../browser/test.js';
+import { cases } from '../selection.mjs';
 import { changedShare, edgeSpacing, greyShare, likeness, meanInk, type Region } from './pictures.js';
 
 test.use({ viewport: { width: 640, height: 480 } });
@@ -9,7 +10,7 @@ test.use({ viewport: { width: 640, height: 480 } });
 const MIDDLE: Region = { left: 0.4, top: 0.34, right: 0.6, bottom: 0.66 };
 const CUBE = 'model=cube&lightAzimuth=40&lightElevation=20&lightStrength=100&reflectedLight=0';
 
-test('anchored strokes are black and white', async ({ page }) => {
+test('anchored strokes are black and white', { tag: '@all' }, async ({ page }) => {
   const view = 'model=sphere&camera=0,0,6,0,0,0&lightAzimuth=60&lightElevation=10';
   await openPlayground(page, `${view}&edge=0`);
   expect(greyShare(await readDrawing(page), MIDDLE)).toBeLessThan(0.005);
@@ -24,7 +25,9 @@ for (const [left, right] of [
   ['triangle', 'anchored'],
   ['adjacencyCrisp', 'adjacency'],
 ] as const) {
-  test(`two techniques are drawn side by side, split at the divider: ${left} and ${right}`, async ({ page }) => {
+  test(`two techniques are drawn side by side, split at the divider: ${left} and ${right}`, { tag: '@all' }, async ({
+    page,
+  }) => {
     const view = 'model=bunny&lightAzimuth=-30';
     await openPlayground(page, `${view}&technique=${right}`);
     const rightAlone = await readDrawing(page);
@@ -51,7 +54,9 @@ function differingColumns(a: PNG, b: PNG): number[] {
   return [...columns];
 }
 
-test('lines follow the form as soon as that is baked, also where a link asks for it', async ({ page }) => {
+test('lines follow the form as soon as that is baked, also where a link asks for it', { tag: '@all' }, async ({
+  page,
+}) => {
   const view = 'model=torus&technique=engraved&lightAzimuth=30';
   await openPlayground(page, view);
   const lit = await readDrawing(page);
@@ -66,7 +71,9 @@ test('lines follow the form as soon as that is baked, also where a link asks for
   }
 });
 
-test('strokes follow the form once that is baked, and the light again where they are told to', async ({ page }) => {
+test('strokes follow the form once that is baked, and the light again where they are told to', { tag: '@all' }, async ({
+  page,
+}) => {
   const view = 'model=shell&technique=anchored&lightAzimuth=30';
   const following = `${view}&strokeField=form`;
   await openPlayground(page, following);
@@ -79,7 +86,7 @@ test('strokes follow the form once that is baked, and the light again where they
   expect(changedShare(formed, await readDrawing(page))).toBeLessThan(0.01);
 });
 
-test('a picture that is saved while the form is baked waits for it', async ({ page }) => {
+test('a picture that is saved while the form is baked waits for it', { tag: '@all' }, async ({ page }) => {
   const view = 'model=torus&technique=engraved&lightAzimuth=30';
   await openPlayground(page, view);
   const lit = await savePicture(page);
@@ -90,7 +97,7 @@ test('a picture that is saved while the form is baked waits for it', async ({ pa
   expect(changedShare(atOnce, await savePicture(page))).toBe(0);
 });
 
-test('a preset sets the whole style at once, and can be undone', async ({ page }) => {
+test('a preset sets the whole style at once, and can be undone', { tag: '@more' }, async ({ page }) => {
   await page.setViewportSize({ width: 900, height: 600 });
   await openPlayground(page, 'model=sphere');
   const presets = page.getByRole('group', { name: 'Presets' });
@@ -100,12 +107,7 @@ test('a preset sets the whole style at once, and can be undone', async ({ page }
   const first = await readDrawing(page);
   const seen = [first];
   const names = [
-    'Pen',
-    'Cross-hatching',
-    'Engraving',
-    'Banknote',
-    'Technical',
-    'Woodcut',
+    ...cases([], ['Pen', 'Cross-hatching', 'Engraving', 'Banknote', 'Technical', 'Woodcut']),
     'Stipple',
     'Charcoal',
     'Pencil',
@@ -133,7 +135,9 @@ test('a preset sets the whole style at once, and can be undone', async ({ page }
   expect(changedShare(first, await readDrawing(page))).toBe(0);
 });
 
-test('a preset gives the same picture whatever ground, shadows and hollows came before', async ({ page }) => {
+test('a preset gives the same picture whatever ground, shadows and hollows came before', { tag: '@all' }, async ({
+  page,
+}) => {
   const pictures: PNG[] = [];
   for (const before of ['', '&shadows=on&ground=floor&occlusion=20&shadowStrokes=reorient&debugView=tone']) {
     await page.setViewportSize({ width: 900, height: 600 });
@@ -144,7 +148,9 @@ test('a preset gives the same picture whatever ground, shadows and hollows came 
   expect(changedShare(pictures[0], pictures[1])).toBe(0);
 });
 
-test('every button of a preset holds its name, also in a wide font and under a thumb', async ({ page }) => {
+test('every button of a preset holds its name, also in a wide font and under a thumb', { tag: '@all' }, async ({
+  page,
+}) => {
   for (const [width, height] of [
     [900, 600],
     [360, 640],
@@ -166,7 +172,7 @@ test('every button of a preset holds its name, also in a wide font and under a t
   }
 });
 
-test('shadows of its own fall on a model, under every kind of light', async ({ page }) => {
+test('shadows of its own fall on a model, under every kind of light', { tag: '@all' }, async ({ page }) => {
   for (const lightKind of ['directional', 'point', 'spot']) {
     const view = `model=teapot&lightKind=${lightKind}&lightAzimuth=-70&lightElevation=60&debugView=tone`;
     await openPlayground(page, view);
@@ -176,7 +182,9 @@ test('shadows of its own fall on a model, under every kind of light', async ({ p
   }
 });
 
-test('a model stands on its shadow or on a floor; a picture without paper keeps the shadow alone', async ({ page }) => {
+test('a model stands on its shadow or on a floor; a picture without paper keeps the shadow alone', {
+  tag: '@all',
+}, async ({ page }) => {
   const view =
     'model=sphere&camera=1.1,0.9,4.9,0,0,0&lightAzimuth=-60&lightElevation=50&outlines=off&technique=engraved&sizedOnScreen=100';
   const below: Region = { left: 0, top: 0.6, right: 1, bottom: 0.9 };
@@ -214,7 +222,7 @@ test('a model stands on its shadow or on a floor; a picture without paper keeps 
   expect(clear).toBeLessThan(0.98);
 });
 
-test('a picture saved at twice the size has the same strokes', async ({ page }) => {
+test('a picture saved at twice the size has the same strokes', { tag: '@all' }, async ({ page }) => {
   await openPlayground(page, `${CUBE}&camera=0,0,5,0,0,0&pictureSize=2`);
   const shown = await readDrawing(page);
   const large = await savePicture(page);
@@ -225,7 +233,9 @@ test('a picture saved at twice the size has the same strokes', async ({ page }) 
   expect(likeness(await readDrawing(page), large, MIDDLE)).toBeLessThan(0.4);
 });
 
-test('strokes sized on the screen keep their spacing when the camera comes nearer, others grow', async ({ page }) => {
+test('strokes sized on the screen keep their spacing when the camera comes nearer, others grow', {
+  tag: '@all',
+}, async ({ page }) => {
   const faceDepth = 1 / Math.sqrt(3);
   const spacing = async (constancy: number, distanceToFace: number): Promise<number> => {
     const camera = `0,0,${(faceDepth + distanceToFace).toFixed(3)},0,0,0`;

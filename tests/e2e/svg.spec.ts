@@ -83,9 +83,9 @@ function inkBox({ data, width, height }: PNG): [left: number, right: number, top
   return box;
 }
 
-test('within margins the drawing is smaller and whole; what leaves no room is refused, and what is too much is the most', async ({
-  page,
-}) => {
+test('within margins the drawing is smaller and whole; what leaves no room is refused, and what is too much is the most', {
+  tag: '@all',
+}, async ({ page }) => {
   await openPlayground(page, LINES);
   await openPicture(page);
   const margin = page.getByRole('spinbutton', { name: 'SVG margin' });
@@ -120,7 +120,7 @@ test('within margins the drawing is smaller and whole; what leaves no room is re
   await expect(margin).toBeHidden();
 });
 
-test('cut to the drawing, its lines are as fine as on the whole sheet', async ({ page }) => {
+test('cut to the drawing, its lines are as fine as on the whole sheet', { tag: '@all' }, async ({ page }) => {
   const count = async (hash: string): Promise<number> => {
     await openPlayground(page, hash);
     await openPicture(page);
@@ -132,9 +132,9 @@ test('cut to the drawing, its lines are as fine as on the whole sheet', async ({
   expect(cut / whole).toBeLessThan(1.03);
 });
 
-test('strokes of a map leave as a picture below the outlines, which are not in it; a pen leaves them out', async ({
-  page,
-}) => {
+test('strokes of a map leave as a picture below the outlines, which are not in it; a pen leaves them out', {
+  tag: '@all',
+}, async ({ page }) => {
   await openPlayground(page, `${STROKES}&outlines=off`);
   const bare = await savePicture(page);
   await openPlayground(page, STROKES);
@@ -177,7 +177,7 @@ test('strokes of a map leave as a picture below the outlines, which are not in i
   );
 });
 
-test('a comparison leaves as the technique of the page alone', async ({ page }) => {
+test('a comparison leaves as the technique of the page alone', { tag: '@all' }, async ({ page }) => {
   const look = `technique=engraved&model=cube&shadows=off&ground=none&pictureMargin=0&${SHEET}`;
   await openPlayground(page, look);
   await openPicture(page);
@@ -211,7 +211,9 @@ test.describe('page and command', () => {
 
   const path = 'examples/models/still-life.glb';
   for (const [name, link] of Object.entries(LINKS)) {
-    test(`the same link is the same file by the page and by the command: ${name}`, async ({ page }) => {
+    test(`the same link is the same file by the page and by the command: ${name}`, { tag: '@all' }, async ({
+      page,
+    }) => {
       test.slow();
       await openPlayground(page, 'model=cube');
       await openPicture(page);

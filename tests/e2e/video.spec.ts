@@ -60,19 +60,20 @@ async function play(page: Page, content: Buffer, times: readonly number[]) {
 
 const decoded = (address: string): PNG => PNG.sync.read(Buffer.from(address.slice(address.indexOf(',') + 1), 'base64'));
 
-test('a turntable is recorded as a video that plays, or as pictures; Cancel leaves the drawing as it was', async ({
-  page,
-  context,
-}) => {
+async function openVideo(page: Page): Promise<void> {
+  await openPlayground(page, LOOK);
+  await page.getByRole('button', { name: 'Settings' }).click();
+  await page.getByRole('button', { name: 'Video', exact: true }).click();
+}
+
+test('a turntable is recorded as a video that plays', async ({ page, context }) => {
   // The codec that every Chromium has, whatever others this one knows.
   await page.addInitScript(() => {
     const ask = VideoEncoder.isConfigSupported.bind(VideoEncoder);
     VideoEncoder.isConfigSupported = async (config) =>
       config.codec === 'vp8' ? ask(config) : { supported: false, config };
   });
-  await openPlayground(page, LOOK);
-  await page.getByRole('button', { name: 'Settings' }).click();
-  await page.getByRole('button', { name: 'Video', exact: true }).click();
+  await openVideo(page);
   const size = await page.locator('#viewport').evaluate(({ clientWidth, clientHeight }) => ({
     width: 2 * Math.round(clientWidth / 2),
     height: 2 * Math.round(clientHeight / 2),
@@ -98,12 +99,15 @@ test('a turntable is recorded as a video that plays, or as pictures; Cancel leav
   // The last frame is one step before the first.
   expect(changedShare(first, last)).toBeGreaterThan(0);
   await player.close();
+});
 
-  // Where nothing is encoded, the frames come as pictures. What was asked once is not asked again: of another size.
-  await page.setViewportSize({ width: 540, height: 422 });
-  await page.evaluate(() => {
+test('where no video is encoded, its frames are saved as pictures; what is lost is offered again, and Cancel leaves the drawing as it was', {
+  tag: '@all',
+}, async ({ page }) => {
+  await page.addInitScript(() => {
     VideoEncoder.isConfigSupported = async (config) => ({ supported: false, config });
   });
+  await openVideo(page);
   const archive = await record(page);
   expect(archive.name).toBe('cube.zip');
   await expect(page.locator('#status')).toContainText('This browser encodes no video of that size.');
