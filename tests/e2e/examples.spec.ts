@@ -28,7 +28,7 @@ test.beforeAll(async () => {
 });
 test.afterAll(() => server.close());
 
-test.use({ viewport: { width: 480, height: 800 } });
+test.use({ viewport: { width: 320, height: 480 } });
 
 const read = async (place: Locator): Promise<PNG> => PNG.sync.read(await place.screenshot());
 
