@@ -18,7 +18,10 @@ import { expect, test } from '../browser/test.js';
 import { loseContext, restoreContext } from './graphicsContext.js';
 import { changedShare, largestDifference, meanInk } from './pictures.js';
 
-test.use({ viewport: { width: 640, height: 480 } });
+test.use({ viewport: { width: 400, height: 300 } });
+
+/** A model and a map that are made in no time. */
+const SMALL = 'model=cube&mapSize=64&mapTones=4&outlines=off';
 
 test('opens with the dragon, hatched, without a layout shift and without requests to other sites', async ({ page }) => {
   const addresses: string[] = [];
@@ -86,7 +89,7 @@ test('the first model is read by one worker that was begun before the page’s s
     expect(first.filter((name) => name === file)).toHaveLength(1);
   expect(first.slice(first.indexOf('|')).filter((name) => name === 'model.worker')).toHaveLength(1);
   await page.goto('about:blank');
-  const other = await opened('model=cube&technique=triangle&outlines=off&mapSize=64&mapTones=4');
+  const other = await opened(`${SMALL}&technique=triangle`);
   expect(other.slice(0, other.indexOf('|'))).toEqual(['graphics']);
   expect(other.filter((name) => name.startsWith('dragon'))).toEqual([]);
   // A script that comes after the page's own would do once more what that has done.
@@ -95,7 +98,7 @@ test('the first model is read by one worker that was begun before the page’s s
     await page.waitForFunction(() => window.__playground);
     await route.continue();
   });
-  const late = await opened('model=cube&technique=triangle&outlines=off&mapSize=64&mapTones=4');
+  const late = await opened(`${SMALL}&technique=triangle`);
   expect(late).toContain('index');
   expect(late).not.toContain('graphics');
 });
@@ -105,7 +108,7 @@ test('what nobody has opened yet opens without a connection, once the page has b
   pageProblems,
 }) => {
   await page.setViewportSize({ width: 1000, height: 600 });
-  await openPlayground(page, 'model=cube&mapSize=64&mapTones=4&outlines=off');
+  await openPlayground(page, SMALL);
   // All of it is fetched, and nothing is run of it.
   const parts = (await (await page.request.get(new URL('parts.json', page.url()).href)).json()) as string[];
   expect(parts.length).toBeGreaterThan(20);
@@ -143,7 +146,7 @@ test('what nobody has opened yet opens without a connection, once the page has b
 });
 
 test('an idle page draws no frames', { tag: '@all' }, async ({ page }) => {
-  await openPlayground(page, 'model=cube');
+  await openPlayground(page, SMALL);
   const before = await framesDrawn(page);
   await refreshes(page, 10);
   expect(await framesDrawn(page)).toBe(before);
@@ -153,7 +156,9 @@ test('an idle page draws no frames', { tag: '@all' }, async ({ page }) => {
 });
 
 test('the camera orbits by mouse and keys, and frames the whole model again', { tag: '@all' }, async ({ page }) => {
-  await openPlayground(page, 'model=cube');
+  // Wide enough for the lamp to lie beside the middle.
+  await page.setViewportSize({ width: 640, height: 480 });
+  await openPlayground(page, SMALL);
   const first = await readDrawing(page);
   const { x, y } = await middleOf(page, '#viewport');
   await page.mouse.move(x, y);
@@ -174,10 +179,10 @@ test('another model is seen whole, however near the camera was; a link keeps its
   page,
 }) => {
   const near = '0.2,0.1,1,0,0,0.7';
-  await page.setViewportSize({ width: 900, height: 600 });
-  await openPlayground(page, `model=cube&outlines=off&camera=${near}`);
+  await page.setViewportSize({ width: 840, height: 480 });
+  await openPlayground(page, `${SMALL}&camera=${near}`);
   await page.evaluate((camera) => {
-    location.hash = `model=sphere&outlines=off&camera=${camera}`;
+    location.hash = `model=sphere&mapSize=64&mapTones=4&outlines=off&camera=${camera}`;
   }, near);
   await expect(page.locator('#model-name')).toHaveText('Sphere');
   await ready(page);
@@ -189,7 +194,7 @@ test('another model is seen whole, however near the camera was; a link keeps its
 });
 
 test('the link restores every setting after a reload, and unknown ones are ignored', async ({ page }) => {
-  await openPlayground(page, 'model=cube&strokeWidth=3&ink=%23203080&lightElevation=999&technique=magic&nothing=1');
+  await openPlayground(page, `${SMALL}&strokeWidth=3&ink=%23203080&lightElevation=999&technique=magic&nothing=1`);
   const picture = await readDrawing(page);
   await page.locator('#lamp').press('ArrowDown');
   await expect.poll(() => page.url()).toContain('lightElevation=84');
@@ -201,18 +206,20 @@ test('the link restores every setting after a reload, and unknown ones are ignor
 });
 
 test('saves the drawing as PNG, on paper and without, at the size of the page and larger', async ({ page }) => {
-  await openPlayground(page, 'model=cube');
+  // Four times as wide is wider than a tile.
+  await page.setViewportSize({ width: 560, height: 280 });
+  await openPlayground(page, SMALL);
   const shown = await readDrawing(page);
   const onPaper = await savePicture(page);
   expect([onPaper.width, onPaper.height]).toEqual([shown.width, shown.height]);
   expect([...onPaper.data.subarray(0, 4)]).toEqual([0xf7, 0xf3, 0xe8, 255]);
   expect(changedShare(shown, onPaper)).toBeLessThan(0.001);
 
-  await openPlayground(page, 'model=cube&pictureGround=transparent');
+  await openPlayground(page, `${SMALL}&pictureGround=transparent`);
   const small = await savePicture(page);
   expect([...small.data.subarray(0, 4)]).toEqual([0, 0, 0, 0]);
 
-  await openPlayground(page, 'model=cube&pictureGround=strokes');
+  await openPlayground(page, `${SMALL}&pictureGround=strokes`);
   const strokes = await savePicture(page);
   expect(opaqueShare(strokes)).toBeGreaterThan(0.02);
   expect(opaqueShare(strokes)).toBeLessThan(0.6 * opaqueShare(small));
@@ -220,7 +227,7 @@ test('saves the drawing as PNG, on paper and without, at the size of the page an
   expect(lightestRed(strokes)).toBeLessThan(0x40);
 
   // Large enough to be drawn in tiles, which must fit together.
-  await openPlayground(page, 'model=cube&pictureSize=4&pictureGround=transparent');
+  await openPlayground(page, `${SMALL}&pictureSize=4&pictureGround=transparent`);
   const large = await savePicture(page);
   expect([large.width, large.height]).toEqual([4 * shown.width, 4 * shown.height]);
   expect(opaqueShare(small)).toBeGreaterThan(0.1);
@@ -246,8 +253,8 @@ test('copies the picture to the clipboard, asked for within the click; where tha
       return write.call(this, items);
     };
   });
-  await page.setViewportSize({ width: 900, height: 600 });
-  await openPlayground(page, 'model=cube');
+  await page.setViewportSize({ width: 840, height: 480 });
+  await openPlayground(page, SMALL);
   const saved = await savePicture(page);
   const copy = async (): Promise<void> => {
     await page.getByRole('button', { name: 'Picture', exact: true }).click();
@@ -263,7 +270,7 @@ test('copies the picture to the clipboard, asked for within the click; where tha
   });
   expect(largestDifference(PNG.sync.read(Buffer.from(base64, 'base64')), saved)).toBe(0);
 
-  await page.goto('./?refused#model=cube');
+  await page.goto(`./?refused#${SMALL}`);
   await ready(page);
   await copy();
   await expect(page.locator('#status')).toHaveText(
@@ -344,7 +351,7 @@ function differentlyOpaqueShare(small: PNG, large: PNG): number {
 
 test('fits a screen 360 pixels wide, with everything large enough for a thumb', { tag: '@all' }, async ({ page }) => {
   await page.setViewportSize({ width: 360, height: 740 });
-  await openPlayground(page, 'model=cube');
+  await openPlayground(page, SMALL);
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(360);
   expect(await page.evaluate(() => document.documentElement.scrollHeight)).toBe(740);
   const settings = page.getByRole('button', { name: 'Settings' });
@@ -370,8 +377,8 @@ test('fits a screen 360 pixels wide, with everything large enough for a thumb', 
 test('settings have labels and units, apply at once and are reset by double-click', { tag: '@all' }, async ({
   page,
 }) => {
-  await page.setViewportSize({ width: 900, height: 600 });
-  await openPlayground(page, 'model=cube&technique=adjacency');
+  await page.setViewportSize({ width: 840, height: 480 });
+  await openPlayground(page, `${SMALL}&technique=adjacency`);
   const before = await readDrawing(page);
   await page.getByRole('button', { name: 'More' }).click();
   const scale = page.getByLabel('Stroke scale');
@@ -389,8 +396,8 @@ test('settings have labels and units, apply at once and are reset by double-clic
 test('the drawing fills the screen by button and key, and a letter in a field does not make it', {
   tag: '@all',
 }, async ({ page }) => {
-  await page.setViewportSize({ width: 900, height: 600 });
-  await openPlayground(page, 'model=cube&technique=adjacency');
+  await page.setViewportSize({ width: 840, height: 480 });
+  await openPlayground(page, `${SMALL}&technique=adjacency`);
   const filling = () => page.evaluate(() => document.fullscreenElement?.id);
   await page.getByRole('button', { name: 'View', exact: true }).click();
   await page.getByRole('button', { name: 'Full screen (F)' }).click();
@@ -407,8 +414,8 @@ test('the drawing fills the screen by button and key, and a letter in a field do
 test('the keys are shown by ?, H, F1 and a button, but not by a letter in a field; an open fold has the height of the window', {
   tag: '@all',
 }, async ({ page }) => {
-  await page.setViewportSize({ width: 1440, height: 900 });
-  await openPlayground(page, 'model=cube&technique=adjacency');
+  await page.setViewportSize({ width: 900, height: 900 });
+  await openPlayground(page, `${SMALL}&technique=adjacency`);
   const dialog = page.getByRole('dialog', { name: 'Keys and gestures' });
   for (const key of ['?', 'h', 'F1']) {
     await page.locator('#drawing').press(key);
@@ -439,8 +446,8 @@ test('the keys are shown by ?, H, F1 and a button, but not by a letter in a fiel
 });
 
 test('only settings of the techniques in use are offered', { tag: '@all' }, async ({ page }) => {
-  await page.setViewportSize({ width: 900, height: 600 });
-  await openPlayground(page, 'model=cube');
+  await page.setViewportSize({ width: 840, height: 480 });
+  await openPlayground(page, SMALL);
   await page.getByRole('button', { name: 'More' }).click();
   const [anchors, shift] = [page.getByLabel('Anchors'), page.getByLabel('Shift along')];
   await expect(anchors).toBeVisible();
@@ -471,7 +478,7 @@ test.describe('a lost graphics context', () => {
   test('is reported and comes back with the same drawing and saved pictures; lost again, the last picture stays', async ({
     page,
   }) => {
-    await openPlayground(page, 'model=cube&technique=adjacency&shadows=on&ground=shadow');
+    await openPlayground(page, `${SMALL}&technique=adjacency&shadows=on&ground=shadow`);
     // With a skin, a morph target and a texture.
     await drop(page, [file('column.glb', columnGlb())]);
     await expect(page.locator('#model-name')).toHaveText('column.glb');
@@ -516,7 +523,7 @@ test('after a crash of the graphics process the same drawing comes back, also as
   const browser = await chromium.launch(await launchOptions());
   try {
     const page = await browser.newPage({ baseURL: baseURL!, viewport: { width: 400, height: 360 } });
-    await openPlayground(page, 'model=cube');
+    await openPlayground(page, SMALL);
     const shown = await readDrawing(page);
     const saved = await savePicture(page);
     const session = await browser.newBrowserCDPSession();
@@ -554,7 +561,7 @@ test('what is missing at the start is said, and not covered by what goes well', 
 }) => {
   const status = page.locator('#status');
   await page.route(/dragon_vrip_res4\.ply.*\.gz$/, (route) => route.fulfill({ status: 404 }));
-  await page.goto('./#model=dragon4&mapSeed=1.5');
+  await page.goto('./#model=dragon4&mapSize=64&mapTones=4&mapSeed=1.5');
   await expect(page.locator('html')).toHaveAttribute('data-state', 'failed');
   await expect(status).toHaveText('The dragon could not be fetched: the server answered 404.');
   expect(pageProblems.splice(0).every((problem) => problem.includes('404'))).toBe(true);
@@ -577,8 +584,7 @@ test('a model is drawn as ever though the worker that prepares it ends without a
   page,
   pageProblems,
 }) => {
-  const link = 'model=cube&mapSize=64&mapTones=4';
-  await openPlayground(page, link);
+  await openPlayground(page, SMALL);
   const drawing = await readDrawing(page);
   await page.addInitScript(() => {
     const { postMessage } = Worker.prototype;

@@ -28,7 +28,7 @@ for (const [left, right] of [
   test(`two techniques are drawn side by side, split at the divider: ${left} and ${right}`, { tag: '@all' }, async ({
     page,
   }) => {
-    const view = 'model=bunny&lightAzimuth=-30';
+    const view = 'model=knot&lightAzimuth=-30&mapSize=64&mapTones=4&outlines=off';
     await openPlayground(page, `${view}&technique=${right}`);
     const rightAlone = await readDrawing(page);
     await openPlayground(page, `${view}&technique=${left}`);
@@ -57,7 +57,7 @@ function differingColumns(a: PNG, b: PNG): number[] {
 test('lines follow the form as soon as that is baked, also where a link asks for it', { tag: '@all' }, async ({
   page,
 }) => {
-  const view = 'model=torus&technique=engraved&lightAzimuth=30';
+  const view = 'model=torus&technique=engraved&outlines=off&lightAzimuth=30';
   await openPlayground(page, view);
   const lit = await readDrawing(page);
   await follow(page, `${view}&lineField=form`);
@@ -74,7 +74,7 @@ test('lines follow the form as soon as that is baked, also where a link asks for
 test('strokes follow the form once that is baked, and the light again where they are told to', { tag: '@all' }, async ({
   page,
 }) => {
-  const view = 'model=shell&technique=anchored&lightAzimuth=30';
+  const view = 'model=shell&technique=anchored&mapSize=64&mapTones=4&outlines=off&lightAzimuth=30';
   const following = `${view}&strokeField=form`;
   await openPlayground(page, following);
   await idle(page);
@@ -87,7 +87,7 @@ test('strokes follow the form once that is baked, and the light again where they
 });
 
 test('a picture that is saved while the form is baked waits for it', { tag: '@all' }, async ({ page }) => {
-  const view = 'model=torus&technique=engraved&lightAzimuth=30';
+  const view = 'model=torus&technique=engraved&outlines=off&lightAzimuth=30';
   await openPlayground(page, view);
   const lit = await savePicture(page);
   await enterLink(page, `${view}&lineField=form`);
@@ -98,7 +98,7 @@ test('a picture that is saved while the form is baked waits for it', { tag: '@al
 });
 
 test('a preset sets the whole style at once, and can be undone', { tag: '@more' }, async ({ page }) => {
-  await page.setViewportSize({ width: 900, height: 600 });
+  await page.setViewportSize({ width: 840, height: 480 });
   await openPlayground(page, 'model=sphere');
   const presets = page.getByRole('group', { name: 'Presets' });
   const undo = page.getByRole('button', { name: 'Undo' });
@@ -140,7 +140,7 @@ test('a preset gives the same picture whatever ground, shadows and hollows came 
 }) => {
   const pictures: PNG[] = [];
   for (const before of ['', '&shadows=on&ground=floor&occlusion=20&shadowStrokes=reorient&debugView=tone']) {
-    await page.setViewportSize({ width: 900, height: 600 });
+    await page.setViewportSize({ width: 840, height: 480 });
     await openPlayground(page, `model=column${before}`);
     await page.getByRole('group', { name: 'Presets' }).getByRole('button', { name: 'Technical' }).click();
     pictures.push(await readDrawing(page));
@@ -152,11 +152,11 @@ test('every button of a preset holds its name, also in a wide font and under a t
   page,
 }) => {
   for (const [width, height] of [
-    [900, 600],
+    [840, 480],
     [360, 640],
   ] as const) {
     await page.setViewportSize({ width, height });
-    await openPlayground(page, `model=cube&camera=0,0,${width},0,0,0`);
+    await openPlayground(page, `model=cube&mapSize=64&mapTones=4&outlines=off&camera=0,0,${width},0,0,0`);
     if (width === 360) await page.locator('#toggle-card').click();
     await page.locator('#presets').evaluate((bar) => bar.style.setProperty('font-family', '"DejaVu Serif", serif'));
     const buttons = page.getByRole('group', { name: 'Presets' }).getByRole('button');
@@ -174,7 +174,7 @@ test('every button of a preset holds its name, also in a wide font and under a t
 
 test('shadows of its own fall on a model, under every kind of light', { tag: '@all' }, async ({ page }) => {
   for (const lightKind of ['directional', 'point', 'spot']) {
-    const view = `model=teapot&lightKind=${lightKind}&lightAzimuth=-70&lightElevation=60&debugView=tone`;
+    const view = `model=teapot&lightKind=${lightKind}&lightAzimuth=-70&lightElevation=60&debugView=tone&outlines=off&mapSize=64&mapTones=4`;
     await openPlayground(page, view);
     const without = await readDrawing(page);
     await openPlayground(page, `${view}&shadows=on`);
