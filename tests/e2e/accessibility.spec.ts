@@ -25,7 +25,7 @@ async function violations(page: Page): Promise<string[]> {
 test('axe finds nothing on the playground, at four sizes, with settings and gallery open', { tag: '@more' }, async ({
   page,
 }) => {
-  await openPlayground(page, 'model=cube&outlines=off');
+  await openPlayground(page, 'model=cube&mapSize=64&mapTones=4&outlines=off');
   for (const [width, height] of cases<readonly (readonly [number, number])[]>(SIZES.slice(0, 2), SIZES)) {
     await page.setViewportSize({ width, height });
     expect.soft(await violations(page), `${width} × ${height}`).toEqual([]);

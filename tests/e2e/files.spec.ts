@@ -22,10 +22,13 @@ import { expect, test } from '../browser/test.js';
 import { cases } from '../selection.mjs';
 import { changedShare, meanInk, WHOLE } from './pictures.js';
 
-test.use({ viewport: { width: 640, height: 480 } });
+test.use({ viewport: { width: 400, height: 300 } });
+
+/** A model and a map that are made in no time. */
+const SMALL = 'model=cube&mapSize=64&mapTones=4&outlines=off';
 
 test('models of every format are drawn when dropped', { tag: '@more' }, async ({ page }) => {
-  await openPlayground(page, 'model=cube');
+  await openPlayground(page, SMALL);
   const before = await readDrawing(page);
   const formats: [name: string, statistics: string, files: TestFile[]][] = [
     ['octahedron.glb', '16 triangles', [file('octahedron.glb', octahedronGlb())]],
@@ -59,7 +62,7 @@ test('models of every format are drawn when dropped', { tag: '@more' }, async ({
 });
 
 test('a mirrored part of a model is not turned inside out', { tag: '@all' }, async ({ page }) => {
-  await openPlayground(page, 'model=cube');
+  await openPlayground(page, SMALL);
   await drop(page, [file('octahedron.glb', octahedronGlb())]);
   await expect(page.locator('#model-statistics')).toHaveText('16 triangles');
   // A model that is opened gets a light of its own.
@@ -113,7 +116,7 @@ test('a picked file is drawn, with its colours and its picture', { tag: '@all' }
 });
 
 test('a file that cannot be read gives one clear sentence and leaves the drawing unchanged', async ({ page }) => {
-  await openPlayground(page, 'model=cube');
+  await openPlayground(page, SMALL);
   const before = await readDrawing(page);
   const glb = octahedronGlb();
   const points = octahedronPly.replace(/element face.*\nproperty list.*\n/, '').replace(/^3 .*\n/gm, '');
@@ -167,13 +170,13 @@ test('a file that cannot be read gives one clear sentence and leaves the drawing
 });
 
 test('joining the triangles of a large model can be cancelled', { tag: '@all' }, async ({ page }) => {
-  await openPlayground(page, 'model=cube');
+  await openPlayground(page, SMALL);
   const before = await readDrawing(page);
   // In the page, because the bake does not wait; and after the stand-in was drawn, which has to go again.
   const shown = await page.evaluate(
     () =>
       new Promise<string>((resolve) => {
-        location.hash = 'model=dragon1';
+        location.hash = 'model=dragon1&mapSize=64&mapTones=4&outlines=off';
         let framesBefore = 0;
         const look = (): void => {
           const name = document.querySelector('#model-name')!.textContent!;
@@ -205,7 +208,7 @@ test('joining the triangles of a large model can be cancelled', { tag: '@all' },
 test('a large model is drawn at once, before it is baked, and stays where it was when it is ready', {
   tag: '@all',
 }, async ({ page }) => {
-  await openPlayground(page, 'model=cube');
+  await openPlayground(page, SMALL);
   // Whether a frame has shown the model while there was work left, and how the model was framed then.
   await page.evaluate(() => {
     const seen = window as unknown as { __early?: Promise<number> };
@@ -236,15 +239,15 @@ test('a model that is opened while another is joined is framed, lit and shadowed
   tag: '@all',
 }, async ({ page }) => {
   const own = [file('octahedron.obj', octahedronObj)];
-  await openPlayground(page, 'model=cube');
+  await openPlayground(page, SMALL);
   await drop(page, own);
   const alone = await readDrawing(page);
   const link = await writtenHash(page);
-  await follow(page, 'model=cube');
+  await follow(page, SMALL);
   await page.evaluate(
     () =>
       new Promise<void>((resolve) => {
-        location.hash = 'model=dragon1';
+        location.hash = 'model=dragon1&mapSize=64&mapTones=4&outlines=off';
         const look = (): void => {
           if (/^Joining/.test(document.querySelector('#status')!.textContent!)) resolve();
           else requestAnimationFrame(look);
@@ -260,7 +263,7 @@ test('a model that is opened while another is joined is framed, lit and shadowed
 });
 
 test('the caption says what is missing, whole, and all else is behind a button', { tag: '@all' }, async ({ page }) => {
-  await openPlayground(page, 'model=cube&outlines=off');
+  await openPlayground(page, SMALL);
   const name = 'a square with a name that is as long as names of files get, more or less';
   const [obj, mtl] = [squareObj.replace('square.mtl', `${name}.mtl`), squareMtl.replace('sky.png', `${name}.png`)];
   const note = page.locator('#model-note');
@@ -303,7 +306,7 @@ test('the caption says what is missing, whole, and all else is behind a button',
 test('a model that is the wrong way up is turned when asked to, and turned back with Undo', { tag: '@all' }, async ({
   page,
 }) => {
-  await openPlayground(page, 'model=cube&outlines=off');
+  await openPlayground(page, SMALL);
   await drop(page, [file('cone.obj', lyingConeObj())]);
   await expect(page.locator('#model-name')).toHaveText('cone.obj');
   const hint = page.getByText('It seems to be the wrong way up.');

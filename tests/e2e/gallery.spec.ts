@@ -11,7 +11,7 @@ test('a drawing of the gallery opens live by the keyboard, a surprise changes it
   page.on('request', (request) => {
     if (/gallery\/(?!preset-)/.test(request.url())) pictures.push(request.url());
   });
-  await openPlayground(page, 'model=cube&outlines=off');
+  await openPlayground(page, 'model=cube&mapSize=64&mapTones=4&outlines=off');
   const cube = await readDrawing(page);
   expect(pictures, 'before the gallery is opened').toEqual([]);
   const opener = page.getByRole('button', { name: 'Gallery' });

@@ -91,7 +91,7 @@ test('nothing overlaps, is cut off or sticks out, at eight widths and in three f
   page,
 }) => {
   await page.setViewportSize({ width: 1000, height: 500 });
-  await openPlayground(page, 'model=cube&outlines=off');
+  await openPlayground(page, 'model=cube&mapSize=64&mapTones=4&outlines=off');
   for (const font of cases(FONTS.slice(0, 1), FONTS)) {
     await page.evaluate((name) => {
       if (name) document.body.style.setProperty('--serif', `"${name}"`);
@@ -111,7 +111,7 @@ test.describe('at 200 %', () => {
   test('nothing is cut off or out of reach: the page twice as large, or its letters alone', { tag: '@all' }, async ({
     page,
   }) => {
-    await openPlayground(page, 'model=cube&outlines=off');
+    await openPlayground(page, 'model=cube&mapSize=64&mapTones=4&outlines=off');
     // Windows of 1,280 × 1,024, 1,366 × 768 and 1,920 × 1,080 pixels: what is left of them at twice the size.
     for (const [width, height] of [
       [640, 512],

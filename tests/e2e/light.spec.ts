@@ -199,7 +199,7 @@ test.describe('on a narrow sheet', () => {
       // Near enough for the outline of the lamp's sphere to lie beyond both edges.
       await openPlayground(
         page,
-        `model=sphere&outlines=off&camera=0,0,4,0,0,0&lightKind=${kind}&lightAzimuth=30&lightDistance=2.5`,
+        `model=sphere&mapSize=64&mapTones=4&outlines=off&camera=0,0,4,0,0,0&lightKind=${kind}&lightAzimuth=30&lightDistance=2.5`,
       );
       const from = await middleOf(page, '#lamp');
       const sheet = (await page.locator('#viewport').boundingBox())!;
@@ -267,7 +267,7 @@ test('a light that stays with the viewer is dragged where the pointer goes, and 
   tag: '@all',
 }, async ({ page }) => {
   const seenFrom = (camera: string) =>
-    `model=sphere&camera=${camera},0,0,0&lightAzimuth=-90&lightElevation=0&outlines=off`;
+    `model=sphere&mapSize=64&mapTones=4&camera=${camera},0,0,0&lightAzimuth=-90&lightElevation=0&outlines=off`;
   const left = async () => {
     const picture = await readDrawing(page);
     return meanInk(picture, LEFT_HALF) - meanInk(picture, RIGHT_HALF);
@@ -286,7 +286,7 @@ test('a light that stays with the viewer is dragged where the pointer goes, and 
 });
 
 test('a model goes aside for its shadow, and is in the middle again without one', { tag: '@all' }, async ({ page }) => {
-  await page.setViewportSize({ width: 900, height: 600 });
+  await page.setViewportSize({ width: 840, height: 480 });
   const look = 'technique=engraved&outlines=off&model=knot&ground=shadow&lightAzimuth=-70&lightElevation=18';
   await openPlayground(page, look);
   const alone = await readDrawing(page);
@@ -303,8 +303,8 @@ test('a model goes aside for its shadow, and is in the middle again without one'
 });
 
 test('a light that illustrators use is one press, and one undo', { tag: '@all' }, async ({ page }) => {
-  await page.setViewportSize({ width: 900, height: 600 });
-  await openPlayground(page, 'model=sphere&lightAzimuth=60&lightElevation=5&outlines=off');
+  await page.setViewportSize({ width: 840, height: 480 });
+  await openPlayground(page, 'model=sphere&mapSize=64&mapTones=4&lightAzimuth=60&lightElevation=5&outlines=off');
   const before = await readDrawing(page);
   await page.getByRole('button', { name: 'Light', exact: true }).press('Enter');
   await page.getByRole('button', { name: 'From below' }).press('Enter');
@@ -316,7 +316,7 @@ test('a light that illustrators use is one press, and one undo', { tag: '@all' }
 });
 
 test('hollows become darker when asked for, by the light of the page', { tag: '@all' }, async ({ page }) => {
-  const view = 'model=teapot&outlines=off&debugView=tone&lightAzimuth=30&lightElevation=60';
+  const view = 'model=teapot&mapSize=64&mapTones=4&outlines=off&debugView=tone&lightAzimuth=30&lightElevation=60';
   await openPlayground(page, view);
   const open = await readDrawing(page);
   await openPlayground(page, `${view}&occlusion=100`);
@@ -329,7 +329,10 @@ test('hollows become darker when asked for, by the light of the page', { tag: '@
 test('a model that is opened is lit from the upper front, and Undo takes its light back', { tag: '@all' }, async ({
   page,
 }) => {
-  await openPlayground(page, 'model=cube&camera=0,0,5,0,0,0&lightAzimuth=170&lightElevation=-30');
+  await openPlayground(
+    page,
+    'model=cube&mapSize=64&mapTones=4&outlines=off&camera=0,0,5,0,0,0&lightAzimuth=170&lightElevation=-30',
+  );
   await drop(page, [file('octahedron.obj', octahedronObj)]);
   await expect(page.locator('#model-name')).toHaveText('octahedron.obj');
   const suiting = await lampPlace(page);

@@ -9,7 +9,7 @@ import { changedShare, meanInk } from './pictures.js';
 
 /** Animated and textured models. */
 
-test.use({ viewport: { width: 900, height: 600 } });
+test.use({ viewport: { width: 840, height: 420 } });
 
 const column = (options = {}): TestFile[] => [file('column.glb', columnGlb(options))];
 const time = (page: Page) => page.getByRole('slider', { name: 'Time' });
@@ -17,7 +17,7 @@ const play = (page: Page) => page.getByRole('button', { name: 'Play' });
 const pause = (page: Page) => page.getByRole('button', { name: 'Pause' });
 
 async function openModel(page: Page, files: readonly TestFile[], hash = ''): Promise<void> {
-  await openPlayground(page, `model=cube&camera=0,0,5,0,0,0&${hash}`);
+  await openPlayground(page, `model=cube&mapSize=64&mapTones=4&camera=0,0,5,0,0,0&${hash}`);
   await drop(page, files);
   await expect(page.locator('#model-name')).toHaveText(files[0].name);
 }
@@ -51,7 +51,7 @@ test('a model with a clip plays when it is dropped; paused, the page is idle', a
 });
 
 test('the built-in fish swims, and is in the link', { tag: '@all' }, async ({ page }) => {
-  await page.goto('./#model=fish&lightElevation=50');
+  await page.goto('./#model=fish&mapSize=64&mapTones=4&lightElevation=50');
   await expect(page.locator('#model-name')).toHaveText('Fish');
   await expect(pause(page)).toBeVisible();
   await pause(page).click();

@@ -7,7 +7,8 @@ import { changedShare, inkRun, meanInk, WHOLE } from './pictures.js';
 test.use({ viewport: { width: 640, height: 480 } });
 
 /** A sphere in the middle of the picture. The light from the left leaves its left side bare paper. */
-const SPHERE = 'model=sphere&camera=0,0,6,0,0,0&lightAzimuth=-70&lightElevation=0&lightStrength=150';
+const SPHERE =
+  'model=sphere&mapSize=64&mapTones=4&camera=0,0,6,0,0,0&lightAzimuth=-70&lightElevation=0&lightStrength=150';
 /** Outlines of one width, without a hand, closed. */
 const RULED = 'outlineShade=0&outlineLost=0&outlineHand=0';
 /** Rows around the middle, as shares of the height. */
@@ -29,7 +30,7 @@ function leftmostWidth(picture: PNG): number {
 }
 
 async function openFold(page: Page): Promise<void> {
-  await page.setViewportSize({ width: 900, height: 600 });
+  await page.setViewportSize({ width: 840, height: 480 });
   await page.getByRole('button', { name: 'Outlines', exact: true }).press('Enter');
 }
 
@@ -75,7 +76,7 @@ test('a link without outlines opens without them; undo brings back what was swit
 test('width, weights and hand of the outlines have labels and change the drawing', { tag: '@all' }, async ({
   page,
 }) => {
-  await openPlayground(page, 'model=cube');
+  await openPlayground(page, 'model=cube&mapSize=64&mapTones=4');
   await openFold(page);
   let before = await readDrawing(page);
   for (const [label, value] of [
@@ -116,7 +117,7 @@ test.describe('with reduced motion', () => {
   test.use({ reducedMotion: 'reduce' });
 
   test('a model that moves has outlines, which follow its pose', { tag: '@all' }, async ({ page }) => {
-    const fish = 'model=fish&lightStrength=200&reflectedLight=60';
+    const fish = 'model=fish&mapSize=64&mapTones=4&lightStrength=200&reflectedLight=60';
     await openPlayground(page, `${fish}&outlines=off`);
     const without = meanInk(await readDrawing(page), WHOLE);
     await openPlayground(page, fish);
