@@ -3,6 +3,7 @@ import { enterLink, follow, idle, openPlayground, readDrawing, savePicture } fro
 import { expect, test } from '../browser/test.js';
 import { cases } from '../selection.mjs';
 import { changedShare, edgeSpacing, greyShare, likeness, meanInk, type Region } from './pictures.js';
+import { widenLetters } from './wideLetters.js';
 
 test.use({ viewport: { width: 640, height: 480 } });
 
@@ -148,7 +149,7 @@ test('a preset gives the same picture whatever ground, shadows and hollows came 
   expect(changedShare(pictures[0], pictures[1])).toBe(0);
 });
 
-test('every button of a preset holds its name, also in a wide font and under a thumb', { tag: '@all' }, async ({
+test('every button of a preset holds its name, also with wide letters and under a thumb', { tag: '@all' }, async ({
   page,
 }) => {
   for (const [width, height] of [
@@ -158,7 +159,7 @@ test('every button of a preset holds its name, also in a wide font and under a t
     await page.setViewportSize({ width, height });
     await openPlayground(page, `model=cube&mapSize=64&mapTones=4&outlines=off&camera=0,0,${width},0,0,0`);
     if (width === 360) await page.locator('#toggle-card').click();
-    await page.locator('#presets').evaluate((bar) => bar.style.setProperty('font-family', '"DejaVu Serif", serif'));
+    await widenLetters(page, '0.03em');
     const buttons = page.getByRole('group', { name: 'Presets' }).getByRole('button');
     await expect(buttons).toHaveCount(10);
     const bar = (await page.locator('#presets').boundingBox())!;
