@@ -5,8 +5,8 @@ import { expect, test } from '../browser/test.js';
 import { cases } from '../selection.mjs';
 
 const SIZES = [
-  [360, 640],
   [1000, 700],
+  [360, 640],
   [740, 360],
   [1920, 1080],
 ] as const;
@@ -26,7 +26,7 @@ test('axe finds nothing on the playground, at four sizes, with settings and gall
   page,
 }) => {
   await openPlayground(page, 'model=cube&mapSize=64&mapTones=4&outlines=off');
-  for (const [width, height] of cases<readonly (readonly [number, number])[]>(SIZES.slice(0, 2), SIZES)) {
+  for (const [width, height] of cases<readonly (readonly [number, number])[]>(SIZES.slice(0, 1), SIZES)) {
     await page.setViewportSize({ width, height });
     expect.soft(await violations(page), `${width} × ${height}`).toEqual([]);
     const settings = page.getByRole('button', { name: 'Settings' });

@@ -7,7 +7,7 @@ import { file, octahedronPly } from '../../tools/modelFiles/modelFiles.js';
 import { expect, test } from '../browser/test.js';
 import { changedShare, meanInk } from './pictures.js';
 
-test.use({ viewport: { width: 900, height: 420 } });
+test.use({ viewport: { width: 840, height: 360 } });
 
 const LINK = 'model=cube&mapSize=64&mapTones=4&outlines=off';
 const octahedron = file('octahedron.ply', octahedronPly);

@@ -238,6 +238,7 @@ test('tiles meet without a seam, and a large picture can be given up', { tag: '@
 });
 
 test('the drawing leaves as lines: an SVG in millimetres, filled for print or for one pen', async ({ page }) => {
+  await page.setViewportSize({ width: 400, height: 300 });
   await openPlayground(page, 'model=vase&technique=engraved&shadows=off&ground=none');
   const savedAs = async (): Promise<string> => {
     const file = page.waitForEvent('download');
