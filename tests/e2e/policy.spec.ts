@@ -76,7 +76,7 @@ test('files are read and drawn where a page may have no workers, nor WebAssembly
 }) => {
   const name = page.locator('#model-name');
   const status = page.locator('#status');
-  await expectModelsDrawn(page, pageProblems, "worker-src 'none'");
+  await expectModelsDrawn(page, pageProblems, "worker-src 'none'; connect-src 'self'; img-src 'self'");
   // Without workers all of them are read on the main thread.
   const formats: TestFile[][] = [
     [file('octahedron.obj', octahedronObj), file('octahedron.mtl', octahedronMtl)],
