@@ -55,10 +55,12 @@ function run(
 }
 
 const draw = (...args: string[]): Promise<Ended> => run(['draw', ...args]);
+/** A sheet that is soon drawn. */
+const SMALL = ['--sheet', '60x60'] as const;
 const tree = (): string[] => readdirSync(work, { recursive: true }).map(String).sort();
 
 test('draws the same bytes as its source', async () => {
-  const args = ['a.obj', '--pen', '0.5', '--sheet', 'A5 landscape', '--out', 'out/a.svg'];
+  const args = ['a.obj', '--pen', '0.5', '--sheet', '90x60', '--out', 'out/a.svg'];
   const { code, stdout } = await draw(...args);
   expect(code).toBe(0);
   expect(stdout).toMatch(
@@ -72,13 +74,13 @@ test('draws the same bytes as its source', async () => {
   expect(tree()).toEqual(['a.obj', 'out', 'out/a.svg']);
 });
 
-describe('several models', () => {
+describe('several models', { tags: ['all'] }, () => {
   test('are drawn by pattern, some at a time; those that cannot be are named, and the code is 1', async () => {
     writeFileSync(join(work, 'b.ply'), octahedronPly);
     writeFileSync(join(work, 'c.glb'), octahedronGlb());
     writeFileSync(join(work, 'broken.glb'), octahedronGlb().subarray(0, 500));
     writeFileSync(join(work, 'empty.obj'), '');
-    const { code, stdout, stderr } = await draw('*.{obj,ply,glb}', 'gone.stl', '--out', 'out', '--jobs', '3');
+    const { code, stdout, stderr } = await draw('*.{obj,ply,glb}', 'gone.stl', '--out', 'out', '--jobs', '3', ...SMALL);
     expect(code).toBe(1);
     expect(readdirSync(join(work, 'out')).sort()).toEqual(['a.svg', 'b.svg', 'c.svg']);
     expect(stdout.trim().split('\n')).toHaveLength(3);
@@ -91,7 +93,7 @@ describe('several models', () => {
   });
 
   test('give numbered files each, with as many frames as are asked for', async () => {
-    const { code } = await draw('a.obj', '--frames', '3', '--no-shadows', '--out', 'turn/{name}.svg');
+    const { code } = await draw('a.obj', '--frames', '3', '--no-shadows', '--out', 'turn/{name}.svg', ...SMALL);
     expect(code).toBe(0);
     expect(readdirSync(join(work, 'turn')).sort()).toEqual(['a-1.svg', 'a-2.svg', 'a-3.svg']);
   });
@@ -120,12 +122,12 @@ describe('how it ends', () => {
     expect(tree()).toEqual(['a.obj']);
   });
 
-  test('2 for a file that is there, unless it may be replaced', async () => {
+  test('2 for a file that is there, unless it may be replaced', { tags: ['all'] }, async () => {
     writeFileSync(join(work, 'a.svg'), 'mine');
     const refused = await draw('a.obj', '--out', 'a.svg');
     expect([refused.code, refused.stderr]).toEqual([2, expect.stringContaining('add --force to replace it')]);
     expect(readFileSync(join(work, 'a.svg'), 'utf8')).toBe('mine');
-    expect((await draw('a.obj', '--out', 'a.svg', '--force')).code).toBe(0);
+    expect((await draw('a.obj', '--out', 'a.svg', '--force', ...SMALL)).code).toBe(0);
     expect(readFileSync(join(work, 'a.svg'), 'utf8')).toContain('<svg');
   });
 
@@ -137,34 +139,42 @@ describe('how it ends', () => {
     expect(tree()).toEqual(['a.obj', 'b.obj']);
   });
 
-  test.skipIf(process.platform === 'win32')('130 if it is interrupted, with whole files or none', async () => {
-    let isStopped = false;
-    const frames = ['--frames', '400', '--jobs', '2', '--out', 'turn'];
-    writeFileSync(join(work, 'b.obj'), octahedronObj);
-    const { code, stderr } = await run(['draw', 'a.obj', 'b.obj', ...frames], (text, command) => {
-      if (isStopped || !text.includes('a-002.svg: ')) return;
-      isStopped = true;
-      command.kill('SIGINT');
-    });
-    expect(code).toBe(130);
-    expect(stderr).toMatch(/three-hatching: interrupted; \d+ files were written before that\.\n$/);
-    const names = readdirSync(join(work, 'turn'));
-    expect(names).toContain('a-002.svg');
-    expect(names).not.toContain('a-400.svg');
-    for (const name of names) expect(readFileSync(join(work, 'turn', name), 'utf8')).toMatch(/<\/svg>\s*$/);
-  });
+  test.skipIf(process.platform === 'win32')(
+    '130 if it is interrupted, with whole files or none',
+    { tags: ['all'] },
+    async () => {
+      let isStopped = false;
+      const frames = ['--frames', '400', '--jobs', '2', '--out', 'turn', ...SMALL];
+      writeFileSync(join(work, 'b.obj'), octahedronObj);
+      const { code, stderr } = await run(['draw', 'a.obj', 'b.obj', ...frames], (text, command) => {
+        if (isStopped || !text.includes('a-002.svg: ')) return;
+        isStopped = true;
+        command.kill('SIGINT');
+      });
+      expect(code).toBe(130);
+      expect(stderr).toMatch(/three-hatching: interrupted; \d+ files were written before that\.\n$/);
+      const names = readdirSync(join(work, 'turn'));
+      expect(names).toContain('a-002.svg');
+      expect(names).not.toContain('a-400.svg');
+      for (const name of names) expect(readFileSync(join(work, 'turn', name), 'utf8')).toMatch(/<\/svg>\s*$/);
+    },
+  );
 
-  test.skipIf(process.platform === 'win32')('130 before anything is drawn, with nothing left behind', async () => {
-    const ended = run(['draw', 'a.obj', '--out', 'out/a.svg']);
-    while (!existsSync(join(work, 'out'))) await new Promise((resume) => setTimeout(resume, 2));
-    running?.kill('SIGINT');
-    const { code, stderr } = await ended;
-    expect([code, stderr]).toEqual([130, 'three-hatching: interrupted; nothing was written.\n']);
-    expect(tree()).toEqual(['a.obj']);
-  });
+  test.skipIf(process.platform === 'win32')(
+    '130 before anything is drawn, with nothing left behind',
+    { tags: ['all'] },
+    async () => {
+      const ended = run(['draw', 'a.obj', '--out', 'out/a.svg']);
+      while (!existsSync(join(work, 'out'))) await new Promise((resume) => setTimeout(resume, 2));
+      running?.kill('SIGINT');
+      const { code, stderr } = await ended;
+      expect([code, stderr]).toEqual([130, 'three-hatching: interrupted; nothing was written.\n']);
+      expect(tree()).toEqual(['a.obj']);
+    },
+  );
 });
 
-test('what names hold does not move the cursor', async () => {
+test('what names hold does not move the cursor', { tags: ['all'] }, async () => {
   const name = 'a\u001b[2Jb.obj';
   writeFileSync(join(work, name), '');
   const { stderr } = await draw(name, '--out', 'a.svg');

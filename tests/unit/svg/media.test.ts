@@ -1,6 +1,7 @@
 import { TorusGeometry } from 'three';
-import { describe, expect, test } from 'vitest';
+import { beforeAll, describe, expect, test } from 'vitest';
 import { drawSVG } from '../../../src/svg/drawSVG.js';
+import { cases } from '../../selection.mjs';
 import { cameraAt, hatchedMesh, planeOfTone, sceneOf } from '../vector/hatchedScene.js';
 import { coverageOf, pathsOf, ringsOf } from '../vector/paths.js';
 
@@ -22,14 +23,14 @@ describe('a pen', () => {
     return drawSVG(sceneOf(mesh), cameraAt(0, 0, 1), { kind, sheet: [SIDE, SIDE], margin: 0 });
   };
 
-  test.each([0.1, 0.5, 0.8])('prints tone %s in strokes', async (tone) => {
+  test.each(cases([0.5], [0.1, 0.5, 0.8]))('prints tone %s in strokes', { tags: ['more'] }, async (tone) => {
     const { svg, leftOut } = await draw(tone);
     expect(leftOut).toEqual([]);
     // Strokes are few on so small a sheet, and in the darks they overlap.
     expect(Math.abs(coverageOf(pathsOf(svg), BOX) - tone)).toBeLessThan(0.035);
   });
 
-  test.each([0.15, 0.5])('plots tone %s in strokes of one width', async (tone) => {
+  test.each(cases([0.15], [0.15, 0.5]))('plots tone %s in strokes of one width', { tags: ['more'] }, async (tone) => {
     const { drawn } = await draw(tone, 'pen');
     expect(Math.abs((drawn * 0.3) / SIDE ** 2 - tone)).toBeLessThan(0.03);
   });
@@ -63,12 +64,12 @@ describe('a pen', () => {
 });
 
 describe('a woodcut', () => {
-  const draw = async (tone: number, kind: 'print' | 'pen' = 'print') => {
+  const draw = async (tone: number, kind: 'print' | 'pen' = 'print', side = SIDE) => {
     const mesh = await planeOfTone(tone, { medium: 'woodcut', strokeLength: 100, lineSpacing: 7 });
-    return drawSVG(sceneOf(mesh), cameraAt(0, 0, 1), { kind, sheet: [SIDE, SIDE], margin: 0 });
+    return drawSVG(sceneOf(mesh), cameraAt(0, 0, 1), { kind, sheet: [side, side], margin: 0 });
   };
 
-  test.each([0.1, 0.5, 0.9])('tone %s is what is left between cuts', async (tone) => {
+  test.each(cases([0.5], [0.1, 0.5, 0.9]))('tone %s is what is left between cuts', { tags: ['more'] }, async (tone) => {
     const { svg, leftOut } = await draw(tone);
     expect(leftOut).toEqual([]);
     expect(Math.abs(coverageOf(pathsOf(svg), BOX) - tone)).toBeLessThan(0.03);
@@ -79,44 +80,45 @@ describe('a woodcut', () => {
   });
 
   test('is filled by the strokes of a plotter', async () => {
+    const side = 50;
     // Rows lie a pen's width apart, or up to twice as close.
-    const { drawn: all } = await draw(1, 'pen');
-    expect((all * 0.3) / SIDE ** 2).toBeGreaterThan(1);
-    expect((all * 0.3) / SIDE ** 2).toBeLessThan(2);
-    const { drawn } = await draw(0.5, 'pen');
+    const { drawn: all } = await draw(1, 'pen', side);
+    expect((all * 0.3) / side ** 2).toBeGreaterThan(1);
+    expect((all * 0.3) / side ** 2).toBeLessThan(2);
+    const { drawn } = await draw(0.5, 'pen', side);
     expect(drawn / all).toBeGreaterThan(0.45);
     expect(drawn / all).toBeLessThan(0.65);
   });
 });
 
-test.each(['pen', 'woodcut'] as const)('the medium %s stays within the surface', async (medium) => {
-  const mesh = await hatchedMesh(new TorusGeometry(0.6, 0.3, 48, 96), { outlines: false, material: { medium } });
-  const { svg } = await drawSVG(sceneOf(mesh), cameraAt(0, 0, 1, true), { sheet: [105, 105], margin: 0 });
-  // 50 mm a unit: within a circle of 45 mm, and beyond one of 15.
-  const away = pathsOf(svg).flatMap((data) =>
-    ringsOf(data).flatMap((ring) =>
-      ring.flatMap((x, i) => (i % 2 === 0 ? [Math.hypot(x - 52.5, ring[i + 1] - 52.5)] : [])),
-    ),
-  );
-  expect(away.length).toBeGreaterThan(3000);
-  const beyond = away.filter((distance) => distance > 45.3 || distance < 14.7).length;
-  expect(beyond / away.length).toBeLessThan(0.01);
-});
+describe.each(['pen', 'woodcut'] as const)('a ring in the medium %s', (medium) => {
+  const draw = async (leastWidth: number): Promise<string[]> => {
+    const mesh = await hatchedMesh(new TorusGeometry(0.6, 0.3, 32, 64), { outlines: false, material: { medium } });
+    const options = { sheet: [105, 105], margin: 0, leastWidth } as const;
+    return pathsOf((await drawSVG(sceneOf(mesh), cameraAt(0, 0, 1, true), options)).svg);
+  };
+  let paths: string[];
 
-test.each(['pen', 'woodcut'] as const)(
-  'the medium %s has its ink also where a press holds no thinner line',
-  async (medium) => {
-    const mesh = await hatchedMesh(new TorusGeometry(0.6, 0.3, 48, 96), { outlines: false, material: { medium } });
-    const inkOf = async (leastWidth: number): Promise<number> => {
-      const { svg } = await drawSVG(sceneOf(mesh), cameraAt(0, 0, 1, true), {
-        sheet: [105, 105],
-        margin: 0,
-        leastWidth,
-      });
-      return coverageOf(pathsOf(svg), [5, 5, 100, 100]);
-    };
-    const whole = await inkOf(0);
+  beforeAll(async () => {
+    paths = await draw(0.05);
+  });
+
+  test('stays within the surface', () => {
+    // 50 mm a unit: within a circle of 45 mm, and beyond one of 15.
+    const away = paths.flatMap((data) =>
+      ringsOf(data).flatMap((ring) =>
+        ring.flatMap((x, i) => (i % 2 === 0 ? [Math.hypot(x - 52.5, ring[i + 1] - 52.5)] : [])),
+      ),
+    );
+    expect(away.length).toBeGreaterThan(3000);
+    const beyond = away.filter((distance) => distance > 45.3 || distance < 14.7).length;
+    expect(beyond / away.length).toBeLessThan(0.01);
+  });
+
+  test('has its ink also where a press holds no thinner line', { tags: ['all'] }, async () => {
+    const inkOf = (drawn: string[]): number => coverageOf(drawn, [5, 5, 100, 100]);
+    const whole = inkOf(await draw(0));
     expect(whole).toBeGreaterThan(0.1);
-    expect(Math.abs((await inkOf(0.05)) / whole - 1)).toBeLessThan(0.03);
-  },
-);
+    expect(Math.abs(inkOf(paths) / whole - 1)).toBeLessThan(0.03);
+  });
+});

@@ -2,6 +2,7 @@ import { DirectionalLight, DoubleSide, Mesh, MeshBasicMaterial, PlaneGeometry, S
 import { describe, expect, test } from 'vitest';
 import type { HatchingMaterialParameters } from '../../../src/material/HatchingMaterialParameters.js';
 import { type DrawSVGOptions, drawSVG } from '../../../src/svg/index.js';
+import { cases } from '../../selection.mjs';
 import { cameraAt, hatchedMesh } from '../vector/hatchedScene.js';
 import { coverageOf, pathsOf, ringsOf } from '../vector/paths.js';
 
@@ -92,16 +93,20 @@ function shadeOfPlate(x: number, sun: DirectionalLight, height: number, softness
 }
 
 describe('the shadow on a ground', () => {
-  test.each([0.3, 0.6])('has edges as wide as those of a round lamp, %s above it', async (height) => {
-    const softness = 0.4;
-    const { scene, sun } = await groundScene({ shadowSoftness: softness }, plate(height));
-    const drawn = await strips(scene);
-    const cast = drawn.map((_, i) => 0.5 * shadeOfPlate(xOf(i), sun, height, softness));
-    const ratio = riseOf(drawn) / riseOf(cast);
-    expect(ratio).toBeGreaterThan(0.75);
-    expect(ratio).toBeLessThan(1.25);
-    for (const [i, tone] of drawn.entries()) expect(Math.abs(tone - cast[i])).toBeLessThan(0.06);
-  });
+  test.each(cases([0.6], [0.3, 0.6]))(
+    'has edges as wide as those of a round lamp, %s above it',
+    { tags: ['more'] },
+    async (height) => {
+      const softness = 0.4;
+      const { scene, sun } = await groundScene({ shadowSoftness: softness }, plate(height));
+      const drawn = await strips(scene);
+      const cast = drawn.map((_, i) => 0.5 * shadeOfPlate(xOf(i), sun, height, softness));
+      const ratio = riseOf(drawn) / riseOf(cast);
+      expect(ratio).toBeGreaterThan(0.75);
+      expect(ratio).toBeLessThan(1.25);
+      for (const [i, tone] of drawn.entries()) expect(Math.abs(tone - cast[i])).toBeLessThan(0.06);
+    },
+  );
 
   test('is hard where it is asked to be', async () => {
     const { scene } = await groundScene({ shadowSoftness: 0.4 }, plate(0.6));
@@ -109,27 +114,31 @@ describe('the shadow on a ground', () => {
     expect(riseOf(await strips(scene))).toBeGreaterThan(5);
   });
 
-  test.each([0, 1, 2])('dissolves evenly with the distance of a leaning board: shadowFade %s', async (shadowFade) => {
-    // It stands on the line x = −0.6 and rises at 45°.
-    const board = unseen(new PlaneGeometry(1.2 * Math.SQRT2, 3));
-    board.rotation.y = -Math.PI / 4;
-    board.position.z = 0.6;
-    const { scene, sun } = await groundScene({ shadowFade }, board, 0);
-    const drawn = await strips(scene);
-    const ray = sun.position.clone().normalize();
-    let [checked, worst] = [0, 0];
-    for (const [i, tone] of drawn.entries()) {
-      const distance = (xOf(i) + 0.6) / (ray.z - ray.x);
-      if (distance < 0.1 || xOf(i) + distance * ray.x > 0.5) continue;
-      const left = Math.max(1 - (shadowFade * distance) / 4, 0);
-      checked++;
-      // Its lines end one by one, so that a little more is gone.
-      const lines = left - meanLost(left);
-      worst = Math.max(worst, Math.abs(tone - 0.5 * lines));
-    }
-    expect(checked).toBeGreaterThan(14);
-    expect(worst).toBeLessThan(0.02);
-  });
+  test.each(cases([1], [0, 1, 2]))(
+    'dissolves evenly with the distance of a leaning board: shadowFade %s',
+    { tags: ['more'] },
+    async (shadowFade) => {
+      // It stands on the line x = −0.6 and rises at 45°.
+      const board = unseen(new PlaneGeometry(1.2 * Math.SQRT2, 3));
+      board.rotation.y = -Math.PI / 4;
+      board.position.z = 0.6;
+      const { scene, sun } = await groundScene({ shadowFade }, board, 0);
+      const drawn = await strips(scene);
+      const ray = sun.position.clone().normalize();
+      let [checked, worst] = [0, 0];
+      for (const [i, tone] of drawn.entries()) {
+        const distance = (xOf(i) + 0.6) / (ray.z - ray.x);
+        if (distance < 0.1 || xOf(i) + distance * ray.x > 0.5) continue;
+        const left = Math.max(1 - (shadowFade * distance) / 4, 0);
+        checked++;
+        // Its lines end one by one, so that a little more is gone.
+        const lines = left - meanLost(left);
+        worst = Math.max(worst, Math.abs(tone - 0.5 * lines));
+      }
+      expect(checked).toBeGreaterThan(14);
+      expect(worst).toBeLessThan(0.02);
+    },
+  );
 
   test('has lines that run away from the light, at a distance of their own, and none with light ink', async () => {
     const { scene, ground, sun } = await groundScene({ shadowSpacing: 0.8 }, plate(0.3));
@@ -159,7 +168,7 @@ test('lines turn in the shadow of the only light, and nowhere else', async () =>
     [1, 0.4],
   ];
   sun.position.set(0.9, 0.9, 2.2);
-  const { svg, leftOut } = await drawSVG(scene, camera(), { ...SHEET, kind: 'pen', shadows: 'hard' });
+  const { svg, leftOut } = await drawSVG(scene, camera(), { ...SHEET, kind: 'pen', penWidth: 0.6, shadows: 'hard' });
   expect(leftOut.filter(({ object }) => object === ground)).toEqual([]);
   let [lit, shaded] = [0, 0];
   for (const [points] of pathsOf(svg).map(ringsOf)) {
@@ -184,9 +193,11 @@ test('a ground that writes no depth hides nothing, and one that does hides what 
   const below = await hatchedMesh(new PlaneGeometry(1, 1), { material: { lineField: 'x' } });
   below.position.z = -0.2;
   scene.add(below);
-  expect(pathsOf((await drawSVG(scene, camera(), SHEET)).svg, 'outlines').length).toBeGreaterThan(0);
+  const outlines = async () =>
+    pathsOf((await drawSVG(scene, camera(), { sheet: [40, 40], margin: 0 })).svg, 'outlines');
+  expect((await outlines()).length).toBeGreaterThan(0);
   ground.material.depthWrite = true;
-  expect(pathsOf((await drawSVG(scene, camera(), SHEET)).svg, 'outlines').length).toBe(0);
+  expect((await outlines()).length).toBe(0);
 });
 
 /** By so much lines that end one by one are thinner, in the mean of many, where so much of a shadow is left. */
@@ -199,17 +210,21 @@ function meanLost(left: number): number {
   return sum / 1000;
 }
 
-test.each([0, 2, 4])('edges of shadows on bodies are as wide as the light says, radius %s', async (radius) => {
-  const { scene, ground, sun } = await groundScene({}, plate(0.4), radius);
-  ground.material.toneModel = 'lambert';
-  ground.material.lineField = 'x';
-  sun.shadow.mapSize.setScalar(64);
-  // A tent that reaches as far as its samples do, and one texel more; on the ground it is as much wider as the light leans.
-  const texel = 4 / 64;
-  const { x, y, z } = sun.position.clone().normalize();
-  const width = (1.106 * (radius + 1) * texel) / (z / Math.hypot(z, x)) / Math.hypot(1, y);
-  const drawn = (await strips(scene)).map((tone, _, all) => tone - Math.min(...all));
-  const ratio = (riseOf(drawn) * 2.1) / 70 / width;
-  expect(ratio).toBeGreaterThan(0.75);
-  expect(ratio).toBeLessThan(1.25);
-});
+test.each(cases([2], [0, 2, 4]))(
+  'edges of shadows on bodies are as wide as the light says, radius %s',
+  { tags: ['more'] },
+  async (radius) => {
+    const { scene, ground, sun } = await groundScene({}, plate(0.4), radius);
+    ground.material.toneModel = 'lambert';
+    ground.material.lineField = 'x';
+    sun.shadow.mapSize.setScalar(64);
+    // A tent that reaches as far as its samples do, and one texel more; on the ground it is as much wider as the light leans.
+    const texel = 4 / 64;
+    const { x, y, z } = sun.position.clone().normalize();
+    const width = (1.106 * (radius + 1) * texel) / (z / Math.hypot(z, x)) / Math.hypot(1, y);
+    const drawn = (await strips(scene)).map((tone, _, all) => tone - Math.min(...all));
+    const ratio = (riseOf(drawn) * 2.1) / 70 / width;
+    expect(ratio).toBeGreaterThan(0.75);
+    expect(ratio).toBeLessThan(1.25);
+  },
+);

@@ -16,6 +16,7 @@ import { prepareHatchingGeometry } from '../../../src/geometry/prepareHatchingGe
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import type { HatchingMaterialParameters } from '../../../src/material/HatchingMaterialParameters.js';
 import { drawSVG } from '../../../src/svg/drawSVG.js';
+import { cases } from '../../selection.mjs';
 import { cameraAt, hatchedMesh, sceneOf } from '../vector/hatchedScene.js';
 import { coverageOf, pathsOf, ringsOf } from '../vector/paths.js';
 
@@ -70,7 +71,7 @@ const draw = async (mesh: Object3D, kind: 'print' | 'pen' = 'print') =>
   });
 
 describe('dots', () => {
-  test.each([0.1, 0.3, 0.5])('cover tone %s', async (tone) => {
+  test.each(cases([0.3], [0.1, 0.3, 0.5]))('cover tone %s', { tags: ['more'] }, async (tone) => {
     const { svg, leftOut, paths } = await draw(await stippledPlane(tone));
     expect(leftOut).toEqual([]);
     const circles = circlesOf(svg);
@@ -185,7 +186,7 @@ describe('dots heed what differs from place to place', () => {
     expect(Math.abs(left - (white + 0.5 * (0.5 - white)))).toBeLessThan(0.02);
   });
 
-  test('what gives off light, light from all around and bent normals', async () => {
+  test('what gives off light, light from all around and bent normals', { tags: ['all'] }, async () => {
     const linear: HatchingMaterialParameters = { exposure: 1, toneCurve: 'linear', localTone: 0, highlightTone: 0 };
     const [plain] = await halves(linear);
     const [dark, lit] = await halves({

@@ -22,6 +22,15 @@ export function pathsOf(svg: string, layer = ''): string[] {
     .flatMap(([, , body]) => [...body.matchAll(/<path d="([^"]*)"\/>/g)].map(([, data]) => data));
 }
 
+/** The rings of paths that were asked about before: most drawings are measured at several places. */
+const readPaths = new WeakMap<readonly string[], readonly number[][][]>();
+
+function shapesOf(paths: readonly string[]): readonly number[][][] {
+  const shapes = readPaths.get(paths) ?? paths.map(ringsOf);
+  readPaths.set(paths, shapes);
+  return shapes;
+}
+
 /**
  * The share of a rectangle that paths cover which are filled by the rule `nonzero`: rows of samples, each cut exactly.
  *
@@ -33,14 +42,16 @@ export function coverageOf(
   rows = 400,
 ): number {
   const [left, top, width, height] = box;
-  const shapes = paths.map(ringsOf);
+  const places = Array.from({ length: rows }, (_, row) => top + ((row + 0.5) / rows) * height + 1e-7);
+  const spans = places.map((): [number, number][] => []);
+  for (const rings of shapesOf(paths)) {
+    for (const [row, crossings] of crossingsOf(rings, places)) spans[row].push(...spansBetween(crossings));
+  }
   let sum = 0;
-  for (let row = 0; row < rows; row++) {
-    const y = top + ((row + 0.5) / rows) * height + 1e-7;
-    const spans = shapes.flatMap((rings) => spansAt(rings, y));
-    spans.sort((a, b) => a[0] - b[0]);
+  for (const covered of spans) {
+    covered.sort((a, b) => a[0] - b[0]);
     let end = left;
-    for (const [from, to] of spans) {
+    for (const [from, to] of covered) {
       const [start, stop] = [Math.max(from, end), Math.min(to, left + width)];
       if (stop > start) sum += stop - start;
       end = Math.max(end, stop);
@@ -49,17 +60,32 @@ export function coverageOf(
   return sum / (rows * width);
 }
 
-/** The parts of a row that a shape covers. */
-function spansAt(rings: readonly number[][], y: number): [number, number][] {
-  const crossings: [number, number][] = [];
+/** Where the rings of a shape cross rows at even distances, by the number of the row, and which way each turns there. */
+function crossingsOf(rings: readonly number[][], places: readonly number[]): Map<number, [number, number][]> {
+  const crossings = new Map<number, [number, number][]>();
+  const perRow = (places.length - 1) / (places[places.length - 1] - places[0]);
   for (const points of rings) {
     for (let i = 0; i < points.length; i += 2) {
       const next = (i + 2) % points.length;
       const [y0, y1] = [points[i + 1], points[next + 1]];
-      if (y0 < y === y1 < y) continue;
-      crossings.push([points[i] + ((y - y0) / (y1 - y0)) * (points[next] - points[i]), y0 < y1 ? 1 : -1]);
+      // One row more on both sides, as the quotient is rounded; which of them it crosses is decided exactly.
+      const first = Math.max(Math.floor((Math.min(y0, y1) - places[0]) * perRow) - 1, 0);
+      const last = Math.min(Math.ceil((Math.max(y0, y1) - places[0]) * perRow) + 1, places.length - 1);
+      for (let row = first; row <= last; row++) {
+        const y = places[row];
+        if (y0 < y === y1 < y) continue;
+        const x = points[i] + ((y - y0) / (y1 - y0)) * (points[next] - points[i]);
+        const found = crossings.get(row);
+        if (found) found.push([x, y0 < y1 ? 1 : -1]);
+        else crossings.set(row, [[x, y0 < y1 ? 1 : -1]]);
+      }
     }
   }
+  return crossings;
+}
+
+/** The parts of a row that a shape covers. */
+function spansBetween(crossings: [number, number][]): [number, number][] {
   crossings.sort((a, b) => a[0] - b[0]);
   const spans: [number, number][] = [];
   let winding = 0;

@@ -1,5 +1,6 @@
 import { BoxGeometry, type BufferGeometry, SphereGeometry, TorusGeometry } from 'three';
 import { expect, test } from 'vitest';
+import { cases } from '../../selection.mjs';
 import { cameraAt, hatchedMesh, sceneOf } from './hatchedScene.js';
 import { wronglySeen } from './wronglySeen.js';
 
@@ -19,9 +20,11 @@ const BODIES: Record<string, () => BufferGeometry[]> = {
 
 test.each(Object.keys(BODIES).flatMap((name) => [[name, false] as const, [name, true] as const]))(
   'engraved lines are hidden where a triangle lies before them: %s, orthographic: %s',
+  { tags: ['more'] },
   async (name, isOrthographic) => {
+    const samples = cases(800, 8000);
     const meshes = await Promise.all(BODIES[name]().map((body) => hatchedMesh(body, { outlines: false })));
-    const { visible, hidden, pieces } = wronglySeen(sceneOf(...meshes), cameraAt(0.4, 1, 2.8, isOrthographic), 8000);
+    const { visible, hidden, pieces } = wronglySeen(sceneOf(...meshes), cameraAt(0.4, 1, 2.8, isOrthographic), samples);
     expect(pieces).toBeGreaterThan(1500);
     expect(visible).toBeLessThanOrEqual(0.0005);
     expect(hidden).toBeLessThanOrEqual(0.0005);

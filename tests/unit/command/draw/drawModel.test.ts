@@ -43,6 +43,9 @@ const optionsOf = (...args: string[]): DrawingOptions => {
   return request.options;
 };
 
+/** A sheet that is soon drawn. */
+const SMALL = ['--sheet', '40x40', '--no-shadows'] as const;
+
 interface Drawn {
   svgs: string[];
   notes: string[];
@@ -95,7 +98,7 @@ describe('a model of every format is drawn', () => {
     expect(svgs[0].match(/<path/g)!.length).toBeGreaterThan(50);
   });
 
-  test('the same shape gives the same lines, packed or not', async () => {
+  test('the same shape gives the same lines, packed or not', { tags: ['all'] }, async () => {
     const [{ svgs: plain }, { svgs: draco }, { svgs: meshopt }] = [
       await draw('a.glb', GLB, '--no-shadows'),
       await draw('b.glb', await octahedronDracoGlb(), '--no-shadows'),
@@ -108,9 +111,9 @@ describe('a model of every format is drawn', () => {
   test('files beside it are found, by their path or by their name', async () => {
     mkdirSync(join(work, 'parts'));
     writeFileSync(join(work, 'parts/a b.bin'), octahedronBin());
-    expect((await draw('a.gltf', octahedronGltf('parts/a%20b.bin'))).svgs).toHaveLength(1);
+    expect((await draw('a.gltf', octahedronGltf('parts/a%20b.bin'), ...SMALL)).svgs).toHaveLength(1);
     writeFileSync(join(work, 'c.bin'), octahedronBin());
-    expect((await draw('b.gltf', octahedronGltf('C:\\models\\c.bin'))).svgs).toHaveLength(1);
+    expect((await draw('b.gltf', octahedronGltf('C:\\models\\c.bin'), ...SMALL)).svgs).toHaveLength(1);
   });
 
   test('files outside of its folder are not, whatever it says, and nothing is fetched', async () => {
@@ -123,7 +126,7 @@ describe('a model of every format is drawn', () => {
 });
 
 test('the drawing is that of drawSVG for a scene staged in the same way, byte for byte', async () => {
-  const args = ['--pen', '0.4', '--sheet', '120x90', '--margin', '5', '--view', '20 30', '--light', '-60 35'];
+  const args = ['--pen', '0.4', '--sheet', '60x45', '--margin', '5', '--view', '20 30', '--light', '-60 35'];
   const options = optionsOf(...args);
   const { svgs } = await draw('a.glb', octahedronGlb(), ...args);
   const surroundings = new NodeSurroundings(work);
@@ -137,7 +140,7 @@ test('the drawing is that of drawSVG for a scene staged in the same way, byte fo
   const drawnWith = settingsFor(options, undefined, read.upAxis);
   const { scene, lights, placed } = await stageModel(model, drawnWith, options, [0], { signal, report: () => {} });
   lights.place(placed.camera);
-  const { svg } = await drawSVG(scene, placed.camera, { kind: 'pen', penWidth: 0.4, sheet: [120, 90], margin: 5 });
+  const { svg } = await drawSVG(scene, placed.camera, { kind: 'pen', penWidth: 0.4, sheet: [60, 45], margin: 5 });
   expect(svgs).toEqual([svg]);
 });
 
@@ -227,11 +230,11 @@ describe('pictures', () => {
   test('PNG is decoded; other formats are named, and the drawing is made without their colours', async () => {
     writeFileSync(join(work, 'square.mtl'), squareMtl);
     writeFileSync(join(work, 'sky.png'), skyPng());
-    const good = await draw('a.obj', squareObj, '--view', '0 0');
+    const good = await draw('a.obj', squareObj, '--view', '0 0', ...SMALL);
     expect(good.isWhole).toBe(true);
     expect(good.notes.filter((note) => /PNG/.test(note))).toEqual([]);
     writeFileSync(join(work, 'sky.png'), JPEG);
-    const lacking = await draw('b.obj', squareObj, '--view', '0 0');
+    const lacking = await draw('b.obj', squareObj, '--view', '0 0', ...SMALL);
     expect(lacking.svgs).toHaveLength(1);
     expect(lacking.isWhole).toBe(false);
     expect(lacking.notes).toContain(
@@ -253,22 +256,25 @@ describe('pictures', () => {
 });
 
 test('hidden outlines and an animation are those of drawSVG', async () => {
-  const { svgs } = await draw('a.obj', octahedronObj, '--hidden', 'dashed', '--animate', '3', '--no-shadows');
+  const { svgs } = await draw('a.obj', octahedronObj, '--hidden', 'dashed', '--animate', '3', ...SMALL);
   expect(svgs[0]).toMatch(/inkscape:label="\d+ hidden/);
   expect(svgs[0]).toContain('prefers-reduced-motion');
-  const { svgs: plain } = await draw('b.obj', octahedronObj, '--no-shadows');
+  const { svgs: plain } = await draw('b.obj', octahedronObj, ...SMALL);
   expect(plain[0]).not.toMatch(/inkscape:label="\d+ hidden|prefers-reduced-motion/);
 });
 
 describe('frames', () => {
   test('go around the model: each is drawn from another side, the light stays with the model', async () => {
-    const { svgs } = await draw('a.glb', octahedronGlb(), '--frames', '4', '--view', '0 0', '--light', '0 60');
+    const args = ['--frames', '4', '--view', '0 0', '--light', '0 60', '--sheet', '40x40'];
+    const { svgs } = await draw('a.glb', octahedronGlb(), ...args);
     expect(new Set(svgs).size).toBe(4);
-    const { svgs: again } = await draw('b.glb', octahedronGlb(), '--frames', '4', '--view', '0 0', '--light', '0 60');
+    const { svgs: again } = await draw('b.glb', octahedronGlb(), ...args);
     expect(again).toEqual(svgs);
   });
 
-  test('have the same tone and the same size when the shape and its light are the same from all sides', async () => {
+  test('have the same tone and the same size when the shape and its light are the same from all sides', {
+    tags: ['all'],
+  }, async () => {
     // The octahedron is the same every quarter of a turn.
     const { drawn } = await draw(
       'a.obj',
