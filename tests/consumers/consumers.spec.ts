@@ -88,6 +88,9 @@ const MOST_BYTES_OF_WORKER = 46_000;
 const MOST_BYTES_OF_REACT = 5_000;
 const MOST_BYTES_OF_ELEMENT = 7_500;
 
+/** Of the ways in which a compiler finds modules, `npm test` tries that of bundlers. */
+const tagOf = (moduleResolution: string) => (moduleResolution === 'bundler' ? [] : '@all');
+
 test.describe('the tarball', () => {
   test('holds the library and its declarations, and nothing else', () => {
     const declared = files.filter((file) => file.endsWith('.d.ts'));
@@ -161,7 +164,7 @@ test.describe('the tarball', () => {
     expect(readFileSync(join(projectFolder, 'wedge.svg'), 'utf8')).toContain('width="80mm" height="60mm"');
   });
 
-  test('without three, the command says what it needs to draw models, and draws maps', () => {
+  test('without three, the command says what it needs to draw models, and draws maps', { tag: '@all' }, () => {
     const alone = mkdtempSync(join(tmpdir(), 'three-hatching-'));
     try {
       cpSync(libraryFolder, join(alone, 'node_modules/three-hatching'), { recursive: true });
@@ -254,13 +257,14 @@ test.describe('the tarball', () => {
   });
 
   for (const moduleResolution of ['bundler', 'node16', 'nodenext']) {
-    test(`has components that a strict compiler takes: ${moduleResolution}`, () => {
+    test(`has components that a strict compiler takes: ${moduleResolution}`, { tag: tagOf(moduleResolution) }, () => {
       expect(strictly(moduleResolution, ['reactTypes.tsx'])).toBe('');
     });
   }
 
   for (const moduleResolution of ['bundler', 'node16', 'nodenext']) {
-    test(`has materials of nodes that a strict compiler takes without casts: ${moduleResolution}`, () => {
+    const title = `has materials of nodes that a strict compiler takes without casts: ${moduleResolution}`;
+    test(title, { tag: tagOf(moduleResolution) }, () => {
       expect(strictly(moduleResolution, ['nodeTypes.ts'])).toBe('');
     });
   }
@@ -268,7 +272,8 @@ test.describe('the tarball', () => {
   // Each by itself: a page has one of these, and must not need the types of the others.
   for (const name of ['elementReact.tsx', 'elementPreact.tsx', 'elementVue.ts']) {
     for (const moduleResolution of ['bundler', 'nodenext']) {
-      test(`has a web component whose tag is known: ${name}, ${moduleResolution}`, () => {
+      const title = `has a web component whose tag is known: ${name}, ${moduleResolution}`;
+      test(title, { tag: tagOf(moduleResolution) }, () => {
         expect(strictly(moduleResolution, [name])).toBe('');
       });
     }
@@ -276,7 +281,8 @@ test.describe('the tarball', () => {
 
   for (const three of ['@types/three', 'types-three-middle', 'types-three-oldest']) {
     for (const moduleResolution of ['bundler', 'nodenext']) {
-      test(`has declarations that a strict compiler takes without our build tools: ${three}, ${moduleResolution}`, () => {
+      const title = `has declarations that a strict compiler takes without our build tools: ${three}, ${moduleResolution}`;
+      test(title, { tag: three === 'types-three-middle' ? '@all' : tagOf(moduleResolution) }, () => {
         const compilerOptions = {
           target: 'es2022',
           lib: ['es2023', 'dom', 'dom.iterable'],
@@ -311,7 +317,7 @@ test.describe('a hatched cube', () => {
     await server.close();
   });
 
-  test('in a Vite development server', async ({ page }) => {
+  test('in a Vite development server', { tag: '@all' }, async ({ page }) => {
     const server = await createServer({
       configFile: false,
       root: projectFolder,
@@ -334,7 +340,8 @@ test.describe('a hatched cube', () => {
   });
 
   for (const name of ['workerImport', 'workerUrl']) {
-    test(`under a strict content security policy, with createWorker (${name})`, async ({ page }) => {
+    const tag = name === 'workerUrl' ? [] : '@all';
+    test(`under a strict content security policy, with createWorker (${name})`, { tag }, async ({ page }) => {
       const server = await serveFolders({ '/': await viteBuild(name) }, { 'Content-Security-Policy': STRICT_CSP });
       const workers: string[] = [];
       page.on('worker', (worker) => workers.push(worker.url()));
@@ -346,7 +353,7 @@ test.describe('a hatched cube', () => {
     });
   }
 
-  test('under a strict content security policy without createWorker: on the main thread', async ({
+  test('under a strict content security policy without createWorker: on the main thread', { tag: '@all' }, async ({
     page,
     pageProblems,
   }) => {
@@ -364,7 +371,7 @@ test.describe('a hatched cube', () => {
   });
 });
 
-test.describe('a page copied from the playground', () => {
+test.describe('a page copied from the playground', { tag: '@all' }, () => {
   test.use({ contextOptions: { reducedMotion: 'reduce' } });
 
   /** The packages of the CDN, served from node_modules. */

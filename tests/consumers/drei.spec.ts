@@ -22,9 +22,9 @@ async function drawFrames(page: import('@playwright/test').Page): Promise<void> 
   await page.waitForFunction((n) => window.dreiPage.frames > n + 8, before);
 }
 
-test('of the twelve most used helpers those with shaders of their own are left alone, and the rest is hatched', async ({
-  page,
-}) => {
+test('of the twelve most used helpers those with shaders of their own are left alone, and the rest is hatched', {
+  tag: '@all',
+}, async ({ page }) => {
   await open(page, '');
   await page.waitForFunction(() => window.dreiPage.materials().text);
   expect(await page.evaluate(() => window.dreiPage.materials())).toMatchObject({
@@ -52,7 +52,9 @@ test('of the twelve most used helpers those with shaders of their own are left a
   expect(await page.evaluate(() => window.dreiPage.ink())).toBeGreaterThan(0.01);
 });
 
-test('a stage with accumulative shadows is hatched once, and is drawn in every frame', async ({ page }) => {
+test('a stage with accumulative shadows is hatched once, and is drawn in every frame', { tag: '@all' }, async ({
+  page,
+}) => {
   await open(page, '#stage');
   const hatchings = await page.evaluate(() => window.dreiPage.hatchings);
   for (let i = 0; i < 3; i++) {

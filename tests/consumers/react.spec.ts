@@ -21,7 +21,7 @@ test.beforeEach(async ({ page }) => {
   await page.waitForFunction(() => window.page?.hatchings > 0);
 });
 
-test('StrictMode mounts, unmounts and mounts: the children are hatched', async ({ page }) => {
+test('StrictMode mounts, unmounts and mounts: the children are hatched', { tag: '@all' }, async ({ page }) => {
   expect(await page.evaluate(() => window.page.meshes())).toEqual({
     first: { material: 'HatchingMaterial', ink: '1c1a17', color: 'ffffff', triangles: 12 },
   });
@@ -34,7 +34,7 @@ test('StrictMode mounts, unmounts and mounts: the children are hatched', async (
   expect(progress.at(-1)).toBe(1);
 });
 
-test('changes are hatched again, and nothing is drawn unhatched in between', async ({ page }) => {
+test('changes are hatched again, and nothing is drawn unhatched in between', { tag: '@all' }, async ({ page }) => {
   const hatched = async (change: Shown) => {
     const before = await page.evaluate((c) => {
       const { hatchings } = window.page;
@@ -61,7 +61,7 @@ test('changes are hatched again, and nothing is drawn unhatched in between', asy
   expect(await page.evaluate(() => window.page.errors)).toEqual([]);
 });
 
-test('what cannot be hatched is skipped; an error shows the scene as it is', async ({ page }) => {
+test('what cannot be hatched is skipped; an error shows the scene as it is', { tag: '@all' }, async ({ page }) => {
   await page.evaluate(() => window.page.show({ broken: true }));
   await page.waitForFunction(() => window.page.last!.skipped.length > 0);
   expect(await page.evaluate(() => window.page.last!.skipped.map(({ mesh }) => mesh.name))).toEqual(['broken']);
@@ -72,7 +72,9 @@ test('what cannot be hatched is skipped; an error shows the scene as it is', asy
   expect((await page.evaluate(() => window.page.meshes())).first.material).toBe('MeshStandardMaterial');
 });
 
-test('40 mounts and unmounts leave nothing behind: no textures, geometries, programs, workers', async ({ page }) => {
+test('40 mounts and unmounts leave nothing behind: no textures, geometries, programs, workers', {
+  tag: '@all',
+}, async ({ page }) => {
   // Programs are compiled eight times.
   test.slow();
   const toggle = async (times: number) => {
@@ -104,7 +106,9 @@ test('40 mounts and unmounts leave nothing behind: no textures, geometries, prog
   }
 });
 
-test('hot reload: an edited component is hatched anew, and the page and what it shows stay', async ({ page }) => {
+test('hot reload: an edited component is hatched anew, and the page and what it shows stay', { tag: '@all' }, async ({
+  page,
+}) => {
   await page.evaluate(() => {
     Object.assign(window, { stays: true });
     window.page.show({ second: true });
@@ -124,9 +128,9 @@ test('hot reload: an edited component is hatched anew, and the page and what it 
   expect((await page.evaluate(() => window.page.meshes())).first.material).toBe('HatchingMaterial');
 });
 
-test('the parts by hand: map, geometry, material and lines; what is taken away is at its default again', async ({
-  page,
-}) => {
+test('the parts by hand: map, geometry, material and lines; what is taken away is at its default again', {
+  tag: '@all',
+}, async ({ page }) => {
   await page.evaluate(() => window.page.show({ hatched: false, byHand: true, ink: '#aa0000', outlineWidth: 5 }));
   await page.waitForFunction(() => window.page.meshes()['by hand']);
   const parts = () =>
@@ -155,7 +159,7 @@ test('the parts by hand: map, geometry, material and lines; what is taken away i
   expect(memory).toMatchObject({ geometries: 0, textures: 0 });
 });
 
-test('in a canvas with a tone mapping a material that asks for it is advised against, once', async ({
+test('in a canvas with a tone mapping a material that asks for it is advised against, once', { tag: '@all' }, async ({
   page,
   pageProblems,
 }) => {

@@ -14,36 +14,48 @@ const pictures = join(root, 'tests/output/samplePictures');
 /** A picture differs from its own background in at least so many of its pixels. */
 const LEAST_DRAWN = 0.005;
 
-test('every sample of README and guides draws a picture, without a word in the console', async ({
-  page,
-  pageProblems,
-}) => {
-  test.setTimeout(300_000);
-  const server = await serveFolders({ '/': await buildSamples() });
-  await answerFiles(page);
-  await page.setViewportSize({ width: 240, height: 180 });
-  await page.goto(`${server.url}/samples.html`);
-  await page.waitForFunction(() => 'runSample' in window);
+/** The guides that have samples, by which these are named and numbered. */
+const GUIDES = [...new Set(SAMPLES.map(({ name }) => guideOf(name)))];
+
+let server: Awaited<ReturnType<typeof serveFolders>>;
+
+test.beforeAll(async () => {
+  server = await serveFolders({ '/': await buildSamples() });
   rmSync(pictures, { recursive: true, force: true });
   mkdirSync(pictures, { recursive: true });
-  for (const { name, kind, code } of SAMPLES) {
-    const facts = {
-      html: kind === 'html' ? code : undefined,
-      hasCanvas: /<Canvas|<hatched-model/.test(code),
-      isLit: /new \w*Light\(/.test(code),
-    };
-    const failure = await page
-      .evaluate(([which, how]) => window.runSample(which, how), [name, facts] as const)
-      .then(() => undefined, String);
-    expect.soft(failure, name).toBeUndefined();
-    if (failure !== undefined) continue;
-    const path = join(pictures, `${name}.png`);
-    const drawn = async (): Promise<number> => drawnShare(await page.screenshot({ path }));
-    await expect.soft.poll(drawn, name).toBeGreaterThan(LEAST_DRAWN);
-    expect.soft(pageProblems.splice(0), name).toEqual([]);
-  }
-  await server.close();
 });
+
+test.afterAll(() => server.close());
+
+for (const guide of GUIDES) {
+  const title = `every sample of ${guide} draws a picture, without a word in the console`;
+  test(title, { tag: '@all' }, async ({ page, pageProblems }) => {
+    await answerFiles(page);
+    await page.setViewportSize({ width: 240, height: 180 });
+    await page.goto(`${server.url}/samples.html`);
+    await page.waitForFunction(() => 'runSample' in window);
+    for (const { name, kind, code } of SAMPLES.filter((sample) => guideOf(sample.name) === guide)) {
+      const facts = {
+        html: kind === 'html' ? code : undefined,
+        hasCanvas: /<Canvas|<hatched-model/.test(code),
+        isLit: /new \w*Light\(/.test(code),
+      };
+      const failure = await page
+        .evaluate(([which, how]) => window.runSample(which, how), [name, facts] as const)
+        .then(() => undefined, String);
+      expect.soft(failure, name).toBeUndefined();
+      if (failure !== undefined) continue;
+      const path = join(pictures, `${name}.png`);
+      const drawn = async (): Promise<number> => drawnShare(await page.screenshot({ path }));
+      await expect.soft.poll(drawn, { message: name, intervals: [100, 250] }).toBeGreaterThan(LEAST_DRAWN);
+      expect.soft(pageProblems.splice(0), name).toEqual([]);
+    }
+  });
+}
+
+function guideOf(sample: string): string {
+  return sample.replace(/-\d+$/, '');
+}
 
 /** The share of pixels that are not of the most frequent colour. */
 function drawnShare(screenshot: Buffer): number {

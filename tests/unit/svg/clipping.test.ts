@@ -78,7 +78,9 @@ describe('clipping planes', () => {
     expect(await inkOf(true)).toBe(without);
   });
 
-  test('lines inside of a cut body are seen through the cut where no other triangle lies before them', async () => {
+  test('lines inside of a cut body are seen through the cut where no other triangle lies before them', {
+    tags: ['all'],
+  }, async () => {
     const mesh = await hatchedMesh(new SphereGeometry(0.9, 32, 24), {
       outlines: false,
       material: { exposure: 1, side: 2 },

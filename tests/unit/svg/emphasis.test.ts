@@ -31,7 +31,7 @@ describe('surfaces', () => {
     expect(Math.abs(important - 0.4 * TONE)).toBeLessThan(0.015);
   });
 
-  test('tone falls off around a focus, and towards the rim of the sheet', async () => {
+  test('tone falls off around a focus, and towards the rim of the sheet', { tags: ['all'] }, async () => {
     const focus = new Vector3(0, 0, 0);
     expect(Math.abs((await toneIn(MIDDLE, { focus, focusRadius: 0.4 })) - TONE)).toBeLessThan(0.015);
     expect(await toneIn([0, 0, 15, 15], { focus, focusRadius: 0.4 })).toBeLessThan(1e-9);

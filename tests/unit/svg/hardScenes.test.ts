@@ -76,7 +76,7 @@ describe('scenes that are hard to draw', () => {
 });
 
 describe('what is drawn of a mesh', () => {
-  test('a mirrored mesh, whose front stays its front', async () => {
+  test('a mirrored mesh, whose front stays its front', { tags: ['all'] }, async () => {
     const make = () => planeOfTone(0.5, { lineField: 'y' });
     const [one, other] = [await make(), await make()];
     other.scale.x = -1;

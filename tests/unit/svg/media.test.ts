@@ -35,7 +35,7 @@ describe('a pen', () => {
     expect(Math.abs((drawn * 0.3) / SIDE ** 2 - tone)).toBeLessThan(0.03);
   });
 
-  test('begins and ends strokes on its lines', async () => {
+  test('begins and ends strokes on its lines', { tags: ['all'] }, async () => {
     const lengths = pathsOf((await draw(0.25)).svg, 'engraved').map(extentOf);
     lengths.sort((a, b) => a - b);
     const pixels = (share: number) => lengths[Math.floor(share * lengths.length)] / PIXEL;
@@ -75,7 +75,7 @@ describe('a woodcut', () => {
     expect(Math.abs(coverageOf(pathsOf(svg), BOX) - tone)).toBeLessThan(0.03);
   });
 
-  test('is solid where nothing is cut', async () => {
+  test('is solid where nothing is cut', { tags: ['all'] }, async () => {
     expect(coverageOf(pathsOf((await draw(1)).svg), BOX)).toBeGreaterThan(0.999);
   });
 

@@ -117,7 +117,7 @@ describe('skins', () => {
     expect(awayFrom(one.svg, other.svg, 'engraved', 0.1)).toBeLessThan(0.005);
   });
 
-  test('a bent column has the outlines of its pose', async () => {
+  test('a bent column has the outlines of its pose', { tags: ['all'] }, async () => {
     const { mesh, upper } = await skinned(column(), { material: still });
     upper.rotation.z = 0.8;
     const plain = await hatchedMesh(baked(mesh, column()), { material: still });
@@ -196,7 +196,9 @@ describe('morph targets', () => {
     expect(awayFrom(one.svg, other.svg, 'engraved', 0.4)).toBeLessThan(0.05);
   });
 
-  test('a target that moves all of a body moves its lines with it, through a skin as well', async () => {
+  test('a target that moves all of a body moves its lines with it, through a skin as well', {
+    tags: ['all'],
+  }, async () => {
     const material: HatchingMaterialParameters = { lineField: 'y', exposure: 1 };
     const box = () => new BoxGeometry(0.8, 0.8, 0.8, 6, 6, 6);
     const source = bind(morphing(box(), box().translate(0.3, 0, 0)), 5, 6);

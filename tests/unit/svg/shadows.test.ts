@@ -108,7 +108,7 @@ describe('the shadow on a ground', () => {
     },
   );
 
-  test('is hard where it is asked to be', async () => {
+  test('is hard where it is asked to be', { tags: ['all'] }, async () => {
     const { scene } = await groundScene({ shadowSoftness: 0.4 }, plate(0.6));
     expect(riseOf(await strips(scene, { shadows: 'hard' }))).toBeLessThan(2);
     expect(riseOf(await strips(scene))).toBeGreaterThan(5);

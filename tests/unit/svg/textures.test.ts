@@ -21,6 +21,7 @@ import { beforeAll, describe, expect, test } from 'vitest';
 import { lightness } from '../../../src/material/facts/lightness.js';
 import type { HatchingMaterialParameters } from '../../../src/material/HatchingMaterialParameters.js';
 import { drawSVG } from '../../../src/svg/drawSVG.js';
+import { cases } from '../../selection.mjs';
 import { cameraAt, hatchedMesh, planeOfTone, sceneOf } from '../vector/hatchedScene.js';
 import { coverageOf, pathsOf } from '../vector/paths.js';
 
@@ -132,7 +133,7 @@ describe('a texture becomes tone', () => {
     expect(Math.abs(left - half)).toBeLessThan(0.02);
   });
 
-  test('a large image that shows a tenth of itself on each triangle', async () => {
+  test('a large image that shows a tenth of itself on each triangle', { tags: ['all'] }, async () => {
     const size = 3000;
     const texture = textureOf(
       size,
@@ -219,19 +220,25 @@ describe('a map of normals', () => {
   };
   const plain: HatchingMaterialParameters = { exposure: 1, toneCurve: 'linear', highlightTone: 0 };
 
-  test.each([
+  const leanings = [
+    [-0.3, 0.5],
     [0, 0],
     [0.4, 0],
     [0, 0.4],
-    [-0.3, 0.5],
-  ])('that leans by (%s, %s) has the tone of what leans so', async (x, y) => {
-    const [left] = await halves(await planeOfTone(0, { ...plain, normalMap: slanted(x, y) }));
-    const toLight = new Vector3(-0.55, 0.75, 0.6).normalize();
-    const cosine = Math.max(toLight.dot(new Vector3(x, y, Math.sqrt(1 - x * x - y * y))), 0);
-    expect(Math.abs(left - (1 - cosine))).toBeLessThan(0.02);
-  });
+  ];
 
-  test('leans more by its scale, and the way that its coordinates turn', async () => {
+  test.each(leanings.slice(0, cases(1, 4)))(
+    'that leans by (%s, %s) has the tone of what leans so',
+    { tags: ['more'] },
+    async (x, y) => {
+      const [left] = await halves(await planeOfTone(0, { ...plain, normalMap: slanted(x, y) }));
+      const toLight = new Vector3(-0.55, 0.75, 0.6).normalize();
+      const cosine = Math.max(toLight.dot(new Vector3(x, y, Math.sqrt(1 - x * x - y * y))), 0);
+      expect(Math.abs(left - (1 - cosine))).toBeLessThan(0.02);
+    },
+  );
+
+  test('leans more by its scale, and the way that its coordinates turn', { tags: ['all'] }, async () => {
     const one = await planeOfTone(0, { ...plain, normalMap: slanted(0.4, 0) });
     one.geometry.attributes.uv.applyMatrix4(new Matrix4().makeRotationZ(Math.PI / 2));
     const other = await planeOfTone(0, { ...plain, normalMap: slanted(0, 0.4) });
@@ -261,19 +268,23 @@ describe('other maps that bend normals', () => {
     return coverageOf(pathsOf(svg), [14, 14, 12, 12], 100);
   };
 
-  test.each([0.5, -0.3])('heights that rise by %s of a pixel to a pixel, across the picture', async (rise) => {
-    // From black at a quarter of the plane to white at three quarters.
-    const map = BLACK_AND_WHITE();
-    map.colorSpace = '';
-    map.magFilter = LinearFilter;
-    const pixels = (SMALL / 25.4) * 96;
-    const bumpScale = (rise * 0.5 * pixels) / (2.1 / 3);
-    const expected = 1 - Math.max(toLight.dot(new Vector3(-rise, 0, 1).normalize()), 0);
-    expect(Math.abs((await toneOf({ bumpMap: map, bumpScale })) - expected)).toBeLessThan(0.02);
-    // Upwards, where the plane is turned.
-    const upwards = 1 - Math.max(toLight.dot(new Vector3(0, -rise, 1).normalize()), 0);
-    expect(Math.abs((await toneOf({ bumpMap: map, bumpScale }, Math.PI / 2)) - upwards)).toBeLessThan(0.02);
-  });
+  test.each(cases([0.5], [0.5, -0.3]))(
+    'heights that rise by %s of a pixel to a pixel, across the picture',
+    { tags: ['more'] },
+    async (rise) => {
+      // From black at a quarter of the plane to white at three quarters.
+      const map = BLACK_AND_WHITE();
+      map.colorSpace = '';
+      map.magFilter = LinearFilter;
+      const pixels = (SMALL / 25.4) * 96;
+      const bumpScale = (rise * 0.5 * pixels) / (2.1 / 3);
+      const expected = 1 - Math.max(toLight.dot(new Vector3(-rise, 0, 1).normalize()), 0);
+      expect(Math.abs((await toneOf({ bumpMap: map, bumpScale })) - expected)).toBeLessThan(0.02);
+      // Upwards, where the plane is turned.
+      const upwards = 1 - Math.max(toLight.dot(new Vector3(0, -rise, 1).normalize()), 0);
+      expect(Math.abs((await toneOf({ bumpMap: map, bumpScale }, Math.PI / 2)) - upwards)).toBeLessThan(0.02);
+    },
+  );
 
   test('normals in the space of the object turn with it', async () => {
     const normal = new Vector3(0.4, 0, Math.sqrt(1 - 0.16));
