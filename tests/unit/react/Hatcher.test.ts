@@ -16,6 +16,7 @@ import { type ApplyHatchingOptions, type HatchedScene, HatchingMaterial, presets
 import { expect, test, vi } from 'vitest';
 import { noteFormAngle } from '../../../src/geometry/formAngles.js';
 import { Hatcher } from '../../../src/react/Hatcher.js';
+import { PATIENCE } from '../patience.js';
 
 // What counts as large is some hundred triangles here.
 vi.mock('../../../src/geometry/PrepareHatchingGeometryOptions.js', async (original) => ({
@@ -234,7 +235,7 @@ test('what changes while geometry is being prepared is hatched right after', asy
   const other = new SphereGeometry(2, 8, 6);
   mesh.geometry = other;
   hatcher.update({ preset: 'technical', material: { ink: '#abcdef' } });
-  await vi.waitFor(() => expect(materialOf(mesh).ink.getHexString()).toBe('abcdef'), 20_000);
+  await vi.waitFor(() => expect(materialOf(mesh).ink.getHexString()).toBe('abcdef'), PATIENCE);
   materialOf(second);
   expect(mesh.geometry.boundingSphere!.radius).toBeCloseTo(2);
   expect([hatched.at(-1)!.skipped, errors]).toEqual([[], []]);

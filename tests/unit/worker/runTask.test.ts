@@ -1,5 +1,6 @@
 import { afterEach, expect, test, vi } from 'vitest';
 import { disposeHatchingWorkers, runTask, startWorker } from '../../../src/worker/runTask.js';
+import { PATIENCE } from '../patience.js';
 import { FakeWorker } from './FakeWorker.js';
 
 const request = () => ({
@@ -28,7 +29,7 @@ test('requests with the same createWorker share a worker for each core; others h
   const other = vi.fn(() => FakeWorker.asWorker(new FakeWorker()));
   for (const createWorker of [create, create, create, other])
     runTask('bakeCorners', request(), { createWorker }).catch(() => {});
-  await vi.waitFor(() => expect(other).toHaveBeenCalledOnce());
+  await vi.waitFor(() => expect(other).toHaveBeenCalledOnce(), PATIENCE);
   expect(create).toHaveBeenCalledTimes(2);
 });
 
@@ -38,7 +39,7 @@ test('disposeHatchingWorkers ends every worker and rejects what is pending', asy
   const promises = creators.map((createWorker) => runTask('bakeCorners', request(), { createWorker }));
   await vi.waitFor(() => {
     for (const createWorker of creators) expect(createWorker).toHaveBeenCalledOnce();
-  });
+  }, PATIENCE);
   disposeHatchingWorkers();
   for (const promise of promises) await expect(promise).rejects.toThrow(/disposed/);
   expect(workers.map(({ isTerminated }) => isTerminated)).toEqual([true, true]);
@@ -59,7 +60,7 @@ test('a worker that was started ahead takes the first task', async () => {
   expect(createWorker).toHaveBeenCalledOnce();
   runTask('bakeCorners', request(), { createWorker }).catch(() => {});
   worker.say({ type: 'ready' });
-  await vi.waitFor(() => expect(worker.ids).toEqual([0]));
+  await vi.waitFor(() => expect(worker.ids).toEqual([0]), PATIENCE);
   expect(createWorker).toHaveBeenCalledOnce();
 });
 
