@@ -85,7 +85,8 @@ export class Status {
   }
 
   /**
-   * Shows a problem until it is solved: other tasks that go on do not hide it, and it comes back after a message.
+   * Shows a problem until it is solved: other tasks that go on do not hide it, and it comes back after a message. Only one with a remedy lies over
+   * it, or a later one.
    *
    * @param about the subject, which has one problem at most
    * @param remedy offered as long as no task runs
@@ -93,7 +94,7 @@ export class Status {
   addProblem(about: string, sentence: string, remedy?: Remedy): void {
     this.problems.delete(about);
     this.problems.set(about, { sentence, remedy });
-    this.write(sentence, true, remedy);
+    this.rest();
   }
 
   /** Removes a problem, because it is solved. @param news a message that is shown if there are no other problems */
@@ -109,9 +110,10 @@ export class Status {
     this.elements.cancel.hidden = true;
   }
 
-  /** Shows the latest problem, or `text` if there is none. */
+  /** Shows the latest problem of those with a remedy, or else of all, or `text` if there is none. */
   private rest(text = ''): void {
-    const problem = [...this.problems.values()].at(-1);
+    const problems = [...this.problems.values()];
+    const problem = problems.findLast(({ remedy }) => remedy) ?? problems.at(-1);
     this.write(problem?.sentence ?? text, problem !== undefined, problem?.remedy);
   }
 

@@ -27,6 +27,23 @@ function makePage({ hasDrawing = false } = {}) {
 }
 
 describe('the status line', () => {
+  test.each([
+    ['before', true],
+    ['after', false],
+  ])(
+    'shows what a loss of the context has cost, with its remedy, where the loss itself is noticed %s it',
+    (_, isFirst) => {
+      const line = fakeStatus();
+      const lose = () => line.status.addProblem('context', 'The graphics card has let go.');
+      if (isFirst) lose();
+      line.status.addProblem('video', 'There is no video.', { label: 'Record it again', run: () => {} });
+      if (!isFirst) lose();
+      expect([line.text, line.remedy]).toEqual(['There is no video.', 'Record it again']);
+      line.status.solveProblem('video');
+      expect([line.text, line.remedy]).toEqual(['The graphics card has let go.', undefined]);
+    },
+  );
+
   test('leaves a message its seconds: the task that runs and one that nobody asked for do not take its place, the next wish does', async () => {
     const { line, tasks } = makePage({ hasDrawing: true });
     const reports: ((stage: string) => void)[] = [];
