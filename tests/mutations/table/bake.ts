@@ -1,0 +1,40 @@
+import type { Mutation } from '../Mutation.js';
+
+export const bake: readonly Mutation[] = [
+  {
+    name: 'the lower half of the octahedron is folded with the wrong sign',
+    file: 'src/bake/octahedral.ts',
+    find: '(u < 0 ? -1 : 1)',
+    replace: '(v < 0 ? -1 : 1)',
+    caughtBy: { layer: 'unit', file: 'tests/unit/bake/octahedral.test.ts', title: 'is kept to 0.005°' },
+  },
+  {
+    name: 'half floats are cut, not rounded',
+    file: 'src/bake/halfFloat.ts',
+    find: ' + 0x1000',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/bake/halfFloat.test.ts',
+      title: 'rounds up from the half on, into the next power of two as well',
+    },
+  },
+  {
+    name: 'the vertices across two edges change places',
+    file: 'src/bake/packCorners.ts',
+    find: 'copyPosition(vertices, beta, corners, target + 10)',
+    replace: 'copyPosition(vertices, beta, corners, target + 11)',
+    caughtBy: { layer: 'unit', file: 'tests/unit/bake/bakeCorners.test.ts', title: 'a fold of … true' },
+  },
+  {
+    name: 'corners turn the other way',
+    file: 'src/bake/packCorners.ts',
+    find: 'corners[target + 3] = k',
+    replace: 'corners[target + 3] = 2 - k',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/bake/bakeCorners.test.ts',
+      title: 'packs six adjacency vertices per corner',
+    },
+  },
+];
