@@ -34,4 +34,15 @@ export const archives: readonly Mutation[] = [
       title: 'a small archive may unpack to 64 megabytes, and not to more',
     },
   },
+  {
+    name: 'an archive may announce less than it holds',
+    file: 'src/files/archives/zip.ts',
+    find: 'Math.max(packedSize, originalSize)',
+    replace: 'Math.min(packedSize, originalSize)',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/files/scenes/readScene.test.ts',
+      title: 'what would fill the memory is not unpacked',
+    },
+  },
 ];

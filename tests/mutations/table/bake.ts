@@ -37,4 +37,15 @@ export const bake: readonly Mutation[] = [
       title: 'packs six adjacency vertices per corner',
     },
   },
+  {
+    name: 'copies of a vertex forget the part',
+    file: 'src/bake/splitVertices.ts',
+    find: 'ofCorner[a] === ofCorner[b] && partOf[a] === partOf[b]',
+    replace: 'ofCorner[a] === ofCorner[b]',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/bake/packForm.test.ts',
+      title: 'vertices are copied where a fan has several form vertices, and where a form vertex has several fans',
+    },
+  },
 ];

@@ -23,4 +23,26 @@ export const normals: readonly Mutation[] = [
       title: 'a wave is flattened as heat flow says, whatever the triangles',
     },
   },
+  {
+    name: 'an edge without a twin counts for its start alone',
+    file: 'src/normals/sortFans.ts',
+    find: 'if (twins[corner] === NO_TWIN) sizes[ofCorner[nextCorner(corner)]]++;',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/normals/sortFans.test.ts',
+      title: 'one of … comes last, with its own number',
+    },
+  },
+  {
+    name: 'a fan ends where the walk began, not at a border',
+    file: 'src/normals/buildFans.ts',
+    find: 'corner = twin === NO_TWIN ? first : nextCorner(twin);',
+    replace: 'corner = twin === NO_TWIN ? first : previousCorner(twin);',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/normals/buildFans.test.ts',
+      title: 'a fan is what edges with twins connect around a vertex',
+    },
+  },
 ];

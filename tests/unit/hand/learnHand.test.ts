@@ -88,6 +88,14 @@ describe('learnHand', () => {
     expectLearnt(numbers, { spacing: 1.5 });
   });
 
+  it('keeps strokes from all over the swatch', () => {
+    const { strokes } = learnHand(drawSwatch({ rows: 300 }), { maxStrokes: 10 });
+    const heights = strokes.map(({ points }) => points[1]);
+    const [lowest, highest] = [Math.min(...heights), Math.max(...heights)];
+    const all = drawSwatch({ rows: 300 }).map(({ points }) => points[1]);
+    expect((highest - lowest) / (Math.max(...all) - Math.min(...all))).toBeGreaterThan(0.8);
+  });
+
   it('takes a scribble apart at its turns', () => {
     const legs = 20;
     const points = Array.from({ length: legs * 40 + 1 }, (_, i) => {

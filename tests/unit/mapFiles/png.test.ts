@@ -3,6 +3,7 @@ import { PNG } from 'pngjs';
 import { describe, expect, it, vi } from 'vitest';
 import { decodePng } from '../../../src/mapFiles/decodePng.js';
 import { encodePng } from '../../../src/mapFiles/encodePng.js';
+import { PNG_COLOR_TYPE, PNG_SIGNATURE, pngChunk, pngHeader } from '../../../src/mapFiles/pngChunks.js';
 import { random } from '../../../src/strokes/random.js';
 
 const noise = (length: number): Uint8Array => {
@@ -80,6 +81,19 @@ describe('decodePng', () => {
       'base64',
     );
     expect(await decodePng(file, 8)).toEqual({ width: 3, height: 1, channels: 1, data: Uint8Array.of(0x12, 0xff, 0) });
+  });
+
+  it.each([
+    [1, 0b01100000, [0, 255, 255, 0]],
+    [2, 0b00011011, [0, 85, 170, 255]],
+  ])('spreads greys of %i bits from black to white', async (bits, row, greys) => {
+    const parts = [
+      PNG_SIGNATURE,
+      pngHeader(4, 1, bits, PNG_COLOR_TYPE.grey),
+      pngChunk('IDAT', new Uint8Array(deflateSync(Uint8Array.of(0, row)))),
+      pngChunk('IEND'),
+    ];
+    expect([...(await decodePng(Buffer.concat(parts), 8)).data]).toEqual(greys);
   });
 
   it('reads a palette of one bit', async () => {

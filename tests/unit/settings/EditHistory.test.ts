@@ -63,3 +63,25 @@ test('keys and the wheel change in one step what they change without a pause', (
   change('lamp', 10);
   expect(undone()).toEqual([3, 2, 0]);
 });
+
+test('a change after Undo leaves nothing to redo', () => {
+  const { history, change } = counter();
+  change('lamp');
+  expect(history.undo()).toBe(0);
+  expect(history.canRedo).toBe(true);
+  change('camera');
+  expect([history.canRedo, history.redo()]).toEqual([false, undefined]);
+});
+
+test('steps to where the page is already are passed over', () => {
+  let value = 0;
+  const history = new EditHistory(
+    () => value,
+    (a, b) => a === b,
+  );
+  for (const next of [1, 2, 2]) {
+    value = next;
+    history.changed();
+  }
+  expect(history.undo()).toBe(1);
+});

@@ -42,10 +42,17 @@ test('what is no view is left out, however it came into a link', () => {
 test('no more views are read than there are keys for', () => {
   const link = writeLink(settings, undefined, undefined, Array(40).fill(near));
   expect(readLink(link).views).toHaveLength(MAX_VIEWS);
+  expect(MAX_VIEWS).toBe(9);
 });
 
 test('a name is one line that turns no text round, and not long', () => {
   expect(plainName('  a\n\tb\u202Emoc.elpmaxe\u2066 ')).toBe('a b moc.elpmaxe');
   expect([...plainName('😀'.repeat(200))]).toHaveLength(40);
   expect(plainName('\u202E\u0000 ')).toBe('');
+});
+
+test('a view keeps where both lights are', () => {
+  const lit = { ...settings, secondAzimuth: 35, secondElevation: 20 };
+  const view = readView(writeView({ ...near, light: lightOf(lit) }));
+  expect(view?.light).toMatchObject({ lightKind: 'spot', lightAzimuth: -12.5, secondAzimuth: 35, secondElevation: 20 });
 });

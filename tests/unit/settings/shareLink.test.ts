@@ -5,6 +5,12 @@ import { defaultSettings, SETTING_KEYS, SETTINGS } from '../../../src/settings/s
 import { readLink, writeLink } from '../../../src/settings/shareLink.js';
 
 describe('a link', () => {
+  test('of nothing but defaults is not the first view', () => {
+    const link = writeLink(defaultSettings(), undefined);
+    expect(readLink(link).settings).toEqual(defaultSettings());
+    expect(readLink('').settings).not.toEqual(defaultSettings());
+  });
+
   test('keeps layers and how they cross', () => {
     const settings = { ...defaultSettings(), strokeLayers: 'tone', crossFrom: 30, crossAngle: 90 } as const;
     expect(readLink(`#${writeLink(settings, undefined)}`).settings).toEqual(settings);

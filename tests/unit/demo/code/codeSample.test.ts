@@ -16,6 +16,9 @@ import { presetLook, presetOf } from '../../../../src/settings/presets.js';
 import { defaultSettings, type Settings } from '../../../../src/settings/settings.js';
 import { LightRig } from '../../../../src/staging/LightRig.js';
 
+/** What samples may import from the library. */
+const OURS = ['HatchingMaterial', 'HatchingOutlines', 'TonalArtMap', 'applyHatching', 'prepareHatchingGeometry'];
+
 /** Runs a sample in a project that has a scene, and returns the scene. */
 async function run(sample: string, loaded?: THREE.Object3D): Promise<THREE.Scene> {
   const names = [...sample.matchAll(/^import \{ (.*) \} from '(.*)';$/gm)];
@@ -38,6 +41,9 @@ async function run(sample: string, loaded?: THREE.Object3D): Promise<THREE.Scene
   };
   for (const name of names[0][1].split(', ')) given[name] = (THREE as Record<string, unknown>)[name];
   const body = sample.replace(/^import .*$/gm, '');
+  const imported = names.at(-1)![1].split(', ');
+  for (const name of [...OURS, ...imported])
+    expect(imported.includes(name), name).toBe(new RegExp(`\\b${name}\\b`).test(body));
   const program = new Function(
     'given',
     `const { ${Object.keys(given).join(', ')} } = given; return (async () => { ${body} })();`,

@@ -22,6 +22,7 @@ describe('cleanMesh', () => {
     ['a corner that is missing', POSITIONS, [0, 1, 2, 0, 2, 3, 0, 1, 4], 4, 1],
     ['a vertex that is no number', [...POSITIONS, NaN, 0, 0], [0, 1, 2, 0, 2, 3, 0, 1, 4], 4, 1],
     ['a vertex that is infinite', [...POSITIONS, 0, Infinity, 0], [0, 1, 2, 0, 2, 3, 0, 1, 4], 4, 1],
+    ['a vertex of no depth', [...POSITIONS, 0, 0, NaN], [0, 1, 2, 0, 2, 3, 0, 1, 4], 4, 1],
     ['a vertex without a triangle', [...POSITIONS, 9, 9, 9], [0, 1, 2, 0, 2, 3], 4, 0],
     ['a triangle that lacks a corner', POSITIONS, [0, 1, 2, 0, 2, 3].slice(0, 4), 3, 0],
   ])('%s', (_, positions, indices, vertices, broken) => {

@@ -51,6 +51,10 @@ test('what is not at rest yet waits for a later frame, and is read once', async 
   picture.frameDrawn();
   expect(drawImage).not.toHaveBeenCalled();
   stage.quality.isCoarse = false;
+  stage.shown.isStandIn = true;
+  picture.frameDrawn();
+  expect(drawImage).not.toHaveBeenCalled();
+  stage.shown.isStandIn = false;
   picture.frameDrawn();
   picture.frameDrawn();
   await vi.advanceTimersByTimeAsync(1000);

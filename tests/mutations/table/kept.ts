@@ -1,0 +1,70 @@
+import type { Mutation } from '../Mutation.js';
+
+export const kept: readonly Mutation[] = [
+  {
+    name: 'any address may be the picture of a look',
+    file: 'src/demo/kept/KeptLooks.ts',
+    find: '/^data:image\\/(webp|png);/.test(stored) &&',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/kept/KeptLooks.test.ts',
+      title: 'of damaged or hostile storage, what is a look is read, in values that the controls have',
+    },
+  },
+  {
+    name: 'one drawing more is kept',
+    file: 'src/demo/kept/KeptDrawings.ts',
+    find: 'isTwin(other) || i >= MOST - 1)',
+    replace: 'isTwin(other) || i >= MOST)',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/kept/KeptDrawings.test.ts',
+      title: 'are twelve at most: the oldest is deleted, with its files',
+    },
+  },
+  {
+    name: 'drawings come in the order of their age',
+    file: 'src/demo/kept/KeptDrawings.ts',
+    find: 'b.at - a.at',
+    replace: 'a.at - b.at',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/kept/KeptDrawings.test.ts',
+      title: 'make room, the oldest first, where the browser has no more',
+    },
+  },
+  {
+    name: 'a full quota is an error at once',
+    file: 'src/demo/kept/KeptDrawings.ts',
+    find: "!== 'QuotaExceededError'",
+    replace: "=== 'QuotaExceededError'",
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/kept/KeptDrawings.test.ts',
+      title: 'make room, the oldest first, where the browser has no more',
+    },
+  },
+  {
+    name: 'a deleted drawing comes back',
+    file: 'src/demo/kept/KeptDrawings.ts',
+    find: 'if (known) await',
+    replace: 'await',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/kept/KeptDrawings.test.ts',
+      title: 'are changed, unless they were deleted',
+    },
+  },
+  {
+    name: 'a picture is taken while a model stands in',
+    file: 'src/demo/playground/session/KeptPicture.ts',
+    find: '!stage.shown.isStandIn &&',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/session/KeptPicture.test.ts',
+      title: 'what is not at rest yet waits for a later frame, and is read once',
+    },
+  },
+];

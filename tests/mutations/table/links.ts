@@ -1,0 +1,145 @@
+import type { Mutation } from '../Mutation.js';
+
+export const links: readonly Mutation[] = [
+  {
+    name: 'the target of the camera is its position',
+    file: 'src/settings/shareLink.ts',
+    find: '{ position: [x, y, z], target: [tx, ty, tz] }',
+    replace: '{ position: [tx, ty, tz], target: [tx, ty, tz] }',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/settings/shareLink.test.ts',
+      title: 'gives back a view to the last bit of single precision, in as few digits as that takes',
+    },
+  },
+  {
+    name: 'addresses without encryption are asked for',
+    file: 'src/settings/shareLink.ts',
+    find: "address.protocol !== 'https:' ||",
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/settings/shareLink.test.ts',
+      title: 'carries a model by its address, over HTTPS alone',
+    },
+  },
+  {
+    name: 'names and passwords stay in addresses',
+    file: 'src/settings/shareLink.ts',
+    find: "address.username = '';",
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/settings/shareLink.test.ts',
+      title: 'carries no name and password, which may look like a site, and no host that is none',
+    },
+  },
+  {
+    name: 'a camera is told in single digits',
+    file: 'src/settings/shareLink.ts',
+    find: 'if (Math.fround(short) === single) return short;',
+    replace: 'return short;',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/settings/shareLink.test.ts',
+      title: 'gives back a view to the last bit of single precision, in as few digits as that takes',
+    },
+  },
+  {
+    name: 'numbers of a setting are clamped to the wrong end',
+    file: 'src/settings/acceptSetting.ts',
+    find: 'Math.min(max, Math.max(min, number))',
+    replace: 'Math.max(max, Math.min(min, number))',
+    caughtBy: { layer: 'unit', file: 'tests/unit/settings/acceptSetting.test.ts', title: 'lightAzimuth … -180' },
+  },
+  {
+    name: 'odd numbers of a hand lose their sign',
+    file: 'src/settings/handLink.ts',
+    find: '-(value + 1) / 2',
+    replace: '(value + 1) / 2',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/settings/handLink.test.ts',
+      title:
+        'a hand comes back from its text: numbers to a thousandth, strokes and widths within a tenth of a millimetre',
+    },
+  },
+  {
+    name: 'strokes of a hand begin where the last one ended',
+    file: 'src/settings/handLink.ts',
+    find: 'if (k === 0) [start[0], start[1]] = [x, y];\n      points',
+    replace: 'points',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/settings/handLink.test.ts',
+      title:
+        'a hand comes back from its text: numbers to a thousandth, strokes and widths within a tenth of a millimetre',
+    },
+  },
+  {
+    name: 'boldness narrows lines',
+    file: 'src/settings/drawnSettings.ts',
+    find: 'settings.strokeWidth * size',
+    replace: 'settings.strokeWidth / size',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/settings/drawnSettings.test.ts',
+      title: 'bold strokes are wider and farther apart, all alike; nothing else changes',
+    },
+  },
+  {
+    name: 'density brightens',
+    file: 'src/settings/drawnSettings.ts',
+    find: 'settings.lightStrength / cover',
+    replace: 'settings.lightStrength * cover',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/settings/drawnSettings.test.ts',
+      title: 'dense strokes cover more, as in less light; nothing else changes',
+    },
+  },
+  {
+    name: 'a background of hatching is asked of nodes',
+    file: 'src/settings/lackOfNodes.ts',
+    find: "  ['background', ['on'], 'a hatched background'],\n",
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/settings/lackOfNodes.test.ts',
+      title: "they lack something of … { background: 'on' }",
+    },
+  },
+  {
+    name: 'a link forgets its technique',
+    file: 'src/settings/shareLink.ts',
+    find: "value === SETTINGS[key].default && key !== 'technique'",
+    replace: 'value === SETTINGS[key].default',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/settings/shareLink.test.ts',
+      title: 'of nothing but defaults is not the first view',
+    },
+  },
+  {
+    name: 'one view more than there are digits is read',
+    file: 'src/settings/savedViews.ts',
+    find: 'MAX_VIEWS = 9',
+    replace: 'MAX_VIEWS = 10',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/settings/savedViews.test.ts',
+      title: 'no more views are read than there are keys for',
+    },
+  },
+  {
+    name: 'a view forgets the second light',
+    file: 'src/settings/savedViews.ts',
+    find: "  'secondElevation',\n",
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/settings/savedViews.test.ts',
+      title: 'a view keeps where both lights are',
+    },
+  },
+];

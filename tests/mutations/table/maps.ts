@@ -1,0 +1,110 @@
+import type { Mutation } from '../Mutation.js';
+
+export const maps: readonly Mutation[] = [
+  {
+    name: 'the mean filter rounds up',
+    file: 'src/mapFiles/pngRows.ts',
+    find: '(left + up) >> 1',
+    replace: '(left + up + 1) >> 1',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/mapFiles/png.test.ts',
+      title: 'reads the colours of another library, on white paper (colour type',
+    },
+  },
+  {
+    name: 'the checksum leaves out the type',
+    file: 'src/mapFiles/pngChunks.ts',
+    find: 'bytes.subarray(4, content.length + 8)',
+    replace: 'bytes.subarray(8, content.length + 8)',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/mapFiles/png.test.ts',
+      title: 'writes what another library reads ( … channels)',
+    },
+  },
+  {
+    name: 'transparent pixels become black',
+    file: 'src/mapFiles/decodePng.ts',
+    find: '(grey * alpha) / 255 + 255 - alpha',
+    replace: '(grey * alpha) / 255',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/mapFiles/png.test.ts',
+      title: 'reads the greys of another library (colour type',
+    },
+  },
+  {
+    name: 'greys of few bits are not spread',
+    file: 'src/mapFiles/decodePng.ts',
+    find: '255 / (2 ** depth - 1)',
+    replace: '255 / 2 ** depth',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/mapFiles/png.test.ts',
+      title: 'spreads greys of … bits from black to white',
+    },
+  },
+  {
+    name: 'the tail of the normal distribution is mirrored',
+    file: 'src/hatchImages/encodeThresholds.ts',
+    find: 'return -normalQuantile(1 - p)',
+    replace: 'return normalQuantile(1 - p)',
+    caughtBy: { layer: 'unit', file: 'tests/unit/hatchImages/encodeThresholds.test.ts', title: 'Φ⁻¹(' },
+  },
+  {
+    name: 'lost ink comes back in its own tone alone',
+    file: 'src/hatchImages/enforceLevelNesting.ts',
+    find: 'darker < images.length; darker++',
+    replace: 'darker < tone + 1; darker++',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/hatchImages/enforceLevelNesting.test.ts',
+      title: 'mends every break of the nesting of levels and makes none in tone',
+    },
+  },
+  {
+    name: 'tones are compared without tolerance',
+    file: 'src/hatchImages/checkHatchImages.ts',
+    find: 'darker[i] > lighter[i] + 1',
+    replace: 'darker[i] > lighter[i]',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/hatchImages/checkHatchImages.test.ts',
+      title: 'counts texels that grow lighter with the tone, but allows 1/255',
+    },
+  },
+  {
+    name: 'layers of a map share no tone',
+    file: 'src/tam/packHatchImages.ts',
+    find: 'Math.min(3 * layer + channel, tones - 1)',
+    replace: 'Math.min(4 * layer + channel, tones - 1)',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/tam/packHatchImages.test.ts',
+      title: 'has both neighbours of every tone in one layer, and gives each image back',
+    },
+  },
+  {
+    name: 'the margin of thresholds repeats the near side',
+    file: 'src/tam/packThresholds.ts',
+    find: '((column - MARGIN) & mask)',
+    replace: '(Math.min(Math.max(column - MARGIN, 0), mask))',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/tam/packThresholds.test.ts',
+      title: 'lays levels in a row where the shader looks for them, with what lies across the border around each',
+    },
+  },
+  {
+    name: 'the coarser variance counts the last level',
+    file: 'src/tam/measureThresholdMoments.ts',
+    find: 'if (index === pairs.length - 1) return;',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/tam/measureThresholdMoments.test.ts',
+      title: 'of a level beside itself is its variance',
+    },
+  },
+];

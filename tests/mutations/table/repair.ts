@@ -1,0 +1,66 @@
+import type { Mutation } from '../Mutation.js';
+
+export const repair: readonly Mutation[] = [
+  {
+    name: 'vertices are renumbered from 1',
+    file: 'src/files/repair/cleanMesh.ts',
+    find: 'renumbered[vertex] - 1),',
+    replace: 'renumbered[vertex]),',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/files/repair/cleanMesh.test.ts',
+      title: 'a vertex without a triangle',
+    },
+  },
+  {
+    name: 'duplicates in two colours are one',
+    file: 'src/files/repair/dropDuplicates.ts',
+    find: '...(colors ? [{ bits: bits(colors), size: 3 }] : []),',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/files/repair/dropDuplicates.test.ts',
+      title: 'so is one with other colours, texture coordinates or another picture',
+    },
+  },
+  {
+    name: 'colours that are not numbers become black',
+    file: 'src/files/repair/repairGeometry.ts',
+    find: "name === 'color' ? WHITE : 0",
+    replace: '0',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/files/repair/repairGeometry.test.ts',
+      title: 'every mesh of a scene is repaired, also its weights',
+    },
+  },
+  {
+    name: 'whole morph targets take zero',
+    file: 'src/files/repair/repairGeometry.ts',
+    find: 'base?.getComponent(vertex, component) ?? 0',
+    replace: '0',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/files/repair/repairGeometry.test.ts',
+      title: 'a morph target keeps the vertex in its place where it is not a number',
+    },
+  },
+  {
+    name: 'a corner that is not a number is kept',
+    file: 'src/files/repair/cleanMesh.ts',
+    find: 'Number.isFinite(positions[3 * vertex + 2]);',
+    replace: 'true;',
+    caughtBy: { layer: 'unit', file: 'tests/unit/files/repair/cleanMesh.test.ts', title: 'a vertex of no depth' },
+  },
+  {
+    name: 'a few duplicates are left out, too',
+    file: 'src/files/repair/dropDuplicates.ts',
+    find: 'duplicates <= HARMLESS_SHARE * total',
+    replace: 'duplicates <= 0',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/files/repair/dropDuplicates.test.ts',
+      title: 'a few duplicates, as scans have, stay: the mesh is as it was',
+    },
+  },
+];

@@ -1,0 +1,103 @@
+import type { Mutation } from '../Mutation.js';
+
+export const undo: readonly Mutation[] = [
+  {
+    name: 'changes of two settings become one step',
+    file: 'src/settings/EditHistory.ts',
+    find: 'source === this.lastSource &&',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/settings/EditHistory.test.ts',
+      title: 'keys and the wheel change in one step what they change without a pause',
+    },
+  },
+  {
+    name: 'a press that pauses makes two steps',
+    file: 'src/settings/EditHistory.ts',
+    find: ': press === this.lastPress;',
+    replace: ': time - this.lastTime < PAUSE_MILLISECONDS && press === this.lastPress;',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/settings/EditHistory.test.ts',
+      title: 'one drag is one step, however long it pauses; the next is another, however soon it comes',
+    },
+  },
+  {
+    name: 'a look is a step before it is applied',
+    file: 'src/demo/playground/session/Session.ts',
+    find: '    this.apply();\n    this.history.changed(source);',
+    replace: '    this.history.changed(source);\n    this.apply();',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/session/Session.test.ts',
+      title: 'what the view does by itself while settings are applied belongs to the same step',
+    },
+  },
+  {
+    name: 'views of the former model stay',
+    file: 'src/demo/playground/session/Session.ts',
+    find: 'if (isOther) this.views.list = [];',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/session/Session.test.ts',
+      title: 'another model leaves no views of the one before; the same one with more pictures keeps them',
+    },
+  },
+  {
+    name: 'an answer that was replaced is taken',
+    file: 'src/demo/playground/session/LatestRequest.ts',
+    find: 'controller.signal.aborted ? undefined : result',
+    replace: 'result',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/session/LatestRequest.test.ts',
+      title: 'of two things that are asked for, only the later is given, in whatever order they come',
+    },
+  },
+  {
+    name: 'the address does not wait for the model',
+    file: 'src/demo/playground/session/AddressWriter.ts',
+    find: ' || modelLoader.isLoading',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/session/AddressWriter.test.ts',
+      title: 'nothing is written while the page shows another drawing than the settings describe',
+    },
+  },
+  {
+    name: 'changes of the last moment are lost',
+    file: 'src/demo/playground/session/AddressWriter.ts',
+    find: 'if (this.timer !== undefined) this.write();',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/session/AddressWriter.test.ts',
+      title: 'a change of the last moment is written when the page is left, and nothing if there was none',
+    },
+  },
+  {
+    name: 'a new change keeps what was undone',
+    file: 'src/settings/EditHistory.ts',
+    find: '    this.future.length = 0;\n    this.now = this.read();',
+    replace: '    this.now = this.read();',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/settings/EditHistory.test.ts',
+      title: 'a change after Undo leaves nothing to redo',
+    },
+  },
+  {
+    name: 'a step to where the page is already is a step',
+    file: 'src/settings/EditHistory.ts',
+    find: 'if (this.isSame(next, present)) continue;',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/settings/EditHistory.test.ts',
+      title: 'steps to where the page is already are passed over',
+    },
+  },
+];
