@@ -2,32 +2,66 @@ import type { Mutation } from '../Mutation.js';
 import { adjacency } from './adjacency.js';
 import { archives } from './archives.js';
 import { bake } from './bake.js';
+import { command } from './command.js';
+import { detail } from './detail.js';
+import { element } from './element.js';
 import { exports } from './exports.js';
+import { exposure } from './exposure.js';
 import { files } from './files.js';
+import { form } from './form.js';
 import { hand } from './hand.js';
 import { kept } from './kept.js';
+import { lights } from './lights.js';
 import { links } from './links.js';
 import { maps } from './maps.js';
+import { material } from './material.js';
+import { mistakes } from './mistakes.js';
 import { normals } from './normals.js';
+import { occlusion } from './occlusion.js';
+import { outlines } from './outlines.js';
+import { react } from './react.js';
 import { repair } from './repair.js';
 import { scan } from './scan.js';
+import { scene } from './scene.js';
+import { shadows } from './shadows.js';
+import { slices } from './slices.js';
 import { strokes } from './strokes.js';
+import { svg } from './svg.js';
+import { tone } from './tone.js';
 import { undo } from './undo.js';
+import { worker } from './worker.js';
 
 /** The breaks, by the area of the project that they are in. */
 export const table: Readonly<Record<string, readonly Mutation[]>> = {
   adjacency,
   archives,
   bake,
+  command,
+  detail,
+  element,
   exports,
+  exposure,
   files,
+  form,
   hand,
   kept,
+  lights,
   links,
   maps,
+  material,
+  mistakes,
   normals,
+  occlusion,
+  outlines,
+  react,
   repair,
   scan,
+  scene,
+  shadows,
+  slices,
   strokes,
+  svg,
+  tone,
   undo,
+  worker,
 };

@@ -1,0 +1,47 @@
+import type { Mutation } from '../Mutation.js';
+
+export const lights: readonly Mutation[] = [
+  {
+    name: 'a spot is whole up to its outer cone',
+    file: 'src/engraving/radiance.ts',
+    find: '(cosine - outer) / (inner - outer)',
+    replace: '(cosine - inner) / (outer - inner)',
+    caughtBy: { layer: 'unit', file: 'tests/unit/engraving/tone.test.ts', title: 'halfLambert … , with every curve' },
+  },
+  {
+    name: 'light falls off without an end',
+    file: 'src/engraving/radiance.ts',
+    find: '(length / distance) ** 4',
+    replace: '(length / distance) ** 2',
+    caughtBy: { layer: 'unit', file: 'tests/unit/engraving/tone.test.ts', title: 'phong … , with every curve' },
+  },
+  {
+    name: 'half Lambert is not squared',
+    file: 'src/engraving/radiance.ts',
+    find: '(0.5 * cosine + 0.5) ** 2',
+    replace: '0.5 * cosine + 0.5',
+    caughtBy: { layer: 'unit', file: 'tests/unit/engraving/tone.test.ts', title: 'halfLambert … , with every curve' },
+  },
+  {
+    name: 'shade is told from what faces away',
+    file: 'src/lighting/shareOfShade.ts',
+    find: 'facing * openness[part] < LOOKS_HALF_AS_BRIGHT',
+    replace: 'facing < LOOKS_HALF_AS_BRIGHT',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/scene/flattering/flatteringLight.test.ts',
+      title: 'hollows count as far as the material draws their occlusion',
+    },
+  },
+  {
+    name: 'a light from the right is preferred',
+    file: 'src/lighting/chooseLight.ts',
+    find: 'azimuth > 0 ? LEFT_ADVANTAGE',
+    replace: 'azimuth < 0 ? LEFT_ADVANTAGE',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/scene/flattering/flatteringLight.test.ts',
+      title: 'leaves about two fifths of a sphere in shade, from the upper front',
+    },
+  },
+];

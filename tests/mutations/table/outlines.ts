@@ -1,0 +1,88 @@
+import type { Mutation } from '../Mutation.js';
+
+export const outlines: readonly Mutation[] = [
+  {
+    name: 'creases are at least as flat as their angle',
+    file: 'src/features/findFeatureEdges.ts',
+    find: '<= creaseCosine',
+    replace: '>= creaseCosine',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/features/findFeatureEdges.test.ts',
+      title: '??? of 60° with a featureAngle of 61: 0',
+    },
+  },
+  {
+    name: 'borders between materials are missed',
+    file: 'src/features/findFeatureEdges.ts',
+    find: 'triangleGroups[triangle] !== triangleGroups[other]',
+    replace: 'triangleGroups[triangle] === triangleGroups[other]',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/features/findFeatureEdges.test.ts',
+      title: 'have a border of material between them, on a flat and on a sharp edge',
+    },
+  },
+  {
+    name: 'a list of contours outlives its reach',
+    file: 'src/outlines/ContourList.ts',
+    find: '(isSearchedInWorker ? 0.5 : 1) * this.reach',
+    replace: '2 * this.reach',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/outlines/ContourList.test.ts',
+      title: 'by its direction alone with an orthographic camera, wherever that is',
+    },
+  },
+  {
+    name: 'instances are searched from the eye of their mesh',
+    file: 'src/outlines/InstanceList.ts',
+    find: 'place.applyMatrix3(inverse);',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/outlines/InstanceList.test.ts',
+      title: 'is every primitive of an instance that the eye is in, flat or not',
+    },
+  },
+  {
+    name: 'widths of outlines forget the pixel ratio',
+    file: 'src/outlines/outlineValues.ts',
+    find: 'u[name].value *= pixelRatio',
+    replace: 'u[name].value *= 1',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/outlines/HatchingOutlineMaterial.test.ts',
+      title: 'sizes are in CSS pixels, … pixels of the renderer each, and nothing else is',
+    },
+  },
+  {
+    name: 'weights of shade are exchanged',
+    file: 'src/outlines/outlineValues.ts',
+    find: 'return [lit, shaded];',
+    replace: 'return [shaded, lit];',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/outlines/HatchingOutlineMaterial.test.ts',
+      title: 'setValues takes shadeWeights as an array or a vector, which it copies',
+    },
+  },
+  {
+    name: 'millimetres are inches',
+    file: 'src/outlines/millimetresToPixels.ts',
+    find: '/ MILLIMETRES_PER_INCH;',
+    replace: '* MILLIMETRES_PER_INCH;',
+    caughtBy: { layer: 'unit', file: 'tests/unit/outlines/millimetresToPixels.test.ts', title: 'pixels' },
+  },
+  {
+    name: 'accents are as strong far away',
+    file: 'src/engraving/outlineStanding.ts',
+    find: 'Math.max(accent, nearness * smoothstep',
+    replace: 'Math.max(accent, smoothstep',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/engraving/outlines.test.ts',
+      title: 'what is its own surface, or beyond the picture, ends the search',
+    },
+  },
+];

@@ -1,0 +1,37 @@
+import type { Mutation } from '../Mutation.js';
+
+export const shadows: readonly Mutation[] = [
+  {
+    name: 'shadows of a model reach behind the light',
+    file: 'src/lighting/shadowOnSheet.ts',
+    find: 'points[i] - height * east',
+    replace: 'points[i] + height * east',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/lighting/shadowOnSheet.test.ts',
+      title: 'depends on the light, the ground and the sheet, and not on where the world has its origin',
+    },
+  },
+  {
+    name: 'points above a lamp cast shadows',
+    file: 'src/staging/shadowOnGround.ts',
+    find: 'if (dy >= 0) continue;',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/staging/shadowOnGround.test.ts',
+      title: 'a lamp casts longer shadows of what is farther from below it, and none of what is as high as itself',
+    },
+  },
+  {
+    name: 'a light sees the wrong sides',
+    file: 'src/vector/Bvh.ts',
+    find: 'this.setRay(origin, way, CASTS_BACK, CASTS_FRONT);',
+    replace: 'this.setRay(origin, way, CASTS_FRONT, CASTS_BACK);',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/vector/Bvh.test.ts',
+      title: 'what hides a place from an eye at the far end, and what shades it',
+    },
+  },
+];

@@ -1,0 +1,69 @@
+import type { Mutation } from '../Mutation.js';
+
+export const tone: readonly Mutation[] = [
+  {
+    name: 'the perceptual curve is upside down',
+    file: 'src/engraving/tone.ts',
+    find: '1 - lightness(1 - tone)',
+    replace: 'lightness(tone)',
+    caughtBy: { layer: 'unit', file: 'tests/unit/engraving/tone.test.ts', title: ', with every curve' },
+  },
+  {
+    name: 'steps of tone are cut, not rounded',
+    file: 'src/engraving/tone.ts',
+    find: 'tone * last + 0.5',
+    replace: 'tone * last',
+    caughtBy: { layer: 'unit', file: 'tests/unit/engraving/tone.test.ts', title: ', with every curve' },
+  },
+  {
+    name: 'hollows darken lamps as much as skies',
+    file: 'src/engraving/tone.ts',
+    find: 'occlusion * occluded * smoothstep(0, CAVITY, occluded)',
+    replace: 'occlusion * occluded',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/engraving/tone.test.ts',
+      title: 'takes all of its share of the sky, and of lamps only where much of the sky is hidden',
+    },
+  },
+  {
+    name: 'a curve overshoots between its points',
+    file: 'src/material/fitToneCurve.ts',
+    find: '(a + b) / (a / before + b / after)',
+    replace: '(before + after) / 2',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/material/fitToneCurve.test.ts',
+      title: 'never leaves the range between two neighbouring points',
+    },
+  },
+  {
+    name: 'a curve has its spans begin at their ends',
+    file: 'src/material/fitToneCurve.ts',
+    find: '[points[i][0], 1 / width]',
+    replace: '[points[i + 1][0], 1 / width]',
+    caughtBy: { layer: 'unit', file: 'tests/unit/material/fitToneCurve.test.ts', title: 'has no corner at its points' },
+  },
+  {
+    name: 'lines that are born take all the room',
+    file: 'src/engraving/ruledLines.ts',
+    find: 'rank === top - 1 ? 2 ** top - powerOf2(octave)',
+    replace: 'rank === top - 1 ? powerOf2(octave)',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/engraving/linesEqualReference.test.ts',
+      title: 'lines by … , are those of the reference',
+    },
+  },
+  {
+    name: 'strokes of a pen begin as thick as they are',
+    file: 'src/engraving/penStrokes.ts',
+    find: '(1 - rest * rest)',
+    replace: '(1 - rest)',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/engraving/strokesEqualReference.test.ts',
+      title: 'lines by … , are those of the reference',
+    },
+  },
+];

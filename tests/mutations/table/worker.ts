@@ -1,0 +1,51 @@
+import type { Mutation } from '../Mutation.js';
+
+export const worker: readonly Mutation[] = [
+  {
+    name: 'progress may fall',
+    file: 'src/worker/TaskClient.ts',
+    find: '|| progress <= entry.progress',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/worker/TaskClient.test.ts',
+      title: 'reports rising progress to the right request, then 1',
+    },
+  },
+  {
+    name: 'an aborted request goes on in the worker',
+    file: 'src/worker/TaskClient.ts',
+    find: "        this.send({ type: 'abort', id });\n        this.settle(id)?.reject(signal!.reason);",
+    replace: '        this.settle(id)?.reject(signal!.reason);',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/worker/TaskClient.test.ts',
+      title: 'while it runs: rejects at once, tells the worker, and leaves the others alone',
+    },
+  },
+  {
+    name: 'a task dies with one worker alone',
+    file: 'src/worker/TaskClient.ts',
+    find: 'MAX_DEATHS = 2',
+    replace: 'MAX_DEATHS = 1',
+    caughtBy: { layer: 'unit', file: 'tests/unit/worker/deaths.test.ts', title: 'a geometry of layout … workers' },
+  },
+  {
+    name: 'the busiest worker gets the next request',
+    file: 'src/worker/WorkerPool.ts',
+    find: 'client.pendingCount < least.pendingCount',
+    replace: 'client.pendingCount > least.pendingCount',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/worker/WorkerPool.test.ts',
+      title: 'gives a request to the worker with the fewest',
+    },
+  },
+  {
+    name: 'an error of a task loses its class',
+    file: 'src/worker/protocol.ts',
+    find: 'new (errorClasses[name] ?? Error)(message)',
+    replace: 'new Error(message)',
+    caughtBy: { layer: 'unit', file: 'tests/unit/worker/TaskClient.test.ts', title: 'rebuilds the error of a task' },
+  },
+];
