@@ -1,14 +1,19 @@
 import type { Mutation } from '../Mutation.js';
 import { adjacency } from './adjacency.js';
 import { archives } from './archives.js';
+import { background } from './background.js';
 import { bake } from './bake.js';
+import { blending } from './blending.js';
 import { command } from './command.js';
 import { detail } from './detail.js';
 import { element } from './element.js';
+import { emphasis } from './emphasis.js';
+import { engraved } from './engraved.js';
 import { exports } from './exports.js';
 import { exposure } from './exposure.js';
 import { files } from './files.js';
 import { form } from './form.js';
+import { frames } from './frames.js';
 import { hand } from './hand.js';
 import { kept } from './kept.js';
 import { lights } from './lights.js';
@@ -16,6 +21,7 @@ import { links } from './links.js';
 import { maps } from './maps.js';
 import { material } from './material.js';
 import { mistakes } from './mistakes.js';
+import { nodes } from './nodes.js';
 import { normals } from './normals.js';
 import { occlusion } from './occlusion.js';
 import { outlines } from './outlines.js';
@@ -25,6 +31,7 @@ import { scan } from './scan.js';
 import { scene } from './scene.js';
 import { shadows } from './shadows.js';
 import { slices } from './slices.js';
+import { stipple } from './stipple.js';
 import { strokes } from './strokes.js';
 import { svg } from './svg.js';
 import { tone } from './tone.js';
@@ -35,14 +42,19 @@ import { worker } from './worker.js';
 export const table: Readonly<Record<string, readonly Mutation[]>> = {
   adjacency,
   archives,
+  background,
   bake,
+  blending,
   command,
   detail,
   element,
+  emphasis,
+  engraved,
   exports,
   exposure,
   files,
   form,
+  frames,
   hand,
   kept,
   lights,
@@ -50,6 +62,7 @@ export const table: Readonly<Record<string, readonly Mutation[]>> = {
   maps,
   material,
   mistakes,
+  nodes,
   normals,
   occlusion,
   outlines,
@@ -59,6 +72,7 @@ export const table: Readonly<Record<string, readonly Mutation[]>> = {
   scene,
   shadows,
   slices,
+  stipple,
   strokes,
   svg,
   tone,

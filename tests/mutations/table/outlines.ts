@@ -6,11 +6,7 @@ export const outlines: readonly Mutation[] = [
     file: 'src/features/findFeatureEdges.ts',
     find: '<= creaseCosine',
     replace: '>= creaseCosine',
-    caughtBy: {
-      layer: 'unit',
-      file: 'tests/unit/features/findFeatureEdges.test.ts',
-      title: '??? of 60° with a featureAngle of 61: 0',
-    },
+    caughtBy: { layer: 'unit', file: 'tests/unit/features/findFeatureEdges.test.ts', title: 'with a featureAngle of' },
   },
   {
     name: 'borders between materials are missed',
@@ -84,5 +80,12 @@ export const outlines: readonly Mutation[] = [
       file: 'tests/unit/engraving/outlines.test.ts',
       title: 'what is its own surface, or beyond the picture, ends the search',
     },
+  },
+  {
+    name: 'outlines are twice as wide',
+    file: 'shaders/outlines/width.glsl',
+    find: 'return 0.5 * outlineWidth',
+    replace: 'return outlineWidth',
+    caughtBy: { layer: 'gpu', file: 'tests/gpu/outlines.spec.ts', title: 'outlines on a sphere are as wide as asked' },
   },
 ];

@@ -34,4 +34,15 @@ export const shadows: readonly Mutation[] = [
       title: 'what hides a place from an eye at the far end, and what shades it',
     },
   },
+  {
+    name: 'strokes in shadow run as in light',
+    file: 'shaders/chunks/lightOrientation.glsl',
+    find: 'light.direction = acrossLight(light.direction);',
+    replace: '',
+    caughtBy: {
+      layer: 'gpu',
+      file: 'tests/gpu/shadows.spec.ts',
+      title: 'under one light strokes run across it in its shadow…anchored',
+    },
+  },
 ];

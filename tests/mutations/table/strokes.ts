@@ -67,4 +67,15 @@ export const strokes: readonly Mutation[] = [
       title: 'draws three directions sixty degrees apart, one after the other, for a triple hatching',
     },
   },
+  {
+    name: 'lattices of strokes on the screen change places',
+    file: 'shaders/techniques/anchored/strokes.glsl',
+    find: '(i == 0.0 ? 1.0 - fade : fade)',
+    replace: '(i == 0.0 ? fade : 1.0 - fade)',
+    caughtBy: {
+      layer: 'gpu',
+      file: 'tests/gpu/anchored.spec.ts',
+      title: 'anchored equals the double-precision reference: …sized half on the screen, two lights',
+    },
+  },
 ];

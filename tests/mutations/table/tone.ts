@@ -66,4 +66,37 @@ export const tone: readonly Mutation[] = [
       title: 'lines by … , are those of the reference',
     },
   },
+  {
+    name: 'the curve of points has no cubes',
+    file: 'shaders/chunks/toneCurve.glsl',
+    find: '(c.y + t * c.z)',
+    replace: 'c.y',
+    caughtBy: {
+      layer: 'gpu',
+      file: 'tests/gpu/anchored.spec.ts',
+      title: 'anchored equals the double-precision reference: …tone curve of points',
+    },
+  },
+  {
+    name: 'colours darken by their luminance',
+    file: 'shaders/chunks/localColor.glsl',
+    find: 'colorExposure * lightness(y.x)',
+    replace: 'colorExposure * y.x',
+    caughtBy: {
+      layer: 'gpu',
+      file: 'tests/gpu/anchored.spec.ts',
+      title: 'anchored equals the double-precision reference: …local tone, in a shadow that crosses',
+    },
+  },
+  {
+    name: 'steps of tone are cut in shaders',
+    file: 'shaders/chunks/tone.glsl',
+    find: 'floor(tone * last + 0.5)',
+    replace: 'floor(tone * last)',
+    caughtBy: {
+      layer: 'gpu',
+      file: 'tests/gpu/anchored.spec.ts',
+      title: 'anchored equals the double-precision reference: …toon…, point light, moved object',
+    },
+  },
 ];

@@ -1,0 +1,15 @@
+import type { Mutation } from '../Mutation.js';
+
+export const stipple: readonly Mutation[] = [
+  {
+    name: 'dots cover too much in the darks',
+    file: 'shaders/techniques/anchored/stipple.glsl',
+    find: '(1.0 - CLOSING.y) * way * way',
+    replace: '2.0 * way',
+    caughtBy: {
+      layer: 'gpu',
+      file: 'tests/gpu/stippleReference.spec.ts',
+      title: 'stipple equals the double-precision reference: …sized on the screen',
+    },
+  },
+];
