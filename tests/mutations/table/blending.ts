@@ -13,17 +13,6 @@ export const blending: readonly Mutation[] = [
     },
   },
   {
-    name: 'α and β are exchanged',
-    file: 'shaders/perTriangle/adjacencyPrimitive.glsl',
-    find: 'Triangle(p.v1, p.v0, p.vAlpha)',
-    replace: 'Triangle(p.v1, p.v0, p.vBeta)',
-    caughtBy: {
-      layer: 'gpu',
-      file: 'tests/gpu/material.spec.ts',
-      title: 'equals the double-precision reference: …torus…directional…adjacency…smooth…map',
-    },
-  },
-  {
     name: 'blend factors are not clamped',
     file: 'shaders/techniques/adjacency/read.glsl',
     find: 'vec4(1.0, max(blendFactors, 0.0))',

@@ -25,6 +25,7 @@ import { nodes } from './nodes.js';
 import { normals } from './normals.js';
 import { occlusion } from './occlusion.js';
 import { outlines } from './outlines.js';
+import { page } from './page.js';
 import { react } from './react.js';
 import { repair } from './repair.js';
 import { scan } from './scan.js';
@@ -66,6 +67,7 @@ export const table: Readonly<Record<string, readonly Mutation[]>> = {
   normals,
   occlusion,
   outlines,
+  page,
   react,
   repair,
   scan,
