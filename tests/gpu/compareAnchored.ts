@@ -1,4 +1,5 @@
 import { mat4, vec3 } from 'gl-matrix';
+import { quickOnly } from '../browser/quickIf.js';
 import { expect, type TestOnOnePage } from '../browser/test.js';
 import { type AnchoredSettings, anchoredExcess, formAxisOf, slantAxisOf } from '../reference/anchoredReference.js';
 import { quadraticGradient } from '../reference/engravedReference.js';
@@ -172,6 +173,27 @@ function gradientAt({ positions, material }: HatchingSpec): (point: Vec3) => Vec
     quadraticGradient(form[0], point.map((x, axis) => (x - centre[axis]) * material.tilesPerUnit) as Vec3);
 }
 
+/** One of each light, layer, field, placement and look. */
+const detailsOf = quickOnly(
+  cases.map(({ name }) => name),
+  [
+    'falling off around a point, towards the rim and of less importance',
+    'fading with its depth',
+    'rotated, moved and scaled object',
+    'mirrored object',
+    'seen at a slant, two lights and layers',
+    'sized on the screen, placed object',
+    'phong, point light, moved object',
+    'tone curve of points',
+    'exposed, of a colour, in a shadow that crosses',
+    'layers by tone under two lights, seen at a slant, sized on the screen',
+    'in the shadow of one of two lights, reorient, moved object',
+    'along the form, in layers by tone',
+    'across the form',
+    'along the sheet, of a moved and scaled object',
+  ],
+);
+
 /**
  * Declares a test for each case of `anchored`: the page draws what the reference in double precision says.
  *
@@ -182,7 +204,7 @@ export function compareAnchored(test: TestOnOnePage, takes: (name: string) => bo
   for (const { anchorSpacing = 0.35, sizedOnScreen = 0, strokeField, ...rest } of cases.filter(({ name }) =>
     takes(name),
   )) {
-    test(`anchored equals the double-precision reference: ${rest.name}`, async ({ page }) => {
+    test(`anchored equals the double-precision reference: ${rest.name}`, detailsOf(rest.name), async ({ page }) => {
       const spec: HatchingSpec = {
         ...specOf({ ...rest, sizedOnScreen }, 'anchored'),
         anchorSpacing,

@@ -1,3 +1,4 @@
+import { quickOnly } from '../browser/quickIf.js';
 import type { TestOnOnePage } from '../browser/test.js';
 import { EngravedReference } from '../reference/engravedReference.js';
 import type { ReferenceLight } from '../reference/hatchingReference.js';
@@ -182,6 +183,31 @@ const cases: EngravedCase[] = [
   { name: 'out of all shadows, cross', lights: [directional, redSide], material: { shadowStrokes: 'cross' } },
 ];
 
+/** One of each light, layer, field, placement and look. */
+const detailsOf = quickOnly(
+  cases.map(({ name }) => name),
+  [
+    'along the form',
+    'across the form, wider apart than lines may lie',
+    'along the form, in shadow, cross',
+    'tangent to the light',
+    'towards the light, a ruling machine',
+    'across the axis y',
+    'with a pen, aslant, crossing from light tones on',
+    'carved, placed and crossed by shadow',
+    'sized on the object',
+    'object scaled unequally',
+    'seen at a slant by an orthographic camera',
+    'turned from a near lamp',
+    'a lamp, a spot and a light without an end',
+    'in the shadow of one of three lights, reorient, moved object',
+    'local tone, of light ink on dark paper',
+    'on a plane that falls off around a point',
+    'falling off towards the rim',
+    'fading with its depth, seen at a slant by an orthographic camera',
+  ],
+);
+
 /**
  * Declares a test for each case of `engraved`: the page draws what the reference in double precision says.
  *
@@ -190,7 +216,7 @@ const cases: EngravedCase[] = [
  */
 export function compareEngraved(test: TestOnOnePage, takes: (name: string) => boolean = () => true): void {
   for (const { lines, ...rest } of cases.filter(({ name }) => takes(name))) {
-    test(`engraved equals the double-precision reference: ${rest.name}`, async ({ page }) => {
+    test(`engraved equals the double-precision reference: ${rest.name}`, detailsOf(rest.name), async ({ page }) => {
       const spec: HatchingSpec = {
         ...specOf(rest, 'engraved'),
         lines: {

@@ -1,3 +1,4 @@
+import { quickOnly } from '../browser/quickIf.js';
 import type { TestOnOnePage } from '../browser/test.js';
 import { StippleReference } from '../reference/stippleReference.js';
 import type { HatchingSpec } from './hatchingSpec.js';
@@ -41,6 +42,19 @@ const cases: StippleCase[] = [
   { name: 'in shadow', lights: [blocked, ambient] },
 ];
 
+/** One of each light, layer, field, placement and look. */
+const detailsOf = quickOnly(
+  cases.map(({ name }) => name),
+  [
+    'sized on the screen',
+    'rotated, moved and scaled object, two lights',
+    'object scaled unequally',
+    'seen at a slant by an orthographic camera',
+    'falling off around a point, towards the rim and of less importance',
+    'in shadow',
+  ],
+);
+
 /**
  * Declares a test for each case of `stipple`: the page draws what the reference in double precision says.
  *
@@ -49,7 +63,7 @@ const cases: StippleCase[] = [
  */
 export function compareStipple(test: TestOnOnePage, takes: (name: string) => boolean = () => true): void {
   for (const { dots, ...rest } of cases.filter(({ name }) => takes(name))) {
-    test(`stipple equals the double-precision reference: ${rest.name}`, async ({ page }) => {
+    test(`stipple equals the double-precision reference: ${rest.name}`, detailsOf(rest.name), async ({ page }) => {
       const spec: HatchingSpec = { ...specOf(rest, 'anchored'), dots: { strokeWidth: 3.2, edgePixels: 1, ...dots } };
       const { matrixWorld, camera } = spec;
       const reference = referenceOf(spec);

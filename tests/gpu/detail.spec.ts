@@ -77,7 +77,7 @@ test('levels are drawn by distance, look as the whole mesh does, and change no m
   expect(memory[1].geometries).toBe(memory[0].geometries);
 });
 
-test('lines along the form lie in levels where they lie in the whole mesh', async ({ page }) => {
+test('lines along the form lie in levels where they lie in the whole mesh', { tag: '@all' }, async ({ page }) => {
   const views = await page.evaluate(async (simplifier) => {
     const { THREE, applyHatching, sceneOf, sun, pixelsOf, makeRenderer, makeCamera } = window.toolkit;
     const renderer = makeRenderer();
@@ -124,7 +124,9 @@ test('lines along the form lie in levels where they lie in the whole mesh', asyn
   expect(triangles.at(-1)).toBeLessThan(0.04 * views[0][0].triangles);
 });
 
-test('two cameras, shadows, clones and rays: each sees its own level or the whole mesh', async ({ page }) => {
+test('two cameras, shadows, clones and rays: each sees its own level or the whole mesh', { tag: '@all' }, async ({
+  page,
+}) => {
   const { counts, hits } = await page.evaluate(async (simplifier) => {
     const { THREE, applyHatching, sceneOf, sun, pixelsOf, makeRenderer, makeCamera } = window.toolkit;
     const renderer = makeRenderer();
@@ -181,7 +183,10 @@ test('two cameras, shadows, clones and rays: each sees its own level or the whol
   expect(hits[0]).toBeCloseTo(5 - Math.sqrt(0.81 - 0.02), 3);
 });
 
-test('without the simplifier a sentence says so, and the mesh is drawn whole', async ({ page, pageProblems }) => {
+test('without the simplifier a sentence says so, and the mesh is drawn whole', { tag: '@all' }, async ({
+  page,
+  pageProblems,
+}) => {
   const { pixels, triangles } = await page.evaluate(async () => {
     const { THREE, HatchingMaterial, applyHatching, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
     HatchingMaterial.silent = false;

@@ -72,9 +72,9 @@ test('a scene that is deep fades by itself, another one does not', async ({ page
   expect(ink.flat).toBe(ink.flatEven);
 });
 
-test('what matters less is drawn with less, outlines included, and what does not matter is blank paper that hides what is behind', async ({
-  page,
-}) => {
+test('what matters less is drawn with less, outlines included, and what does not matter is blank paper that hides what is behind', {
+  tag: '@all',
+}, async ({ page }) => {
   const drawn = await page.evaluate(async () => {
     const { THREE, applyHatching, makeRenderer, pixelsOf, sceneOf, sun } = window.toolkit;
     // Two balls with one material, in groups of their own.

@@ -8,9 +8,9 @@ test.beforeEach(async ({ page }) => {
   await page.waitForFunction(() => window.lining !== undefined);
 });
 
-test('the mean darkness is the tone, at every distance between octaves, with and without crossing and hand', async ({
-  page,
-}) => {
+test('the mean darkness is the tone, at every distance between octaves, with and without crossing and hand', {
+  tag: '@all',
+}, async ({ page }) => {
   const errors = await page.evaluate(async () => {
     const { THREE, draw, rendererOf, paperScene } = window.lining;
     const { HatchingMaterial, prepareHatchingGeometry } = window.toolkit;

@@ -25,53 +25,57 @@ function worst(tone: number[], lambert: number[]): { difference: number; compare
   };
 }
 
-test("a room lights as it lights three's Lambert, alone and with a sun", async ({ page }, testInfo) => {
-  // A software rasterizer takes its time over blurring the room: once for both.
-  test.slow();
-  const shown = await page.evaluate(async (techniques) => {
-    const { THREE, RoomEnvironment, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
-    const renderer = makeRenderer();
-    const geometry = new THREE.SphereGeometry(1, 48, 32);
-    const environment = new THREE.PMREMGenerator(renderer).fromScene(new RoomEnvironment()).texture;
-    const compared: Record<string, [number[], number[]]> = {};
-    for (const light of ['alone', 'with a sun'] as const) {
-      const scene = sceneOf(new THREE.Group());
-      scene.environment = environment;
-      scene.environmentIntensity = light === 'alone' ? 0.7 : 0.3;
-      scene.environmentRotation.set(0.5, 1.2, -0.4);
-      if (light === 'with a sun') scene.add(sun(1.5));
-      const show = (mesh: InstanceType<typeof THREE.Mesh>) => {
-        scene.add(mesh);
-        const pixels = pixelsOf(scene, renderer);
-        scene.remove(mesh);
-        return pixels;
-      };
-      for (const toneNormal of ['face', 'smooth'] as const) {
-        // Without a sun, by smooth normals, it is in `besideLambert`.
-        if (light === 'alone' && toneNormal === 'smooth') continue;
-        const flatShading = toneNormal === 'face';
-        const lambert = show(new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ flatShading })));
-        for (const technique of techniques) {
-          // No blend with neighbours, whose tone is another.
-          const blendAngle = technique === 'adjacency' ? { blendAngle: 0 } : {};
-          const tone = show(await hatchedMesh(geometry, { technique, toneNormal, debugView: 'tone', ...blendAngle }));
-          compared[`${light}, ${technique}, ${toneNormal}`] = [tone, lambert];
+test(
+  "a room lights as it lights three's Lambert, alone and with a sun",
+  { tag: '@all' },
+  async ({ page }, testInfo) => {
+    // A software rasterizer takes its time over blurring the room: once for both.
+    test.slow();
+    const shown = await page.evaluate(async (techniques) => {
+      const { THREE, RoomEnvironment, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+      const renderer = makeRenderer();
+      const geometry = new THREE.SphereGeometry(1, 48, 32);
+      const environment = new THREE.PMREMGenerator(renderer).fromScene(new RoomEnvironment()).texture;
+      const compared: Record<string, [number[], number[]]> = {};
+      for (const light of ['alone', 'with a sun'] as const) {
+        const scene = sceneOf(new THREE.Group());
+        scene.environment = environment;
+        scene.environmentIntensity = light === 'alone' ? 0.7 : 0.3;
+        scene.environmentRotation.set(0.5, 1.2, -0.4);
+        if (light === 'with a sun') scene.add(sun(1.5));
+        const show = (mesh: InstanceType<typeof THREE.Mesh>) => {
+          scene.add(mesh);
+          const pixels = pixelsOf(scene, renderer);
+          scene.remove(mesh);
+          return pixels;
+        };
+        for (const toneNormal of ['face', 'smooth'] as const) {
+          // Without a sun, by smooth normals, it is in `besideLambert`.
+          if (light === 'alone' && toneNormal === 'smooth') continue;
+          const flatShading = toneNormal === 'face';
+          const lambert = show(new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ flatShading })));
+          for (const technique of techniques) {
+            // No blend with neighbours, whose tone is another.
+            const blendAngle = technique === 'adjacency' ? { blendAngle: 0 } : {};
+            const tone = show(await hatchedMesh(geometry, { technique, toneNormal, debugView: 'tone', ...blendAngle }));
+            compared[`${light}, ${technique}, ${toneNormal}`] = [tone, lambert];
+          }
         }
       }
+      return compared;
+    }, techniques);
+    expect(Object.keys(shown)).toHaveLength(3 * techniques.length);
+    for (const [name, [tone, lambert]] of Object.entries(shown)) {
+      const found = worst(tone, lambert);
+      testInfo.annotations.push({ type: name, description: JSON.stringify(found) });
+      expect(found.compared, name).toBeGreaterThan(1500);
+      expect(found.spread, name).toBeGreaterThan(30);
+      expect(found.difference, name).toBeLessThanOrEqual(6);
     }
-    return compared;
-  }, techniques);
-  expect(Object.keys(shown)).toHaveLength(3 * techniques.length);
-  for (const [name, [tone, lambert]] of Object.entries(shown)) {
-    const found = worst(tone, lambert);
-    testInfo.annotations.push({ type: name, description: JSON.stringify(found) });
-    expect(found.compared, name).toBeGreaterThan(1500);
-    expect(found.spread, name).toBeGreaterThan(30);
-    expect(found.difference, name).toBeLessThanOrEqual(6);
-  }
-});
+  },
+);
 
-test("cube textures and render targets light as they light three's Lambert", async ({ page }) => {
+test("cube textures and render targets light as they light three's Lambert", { tag: '@all' }, async ({ page }) => {
   // A software rasterizer takes its time over blurring four of them.
   test.slow();
   const shown = await page.evaluate(async () => {
@@ -116,10 +120,9 @@ test("cube textures and render targets light as they light three's Lambert", asy
   }
 });
 
-test('an environment builds one program when it comes, none when it turns, dims or goes, and its blur is freed with it', async ({
-  page,
-  pageProblems,
-}) => {
+test('an environment builds one program when it comes, none when it turns, dims or goes, and its blur is freed with it', {
+  tag: '@all',
+}, async ({ page, pageProblems }) => {
   const { shown, linked, textures, allocated } = await page.evaluate(async () => {
     const { THREE, hatchedMesh, sceneOf, pixelsOf, makeRenderer, makeCamera } = window.toolkit;
     const renderer = makeRenderer();
@@ -190,7 +193,10 @@ test('an environment builds one program when it comes, none when it turns, dims 
   expect(textures[textures.length - 1]).toBeLessThan(textures[textures.length - 2]);
 });
 
-test('after compileAsync the first frame in an environment links no program', async ({ page, pageProblems }) => {
+test('after compileAsync the first frame in an environment links no program', { tag: '@all' }, async ({
+  page,
+  pageProblems,
+}) => {
   const counts = await page.evaluate(async () => {
     const { THREE, RoomEnvironment, applyHatching, greyMap, sceneOf, sun, pixelsOf, makeRenderer, makeCamera } =
       window.toolkit;
@@ -257,10 +263,9 @@ test('after compileAsync the first frame in an environment links no program', as
   expect(pageProblems.splice(0).filter((problem) => !problem.includes('KHR_parallel_shader_compile'))).toEqual([]);
 });
 
-test('an environment is there again after a lost context came back, and what was blurred before is left alone', async ({
-  page,
-  pageProblems,
-}) => {
+test('an environment is there again after a lost context came back, and what was blurred before is left alone', {
+  tag: '@all',
+}, async ({ page, pageProblems }) => {
   const [before, after] = await page.evaluate(async () => {
     const { THREE, hatchedMesh, sceneOf, pixelsOf, makeRenderer } = window.toolkit;
     const renderer = makeRenderer();

@@ -8,9 +8,9 @@ test.beforeEach(async ({ page }) => {
   await page.waitForFunction(() => window.lining !== undefined);
 });
 
-test('the mean darkness is the tone, at every distance between octaves and far away, with and without crossing and hand', async ({
-  page,
-}) => {
+test('the mean darkness is the tone, at every distance between octaves and far away, with and without crossing and hand', {
+  tag: '@all',
+}, async ({ page }) => {
   const errors = await page.evaluate(async () => {
     const { THREE, draw, rendererOf, paperScene } = window.lining;
     const { HatchingMaterial, prepareHatchingGeometry } = window.toolkit;
@@ -181,7 +181,7 @@ test('strokes run on where the sign of the baked function changes', async ({ pag
   expect(changed).toBeLessThan(0.001);
 });
 
-test('strokes in object space take the direction of the form as it is deformed', async ({ page }) => {
+test('strokes in object space take the direction of the form as it is deformed', { tag: '@all' }, async ({ page }) => {
   const [changed, inked] = await page.evaluate(async () => {
     const { THREE, draw, rendererOf, paperScene, lookFrom, total } = window.lining;
     const { HatchingMaterial, prepareHatchingGeometry, TonalArtMap } = window.toolkit;
@@ -228,9 +228,9 @@ test('strokes in object space take the direction of the form as it is deformed',
   expect(changed).toBeLessThan(0.002);
 });
 
-test('a large mesh follows the light first, then changes over to the form without a program built in a frame or a change of tone', async ({
-  page,
-}) => {
+test('a large mesh follows the light first, then changes over to the form without a program built in a frame or a change of tone', {
+  tag: '@all',
+}, async ({ page }) => {
   const { before, during, after } = await page.evaluate(async () => {
     const { THREE, draw, rendererOf, paperScene, lookFrom } = window.lining;
     const { applyHatching } = window.toolkit;

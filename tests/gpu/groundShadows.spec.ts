@@ -1,3 +1,4 @@
+import { quickIf } from '../browser/quickIf.js';
 import { expect, testOnOnePage as onOnePage } from '../browser/test.js';
 import type { Filter, LightKind } from './shadows.js';
 
@@ -18,42 +19,44 @@ const maps: [Filter, LightKind][] = [
 ];
 
 for (const [filter, kind] of maps) {
-  test(`a shadow has its tone at the contact and loses it evenly with the distance of a leaning board: ${filter}, ${kind}`, async ({
-    page,
-  }) => {
-    const results = await page.evaluate(
-      async ([filter, kind]) => {
-        const { lightOf, casting, board, boardDistances, ground, rendererOf, sceneOf, draw } = window.shading;
-        const light = casting(await lightOf(kind), 1);
-        // A bias moves the caster; only depths that are stored as halves need one.
-        if (filter !== 'VSM') light.shadow.bias = 0;
-        const plane = await ground('triangle', { toneModel: 'shadow', ink: '#000000', shadowTone: 0.5 }, true);
-        const scene = sceneOf(plane, board(), light);
-        const distances = boardDistances(kind, light);
-        return [0, 1, 4].map((shadowFade) => {
-          plane.material.shadowFade = shadowFade;
-          const pixels = draw(scene, rendererOf(filter));
-          let [count, worst, blank] = [0, 0, 0];
-          for (const [i, distance] of distances.entries()) {
-            if (Number.isNaN(distance)) continue;
-            const left = Math.max(1 - shadowFade * distance, 0);
-            const tone = 1 - pixels[4 * i] / 255;
-            count++;
-            worst = Math.max(worst, Math.abs(tone - 0.5 * left));
-            // Where nothing should be left, with a margin, nothing is printed.
-            if (shadowFade * distance > 1.1) blank = Math.max(blank, tone);
-          }
-          return { shadowFade, count, worst, blank };
-        });
-      },
-      [filter, kind] as const,
-    );
-    for (const { shadowFade, count, worst, blank } of results) {
-      expect(count).toBeGreaterThan(3000);
-      expect(worst, `shadowFade ${shadowFade}`).toBeLessThan(shadowFade === 0 ? 0.01 : 0.035);
-      expect(blank, `shadowFade ${shadowFade}`).toBe(0);
-    }
-  });
+  test(
+    `a shadow has its tone at the contact and loses it evenly with the distance of a leaning board: ${filter}, ${kind}`,
+    quickIf(['PCF, directional', 'Basic, point', 'VSM, spot'].includes(`${filter}, ${kind}`)),
+    async ({ page }) => {
+      const results = await page.evaluate(
+        async ([filter, kind]) => {
+          const { lightOf, casting, board, boardDistances, ground, rendererOf, sceneOf, draw } = window.shading;
+          const light = casting(await lightOf(kind), 1);
+          // A bias moves the caster; only depths that are stored as halves need one.
+          if (filter !== 'VSM') light.shadow.bias = 0;
+          const plane = await ground('triangle', { toneModel: 'shadow', ink: '#000000', shadowTone: 0.5 }, true);
+          const scene = sceneOf(plane, board(), light);
+          const distances = boardDistances(kind, light);
+          return [0, 1, 4].map((shadowFade) => {
+            plane.material.shadowFade = shadowFade;
+            const pixels = draw(scene, rendererOf(filter));
+            let [count, worst, blank] = [0, 0, 0];
+            for (const [i, distance] of distances.entries()) {
+              if (Number.isNaN(distance)) continue;
+              const left = Math.max(1 - shadowFade * distance, 0);
+              const tone = 1 - pixels[4 * i] / 255;
+              count++;
+              worst = Math.max(worst, Math.abs(tone - 0.5 * left));
+              // Where nothing should be left, with a margin, nothing is printed.
+              if (shadowFade * distance > 1.1) blank = Math.max(blank, tone);
+            }
+            return { shadowFade, count, worst, blank };
+          });
+        },
+        [filter, kind] as const,
+      );
+      for (const { shadowFade, count, worst, blank } of results) {
+        expect(count).toBeGreaterThan(3000);
+        expect(worst, `shadowFade ${shadowFade}`).toBeLessThan(shadowFade === 0 ? 0.01 : 0.035);
+        expect(blank, `shadowFade ${shadowFade}`).toBe(0);
+      }
+    },
+  );
 }
 
 const softMaps: [Filter, LightKind, boolean][] = [
@@ -66,38 +69,40 @@ const softMaps: [Filter, LightKind, boolean][] = [
 
 for (const [filter, kind, isReversed] of softMaps) {
   const depths = isReversed ? ', reversed depths' : '';
-  test(`edges of a shadow are as wide as those of a round lamp at three heights, without bands: ${filter}, ${kind}${depths}`, async ({
-    page,
-  }) => {
-    const results = await page.evaluate(
-      async ([filter, kind, isReversed]) => {
-        const { SIZE, lightOf, casting, plate, plateVisibility, ground, rendererOf, sceneOf, draw } = window.shading;
-        const light = casting(await lightOf(kind), 1);
-        light.position.x = -0.3;
-        light.shadow.mapSize.setScalar(768);
-        if (filter !== 'VSM') light.shadow.bias = 0;
-        const shadowSoftness = 0.4;
-        const renderer = rendererOf(filter, isReversed ? { reversedDepthBuffer: true } : {});
-        const plane = await ground('triangle', { toneModel: 'shadow', ink: '#000000', shadowSoftness }, true);
-        return [0.3, 0.6, 1].map((height) => {
-          const pixels = draw(sceneOf(plane, plate(height), light), renderer);
-          const drawn = Array.from({ length: SIZE }, (_, i) => pixels[4 * ((SIZE / 2) * SIZE + i)] / 255);
-          return { height, drawn, cast: plateVisibility(kind, light, height, shadowSoftness) };
-        });
-      },
-      [filter, kind, isReversed] as const,
-    );
-    for (const { height, drawn, cast } of results) {
-      const [width, right] = [drawn, cast].map((row) => placeOf(row, 0.1) - placeOf(row, 0.9));
-      expect(width / right, `height ${height}`).toBeGreaterThan(0.75);
-      expect(width / right, `height ${height}`).toBeLessThan(1.25);
-      // 24 places of a lamp: no step is of more than four of them beside the right one, and none goes back.
-      const steps = (row: number[]) => row.slice(1).map((v, i) => row[i] - v);
-      expect(Math.max(...steps(drawn)) - Math.max(...steps(cast)), `height ${height}`).toBeLessThan(0.125);
-      expect(Math.min(...steps(drawn)), `height ${height}`).toBeGreaterThan(-0.02);
-      expect(Math.max(...drawn.map((v, i) => Math.abs(v - cast[i]))), `height ${height}`).toBeLessThan(0.12);
-    }
-  });
+  test(
+    `edges of a shadow are as wide as those of a round lamp at three heights, without bands: ${filter}, ${kind}${depths}`,
+    quickIf(kind === 'point' && filter === 'PCF'),
+    async ({ page }) => {
+      const results = await page.evaluate(
+        async ([filter, kind, isReversed]) => {
+          const { SIZE, lightOf, casting, plate, plateVisibility, ground, rendererOf, sceneOf, draw } = window.shading;
+          const light = casting(await lightOf(kind), 1);
+          light.position.x = -0.3;
+          light.shadow.mapSize.setScalar(768);
+          if (filter !== 'VSM') light.shadow.bias = 0;
+          const shadowSoftness = 0.4;
+          const renderer = rendererOf(filter, isReversed ? { reversedDepthBuffer: true } : {});
+          const plane = await ground('triangle', { toneModel: 'shadow', ink: '#000000', shadowSoftness }, true);
+          return [0.3, 0.6, 1].map((height) => {
+            const pixels = draw(sceneOf(plane, plate(height), light), renderer);
+            const drawn = Array.from({ length: SIZE }, (_, i) => pixels[4 * ((SIZE / 2) * SIZE + i)] / 255);
+            return { height, drawn, cast: plateVisibility(kind, light, height, shadowSoftness) };
+          });
+        },
+        [filter, kind, isReversed] as const,
+      );
+      for (const { height, drawn, cast } of results) {
+        const [width, right] = [drawn, cast].map((row) => placeOf(row, 0.1) - placeOf(row, 0.9));
+        expect(width / right, `height ${height}`).toBeGreaterThan(0.75);
+        expect(width / right, `height ${height}`).toBeLessThan(1.25);
+        // 24 places of a lamp: no step is of more than four of them beside the right one, and none goes back.
+        const steps = (row: number[]) => row.slice(1).map((v, i) => row[i] - v);
+        expect(Math.max(...steps(drawn)) - Math.max(...steps(cast)), `height ${height}`).toBeLessThan(0.125);
+        expect(Math.min(...steps(drawn)), `height ${height}`).toBeGreaterThan(-0.02);
+        expect(Math.max(...drawn.map((v, i) => Math.abs(v - cast[i]))), `height ${height}`).toBeLessThan(0.12);
+      }
+    },
+  );
 }
 
 /** Where a row that falls from 1 to 0 crosses a value, in pixels. */
@@ -130,43 +135,45 @@ test('with light ink, whose tone falls with the light, a shadow alone is blank, 
 });
 
 for (const technique of ['anchored', 'engraved'] as const) {
-  test(`strokes of a shadow alone run away from the light, whatever those of the model do: ${technique}`, async ({
-    page,
-  }) => {
-    const angles = await page.evaluate(async (technique) => {
-      const { THREE, SIZE, lightOf, casting, clearances, ball, ground, sceneOf, draw } = window.shading;
-      const light = casting(await lightOf('directional'));
-      const plane = await ground(technique, {
-        toneModel: 'shadow',
-        shadowTone: 0.4,
-        shadowStrokes: 'cross',
-        crossFrom: 0.1,
-        ...(technique === 'engraved' ? { lineField: 'x' } : { strokeLayers: 'tone', strokeRotation: 0.6 }),
-      });
-      const scene = sceneOf(plane, ball(), light);
-      return (['away', 'strokes'] as const).map((shadowDirection) => {
-        plane.material.shadowDirection = shadowDirection;
-        const pixels = draw(scene);
-        const away = clearances('directional', light);
-        // The mean of gradients as directions of the doubled angle: strokes lie across it.
-        const tensor = new THREE.Vector2();
-        let sum = 0;
-        for (let i = SIZE; i < away.length - SIZE; i++) {
-          if (away[i] > -3) continue;
-          const x = pixels[4 * (i + 1)] - pixels[4 * (i - 1)];
-          const y = pixels[4 * (i + SIZE)] - pixels[4 * (i - SIZE)];
-          tensor.x += x * x - y * y;
-          tensor.y += 2 * x * y;
-          sum += x * x + y * y;
-        }
-        const strokes = Math.atan2(tensor.y, tensor.x) / 2 + Math.PI / 2;
-        const from = Math.atan2(light.position.y, light.position.x);
-        return { off: Math.abs(Math.sin(strokes - from)), coherence: tensor.length() / sum };
-      });
-    }, technique);
-    const [away, strokes] = angles;
-    expect(away.off).toBeLessThan(Math.sin(0.1));
-    expect(away.coherence).toBeGreaterThan(0.85);
-    expect(strokes.off).toBeGreaterThan(0.3);
-  });
+  test(
+    `strokes of a shadow alone run away from the light, whatever those of the model do: ${technique}`,
+    quickIf(technique === 'engraved'),
+    async ({ page }) => {
+      const angles = await page.evaluate(async (technique) => {
+        const { THREE, SIZE, lightOf, casting, clearances, ball, ground, sceneOf, draw } = window.shading;
+        const light = casting(await lightOf('directional'));
+        const plane = await ground(technique, {
+          toneModel: 'shadow',
+          shadowTone: 0.4,
+          shadowStrokes: 'cross',
+          crossFrom: 0.1,
+          ...(technique === 'engraved' ? { lineField: 'x' } : { strokeLayers: 'tone', strokeRotation: 0.6 }),
+        });
+        const scene = sceneOf(plane, ball(), light);
+        return (['away', 'strokes'] as const).map((shadowDirection) => {
+          plane.material.shadowDirection = shadowDirection;
+          const pixels = draw(scene);
+          const away = clearances('directional', light);
+          // The mean of gradients as directions of the doubled angle: strokes lie across it.
+          const tensor = new THREE.Vector2();
+          let sum = 0;
+          for (let i = SIZE; i < away.length - SIZE; i++) {
+            if (away[i] > -3) continue;
+            const x = pixels[4 * (i + 1)] - pixels[4 * (i - 1)];
+            const y = pixels[4 * (i + SIZE)] - pixels[4 * (i - SIZE)];
+            tensor.x += x * x - y * y;
+            tensor.y += 2 * x * y;
+            sum += x * x + y * y;
+          }
+          const strokes = Math.atan2(tensor.y, tensor.x) / 2 + Math.PI / 2;
+          const from = Math.atan2(light.position.y, light.position.x);
+          return { off: Math.abs(Math.sin(strokes - from)), coherence: tensor.length() / sum };
+        });
+      }, technique);
+      const [away, strokes] = angles;
+      expect(away.off).toBeLessThan(Math.sin(0.1));
+      expect(away.coherence).toBeGreaterThan(0.85);
+      expect(strokes.off).toBeGreaterThan(0.3);
+    },
+  );
 }

@@ -25,7 +25,7 @@ const five = learnHand(
   }),
 );
 
-test('while the light moves, a map by a hand pops no more than hatching', async ({ page }) => {
+test('while the light moves, a map by a hand pops no more than hatching', { tag: '@all' }, async ({ page }) => {
   const hatching = await film(page, { style: 'hatching' });
   for (const [name, hand] of [
     ['five strokes', five],

@@ -67,7 +67,9 @@ test('the three hidden edges of a cube are dashed from corner to corner, or fain
   expect(found.lost).toBeLessThan(0.02);
 });
 
-test('hidden contours of curved bodies are dashed, of instances too, whatever hides them', async ({ page }) => {
+test('hidden contours of curved bodies are dashed, of instances too, whatever hides them', { tag: '@all' }, async ({
+  page,
+}) => {
   const found = await page.evaluate(async () => {
     const { THREE, outlinedMesh, outlinedInstances, outlinesOf, paperScene, lookFrom, draw, rendererOf, total } =
       window.lining;

@@ -1,5 +1,6 @@
 import type { Page } from '@playwright/test';
 import type { HatchingMaterialOptions, StrokeStyleName } from 'three-hatching';
+import { quickIf } from '../browser/quickIf.js';
 import { expect } from '../browser/test.js';
 import { difference } from './pixels.js';
 import { test } from './toolkitPage.js';
@@ -30,33 +31,43 @@ const ways: Record<string, Way> = {
 };
 
 for (const [name, parameters] of Object.entries(ways)) {
-  test(`strokes are as wide as drawn at distances of 1, 2, 4 and 8: ${name}`, async ({ page }) => {
-    const pictures = await drawWall(page, parameters, DISTANCES);
-    const widths = pictures.map(medianStrokeWidth);
-    test.info().annotations.push({ type: 'width', description: widths.map((width) => width.toFixed(2)).join(', ') });
-    for (const width of widths) {
-      // Strokes of thresholds swell with the tone: the first is the drawn width for the others.
-      const drawn = parameters.crisp || parameters.technique === 'anchored' ? widths[0] : DRAWN_WIDTH;
-      expect(width / drawn, widths.join()).toBeGreaterThan(0.75);
-      expect(width / drawn, widths.join()).toBeLessThan(1.25);
-    }
-  });
+  test(
+    `strokes are as wide as drawn at distances of 1, 2, 4 and 8: ${name}`,
+    quickIf(
+      ['adjacency, level by derivatives', 'crisp, level by depth', 'anchored, sized on the screen'].includes(name),
+    ),
+    async ({ page }) => {
+      const pictures = await drawWall(page, parameters, DISTANCES);
+      const widths = pictures.map(medianStrokeWidth);
+      test.info().annotations.push({ type: 'width', description: widths.map((width) => width.toFixed(2)).join(', ') });
+      for (const width of widths) {
+        // Strokes of thresholds swell with the tone: the first is the drawn width for the others.
+        const drawn = parameters.crisp || parameters.technique === 'anchored' ? widths[0] : DRAWN_WIDTH;
+        expect(width / drawn, widths.join()).toBeGreaterThan(0.75);
+        expect(width / drawn, widths.join()).toBeLessThan(1.25);
+      }
+    },
+  );
 }
 
 for (const style of ['hatching', 'ruled', 'dashes'] as const) {
-  test(`strokeWidth is the width on the screen, however wide the style draws: ${style}`, async ({ page }) => {
-    const parameters: Way = { technique: 'adjacency', levelRule: 'depth', strokeWidth: 3 };
-    const widths = (await drawWall(page, parameters, [2, 4], { style })).map(medianStrokeWidth);
-    test.info().annotations.push({ type: 'width', description: widths.map((width) => width.toFixed(2)).join(', ') });
-    for (const width of widths) {
-      expect(width, widths.join()).toBeGreaterThan(0.8 * 3);
-      expect(width, widths.join()).toBeLessThan(1.2 * 3);
-    }
-  });
+  test(
+    `strokeWidth is the width on the screen, however wide the style draws: ${style}`,
+    quickIf(style === 'ruled'),
+    async ({ page }) => {
+      const parameters: Way = { technique: 'adjacency', levelRule: 'depth', strokeWidth: 3 };
+      const widths = (await drawWall(page, parameters, [2, 4], { style })).map(medianStrokeWidth);
+      test.info().annotations.push({ type: 'width', description: widths.map((width) => width.toFixed(2)).join(', ') });
+      for (const width of widths) {
+        expect(width, widths.join()).toBeGreaterThan(0.8 * 3);
+        expect(width, widths.join()).toBeLessThan(1.2 * 3);
+      }
+    },
+  );
 }
 
 for (const crisp of [false, true]) {
-  test(`face on, both rules choose the same level${crisp ? ', crisp' : ''}`, async ({ page }) => {
+  test(`face on, both rules choose the same level${crisp ? ', crisp' : ''}`, quickIf(!crisp), async ({ page }) => {
     const [derivatives, depth] = await Promise.all(
       (['derivatives', 'depth'] as const).map((levelRule) => drawWall(page, { crisp, levelRule }, DISTANCES)),
     );
@@ -77,18 +88,20 @@ test('seen at a slant, depth chooses a finer level than derivatives, and so does
 });
 
 for (const sizedOnScreen of [0, 1]) {
-  test(`anchored strokes stay strokes at a slant, of the same tone: sizedOnScreen ${sizedOnScreen}`, async ({
-    page,
-  }) => {
-    const way: Way = { technique: 'anchored', sizedOnScreen, ...upright };
-    const [faceOn, slanted] = [await drawWall(page, way, [1]), await drawWall(page, way, [1], { slant: 1.47 })].map(
-      ([picture]) => spread(picture),
-    );
-    expect(faceOn.deviation).toBeGreaterThan(0.3);
-    expect(slanted.deviation).toBeGreaterThan(0.3);
-    // N·L, as the wall is lit; a few strokes more or less are seen.
-    expect(Math.abs(slanted.mean - 5 / 7)).toBeLessThan(0.06);
-  });
+  test(
+    `anchored strokes stay strokes at a slant, of the same tone: sizedOnScreen ${sizedOnScreen}`,
+    quickIf(sizedOnScreen === 0),
+    async ({ page }) => {
+      const way: Way = { technique: 'anchored', sizedOnScreen, ...upright };
+      const [faceOn, slanted] = [await drawWall(page, way, [1]), await drawWall(page, way, [1], { slant: 1.47 })].map(
+        ([picture]) => spread(picture),
+      );
+      expect(faceOn.deviation).toBeGreaterThan(0.3);
+      expect(slanted.deviation).toBeGreaterThan(0.3);
+      // N·L, as the wall is lit; a few strokes more or less are seen.
+      expect(Math.abs(slanted.mean - 5 / 7)).toBeLessThan(0.06);
+    },
+  );
 }
 
 test('where strokes crowd at a slant their tone is shown, not some of them: crisp, level by depth', async ({

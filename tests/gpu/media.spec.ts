@@ -136,7 +136,7 @@ test('the tooth stays with the sheet, the strokes with the model; tiles of a pic
   expect(found.seams).toBeLessThan(0.002);
 });
 
-test('grain runs along the strokes, and a flat wall has no marbling', async ({ page }, testInfo) => {
+test('grain runs along the strokes, and a flat wall has no marbling', { tag: '@all' }, async ({ page }, testInfo) => {
   const found = await page.evaluate(
     async (looks) => {
       const { THREE, TonalArtMap, hatchedMesh, makeRenderer, sceneOf } = window.toolkit;

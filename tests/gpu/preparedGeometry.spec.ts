@@ -1,4 +1,5 @@
 import type { BufferGeometry } from 'three';
+import { quickIf } from '../browser/quickIf.js';
 import { expect } from '../browser/test.js';
 import { centre, covered, difference, differing } from './pixels.js';
 import { kindsOfTechnique } from './techniques.js';
@@ -7,22 +8,26 @@ import { test } from './toolkitPage.js';
 /** Prepared geometry that was damaged before the bake, or changed, merged or exported after it. */
 
 for (const technique of kindsOfTechnique) {
-  test(`a mesh whose normals are NaN or zero is not black: ${technique}`, async ({ page }) => {
-    const [sound, ...broken] = await page.evaluate(async (technique) => {
-      const { THREE, hatchedMesh, sceneOf, sun, pixelsOf } = window.toolkit;
-      const draw = async (bad: number | undefined) => {
-        const geometry = new THREE.SphereGeometry(1, 24, 16);
-        if (bad !== undefined) (geometry.getAttribute('normal').array as Float32Array).fill(bad);
-        const mesh = await hatchedMesh(geometry, { technique, toneNormal: 'smooth' });
-        return pixelsOf(sceneOf(mesh, sun(Math.PI, [0, 0, 1])));
-      };
-      return [await draw(undefined), await draw(Number.NaN), await draw(0)];
-    }, technique);
-    expect(covered(sound)).toBeGreaterThan(2000);
-    expect(centre(sound)[0]).toBeGreaterThan(240);
-    // Computed normals are not quite those that three gives its sphere.
-    for (const pixels of broken) expect(differing(sound, pixels, 8)).toBeLessThan(0.01 * covered(sound));
-  });
+  test(
+    `a mesh whose normals are NaN or zero is not black: ${technique}`,
+    quickIf(technique === 'engraved'),
+    async ({ page }) => {
+      const [sound, ...broken] = await page.evaluate(async (technique) => {
+        const { THREE, hatchedMesh, sceneOf, sun, pixelsOf } = window.toolkit;
+        const draw = async (bad: number | undefined) => {
+          const geometry = new THREE.SphereGeometry(1, 24, 16);
+          if (bad !== undefined) (geometry.getAttribute('normal').array as Float32Array).fill(bad);
+          const mesh = await hatchedMesh(geometry, { technique, toneNormal: 'smooth' });
+          return pixelsOf(sceneOf(mesh, sun(Math.PI, [0, 0, 1])));
+        };
+        return [await draw(undefined), await draw(Number.NaN), await draw(0)];
+      }, technique);
+      expect(covered(sound)).toBeGreaterThan(2000);
+      expect(centre(sound)[0]).toBeGreaterThan(240);
+      // Computed normals are not quite those that three gives its sphere.
+      for (const pixels of broken) expect(differing(sound, pixels, 8)).toBeLessThan(0.01 * covered(sound));
+    },
+  );
 }
 
 test('geometry that is moved after the bake is named, once, with the remedy', async ({ page, pageProblems }) => {

@@ -21,7 +21,7 @@ test('a crease angle of 0 blends nothing, coplanar triangles neither', async ({ 
   expect(differing(alone, uncreased, 2)).toBe(0);
 });
 
-test('a tone curve that rounds to more than 1 prints full ink', async ({ page }) => {
+test('a tone curve that rounds to more than 1 prints full ink', { tag: '@all' }, async ({ page }) => {
   const darkest = await page.evaluate(async () => {
     const { THREE, HatchingMaterial, TonalArtMap, sceneOf, pixelsOf } = window.toolkit;
     const tonalArtMap = await TonalArtMap.generate({ size: 64 });

@@ -118,70 +118,78 @@ function evenness(dots: readonly Dot[]): number {
   return nearest.reduce((sum, away) => sum + away, 0) / inner.length / Math.sqrt((2 / Math.sqrt(3)) * room);
 }
 
-test('dots are round and even at any slant, and do not merge below half tone', async ({ page }, testInfo) => {
-  const found = await page.evaluate((walls) => {
-    const { draw, dotsOf } = window.stage;
-    return [0, 45, 60, 70].map((slant) => ({
-      slant,
-      // At two places between octaves, on walls that lie in the object in five ways.
-      light: walls.flatMap((wall) =>
-        [1.5, 1.95].map((zoom) => dotsOf(draw({ tone: 0.12, slant, wall, dot: 12, zoom }))),
-      ),
-      mid: walls.flatMap((wall) => dotsOf(draw({ tone: 0.35, slant, wall, dot: 10 }))),
-    }));
-  }, WALLS);
-  for (const { slant, light, mid } of found) {
-    const aspects = light.flat().map(({ aspect }) => aspect);
-    const even = light.map(evenness);
-    // Areas much larger than most are several dots that touch.
-    const most = middle(mid.map(({ area }) => area));
-    const merged = mid.filter(({ area }) => area > 1.7 * most).length / mid.length;
-    testInfo.annotations.push({
-      type: `${slant}°`,
-      description: `${aspects.length} dots, aspect ${middle(aspects).toFixed(2)}, nine in ten below ${middle(aspects, 0.9).toFixed(2)}; evenness ${even.map((value) => value.toFixed(2))}; merged ${merged.toFixed(2)} of ${mid.length}`,
-    });
-    expect(aspects.length).toBeGreaterThan(100);
-    expect(middle(aspects), `aspect at ${slant}°`).toBeLessThan(1.1);
-    expect(middle(aspects, 0.9), `aspect at ${slant}°`).toBeLessThan(1.3);
-    // Where dots are being born the set is less even, and at a slant it is seen foreshortened. Dots at random would have 0.47.
-    for (const value of even)
-      expect(value, `evenness at ${slant}°`).toBeGreaterThan({ 0: 0.75, 45: 0.7, 60: 0.65, 70: 0.6 }[slant]!);
-    expect(merged, `merged at ${slant}°`).toBeLessThan(slant < 70 ? 0.08 : 0.25);
-  }
-});
+test(
+  'dots are round and even at any slant, and do not merge below half tone',
+  { tag: '@all' },
+  async ({ page }, testInfo) => {
+    const found = await page.evaluate((walls) => {
+      const { draw, dotsOf } = window.stage;
+      return [0, 45, 60, 70].map((slant) => ({
+        slant,
+        // At two places between octaves, on walls that lie in the object in five ways.
+        light: walls.flatMap((wall) =>
+          [1.5, 1.95].map((zoom) => dotsOf(draw({ tone: 0.12, slant, wall, dot: 12, zoom }))),
+        ),
+        mid: walls.flatMap((wall) => dotsOf(draw({ tone: 0.35, slant, wall, dot: 10 }))),
+      }));
+    }, WALLS);
+    for (const { slant, light, mid } of found) {
+      const aspects = light.flat().map(({ aspect }) => aspect);
+      const even = light.map(evenness);
+      // Areas much larger than most are several dots that touch.
+      const most = middle(mid.map(({ area }) => area));
+      const merged = mid.filter(({ area }) => area > 1.7 * most).length / mid.length;
+      testInfo.annotations.push({
+        type: `${slant}°`,
+        description: `${aspects.length} dots, aspect ${middle(aspects).toFixed(2)}, nine in ten below ${middle(aspects, 0.9).toFixed(2)}; evenness ${even.map((value) => value.toFixed(2))}; merged ${merged.toFixed(2)} of ${mid.length}`,
+      });
+      expect(aspects.length).toBeGreaterThan(100);
+      expect(middle(aspects), `aspect at ${slant}°`).toBeLessThan(1.1);
+      expect(middle(aspects, 0.9), `aspect at ${slant}°`).toBeLessThan(1.3);
+      // Where dots are being born the set is less even, and at a slant it is seen foreshortened. Dots at random would have 0.47.
+      for (const value of even)
+        expect(value, `evenness at ${slant}°`).toBeGreaterThan({ 0: 0.75, 45: 0.7, 60: 0.65, 70: 0.6 }[slant]!);
+      expect(merged, `merged at ${slant}°`).toBeLessThan(slant < 70 ? 0.08 : 0.25);
+    }
+  },
+);
 
-test('the ink of dots is the tone in the mean up to half tone, then more, at any size and slant and between octaves', async ({
-  page,
-}, testInfo) => {
-  const errors = await page.evaluate(() => {
-    const { draw } = window.stage;
-    const found: string[] = [];
-    for (const [slant, dot] of [
-      [0, 2],
-      [0, 3.2],
-      [0, 8],
-      [30, 3.2],
-      [60, 3.2],
-    ]) {
-      for (const tone of [0.02, 0.1, 0.3, 0.5, 0.55, 0.6, 0.7, 0.8]) {
-        const cover = tone + 0.15 * (Math.max(tone - 0.5, 0) / 0.35) ** 2;
-        // A tone needs several pictures, because there are few dots in the lights.
-        for (const zoom of [1, 1.25, 1.55]) {
-          const mean = draw({ tone, slant, dot, zoom }).reduce((sum, ink) => sum + ink, 0) / 256 ** 2;
-          found.push(`${slant}° ${dot} px ${tone} ${zoom}: ${(mean - cover).toFixed(3)}`);
+test(
+  'the ink of dots is the tone in the mean up to half tone, then more, at any size and slant and between octaves',
+  { tag: '@all' },
+  async ({ page }, testInfo) => {
+    const errors = await page.evaluate(() => {
+      const { draw } = window.stage;
+      const found: string[] = [];
+      for (const [slant, dot] of [
+        [0, 2],
+        [0, 3.2],
+        [0, 8],
+        [30, 3.2],
+        [60, 3.2],
+      ]) {
+        for (const tone of [0.02, 0.1, 0.3, 0.5, 0.55, 0.6, 0.7, 0.8]) {
+          const cover = tone + 0.15 * (Math.max(tone - 0.5, 0) / 0.35) ** 2;
+          // A tone needs several pictures, because there are few dots in the lights.
+          for (const zoom of [1, 1.25, 1.55]) {
+            const mean = draw({ tone, slant, dot, zoom }).reduce((sum, ink) => sum + ink, 0) / 256 ** 2;
+            found.push(`${slant}° ${dot} px ${tone} ${zoom}: ${(mean - cover).toFixed(3)}`);
+          }
         }
       }
-    }
-    return found;
-  });
-  const size = (error: string): number => Math.abs(Number(error.split(': ')[1]));
-  const sorted = errors.toSorted((a, b) => size(b) - size(a));
-  testInfo.annotations.push({ type: 'tone error', description: sorted.slice(0, 8).join('; ') });
-  // The soft edges of the smallest dots close a little earlier.
-  for (const error of sorted) expect(size(error), error).toBeLessThan(/px 0.[78]/.test(error) ? 0.08 : 0.02);
-});
+      return found;
+    });
+    const size = (error: string): number => Math.abs(Number(error.split(': ')[1]));
+    const sorted = errors.toSorted((a, b) => size(b) - size(a));
+    testInfo.annotations.push({ type: 'tone error', description: sorted.slice(0, 8).join('; ') });
+    // The soft edges of the smallest dots close a little earlier.
+    for (const error of sorted) expect(size(error), error).toBeLessThan(/px 0.[78]/.test(error) ? 0.08 : 0.02);
+  },
+);
 
-test('as the tone deepens dots crowd and shrink, and from 0.85 on nothing is left between them', async ({ page }) => {
+test('as the tone deepens dots crowd and shrink, and from 0.85 on nothing is left between them', {
+  tag: '@all',
+}, async ({ page }) => {
   const found = await page.evaluate((walls) => {
     const { draw, dotsOf } = window.stage;
     const lights = [0.04, 0.08, 0.13, 0.2, 0.28, 0.36].map((tone) => {
@@ -247,9 +255,9 @@ test('dots stay where they are on the surface, while others are born and die', a
   expect(found.changed).toBeLessThan(5);
 });
 
-test('tiles of a larger picture have the dots of the whole; dots follow a bone; any lights, layers and shadows draw them', async ({
-  page,
-}) => {
+test('tiles of a larger picture have the dots of the whole; dots follow a bone; any lights, layers and shadows draw them', {
+  tag: '@all',
+}, async ({ page }) => {
   const found = await page.evaluate(async () => {
     const { THREE, HatchingMaterial, makeRenderer, sceneOf } = window.toolkit;
     const side = 128;

@@ -22,7 +22,7 @@ test('thresholds lie on the GPU level by level, row 0 at v = 0, point-symmetric,
   }
 });
 
-test('thresholds are interpolated linearly between texels, across borders too', async ({ page }) => {
+test('thresholds are interpolated linearly between texels, across borders too', { tag: '@all' }, async ({ page }) => {
   expect(await run(page, 'interpolation')).toBeLessThan(0.015);
 });
 
@@ -36,7 +36,7 @@ test('thresholds are uploaded once, all levels in one call, and freed by dispose
   expect(await run(page, 'uploads')).toEqual({ calls: 1, during: 1, after: 0 });
 });
 
-test('thresholds derived from images lie on the GPU', async ({ page }) => {
+test('thresholds derived from images lie on the GPU', { tag: '@all' }, async ({ page }) => {
   const { latestInk, earliestPaper } = await run(page, 'derived');
   expect(latestInk).toBeLessThan(0);
   expect(earliestPaper).toBeGreaterThan(0);

@@ -38,7 +38,7 @@ test('each tone and level on the GPU is the drawn one, and levels blend', async 
   }
 });
 
-test('where the coordinates choose the level, it is the drawn one', async ({ page }) => {
+test('where the coordinates choose the level, it is the drawn one', { tag: '@all' }, async ({ page }) => {
   expect(await run(page, 'automatic')).toEqual([
     [250, 210, 170, 130],
     [243, 203, 163, 123],
@@ -47,7 +47,7 @@ test('where the coordinates choose the level, it is the drawn one', async ({ pag
   ]);
 });
 
-test('a map of one level is complete without mip levels', async ({ page }) => {
+test('a map of one level is complete without mip levels', { tag: '@all' }, async ({ page }) => {
   expect(await run(page, 'singleLevel')).toEqual([250, 210, 170, 130]);
 });
 

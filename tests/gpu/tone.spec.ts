@@ -1,14 +1,22 @@
 import type { StrokeStyleName } from '../../src/strokes/strokeStyleNames.js';
 import { strokeStyles } from '../../src/strokes/strokeStyles.js';
+import { quickIf } from '../browser/quickIf.js';
 import { expect } from '../browser/test.js';
 import { test } from './toolkitPage.js';
 
 for (const style of Object.keys(strokeStyles) as StrokeStyleName[]) {
-  test(`anchored strokes print the tone asked for, at any size: ${style}`, async ({ page }, testInfo) => {
-    const errors = await page.evaluate(measureTones, style);
-    testInfo.annotations.push({ type: 'tone error', description: errors.map((error) => error.toFixed(3)).join(', ') });
-    for (const error of errors) expect(Math.abs(error), errors.join()).toBeLessThan(0.03);
-  });
+  test(
+    `anchored strokes print the tone asked for, at any size: ${style}`,
+    quickIf(style === 'hatching'),
+    async ({ page }, testInfo) => {
+      const errors = await page.evaluate(measureTones, style);
+      testInfo.annotations.push({
+        type: 'tone error',
+        description: errors.map((error) => error.toFixed(3)).join(', '),
+      });
+      for (const error of errors) expect(Math.abs(error), errors.join()).toBeLessThan(0.03);
+    },
+  );
 }
 
 /** Mean ink less the tone asked for, over tones and sizes of strokes, on a wall much larger than the map. */

@@ -1,3 +1,4 @@
+import { quickIf } from '../browser/quickIf.js';
 import { expect, testOnOnePage as onOnePage } from '../browser/test.js';
 
 /** Drawings that leave as lines, beside the canvas and in a browser. */
@@ -18,19 +19,23 @@ for (const [model, drawing] of [
   ['torus', { preset: 'pen', light: [0.9, 0.7, 0.5] }],
   ['bunny', { preset: 'woodcut' }],
 ] as const) {
-  test(`a ${model} is drawn as on the canvas: ${JSON.stringify(drawing)}`, async ({ page }) => {
-    const { mean, p99, ink } = await page.evaluate(
-      async ([model, drawing]) => window.vectors.compareLines(await window.vectors.loadModel(model), drawing),
-      [model, drawing] as const,
-    );
-    expect(mean).toBeLessThan(0.012);
-    expect(p99).toBeLessThan(0.045);
-    expect(ink).toBeGreaterThan(0.985);
-    expect(ink).toBeLessThan(1.015);
-  });
+  test(
+    `a ${model} is drawn as on the canvas: ${JSON.stringify(drawing)}`,
+    quickIf(model === 'bunny' && Object.keys(drawing).length > 0),
+    async ({ page }) => {
+      const { mean, p99, ink } = await page.evaluate(
+        async ([model, drawing]) => window.vectors.compareLines(await window.vectors.loadModel(model), drawing),
+        [model, drawing] as const,
+      );
+      expect(mean).toBeLessThan(0.012);
+      expect(p99).toBeLessThan(0.045);
+      expect(ink).toBeGreaterThan(0.985);
+      expect(ink).toBeLessThan(1.015);
+    },
+  );
 }
 
-test('a ball of half opacity before a torus is drawn as on the canvas', async ({ page }) => {
+test('a ball of half opacity before a torus is drawn as on the canvas', { tag: '@all' }, async ({ page }) => {
   const { mean, p99, ink } = await page.evaluate(async () => {
     const { THREE, compareScene, comparedScene, loadModel } = window.vectors;
     const { scene, camera } = await comparedScene(await loadModel('torus'), {});
@@ -49,66 +54,68 @@ test('a ball of half opacity before a torus is drawn as on the canvas', async ({
 });
 
 for (const kind of ['print', 'pen'] as const) {
-  test(`an animated ${kind} draws itself path by path, ends as the still one, and stands still for whoever wants less motion`, async ({
-    page,
-  }) => {
-    const { animated, still, drawn } = await page.evaluate(async (kind) => {
-      const { comparedScene, drawSVG, loadModel } = window.vectors;
-      const { scene, camera } = await comparedScene(await loadModel('torus'), {});
-      const options = { kind, sheet: [100, 100] as const, margin: 5 };
-      const still = await drawSVG(scene, camera, options);
-      const animated = await drawSVG(scene, camera, { ...options, animate: 4 });
-      return { animated: animated.svg, still: still.svg, drawn: animated.paths };
-    }, kind);
-    expect(drawn).toBeGreaterThan(100);
-    const showAt = (svg: string, time: number | null) =>
-      page.evaluate(
-        async ([svg, time]) => {
-          document.body.innerHTML = svg;
-          const animations = document.getAnimations();
-          for (const animation of animations) {
-            animation.pause();
-            animation.currentTime = time;
-          }
-          return animations.length;
-        },
-        [svg, time] as const,
-      );
-    /** How dark the page is, in all. */
-    const darkness = async (): Promise<number> => {
-      const data = (await page.locator('svg').screenshot()).toString('base64');
-      return page.evaluate(async (data) => {
-        const image = new Image();
-        image.src = `data:image/png;base64,${data}`;
-        await image.decode();
-        const canvas = document.createElement('canvas');
-        [canvas.width, canvas.height] = [image.width, image.height];
-        const context = canvas.getContext('2d')!;
-        context.drawImage(image, 0, 0);
-        return context.getImageData(0, 0, image.width, image.height).data.reduce((sum, one) => sum + 255 - one, 0);
-      }, data);
-    };
-    await page.emulateMedia({ reducedMotion: 'no-preference' });
-    expect(await showAt(still, null)).toBe(0);
-    const whole = await darkness();
-    // Every path has a motion of its own.
-    expect(await showAt(animated, 1e6)).toBe(drawn);
-    expect(Math.abs((await darkness()) / whole - 1)).toBeLessThan(0.003);
-    const shares = [];
-    for (const time of [0, 1000, 2000, 3000, 5000]) {
-      await showAt(animated, time);
-      shares.push(await darkness());
-    }
-    expect(shares[0]).toBe(0);
-    for (let i = 1; i < shares.length; i++) expect(shares[i]).toBeGreaterThan(shares[i - 1]);
-    expect(shares[2] / shares[4]).toBeGreaterThan(0.2);
-    expect(shares[2] / shares[4]).toBeLessThan(0.8);
-    await page.emulateMedia({ reducedMotion: 'reduce' });
-    expect(await showAt(animated, null)).toBe(0);
-    expect(Math.abs((await darkness()) / whole - 1)).toBeLessThan(0.003);
-    await page.emulateMedia({ reducedMotion: null });
-    await page.evaluate(() => {
-      document.body.innerHTML = '';
-    });
-  });
+  test(
+    `an animated ${kind} draws itself path by path, ends as the still one, and stands still for whoever wants less motion`,
+    quickIf(kind === 'print'),
+    async ({ page }) => {
+      const { animated, still, drawn } = await page.evaluate(async (kind) => {
+        const { comparedScene, drawSVG, loadModel } = window.vectors;
+        const { scene, camera } = await comparedScene(await loadModel('torus'), {});
+        const options = { kind, sheet: [100, 100] as const, margin: 5 };
+        const still = await drawSVG(scene, camera, options);
+        const animated = await drawSVG(scene, camera, { ...options, animate: 4 });
+        return { animated: animated.svg, still: still.svg, drawn: animated.paths };
+      }, kind);
+      expect(drawn).toBeGreaterThan(100);
+      const showAt = (svg: string, time: number | null) =>
+        page.evaluate(
+          async ([svg, time]) => {
+            document.body.innerHTML = svg;
+            const animations = document.getAnimations();
+            for (const animation of animations) {
+              animation.pause();
+              animation.currentTime = time;
+            }
+            return animations.length;
+          },
+          [svg, time] as const,
+        );
+      /** How dark the page is, in all. */
+      const darkness = async (): Promise<number> => {
+        const data = (await page.locator('svg').screenshot()).toString('base64');
+        return page.evaluate(async (data) => {
+          const image = new Image();
+          image.src = `data:image/png;base64,${data}`;
+          await image.decode();
+          const canvas = document.createElement('canvas');
+          [canvas.width, canvas.height] = [image.width, image.height];
+          const context = canvas.getContext('2d')!;
+          context.drawImage(image, 0, 0);
+          return context.getImageData(0, 0, image.width, image.height).data.reduce((sum, one) => sum + 255 - one, 0);
+        }, data);
+      };
+      await page.emulateMedia({ reducedMotion: 'no-preference' });
+      expect(await showAt(still, null)).toBe(0);
+      const whole = await darkness();
+      // Every path has a motion of its own.
+      expect(await showAt(animated, 1e6)).toBe(drawn);
+      expect(Math.abs((await darkness()) / whole - 1)).toBeLessThan(0.003);
+      const shares = [];
+      for (const time of [0, 1000, 2000, 3000, 5000]) {
+        await showAt(animated, time);
+        shares.push(await darkness());
+      }
+      expect(shares[0]).toBe(0);
+      for (let i = 1; i < shares.length; i++) expect(shares[i]).toBeGreaterThan(shares[i - 1]);
+      expect(shares[2] / shares[4]).toBeGreaterThan(0.2);
+      expect(shares[2] / shares[4]).toBeLessThan(0.8);
+      await page.emulateMedia({ reducedMotion: 'reduce' });
+      expect(await showAt(animated, null)).toBe(0);
+      expect(Math.abs((await darkness()) / whole - 1)).toBeLessThan(0.003);
+      await page.emulateMedia({ reducedMotion: null });
+      await page.evaluate(() => {
+        document.body.innerHTML = '';
+      });
+    },
+  );
 }

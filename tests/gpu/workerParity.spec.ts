@@ -17,14 +17,16 @@ test('the bunny has the same bytes from the worker, from a worker of the caller 
   expect(result.inOwnWorker).toEqual(result.inWorker);
 });
 
-test('the indexed bunny has the same bytes from the worker and from the main thread', async ({ page }) => {
+test('the indexed bunny has the same bytes from the worker and from the main thread', { tag: '@all' }, async ({
+  page,
+}) => {
   const { inWorker, onMainThread } = await page.evaluate(() => window.workerTests.bunnyIndexed());
   expect(inWorker.statistics).toMatchObject({ layout: 'indexed', degenerateTriangles: 0 });
   expect(Object.keys(inWorker.digest).sort()).toEqual(['hatchNormal', 'index', 'normal', 'position']);
   expect(onMainThread).toEqual(inWorker);
 });
 
-test('a seam is joined to the same bytes in the worker and on the main thread', async ({ page }) => {
+test('a seam is joined to the same bytes in the worker and on the main thread', { tag: '@all' }, async ({ page }) => {
   const { inWorker, onMainThread } = await page.evaluate(() => window.workerTests.capsule());
   expect(inWorker.statistics).toMatchObject({ borderEdges: 0 });
   expect(onMainThread).toEqual(inWorker);
@@ -36,9 +38,9 @@ test('hatch images have the same bytes from the worker and from the main thread'
   expect(onMainThread).toEqual(inWorker);
 });
 
-test('strokes of a picture, and the hand learnt from them, are the same from the worker, from a worker of the caller and from the main thread', async ({
-  page,
-}) => {
+test('strokes of a picture, and the hand learnt from them, are the same from the worker, from a worker of the caller and from the main thread', {
+  tag: '@all',
+}, async ({ page }) => {
   const { workers, inWorker, inOwnWorker, onMainThread, learnt, learntInWorker, learntOnMainThread } =
     await page.evaluate(() => window.workerTests.tracing());
   expect(workers).toBe(1);
@@ -65,7 +67,10 @@ test('though worker after worker dies midway, the geometry has the same bytes, a
   expect(told[1]).toMatch(/the worker died \(.*killed by the test.*\)\. Its tasks start over on the main thread/);
 });
 
-test('a worker that closes itself midway without an event is replaced at once', async ({ page, pageProblems }) => {
+test('a worker that closes itself midway without an event is replaced at once', { tag: '@all' }, async ({
+  page,
+  pageProblems,
+}) => {
   // Time stands still: no silence is waited for.
   await page.clock.install();
   await page.reload();
@@ -78,13 +83,15 @@ test('a worker that closes itself midway without an event is replaced at once', 
   expect(told[0]).toMatch(/the worker died \(it has ended\)\. Its tasks start over in a new worker/);
 });
 
-test('requests take turns in one worker: a small one does not wait for a large one', async ({ page }) => {
+test('requests take turns in one worker: a small one does not wait for a large one', { tag: '@all' }, async ({
+  page,
+}) => {
   expect(await page.evaluate(() => window.workerTests.turns())).toEqual({ order: ['box', 'torus'], workersMade: 1 });
 });
 
-test('the 300 meshes of a city are baked in several workers to the same bytes, share programs, and can be cancelled', async ({
-  page,
-}) => {
+test('the 300 meshes of a city are baked in several workers to the same bytes, share programs, and can be cancelled', {
+  tag: '@all',
+}, async ({ page }) => {
   expect(await page.evaluate(() => window.workerTests.city())).toEqual({
     counts: [300, '1 of 300', '300 of 300'],
     workersOfCity: 3,

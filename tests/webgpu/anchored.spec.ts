@@ -1,3 +1,3 @@
 import { testGroup } from './besideGlsl.js';
 
-testGroup('anchored');
+testGroup('anchored', ['three layers', 'strokes on the sheet']);

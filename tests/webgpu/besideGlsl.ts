@@ -1,5 +1,6 @@
 import { writeFileSync } from 'node:fs';
 import { expect, testOnOnePage } from '../browser/test.js';
+import { cases as selected } from '../selection.mjs';
 import { NOTICEABLE } from './picturesOf.js';
 
 /** Tests on the page that draws in GLSL and of nodes. */
@@ -14,12 +15,18 @@ const MOST_OFF_TONE = 0.2;
  * Declares the tests of a file of `cases`: nodes draw what GLSL draws, with the WebGL 2 backend and, where the browser has it, with
  * WebGPU. What was measured is in the annotations of tests/output/playwright.json, and the pictures are beside it: GLSL, nodes, and
  * their difference times four.
+ *
+ * @param quick the names of the cases that `npm test` draws, with the WebGL 2 backend alone. Default: none
  */
-export function testGroup(group: string): void {
+export function testGroup(group: string, quick: readonly string[] = []): void {
   for (const drawn of ['forceWebGL', 'webgpu'] as const) {
-    test(`${group}: nodes draw what GLSL draws, ${drawn}`, async ({ page }) => {
-      const cases = await page.evaluate((g) => window.besideGlsl.casesOf(g), group);
-      expect(cases.length, `cases of ${group}`).toBeGreaterThan(0);
+    const tag = drawn === 'forceWebGL' && quick.length > 0 ? '@more' : '@all';
+    test(`${group}: nodes draw what GLSL draws, ${drawn}`, { tag }, async ({ page }) => {
+      const all = await page.evaluate((g) => window.besideGlsl.casesOf(g), group);
+      expect(all.length, `cases of ${group}`).toBeGreaterThan(0);
+      const named = all.filter(({ name }) => quick.includes(name));
+      expect(named.length, `cases of ${group} that are named`).toBe(quick.length);
+      const cases = selected(named, all);
       // Each builds programs of its own, on the processor.
       test.setTimeout(Math.max(120_000, 30_000 * cases.length));
       const lack = await page.evaluate(() => window.besideGlsl.lackOfWebGPU);

@@ -1,3 +1,3 @@
 import { testGroup } from './besideGlsl.js';
 
-testGroup('engraved');
+testGroup('engraved', ['several lights']);

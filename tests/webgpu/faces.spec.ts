@@ -1,3 +1,3 @@
 import { testGroup } from './besideGlsl.js';
 
-testGroup('faces');
+testGroup('faces', ['the tone of faces']);

@@ -1,3 +1,3 @@
 import { testGroup } from './besideGlsl.js';
 
-testGroup('outlines');
+testGroup('outlines', ['creases and borders of a box']);

@@ -1,3 +1,3 @@
 import { testGroup } from './besideGlsl.js';
 
-testGroup('placed');
+testGroup('placed', ['instances', 'a skin, strokes as deformed']);

@@ -1,3 +1,3 @@
 import { testGroup } from './besideGlsl.js';
 
-testGroup('posed');
+testGroup('posed', ['outlines of a skin with a morph target']);

@@ -5,7 +5,7 @@ import { nodeReferencePage } from './nodeReferencePage.js';
 
 for (const backend of ['forceWebGL', 'webgpu'] as const) {
   const test = nodeReferencePage(backend);
-  test.describe(backend, () => {
+  test.describe(backend, { tag: '@all' }, () => {
     compareEngraved(test);
     compareAnchored(test);
     compareStipple(test);

@@ -1,3 +1,3 @@
 import { testGroup } from './besideGlsl.js';
 
-testGroup('scenes');
+testGroup('scenes', ['the preset woodcut']);

@@ -1,3 +1,3 @@
 import { testGroup } from './besideGlsl.js';
 
-testGroup('shadows');
+testGroup('shadows', ['lines that turn in a shadow']);

@@ -1,3 +1,3 @@
 import { testGroup } from './besideGlsl.js';
 
-testGroup('shadowsAlone');
+testGroup('shadowsAlone', ['shadows alone, of a cone']);
