@@ -32,7 +32,8 @@ import {
   squashed,
 } from './referenceScenes.js';
 
-const SIZE = 192;
+/** Pixels per side of a picture: the bunny's triangles are small. */
+const sizeOf = (mesh: Case['mesh']): number => (mesh === loadBunny ? 192 : 128);
 
 interface Case {
   name: string;
@@ -232,7 +233,14 @@ function expected<Shade>(
 ): Map<number, Shade> {
   const triangles = trianglesOf(spec);
   const neighbours = referenceAdjacency(triangles);
-  const fragments = rasterizeReference(triangles, spec.matrixWorld, spec.camera, SIZE, SIZE, !!spec.doubleSided);
+  const fragments = rasterizeReference(
+    triangles,
+    spec.matrixWorld,
+    spec.camera,
+    spec.width,
+    spec.height,
+    !!spec.doubleSided,
+  );
   const backward = mat4.invert(mat4.create(), spec.camera.view as unknown as mat4)!;
   const reference = new HatchingReference({
     matrixWorld: spec.matrixWorld,
@@ -248,11 +256,11 @@ function expected<Shade>(
       const [x, y, z] = at;
       const view = spec.camera.view;
       const depth = -(view[2] * x + view[6] * y + view[10] * z + view[14]);
-      return ((spec.orthographic ? 1 : depth) * 2) / (spec.camera.projection[5] * SIZE);
+      return ((spec.orthographic ? 1 : depth) * 2) / (spec.camera.projection[5] * spec.height);
     },
   });
   return new Map(
-    interiorPixels(fragments, SIZE, SIZE).map((pixel) => {
+    interiorPixels(fragments, spec.width, spec.height).map((pixel) => {
       const fragment = fragments[pixel]!;
       const { triangle, barycentric, faceDirection } = fragment;
       const smooth: Vec3 = spec.normals ? interpolated(spec.normals, spec.indices, fragment) : [0, 0, 1];
@@ -270,9 +278,10 @@ test.beforeEach(async ({ page }) => {
 
 function specOf({ mesh, ...rest }: Case): HatchingSpec {
   const { positions, normals, indices } = typeof mesh === 'function' ? mesh() : mesh;
+  const size = sizeOf(mesh);
   return {
-    width: SIZE,
-    height: SIZE,
+    width: size,
+    height: size,
     positions: toFloat(positions),
     ...(normals && { normals }),
     indices,

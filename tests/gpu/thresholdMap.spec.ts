@@ -1,14 +1,16 @@
 import type { Page } from '@playwright/test';
-import { expect, test } from '../browser/test.js';
+import { expect, testOnOnePage } from '../browser/test.js';
 import type { ThresholdMapTests } from './thresholdMap.js';
 
+const test = testOnOnePage('tests/gpu/thresholdMap.html', {
+  begin: (page) => page.waitForFunction(() => window.thresholdMapTests !== undefined),
+});
+
 /** Runs one test of the page there and brings its result here. */
-async function run<Name extends keyof ThresholdMapTests>(
+function run<Name extends keyof ThresholdMapTests>(
   page: Page,
   name: Name,
 ): Promise<Awaited<ReturnType<ThresholdMapTests[Name]>>> {
-  await page.goto('/tests/gpu/thresholdMap.html');
-  await page.waitForFunction(() => window.thresholdMapTests);
   return page.evaluate((key) => window.thresholdMapTests![key]() as never, name);
 }
 

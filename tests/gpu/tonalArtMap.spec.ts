@@ -1,14 +1,16 @@
 import type { Page } from '@playwright/test';
-import { expect, test } from '../browser/test.js';
+import { expect, testOnOnePage } from '../browser/test.js';
 import type { TonalArtMapTests } from './tonalArtMap.js';
 
+const test = testOnOnePage('tests/gpu/tonalArtMap.html', {
+  begin: (page) => page.waitForFunction(() => window.tonalArtMapTests !== undefined),
+});
+
 /** Runs one test of the page there and brings its result here. */
-async function run<Name extends keyof TonalArtMapTests>(
+function run<Name extends keyof TonalArtMapTests>(
   page: Page,
   name: Name,
 ): Promise<Awaited<ReturnType<TonalArtMapTests[Name]>>> {
-  await page.goto('/tests/gpu/tonalArtMap.html');
-  await page.waitForFunction(() => window.tonalArtMapTests);
   return page.evaluate((key) => window.tonalArtMapTests![key]() as never, name);
 }
 
