@@ -173,6 +173,16 @@ function gradientAt({ positions, material }: HatchingSpec): (point: Vec3) => Vec
     quadraticGradient(form[0], point.map((x, axis) => (x - centre[axis]) * material.tilesPerUnit) as Vec3);
 }
 
+/** What the page is to draw for a case. */
+const specFor = ({ anchorSpacing = 0.35, sizedOnScreen = 0, strokeField, ...rest }: AnchoredCase): HatchingSpec => ({
+  ...specOf({ ...rest, sizedOnScreen }, 'anchored'),
+  anchorSpacing,
+  ...(strokeField && { strokes: { strokeField, ...(strokeField !== 'sheet' && { form }) } }),
+});
+
+/** What is drawn for all cases of `anchored`, by their names. */
+export const anchoredSpecs = (): Map<string, HatchingSpec> => new Map(cases.map((one) => [one.name, specFor(one)]));
+
 /** One of each light, layer, field, placement and look. */
 const detailsOf = quickOnly(
   cases.map(({ name }) => name),
@@ -198,18 +208,12 @@ const detailsOf = quickOnly(
  * Declares a test for each case of `anchored`: the page draws what the reference in double precision says.
  *
  * @param test whose page has `renderHatching`
- * @param takes which cases, by name. Default: all
  */
-export function compareAnchored(test: TestOnOnePage, takes: (name: string) => boolean = () => true): void {
-  for (const { anchorSpacing = 0.35, sizedOnScreen = 0, strokeField, ...rest } of cases.filter(({ name }) =>
-    takes(name),
-  )) {
-    test(`anchored equals the double-precision reference: ${rest.name}`, detailsOf(rest.name), async ({ page }) => {
-      const spec: HatchingSpec = {
-        ...specOf({ ...rest, sizedOnScreen }, 'anchored'),
-        anchorSpacing,
-        ...(strokeField && { strokes: { strokeField, ...(strokeField !== 'sheet' && { form }) } }),
-      };
+export function compareAnchored(test: TestOnOnePage): void {
+  for (const one of cases) {
+    test(`anchored equals the double-precision reference: ${one.name}`, detailsOf(one.name), async ({ page }) => {
+      const spec = specFor(one);
+      const { strokeField } = one;
       const { positions, indices } = spec;
       const normals = spec.normals!;
       const pixels = Buffer.from(await page.evaluate((s) => window.renderHatching(s), spec), 'base64');

@@ -183,6 +183,23 @@ const cases: EngravedCase[] = [
   { name: 'out of all shadows, cross', lights: [directional, redSide], material: { shadowStrokes: 'cross' } },
 ];
 
+/** What the page is to draw for a case. */
+const specFor = ({ lines, ...rest }: EngravedCase): HatchingSpec => ({
+  ...specOf(rest, 'engraved'),
+  lines: {
+    lineField: 'light',
+    lineSpacing: 7,
+    strokeLength: 72,
+    crossFrom: 0.52,
+    crossAngle: Math.PI / 3,
+    handmade: 0.4,
+    ...lines,
+  },
+});
+
+/** What is drawn for all cases of `engraved`, by their names. */
+export const engravedSpecs = (): Map<string, HatchingSpec> => new Map(cases.map((one) => [one.name, specFor(one)]));
+
 /** One of each light, layer, field, placement and look. */
 const detailsOf = quickOnly(
   cases.map(({ name }) => name),
@@ -212,23 +229,11 @@ const detailsOf = quickOnly(
  * Declares a test for each case of `engraved`: the page draws what the reference in double precision says.
  *
  * @param test whose page has `renderHatching`
- * @param takes which cases, by name. Default: all
  */
-export function compareEngraved(test: TestOnOnePage, takes: (name: string) => boolean = () => true): void {
-  for (const { lines, ...rest } of cases.filter(({ name }) => takes(name))) {
-    test(`engraved equals the double-precision reference: ${rest.name}`, detailsOf(rest.name), async ({ page }) => {
-      const spec: HatchingSpec = {
-        ...specOf(rest, 'engraved'),
-        lines: {
-          lineField: 'light',
-          lineSpacing: 7,
-          strokeLength: 72,
-          crossFrom: 0.52,
-          crossAngle: Math.PI / 3,
-          handmade: 0.4,
-          ...lines,
-        },
-      };
+export function compareEngraved(test: TestOnOnePage): void {
+  for (const one of cases) {
+    test(`engraved equals the double-precision reference: ${one.name}`, detailsOf(one.name), async ({ page }) => {
+      const spec = specFor(one);
       const { positions, matrixWorld, camera, lights, material, sizedOnScreen } = spec;
       const reference = referenceOf(spec);
       const engraved = new EngravedReference({

@@ -42,6 +42,15 @@ const cases: StippleCase[] = [
   { name: 'in shadow', lights: [blocked, ambient] },
 ];
 
+/** What the page is to draw for a case. */
+const specFor = ({ dots, ...rest }: StippleCase): HatchingSpec => ({
+  ...specOf(rest, 'anchored'),
+  dots: { strokeWidth: 3.2, edgePixels: 1, ...dots },
+});
+
+/** What is drawn for all cases of `stipple`, by their names. */
+export const stippleSpecs = (): Map<string, HatchingSpec> => new Map(cases.map((one) => [one.name, specFor(one)]));
+
 /** One of each light, layer, field, placement and look. */
 const detailsOf = quickOnly(
   cases.map(({ name }) => name),
@@ -59,12 +68,11 @@ const detailsOf = quickOnly(
  * Declares a test for each case of `stipple`: the page draws what the reference in double precision says.
  *
  * @param test whose page has `renderHatching`
- * @param takes which cases, by name. Default: all
  */
-export function compareStipple(test: TestOnOnePage, takes: (name: string) => boolean = () => true): void {
-  for (const { dots, ...rest } of cases.filter(({ name }) => takes(name))) {
-    test(`stipple equals the double-precision reference: ${rest.name}`, detailsOf(rest.name), async ({ page }) => {
-      const spec: HatchingSpec = { ...specOf(rest, 'anchored'), dots: { strokeWidth: 3.2, edgePixels: 1, ...dots } };
+export function compareStipple(test: TestOnOnePage): void {
+  for (const one of cases) {
+    test(`stipple equals the double-precision reference: ${one.name}`, detailsOf(one.name), async ({ page }) => {
+      const spec = specFor(one);
       const { matrixWorld, camera } = spec;
       const reference = referenceOf(spec);
       const settings = {

@@ -1,9 +1,11 @@
 /** Draws scenes in GLSL on WebGLRenderer and of nodes on WebGPURenderer, and says how much the pictures differ. */
-import { Color, Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
+import { Color, Mesh, MeshBasicMaterial, PCFShadowMap, SphereGeometry } from 'three';
 
 import { HatchingMaterial } from 'three-hatching';
 import { HatchingNodeMaterial } from 'three-hatching/webgpu';
 import { lackOfWebGPU } from '../../tools/browser/lackOfWebGPU.js';
+import type { HatchingSpec } from '../gpu/hatchingSpec.js';
+import { specScene } from '../gpu/specScene.js';
 import { type Drawer, makeDrawer } from './drawing.js';
 import { knot } from './knot.js';
 import { type Comparison, compare, type Pixels, sideBySide } from './picturesOf.js';
@@ -17,9 +19,6 @@ const modules = import.meta.glob<{ cases: readonly SceneCase[] }>('./cases/*.ts'
 const groups = new Map(
   Object.entries(modules).map(([path, { cases }]) => [/([^/]+)\.ts$/.exec(path)![1], cases] as const),
 );
-
-/** The largest share of pixels that may be seen to differ, where a case says nothing else. */
-const MOST_DIFFERING = 0.0005;
 
 const drawers = new Map<string, Promise<Drawer>>();
 
@@ -90,6 +89,30 @@ async function measure(group: string, name: string, drawn: 'forceWebGL' | 'webgp
   return { ...compare(pixels, nodes, background), picture: sideBySide(pixels, nodes) };
 }
 
+/** A scene that the reference in double precision is asked for too. */
+const caseOfSpec = (name: string, spec: HatchingSpec): SceneCase => ({
+  name,
+  shadows: PCFShadowMap,
+  async show({ drawn }) {
+    const made: (HatchingMaterial | HatchingNodeMaterial)[] = [];
+    const stage = await specScene(spec, (parameters) => {
+      const material = drawn === 'glsl' ? new HatchingMaterial(parameters) : new HatchingNodeMaterial(parameters);
+      made.push(material);
+      return material;
+    });
+    await Promise.all(made.map(({ ready }) => ready));
+    return stage;
+  },
+});
+
+async function measureSpec(name: string, spec: HatchingSpec, drawn: 'forceWebGL' | 'webgpu'): Promise<Comparison> {
+  const one = caseOfSpec(name, spec);
+  const glsl = inGlsl.get(name) ?? draw(one, 'glsl');
+  inGlsl.set(name, glsl);
+  const { pixels, background } = await glsl;
+  return compare(pixels, (await draw(one, drawn)).pixels, background);
+}
+
 /** How many fragment programs are built for materials of two kinds, of which no two have the same numbers and colours. */
 async function programsOfMany(drawn: 'forceWebGL' | 'webgpu', count: number): Promise<number> {
   const { renderer, draw } = await makeDrawer(drawn);
@@ -140,8 +163,9 @@ const page = {
   lackOfWebGPU: await lackOfWebGPU(),
   /** The names of a group's cases, and what they are held to. */
   casesOf: (group: string) =>
-    (groups.get(group) ?? []).map(({ name, onWebGPU = 'pixels', most = MOST_DIFFERING }) => ({ name, onWebGPU, most })),
+    (groups.get(group) ?? []).map(({ name, onWebGPU = 'pixels', most }) => ({ name, onWebGPU, most })),
   measure,
+  measureSpec,
 };
 
 declare global {
