@@ -10,7 +10,7 @@ const pages = `http://127.0.0.1:${port}/`;
 
 /** What must hold with every version of three.js, by file and title; the other tests run with the newest only. */
 const core = [
-  /(embedding|engraved|lights|lines|manyMeshes)\.spec/,
+  /(besideLambert|embedding|engraved|lights|lines|manyMeshes)\.spec/,
   /equals the double-precision reference: (torus|phong|reflected light|second layer|tone curve)/,
   /(anchored|engraved) equals .*(moved object|perceptual)/,
   /what three\.js computes on the processor: skin/,
