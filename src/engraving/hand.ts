@@ -40,10 +40,18 @@ export const handTone = (pressure: number, tone: number): number => tone + press
 const float = new Float32Array(1);
 const bits = new Uint32Array(float.buffer);
 
-/** A random number in [0, 1) that belongs to a line. line: its value, a multiple of a power of two. */
+/**
+ * A number in [0, 1) that belongs to a line and is far from those of its neighbours. line: its value, a multiple of a power of two.
+ *
+ * The value is multiplied by a number whose binary digits repeat those of THUE_MORSE on both sides of its point, and the fraction is the lot.
+ * Neighbours at any power of two are then at least 0.17 apart, and so is the next but one.
+ */
 export function lotOf(line: number): number {
   float[0] = line;
-  return (Math.imul(bits[0], LOT_FACTORS.GOLDEN_RATIO) >>> 8) / 16777216;
+  const exponent = (bits[0] >>> 23) & 31;
+  const factor = (LOT_FACTORS.THUE_MORSE << exponent) | (LOT_FACTORS.THUE_MORSE >>> (-exponent & 31));
+  const spread = Math.imul((bits[0] & 0x7fffff) | 0x800000, factor) ^ (bits[0] & 0x80000000);
+  return (spread >>> 8) / 16777216;
 }
 
 /** A factor on the width of a line, the same all along it; 1 in the mean. */

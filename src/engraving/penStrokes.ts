@@ -11,7 +11,7 @@ import { clamp01, mix } from './vectors.js';
 
 const { ALL_FROM, STROKE_GROWTH, BIRTH, STROKE_GAP, TAPER, LEANING, BENDING, WIDTH_SPREAD } = PEN_CONSTANTS;
 const { GAP_LOT, BIRTH_LOT, WIDTH_LOT } = PEN_CONSTANTS;
-const { GOLDEN_RATIO, SECOND_FACTOR, THIRD_FACTOR } = LOT_FACTORS;
+const { GOLDEN_RATIO, THIRD_FACTOR, THUE_MORSE } = LOT_FACTORS;
 
 /** What a line loses to the gaps and the ends of its strokes where they are farthest apart. */
 const LOST = 0.5 * STROKE_GAP + TAPER / 3;
@@ -52,15 +52,15 @@ function bornBelow(share: number): number {
   return share < 1 - 0.5 * BIRTH ? share + 0.5 * BIRTH : 1 + BIRTH - Math.sqrt(2 * BIRTH * Math.max(1 - share, 0));
 }
 
-const floats = new Float32Array(2);
-const bits = new Uint32Array(floats.buffer);
+const float = new Float32Array(1);
+const bits = new Uint32Array(float.buffer);
 
-function lotOfStroke(line: number, middle: number): number {
-  floats[0] = line;
-  floats[1] = middle;
-  let spread = Math.imul(bits[0], GOLDEN_RATIO) ^ Math.imul(bits[1], SECOND_FACTOR);
-  spread = Math.imul(spread ^ (spread >>> 15), THIRD_FACTOR);
-  return (spread >>> 8) / 16777216;
+/** A number in [0, 1) that belongs to a stroke: random from line to line, and far from those of its neighbours on the line. */
+function lotOfStroke(line: number, stroke: number): number {
+  float[0] = line;
+  const spread = Math.imul(bits[0], GOLDEN_RATIO);
+  const ofLine = Math.imul(spread ^ (spread >>> 15), THIRD_FACTOR);
+  return ((ofLine + Math.imul(stroke, THUE_MORSE)) >>> 8) / 16777216;
 }
 
 const fract = (x: number): number => x - Math.floor(x);
@@ -77,11 +77,11 @@ export interface Stroke {
 function strokeOn({ tone, open, width, handmade, repeat }: Pen, born: number, line: number, turns: number): Stroke {
   const number = numberOf(line, repeat);
   const along = turns + lotOf(Math.abs(number));
-  const stroke = Math.floor(along) + 0.5;
+  const stroke = Math.floor(along);
   const lot = lotOfStroke(Math.abs(number), stroke);
   const other = fract(GAP_LOT * lot);
   // From −1 at one end to 1 at the other.
-  const way = 2 * (along - stroke);
+  const way = 2 * (along - stroke) - 1;
   const inside = 1 - Math.abs(way) - open * STROKE_GAP * other;
   const rest = clamp01(1 - inside / Math.max(open * TAPER, 1e-3));
   let there = clamp01((tone - ALL_FROM * lot) / STROKE_GROWTH);

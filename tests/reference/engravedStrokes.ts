@@ -3,11 +3,20 @@ import type { Vec3 } from './referenceAdjacency.js';
 import type { ScreenPlane } from './ScreenPlane.js';
 import { clamp01, cross, smoothly, unit } from './vectors.js';
 
-/** A number in [0, 1) of the line at a value: the upper 24 bits of the value in single precision, times the golden ratio. */
+/** Every digit of the Thue–Morse sequence tells whether its place has an odd number of binary ones. */
+const THUE_MORSE = Array.from({ length: 32 }, (_, place) => [...place.toString(2)].filter((d) => d === '1').length % 2);
+
+/** Digits of the line's number from a place on; they repeat. */
+const digitsFrom = (place: number): bigint =>
+  BigInt(`0b${Array.from({ length: 32 }, (_, i) => THUE_MORSE[(place + i) % 32]).join('')}`);
+
+/** A number in [0, 1) of the line at a value: 24 bits of the fraction of its size times that number; half a turn farther on below 0. */
 export function lotOf(value: number): number {
-  const [bits] = new Uint32Array(Float32Array.of(value).buffer);
-  const spread = BigInt.asUintN(32, BigInt(bits) * 0x9e3779b9n);
-  return Number(spread >> 8n) / 2 ** 24;
+  const size = Math.abs(Math.fround(value));
+  const exponent = size === 0 ? -127 : Math.floor(Math.log2(size));
+  const significand = size === 0 ? 1n << 23n : BigInt(size * 2 ** (23 - exponent));
+  const fraction = BigInt.asUintN(32, significand * digitsFrom((exponent + 127) % 32));
+  return (Number(fraction >> 8n) / 2 ** 24 + (value < 0 ? 0.5 : 0)) % 1;
 }
 
 /** A factor on the width of the line at a value. */
@@ -80,12 +89,13 @@ const grown = (tone: number, all: number, growth: number): number => {
   return (untilNow(tone) - untilNow(tone - all)) / all;
 };
 
-/** A number in [0, 1) of a stroke. */
-function lotOfStroke(line: number, middle: number): number {
-  const [a, b] = new Uint32Array(Float32Array.of(Math.abs(line), middle).buffer);
-  let spread = (Math.imul(a, 0x9e3779b9) ^ Math.imul(b, 0x85ebca6b)) >>> 0;
-  spread = Math.imul(spread ^ (spread >>> 15), 0x2c1b3c6d) >>> 0;
-  return (spread >>> 8) / 2 ** 24;
+/** A number in [0, 1) of a stroke: one of its line, by chance, and evenly spread ones from stroke to stroke. */
+function lotOfStroke(line: number, stroke: number): number {
+  const [bits] = new Uint32Array(Float32Array.of(Math.abs(line)).buffer);
+  const spread = Math.imul(bits, 0x9e3779b9) >>> 0;
+  const ofLine = BigInt(Math.imul(spread ^ (spread >>> 15), 0x2c1b3c6d));
+  const word = BigInt.asUintN(32, ofLine + BigInt(stroke) * digitsFrom(0));
+  return Number(word >> 8n) / 2 ** 24;
 }
 
 /** The width of the strokes on a line, as a share of the room of an old one, and how far they stray, in distances between lines. */
@@ -100,9 +110,9 @@ export function penStroke(line: number, share: number, { tone, handmade, along, 
   const fract = (x: number) => x - Math.floor(x);
   const one = (place: number, period: number): [number, number] => {
     const at = place / period + lotOf(Math.abs(number));
-    const stroke = Math.floor(at) + 0.5;
+    const stroke = Math.floor(at);
     const lot = lotOfStroke(number, stroke);
-    const way = 2 * (at - stroke);
+    const way = 2 * (at - stroke) - 1;
     const rest = clamp01(1 - (1 - Math.abs(way) - open * 0.3 * fract(64 * lot)) / Math.max(open * 0.9, 1e-3));
     const grownTo = clamp01((tone - 0.2 * lot) / 0.05) * clamp01((born - fract(512 * lot)) / 0.08);
     const spread = 1 + handmade * 0.5 * open * (fract(4096 * lot) - 0.5);

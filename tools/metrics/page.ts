@@ -27,6 +27,7 @@ import type { Vector } from './measures/vector.js';
 import { measurePrintedStrokes, type PrintedStrokes } from './printedStrokes.js';
 import { SurfaceCamera, TO_LIGHT } from './SurfaceCamera.js';
 import { type ModelValues, measuredModels, measureValues } from './valueShares.js';
+import { measureWalls, type WallMeasure } from './walls.js';
 
 // What is measured is one thing by itself, and not a scene that somebody would draw.
 HatchingMaterial.silent = true;
@@ -82,6 +83,8 @@ declare global {
     measureValues(source: Parameters<typeof measureValues>[1]): Promise<ModelValues>;
     measurePrintedStrokes(): Promise<PrintedStrokes[]>;
     measureLines: typeof measureLines;
+    /** Of the looks that are named; of all, if none is. */
+    measureWalls(wanted: readonly string[]): Promise<WallMeasure[]>;
   }
 }
 
@@ -126,6 +129,11 @@ window.measureFlatTones = async () => {
 window.measurePrintedStrokes = async () => {
   await HatchingMaterial.preload();
   return measurePrintedStrokes(renderer);
+};
+
+window.measureWalls = async (wanted) => {
+  await HatchingMaterial.preload();
+  return measureWalls(renderer, wanted);
 };
 
 window.measureLines = async (...args) => {

@@ -2,6 +2,7 @@
  * `npm run metrics`: measures the strokes of every technique on every model, writes tests/output/metrics.json, docs/metrics.md and
  * docs/metrics.svg, and fails if a technique misses a figure that is required of it. `npm run metrics -- bunny cube` measures some models
  * and writes tests/output/metrics.json alone; `npm run metrics -- values` so measures shares of paper, half tone and dark, and `strokes` printed strokes.
+ * `npm run metrics -- walls` measures how even a plain wall is in every look, and `walls pen woodcut` in some.
  * `npm run metrics -- lines` compares drawings as lines with the canvas, and writes their part of docs/metrics.md anew; `lines bunny pen` draws some.
  */
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -53,11 +54,14 @@ const plans = {
 
 const wanted = process.argv.slice(2);
 const onlyLines = wanted[0] === 'lines';
-for (const name of onlyLines ? [] : wanted) {
+const onlyWalls = wanted[0] === 'walls';
+for (const name of onlyLines || onlyWalls ? [] : wanted) {
   if (!(name in plans) && !['values', 'strokes'].includes(name))
     throw new Error(`tools/metrics/run.mjs: no model "${name}"; there are ${Object.keys(plans).join(', ')}.`);
 }
-const models = Object.keys(plans).filter((name) => wanted.length === 0 || (!onlyLines && wanted.includes(name)));
+const models = Object.keys(plans).filter(
+  (name) => wanted.length === 0 || (!onlyLines && !onlyWalls && wanted.includes(name)),
+);
 
 const server = await createServer({
   root,
@@ -75,6 +79,8 @@ let flatTones;
 let printedStrokes;
 /** How far drawings as lines are from the canvas; undefined where only others are measured. */
 let lines;
+/** How even walls are; undefined where only others are measured. */
+let walls;
 /** Shares of values by model; undefined where only strokes are measured. */
 let values;
 try {
@@ -101,6 +107,8 @@ try {
   if (wanted.length === 0) flatTones = await page.evaluate(() => window.measureFlatTones());
   if (wanted.length === 0 || wanted.includes('strokes'))
     printedStrokes = await page.evaluate(() => window.measurePrintedStrokes());
+  if (wanted.length === 0 || onlyWalls)
+    walls = await page.evaluate((looks) => window.measureWalls(looks), wanted.slice(1));
   if (wanted.length === 0 || onlyLines) lines = await measureAllLines(page, wanted.slice(1));
 } finally {
   await browser.close();
@@ -108,7 +116,7 @@ try {
 }
 
 const { renderer } = await describeRenderer();
-const report = { renderer, models: measured, flatTones, printedStrokes, values, lines };
+const report = { renderer, models: measured, flatTones, printedStrokes, walls, values, lines };
 mkdirSync(join(root, 'tests/output'), { recursive: true });
 writeFileSync(join(root, 'tests/output/metrics.json'), `${JSON.stringify(report, null, 2)}\n`);
 if (wanted.length === 0) {
@@ -121,6 +129,12 @@ if (onlyLines && wanted.length === 1) {
   writeFileSync(file, withLines(readFileSync(file, 'utf8'), lines));
 }
 
+for (const { look, unevenness, uneven, toneError, off } of walls ?? []) {
+  const view = ({ tone, distance, angle }) => `tone ${tone}, ${distance.toPrecision(2)} units away, at ${angle}°`;
+  console.log(
+    `${look}: uneven by ${unevenness.toFixed(4)} (${view(uneven)}), tone off by ${toneError.toFixed(4)} (${view(off)})`,
+  );
+}
 if (lines) {
   const missed = missedLines(lines);
   for (const line of missed) console.log(`MISSED  ${line}`);

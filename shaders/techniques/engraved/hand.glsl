@@ -27,9 +27,13 @@ float handTone(const in float pressure, const in float tone) {
   return tone + pressure * tone * (1.0 - tone);
 }
 
-// A random number in [0, 1) that belongs to a line. line: its value, a multiple of a power of two.
+// A number in [0, 1) that belongs to a line and is far from those of its neighbours. line: its value, a multiple of a power of two. It is
+// multiplied by a number whose binary digits repeat those of THUE_MORSE on both sides of its point, and the fraction is the lot.
 float lotOf(const in float line) {
-  uint spread = floatBitsToUint(line) * GOLDEN_RATIO;
+  uint bits = floatBitsToUint(line);
+  uint exponent = (bits >> 23u) & 31u;
+  uint factor = (THUE_MORSE << exponent) | (THUE_MORSE >> ((32u - exponent) & 31u));
+  uint spread = (((bits & 0x7fffffu) | 0x800000u) * factor) ^ (bits & 0x80000000u);
   return float(spread >> 8u) * (1.0 / 16777216.0);
 }
 

@@ -30,9 +30,10 @@ float bornBelow(const in float share) {
   return share < 1.0 - 0.5 * BIRTH ? share + 0.5 * BIRTH : 1.0 + BIRTH - sqrt(2.0 * BIRTH * (1.0 - share));
 }
 
-float lotOfStroke(const in float line, const in float middle) {
-  uint spread = floatBitsToUint(line) * GOLDEN_RATIO ^ floatBitsToUint(middle) * SECOND_FACTOR;
-  spread = (spread ^ spread >> 15u) * THIRD_FACTOR;
+// A number in [0, 1) that belongs to a stroke: random from line to line, and far from those of its neighbours on the line.
+float lotOfStroke(const in float line, const in float stroke) {
+  uint spread = floatBitsToUint(line) * GOLDEN_RATIO;
+  spread = (spread ^ spread >> 15u) * THIRD_FACTOR + uint(int(stroke)) * THUE_MORSE;
   return float(spread >> 8u) / 16777216.0;
 }
 
@@ -40,10 +41,10 @@ float lotOfStroke(const in float line, const in float middle) {
 vec2 strokeOn(const in Pen pen, const in float born, const in float line, const in float place, const in float period) {
   float number = numberOf(line, pen.family);
   float along = place / period + lotOf(abs(number));
-  float stroke = floor(along) + 0.5;
+  float stroke = floor(along);
   float lot = lotOfStroke(abs(number), stroke);
   float other = fract(GAP_LOT * lot);
-  float way = 2.0 * (along - stroke); // from −1 at one end to 1 at the other
+  float way = 2.0 * (along - stroke) - 1.0; // from −1 at one end to 1 at the other
   float rest = clamp(1.0 - (1.0 - abs(way) - pen.open * STROKE_GAP * other) / max(pen.open * TAPER, 1e-3), 0.0, 1.0);
   float there = clamp((pen.tone - ALL_FROM * lot) / STROKE_GROWTH, 0.0, 1.0);
   there *= clamp((born - fract(BIRTH_LOT * lot)) / BIRTH, 0.0, 1.0);

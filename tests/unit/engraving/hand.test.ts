@@ -14,6 +14,42 @@ test('a line has the lot and the width of the reference', () => {
   }
 });
 
+describe('lots of lines', () => {
+  const OCTAVES = Array.from({ length: 40 }, (_, i) => i - 25);
+  const STARTS = [1, 300, 5000, 70_000];
+  const lots = (start: number, octave: number) =>
+    Array.from({ length: 1000 }, (_, i) => lotOf((start + i) * 2 ** octave));
+  /** How far a number is from the nearest whole one. */
+  const fromWhole = (x: number) => Math.abs(x - Math.round(x));
+
+  test('neighbours are never alike, and neither are those on both sides of a line', () => {
+    let nearest = 1;
+    for (const octave of OCTAVES) {
+      for (const start of STARTS) {
+        const found = lots(start, octave);
+        for (let i = 1; i < found.length; i++) nearest = Math.min(nearest, fromWhole(found[i]! - found[i - 1]!));
+        for (let i = 2; i < found.length; i++) nearest = Math.min(nearest, fromWhole(found[i]! - found[i - 2]!));
+      }
+    }
+    expect(nearest).toBeGreaterThan(0.15);
+  });
+
+  test('they are evenly spread', () => {
+    for (const octave of OCTAVES) {
+      for (const start of STARTS) {
+        const sorted = lots(start, octave).sort((a, b) => a - b);
+        // The largest difference between the share of lots below a number and that number.
+        const uneven = Math.max(...sorted.map((lot, i) => Math.abs(lot - (i + 0.5) / sorted.length)));
+        expect(uneven, `from ${start} at octave ${octave}`).toBeLessThan(0.08);
+      }
+    }
+  });
+
+  test('those below 0 are not those above it', () => {
+    for (let i = 1; i < 100; i++) expect(fromWhole(lotOf(-i / 8) - lotOf(i / 8))).toBe(0.5);
+  });
+});
+
 test('the axis of several lights is that of the reference', () => {
   const random = randomNumbers(11);
   for (let i = 0; i < 100; i++) {

@@ -50,13 +50,12 @@ function bornBelow(share: Value): Value {
   return select(share.lessThan(0.5 * BIRTH), sqrt(share.mul(2 * BIRTH)), grown).toVar();
 }
 
-function lotOfStroke(line: Value, middle: Value): Value {
-  const { GOLDEN_RATIO, SECOND_FACTOR, THIRD_FACTOR } = LOT_FACTORS;
-  const spread = floatBitsToUint(line)
-    .mul(uint(GOLDEN_RATIO))
-    .bitXor(floatBitsToUint(middle).mul(uint(SECOND_FACTOR)))
-    .toVar();
-  spread.assign(spread.bitXor(spread.shiftRight(uint(15))).mul(uint(THIRD_FACTOR)));
+/** A number in [0, 1) that belongs to a stroke: random from line to line, and far from those of its neighbours on the line. */
+function lotOfStroke(line: Value, stroke: Value): Value {
+  const { GOLDEN_RATIO, THIRD_FACTOR, THUE_MORSE } = LOT_FACTORS;
+  const spread = floatBitsToUint(line).mul(uint(GOLDEN_RATIO)).toVar();
+  const ofLine = spread.bitXor(spread.shiftRight(uint(15))).mul(uint(THIRD_FACTOR));
+  spread.assign(ofLine.add(uint(int(stroke)).mul(uint(THUE_MORSE))));
   return float(spread.shiftRight(uint(8)))
     .div(16777216)
     .toVar();
@@ -67,11 +66,11 @@ function strokeOn(pen: Pen, born: Value, line: Value, place: Value, period: Valu
   const number = numberOf(line, pen.family).toVar();
   const size = abs(number).toVar();
   const along = place.div(period).add(lotOf(size)).toVar();
-  const stroke = floor(along).add(0.5).toVar();
+  const stroke = floor(along).toVar();
   const lot = lotOfStroke(size, stroke);
   const other = fract(lot.mul(GAP_LOT)).toVar();
   // From −1 at one end to 1 at the other.
-  const way = along.sub(stroke).mul(2).toVar();
+  const way = along.sub(stroke).mul(2).sub(1).toVar();
   const left = oneMinus(abs(way)).sub(pen.open.mul(STROKE_GAP).mul(other));
   const rest = clamp(oneMinus(left.div(max(pen.open.mul(TAPER), 1e-3))), 0, 1).toVar();
   const there = clamp(pen.tone.sub(lot.mul(ALL_FROM)).div(STROKE_GROWTH), 0, 1).mul(
