@@ -9,7 +9,19 @@ import { lotOf } from './hand.js';
 import { type Along, numberOf } from './strokeLengths.js';
 import { clamp01, mix } from './vectors.js';
 
-const { ALL_FROM, STROKE_GROWTH, BIRTH, STROKE_GAP, TAPER, LEANING, BENDING, WIDTH_SPREAD } = PEN_CONSTANTS;
+const {
+  ALL_FROM,
+  STROKE_GROWTH,
+  SHORTENING,
+  SHORTENING_OF_INK,
+  NIB,
+  BIRTH,
+  STROKE_GAP,
+  TAPER,
+  LEANING,
+  BENDING,
+  WIDTH_SPREAD,
+} = PEN_CONSTANTS;
 const { GAP_LOT, BIRTH_LOT, WIDTH_LOT } = PEN_CONSTANTS;
 const { GOLDEN_RATIO, THIRD_FACTOR, THUE_MORSE } = LOT_FACTORS;
 
@@ -30,8 +42,12 @@ export interface Pen {
   repeat: number;
 }
 
-/** The integral of a ramp from 0 to 1. */
-const rampSum = (x: number): number => (x < STROKE_GROWTH ? (0.5 / STROKE_GROWTH) * x * x : x - 0.5 * STROKE_GROWTH);
+/** The integral of the ink of a stroke that grows: a ramp from 0 to 1, and less where it is short. */
+function rampSum(x: number): number {
+  const grown = Math.min(x / STROKE_GROWTH, 1);
+  const sum = grown * grown * (0.5 - SHORTENING_OF_INK * (0.5 - grown / 3));
+  return STROKE_GROWTH * sum + Math.max(x - STROKE_GROWTH, 0);
+}
 
 /** The share of strokes that are there. */
 const thereAt = (tone: number): number => (rampSum(tone) - rampSum(Math.max(tone - ALL_FROM, 0))) / ALL_FROM;
@@ -39,7 +55,7 @@ const thereAt = (tone: number): number => (rampSum(tone) - rampSum(Math.max(tone
 export function penFor(tone: number, along: Along, handmade: number, repeat: number): Pen {
   const open = (1 - tone) ** 2;
   const width = tone / Math.max(thereAt(tone) * (1 - LOST * open), 1e-4);
-  return { along, tone, open, width, handmade, repeat };
+  return { along, tone, open, width: tone < ALL_FROM ? Math.min(width, NIB) : width, handmade, repeat };
 }
 
 /** The share of its length that strokes of one width cover of a line in the mean: they do not narrow, but have their gaps. */
@@ -82,9 +98,9 @@ function strokeOn({ tone, open, width, handmade, repeat }: Pen, born: number, li
   const other = fract(GAP_LOT * lot);
   // From −1 at one end to 1 at the other.
   const way = 2 * (along - stroke) - 1;
-  const inside = 1 - Math.abs(way) - open * STROKE_GAP * other;
-  const rest = clamp01(1 - inside / Math.max(open * TAPER, 1e-3));
   let there = clamp01((tone - ALL_FROM * lot) / STROKE_GROWTH);
+  const inside = 1 - Math.abs(way) - open * STROKE_GAP * other - SHORTENING * (1 - there);
+  const rest = clamp01(1 - inside / Math.max(open * TAPER, 1e-3));
   there *= clamp01((born - fract(BIRTH_LOT * lot)) / BIRTH);
   const spread = 1 + handmade * WIDTH_SPREAD * open * (fract(WIDTH_LOT * lot) - 0.5);
   const astray = LEANING * (other - 0.5) * way + BENDING * (lot - 0.5) * (0.5 - way * way);

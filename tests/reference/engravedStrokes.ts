@@ -85,7 +85,10 @@ export interface PenState {
 
 /** The mean over lots from 0 to `all` of a ramp that begins at the lot and ends a `growth` later. */
 const grown = (tone: number, all: number, growth: number): number => {
-  const untilNow = (x: number) => (x <= 0 ? 0 : x < growth ? (x * x) / 2 / growth : x - growth / 2);
+  // The integral of g (1 − 0.58 (1 − g)), where g rises from 0 to 1.
+  const rising = (g: number) => 0.42 * (g ** 2 / 2) + 0.58 * (g ** 3 / 3);
+  const untilNow = (x: number) =>
+    x <= 0 ? 0 : x < growth ? growth * rising(x / growth) : x - growth + growth * rising(1);
   return (untilNow(tone) - untilNow(tone - all)) / all;
 };
 
@@ -101,7 +104,8 @@ function lotOfStroke(line: number, stroke: number): number {
 /** The width of the strokes on a line, as a share of the room of an old one, and how far they stray, in distances between lines. */
 export function penStroke(line: number, share: number, { tone, handmade, along, repeat }: PenState): [number, number] {
   const open = (1 - tone) ** 2;
-  const full = tone / Math.max(grown(tone, 0.2, 0.05) * (1 - (0.15 + 0.3) * open), 1e-4);
+  const filling = tone / Math.max(grown(tone, 0.15, 0.05) * (1 - (0.15 + 0.3) * open), 1e-4);
+  const full = tone < 0.15 && filling > 0.6 ? 0.6 : filling;
   const number = numberOf(line, repeat);
   const there = Math.sqrt(Math.max(share, 0));
   const last = 1 - there;
@@ -113,8 +117,10 @@ export function penStroke(line: number, share: number, { tone, handmade, along, 
     const stroke = Math.floor(at);
     const lot = lotOfStroke(number, stroke);
     const way = 2 * (at - stroke) - 1;
-    const rest = clamp01(1 - (1 - Math.abs(way) - open * 0.3 * fract(64 * lot)) / Math.max(open * 0.9, 1e-3));
-    const grownTo = clamp01((tone - 0.2 * lot) / 0.05) * clamp01((born - fract(512 * lot)) / 0.08);
+    const sized = clamp01((tone - 0.15 * lot) / 0.05);
+    const length = 1 - open * 0.3 * fract(64 * lot) - 0.35 * (1 - sized);
+    const rest = clamp01(1 - (length - Math.abs(way)) / Math.max(open * 0.9, 1e-3));
+    const grownTo = sized * clamp01((born - fract(512 * lot)) / 0.08);
     const spread = 1 + handmade * 0.5 * open * (fract(4096 * lot) - 0.5);
     const astray = 0.22 * (fract(64 * lot) - 0.5) * way + 0.16 * (lot - 0.5) * (0.5 - way * way);
     return [full * there * grownTo * spread * (1 - rest * rest), handmade * open * Math.sign(number) * astray];

@@ -13,15 +13,18 @@ struct Pen {
   float width; // of a stroke in its middle, as a share of the room of a line
 };
 
-// The integral of a ramp from 0 to 1.
+// The integral of the ink of a stroke that grows: a ramp from 0 to 1, and less where it is short.
 float rampSum(const in float x) {
-  return x < STROKE_GROWTH ? 0.5 / STROKE_GROWTH * x * x : x - 0.5 * STROKE_GROWTH;
+  float grown = min(x / STROKE_GROWTH, 1.0);
+  float sum = grown * grown * (0.5 - SHORTENING_OF_INK * (0.5 - grown / 3.0));
+  return STROKE_GROWTH * sum + max(x - STROKE_GROWTH, 0.0);
 }
 
 Pen penFor(const in HatchingParameters h, const in Family family, const in float tone) {
   float open = (1.0 - tone) * (1.0 - tone);
   float there = (rampSum(tone) - rampSum(max(tone - ALL_FROM, 0.0))) / ALL_FROM;
-  return Pen(family, alongLines(h, family), tone, open, tone / max(there * (1.0 - LOST * open), 1e-4));
+  float width = tone / max(there * (1.0 - LOST * open), 1e-4);
+  return Pen(family, alongLines(h, family), tone, open, tone < ALL_FROM ? min(width, NIB) : width);
 }
 
 // The lot below which strokes have been born where so large a share of them is, each over a part BIRTH of all lots.
@@ -45,8 +48,9 @@ vec2 strokeOn(const in Pen pen, const in float born, const in float line, const 
   float lot = lotOfStroke(abs(number), stroke);
   float other = fract(GAP_LOT * lot);
   float way = 2.0 * (along - stroke) - 1.0; // from −1 at one end to 1 at the other
-  float rest = clamp(1.0 - (1.0 - abs(way) - pen.open * STROKE_GAP * other) / max(pen.open * TAPER, 1e-3), 0.0, 1.0);
   float there = clamp((pen.tone - ALL_FROM * lot) / STROKE_GROWTH, 0.0, 1.0);
+  float inside = 1.0 - abs(way) - pen.open * STROKE_GAP * other - SHORTENING * (1.0 - there);
+  float rest = clamp(1.0 - inside / max(pen.open * TAPER, 1e-3), 0.0, 1.0);
   there *= clamp((born - fract(BIRTH_LOT * lot)) / BIRTH, 0.0, 1.0);
   float spread = 1.0 + handmade * WIDTH_SPREAD * pen.open * (fract(WIDTH_LOT * lot) - 0.5);
   float astray = LEANING * (other - 0.5) * way + BENDING * (lot - 0.5) * (0.5 - way * way);

@@ -1,8 +1,13 @@
 /** The numbers that a pen draws lines in strokes by, for the processor and, as defines, for the shaders. */
 export const PEN_CONSTANTS = {
-  /** The tone from which on all strokes are there, and over how much of the tone each grows to its width. */
-  ALL_FROM: 0.2,
+  /** The tone from which on all strokes are there, and over how much of the tone each grows to its width and length. */
+  ALL_FROM: 0.15,
   STROKE_GROWTH: 0.05,
+  /** How much shorter a stroke is that begins to grow, and the same of its ink, whose ends are thin, both as shares of its length. */
+  SHORTENING: 0.35,
+  SHORTENING_OF_INK: 0.58,
+  /** The widest stroke of a light tone, as a share of the room of a line: a nib draws no heavier where strokes are few. */
+  NIB: 0.6,
   /** Over how much of the share of strokes that are there each of those between older lines grows to its width. */
   BIRTH: 0.08,
   /** The longest gap between two strokes and the part over which both ends of one narrow, as shares of its length; both close with the tone. */

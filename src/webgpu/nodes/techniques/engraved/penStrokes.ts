@@ -10,8 +10,8 @@ import { type Along, alongLines, numberOf } from './strokeLengths.js';
 
 const { abs, clamp, float, floatBitsToUint, floor, fract, If, int, Loop, max, min, select, sign, sqrt, uint, vec2 } =
   tsl;
-const { ALL_FROM, BENDING, BIRTH, BIRTH_LOT, GAP_LOT, LEANING, STROKE_GAP, STROKE_GROWTH } = PEN_CONSTANTS;
-const { TAPER, WIDTH_LOT, WIDTH_SPREAD } = PEN_CONSTANTS;
+const { ALL_FROM, BENDING, BIRTH, BIRTH_LOT, GAP_LOT, LEANING, NIB, STROKE_GAP, STROKE_GROWTH } = PEN_CONSTANTS;
+const { SHORTENING, SHORTENING_OF_INK, TAPER, WIDTH_LOT, WIDTH_SPREAD } = PEN_CONSTANTS;
 
 /** What a line loses to the gaps and the ends of its strokes where they are farthest apart. */
 const LOST = 0.5 * STROKE_GAP + TAPER / 3;
@@ -28,16 +28,24 @@ export interface Pen {
 
 const oneMinus = (x: Value): Value => float(1).sub(x);
 
-/** The integral of a ramp from 0 to 1. */
-const rampSum = (x: Value): Value =>
-  select(x.lessThan(STROKE_GROWTH), x.mul(x).mul(0.5 / STROKE_GROWTH), x.sub(0.5 * STROKE_GROWTH));
+/** The integral of the ink of a stroke that grows: a ramp from 0 to 1, and less where it is short. */
+function rampSum(x: Value): Value {
+  const grown = min(x.div(STROKE_GROWTH), 1).toVar();
+  const lessShort = float(0.5).sub(float(0.5).sub(grown.div(3)).mul(SHORTENING_OF_INK));
+  return grown
+    .mul(grown)
+    .mul(lessShort)
+    .mul(STROKE_GROWTH)
+    .add(max(x.sub(STROKE_GROWTH), 0));
+}
 
 export function penFor(h: HatchingParameters, family: Family, tone: Value): Pen {
   const open = oneMinus(tone).mul(oneMinus(tone)).toVar();
   const above = max(tone.sub(ALL_FROM), 0).toVar();
   const there = rampSum(tone).sub(rampSum(above)).div(ALL_FROM);
   const width = tone.div(max(there.mul(oneMinus(open.mul(LOST))), 1e-4)).toVar();
-  return { family, along: alongLines(h, family), tone, open, width };
+  const drawn = select(tone.lessThan(ALL_FROM), min(width, NIB), width).toVar();
+  return { family, along: alongLines(h, family), tone, open, width: drawn };
 }
 
 /** The lot below which strokes have been born where so large a share of them is, each over a part BIRTH of all lots. */
@@ -71,11 +79,10 @@ function strokeOn(pen: Pen, born: Value, line: Value, place: Value, period: Valu
   const other = fract(lot.mul(GAP_LOT)).toVar();
   // From −1 at one end to 1 at the other.
   const way = along.sub(stroke).mul(2).sub(1).toVar();
-  const left = oneMinus(abs(way)).sub(pen.open.mul(STROKE_GAP).mul(other));
+  const grown = clamp(pen.tone.sub(lot.mul(ALL_FROM)).div(STROKE_GROWTH), 0, 1).toVar();
+  const left = oneMinus(abs(way)).sub(pen.open.mul(STROKE_GAP).mul(other)).sub(oneMinus(grown).mul(SHORTENING));
   const rest = clamp(oneMinus(left.div(max(pen.open.mul(TAPER), 1e-3))), 0, 1).toVar();
-  const there = clamp(pen.tone.sub(lot.mul(ALL_FROM)).div(STROKE_GROWTH), 0, 1).mul(
-    clamp(born.sub(fract(lot.mul(BIRTH_LOT))).div(BIRTH), 0, 1),
-  );
+  const there = grown.mul(clamp(born.sub(fract(lot.mul(BIRTH_LOT))).div(BIRTH), 0, 1));
   const spread = handmade
     .mul(WIDTH_SPREAD)
     .mul(pen.open)
