@@ -80,7 +80,7 @@ describe('a woodcut', () => {
   });
 
   test('is filled by the strokes of a plotter', async () => {
-    const side = 50;
+    const side = 80;
     // Rows lie a pen's width apart, or up to twice as close.
     const { drawn: all } = await draw(1, 'pen', side);
     expect((all * 0.3) / side ** 2).toBeGreaterThan(1);
