@@ -16,12 +16,21 @@ mat2x3 screenMapOf(const in vec3 normal, const in vec2 centre, const in mat3 vie
   return mat2x3(viewToPlace * x, viewToPlace * y);
 }
 
-// n: unit normal, in the space of the places that functions are of. Where the plane leans away it is held back.
-mat2x3 screenMap(const in vec3 n, const in mat3 viewToPlace) {
-  vec3 normal = n * viewToPlace;
+// normal: view space, of any length. Where the plane leans away it is held back.
+mat2x3 screenMapInView(const in vec3 normal, const in mat3 viewToPlace) {
   vec2 centre = centreOfScreen();
   float facing = abs(dot(normal, vec3(centre, 1.0)));
   return screenMapOf(normal * (vViewUnitsPerPixel / max(facing, LEAST_FACING * length(normal))), centre, viewToPlace);
+}
+
+// n: unit normal, in the space of the places that functions are of.
+mat2x3 screenMap(const in vec3 n, const in mat3 viewToPlace) {
+  return screenMapInView(n * viewToPlace, viewToPlace);
+}
+
+// The same of the flat triangle that the fragment lies on.
+mat2x3 triangleOnScreen(const in mat3 viewToPlace) {
+  return screenMapInView(cross(dFdx(vViewPosition), dFdy(vViewPosition)), viewToPlace);
 }
 
 // The gradient per pixel, on the screen, of a function with this gradient in that space. It is turned by a right angle, and linear.

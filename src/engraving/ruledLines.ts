@@ -7,7 +7,7 @@ import { FIELD_CONSTANTS } from './constants/fieldConstants.js';
 import { LINE_CONSTANTS } from './constants/lineConstants.js';
 
 const { SPARSEST_SLOPE } = FIELD_CONSTANTS;
-const { PARTS_OF_TILE } = LINE_CONSTANTS;
+const { LEAST_OF_SMOOTH, MOST_OFF_TRIANGLE, PARTS_OF_TILE } = LINE_CONSTANTS;
 
 const float = new Float64Array(1);
 const words = new Uint32Array(float.buffer);
@@ -43,6 +43,17 @@ export interface LineSpacing {
   finestSpacing: number;
   /** 0: spaced on the object, 1: on the screen. */
   sizedOnScreen: number;
+}
+
+/**
+ * By how much a function changes per pixel where its lines are spaced: as the smooth normal has it, within bounds of what the flat triangle shows.
+ *
+ * @param smooth its change per pixel by the smooth normal
+ * @param seen the same on the flat triangle
+ */
+export function spacedBy(smooth: number, seen: number): number {
+  const shown = Math.max(seen, LEAST_OF_SMOOTH * smooth);
+  return Math.min(Math.max(smooth, shown / MOST_OFF_TRIANGLE), shown * MOST_OFF_TRIANGLE);
 }
 
 /**

@@ -16,7 +16,7 @@ import {
 } from '../engraving/readCut.js';
 import { COARSEST_OCTAVES, readForm } from '../engraving/readForm.js';
 
-import { type LineSpacing, octaveOf, powerOf2, riseOf } from '../engraving/ruledLines.js';
+import { type LineSpacing, octaveOf, powerOf2, riseOf, spacedBy } from '../engraving/ruledLines.js';
 import {
   changePerPixel,
   type Mat3,
@@ -78,6 +78,8 @@ export interface EngravedPlace {
   cut: CutReading | null;
   smooth: ScreenMap;
   flat: ScreenMap;
+  /** That of the flat triangle, held back where it leans away as the smooth one is. */
+  triangle: ScreenMap;
 }
 
 /** Works out the lines of one surface: the values that they are level sets of, and how wide each is where. */
@@ -139,6 +141,7 @@ export class Engraver {
       cut: cut && readCut(cut, place.field, place.fieldNormal, look.handmade),
       smooth: screenMap(place.fieldNormal, smooth, seen),
       flat: screenMap(place.flatNormal, flat, seen, true),
+      triangle: screenMap(place.flatNormal, flat, seen),
     };
   }
 
@@ -161,10 +164,11 @@ export class Engraver {
   measure(family: FamilyName, at: EngravedPlace, tones: Tones): FamilyMeasure {
     const reading = this.read(family, at);
     const { spacing, medium, handmade } = this.look;
-    const { place, smooth, flat } = at;
+    const { place, smooth, flat, triangle } = at;
     const { gradient, rise, coarsest, pressure } = reading;
     const tone = handTone(pressure, this.toneOf(family, reading, tones));
-    const octave = octaveOf(spacing, rise, changePerPixel(gradient, smooth), coarsest);
+    const spaced = spacedBy(changePerPixel(gradient, smooth), changePerPixel(gradient, triangle));
+    const octave = octaveOf(spacing, rise, spaced, coarsest);
     return {
       tone,
       octave,

@@ -81,7 +81,9 @@ export function compareStipple(test: TestOnOnePage): void {
         sizedOnScreen: spec.sizedOnScreen!,
       };
       const stipple = new StippleReference({ reference, settings, matrixWorld, camera, size: SIZE });
-      await expectDarkness(page, spec, reference, (...at) => stipple.darkness(...at));
+      await expectDarkness(page, spec, reference, (place, normal, toneNormal) =>
+        stipple.darkness(place, normal, toneNormal),
+      );
     });
   }
 }

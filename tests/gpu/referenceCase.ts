@@ -5,6 +5,7 @@ import { interpolated } from '../reference/interpolated.js';
 import { type PlainMesh, toFloat, torus, trianglesOf } from '../reference/meshes.js';
 import { interiorPixels, rasterizeReference } from '../reference/rasterizeReference.js';
 import type { Vec3 } from '../reference/referenceAdjacency.js';
+import { cross } from '../reference/vectors.js';
 import type { HatchingSpec } from './hatchingSpec.js';
 import { describeError, expectEqualPictures, pictureError } from './pictureError.js';
 import { defaults, directional, eye, identity, orthographic, perspective } from './referenceScenes.js';
@@ -74,8 +75,8 @@ export const referenceOf = ({
     image: () => 0,
   });
 
-/** Says how dark a place is, by its normal in the object and that which lights are reckoned with. */
-export type DarknessOf = (place: Vec3, normal: Vec3, toneNormal: Vec3) => number;
+/** Says how dark a place is, by its normal in the object, that which lights are reckoned with, and that of its triangle, in the object. */
+export type DarknessOf = (place: Vec3, normal: Vec3, toneNormal: Vec3, flatNormal: Vec3) => number;
 
 /** Draws on the page, and compares every pixel that is wholly inside the mesh with its darkness. */
 export async function expectDarkness(
@@ -98,7 +99,8 @@ export async function expectDarkness(
       const [place, normal, toneNormal] = [positions, normals, worldNormals].map((values) =>
         interpolated(values, indices, fragments[pixel]!),
       ) as [Vec3, Vec3, Vec3];
-      const blank = 1 - darknessOf(place, normal, toneNormal);
+      const blank =
+        1 - darknessOf(place, normal, toneNormal, flatNormalOf(positions, indices, fragments[pixel]!.triangle));
       return [pixel, [blank, blank, blank] as Vec3];
     }),
   );
@@ -106,4 +108,11 @@ export async function expectDarkness(
   const error = pictureError(pixels, expected);
   test.info().annotations.push(describeError(error));
   expectEqualPictures(error);
+}
+
+/** The normal of a triangle, of any length. */
+function flatNormalOf(positions: ArrayLike<number>, indices: readonly number[], triangle: number): Vec3 {
+  const [a, b, c] = [0, 1, 2].map((k) => [0, 1, 2].map((axis) => positions[3 * indices[3 * triangle + k]! + axis]!));
+  const [u, v] = [b, c].map((corner) => corner!.map((x, axis) => x - a![axis]!) as Vec3) as [Vec3, Vec3];
+  return cross(u, v);
 }

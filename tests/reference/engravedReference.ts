@@ -165,6 +165,8 @@ function lineShare(away: number, width: number): number {
 interface Ruled {
   value: number;
   perPixel: number;
+  /** As `perPixel`, on the flat triangle. */
+  seen: number;
   rise: number;
   /** How far apart its lines may lie. */
   widest: number;
@@ -175,13 +177,16 @@ const FORM_WIDEST: readonly number[] = [4, 2];
 
 /** The darkness of a family: of all lines, in all octaves, that may lie on the pixel. */
 function ruledDarkness(
-  { value, perPixel, rise, widest }: Ruled,
+  { value, perPixel: bySmooth, seen: onTriangle, rise, widest }: Ruled,
   tone: number,
   settings: EngravedSettings,
   along: Along,
 ): number {
   const { lineSpacing, sizedOnScreen, handmade, form } = settings;
   const onObject = octaveOf((lineSpacing / 256) * rise);
+  const seen = Math.max(onTriangle, bySmooth / 16);
+  // Never more than half as much again, or as little, as the triangle shows.
+  const perPixel = Math.min(Math.max(bySmooth, seen / 1.5), 1.5 * seen);
   const onScreen = octaveOf(lineSpacing * perPixel);
   const asked = powerOf((1 - sizedOnScreen) * onObject + sizedOnScreen * onScreen);
   // Where white or black is rare, rows of wedges lie up to four times as far apart.
@@ -191,7 +196,7 @@ function ruledDarkness(
   // The smallest power of two that is not below the wanted spacing, in tiles: the distance of old lines.
   const period = 2 ** Math.ceil(Math.log2(wanted));
   const shares = { old: wanted / period, young: 1 - wanted / period };
-  const pixels = period / perPixel;
+  const pixels = period / seen;
   const nearest = Math.round(value / period);
   const shareOf = (line: number): number =>
     settings.medium === 'woodcut'
@@ -203,12 +208,12 @@ function ruledDarkness(
     const isOld = Number.isInteger(line);
     if (settings.medium === 'pen') {
       const [share, astray] = penStroke(line * period, isOld ? 1 : shares.young / shares.old, pen);
-      const away = (value - line * period) / perPixel - shares.old * pixels * astray;
+      const away = (value - line * period) / seen - shares.old * pixels * astray;
       covered += lineShare(Math.abs(away), shares.old * pixels * share);
       continue;
     }
     const width = (isOld ? shares.old : shares.young) * pixels * shareOf(line * period);
-    covered += lineShare(Math.abs(value - line * period) / perPixel, width);
+    covered += lineShare(Math.abs(value - line * period) / seen, width);
   }
   return settings.medium === 'woodcut' ? 1 - Math.min(covered, 1) : Math.min(covered, 1);
 }
@@ -272,8 +277,9 @@ export class EngravedReference {
    * @param place - in object space.
    * @param normal - the normal for the lines, of any length, in object space.
    * @param toneNormal - the normal for the tone, of any length, in world space.
+   * @param flatNormal - the normal of the triangle, of any length, in object space; the smooth one where there are no triangles.
    */
-  darkness(place: Vec3, normal: Vec3, toneNormal: Vec3): number {
+  darkness(place: Vec3, normal: Vec3, toneNormal: Vec3, flatNormal: Vec3 = normal): number {
     const { reference, settings, centre } = this.scene;
     const world = reference.toWorld(place);
     const lit = unit(toneNormal);
@@ -283,8 +289,10 @@ export class EngravedReference {
     const fromCentre = mixed(place, tilesPerUnit, centre, -tilesPerUnit);
     const n = unit(normal);
     const plane = new ScreenPlane(this.scene, place, n);
+    const triangle = new ScreenPlane(this.scene, place, unit(flatNormal));
     if (tone >= 1) return 1;
-    if (settings.form) return this.formDarkness(fromCentre, n, plane, own, tone, this.arrivingAt(world, lit).isDark);
+    if (settings.form)
+      return this.formDarkness(fromCentre, n, { plane, triangle }, own, tone, this.arrivingAt(world, lit).isDark);
     const { strayed, pressure } = hand(fromCentre, settings);
     const { first, sides, across, shadows } = this.familiesAt(world, lit);
 
@@ -308,6 +316,7 @@ export class EngravedReference {
       const ruled = {
         value: family.value(strayed),
         perPixel,
+        seen: tilesPerUnit * triangle.gradientLength(family.gradient(strayed)),
         rise: Math.min(familySlope / 0.4, 1),
         widest: Infinity,
       };
@@ -325,7 +334,7 @@ export class EngravedReference {
   private formDarkness(
     fromCentre: Vec3,
     normal: Vec3,
-    plane: ScreenPlane,
+    { plane, triangle }: { plane: ScreenPlane; triangle: ScreenPlane },
     own: number,
     tone: number,
     isDark: boolean,
@@ -350,7 +359,8 @@ export class EngravedReference {
       const perPixel = tilesPerUnit * plane.gradientLength(family.gradient);
       const rise = vec3.length((family === first ? first : crossing).gradient);
       const along = alongLines(fromCentre, normal, family.gradient, plane, settings);
-      return 1 - ruledDarkness({ ...family, perPixel, rise }, pressed, settings, along);
+      const seen = tilesPerUnit * triangle.gradientLength(family.gradient);
+      return 1 - ruledDarkness({ ...family, perPixel, seen, rise }, pressed, settings, along);
     };
     const [firstTone, second, third] = sharedOut(own, crossFrom, 1, settings.medium);
     const leftByOwn = leftBy(first, firstTone) * leftBy(crossing, second) * leftBy(other, third);

@@ -9,7 +9,8 @@ uniform mat3 objectToField; // linear part
 // Lines that are level sets of one function.
 struct Family {
   float value;
-  float perPixel; // its change from one pixel to the next
+  float perPixel; // its change from one pixel to the next, by the smooth normal
+  float seen; // the same on the flat triangle, as it is seen
   float rise; // its change along the surface, per tile, by which lines are spaced on the object
   vec3 gradient; // of any length; lines lie across it
   float coarsest; // the octave of the lines that lie farthest apart

@@ -5,7 +5,7 @@
 struct HatchingParameters {
   vec3 point; // as the hand strays, from the origin of the field, tiles
   float pressure; // of the hand
-  mat2x3 onScreen;
+  mat2x3 onScreen, triangle; // of the smooth surface, and of the flat triangle
   float value; // of the first family's function
   vec2 valueOnScreen; // its gradient there
   float slope; // its change along the surface
@@ -22,7 +22,9 @@ HatchingParameters readHatchingParameters() {
   vec3 waves = slowWaves(HAND_WAVES * vFieldPoint);
   h.point = handPoint(vFieldPoint, waves);
   h.pressure = handPressure(waves);
-  h.onScreen = screenMap(normal, objectToField * readViewToAnchor());
+  mat3 viewToField = objectToField * readViewToAnchor();
+  h.onScreen = screenMap(normal, viewToField);
+  h.triangle = triangleOnScreen(viewToField);
   h.value = fieldAt(field, h.point, h.gradient);
   h.valueOnScreen = screenGradient(h.gradient, h.onScreen);
   float along = dot(normal, h.gradient);
@@ -37,7 +39,8 @@ HatchingParameters readHatchingParameters() {
 }
 
 Family firstFamily(const in HatchingParameters h) {
-  return Family(h.value, length(h.valueOnScreen), min(h.slope / SPARSEST_SLOPE, 1.0), h.gradient, ANY_OCTAVE);
+  float seen = length(screenGradient(h.gradient, h.triangle));
+  return Family(h.value, length(h.valueOnScreen), seen, min(h.slope / SPARSEST_SLOPE, 1.0), h.gradient, ANY_OCTAVE);
 }
 
 // isB: towards which side it leans. lean: cosine and sine of the angle at which it crosses the first.
@@ -45,7 +48,8 @@ Family crossingFamily(const in HatchingParameters h, const in bool isB, const in
   vec3 side = isB ? h.sideB : h.sideC;
   float perPixel = length(lean.x * h.valueOnScreen + lean.y * screenGradient(side, h.onScreen));
   vec3 gradient = lean.x * h.gradient + lean.y * side;
-  return Family(lean.x * h.value + lean.y * dot(h.point, side), perPixel, 1.0, gradient, ANY_OCTAVE);
+  float seen = length(screenGradient(gradient, h.triangle));
+  return Family(lean.x * h.value + lean.y * dot(h.point, side), perPixel, seen, 1.0, gradient, ANY_OCTAVE);
 }
 
 vec2 fieldUv(const in HatchingParameters h) {

@@ -6,7 +6,7 @@
 struct HatchingParameters {
   float pressure; // of the hand
   float has; // the first family has lines everywhere
-  mat2x3 onScreen;
+  mat2x3 onScreen, triangle; // of the smooth surface, and of the flat triangle
   vec3 gradient, crossingGradient; // of the first family's function, and of that which crosses it
   vec2 values;
   vec2 valueOnScreen; // their gradients there
@@ -44,7 +44,9 @@ HatchingParameters readHatchingParameters() {
   h.values = vec2(formValueAt(first, stray), formValueAt(crossing, stray));
   h.gradient = first.xyz;
   h.crossingGradient = crossing.xyz;
-  h.onScreen = screenMap(safeNormalize(vFieldNormal), objectToField * readViewToAnchor());
+  mat3 viewToField = objectToField * readViewToAnchor();
+  h.onScreen = screenMap(safeNormalize(vFieldNormal), viewToField);
+  h.triangle = triangleOnScreen(viewToField);
   h.valueOnScreen = screenGradient(first.xyz, h.onScreen);
   h.crossingOnScreen = screenGradient(crossing.xyz, h.onScreen);
   h.rises = vec2(length(first.xyz), length(crossing.xyz));
@@ -53,7 +55,8 @@ HatchingParameters readHatchingParameters() {
 }
 
 Family firstFamily(const in HatchingParameters h) {
-  return Family(h.values.x, length(h.valueOnScreen), h.rises.x, h.gradient, h.coarsest.x);
+  float seen = length(screenGradient(h.gradient, h.triangle));
+  return Family(h.values.x, length(h.valueOnScreen), seen, h.rises.x, h.gradient, h.coarsest.x);
 }
 
 // lean: cosine and sine of the angle; a negative sine leans the other way. The difference of the two functions is whole across seams
@@ -64,7 +67,8 @@ Family crossingFamily(const in HatchingParameters h, const in bool isB, const in
   vec2 onScreen = isOther ? h.valueOnScreen - h.crossingOnScreen : h.crossingOnScreen;
   vec3 gradient = isOther ? h.gradient - h.crossingGradient : h.crossingGradient;
   float coarsest = isOther ? min(h.coarsest.x, h.coarsest.y) : h.coarsest.y;
-  return Family(value, length(onScreen), h.rises.y, gradient, coarsest);
+  float seen = length(screenGradient(gradient, h.triangle));
+  return Family(value, length(onScreen), seen, h.rises.y, gradient, coarsest);
 }
 
 vec2 fieldUv(const in HatchingParameters h) {

@@ -50,7 +50,9 @@ float powerOf2(const in float octave) {
 
 // The darkness of a family.
 float ruledLines(const in HatchingParameters h, const in Family family, const in float tone) {
-  float perPixel = max(family.perPixel, 1e-12);
+  float seen = max(family.seen, max(LEAST_OF_SMOOTH * family.perPixel, 1e-12));
+  // Smooth normals space lines evenly over the triangles of a round body; on few triangles they can be far from what is seen.
+  float perPixel = clamp(family.perPixel, seen / MOST_OFF_TRIANGLE, seen * MOST_OFF_TRIANGLE);
   float onObject = octaves(WANTED_SPACING / PARTS_OF_TILE * family.rise);
   float onScreen = octaves(WANTED_SPACING * perPixel);
   float octave = max(mix(onObject, onScreen, sizedOnScreen), octaves(finestSpacing * perPixel));
@@ -61,8 +63,8 @@ float ruledLines(const in HatchingParameters h, const in Family family, const in
   float period = powerOf2(ceil(octave));
   // Old lines stay as wide as they would be at just this spacing, which takes the least change as one comes nearer. What room
   // they leave is that of the new ones, which are their equals when the next octave begins.
-  float pixels = period / perPixel;
-  float spacing = powerOf2(octave) / perPixel;
+  float pixels = period / seen;
+  float spacing = powerOf2(octave) / seen;
   float x = family.value / period;
   float below = floor(x);
   #if MEDIUM == MEDIUM_PEN

@@ -4,7 +4,7 @@ import { isOrthographic } from '../base/isOrthographic.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 
-const { abs, cameraProjectionMatrix, dot, length, max, positionView, select, vec2, vec3 } = tsl;
+const { abs, cameraProjectionMatrix, cross, dFdx, dFdy, dot, length, max, positionView, select, vec2, vec3 } = tsl;
 
 /** The two columns of a matrix: WGSL has no name for one of two by three that three's nodes know. */
 export type ScreenMap = readonly [x: Value, y: Value];
@@ -30,17 +30,24 @@ export function screenMapOf(normal: Value, centre: Value, viewToPlace: Value): S
   ];
 }
 
-/**
- * @param n the normal, unit, in the space of the places that functions are of. Where the plane leans away it is held back.
- * @param viewToPlace from the view to that space, linear part
- */
-export function screenMap(n: Value, viewToPlace: Value): ScreenMap {
-  const normal = n.mul(viewToPlace).toVar();
+/** @param normal view space, of any length; it is changed. Where the plane leans away it is held back. */
+function screenMapInView(normal: Value, viewToPlace: Value): ScreenMap {
   const centre = centreOfScreen();
   const facing = abs(dot(normal, vec3(centre, 1)));
   normal.mulAssign(viewUnitsPerPixel().div(max(facing, length(normal).mul(SCREEN_CONSTANTS.LEAST_FACING))));
   return screenMapOf(normal, centre, viewToPlace);
 }
+
+/**
+ * @param n the normal, unit, in the space of the places that functions are of
+ * @param viewToPlace from the view to that space, linear part
+ */
+export const screenMap = (n: Value, viewToPlace: Value): ScreenMap =>
+  screenMapInView(n.mul(viewToPlace).toVar(), viewToPlace);
+
+/** The same of the flat triangle that the fragment lies on. */
+export const triangleOnScreen = (viewToPlace: Value): ScreenMap =>
+  screenMapInView(cross(dFdx(positionView), dFdy(positionView)).toVar(), viewToPlace);
 
 /** The gradient per pixel, on the screen, of a function with this gradient in that space. */
 export const screenGradient = (gradient: Value, [x, y]: ScreenMap): Value => vec2(dot(gradient, x), dot(gradient, y));

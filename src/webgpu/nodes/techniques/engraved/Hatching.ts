@@ -6,8 +6,10 @@ import type { ScreenMap } from '../../perFragment/screenGradient.js';
 /** Lines that are level sets of one function. */
 export interface Family {
   value: Value;
-  /** Its change from one pixel to the next. */
+  /** Its change from one pixel to the next, by the smooth normal. */
   perPixel: Value;
+  /** The same on the flat triangle, as it is seen. */
+  seen: Value;
   /** Its change along the surface, per tile, by which lines are spaced on the object. */
   rise: Value;
   /** Of any length; lines lie across it. */

@@ -3,7 +3,7 @@ import type { NodeBuilder } from 'three/webgpu';
 import { FIELD_CONSTANTS } from '../../../../engraving/constants/fieldConstants.js';
 import { HAND_CONSTANTS } from '../../../../engraving/constants/handConstants.js';
 import { tsl } from '../../base/values.js';
-import { screenGradient, screenMap } from '../../perFragment/screenGradient.js';
+import { screenGradient, screenMap, triangleOnScreen } from '../../perFragment/screenGradient.js';
 import { readViewToAnchor } from '../../perFragment/viewToAnchor.js';
 import { objectToField } from './emit.js';
 import { across, fieldAt, type LineCut } from './fieldAxis.js';
@@ -25,7 +25,9 @@ export function readHatchingParameters(
   const normal = normalize(vFieldNormal).toVar();
   const waves = slowWaves(place.mul(HAND_CONSTANTS.HAND_WAVES)).toVar();
   const point = handPoint(place, waves).toVar();
-  const onScreen = screenMap(normal, objectToField.mul(readViewToAnchor(builder)).toVar());
+  const viewToField = objectToField.mul(readViewToAnchor(builder)).toVar();
+  const onScreen = screenMap(normal, viewToField);
+  const triangle = triangleOnScreen(viewToField);
   const { value, gradient } = fieldAt(field, point);
   const along = dot(normal, gradient).toVar();
   const slope = sqrt(max(float(1).sub(along.mul(along)), 1e-12)).toVar();
@@ -49,6 +51,7 @@ export function readHatchingParameters(
     firstFamily: () => ({
       value,
       perPixel: length(valueOnScreen),
+      seen: length(screenGradient(gradient, triangle)),
       rise: min(slope.div(SPARSEST_SLOPE), 1),
       gradient,
       coarsest: FIELD_CONSTANTS.ANY_OCTAVE,
@@ -56,11 +59,13 @@ export function readHatchingParameters(
     }),
     crossingFamily(isB, [cosine, sine]) {
       const side = isB ? sideB : sideC;
+      const leaning = gradient.mul(cosine).add(side.mul(sine)).toVar();
       return {
         value: cosine.mul(value).add(sine.mul(dot(point, side))),
         perPixel: length(valueOnScreen.mul(cosine).add(screenGradient(side, onScreen).mul(sine))),
+        seen: length(screenGradient(leaning, triangle)),
         rise: float(1),
-        gradient: gradient.mul(cosine).add(side.mul(sine)).toVar(),
+        gradient: leaning,
         coarsest: FIELD_CONSTANTS.ANY_OCTAVE,
         isOfForm: false,
       };

@@ -4,7 +4,7 @@ import { FORM_CONSTANTS } from '../../../../engraving/constants/formConstants.js
 import { HAND_CONSTANTS } from '../../../../engraving/constants/handConstants.js';
 import { tsl, type Value } from '../../base/values.js';
 import { isInFullShadow } from '../../perFragment/fullShadow.js';
-import { screenGradient, screenMap } from '../../perFragment/screenGradient.js';
+import { screenGradient, screenMap, triangleOnScreen } from '../../perFragment/screenGradient.js';
 import { readViewToAnchor } from '../../perFragment/viewToAnchor.js';
 import { objectToField } from './emit.js';
 import type { HatchingParameters, LinesInShadow } from './Hatching.js';
@@ -39,7 +39,9 @@ export function readHatchingParameters(
   const waves = slowWaves(vFieldPoint.mul(HAND_CONSTANTS.HAND_WAVES)).toVar();
   const stray = handPoint(vec3(0), waves).toVar();
   const values = [formValueAt(first, stray), formValueAt(crossing, stray)];
-  const onScreen = screenMap(normalize(vFieldNormal).toVar(), objectToField.mul(readViewToAnchor(builder)).toVar());
+  const viewToField = objectToField.mul(readViewToAnchor(builder)).toVar();
+  const onScreen = screenMap(normalize(vFieldNormal).toVar(), viewToField);
+  const triangle = triangleOnScreen(viewToField);
   const valueOnScreen = screenGradient(first.xyz, onScreen).toVar();
   const crossingOnScreen = screenGradient(crossing.xyz, onScreen).toVar();
   return {
@@ -51,6 +53,7 @@ export function readHatchingParameters(
     firstFamily: () => ({
       value: values[0],
       perPixel: length(valueOnScreen),
+      seen: length(screenGradient(first.xyz, triangle)),
       rise: length(first.xyz),
       gradient: first.xyz,
       coarsest: coarsest.x,
@@ -59,11 +62,13 @@ export function readHatchingParameters(
     // The other family crosses at the angle of the bake. The difference of the two functions is whole across seams too, and its lines lean
     // the other way.
     crossingFamily(_isB, _lean, isOther) {
+      const gradient = isOther ? first.xyz.sub(crossing.xyz).toVar() : crossing.xyz;
       return {
         value: isOther ? values[0].sub(values[1]) : values[1],
         perPixel: length(isOther ? valueOnScreen.sub(crossingOnScreen) : crossingOnScreen),
+        seen: length(screenGradient(gradient, triangle)),
         rise: length(crossing.xyz),
-        gradient: isOther ? first.xyz.sub(crossing.xyz).toVar() : crossing.xyz,
+        gradient,
         coarsest: isOther ? Math.min(along, across) : coarsest.y,
         isOfForm: true,
       };

@@ -13,7 +13,7 @@ import { octaves, powerOf2 } from './octaves.js';
 import { penCoverage, penFor } from './penStrokes.js';
 import { sizedOnScreen } from './sizedOnScreen.js';
 
-const { abs, ceil, float, floor, int, Loop, max, min, mix, select } = tsl;
+const { abs, ceil, clamp, float, floor, int, Loop, max, min, mix, select } = tsl;
 
 /** Pixels between lines, or 256ths of a tile. */
 const lineSpacing = /* @__PURE__ */ hatchingUniform('lineSpacing', 'float');
@@ -56,16 +56,18 @@ function coveringBy(
 
 /** The darkness of a family. */
 export function ruledLines(h: HatchingParameters, family: Family, tone: Value, medium: Medium): Value {
-  const perPixel = max(family.perPixel, 1e-12).toVar();
+  const { LEAST_OF_SMOOTH, MOST_OFF_TRIANGLE, PARTS_OF_TILE } = LINE_CONSTANTS;
+  const seen = max(family.seen, max(family.perPixel.mul(LEAST_OF_SMOOTH), 1e-12)).toVar();
+  const perPixel = clamp(family.perPixel, seen.div(MOST_OFF_TRIANGLE), seen.mul(MOST_OFF_TRIANGLE)).toVar();
   const wanted = h.shadowLeft ? lineSpacing.mul(shadowSpacing).toVar() : lineSpacing;
-  const onObject = octaves(wanted.div(LINE_CONSTANTS.PARTS_OF_TILE).mul(family.rise).toVar());
+  const onObject = octaves(wanted.div(PARTS_OF_TILE).mul(family.rise).toVar());
   const onScreen = octaves(wanted.mul(perPixel).toVar());
   const octave = max(mix(onObject, onScreen, sizedOnScreen), octaves(finestSpacing.mul(perPixel).toVar())).toVar();
   if (medium === 'woodcut') octave.addAssign(rowOctaves(tone));
   octave.assign(min(octave, family.coarsest));
   const period = powerOf2(ceil(octave)).toVar();
-  const pixels = period.div(perPixel).toVar();
-  const spacing = powerOf2(octave).div(perPixel).toVar();
+  const pixels = period.div(seen).toVar();
+  const spacing = powerOf2(octave).div(seen).toVar();
   const x = family.value.div(period).toVar();
   const below = floor(x).toVar();
   const oldRoom = spacing.mul(0.5).toVar();
