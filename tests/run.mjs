@@ -7,7 +7,7 @@
  * that crashes, leaves no report or finds no test at all counts as a failure.
  */
 import { spawn } from 'node:child_process';
-import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -42,7 +42,7 @@ if (chosen(['unit']).length > 0) {
     name: 'vitest',
     report,
     args: [program('vitest', 'vitest.mjs'), 'run', '--reporter=default', '--reporter=json', '--passWithNoTests'],
-    rest: [`--outputFile.json=${report}`, ...argumentsOf('vitest', selection), ...filters],
+    rest: [`--outputFile.json=${report}`, ...argumentsOf('vitest', selection), ...filters, ...taggedFiles()],
   });
 }
 if (chosen(browserLayers).length > 0) {
@@ -101,6 +101,15 @@ function run(command, args) {
     child.on('error', reject);
     child.on('close', (code, signal) => resolve(signal ? 1 : code));
   });
+}
+
+/** The files of unit tests with tags, for a selection that takes no others: loading a file takes longer than skipping its tests. */
+function taggedFiles() {
+  if (selection !== 'rest' || filters.length > 0) return [];
+  return readdirSync(join(root, 'tests', 'unit'), { recursive: true })
+    .filter((name) => name.endsWith('.test.ts'))
+    .map((name) => join('tests', 'unit', name))
+    .filter((path) => /\btags: \[/.test(readFileSync(join(root, path), 'utf8')));
 }
 
 /** @returns {unknown} the report, or undefined where the runner left none that can be read. */

@@ -76,8 +76,8 @@ const MOST_BYTES = [
 
 /** The same of a page that draws with WebGPURenderer. */
 const MOST_BYTES_OF_NODES = [
-  ['HatchingNodeMaterial', 35_800],
-  ['HatchingNodeMaterial, applyHatching', 43_600],
+  ['HatchingNodeMaterial', 36_300],
+  ['HatchingNodeMaterial, applyHatching', 44_000],
   ['HatchingOutlines', 36_200],
 ] as const;
 

@@ -134,7 +134,7 @@ describe('learnHand', () => {
     for (const value of Object.values(numbers)) expect(value).toSatisfy(Number.isFinite);
   });
 
-  it('takes 100,000 points, in any division into strokes', () => {
+  it('takes 100,000 points, in any division into strokes', { tags: ['all'] }, () => {
     for (const perStroke of [2, 100, 50_000]) {
       const strokes = Array.from({ length: 100_000 / perStroke }, (_, row) => ({
         points: Array.from({ length: perStroke }, (_, i) => [(10 * i) / (perStroke - 1), 0.01 * row]).flat(),

@@ -80,7 +80,9 @@ function differences(one: readonly HandNumbers[], other: readonly HandNumbers[])
   );
 }
 
-test('at 200 px and equal tone every pair of hands differs by a quarter in two numbers or more, as measured in the picture', () => {
+test('at 200 px and equal tone every pair of hands differs by a quarter in two numbers or more, as measured in the picture', {
+  tags: ['all'],
+}, () => {
   const hands = exampleHandNames.map((name) => ({ name, numbers: [measured(name, 1), measured(name, 2)] }));
   const pairs = hands.flatMap(({ name, numbers }, i) =>
     hands.slice(i + 1).map((other) => ({ pair: `${name}, ${other.name}`, by: differences(numbers, other.numbers) })),
@@ -90,4 +92,4 @@ test('at 200 px and equal tone every pair of hands differs by a quarter in two n
   // The measure finds no two people in one.
   const again = [measured('finePen', 3), measured('finePen', 4)];
   expect(differences(again, hands[exampleHandNames.indexOf('finePen')].numbers).length).toBeLessThan(2);
-}, 300_000);
+});
