@@ -14,7 +14,7 @@ import { changedShare, meanInk } from './pictures.js';
 
 const EXAMPLES = readExamples();
 /** Those that `npm test` draws: a mesh alone, the element, and one whose work is done in workers. */
-const QUICK = ['one-mesh', 'web-component', 'strict-csp'];
+const QUICK = ['one-mesh', 'strict-csp'];
 
 const folder = fileURLToPath(new URL('../output/examples', import.meta.url));
 const three = fileURLToPath(new URL('../../node_modules/three', import.meta.url));

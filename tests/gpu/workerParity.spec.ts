@@ -54,10 +54,9 @@ test('strokes of a picture, and the hand learnt from them, are the same from the
   expect(Math.abs(numbers.spacing / (30 * Math.cos(Math.atan2(60, 160))) - 1)).toBeLessThan(0.1);
 });
 
-test('though worker after worker dies midway, the geometry has the same bytes, and the deaths are told', async ({
-  page,
-  pageProblems,
-}) => {
+test('though worker after worker dies midway, the geometry has the same bytes, and the deaths are told', {
+  tag: '@all',
+}, async ({ page, pageProblems }) => {
   const { before, after, expected, died } = await page.evaluate(() => window.workerTests.death());
   expect(after).toEqual(before);
   expect(died).toEqual(expected);

@@ -59,7 +59,7 @@ const draw = (...args: string[]): Promise<Ended> => run(['draw', ...args]);
 const SMALL = ['--sheet', '60x60'] as const;
 const tree = (): string[] => readdirSync(work, { recursive: true }).map(String).sort();
 
-test('draws the same bytes as its source', async () => {
+test('draws the same bytes as its source', { tags: ['all'] }, async () => {
   const args = ['a.obj', '--pen', '0.5', '--sheet', '90x60', '--out', 'out/a.svg'];
   const { code, stdout } = await draw(...args);
   expect(code).toBe(0);

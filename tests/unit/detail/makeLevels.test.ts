@@ -77,7 +77,9 @@ test('levels stand one after another, with growing errors, and each uses vertice
   expect(end).toBe(indices.length);
 });
 
-test('cells give a closed surface as near as the error says, and a shifted grid simplifies where they meet', () => {
+test('cells give a closed surface as near as the error says, and a shifted grid simplifies where they meet', {
+  tags: ['all'],
+}, () => {
   const { mesh, indices } = sphere(512);
   const own = depthBelowSphere(mesh.positions, indices);
   const cells = finish(simplifyTriangles(mesh, indices, 0.0005, MeshoptSimplifier));

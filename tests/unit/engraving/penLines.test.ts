@@ -34,7 +34,7 @@ describe('lines of a pen', () => {
     }
   });
 
-  test('move without a jump as the tone changes, and are at their places at each octave', () => {
+  test('move without a jump as the tone changes, and are at their places at each octave', { tags: ['all'] }, () => {
     for (const value of [1, 2, 5, 7, 12, 40, 41, 58]) {
       let before = asideOf(value, 1.999999);
       for (let octave = 1; octave < 3; octave += 1e-4) {

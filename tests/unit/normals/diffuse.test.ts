@@ -65,7 +65,7 @@ describe('a coarser copy of the heat equation', () => {
   });
 });
 
-test('what spreads far passes through coarser copies, and arrives as if it had not', () => {
+test('what spreads far passes through coarser copies, and arrives as if it had not', { tags: ['all'] }, () => {
   const geometry = () => new IcosahedronGeometry(1, 60);
   const start = levelOf(geometry());
   const rate = highestRate(start.heat);
@@ -82,7 +82,7 @@ test('what spreads far passes through coarser copies, and arrives as if it had n
   expect(Math.max(...finely)).toBeGreaterThan(0.1);
 });
 
-test('heat within a part of the surface that is joined to no other stays there', () => {
+test('heat within a part of the surface that is joined to no other stays there', { tags: ['all'] }, () => {
   const one = new IcosahedronGeometry(1, 40);
   const other = one.clone().translate(2.001, 0, 0);
   const both = new BufferGeometry();

@@ -62,7 +62,9 @@ describe('clipping planes', () => {
     expect(await quarters()).toEqual([true, true, true, false]);
   });
 
-  test('what is clipped hides nothing, and casts its shadow unless shadows are clipped too', async () => {
+  test('what is clipped hides nothing, and casts its shadow unless shadows are clipped too', {
+    tags: ['all'],
+  }, async () => {
     const wall = await planeOfTone(0, { toneCurve: 'linear', exposure: 1 });
     const ball = await hatchedMesh(new SphereGeometry(0.5, 24, 16), { outlines: false, material: { ink: 'red' } });
     ball.position.z = 0.7;

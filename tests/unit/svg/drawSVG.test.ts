@@ -145,7 +145,7 @@ describe('a torus', () => {
     one = await draw();
   });
 
-  test('gives the same bytes again, and pens travel less than unordered', async () => {
+  test('gives the same bytes again, and pens travel less than unordered', { tags: ['all'] }, async () => {
     expect((await draw()).svg).toBe(one.svg);
     expect(one.travelAfter).toBeLessThan(0.2 * one.travelBefore);
     const unordered = await draw({ order: 'drawn' });

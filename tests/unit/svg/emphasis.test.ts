@@ -24,7 +24,7 @@ async function toneIn(
 const MIDDLE = [40, 40, 20, 20] as const;
 
 describe('surfaces', () => {
-  test('an object of less importance, or in a group of less, is lighter', async () => {
+  test('an object of less importance, or in a group of less, is lighter', { tags: ['all'] }, async () => {
     const important = await toneIn(MIDDLE, {}, (mesh) => {
       mesh.userData.hatching = { importance: 0.4 };
     });
@@ -39,7 +39,7 @@ describe('surfaces', () => {
     expect(await toneIn([0, 0, 8, 8], { vignette: 1 })).toBeLessThan(1e-9);
   });
 
-  test('fade by as much as their depth in what is seen of the scene asks for', async () => {
+  test('fade by as much as their depth in what is seen of the scene asks for', { tags: ['all'] }, async () => {
     // A box of which the plane is the middle: e^(−3/2) of the way through the air.
     const extent = (mesh: Mesh) => new SceneExtent(mesh, new Box3(new Vector3(-1, -1, -1), new Vector3(1, 1, 1)));
     const faded = await toneIn(MIDDLE, { depthFade: 0.8 }, (mesh) => {

@@ -28,7 +28,7 @@ const draw = (...meshes: Mesh[]) => drawSVG(sceneOf(...meshes), cameraAt(0, 0, 1
 const placesOf = (svg: string): number[] => pathsOf(svg).flatMap((data) => ringsOf(data).flat());
 
 describe('scenes that are hard to draw', () => {
-  test('a camera inside of the model, which sees its back', async () => {
+  test('a camera inside of the model, which sees its back', { tags: ['all'] }, async () => {
     const mesh = await hatchedMesh(new SphereGeometry(1, 32, 24), { material: { side: DoubleSide } });
     const camera = new PerspectiveCamera(60, 1, 0.1, 10);
     const { svg } = await drawSVG(sceneOf(mesh), camera, SMALL);
@@ -119,7 +119,7 @@ describe('what is drawn of a mesh', () => {
     expect((await drawSVG(scene, cameraAt(0, 0, 1), SMALL)).paths).toBe(0);
   });
 
-  test('a geometry with adjacency, in the layouts of corners and of textures', async () => {
+  test('a geometry with adjacency, in the layouts of corners and of textures', { tags: ['all'] }, async () => {
     const [one, other] = await Promise.all([planeOfTone(0.5), planeOfTone(0.5)]);
     other.geometry = await prepareHatchingGeometry(new PlaneGeometry(3, 3, 8, 8), { layout: 'corner' });
     expect((await draw(other)).drawn).toBeCloseTo((await draw(one)).drawn, 0);

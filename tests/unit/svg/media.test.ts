@@ -79,7 +79,7 @@ describe('a woodcut', () => {
     expect(coverageOf(pathsOf((await draw(1)).svg), BOX)).toBeGreaterThan(0.999);
   });
 
-  test('is filled by the strokes of a plotter', async () => {
+  test('is filled by the strokes of a plotter', { tags: ['all'] }, async () => {
     const side = 80;
     // Rows lie a pen's width apart, or up to twice as close.
     const { drawn: all } = await draw(1, 'pen', side);

@@ -49,7 +49,7 @@ test('an empty scene is an empty sheet', async () => {
 });
 
 describe('a drawing goes on in slices', () => {
-  test('its progress rises to the end', async () => {
+  test('its progress rises to the end', { tags: ['all'] }, async () => {
     const seen: number[] = [];
     const scene = sceneOf(await hatchedMesh(new SphereGeometry(1, 48, 32)));
     await drawSVG(scene, cameraAt(0, 1, 2), { onProgress: (progress) => seen.push(progress) });

@@ -26,7 +26,7 @@ describe('tone 1 is solid', () => {
     },
   );
 
-  test('and the tones before it are what they were', async () => {
+  test('and the tones before it are what they were', { tags: ['all'] }, async () => {
     for (const tone of [0.9, 0.95]) {
       const mesh = await planeOfTone(tone, { handmade: 0.4 });
       const { svg } = await drawSVG(sceneOf(mesh), cameraAt(0, 0, 1), { sheet: [100, 100], margin: 0 });
@@ -35,7 +35,7 @@ describe('tone 1 is solid', () => {
   });
 });
 
-describe('lines that are thinner than a press holds', () => {
+describe('lines that are thinner than a press holds', { tags: ['all'] }, () => {
   const draw = async (tone: number, leastWidth?: number, camera: Camera = cameraAt(0, 0, 1, true)) => {
     const mesh = await planeOfTone(tone, { lineField: 'y' });
     return pathsOf((await drawSVG(sceneOf(mesh), camera, { sheet: [105, 105], margin: 0, leastWidth })).svg);

@@ -115,7 +115,7 @@ describe('a texture becomes tone', () => {
     expect(await bottom(upright)).toBeGreaterThan((await bottom(flipped)) + 0.2);
   });
 
-  test('stripes of 2 mm come out one by one, and those of 0.05 mm as their mean', async () => {
+  test('stripes of 2 mm come out one by one, and those of 0.05 mm as their mean', { tags: ['all'] }, async () => {
     // 60 mm show 71 of 100 pixels of the texture.
     const stripes = (columns: number): DataTexture =>
       textureOf(
@@ -174,7 +174,7 @@ describe('other textures and colours', () => {
     expect(Math.abs(left - right - 0.4)).toBeLessThan(0.02);
   });
 
-  test('maps of light and of occlusion change the light from all around', async () => {
+  test('maps of light and of occlusion change the light from all around', { tags: ['all'] }, async () => {
     const look: HatchingMaterialParameters = { exposure: 1, toneCurve: 'linear' };
     const map = BLACK_AND_WHITE();
     const lit = await planeOfTone(0, { ...look, lightMap: map, lightMapIntensity: 0.3 * Math.PI });
@@ -315,7 +315,7 @@ describe('cut-out surfaces', () => {
     expect(coverageOf(pathsOf(svg), [30.1, 5, 5, 50])).toBeGreaterThan(0.1);
   });
 
-  test('hide nothing there, whatever their material, and cast no shadow', async () => {
+  test('hide nothing there, whatever their material, and cast no shadow', { tags: ['all'] }, async () => {
     const ball = await hatchedMesh(new SphereGeometry(0.9, 32, 24), { outlines: false, material: { exposure: 1 } });
     const wall = new Mesh(new PlaneGeometry(3, 3), new MeshBasicMaterial({ map: HOLE(), alphaTest: 0.5 }));
     wall.position.z = 1;

@@ -37,7 +37,7 @@ test('half as large, the set holds itself: every point is one of those at half t
   }
 });
 
-test('its points lie evenly, and stay so while others are born between them', () => {
+test('its points lie evenly, and stay so while others are born between them', { tags: ['all'] }, () => {
   expect(points).toHaveLength(2 * PERIOD ** 2);
   const own = Array.from({ length: PERIOD ** 2 }, (_, cell): [number, number] => [
     (cell % PERIOD) + points[2 * cell],

@@ -97,38 +97,42 @@ test.each([
   ['the first', 0],
   ['a later one', 10],
   ['one that puts sums together', 4],
-] as const)('workers that share the directions of occlusion give it as ever, also if %s dies', async (_, spared) => {
-  const bakeOf = async (createWorker?: () => Worker) => {
-    const mesh = new Mesh(await prepareHatchingGeometry(box(), { adjacency: true }), new HatchingMaterial());
-    const roof = new Mesh(box());
-    roof.position.y = 1.05;
-    const progress: number[] = [];
-    const onProgress = (share: number): unknown => progress.push(share);
-    await bakeOcclusion(new Group().add(mesh, roof), {
-      directions: 200,
-      onProgress,
-      ...(createWorker && { createWorker }),
+] as const)(
+  'workers that share the directions of occlusion give it as ever, also if %s dies',
+  { tags: ['all'] },
+  async (_, spared) => {
+    const bakeOf = async (createWorker?: () => Worker) => {
+      const mesh = new Mesh(await prepareHatchingGeometry(box(), { adjacency: true }), new HatchingMaterial());
+      const roof = new Mesh(box());
+      roof.position.y = 1.05;
+      const progress: number[] = [];
+      const onProgress = (share: number): unknown => progress.push(share);
+      await bakeOcclusion(new Group().add(mesh, roof), {
+        directions: 200,
+        onProgress,
+        ...(createWorker && { createWorker }),
+      });
+      expect(progress).toEqual([...new Set(progress)].sort((a, b) => a - b));
+      expect(progress.at(-1)).toBe(1);
+      const { hatchNormal } = mesh.geometry.attributes;
+      return Array.from({ length: hatchNormal.count }, (_, i) => -hatchNormal.getW(i));
+    };
+    const expected = await bakeOf();
+    vi.stubGlobal('navigator', { hardwareConcurrency: 3 });
+    const make = mortal('addDirections', 1, spared);
+    let made = 0;
+    const given = await bakeOf(() => {
+      made++;
+      return make();
     });
-    expect(progress).toEqual([...new Set(progress)].sort((a, b) => a - b));
-    expect(progress.at(-1)).toBe(1);
-    const { hatchNormal } = mesh.geometry.attributes;
-    return Array.from({ length: hatchNormal.count }, (_, i) => -hatchNormal.getW(i));
-  };
-  const expected = await bakeOf();
-  vi.stubGlobal('navigator', { hardwareConcurrency: 3 });
-  const make = mortal('addDirections', 1, spared);
-  let made = 0;
-  const given = await bakeOf(() => {
-    made++;
-    return make();
-  });
-  vi.unstubAllGlobals();
-  expect(died).toHaveLength(spared === Infinity ? 0 : 1);
-  expect(made).toBe(spared === Infinity ? 3 : 4);
-  // Sums are added in another order.
-  for (const [i, value] of given.entries()) expect(Math.abs(value - expected[i])).toBeLessThan(1e-4);
-  expect(Math.max(...given)).toBeGreaterThan(0.5);
-});
+    vi.unstubAllGlobals();
+    expect(died).toHaveLength(spared === Infinity ? 0 : 1);
+    expect(made).toBe(spared === Infinity ? 3 : 4);
+    // Sums are added in another order.
+    for (const [i, value] of given.entries()) expect(Math.abs(value - expected[i])).toBeLessThan(1e-4);
+    expect(Math.max(...given)).toBeGreaterThan(0.5);
+  },
+);
 
 test.each(['generateHatchImages', 'generateThresholds'] as const)(
   'a map is drawn as ever, though %s kills two workers',

@@ -125,7 +125,9 @@ describe('a model of every format is drawn', () => {
   });
 });
 
-test('the drawing is that of drawSVG for a scene staged in the same way, byte for byte', async () => {
+test('the drawing is that of drawSVG for a scene staged in the same way, byte for byte', {
+  tags: ['all'],
+}, async () => {
   const args = ['--pen', '0.4', '--sheet', '60x45', '--margin', '5', '--view', '20 30', '--light', '-60 35'];
   const options = optionsOf(...args);
   const { svgs } = await draw('a.glb', octahedronGlb(), ...args);
@@ -173,7 +175,9 @@ describe('the stage', () => {
     expect(back.lights.position.z).toBeLessThan(0);
   });
 
-  test('has all of the model in the picture, with and without perspective, on any sheet', async () => {
+  test('has all of the model in the picture, with and without perspective, on any sheet', {
+    tags: ['all'],
+  }, async () => {
     for (const args of [[], ['--orthographic'], ['--sheet', '50x200'], ['--sheet', '200x50', '--orthographic']]) {
       const { placed, scene } = await staged([...args, '--no-shadows']);
       placed.camera.updateMatrixWorld();
@@ -264,7 +268,9 @@ test('hidden outlines and an animation are those of drawSVG', async () => {
 });
 
 describe('frames', () => {
-  test('go around the model: each is drawn from another side, the light stays with the model', async () => {
+  test('go around the model: each is drawn from another side, the light stays with the model', {
+    tags: ['all'],
+  }, async () => {
     const args = ['--frames', '4', '--view', '0 0', '--light', '0 60', '--sheet', '40x40'];
     const { svgs } = await draw('a.glb', octahedronGlb(), ...args);
     expect(new Set(svgs).size).toBe(4);

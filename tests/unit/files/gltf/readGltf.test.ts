@@ -90,7 +90,7 @@ describe('memory', () => {
     }
   });
 
-  test('views that overlap do not multiply the file', async () => {
+  test('views that overlap do not multiply the file', { tags: ['all'] }, async () => {
     const builder = tetrahedron();
     const bytes = new Uint8Array(4_000_000);
     const view = builder.view(bytes);

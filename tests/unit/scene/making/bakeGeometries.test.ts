@@ -63,7 +63,9 @@ describe.each([1, 3])('with %s cores', (hardwareConcurrency) => {
   });
 });
 
-test('as many are baked at a time as there are cores, but fewer large ones, and one of small ones', async () => {
+test('as many are baked at a time as there are cores, but fewer large ones, and one of small ones', {
+  tags: ['all'],
+}, async () => {
   vi.stubGlobal('navigator', { hardwareConcurrency: 4 });
   /** The largest number of `count` geometries that have been begun and are not done. */
   const mostAtOnce = async (count: number, make: () => BufferGeometry) => {

