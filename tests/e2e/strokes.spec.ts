@@ -92,6 +92,8 @@ test('a picture that is saved while the form is baked waits for it', { tag: '@al
   await openPlayground(page, view);
   const lit = await savePicture(page);
   await enterLink(page, `${view}&lineField=form`);
+  // The page fetches what follows links with the first one.
+  await expect(page.getByLabel('Lines follow')).toHaveValue('The form');
   const atOnce = await savePicture(page);
   await idle(page);
   expect(changedShare(atOnce, lit)).toBeGreaterThan(0.1);
