@@ -70,12 +70,11 @@ async function drawingCase(random: Random): Promise<'good' | 'refused'> {
 }
 
 const seeds = seedsOf(8, 9);
-test(
-  `odd scenes are drawn as lines, or refused with an error that names the function: ${seeds.length} cases`,
-  { tags: ['all'], timeout: FUZZ_TIMEOUT },
-  async () => {
-    const failures = await runCases(report, 'drawing', seeds, drawingCase);
-    expect(failures.slice(0, 20)).toEqual([]);
-  },
-);
+test(`odd scenes are drawn as lines, or refused with an error that names the function: ${seeds.length} cases`, {
+  tags: ['all'],
+  timeout: FUZZ_TIMEOUT,
+}, async () => {
+  const failures = await runCases(report, 'drawing', seeds, drawingCase);
+  expect(failures.slice(0, 20)).toEqual([]);
+});
 afterAll(() => writeReport('drawings', report));

@@ -88,15 +88,14 @@ async function scanCase(random: Random): Promise<'good' | 'refused'> {
 }
 
 const seeds = seedsOf(0, 1);
-test(
-  `odd pictures give strokes of finite numbers, or a sentence: ${seeds.length} cases`,
-  { tags: ['all'], timeout: FUZZ_TIMEOUT },
-  async () => {
-    const failures = await runCases(report, 'scans', seeds, scanCase);
-    expect(failures.slice(0, 20)).toEqual([]);
-    // Neither is so strict that nothing is traced, nor so mild that nothing is refused.
-    expect(report.scans.good).toBeGreaterThan(0.1 * seeds.length);
-    expect(report.scans.refused).toBeGreaterThan(0.1 * seeds.length);
-  },
-);
+test(`odd pictures give strokes of finite numbers, or a sentence: ${seeds.length} cases`, {
+  tags: ['all'],
+  timeout: FUZZ_TIMEOUT,
+}, async () => {
+  const failures = await runCases(report, 'scans', seeds, scanCase);
+  expect(failures.slice(0, 20)).toEqual([]);
+  // Neither is so strict that nothing is traced, nor so mild that nothing is refused.
+  expect(report.scans.good).toBeGreaterThan(0.1 * seeds.length);
+  expect(report.scans.refused).toBeGreaterThan(0.1 * seeds.length);
+});
 afterAll(() => writeReport('scans', report));
