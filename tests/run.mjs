@@ -8,19 +8,16 @@
  */
 import { spawn } from 'node:child_process';
 import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
-import { dirname, join } from 'node:path';
+import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { findChromium } from '../tools/browser/findChromium.mjs';
 import { layerTimes } from './layerTimes.mjs';
+import { PLAYWRIGHT, VITEST } from './runners.mjs';
 import { argumentsOf, readSelection } from './selection.mjs';
 import { summariseReports } from './summariseReports.mjs';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
 const output = join(root, 'tests', 'output');
-const require = createRequire(import.meta.url);
-/** A package's command line program, run by this same Node. */
-const program = (name, file) => join(dirname(require.resolve(`${name}/package.json`)), file);
 
 const [chosenSelection, ...words] = process.argv.slice(2);
 const selection = readSelection(chosenSelection);
@@ -41,7 +38,7 @@ if (chosen(['unit']).length > 0) {
   runners.push({
     name: 'vitest',
     report,
-    args: [program('vitest', 'vitest.mjs'), 'run', '--reporter=default', '--reporter=json', '--passWithNoTests'],
+    args: [VITEST, 'run', '--reporter=default', '--reporter=json', '--passWithNoTests'],
     rest: [`--outputFile.json=${report}`, ...argumentsOf('vitest', selection), ...filters, ...taggedFiles()],
   });
 }
@@ -49,7 +46,7 @@ if (chosen(browserLayers).length > 0) {
   runners.push({
     name: 'playwright',
     report: join(output, 'playwright.json'),
-    args: [program('@playwright/test', 'cli.js'), 'test', '--pass-with-no-tests'],
+    args: [PLAYWRIGHT, 'test', '--pass-with-no-tests'],
     rest: [
       ...chosen(browserLayers).map((project) => `--project=${project}`),
       ...argumentsOf('playwright', selection),
@@ -78,7 +75,7 @@ try {
   finished.push({ name: 'The search for a browser', exitCode: 1, report: undefined, seconds: 0 });
 }
 
-// Where a layer or a file is named, or everything but a few cases ran before, a runner may find nothing.
+// A filter of files, or the selection `rest`, may leave a runner without any test.
 const filtered = filters.length > 0 || selection === 'rest';
 const { passed, failed, skipped, remarks } = summariseReports(finished, { filtered });
 const times = layerTimes(finished);

@@ -40,6 +40,12 @@ export const handTone = (pressure: number, tone: number): number => tone + press
 const float = new Float32Array(1);
 const bits = new Uint32Array(float.buffer);
 
+/** The bits of a number in single precision, as a word. */
+export function bitsOf(value: number): number {
+  float[0] = value;
+  return bits[0];
+}
+
 /**
  * A number in [0, 1) that belongs to a line and is far from those of its neighbours. line: its value, a multiple of a power of two.
  *
@@ -47,10 +53,10 @@ const bits = new Uint32Array(float.buffer);
  * Neighbours at any power of two are then at least 0.17 apart, and so is the next but one.
  */
 export function lotOf(line: number): number {
-  float[0] = line;
-  const exponent = (bits[0] >>> 23) & 31;
+  const word = bitsOf(line);
+  const exponent = (word >>> 23) & 31;
   const factor = (LOT_FACTORS.THUE_MORSE << exponent) | (LOT_FACTORS.THUE_MORSE >>> (-exponent & 31));
-  const spread = Math.imul((bits[0] & 0x7fffff) | 0x800000, factor) ^ (bits[0] & 0x80000000);
+  const spread = Math.imul((word & 0x7fffff) | 0x800000, factor) ^ (word & 0x80000000);
   return (spread >>> 8) / 16777216;
 }
 

@@ -5,7 +5,7 @@
 
 import { LOT_FACTORS } from './constants/lotConstants.js';
 import { PEN_CONSTANTS } from './constants/penConstants.js';
-import { lotOf } from './hand.js';
+import { bitsOf, lotOf } from './hand.js';
 import { type Along, numberOf } from './strokeLengths.js';
 import { clamp01, mix } from './vectors.js';
 
@@ -68,13 +68,9 @@ function bornBelow(share: number): number {
   return share < 1 - 0.5 * BIRTH ? share + 0.5 * BIRTH : 1 + BIRTH - Math.sqrt(2 * BIRTH * Math.max(1 - share, 0));
 }
 
-const float = new Float32Array(1);
-const bits = new Uint32Array(float.buffer);
-
 /** A number in [0, 1) that belongs to a stroke: random from line to line, and far from those of its neighbours on the line. */
 function lotOfStroke(line: number, stroke: number): number {
-  float[0] = line;
-  const spread = Math.imul(bits[0], GOLDEN_RATIO);
+  const spread = Math.imul(bitsOf(line), GOLDEN_RATIO);
   const ofLine = Math.imul(spread ^ (spread >>> 15), THIRD_FACTOR);
   return ((ofLine + Math.imul(stroke, THUE_MORSE)) >>> 8) / 16777216;
 }

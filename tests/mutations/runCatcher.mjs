@@ -1,16 +1,14 @@
 import { spawn } from 'node:child_process';
 import { mkdirSync, readFileSync, rmSync } from 'node:fs';
-import { createRequire } from 'node:module';
-import { dirname, join } from 'node:path';
+import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { PLAYWRIGHT, VITEST } from '../runners.mjs';
 import { argumentsOf } from '../selection.mjs';
 import { titlePattern } from './titleParts.mjs';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 const output = join(root, 'tests', 'output', 'mutations');
 const report = join(output, 'report.json');
-const require = createRequire(import.meta.url);
-const program = (name, file) => join(dirname(require.resolve(`${name}/package.json`)), file);
 
 /** Many times what the slowest single test takes: a break may keep a loop from ending. */
 const LIMIT = 15 * 60_000;
@@ -42,12 +40,12 @@ export async function runCatcher({ layer, file, title }, selection) {
   const printed =
     layer === 'unit'
       ? await run([
-          ...[program('vitest', 'vitest.mjs'), 'run', '--reporter=json', `--outputFile.json=${report}`],
+          ...[VITEST, 'run', '--reporter=json', `--outputFile.json=${report}`],
           ...['--passWithNoTests', ...argumentsOf('vitest', selection), ...(pattern ? ['-t', pattern] : []), file],
         ])
       : await run(
           [
-            ...[program('@playwright/test', 'cli.js'), 'test', `--project=${layer}`, '--reporter=json'],
+            ...[PLAYWRIGHT, 'test', `--project=${layer}`, '--reporter=json'],
             ...['--pass-with-no-tests', ...argumentsOf('playwright', selection), ...(pattern ? ['-g', pattern] : [])],
             file,
           ],

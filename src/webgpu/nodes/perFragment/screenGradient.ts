@@ -30,12 +30,12 @@ export function screenMapOf(normal: Value, centre: Value, viewToPlace: Value): S
   ];
 }
 
-/** @param normal view space, of any length; it is changed. Where the plane leans away it is held back. */
+/** @param normal view space, of any length. Where the plane leans away it is held back. */
 function screenMapInView(normal: Value, viewToPlace: Value): ScreenMap {
   const centre = centreOfScreen();
   const facing = abs(dot(normal, vec3(centre, 1)));
-  normal.mulAssign(viewUnitsPerPixel().div(max(facing, length(normal).mul(SCREEN_CONSTANTS.LEAST_FACING))));
-  return screenMapOf(normal, centre, viewToPlace);
+  const scale = viewUnitsPerPixel().div(max(facing, length(normal).mul(SCREEN_CONSTANTS.LEAST_FACING)));
+  return screenMapOf(normal.mul(scale).toVar(), centre, viewToPlace);
 }
 
 /**
