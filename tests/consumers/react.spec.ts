@@ -66,6 +66,7 @@ test('what cannot be hatched is skipped; an error shows the scene as it is', { t
   await page.waitForFunction(() => window.page.last!.skipped.length > 0);
   expect(await page.evaluate(() => window.page.last!.skipped.map(({ mesh }) => mesh.name))).toEqual(['broken']);
   await page.evaluate(() => window.page.show({ broken: false, hatched: false }));
+  await page.waitForFunction(() => !window.page.meshes().first);
   await page.evaluate(() => window.page.show({ hatched: true, options: { preset: 'pen', creaseAngle: 90 } }));
   await page.waitForFunction(() => window.page.errors.length > 0);
   expect(await page.evaluate(() => window.page.errors)).toEqual([expect.stringContaining('creaseAngle is 90')]);

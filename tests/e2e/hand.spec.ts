@@ -1,7 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import type { Locator, Page } from '@playwright/test';
 import { encodePng } from '../../src/mapFiles/encodePng.js';
-import { drop, openPlayground, readDrawing, ready } from '../../tools/browser/playground.js';
+import { drop, openPlayground, readDrawing, ready, writtenHash } from '../../tools/browser/playground.js';
 import { expect, test } from '../browser/test.js';
 
 const PLAIN = 'technique=anchored&model=sphere&mapSize=64&mapTones=4';
@@ -188,8 +188,8 @@ test('a link brings the hand along, and a reload its very strokes', { tag: '@all
   await ready(page);
   const own = await readDrawing(page);
   const length = await numberOf(page, 'Length');
-  await expect.poll(() => page.evaluate(() => location.hash)).toMatch(/mapStyle=ownHand&.*hand=[\w-]+/);
-  const link = await page.evaluate(() => location.hash.slice(1));
+  const link = (await writtenHash(page)).slice(1);
+  expect(link).toMatch(/mapStyle=ownHand&.*hand=[\w-]+/);
   expect(link.length).toBeLessThan(2100);
   await page.reload();
   await ready(page);

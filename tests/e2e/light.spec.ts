@@ -7,6 +7,7 @@ import {
   openPlayground,
   readDrawing,
   ready,
+  writtenHash,
 } from '../../tools/browser/playground.js';
 import { file, octahedronObj } from '../../tools/modelFiles/modelFiles.js';
 import { expect, test } from '../browser/test.js';
@@ -178,7 +179,7 @@ test('a second light is dragged by a lamp of its own', { tag: '@all' }, async ({
   expect(await lampPlace(page, '#second-lamp')).toEqual(second);
   await page.locator('#second-lamp').press('ArrowLeft');
   expect((await lampPlace(page, '#second-lamp')).azimuth).toBeCloseTo(second.azimuth - 5, 0);
-  await expect.poll(() => page.evaluate(() => location.hash)).toContain('secondLight=free');
+  expect(await writtenHash(page)).toContain('secondLight=free');
   const dragged = await readDrawing(page);
   const place = await lampPlace(page);
   await page.reload();
