@@ -15,6 +15,8 @@ const {
   SHORTENING,
   SHORTENING_OF_INK,
   NIB,
+  CLOSED_FROM,
+  LATENESS,
   BIRTH,
   STROKE_GAP,
   TAPER,
@@ -22,7 +24,7 @@ const {
   BENDING,
   WIDTH_SPREAD,
 } = PEN_CONSTANTS;
-const { GAP_LOT, BIRTH_LOT, WIDTH_LOT } = PEN_CONSTANTS;
+const { GAP_LOT, BIRTH_LOT, WIDTH_LOT, AXIS_LOT, AXIS_TURN } = PEN_CONSTANTS;
 const { GOLDEN_RATIO, THIRD_FACTOR, THUE_MORSE } = LOT_FACTORS;
 
 /** What a line loses to the gaps and the ends of its strokes where they are farthest apart. */
@@ -53,7 +55,7 @@ function rampSum(x: number): number {
 const thereAt = (tone: number): number => (rampSum(tone) - rampSum(Math.max(tone - ALL_FROM, 0))) / ALL_FROM;
 
 export function penFor(tone: number, along: Along, handmade: number, repeat: number): Pen {
-  const open = (1 - tone) ** 2;
+  const open = Math.max(1 - tone / CLOSED_FROM, 0) ** 2;
   const width = tone / Math.max(thereAt(tone) * (1 - LOST * open), 1e-4);
   return { along, tone, open, width: tone < ALL_FROM ? Math.min(width, NIB) : width, handmade, repeat };
 }
@@ -68,12 +70,15 @@ function bornBelow(share: number): number {
   return share < 1 - 0.5 * BIRTH ? share + 0.5 * BIRTH : 1 + BIRTH - Math.sqrt(2 * BIRTH * Math.max(1 - share, 0));
 }
 
-/** A number in [0, 1) that belongs to a stroke: random from line to line, and far from those of its neighbours on the line. */
-function lotOfStroke(line: number, stroke: number): number {
-  const spread = Math.imul(bitsOf(line), GOLDEN_RATIO);
-  const ofLine = Math.imul(spread ^ (spread >>> 15), THIRD_FACTOR);
-  return ((ofLine + Math.imul(stroke, THUE_MORSE)) >>> 8) / 16777216;
+/** Random bits that the lots of the strokes on a line begin with. */
+function bitsOfLine(line: number): number {
+  const word = bitsOf(line);
+  const spread = Math.imul(word ^ (word >>> 12), GOLDEN_RATIO);
+  return Math.imul(spread ^ (spread >>> 13), THIRD_FACTOR);
 }
+
+/** A number in [0, 1) that belongs to a stroke, and is far from those of its neighbours on the line. */
+const lotOfStroke = (bits: number, stroke: number): number => ((bits + Math.imul(stroke, THUE_MORSE)) >>> 8) / 16777216;
 
 const fract = (x: number): number => x - Math.floor(x);
 
@@ -86,24 +91,38 @@ export interface Stroke {
   astray: number;
 }
 
-function strokeOn({ tone, open, width, handmade, repeat }: Pen, born: number, line: number, turns: number): Stroke {
-  const number = numberOf(line, repeat);
-  const along = turns + lotOf(Math.abs(number));
-  const stroke = Math.floor(along);
-  const lot = lotOfStroke(Math.abs(number), stroke);
-  const other = fract(GAP_LOT * lot);
+/** A line where its strokes are looked for. */
+interface PennedLine {
+  lot: number;
+  bits: number;
+  /** −1 or 1, in which direction its strokes stray. */
+  sign: number;
+}
+
+/** place: in lengths of strokes. born: the lot below which strokes are born. */
+function strokeOn({ tone, open, width, handmade }: Pen, born: number, place: number, line: PennedLine): Stroke {
+  const along = place + line.lot;
+  // Strokes begin late by chance, and so differ in length: the ends of neighbours would otherwise lie in rows across the lines.
+  let stroke = Math.floor(along);
+  if (along < stroke + LATENESS * lotOfStroke(line.bits, stroke)) stroke--;
+  const chance = lotOfStroke(line.bits, stroke);
+  const size = 1 + LATENESS * (lotOfStroke(line.bits, stroke + 1) - chance);
   // From −1 at one end to 1 at the other.
-  const way = 2 * (along - stroke) - 1;
-  let there = clamp01((tone - ALL_FROM * lot) / STROKE_GROWTH);
-  const inside = 1 - Math.abs(way) - open * STROKE_GAP * other - SHORTENING * (1 - there);
-  const rest = clamp01(1 - inside / Math.max(open * TAPER, 1e-3));
-  there *= clamp01((born - fract(BIRTH_LOT * lot)) / BIRTH);
-  const spread = 1 + handmade * WIDTH_SPREAD * open * (fract(WIDTH_LOT * lot) - 0.5);
-  const astray = LEANING * (other - 0.5) * way + BENDING * (lot - 0.5) * (0.5 - way * way);
+  const way = (2 * (along - stroke - LATENESS * chance)) / size - 1;
+  let there = clamp01((tone - ALL_FROM * chance) / STROKE_GROWTH);
+  // What differs from stroke to stroke is spread evenly over a surface.
+  const even = lotOfStroke(line.lot * 2 ** 32, stroke);
+  const gap = fract(GAP_LOT * even);
+  const inside = 1 - Math.abs(way) - open * STROKE_GAP * gap - SHORTENING * (1 - there);
+  const taper = open * TAPER;
+  const rest = clamp01((taper - inside) / Math.max(taper, 1e-3));
+  there *= clamp01((born - fract(BIRTH_LOT * even)) / BIRTH);
+  const spread = 1 + handmade * WIDTH_SPREAD * open * (fract(WIDTH_LOT * even) - 0.5);
+  const astray = LEANING * (gap - 0.5) * way + BENDING * (chance - 0.5) * (0.5 - way * way);
   return {
     width: width * there * spread * (1 - rest * rest),
     presence: Math.min(there, clamp01(0.5 + 20 * inside)),
-    astray: handmade * open * Math.sign(number) * astray,
+    astray: handmade * open * line.sign * astray,
   };
 }
 
@@ -122,11 +141,16 @@ export function strokeAt(pen: Pen, share: number, line: number): Stroke {
   // As wide as the old ones, they would fill the room between them.
   const grown = Math.sqrt(Math.max(share, 0));
   const born = bornBelow(grown);
-  const { places, period, longer, share: ofFirst } = pen.along;
+  const { places, period, longer, share: firstOfAll } = pen.along;
+  const number = numberOf(line, pen.repeat);
+  const size = Math.abs(number);
+  const penned: PennedLine = { lot: lotOf(size), bits: bitsOfLine(size), sign: Math.sign(number) };
+  // Lines go over from one axis to the other one after another.
+  const first = clamp01(((1 + AXIS_TURN) * firstOfAll - fract(AXIS_LOT * penned.lot)) / AXIS_TURN);
   const alongAxis = (place: number): Stroke => {
-    const stroke = strokeOn(pen, born, line, place / period);
-    return longer > 0 ? mixed(stroke, strokeOn(pen, born, line, place / (2 * period)), longer) : stroke;
+    const stroke = strokeOn(pen, born, place / period, penned);
+    return longer > 0 ? mixed(stroke, strokeOn(pen, born, place / (2 * period), penned), longer) : stroke;
   };
-  const stroke = mixed(alongAxis(places[1]), alongAxis(places[0]), ofFirst);
+  const stroke = mixed(alongAxis(places[1]), alongAxis(places[0]), first);
   return { ...stroke, width: grown * stroke.width };
 }

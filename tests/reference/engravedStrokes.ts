@@ -95,15 +95,19 @@ const grown = (tone: number, all: number, growth: number): number => {
 /** A number in [0, 1) of a stroke: one of its line, by chance, and evenly spread ones from stroke to stroke. */
 function lotOfStroke(line: number, stroke: number): number {
   const [bits] = new Uint32Array(Float32Array.of(Math.abs(line)).buffer);
-  const spread = Math.imul(bits, 0x9e3779b9) >>> 0;
-  const ofLine = BigInt(Math.imul(spread ^ (spread >>> 15), 0x2c1b3c6d));
+  const spread = Math.imul(bits ^ (bits >>> 12), 0x9e3779b9) >>> 0;
+  const ofLine = BigInt(Math.imul(spread ^ (spread >>> 13), 0x2c1b3c6d));
   const word = BigInt.asUintN(32, ofLine + BigInt(stroke) * digitsFrom(0));
   return Number(word >> 8n) / 2 ** 24;
 }
 
+/** The same for what is spread evenly: it goes on from the lot of its line. */
+const evenLot = (ofLine: number, stroke: number): number =>
+  Number(BigInt.asUintN(32, (BigInt(ofLine * 2 ** 24) << 8n) + BigInt(stroke) * digitsFrom(0)) >> 8n) / 2 ** 24;
+
 /** The width of the strokes on a line, as a share of the room of an old one, and how far they stray, in distances between lines. */
 export function penStroke(line: number, share: number, { tone, handmade, along, repeat }: PenState): [number, number] {
-  const open = (1 - tone) ** 2;
+  const open = tone < 0.8 ? (1 - 1.25 * tone) ** 2 : 0;
   const filling = tone / Math.max(grown(tone, 0.15, 0.05) * (1 - (0.15 + 0.3) * open), 1e-4);
   const full = tone < 0.15 && filling > 0.6 ? 0.6 : filling;
   const number = numberOf(line, repeat);
@@ -112,17 +116,24 @@ export function penStroke(line: number, share: number, { tone, handmade, along, 
   const born =
     there < 0.04 ? Math.sqrt(0.16 * there) : last > 0.04 ? there + 0.04 : 1.08 - Math.sqrt(Math.max(0.16 * last, 0));
   const fract = (x: number) => x - Math.floor(x);
+  const lot = lotOf(Math.abs(number));
+  const beginOf = (stroke: number) => stroke + 0.4 * lotOfStroke(number, stroke);
   const one = (place: number, period: number): [number, number] => {
-    const at = place / period + lotOf(Math.abs(number));
-    const stroke = Math.floor(at);
-    const lot = lotOfStroke(number, stroke);
-    const way = 2 * (at - stroke) - 1;
-    const sized = clamp01((tone - 0.15 * lot) / 0.05);
-    const length = 1 - open * 0.3 * fract(64 * lot) - 0.35 * (1 - sized);
-    const rest = clamp01(1 - (length - Math.abs(way)) / Math.max(open * 0.9, 1e-3));
-    const grownTo = sized * clamp01((born - fract(512 * lot)) / 0.08);
-    const spread = 1 + handmade * 0.5 * open * (fract(4096 * lot) - 0.5);
-    const astray = 0.22 * (fract(64 * lot) - 0.5) * way + 0.16 * (lot - 0.5) * (0.5 - way * way);
+    const at = place / period + lot;
+    let stroke = Math.floor(at);
+    while (beginOf(stroke) > at) stroke--;
+    while (beginOf(stroke + 1) <= at) stroke++;
+    const chance = lotOfStroke(number, stroke);
+    const even = evenLot(lot, stroke);
+    const [begin, end] = [beginOf(stroke), beginOf(stroke + 1)];
+    const way = (at - begin - (end - at)) / (end - begin);
+    const sized = clamp01((tone - 0.15 * chance) / 0.05);
+    const length = 1 - open * 0.3 * fract(64 * even) - 0.35 * (1 - sized);
+    // The part of the end over which it narrows that is already passed.
+    const rest = clamp01((open * 0.9 - (length - Math.abs(way))) / Math.max(open * 0.9, 1e-3));
+    const grownTo = sized * clamp01((born - fract(512 * even)) / 0.08);
+    const spread = 1 + handmade * 0.5 * open * (fract(4096 * even) - 0.5);
+    const astray = 0.22 * (fract(64 * even) - 0.5) * way + 0.16 * (chance - 0.5) * (0.5 - way * way);
     return [full * there * grownTo * spread * (1 - rest * rest), handmade * open * Math.sign(number) * astray];
   };
   const mix = (a: [number, number], b: [number, number], t: number): [number, number] => [
@@ -132,7 +143,8 @@ export function penStroke(line: number, share: number, { tone, handmade, along, 
   const [first, second] = along.places.map((place) =>
     mix(one(place, along.period), one(place, 2 * along.period), along.longer),
   );
-  return mix(second, first, along.share);
+  // A fifth of the way from one axis to the other is that of one line; it begins by its lot.
+  return mix(second, first, clamp01((1.2 * along.share - fract(8 * lot)) / 0.2));
 }
 
 /** A row of wedges of length 1: each rises from −1 to 1 over 0.7 of its length, and falls over the rest. */

@@ -21,7 +21,8 @@ float rampSum(const in float x) {
 }
 
 Pen penFor(const in HatchingParameters h, const in Family family, const in float tone) {
-  float open = (1.0 - tone) * (1.0 - tone);
+  float light = max(1.0 - tone / CLOSED_FROM, 0.0);
+  float open = light * light;
   float there = (rampSum(tone) - rampSum(max(tone - ALL_FROM, 0.0))) / ALL_FROM;
   float width = tone / max(there * (1.0 - LOST * open), 1e-4);
   return Pen(family, alongLines(h, family), tone, open, tone < ALL_FROM ? min(width, NIB) : width);
@@ -33,36 +34,56 @@ float bornBelow(const in float share) {
   return share < 1.0 - 0.5 * BIRTH ? share + 0.5 * BIRTH : 1.0 + BIRTH - sqrt(2.0 * BIRTH * (1.0 - share));
 }
 
-// A number in [0, 1) that belongs to a stroke: random from line to line, and far from those of its neighbours on the line.
-float lotOfStroke(const in float line, const in float stroke) {
-  uint spread = floatBitsToUint(line) * GOLDEN_RATIO;
-  spread = (spread ^ spread >> 15u) * THIRD_FACTOR + uint(int(stroke)) * THUE_MORSE;
-  return float(spread >> 8u) / 16777216.0;
+// Random bits that the lots of the strokes on a line begin with.
+uint bitsOfLine(const in float line) {
+  uint spread = floatBitsToUint(line);
+  spread = (spread ^ spread >> 12u) * GOLDEN_RATIO;
+  return (spread ^ spread >> 13u) * THIRD_FACTOR;
 }
 
-// Width of the strokes on a line at this place, as a share of its room, and how far they stray from it, in distances between lines.
-vec2 strokeOn(const in Pen pen, const in float born, const in float line, const in float place, const in float period) {
-  float number = numberOf(line, pen.family);
-  float along = place / period + lotOf(abs(number));
+// A number in [0, 1) that belongs to a stroke, and is far from those of its neighbours on the line.
+float lotOfStroke(const in uint bits, const in float stroke) {
+  return float(bits + uint(int(stroke)) * THUE_MORSE >> 8u) / 16777216.0;
+}
+
+// The strokes of a line by one axis and of one length: their width at this place, as a share of its room, and how far they stray from it,
+// in distances between lines. place: in lengths of strokes. lot, ofLine: of the line.
+vec2 strokeOn(const in Pen pen, const in float born, const in float place, const in float lot, const in uint ofLine) {
+  float along = place + lot;
+  // Strokes begin late by chance, and so differ in length: the ends of neighbours would otherwise lie in rows across the lines.
   float stroke = floor(along);
-  float lot = lotOfStroke(abs(number), stroke);
-  float other = fract(GAP_LOT * lot);
-  float way = 2.0 * (along - stroke) - 1.0; // from −1 at one end to 1 at the other
-  float there = clamp((pen.tone - ALL_FROM * lot) / STROKE_GROWTH, 0.0, 1.0);
-  float inside = 1.0 - abs(way) - pen.open * STROKE_GAP * other - SHORTENING * (1.0 - there);
-  float rest = clamp(1.0 - inside / max(pen.open * TAPER, 1e-3), 0.0, 1.0);
-  there *= clamp((born - fract(BIRTH_LOT * lot)) / BIRTH, 0.0, 1.0);
-  float spread = 1.0 + handmade * WIDTH_SPREAD * pen.open * (fract(WIDTH_LOT * lot) - 0.5);
-  float astray = LEANING * (other - 0.5) * way + BENDING * (lot - 0.5) * (0.5 - way * way);
-  return vec2(pen.width * there * spread * (1.0 - rest * rest), handmade * pen.open * sign(number) * astray);
+  if (along < stroke + LATENESS * lotOfStroke(ofLine, stroke)) stroke -= 1.0;
+  float chance = lotOfStroke(ofLine, stroke);
+  float size = 1.0 + LATENESS * (lotOfStroke(ofLine, stroke + 1.0) - chance);
+  float way = 2.0 * (along - stroke - LATENESS * chance) / size - 1.0; // from −1 at one end to 1 at the other
+  float there = clamp((pen.tone - ALL_FROM * chance) / STROKE_GROWTH, 0.0, 1.0);
+  // What differs from stroke to stroke is spread evenly over a surface.
+  float even = lotOfStroke(uint(lot * 16777216.0) << 8u, stroke);
+  float gap = fract(GAP_LOT * even);
+  float inside = 1.0 - abs(way) - pen.open * STROKE_GAP * gap - SHORTENING * (1.0 - there);
+  float taper = pen.open * TAPER;
+  float rest = clamp((taper - inside) / max(taper, 1e-3), 0.0, 1.0);
+  there *= clamp((born - fract(BIRTH_LOT * even)) / BIRTH, 0.0, 1.0);
+  float spread = 1.0 + handmade * WIDTH_SPREAD * pen.open * (fract(WIDTH_LOT * even) - 0.5);
+  float astray = LEANING * (gap - 0.5) * way + BENDING * (chance - 0.5) * (0.5 - way * way);
+  return vec2(pen.width * there * spread * (1.0 - rest * rest), handmade * pen.open * astray);
+}
+
+// The share of the first axis on a line: lines go over from one to the other one after another.
+float firstOnLine(const in Along along, const in float lot) {
+  return clamp(((1.0 + AXIS_TURN) * along.share - fract(AXIS_LOT * lot)) / AXIS_TURN, 0.0, 1.0);
 }
 
 // Most places lie along one axis and at one length of strokes; others share theirs. A loop that stands here once, not four times: as it
 // does not know how often it is run, no compiler unrolls it, or those around it.
 vec2 strokesOn(const in Pen pen, const in float born, const in float line) {
   Along along = pen.along;
-  bool isFirst = along.share >= 0.5;
-  float other = min(along.share, 1.0 - along.share);
+  float number = numberOf(line, pen.family);
+  float lot = lotOf(abs(number));
+  uint ofLine = bitsOfLine(abs(number));
+  float first = firstOnLine(along, lot);
+  bool isFirst = first >= 0.5;
+  float other = min(first, 1.0 - first);
   int lengths = along.longer > 0.0 ? 2 : 1;
   int ways = other > 0.0 ? 2 * lengths : lengths;
   vec2 strokes = vec2(0.0);
@@ -71,9 +92,9 @@ vec2 strokesOn(const in Pen pen, const in float born, const in float line) {
     bool isLonger = i == 1 ? !isOther : i == 3;
     float share = (isOther ? other : 1.0 - other) * (isLonger ? along.longer : 1.0 - along.longer);
     float place = isFirst == isOther ? along.places.y : along.places.x;
-    strokes += share * strokeOn(pen, born, line, place, isLonger ? 2.0 * along.period : along.period);
+    strokes += share * strokeOn(pen, born, place / (isLonger ? 2.0 * along.period : along.period), lot, ofLine);
   }
-  return strokes;
+  return vec2(strokes.x, sign(number) * strokes.y);
 }
 
 // away: from the line, signed, in pixels, as is the distance between old lines. share: of their room that the line has.

@@ -10,8 +10,9 @@ import { type Along, alongLines, numberOf } from './strokeLengths.js';
 
 const { abs, clamp, float, floatBitsToUint, floor, fract, If, int, Loop, max, min, select, sign, sqrt, uint, vec2 } =
   tsl;
-const { ALL_FROM, BENDING, BIRTH, BIRTH_LOT, GAP_LOT, LEANING, NIB, STROKE_GAP, STROKE_GROWTH } = PEN_CONSTANTS;
-const { SHORTENING, SHORTENING_OF_INK, TAPER, WIDTH_LOT, WIDTH_SPREAD } = PEN_CONSTANTS;
+const { ALL_FROM, AXIS_LOT, AXIS_TURN, BENDING, BIRTH, BIRTH_LOT, CLOSED_FROM, GAP_LOT, LATENESS } = PEN_CONSTANTS;
+const { LEANING, NIB } = PEN_CONSTANTS;
+const { SHORTENING, SHORTENING_OF_INK, STROKE_GAP, STROKE_GROWTH, TAPER, WIDTH_LOT, WIDTH_SPREAD } = PEN_CONSTANTS;
 
 /** What a line loses to the gaps and the ends of its strokes where they are farthest apart. */
 const LOST = 0.5 * STROKE_GAP + TAPER / 3;
@@ -40,7 +41,8 @@ function rampSum(x: Value): Value {
 }
 
 export function penFor(h: HatchingParameters, family: Family, tone: Value): Pen {
-  const open = oneMinus(tone).mul(oneMinus(tone)).toVar();
+  const light = max(oneMinus(tone.div(CLOSED_FROM)), 0).toVar();
+  const open = light.mul(light).toVar();
   const above = max(tone.sub(ALL_FROM), 0).toVar();
   const there = rampSum(tone).sub(rampSum(above)).div(ALL_FROM);
   const width = tone.div(max(there.mul(oneMinus(open.mul(LOST))), 1e-4)).toVar();
@@ -58,39 +60,59 @@ function bornBelow(share: Value): Value {
   return select(share.lessThan(0.5 * BIRTH), sqrt(share.mul(2 * BIRTH)), grown).toVar();
 }
 
-/** A number in [0, 1) that belongs to a stroke: random from line to line, and far from those of its neighbours on the line. */
-function lotOfStroke(line: Value, stroke: Value): Value {
-  const { GOLDEN_RATIO, THIRD_FACTOR, THUE_MORSE } = LOT_FACTORS;
-  const spread = floatBitsToUint(line).mul(uint(GOLDEN_RATIO)).toVar();
-  const ofLine = spread.bitXor(spread.shiftRight(uint(15))).mul(uint(THIRD_FACTOR));
-  spread.assign(ofLine.add(uint(int(stroke)).mul(uint(THUE_MORSE))));
-  return float(spread.shiftRight(uint(8)))
-    .div(16777216)
+/** Random bits that the lots of the strokes on a line begin with. */
+function bitsOfLine(line: Value): Value {
+  const { GOLDEN_RATIO, THIRD_FACTOR } = LOT_FACTORS;
+  const word = floatBitsToUint(line).toVar();
+  const spread = word
+    .bitXor(word.shiftRight(uint(12)))
+    .mul(uint(GOLDEN_RATIO))
+    .toVar();
+  return spread
+    .bitXor(spread.shiftRight(uint(13)))
+    .mul(uint(THIRD_FACTOR))
     .toVar();
 }
 
-/** Width of the strokes on a line at this place, as a share of its room, and how far they stray from it, in distances between lines. */
-function strokeOn(pen: Pen, born: Value, line: Value, place: Value, period: Value): Value {
-  const number = numberOf(line, pen.family).toVar();
-  const size = abs(number).toVar();
-  const along = place.div(period).add(lotOf(size)).toVar();
+/** A number in [0, 1) that belongs to a stroke, and is far from those of its neighbours on the line. */
+const lotOfStroke = (bits: Value, stroke: Value): Value =>
+  float(bits.add(uint(int(stroke)).mul(uint(LOT_FACTORS.THUE_MORSE))).shiftRight(uint(8)))
+    .div(16777216)
+    .toVar();
+
+/**
+ * The strokes of a line by one axis and of one length: their width at this place, as a share of its room, and how far they stray from it, in
+ * distances between lines.
+ *
+ * @param place in lengths of strokes
+ * @param lot of the line, as are the bits that its strokes have by chance
+ */
+function strokeOn(pen: Pen, born: Value, place: Value, lot: Value, bits: Value): Value {
+  const along = place.add(lot).toVar();
+  // Strokes begin late by chance, and so differ in length: the ends of neighbours would otherwise lie in rows across the lines.
   const stroke = floor(along).toVar();
-  const lot = lotOfStroke(size, stroke);
-  const other = fract(lot.mul(GAP_LOT)).toVar();
+  const begin = stroke.add(lotOfStroke(bits, stroke).mul(LATENESS));
+  stroke.assign(stroke.sub(select(along.lessThan(begin), 1, 0)));
+  const chance = lotOfStroke(bits, stroke);
+  const size = lotOfStroke(bits, stroke.add(1)).sub(chance).mul(LATENESS).add(1);
   // From −1 at one end to 1 at the other.
-  const way = along.sub(stroke).mul(2).sub(1).toVar();
-  const grown = clamp(pen.tone.sub(lot.mul(ALL_FROM)).div(STROKE_GROWTH), 0, 1).toVar();
-  const left = oneMinus(abs(way)).sub(pen.open.mul(STROKE_GAP).mul(other)).sub(oneMinus(grown).mul(SHORTENING));
-  const rest = clamp(oneMinus(left.div(max(pen.open.mul(TAPER), 1e-3))), 0, 1).toVar();
-  const there = grown.mul(clamp(born.sub(fract(lot.mul(BIRTH_LOT))).div(BIRTH), 0, 1));
+  const way = along.sub(stroke).sub(chance.mul(LATENESS)).mul(2).div(size).sub(1).toVar();
+  const grown = clamp(pen.tone.sub(chance.mul(ALL_FROM)).div(STROKE_GROWTH), 0, 1).toVar();
+  // What differs from stroke to stroke is spread evenly over a surface.
+  const even = lotOfStroke(uint(lot.mul(16777216)).shiftLeft(uint(8)), stroke);
+  const gap = fract(even.mul(GAP_LOT)).toVar();
+  const inside = oneMinus(abs(way)).sub(pen.open.mul(STROKE_GAP).mul(gap)).sub(oneMinus(grown).mul(SHORTENING));
+  const taper = pen.open.mul(TAPER).toVar();
+  const rest = clamp(taper.sub(inside).div(max(taper, 1e-3)), 0, 1).toVar();
+  const there = grown.mul(clamp(born.sub(fract(even.mul(BIRTH_LOT))).div(BIRTH), 0, 1));
   const spread = handmade
     .mul(WIDTH_SPREAD)
     .mul(pen.open)
-    .mul(fract(lot.mul(WIDTH_LOT)).sub(0.5))
+    .mul(fract(even.mul(WIDTH_LOT)).sub(0.5))
     .add(1);
-  const leaning = other.sub(0.5).mul(LEANING).mul(way);
+  const leaning = gap.sub(0.5).mul(LEANING).mul(way);
   const astray = leaning.add(
-    lot
+    chance
       .sub(0.5)
       .mul(BENDING)
       .mul(float(0.5).sub(way.mul(way))),
@@ -100,15 +122,22 @@ function strokeOn(pen: Pen, born: Value, line: Value, place: Value, period: Valu
       .mul(there)
       .mul(spread)
       .mul(oneMinus(rest.mul(rest))),
-    handmade.mul(pen.open).mul(sign(number)).mul(astray),
+    handmade.mul(pen.open).mul(astray),
   ).toVar();
 }
 
 /** Most places lie along one axis and at one length of strokes; others share theirs. */
 function strokesOn(pen: Pen, born: Value, line: Value): Value {
   const { along } = pen;
-  const isFirst = along.share.greaterThanEqual(0.5).toVar();
-  const other = min(along.share, oneMinus(along.share)).toVar();
+  const number = numberOf(line, pen.family).toVar();
+  const size = abs(number).toVar();
+  const lot = lotOf(size).toVar();
+  const bits = bitsOfLine(size);
+  // Lines go over from one axis to the other one after another.
+  const turned = along.share.mul(1 + AXIS_TURN).sub(fract(lot.mul(AXIS_LOT)));
+  const first = clamp(turned.div(AXIS_TURN), 0, 1).toVar();
+  const isFirst = first.greaterThanEqual(0.5).toVar();
+  const other = min(first, oneMinus(first)).toVar();
   const strokes = vec2(0).toVar();
   Loop({ start: int(0), end: int(4), type: 'int', condition: '<' }, ({ i }) => {
     const isOther = i.greaterThanEqual(int(2)).toVar();
@@ -121,10 +150,10 @@ function strokesOn(pen: Pen, born: Value, line: Value): Value {
     If(share.greaterThan(0), () => {
       const place = select(isFirst.equal(isOther), along.places.y, along.places.x).toVar();
       const period = select(isLonger, along.period.mul(2), along.period).toVar();
-      strokes.addAssign(strokeOn(pen, born, line, place, period).mul(share));
+      strokes.addAssign(strokeOn(pen, born, place.div(period), lot, bits).mul(share));
     });
   });
-  return strokes;
+  return vec2(strokes.x, sign(number).mul(strokes.y)).toVar();
 }
 
 /**
