@@ -23,7 +23,8 @@ declare module 'virtual:form-sources' {
   }
   const sources: Readonly<
     Record<
-      'shell' | 'vase' | 'column' | 'gears' | 'landscape' | 'knot' | 'makeFish' | 'makeHouse' | 'makeDrapery',
+      | ('shell' | 'vase' | 'column' | 'gears' | 'landscape' | 'knot')
+      | ('makeFish' | 'makeHouse' | 'makeDrapery' | 'makeStairs' | 'makeRoom' | 'makeStreet' | 'makeFox'),
       FormSource
     >
   >;

@@ -74,4 +74,8 @@ export const GALLERY: readonly GalleryDrawing[] = [
     'crossHatching',
     `model=teapot&${SHADOWS}&lightAzimuth=-43&lightElevation=62&ink=%231d3a5f&paper=%23eef1ee`,
   ),
+  drawing('stairs', 'Staircase', 'pen', 'model=stairs&shadows=on&occlusion=40&lightAzimuth=-40&lightElevation=45'),
+  drawing('room', 'Room', 'crossHatching', 'model=room&lightAzimuth=-30&lightElevation=34'),
+  drawing('fox', 'Fox', 'woodcut', 'model=fox&shadows=on&lightAzimuth=72&lightElevation=50'),
+  drawing('street', 'Street', 'engraving', 'model=street&shadows=on&lightAzimuth=-35&lightElevation=45'),
 ];

@@ -17,7 +17,7 @@ test('a drawing of the gallery opens live by the keyboard, a surprise changes it
   const opener = page.getByRole('button', { name: 'Gallery' });
   await opener.press('Enter');
   const gallery = page.getByRole('region', { name: 'Gallery' });
-  await expect(gallery.getByRole('button')).toHaveCount(13);
+  await expect(gallery.getByRole('button')).toHaveCount(17);
   await page.keyboard.press('Escape');
   await expect(gallery).toBeHidden();
   await expect(opener).toBeFocused();

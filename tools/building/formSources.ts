@@ -18,6 +18,10 @@ const FORMS = {
   makeFish: 'makeFish.ts',
   makeHouse: 'makeHouse.ts',
   makeDrapery: 'makeDrapery.ts',
+  makeStairs: 'makeStairs.ts',
+  makeRoom: 'makeRoom.ts',
+  makeStreet: 'makeStreet.ts',
+  makeFox: 'makeFox.ts',
 } as const;
 
 /** Gives copied code the very functions that make the page's own models, as JavaScript: `import sources from 'virtual:form-sources'`. */

@@ -15,14 +15,15 @@ const QUALITY = 0.8;
  * @param {import('vite').ViteDevServer} server
  * @param {import('@playwright/test').Browser} browser
  * @param {string} root of the project
+ * @param {readonly string[]} [only] the names of those that are drawn; all of them unless given
  */
-export async function drawGallery(server, browser, root) {
+export async function drawGallery(server, browser, root, only) {
   const { GALLERY } = await server.ssrLoadModule('/src/settings/gallery.ts');
   const { PRESET_NAMES } = await server.ssrLoadModule('/src/settings/presetLabels.ts');
   const pictures = [
     ...GALLERY.map(({ name, link }) => ({ ...DRAWING, name, link })),
     ...PRESET_NAMES.map((name) => ({ ...PRESET, name: `preset-${name}`, link: `preset=${name}&model=sphere` })),
-  ];
+  ].filter(({ name }) => !only || only.includes(name));
   const folder = join(root, 'public/gallery');
   mkdirSync(folder, { recursive: true });
   let bytes = 0;

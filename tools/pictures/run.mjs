@@ -1,5 +1,5 @@
 /**
- * `npm run pictures`: draws the pictures of the documentation, docs/hero.webp and those that plans.mjs names, and those of the playground's gallery and of the examples. `npm run pictures -- hero` draws one of them.
+ * `npm run pictures`: draws the pictures of the documentation, docs/hero.webp and those that plans.mjs names, and those of the playground's gallery and of the examples. `npm run pictures -- hero` draws one of them, and `npm run pictures -- gallery --only=room,preset-pen` two of the gallery.
  * `npm run pictures -- show` writes others into tests/output/show, to be looked at: the page in eight sizes, dropped files beside plain pictures.
  * `npm run pictures -- looks` draws every preset on six models into tests/output/looks, beside the sheets in `before` there.
  * `npm run pictures -- flat` draws scenes of plain faces in every preset into tests/output/flat: near, from afar, and with the light turned.
@@ -28,6 +28,7 @@ const fileOf = (subject) => SUBJECT_FILES[subject] && join(models, SUBJECT_FILES
 const { positionals: wanted, values: options } = parseArgs({
   allowPositionals: true,
   options: {
+    only: { type: 'string' },
     scenes: { type: 'string' },
     presets: { type: 'string' },
     views: { type: 'string' },
@@ -83,7 +84,8 @@ try {
     writeFileSync(join(root, 'docs/hero.webp'), file);
     console.log(`hero: ${frames.length} pictures, ${Math.round(file.length / 1000)} kB`);
   }
-  if (wanted.length === 0 || wanted.includes('gallery')) await drawGallery(server, browser, root);
+  if (wanted.length === 0 || wanted.includes('gallery'))
+    await drawGallery(server, browser, root, options.only?.split(','));
   if (wanted.length === 0 || wanted.includes('examples')) await drawExamples(server, browser, root);
   if (wanted.includes('flat')) await drawFlat(server, browser, root, Object.keys(presets), options);
   if (wanted.includes('show')) await drawShow(server, browser, root, models);

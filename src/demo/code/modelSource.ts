@@ -84,6 +84,14 @@ geometry.setAttribute('position', new Float32BufferAttribute(positions.flat(), 3
       return sceneSource('makeHouse', 'model');
     case 'drapery':
       return sceneSource('makeDrapery', 'model');
+    case 'stairs':
+      return sceneSource('makeStairs', 'model');
+    case 'room':
+      return sceneSource('makeRoom', 'model');
+    case 'street':
+      return sceneSource('makeStreet', 'model');
+    case 'fox':
+      return sceneSource('makeFox', 'model');
     case 'bust':
       return {
         imports: [
@@ -119,7 +127,7 @@ model.quaternion.set(Math.SQRT1_2, 0, Math.SQRT1_2, 0); // its fingers up, its b
 
 /** A scene that one of our functions makes. @param taken what is taken of it: `root` as `model`, and perhaps its clips */
 function sceneSource(
-  form: 'makeFish' | 'makeHouse' | 'makeDrapery',
+  form: Extract<keyof typeof forms, `make${string}`>,
   taken: 'model' | 'model, animations',
 ): ModelSource {
   const { code: functions, ...source } = forms[form];

@@ -13,7 +13,7 @@ type Faces = Partial<Record<Substance, readonly (readonly number[])[]>>;
 
 /** A fox that sits, of few flat triangles. It looks along z; its left half mirrors its right one. */
 export function makeFox(): ModelScene {
-  const parts = [torso(), ...both(frontLeg), ...both(haunch), head(), ...both(ear), tail()];
+  const parts = [torso(), ...both(frontLeg), ...both(haunch), head(), ...both(ear), ...both(eye), tail()];
   return sceneOf(COLOURS, together<Substance>(...parts));
 }
 
@@ -41,8 +41,8 @@ function torso(): Parts {
   const corners = [
     ...ring([0, 0, 0.06], [0.2, 0, 0.02], [0.25, 0, -0.36], [0, 0, -0.5]),
     ...ring([0, 0.34, 0.2], [0.2, 0.34, 0.1], [0.25, 0.34, -0.34], [0, 0.36, -0.5]),
-    ...ring([0, 0.72, 0.33], [0.18, 0.7, 0.2], [0.17, 0.76, -0.14], [0, 0.8, -0.28]),
-    ...ring([0, 1.02, 0.26], [0.13, 1.02, 0.17], [0.12, 1.08, -0.02], [0, 1.1, -0.08]),
+    ...ring([0, 0.74, 0.35], [0.2, 0.72, 0.2], [0.18, 0.78, -0.14], [0, 0.82, -0.27]),
+    ...ring([0, 1.18, 0.25], [0.12, 1.18, 0.16], [0.11, 1.22, -0.02], [0, 1.24, -0.08]),
   ];
   const white: number[][] = [];
   const fur: number[][] = [];
@@ -70,84 +70,60 @@ function torso(): Parts {
 function frontLeg(side: number): Parts {
   const at = (x: number, y: number, z: number): Point => [side * x, y, z];
   const corners = [
-    // Above, at the middle and at the ankle: outside in front, inside in front, behind.
-    ...[at(0.2, 0.6, 0.27), at(0.05, 0.58, 0.32), at(0.16, 0.58, 0.08)],
-    ...[at(0.17, 0.26, 0.28), at(0.06, 0.26, 0.29), at(0.13, 0.26, 0.15)],
-    ...[at(0.16, 0.07, 0.27), at(0.06, 0.07, 0.28), at(0.12, 0.07, 0.16)],
-    // The paw: its corners on the ground.
-    ...[at(0.18, 0, 0.38), at(0.05, 0, 0.38), at(0.17, 0, 0.15), at(0.06, 0, 0.15)],
+    // In the chest, at the middle and at the ankle: outside in front, inside in front, behind.
+    ...[at(0.17, 0.68, 0.2), at(0.05, 0.66, 0.29), at(0.15, 0.62, 0.06)],
+    ...[at(0.18, 0.28, 0.27), at(0.06, 0.28, 0.29), at(0.14, 0.28, 0.14)],
+    ...[at(0.17, 0, 0.26), at(0.07, 0, 0.28), at(0.13, 0, 0.17)],
   ];
-  return part(
-    corners,
-    {
-      fur: [
-        [0, 1, 4],
-        [0, 4, 3],
-        [1, 2, 5],
-        [1, 5, 4],
-        [2, 0, 3],
-        [2, 3, 5],
-      ],
-      dark: [
-        [3, 4, 7],
-        [3, 7, 6],
-        [4, 5, 8],
-        [4, 8, 7],
-        [5, 3, 6],
-        [5, 6, 8],
-        [6, 7, 10, 9],
-        [6, 9, 11],
-        [6, 11, 8],
-        [7, 12, 10],
-        [7, 8, 12],
-        [8, 11, 12],
-      ],
-    },
-    at(0.12, 0.3, 0.21),
+  const band = (from: number): number[][] => [
+    [from, from + 1, from + 4, from + 3],
+    [from + 1, from + 2, from + 5, from + 4],
+    [from + 2, from, from + 3, from + 5],
+  ];
+  return together<Substance>(
+    part(corners, { fur: band(0), dark: band(3) }, at(0.12, 0.3, 0.21)),
+    paw(at, [0.05, 0.19], [0.2, 0.4], 0.1),
   );
+}
+
+/** A wedge on the ground. @param across, along where it lies on x and z @param height at its hind end */
+function paw(
+  at: (x: number, y: number, z: number) => Point,
+  across: readonly [number, number],
+  along: readonly [number, number],
+  height: number,
+): Parts {
+  const [[left, right], [back, front]] = [across, along];
+  const corners = [
+    at(left + 0.02, height, back),
+    at(right - 0.02, height, back),
+    at(right, 0, front),
+    at(left, 0, front),
+    at(left, 0, back),
+    at(right, 0, back),
+  ];
+  const faces = [
+    [0, 1, 2, 3],
+    [1, 5, 2],
+    [0, 3, 4],
+  ];
+  return part(corners, { dark: faces }, at((left + right) / 2, 0.2 * height, back + 0.3 * (front - back)));
 }
 
 function haunch(side: number): Parts {
   const at = (x: number, y: number, z: number): Point => [side * x, y, z];
   const corners = [
-    at(0.22, 0.5, -0.2),
-    at(0.24, 0.3, 0.16),
-    at(0.24, 0.02, 0.12),
-    at(0.26, 0, -0.4),
-    at(0.22, 0.3, -0.46),
-    at(0.37, 0.22, -0.1),
-    // The hind paw.
-    at(0.34, 0.1, 0.14),
-    at(0.36, 0, 0.3),
-    at(0.22, 0, 0.3),
-    at(0.37, 0, -0.05),
-    at(0.22, 0.1, 0.14),
+    at(0.2, 0.54, -0.18),
+    at(0.22, 0.34, 0.17),
+    at(0.27, 0, 0.16),
+    at(0.28, 0, -0.4),
+    at(0.2, 0.3, -0.47),
+    at(0.38, 0.24, -0.08),
   ];
+  const faces = [0, 1, 2, 3, 4].map((i) => [5, i, (i + 1) % 5]);
   return together<Substance>(
-    part(
-      corners,
-      {
-        fur: [
-          [5, 0, 1],
-          [5, 1, 2],
-          [5, 2, 3],
-          [5, 3, 4],
-          [5, 4, 0],
-        ],
-      },
-      at(0.2, 0.22, -0.12),
-    ),
-    part(
-      corners,
-      {
-        dark: [
-          [6, 7, 8, 10],
-          [6, 9, 7],
-          [6, 10, 9],
-        ],
-      },
-      at(0.29, 0.03, 0.12),
-    ),
+    part(corners, { fur: faces }, at(0.2, 0.22, -0.12)),
+    paw(at, [0.2, 0.37], [0.02, 0.34], 0.13),
   );
 }
 
@@ -162,7 +138,7 @@ function head(): Parts {
     [0, 1.12, 0.66],
     [0, 1.04, 0.28],
     [0.19, 1.44, 0.12],
-    [0.29, 1.2, 0.14],
+    [0.33, 1.18, 0.1],
     [0.16, 1.22, -0.1],
     [0.12, 1.32, 0.37],
     [0.06, 1.2, 0.64],
@@ -202,17 +178,24 @@ function head(): Parts {
 
 function ear(side: number): Parts {
   const at = (x: number, y: number, z: number): Point => [side * x, y, z];
-  const corners = [at(0.05, 1.48, 0.16), at(0.22, 1.38, 0.14), at(0.14, 1.42, 0.02), at(0.2, 1.82, 0.06)];
+  const corners = [at(0.03, 1.49, 0.15), at(0.26, 1.36, 0.1), at(0.14, 1.42, -0.04), at(0.23, 1.78, 0.03)];
+  const faces: Faces = {
+    fur: [
+      [1, 2, 3],
+      [0, 2, 3],
+    ],
+    dark: [[0, 1, 3]],
+  };
+  return part(corners, faces, at(0.15, 1.5, 0.05));
+}
+
+/** An eye, which lies just before the fold of the cheek. */
+function eye(side: number): Parts {
+  const at = (x: number, y: number, z: number): Point => [side * x, y, z];
   return part(
-    corners,
-    {
-      fur: [
-        [1, 2, 3],
-        [0, 2, 3],
-      ],
-      dark: [[0, 1, 3]],
-    },
-    at(0.14, 1.5, 0.07),
+    [at(0.132, 1.339, 0.338), at(0.156, 1.377, 0.261), at(0.175, 1.332, 0.26)],
+    { dark: [[0, 1, 2]] },
+    at(0, 1.3, 0.1),
   );
 }
 

@@ -9,6 +9,7 @@ const COLOURS = {
   timber: '#4a3527',
   iron: '#26282b',
   leaf: '#5a3424',
+  crate: '#b08a58',
 };
 
 type Parts = PartsOf<keyof typeof COLOURS>;
@@ -29,7 +30,9 @@ const TREAD = 0.05;
 /** The corner between both walls is x = z = 0: they run along −x and along z. */
 const REACH = WIDTH + FLIGHT + PLATFORM_LENGTH;
 const DEPTH = WIDTH + FLIGHT + 0.75;
-const WALL_HEIGHT = PLATFORM + 1.75;
+const WALL_HEIGHT = PLATFORM + 1.8;
+/** How far the wall goes on beyond the platform. */
+const BEYOND = 0.3;
 const WALL = 0.14;
 const RAIL_HEIGHT = 0.82;
 const LONGEST_EDGE = 0.3;
@@ -38,7 +41,7 @@ const LONGEST_EDGE = 0.3;
 export function makeStairs(): ModelScene {
   return sceneOf(
     COLOURS,
-    together<keyof typeof COLOURS>(walls(), lowerFlight(), upperFlight(), door(), rails()),
+    together<keyof typeof COLOURS>(walls(), window(), crates(), lowerFlight(), upperFlight(), door(), rails()),
     LONGEST_EDGE,
   );
 }
@@ -47,16 +50,54 @@ export function makeStairs(): ModelScene {
 const DOOR_X = -REACH + PLATFORM_LENGTH / 2 - 0.02;
 const DOOR = { x: DOOR_X, y: PLATFORM, width: 0.74, height: 1.3 };
 
+const WINDOW = { x: -0.62, y: LANDING + 1.05, width: 0.62, height: 0.95 };
+
 function walls(): Parts {
-  const back = slab(rectangle(new Shape(), { x: -REACH / 2, y: 0, width: REACH, height: WALL_HEIGHT }), [DOOR], WALL);
+  const [width, middle] = [REACH + BEYOND, -(REACH + BEYOND) / 2];
   const base = 0.12;
+  const outline = rectangle(new Shape(), { x: middle, y: 0, width, height: WALL_HEIGHT });
   return {
-    wall: [back],
+    wall: [slab(outline, [DOOR, WINDOW], WALL)],
     stone: [
-      box(REACH + 0.3, base, DEPTH + WALL + 0.12, -REACH / 2 + 0.05, -base, (DEPTH - WALL) / 2),
-      box(REACH + 0.16, 0.1, WALL + 0.12, -REACH / 2, WALL_HEIGHT, -WALL / 2),
+      box(width + 0.2, base, DEPTH + WALL + 0.12, middle + 0.02, -base, (DEPTH - WALL) / 2),
+      box(width + 0.16, 0.1, WALL + 0.12, middle, WALL_HEIGHT, -WALL / 2),
     ],
   };
+}
+
+/** A window with bars above the landing. */
+function window(): Parts {
+  const { x, y, width, height } = WINDOW;
+  const inner = { x, y: y + 0.05, width: width - 0.1, height: height - 0.1 };
+  return {
+    timber: [
+      slab(rectangle(new Shape(), WINDOW), [inner], 0.04).translate(0, 0, -0.05),
+      box(0.04, inner.height, 0.03, x, inner.y, -0.07),
+      box(inner.width, 0.03, 0.028, x, y + 0.6 * height, -0.07),
+    ],
+    stone: [
+      box(width + 0.16, 0.06, 0.12, x, y - 0.06, 0.03),
+      box(width + 0.16, 0.12, 0.06, x, y + height + 0.01, 0.02),
+    ],
+    iron: [box(inner.width, inner.height, 0.01, x, inner.y, -0.1)],
+  };
+}
+
+/** Crates at the foot of the wall with the arch. */
+function crates(): Parts {
+  const crate = (side: number, x: number, y: number, z: number, turn: number): BufferGeometry[] => {
+    const bar = 0.16 * side;
+    const solids = [
+      box(0.9 * side, side, 0.9 * side, 0, 0, 0),
+      ...[-1, 1].flatMap((i) => [
+        ...[-1, 1].map((k) => box(bar, side + 0.01, bar, (i * (side - bar)) / 2, 0, (k * (side - bar)) / 2)),
+        ...[0, 1].map((end) => box(side - 2 * bar, bar, bar, 0, end * (side - bar), (i * (side - bar)) / 2)),
+        ...[0, 1].map((end) => box(bar, bar, side - 2 * bar, (i * (side - bar)) / 2, end * (side - bar), 0)),
+      ]),
+    ];
+    return solids.map((geometry) => geometry.rotateY(turn).translate(x, y, z));
+  };
+  return { crate: [...crate(0.5, -2.15, 0, WIDTH + 0.62, 0.3), ...crate(0.36, -2.72, 0, WIDTH + 0.95, -0.25)] };
 }
 
 /** Steps towards −z, up to the landing in the corner. */

@@ -1,6 +1,18 @@
 import { type BufferGeometry, ExtrudeGeometry } from 'three';
 import type { ModelScene } from '../../files/gltf/parseGltf.js';
-import { box, moved, type Opening, type Parts as PartsOf, polygon, sceneOf, slab, solid, together } from './solids.js';
+import {
+  box,
+  facets,
+  moved,
+  type Opening,
+  type Parts as PartsOf,
+  type Point,
+  polygon,
+  sceneOf,
+  slab,
+  solid,
+  together,
+} from './solids.js';
 
 const COLOURS = {
   lightPlaster: '#efe6d2',
@@ -20,9 +32,9 @@ type Substance = keyof typeof COLOURS;
 type Parts = PartsOf<Substance>;
 
 /** Half the width of the carriageway, the width of each pavement, and the depth of the houses. */
-const ROAD = 1.5;
-const PAVEMENT = 0.75;
-const DEPTH = 1.5;
+const ROAD = 2.1;
+const PAVEMENT = 0.85;
+const DEPTH = 1.05;
 const FRONT = ROAD + PAVEMENT;
 const PAVEMENT_HEIGHT = 0.1;
 const WALL = 0.12;
@@ -48,6 +60,8 @@ const LEFT: readonly House[] = [
   { width: 3.3, storeys: 2, gabled: false, walls: 'plaster', door: 1 },
   { width: 2.5, storeys: 3, gabled: true, walls: 'lightPlaster', door: 0 },
   { width: 3, storeys: 3, gabled: false, walls: 'brick', door: 1 },
+  { width: 2.5, storeys: 2, gabled: true, walls: 'plaster', door: 0 },
+  { width: 3.1, storeys: 2, gabled: false, walls: 'lightPlaster', door: 2 },
 ];
 const RIGHT: readonly House[] = [
   { width: 3.3, storeys: 2, gabled: false, walls: 'plaster', door: 1, shutters: true },
@@ -58,6 +72,8 @@ const RIGHT: readonly House[] = [
   { width: 2.4, storeys: 3, gabled: true, walls: 'brick', door: 1 },
   { width: 3, storeys: 2, gabled: false, walls: 'plaster', door: 2 },
   { width: 2.8, storeys: 3, gabled: true, walls: 'lightPlaster', door: 0 },
+  { width: 3.2, storeys: 2, gabled: false, walls: 'brick', door: 0 },
+  { width: 2.4, storeys: 3, gabled: true, walls: 'plaster', door: 1 },
 ];
 const LENGTH = LEFT.reduce((sum, { width }) => sum + width, 0);
 
@@ -67,6 +83,8 @@ export function makeStreet(): ModelScene {
     COLOURS,
     together<Substance>(
       ground(),
+      church(),
+      ...[-1, 1].map(endWall),
       row(LEFT, (geometry, along) => geometry.rotateY(Math.PI / 2).translate(-FRONT, PAVEMENT_HEIGHT, -along)),
       row(RIGHT, (geometry, along) => geometry.rotateY(-Math.PI / 2).translate(FRONT, PAVEMENT_HEIGHT, -along)),
       ...[3, 10, 17].flatMap((along) => [lamp(-ROAD - 0.16, -along, 1), lamp(ROAD + 0.16, -along - 3.5, -1)]),
@@ -148,6 +166,47 @@ function houseOf({ width, storeys, gabled, walls, shutters, door }: House): Part
     ...attic.map((opening) => windowOf(opening, false)),
     { kerb: [box(2 * half, 0.07, 0.05, 0, STOREY + 0.12, 0.025)] },
   );
+}
+
+/** The windows in the end wall of the first house. @param side of the street, −1 for the left */
+function endWall(side: number): Parts {
+  const { storeys } = side < 0 ? LEFT[0] : RIGHT[0];
+  const windows = Array.from({ length: storeys }, (_, storey) =>
+    windowOf({ x: 0, y: PAVEMENT_HEIGHT + storey * STOREY + 0.42, width: 0.46, height: 0.72 }, false),
+  );
+  // Its panes lie before the wall.
+  return moved(together<Substance>(...windows), (geometry) =>
+    geometry.translate(side * (FRONT + DEPTH / 2 + 0.06), 0, WALL - 0.015),
+  );
+}
+
+/** A church tower with a pointed roof, behind the houses on the left. */
+function church(): Parts {
+  const [x, z, half, height] = [-FRONT - 1.1, -LENGTH - 1.4, 0.95, 8];
+  const corners: Point[] = [
+    [x - half - 0.1, height, z - half - 0.1],
+    [x + half + 0.1, height, z - half - 0.1],
+    [x + half + 0.1, height, z + half + 0.1],
+    [x - half - 0.1, height, z + half + 0.1],
+    [x, height + 4, z],
+  ];
+  const faces = [
+    [0, 1, 4],
+    [1, 2, 4],
+    [2, 3, 4],
+    [3, 0, 4],
+    [0, 1, 2, 3],
+  ];
+  const opening = (turn: number) =>
+    box(0.5, 1.1, 0.06, 0, height - 1.7, half)
+      .rotateY(turn)
+      .translate(x, 0, z);
+  return {
+    plaster: [box(2 * half, height, 2 * half, x, 0, z)],
+    roof: [facets(corners, faces, [x, height + 1, z])],
+    kerb: [box(2 * half + 0.1, 0.12, 2 * half + 0.1, x, height - 2.2, z)],
+    glass: [0, Math.PI / 2].map(opening),
+  };
 }
 
 /** A roof whose gable faces the street. */

@@ -7,6 +7,7 @@ import { BoxGeometry, type BufferGeometry, IcosahedronGeometry } from 'three';
 import type { BuiltInScene } from '../../drawing/BuiltInScene.js';
 import { errorMessage } from '../../files/common/errorMessage.js';
 import { ModelError } from '../../files/common/ModelError.js';
+import type { ModelScene } from '../../files/gltf/parseGltf.js';
 import type { PlainMesh } from '../../files/mesh/PlainMesh.js';
 import type { ModelFile, ReadModel } from '../../files/readModel.js';
 import type { Settings } from '../../settings/settings.js';
@@ -54,14 +55,7 @@ const builtIn = {
     const { TeapotGeometry } = await import('three/addons/geometries/TeapotGeometry.js');
     return new TeapotGeometry(1, 12);
   }),
-  fish: {
-    title: 'Fish',
-    view: [-0.75, 0.3, 1],
-    async load() {
-      const { makeFish } = await import('./makeFish.js');
-      return { kind: 'scene', name: 'Fish', upAxis: 'y', scene: makeFish() };
-    },
-  },
+  fish: { ...made('Fish', async () => (await import('./makeFish.js')).makeFish()), view: [-0.75, 0.3, 1] },
   hand: {
     title: 'Hand',
     view: [0.1, 0.12, 1],
@@ -86,22 +80,15 @@ const builtIn = {
   gears: form('Gears', 'gears'),
   landscape: { ...form('Landscape', 'landscape'), view: [0.6, 0.62, 1] },
   knot: form('Knot', 'knot'),
-  house: {
-    title: 'House',
-    view: [0.75, 0.4, 1],
-    async load() {
-      const { makeHouse } = await import('./makeHouse.js');
-      return { kind: 'scene', name: 'House', upAxis: 'y', scene: makeHouse() };
-    },
-  },
+  house: { ...made('House', async () => (await import('./makeHouse.js')).makeHouse()), view: [0.75, 0.4, 1] },
   drapery: {
-    title: 'Draped cloth',
+    ...made('Draped cloth', async () => (await import('./makeDrapery.js')).makeDrapery()),
     view: [0.25, 0.42, 1],
-    async load() {
-      const { makeDrapery } = await import('./makeDrapery.js');
-      return { kind: 'scene', name: 'Draped cloth', upAxis: 'y', scene: makeDrapery() };
-    },
   },
+  stairs: { ...made('Staircase', async () => (await import('./makeStairs.js')).makeStairs()), view: [0.5, 0.36, 1] },
+  room: { ...made('Room', async () => (await import('./makeRoom.js')).makeRoom()), view: [0.12, 0.07, 1] },
+  street: { ...made('Street', async () => (await import('./makeStreet.js')).makeStreet()), view: [-0.03, 0.11, 1] },
+  fox: made('Fox', async () => (await import('./makeFox.js')).makeFox()),
   cube: { ...threeShape('Cube', async () => new BoxGeometry(1, 1, 1), { keepNormals: true }), view: [0.6, 0.55, 1] },
   sphere: threeShape('Sphere', async () => new IcosahedronGeometry(1, 12)),
 } satisfies Record<BuiltInModel, BuiltIn>;
@@ -187,6 +174,11 @@ const isStray = (positions: number[][], cell: number[]): boolean => cell.some((i
 /** The mesh of one of {@link forms}. */
 function form(title: string, name: keyof typeof import('./forms.js')): BuiltIn {
   return threeShape(title, async () => (await import('./forms.js'))[name]());
+}
+
+/** A scene that code of ours makes. */
+function made(title: string, make: () => Promise<ModelScene>): BuiltIn {
+  return { title, load: async () => ({ kind: 'scene', name: title, upAxis: 'y', scene: await make() }) };
 }
 
 /** A mesh in the form in which packages carry scans. */

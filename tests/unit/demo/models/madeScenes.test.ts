@@ -1,19 +1,33 @@
 import { Box3, type BufferGeometry, type Mesh, type MeshStandardMaterial } from 'three';
 import { describe, expect, test } from 'vitest';
 import { makeDrapery } from '../../../../src/demo/models/makeDrapery.js';
+import { makeFox } from '../../../../src/demo/models/makeFox.js';
 import { makeHouse } from '../../../../src/demo/models/makeHouse.js';
+import { makeRoom } from '../../../../src/demo/models/makeRoom.js';
+import { makeStairs } from '../../../../src/demo/models/makeStairs.js';
+import { makeStreet } from '../../../../src/demo/models/makeStreet.js';
 
 const trianglesOf = ({ index, attributes }: BufferGeometry): number => (index ?? attributes.position).count / 3;
 
-describe.each(Object.entries({ makeHouse, makeDrapery }))('%s', (_, make) => {
+/** What makes each scene, and between which numbers of triangles it has. */
+const MADE = [
+  [makeHouse, 2000, 20_000],
+  [makeDrapery, 2000, 20_000],
+  [makeStairs, 2000, 30_000],
+  [makeRoom, 2000, 30_000],
+  [makeStreet, 2000, 30_000],
+  [makeFox, 60, 160],
+] as const;
+
+describe.each(MADE.map(([make, ...counts]) => [make.name, make, counts] as const))('%s', (_, make, [fewest, most]) => {
   const { root } = make();
   const meshes = root.children as Mesh<BufferGeometry, MeshStandardMaterial>[];
 
-  test('has a few thousand triangles and makes the same ones again', () => {
+  test('has as many triangles as such a thing needs and makes the same ones again', () => {
     const counts = meshes.map(({ geometry }) => trianglesOf(geometry));
     const sum = counts.reduce((all, count) => all + count);
-    expect(sum).toBeGreaterThan(2000);
-    expect(sum).toBeLessThan(20_000);
+    expect(sum).toBeGreaterThan(fewest);
+    expect(sum).toBeLessThan(most);
     const again = make().root.children as Mesh[];
     for (const [i, { geometry }] of again.entries()) {
       expect(geometry.attributes.position.array).toEqual(meshes[i].geometry.attributes.position.array);
