@@ -1,19 +1,28 @@
 /** The page of the screenshot tests. It renders one scenario after another and returns its pixels. */
 import {
+  type ColorRepresentation,
   DirectionalLight,
   type Light,
   Mesh,
+  type Object3D,
   PerspectiveCamera,
   PointLight,
   Scene,
   SpotLight,
   WebGLRenderer,
 } from 'three';
-import { HatchingMaterial, HatchingOutlines, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
+import {
+  applyHatching,
+  HatchingMaterial,
+  HatchingOutlines,
+  prepareHatchingGeometry,
+  presets,
+  TonalArtMap,
+} from 'three-hatching';
 import { followsForm } from 'three-hatching/facts';
 import { plainLook } from '../../tools/plainLook.js';
-import { loadScenarioModel } from './scenarioModels.js';
-import type { Scenario, ScenarioLight } from './scenarios.js';
+import { isScene, loadScenarioModel, makeScenarioScene } from './scenarioModels.js';
+import type { Scenario, ScenarioLight, ScenarioModel, SceneModel } from './scenarios.js';
 import { widenStrokes } from './widenStrokes.js';
 
 export interface RenderedPixels {
@@ -37,15 +46,47 @@ declare global {
 
 const renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
 renderer.setPixelRatio(1);
-renderer.setClearColor(0xffffff);
 document.body.append(renderer.domElement);
 
 window.renderScenario = async (scenario, deviation = {}) => {
+  const drawn = await (isScene(scenario.model)
+    ? drawnScene(scenario, scenario.model)
+    : drawnMesh(scenario, scenario.model, deviation));
+  drawn.object.rotation.fromArray([...(scenario.modelRotation ?? [0, 0, 0])]);
+
+  const scene = new Scene();
+  scene.add(drawn.object, ...scenario.lights.map(makeLight));
+  const [width, height] = scenario.size;
+  const { position, fov, target = [0, 0, 0] } = scenario.camera;
+  const camera = new PerspectiveCamera(fov, width / height, 0.1, 100);
+  camera.position.fromArray([...position]);
+  camera.lookAt(...target);
+
+  renderer.setClearColor(drawn.paper);
+  renderer.setSize(width, height, false);
+  renderer.render(scene, camera);
+  const pixels = readPixels(width, height);
+  drawn.dispose();
+  return { width, height, base64: toBase64(pixels) };
+};
+
+/** What a picture shows, and the colour behind it. */
+interface Drawn {
+  object: Object3D;
+  paper: ColorRepresentation;
+  dispose(): void;
+}
+
+async function drawnMesh(
+  scenario: Scenario,
+  model: Exclude<ScenarioModel, SceneModel>,
+  { strokeWidth }: Deviation,
+): Promise<Drawn> {
   const tonalArtMap =
-    deviation.strokeWidth === undefined
+    strokeWidth === undefined
       ? await TonalArtMap.generate(scenario.tonalArtMap)
-      : TonalArtMap.fromHatchImages(widenStrokes(scenario.tonalArtMap, deviation.strokeWidth));
-  const geometry = await prepareHatchingGeometry(await loadScenarioModel(scenario.model), {
+      : TonalArtMap.fromHatchImages(widenStrokes(scenario.tonalArtMap, strokeWidth));
+  const geometry = await prepareHatchingGeometry(await loadScenarioModel(model), {
     adjacency: true,
     outlines: scenario.outlines !== undefined,
     form: followsForm(scenario.material),
@@ -54,24 +95,24 @@ window.renderScenario = async (scenario, deviation = {}) => {
   const material = new HatchingMaterial(plainLook({ tonalArtMap, ...scenario.material }));
   await material.ready;
   const mesh = new Mesh(geometry, material);
-  mesh.rotation.fromArray([...(scenario.modelRotation ?? [0, 0, 0])]);
-
   const outlines = scenario.outlines && new HatchingOutlines(mesh, scenario.outlines);
   if (outlines) mesh.add(outlines);
+  return {
+    object: mesh,
+    paper: 'white',
+    dispose: () => {
+      for (const thing of [geometry, material, tonalArtMap, outlines]) thing?.dispose();
+    },
+  };
+}
 
-  const scene = new Scene();
-  scene.add(mesh, ...scenario.lights.map(makeLight));
-  const [width, height] = scenario.size;
-  const camera = new PerspectiveCamera(scenario.camera.fov, width / height, 0.1, 100);
-  camera.position.fromArray([...scenario.camera.position]);
-  camera.lookAt(0, 0, 0);
-
-  renderer.setSize(width, height, false);
-  renderer.render(scene, camera);
-  const pixels = readPixels(width, height);
-  for (const thing of [geometry, material, tonalArtMap, outlines]) thing?.dispose();
-  return { width, height, base64: toBase64(pixels) };
-};
+async function drawnScene({ name, preset }: Scenario, model: SceneModel): Promise<Drawn> {
+  if (!preset) throw new Error(`renderScenario: ${name} has no preset.`);
+  const object = makeScenarioScene(model);
+  const hatched = await applyHatching(object, { preset });
+  await hatched.formReady;
+  return { object, paper: presets[preset].material.paper ?? 'white', dispose: () => hatched.dispose() };
+}
 
 function makeLight({ type, position, intensity }: ScenarioLight): Light {
   const light = {

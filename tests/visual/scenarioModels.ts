@@ -1,4 +1,4 @@
-import { BufferAttribute, BufferGeometry, Mesh, PlaneGeometry } from 'three';
+import { Box3, BufferAttribute, BufferGeometry, Group, Mesh, PlaneGeometry, Sphere } from 'three';
 import dracoWasmUrl from 'three/addons/libs/draco/gltf/draco_decoder.wasm?url';
 import dracoScriptUrl from 'three/addons/libs/draco/gltf/draco_wasm_wrapper.js?url';
 import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
@@ -6,11 +6,28 @@ import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import { FOUR_TRIANGLES, FOUR_TRIANGLES_POSITIONS } from '../../src/demo/models/fourTriangles.js';
+import { makeFox } from '../../src/demo/models/makeFox.js';
+import { makeRoom } from '../../src/demo/models/makeRoom.js';
+import { makeStairs } from '../../src/demo/models/makeStairs.js';
+import { makeStreet } from '../../src/demo/models/makeStreet.js';
 import { shellChair } from '../../src/demo/models/shellChair.js';
-import type { ScenarioModel } from './scenarios.js';
+import type { ScenarioModel, SceneModel } from './scenarios.js';
 
-/** Loads a model, centres it and scales it to a bounding radius of 1. */
-export async function loadScenarioModel(model: ScenarioModel): Promise<BufferGeometry> {
+const scenes = { stairs: makeStairs, room: makeRoom, fox: makeFox, street: makeStreet };
+
+export const isScene = (model: ScenarioModel): model is SceneModel => model in scenes;
+
+/** Makes a model of many lit meshes, centres it and scales it to a bounding radius of 1. */
+export function makeScenarioScene(model: SceneModel): Group {
+  const { root } = scenes[model]();
+  const { center, radius } = new Box3().setFromObject(root).getBoundingSphere(new Sphere());
+  root.position.copy(center).divideScalar(-radius);
+  root.scale.setScalar(1 / radius);
+  return new Group().add(root);
+}
+
+/** Loads a model of one mesh, centres it and scales it to a bounding radius of 1. */
+export async function loadScenarioModel(model: Exclude<ScenarioModel, SceneModel>): Promise<BufferGeometry> {
   const geometry = await loaders[model]();
   geometry.center();
   geometry.computeBoundingSphere();
@@ -18,7 +35,7 @@ export async function loadScenarioModel(model: ScenarioModel): Promise<BufferGeo
   return geometry.scale(scale, scale, scale);
 }
 
-const loaders: Record<ScenarioModel, () => Promise<BufferGeometry>> = {
+const loaders: Record<Exclude<ScenarioModel, SceneModel>, () => Promise<BufferGeometry>> = {
   patch: async () => {
     const positions = new BufferAttribute(new Float32Array(FOUR_TRIANGLES_POSITIONS), 3);
     const { c, alpha, beta, gamma } = FOUR_TRIANGLES;

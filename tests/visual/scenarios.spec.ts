@@ -32,6 +32,7 @@ const detailsOf = quickOnly(
     'figure-10-scale-coarse',
     'figure-12-crossHatching',
     'figure-13-without-blending',
+    'flat-fox',
     'beyond-anchored-form',
     'beyond-crisp',
     'engraved-fixed',

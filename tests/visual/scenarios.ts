@@ -1,11 +1,14 @@
-import type { HatchingMaterialOptions, HatchingOutlineParameters, TonalArtMap } from 'three-hatching';
+import type { HatchingMaterialOptions, HatchingOutlineParameters, PresetName, TonalArtMap } from 'three-hatching';
 
 type LineSetting = 'outlineWidth' | 'creases' | 'suggestiveContours' | 'wobble' | 'overshoot';
 
 type Triple = readonly [x: number, y: number, z: number];
 
 /** The models a scenario can show; each is centred and has a bounding radius of 1. */
-export type ScenarioModel = 'patch' | 'floor' | 'suzanne' | 'bunny' | 'dragon' | 'chair';
+export type ScenarioModel = 'patch' | 'floor' | 'suzanne' | 'bunny' | 'dragon' | 'chair' | SceneModel;
+
+/** Models of many meshes in colours of their own. They are drawn with a preset. */
+export type SceneModel = 'stairs' | 'room' | 'fox' | 'street';
 
 /** A light of the scene. Intensities are three's: π gives a directional light the N·L of Suarez et al. */
 export interface ScenarioLight {
@@ -25,9 +28,12 @@ export interface Scenario {
   model: ScenarioModel;
   /** Radians about x, y and z, applied in this order. */
   modelRotation?: Triple;
-  camera: { position: Triple; fov: number };
+  /** It looks at the origin unless it has a target. */
+  camera: { position: Triple; fov: number; target?: Triple };
   lights: readonly ScenarioLight[];
   tonalArtMap: Pick<NonNullable<Parameters<typeof TonalArtMap.generate>[0]>, 'style' | 'seed' | 'size' | 'tones'>;
+  /** Draws the model as `applyHatching` does with this preset, in the place of map, material and outlines. */
+  preset?: PresetName;
   /** Most texels along a slanting pixel, where the card has that filter. */
   anisotropy?: number;
   material: Partial<
@@ -111,6 +117,8 @@ const floor = {
   camera: { position: [0, 0.12, 1.15], fov: 34 },
   lights: sun(1, 1.2, 0.4),
 } as const;
+
+const flat = { ...common, figure: 0, material: {} } as const;
 
 /** The paper's figures that this library redraws, as pictures small enough to keep. */
 export const scenarios: readonly Scenario[] = [
@@ -367,4 +375,42 @@ export const scenarios: readonly Scenario[] = [
     lights: sun(1.2, 1, 1),
     material: { tilesPerUnit: 2, strokeRotation: QUARTER_TURN, levelRule: 'depth' as const },
   })),
+  {
+    ...flat,
+    name: 'flat-stairs',
+    sentence: 'A staircase with the pen: lit treads stay nearly blank, and walls have one tone.',
+    model: 'stairs',
+    preset: 'pen',
+    size: [360, 340],
+    camera: { position: [1.8, 1.2, 3.45], fov: 27 },
+    lights: sun(-0.55, 0.9, 1),
+  },
+  {
+    ...flat,
+    name: 'flat-room',
+    sentence: 'A room from inside in cross-hatching: walls, ceiling and floor are told apart.',
+    model: 'room',
+    preset: 'crossHatching',
+    camera: { position: [0.1, 0.06, 1.9], fov: 36, target: [0, -0.03, -0.7] },
+    lights: sun(-0.5, 0.7, 1),
+  },
+  {
+    ...flat,
+    name: 'flat-fox',
+    sentence: 'A fox of flat triangles as a woodcut: each has a tone of its own.',
+    model: 'fox',
+    preset: 'woodcut',
+    size: [280, 340],
+    camera: { position: [1.95, 1.1, 3.15], fov: 26 },
+    lights: sun(1, 0.9, 0.35),
+  },
+  {
+    ...flat,
+    name: 'flat-street',
+    sentence: 'A street to the horizon, engraved: lines stay apart far away.',
+    model: 'street',
+    preset: 'engraving',
+    camera: { position: [0.03, -0.24, 1.15], fov: 40, target: [-0.02, -0.2, 0] },
+    lights: sun(-0.5, 0.9, 0.8),
+  },
 ];
