@@ -92,7 +92,7 @@ function window(): Parts {
 /** A door with four panels in the wall on the left. */
 function door(): Parts {
   const { x, width, height } = DOORWAY;
-  const leaf = box(width - 0.1, height - 0.05, 0.04, x, 0, -0.06);
+  const leaf = box(width - 0.006, height - 0.006, 0.04, x, 0, -0.06);
   const panels = [-1, 1].flatMap((side) =>
     [
       [0.16, 0.66],

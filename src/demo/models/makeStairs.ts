@@ -166,7 +166,7 @@ function arch(): Path {
 /** A door of boards in a frame, with a lintel. */
 function door(): Parts {
   const { x, y, width, height } = DOOR;
-  const boards = [-1, 0, 1].map((place) => box(0.2, height - 0.1, 0.04, x + 0.21 * place, y + 0.02, -0.1));
+  const boards = [-1, 0, 1].map((place) => box(0.2, height - 0.07, 0.04, x + 0.21 * place, y + 0.02, -0.1));
   return {
     timber: [
       ...[-1, 1].map((side) => box(0.06, height - 0.06, 0.1, x + side * (width / 2 - 0.03), y, -0.05)),
