@@ -50,6 +50,9 @@ const MAX_SPECK_TRIANGLES = 2;
 /** The largest area of a speck, as a multiple of the mean area of a triangle. */
 const MAX_SPECK_AREA = 1.5;
 
+/** Where specks hold a larger share of the triangles, they are the sides of boxes that someone has modelled. */
+const MAX_SPECKS_SHARE = 0.1;
+
 /** Connected creases are drawn if they are at least this long in total, as a share of the bounding radius. */
 const CREASE_SHARE = 0.2;
 
@@ -126,12 +129,10 @@ function* absorbSpecks(surface: FanSurface, patches: Patches, fans: Fans): Gener
   let whole = 0;
   for (let triangle = 0; triangle < count; triangle++) whole += 0.5 * doubleArea(areaNormals, triangle);
   const largest = (MAX_SPECK_AREA * whole) / count;
-  yield* absorbSmallPatches(
-    surface,
-    patches,
-    fans,
-    (area, triangles) => triangles <= MAX_SPECK_TRIANGLES && area <= largest,
-  );
+  const isSpeck = (area: number, triangles: number): boolean => triangles <= MAX_SPECK_TRIANGLES && area <= largest;
+  let inSpecks = 0;
+  for (const [patch, size] of patches.sizes.entries()) if (isSpeck(patches.areas[patch], size)) inSpecks += size;
+  if (inSpecks <= MAX_SPECKS_SHARE * count) yield* absorbSmallPatches(surface, patches, fans, isSpeck);
 }
 
 /** The surface of a coarse mesh: every corner is a fan of its own, with the normal of its triangle. */

@@ -8,6 +8,7 @@ import { bakePull, bakePullResultBuffers } from '../../../src/bake/bakePull.js';
 import { POINT_MASK } from '../../../src/bake/outlineLayout.js';
 import type { PackedOutlines } from '../../../src/bake/packOutlines.js';
 import { BORDER, CREASE } from '../../../src/features/edgeFlags.js';
+import { computeAreaNormals } from '../../../src/mesh/computeAreaNormals.js';
 import type { TriangleMesh } from '../../../src/mesh/TriangleMesh.js';
 import { meshFrom, outlinesOf } from '../features/surfaces.js';
 import { finish, meshOf } from '../mesh/meshes.js';
@@ -192,6 +193,25 @@ test('specks of a scan take the normals of what they lie on, in the outlines alo
   const hatchNormals = (options: Partial<BakeRequest>) =>
     finish(bakeCorners(requestFor(scan, { smoothingRadius: 0, ...options }))).hatchNormals;
   expect(isDeepStrictEqual(hatchNormals({ outlines }), hatchNormals({}))).toBe(true);
+});
+
+test('narrow sides of boxes keep their normals, also where one mesh holds many', () => {
+  const boxes = together(
+    torus(60, 30),
+    ...Array.from({ length: 500 }, (_, i) => {
+      const { positions, indices } = cube(1);
+      const corner = [3 * (i % 25), 3 * Math.floor(i / 25), 9];
+      return { positions: positions.map((value, j) => corner[j % 3] + value * [1, 1, 0.1][j % 3]), indices };
+    }),
+  );
+  const { fans, normals, mesh } = outlinesOf(boxes, { smoothingRadius: 0 });
+  const areaNormals = finish(computeAreaNormals(mesh));
+  const turned = [...fans.ofCorner.keys()].slice(60 * 30 * 6).filter((corner) => {
+    const [fan, triangle] = [3 * fans.ofCorner[corner], 3 * Math.floor(corner / 3)];
+    const dot = [0, 1, 2].reduce((sum, i) => sum + normals[fan + i] * areaNormals[triangle + i], 0);
+    return dot < 0.99 * Math.hypot(...areaNormals.subarray(triangle, triangle + 3));
+  });
+  expect(turned).toEqual([]);
 });
 
 test('the crease angle of the adjacency cuts no borders into the outlines', () => {
