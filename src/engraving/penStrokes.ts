@@ -135,12 +135,12 @@ const mixed = (a: Stroke, b: Stroke, t: number): Stroke => ({
 /**
  * The stroke on a line at the place.
  *
- * @param share of the room of an old line that the line has: younger ones have fewer strokes, which are thinner
+ * @param share of the room of an old line that the line has: younger ones have thinner strokes, and fewer where the tone is light
  */
 export function strokeAt(pen: Pen, share: number, line: number): Stroke {
-  // As wide as the old ones, they would fill the room between them.
-  const grown = Math.sqrt(Math.max(share, 0));
-  const born = bornBelow(grown);
+  // As wide as the old ones, they would fill the room between them. In the dark a stroke that is not there would be a hole.
+  const there = mix(1, Math.sqrt(Math.max(share, 0)), Math.sqrt(pen.open));
+  const born = bornBelow(there);
   const { places, period, longer, share: firstOfAll } = pen.along;
   const number = numberOf(line, pen.repeat);
   const size = Math.abs(number);
@@ -152,5 +152,5 @@ export function strokeAt(pen: Pen, share: number, line: number): Stroke {
     return longer > 0 ? mixed(stroke, strokeOn(pen, born, place / (2 * period), penned), longer) : stroke;
   };
   const stroke = mixed(alongAxis(places[1]), alongAxis(places[0]), first);
-  return { ...stroke, width: grown * stroke.width };
+  return { ...stroke, width: (share / Math.max(there, 1e-4)) * stroke.width };
 }

@@ -111,7 +111,9 @@ export function penStroke(line: number, share: number, { tone, handmade, along, 
   const filling = tone / Math.max(grown(tone, 0.15, 0.05) * (1 - (0.15 + 0.3) * open), 1e-4);
   const full = tone < 0.15 && filling > 0.6 ? 0.6 : filling;
   const number = numberOf(line, repeat);
-  const there = Math.sqrt(Math.max(share, 0));
+  // In dark tones all strokes of a line are there from its birth on, and thin.
+  const few = Math.sqrt(open);
+  const there = few * Math.sqrt(Math.max(share, 0)) + 1 - few;
   const last = 1 - there;
   const born =
     there < 0.04 ? Math.sqrt(0.16 * there) : last > 0.04 ? there + 0.04 : 1.08 - Math.sqrt(Math.max(0.16 * last, 0));
@@ -134,7 +136,10 @@ export function penStroke(line: number, share: number, { tone, handmade, along, 
     const grownTo = sized * clamp01((born - fract(512 * even)) / 0.08);
     const spread = 1 + handmade * 0.5 * open * (fract(4096 * even) - 0.5);
     const astray = 0.22 * (fract(64 * even) - 0.5) * way + 0.16 * (chance - 0.5) * (0.5 - way * way);
-    return [full * there * grownTo * spread * (1 - rest * rest), handmade * open * Math.sign(number) * astray];
+    return [
+      full * (share / Math.max(there, 1e-4)) * grownTo * spread * (1 - rest * rest),
+      handmade * open * Math.sign(number) * astray,
+    ];
   };
   const mix = (a: [number, number], b: [number, number], t: number): [number, number] => [
     (1 - t) * a[0] + t * b[0],

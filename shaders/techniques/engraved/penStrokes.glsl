@@ -99,9 +99,10 @@ vec2 strokesOn(const in Pen pen, const in float born, const in float line) {
 
 // away: from the line, signed, in pixels, as is the distance between old lines. share: of their room that the line has.
 float penCoverage(const in Pen pen, const in float away, const in float share, const in float spacing, const in float line) {
-  // Young strokes are fewer and thinner at once: as wide as the old ones, they would fill the room between them.
-  float grown = sqrt(max(share, 0.0));
-  float born = bornBelow(grown);
-  vec2 stroke = strokesOn(pen, born, line);
-  return lineCoverage(abs(away - spacing * stroke.y), 0.5 * spacing * grown * stroke.x, FRINGE);
+  // Young strokes are fewer and thinner at once: as wide as the old ones, they would fill the room between them. In the dark they are thinner
+  // alone, since a stroke that is not there would be a hole.
+  float there = mix(1.0, sqrt(max(share, 0.0)), sqrt(pen.open));
+  vec2 stroke = strokesOn(pen, bornBelow(there), line);
+  float width = share / max(there, 1e-4) * stroke.x;
+  return lineCoverage(abs(away - spacing * stroke.y), 0.5 * spacing * width, FRINGE);
 }

@@ -8,8 +8,25 @@ import { handmade, lotOf } from './hand.js';
 import { FRINGE } from './lineFringe.js';
 import { type Along, alongLines, numberOf } from './strokeLengths.js';
 
-const { abs, clamp, float, floatBitsToUint, floor, fract, If, int, Loop, max, min, select, sign, sqrt, uint, vec2 } =
-  tsl;
+const {
+  abs,
+  clamp,
+  float,
+  floatBitsToUint,
+  floor,
+  fract,
+  If,
+  int,
+  Loop,
+  max,
+  min,
+  mix,
+  select,
+  sign,
+  sqrt,
+  uint,
+  vec2,
+} = tsl;
 const { ALL_FROM, AXIS_LOT, AXIS_TURN, BENDING, BIRTH, BIRTH_LOT, CLOSED_FROM, GAP_LOT, LATENESS } = PEN_CONSTANTS;
 const { LEANING, NIB } = PEN_CONSTANTS;
 const { SHORTENING, SHORTENING_OF_INK, STROKE_GAP, STROKE_GROWTH, TAPER, WIDTH_LOT, WIDTH_SPREAD } = PEN_CONSTANTS;
@@ -162,10 +179,11 @@ function strokesOn(pen: Pen, born: Value, line: Value): Value {
  * @param spacing of old lines, pixels
  */
 export function penCoverage(pen: Pen, away: Value, share: Value, spacing: Value, line: Value): Value {
-  // Young strokes are fewer and thinner at once: as wide as the old ones, they would fill the room between them.
-  const grown = sqrt(max(share, 0)).toVar();
-  const born = bornBelow(grown);
-  const stroke = strokesOn(pen, born, line);
-  const halfWidth = spacing.mul(0.5).mul(grown).mul(stroke.x).toVar();
+  // Young strokes are fewer and thinner at once: as wide as the old ones, they would fill the room between them. In the dark they are thinner
+  // alone, since a stroke that is not there would be a hole.
+  const there = mix(1, sqrt(max(share, 0)), sqrt(pen.open)).toVar();
+  const stroke = strokesOn(pen, bornBelow(there), line);
+  const width = share.div(max(there, 1e-4)).mul(stroke.x);
+  const halfWidth = spacing.mul(0.5).mul(width).toVar();
   return lineCoverage(abs(away.sub(spacing.mul(stroke.y))), halfWidth, FRINGE);
 }
