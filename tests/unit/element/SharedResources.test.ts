@@ -1,6 +1,6 @@
 import { expect, test, vi } from 'vitest';
 import { SharedResources } from '../../../src/element/SharedResources.js';
-import { PATIENCE } from '../patience.js';
+import { eventually } from '../patience.js';
 
 const resource = () => ({ dispose: vi.fn() });
 
@@ -15,7 +15,7 @@ test('a resource is made once for all its users, and freed when the last one giv
   await Promise.resolve();
   expect(made.dispose).not.toHaveBeenCalled();
   shared.giveBack('a');
-  await vi.waitFor(() => expect(made.dispose).toHaveBeenCalledTimes(1), PATIENCE);
+  await eventually(() => expect(made.dispose).toHaveBeenCalledTimes(1));
   await shared.borrow('a', make);
   expect(make).toHaveBeenCalledTimes(2);
 });

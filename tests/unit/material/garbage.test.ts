@@ -1,5 +1,5 @@
 import { BoxGeometry, type Group, Matrix4, Mesh, PerspectiveCamera, Scene, Vector4, type WebGLRenderer } from 'three';
-import { expect, test } from 'vitest';
+import { expect, test, vi } from 'vitest';
 import { prepareHatchingGeometry } from '../../../src/geometry/prepareHatchingGeometry.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import { leastPerFrame } from '../allocated.js';
@@ -60,7 +60,7 @@ test.each(Object.entries(LOOKS))('frames leave no garbage: %s', async (_, look) 
   const camera = new PerspectiveCamera();
   drawFrames(material, scene, camera, WARM_UP_FRAMES);
   // What is loaded beside a first frame is loaded now.
-  await new Promise((resolve) => setTimeout(resolve, 200));
+  await vi.dynamicImportSettled();
   drawFrames(material, scene, camera, WARM_UP_FRAMES);
   const { sum, places } = leastPerFrame((frames) => drawFrames(material, scene, camera, frames), FRAMES, MOST);
   expect(sum, places).toBeLessThan(MOST);

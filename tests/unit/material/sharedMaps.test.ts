@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { mapIsReady, sharedMap } from '../../../src/material/sharedMaps.js';
 import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
-import { PATIENCE } from '../patience.js';
+import { eventually } from '../patience.js';
 
 const drawn = TonalArtMap.fromHatchImages({ size: 1, images: [[new Uint8Array([255])], [new Uint8Array(1)]] });
 const failing = (): TonalArtMap =>
@@ -19,14 +19,14 @@ test('a map that could not be drawn is told of, and tried again by a frame some 
   const told = vi.spyOn(console, 'error').mockImplementation(() => {});
   const shared = vi.spyOn(TonalArtMap, 'shared').mockImplementation(failing);
   expect(sharedMap('dashes')).toBe(null);
-  await vi.waitFor(() => expect(told).toHaveBeenCalledOnce(), PATIENCE);
+  await eventually(() => expect(told).toHaveBeenCalledOnce());
   expect(told.mock.calls[0][0]).toMatch(/the map of the style "dashes" could not be drawn \(no pen\)/);
   sharedMap('dashes');
   expect(shared).toHaveBeenCalledOnce();
   shared.mockReturnValue(drawn);
   vi.advanceTimersByTime(5000);
   sharedMap('dashes');
-  await vi.waitFor(() => expect(sharedMap('dashes')).toBe(drawn), PATIENCE);
+  await eventually(() => expect(sharedMap('dashes')).toBe(drawn));
   expect([shared.mock.calls.length, told.mock.calls.length]).toEqual([2, 1]);
 });
 

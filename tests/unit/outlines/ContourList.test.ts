@@ -8,7 +8,7 @@ import { ContourList } from '../../../src/outlines/ContourList.js';
 import { disposeHatchingWorkers } from '../../../src/worker/runTask.js';
 import { finish } from '../mesh/meshes.js';
 import { torus } from '../mesh/shapes.js';
-import { PATIENCE } from '../patience.js';
+import { eventually } from '../patience.js';
 import { FakeWorker } from '../worker/FakeWorker.js';
 
 afterEach(() => disposeHatchingWorkers());
@@ -129,7 +129,7 @@ describe('a large mesh is searched in the worker', () => {
     const createWorker = vi.fn(() => FakeWorker.asWorker(worker));
     data.createWorker = createWorker;
     const start = async () => {
-      await vi.waitFor(() => expect(createWorker).toHaveBeenCalled(), PATIENCE);
+      await eventually(() => expect(createWorker).toHaveBeenCalled());
       worker.say({ type: 'ready' });
     };
     const answer = () => {

@@ -1,7 +1,7 @@
 import { expect, test, vi } from 'vitest';
 import { FollowedMaterial } from '../../../src/react/FollowedMaterial.js';
 import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
-import { PATIENCE } from '../patience.js';
+import { eventually } from '../patience.js';
 
 const invalidate = vi.hoisted(() => vi.fn());
 vi.mock('@react-three/fiber', () => ({ invalidate }));
@@ -15,10 +15,10 @@ test('a canvas that draws on demand draws again when the map is there, once, and
   draw();
   expect(invalidate).not.toHaveBeenCalled();
   await first.ready;
-  await vi.waitFor(() => expect(invalidate).toHaveBeenCalledOnce(), PATIENCE);
+  await eventually(() => expect(invalidate).toHaveBeenCalledOnce());
   draw();
   material.tonalArtMap = second;
   draw();
   await second.ready;
-  await vi.waitFor(() => expect(invalidate).toHaveBeenCalledTimes(2), PATIENCE);
+  await eventually(() => expect(invalidate).toHaveBeenCalledTimes(2));
 });

@@ -16,7 +16,7 @@ import { type ApplyHatchingOptions, type HatchedScene, HatchingMaterial, presets
 import { expect, test, vi } from 'vitest';
 import { noteFormAngle } from '../../../src/geometry/formAngles.js';
 import { Hatcher } from '../../../src/react/Hatcher.js';
-import { PATIENCE } from '../patience.js';
+import { eventually } from '../patience.js';
 
 // What counts as large is some hundred triangles here.
 vi.mock('../../../src/geometry/PrepareHatchingGeometryOptions.js', async (original) => ({
@@ -179,8 +179,7 @@ test('one map serves all who ask for the same, and leaves the graphics card with
   expect(freed).toBe(0);
   other.hatcher.update({ tonalArtMap: { ...SMALL_MAP, seed: 4 } });
   await other.next();
-  await new Promise((go) => setTimeout(go));
-  expect(freed).toBe(1);
+  await eventually(() => expect(freed).toBe(1));
   expect(materialOf(other.mesh).tonalArtMap).not.toBe(map);
 });
 
@@ -235,7 +234,7 @@ test('what changes while geometry is being prepared is hatched right after', asy
   const other = new SphereGeometry(2, 8, 6);
   mesh.geometry = other;
   hatcher.update({ preset: 'technical', material: { ink: '#abcdef' } });
-  await vi.waitFor(() => expect(materialOf(mesh).ink.getHexString()).toBe('abcdef'), PATIENCE);
+  await eventually(() => expect(materialOf(mesh).ink.getHexString()).toBe('abcdef'));
   materialOf(second);
   expect(mesh.geometry.boundingSphere!.radius).toBeCloseTo(2);
   expect([hatched.at(-1)!.skipped, errors]).toEqual([[], []]);

@@ -18,7 +18,7 @@ import { describe, expect, test, vi } from 'vitest';
 import { isStale } from '../../../src/geometry/staleGeometry.js';
 import { bakeOcclusion, type OcclusionBake, prepareHatchingGeometry } from '../../../src/index.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
-import { PATIENCE } from '../patience.js';
+import { eventually } from '../patience.js';
 
 const FEW = { directions: 64 };
 
@@ -232,7 +232,7 @@ describe('on the way', () => {
     });
     // Before the start, before each of the four parts, and before the one pass is shown.
     for (let part = 1; part <= 6; part++) {
-      await vi.waitFor(() => expect(asked).toBe(part), PATIENCE);
+      await eventually(() => expect(asked).toBe(part));
       expect(onPass).not.toHaveBeenCalled();
       expect(darkest(mesh)).toBe(0);
       goOn?.();

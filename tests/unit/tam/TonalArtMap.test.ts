@@ -10,7 +10,7 @@ import {
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { strokeStyles } from '../../../src/strokes/strokeStyles.js';
 import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
-import { PATIENCE } from '../patience.js';
+import { eventually } from '../patience.js';
 
 /** Images of one byte value each, `size` texels at level 0. */
 const constantImages = (size: number, values: number[][]): Uint8Array[][] =>
@@ -196,12 +196,10 @@ describe('TonalArtMap.draw', () => {
       throw new Error('no pen');
     };
     TonalArtMap.draw({ size: 64, onProgress: fails });
-    await vi.waitFor(
-      () =>
-        expect(error.mock.calls).toEqual([
-          ['TonalArtMap.draw: the map could not be drawn (no pen); surfaces stay blank paper.'],
-        ]),
-      PATIENCE,
+    await eventually(() =>
+      expect(error.mock.calls).toEqual([
+        ['TonalArtMap.draw: the map could not be drawn (no pen); surfaces stay blank paper.'],
+      ]),
     );
     await expect(TonalArtMap.draw({ size: 64, onProgress: fails }).ready).rejects.toThrow('no pen');
     expect(error).toHaveBeenCalledTimes(1);

@@ -1,7 +1,7 @@
 import { beforeEach, expect, test, vi } from 'vitest';
 import { HatchingNodeMaterial } from '../../../src/webgpu/HatchingNodeMaterial.js';
 import type * as mediumPattern from '../../../src/webgpu/mediumPattern.js';
-import { PATIENCE } from '../patience.js';
+import { eventually } from '../patience.js';
 
 const STIPPLE = { technique: 'anchored', medium: 'stipple' } as const;
 
@@ -18,7 +18,7 @@ test('dots are fetched when they are first drawn with, and whoever waits for the
   const whenThere = vi.fn();
   expect([pattern.writePattern(STIPPLE, uniforms, whenThere), pattern.dotLayerOf(STIPPLE)]).toEqual([false, undefined]);
   expect([uniforms.stippleMap.value, whenThere.mock.calls.length]).toEqual([null, 0]);
-  await vi.waitFor(() => expect(whenThere).toHaveBeenCalledOnce(), PATIENCE);
+  await eventually(() => expect(whenThere).toHaveBeenCalledOnce());
   expect(pattern.writePattern(STIPPLE, uniforms, whenThere)).toBe(true);
   expect([uniforms.stippleMap.value, pattern.dotLayerOf(STIPPLE)]).toEqual([
     expect.objectContaining({ isDataTexture: true }),

@@ -1,6 +1,6 @@
 import { afterEach, expect, test, vi } from 'vitest';
 import { disposeHatchingWorkers, runTask, startWorker } from '../../../src/worker/runTask.js';
-import { PATIENCE } from '../patience.js';
+import { eventually } from '../patience.js';
 import { FakeWorker } from './FakeWorker.js';
 
 const request = () => ({
@@ -29,7 +29,7 @@ test('requests with the same createWorker share a worker for each core; others h
   const other = vi.fn(() => FakeWorker.asWorker(new FakeWorker()));
   for (const createWorker of [create, create, create, other])
     runTask('bakeCorners', request(), { createWorker }).catch(() => {});
-  await vi.waitFor(() => expect(other).toHaveBeenCalledOnce(), PATIENCE);
+  await eventually(() => expect(other).toHaveBeenCalledOnce());
   expect(create).toHaveBeenCalledTimes(2);
 });
 
@@ -37,9 +37,9 @@ test('disposeHatchingWorkers ends every worker and rejects what is pending', asy
   const workers = [new FakeWorker(), new FakeWorker()];
   const creators = workers.map((worker) => vi.fn(() => FakeWorker.asWorker(worker)));
   const promises = creators.map((createWorker) => runTask('bakeCorners', request(), { createWorker }));
-  await vi.waitFor(() => {
+  await eventually(() => {
     for (const createWorker of creators) expect(createWorker).toHaveBeenCalledOnce();
-  }, PATIENCE);
+  });
   disposeHatchingWorkers();
   for (const promise of promises) await expect(promise).rejects.toThrow(/disposed/);
   expect(workers.map(({ isTerminated }) => isTerminated)).toEqual([true, true]);
@@ -60,7 +60,7 @@ test('a worker that was started ahead takes the first task', async () => {
   expect(createWorker).toHaveBeenCalledOnce();
   runTask('bakeCorners', request(), { createWorker }).catch(() => {});
   worker.say({ type: 'ready' });
-  await vi.waitFor(() => expect(worker.ids).toEqual([0]), PATIENCE);
+  await eventually(() => expect(worker.ids).toEqual([0]));
   expect(createWorker).toHaveBeenCalledOnce();
 });
 

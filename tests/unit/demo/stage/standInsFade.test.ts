@@ -1,5 +1,6 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { Frames } from '../../../../src/demo/stage/Frames.js';
+import { eventually } from '../../patience.js';
 
 let endFading: () => void;
 let isMotionReduced = false;
@@ -63,7 +64,7 @@ test('a stand-in fades into another one, and that into the model', async () => {
   frames.draw();
   expect(copy.copied).not.toContain('other');
   endFading();
-  await vi.waitFor(() => expect(copy.hidden).toBe(true));
+  await eventually(() => expect(copy.hidden).toBe(true));
   // No frame was drawn since: the stand-in is drawn once more, to be copied.
   replace('model', false);
   expect([copy.hidden, copy.copied.at(-1)]).toEqual([false, 'other']);

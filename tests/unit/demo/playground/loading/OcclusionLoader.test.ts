@@ -3,6 +3,7 @@ import { expect, test, vi } from 'vitest';
 import { OcclusionLoader } from '../../../../../src/demo/playground/loading/OcclusionLoader.js';
 import { TaskRunner } from '../../../../../src/demo/playground/tasks/TaskRunner.js';
 import { bakeOcclusion } from '../../../../../src/drawing/bakeOcclusion.js';
+import { eventually } from '../../../patience.js';
 import { fakeStatus } from '../tasks/fakeStatus.js';
 
 vi.mock('../../../../../src/drawing/bakeOcclusion.js', () => ({
@@ -36,7 +37,7 @@ test('hollows wait for what was wished for later', async () => {
   const model = { root: new Group().add(new Mesh(box)) };
   const stage = { model, shown: { isStandIn: false }, quality: { isOnPage: true } };
   new OcclusionLoader(stage as never, { occlusion: 50 } as never, tasks).update();
-  await vi.waitFor(() => expect(bakeOcclusion).toHaveBeenCalled());
+  await eventually(() => expect(bakeOcclusion).toHaveBeenCalled());
   const { pause } = vi.mocked(bakeOcclusion).mock.lastCall![1]!;
   expect(pause!()).toBeUndefined();
   void tasks.run('map', () => new Promise(() => {}));
@@ -66,7 +67,7 @@ test('finer hollows are drawn as they come where frames are quick, and once at t
     });
     const tasks = new TaskRunner(fakeStatus().status, { hasDrawing: () => true, onIdle: () => {} });
     new OcclusionLoader(stage as never, { occlusion: 50 } as never, tasks).update();
-    await vi.waitFor(() => expect(tasks.isIdle).toBe(true));
+    await eventually(() => expect(tasks.isIdle).toBe(true));
     return [...drawn, refine.mock.calls.length];
   };
   expect(await framesOf(false)).toEqual([1, 2, 3, 4]);

@@ -7,6 +7,7 @@ import { drawForClipboard } from '../../../../../src/demo/playground/takeAway/sa
 import { TaskRunner } from '../../../../../src/demo/playground/tasks/TaskRunner.js';
 import { bakeFurther } from '../../../../../src/drawing/bakeFurther.js';
 import { defaultSettings } from '../../../../../src/settings/settings.js';
+import { eventually } from '../../../patience.js';
 import { fakeStatus } from '../tasks/fakeStatus.js';
 
 vi.mock('../../../../../src/drawing/bakeFurther.js', () => ({ bakeFurther: vi.fn() }));
@@ -60,7 +61,7 @@ test('a picture waits until lines lie along the form, and shows how far they are
   const { line, form, actions } = makePage();
   form.update();
   const picture = actions.drawPicture();
-  await vi.waitFor(() => expect(bakes).toHaveLength(1));
+  await eventually(() => expect(bakes).toHaveLength(1));
   bakes[0].report(0.5);
   expect([line.text, line.isWorking]).toEqual(['Laying lines along the form…', true]);
   // Time enough for a picture that does not wait.
@@ -75,7 +76,7 @@ test('a picture begins the bake if the first frame has not, and one of lines aro
   const { form, actions } = makePage('form', false);
   form.update();
   const picture = actions.drawPicture();
-  await vi.waitFor(() => expect(bakes).toHaveLength(1));
+  await eventually(() => expect(bakes).toHaveLength(1));
   expect(drawn).not.toHaveBeenCalled();
   bakes[0].end();
   await picture;
@@ -88,10 +89,10 @@ test('a picture for which another model was opened waits for the lines of that o
   const { stage, form, actions } = makePage();
   form.update();
   const picture = actions.drawPicture();
-  await vi.waitFor(() => expect(bakes).toHaveLength(1));
+  await eventually(() => expect(bakes).toHaveLength(1));
   stage.model = { root: new Group() };
   form.update();
-  await vi.waitFor(() => expect(bakes).toHaveLength(2));
+  await eventually(() => expect(bakes).toHaveLength(2));
   expect(drawn).not.toHaveBeenCalled();
   bakes[1].end();
   await picture;
@@ -105,7 +106,7 @@ test('a picture is drawn if lines cannot be laid along the form, and not if the 
   expect(drawn).toHaveBeenCalledOnce();
   const { line, actions } = makePage();
   const picture = actions.drawPicture();
-  await vi.waitFor(() => expect(bakes).toHaveLength(1));
+  await eventually(() => expect(bakes).toHaveLength(1));
   line.cancel();
   await expect(picture).rejects.toThrow('status line');
   expect(drawn).toHaveBeenCalledOnce();
@@ -120,7 +121,7 @@ test('a picture in which a simplified model is seen to be simplified can be save
     'Save finer',
   ]);
   line.mend();
-  await vi.waitFor(() => expect(line.text).toBe('Saved finer.'));
+  await eventually(() => expect(line.text).toBe('Saved finer.'));
   expect(saveFiner).toHaveBeenCalledExactlyOnceWith(FILES);
   expect(line.remedy).toBeUndefined();
 });

@@ -1,5 +1,6 @@
 import { expect, test, vi } from 'vitest';
 import { LaterParts } from '../../../../../src/demo/playground/tasks/LaterParts.js';
+import { eventually } from '../../../patience.js';
 import { fakeStatus } from './fakeStatus.js';
 
 test('a part is fetched when it is first asked for, and created once, however often it is asked for meanwhile', async () => {
@@ -11,7 +12,7 @@ test('a part is fetched when it is first asked for, and created once, however of
   gallery.use((part) => used.push(part));
   gallery.use((part) => used.push(part));
   expect(parts.isFetching).toBe(true);
-  await vi.waitFor(() => expect(parts.isFetching).toBe(false));
+  await eventually(() => expect(parts.isFetching).toBe(false));
   expect(create).toHaveBeenCalledTimes(1);
   expect(used).toEqual([gallery.present, gallery.present]);
   expect(await gallery.fetch()).toBe(gallery.present);
@@ -26,19 +27,19 @@ test('a part that cannot be fetched is shown in the status line, and fetched aga
     return 'dialog';
   });
   dialog.use(() => {});
-  await vi.waitFor(() => expect(parts.isFetching).toBe(false));
+  await eventually(() => expect(parts.isFetching).toBe(false));
   expect([line.isError, dialog.present]).toEqual([true, undefined]);
   expect(line.text).toMatch(/^A part of this page could not be fetched\./);
   isOffline = false;
   const use = vi.fn();
   dialog.use(use);
-  await vi.waitFor(() => expect(use).toHaveBeenCalledWith('dialog'));
+  await eventually(() => expect(use).toHaveBeenCalledWith('dialog'));
 });
 
 test('a part that cannot be used is shown in the status line', async () => {
   const line = fakeStatus();
   const parts = new LaterParts(line.status);
   parts.whenFetched(Promise.resolve('part'), () => Promise.reject(new Error('no room')));
-  await vi.waitFor(() => expect(parts.isFetching).toBe(false));
+  await eventually(() => expect(parts.isFetching).toBe(false));
   expect(line.text).toBe('That did not work: no room');
 });
