@@ -428,7 +428,7 @@ test.describe('a page copied from the playground', { tag: '@all' }, () => {
         await page.goto(`${site}${path}`);
         // It draws when the model is loaded, and again when it is baked.
         await expect
-          .poll(async () => likeness(shown, PNG.sync.read(await page.screenshot()), WHOLE), { timeout: 30_000 })
+          .poll(async () => likeness(shown, PNG.sync.read(await page.screenshot()), WHOLE))
           .toBeGreaterThan(LIKE);
         const copied = PNG.sync.read(await page.screenshot());
         test.info().annotations.push({ type: 'likeness', description: `${likeness(shown, copied, WHOLE).toFixed(4)}` });

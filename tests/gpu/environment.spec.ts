@@ -277,11 +277,15 @@ test('an environment is there again after a lost context came back, and what was
     environment.needsUpdate = true;
     scene.environment = environment;
     const before = pixelsOf(scene, renderer);
+    const lost = new Promise((resolve) => {
+      // In a task of its own: while a loss is told, nothing can be restored.
+      renderer.domElement.addEventListener('webglcontextlost', () => setTimeout(resolve));
+    });
     const restored = new Promise((resolve) => {
       renderer.domElement.addEventListener('webglcontextrestored', resolve);
     });
     renderer.forceContextLoss();
-    await new Promise((resolve) => setTimeout(resolve, 50));
+    await lost;
     renderer.forceContextRestore();
     await restored;
     const after = pixelsOf(scene, renderer);

@@ -9,8 +9,6 @@ import { test } from './toolkitPage.js';
 
 /** A film strip of a light that moves around a ball, drawn with a hand: strokes swell and thin, and none pop. */
 
-test.setTimeout(240_000);
-
 const SIDE = 256;
 const FRAMES = 24;
 

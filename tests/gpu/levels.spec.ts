@@ -19,8 +19,6 @@ const SIDE = 256;
 const DRAWN_WIDTH = 1.9;
 const DISTANCES = [1, 2, 4, 8];
 
-test.setTimeout(240_000);
-
 const ways: Record<string, Way> = {
   'adjacency, level by derivatives': { technique: 'adjacency', levelRule: 'derivatives' },
   'adjacency, level by depth': { technique: 'adjacency', levelRule: 'depth' },

@@ -57,9 +57,10 @@ test.describe('these must fail, or no other test would notice a fault of the pag
   test('a GL error', async ({ page, pageProblems }) => {
     test.fail();
     await page.goto('/tests/browser/blank.html');
-    await page.evaluate(() => document.createElement('canvas').getContext('webgl2')?.enable(1));
     // The browser warns about it on the console too; here only gl.getError is to find it.
-    await page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 100)));
+    const warning = page.waitForEvent('console');
+    await page.evaluate(() => document.createElement('canvas').getContext('webgl2')?.enable(1));
+    await warning;
     pageProblems.length = 0;
   });
 });

@@ -22,7 +22,6 @@ async function thumbnails(page: Page, picture: Picture, lights: readonly Picture
 }
 
 test('the presets can be distinguished at 200 pixels, and not only by colour', { tag: '@all' }, async ({ page }) => {
-  test.setTimeout(300_000);
   await page.goto('./tools/pictures/pictures.html');
   await page.waitForFunction(() => typeof window.drawUnder === 'function');
   const { pictures } = plansOf(Object.keys(presets), []).presets;

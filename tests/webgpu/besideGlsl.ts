@@ -29,7 +29,7 @@ async function begin<Case extends { name: string }>(
   expect(named.length, 'cases that are named').toBe(quick.length);
   const cases = selected(named, all);
   // Each builds programs of its own, on the processor.
-  test.setTimeout(Math.max(120_000, 30_000 * cases.length));
+  test.setTimeout(Math.max(300_000, 30_000 * cases.length));
   const lack = await page.evaluate(() => window.besideGlsl.lackOfWebGPU);
   test.skip(drawn === 'webgpu' && lack !== null, lack ?? '');
   return cases;

@@ -144,11 +144,13 @@ async function afterLoss(drawn: 'forceWebGL' | 'webgpu'): Promise<number> {
   // Otherwise three.js reports what is done here on purpose.
   Object.assign(first.renderer, { onDeviceLost() {} });
   const { backend } = first.renderer as unknown as {
-    backend: { device?: { destroy(): void }; gl?: WebGL2RenderingContext };
+    backend: { device?: { destroy(): void; lost: Promise<unknown> }; gl?: WebGL2RenderingContext };
   };
-  backend.device?.destroy();
-  backend.gl?.getExtension('WEBGL_lose_context')?.loseContext();
-  await new Promise((resume) => setTimeout(resume, 100));
+  const { device, gl } = backend;
+  const lost = device?.lost ?? new Promise((resolve) => gl?.canvas.addEventListener('webglcontextlost', resolve));
+  device?.destroy();
+  gl?.getExtension('WEBGL_lose_context')?.loseContext();
+  await lost;
   const second = await makeDrawer(drawn);
   second.draw(stage);
   const after = await second.read();
