@@ -5,6 +5,7 @@ import { background } from './background.js';
 import { bake } from './bake.js';
 import { blending } from './blending.js';
 import { command } from './command.js';
+import { consent } from './consent.js';
 import { detail } from './detail.js';
 import { element } from './element.js';
 import { emphasis } from './emphasis.js';
@@ -16,6 +17,7 @@ import { form } from './form.js';
 import { frames } from './frames.js';
 import { hand } from './hand.js';
 import { kept } from './kept.js';
+import { keys } from './keys.js';
 import { lights } from './lights.js';
 import { links } from './links.js';
 import { maps } from './maps.js';
@@ -47,6 +49,7 @@ export const table: Readonly<Record<string, readonly Mutation[]>> = {
   bake,
   blending,
   command,
+  consent,
   detail,
   element,
   emphasis,
@@ -58,6 +61,7 @@ export const table: Readonly<Record<string, readonly Mutation[]>> = {
   frames,
   hand,
   kept,
+  keys,
   lights,
   links,
   maps,

@@ -34,4 +34,37 @@ export const material: readonly Mutation[] = [
       title: 'what was read can be set again, also on another material, and delete takes back what was set',
     },
   },
+  {
+    name: 'defaults are written to JSON',
+    file: 'src/material/hatchingJSON.ts',
+    find: 'if (!isDefault(name as HatchingPropertyName, value, material.technique)) json',
+    replace: 'json',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/material/hatchingJSON.test.ts',
+      title: 'has no defaults, those of a technique included, and what is no default',
+    },
+  },
+  {
+    name: 'defaults of a technique are written to JSON',
+    file: 'src/material/hatchingJSON.ts',
+    find: 'value, material.technique)',
+    replace: "value, 'anchored')",
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/material/hatchingJSON.test.ts',
+      title: 'has no defaults, those of a technique included, and what is no default',
+    },
+  },
+  {
+    name: 'a hook that is set again runs twice',
+    file: 'src/material/keepHooks.ts',
+    find: 'given.has(value) ? (given.get(value) as Hook) : value',
+    replace: 'value',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/material/keepHooks.test.ts',
+      title: 'runs once, also where a hook that was read is set again, and however often',
+    },
+  },
 ];

@@ -9,7 +9,7 @@ export const nodes: readonly Mutation[] = [
     caughtBy: {
       layer: 'webgpu',
       file: 'tests/webgpu/reference.spec.ts',
-      title: 'anchored equals the double-precision reference: …tone curve of points',
+      title: 'anchored … in scenes of the reference: nodes draw what GLSL draws',
     },
   },
   {
@@ -20,7 +20,7 @@ export const nodes: readonly Mutation[] = [
     caughtBy: {
       layer: 'webgpu',
       file: 'tests/webgpu/reference.spec.ts',
-      title: 'anchored equals the double-precision reference: …local tone, in a shadow that crosses',
+      title: 'anchored … in scenes of the reference: nodes draw what GLSL draws',
     },
   },
   {
@@ -31,7 +31,7 @@ export const nodes: readonly Mutation[] = [
     caughtBy: {
       layer: 'webgpu',
       file: 'tests/webgpu/reference.spec.ts',
-      title: 'engraved equals the double-precision reference: …crossing at right angles from light tones on',
+      title: 'engraved … in scenes of the reference: nodes draw what GLSL draws',
     },
   },
 ];

@@ -34,4 +34,26 @@ export const occlusion: readonly Mutation[] = [
       title: 'turned inside out show their backs',
     },
   },
+  {
+    name: 'no map is turned about its direction',
+    file: 'src/occlusion/directions.ts',
+    find: '2 * Math.PI * fraction(0.5 + (index + 1) / RATIO ** 3)',
+    replace: '0',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/occlusion/directions.test.ts',
+      title: 'maps are turned about their directions, each by another angle, evenly',
+    },
+  },
+  {
+    name: 'directions lie about the horizon',
+    file: 'src/occlusion/directions.ts',
+    find: 'const height = fraction(0.5 + (index + 1) / RATIO);',
+    replace: 'const height = fraction(0.5 + (index + 1) / RATIO) ** 2;',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/occlusion/directions.test.ts',
+      title: 'directions are evenly spread over the upper half of the sphere',
+    },
+  },
 ];

@@ -88,4 +88,15 @@ export const outlines: readonly Mutation[] = [
     replace: 'return outlineWidth',
     caughtBy: { layer: 'gpu', file: 'tests/gpu/outlines.spec.ts', title: 'outlines on a sphere are as wide as asked' },
   },
+  {
+    name: 'every edge is a contour',
+    file: 'src/features/contourCandidates.ts',
+    find: 'if (isSeen) list[count++] = edge;',
+    replace: 'list[count++] = edge;',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/features/contourCandidates.test.ts',
+      title: 'edges are listed that are something, or where one side faces the eye and the other looks away',
+    },
+  },
 ];

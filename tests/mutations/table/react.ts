@@ -12,4 +12,48 @@ export const react: readonly Mutation[] = [
       title: 'a helper may swap materials of its own and of others: it is left alone, and nothing is hatched again',
     },
   },
+  {
+    name: 'lists differ though they hold the same',
+    file: 'src/react/sameValue.ts',
+    find: 'Array.isArray(a) && Array.isArray(b)',
+    replace: 'Array.isArray(a) && a === b',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/react/sameValue.test.ts',
+      title: 'options are the same by what they hold, whatever they are made of',
+    },
+  },
+  {
+    name: 'a longer list is the same',
+    file: 'src/react/sameValue.ts',
+    find: 'a.length === b.length && ',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/react/sameValue.test.ts',
+      title: 'options differ in a value, a length, a name, or a kind',
+    },
+  },
+  {
+    name: 'functions that a component makes anew differ',
+    file: 'src/react/sameValue.ts',
+    find: "if (typeof a === 'function' && typeof b === 'function') return true;",
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/react/sameValue.test.ts',
+      title: 'options are the same by what they hold, whatever they are made of',
+    },
+  },
+  {
+    name: 'what is added to options is not seen',
+    file: 'src/react/sameValue.ts',
+    find: '[...new Set([...Object.keys(a), ...Object.keys(b)])]',
+    replace: 'Object.keys(a)',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/react/sameValue.test.ts',
+      title: 'options differ in a value, a length, a name, or a kind',
+    },
+  },
 ];

@@ -52,4 +52,81 @@ export const svg: readonly Mutation[] = [
       title: 'what hides a place from an eye at the far end, and what shades it',
     },
   },
+  {
+    name: 'a drawing for a pen is filled',
+    file: 'src/demo/playground/takeAway/saveSvg.ts',
+    find: 'kind: settings.pictureSvg,',
+    replace: "kind: 'print',",
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/takeAway/saveSvg.test.ts',
+      title: 'a print has filled paths on its paper, and a pen has lines of its width on none',
+    },
+  },
+  {
+    name: 'a pen draws the border of the paper',
+    file: 'src/demo/playground/takeAway/saveSvg.ts',
+    find: "...(!isPen && settings.pictureGround === 'paper' &&",
+    replace: "...(settings.pictureGround === 'paper' &&",
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/takeAway/saveSvg.test.ts',
+      title: 'a print has filled paths on its paper, and a pen has lines of its width on none',
+    },
+  },
+  {
+    name: 'an empty file is saved',
+    file: 'src/demo/playground/takeAway/saveSvg.ts',
+    find: 'drawing.paths === 0 && !picture',
+    replace: 'drawing.paths < 0',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/takeAway/saveSvg.test.ts',
+      title: 'strokes of a map are left out for a pen, in so many words; if there is nothing else, nothing is saved',
+    },
+  },
+  {
+    name: 'closed paths stay open',
+    file: 'src/vector/paths/pathData.ts',
+    find: "isClosed ? 'z' : ''",
+    replace: "''",
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/vector/paths.test.ts',
+      title: 'path data comes back as the points it was written from, to hundredths of a millimetre',
+    },
+  },
+  {
+    name: 'the last dash ends before the path',
+    file: 'src/vector/paths/dashes.ts',
+    find: '(length - on) / (count - 1)',
+    replace: '(length - on) / count',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/vector/paths.test.ts',
+      title: 'begin and end a path, are equally long, and lie equally far from each other',
+    },
+  },
+  {
+    name: 'dashes of a closed path end before it closes',
+    file: 'src/vector/paths/dashes.ts',
+    find: 'isClosed ? [...points, ...points.slice(0, PATH_STRIDE)] : points',
+    replace: 'points',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/vector/paths.test.ts',
+      title: 'go once around a closed path, and a short path stays whole',
+    },
+  },
+  {
+    name: 'what crosses the edge is cut at its middle',
+    file: 'src/vector/paths/clipRing.ts',
+    find: 'here / (here - there)',
+    replace: '0.5',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/vector/paths.test.ts',
+      title: 'cuts where a side meets the limit, whichever way it runs',
+    },
+  },
 ];

@@ -100,4 +100,48 @@ export const undo: readonly Mutation[] = [
       title: 'steps to where the page is already are passed over',
     },
   },
+  {
+    name: 'Undo leaves the views as they are',
+    file: 'src/demo/playground/session/Session.ts',
+    find: '    this.views.list = kept;\n',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/session/Session.test.ts',
+      title: 'Undo brings back the views that the drawing had, and the camera from which a look was seen',
+    },
+  },
+  {
+    name: 'Undo of a look frames the model',
+    file: 'src/demo/playground/session/Session.ts',
+    find: 'if (place) stage.view.state = place;\n    else stage.view.frame();',
+    replace: 'stage.view.frame();',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/session/Session.test.ts',
+      title: 'Undo brings back the views that the drawing had, and the camera from which a look was seen',
+    },
+  },
+  {
+    name: 'a kept view is no step',
+    file: 'src/demo/playground/session/DrawingState.ts',
+    find: '  JSON.stringify(a.views) === JSON.stringify(b.views) &&\n',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/session/Session.test.ts',
+      title: 'Undo brings back the views that the drawing had, and the camera from which a look was seen',
+    },
+  },
+  {
+    name: 'a look is framed before it is applied',
+    file: 'src/demo/playground/session/Session.ts',
+    find: '    stage.apply(this.look);\n    if (place)',
+    replace: '    if (place)',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/session/Session.test.ts',
+      title: 'a look without a camera is framed with what it has made of the drawing',
+    },
+  },
 ];

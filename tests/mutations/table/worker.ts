@@ -48,4 +48,48 @@ export const worker: readonly Mutation[] = [
     replace: 'new Error(message)',
     caughtBy: { layer: 'unit', file: 'tests/unit/worker/TaskClient.test.ts', title: 'rebuilds the error of a task' },
   },
+  {
+    name: 'late timers count as silence',
+    file: 'src/worker/SilenceWatch.ts',
+    find: 'isVisible && lateness < TICK_MS',
+    replace: 'isVisible',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/worker/SilenceWatch.test.ts',
+      title: 'one that is a second late begins the count anew',
+    },
+  },
+  {
+    name: 'a timer that is hardly late begins the count anew',
+    file: 'src/worker/SilenceWatch.ts',
+    find: 'isVisible && lateness < TICK_MS',
+    replace: 'isVisible && lateness < 0.5 * TICK_MS',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/worker/SilenceWatch.test.ts',
+      title: 'a timer that is a little late counts',
+    },
+  },
+  {
+    name: 'an aborted task fails as well',
+    file: 'src/worker/serveTasks.ts',
+    find: 'if (!controller.signal.aborted) scope',
+    replace: 'scope',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/worker/serveTasks.test.ts',
+      title: 'of a task that was aborted nothing is said, and the others go on',
+    },
+  },
+  {
+    name: 'an abort stops no task',
+    file: 'src/worker/serveTasks.ts',
+    find: "if (data.type === 'abort') running.get(data.id)?.abort();",
+    replace: "if (data.type === 'abort') running.delete(data.id);",
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/worker/serveTasks.test.ts',
+      title: 'of a task that was aborted nothing is said, and the others go on',
+    },
+  },
 ];

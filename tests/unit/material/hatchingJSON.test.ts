@@ -1,7 +1,7 @@
 import { Color, DoubleSide, Plane, Texture, Vector3 } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
-import type { HatchingMaterialJSON } from '../../../src/material/hatchingJSON.js';
+import { type HatchingMaterialJSON, propertiesToJSON } from '../../../src/material/hatchingJSON.js';
 
 afterEach(() => vi.restoreAllMocks());
 
@@ -59,6 +59,20 @@ describe('JSON of a material, from anywhere', () => {
     const json = { tilesPerUnit: 7, opacity: 0.5, ...JSON.parse(text) };
     expect(() => material.fromJSON(json)).toThrow(message);
     expect([material.tilesPerUnit, material.opacity]).toEqual([3, 1]);
+  });
+
+  test('has no defaults, those of a technique included, and what is no default', async () => {
+    await HatchingMaterial.preload();
+    const named = (material: HatchingMaterial) => Object.keys(propertiesToJSON(material));
+    expect(named(new HatchingMaterial())).toEqual([]);
+    for (const technique of ['engraved', 'adjacency', 'triangle'] as const) {
+      expect(named(new HatchingMaterial({ technique })), technique).toEqual(['technique']);
+    }
+    // What is the default of one technique is none of another.
+    const { strokeLayers } = new HatchingMaterial({ technique: 'engraved' });
+    const other = new HatchingMaterial({ technique: 'anchored', strokeLayers, tilesPerUnit: 7 });
+    expect(named(other)).toEqual(expect.arrayContaining(['tilesPerUnit']));
+    expect(read(JSON.stringify(other.toJSON()))).toMatchObject({ strokeLayers, tilesPerUnit: 7 });
   });
 
   test('finds textures by their own names alone', () => {

@@ -1,6 +1,7 @@
 import { type Material, MeshBasicMaterial, Texture, type WebGLRenderer } from 'three';
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
+import { keepHooks } from '../../../src/material/keepHooks.js';
 import type { ProgramParameters } from '../../../src/material/programParameters.js';
 
 // Materials are looked at in the same turn in which they are made.
@@ -124,6 +125,20 @@ describe.each([
 });
 
 describe("the material's own part", () => {
+  test('runs once, also where a hook that was read is set again, and however often', () => {
+    const material = new MeshBasicMaterial();
+    const parts = { onBeforeRender: vi.fn(), onBeforeCompile: vi.fn(), customProgramCacheKey: vi.fn(() => 'ours') };
+    keepHooks(material, parts);
+    for (let times = 0; times < 2; times++) {
+      const { onBeforeCompile, customProgramCacheKey } = material;
+      Object.assign(material, { onBeforeCompile, customProgramCacheKey });
+    }
+    const [key] = compiled(material);
+    expect(key).toBe(new MeshBasicMaterial().customProgramCacheKey());
+    expect(parts.onBeforeCompile).toHaveBeenCalledOnce();
+    expect(parts.customProgramCacheKey).toHaveBeenCalledOnce();
+  });
+
   /** Every way to set a hook of one's own, and none. */
   const ways: Record<string, (material: HatchingMaterial) => void> = {
     none: () => {},

@@ -7,6 +7,7 @@ import {
   travelOf,
 } from '../../../src/vector/order/orderPaths.js';
 import { clipRing } from '../../../src/vector/paths/clipRing.js';
+import { dashes } from '../../../src/vector/paths/dashes.js';
 import { pathLength } from '../../../src/vector/paths/LinePath.js';
 import { pathData } from '../../../src/vector/paths/pathData.js';
 import { simplify } from '../../../src/vector/paths/simplify.js';
@@ -90,6 +91,41 @@ describe('clipRing', () => {
   });
 });
 
+describe('clipRing, at slanted sides,', () => {
+  test('cuts where a side meets the limit, whichever way it runs', () => {
+    // A side from inside to outside, and one back, each a quarter of its way.
+    const triangle = [1, 1, 5, 1.8, 1, 1.9];
+    const clipped = clipRing(triangle, 2, 2);
+    expect(clipped).toHaveLength(8);
+    for (const [i, value] of [1, 1, 2, 1.2, 2, 1.875, 1, 1.9].entries()) expect(clipped[i]).toBeCloseTo(value, 12);
+    // What crosses lies on the limit to the last bit.
+    expect([clipped[2], clipped[4]]).toEqual([2, 2]);
+  });
+});
+
+describe('dashes', () => {
+  test('begin and end a path, are equally long, and lie equally far from each other', () => {
+    const path = { points: [0, 0, 1, 1, 10, 0, 1, 1, 10, 13, 3, 3], isClosed: false };
+    const cut = dashes(path, 3, 2);
+    expect(cut.length).toBe(5);
+    expect(cut[0].points.slice(0, 4)).toEqual([0, 0, 1, 1]);
+    const last = cut.at(-1)!.points.slice(-4);
+    for (const [i, value] of [10, 13, 3, 3].entries()) expect(last[i]).toBeCloseTo(value, 12);
+    const lengths = cut.map((dash) => pathLength(dash));
+    for (const length of lengths) expect(length).toBeCloseTo((3 * 25) / 25, 12);
+    expect(cut.every(({ isClosed }) => !isClosed)).toBe(true);
+  });
+
+  test('go once around a closed path, and a short path stays whole', () => {
+    const square = { points: [0, 0, 1, 1, 6, 0, 1, 1, 6, 6, 1, 1, 0, 6, 1, 1], isClosed: true };
+    const cut = dashes(square, 2, 1);
+    const end = cut.at(-1)!.points.slice(-4);
+    for (const [i, value] of [0, 0, 1, 1].entries()) expect(end[i]).toBeCloseTo(value, 12);
+    const short = { points: [0, 0, 1, 1, 3, 0, 1, 1], isClosed: false };
+    expect(dashes(short, 3, 2)).toEqual([short]);
+  });
+});
+
 /** All orders of paths, each path from either end. */
 function ordersOf(paths: readonly number[]): OrderedPath[][] {
   if (paths.length === 0) return [[]];
@@ -142,6 +178,8 @@ test('path data comes back as the points it was written from, to hundredths of a
   expect(read.length).toBe(points.length);
   // No error adds up along the path.
   for (const [i, x] of points.entries()) expect(Math.abs(read[i] - (5 + 0.3 * x))).toBeLessThan(0.0051);
+  expect(pathData([1, 1, 2, 1, 2, 2], false, { scale: 1, left: 0, top: 0 })).toBe('M1 1l1 0 0 1');
+  expect(pathData([1, 1, 2, 1, 2, 2], true, { scale: 1, left: 0, top: 0 })).toBe('M1 1l1 0 0 1z');
   expect(pathData([1, 1, 1.001, 1], true, { scale: 0.3, left: 0, top: 0 })).toBe('');
 });
 

@@ -90,6 +90,43 @@ test('what the view does by itself while settings are applied belongs to the sam
   expect([session.settings.ink, view.state]).toEqual(['#111111', far]);
 });
 
+test('Undo brings back the views that the drawing had, and the camera from which a look was seen', () => {
+  const { session, view } = createSession();
+  const { settings } = session;
+  session.views.add('From above');
+  const [kept] = session.views.list;
+  expect([kept.name, session.canUndo]).toEqual(['From above', true]);
+  const own = { position: [3, 0, 0], target: [0, 0, 0], framedFor: undefined };
+  view.state = own;
+  view.onMoved();
+  const near = { position: [0, 0, 2], target: [0, 0, 0], framedFor: undefined };
+  const look = { settings: { ...settings, ink: '#111111' }, camera: near, views: [], hand: undefined };
+  session.showLook(look as never);
+  session.recordChange();
+  expect([session.views.list, view.state]).toEqual([[], near]);
+  session.undo();
+  expect([session.views.list, view.state]).toEqual([[kept], own]);
+  session.redo();
+  expect([session.views.list, view.state]).toEqual([[], near]);
+  session.undo();
+  session.undo();
+  session.undo();
+  expect([session.views.list, session.canUndo]).toEqual([[], false]);
+});
+
+test('a look without a camera is framed with what it has made of the drawing', () => {
+  const { session, view, applied } = createSession();
+  const inks: (string | undefined)[] = [];
+  view.frame.mockImplementation(() => void inks.push(applied.at(-1)));
+  session.showLook({
+    settings: { ...session.settings, ink: '#123456' },
+    camera: undefined,
+    views: [],
+    hand: undefined,
+  });
+  expect(inks).toEqual(['#123456']);
+});
+
 test('a moved camera is a step of its own, which applies no settings', () => {
   const { view, events } = createSession();
   view.onMoved();

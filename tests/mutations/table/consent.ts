@@ -1,0 +1,92 @@
+import type { Mutation } from '../Mutation.js';
+
+export const consent: readonly Mutation[] = [
+  {
+    name: 'Escape agrees',
+    file: 'src/demo/playground/loading/ask.ts',
+    find: "dialog.returnValue === 'yes'",
+    replace: "dialog.returnValue !== 'no'",
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/loading/ask.test.ts',
+      title: 'only yes is yes',
+    },
+  },
+  {
+    name: 'a question about another address stays open',
+    file: 'src/demo/playground/loading/ask.ts',
+    find: '  withdrawOpen();\n',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/loading/ask.test.ts',
+      title: 'a later question takes the place of an earlier one, whose answer is no',
+    },
+  },
+  {
+    name: 'a question is withdrawn with yes',
+    file: 'src/demo/playground/loading/ask.ts',
+    find: "dialog.close('no')",
+    replace: "dialog.close('yes')",
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/loading/ask.test.ts',
+      title: 'only yes is yes',
+    },
+  },
+  {
+    name: 'a click that was on its way agrees',
+    file: 'src/demo/playground/loading/ask.ts',
+    find: '  hold();\n',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/loading/ask.test.ts',
+      title: 'a grave question cannot be agreed to at once, nor as soon as the window is in front again',
+    },
+  },
+  {
+    name: 'a click that brings the window to the front agrees',
+    file: 'src/demo/playground/loading/ask.ts',
+    find: "addEventListener('focus', hold, { signal: end });",
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/loading/ask.test.ts',
+      title: 'a grave question cannot be agreed to at once, nor as soon as the window is in front again',
+    },
+  },
+  {
+    name: 'no is taken for yes',
+    file: 'src/demo/playground/session/LinkFollower.ts',
+    find: 'if (isAgreed) modelLoader',
+    replace: 'if (isAgreed !== undefined) modelLoader',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/session/LinkFollower.test.ts',
+      title: 'a model of another site is fetched if the user agrees; if not, something else is shown',
+    },
+  },
+  {
+    name: 'an agreement counts for an address that is gone',
+    file: 'src/demo/playground/session/LinkFollower.ts',
+    find: '    this.asked.drop();\n',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/session/LinkFollower.test.ts',
+      title: 'an agreement that comes after the address asks for something else is none',
+    },
+  },
+  {
+    name: 'the model goes before the user has agreed to another',
+    file: 'src/demo/playground/session/LinkFollower.ts',
+    find: '{ ...next, model: session.settings.model }',
+    replace: 'next',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/session/LinkFollower.test.ts',
+      title: 'until the user has agreed, the look of a link is shown on the model that is there',
+    },
+  },
+];

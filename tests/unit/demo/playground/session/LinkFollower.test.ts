@@ -1,0 +1,67 @@
+import { beforeEach, expect, test, vi } from 'vitest';
+import { askToFetch } from '../../../../../src/demo/playground/loading/ask.js';
+import { LinkFollower } from '../../../../../src/demo/playground/session/LinkFollower.js';
+
+vi.mock('../../../../../src/demo/playground/loading/ask.js', () => ({ askToFetch: vi.fn() }));
+
+const ADDRESS = 'https://models.test/bunny.ply';
+
+beforeEach(() => void vi.clearAllMocks());
+
+/** A follower of links on a page that shows a cube, and what it does to that. */
+function onPage({ address, drawing }: { address?: string; drawing?: string } = {}) {
+  const linked = {
+    settings: { model: 'file', ink: '#123456' },
+    camera: undefined,
+    address,
+    views: [],
+    hand: undefined,
+  };
+  const modelLoader = { showAddress: vi.fn(), showSomething: vi.fn() };
+  const session = {
+    settings: { model: 'cube' },
+    modelLoader,
+    linked: () => linked,
+    showState: vi.fn(),
+    showLook: vi.fn(),
+    recordChange: vi.fn(),
+  };
+  const keeper = { open: vi.fn(async () => undefined) };
+  const follower = new LinkFollower(session as never, { drawing, read: () => '' } as never, keeper as never);
+  return { follower, session, modelLoader };
+}
+
+test('a model of another site is fetched if the user agrees; if not, something else is shown', async () => {
+  const { follower, modelLoader } = onPage();
+  vi.mocked(askToFetch).mockResolvedValueOnce(false);
+  await follower.showAddress(ADDRESS, true);
+  expect([modelLoader.showAddress.mock.calls, modelLoader.showSomething.mock.calls.length]).toEqual([[], 1]);
+  vi.mocked(askToFetch).mockResolvedValueOnce(true);
+  await follower.showAddress(ADDRESS, true);
+  expect([modelLoader.showAddress.mock.calls, modelLoader.showSomething.mock.calls.length]).toEqual([
+    [[ADDRESS, true]],
+    1,
+  ]);
+});
+
+test('an agreement that comes after the address asks for something else is none', async () => {
+  const { follower, modelLoader, session } = onPage();
+  let agree = (_: boolean): void => {};
+  vi.mocked(askToFetch).mockImplementationOnce(() => new Promise((resolve) => (agree = resolve)));
+  const asked = follower.showAddress(ADDRESS, true);
+  await follower.follow();
+  agree(true);
+  await asked;
+  expect(vi.mocked(askToFetch).mock.calls[0][1].aborted).toBe(true);
+  expect([modelLoader.showAddress.mock.calls, modelLoader.showSomething.mock.calls]).toEqual([[], []]);
+  expect(session.showState).toHaveBeenCalledOnce();
+});
+
+test('until the user has agreed, the look of a link is shown on the model that is there', async () => {
+  const { follower, session, modelLoader } = onPage({ address: ADDRESS });
+  vi.mocked(askToFetch).mockResolvedValueOnce(true);
+  await follower.follow();
+  expect(session.showState).not.toHaveBeenCalled();
+  expect(session.showLook.mock.calls[0][0].settings).toEqual({ model: 'cube', ink: '#123456' });
+  expect(modelLoader.showAddress).toHaveBeenCalledExactlyOnceWith(ADDRESS, true);
+});

@@ -1,0 +1,56 @@
+import { Vector2 } from 'three';
+import { expect, test } from 'vitest';
+import { fitTones } from '../../../../src/material/exposure/fitTones.js';
+import { WeightedValues } from '../../../../src/material/exposure/WeightedValues.js';
+import { writeFit } from '../../../../src/material/exposure/writeFit.js';
+
+/** A hundred values, evenly spread from one to another. */
+function spread(from: number, to: number): WeightedValues {
+  const values = new WeightedValues();
+  for (let i = 0; i < 100; i++) values.add(from + ((to - from) * i) / 99, 1);
+  return values;
+}
+
+const NONE = new WeightedValues();
+
+test('what is as dark in its darks is made as bright, and nothing is taken from it', () => {
+  const { scale, offset, white } = fitTones(spread(0, 2), spread(0, 1), NONE);
+  expect(scale).toBeCloseTo(0.5, 2);
+  expect([offset, white]).toEqual([0, 1]);
+});
+
+test('what has no darks gets them, its brights being where they should, and never by more than four', () => {
+  const half = fitTones(spread(1, 2), spread(0, 1), NONE);
+  // From 1.1 to 1.9 to from 0.1 to 0.9.
+  expect(half.scale).toBeCloseTo(1, 2);
+  expect(half.offset).toBeCloseTo(-1, 2);
+  const faint = fitTones(spread(1.99, 2), spread(0, 1), NONE);
+  expect(faint.scale).toBeCloseTo((4 * 0.9) / 2, 2);
+  expect(2 * faint.scale + faint.offset).toBeCloseTo(0.9, 1);
+});
+
+test('darks are not lifted: of more contrast than asked, only the brights are fitted', () => {
+  const { scale, offset } = fitTones(spread(0, 1), spread(0.5, 1), NONE);
+  expect(scale).toBeCloseTo(0.95 / 0.9, 2);
+  expect(offset).toBe(0);
+});
+
+test('the lightest colours are white, but not those that are nearly black', () => {
+  const whiteOf = (from: number, to: number) => fitTones(spread(0, 1), spread(0, 1), spread(from, to)).white;
+  expect(whiteOf(0, 0.6)).toBeCloseTo(0.54, 2);
+  expect(whiteOf(0, 0.1)).toBe(0.3);
+  expect(whiteOf(2, 3)).toBe(1);
+});
+
+test('without light nothing is fitted but the colours', () => {
+  const dark = new WeightedValues();
+  dark.add(0, 1);
+  expect(fitTones(dark, spread(0, 1), NONE)).toEqual({ scale: 1, offset: 0, white: 1 });
+  expect(fitTones(NONE, spread(0, 1), spread(0, 0.6)).white).toBeCloseTo(0.54, 2);
+});
+
+test('a material takes a fit with its compensation, and its colours are divided by what is white', () => {
+  const uniforms = { exposure: { value: new Vector2() }, colorExposure: { value: 1 } };
+  writeFit({ scale: 2, offset: -0.5, white: 0.4 }, { exposureCompensation: 1.5 } as never, uniforms);
+  expect([...uniforms.exposure.value, uniforms.colorExposure.value]).toEqual([3, -0.75, 2.5]);
+});
