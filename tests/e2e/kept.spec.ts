@@ -111,6 +111,8 @@ test("one's own model, its settings and the view survive a reload, Back and a cl
   await expect(later.locator('#model-name')).toHaveText('octahedron.ply');
   expect(changedShare(before, await readDrawing(later))).toBe(0);
 
+  // What would be written after it was forgotten would be kept again.
+  await kept(later);
   await later.getByRole('button', { name: 'Recent' }).click();
   await later.getByRole('button', { name: 'Forget octahedron.ply' }).click();
   await expect(later.getByText('There are none')).toBeVisible();
@@ -147,6 +149,7 @@ test('a look of one’s own stands beside the presets, also after a reload, and 
   await page.getByRole('button', { name: 'Pen', exact: true }).click();
   await expect(looks.getByRole('button')).toHaveAttribute('aria-pressed', 'false');
   expect(changedShare(red, await readDrawing(page))).toBeGreaterThan(0.05);
+  await writtenHash(page);
   await page.reload();
   await ready(page);
   await looks.getByRole('button', { name: 'Red cut' }).click();
@@ -206,7 +209,8 @@ test('a browser that keeps nothing, or has no room, says so in one sentence, onc
 
   // One that does not answer at all: a reload goes on without it, and so does the page's address.
   await page.goto(`./?silent#${LINK}`);
-  await ready(page);
+  // Nothing is left that would write over what follows.
+  await writtenHash(page);
   await page.evaluate(() => history.replaceState({ drawing: 'a' }, ''));
   await page.reload();
   await expect(status).toHaveText('The browser does not return the drawing that it keeps: open your model again.');

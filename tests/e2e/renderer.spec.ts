@@ -4,6 +4,7 @@ import { launchOptions } from '../../tools/browser/launchOptions.mjs';
 import {
   drop,
   enterLink,
+  fetchedAhead,
   idle,
   openPlayground,
   readDrawing,
@@ -147,7 +148,7 @@ test('WebGPU draws the same picture when it is chosen, WebGL draws it again, and
   });
   await openPlayground(page, LINES);
   const before = await readDrawing(page);
-  await page.waitForLoadState('networkidle');
+  await fetchedAhead(page);
   expect(scripts).toEqual([]);
   const usual = await held(page);
   expect(usual.devices).toBe(0);
@@ -158,7 +159,7 @@ test('WebGPU draws the same picture when it is chosen, WebGL draws it again, and
   await idle(page);
   expect((await held(page)).awaited).toBe(0);
   const onWebGPU = await readDrawing(page);
-  expect(scripts.length).toBeGreaterThan(0);
+  await expect.poll(() => scripts.length).toBeGreaterThan(0);
   await expect(nodeScreen(page)).toBeVisible();
   await expect(note(page)).toHaveText('Pictures, prints, videos and vector files are drawn by WebGL.');
   expect(await writtenHash(page)).toContain('renderer=webgpu');

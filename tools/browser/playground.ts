@@ -47,6 +47,20 @@ export const refreshes = (page: Page, count: number): Promise<void> =>
     for (let i = 0; i < awaited; i++) await new Promise(requestAnimationFrame);
   }, count);
 
+/** Waits until the page has fetched ahead what nobody has opened yet, and returns the names of those files. */
+export async function fetchedAhead(page: Page): Promise<string[]> {
+  const parts = (await (await page.request.get(new URL('parts.json', page.url()).href)).json()) as string[];
+  await expect
+    .poll(() =>
+      page.evaluate((names) => {
+        const fetched = performance.getEntriesByType('resource').map(({ name }) => name);
+        return names.filter((name) => !fetched.some((address) => address.endsWith(name)));
+      }, parts),
+    )
+    .toEqual([]);
+  return parts;
+}
+
 /** Follows a link in the open page. */
 export async function follow(page: Page, hash: string): Promise<void> {
   await enterLink(page, hash);
