@@ -36,7 +36,10 @@ test('axe finds nothing on the playground, at four sizes, with settings and gall
       for (const dialog of width === 360 ? ['Keys', 'Looks', 'Views'] : []) {
         await page.getByRole('button', { name: dialog }).click();
         await expect(page.getByRole('dialog')).toBeVisible();
-        if (dialog === 'Views') await page.getByRole('button', { name: 'Keep this view' }).click();
+        if (dialog === 'Views') {
+          await page.getByRole('button', { name: 'Keep this view' }).click();
+          await expect(page.getByLabel(/^Name of /)).toBeVisible();
+        }
         expect.soft(await violations(page), `${width} × ${height}, ${dialog}`).toEqual([]);
         await page.keyboard.press('Escape');
       }
@@ -46,8 +49,10 @@ test('axe finds nothing on the playground, at four sizes, with settings and gall
   }
   await page.getByRole('button', { name: 'More' }).click();
   await page.getByLabel('Information about the model').click();
+  await expect(page.locator('#model-statistics')).toBeVisible();
   expect.soft(await violations(page), 'with what there is to know about the model').toEqual([]);
   await page.getByRole('button', { name: 'Gallery' }).click();
+  await expect(page.getByRole('heading', { name: 'Gallery' })).toBeVisible();
   expect.soft(await violations(page), 'with the gallery').toEqual([]);
   await page.keyboard.press('Escape');
   const width = page.getByRole('spinbutton', { name: 'Stroke width' });
@@ -57,7 +62,9 @@ test('axe finds nothing on the playground, at four sizes, with settings and gall
 
   // In colours that the reader has chosen, what shows a state keeps one.
   await page.emulateMedia({ forcedColors: 'active' });
-  await page.getByRole('button', { name: 'Pen', exact: true }).click();
+  const pen = page.getByRole('button', { name: 'Pen', exact: true });
+  await pen.click();
+  await expect(pen).toHaveAttribute('aria-pressed', 'true');
   const colours = await page.evaluate(() => {
     const of = (selector: string, pseudo?: string) =>
       getComputedStyle(document.querySelector(selector)!, pseudo).backgroundColor;

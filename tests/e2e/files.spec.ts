@@ -66,9 +66,7 @@ test('a mirrored part of a model is not turned inside out', { tag: '@all' }, asy
   await drop(page, [file('octahedron.glb', octahedronGlb())]);
   await expect(page.locator('#model-statistics')).toHaveText('16 triangles');
   // A model that is opened gets a light of its own.
-  await page.evaluate(() => {
-    location.hash = 'model=file&lightAzimuth=0&lightElevation=60';
-  });
+  await follow(page, 'model=file&lightAzimuth=0&lightElevation=60');
   // From the three-quarter view to the front.
   for (let i = 0; i < 6; i++) await page.locator('#drawing').press('ArrowLeft');
   const picture = await readDrawing(page);
@@ -278,6 +276,7 @@ test('the caption says what is missing, whole, and all else is behind a button',
     [1440, 900],
   ]) {
     await page.setViewportSize({ width, height });
+    await ready(page);
     // Every line of it is in sight, with nothing over it.
     const unseen = await note.evaluate(
       (element) =>
@@ -314,7 +313,7 @@ test('a model that is the wrong way up is turned when asked to, and turned back 
   await ready(page);
   await page.getByRole('button', { name: 'Turn it' }).click();
   await expect(hint).toBeHidden();
-  await expect.poll(() => page.evaluate(() => location.hash)).toContain('upAxis=z');
+  expect(await writtenHash(page)).toContain('upAxis=z');
   const standing = await readDrawing(page);
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect(hint).toBeVisible();

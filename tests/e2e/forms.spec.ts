@@ -19,7 +19,7 @@ test('in a frame of another page: the drawing and its lamp alone, and the wheel 
   expect(changedShare(first, await readDrawing(page))).toBe(0);
   await page.mouse.click(x, y);
   await page.mouse.wheel(0, -400);
-  expect(changedShare(first, await readDrawing(page))).toBeGreaterThan(0.02);
+  await expect.poll(async () => changedShare(first, await readDrawing(page))).toBeGreaterThan(0.02);
   await dragLamp(page, { x: 60, y: 10 });
   expect((await lampPlace(page)).azimuth).not.toBe(azimuth);
   // The address is that of the page around it.
@@ -37,7 +37,7 @@ test('in a kiosk: nothing leads away, and a drawing that was left goes back to h
 }) => {
   await page.clock.install();
   await page.goto('./?kiosk#technique=anchored&model=cube&mapSize=64&mapTones=4');
-  await expect(page.locator('html')).toHaveAttribute('data-state', 'ready');
+  await ready(page);
   for (const part of ['#card', '.bar', '#home']) await expect(page.locator(part)).toBeHidden();
   const first = await lampPlace(page);
   await page.locator('#lamp').press('ArrowLeft');

@@ -2,11 +2,13 @@ import type { Page } from '@playwright/test';
 import {
   dragLamp,
   drop,
+  follow,
   lampPlace,
   middleOf,
   openPlayground,
   readDrawing,
   ready,
+  refreshes,
   writtenHash,
 } from '../../tools/browser/playground.js';
 import { file, octahedronObj } from '../../tools/modelFiles/modelFiles.js';
@@ -56,9 +58,7 @@ test('strokes and tone of a face follow the light when it is dragged', async ({ 
   expect(after.elevation).toBeGreaterThan(before.elevation + 15);
   await expectFaceAsReference(page, 'B');
 
-  await page.evaluate(() => {
-    location.hash = `${location.hash}&strokeDirection=along`;
-  });
+  await follow(page, `${(await writtenHash(page)).slice(1)}&strokeDirection=along`);
   await expectFaceAsReference(page, 'T');
 });
 
@@ -207,6 +207,7 @@ test.describe('on a narrow sheet', () => {
       await page.mouse.move(from.x, from.y);
       await page.mouse.down();
       await page.mouse.move(sheet.x + sheet.width - 2, from.y, { steps: 4 });
+      await refreshes(page, 2);
       expect(await isOnSheet()).toBe(true);
       await page.mouse.move(sheet.x + sheet.width / 2 + 40, from.y, { steps: 4 });
       await page.mouse.up();
@@ -336,13 +337,16 @@ test('a model that is opened is lit from the upper front, and Undo takes its lig
   );
   await drop(page, [file('octahedron.obj', octahedronObj)]);
   await expect(page.locator('#model-name')).toHaveText('octahedron.obj');
+  await ready(page);
   const suiting = await lampPlace(page);
   expect(suiting.elevation).toBeGreaterThan(15);
   await expect(page.locator('#lamp')).toHaveAttribute('aria-valuetext', /in front of the model/);
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect(page.locator('#model-name')).not.toHaveText('octahedron.obj');
+  await ready(page);
   expect(await lampPlace(page)).toMatchObject({ azimuth: 170, elevation: -30 });
   await page.getByRole('button', { name: 'Redo' }).click();
   await expect(page.locator('#model-name')).toHaveText('octahedron.obj');
+  await ready(page);
   expect(await lampPlace(page)).toEqual(suiting);
 });

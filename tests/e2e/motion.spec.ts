@@ -1,7 +1,15 @@
 import { existsSync, readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import type { PNG } from 'pngjs';
-import { drop, framesDrawn, openPlayground, readDrawing, ready, refreshes } from '../../tools/browser/playground.js';
+import {
+  drop,
+  framesDrawn,
+  openPlayground,
+  readDrawing,
+  ready,
+  refreshes,
+  writtenHash,
+} from '../../tools/browser/playground.js';
 import { columnGlb } from '../../tools/modelFiles/columnModel.js';
 import { file, type TestFile } from '../../tools/modelFiles/modelFiles.js';
 import { expect, test } from '../browser/test.js';
@@ -58,7 +66,7 @@ test('the built-in fish swims, and is in the link', { tag: '@all' }, async ({ pa
   await ready(page);
   await page.getByRole('slider', { name: 'Speed' }).fill('2');
   await page.locator('#lamp').press('ArrowDown');
-  await expect.poll(() => page.url()).toMatch(/model=fish.*lightElevation=45/);
+  expect(await writtenHash(page)).toMatch(/model=fish.*lightElevation=45/);
   await page.getByRole('combobox', { name: 'Model', exact: true }).selectOption('Cube');
   await expect(page.locator('#model-name')).toHaveText('Cube');
   await expect(page.getByRole('group', { name: 'Motion' })).toBeHidden();
@@ -135,7 +143,7 @@ test.describe('with reduced motion', () => {
     expect(colouredShare(white, 0)).toBe(0);
     expect(colouredShare(white, 2)).toBe(0);
     expect(meanInk(white)).toBeGreaterThan(0.01);
-    await expect.poll(() => page.url()).toContain('surfaceColors=paper');
+    expect(await writtenHash(page)).toContain('surfaceColors=paper');
     await page.getByRole('button', { name: 'Undo' }).click();
     expect(changedShare(coloured, await readDrawing(page))).toBe(0);
     await expect(page.locator('#model-name')).toHaveText('column.glb');

@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 import type { PNG } from 'pngjs';
-import { openPlayground, readDrawing, ready, savePicture } from '../../tools/browser/playground.js';
+import { follow, openPlayground, readDrawing, savePicture, writtenHash } from '../../tools/browser/playground.js';
 import { expect, test } from '../browser/test.js';
 import { changedShare, inkRun, meanInk, WHOLE } from './pictures.js';
 
@@ -60,7 +60,7 @@ test('a link without outlines opens without them; undo brings back what was swit
   await outlines.selectOption('Drawn');
   const drawn = await readDrawing(page);
   expect(meanInk(drawn)).toBeGreaterThan(meanInk(without));
-  await expect.poll(() => page.url()).not.toContain('outlines=off');
+  expect(await writtenHash(page)).not.toContain('outlines=off');
   // Quick changes of one control are one step, but not across Undo and Redo.
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect.poll(async () => changedShare(without, await readDrawing(page))).toBe(0);
@@ -68,7 +68,7 @@ test('a link without outlines opens without them; undo brings back what was swit
   await expect.poll(async () => changedShare(drawn, await readDrawing(page))).toBe(0);
   await outlines.selectOption('None');
   expect(changedShare(without, await readDrawing(page))).toBe(0);
-  await expect.poll(() => page.url()).toContain('outlines=off');
+  expect(await writtenHash(page)).toContain('outlines=off');
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect.poll(async () => changedShare(drawn, await readDrawing(page))).toBe(0);
 });
@@ -98,7 +98,7 @@ test('width, weights and hand of the outlines have labels and change the drawing
     await expect(page.getByLabel(label, { exact: true })).toBeVisible();
   }
   await expect(page.getByLabel('Suggestive', { exact: true })).toBeVisible();
-  await expect.poll(() => page.url()).toMatch(/outlineWidth=5&outlineContours=200.*outlineHand=4/);
+  expect(await writtenHash(page)).toMatch(/outlineWidth=5&outlineContours=200.*outlineHand=4/);
   await page.reload();
   expect(changedShare(before, await readDrawing(page))).toBe(0);
 });
@@ -123,10 +123,8 @@ test.describe('with reduced motion', () => {
     await openPlayground(page, fish);
     const posed = await readDrawing(page);
     expect(meanInk(posed)).toBeGreaterThan(1.05 * without);
-    await page.evaluate(() => {
-      location.hash = `${location.hash}&outlineContours=0&outlineCreases=0&outlineBorders=0`;
-    });
-    await ready(page);
+    const written = (await writtenHash(page)).slice(1);
+    await follow(page, `${written}&outlineContours=0&outlineCreases=0&outlineBorders=0`);
     expect(meanInk(await readDrawing(page))).toBeCloseTo(without, 4);
   });
 });

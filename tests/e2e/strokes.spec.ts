@@ -1,5 +1,13 @@
 import type { PNG } from 'pngjs';
-import { enterLink, follow, idle, openPlayground, readDrawing, savePicture } from '../../tools/browser/playground.js';
+import {
+  enterLink,
+  follow,
+  idle,
+  openPlayground,
+  readDrawing,
+  savePicture,
+  writtenHash,
+} from '../../tools/browser/playground.js';
 import { expect, test } from '../browser/test.js';
 import { cases } from '../selection.mjs';
 import { changedShare, edgeSpacing, greyShare, likeness, meanInk, type Region } from './pictures.js';
@@ -122,7 +130,7 @@ test('a preset sets the whole style at once, and can be undone', { tag: '@more' 
     for (const other of seen) expect(changedShare(other, picture), name).toBeGreaterThan(0.05);
     seen.push(picture);
   }
-  await expect.poll(() => page.url()).toContain('medium=dry');
+  expect(await writtenHash(page)).toContain('medium=dry');
   await page.getByRole('button', { name: 'More' }).click();
   const width = page.getByLabel('Stroke width');
   await width.fill('5');

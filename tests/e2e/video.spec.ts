@@ -20,10 +20,10 @@ async function record(page: Page): Promise<{ name: string; content: Buffer }> {
   return { name: file.suggestedFilename(), content: await readFile(await file.path()) };
 }
 
-/** What a browser plays of a video: its facts, its first picture, and those at some times, as data URLs. */
-async function play(page: Page, content: Buffer, times: readonly number[]) {
+/** What a browser plays of a video: its facts, its first picture, and those at some times, as data URLs. @param rate its frames a second */
+async function play(page: Page, content: Buffer, rate: number, times: readonly number[]) {
   return page.evaluate(
-    async ([base64, seconds]) => {
+    async ([base64, frameRate, seconds]) => {
       const bytes = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
       const video = document.createElement('video');
       video.muted = true;
@@ -32,6 +32,15 @@ async function play(page: Page, content: Buffer, times: readonly number[]) {
           video.addEventListener(event, resolve, { once: true });
           video.addEventListener('error', () => reject(new Error(video.error?.message)), { once: true });
         });
+      // Sought is sooner than shown: the time of the frame that is shown.
+      let shown = -1;
+      let onFrame = () => {};
+      const follow: VideoFrameRequestCallback = (_, { mediaTime }) => {
+        shown = mediaTime;
+        onFrame();
+        video.requestVideoFrameCallback(follow);
+      };
+      video.requestVideoFrameCallback(follow);
       const isLoaded = when('loadeddata');
       video.src = URL.createObjectURL(new Blob([bytes]));
       await isLoaded;
@@ -44,17 +53,16 @@ async function play(page: Page, content: Buffer, times: readonly number[]) {
       };
       keep();
       for (const time of seconds) {
-        // Sought is sooner than shown; and what is shown already is told of by nobody.
-        const isShown = new Promise((resolve) => video.requestVideoFrameCallback(resolve));
         const isSought = when('seeked');
         video.currentTime = time;
         await isSought;
-        await Promise.race([isShown, new Promise((resolve) => setTimeout(resolve, 1000))]);
+        // Times are rounded to milliseconds.
+        while (shown > time || shown < time - 1 / frameRate - 0.001) await new Promise<void>((go) => (onFrame = go));
         keep();
       }
       return { width, height, duration, pictures };
     },
-    [content.toString('base64'), times] as const,
+    [content.toString('base64'), rate, times] as const,
   );
 }
 
@@ -88,7 +96,7 @@ test('a turntable is recorded as a video that plays', async ({ page, context }) 
 
   const player = await context.newPage();
   await player.goto('/tests/browser/blank.html');
-  const film = await play(player, content, [0.26, 0.51, 0.97]);
+  const film = await play(player, content, 12, [0.26, 0.51, 0.97]);
   expect([film.width, film.height]).toEqual([size.width, size.height]);
   expect(film.duration).toBeCloseTo(1, 2);
   const [first, quarter, half, last] = film.pictures.map(decoded);
