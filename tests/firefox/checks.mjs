@@ -3,8 +3,6 @@ import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { PNG } from 'pngjs';
 
-/** A page that draws no frame for so long is idle. */
-const QUIET_MILLISECONDS = 600;
 const TIMEOUT_MILLISECONDS = 60_000;
 /** A small map, because its size takes time and proves nothing. */
 const SMALL = 'mapSize=64&mapTones=4';
@@ -114,17 +112,11 @@ async function choose(page, folder, name, content) {
 
 /** Waits until the page is idle. @returns a picture of the drawing, without what lies over it */
 async function drawing(page) {
-  await page.evaluate(() => new Promise((resolve) => setTimeout(resolve)));
-  await page.waitForFunction(
-    (quiet) => {
-      if (document.documentElement.dataset.state !== 'ready') return false;
-      const { framesDrawn: frames, isIdle } = window.__playground;
-      if (!isIdle || window.__seen?.frames !== frames) window.__seen = { frames, since: performance.now() };
-      return performance.now() - window.__seen.since > quiet;
-    },
-    { timeout: TIMEOUT_MILLISECONDS, polling: 100 },
-    QUIET_MILLISECONDS,
-  );
+  // Some of what was done to the page begins in a later task, or with the next refresh of the screen.
+  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve))));
+  await page.waitForFunction(() => document.documentElement.dataset.state === 'ready' && window.__playground.isIdle, {
+    timeout: TIMEOUT_MILLISECONDS,
+  });
   const show = (visibility) =>
     page.$$eval(
       '#viewport > :not(canvas)',
