@@ -27,7 +27,8 @@ test('of the twelve most used helpers those with shaders of their own are left a
 }, async ({ page }) => {
   await open(page, '');
   await page.waitForFunction(() => window.dreiPage.materials().text);
-  expect(await page.evaluate(() => window.dreiPage.materials())).toMatchObject({
+  const materials = () => page.evaluate(() => window.dreiPage.materials());
+  await expect.poll(materials).toMatchObject({
     'model ball': 'HatchingMaterial',
     'model box': 'HatchingMaterial',
     'model instances': 'HatchingMaterial',

@@ -63,6 +63,8 @@ const page = {
   errors: [] as string[],
   progress: [] as number[],
   last: undefined as HatchedScene | undefined,
+  /** Whether a part was asked for that has not arrived. */
+  isLateAwaited: false,
   /** Meshes that were drawn with their own material, frame by frame. */
   flashes: 0,
   show(change: Partial<Shown>): void {
@@ -123,6 +125,7 @@ function Watch() {
 }
 
 function Late() {
+  page.isLateAwaited = true;
   use(arrival);
   return (
     <mesh name="late" position-y={0.9}>
