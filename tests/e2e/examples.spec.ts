@@ -194,9 +194,9 @@ test.describe('<hatched-model>', () => {
           .poll(async () => changedShare(home, await pixels(canvas)), { message: button })
           .toBeGreaterThan(0.02);
         await page.keyboard.press('Home');
+        await expect.poll(async () => changedShare(home, await pixels(canvas))).toBeLessThan(0.005);
       }
       // Nothing is drawn while nothing changes.
-      await expect.poll(async () => changedShare(home, await pixels(canvas))).toBeLessThan(0.005);
       await page.evaluate(() => {
         const { drawImage } = CanvasRenderingContext2D.prototype;
         const counted = window as unknown as { frames: number };

@@ -24,8 +24,10 @@ test('movement is drawn at a lower pixel ratio, and rest at the full one', async
         measured = resolve;
       });
       resolution.render(scene, camera, isMoving);
+      // By the time that it is measured, the movement may be over.
+      const drawn = state();
       await known;
-      return state();
+      return drawn;
     };
     const seen: Record<string, unknown> = {};
     seen.first = await frame();
