@@ -34,4 +34,14 @@ export const nodes: readonly Mutation[] = [
       title: 'engraved … in scenes of the reference: nodes draw what GLSL draws',
     },
   },
+  {
+    name: 'outlines of nodes show through what lies before them',
+    file: 'src/webgpu/nodes/outlines/hierarchy.ts',
+    find: 'gap.greaterThanEqual(spine.tolerance.negate())',
+    replace: 'gap.greaterThanEqual(-1e9)',
+    caughtBy: {
+      layer: 'webgpu',
+      file: 'tests/webgpu/outlines.spec.ts',
+    },
+  },
 ];

@@ -99,4 +99,15 @@ export const outlines: readonly Mutation[] = [
       title: 'edges are listed that are something, or where one side faces the eye and the other looks away',
     },
   },
+  {
+    name: 'outlines show through what lies before them',
+    file: 'shaders/outlines/hierarchy.glsl',
+    find: '>= -vTolerance;',
+    replace: '>= -1e9;',
+    caughtBy: {
+      layer: 'gpu',
+      file: 'tests/gpu/hiddenOutlines.spec.ts',
+      title: 'no outline shows through',
+    },
+  },
 ];
