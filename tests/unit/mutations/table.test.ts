@@ -28,8 +28,8 @@ function textsOf(path: string, known = new Map<string, string>()): Map<string, s
   return known;
 }
 
-test('there are at least 110 breaks, in every area', () => {
-  expect(mutations.length).toBeGreaterThanOrEqual(110);
+test('there are at least 230 breaks, in every area', () => {
+  expect(mutations.length).toBeGreaterThanOrEqual(230);
   expect(Object.keys(table)).toEqual(expect.arrayContaining(AREAS));
 });
 
