@@ -67,4 +67,48 @@ export const kept: readonly Mutation[] = [
       title: 'what is not at rest yet waits for a later frame, and is read once',
     },
   },
+  {
+    name: 'a view is framed before it is lit',
+    file: 'src/demo/playground/shelf/SavedViews.ts',
+    find: '    stage.apply(lookOf(settings));\n',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/shelf/SavedViews.test.ts',
+      title: 'a view brings back its camera and its light, which is there before the model is framed',
+    },
+  },
+  {
+    name: 'a view is shown in any light',
+    file: 'src/demo/playground/shelf/SavedViews.ts',
+    find: 'isLitBy(this.settings, light) && ',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/shelf/SavedViews.test.ts',
+      title: 'a view brings back its camera and its light, which is there before the model is framed',
+    },
+  },
+  {
+    name: 'a view may have no name',
+    file: 'src/demo/playground/shelf/SavedViews.ts',
+    find: 'plainName(name) || view.name',
+    replace: 'plainName(name)',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/shelf/SavedViews.test.ts',
+      title: 'views are named, renamed and deleted; a name of nothing is none; each change makes another list',
+    },
+  },
+  {
+    name: 'a free name may be taken',
+    file: 'src/demo/playground/shelf/NamedList.ts',
+    find: 'if (!items.some((item) => item.name === name)) return name;',
+    replace: 'return name;',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/shelf/SavedViews.test.ts',
+      title: 'a name that is free is none of those that are taken',
+    },
+  },
 ];

@@ -144,4 +144,26 @@ export const undo: readonly Mutation[] = [
       title: 'a look without a camera is framed with what it has made of the drawing',
     },
   },
+  {
+    name: 'a second finger ends a press',
+    file: 'src/demo/playground/session/watchPresses.ts',
+    find: 'if (!isPrimary) return;',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/session/watchPresses.test.ts',
+      title: 'of several fingers only the first counts',
+    },
+  },
+  {
+    name: 'all presses are one',
+    file: 'src/demo/playground/session/watchPresses.ts',
+    find: 'if (next) count++;',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/session/watchPresses.test.ts',
+      title: 'each press has a number, which is there until it ends',
+    },
+  },
 ];
