@@ -89,4 +89,81 @@ export const consent: readonly Mutation[] = [
       title: 'until the user has agreed, the look of a link is shown on the model that is there',
     },
   },
+  {
+    name: 'another window may say what was fetched',
+    file: 'src/demo/playground/loading/fetchModel.ts',
+    find: 'source !== frame.contentWindow || ',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/loading/fetchModel.test.ts',
+      title: 'what another window or another site says is not heard',
+    },
+  },
+  {
+    name: 'another site may say what was fetched',
+    file: 'src/demo/playground/loading/fetchModel.ts',
+    find: ' || origin !== location.origin',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/loading/fetchModel.test.ts',
+      title: 'what another window or another site says is not heard',
+    },
+  },
+  {
+    name: 'a request goes on when it is aborted',
+    file: 'src/demo/playground/loading/fetchModel.ts',
+    find: '      frame.remove();\n',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/loading/fetchModel.test.ts',
+      title: 'an abort takes the frame away, and with it the request',
+    },
+  },
+  {
+    name: 'a site is named with what stands before it',
+    file: 'src/demo/playground/loading/fetchModel.ts',
+    find: 'site: host }',
+    replace: 'site: address }',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/playground/loading/fetchModel.test.ts',
+      title: 'an address is described by its file and by the host in letters that look like no others',
+    },
+  },
+  {
+    name: 'a site may redirect to any other',
+    file: 'src/demo/fetch/fetchMain.ts',
+    find: '  keepTo(new URL(address).origin);\n',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/fetch/fetchMain.test.ts',
+      title: 'before it asks, the page forbids itself every other site',
+    },
+  },
+  {
+    name: 'cookies go along',
+    file: 'src/demo/fetch/fetchMain.ts',
+    find: "credentials: 'omit'",
+    replace: "credentials: 'include'",
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/fetch/fetchMain.test.ts',
+      title: 'a file is fetched without cookies and without saying from where, and told in parts',
+    },
+  },
+  {
+    name: 'any page may have files fetched',
+    file: 'src/demo/fetch/fetchMain.ts',
+    find: ' && source === parent',
+    replace: '',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/demo/fetch/fetchMain.test.ts',
+      title: 'only the page around it may ask',
+    },
+  },
 ];
