@@ -111,6 +111,10 @@ export const cases: readonly SceneCase[] = [
     name: 'dots in three layers',
     show: (kit) => drawn(kit, { technique: 'anchored', medium: 'stipple', exposure: 0.5 }),
   },
+  {
+    name: 'ink that takes its colour of the ground too',
+    show: (kit) => drawn(kit, { inkBlend: 'multiply', ink: 0x884422, color: 0x88bbee, colorFill: 1 }),
+  },
   { name: 'a tone in steps', show: (kit) => drawn(kit, { toneModel: 'toon', toneSteps: 4, toneCurve: 'perceptual' }) },
   {
     name: 'several materials of one mesh',
