@@ -69,7 +69,7 @@ void main() {
   #endif // TONE_NORMAL
   HatchingSurface material = HatchingSurface(
     normal, readToneNormals(normal, faceDirection), PerToneNormal(0.0), PerToneNormal(0.0),
-    localDarkness(diffuseColor.rgb, totalEmissiveRadiance)
+    localDarkness(diffuseColor.rgb, totalEmissiveRadiance), planeness(normal)
   );
   #ifdef DISSOLVES_SHADOWS
     tellSoftShadows(-vViewPosition);

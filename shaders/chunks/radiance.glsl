@@ -11,7 +11,19 @@ struct HatchingSurface {
   PerToneNormal radiance;
   PerToneNormal shadowed; // what shadows have taken of it, where TELLS_SHADOWS
   float darkness; // of its own colour, as far as that becomes tone
+  float plane; // 1 where it is plane, 0 where it is round
 };
+
+// A surface is plane where its normal changes by less than the first from one pixel to the next, and round from the second on.
+#define PLANE vec2(2e-5, 1e-4)
+
+float planeness(const in vec3 smoothNormal) {
+  #if TONE_NORMAL == TONE_NORMAL_SMOOTH
+    return 1.0 - smoothstep(PLANE.x, PLANE.y, length(fwidth(smoothNormal)));
+  #else
+    return 0.0;
+  #endif // TONE_NORMAL
+}
 
 float cosines(const in vec3 direction, const in vec3 normal) {
   return dot(direction, normal);
@@ -86,9 +98,11 @@ void addIndirectRadiance(inout HatchingSurface surface) {
 }
 
 // What the surroundings reflect of one light: they act as a sky of that light on the opposite side, so shade is
-// darkest at the terminator and opens up behind it (an engraver's reflected light).
+// darkest at the terminator and opens up behind it (an engraver's reflected light). Beside the light it is brighter for planes.
 void addReflection(const in vec3 toLight, const in vec3 color, inout HatchingSurface surface) {
   PerToneNormal seen = 0.5 - 0.5 * cosines(toLight, surface.normals);
+  vec3 beside = safeNormalize(cross(toLight, mat3(viewMatrix) * SIDE_AXIS));
+  seen += surface.plane * BESIDE_LIGHT * max(cosines(beside, surface.normals), 0.0);
   surface.radiance += openToSky() * reflectedLight * luminance(color) * RECIPROCAL_PI * seen;
 }
 

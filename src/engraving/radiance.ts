@@ -1,5 +1,6 @@
 /** What arrives of lamps at a surface, as radiance.glsl and three's own chunks have it. All in world space. */
-import { dot, lengthOf, type Vec3 } from './vectors.js';
+import { TONE_CONSTANTS } from './constants/toneConstants.js';
+import { cross, dot, lengthOf, type Vec3 } from './vectors.js';
 
 /** A light with a direction. */
 export interface Lamp {
@@ -69,3 +70,11 @@ export function responseTo(model: ToneModel, normal: Vec3, direction: Vec3, toVi
 
 /** What the surroundings see of a light: they reflect it to the side that is turned away. */
 export const seenBehind = (normal: Vec3, direction: Vec3): number => 0.5 - 0.5 * dot(normal, direction);
+
+const { BESIDE_LIGHT, SIDE_AXIS } = TONE_CONSTANTS;
+
+/** What they reflect of it besides to a plane, which faces the side of the light. */
+export function seenBeside(normal: Vec3, direction: Vec3): number {
+  const side = cross(direction, SIDE_AXIS);
+  return (BESIDE_LIGHT * Math.max(dot(normal, side), 0)) / Math.max(lengthOf(side), 1e-20);
+}

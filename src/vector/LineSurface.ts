@@ -36,15 +36,21 @@ export interface LineSurface {
   details: SurfaceDetails | null;
 }
 
+/** What all places of a triangle share. */
+export interface FlatTriangle {
+  /** In field space, of any length. */
+  flatNormal: Vec3;
+  /** Whether its corners have one tone normal. */
+  isPlane: boolean;
+}
+
 /** A place on a surface. Normals are unit. */
-export interface SurfacePlace {
+export interface SurfacePlace extends FlatTriangle {
   world: Vec3;
   view: Vec3;
   field: Vec3;
   fieldNormal: Vec3;
   toneNormal: Vec3;
-  /** Of the flat triangle, field space, of any length. */
-  flatNormal: Vec3;
   occlusion: number;
   form: FormAt;
   formCrossing: FormAt;
@@ -68,7 +74,7 @@ export function between(vertices: Float64Array, a: number, b: number, share: num
  * @param side 1, or −1 where the back is seen, whose tone normal looks the other way
  * @param o where the numbers begin
  */
-export function placeFrom(n: ArrayLike<number>, flatNormal: Vec3, side: number, o = 0): SurfacePlace {
+export function placeFrom(n: ArrayLike<number>, triangle: FlatTriangle, side: number, o = 0): SurfacePlace {
   const toneNormal = normalize(vectorAt(n, o + TONE_NORMAL));
   return {
     world: vectorAt(n, o + WORLD),
@@ -76,7 +82,7 @@ export function placeFrom(n: ArrayLike<number>, flatNormal: Vec3, side: number, 
     field: vectorAt(n, o + FIELD),
     fieldNormal: normalize(vectorAt(n, o + FIELD_NORMAL)),
     toneNormal: side < 0 ? [-toneNormal[0], -toneNormal[1], -toneNormal[2]] : toneNormal,
-    flatNormal,
+    ...triangle,
     occlusion: n[o + OCCLUSION],
     form: { gradient: vectorAt(n, o + FORM), rest: n[o + FORM + 3] },
     formCrossing: { gradient: vectorAt(n, o + FORM + 4), rest: n[o + FORM + 7] },
@@ -89,13 +95,13 @@ const vectorAt = (n: ArrayLike<number>, o: number): Vec3 => [n[o], n[o + 1], n[o
 
 /** The place of a vertex, as a triangle has it. */
 export const placeOfVertex = (surface: LineSurface, vertex: number, triangle: number, side: number): SurfacePlace =>
-  placeFrom(surface.vertices, flatNormalOf(surface, triangle), side, STRIDE * vertex);
+  placeFrom(surface.vertices, readTriangle(surface, triangle), side, STRIDE * vertex);
 
-/** The normal of a flat triangle, field space. */
-export function flatNormalOf({ vertices, triangles }: LineSurface, triangle: number): Vec3 {
-  const a = STRIDE * triangles[3 * triangle] + FIELD;
-  const b = STRIDE * triangles[3 * triangle + 1] + FIELD;
-  const c = STRIDE * triangles[3 * triangle + 2] + FIELD;
-  const first = vectorAt(vertices, a);
-  return cross(combined(1, vectorAt(vertices, b), -1, first), combined(1, vectorAt(vertices, c), -1, first));
+export function readTriangle({ vertices, triangles }: LineSurface, triangle: number): FlatTriangle {
+  const [a, b, c] = [0, 1, 2].map((k) => STRIDE * triangles[3 * triangle + k]);
+  const first = vectorAt(vertices, a + FIELD);
+  const sides = [b, c].map((o) => combined(1, vectorAt(vertices, o + FIELD), -1, first));
+  const isAsFirst = (o: number): boolean =>
+    [0, 1, 2].every((k) => vertices[o + TONE_NORMAL + k] === vertices[a + TONE_NORMAL + k]);
+  return { flatNormal: cross(sides[0], sides[1]), isPlane: isAsFirst(b) && isAsFirst(c) };
 }

@@ -1,7 +1,7 @@
 import { TONE_CONSTANTS } from '../engraving/constants/toneConstants.js';
 import { type Emphasis, emphasisAt } from '../engraving/emphasis.js';
 import { type GroundLook, groundTone } from '../engraving/groundShadow.js';
-import { arriving, type Lamp, responseTo, seenBehind, type ToneModel } from '../engraving/radiance.js';
+import { arriving, type Lamp, responseTo, seenBehind, seenBeside, type ToneModel } from '../engraving/radiance.js';
 import { radianceAround, type Surroundings } from '../engraving/surroundings.js';
 import { openToLights, openToSky, shadedTone, type ToneLook } from '../engraving/tone.js';
 import { combined, dot, normalize, type Vec3 } from '../engraving/vectors.js';
@@ -17,6 +17,8 @@ export interface SurfaceLook extends ToneLook {
   shininess: number;
   /** Share of each light that the surroundings throw back. */
   reflectedLight: number;
+  /** Whether it is more for planes that face the side of a light. */
+  hasPlanes: boolean;
   /** Luminance that the surface gives off. */
   emitted: number;
   receivesShadows: boolean;
@@ -95,7 +97,7 @@ export class Toner {
     return this.look.receivesShadows && this.light.lamps.some(({ castsShadow }) => castsShadow);
   }
 
-  read({ world, toneNormal, occlusion: occluded, paint }: SurfacePlace, shadowing: Shadowing): Tones {
+  read({ world, toneNormal, isPlane, occlusion: occluded, paint }: SurfacePlace, shadowing: Shadowing): Tones {
     const { look, projection } = this;
     const { eye, backwards, isOrthographic } = projection;
     const toViewer = isOrthographic ? backwards : normalize(combined(1, eye, -1, world));
@@ -111,6 +113,7 @@ export class Toner {
       const lamp = lamps[i];
       const { direction, length, luminance, coneless } = arriving(lamp, world);
       reflected += coneless * seenBehind(toneNormal, direction);
+      if (isPlane && look.hasPlanes) reflected += coneless * seenBeside(toneNormal, direction);
       const sent = luminance * responseTo(look.model, toneNormal, direction, toViewer, look.shininess);
       if (sent <= 0) continue;
       const place = { world, normal: toneNormal, direction, length };

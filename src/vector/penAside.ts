@@ -2,7 +2,7 @@ import { asideOf } from '../engraving/penLines.js';
 import { smoothstep } from '../engraving/vectors.js';
 import { asPhase } from '../slices/asPhase.js';
 import type { FamilyName } from './Engraver.js';
-import { flatNormalOf, placeFrom, STRIDE, VIEW } from './LineSurface.js';
+import { placeFrom, readTriangle, STRIDE, VIEW } from './LineSurface.js';
 import { type LinesAside, NO_RANK } from './levelSegments.js';
 import { penDistance } from './marks/lineMarks.js';
 import type { Tracing } from './Tracing.js';
@@ -62,18 +62,18 @@ function* askedOctaves(
   for (let t = 0; t < sides.length; t++) {
     if (t % 256 === 255) yield t / sides.length;
     if (ranks[t] === NO_RANK) continue;
-    const flatNormal = flatNormalOf(surface, t);
+    const triangle = readTriangle(surface, t);
     for (let c = 3 * t; c < 3 * t + 3; c++) {
       const v = triangles[c];
       if (distances[v] === 0) {
-        const place = placeFrom(vertices, flatNormal, sides[t], STRIDE * v);
+        const place = placeFrom(vertices, triangle, sides[t], STRIDE * v);
         const at = engraver.at(place);
         distances[v] = penDistance(engraver.measure(family, at, tones.at(v, place)), pen);
         gradients.set(engraver.gradientAt(family, at), 3 * v);
       }
       const o = STRIDE * v + VIEW;
       const perPixel = engraver.changeOn(
-        flatNormal,
+        triangle.flatNormal,
         [gradients[3 * v], gradients[3 * v + 1], gradients[3 * v + 2]],
         [vertices[o], vertices[o + 1], vertices[o + 2]],
       );

@@ -12,7 +12,13 @@ import { openToLights, openToSky } from './nodes/chunks/occlude.js';
 import { hasShadows, type ShadowedLight, tellShadow } from './nodes/chunks/shadows.js';
 import { shadowLeft } from './nodes/chunks/softShadows.js';
 
-const { dot, float, length, max, normalView, positionView, positionViewDirection, pow, step } = tsl;
+const { cameraViewMatrix, cross, dot, float, fwidth, length, max, normalView, positionView, positionViewDirection } =
+  tsl;
+const { pow, smoothstep, step, vec4 } = tsl;
+const { BESIDE_LIGHT, LEAST_RESPONSE, SIDE_AXIS } = TONE_CONSTANTS;
+
+/** A surface is plane where its normal changes by less than the first from one pixel to the next, and round from the second on. */
+const PLANE = [2e-5, 1e-4] as const;
 
 const shininess = /* @__PURE__ */ hatchingUniform('shininess', 'float');
 const reflectedLight = /* @__PURE__ */ hatchingUniform('reflectedLight', 'float');
@@ -53,6 +59,8 @@ interface ShadowSums {
 /** The twin of shaders/chunks/radiance.glsl: the radiance that a white surface shows under the scene's lights. three's own nodes walk the lights. */
 export class HatchingLightingModel extends LightingModel {
   private radiance!: Value;
+  /** 1 where the surface is plane, 0 where it is round. */
+  private plane!: Value;
   private sums: ShadowSums | null = null;
   private told: ToldLight[] = [];
   /** What is known of the shadow of the light at hand. */
@@ -74,6 +82,9 @@ export class HatchingLightingModel extends LightingModel {
 
   override start(builder: NodeBuilder): void {
     this.radiance = float(0).toVar();
+    this.plane = float(1)
+      .sub(smoothstep(PLANE[0], PLANE[1], length(fwidth(normalView))))
+      .toVar();
     this.told = [];
     const isTold = (this.dissolves || this.choices.shadowStrokes !== 'tone') && hasShadows(builder, this.lights);
     this.sums = isTold ? { shadowed: float(0).toVar(), taken: float(0).toVar(), lost: float(0).toVar() } : null;
@@ -124,7 +135,7 @@ export class HatchingLightingModel extends LightingModel {
     }
     let isShadowed: Value | null = null;
     if (this.choices.shadowStrokes === 'reorient') {
-      const isTaken = facing.mul(float(1).sub(shadow.mul(2))).greaterThan(TONE_CONSTANTS.LEAST_RESPONSE);
+      const isTaken = facing.mul(float(1).sub(shadow.mul(2))).greaterThan(LEAST_RESPONSE);
       // A lamp that does not reach here has no shadow either.
       isShadowed = (hasPlace(light) ? isTaken.and(luminance.greaterThan(0)) : isTaken).toVar();
     }
@@ -159,7 +170,11 @@ export class HatchingLightingModel extends LightingModel {
     const isDistant = 'isDirectionalLight' in light;
     const way = isDistant ? values.direction : values.position.sub(positionView).toVar();
     const away = length(way).toVar();
-    const seen = float(0.5).sub(dot(way.div(away), normalView).mul(0.5));
+    const toLight = way.div(away).toVar();
+    const side = cross(toLight, cameraViewMatrix.mul(vec4(...SIDE_AXIS, 0)).xyz).toVar();
+    const beside = max(dot(side.div(max(length(side), 1e-20)), normalView), 0).mul(BESIDE_LIGHT);
+    const behind = float(0.5).sub(dot(toLight, normalView).mul(0.5));
+    const seen = behind.add(beside.mul(this.plane));
     const arriving = isDistant ? lightLuminance(values.color) : lightLuminance(values.color).mul(fallOff(away, values));
     this.radiance.addAssign(openToSky().mul(reflectedLight).mul(arriving).div(Math.PI).mul(seen));
   }

@@ -139,6 +139,13 @@ const cases: EngravedCase[] = [
   { name: 'exposed, perceptual tone', lights: [redSide, spot], material: { exposure: 2.2, toneCurve: 'perceptual' } },
   { name: 'perceptual tone, reflected light', material: { toneCurve: 'perceptual', reflectedLight: 0.4 } },
   {
+    name: 'reflected light on a plane wall, beside the light',
+    mesh: wall,
+    matrixWorld: leaning,
+    lights: [lamp, redSide],
+    material: { reflectedLight: 0.8 },
+  },
+  {
     name: 'local tone, of light ink on dark paper',
     material: {
       ...{ color: [0.3, 0.12, 0.5], localTone: 0.8, colorFill: 0, reflectedLight: 0.4 },

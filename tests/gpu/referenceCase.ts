@@ -75,8 +75,8 @@ export const referenceOf = ({
     image: () => 0,
   });
 
-/** Says how dark a place is, by its normal in the object, that which lights are reckoned with, and that of its triangle, in the object. */
-export type DarknessOf = (place: Vec3, normal: Vec3, toneNormal: Vec3, flatNormal: Vec3) => number;
+/** Says how dark a place is, by its normal in the object, that which lights are reckoned with, and its triangle. */
+export type DarknessOf = (place: Vec3, normal: Vec3, toneNormal: Vec3, flatNormal: Vec3, isPlane: boolean) => number;
 
 /** Draws on the page, and compares every pixel that is wholly inside the mesh with its darkness. */
 export async function expectDarkness(
@@ -99,8 +99,9 @@ export async function expectDarkness(
       const [place, normal, toneNormal] = [positions, normals, worldNormals].map((values) =>
         interpolated(values, indices, fragments[pixel]!),
       ) as [Vec3, Vec3, Vec3];
-      const blank =
-        1 - darknessOf(place, normal, toneNormal, flatNormalOf(positions, indices, fragments[pixel]!.triangle));
+      const { triangle } = fragments[pixel]!;
+      const flatNormal = flatNormalOf(positions, indices, triangle);
+      const blank = 1 - darknessOf(place, normal, toneNormal, flatNormal, isPlane(normals, indices, triangle));
       return [pixel, [blank, blank, blank] as Vec3];
     }),
   );
@@ -108,6 +109,12 @@ export async function expectDarkness(
   const error = pictureError(pixels, expected);
   test.info().annotations.push(describeError(error));
   expectEqualPictures(error);
+}
+
+/** Whether the corners of a triangle have one normal. */
+function isPlane(normals: ArrayLike<number>, indices: readonly number[], triangle: number): boolean {
+  const corner = (k: number) => [0, 1, 2].map((axis) => normals[3 * indices[3 * triangle + k]! + axis]).join();
+  return corner(0) === corner(1) && corner(0) === corner(2);
 }
 
 /** The normal of a triangle, of any length. */

@@ -278,13 +278,14 @@ export class EngravedReference {
    * @param normal - the normal for the lines, of any length, in object space.
    * @param toneNormal - the normal for the tone, of any length, in world space.
    * @param flatNormal - the normal of the triangle, of any length, in object space; the smooth one where there are no triangles.
+   * @param isPlane - whether the corners of the triangle have one normal.
    */
-  darkness(place: Vec3, normal: Vec3, toneNormal: Vec3, flatNormal: Vec3 = normal): number {
+  darkness(place: Vec3, normal: Vec3, toneNormal: Vec3, flatNormal: Vec3 = normal, isPlane = false): number {
     const { reference, settings, centre } = this.scene;
     const world = reference.toWorld(place);
     const lit = unit(toneNormal);
-    const tone = reference.tone(world, lit);
-    const own = settings.shadowStrokes === 'cross' ? reference.tone(world, lit, false) : tone;
+    const tone = reference.tone(world, lit, true, isPlane);
+    const own = settings.shadowStrokes === 'cross' ? reference.tone(world, lit, false, isPlane) : tone;
     const { tilesPerUnit, crossFrom } = settings;
     const fromCentre = mixed(place, tilesPerUnit, centre, -tilesPerUnit);
     const n = unit(normal);

@@ -310,7 +310,7 @@ export class HatchingReference {
   }
 
   /** Section 3.4: tone of a world position with a world normal, with the shadows or as if there were none. */
-  tone(position: Vec3, n: Vec3, hasShadows = true): number {
+  tone(position: Vec3, n: Vec3, hasShadows = true, isPlane = false): number {
     const { lights, material, eye, orthographic } = this.scene;
     const view = orthographic ? normalize(eye) : normalize(subtract(eye, position));
     let radiance = 0;
@@ -332,7 +332,12 @@ export class HatchingReference {
       }
       if (!light.isBlocked || !hasShadows) radiance += (luminance(arriving.color) / Math.PI) * response;
       // Reflected light is a hemisphere of that light from the other side.
-      radiance += (material.reflectedLight * luminance(arriving.coneless) * (1 - cosine)) / (2 * Math.PI);
+      let seen = (1 - cosine) / 2;
+      const [x, y, z] = arriving.direction;
+      // It is brighter on one side of the light, where planes face it.
+      const side: Vec3 = [0.8 * y - 0.48 * z, 0.36 * z - 0.8 * x, 0.48 * x - 0.36 * y];
+      if (isPlane) seen += 0.3 * Math.max(dot(n, normalize(side)), 0);
+      radiance += (material.reflectedLight * luminance(arriving.coneless) * seen) / Math.PI;
     }
     // A colour that looks half as light as white brings it half way to the tone of no light, as far as it counts.
     const darkness = material.localTone * (1 - lightness(luminance(material.color)));

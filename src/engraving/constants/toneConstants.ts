@@ -10,6 +10,14 @@ export const TONE_CONSTANTS = {
   /** The shift of each layer against the one before, in tiles or, for `anchored`, in anchors: any numbers that bring no strokes together. */
   LAYER_SHIFT: [17.37, 5.71, 11.13],
 
+  /**
+   * Surroundings are brighter beside a light than behind it by this share of what they reflect, for plane surfaces: two walls that turn from
+   * the light by one angle differ in tone.
+   */
+  BESIDE_LIGHT: 0.3,
+  /** The side is at right angles to the light and to this direction in the world, a unit vector that is no axis of anything. */
+  SIDE_AXIS: [0.36, 0.48, 0.8],
+
   /** The occlusion from which on a place is a hollow, which is that of eyelids and lips, and from which on it is a deep one. */
   HOLLOW: [0.1, 0.6],
 

@@ -1,4 +1,4 @@
-import { flatNormalOf, type LineSurface, placeFrom, placeOfVertex, type SurfacePlace } from '../LineSurface.js';
+import { type LineSurface, placeFrom, placeOfVertex, readTriangle, type SurfacePlace } from '../LineSurface.js';
 import type { Projection } from '../Projection.js';
 import { DetailReader } from './DetailReader.js';
 import { type Paint, Painter } from './Painter.js';
@@ -43,7 +43,7 @@ export class PlaceReader {
 
   /** The place on a triangle that has these numbers. */
   read(numbers: ArrayLike<number>, triangle: number): SurfacePlace {
-    return this.withDetails(placeFrom(numbers, flatNormalOf(this.surface, triangle), this.sides[triangle]), triangle);
+    return this.withDetails(placeFrom(numbers, readTriangle(this.surface, triangle), this.sides[triangle]), triangle);
   }
 
   /** The place of a vertex, as a triangle has it. */
@@ -63,6 +63,7 @@ export class PlaceReader {
     place.paint = painter.paintAt(read, footprint);
     if (painter.hasRelief) {
       const { world, toneNormal: normal } = place;
+      place.isPlane = false;
       place.toneNormal = painter.bent({ world, normal, side: sides[triangle], projection }, read, footprint);
     }
     return place;

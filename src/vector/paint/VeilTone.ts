@@ -1,5 +1,5 @@
 import { combined, cross, dot, type Vec3 } from '../../engraving/vectors.js';
-import { flatNormalOf, type LineSurface, placeFrom, STRIDE, WORLD } from '../LineSurface.js';
+import { type LineSurface, placeFrom, readTriangle, STRIDE, WORLD } from '../LineSurface.js';
 import type { Projection } from '../Projection.js';
 import type { Toner } from '../Toner.js';
 import { PlaceInTriangle } from './PlaceInTriangle.js';
@@ -33,6 +33,6 @@ export class VeilTone {
     );
     const { way } = projection.wayToEye(...world);
     const isFront = dot(cross(combined(1, b, -1, a), combined(1, c, -1, a)), way) >= 0;
-    return toner.read(placeFrom(numbers, flatNormalOf(surface, t), isFront ? 1 : -1), 'none').tone;
+    return toner.read(placeFrom(numbers, readTriangle(surface, t), isFront ? 1 : -1), 'none').tone;
   }
 }

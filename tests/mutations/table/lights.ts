@@ -16,6 +16,20 @@ export const lights: readonly Mutation[] = [
     caughtBy: { layer: 'unit', file: 'tests/unit/engraving/tone.test.ts', title: 'phong … , with every curve' },
   },
   {
+    name: 'planes get as much reflected light on both sides of a light',
+    file: 'src/engraving/radiance.ts',
+    find: 'Math.max(dot(normal, side), 0)',
+    replace: 'Math.abs(dot(normal, side))',
+    caughtBy: { layer: 'unit', file: 'tests/unit/engraving/tone.test.ts', title: 'halfLambert … , with every curve' },
+  },
+  {
+    name: 'round bodies get reflected light beside a light, as planes do',
+    file: 'src/vector/LineSurface.ts',
+    find: 'isPlane: isAsFirst(b) && isAsFirst(c)',
+    replace: 'isPlane: true',
+    caughtBy: { layer: 'unit', file: 'tests/unit/vector/LineSurface.test.ts', title: 'a triangle is plane' },
+  },
+  {
     name: 'half Lambert is not squared',
     file: 'src/engraving/radiance.ts',
     find: '(0.5 * cosine + 0.5) ** 2',

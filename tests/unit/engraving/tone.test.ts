@@ -1,5 +1,12 @@
 import { describe, expect, test } from 'vitest';
-import { arriving, type Lamp, responseTo, seenBehind, type ToneModel } from '../../../src/engraving/radiance.js';
+import {
+  arriving,
+  type Lamp,
+  responseTo,
+  seenBehind,
+  seenBeside,
+  type ToneModel,
+} from '../../../src/engraving/radiance.js';
 import { radianceAround } from '../../../src/engraving/surroundings.js';
 import {
   localDarkness,
@@ -59,12 +66,14 @@ function radianceAt(
   model: ToneModel,
   shininess: number,
   reflected: number,
+  isPlane: boolean,
 ): number {
   const toViewer = normalize(combined(1, eye, -1, point));
   return lamps.reduce((sum, lamp) => {
     const { direction, luminance, coneless } = arriving(lamp, point);
     const direct = luminance * responseTo(model, normal, direction, toViewer, shininess);
-    return sum + (direct + reflected * coneless * seenBehind(normal, direction)) / Math.PI;
+    const seen = seenBehind(normal, direction) + (isPlane ? seenBeside(normal, direction) : 0);
+    return sum + (direct + reflected * coneless * seen) / Math.PI;
   }, 0);
 }
 
@@ -86,11 +95,12 @@ describe('the tone at a place is that of the reference', () => {
       });
       const point: Vec3 = [random() - 0.5, random() - 0.5, random() - 0.5];
       const normal = normalize([random() - 0.5, random() - 0.5, random() - 0.5]);
-      const radiance = radianceAt(point, normal, eye, toneModel, 12, reflectedLight);
+      const radiance = radianceAt(point, normal, eye, toneModel, 12, reflectedLight, i % 2 === 1);
       const given: ToneLook = { ...look, curve, exposure: [exposure, 0], steps: toneModel === 'toon' ? 5 : 0 };
       const own = { ...given, toneEnds: [0, toneFromRadiance(0, given)] as const };
       // The curve is kept in single precision.
-      expect(Math.abs(shadedTone(radiance, 0, own) - reference.tone([...point], [...normal]))).toBeLessThan(1e-6);
+      const expected = reference.tone([...point], [...normal], true, i % 2 === 1);
+      expect(Math.abs(shadedTone(radiance, 0, own) - expected)).toBeLessThan(1e-6);
     }
   });
 

@@ -1,4 +1,5 @@
 import {
+  BoxGeometry,
   BufferAttribute,
   CylinderGeometry,
   DataTexture,
@@ -96,6 +97,15 @@ export const cases: readonly SceneCase[] = [
       const lamp = new PointLight(0xffddbb, 12, 6, 1.5);
       lamp.position.set(-1.5, 1, 1.5);
       stage.scene.add(lamp, new HemisphereLight(0xffffff, 0x202020, 0.7));
+      return stage;
+    },
+  },
+  {
+    name: 'reflected light on planes',
+    async show(kit) {
+      const stage = await drawn(kit, { reflectedLight: 0.8, toneCurve: 'linear' });
+      stage.mesh.geometry = new BoxGeometry(1.2, 1.2, 1.2);
+      stage.mesh.rotation.set(0.4, 0.6, 0.2);
       return stage;
     },
   },
