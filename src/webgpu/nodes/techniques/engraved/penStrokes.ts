@@ -143,6 +143,17 @@ function strokeOn(pen: Pen, born: Value, place: Value, lot: Value, bits: Value):
   ).toVar();
 }
 
+/** The share of the first axis on a line: lines go over from one to the other one after another. */
+const firstOnLine = (along: Along, lot: Value): Value =>
+  clamp(
+    along.share
+      .mul(1 + AXIS_TURN)
+      .sub(fract(lot.mul(AXIS_LOT)))
+      .div(AXIS_TURN),
+    0,
+    1,
+  ).toVar();
+
 /** Most places lie along one axis and at one length of strokes; others share theirs. */
 function strokesOn(pen: Pen, born: Value, line: Value): Value {
   const { along } = pen;
@@ -150,9 +161,7 @@ function strokesOn(pen: Pen, born: Value, line: Value): Value {
   const size = abs(number).toVar();
   const lot = lotOf(size).toVar();
   const bits = bitsOfLine(size);
-  // Lines go over from one axis to the other one after another.
-  const turned = along.share.mul(1 + AXIS_TURN).sub(fract(lot.mul(AXIS_LOT)));
-  const first = clamp(turned.div(AXIS_TURN), 0, 1).toVar();
+  const first = firstOnLine(along, lot);
   const isFirst = first.greaterThanEqual(0.5).toVar();
   const other = min(first, oneMinus(first)).toVar();
   const strokes = vec2(0).toVar();
