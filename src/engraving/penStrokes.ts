@@ -17,6 +17,7 @@ const {
   NIB,
   CLOSED_FROM,
   LATENESS,
+  LATE_LOT,
   BIRTH,
   STROKE_GAP,
   TAPER,
@@ -99,16 +100,20 @@ interface PennedLine {
   sign: number;
 }
 
+/** How late a stroke begins, as a share of the mean length. */
+const latenessOf = (chance: number): number => LATENESS * fract(LATE_LOT * chance);
+
 /** place: in lengths of strokes. born: the lot below which strokes are born. */
 function strokeOn({ tone, open, width, handmade }: Pen, born: number, place: number, line: PennedLine): Stroke {
   const along = place + line.lot;
   // Strokes begin late by chance, and so differ in length: the ends of neighbours would otherwise lie in rows across the lines.
   let stroke = Math.floor(along);
-  if (along < stroke + LATENESS * lotOfStroke(line.bits, stroke)) stroke--;
+  if (along < stroke + latenessOf(lotOfStroke(line.bits, stroke))) stroke--;
   const chance = lotOfStroke(line.bits, stroke);
-  const size = 1 + LATENESS * (lotOfStroke(line.bits, stroke + 1) - chance);
+  const late = latenessOf(chance);
+  const size = 1 + latenessOf(lotOfStroke(line.bits, stroke + 1)) - late;
   // From −1 at one end to 1 at the other.
-  const way = (2 * (along - stroke - LATENESS * chance)) / size - 1;
+  const way = (2 * (along - stroke - late)) / size - 1;
   let there = clamp01((tone - ALL_FROM * chance) / STROKE_GROWTH);
   // What differs from stroke to stroke is spread evenly over a surface.
   const even = lotOfStroke(line.lot * 2 ** 32, stroke);

@@ -44,9 +44,9 @@ test('the mean darkness is the tone, at every distance between octaves, with and
     return errors;
   });
   expect(errors).toHaveLength(192);
-  // Strokes are few and separate: a picture has no more than some hundreds of them.
+  // In its darkest tones a pen crosses lines in three directions of one regular lattice, whose gaps meet less often than by chance.
   for (const { error, medium, tone } of errors) {
-    expect(error, `${medium} at ${tone}`).toBeLessThan(medium === 'pen' ? 0.025 : 0.01);
+    expect(error, `${medium} at ${tone}`).toBeLessThan(medium === 'pen' && tone > 0.9 ? 0.035 : 0.012);
   }
 });
 

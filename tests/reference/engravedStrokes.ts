@@ -119,7 +119,7 @@ export function penStroke(line: number, share: number, { tone, handmade, along, 
     there < 0.04 ? Math.sqrt(0.16 * there) : last > 0.04 ? there + 0.04 : 1.08 - Math.sqrt(Math.max(0.16 * last, 0));
   const fract = (x: number) => x - Math.floor(x);
   const lot = lotOf(Math.abs(number));
-  const beginOf = (stroke: number) => stroke + 0.4 * lotOfStroke(number, stroke);
+  const beginOf = (stroke: number) => stroke + 0.4 * fract(16 * lotOfStroke(number, stroke));
   const one = (place: number, period: number): [number, number] => {
     const at = place / period + lot;
     let stroke = Math.floor(at);

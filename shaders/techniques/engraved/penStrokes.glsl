@@ -46,16 +46,22 @@ float lotOfStroke(const in uint bits, const in float stroke) {
   return float(bits + uint(int(stroke)) * THUE_MORSE >> 8u) / 16777216.0;
 }
 
+// How late a stroke begins, as a share of the mean length.
+float latenessOf(const in float chance) {
+  return LATENESS * fract(LATE_LOT * chance);
+}
+
 // The strokes of a line by one axis and of one length: their width at this place, as a share of its room, and how far they stray from it,
 // in distances between lines. place: in lengths of strokes. lot, ofLine: of the line.
 vec2 strokeOn(const in Pen pen, const in float born, const in float place, const in float lot, const in uint ofLine) {
   float along = place + lot;
   // Strokes begin late by chance, and so differ in length: the ends of neighbours would otherwise lie in rows across the lines.
   float stroke = floor(along);
-  if (along < stroke + LATENESS * lotOfStroke(ofLine, stroke)) stroke -= 1.0;
+  if (along < stroke + latenessOf(lotOfStroke(ofLine, stroke))) stroke -= 1.0;
   float chance = lotOfStroke(ofLine, stroke);
-  float size = 1.0 + LATENESS * (lotOfStroke(ofLine, stroke + 1.0) - chance);
-  float way = 2.0 * (along - stroke - LATENESS * chance) / size - 1.0; // from −1 at one end to 1 at the other
+  float late = latenessOf(chance);
+  float size = 1.0 + latenessOf(lotOfStroke(ofLine, stroke + 1.0)) - late;
+  float way = 2.0 * (along - stroke - late) / size - 1.0; // from −1 at one end to 1 at the other
   float there = clamp((pen.tone - ALL_FROM * chance) / STROKE_GROWTH, 0.0, 1.0);
   // What differs from stroke to stroke is spread evenly over a surface.
   float even = lotOfStroke(uint(lot * 16777216.0) << 8u, stroke);

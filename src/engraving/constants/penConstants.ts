@@ -13,6 +13,8 @@ export const PEN_CONSTANTS = {
   /** The tone from which on strokes follow each other without gaps, and the most that one begins late, as a share of the mean length. */
   CLOSED_FROM: 0.8,
   LATENESS: 0.4,
+  /** From which of its bits on the lot of a stroke that it has by chance decides how late it begins. */
+  LATE_LOT: 16,
   /** The longest gap between two strokes and the part over which both ends of one narrow, as shares of its length; both close with the tone. */
   STROKE_GAP: 0.3,
   TAPER: 0.9,

@@ -27,7 +27,8 @@ const {
   uint,
   vec2,
 } = tsl;
-const { ALL_FROM, AXIS_LOT, AXIS_TURN, BENDING, BIRTH, BIRTH_LOT, CLOSED_FROM, GAP_LOT, LATENESS } = PEN_CONSTANTS;
+const { ALL_FROM, AXIS_LOT, AXIS_TURN, BENDING, BIRTH, BIRTH_LOT, CLOSED_FROM, GAP_LOT, LATE_LOT, LATENESS } =
+  PEN_CONSTANTS;
 const { LEANING, NIB } = PEN_CONSTANTS;
 const { SHORTENING, SHORTENING_OF_INK, STROKE_GAP, STROKE_GROWTH, TAPER, WIDTH_LOT, WIDTH_SPREAD } = PEN_CONSTANTS;
 
@@ -97,6 +98,9 @@ const lotOfStroke = (bits: Value, stroke: Value): Value =>
     .div(16777216)
     .toVar();
 
+/** How late a stroke begins, as a share of the mean length. */
+const latenessOf = (chance: Value): Value => fract(chance.mul(LATE_LOT)).mul(LATENESS).toVar();
+
 /**
  * The strokes of a line by one axis and of one length: their width at this place, as a share of its room, and how far they stray from it, in
  * distances between lines.
@@ -108,12 +112,15 @@ function strokeOn(pen: Pen, born: Value, place: Value, lot: Value, bits: Value):
   const along = place.add(lot).toVar();
   // Strokes begin late by chance, and so differ in length: the ends of neighbours would otherwise lie in rows across the lines.
   const stroke = floor(along).toVar();
-  const begin = stroke.add(lotOfStroke(bits, stroke).mul(LATENESS));
+  const begin = stroke.add(latenessOf(lotOfStroke(bits, stroke)));
   stroke.assign(stroke.sub(select(along.lessThan(begin), 1, 0)));
   const chance = lotOfStroke(bits, stroke);
-  const size = lotOfStroke(bits, stroke.add(1)).sub(chance).mul(LATENESS).add(1);
+  const late = latenessOf(chance);
+  const size = latenessOf(lotOfStroke(bits, stroke.add(1)))
+    .sub(late)
+    .add(1);
   // From −1 at one end to 1 at the other.
-  const way = along.sub(stroke).sub(chance.mul(LATENESS)).mul(2).div(size).sub(1).toVar();
+  const way = along.sub(stroke).sub(late).mul(2).div(size).sub(1).toVar();
   const grown = clamp(pen.tone.sub(chance.mul(ALL_FROM)).div(STROKE_GROWTH), 0, 1).toVar();
   // What differs from stroke to stroke is spread evenly over a surface.
   const even = lotOfStroke(uint(lot.mul(16777216)).shiftLeft(uint(8)), stroke);
