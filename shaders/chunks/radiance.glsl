@@ -18,11 +18,11 @@ struct HatchingSurface {
 #define PLANE vec2(2e-5, 1e-4)
 
 float planeness(const in vec3 smoothNormal) {
-  #if TONE_NORMAL == TONE_NORMAL_SMOOTH
-    return 1.0 - smoothstep(PLANE.x, PLANE.y, length(fwidth(smoothNormal)));
+  #if TONE_MODEL == TONE_MODEL_SHADOW
+    return 0.0; // The tone of a shadow is that of the light it takes.
   #else
-    return 0.0;
-  #endif // TONE_NORMAL
+    return 1.0 - smoothstep(PLANE.x, PLANE.y, length(fwidth(smoothNormal)));
+  #endif // TONE_MODEL
 }
 
 float cosines(const in vec3 direction, const in vec3 normal) {

@@ -87,7 +87,6 @@ export function surfaceLookOf(
     ground: toneModel === 'shadow' ? groundOf(material) : null,
     darkness: localTone > 0 ? localDarkness(luminanceOf(color), emitted, localTone, isFit ? 1 / fit.white : 1) : 0,
     opacity: opacityOf(material),
-    hasPlanes: material.toneNormal !== 'face',
     ...{ shininess, reflectedLight, emitted, receivesShadows, emphasis },
   };
 }

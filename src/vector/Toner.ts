@@ -17,8 +17,6 @@ export interface SurfaceLook extends ToneLook {
   shininess: number;
   /** Share of each light that the surroundings throw back. */
   reflectedLight: number;
-  /** Whether it is more for planes that face the side of a light. */
-  hasPlanes: boolean;
   /** Luminance that the surface gives off. */
   emitted: number;
   receivesShadows: boolean;
@@ -113,7 +111,7 @@ export class Toner {
       const lamp = lamps[i];
       const { direction, length, luminance, coneless } = arriving(lamp, world);
       reflected += coneless * seenBehind(toneNormal, direction);
-      if (isPlane && look.hasPlanes) reflected += coneless * seenBeside(toneNormal, direction);
+      if (isPlane && !look.ground) reflected += coneless * seenBeside(toneNormal, direction);
       const sent = luminance * responseTo(look.model, toneNormal, direction, toViewer, look.shininess);
       if (sent <= 0) continue;
       const place = { world, normal: toneNormal, direction, length };

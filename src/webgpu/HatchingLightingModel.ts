@@ -82,9 +82,9 @@ export class HatchingLightingModel extends LightingModel {
 
   override start(builder: NodeBuilder): void {
     this.radiance = float(0).toVar();
-    this.plane = float(1)
-      .sub(smoothstep(PLANE[0], PLANE[1], length(fwidth(normalView))))
-      .toVar();
+    const isRound = smoothstep(PLANE[0], PLANE[1], length(fwidth(normalView)));
+    // The tone of a shadow is that of the light it takes.
+    this.plane = this.dissolves ? float(0) : float(1).sub(isRound).toVar();
     this.told = [];
     const isTold = (this.dissolves || this.choices.shadowStrokes !== 'tone') && hasShadows(builder, this.lights);
     this.sums = isTold ? { shadowed: float(0).toVar(), taken: float(0).toVar(), lost: float(0).toVar() } : null;

@@ -457,7 +457,7 @@ export class HatchingReference {
     const crossing = shades.reduce((total, { t, f }) => total + f * this.frame(t).crossing, 0) / sum;
     const frames = shades.map(({ t, n, f }) => {
       const toneNormal = this.normalToWorld(material.toneNormal === 'smooth' ? smoothNormal : n);
-      const tone = this.tone(world, scale(toneNormal, faceDirection));
+      const tone = this.tone(world, scale(toneNormal, faceDirection), true, material.toneNormal !== 'smooth');
       const [u, v] = this.coordinates(point, t);
       const layers = this.layers(tone, crossing).map((layer, i) => {
         const [cos, sin] = [Math.cos(layer.angle), Math.sin(layer.angle)];
