@@ -98,11 +98,13 @@ void addIndirectRadiance(inout HatchingSurface surface) {
 }
 
 // What the surroundings reflect of one light: they act as a sky of that light on the opposite side, so shade is
-// darkest at the terminator and opens up behind it (an engraver's reflected light). Beside the light it is brighter for planes.
+// darkest at the terminator and opens up behind it (an engraver's reflected light). Planes that face one side of the light get more of it.
 void addReflection(const in vec3 toLight, const in vec3 color, inout HatchingSurface surface) {
   PerToneNormal seen = 0.5 - 0.5 * cosines(toLight, surface.normals);
-  vec3 beside = safeNormalize(cross(toLight, mat3(viewMatrix) * SIDE_AXIS));
-  seen += surface.plane * BESIDE_LIGHT * max(cosines(beside, surface.normals), 0.0);
+  if (surface.plane > 0.0) {
+    vec3 side = safeNormalize(cross(toLight, mat3(viewMatrix) * SIDE_AXIS));
+    seen += surface.plane * BESIDE_LIGHT * max(seen - BESIDE_FROM, 0.0) * max(cosines(side, surface.normals), 0.0);
+  }
   surface.radiance += openToSky() * reflectedLight * luminance(color) * RECIPROCAL_PI * seen;
 }
 

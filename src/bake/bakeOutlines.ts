@@ -131,7 +131,9 @@ function* absorbSpecks(surface: FanSurface, patches: Patches, fans: Fans): Gener
   const largest = (MAX_SPECK_AREA * whole) / count;
   const isSpeck = (area: number, triangles: number): boolean => triangles <= MAX_SPECK_TRIANGLES && area <= largest;
   let inSpecks = 0;
-  for (const [patch, size] of patches.sizes.entries()) if (isSpeck(patches.areas[patch], size)) inSpecks += size;
+  for (let patch = 0; patch < patches.sizes.length; patch++) {
+    if (isSpeck(patches.areas[patch], patches.sizes[patch])) inSpecks += patches.sizes[patch];
+  }
   if (inSpecks <= MAX_SPECKS_SHARE * count) yield* absorbSmallPatches(surface, patches, fans, isSpeck);
 }
 

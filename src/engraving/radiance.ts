@@ -68,13 +68,13 @@ export function responseTo(model: ToneModel, normal: Vec3, direction: Vec3, toVi
   return plain + Math.max(mirrored, 1e-6) ** shininess;
 }
 
-/** What the surroundings see of a light: they reflect it to the side that is turned away. */
-export const seenBehind = (normal: Vec3, direction: Vec3): number => 0.5 - 0.5 * dot(normal, direction);
+const { BESIDE_FROM, BESIDE_LIGHT, SIDE_AXIS } = TONE_CONSTANTS;
 
-const { BESIDE_LIGHT, SIDE_AXIS } = TONE_CONSTANTS;
-
-/** What they reflect of it besides to a plane, which faces the side of the light. */
-export function seenBeside(normal: Vec3, direction: Vec3): number {
+/** What the surroundings reflect of a light: most to the side that is turned away, and to planes that face one side of it more. */
+export function reflectedTo(normal: Vec3, direction: Vec3, isPlane: boolean): number {
+  const behind = 0.5 - 0.5 * dot(normal, direction);
+  if (!isPlane) return behind;
   const side = cross(direction, SIDE_AXIS);
-  return (BESIDE_LIGHT * Math.max(dot(normal, side), 0)) / Math.max(lengthOf(side), 1e-20);
+  const facing = Math.max(dot(normal, side), 0) / Math.max(lengthOf(side), 1e-20);
+  return behind + BESIDE_LIGHT * Math.max(behind - BESIDE_FROM, 0) * facing;
 }

@@ -231,9 +231,9 @@ export interface HatchingMaterialOptions {
   toneCurve: ToneCurve;
   /**
    * How much of each light the surroundings throw back: the side turned away is lit by so much from behind, so that
-   * shade is darkest at the terminator, as engravers draw it. Plane surfaces get somewhat more of it on one side of the
-   * light, so that two walls that turn from the light by one angle differ. Share in [0, 1]. Default `0`, for
-   * `'anchored'` `0.35`, for `'engraved'` `0.4`.
+   * shade is darkest at the terminator, as engravers draw it. Planes in shade get more of it on one side of the light,
+   * so that two walls that turn from the light by one angle differ. Share in [0, 1]. Default `0`, for `'anchored'`
+   * `0.35`, for `'engraved'` `0.4`.
    */
   reflectedLight: number;
   /**
@@ -581,9 +581,9 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
   toneCurve: ToneCurve;
   /**
    * How much of each light the surroundings throw back: the side turned away is lit by so much from behind, so that
-   * shade is darkest at the terminator, as engravers draw it. Plane surfaces get somewhat more of it on one side of the
-   * light, so that two walls that turn from the light by one angle differ. Share in [0, 1]. Default `0`, for
-   * `'anchored'` `0.35`, for `'engraved'` `0.4`.
+   * shade is darkest at the terminator, as engravers draw it. Planes in shade get more of it on one side of the light,
+   * so that two walls that turn from the light by one angle differ. Share in [0, 1]. Default `0`, for `'anchored'`
+   * `0.35`, for `'engraved'` `0.4`.
    */
   reflectedLight: number;
   /**

@@ -98,10 +98,20 @@ export const placeOfVertex = (surface: LineSurface, vertex: number, triangle: nu
   placeFrom(surface.vertices, readTriangle(surface, triangle), side, STRIDE * vertex);
 
 export function readTriangle({ vertices, triangles }: LineSurface, triangle: number): FlatTriangle {
-  const [a, b, c] = [0, 1, 2].map((k) => STRIDE * triangles[3 * triangle + k]);
+  const a = STRIDE * triangles[3 * triangle];
+  const b = STRIDE * triangles[3 * triangle + 1];
+  const c = STRIDE * triangles[3 * triangle + 2];
   const first = vectorAt(vertices, a + FIELD);
-  const sides = [b, c].map((o) => combined(1, vectorAt(vertices, o + FIELD), -1, first));
-  const isAsFirst = (o: number): boolean =>
-    [0, 1, 2].every((k) => vertices[o + TONE_NORMAL + k] === vertices[a + TONE_NORMAL + k]);
-  return { flatNormal: cross(sides[0], sides[1]), isPlane: isAsFirst(b) && isAsFirst(c) };
+  return {
+    flatNormal: cross(
+      combined(1, vectorAt(vertices, b + FIELD), -1, first),
+      combined(1, vectorAt(vertices, c + FIELD), -1, first),
+    ),
+    isPlane: hasOneToneNormal(vertices, a, b) && hasOneToneNormal(vertices, a, c),
+  };
+}
+
+function hasOneToneNormal(vertices: Float64Array, a: number, b: number): boolean {
+  const [i, j] = [a + TONE_NORMAL, b + TONE_NORMAL];
+  return vertices[i] === vertices[j] && vertices[i + 1] === vertices[j + 1] && vertices[i + 2] === vertices[j + 2];
 }

@@ -1,7 +1,7 @@
 import { TONE_CONSTANTS } from '../engraving/constants/toneConstants.js';
 import { type Emphasis, emphasisAt } from '../engraving/emphasis.js';
 import { type GroundLook, groundTone } from '../engraving/groundShadow.js';
-import { arriving, type Lamp, responseTo, seenBehind, seenBeside, type ToneModel } from '../engraving/radiance.js';
+import { arriving, type Lamp, reflectedTo, responseTo, type ToneModel } from '../engraving/radiance.js';
 import { radianceAround, type Surroundings } from '../engraving/surroundings.js';
 import { openToLights, openToSky, shadedTone, type ToneLook } from '../engraving/tone.js';
 import { combined, dot, normalize, type Vec3 } from '../engraving/vectors.js';
@@ -110,8 +110,7 @@ export class Toner {
     for (let i = 0; i < lamps.length; i++) {
       const lamp = lamps[i];
       const { direction, length, luminance, coneless } = arriving(lamp, world);
-      reflected += coneless * seenBehind(toneNormal, direction);
-      if (isPlane && !look.ground) reflected += coneless * seenBeside(toneNormal, direction);
+      reflected += coneless * reflectedTo(toneNormal, direction, isPlane && !look.ground);
       const sent = luminance * responseTo(look.model, toneNormal, direction, toViewer, look.shininess);
       if (sent <= 0) continue;
       const place = { world, normal: toneNormal, direction, length };

@@ -15,7 +15,7 @@ import { shadowLeft } from './nodes/chunks/softShadows.js';
 const { cameraViewMatrix, cross, dot, float, fwidth, length, max, normalView, positionView, positionViewDirection } =
   tsl;
 const { pow, smoothstep, step, vec4 } = tsl;
-const { BESIDE_LIGHT, LEAST_RESPONSE, SIDE_AXIS } = TONE_CONSTANTS;
+const { BESIDE_FROM, BESIDE_LIGHT, LEAST_RESPONSE, SIDE_AXIS } = TONE_CONSTANTS;
 
 /** A surface is plane where its normal changes by less than the first from one pixel to the next, and round from the second on. */
 const PLANE = [2e-5, 1e-4] as const;
@@ -172,9 +172,10 @@ export class HatchingLightingModel extends LightingModel {
     const away = length(way).toVar();
     const toLight = way.div(away).toVar();
     const side = cross(toLight, cameraViewMatrix.mul(vec4(...SIDE_AXIS, 0)).xyz).toVar();
-    const beside = max(dot(side.div(max(length(side), 1e-20)), normalView), 0).mul(BESIDE_LIGHT);
-    const behind = float(0.5).sub(dot(toLight, normalView).mul(0.5));
-    const seen = behind.add(beside.mul(this.plane));
+    const facing = max(dot(side.div(max(length(side), 1e-20)), normalView), 0);
+    const behind = float(0.5).sub(dot(toLight, normalView).mul(0.5)).toVar();
+    const beside = max(behind.sub(BESIDE_FROM), 0).mul(facing).mul(this.plane).mul(BESIDE_LIGHT);
+    const seen = behind.add(beside);
     const arriving = isDistant ? lightLuminance(values.color) : lightLuminance(values.color).mul(fallOff(away, values));
     this.radiance.addAssign(openToSky().mul(reflectedLight).mul(arriving).div(Math.PI).mul(seen));
   }

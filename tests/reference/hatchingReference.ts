@@ -334,9 +334,9 @@ export class HatchingReference {
       // Reflected light is a hemisphere of that light from the other side.
       let seen = (1 - cosine) / 2;
       const [x, y, z] = arriving.direction;
-      // It is brighter on one side of the light, where planes face it.
+      // Planes that face one side of the light get more, the farther they are in shade.
       const side: Vec3 = [0.8 * y - 0.48 * z, 0.36 * z - 0.8 * x, 0.48 * x - 0.36 * y];
-      if (isPlane) seen += 0.3 * Math.max(dot(n, normalize(side)), 0);
+      if (isPlane) seen += 1.2 * Math.max(seen - 0.25, 0) * Math.max(dot(n, normalize(side)), 0);
       radiance += (material.reflectedLight * luminance(arriving.coneless) * seen) / Math.PI;
     }
     // A colour that looks half as light as white brings it half way to the tone of no light, as far as it counts.

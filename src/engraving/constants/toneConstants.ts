@@ -11,10 +11,11 @@ export const TONE_CONSTANTS = {
   LAYER_SHIFT: [17.37, 5.71, 11.13],
 
   /**
-   * Surroundings are brighter beside a light than behind it by this share of what they reflect, for plane surfaces: two walls that turn from
-   * the light by one angle differ in tone.
+   * A plane that faces one side of a light gets so many times what it gets of reflected light above the second share: two walls that turn from
+   * the light by one angle, of 60° or more, differ in tone.
    */
-  BESIDE_LIGHT: 0.3,
+  BESIDE_LIGHT: 1.2,
+  BESIDE_FROM: 0.25,
   /** The side is at right angles to the light and to this direction in the world, a unit vector that is no axis of anything. */
   SIDE_AXIS: [0.36, 0.48, 0.8],
 

@@ -25,7 +25,7 @@ export const lights: readonly Mutation[] = [
   {
     name: 'round bodies get reflected light beside a light, as planes do',
     file: 'src/vector/LineSurface.ts',
-    find: 'isPlane: isAsFirst(b) && isAsFirst(c)',
+    find: 'isPlane: hasOneToneNormal(vertices, a, b) && hasOneToneNormal(vertices, a, c)',
     replace: 'isPlane: true',
     caughtBy: { layer: 'unit', file: 'tests/unit/vector/LineSurface.test.ts', title: 'a triangle is plane' },
   },

@@ -1,12 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import {
-  arriving,
-  type Lamp,
-  responseTo,
-  seenBehind,
-  seenBeside,
-  type ToneModel,
-} from '../../../src/engraving/radiance.js';
+import { arriving, type Lamp, reflectedTo, responseTo, type ToneModel } from '../../../src/engraving/radiance.js';
 import { radianceAround } from '../../../src/engraving/surroundings.js';
 import {
   localDarkness,
@@ -72,8 +65,7 @@ function radianceAt(
   return lamps.reduce((sum, lamp) => {
     const { direction, luminance, coneless } = arriving(lamp, point);
     const direct = luminance * responseTo(model, normal, direction, toViewer, shininess);
-    const seen = seenBehind(normal, direction) + (isPlane ? seenBeside(normal, direction) : 0);
-    return sum + (direct + reflected * coneless * seen) / Math.PI;
+    return sum + (direct + reflected * coneless * reflectedTo(normal, direction, isPlane)) / Math.PI;
   }, 0);
 }
 

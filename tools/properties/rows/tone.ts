@@ -147,7 +147,7 @@ export const TONE = {
     measure: 'share',
     range: { from: 0, to: 1 },
     sentence:
-      'How much of each light the surroundings throw back: the side turned away is lit by so much from behind, so that shade is darkest at the terminator, as engravers draw it. Plane surfaces get somewhat more of it on one side of the light, so that two walls that turn from the light by one angle differ.',
+      'How much of each light the surroundings throw back: the side turned away is lit by so much from behind, so that shade is darkest at the terminator, as engravers draw it. Planes in shade get more of it on one side of the light, so that two walls that turn from the light by one angle differ.',
   },
   occlusion: {
     kind: 'number',
