@@ -14,14 +14,12 @@ struct HatchingSurface {
   float plane; // 1 where it is plane, 0 where it is round
 };
 
-// A surface is plane where its normal changes by less than the first from one pixel to the next, and round from the second on.
-#define PLANE vec2(2e-5, 1e-4)
-
+// A surface is plane where its normal changes by less than 2e-5 from one pixel to the next, and round from 1e-4 on.
 float planeness(const in vec3 smoothNormal) {
   #if TONE_MODEL == TONE_MODEL_SHADOW
     return 0.0; // The tone of a shadow is that of the light it takes.
   #else
-    return 1.0 - smoothstep(PLANE.x, PLANE.y, length(fwidth(smoothNormal)));
+    return 1.0 - smoothstep(2e-5, 1e-4, length(fwidth(smoothNormal)));
   #endif // TONE_MODEL
 }
 
