@@ -45,9 +45,8 @@ export default defineConfig<object, ThreeOptions>({
     screenshot: 'only-on-failure',
     trace: 'off',
   },
+  // Those with one worker come first: at the end they would leave the other without work.
   projects: [
-    ...['gpu', 'visual'].map((name) => ({ name, testDir: `tests/${name}` })),
-    { name: 'e2e', testDir: 'tests/e2e', use: { baseURL: new URL(BUILT, pages).href } },
     // One page for all, in a browser with WebGPU.
     {
       name: 'webgpu',
@@ -65,6 +64,8 @@ export default defineConfig<object, ThreeOptions>({
       // The server of each worker would prepare the same dependencies.
       workers: 1,
     })),
+    { name: 'e2e', testDir: 'tests/e2e', use: { baseURL: new URL(BUILT, pages).href } },
+    ...['gpu', 'visual'].map((name) => ({ name, testDir: `tests/${name}` })),
   ],
   webServer: {
     command: `node node_modules/vite/bin/vite.js --mode test --host 127.0.0.1 --port ${port} --strictPort`,

@@ -4,6 +4,7 @@ import { expect, testOnOnePage } from '../browser/test.js';
 import type { HatchingSpec } from '../gpu/hatchingSpec.js';
 import { cases as selected } from '../selection.mjs';
 import { type Comparison, NOTICEABLE } from './picturesOf.js';
+import type { SceneCase } from './SceneCase.js';
 
 /** Tests on the page that draws in GLSL and of nodes. */
 export const test = testOnOnePage('tests/webgpu/sideBySide.html', {
@@ -18,8 +19,12 @@ const MOST_DIFFERING = 0.0005;
 
 type Backend = 'forceWebGL' | 'webgpu';
 
-/** How a test of a list of cases begins: with the cases that are selected. */
-async function begin<Case extends { name: string }>(
+/**
+ * How a test of a list of cases begins: with the cases that are selected. Both backends build their programs from the same nodes, so that each
+ * draws every second case, and those that are named. WebGL 2 also draws those whose pixels WebGPU is not held to, and all of them where the
+ * browser has no WebGPU.
+ */
+async function begin<Case extends Pick<SceneCase, 'name' | 'onWebGPU'>>(
   page: Page,
   drawn: Backend,
   all: readonly Case[],
@@ -27,11 +32,16 @@ async function begin<Case extends { name: string }>(
 ): Promise<readonly Case[]> {
   const named = all.filter(({ name }) => quick.includes(name));
   expect(named.length, 'cases that are named').toBe(quick.length);
-  const cases = selected(named, all);
-  // Each builds programs of its own, on the processor.
-  test.setTimeout(Math.max(300_000, 30_000 * cases.length));
   const lack = await page.evaluate(() => window.besideGlsl.lackOfWebGPU);
   test.skip(drawn === 'webgpu' && lack !== null, lack ?? '');
+  const drawnHere = all.filter((each, i) => {
+    const isTheirs = drawn === 'webgpu' ? i % 2 === 0 : i % 2 === 1 || each.onWebGPU === 'tone' || lack !== null;
+    return isTheirs || named.includes(each);
+  });
+  const cases = selected(named, drawnHere);
+  expect(cases.length, 'cases that are drawn').toBeGreaterThan(0);
+  // Each builds programs of its own, on the processor.
+  test.setTimeout(Math.max(300_000, 30_000 * cases.length));
   return cases;
 }
 
@@ -52,8 +62,8 @@ const tagOf = (drawn: Backend, quick: readonly string[]): string =>
   drawn === 'forceWebGL' && quick.length > 0 ? '@more' : '@all';
 
 /**
- * Declares the tests of a file of `cases`: nodes draw what GLSL draws, with the WebGL 2 backend and, where the browser has it, with
- * WebGPU. What was measured is in the annotations of tests/output/playwright.json, and the pictures are beside it: GLSL, nodes, and
+ * Declares the tests of a file of `cases`: nodes draw what GLSL draws, half of the cases with the WebGL 2 backend and half with WebGPU,
+ * where the browser has it. What was measured is in the annotations of tests/output/playwright.json, and the pictures are beside it: GLSL, nodes, and
  * their difference times four.
  *
  * @param quick the names of the cases that `npm test` draws, with the WebGL 2 backend alone. Default: none
