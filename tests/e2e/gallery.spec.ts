@@ -18,6 +18,7 @@ test('a drawing of the gallery opens live by the keyboard, a surprise changes it
   await opener.press('Enter');
   const gallery = page.getByRole('region', { name: 'Gallery' });
   await expect(gallery.getByRole('button')).toHaveCount(17);
+  await expect.poll(() => pictures.length).toBeGreaterThan(0);
   await page.keyboard.press('Escape');
   await expect(gallery).toBeHidden();
   await expect(opener).toBeFocused();
@@ -25,7 +26,6 @@ test('a drawing of the gallery opens live by the keyboard, a surprise changes it
   await opener.press('Enter');
   await gallery.getByRole('button', { name: 'Knot' }).press('Enter');
   await expect(page.locator('#model-name')).toHaveText('Knot');
-  expect(pictures.length).toBeGreaterThan(0);
   const knot = await readDrawing(page);
   expect(changedShare(cube, knot)).toBeGreaterThan(0.1);
   await page.getByRole('button', { name: 'Surprise me' }).click();
