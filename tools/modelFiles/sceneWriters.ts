@@ -242,8 +242,8 @@ ${
 }
 `;
 
-/** A 3MF file, with colours of triangles and a prefix for their namespace. */
-export const threeMf = (level?: 0 | 9): Uint8Array => {
+/** A 3MF file, with colours of triangles and a prefix for their namespace. `changed` may change its model. */
+export const threeMf = (level?: 0 | 9, changed = (model: string) => model): Uint8Array => {
   const triangles = BOX_FACES.flatMap(([a, b, c, d], face) =>
     [
       [a, b, c],
@@ -257,12 +257,13 @@ export const threeMf = (level?: 0 | 9): Uint8Array => {
     {
       '[Content_Types].xml': '<Types/>',
       '_rels/.rels': '<Relationships><Relationship Target="/3D/3dmodel.model" Id="rel0" Type="model"/></Relationships>',
-      '3D/3dmodel.model': `<?xml version="1.0"?><model unit="millimeter" xmlns="core" xmlns:m="materials"><resources>
+      '3D/3dmodel.model':
+        changed(`<?xml version="1.0"?><model unit="millimeter" xmlns="core" xmlns:m="materials"><resources>
       <m:colorgroup id="2"><m:color color="#FF0000"/><m:color color="#00FF00"/><m:color color="#0000FF"/></m:colorgroup>
       <object id="1" type="model" pid="2" pindex="0"><mesh>
         <vertices>${BOX_CORNERS.map(([x, y, z]) => `<vertex x="${x}" y="${y}" z="${z}"/>`).join('')}</vertices>
         <triangles>${triangles.join('')}</triangles></mesh></object>
-      </resources><build><item objectid="1"/></build></model>`,
+      </resources><build><item objectid="1"/></build></model>`),
     },
     level,
   );

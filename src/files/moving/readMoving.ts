@@ -6,6 +6,9 @@ import type { ReadGltf } from '../gltf/readGltf.js';
 /** Writing a larger scene as glTF would take too long, and it would not be drawn in motion anyway. */
 const MAX_VERTICES = 300_000;
 
+/** Vertices that lie so many times the size of their mesh away from its origin are too coarse in single precision, as glTF has them. */
+const MAX_DISTANCE = 1000;
+
 /**
  * Reads a scene that moves: it is written as glTF, whose reader checks motion and keeps it.
  *
@@ -13,7 +16,7 @@ const MAX_VERTICES = 300_000;
  * @returns undefined if nothing moves, or its motion cannot be shown
  */
 export async function readMoving(root: Object3D, name: string, findFile: FindFile): Promise<ReadGltf | undefined> {
-  if (root.animations.length === 0 || countVertices(root) > MAX_VERTICES) return undefined;
+  if (root.animations.length === 0 || countVertices(root) > MAX_VERTICES || isFar(root)) return undefined;
   try {
     const { sceneToGltf } = await import('./sceneToGltf.js');
     const { glb, pictures, leftOut } = await sceneToGltf(root);
@@ -32,6 +35,19 @@ export async function readMoving(root: Object3D, name: string, findFile: FindFil
 }
 
 const moves = (json: { animations?: unknown[] }): boolean => (json.animations?.length ?? 0) > 0;
+
+/** Whether a mesh has its vertices far from its origin. */
+function isFar(root: Object3D): boolean {
+  let isFound = false;
+  root.traverse((object) => {
+    const { geometry } = object as Partial<Mesh>;
+    if (!geometry?.getAttribute('position')) return;
+    geometry.computeBoundingSphere();
+    const { center, radius } = geometry.boundingSphere!;
+    isFound ||= center.length() > MAX_DISTANCE * radius;
+  });
+  return isFound;
+}
 
 function countVertices(root: Object3D): number {
   let vertices = 0;

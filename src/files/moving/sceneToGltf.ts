@@ -1,5 +1,7 @@
 import {
   type AnimationClip,
+  BufferAttribute,
+  type BufferGeometry,
   Group,
   InterpolateDiscrete,
   InterpolateLinear,
@@ -83,6 +85,7 @@ function makePlain(object: Object3D): void {
   const { geometry } = object as Partial<Mesh>;
   if (!geometry) return;
   geometry.userData = {};
+  makeSingle(geometry);
   const { skinIndex, normal } = geometry.attributes;
   if (skinIndex && !(skinIndex.array instanceof Uint16Array)) {
     geometry.setAttribute('skinIndex', new Uint16BufferAttribute(skinIndex.array, 4));
@@ -103,6 +106,16 @@ function makePlain(object: Object3D): void {
     ...(position && { position }),
     ...(normals && geometry.attributes.normal && { normal: normals }),
   };
+}
+
+/** Gives a geometry attributes of single precision, as glTF has them. */
+function makeSingle({ attributes, morphAttributes }: BufferGeometry): void {
+  for (const group of [attributes, ...Object.values(morphAttributes)] as Record<string, BufferAttribute>[]) {
+    for (const [key, { array, itemSize, normalized }] of Object.entries(group)) {
+      if (array instanceof Float64Array)
+        group[key] = new BufferAttribute(Float32Array.from(array), itemSize, normalized);
+    }
+  }
 }
 
 /** Whether a track has all its values, and moves an object that is there. */

@@ -1,6 +1,8 @@
-import { Color, SRGBColorSpace } from 'three';
 import { ModelError } from '../common/ModelError.js';
 import { checkReadTriangles } from '../mesh/checkTriangleCount.js';
+import { type FaceColors, withFaceColors } from '../mesh/faceColors.js';
+import { linearColors } from '../mesh/linearColors.js';
+import { nearFloats } from '../mesh/nearFloats.js';
 import type { PlainMesh } from '../mesh/PlainMesh.js';
 import { GrowingIndices } from './GrowingIndices.js';
 import { type PlyColumn, readColumns, readTriangles } from './plyBlocks.js';
@@ -45,14 +47,20 @@ export function readPly(bytes: Uint8Array, name: string): PlainMesh {
     else skipRows(element, numbers, name);
   }
   checkReadTriangles(indices.length / 3);
-  const mesh: PlainMesh = { ...points!, indices: indices.values() };
+  const corners = indices.values();
+  const { positions } = points!;
+  const mesh: PlainMesh = {
+    ...points!,
+    positions: positions instanceof Float64Array ? nearFloats(positions, corners) : positions,
+    indices: corners,
+  };
   return faceColors ? withFaceColors(mesh, faceColors) : mesh;
 }
 
-type Points = Pick<PlainMesh, 'positions' | 'normals' | 'colors'>;
-
-/** The linear RGB of every triangle. */
-type FaceColors = Float32Array;
+interface Points extends Pick<PlainMesh, 'normals' | 'colors'> {
+  /** In double precision where the file may hold more than single ones. */
+  positions: Float32Array | Float64Array;
+}
 
 function checkElements({ elements }: PlyHeader, name: string): void {
   const vertex = elements.find((element) => element.name === 'vertex');
@@ -83,13 +91,15 @@ function readPoints(element: PlyElement, numbers: PlyNumbers, name: string): Poi
   const slots = properties.map((property) => COLUMNS.findIndex((names) => names.includes(property.name)));
   const row = new Float64Array(COLUMNS.length);
   const has = (first: number): boolean => [0, 1, 2].every((i) => slots.includes(first + i));
-  const positions = new Float32Array(3 * count);
+  // Text, doubles and large whole numbers may be places on a map, for which single precision is too coarse.
+  const isSingle =
+    numbers instanceof BinaryNumbers &&
+    properties.every(({ type }, i) => slots[i] < 0 || slots[i] >= NORMAL || !/64|32$/.test(type) || type === 'float32');
+  const positions = isSingle ? new Float32Array(3 * count) : new Float64Array(3 * count);
   const normals = has(NORMAL) ? new Float32Array(3 * count) : null;
   const colors = has(COLOR) ? new Float64Array(3 * count) : null;
-  // Doubles are often far from the origin, where single precision is too coarse. The model is centred later anyway.
-  const isDouble = properties.some(({ type }, i) => slots[i] === 0 && type === 'float64');
   const red = properties[slots.indexOf(COLOR)];
-  if (!isDouble && numbers instanceof BinaryNumbers) {
+  if (numbers instanceof BinaryNumbers) {
     const columns = properties.flatMap((property, i): PlyColumn[] => {
       const target = [positions, normals, colors][Math.floor(slots[i] / 3)];
       return target ? [{ property, target, axis: slots[i] % 3 }] : [];
@@ -99,7 +109,6 @@ function readPoints(element: PlyElement, numbers: PlyNumbers, name: string): Poi
       return { positions, normals, colors: colors && toLinear(colors, red) };
     }
   }
-  const origin = [0, 0, 0];
   for (let vertex = 0; vertex < count; vertex++) {
     numbers.startRow();
     for (let i = 0; i < properties.length; i++) {
@@ -110,8 +119,7 @@ function readPoints(element: PlyElement, numbers: PlyNumbers, name: string): Poi
     }
     const at = 3 * vertex;
     for (let axis = 0; axis < 3; axis++) {
-      if (isDouble && vertex === 0 && Number.isFinite(row[axis])) origin[axis] = row[axis];
-      positions[at + axis] = row[axis] - origin[axis];
+      positions[at + axis] = row[axis];
       if (colors) colors[at + axis] = row[COLOR + axis];
     }
     if (!normals) continue;
@@ -240,14 +248,7 @@ function listLength({ countType }: PlyProperty, numbers: PlyNumbers, name: strin
 
 /** Converts sRGB values of a type to linear RGB from 0 to 1. Values that are not numbers become white. */
 function toLinear(values: ArrayLike<number>, { type }: PlyProperty): Float32Array {
-  const linear = new Float32Array(values.length);
-  const scale = 1 / fullValue(values, type);
-  const color = new Color();
-  const share = (value: number): number => (Number.isFinite(value) ? Math.min(Math.max(value * scale, 0), 1) : 1);
-  for (let i = 0; i < values.length; i += 3) {
-    color.setRGB(share(values[i]), share(values[i + 1]), share(values[i + 2]), SRGBColorSpace).toArray(linear, i);
-  }
-  return linear;
+  return linearColors(values, fullValue(values, type));
 }
 
 /** The value of full brightness. Floats go to 1, but some programs write 0 to 255. */
@@ -256,18 +257,4 @@ function fullValue(values: ArrayLike<number>, type: PlyProperty['type']): number
   if (!type.startsWith('float')) return 255;
   for (let i = 0; i < values.length; i++) if (values[i] > 1) return 255;
   return 1;
-}
-
-/** Gives every corner a vertex of its own, in the colour of its face. */
-function withFaceColors({ positions, normals, indices }: PlainMesh, faceColors: FaceColors): PlainMesh {
-  const pick = (source: Float32Array): Float32Array => {
-    const picked = new Float32Array(3 * indices!.length);
-    indices!.forEach((vertex, corner) => {
-      for (let i = 0; i < 3; i++) picked[3 * corner + i] = source[3 * vertex + i] ?? NaN;
-    });
-    return picked;
-  };
-  const colors = new Float32Array(3 * indices!.length);
-  for (let i = 0; i < colors.length; i++) colors[i] = faceColors[3 * Math.floor(i / 9) + (i % 3)] ?? 1;
-  return { positions: pick(positions), normals: normals && pick(normals), colors, indices: null };
 }

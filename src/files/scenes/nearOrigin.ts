@@ -1,8 +1,8 @@
 import { type BufferGeometry, Matrix4, type Mesh, Vector3 } from 'three';
+import { FAR } from '../mesh/nearFloats.js';
 
-/** Models of other sizes, or so many times their size away from the origin, are too coarse in single precision. */
+/** Models of other sizes are too coarse in single precision. */
 const MAX_SIZE = 1e20;
-const MAX_DISTANCE = 1000;
 
 /**
  * A matrix that moves meshes to the origin and scales them to a size of 1, or undefined if they do not need it. Without it, the
@@ -26,18 +26,17 @@ export function nearOrigin(placed: readonly { mesh: Mesh; matrix: Matrix4 }[]): 
   const size = high.distanceTo(low);
   const distance = centre.length();
   if (!(size > 0 && size + distance < Infinity)) return undefined;
-  if (size < MAX_SIZE && size > 1 / MAX_SIZE && distance < MAX_DISTANCE * size) return undefined;
+  if (size < MAX_SIZE && size > 1 / MAX_SIZE && distance < FAR * size) return undefined;
   return new Matrix4().makeScale(1 / size, 1 / size, 1 / size).multiply(new Matrix4().makeTranslation(centre.negate()));
 }
 
-/** The corners of the bounding box of all vertices that are finite; none if there are none. */
-function cornersOf(geometry: BufferGeometry): Vector3[] {
-  const position = geometry.getAttribute('position');
+/** The corners of the bounding box of all vertices that are drawn and finite; none if there are none. */
+function cornersOf({ index, attributes: { position } }: BufferGeometry): Vector3[] {
   const low = new Vector3().setScalar(Infinity);
   const high = new Vector3().setScalar(-Infinity);
   const point = new Vector3();
-  for (let i = 0; i < position.count; i++) {
-    point.fromBufferAttribute(position, i);
+  for (let i = 0; i < (index ?? position).count; i++) {
+    point.fromBufferAttribute(position, index ? index.getX(i) : i);
     const sum = point.x + point.y + point.z;
     if (sum - sum !== 0) continue;
     low.min(point);

@@ -5,8 +5,8 @@ import { XmlParser } from './XmlElement.js';
 /**
  * Runs one of three's loaders without a document, as in a worker, and without loading anything: every texture gets a {@link PictureLink}.
  * While it runs, stand-ins replace the loaders of pictures and files, which need a document and would fetch files that were not dropped;
- * blob URLs, which some pages forbid; the XML parser and the size of the window, which workers lack; and the console, where loaders report
- * what the user cannot change.
+ * blob URLs, which some pages forbid; the XML parser and the size of the window, which workers lack; the arrays of single precision, which
+ * are too coarse for a place on a map; and the console, where loaders report what the user cannot change.
  *
  * @param parse must be synchronous
  */
@@ -33,7 +33,11 @@ export function withStandIns<Result>(parse: () => Result): Result {
       },
     }),
     replace(console, { debug: () => {}, log: () => {}, info: () => {}, warn: () => {}, error: () => {} }),
-    replace(globalThis, { DOMParser: XmlParser, ...(isPage ? {} : { window: { innerWidth: 1, innerHeight: 1 } }) }),
+    replace(globalThis, {
+      Float32Array: DOUBLES,
+      DOMParser: XmlParser,
+      ...(isPage ? {} : { window: { innerWidth: 1, innerHeight: 1 } }),
+    }),
   ];
   try {
     return parse();
@@ -41,6 +45,12 @@ export function withStandIns<Result>(parse: () => Result): Result {
     for (const undo of restore) undo();
   }
 }
+
+/** Makes arrays of double precision in the place of single ones, but for those that view a buffer, whose bytes are single. */
+const DOUBLES = new Proxy(Float32Array, {
+  construct: (single, given) =>
+    given[0] instanceof ArrayBuffer ? Reflect.construct(single, given) : new Float64Array(given[0]),
+});
 
 /** Replaces properties of an object. @returns a function that puts the former ones back */
 function replace(target: object, values: Readonly<Record<string, unknown>>): () => void {

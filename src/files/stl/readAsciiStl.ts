@@ -1,5 +1,6 @@
 import { AsciiReader } from '../common/AsciiReader.js';
 import { checkReadTriangles } from '../mesh/checkTriangleCount.js';
+import { nearFloats } from '../mesh/nearFloats.js';
 import type { PlainMesh } from '../mesh/PlainMesh.js';
 
 /**
@@ -46,7 +47,7 @@ export function readAsciiStl(bytes: Uint8Array): PlainMesh {
   }
   endLoop();
   checkReadTriangles(positions.length / 9);
-  return { positions: Float32Array.from(positions), normals: unitLengths(normals), colors: null, indices: null };
+  return { positions: nearFloats(positions), normals: unitLengths(normals), colors: null, indices: null };
 }
 
 /** Scales normals to length 1. Those without a direction become zero, and are computed from the surface later. */

@@ -1,0 +1,30 @@
+/** Points that lie so many times their size away from the origin are rounded to steps in single precision. */
+export const FAR = 8;
+
+/**
+ * Points in single precision. Those that lie far from the origin are moved there first; models are centred later anyway.
+ *
+ * @param points xyz of each; those that are no numbers stay so
+ * @param indices of the points that count; by default all do
+ */
+export function nearFloats(points: ArrayLike<number>, indices?: ArrayLike<number>): Float32Array {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  const count = indices?.length ?? points.length / 3;
+  for (let i = 0; i < count; i++) {
+    const at = 3 * (indices ? indices[i] : i);
+    const sum = points[at] + points[at + 1] + points[at + 2];
+    // Infinite ones do not count either.
+    if (sum - sum !== 0) continue;
+    for (let axis = 0; axis < 3; axis++) {
+      if (points[at + axis] < low[axis]) low[axis] = points[at + axis];
+      if (points[at + axis] > high[axis]) high[axis] = points[at + axis];
+    }
+  }
+  const size = Math.hypot(...high.map((value, axis) => value - low[axis]));
+  const centre = low.map((value, axis) => value / 2 + high[axis] / 2);
+  if (!(size > 0 && Math.hypot(...centre) >= FAR * size && size < Infinity)) return Float32Array.from(points);
+  const near = new Float32Array(points.length);
+  for (let i = 0; i < near.length; i++) near[i] = points[i] - centre[i % 3];
+  return near;
+}
