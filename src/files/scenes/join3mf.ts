@@ -1,0 +1,209 @@
+import { strToU8, zipSync } from 'three/addons/libs/fflate.module.js';
+import { counted } from '../common/counted.js';
+import { ModelError } from '../common/ModelError.js';
+import { toUtf8 } from '../common/toUtf8.js';
+import { SlicerSettings } from './SlicerSettings.js';
+
+/** How long the units of a model are, in millimetres. */
+const UNITS: Readonly<Record<string, number>> = {
+  micron: 0.001,
+  millimeter: 1,
+  centimeter: 10,
+  inch: 25.4,
+  foot: 304.8,
+  meter: 1000,
+};
+const MODEL = '3D/3dmodel.model';
+/** The ids of resources that are added: a white material, and the colours of filaments. */
+const WHITE = 'white';
+const FILAMENTS = 'filaments';
+const IDENTITY = '1 0 0 0 1 0 0 0 1 0 0 0';
+
+/** A model file of a package. */
+interface Part {
+  text: string;
+  /** What its ids begin with once all files are one: each counts its own. */
+  prefix: string;
+  /** The length of its unit, in millimetres. */
+  unit: number;
+}
+
+/**
+ * Joins the model files of a 3MF package to one, as three's loader reads it: that loader looks for every component in the root file, takes
+ * objects with one id in several files for one, and knows no units. It draws triangles without a colour twice where others have one,
+ * and leaves out those with a property that is no colour.
+ *
+ * @param files the content of the package, by path
+ * @returns the package, and notes on what was left out
+ * @throws ModelError if its list of parts is missing, or names no model
+ */
+export function join3mf(files: ReadonlyMap<string, Uint8Array>, name: string): { bytes: Uint8Array; notes: string[] } {
+  const parts = new Parts(files);
+  const joined = parts.join(rootOf(files, name));
+  const textures = [...files].filter(([path]) => /^3D\/Textures?\//i.test(path));
+  const relations = textures.map(([path]) => `<Relationship Target="/${path}" Id="" Type="texture"/>`);
+  const bytes = zipSync(
+    {
+      '_rels/.rels': strToU8(`<Relationships><Relationship Target="/${MODEL}" Id="" Type="model"/></Relationships>`),
+      '3D/_rels/3dmodel.model.rels': strToU8(`<Relationships>${relations.join('')}</Relationships>`),
+      [MODEL]: strToU8(joined),
+      ...Object.fromEntries(textures),
+    },
+    { level: 0 },
+  );
+  return { bytes, notes: parts.notes() };
+}
+
+/** The path of the model that the package is about. */
+function rootOf(files: ReadonlyMap<string, Uint8Array>, name: string): string {
+  const list = [...files].find(([path]) => /^_rels\/\.rels$/i.test(path));
+  if (!list) throw new ModelError(`${name} is damaged or cut short: its list of parts is missing.`);
+  const targets = [...decoded(list[1]).matchAll(/\sTarget\s*=\s*["']\/?([^"']+\.model)["']/gi)].map(([, path]) => path);
+  const root = [...targets, ...files.keys()].find((path) => /\.model$/i.test(path) && fileAt(files, path));
+  if (!root) throw new ModelError(`${name} is damaged or cut short: its model is missing.`);
+  return root;
+}
+
+/** The file at a path; capitals make no difference in packages. */
+function fileAt(files: ReadonlyMap<string, Uint8Array>, path: string): Uint8Array | undefined {
+  const wanted = path.replace(/^\//, '').toLowerCase();
+  return files.get(path) ?? [...files].find(([other]) => other.toLowerCase() === wanted)?.[1];
+}
+
+const decoded = (bytes: Uint8Array): string => new TextDecoder().decode(toUtf8(bytes));
+
+/** The model files of a package that are used, one after the other. */
+class Parts {
+  private readonly parts = new Map<string, Part>();
+  private readonly settings: SlicerSettings;
+  /** The number of the filament of each object, by its id in the joined model. */
+  private readonly filaments = new Map<string, number>();
+  private readonly leftOut = { missing: 0, helpers: 0, mixed: 0 };
+
+  constructor(private readonly files: ReadonlyMap<string, Uint8Array>) {
+    const settings = fileAt(files, 'Metadata/model_settings.config');
+    const project = fileAt(files, 'Metadata/project_settings.config');
+    this.settings = new SlicerSettings(settings && decoded(settings), project && decoded(project));
+  }
+
+  notes(): string[] {
+    const { missing, helpers, mixed } = this.leftOut;
+    return [
+      counted(missing, 'part', 'left out: not in its file'),
+      counted(helpers, 'helper', 'of the slicer left out'),
+      mixed > 0 ? 'mixed colours left out' : '',
+    ].filter(Boolean);
+  }
+
+  /** The text of one model with all that is used. */
+  join(path: string): string {
+    const root = this.partAt(path)!;
+    const own = this.withPaths(root);
+    const others: string[] = [];
+    // Parts that parts refer to are added while they are gone through.
+    for (const part of this.parts.values()) if (part !== root) others.push(resourcesOf(this.withPaths(part)));
+    const base = (colour: string): string => `<base name="" displaycolor="${colour}"/>`;
+    const colours = [
+      `<basematerials id="${WHITE}">${base('#FFFFFF')}</basematerials>`,
+      `<basematerials id="${FILAMENTS}">${this.settings.colours.map(base).join('')}</basematerials>`,
+    ];
+    return this.withColours(withResources(own, [...colours, ...others].join('')));
+  }
+
+  /** The model file at a path, read once; undefined if there is none. */
+  private partAt(path: string): Part | undefined {
+    const key = path.replace(/^\//, '').toLowerCase();
+    const known = this.parts.get(key);
+    const bytes = known ? undefined : fileAt(this.files, path);
+    if (!bytes) return known;
+    const text = decoded(bytes).replace(/<!--[\s\S]*?-->/g, '');
+    const unit = /<(?:\w+:)?model\b[^>]*?\sunit\s*=\s*["'](\w+)["']/.exec(text)?.[1] ?? 'millimeter';
+    const prefix = this.parts.size === 0 ? '' : `part${this.parts.size}-`;
+    const part = { prefix, unit: UNITS[unit.toLowerCase()] ?? 1, text: prefix ? withPrefix(text, prefix) : text };
+    this.parts.set(key, part);
+    return part;
+  }
+
+  /** The text of a part whose components and items name objects of the joined model, in their units. */
+  private withPaths({ text, unit, prefix }: Part): string {
+    let object = '';
+    return text.replace(OBJECT_OR_USE, (tag, use?: 'component' | 'item') => {
+      if (!use) {
+        object = attributeOf(tag, 'id') ?? '';
+        return tag;
+      }
+      const path = attributeOf(tag, '(?:\\w+:)?path');
+      const part = path === undefined ? { prefix, unit } : this.partAt(path);
+      if (!part) {
+        this.leftOut.missing++;
+        return '';
+      }
+      const plainId = (attributeOf(tag, 'objectid') ?? '').slice(prefix.length);
+      const id = part.prefix + plainId;
+      // Settings name the objects of the root file, and the components of these.
+      if (use === 'component' && prefix === '') {
+        if (this.settings.isHelper(object, plainId)) {
+          this.leftOut.helpers++;
+          return '';
+        }
+        const filament = this.settings.filamentOf(object, plainId);
+        if (filament !== undefined) this.filaments.set(id, filament);
+      }
+      const scale = part.unit / unit;
+      const numbers = (attributeOf(tag, 'transform') ?? IDENTITY).trim().split(/\s+/);
+      const matrix = numbers.map((number, i) => (i < 9 && scale !== 1 ? Number(number) * scale : number));
+      return `<${use} objectid="${id}" transform="${matrix.join(' ')}"/>`;
+    });
+  }
+
+  /** Gives every mesh a colour that three's loader can draw. */
+  private withColours(text: string): string {
+    const known = new Set([...text.matchAll(COLOURS)].map(([, id]) => id));
+    const plain = text.replace(/\spid\s*=\s*["']([^"']*)["']/g, (whole, id: string) => {
+      if (known.has(id)) return whole;
+      this.leftOut.mixed++;
+      return '';
+    });
+    const isColoured = /<(?:\w+:)?triangle\b[^>]*\spid\s*=/.test(plain);
+    return plain.replace(/<(?:\w+:)?object\b[^>]*?(?=\/?>)/g, (tag) => {
+      if (attributeOf(tag, 'pid') !== undefined)
+        return attributeOf(tag, 'pindex') === undefined ? `${tag} pindex="0"` : tag;
+      const bare = tag.replace(/\spindex\s*=\s*["'][^"']*["']/, '');
+      const id = attributeOf(tag, 'id') ?? '';
+      const filament = this.filaments.get(id) ?? this.settings.filamentOf(id);
+      if (filament !== undefined) return `${bare} pid="${FILAMENTS}" pindex="${filament}"`;
+      return isColoured ? `${bare} pid="${WHITE}" pindex="0"` : bare;
+    });
+  }
+}
+
+/** An object's tag; or a whole component or item. */
+const OBJECT_OR_USE =
+  /<(?:\w+:)?(?:object\b[^>]*>|(component|item)\b[^>]*?(?:\/>|>[\s\S]*?<\/(?:\w+:)?(?:component|item)\s*>))/g;
+/** What gives colours to triangles, with its id. */
+const COLOURS = /<(?:\w+:)?(?:basematerials|colorgroup|texture2dgroup)\b[^>]*?\sid\s*=\s*["']([^"']*)["']/g;
+
+const attributeOf = (tag: string, name: string): string | undefined =>
+  new RegExp(`\\s${name}\\s*=\\s*(?:"([^"]*)"|'([^']*)')`)
+    .exec(tag)
+    ?.slice(1)
+    .find((value) => value !== undefined);
+
+/** A text in which all ids, and what refers to them, begin so. */
+const withPrefix = (text: string, prefix: string): string =>
+  text.replace(/(\s(?:id|pid|objectid|texid|displaypropertiesid)\s*=\s*["'])/g, `$1${prefix}`);
+
+/** What lies in the resources of a model. */
+function resourcesOf(text: string): string {
+  const [start = ''] = /<(?:\w+:)?resources\b[^>]*>/.exec(text) ?? [];
+  if (!start || start.endsWith('/>')) return '';
+  const from = text.indexOf(start) + start.length;
+  const [end = ''] = /<\/(?:\w+:)?resources\s*>/.exec(text.slice(from)) ?? [];
+  return end ? text.slice(from, text.indexOf(end, from)) : '';
+}
+
+/** A model with more resources. */
+const withResources = (text: string, more: string): string =>
+  text.replace(/<((?:\w+:)?resources)\b[^>]*>/, (tag, name: string) =>
+    tag.endsWith('/>') ? `<${name}>${more}</${name}>` : tag + more,
+  );
