@@ -136,8 +136,8 @@ async function readMain(
     ({ format } = archive);
   }
   const findFile: FindFile = async (uri) => {
-    const wanted = baseName(safeDecode(uri)).toLowerCase();
-    const file = files.find((one) => baseName(one.name).toLowerCase() === wanted);
+    const wanted = comparedName(safeDecode(uri));
+    const file = files.find((one) => comparedName(one.name) === wanted);
     return file ? new Uint8Array(await file.content.arrayBuffer()) : surroundings.findFile?.(uri);
   };
   const { content, ...parsed } = await parse(format, { bytes, name: shown, findFile, loadDraco });
@@ -234,8 +234,21 @@ async function parse(format: ModelFormat, file: FormatFile): Promise<Parsed> {
 function parsedOf(read: PlainMesh | LoadedScene): Parsed {
   const isScene = 'root' in read;
   const { notes = [], missing = [] }: Partial<LoadedScene> = isScene ? read : {};
-  return { content: isScene ? read.root : read, broken: 0, notes, details: [], missing };
+  const left = isScene && hasLines(read.root) ? ['points and lines left out'] : [];
+  return { content: isScene ? read.root : read, broken: 0, notes: [...notes, ...left], details: [], missing };
 }
+
+/** Whether a scene has lines or points, which are not drawn. */
+function hasLines(root: Object3D): boolean {
+  let isFound = false;
+  root.traverseVisible((object) => {
+    isFound ||= 'isLine' in object || 'isPoints' in object;
+  });
+  return isFound;
+}
+
+/** A name as files are found by: readers may join blanks in it. */
+const comparedName = (path: string): string => baseName(path).toLowerCase().replace(/\s+/g, ' ');
 
 function safeDecode(uri: string): string {
   try {

@@ -38,12 +38,58 @@ export function cleanMtl(text: string): string {
       // A colour may be one number, for all three, or a spectrum, which nothing reads.
       .replace(/^Kd ([-+.\de]+)[ \t]*$/gim, 'Kd $1 $1 $1')
       .replace(/^Kd (?:spectral|xyz).*$/gim, '')
-      // These are options, which three's loader takes for a part of the name.
-      .replace(/^(map_.*)$/gim, (line: string) => line.replace(MAP_OPTION, ''))
+      .replace(/^(map_\w+) (.*)$/gim, (_, word: string, rest: string) => `${word} ${plainMap(rest)}`)
   );
 }
 
-const MAP_OPTION =
-  /-(?:(?:blendu|blendv|cc|clamp|imfchan|type|texres|boost|bm)[ \t]+\S+|t(?:[ \t]+-?[\d.]+){1,3})[ \t]+/gi;
+/** The names of materials whose pictures are not repeated. */
+export function clampedMaterials(text: string): Set<string> {
+  const clamped = new Set<string>();
+  let name = '';
+  for (const line of withLineFeeds(text).split('\n')) {
+    const [, material] = /^[ \t]*newmtl[ \t]+(.*?)[ \t]*$/i.exec(line) ?? [];
+    if (material !== undefined) name = material;
+    else if (/^[ \t]*map_Kd[ \t].*-clamp[ \t]+on\b/i.test(line)) clamped.add(name);
+  }
+  return clamped;
+}
+
+const NUMBERS = '(?:[ \\t]+[-+]?(?:\\d+\\.?\\d*|\\.\\d+)(?:e[-+]?\\d+)?)';
+/** An option of a picture, which has up to three numbers or a word: before the name of the file, or after it. */
+const OPTION = `-(?:(s|o|t)(${NUMBERS}{1,3})|mm${NUMBERS}{2}|(?:blendu|blendv|boost|bm|cc|clamp|colorspace|imfchan|texres|type)[ \\t]+\\S+)`;
+const OPTION_BEFORE = new RegExp(`^${OPTION}[ \\t]+`, 'i');
+const OPTION_AFTER = new RegExp(`[ \\t]+${OPTION}$`, 'i');
+
+/**
+ * The name of a picture, and before it what three's loader reads of the options: scale and offset, with three numbers each. It takes other
+ * options for a part of the name, and a part of the name for numbers that are missing.
+ */
+function plainMap(text: string): string {
+  const found = { s: [1, 1, 1], o: [0, 0, 0] };
+  let name = text.trim();
+  for (const pattern of [OPTION_BEFORE, OPTION_AFTER]) {
+    for (let option = pattern.exec(name); option; option = pattern.exec(name)) {
+      name = name.replace(option[0], '');
+      const values = found[option[1]?.toLowerCase() as keyof typeof found];
+      option[2]
+        ?.trim()
+        .split(/[ \t]+/)
+        .forEach((number, i) => {
+          if (values) values[i] = Number(number);
+        });
+    }
+  }
+  name = name.replace(/^"(.*)"$/, '$1');
+  const isPlain = found.s.every((value) => value === 1) && found.o.every((value) => value === 0);
+  return isPlain ? name : `-s ${found.s.join(' ')} -o ${found.o.join(' ')} ${name}`;
+}
+
+/** Notes on what an OBJ file holds beside surfaces of flat faces. */
+export function otherThanFaces(text: string): string[] {
+  const notes: string[] = [];
+  if (/^[ \t]*[lp][ \t]+[-\d]/m.test(text)) notes.push('points and lines left out');
+  if (/^[ \t]*surf[ \t]/m.test(text)) notes.push('curved surfaces left out');
+  return notes;
+}
 
 const withLineFeeds = (text: string): string => (text.includes('\r') ? text.replace(/\r\n?/g, '\n') : text);

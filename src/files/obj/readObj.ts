@@ -1,3 +1,4 @@
+import { ClampToEdgeWrapping, type Mesh, type MeshPhongMaterial, type Object3D } from 'three';
 import { MTLLoader } from 'three/addons/loaders/MTLLoader.js';
 import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
 import type { FindFile } from '../common/FindFile.js';
@@ -5,7 +6,7 @@ import { baseName } from '../common/fileName.js';
 import { toUtf8 } from '../common/toUtf8.js';
 import type { LoadedScene } from '../scenes/LoadedScene.js';
 import { withStandIns } from '../scenes/standIns.js';
-import { cleanMtl, cleanObj, materialLibraries, namesIn } from './cleanObj.js';
+import { clampedMaterials, cleanMtl, cleanObj, materialLibraries, namesIn, otherThanFaces } from './cleanObj.js';
 
 /** Reads an OBJ file, with the materials of its MTL files if they were dropped together with it. */
 export async function readObj(bytes: Uint8Array, findFile: FindFile): Promise<LoadedScene> {
@@ -17,7 +18,18 @@ export async function readObj(bytes: Uint8Array, findFile: FindFile): Promise<Lo
     if (materials) loader.setMaterials(new MTLLoader().parse(cleanMtl(materials), ''));
     return loader.parse(cleanObj(text));
   });
-  return { root, missing };
+  clamp(root, clampedMaterials(materials));
+  return { root, missing, notes: otherThanFaces(text) };
+}
+
+/** Ends the pictures of some materials at their borders. */
+function clamp(root: Object3D, names: ReadonlySet<string>): void {
+  if (names.size === 0) return;
+  root.traverse((object) => {
+    for (const material of [(object as Partial<Mesh>).material ?? []].flat() as MeshPhongMaterial[]) {
+      if (material.map && names.has(material.name)) material.map.wrapS = material.map.wrapT = ClampToEdgeWrapping;
+    }
+  });
 }
 
 /** The text of all material files together, and the names of those that were not dropped along. */

@@ -1,5 +1,5 @@
 import { PNG } from 'pngjs';
-import { RepeatWrapping } from 'three';
+import { ClampToEdgeWrapping, RepeatWrapping } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
 import { BOX_CORNERS, BOX_FACES } from '../../../../tools/modelFiles/box.js';
 import {
@@ -86,7 +86,7 @@ describe('OBJ', () => {
       .replace(/\n/g, '\r');
     const box = await read(['box.obj', `# box\r${obj}`], ['box.mtl', colouredBoxMtl.replace('green', '#25')]);
     expect(triangles(box)).toBe(12);
-    expect(box.notes).toEqual([]);
+    expect(box.notes).toEqual(['points and lines left out']);
     expect(colorsOf(box)).toEqual(rgb);
   });
 
@@ -158,7 +158,7 @@ describe('OBJ with pictures', () => {
       { start: 24, count: 12, picture: 1 },
     ]);
     expect(pictures.map((one) => [one!.wrapS, one!.wrapT, one!.cutOut])).toEqual([
-      [RepeatWrapping, RepeatWrapping, false],
+      [ClampToEdgeWrapping, ClampToEdgeWrapping, false],
       [RepeatWrapping, RepeatWrapping, true],
     ]);
     // One bitmap for both, the right way up.
@@ -217,4 +217,59 @@ describe('OBJ with pictures', () => {
     expect(new Set(colorsOf(box))).toEqual(new Set([RED, GREEN, BLUE]));
     expect(box.notes).toEqual(['a.png is missing: drop it along', 'without b.tif: no picture that a browser reads']);
   });
+});
+
+describe('what an OBJ file holds beside faces', () => {
+  test.each([
+    ['l -3 -2 -1', 'points and lines left out'],
+    ['  p 1 2', 'points and lines left out'],
+    ['surf 0 1 0 1 1 2 3', 'curved surfaces left out'],
+  ])('"%s" is said', async (line, note) => {
+    const { notes, mesh } = await read(['box.obj', `${colouredBoxObj.replace(/^mtllib.*\n/, '')}\n${line}\n`]);
+    expect([notes, mesh.indices!.length]).toEqual([[note], 36]);
+  });
+
+  test('names and comments that begin so are not', async () => {
+    const { notes } = await read(['box.obj', colouredBoxObj.replace('mtllib box.mtl', 'o l 1\n# l 1 2\ng p 1')]);
+    expect(notes).toEqual([]);
+  });
+});
+
+describe('options of pictures', () => {
+  const texturedObj = 'mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl m\nf 1/1 2/2 3/3';
+  const options: [line: string, scale: number[], offset: number[]][] = [
+    ['-s 2 3 1 -o 0.5 0.25 0', [2, 3], [0.5, 0.25]],
+    ['-s 2', [2, 1], [0, 0]],
+    ['-o .5 -.25', [1, 1], [0.5, -0.25]],
+    ['-clamp on -bm 0.3 -blendu off -mm 0 1 -texres 512 -imfchan l -S 2 3', [2, 3], [0, 0]],
+    ['-t 1 1 1 -o 1e-1 2E-1 0', [1, 1], [0.1, 0.2]],
+  ];
+  test.each(options)('%s before the name of the file, which has spaces', async (text, scale, offset) => {
+    vi.stubGlobal('createImageBitmap', async () => ({ close() {} }));
+    const mtl = `newmtl m\n\tmap_Kd ${text} my  2. wood.png\n`;
+    const { mesh, notes, pictures } = await read(
+      ['a.obj', texturedObj],
+      ['a.mtl', mtl],
+      ['My  2. Wood.png', PNG.sync.write(new PNG({ width: 8, height: 4 }))],
+    );
+    expect(notes).toEqual([]);
+    const [a, b, c] = [0, 1, 2].map((k) => [...mesh.uvs!.subarray(2 * mesh.indices![k], 2 * mesh.indices![k] + 2)]);
+    [b[0] - a[0], c[1] - a[1]].forEach((value, i) => {
+      expect(value).toBeCloseTo(scale[i], 6);
+    });
+    a.forEach((value, i) => {
+      expect(value).toBeCloseTo(offset[i], 6);
+    });
+    const wrap = text.includes('-clamp on') ? ClampToEdgeWrapping : RepeatWrapping;
+    expect([pictures[0]!.wrapS, pictures[0]!.wrapT]).toEqual([wrap, wrap]);
+  });
+
+  test.each(['"my wood.png"', 'my wood.png -s 1 1 1', '-type sphere C:\\pictures\\my wood.png'])(
+    'the name in %s is found',
+    async (text) => {
+      expect((await read(['a.obj', texturedObj], ['a.mtl', `newmtl m\nmap_Kd ${text}\n`])).missing).toEqual([
+        'my wood.png',
+      ]);
+    },
+  );
 });
