@@ -52,7 +52,7 @@ export const DRAW_HELP = `three-hatching draw: draws models as SVG files, for pr
   npx three-hatching draw model.glb --preset engraving --view "25 8" --light "-45 40" --sheet A4 --out drawing.svg
   npx three-hatching draw "models/*.stl" --pen 0.3 --out "plots/{name}.svg" --jobs 4
 
-It reads GLB, glTF, OBJ, PLY, STL, FBX, DAE, USDZ, 3MF, 3DS and VRML files, also packed with gzip or in a ZIP.
+It reads GLB, glTF, OBJ, PLY, STL, FBX, DAE, USDZ, 3MF, 3DS, VRML and OFF files, also packed with gzip or in a ZIP.
 
   --preset <name>          the look: ${LINED.join(', ')} (default engraving)
   --link <address>         the look, view and lights of a link of the playground; nothing is fetched

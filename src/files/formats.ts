@@ -55,7 +55,8 @@ export interface ModelFormat {
   isUpCertain?: boolean;
   /** Whether models lie on their flat side as a rule, as those for 3D printers do. */
   liesFlat?: boolean;
-  loader: FormatLoader;
+  /** Undefined if three.js has none. */
+  loader: FormatLoader | undefined;
   /** Reads a file. @throws ModelError, or Error as the loader has it */
   read: (file: FormatFile) => Promise<ReadGltf | LoadedScene | PlainMesh>;
 }
@@ -163,6 +164,15 @@ export const FORMATS: readonly ModelFormat[] = [
     liesFlat: true,
     loader: { name: 'STLLoader', gives: 'geometry' },
     read: async ({ bytes }) => (await import('./stl/readStl.js')).readStl(bytes),
+  },
+  {
+    name: 'OFF',
+    extensions: ['off'],
+    hasSignature: ({ head }) => /^\s*(#.*\s+)*(ST)?C?N?4?n?OFF(?![a-z])/i.test(head),
+    isBelieved: true,
+    up: 'y',
+    loader: undefined,
+    read: async ({ bytes, name }) => (await import('./off/readOff.js')).readOff(bytes, name),
   },
 ];
 

@@ -312,6 +312,23 @@ const stl = (random: Random): GoodDrop => {
   return [{ name: 'ball.stl', kind: 'bytes', bytes: new Uint8Array(view.buffer) }];
 };
 
+const off = (random: Random): GoodDrop => {
+  const { positions, indices } = sphere(random);
+  const keyword = random.pick(['OFF', 'COFF', 'NOFF', '']);
+  const more = keyword === 'COFF' ? ' 255 0 0 255' : keyword === 'NOFF' ? ' 0 0 1' : '';
+  const vertices = Array.from(
+    { length: positions.length / 3 },
+    (_, i) => positions.slice(3 * i, 3 * i + 3).join(' ') + more,
+  );
+  const colour = random.pick(['', ' 0.5 0.2 0', ' # a face']);
+  const faces = Array.from(
+    { length: indices.length / 3 },
+    (_, t) => `3 ${indices.slice(3 * t, 3 * t + 3).join(' ')}${colour}`,
+  );
+  const counts = `${vertices.length} ${faces.length} 0`;
+  return [{ name: 'ball.off', kind: 'text', text: [keyword, counts, ...vertices, ...faces, ''].join('\n') }];
+};
+
 const text = (name: string, content: string): GoodDrop => [{ name, kind: 'text', text: content }];
 const bytes = (name: string, content: Uint8Array): GoodDrop => [{ name, kind: 'bytes', bytes: content }];
 
@@ -328,6 +345,7 @@ const WRITERS: Record<string, (random: Random) => GoodDrop> = {
   obj,
   ply: plyFile,
   stl,
+  off,
   gz: (random) => {
     const [file] = random.pick([plyFile, stl, obj])(random);
     const content =

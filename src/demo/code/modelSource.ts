@@ -23,7 +23,7 @@ export interface ModelSource {
   note?: string;
 }
 
-const GLTF = formatOf('glb')!.loader;
+const GLTF = formatOf('glb')!.loader!;
 
 const DRAGONS = {
   dragon4: 'dragon_vrip_res4',
@@ -51,7 +51,7 @@ function sourceOf({ model, title }: CodeModel): ModelSource {
     case 'dragon3':
     case 'dragon2':
     case 'dragon1':
-      return gzippedSource(`${CDN.dragon}/models/${DRAGONS[model]}.ply.gz`, formatOf('ply')!.loader);
+      return gzippedSource(`${CDN.dragon}/models/${DRAGONS[model]}.ply.gz`, formatOf('ply')!.loader!);
     case 'bunny':
       return {
         imports: ["import * as bunny from 'bunny';"],
@@ -151,7 +151,12 @@ function fileSource(title: string): ModelSource {
   const isPacked = withoutGz(name) !== name;
   const extension = extensionOf(withoutGz(name)) ?? '';
   const note = `Put ${inComment(name)} beside this file. A web server must serve both: browsers load no models from file:// addresses.`;
-  const loader = formatOf(extension)?.loader;
+  const format = formatOf(extension);
+  const loader = format?.loader;
+  if (format && !loader) {
+    const saved = `three.js has no loader for ${format.name}: save ${inComment(name)} as GLB, and write its name below.`;
+    return { ...loaderSource("'model.glb'", GLTF), note: saved };
+  }
   if (!loader) {
     const unpacked = `The model came in ${inComment(name)}: unpack it, and write the name of the model below.`;
     return { ...loaderSource("'model.glb'", GLTF), note: unpacked };

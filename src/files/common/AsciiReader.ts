@@ -2,6 +2,7 @@ const SPACE = 0x20;
 const MINUS = 0x2d;
 const PLUS = 0x2b;
 const DOT = 0x2e;
+const HASH = 0x23;
 const ZERO = 0x30;
 const NINE = 0x39;
 const LINE_FEED = 0x0a;
@@ -9,6 +10,8 @@ const CARRIAGE_RETURN = 0x0d;
 /** Integers below this are exact as doubles, and so is their product with or quotient by a power of ten in the table. */
 const MAX_EXACT = 2 ** 53;
 const POWERS_OF_TEN = Array.from({ length: 23 }, (_, i) => 10 ** i);
+
+const isLineEnd = (byte: number): boolean => byte === LINE_FEED || byte === CARRIAGE_RETURN;
 
 /** Reads words and numbers that are separated by white space, without making a string of each number. */
 export class AsciiReader {
@@ -26,6 +29,13 @@ export class AsciiReader {
     return this.at >= this.bytes.length;
   }
 
+  /** Skips blanks within the line. @returns whether nothing follows in it, but for a comment after "#" */
+  get isAtLineEnd(): boolean {
+    const { bytes } = this;
+    while (this.at < bytes.length && bytes[this.at] <= SPACE && !isLineEnd(bytes[this.at])) this.at++;
+    return this.at >= bytes.length || isLineEnd(bytes[this.at]) || bytes[this.at] === HASH;
+  }
+
   /** How many bytes are left. */
   get bytesLeft(): number {
     return this.bytes.length - this.at;
@@ -37,6 +47,18 @@ export class AsciiReader {
     const start = this.at;
     this.skipWord();
     return this.decoder.decode(this.bytes.subarray(start, this.at));
+  }
+
+  /** The next word, which stays the next one. */
+  peekWord(): string {
+    const word = this.word();
+    this.at -= word.length;
+    return word;
+  }
+
+  /** Skips so many bytes. */
+  skip(bytes: number): void {
+    this.at += bytes;
   }
 
   /** The next word as a number; NaN if it is none. */
@@ -71,7 +93,7 @@ export class AsciiReader {
   /** Skips the rest of the line. */
   skipLine(): void {
     const { bytes } = this;
-    while (this.at < bytes.length && bytes[this.at] !== LINE_FEED && bytes[this.at] !== CARRIAGE_RETURN) this.at++;
+    while (this.at < bytes.length && !isLineEnd(bytes[this.at])) this.at++;
   }
 
   /** Whether the next word begins with a text in ASCII. */

@@ -51,6 +51,11 @@ const files: [name: string, write: (far: boolean) => Content][] = [
   ['text.ply', (far) => plyBox(far, 'ascii', 'float')],
   ['doubles.ply', (far) => plyBox(far, 'binary_little_endian', 'double')],
   ['integers.ply', (far) => plyBox(far, 'binary_little_endian', 'int', 100)],
+  [
+    'box.off',
+    (far) =>
+      ['OFF', '9 6 0', ...moved(far).map((c) => c.join(' ')), '0 0 0', ...faces(0).map((f) => `4 ${f}`)].join('\n'),
+  ],
   ['box.dae', (far) => withCorners(dae(), far, (corners) => spaced(corners, ' '))],
   ['box.wrl', (far) => withCorners(wrl(), far, (corners) => spaced(corners, ', '))],
   ['box.usda', (far) => withCorners(usda(), far, (corners) => corners.map((c) => `(${c.join(', ')})`).join(', '))],
