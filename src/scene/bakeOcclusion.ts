@@ -1,4 +1,4 @@
-import { BackSide, type Mesh, type Object3D } from 'three';
+import { BackSide, type Mesh, type Object3D, type Vector3 } from 'three';
 import { checkGeometry } from '../geometry/checkGeometry.js';
 import { cornerRange } from '../geometry/cornerRange.js';
 import { copyVectors, extractMesh } from '../geometry/extractMesh.js';
@@ -101,7 +101,8 @@ export async function bakeOcclusion(root: Object3D, options: BakeOcclusionOption
   };
   try {
     await rest();
-    const readAll = () => ({ meshes: readers.map((read) => read()) });
+    const origin = originOf(receivers);
+    const readAll = () => ({ meshes: readers.map((read) => movedBack(read(), origin)) });
     const start = (options: TaskOptions) => runTask('startOcclusion', readAll(), options, readAll);
     const scene = await start(phase(0, START_SHARE));
     const goals = [...EARLY_DIRECTIONS.filter((early) => early < directions), directions].map((goal) =>
@@ -171,6 +172,22 @@ function readerOf(mesh: Mesh, receives: boolean, occludes: boolean): MeshReader 
     isInsideOut,
     occludes,
   });
+}
+
+/** A mesh so many times its size away from the origin is too coarse there in single precision. */
+const FAR = 100;
+
+/** The centre of the first of some meshes in the world, if it lies far from the origin: the bake takes place around it. */
+function originOf([{ geometry, matrixWorld }]: readonly Mesh[]): Vector3 | undefined {
+  if (!geometry.boundingSphere) geometry.computeBoundingSphere();
+  const { center, radius } = geometry.boundingSphere!.clone().applyMatrix4(matrixWorld);
+  return center.length() > FAR * radius ? center : undefined;
+}
+
+function movedBack(mesh: OcclusionMesh, origin: Vector3 | undefined): OcclusionMesh {
+  if (!origin) return mesh;
+  const toWorld = mesh.toWorld.map((value, i) => (i >= 12 && i < 15 ? value - origin.getComponent(i - 12) : value));
+  return { ...mesh, toWorld };
 }
 
 /** Whether a mesh is drawn in several places. */

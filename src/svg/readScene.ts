@@ -29,6 +29,7 @@ import type {
   StippledSurface,
 } from '../vector/DrawnScene.js';
 import { GrowingArray } from '../vector/GrowingArray.js';
+import { moveToOrigin } from '../vector/moveToOrigin.js';
 import type { Veil } from '../vector/paint/Fading.js';
 import type { Cutout } from '../vector/paint/PaintLook.js';
 import { clipOf, shadowClipOf } from './clipOf.js';
@@ -81,7 +82,7 @@ export function* readScene(
       0.8 + (0.2 * i) / objects.length,
       0.8 + (0.2 * (i + 1)) / objects.length,
     );
-  return { drawn: reader.drawn(), leftOut: reader.leftOut };
+  return { drawn: moveToOrigin(reader.drawn()), leftOut: reader.leftOut };
 }
 
 /** From the bit of a side that is seen to that of one that fades what is behind it. */

@@ -63,6 +63,22 @@ describe('what is baked', () => {
     },
   );
 
+  test('a scene far from the origin has the hollows that it has there', async () => {
+    const bakedAt = async (x: number): Promise<number[]> => {
+      const [lower, upper] = [await prepared(ground()), await prepared(ground().rotateX(Math.PI))];
+      upper.position.y = 0.2;
+      const scene = sceneOf(lower, upper);
+      scene.position.set(x, x / 2, -x);
+      await bakeOcclusion(scene, FEW);
+      return [...occlusionsOf(lower), ...occlusionsOf(upper)];
+    };
+    const near = await bakedAt(0);
+    expect(Math.max(...near)).toBeGreaterThan(0.3);
+    (await bakedAt(2 ** 24)).forEach((value, i) => {
+      expect(value).toBeCloseTo(near[i], 3);
+    });
+  });
+
   test('two meshes hide each other, one that is not prepared hides too', async () => {
     const lower = await prepared(ground());
     const upper = await prepared(ground().rotateX(Math.PI).translate(0, 0.2, 0));

@@ -1,0 +1,89 @@
+import type { Emphasis } from '../engraving/emphasis.js';
+import { dot, type Vec3 } from '../engraving/vectors.js';
+import type { DrawnScene } from './DrawnScene.js';
+import { type LineSurface, STRIDE, WORLD } from './LineSurface.js';
+import type { Matrix } from './Projection.js';
+import type { Clip, ClipPlane } from './paint/Clip.js';
+
+/** A scene that lies so many times its size away from the origin is moved there. */
+const FAR = 100;
+
+/**
+ * Moves a scene that lies far from the origin there, with its camera and lights: boxes around triangles are in single precision, and
+ * how far rays begin above surfaces is measured by coordinates.
+ */
+export function moveToOrigin(scene: DrawnScene): DrawnScene {
+  const centre = centreOf(scene.corners);
+  if (!centre) return scene;
+  const { camera, corners, surfaces, stippled, outlines, cutouts, illumination } = scene;
+  const back: Vec3 = [-centre[0], -centre[1], -centre[2]];
+  for (let i = 0; i < corners.length; i++) corners[i] += back[i % 3];
+  for (const { vertices } of new Set<LineSurface>([...surfaces, ...stippled].map(({ surface }) => surface)))
+    for (let o = WORLD; o < vertices.length; o += STRIDE) for (let k = 0; k < 3; k++) vertices[o + k] += back[k];
+  const movedLook = <Look extends { emphasis: Emphasis | null }>(look: Look): Look => ({
+    ...look,
+    emphasis: movedEmphasis(look.emphasis, back),
+  });
+  const moved = <Drawn extends { look: { emphasis: Emphasis | null }; clip: Clip | null }>(drawn: Drawn): Drawn => ({
+    ...drawn,
+    look: movedLook(drawn.look),
+    clip: movedClip(drawn.clip, centre),
+  });
+  return {
+    ...scene,
+    camera: { ...camera, world: placedBy(camera.world, back), view: beforehand(camera.view, centre) },
+    surfaces: surfaces.map(moved),
+    stippled: stippled.map(moved),
+    outlines: outlines.map(moved).map((outlined) => ({
+      ...outlined,
+      mesh: { ...outlined.mesh, toWorld: placedBy(outlined.mesh.toWorld, back) },
+    })),
+    cutouts: cutouts.map((cutout) => ({
+      ...cutout,
+      clip: movedClip(cutout.clip, centre),
+      shadowClip: movedClip(cutout.shadowClip, centre),
+    })),
+    illumination: {
+      ...illumination,
+      lamps: illumination.lamps.map((lamp) => (lamp.isFar ? lamp : { ...lamp, at: sum(lamp.at, back) })),
+    },
+  };
+}
+
+/** The centre of triangles that lie far from the origin; undefined if they do not. */
+function centreOf(corners: Float64Array): Vec3 | undefined {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < corners.length; i++) {
+    const axis = i % 3;
+    if (corners[i] < low[axis]) low[axis] = corners[i];
+    if (corners[i] > high[axis]) high[axis] = corners[i];
+  }
+  const centre = low.map((value, axis) => (value + high[axis]) / 2) as [number, number, number];
+  const size = Math.hypot(...low.map((value, axis) => high[axis] - value));
+  return Math.hypot(...centre) > FAR * size && size > 0 ? centre : undefined;
+}
+
+const sum = (a: Vec3, b: Vec3): Vec3 => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+
+/** A matrix into the world, moved there. */
+function placedBy(matrix: Matrix, way: Vec3): Matrix {
+  const placed = Array.from(matrix);
+  for (let k = 0; k < 3; k++) placed[12 + k] += way[k];
+  return placed;
+}
+
+/** A matrix out of the world, with a way in the world before it. */
+function beforehand(m: Matrix, [x, y, z]: Vec3): Matrix {
+  const moved = Array.from(m);
+  for (let k = 0; k < 3; k++) moved[12 + k] += m[k] * x + m[4 + k] * y + m[8 + k] * z;
+  return moved;
+}
+
+function movedClip(clip: Clip | null, centre: Vec3): Clip | null {
+  const moved = ([x, y, z, d]: ClipPlane): ClipPlane => [x, y, z, d + dot([x, y, z], centre)];
+  return clip && { each: clip.each.map(moved), together: clip.together.map(moved) };
+}
+
+const movedEmphasis = (emphasis: Emphasis | null, way: Vec3): Emphasis | null =>
+  emphasis?.focus ? { ...emphasis, focus: { ...emphasis.focus, at: sum(emphasis.focus.at, way) } } : emphasis;
