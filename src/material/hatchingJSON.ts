@@ -34,6 +34,7 @@ export function setFromJSON(
   json: HatchingMaterialJSON,
   textures: Readonly<Record<string, Texture>>,
 ): void {
+  checkIsRecord(json);
   const values: Record<string, unknown> = {};
   const plain = plainProperties();
   for (const [name, value] of Object.entries(json)) {
@@ -89,6 +90,13 @@ function planesFrom(value: unknown): Plane[] {
     const [x, y, z, constant] = numbers as number[];
     return new Plane(new Vector3(x, y, z), constant);
   });
+}
+
+function checkIsRecord(json: unknown): void {
+  if (typeof json === 'object' && json !== null && !Array.isArray(json)) return;
+  // What is no JSON has no text.
+  const text = JSON.stringify(json) ?? String(json);
+  throw new TypeError(`HatchingMaterial.fromJSON: expected the object that toJSON returns, but got ${text}.`);
 }
 
 function check(name: string, isRight: boolean, value: unknown, expected: string): void {

@@ -61,6 +61,20 @@ describe('JSON of a material, from anywhere', () => {
     expect([material.tilesPerUnit, material.opacity]).toEqual([3, 1]);
   });
 
+  test.each([
+    [null, 'null'],
+    [undefined, 'undefined'],
+    [5, '5'],
+    [true, 'true'],
+    ['{}', '"{}"'],
+    [[], '[]'],
+    [() => {}, '() => {'],
+  ])('is refused in a sentence where it is no object: %s', (json, shown) => {
+    const read = () => HatchingMaterial.fromJSON(json as unknown as HatchingMaterialJSON);
+    expect(read).toThrow(TypeError);
+    expect(read).toThrow(`HatchingMaterial.fromJSON: expected the object that toJSON returns, but got ${shown}`);
+  });
+
   test('has no defaults, those of a technique included, and what is no default', async () => {
     await HatchingMaterial.preload();
     const named = (material: HatchingMaterial) => Object.keys(propertiesToJSON(material));
