@@ -9,6 +9,8 @@ import { defaultSettings, SETTING_KEYS, SETTINGS, type Settings } from './settin
 /** What a link brings back. */
 export interface LinkedDrawing {
   settings: Settings;
+  /** Whether the link names a model, which is that of the settings or that of the address. */
+  namesModel: boolean;
   /** Undefined if the model is to be framed. */
   camera: CameraView | undefined;
   /** Of a model on the web, which stands in the place of that of the settings. */
@@ -19,7 +21,8 @@ export interface LinkedDrawing {
 }
 
 /**
- * Settings and camera as the hash of a URL. Defaults are left out, but for the technique: no hash at all stands for the first view.
+ * Settings and camera as the hash of a URL. Defaults are left out, but for the model, which a link without one leaves as
+ * it is, and the technique: no hash at all stands for the first view.
  *
  * @param address of the user's own model, if it is on the web; a link cannot refer to a dropped file
  * @param views that are kept with the drawing
@@ -38,7 +41,7 @@ export function writeLink(
     // As fields have them: a third is 0.333, and not a number of seventeen digits.
     const value = acceptSetting(key, settings[key]) ?? settings[key];
     if (value === 'file' || (value === 'ownHand' && hand === undefined)) continue;
-    if (value === SETTINGS[key].default && key !== 'technique') continue;
+    if (value === SETTINGS[key].default && key !== 'technique' && key !== 'model') continue;
     parameters.set(key, String(value));
   }
   if (settings.mapStyle === 'ownHand' && hand !== undefined) parameters.set('hand', hand);
@@ -67,10 +70,14 @@ export function readLink(hash: string): LinkedDrawing {
   const parameters = new URLSearchParams(hash.replace(/^#/, ''));
   const preset = PRESET_NAMES.find((name) => name === parameters.get('preset'));
   const settings = parameters.size === 0 ? firstView() : { ...defaultSettings(), ...(preset && presetLook(preset)) };
+  const address = addressOf(parameters.get('model') ?? '');
+  let namesModel = address !== undefined;
   for (const key of SETTING_KEYS) {
     const text = storedValue(key, (name) => parameters.get(name) ?? undefined);
     const value = text === undefined ? undefined : acceptSetting(key, text);
-    if (value !== undefined && value !== 'file') Object.assign(settings, { [key]: value });
+    if (value === undefined || value === 'file') continue;
+    Object.assign(settings, { [key]: value });
+    namesModel ||= key === 'model';
   }
   const handText = settings.mapStyle === 'ownHand' ? (parameters.get('hand') ?? undefined) : undefined;
   if (settings.mapStyle === 'ownHand' && handText === undefined) settings.mapStyle = SETTINGS.mapStyle.default;
@@ -79,8 +86,9 @@ export function readLink(hash: string): LinkedDrawing {
   const [x, y, z, tx, ty, tz] = numbers as [number, number, number, number, number, number];
   return {
     settings,
+    namesModel,
     camera: isCamera ? { position: [x, y, z], target: [tx, ty, tz] } : undefined,
-    address: addressOf(parameters.get('model') ?? ''),
+    address,
     views: parameters
       .getAll('view')
       .slice(0, MAX_VIEWS)

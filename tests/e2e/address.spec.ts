@@ -304,7 +304,7 @@ test('what was asked for and did not come leaves nothing behind: no style, no ax
   await page.goto(`./#model=${modelAt('octahedron.ply')}&${LOOK}`);
   await expect(status).toHaveText(/^A part of this page could not be fetched/);
   await expect(page.locator('#model-name')).toHaveText('Stanford dragon');
-  await expect.poll(() => page.evaluate(() => location.hash)).toMatch(/^#technique=anchored&/);
+  await expect.poll(() => page.evaluate(() => location.hash)).toMatch(/^#model=dragon3&technique=anchored&/);
   await drop(page, [file('octahedron.ply', octahedronPly)]);
   await expect(page.locator('#model-name')).toHaveText('octahedron.ply');
   await expect(status).toHaveText('');

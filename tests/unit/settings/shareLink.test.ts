@@ -60,6 +60,18 @@ describe('a link', () => {
     }
   });
 
+  test('names its model, also the first of all, unless that is a file of the user', () => {
+    for (const model of ['dragon3', 'cube'] as const) {
+      const link = writeLink({ ...defaultSettings(), model }, undefined);
+      expect(readLink(link)).toMatchObject({ namesModel: true, settings: { model } });
+    }
+    expect(readLink('model=https%3A%2F%2Fmodels.test%2Fbust.glb').namesModel).toBe(true);
+    const ofFile = writeLink({ ...defaultSettings(), model: 'file' }, undefined);
+    for (const link of ['', ofFile, 'preset=engraving', 'model=file', 'model=none']) {
+      expect(readLink(link).namesModel, link).toBe(false);
+    }
+  });
+
   test('carries no name and password, which may look like a site, and no host that is none', () => {
     const read = (address: string) => readLink(`model=${encodeURIComponent(address)}`).address;
     expect(read('https://trusted.test:x@evil.test:8443/a.glb')).toBe('https://evil.test:8443/a.glb');

@@ -1,4 +1,5 @@
 import { ModelError } from '../../../files/common/ModelError.js';
+import { SETTINGS, type Settings } from '../../../settings/settings.js';
 import { askToFetch } from '../loading/ask.js';
 import type { Keeper } from './Keeper.js';
 import { LatestRequest } from './LatestRequest.js';
@@ -24,13 +25,22 @@ export class LinkFollower {
     // A question about an earlier address must not be answered any more.
     this.asked.drop();
     const { drawing } = this.address;
-    const { settings: next, camera, address, views, hand } = session.linked(this.address.read());
+    const { settings: next, namesModel, camera, address, views, hand } = session.linked(this.address.read());
     if (drawing !== undefined) return this.openKept(drawing);
+    const { ownFiles } = session.modelLoader;
+    if (!namesModel && ownFiles)
+      session.showState({ settings: this.onOwnModel(next), camera, files: ownFiles, views, hand });
     // The shown model stays until the user has agreed and the model from the web has come.
-    if (address === undefined) session.showState({ settings: next, camera, files: undefined, views, hand });
+    else if (address === undefined) session.showState({ settings: next, camera, files: undefined, views, hand });
     else session.showLook({ settings: { ...next, model: session.settings.model }, camera, views, hand });
     session.recordChange();
     if (address !== undefined) await this.showAddress(address, camera === undefined);
+  }
+
+  /** The settings of a link that names no model, for the user's own one, which stands as it stood unless the link turns it. */
+  private onOwnModel(next: Settings): Settings {
+    const { upAxis } = this.session.settings;
+    return { ...next, model: 'file', upAxis: next.upAxis === SETTINGS.upAxis.default ? upAxis : next.upAxis };
   }
 
   /** Shows a model from another site, if the user agrees. */

@@ -1,6 +1,8 @@
 import { beforeEach, expect, test, vi } from 'vitest';
 import { askToFetch } from '../../../../../src/demo/playground/loading/ask.js';
 import { LinkFollower } from '../../../../../src/demo/playground/session/LinkFollower.js';
+import type { ModelFile } from '../../../../../src/files/common/ModelFile.js';
+import type { Settings } from '../../../../../src/settings/settings.js';
 
 vi.mock('../../../../../src/demo/playground/loading/ask.js', () => ({ askToFetch: vi.fn() }));
 
@@ -8,18 +10,29 @@ const ADDRESS = 'https://models.test/bunny.ply';
 
 beforeEach(() => void vi.clearAllMocks());
 
+interface PageContent {
+  address?: string;
+  drawing?: string;
+  /** What the link describes. */
+  link?: { settings?: Partial<Settings>; namesModel?: boolean };
+  /** The user's own model. */
+  shown?: { settings?: Partial<Settings>; files?: readonly ModelFile[] };
+}
+
 /** A follower of links on a page that shows a cube, and what it does to that. */
-function onPage({ address, drawing }: { address?: string; drawing?: string } = {}) {
+function onPage({ address, drawing, link = {}, shown = {} }: PageContent = {}) {
   const linked = {
-    settings: { model: 'file', ink: '#123456' },
+    settings: { model: 'file', ink: '#123456' } as Partial<Settings>,
+    namesModel: true,
     camera: undefined,
     address,
     views: [],
     hand: undefined,
+    ...link,
   };
-  const modelLoader = { showAddress: vi.fn(), showSomething: vi.fn() };
+  const modelLoader = { ownFiles: shown.files, showAddress: vi.fn(), showSomething: vi.fn() };
   const session = {
-    settings: { model: 'cube' },
+    settings: { model: 'cube', ...shown.settings },
     modelLoader,
     linked: () => linked,
     showState: vi.fn(),
@@ -64,4 +77,23 @@ test('until the user has agreed, the look of a link is shown on the model that i
   expect(session.showState).not.toHaveBeenCalled();
   expect(session.showLook.mock.calls[0][0].settings).toEqual({ model: 'cube', ink: '#123456' });
   expect(modelLoader.showAddress).toHaveBeenCalledExactlyOnceWith(ADDRESS, true);
+});
+
+test.each([
+  [{ upAxis: 'y' }, 'z'],
+  [{ upAxis: '-z' }, '-z'],
+] as const)('an address that names no model is a look for the user’s own one: %j', async (turn, upAxis) => {
+  const files = [{ name: 'chair.stl' }] as unknown as readonly ModelFile[];
+  const link = { settings: { model: 'dragon3', ink: '#123456', ...turn }, namesModel: false } as const;
+  const shown = { files, settings: { model: 'file', upAxis: 'z' } } as const;
+  const { follower, session } = onPage({ link, shown });
+  await follower.follow();
+  const [state] = session.showState.mock.calls[0];
+  expect(state).toMatchObject({ settings: { model: 'file', ink: '#123456', upAxis }, files });
+});
+
+test('an address that names no model shows the first one where the user has none', async () => {
+  const { follower, session } = onPage({ link: { settings: { model: 'dragon3' }, namesModel: false } });
+  await follower.follow();
+  expect(session.showState.mock.calls[0][0]).toMatchObject({ settings: { model: 'dragon3' }, files: undefined });
 });
