@@ -8,7 +8,10 @@ import { isBatched, isHatching, materialsOf } from './surfaceMeshes.js';
 /** A mesh to hatch, with its geometry and material before. */
 export interface OldLook {
   mesh: Mesh;
+  /** The geometry that is baked. */
   geometry: BufferGeometry;
+  /** That of the mesh, if it is another one, because a map displaces it. */
+  flatGeometry?: BufferGeometry;
   oldMaterial: Material | Material[];
 }
 

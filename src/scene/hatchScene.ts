@@ -1,4 +1,4 @@
-import type { BufferGeometry, Material, Mesh, Object3D } from 'three';
+import type { BufferGeometry, Material, Mesh, Object3D, Texture } from 'three';
 import type { OutlineOptions, PrepareHatchingGeometryOptions } from '../geometry/PrepareHatchingGeometryOptions.js';
 import { needsMap } from '../material/facts/lookFacts.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
@@ -17,6 +17,7 @@ import { assertTree } from './assertTree.js';
 import { type ChosenMeshes, chooseMeshes } from './chooseMeshes.js';
 import { claimMeshes } from './claimMeshes.js';
 import type { MakeLevels } from './detail/levelMaker.js';
+import type { Displacer } from './displacing/Displacer.js';
 import type { FirstFrame } from './FirstFrame.js';
 import { failure } from './failure.js';
 import type { OldLook, PlannedMesh } from './geometryPlans.js';
@@ -142,7 +143,8 @@ async function makeLooks(
 ): Promise<MadeLooks> {
   const { replaces, signal, tilesPerWorldUnit, onGeometry, onProgress } = options;
   const asBefore = <Result>(work: () => Result): Result => (replaces ? replaces.suspended(work) : work());
-  const { seen, unreadable } = asBefore(() => looksToReplace(chosen));
+  const displacer = asBefore(() => chosen.some(isDisplaced)) ? await fetchDisplacer() : undefined;
+  const { seen, unreadable } = asBefore(() => looksToReplace(chosen, displacer));
   const [{ making, replacer, planned, plans, formsLater }, firstFrame, outlineMaker, detail] = await Promise.all([
     plan(seen, options, makers, disposables, asBefore),
     firstFrameOf(root, options),
@@ -253,6 +255,13 @@ async function plan(
   };
 }
 
+/** Whether a mesh has a material that moves its vertices by a map. */
+const isDisplaced = (mesh: Mesh): boolean =>
+  materialsOf(mesh).some((material) => (material as { displacementMap?: Texture | null }).displacementMap);
+
+/** What displaces meshes. Scenes without such materials do not load it. */
+const fetchDisplacer = async (): Promise<Displacer> => new (await import('./displacing/Displacer.js')).Displacer();
+
 /** What makes levels of detail, if they are asked for. Scenes without them do not load it. @throws TypeError for a wrong option */
 async function detailOf(options: ApplyHatchingOptions): Promise<MakeLevels | null> {
   return options.detail ? (await import('./detail/levelMaker.js')).levelMaker(options.detail, options) : null;
@@ -263,15 +272,24 @@ async function outlineMakerOf({ outlines }: ApplyHatchingOptions, makers: LookMa
   return outlines ? makers.outlineMaker(outlines === true ? {} : outlines) : null;
 }
 
-/** Collects the looks of all meshes that do not have a `HatchingMaterial` yet, and those meshes that have no geometry. */
-function looksToReplace(meshes: readonly Mesh[]): { seen: OldLook[]; unreadable: SkippedMesh[] } {
+/**
+ * Collects the looks of all meshes that do not have a `HatchingMaterial` yet, and those meshes that have no geometry.
+ *
+ * @param displacer of those that a map displaces; undefined if there are none
+ */
+function looksToReplace(
+  meshes: readonly Mesh[],
+  displacer: Displacer | undefined,
+): { seen: OldLook[]; unreadable: SkippedMesh[] } {
   const seen: OldLook[] = [];
   const unreadable: SkippedMesh[] = [];
   for (const mesh of meshes) {
     if (materialsOf(mesh).every(isHatching)) continue;
     try {
       assertGeometry(mesh.geometry, 'applyHatching');
-      seen.push({ mesh, geometry: mesh.geometry, oldMaterial: mesh.material });
+      const { geometry, material: oldMaterial } = mesh;
+      const displaced = isDisplaced(mesh) ? displacer?.displaced(mesh) : undefined;
+      seen.push({ mesh, geometry: displaced ?? geometry, ...(displaced && { flatGeometry: geometry }), oldMaterial });
     } catch (error) {
       unreadable.push(failure(mesh, error as Error));
     }

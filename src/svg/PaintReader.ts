@@ -15,9 +15,9 @@ import { isFitted } from '../material/exposure/isFitted.js';
 import type { ToneFit } from '../material/exposure/ToneFit.js';
 import { luminanceOf } from '../material/facts/luminanceOf.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
+import { isSharp, readImage } from '../material/readImage.js';
 import type { MapLook, PaintLook, ToneImage, Wrapping } from '../vector/paint/PaintLook.js';
 import type { MeshCopy } from './pose/meshCopies.js';
-import { isSharp, readImage } from './readImage.js';
 import { rowsOf } from './rowsOf.js';
 
 /** What a material says of colours and textures; of materials that are not hatched only some of it. */

@@ -90,6 +90,7 @@ export const ROOMS = {
     'lighting',
   ],
   'scene/detail': ['/src/scene/MeshLook.ts', '/src/scene/surfaceMeshes.ts'],
+  'scene/displacing': ['/src/scene/surfaceMeshes.ts'],
   'scene/jointForms': [],
   'scene/making': [
     'jointForms',

@@ -38,8 +38,8 @@ export function collectLooks(
 }
 
 /** Whether a mesh was given another geometry or material since. */
-export const hasChanged = ({ mesh, geometry, oldMaterial }: OldLook): boolean =>
-  mesh.geometry !== geometry || mesh.material !== oldMaterial;
+export const hasChanged = ({ mesh, geometry, flatGeometry = geometry, oldMaterial }: OldLook): boolean =>
+  mesh.geometry !== flatGeometry || mesh.material !== oldMaterial;
 
 /** Says so of a mesh. */
 export const changedMeanwhile = (mesh: Mesh): SkippedMesh =>

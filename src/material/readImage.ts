@@ -1,11 +1,18 @@
 import { DataUtils, HalfFloatType, NearestFilter, SRGBColorSpace, type Texture } from 'three';
-import type { ToneImage } from '../vector/paint/PaintLook.js';
 
 /** Larger images are read at a part of their size: a picture shows no more. */
 const MOST_PIXELS = 2048;
 
+/** The pixels of a texture. */
+export interface TextureImage {
+  width: number;
+  height: number;
+  /** Red, green, blue and alpha of each pixel in linear light; the first row lies at v = 0. */
+  data: Float32Array;
+}
+
 /** Reads the pixels of a texture in linear light, the first row at v = 0; null where they cannot be read here. */
-export function readImage(texture: Texture): ToneImage | null {
+export function readImage(texture: Texture): TextureImage | null {
   const pixels = pixelsOf(texture.image);
   if (!pixels) return null;
   const { width, height, data } = pixels;
