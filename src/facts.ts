@@ -6,6 +6,7 @@
  */
 export { HATCHING_BACKGROUND_DEFAULTS } from './background/backgroundProperties.js';
 export { defaultOf } from './material/facts/defaultOf.js';
+export { GLASS } from './material/facts/glass.js';
 export type {
   HatchingChoice,
   HatchingCondition,

@@ -17,7 +17,7 @@ import type {
   SceneExtent,
   TonalArtMap,
 } from 'three-hatching';
-import { needsAdjacency } from 'three-hatching/facts';
+import { GLASS, needsAdjacency } from 'three-hatching/facts';
 import type {
   HatchingNodeMaterial,
   HatchingOutlineNodeMaterial,
@@ -48,9 +48,8 @@ interface Surface {
   map: Texture | null;
   vertexColors: boolean;
   alphaTest: number;
-  opacity: number;
-  transparent: boolean;
-  depthWrite: boolean;
+  /** Whether what lies behind is seen through it. */
+  isGlass: boolean;
   blending: Blending;
   premultipliedAlpha: boolean;
 }
@@ -123,7 +122,7 @@ export class HatchedModel {
       scale: drawn.tilesPerUnit,
     }));
     this.meshes = meshesOf(root).map((mesh) => {
-      mesh.castShadow = mesh.receiveShadow = true;
+      mesh.castShadow = mesh.receiveShadow = !isGlass(mesh);
       const { material } = mesh;
       return { mesh, drawn: material, compared: material, nodes: material };
     });
@@ -177,7 +176,7 @@ export class HatchedModel {
 
   /** Whether its meshes cast shadows, until a look is applied again. */
   castShadows(areCast: boolean): void {
-    for (const { mesh } of this.meshes) mesh.castShadow = areCast;
+    for (const { mesh } of this.meshes) mesh.castShadow = areCast && !isGlass(mesh);
   }
 
   /** Shows or hides the outlines, until a look is applied again. */
@@ -210,6 +209,7 @@ export class HatchedModel {
     for (const pair of this.pairs) {
       const { surface } = pair;
       for (const material of bothOf(pair)) {
+        if (surface.isGlass) continue;
         material.paperOpacity = shown ? 1 : 0;
         // Without blending, a near surface overwrites the strokes of those behind it, also between its own strokes.
         material.blending = shown ? surface.blending : NoBlending;
@@ -344,20 +344,20 @@ const bothOf = ({ drawn, compared }: MaterialPair): HatchingMaterial[] => (compa
 const allOf = (pair: MaterialPair): EitherMaterial[] => (pair.nodes ? [...bothOf(pair), pair.nodes] : bothOf(pair));
 
 function surfaceOf(material: HatchingMaterial): Surface {
-  const { color, map, vertexColors, alphaTest, opacity, transparent, depthWrite, blending, premultipliedAlpha } =
-    material;
+  const { color, map, vertexColors, alphaTest, transparent, blending, premultipliedAlpha } = material;
   return {
     color: color.clone(),
     map,
     vertexColors,
     alphaTest,
-    opacity,
-    transparent,
-    depthWrite,
+    isGlass: transparent,
     blending,
     premultipliedAlpha,
   };
 }
+
+/** Whether all of a mesh is seen through, so that it casts no shadow and takes none. */
+const isGlass = ({ material }: Mesh): boolean => [material].flat().every(({ transparent }) => transparent);
 
 function showSurface(material: EitherMaterial, surface: Surface, isShown: boolean): void {
   material.color.multiply(isShown ? surface.color : WHITE);
@@ -368,8 +368,5 @@ function showSurface(material: EitherMaterial, surface: Surface, isShown: boolea
   material.map = map;
   material.vertexColors = vertexColors;
   material.alphaTest = map ? surface.alphaTest : 0;
-  if (!surface.transparent) return;
-  material.transparent = isShown;
-  material.opacity = isShown ? surface.opacity : 1;
-  material.depthWrite = isShown ? surface.depthWrite : true;
+  if (surface.isGlass) Object.assign(material, GLASS);
 }

@@ -1,18 +1,18 @@
-import { Group, Mesh, SRGBColorSpace, Texture } from 'three';
-import { HatchingMaterial, HatchingOutlines, SceneExtent } from 'three-hatching';
-import type { PlainMesh } from '../files/mesh/PlainMesh.js';
+import { Box3, Group, Mesh, type Side, SRGBColorSpace, Texture } from 'three';
+import { HatchingMaterial, type HatchingMaterialParameters, HatchingOutlines, SceneExtent } from 'three-hatching';
+import { type PictureRange, type PlainMesh, triangleCount } from '../files/mesh/PlainMesh.js';
 import type { MeshPicture } from '../files/pictures/meshPictures.js';
 import type { ReadMesh } from '../files/readModel.js';
+import { cleanMesh } from '../files/repair/cleanMesh.js';
 import { bakeMesh } from './bakeMesh.js';
 import { HatchedModel } from './HatchedModel.js';
+import { meshesOf } from './meshesOf.js';
 import { outlineOf } from './outlineOf.js';
+import { statisticsOf } from './statisticsOf.js';
 import { writeOcclusion } from './writeOcclusion.js';
 
-/** The alpha below which a cut-out surface is not drawn. */
-const CUT_OUT = 0.5;
-
 /**
- * Makes a hatched model of one mesh, with a material for each of its pictures.
+ * Makes a hatched model of one mesh, with a material for each of its ranges. What is seen through is a mesh of its own, which casts no shadow.
  *
  * @param known of it: the pictures of its ranges, whose bitmaps the model owns from now on, which of its axes points up, and its occlusion
  */
@@ -21,39 +21,98 @@ export async function modelOfMesh(
   options: { adjacency?: boolean; signal: AbortSignal; onProgress: (progress: number) => void },
   { pictures = [], stands, occlusion }: Partial<Pick<ReadMesh, 'pictures' | 'stands' | 'occlusion'>> = {},
 ): Promise<HatchedModel> {
-  const { geometry, statistics, side } = await bakeMesh(mesh, { ...options, outlines: true });
-  // An incomplete file does not fit.
-  const isOccluded = occlusion !== undefined && occlusion.length >= mesh.positions.length / 3;
-  if (isOccluded) writeOcclusion(geometry, mesh, occlusion);
-  const textures = pictures.map((picture) => picture && textureOf(picture));
   const root = new Group();
-  const extent = new SceneExtent(root, geometry.boundingBox!);
-  const materials = (mesh.ranges ?? [{ picture: -1 }]).map(({ picture }) => {
-    const map = textures[picture] ?? null;
-    const alphaTest = map && pictures[picture]?.cutOut ? CUT_OUT : 0;
-    return new HatchingMaterial({ tilesPerUnit: 1, vertexColors: mesh.colors !== null, side, map, alphaTest, extent });
-  });
-  const drawn = new Mesh(geometry, mesh.ranges ? materials : materials[0]);
-  const outlines = new HatchingOutlines(drawn);
-  root.add(drawn.add(outlines));
+  const textures = pictures.map((picture) => picture && textureOf(picture));
+  const materials: HatchingMaterial[] = [];
+  const outlines: HatchingOutlines[] = [];
+  const free = (): void => {
+    for (const one of outlines) one.dispose();
+    for (const { geometry } of meshesOf(root)) geometry.dispose();
+    for (const material of materials) material.dispose();
+  };
+  const parts = partsOf(mesh);
+  let begun = 0;
+  for (const part of parts) {
+    const share = triangleCount(part) / triangleCount(mesh);
+    const before = begun;
+    const onProgress = (progress: number): void => options.onProgress(before + share * progress);
+    begun += share;
+    try {
+      const baked = await bakeMesh(part, { ...options, onProgress, outlines: true });
+      const made = materialsOf(part, baked.side, (picture) => ({
+        map: textures[picture] ?? null,
+        alphaTest: textures[picture] ? (pictures[picture]?.cutOut ?? 0) : 0,
+      }));
+      const drawn = new Mesh(baked.geometry, part.ranges ? made : made[0]);
+      const lines = new HatchingOutlines(drawn);
+      root.add(drawn.add(lines));
+      materials.push(...made);
+      outlines.push(lines);
+    } catch (error) {
+      free();
+      throw error;
+    }
+  }
+  const bounds = new Box3();
+  for (const { geometry } of meshesOf(root)) bounds.union(geometry.boundingBox!);
+  const extent = new SceneExtent(root, bounds);
+  for (const material of materials) material.extent = extent;
+  // An incomplete file does not fit.
+  const isOccluded = occlusion !== undefined && parts.length === 1 && occlusion.length >= mesh.positions.length / 3;
+  if (isOccluded) writeOcclusion(meshesOf(root)[0].geometry, mesh, occlusion);
   const model = new HatchedModel(
     root,
-    geometry.boundingBox!,
+    bounds,
     outlineOf(mesh.positions),
     stands,
-    statistics,
+    statisticsOf(root),
     undefined,
     materials,
-    [outlines],
+    outlines,
     () => {
-      outlines.dispose();
-      geometry.dispose();
-      for (const material of materials) material.dispose();
+      free();
       for (const picture of pictures) picture?.bitmap.close();
     },
   );
   model.isOccluded = isOccluded;
   return model;
+}
+
+/** What hides what is behind it, and what is seen through. */
+function partsOf(mesh: PlainMesh): PlainMesh[] {
+  const clear = mesh.ranges?.filter(({ isSeeThrough }) => isSeeThrough) ?? [];
+  if (clear.length === 0) return [mesh];
+  const solid = mesh.ranges!.filter(({ isSeeThrough }) => !isSeeThrough);
+  return [solid, clear].filter(({ length }) => length > 0).map((ranges) => partOf(mesh, ranges));
+}
+
+/** The ranges of a mesh as a mesh with vertices of its own. */
+function partOf(mesh: PlainMesh, ranges: readonly PictureRange[]): PlainMesh {
+  const indices = new Uint32Array(ranges.reduce((sum, { count }) => sum + count, 0));
+  let start = 0;
+  const moved = ranges.map((range) => {
+    indices.set(mesh.indices!.subarray(range.start, range.start + range.count), start);
+    start += range.count;
+    return { ...range, start: start - range.count };
+  });
+  return cleanMesh({ ...mesh, indices, ranges: moved }).mesh;
+}
+
+function materialsOf(
+  { ranges = [{ start: 0, count: 0, picture: -1 }], colors }: PlainMesh,
+  side: Side,
+  paintOf: (picture: number) => HatchingMaterialParameters,
+): HatchingMaterial[] {
+  return ranges.map(({ picture, isSeeThrough = false }) => {
+    const glass = isSeeThrough ? { transparent: true, depthWrite: false } : {};
+    return new HatchingMaterial({
+      tilesPerUnit: 1,
+      vertexColors: colors !== null,
+      side,
+      ...paintOf(picture),
+      ...glass,
+    });
+  });
 }
 
 function textureOf({ bitmap, wrapS, wrapT }: MeshPicture): Texture {

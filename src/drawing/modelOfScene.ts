@@ -1,5 +1,14 @@
-import { type AnimationClip, Box3, Group, type InstancedMesh, MathUtils, type Object3D, Vector3 } from 'three';
-import { applyHatching, type HatchingStatistics } from 'three-hatching';
+import {
+  type AnimationClip,
+  Box3,
+  Group,
+  type InstancedMesh,
+  MathUtils,
+  type MeshStandardMaterial,
+  Object3D,
+  Vector3,
+} from 'three';
+import { applyHatching } from 'three-hatching';
 import { counted } from '../files/common/counted.js';
 import { Slices } from '../files/common/Slices.js';
 import type { ModelScene } from '../files/gltf/parseGltf.js';
@@ -9,10 +18,12 @@ import { measureExtent } from '../files/mesh/fitModel.js';
 import { thinNote } from '../files/mesh/thinNote.js';
 import { repairScene } from '../files/repair/repairGeometry.js';
 import { placements } from '../files/scenes/placements.js';
-import { HatchedModel, type ModelStatistics } from './HatchedModel.js';
+import { settleAlpha } from '../files/scenes/settleAlpha.js';
+import { HatchedModel } from './HatchedModel.js';
 import { Motion } from './Motion.js';
 import { meshesOf } from './meshesOf.js';
 import { freeGraphics } from './releaseGraphics.js';
+import { statisticsOf } from './statisticsOf.js';
 import { widenIntegers } from './widenIntegers.js';
 
 /**
@@ -48,6 +59,9 @@ export async function modelOfScene(
   hideAllButMeshes(root);
   repairScene(root);
   await slices.next();
+  settleAlpha(root);
+  removeUnseen(root);
+  leaveNormalsOpen(root);
   widenIntegers(root);
   await slices.next();
   const motion = new Motion(root, usable);
@@ -103,6 +117,26 @@ function hideAllButMeshes(root: Object3D): void {
   root.traverse((object) => {
     if ('isLight' in object || 'isLine' in object || 'isPoints' in object) object.visible = false;
   });
+}
+
+/** A mesh without normals is flat to three's loader. As in every other format it gets normals later, with edges kept. */
+function leaveNormalsOpen(root: Object3D): void {
+  for (const { geometry, material } of meshesOf(root)) {
+    if (geometry.hasAttribute('normal')) continue;
+    for (const one of [material].flat()) if (one) (one as Partial<MeshStandardMaterial>).flatShading = false;
+  }
+}
+
+/** Puts plain objects in the place of meshes of which nothing is seen, so that they count for nothing. They keep what moves with them. */
+function removeUnseen(root: Object3D): void {
+  for (const mesh of meshesOf(root)) {
+    if (!mesh.parent || [mesh.material].flat().some((material) => material?.visible)) continue;
+    const plain = Object3D.prototype.copy.call(new Object3D(), mesh, false);
+    plain.uuid = mesh.uuid;
+    mesh.parent.add(plain);
+    mesh.removeFromParent();
+    for (const child of [...mesh.children]) plain.add(child);
+  }
 }
 
 /**
@@ -187,23 +221,4 @@ function countVertices(holder: Group): number {
   }
   checkTriangleCount(vertices > 0 ? triangles : 0);
   return vertices;
-}
-
-/** Sums over all meshes. Instances and shared geometries count as often as they are drawn. */
-function statisticsOf(root: Object3D): ModelStatistics {
-  const sums: ModelStatistics = {
-    triangles: 0,
-    borderEdges: 0,
-    nonManifoldEdges: 0,
-    unpairedEdges: 0,
-    inconsistentEdges: 0,
-    degenerateTriangles: 0,
-  };
-  for (const mesh of meshesOf(root)) {
-    const statistics = mesh.geometry.userData.hatching as HatchingStatistics | undefined;
-    if (!mesh.visible || !statistics) continue;
-    const count = placements(mesh).length;
-    for (const key of Object.keys(sums) as (keyof ModelStatistics)[]) sums[key] += statistics[key] * count;
-  }
-  return sums;
 }

@@ -4,8 +4,10 @@ import {
   DirectionalLight,
   Group,
   type InstancedMesh,
+  type Material,
   MathUtils,
   type Mesh,
+  type MeshPhysicalMaterial,
   type Object3D,
   PerspectiveCamera,
   Scene,
@@ -68,7 +70,8 @@ export class Drawing {
     try {
       signal.throwIfAborted();
       model.traverse((object) => {
-        object.castShadow = object.receiveShadow = true;
+        object.receiveShadow = true;
+        object.castShadow = !isSeenThrough(object as Mesh);
       });
       const hatched = await applyHatching(model, { ...preset, signal, invalidate });
       return new Drawing(model, preset, hatched);
@@ -132,6 +135,14 @@ export class Drawing {
     this.light.dispose();
   }
 }
+
+/** Whether a mesh lets light through, so that it casts no shadow. */
+const isSeenThrough = ({ material }: Mesh): boolean =>
+  [material ?? []]
+    .flat()
+    .some(({ transparent, opacity, transmission = 0 }: MaybeGlass) => (transparent && opacity < 1) || transmission > 0);
+
+type MaybeGlass = Pick<Material, 'transparent' | 'opacity'> & Partial<Pick<MeshPhysicalMaterial, 'transmission'>>;
 
 function putAt(position: Vector3, { azimuth, elevation }: Direction, distance: number): void {
   position.setFromSphericalCoords(distance, MathUtils.degToRad(90 - elevation), MathUtils.degToRad(azimuth));

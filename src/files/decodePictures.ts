@@ -1,5 +1,6 @@
 import { counted } from './common/counted.js';
 import type { Surroundings } from './common/Surroundings.js';
+import { settleBlendedPictures } from './gltf/blendedPictures.js';
 import type { ReadModel } from './readModel.js';
 
 /** Decodes the pictures of a model. A worker should do it: a large one takes seconds. */
@@ -24,6 +25,7 @@ export async function withPictures(
       lost++;
     }
   }
+  settleBlendedPictures(parts);
   const notes = lost > 0 ? [counted(lost, 'damaged picture', 'left out')] : [];
   return { ...model, notes: [...model.notes, ...notes] };
 }

@@ -1,4 +1,5 @@
 import { type Color, Material, type NormalMapTypes, type Texture, type Vector2 } from 'three';
+import { GLASS } from '../material/facts/glass.js';
 import type { HatchingProperty } from '../material/facts/HatchingProperty.js';
 import {
   HATCHING_DEFAULTS,
@@ -29,6 +30,8 @@ export interface SurfaceMaterial extends Material {
   fog?: boolean;
   wireframe?: boolean;
   wireframeLinewidth?: number;
+  transmission?: number;
+  transmissionMap?: Texture | null;
 }
 
 /** The properties of surfaces that a hatching material has under the same name, and whose values it shares. */
@@ -51,7 +54,7 @@ export const surfaceProperties = [
 /**
  * Turns a new hatching material into the one that replaces `source`. It takes over colour, maps and their settings (the textures are shared,
  * not copied), emission, opacity, sides, vertex colours, depth, blending, stencil, clipping, fog, wireframe, name, visibility and
- * user data.
+ * user data. What lets light through (`transmission`) is drawn as glass, which hides nothing behind it.
  *
  * @param parameters override what is taken over from `source`
  */
@@ -78,6 +81,14 @@ export function hatchingMaterialFrom(
   material.wireframe = wireframe ?? false;
   material.wireframeLinewidth = wireframeLinewidth ?? 1;
   material.setValues(parameters);
+  const { transmission = 0, transmissionMap } = surface;
+  if (transmission > 0 && !transmissionMap)
+    Object.assign(
+      material,
+      GLASS,
+      { paperOpacity: 1 - Math.min(transmission, 1) },
+      parameters.paperOpacity !== undefined && { paperOpacity: parameters.paperOpacity },
+    );
   return material;
 }
 

@@ -19,7 +19,9 @@ export const isTooFine = (model: ReadModel, most = MANY_TRIANGLES): model is Rea
 /** The model, without its pictures if it has more triangles than can be drawn with them. */
 export function withoutHeavyPictures(model: ReadModel): ReadModel {
   if (model.kind !== 'mesh' || !model.mesh.uvs || canDraw(triangleCount(model.mesh))) return model;
-  const { uvs: _, ranges: __, ...mesh } = model.mesh;
+  const { uvs: _, ranges = [], ...plain } = model.mesh;
+  const hasGlass = ranges.some(({ isSeeThrough }) => isSeeThrough);
+  const mesh = { ...plain, ...(hasGlass && { ranges: ranges.map((range) => ({ ...range, picture: -1 })) }) };
   return { ...model, mesh, pictures: [], notes: [...model.notes, 'too large to be drawn with its pictures'] };
 }
 

@@ -139,6 +139,7 @@ const material = orNothing(
     extensions: orNothing(
       record({
         KHR_materials_emissive_strength: record({ emissiveStrength: real }),
+        KHR_materials_transmission: orNothing(record({ transmissionFactor: real, transmissionTexture: textureUse })),
         KHR_materials_pbrSpecularGlossiness: record({ diffuseFactor: reals(4), diffuseTexture: textureUse }),
       }),
     ),

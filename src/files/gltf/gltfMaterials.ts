@@ -1,3 +1,4 @@
+import { TRANSMITTED } from '../scenes/settleAlpha.js';
 import type { GltfDocument, GltfMaterial, GltfTextureUse } from './gltfDocument.js';
 
 /** The fields of a material whose textures can be drawn. */
@@ -28,7 +29,7 @@ export function usedImages(document: GltfDocument): Set<number> {
 
 /**
  * Reduces the materials of a document to what a hatching material takes over: base colour, normals, occlusion, emitted light,
- * alpha and sides.
+ * alpha and sides. What lets light through is see-through.
  *
  * @param hasImage whether there is a picture for an image; textures without one are left out
  */
@@ -40,17 +41,22 @@ export function drawnMaterials(document: GltfDocument, hasImage: (image: number)
   return document.materials.map((material) => {
     const { name, alphaMode, alphaCutoff, doubleSided, emissiveFactor, extensions } = material ?? {};
     const { factor, texture } = baseColor(material);
+    const { transmissionFactor = 0, transmissionTexture } = extensions?.KHR_materials_transmission ?? {};
+    // A picture of what is transmitted lets some of a surface through, which stays opaque as a whole.
+    const isGlass = transmissionFactor > 0 && !transmissionTexture && alphaMode !== 'MASK';
+    const [r, g, b, a] = factor ?? [1, 1, 1, 1];
+    const alpha = (alphaMode === 'BLEND' ? a : 1) * (1 - TRANSMITTED * Math.min(transmissionFactor, 1));
     // Without the picture that says where the surface emits light, all of it would, and none of it would be hatched.
     const hasGlow = !material?.emissiveTexture || drawn(material.emissiveTexture) !== undefined;
     const strength = extensions?.KHR_materials_emissive_strength;
     return {
       name,
-      alphaMode,
+      alphaMode: isGlass ? 'BLEND' : alphaMode,
       alphaCutoff,
       doubleSided,
       ...(hasGlow && { emissiveFactor }),
       pbrMetallicRoughness: {
-        ...(factor && { baseColorFactor: factor }),
+        ...optional('baseColorFactor', isGlass ? [r, g, b, alpha] : factor),
         ...optional('baseColorTexture', drawn(texture)),
       },
       ...Object.assign({}, ...TEXTURES.map((key) => optional(key, drawn(material?.[key])))),

@@ -10,16 +10,18 @@ export interface PlainMesh {
   indices: Uint32Array | null;
   /** Two numbers per vertex, only of meshes with pictures. */
   uvs?: Float32Array;
-  /** Ranges of corners by picture, without gaps between them; only of meshes with pictures. */
+  /** Ranges of corners by picture and opacity, without gaps between them; only of meshes with pictures or see-through parts. */
   ranges?: PictureRange[];
 }
 
-/** Consecutive corners that are drawn with one picture. */
+/** Consecutive corners that are drawn with one picture and one opacity. */
 export interface PictureRange {
   start: number;
   count: number;
   /** The index of the picture, or -1 for none. */
   picture: number;
+  /** Whether what lies behind is seen through them, as through glass. */
+  isSeeThrough?: boolean;
 }
 
 /** The number of triangles in a mesh. */

@@ -5,13 +5,13 @@ const LEAST_TRIANGLES = 100_000;
 /** A mesh with more triangles takes long to be lit, uploaded and drawn: a coarse copy stands in for it. */
 const MOST_TRIANGLES = 400_000;
 
-/** Whether a coarse copy of a mesh is drawn until it is baked. A mesh with pictures, which are decoded once, has none. */
-export const needsCoarse = (mesh: PlainMesh): boolean => !mesh.uvs && triangleCount(mesh) > MOST_TRIANGLES;
+/** Whether a coarse copy of a mesh is drawn until it is baked. A mesh with pictures, which are decoded once, or with glass has none. */
+export const needsCoarse = (mesh: PlainMesh): boolean => !mesh.ranges && triangleCount(mesh) > MOST_TRIANGLES;
 
-/** The normals of {@link meanNormals}; null for a mesh that does not stand in for itself: a small or a large one, or one with pictures. */
+/** The normals of {@link meanNormals}; null for a mesh that does not stand in for itself: a small or a large one, or one with pictures or glass. */
 export function plainNormals(mesh: PlainMesh): Float32Array | null {
   const isSmall = triangleCount(mesh) < LEAST_TRIANGLES;
-  return isSmall || mesh.uvs || needsCoarse(mesh) ? null : meanNormals(mesh);
+  return isSmall || mesh.ranges || needsCoarse(mesh) ? null : meanNormals(mesh);
 }
 
 /** Normals to draw a mesh with until it is baked: its own, or the means of its triangles weighted by area where it has none. */

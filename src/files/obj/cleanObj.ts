@@ -29,12 +29,11 @@ export function namesIn(line: string): string[] {
   return line.match(/\S.*?\.mtl(?=\s|$)|\S.*/gi) ?? [];
 }
 
-/** Keeps the lines of an MTL file that a hatched surface shows: colours, their pictures, and cut-outs. */
+/** Keeps the lines of an MTL file that a hatched surface shows: colours, their pictures, opacity, and cut-outs. */
 export function cleanMtl(text: string): string {
   return (
-    withLineFeeds(text)
-      .replace(/^[ \t]*(newmtl|Kd|map_Kd|map_d)[ \t]+/gim, '$1 ')
-      .replace(/^(?!(?:newmtl|Kd|map_Kd|map_d) ).+$/gim, '')
+    withDissolve(withLineFeeds(text).replace(/^[ \t]*(newmtl|Kd|map_Kd|map_d|d|Tr)[ \t]+/gim, '$1 '))
+      .replace(/^(?!(?:newmtl|Kd|map_Kd|map_d|d) ).+$/gim, '')
       // A colour may be one number, for all three, or a spectrum, which nothing reads.
       .replace(/^Kd ([-+.\de]+)[ \t]*$/gim, 'Kd $1 $1 $1')
       .replace(/^Kd (?:spectral|xyz).*$/gim, '')
@@ -91,5 +90,21 @@ export function otherThanFaces(text: string): string[] {
   if (/^[ \t]*surf[ \t]/m.test(text)) notes.push('curved surfaces left out');
   return notes;
 }
+
+/**
+ * Writes the opacity of each material as `d`, in the end of its lines. Some programs write it as `Tr`, which is the opposite, some write both
+ * and mean `d`, and some write an option before it.
+ */
+const withDissolve = (text: string): string =>
+  text
+    .split(/^(?=newmtl )/im)
+    .map((lines) => {
+      const [, dissolve] = /^d (?:-halo[ \t]+)?([-+.\de]+)/im.exec(lines) ?? [];
+      const [, transparency] = /^Tr ([-+.\de]+)/im.exec(lines) ?? [];
+      const opacity = dissolve === undefined ? 1 - Number(transparency) : Number(dissolve);
+      const rest = lines.replace(/^(?:d|Tr) .*$/gim, '');
+      return Number.isFinite(opacity) ? `${rest}\nd ${Math.min(Math.max(opacity, 0), 1)}\n` : rest;
+    })
+    .join('');
 
 const withLineFeeds = (text: string): string => (text.includes('\r') ? text.replace(/\r\n?/g, '\n') : text);

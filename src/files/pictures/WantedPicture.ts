@@ -4,8 +4,8 @@ import type { Texture } from 'three';
 export interface WantedPicture {
   /** Its image is a {@link PictureLink}. */
   texture: Texture;
-  /** Whether its alpha cuts out the surface. */
-  cutOut: boolean;
+  /** The alpha below which nothing of the surface is there; 0 if all is. */
+  cutOut: number;
 }
 
 /** What a texture holds in place of its picture: where the picture lies. */

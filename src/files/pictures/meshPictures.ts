@@ -13,8 +13,8 @@ export interface MeshPicture {
   bitmap: DecodedPicture;
   wrapS: Wrapping;
   wrapT: Wrapping;
-  /** Whether its alpha cuts out the surface. */
-  cutOut: boolean;
+  /** The alpha below which nothing of the surface is there; 0 if all is. */
+  cutOut: number;
 }
 
 /** The most names that a note gives. */

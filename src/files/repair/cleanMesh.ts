@@ -22,7 +22,8 @@ export function cleanMesh(mesh: PlainMesh): { mesh: PlainMesh; broken: number } 
   const kept = new Uint32Array(3 * total);
   let length = 0;
   const ranges: PictureRange[] = [];
-  for (const { start, count, picture } of mesh.ranges ?? [{ start: 0, count: 3 * total, picture: -1 }]) {
+  for (const range of mesh.ranges ?? [{ start: 0, count: 3 * total, picture: -1 }]) {
+    const { start, count } = range;
     const first = length;
     for (let corner = start; corner < start + count; corner += 3) {
       const a = indices ? indices[corner] : corner;
@@ -33,7 +34,7 @@ export function cleanMesh(mesh: PlainMesh): { mesh: PlainMesh; broken: number } 
       kept[length++] = b;
       kept[length++] = c;
     }
-    if (length > first) ranges.push({ start: first, count: length - first, picture });
+    if (length > first) ranges.push({ ...range, start: first, count: length - first });
   }
   if (length === 0) throw new ModelError('None of the triangles in the file has three valid corners.');
   const cleaned = compact(mesh, kept.subarray(0, length));

@@ -52,7 +52,8 @@ function distinct(
   const ranges: PictureRange[] = [];
   let looked = 0;
   let length = 0;
-  for (const { start, count, picture } of mesh.ranges ?? [{ start: 0, count: 3 * total, picture: -1 }]) {
+  for (const range of mesh.ranges ?? [{ start: 0, count: 3 * total, picture: -1 }]) {
+    const { start, count, picture } = range;
     const first = length;
     for (let corner = start; corner < start + count && length < kept.length; corner += 3) {
       if (sample > 1 && (corners.mixOf(corner) & (sample - 1)) !== 0) continue;
@@ -69,7 +70,7 @@ function distinct(
       hashes[length / 3] = hash;
       for (let k = 0; k < 3; k++) kept[length++] = corners.vertexAt(corner + ((turn + k) % 3));
     }
-    if (length > first) ranges.push({ start: first, count: length - first, picture });
+    if (length > first) ranges.push({ ...range, start: first, count: length - first });
   }
   return { looked, kept: kept.subarray(0, length), ranges };
 }

@@ -16,10 +16,11 @@ import type { PictureLink, WantedPicture } from '../pictures/WantedPicture.js';
 import { repairScene } from '../repair/repairGeometry.js';
 import { nearOrigin } from './nearOrigin.js';
 import { placements } from './placements.js';
+import { settleAlpha } from './settleAlpha.js';
 
 /**
  * Merges every mesh below `root`, in its place and in the pose it was saved in, to one mesh, which takes one bake and one draw call. The
- * colours of materials and vertices become vertex colours; values that are not numbers are repaired.
+ * colours of materials and vertices become vertex colours; values that are not numbers are repaired. What is seen through has ranges of its own.
  *
  * @param pictures if given, it receives the textures of base colours, and the mesh is drawn in one range for each; otherwise textures
  *   are left out
@@ -28,6 +29,7 @@ import { placements } from './placements.js';
 export function mergeScene(root: Object3D, pictures?: WantedPicture[]): PlainMesh {
   root.updateMatrixWorld(true);
   repairScene(root);
+  settleAlpha(root);
   const parts = placedParts(root, pictures);
   const toOrigin = nearOrigin(parts);
   if (toOrigin) for (const part of parts) part.matrix = part.matrix.clone().premultiply(toOrigin);
@@ -51,14 +53,16 @@ export function mergeScene(root: Object3D, pictures?: WantedPicture[]): PlainMes
   const ranges: PictureRange[] = [];
   let corner = 0;
   // Sorted, so that the triangles of each picture lie in one range.
-  for (const { part, piece } of pieces.sort((a, b) => a.piece.picture - b.piece.picture)) {
+  for (const { part, piece } of pieces.sort((a, b) => rangeOf(a.piece) - rangeOf(b.piece))) {
     const end = writeIndices(part, piece, indices, corner);
     const last = ranges.at(-1);
-    if (last?.picture === piece.picture) last.count += end - corner;
-    else ranges.push({ start: corner, count: end - corner, picture: piece.picture });
+    const { picture, isSeeThrough } = piece;
+    if (last?.picture === picture && Boolean(last.isSeeThrough) === isSeeThrough) last.count += end - corner;
+    else ranges.push({ start: corner, count: end - corner, picture, ...(isSeeThrough && { isSeeThrough }) });
     corner = end;
   }
-  return { positions, normals, colors, indices, ...(uvs && { uvs, ranges }) };
+  const hasRanges = uvs !== null || ranges.some(({ isSeeThrough }) => isSeeThrough);
+  return { positions, normals, colors, indices, ...(uvs && { uvs }), ...(hasRanges && { ranges }) };
 }
 
 /** Corners of a mesh that are drawn with one material. */
@@ -68,9 +72,13 @@ interface Piece {
   material: Material | undefined;
   /** The index of its picture, or -1. */
   picture: number;
+  isSeeThrough: boolean;
   /** The index of its first corner among those of all pieces. */
   first: number;
 }
+
+/** What is seen through comes last. */
+const rangeOf = ({ picture, isSeeThrough }: Piece): number => (isSeeThrough ? Number.MAX_SAFE_INTEGER : picture);
 
 /** A mesh with one of its matrices. */
 interface Part {
@@ -119,6 +127,7 @@ function piecesOf({ geometry, material }: Mesh, pictures: WantedPicture[] | unde
       count,
       material: groupMaterial,
       picture: pictureOf(geometry, groupMaterial, pictures),
+      isSeeThrough: groupMaterial?.transparent ?? false,
       first,
     });
     first += count;
@@ -132,8 +141,9 @@ function pictureOf(
   pictures: WantedPicture[] | undefined,
 ): number {
   const texture = mapOf(material);
-  if (!pictures || !texture || !geometry.getAttribute(uvName(texture))) return -1;
-  const cutOut = material!.alphaTest > 0 || material!.transparent;
+  // Glass is drawn in its outlines, without what is printed on it.
+  if (!pictures || !texture || material!.transparent || !geometry.getAttribute(uvName(texture))) return -1;
+  const cutOut = material!.alphaTest;
   const key = pictureKey({ texture, cutOut });
   const known = pictures.findIndex((picture) => pictureKey(picture) === key);
   return known === -1 ? pictures.push({ texture, cutOut }) - 1 : known;

@@ -22,7 +22,7 @@ export interface SimplifiedMesh {
 }
 
 /**
- * Simplifies a mesh of radius 1 until it has no more triangles than a sheet shows.
+ * Simplifies a mesh of radius 1 until it has no more triangles than a sheet shows, each of its ranges for itself. It has no pictures.
  *
  * @param onProgress called with rising numbers in [0, 1]
  * @param most triangles of the result
@@ -39,22 +39,42 @@ export function simplifyMesh(
     attributes: colors ?? new Float32Array(),
     weights: colors ? new Array<number>(3).fill(COLOR_WEIGHT) : [],
   };
-  let indices = new Uint32Array(mesh.indices ?? Uint32Array.from({ length: positions.length / 3 }, (_, i) => i));
+  const indices = mesh.indices ?? Uint32Array.from({ length: positions.length / 3 }, (_, i) => i);
+  const ranges = mesh.ranges ?? [{ start: 0, count: indices.length, picture: -1 }];
+  let parts = ranges.map(({ start, count }) => indices.slice(start, start + count));
+  const count = (): number => parts.reduce((sum, { length }) => sum + length, 0);
   let error = 0;
   let progress = 0;
-  for (let allowed = FIRST_ERROR; allowed < 0.1 && indices.length > 3 * most; allowed *= 2) {
+  for (let allowed = FIRST_ERROR; allowed < 0.1 && count() > 3 * most; allowed *= 2) {
     for (const { shift, leaves } of PASSES) {
-      const share = Math.min(1, (3 * leaves * most) / indices.length);
-      const task = simplifyTriangles(source, indices, allowed / 2, simplifier, shift, share);
-      let step = task.next();
-      // Nobody knows how many passes it takes; each is shorter than the one before.
-      for (; !step.done; step = task.next()) onProgress(progress + 0.5 * (1 - progress) * step.value);
+      const share = Math.min(1, (3 * leaves * most) / count());
+      let farthest = 0;
+      parts = parts.map((part, i) => {
+        const task = simplifyTriangles(source, part, allowed / 2, simplifier, shift, share);
+        let step = task.next();
+        // Nobody knows how many passes it takes; each is shorter than the one before.
+        for (; !step.done; step = task.next())
+          onProgress(progress + (0.5 * (1 - progress) * (i + step.value)) / parts.length);
+        farthest = Math.max(farthest, step.value.error);
+        return step.value.indices;
+      });
       progress += 0.5 * (1 - progress);
-      indices = step.value.indices;
-      error += step.value.error;
+      error += farthest;
     }
   }
-  return { mesh: compacted(mesh, indices), error };
+  return { mesh: joined(mesh, parts), error };
+}
+
+/** A mesh of the triangles that are left of each range of another. */
+function joined(mesh: PlainMesh, parts: readonly Uint32Array[]): PlainMesh {
+  const indices = new Uint32Array(parts.reduce((sum, { length }) => sum + length, 0));
+  let start = 0;
+  const ranges = parts.map(({ length: count }, i) => {
+    indices.set(parts[i], start);
+    start += count;
+    return { ...mesh.ranges?.[i], start: start - count, count, picture: -1 };
+  });
+  return { ...compacted(mesh, indices), ...(mesh.ranges && { ranges }) };
 }
 
 /** A mesh of some triangles of another, with their vertices alone. */

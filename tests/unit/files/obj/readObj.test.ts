@@ -158,8 +158,8 @@ describe('OBJ with pictures', () => {
       { start: 24, count: 12, picture: 1 },
     ]);
     expect(pictures.map((one) => [one!.wrapS, one!.wrapT, one!.cutOut])).toEqual([
-      [ClampToEdgeWrapping, ClampToEdgeWrapping, false],
-      [RepeatWrapping, RepeatWrapping, true],
+      [ClampToEdgeWrapping, ClampToEdgeWrapping, 0],
+      [RepeatWrapping, RepeatWrapping, 0.5],
     ]);
     // One bitmap for both, the right way up.
     expect(asked).toEqual([expect.objectContaining({ resizeWidth: 8, resizeHeight: 4, imageOrientation: 'flipY' })]);

@@ -78,7 +78,7 @@ describe('pictures and motion', () => {
     ];
     for (const files of cases) {
       const box = await read(...files);
-      expect(box.pictures).toEqual([expect.objectContaining({ cutOut: false })]);
+      expect(box.pictures).toEqual([expect.objectContaining({ cutOut: 0 })]);
       expect(box.mesh.ranges!.map(({ count, picture: index }) => [count, index])).toEqual([
         [24, -1],
         [12, 0],

@@ -1,0 +1,17 @@
+/** How glass is drawn: a few light strokes at a slant where light turns to shade, and nothing that hides what is behind it. */
+export const GLASS = {
+  transparent: true,
+  opacity: 1,
+  depthWrite: false,
+  paperOpacity: 0,
+  lineField: 'slant',
+  toneCurve: [
+    [0, 0],
+    [0.45, 0],
+    [0.6, 0.2],
+    [0.75, 0],
+    [1, 0],
+  ],
+  localTone: 0,
+  occlusion: 0,
+} as const;

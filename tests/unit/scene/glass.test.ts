@@ -1,0 +1,30 @@
+import { BoxGeometry, type BufferGeometry, DataTexture, Group, Mesh, MeshPhysicalMaterial } from 'three';
+import { expect, test } from 'vitest';
+import { GLASS } from '../../../src/material/facts/glass.js';
+import type { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
+import type { HatchingMaterialParameters } from '../../../src/material/HatchingMaterialParameters.js';
+import { applyHatching } from '../../../src/scene/applyHatching.js';
+
+async function hatched(
+  source: ConstructorParameters<typeof MeshPhysicalMaterial>[0],
+  parameters: HatchingMaterialParameters = {},
+): Promise<HatchingMaterial> {
+  const mesh = new Mesh<BufferGeometry, MeshPhysicalMaterial>(new BoxGeometry(), new MeshPhysicalMaterial(source));
+  const { materials } = await applyHatching(new Group().add(mesh), {
+    tonalArtMap: null,
+    material: { technique: 'engraved', toneCurve: 'perceptual', occlusion: 1, ...parameters },
+  });
+  return materials[0];
+}
+
+test('what lets light through is drawn as glass: it hides nothing, and is nowhere dark', async () => {
+  expect(await hatched({ transmission: 1 })).toMatchObject(GLASS);
+  expect(await hatched({ transmission: 0.75 })).toMatchObject({ ...GLASS, paperOpacity: 0.25 });
+  expect(await hatched({ transmission: 1 }, { paperOpacity: 0.5 })).toMatchObject({ ...GLASS, paperOpacity: 0.5 });
+});
+
+test('others are not, also where a picture says which parts let light through', async () => {
+  const opaque = { transparent: false, depthWrite: true, paperOpacity: 1, toneCurve: 'perceptual', occlusion: 1 };
+  expect(await hatched({})).toMatchObject(opaque);
+  expect(await hatched({ transmission: 1, transmissionMap: new DataTexture() })).toMatchObject(opaque);
+});
