@@ -1,5 +1,6 @@
 /**
- * Keeps the lines of an OBJ file that triangles are drawn from, in the form that three's loader reads: vertices, faces and the use of materials.
+ * Keeps the lines of an OBJ file that triangles are drawn from, in the form that three's loader reads: vertices, faces, their smoothing and the
+ * use of materials.
  * The loader takes words of a comment for corners, faces beside lines or points for lines, and minutes for many groups.
  */
 export function cleanObj(text: string): string {
@@ -9,7 +10,7 @@ export function cleanObj(text: string): string {
       // Names of materials may hold a "#".
       .replace(/^([ \t]*(?:v[tn]?|f)[ \t][^#\n]*)#.*$/gm, '$1')
       .replace(/^[ \t]*usemtl[ \t]+/gm, 'usemtl ')
-      .replace(/^(?![ \t]*(?:v[tn]?|f)[ \t]|usemtl ).+$/gm, ''),
+      .replace(/^(?![ \t]*(?:v[tn]?|f|s)[ \t]|usemtl ).+$/gm, ''),
   );
 }
 

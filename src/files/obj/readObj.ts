@@ -7,6 +7,7 @@ import { toUtf8 } from '../common/toUtf8.js';
 import type { LoadedScene } from '../scenes/LoadedScene.js';
 import { withStandIns } from '../scenes/standIns.js';
 import { clampedMaterials, cleanMtl, cleanObj, materialLibraries, namesIn, otherThanFaces } from './cleanObj.js';
+import { writeFaces } from './writeFaces.js';
 
 /** Reads an OBJ file, with the materials of its MTL files if they were dropped together with it. */
 export async function readObj(bytes: Uint8Array, findFile: FindFile): Promise<LoadedScene> {
@@ -16,7 +17,7 @@ export async function readObj(bytes: Uint8Array, findFile: FindFile): Promise<Lo
   const loader = new OBJLoader();
   const root = withStandIns(() => {
     if (materials) loader.setMaterials(new MTLLoader().parse(cleanMtl(materials), ''));
-    return loader.parse(cleanObj(text));
+    return loader.parse(writeFaces(cleanObj(text)));
   });
   clamp(root, clampedMaterials(materials));
   return { root, missing, notes: otherThanFaces(text) };

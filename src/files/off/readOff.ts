@@ -1,6 +1,7 @@
 import { AsciiReader } from '../common/AsciiReader.js';
 import { ModelError } from '../common/ModelError.js';
 import { checkReadTriangles } from '../mesh/checkTriangleCount.js';
+import { cutPolygons } from '../mesh/cutPolygons.js';
 import { withFaceColors } from '../mesh/faceColors.js';
 import { linearColors } from '../mesh/linearColors.js';
 import { nearFloats } from '../mesh/nearFloats.js';
@@ -30,8 +31,9 @@ export function readOff(bytes: Uint8Array, name: string): PlainMesh {
   const reader = new AsciiReader(bytes);
   const header = readHeader(reader, name);
   const { positions, normals, colors } = readVertices(reader, header, name);
-  const { indices, faceColors } = readFaces(reader, header, name);
+  const { indices, polygons, faceColors } = readFaces(reader, header, name);
   checkReadTriangles(indices.length / 3);
+  cutPolygons(positions, indices, polygons);
   const mesh: PlainMesh = {
     positions: nearFloats(positions, indices),
     normals,
@@ -97,13 +99,14 @@ function writeNormal(reader: AsciiReader, normals: Float32Array, at: number): vo
   for (let k = 0; k < 3; k++) normals[at + k] = length > 0 && length < Infinity ? normal[k] / length : 0;
 }
 
-/** Reads the faces as triangles, with a colour for each if any face has one. */
+/** Reads the faces as triangles, polygons as fans, with a colour for each if any face has one. */
 function readFaces(
   reader: AsciiReader,
   { faces }: Header,
   name: string,
-): { indices: Uint32Array; faceColors: number[] | undefined } {
+): { indices: Uint32Array; polygons: number[]; faceColors: number[] | undefined } {
   const indices = new GrowingIndices();
+  const polygons: number[] = [];
   const faceColors: number[] = [];
   let isColoured = false;
   for (let face = 0; face < faces; face++) {
@@ -119,13 +122,14 @@ function readFaces(
       indices.add(first, previous, next);
       previous = next;
     }
+    if (count > 3) polygons.push(before, indices.length);
     const rest = restOfLine(reader);
     // A single number is a place in a list of colours, which is not in the file.
     const [red, green, blue] = rest.length >= 3 ? rest : [Number.NaN, Number.NaN, Number.NaN];
     isColoured ||= rest.length >= 3;
     for (let i = before; i < indices.length; i += 3) faceColors.push(red, green, blue);
   }
-  return { indices: indices.values(), faceColors: isColoured ? faceColors : undefined };
+  return { indices: indices.values(), polygons, faceColors: isColoured ? faceColors : undefined };
 }
 
 function startRow(reader: AsciiReader, name: string): void {

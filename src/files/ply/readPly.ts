@@ -1,5 +1,6 @@
 import { ModelError } from '../common/ModelError.js';
 import { checkReadTriangles } from '../mesh/checkTriangleCount.js';
+import { cutPolygons } from '../mesh/cutPolygons.js';
 import { type FaceColors, withFaceColors } from '../mesh/faceColors.js';
 import { linearColors } from '../mesh/linearColors.js';
 import { nearFloats } from '../mesh/nearFloats.js';
@@ -39,16 +40,18 @@ export function readPly(bytes: Uint8Array, name: string): PlainMesh {
   const indices = new GrowingIndices();
   let points: Points | undefined;
   let faceColors: FaceColors | undefined;
+  const polygons: number[] = [];
   for (const element of header.elements) {
     checkLength(element, header.format, numbers, name);
     if (element.name === 'vertex') points = readPoints(element, numbers, name);
-    else if (element.name === 'face') faceColors = readFaces(element, numbers, indices, name);
+    else if (element.name === 'face') faceColors = readFaces(element, numbers, indices, polygons, name);
     else if (element.name === 'tristrips') readStrips(element, numbers, indices, name);
     else skipRows(element, numbers, name);
   }
   checkReadTriangles(indices.length / 3);
   const corners = indices.values();
   const { positions } = points!;
+  cutPolygons(positions, corners, polygons);
   const mesh: PlainMesh = {
     ...points!,
     positions: positions instanceof Float64Array ? nearFloats(positions, corners) : positions,
@@ -145,11 +148,12 @@ function normalize(normals: Float32Array): void {
   }
 }
 
-/** Reads faces. @returns their colours, if they have any */
+/** Reads faces. `polygons` receives where those of more corners than three begin. @returns their colours, if they have any */
 function readFaces(
   element: PlyElement,
   numbers: PlyNumbers,
   indices: GrowingIndices,
+  polygons: number[],
   name: string,
 ): FaceColors | undefined {
   const { count, properties } = element;
@@ -167,12 +171,13 @@ function readFaces(
       else if (slots[i] >= 0) color[slots[i]] = numbers.next(property.type);
       else numbers.next(property.type);
     });
+    if (indices.length > before + 3) polygons.push(before, indices.length);
     if (colors) for (let corner = before; corner < indices.length; corner += 3) colors.push(...color);
   }
   return colors && toLinear(colors, properties[slots.indexOf(0)]);
 }
 
-/** Adds a fan of triangles around the first corner, as the format's description has it for four corners. */
+/** Adds a fan of triangles around the first corner. */
 function readPolygon(property: PlyProperty, numbers: PlyNumbers, indices: GrowingIndices, name: string): void {
   const count = listLength(property, numbers, name);
   const first = count > 0 ? numbers.next(property.type) : 0;

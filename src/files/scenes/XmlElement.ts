@@ -36,6 +36,14 @@ export class XmlElement {
     return this.attributes.find((attribute) => attribute.name === name)?.value ?? null;
   }
 
+  /** three's loader for COLLADA gives identities to nodes without one. */
+  setAttribute(name: string, value: string): void {
+    const at = this.attributes.findIndex((attribute) => attribute.name === name);
+    const attribute = { name, value, specified: true } as const;
+    if (at === -1) this.attributes.push(attribute);
+    else this.attributes[at] = attribute;
+  }
+
   getAttributeNS(_namespace: string, name: string): string | null {
     return this.attributes.find((attribute) => withoutPrefix(attribute.name) === name)?.value ?? null;
   }

@@ -1,10 +1,22 @@
+import type { BufferGeometry, Mesh, Object3D } from 'three';
 import { VRMLLoader } from 'three/addons/loaders/VRMLLoader.js';
 import { type LoadedScene, sceneOf } from './LoadedScene.js';
+import { mendFans } from './mendFans.js';
 import { withStandIns } from './standIns.js';
 
 /** Reads a file of VRML 2. @throws Error as the loader has it */
-export const readVrml = (bytes: Uint8Array, name: string): LoadedScene =>
-  sceneOf(
-    withStandIns(() => new VRMLLoader().parse(new TextDecoder().decode(bytes), '')),
-    name,
-  );
+export function readVrml(bytes: Uint8Array, name: string): LoadedScene {
+  const text = new TextDecoder().decode(bytes);
+  const root = withStandIns(() => new VRMLLoader().parse(text, ''));
+  if (!root) return sceneOf(root, name);
+  mendFans(root);
+  if (!/\b(?:creaseAngle|Normal)\b/.test(text)) root.traverse(withoutNormals);
+  return sceneOf(root, name);
+}
+
+/** A face set without normals and without an angle of its own is flat to the loader. It gets normals later, with edges kept. */
+function withoutNormals(object: Object3D): void {
+  const { geometry } = object as Partial<Mesh>;
+  if ((geometry as (BufferGeometry & { _type?: string }) | undefined)?._type === 'mesh')
+    geometry!.deleteAttribute('normal');
+}

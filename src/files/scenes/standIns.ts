@@ -9,8 +9,9 @@ import { XmlParser } from './XmlElement.js';
  * are too coarse for a place on a map; and the console, where loaders report what the user cannot change.
  *
  * @param parse must be synchronous
+ * @param Parser of XML
  */
-export function withStandIns<Result>(parse: () => Result): Result {
+export function withStandIns<Result>(parse: () => Result, Parser: new () => XmlParser = XmlParser): Result {
   const blobs = new Map<string, Blob>();
   const link = (url: string): PictureLink => ({ url, content: blobs.get(url), width: 1, height: 1 });
   // The window of a page cannot be replaced.
@@ -35,7 +36,7 @@ export function withStandIns<Result>(parse: () => Result): Result {
     replace(console, { debug: () => {}, log: () => {}, info: () => {}, warn: () => {}, error: () => {} }),
     replace(globalThis, {
       Float32Array: DOUBLES,
-      DOMParser: XmlParser,
+      DOMParser: Parser,
       ...(isPage ? {} : { window: { innerWidth: 1, innerHeight: 1 } }),
     }),
   ];

@@ -273,3 +273,58 @@ describe('options of pictures', () => {
     },
   );
 });
+
+describe('OBJ without normals', () => {
+  const corners = BOX_CORNERS.map((corner) => `v ${corner.join(' ')}`);
+  const faceOf = (face: readonly number[]): string => `f ${face.map((i) => i + 1).join(' ')}`;
+  const normalsOf = async (...lines: string[]): Promise<string[]> => {
+    const { mesh } = await read(['box.obj', [...corners, ...lines].join('\n')]);
+    const normals = mesh.normals ?? [];
+    return [...mesh.indices!].map((i) => [0, 1, 2].map((k) => Math.round(100 * (normals[3 * i + k] ?? 0))).join());
+  };
+  const axes = ['-100,0,0', '100,0,0', '0,-100,0', '0,100,0', '0,0,-100', '0,0,100'];
+
+  test('gets them later where it says nothing of smoothing', async () => {
+    expect(new Set(await normalsOf(...BOX_FACES.map(faceOf)))).toEqual(new Set(['0,0,0']));
+  });
+
+  test.each(['s off', 's 0'])('is flat where smoothing is off: %s', async (off) => {
+    const normals = await normalsOf(off, ...BOX_FACES.map(faceOf));
+    expect(new Set(normals)).toEqual(new Set(axes));
+  });
+
+  test.each(['s 1', 's on', ' s  3 '])('is smooth within a group: %s', async (group) => {
+    const normals = new Set(await normalsOf(group, ...BOX_FACES.map(faceOf)));
+    expect(normals.size).toBe(8);
+    for (const normal of normals) expect(normal.split(',').map((x) => Math.abs(Number(x)))).toEqual([58, 58, 58]);
+  });
+
+  test('has edges between groups, whatever the materials, and groups last until the next one', async () => {
+    const apart = await normalsOf(...BOX_FACES.flatMap((face, i) => [`s ${i + 1}`, faceOf(face)]));
+    expect(new Set(apart)).toEqual(new Set(axes));
+    const together = await normalsOf('s 7', ...BOX_FACES.flatMap((face, i) => [`usemtl m${i}`, faceOf(face)]));
+    expect(new Set(together).size).toBe(8);
+    const [first, ...others] = BOX_FACES.map(faceOf);
+    const mixed = new Set(await normalsOf(first, 's 1', others[0], 's off', ...others.slice(1)));
+    expect(mixed.has('0,0,0')).toBe(true);
+  });
+
+  test('keeps those that it has, whichever way they are counted', async () => {
+    const normals = await normalsOf(
+      'vn 0 0 1',
+      's 1',
+      'f 1//1 2//1 3//1',
+      'vn 0 1 0',
+      'f -8//-1 -7//-1 -5//-1',
+      'f -8//-2 2//-2 6//-2',
+      's off',
+      'f 1 2 7',
+    );
+    expect(normals.slice(0, 9)).toEqual([
+      ...Array(3).fill('0,0,100'),
+      ...Array(3).fill('0,100,0'),
+      ...Array(3).fill('0,0,100'),
+    ]);
+    expect(normals[9]).not.toBe('0,0,0');
+  });
+});

@@ -58,6 +58,14 @@ describe('OFF', () => {
     },
   );
 
+  test('faces keep their notches', async () => {
+    const arrow = await read(off('OFF', '4 1 4', '-2 -1 0', '0 0 0', '2 -1 0', '0 1 0', '4 0 1 2 3'));
+    const [width, height] = [4, 2];
+    const scale = 1 / Math.hypot(width / 2, height / 2);
+    expect(triangles(arrow)).toBe(2);
+    expect(measure(arrow).area).toBeCloseTo(2 * scale ** 2, 5);
+  });
+
   test('normals, a fourth coordinate and texture coordinates', async () => {
     const normal = await read(off('NOFF', counts, ...rows(() => ' 0 0 2'), ...faces()));
     expect([...normal.mesh.normals!.slice(0, 3)]).toEqual([0, 0, 1]);

@@ -1,0 +1,153 @@
+import { ShapeUtils, Vector2 } from 'three';
+
+/** A polygon, or a corner between two others, that is flatter than this share of its size is degenerate. */
+const FLAT = 1e-9;
+/** Fans around every corner are tried of polygons with up to so many. */
+const FEW = 32;
+
+/**
+ * Cuts a polygon into triangles in its plane. Notches and holes stay open, every corner stays one of a triangle, so that neighbours meet edge
+ * to edge, and a polygon without an area has none.
+ *
+ * @param points xyz of the corners: of its outline, and then of its holes
+ * @param holes the number of the first corner of each hole
+ * @returns the numbers of the corners of the triangles, three by three, in the winding of the polygon
+ */
+export function triangulatePolygon(points: ArrayLike<number>, holes: readonly number[] = []): number[] {
+  const count = points.length / 3;
+  if (count < 3) return [];
+  if (count === 3) return [0, 1, 2];
+  const normal = normalOf(points, holes[0] ?? count);
+  const length = Math.hypot(...normal);
+  // A corner that is no number makes triangles that are counted and left out later.
+  if (!Number.isFinite(length)) return fanAround(0, count);
+  const flat = FLAT * sizeOf(points) ** 2;
+  if (length <= flat) return [];
+  if (holes.length === 0) {
+    for (let hub = 0; hub < Math.min(count, FEW); hub++)
+      if (isFan(points, normal, hub, flat * length)) return fanAround(hub, count);
+  }
+  const plane = planePoints(points, normal, length);
+  const rings = ringsOf(plane, holes);
+  return withAllCorners(plane, rings.flat(), cut(plane, rings), flat);
+}
+
+/** Twice the area of the outline, along its normal, by Newell's method. */
+function normalOf(points: ArrayLike<number>, count: number): [number, number, number] {
+  const normal: [number, number, number] = [0, 0, 0];
+  const at = (corner: number, axis: number): number => points[3 * (corner % count) + axis] - points[axis];
+  for (let i = 0; i < count; i++) {
+    for (let axis = 0; axis < 3; axis++) {
+      const [j, k] = [(axis + 1) % 3, (axis + 2) % 3];
+      normal[axis] += (at(i, j) - at(i + 1, j)) * (at(i, k) + at(i + 1, k));
+    }
+  }
+  return normal;
+}
+
+function sizeOf(points: ArrayLike<number>): number {
+  let size = 0;
+  for (let i = 3; i < points.length; i++) size = Math.max(size, Math.abs(points[i] - points[i % 3]));
+  return size;
+}
+
+/** The corners as they are seen against their normal. */
+function planePoints(points: ArrayLike<number>, [nx, ny, nz]: readonly number[], length: number): Vector2[] {
+  const [x, y, z] = [nx / length, ny / length, nz / length];
+  // The axis that is most askew to the normal.
+  const [ax, ay, az] = Math.abs(x) < 0.6 ? [1, 0, 0] : [0, 1, 0];
+  const [bx, by, bz] = [y * az - z * ay, z * ax - x * az, x * ay - y * ax];
+  const scale = 1 / Math.hypot(bx, by, bz);
+  const [ux, uy, uz] = [bx * scale, by * scale, bz * scale];
+  const [vx, vy, vz] = [y * uz - z * uy, z * ux - x * uz, x * uy - y * ux];
+  return Array.from({ length: points.length / 3 }, (_, i) => {
+    const [px, py, pz] = [0, 1, 2].map((axis) => points[3 * i + axis] - points[axis]);
+    return new Vector2(ux * px + uy * py + uz * pz, vx * px + vy * py + vz * pz);
+  });
+}
+
+/** Twice the area of a triangle: positive if it turns as the polygon does. */
+const areaOf = (a: Vector2, b: Vector2, c: Vector2): number => (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+
+/** Whether all triangles around a corner have an area, and turn as the polygon does. */
+function isFan(points: ArrayLike<number>, [nx, ny, nz]: readonly number[], hub: number, flat: number): boolean {
+  const count = points.length / 3;
+  const [x, y, z] = [points[3 * hub], points[3 * hub + 1], points[3 * hub + 2]];
+  for (let k = 1; k + 1 < count; k++) {
+    const a = 3 * ((hub + k) % count);
+    const b = 3 * ((hub + k + 1) % count);
+    const [ax, ay, az] = [points[a] - x, points[a + 1] - y, points[a + 2] - z];
+    const [bx, by, bz] = [points[b] - x, points[b + 1] - y, points[b + 2] - z];
+    const turn = nx * (ay * bz - az * by) + ny * (az * bx - ax * bz) + nz * (ax * by - ay * bx);
+    if (!(turn > flat)) return false;
+  }
+  return true;
+}
+
+function fanAround(hub: number, count: number): number[] {
+  const corners: number[] = [];
+  for (let k = 1; k + 1 < count; k++) corners.push(hub, (hub + k) % count, (hub + k + 1) % count);
+  return corners;
+}
+
+/** The numbers of the corners of the outline and of each hole. A last corner in the place of the first one is none. */
+function ringsOf(plane: readonly Vector2[], holes: readonly number[]): number[][] {
+  const starts = [0, ...holes, plane.length];
+  return starts
+    .slice(0, -1)
+    .map((start, i) => {
+      const ring = Array.from({ length: starts[i + 1] - start }, (_, k) => start + k);
+      while (ring.length > 1 && plane[ring[ring.length - 1]].equals(plane[start])) ring.pop();
+      return ring;
+    })
+    .filter(({ length }, i) => i === 0 || length > 2);
+}
+
+/** The triangles that three's ear clipping cuts, as the polygon turns. */
+function cut(plane: readonly Vector2[], rings: readonly number[][]): number[] {
+  const [outline, ...holes] = rings.map((ring) => ring.map((corner) => plane[corner]));
+  const numbers = rings.flat();
+  return ShapeUtils.triangulateShape(outline, holes).flatMap(([a, b, c]) => {
+    const triangle = [numbers[a], numbers[b], numbers[c]];
+    const area = areaOf(plane[triangle[0]], plane[triangle[1]], plane[triangle[2]]);
+    return area < 0 ? triangle.reverse() : triangle;
+  });
+}
+
+/**
+ * Leaves out triangles without an area, and splits others at corners in the middle of their sides: those that ear clipping has left out, and
+ * those of triangles without an area.
+ */
+function withAllCorners(plane: readonly Vector2[], corners: readonly number[], cut: number[], flat: number): number[] {
+  let triangles: number[][] = [];
+  const flatCorners: number[] = [];
+  for (let at = 0; at < cut.length; at += 3) {
+    const triangle = cut.slice(at, at + 3);
+    const [a, b, c] = triangle.map((corner) => plane[corner]);
+    if (areaOf(a, b, c) > flat) triangles.push(triangle);
+    else flatCorners.push(...triangle);
+  }
+  const used = new Set(triangles.flat());
+  for (const corner of [...corners.filter((one) => !used.has(one)), ...flatCorners]) {
+    triangles = triangles.flatMap((triangle) => {
+      const side = sideAt(plane, triangle, corner, flat);
+      if (side === -1) return [triangle];
+      const [a, b, c] = [0, 1, 2].map((k) => triangle[(side + k) % 3]);
+      return [
+        [a, corner, c],
+        [corner, b, c],
+      ];
+    });
+  }
+  return triangles.flat();
+}
+
+/** The side of a triangle that a corner lies in the middle of; -1 for none. */
+function sideAt(plane: readonly Vector2[], triangle: readonly number[], corner: number, flat: number): number {
+  const place = plane[corner];
+  return [0, 1, 2].findIndex((k) => {
+    const [a, b] = [plane[triangle[k]], plane[triangle[(k + 1) % 3]]];
+    const along = (place.x - a.x) * (b.x - a.x) + (place.y - a.y) * (b.y - a.y);
+    return along > flat && along < a.distanceToSquared(b) - flat && Math.abs(areaOf(a, b, place)) <= flat;
+  });
+}
