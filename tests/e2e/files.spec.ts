@@ -1,4 +1,6 @@
+import type { PNG } from 'pngjs';
 import { drop, follow, openPlayground, readDrawing, ready, writtenHash } from '../../tools/browser/playground.js';
+import { BOX_CORNERS, BOX_FACES } from '../../tools/modelFiles/box.js';
 import {
   file,
   largeTorus,
@@ -59,6 +61,27 @@ test('models of every format are drawn when dropped', { tag: '@more' }, async ({
   const after = await readDrawing(page);
   expect(changedShare(before, after)).toBeGreaterThan(0.1);
   expect(meanInk(after)).toBeGreaterThan(0.02);
+});
+
+test('what a model has behind glass is drawn, and glass casts no shadow', { tag: '@all' }, async ({ page }) => {
+  await openPlayground(page, SMALL);
+  const faces = (first: number): string =>
+    BOX_FACES.map((face) => `f ${face.map((corner) => corner + first).join(' ')}`).join('\n');
+  const corners = (scale: number): string =>
+    BOX_CORNERS.map((corner) => `v ${corner.map((x) => scale * (x - 0.5)).join(' ')}`).join('\n');
+  const obj = `mtllib shell.mtl\n${corners(1)}\n${corners(1.6)}\nusemtl inside\n${faces(1)}\nusemtl shell\n${faces(9)}\n`;
+  const drawn = async (opacity: number): Promise<PNG> => {
+    await drop(page, [
+      file(`shell-${opacity}.obj`, obj.replaceAll('shell.mtl', `shell-${opacity}.mtl`)),
+      file(`shell-${opacity}.mtl`, `newmtl inside\nKd 1 1 1\nnewmtl shell\nKd 1 1 1\nd ${opacity}\n`),
+    ]);
+    await expect(page.locator('#model-name')).toHaveText(`shell-${opacity}.obj`);
+    return readDrawing(page);
+  };
+  const [opaque, glass] = [await drawn(1), await drawn(0.25)];
+  // Between the box and its shell there is paper, but for a few strokes.
+  expect(changedShare(opaque, glass)).toBeGreaterThan(0.1);
+  expect(meanInk(glass)).toBeLessThan(0.7 * meanInk(opaque));
 });
 
 test('a mirrored part of a model is not turned inside out', { tag: '@all' }, async ({ page }) => {
