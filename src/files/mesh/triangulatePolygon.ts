@@ -17,32 +17,73 @@ export function triangulatePolygon(points: ArrayLike<number>, holes: readonly nu
   const count = points.length / 3;
   if (count < 3) return [];
   if (count === 3) return [0, 1, 2];
-  const normal = normalOf(points, holes[0] ?? count);
+  const all = Array.from({ length: count }, (_, corner) => corner);
+  const normal: Normal = [0, 0, 0];
+  fanNormal(points, all, holes[0] ?? count, normal);
   const length = Math.hypot(...normal);
   // A corner that is no number makes triangles that are counted and left out later.
   if (!Number.isFinite(length)) return fanAround(0, count);
   const flat = FLAT * sizeOf(points) ** 2;
   if (length <= flat) return [];
-  if (holes.length === 0) {
-    for (let hub = 0; hub < Math.min(count, FEW); hub++)
-      if (isFan(points, normal, hub, flat * length)) return fanAround(hub, count);
+  for (let hub = 0; holes.length === 0 && hub < Math.min(count, FEW); hub++) {
+    if (isFan(points, all, count)) return fanAround(hub, count);
+    all.push(all.shift()!);
   }
   const plane = planePoints(points, normal, length);
   const rings = ringsOf(plane, holes);
   return withAllCorners(plane, rings.flat(), cut(plane, rings), flat);
 }
 
-/** Twice the area of the outline, along its normal, by Newell's method. */
-function normalOf(points: ArrayLike<number>, count: number): [number, number, number] {
-  const normal: [number, number, number] = [0, 0, 0];
-  const at = (corner: number, axis: number): number => points[3 * (corner % count) + axis] - points[axis];
-  for (let i = 0; i < count; i++) {
-    for (let axis = 0; axis < 3; axis++) {
-      const [j, k] = [(axis + 1) % 3, (axis + 2) % 3];
-      normal[axis] += (at(i, j) - at(i + 1, j)) * (at(i, k) + at(i + 1, k));
-    }
+type Normal = [x: number, y: number, z: number];
+
+/**
+ * Writes twice the area of a polygon, along its normal.
+ *
+ * @param points xyz of the points
+ * @param corners the numbers of the points that are its corners
+ * @param count of its corners
+ */
+export function fanNormal(points: ArrayLike<number>, corners: ArrayLike<number>, count: number, normal: Normal): void {
+  const o = 3 * corners[0];
+  const [x, y, z] = [points[o], points[o + 1], points[o + 2]];
+  let [nx, ny, nz] = [0, 0, 0];
+  for (let i = 1; i + 1 < count; i++) {
+    const [a, b] = [3 * corners[i], 3 * corners[i + 1]];
+    const [ax, ay, az] = [points[a] - x, points[a + 1] - y, points[a + 2] - z];
+    const [bx, by, bz] = [points[b] - x, points[b + 1] - y, points[b + 2] - z];
+    nx += ay * bz - az * by;
+    ny += az * bx - ax * bz;
+    nz += ax * by - ay * bx;
   }
-  return normal;
+  normal[0] = nx;
+  normal[1] = ny;
+  normal[2] = nz;
+}
+
+const whole: Normal = [0, 0, 0];
+
+/**
+ * Whether the triangles around the first corner of a polygon all have an area, and turn as the polygon does: then they are the polygon. It
+ * takes no memory, since files have millions of polygons.
+ *
+ * @param points xyz of the points
+ * @param corners the numbers of the points that are its corners
+ * @param count of its corners
+ */
+export function isFan(points: ArrayLike<number>, corners: ArrayLike<number>, count: number): boolean {
+  fanNormal(points, corners, count, whole);
+  const [nx, ny, nz] = whole;
+  const least = FLAT * (nx * nx + ny * ny + nz * nz);
+  const o = 3 * corners[0];
+  const [x, y, z] = [points[o], points[o + 1], points[o + 2]];
+  for (let i = 1; i + 1 < count; i++) {
+    const [a, b] = [3 * corners[i], 3 * corners[i + 1]];
+    const [ax, ay, az] = [points[a] - x, points[a + 1] - y, points[a + 2] - z];
+    const [bx, by, bz] = [points[b] - x, points[b + 1] - y, points[b + 2] - z];
+    const turn = nx * (ay * bz - az * by) + ny * (az * bx - ax * bz) + nz * (ax * by - ay * bx);
+    if (!(turn > least)) return false;
+  }
+  return true;
 }
 
 function sizeOf(points: ArrayLike<number>): number {
@@ -68,21 +109,6 @@ function planePoints(points: ArrayLike<number>, [nx, ny, nz]: readonly number[],
 
 /** Twice the area of a triangle: positive if it turns as the polygon does. */
 const areaOf = (a: Vector2, b: Vector2, c: Vector2): number => (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-
-/** Whether all triangles around a corner have an area, and turn as the polygon does. */
-function isFan(points: ArrayLike<number>, [nx, ny, nz]: readonly number[], hub: number, flat: number): boolean {
-  const count = points.length / 3;
-  const [x, y, z] = [points[3 * hub], points[3 * hub + 1], points[3 * hub + 2]];
-  for (let k = 1; k + 1 < count; k++) {
-    const a = 3 * ((hub + k) % count);
-    const b = 3 * ((hub + k + 1) % count);
-    const [ax, ay, az] = [points[a] - x, points[a + 1] - y, points[a + 2] - z];
-    const [bx, by, bz] = [points[b] - x, points[b + 1] - y, points[b + 2] - z];
-    const turn = nx * (ay * bz - az * by) + ny * (az * bx - ax * bz) + nz * (ax * by - ay * bx);
-    if (!(turn > flat)) return false;
-  }
-  return true;
-}
 
 function fanAround(hub: number, count: number): number[] {
   const corners: number[] = [];

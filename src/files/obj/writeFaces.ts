@@ -1,4 +1,4 @@
-import { triangulatePolygon } from '../mesh/triangulatePolygon.js';
+import { fanNormal, isFan, triangulatePolygon } from '../mesh/triangulatePolygon.js';
 
 /** A face of more than three corners. */
 const POLYGON = /^[ \t]*f(?:[ \t]+\S+){4}/m;
@@ -6,36 +6,46 @@ const POLYGON = /^[ \t]*f(?:[ \t]+\S+){4}/m;
 const PLAIN = /^[ \t]*f(?:[ \t]+\S+)*?[ \t]+-?\d+(?:\/-?\d*)?\/?(?:[ \t]|$)/m;
 /** The material of faces before the first one that the file names: three's loader would give them that one. */
 const NO_MATERIAL = 'usemtl (none)';
+const BLANKS = /[ \t]+/;
 /** Smoothing groups are told apart by up to so many numbers. */
 const GROUPS = 2 ** 20;
 
 /**
  * Writes the faces of an OBJ file, as `cleanObj` leaves it, for three's loader, which cuts polygons as fans, over their notches, and takes
- * every face without normals for flat. Polygons become triangles. Faces without normals are smooth within their smoothing group and flat
- * where smoothing is off; where the file says nothing their normals are zero, so that they are computed later, with edges kept.
+ * every face without normals for flat. Polygons with notches become triangles. Faces without normals are smooth within their smoothing group
+ * and flat where smoothing is off; where the file says nothing their normals are zero, so that they are computed later, with edges kept.
  */
 export function writeFaces(text: string): string {
   if (!POLYGON.test(text) && !PLAIN.test(text) && !beginsBare(text)) return text;
   const { data, drawn, positions, normals } = readLines(text);
   const smooth = new SmoothNormals(positions, normals + 1);
-  eachFace(drawn, (corners, group) => {
-    if (group > 0 && corners.some(lacksNormal)) smooth.add(corners, group);
+  eachFace(drawn, (_, face, group) => {
+    if (group > 0 && face.lacksNormals) smooth.add(face, group);
   });
   const zero = normals + smooth.count + 1;
   const written: string[] = [];
   eachFace(
     drawn,
-    (corners, group) => {
-      const complete = corners.map((corner) => {
-        if (!lacksNormal(corner) || group === 0) return corner;
-        return withNormal(corner, group === -1 ? zero : smooth.numberOf(corner, group));
-      });
-      if (corners.length === 3) written.push(`f ${complete.join(' ')}`);
-      else {
-        const triangles = triangulatePolygon(pointsOf(corners, positions));
-        for (let i = 0; i < triangles.length; i += 3)
-          written.push(`f ${complete[triangles[i]]} ${complete[triangles[i + 1]]} ${complete[triangles[i + 2]]}`);
+    (line, face, group) => {
+      const isWhole = face.count < 4 || isFan(positions, face.vertices, face.count);
+      if (isWhole && (group === 0 || !face.lacksNormals)) {
+        written.push(line);
+        return;
       }
+      const corners = cornersOf(line);
+      if (group !== 0 && face.lacksNormals) {
+        for (let i = 0; i < corners.length; i++) {
+          if (!lacksNormal(corners[i])) continue;
+          corners[i] = withNormal(corners[i], group === -1 ? zero : smooth.numberOf(face.vertices[i], group));
+        }
+      }
+      if (isWhole) {
+        written.push(`f ${corners.join(' ')}`);
+        return;
+      }
+      const triangles = triangulatePolygon(face.pointsOf(positions));
+      for (let i = 0; i < triangles.length; i += 3)
+        written.push(`f ${corners[triangles[i]]} ${corners[triangles[i + 1]]} ${corners[triangles[i + 2]]}`);
     },
     (line) => written.push(line),
   );
@@ -67,13 +77,17 @@ function readLines(text: string): ObjLines {
   const counts = { v: 0, vt: 0, vn: 0 };
   for (const raw of text.split('\n')) {
     const line = raw.trim();
-    if (line.startsWith('v')) {
-      const [kind, ...numbers] = line.split(/[ \t]+/);
-      counts[kind as keyof typeof counts]++;
-      if (kind === 'v') for (let axis = 0; axis < 3; axis++) positions.push(Number.parseFloat(numbers[axis]));
-      data.push(line);
-    } else if (line.startsWith('f')) drawn.push(line.includes('-') ? fromBeginning(line, counts) : line);
-    else if (line !== '') drawn.push(line);
+    if (line.startsWith('vt')) counts.vt++;
+    else if (line.startsWith('vn')) counts.vn++;
+    else if (line.startsWith('v')) {
+      counts.v++;
+      const numbers = line.split(BLANKS, 4);
+      for (let axis = 1; axis < 4; axis++) positions.push(Number.parseFloat(numbers[axis]));
+    } else {
+      if (line !== '') drawn.push(line.startsWith('f') && line.includes('-') ? fromBeginning(line, counts) : line);
+      continue;
+    }
+    data.push(line);
   }
   return { data, drawn, positions, normals: counts.vn };
 }
@@ -81,41 +95,30 @@ function readLines(text: string): ObjLines {
 /** Replaces numbers that count backwards from the last vertex before the face. */
 function fromBeginning(line: string, { v, vt, vn }: Readonly<Record<'v' | 'vt' | 'vn', number>>): string {
   const totals = [v, vt, vn];
-  return line.replace(/[^ \t/]+|\/|[ \t]+/g, scan(totals));
-}
-
-/** Counts which number of a corner comes next. */
-function scan(totals: readonly number[]): (part: string) => string {
-  let place = 0;
-  return (part) => {
-    if (part === '/') place++;
-    else if (/^[ \t]/.test(part)) place = 0;
-    else if (part.startsWith('-')) return String(totals[place] + 1 + Number.parseInt(part, 10));
-    return part;
-  };
+  const counted = (number: string, place: number): string =>
+    number.startsWith('-') ? String(totals[place] + 1 + Number.parseInt(number, 10)) : number;
+  return `f ${cornersOf(line)
+    .map((corner) => corner.split('/').map(counted).join('/'))
+    .join(' ')}`;
 }
 
 /**
- * Calls back with the corners of each face and its smoothing group: 0 where smoothing is off, -1 where the file has said nothing.
+ * Calls back with each face and its smoothing group: 0 where smoothing is off, -1 where the file has said nothing. The face is one for all.
  *
  * @param onOther called with every other line
  */
 function eachFace(
   lines: readonly string[],
-  onFace: (corners: string[], group: number) => void,
+  onFace: (line: string, face: Face, group: number) => void,
   onOther: (line: string) => void = () => {},
 ): void {
+  const face = new Face();
   let group = -1;
   for (const line of lines) {
-    if (line.startsWith('f'))
-      onFace(
-        line
-          .slice(1)
-          .trim()
-          .split(/[ \t]+/),
-        group,
-      );
-    else if (/^s(?:[ \t]|$)/.test(line)) group = groupOf(line.slice(1).trim());
+    if (line.startsWith('f')) {
+      face.read(line);
+      onFace(line, face, group);
+    } else if (/^s(?:[ \t]|$)/.test(line)) group = groupOf(line.slice(1).trim());
     else onOther(line);
   }
 }
@@ -125,6 +128,8 @@ function groupOf(name: string): number {
   if (/^(?:0|off|null)$/i.test(name)) return 0;
   return 1 + ((Number.parseInt(name, 10) || 1) % (GROUPS - 1));
 }
+
+const cornersOf = (line: string): string[] => line.slice(1).trim().split(BLANKS);
 
 /** Whether a corner such as `1`, `1/2` or `1/2/` names no normal. */
 function lacksNormal(corner: string): boolean {
@@ -137,25 +142,50 @@ function withNormal(corner: string, number: number): string {
   return `${vertex}/${coordinates}/${number}`;
 }
 
-const vertexOf = (corner: string): number => Number.parseInt(corner, 10) - 1;
+const [TAB, BLANK, SLASH, ZERO] = [9, 32, 47, 48];
 
-function pointsOf(corners: readonly string[], positions: readonly number[]): number[] {
-  return corners.flatMap((corner) => {
-    const at = 3 * vertexOf(corner);
-    return [positions[at] ?? NaN, positions[at + 1] ?? NaN, positions[at + 2] ?? NaN];
-  });
+/** A face that is read again and again, since files have millions. */
+class Face {
+  /** The numbers of its vertices, from 0 on. */
+  readonly vertices: number[] = [];
+  count = 0;
+  /** Whether a corner has no normal. */
+  lacksNormals = false;
+
+  read(line: string): void {
+    this.count = 0;
+    this.lacksNormals = false;
+    for (let at = 1; at < line.length; at++) {
+      let code = line.charCodeAt(at);
+      if (code === BLANK || code === TAB) continue;
+      let [vertex, slashes, digits] = [0, 0, 0];
+      for (; at < line.length && code !== BLANK && code !== TAB; code = line.charCodeAt(++at)) {
+        if (code === SLASH) {
+          slashes++;
+          digits = 0;
+        } else {
+          if (slashes === 0) vertex = 10 * vertex + code - ZERO;
+          digits++;
+        }
+      }
+      if (slashes < 2 || digits === 0) this.lacksNormals = true;
+      this.vertices[this.count++] = vertex - 1;
+    }
+  }
+
+  pointsOf(positions: readonly number[]): number[] {
+    return this.vertices
+      .slice(0, this.count)
+      .flatMap((vertex) => [0, 1, 2].map((axis) => positions[3 * vertex + axis] ?? NaN));
+  }
 }
-
-const cross = ([ux, uy, uz]: readonly number[], [vx, vy, vz]: readonly number[]): number[] => [
-  uy * vz - uz * vy,
-  uz * vx - ux * vz,
-  ux * vy - uy * vx,
-];
 
 /** The normals of vertices in their smoothing groups: the mean of the faces that meet there, by their angles. */
 class SmoothNormals {
   private readonly numbers = new Map<number, number>();
   private readonly sums: number[] = [];
+  /** Of the face that is added. */
+  private readonly normal: [number, number, number] = [0, 0, 0];
 
   /** @param first the number of the first of them in the file */
   constructor(
@@ -167,37 +197,46 @@ class SmoothNormals {
     return this.numbers.size;
   }
 
-  add(corners: readonly string[], group: number): void {
-    const points = pointsOf(corners, this.positions);
-    const count = corners.length;
-    const face = [0, 0, 0];
-    const turns: number[] = [];
-    const from = (corner: number, to: number): number[] =>
-      [0, 1, 2].map((axis) => points[3 * (to % count) + axis] - points[3 * corner + axis]);
+  add({ vertices, count }: Face, group: number): void {
+    const { sums, normal } = this;
+    fanNormal(this.positions, vertices, count, normal);
+    const length = Math.sqrt(normal[0] ** 2 + normal[1] ** 2 + normal[2] ** 2);
     for (let i = 0; i < count; i++) {
-      const [u, v] = [from(i, i + 1), from(i, i + count - 1)];
-      turns.push(Math.atan2(Math.hypot(...cross(u, v)), u[0] * v[0] + u[1] * v[1] + u[2] * v[2]));
-      for (const [axis, value] of cross(from(0, i), from(0, i + 1)).entries()) face[axis] += value;
-    }
-    const length = Math.hypot(...face);
-    for (const [i, corner] of corners.entries()) {
-      const at = 3 * this.placeOf(corner, group);
+      const at = 3 * this.placeOf(vertices[i], group);
       if (!(length > 0 && length < Infinity)) continue;
-      for (let axis = 0; axis < 3; axis++) this.sums[at + axis] += (turns[i] * face[axis]) / length;
+      const weight = this.angleAt(vertices[(i + count - 1) % count], vertices[i], vertices[(i + 1) % count]) / length;
+      for (let axis = 0; axis < 3; axis++) sums[at + axis] += weight * normal[axis];
     }
   }
 
-  /** The number of the normal of a corner in the file. */
-  numberOf(corner: string, group: number): number {
-    return this.first + this.placeOf(corner, group);
+  /** The number of the normal of a vertex in the file. */
+  numberOf(vertex: number, group: number): number {
+    return this.first + this.placeOf(vertex, group);
   }
 
   lines(): string[] {
-    return Array.from({ length: this.count }, (_, i) => `vn ${this.sums.slice(3 * i, 3 * i + 3).join(' ')}`);
+    const { sums } = this;
+    const lines: string[] = [];
+    for (let i = 0; i < sums.length; i += 3) lines.push(`vn ${sums[i]} ${sums[i + 1]} ${sums[i + 2]}`);
+    return lines;
   }
 
-  private placeOf(corner: string, group: number): number {
-    const key = GROUPS * vertexOf(corner) + group;
+  private angleAt(before: number, vertex: number, after: number): number {
+    const { positions } = this;
+    const [o, a, b] = [3 * vertex, 3 * before, 3 * after];
+    let [dot, lengthA, lengthB] = [0, 0, 0];
+    for (let axis = 0; axis < 3; axis++) {
+      const [u, v] = [positions[a + axis] - positions[o + axis], positions[b + axis] - positions[o + axis]];
+      dot += u * v;
+      lengthA += u * u;
+      lengthB += v * v;
+    }
+    const cosine = dot / Math.sqrt(lengthA * lengthB);
+    return cosine >= -1 && cosine <= 1 ? Math.acos(cosine) : 0;
+  }
+
+  private placeOf(vertex: number, group: number): number {
+    const key = GROUPS * vertex + group;
     let place = this.numbers.get(key);
     if (place === undefined) {
       place = this.numbers.size;
