@@ -72,14 +72,15 @@ export function readTriangles(object: Object3D, camera: Camera, outer?: OuterPoi
 /** Of how many triangles one is read. */
 const stepOf = (cost: number, share: number): number => Math.max(1, Math.ceil(cost / share));
 
-/** The meshes that are shown, at or below an object. */
+/** The meshes that are shown, at or below an object. Where some are opaque, `transparent` ones do not count: one looks through them. */
 function shownMeshes(object: Object3D, camera: Camera): Mesh[] {
   const shown: Mesh[] = [];
   object.traverseVisible((entry) => {
     if (!isSurfaceMesh(entry) || !entry.layers.test(camera.layers) || isBatched(entry)) return;
     if (entry.geometry?.attributes.position && materialsOf(entry).some(({ visible }) => visible)) shown.push(entry);
   });
-  return shown;
+  const opaque = shown.filter((mesh) => materialsOf(mesh).some(({ visible, transparent }) => visible && !transparent));
+  return opaque.length > 0 ? opaque : shown;
 }
 
 function evenlyChosen<Entry>(entries: readonly Entry[], most: number): Entry[] {

@@ -100,8 +100,15 @@ describe('the share of shade', () => {
     const fromFront = flatCamera(new Vector3(0, 0, 5));
     const light = new Vector3(0, 0.1, 1);
     expect(shadeOf(new Group().add(wall, behind, beside), fromFront, light)).toBe(0);
+    const behindNothing = shadeOf(new Group().add(behind, beside), fromFront, light);
+    expect(behindNothing).toBeGreaterThan(0.03);
     wall.visible = false;
-    expect(shadeOf(new Group().add(wall, behind, beside), fromFront, light)).toBeGreaterThan(0.03);
+    expect(shadeOf(new Group().add(wall, behind, beside), fromFront, light)).toBe(behindNothing);
+    // One looks through glass, unless there is nothing else.
+    wall.visible = true;
+    (wall.material as Material).transparent = true;
+    expect(shadeOf(new Group().add(wall, behind, beside), fromFront, light)).toBe(behindNothing);
+    expect(seenSurface(readTriangles(wall, fromFront)).pixels.length).toBeGreaterThan(0);
     const leaf = meshOf(new PlaneGeometry().rotateY(Math.PI));
     const surface = seenSurface(readTriangles(leaf, fromFront));
     expect(surface.pixels).toHaveLength(0);
