@@ -11,14 +11,20 @@ export interface DrawingOptions {
   /** The hash of a link of the playground. */
   link: string | undefined;
   view: DirectionInDegrees | undefined;
+  /** The name of a camera of the model, or its number from 1 on. */
+  camera: string | undefined;
   /** How many times larger the picture is than one that the model fills. */
   zoom: number;
   orthographic: boolean;
   light: DirectionInDegrees | undefined;
+  /** Whether the lights of the model are used, if it has any. */
+  usesFileLights: boolean;
   shadows: boolean | undefined;
   /** The axis of the model that points up; undefined to find it. */
   up: 'y' | 'z' | 'x' | '-y' | '-z' | '-x' | undefined;
-  /** The name of a clip of the model. */
+  /** The name of a variant of the model's materials, or its number from 1 on. */
+  variant: string | undefined;
+  /** The name of a clip of the model, or its number from 1 on. */
   clip: string | undefined;
   /** So many pictures of a turn, or of the clip; undefined for one picture. */
   frames: number | undefined;

@@ -13,12 +13,15 @@ const OPTIONS = {
   preset: { type: 'string' },
   link: { type: 'string' },
   view: { type: 'string' },
+  camera: { type: 'string' },
   zoom: { type: 'string' },
   orthographic: { type: 'boolean' },
   light: { type: 'string' },
+  'no-file-lights': { type: 'boolean' },
   shadows: { type: 'boolean' },
   'no-shadows': { type: 'boolean' },
   up: { type: 'string' },
+  variant: { type: 'string' },
   clip: { type: 'string' },
   frames: { type: 'string' },
   kind: { type: 'string' },
@@ -57,9 +60,11 @@ It reads GLB, glTF, OBJ, PLY, STL, FBX, DAE, USDZ, 3MF, 3DS, VRML and OFF files,
   --preset <name>          the look: ${LINED.join(', ')} (default engraving)
   --link <address>         the look, view and lights of a link of the playground; nothing is fetched
   --view "<around> <up>"   where the eye is: degrees around the model and above it (default "31.8 17")
+  --camera <name>          draws from this camera of a glTF file; its number will do
   --zoom <factor>          how much larger than to fill the sheet (default 1)
   --orthographic           without perspective
-  --light "<around> <up>"  where the light is (default: where it suits the view)
+  --light "<around> <up>"  where the light is (default: as the file has it, or else where it suits the view)
+  --no-file-lights         puts the light where it suits the view also where a glTF file has lights
   --shadows, --no-shadows  whether the light casts shadows (default: as the look has it, which is yes)
   --up <axis>              the axis that points up: y, z, x, -y, -z or -x (default: as the format has it)
   --kind <print|pen>       filled lines, or lines for one pen (default print)
@@ -72,7 +77,8 @@ It reads GLB, glTF, OBJ, PLY, STL, FBX, DAE, USDZ, 3MF, 3DS, VRML and OFF files,
   --hidden <kind>          outlines behind surfaces: none, dashed or faint (default: as the look has them)
   --animate <seconds>      files that draw themselves on a web page
   --frames <count>         numbered files of a turn of the model, or of its clip
-  --clip <name>            poses the model by this clip
+  --variant <name>         a variant of the materials of a glTF file; its number will do
+  --clip <name>            poses the model by this clip; its number will do
   --out <file>             the file to write to; for several models a folder, or a name with {name} and {frame}
   --force                  replaces files
   --jobs <count>           how many models are drawn at a time (default 1)
@@ -93,6 +99,8 @@ export function parseDrawing(args: readonly string[]): DrawRequest {
   const kind = choice('kind', values.kind, ['print', 'pen']) ?? (values.pen === undefined ? 'print' : 'pen');
   if (kind === 'print' && values.pen !== undefined)
     throw new UsageError('--pen and --kind print exclude each other; pass only one of them.');
+  if (values.camera !== undefined && values.view !== undefined)
+    throw new UsageError('--camera and --view exclude each other; pass only one of them.');
   if (kind === 'pen' && values.paper !== undefined)
     throw new UsageError('--paper is for print; a pen would draw the border of the sheet.');
   if (values.shadows && values['no-shadows'])
@@ -106,11 +114,14 @@ export function parseDrawing(args: readonly string[]): DrawRequest {
   const options: DrawingOptions = {
     preset: presetOf(values.preset),
     view: direction('view', values.view),
+    camera: values.camera,
     zoom: number('zoom', values.zoom, { least: 0.05, most: 100 }) ?? 1,
     orthographic: values.orthographic ?? false,
     light: direction('light', values.light),
+    usesFileLights: !values['no-file-lights'],
     shadows: values['no-shadows'] ? false : values.shadows,
     up: choice('up', values.up, AXES),
+    variant: values.variant,
     clip: values.clip,
     frames: whole('frames', values.frames, 9999),
     pen: number('pen', values.pen, { least: 0.01, most: 20 }) ?? 0.3,

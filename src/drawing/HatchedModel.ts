@@ -23,6 +23,7 @@ import type {
   HatchingOutlineNodeMaterial,
   HatchingOutlines as NodeOutlines,
 } from 'three-hatching/webgpu';
+import { type ModelExtras, NO_EXTRAS } from '../files/common/ModelExtras.js';
 import type { UpAxis } from '../files/mesh/findUpAxis.js';
 import type { Look } from '../settings/lookOf.js';
 import type { Motion } from './Motion.js';
@@ -83,6 +84,8 @@ export type MaterialKind = 'drawn' | 'compared' | 'nodes';
 export class HatchedModel {
   /** Whether its ambient occlusion came with it, so that none is to be baked. */
   isOccluded = false;
+  /** What its file offers beside it, in the space of the root. */
+  extras: ModelExtras = NO_EXTRAS;
   private readonly pairs: readonly MaterialPair[];
   private readonly meshes: ({ mesh: Mesh } & Record<MaterialKind, Material | Material[]>)[];
   /** The look that the materials have, as a text; undefined while they have another. */

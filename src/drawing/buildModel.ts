@@ -1,4 +1,5 @@
 import { ModelError, toModelError } from '../files/common/ModelError.js';
+import { movedExtras } from '../files/common/ModelExtras.js';
 import { triangleCount } from '../files/mesh/PlainMesh.js';
 import type { ReadModel } from '../files/readModel.js';
 import type { BuiltInScene } from './BuiltInScene.js';
@@ -18,6 +19,11 @@ export async function buildModel(
   adjacency = false,
 ): Promise<{ model: HatchedModel; notes: string[] }> {
   const hatched = await hatch(read, report, signal, adjacency);
+  const { model: made } = hatched;
+  if ('extras' in read && read.extras) {
+    // The parts of a scene are fitted here, a mesh when it was read.
+    made.extras = read.kind === 'parts' ? movedExtras(read.extras, made.root.matrix) : read.extras;
+  }
   const { triangles, degenerateTriangles } = hatched.model.statistics;
   if (degenerateTriangles < triangles) return hatched;
   hatched.model.dispose();

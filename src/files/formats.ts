@@ -22,6 +22,8 @@ export interface FormatFile {
   /** Finds the files that it refers to. */
   findFile: FindFile;
   loadDraco: Surroundings['loadDraco'];
+  /** The variant of its materials: its index, or its name or its number from 1 on as text. */
+  variant?: string | number | undefined;
 }
 
 /** The loader of three.js that copied code reads a format with. */
@@ -75,16 +77,16 @@ export const FORMATS: readonly ModelFormat[] = [
     name: 'GLB',
     extensions: ['glb'],
     hasSignature: ({ head }) => head.startsWith('glTF'),
-    read: async ({ bytes, name, findFile, loadDraco }) =>
-      (await import('./gltf/readGltf.js')).readGltf(bytes, name, true, findFile, loadDraco),
+    read: async ({ bytes, name, findFile, loadDraco, variant }) =>
+      (await import('./gltf/readGltf.js')).readGltf(bytes, name, true, findFile, loadDraco, variant),
   },
   {
     ...GLTF,
     name: 'glTF',
     extensions: ['gltf'],
     hasSignature: ({ head }) => /^\s*\{/.test(head),
-    read: async ({ bytes, name, findFile, loadDraco }) =>
-      (await import('./gltf/readGltf.js')).readGltf(bytes, name, false, findFile, loadDraco),
+    read: async ({ bytes, name, findFile, loadDraco, variant }) =>
+      (await import('./gltf/readGltf.js')).readGltf(bytes, name, false, findFile, loadDraco, variant),
   },
   {
     name: 'OBJ',

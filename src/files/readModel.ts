@@ -1,4 +1,4 @@
-import type { Object3D } from 'three';
+import { Matrix4, type Object3D } from 'three';
 import type { BundledDrawing } from './archives/bundle.js';
 import { gunzip } from './archives/gunzip.js';
 import { readArchive } from './archives/readArchive.js';
@@ -7,6 +7,7 @@ import { counted } from './common/counted.js';
 import type { FindFile } from './common/FindFile.js';
 import { baseName, extensionOf, withoutGz } from './common/fileName.js';
 import { ModelError, toModelError } from './common/ModelError.js';
+import { type ModelExtras, movedExtras } from './common/ModelExtras.js';
 import type { ModelFile } from './common/ModelFile.js';
 import { MAX_BYTES } from './common/modelLimits.js';
 import type { Surroundings } from './common/Surroundings.js';
@@ -53,6 +54,8 @@ interface Read {
   unpacked?: readonly ModelFile[];
   /** How the model is drawn, if the archive has a description of it. */
   drawing?: BundledDrawing | undefined;
+  /** What the file offers beside its model: in the space of the mesh, or of the parts as they are. */
+  extras?: ModelExtras | undefined;
 }
 
 export interface ReadMesh extends Read {
@@ -85,12 +88,14 @@ export interface ReadParts extends Read {
  * in its parts.
  *
  * @param surroundings what decodes pictures and Draco; by default those of a browser, without Draco
+ * @param variant of the materials of a glTF file: its index, or its name or its number from 1 on as text
  * @throws ModelError with one sentence for the user
  */
 export async function readModel(
   files: readonly ModelFile[],
   onStage: OnStage,
   surroundings: Surroundings = BITMAPS,
+  variant?: string | number,
 ): Promise<ReadModel> {
   const size = files.reduce((sum, file) => sum + file.content.size, 0);
   if (size > MAX_BYTES) {
@@ -101,21 +106,26 @@ export async function readModel(
   const main = chooseMain(files);
   onStage(`reading ${shownName(main.name)}`);
   try {
-    const read = await readMain(main, files, onStage, surroundings);
+    const read = await readMain(main, files, onStage, { ...surroundings, variant });
     return { ...read, notes: [...read.notes, ...otherModelsNote(main, files)] };
   } catch (error) {
     throw toModelError(main.name, error);
   }
 }
 
+/** What a file is read with. */
+interface Circumstances extends Surroundings {
+  variant: string | number | undefined;
+}
+
 async function readMain(
   main: ModelFile,
   files: readonly ModelFile[],
   onStage: OnStage,
-  surroundings: Surroundings,
+  surroundings: Circumstances,
   isUnpacked = false,
 ): Promise<ReadModel> {
-  const { loadDraco, decodePicture } = surroundings;
+  const { loadDraco, decodePicture, variant } = surroundings;
   const name = withoutGz(main.name);
   const shown = shownName(main.name);
   const bytes = toUtf8(await gunzip(new Uint8Array(await main.content.arrayBuffer()), shown, MAX_BYTES));
@@ -140,21 +150,21 @@ async function readMain(
     const file = files.find((one) => comparedName(one.name) === wanted);
     return file ? new Uint8Array(await file.content.arrayBuffer()) : surroundings.findFile?.(uri);
   };
-  const { content, ...parsed } = await parse(format, { bytes, name: shown, findFile, loadDraco });
+  const { content, extras, ...parsed } = await parse(format, { bytes, name: shown, findFile, loadDraco, variant });
   const usual = usualUp(format);
   const upAxis = format.up;
   if ('arrays' in content) {
     const { missing } = parsed;
     const notes = [...missingNote(missing), ...parsed.notes];
     const details = [...missingDetail(missing), ...brokenNote(parsed.broken), ...parsed.details];
-    return { kind: 'parts', name, upAxis, usual, notes, details, missing, parts: content };
+    return { kind: 'parts', name, upAxis, usual, notes, details, missing, parts: content, extras };
   }
   onStage('looking over the triangles');
   const wanted: WantedPicture[] = [];
   const merged = 'isObject3D' in content ? mergeScene(content, wanted) : content;
   const { mesh: distinct, duplicates } = dropDuplicates(merged);
   const { mesh, broken } = cleanMesh(distinct);
-  fitModel(mesh);
+  const { centre, radius } = fitModel(mesh);
   const normals = plainNormals(mesh);
   const { pictures, notes, ...lacks } = await readMeshPictures(wanted, findFile, decodePicture, (number, count) =>
     onStage(`decoding picture ${number} of ${count}`),
@@ -169,6 +179,7 @@ async function readMain(
     plainNormals: normals,
     isClosed: normals !== null && isClosed(mesh),
     stands: usual && findUpAxis(mesh.positions, mesh.indices, usual),
+    extras: extras && movedExtras(extras, fitOf(centre, radius)),
     missing,
     notes: [...missingNote(missing), ...thinNote(mesh.positions, mesh.indices), ...parsed.notes, ...notes],
     details: [
@@ -180,13 +191,17 @@ async function readMain(
   };
 }
 
+/** The matrix that moves a centre to the origin and scales a radius to 1. */
+const fitOf = ([x, y, z]: readonly [number, number, number], radius: number): Matrix4 =>
+  new Matrix4().makeScale(1 / radius, 1 / radius, 1 / radius).multiply(new Matrix4().makeTranslation(-x, -y, -z));
+
 /** Reads the model in an archive, whose files are `archived`, with those that were dropped along. */
 async function readArchived(
   archived: readonly ModelFile[],
   name: string,
   dropped: readonly ModelFile[],
   onStage: OnStage,
-  surroundings: Surroundings,
+  surroundings: Circumstances,
 ): Promise<ReadModel> {
   const main = chooseMain(archived);
   onStage(`reading ${shownName(main.name)}`);

@@ -1,4 +1,5 @@
 import { MathUtils, Matrix4, OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
+import type { FileCamera } from '../files/common/ModelExtras.js';
 import type { CameraView } from '../settings/CameraView.js';
 import { LENS } from './createCamera.js';
 import { type Framing, fitCamera } from './framing.js';
@@ -44,12 +45,37 @@ export function linkedCamera(aspect: number, { position, target }: CameraView, i
   return { camera: isOrthographic ? withoutPerspective(camera, lookedAt) : camera, target: lookedAt };
 }
 
+/** What a camera of a file looks at lies so far before it at least, in radii of the model. */
+const LEAST_DISTANCE = 0.1;
+
+/** A camera of a file, in the world. All of its own picture is in that of the sheet. @param aspect of the sheet */
+export function cameraOfFile(
+  aspect: number,
+  { position, forwards, up, high, isOrthographic: isFlat, aspect: own = 0 }: FileCamera,
+  isOrthographic: boolean,
+): PlacedCamera {
+  const eye = new Vector3().fromArray(position);
+  const way = new Vector3().fromArray(forwards);
+  // Of its line of sight, the point nearest to the middle of the model.
+  const target = eye.clone().addScaledVector(way, Math.max(LEAST_DISTANCE, -eye.dot(way)));
+  const half = Math.max(high, (high * own) / aspect);
+  const camera = isFlat
+    ? new OrthographicCamera(-half * aspect, half * aspect, half, -half, LENS.near, 2 * FAR_AWAY)
+    : new PerspectiveCamera(2 * MathUtils.radToDeg(Math.atan(half)), aspect, LENS.near, LENS.far);
+  camera.position.copy(eye);
+  camera.up.fromArray(up);
+  camera.lookAt(target);
+  const isChanged = isOrthographic && camera instanceof PerspectiveCamera;
+  return { camera: isChanged ? withoutPerspective(camera, target) : camera, target };
+}
+
 /** A camera that sees as much of the plane through its target as another one. */
-function withoutPerspective({ position, fov, aspect }: PerspectiveCamera, target: Vector3): OrthographicCamera {
+function withoutPerspective({ position, up, fov, aspect }: PerspectiveCamera, target: Vector3): OrthographicCamera {
   const toEye = position.clone().sub(target);
   const high = toEye.length() * Math.tan(MathUtils.degToRad(fov) / 2);
   const camera = new OrthographicCamera(-high * aspect, high * aspect, high, -high, LENS.near, 2 * FAR_AWAY);
   camera.position.copy(target).addScaledVector(toEye.normalize(), FAR_AWAY);
+  camera.up.copy(up);
   camera.lookAt(target);
   return camera;
 }

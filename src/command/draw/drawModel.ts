@@ -7,9 +7,12 @@ import { drawSVG } from 'three-hatching/svg';
 import { buildModel } from '../../drawing/buildModel.js';
 import type { HatchedModel } from '../../drawing/HatchedModel.js';
 import { meshesOf } from '../../drawing/meshesOf.js';
+import { counted } from '../../files/common/counted.js';
+import { indexOfName } from '../../files/common/indexOfName.js';
 import { ModelError } from '../../files/common/ModelError.js';
 import { withPictures } from '../../files/decodePictures.js';
 import { type ReadModel, readModel } from '../../files/readModel.js';
+import { lightsOfFile } from '../../staging/lightsOfFile.js';
 import { turnCamera } from '../../staging/placeCamera.js';
 import type { DrawingOptions } from '../DrawingOptions.js';
 import type { DrawingCounts, DrawMessage, DrawTask } from '../DrawThread.js';
@@ -43,13 +46,15 @@ export async function drawModel(
   const progress = (stage: string, share: number): void => say({ kind: 'progress', stage, progress: share });
   const note = (sentence: string): void => say({ kind: 'note', sentence });
   const surroundings = new NodeSurroundings(dirname(path));
-  const read = await readFrom(path, surroundings, say);
+  const read = await readFrom(path, surroundings, options.variant, say);
   const report = (stage: string, share = 0): void => progress(stage, READ + (JOINED - READ) * share);
   const { model, notes } = await buildModel(read, report, signal);
   for (const one of notes) note(`${name}: ${plainSentence(one)}.`);
   // An archive of the playground holds the look with the model.
   const drawnWith = settingsFor(options, options.link ?? read.drawing?.link, read.upAxis);
   chooseClip(model, options, name);
+  checkChosen(model, options, name);
+  for (const offer of offersOf(model, options)) note(`${name} ${offer}.`);
   const angles = anglesOf(options);
   const staged = await stageModel(model, drawnWith, options, angles, {
     signal,
@@ -63,13 +68,14 @@ export async function drawModel(
 async function readFrom(
   path: string,
   surroundings: NodeSurroundings,
+  variant: string | undefined,
   say: (message: DrawMessage) => void,
 ): Promise<ReadModel> {
   const onStage = (stage: string, bytes?: number): void =>
     say({ kind: 'progress', stage, bytes, progress: 0.5 * READ });
   if (!(await stat(path)).isFile()) throw new ModelError(`${path} is no file.`);
   const files = [{ name: basename(path), content: await openAsBlob(path) }];
-  const read = await readModel(files, onStage, surroundings);
+  const read = await readModel(files, onStage, surroundings, variant);
   if (read.kind !== 'mesh') return withPictures(read, onStage, surroundings);
   const onProgress = (share: number): void =>
     say({ kind: 'progress', stage: 'simplifying', progress: READ * (0.5 + 0.5 * share) });
@@ -84,10 +90,46 @@ function anglesOf({ frames = 1, clip }: DrawingOptions): number[] {
 function chooseClip({ motion }: HatchedModel, { clip }: DrawingOptions, name: string): void {
   if (clip === undefined) return;
   const clips = motion?.clips ?? [];
-  const index = clips.indexOf(clip);
+  const index = indexOfName(clips, clip);
   if (!motion || clips.length === 0) throw new ModelError(`${name} has no clips.`);
   if (index === -1) throw new ModelError(`${name} has no clip ${clip}; it has ${clips.join(', ')}.`);
   motion.clip = index;
+}
+
+/** @throws ModelError if the model has no such camera, or no variants; glTF files have refused a variant that they lack already */
+function checkChosen({ extras }: HatchedModel, { camera, variant }: DrawingOptions, name: string): void {
+  if (variant !== undefined && extras.variants.length === 0)
+    throw new ModelError(`${name} has no variants of its materials.`);
+  if (camera === undefined) return;
+  const names = extras.cameras.map((one) => one.name);
+  if (names.length === 0) throw new ModelError(`${name} has no cameras.`);
+  if (indexOfName(names, camera) === -1)
+    throw new ModelError(`${name} has no camera ${camera}; it has ${names.join(', ')}.`);
+}
+
+/** What a model offers that nobody has asked for. */
+function offersOf({ extras, motion }: HatchedModel, { camera, variant, clip, ...options }: DrawingOptions): string[] {
+  const { cameras, variants, lights } = extras;
+  const clips = motion?.clips ?? [];
+  const leftOut = options.usesFileLights && !options.light ? (lightsOfFile(lights)?.leftOut ?? 0) : 0;
+  return [
+    ...offer(
+      'camera',
+      cameras.map((one) => one.name),
+      camera,
+    ),
+    ...offer('variant', variants, variant),
+    ...(clips.length > 1 ? offer('clip', clips, clip) : []),
+    ...(leftOut > 0 ? [`has ${counted(leftOut, 'light', 'that are not drawn: the brightest two are, at most')}`] : []),
+  ];
+}
+
+/** A sentence on things that can be chosen, if there are any and none is. */
+function offer(option: string, names: readonly string[], chosen: string | undefined): string[] {
+  if (chosen !== undefined || names.length === 0) return [];
+  const list = names.length > NAMED ? [...names.slice(0, NAMED), '…'] : names;
+  const [plural, one] = names.length === 1 ? ['', 'it'] : ['s', 'one'];
+  return [`has the ${option}${plural} ${list.join(', ')}: --${option} draws with ${one}`];
 }
 
 /**

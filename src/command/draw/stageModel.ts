@@ -3,13 +3,22 @@ import { bakeOcclusion, flatteringLight } from 'three-hatching';
 import { bakeFurther } from '../../drawing/bakeFurther.js';
 import type { HatchedModel } from '../../drawing/HatchedModel.js';
 import { meshesOf } from '../../drawing/meshesOf.js';
+import { indexOfName } from '../../files/common/indexOfName.js';
+import { movedExtras } from '../../files/common/ModelExtras.js';
 import { lookOf } from '../../settings/lookOf.js';
 import { formDrawn } from '../../settings/settingValues.js';
 import { Backdrop } from '../../staging/Backdrop.js';
 import { DEFAULT_VIEW, LENS } from '../../staging/createCamera.js';
 import { Ground } from '../../staging/Ground.js';
 import { LightRig } from '../../staging/LightRig.js';
-import { framedCamera, linkedCamera, type PlacedCamera, roomiestView } from '../../staging/placeCamera.js';
+import { lightsOfFile } from '../../staging/lightsOfFile.js';
+import {
+  cameraOfFile,
+  framedCamera,
+  linkedCamera,
+  type PlacedCamera,
+  roomiestView,
+} from '../../staging/placeCamera.js';
 import { strokeShare } from '../../staging/strokeShare.js';
 import type { DirectionInDegrees, DrawingOptions } from '../DrawingOptions.js';
 import type { DrawnWith } from './settingsFor.js';
@@ -53,9 +62,19 @@ export async function stageModel(
   const outline = turnedPoints(model.outline, upright);
   const [width, height] = options.sheet.map((side) => side - 2 * options.margin);
   const aspect = width / height;
-  const toEye = options.view ? directionOf(options.view) : new Vector3(...DEFAULT_VIEW);
+  const { cameras, lights: fileLights } = movedExtras(model.extras, upright.matrixWorld);
+  const { orthographic: isOrthographic, zoom } = options;
+  const fileCamera = options.camera === undefined ? undefined : cameras[indexOfName(namesOf(cameras), options.camera)];
+  const ofFile = fileCamera && cameraOfFile(aspect, fileCamera, isOrthographic);
+  const toEye = ofFile
+    ? ofFile.camera.position.clone().sub(ofFile.target)
+    : options.view
+      ? directionOf(options.view)
+      : new Vector3(...DEFAULT_VIEW);
   model.apply(lookOf(settings));
-  if (!isLit) {
+  const lit = !isLit && options.usesFileLights ? lightsOfFile(fileLights) : undefined;
+  if (lit) Object.assign(settings, lit.settings);
+  else if (!isLit) {
     const lens = new PerspectiveCamera(LENS.fieldOfView, aspect, LENS.near, LENS.far);
     const { direction } = flatteringLight(model.root, roomiestView(lens, outline, toEye, ON_SHEET), {
       onGround: outline,
@@ -75,14 +94,15 @@ export async function stageModel(
   backdrop.apply(look, model.extent);
   const inPicture = aroundUpright(outline, angles);
   const shadow = look.showsGround ? lights.shadowOf(outline, ground.height, toEye) : undefined;
-  const { orthographic: isOrthographic, zoom } = options;
-  const placed = place
-    ? linkedCamera(aspect, place, isOrthographic)
-    : framedCamera(aspect, inPicture, toEye, {
-        ...ON_SHEET,
-        isOrthographic,
-        ...(shadow && { shadow: aroundUpright(shadow, angles) }),
-      });
+  const placed = ofFile
+    ? ofFile
+    : place
+      ? linkedCamera(aspect, place, isOrthographic)
+      : framedCamera(aspect, inPicture, toEye, {
+          ...ON_SHEET,
+          isOrthographic,
+          ...(shadow && { shadow: aroundUpright(shadow, angles) }),
+        });
   placed.camera.zoom = zoom;
   placed.camera.updateProjectionMatrix();
   const pixels = options.dpi / MILLIMETRES_PER_INCH;
@@ -93,6 +113,8 @@ export async function stageModel(
   await bake(model, settings, signal, report);
   return { scene, lights, placed };
 }
+
+const namesOf = (named: readonly { name: string }[]): string[] => named.map(({ name }) => name);
 
 /** The direction to a place in degrees around the model and above it. */
 function directionOf({ azimuth, elevation }: DirectionInDegrees): Vector3 {

@@ -70,8 +70,30 @@ const buffer = record({
   extensions: record({ EXT_meshopt_compression: fallback, KHR_meshopt_compression: fallback }),
 });
 
+const camera = orNothing(
+  record({
+    name,
+    type: required(oneOf('perspective', 'orthographic')),
+    perspective: record({ yfov: required(real), aspectRatio: real }),
+    orthographic: record({ xmag: required(real), ymag: required(real) }),
+  }),
+);
+
+const light = orNothing(
+  record({
+    name,
+    type: required(oneOf('directional', 'point', 'spot')),
+    color: reals(3),
+    intensity: real,
+    spot: orNothing(record({ outerConeAngle: real })),
+  }),
+);
+
+const variant = orNothing(record({ name }));
+
 const node = record({
   name,
+  camera: orNothing(indexIn('cameras')),
   children: listOf(nodeIndex),
   mesh: indexIn('meshes'),
   skin: orNothing(indexIn('skins')),
@@ -83,8 +105,11 @@ const node = record({
   extensions: record({
     EXT_mesh_gpu_instancing: record({ attributes: mapOf(accessorIndex) }),
     KHR_node_visibility: record({ visible: flag }),
+    KHR_lights_punctual: orNothing(record({ light: required(indexIn('lights')) })),
   }),
 });
+
+const mapping = record({ material: required(indexIn('materials')), variants: required(listOf(whole)) });
 
 const primitive = record({
   attributes: required(mapOf(accessorIndex)),
@@ -94,6 +119,7 @@ const primitive = record({
   targets: orNothing(listOf(mapOf(accessorIndex))),
   extensions: record({
     KHR_draco_mesh_compression: record({ bufferView: required(viewIndex), attributes: required(mapOf(whole)) }),
+    KHR_materials_variants: orNothing(record({ mappings: required(listOf(orNothing(mapping))) })),
   }),
 });
 
@@ -196,6 +222,9 @@ const LISTS = {
   images: listOf(image),
   samplers: listOf(sampler),
   animations: listOf(animation),
+  cameras: orNothing(listOf(camera)),
+  lights: orNothing(listOf(light)),
+  variants: orNothing(listOf(variant)),
 };
 
 type Lists = { [List in keyof typeof LISTS]: TypeOf<(typeof LISTS)[List]> };
@@ -214,6 +243,8 @@ export type GltfMesh = TypeOf<typeof mesh>;
 export type GltfPrimitive = TypeOf<typeof primitive>;
 export type GltfMaterial = NonNullable<TypeOf<typeof material>>;
 export type GltfTextureUse = NonNullable<TypeOf<typeof textureUse>>;
+export type GltfCamera = NonNullable<TypeOf<typeof camera>>;
+export type GltfLight = NonNullable<TypeOf<typeof light>>;
 export type GltfSampler = NonNullable<TypeOf<typeof sampler>>;
 export type GltfChannel = TypeOf<typeof channel>;
 export type GltfAnimationSampler = TypeOf<typeof animationSampler>;
@@ -234,12 +265,18 @@ export function readGltfDocument(source: string, fileName: string): { document: 
   }
   checkVersion(json, fileName);
   const lists = Object.keys(LISTS) as (keyof Lists)[];
+  const extensions = (json.extensions ?? {}) as Record<string, Record<string, unknown> | null | undefined>;
+  const found: Record<string, unknown> = {
+    ...json,
+    lights: extensions.KHR_lights_punctual?.lights,
+    variants: extensions.KHR_materials_variants?.variants,
+  };
   const lengths = Object.fromEntries(
-    lists.map((list) => [list, Array.isArray(json[list]) ? (json[list] as unknown[]).length : 0]),
+    lists.map((list) => [list, Array.isArray(found[list]) ? (found[list] as unknown[]).length : 0]),
   );
   const context = { name: fileName, lengths, leftOut: [] as string[] };
   const read = <List extends keyof Lists>(list: List): Lists[List] =>
-    (LISTS[list] as Shape<Lists[List]>)(json[list] ?? [], list, context);
+    (LISTS[list] as Shape<Lists[List]>)(found[list] ?? [], list, context);
   const document = {
     ...Object.fromEntries(lists.map((list) => [list, read(list)])),
     scene: json.scene === undefined ? undefined : orNothing(indexIn('scenes'))(json.scene, 'scene', context),

@@ -1,8 +1,10 @@
+import { Matrix4 } from 'three';
 import { BITMAPS } from '../common/bitmaps.js';
 import { counted } from '../common/counted.js';
 import type { FindFile } from '../common/FindFile.js';
 import { baseName } from '../common/fileName.js';
 import { ModelError } from '../common/ModelError.js';
+import { type ModelExtras, movedExtras } from '../common/ModelExtras.js';
 import { readUri } from '../common/readUri.js';
 import type { Surroundings } from '../common/Surroundings.js';
 import { shownName } from '../common/shownText.js';
@@ -11,6 +13,7 @@ import { mergeScene } from '../scenes/mergeScene.js';
 import { chooseScene } from './chooseScene.js';
 import { GltfValues } from './GltfValues.js';
 import { type GltfDocument, readGltfDocument } from './gltfDocument.js';
+import { gltfExtras, useVariant } from './gltfExtras.js';
 import { drawnMaterials, textureSource } from './gltfMaterials.js';
 import { collectPictures } from './gltfPictures.js';
 import { type GltfParts, parseGltf } from './parseGltf.js';
@@ -32,11 +35,14 @@ export interface ReadGltf {
   details: string[];
   /** The names of pictures that the file refers to and that were not dropped along. */
   missing: string[];
+  /** What it offers beside its model, in the space of its content. */
+  extras?: ModelExtras;
 }
 
 /**
  * Reads GLB, or glTF with its files, also if compressed with Draco or meshopt. Nothing else is fetched.
  *
+ * @param variant of its materials: its index, or its name or its number from 1 on as text
  * @throws ModelError
  */
 export async function readGltf(
@@ -45,12 +51,15 @@ export async function readGltf(
   isBinary: boolean,
   findFile: FindFile,
   loadDraco: Surroundings['loadDraco'] = BITMAPS.loadDraco,
+  variant?: string | number,
 ): Promise<ReadGltf> {
   const { text, binary } = isBinary
     ? splitGlb(bytes, name)
     : { text: new TextDecoder().decode(bytes), binary: undefined };
   const { document, leftOut } = readGltfDocument(text, name);
+  if (variant !== undefined) useVariant(document, variant, name);
   const chosen = chooseScene(document, name);
+  const extras = gltfExtras(document, chosen);
   const values = new GltfValues(document, await collectBuffers(document, name, binary, findFile), name);
   await values.prepare();
   const plain = await unpackGltf(document, chosen, values, name, loadDraco);
@@ -62,11 +71,13 @@ export async function readGltf(
   const glows = document.materials.some((material) => material?.emissiveFactor?.some((value) => value > 0));
   const isScene = plain.moves || isPictured || glows;
   if (isScene && isSmall(plain)) {
-    return { content: withMaterials(plain, document, pictures), broken: plain.broken, notes, details, missing };
+    return { content: withMaterials(plain, document, pictures), broken: plain.broken, notes, details, missing, extras };
   }
   if (isScene) notes.push(`too large to be drawn ${plain.moves ? 'in motion' : 'with its pictures'}`);
   const { root } = await parseGltf(withMaterials({ ...plain, json: { ...plain.json, animations: [] } }, document, []));
-  return { content: mergeScene(root), broken: plain.broken, notes, details, missing };
+  const toMesh = new Matrix4();
+  const content = mergeScene(root, undefined, toMesh);
+  return { content, broken: plain.broken, notes, details, missing, extras: movedExtras(extras, toMesh) };
 }
 
 function isSmall({ json, vertices, draws }: PlainGltf): boolean {

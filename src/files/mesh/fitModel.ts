@@ -13,18 +13,21 @@ export interface Extent {
  * distance 1. Stroke scales then mean the same on every model, and coordinates far from the origin do not lose
  * precision. Broken triangles must have been removed before.
  *
+ * @returns how far it reached before
  * @throws ModelError if all vertices lie at one point
  */
-export function fitModel({ positions }: PlainMesh): void {
+export function fitModel({ positions }: PlainMesh): Extent {
+  const extent = measureExtent(positions);
   const {
     centre: [x, y, z],
     radius,
-  } = measureExtent(positions);
+  } = extent;
   for (let i = 0; i < positions.length; i += 3) {
     positions[i] = (positions[i] - x) / radius;
     positions[i + 1] = (positions[i + 1] - y) / radius;
     positions[i + 2] = (positions[i + 2] - z) / radius;
   }
+  return extent;
 }
 
 /**

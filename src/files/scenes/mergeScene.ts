@@ -24,14 +24,16 @@ import { settleAlpha } from './settleAlpha.js';
  *
  * @param pictures if given, it receives the textures of base colours, and the mesh is drawn in one range for each; otherwise textures
  *   are left out
+ * @param toMesh if given, it receives the matrix that takes the space of the scene to that of the mesh
  * @throws ModelError if there are no triangles, or too many
  */
-export function mergeScene(root: Object3D, pictures?: WantedPicture[]): PlainMesh {
+export function mergeScene(root: Object3D, pictures?: WantedPicture[], toMesh?: Matrix4): PlainMesh {
   root.updateMatrixWorld(true);
   repairScene(root);
   settleAlpha(root);
   const parts = placedParts(root, pictures);
   const toOrigin = nearOrigin(parts);
+  if (toOrigin) toMesh?.copy(toOrigin);
   if (toOrigin) for (const part of parts) part.matrix = part.matrix.clone().premultiply(toOrigin);
   const pieces = parts.flatMap((part) => part.pieces.map((piece) => ({ part, piece })));
   const cornerCount = pieces.reduce((sum, { piece }) => sum + piece.count, 0);

@@ -33,6 +33,17 @@ describe('what the command line says', () => {
     });
   });
 
+  test('cameras, lights, variants and clips of the file', () => {
+    expect(drawing(...OUT).options).toMatchObject({ camera: undefined, variant: undefined, usesFileLights: true });
+    const line = ['--camera', 'hero', '--variant', '2', '--clip', 'walk', '--no-file-lights'];
+    expect(drawing(...OUT, ...line).options).toMatchObject({
+      ...{ camera: 'hero', variant: '2', clip: 'walk', usesFileLights: false },
+    });
+    expect(refusal(...OUT, '--camera', '1', '--view', '0 0')).toBe(
+      '--camera and --view exclude each other; pass only one of them.',
+    );
+  });
+
   test('values may begin with a dash, also after an equals sign', () => {
     expect(drawing(...OUT, '--view=-10,-20', '--up', '-z').options).toMatchObject({
       view: { azimuth: -10, elevation: -20 },

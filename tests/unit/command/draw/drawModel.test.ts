@@ -1,7 +1,7 @@
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { Spherical, Vector3 } from 'three';
+import { type PerspectiveCamera, Spherical, Vector3 } from 'three';
 import { drawSVG } from 'three-hatching/svg';
 import { afterEach, beforeEach, describe, expect, test } from 'vitest';
 import type { DrawingOptions } from '../../../../src/command/DrawingOptions.js';
@@ -15,6 +15,7 @@ import { parseDrawing } from '../../../../src/command/parseDrawing.js';
 import { buildModel } from '../../../../src/drawing/buildModel.js';
 import { readModel } from '../../../../src/files/readModel.js';
 import { columnGlb, packGlb } from '../../../../tools/modelFiles/columnModel.js';
+import { addTrack, tetrahedron } from '../../../../tools/modelFiles/GltfBuilder.js';
 import {
   octahedronAsciiStl,
   octahedronBin,
@@ -147,10 +148,11 @@ test('the drawing is that of drawSVG for a scene staged in the same way, byte fo
 });
 
 describe('the stage', () => {
-  async function staged(args: readonly string[], link?: string) {
+  async function staged(args: readonly string[], link?: string, glb?: Uint8Array<ArrayBuffer>) {
     const options = optionsOf(...args, ...(link ? ['--link', link] : []));
-    const content = new Blob([octahedronObj]);
-    const read = await readModel([{ name: 'a.obj', content }], () => {}, new NodeSurroundings(work));
+    const content = new Blob([glb ?? octahedronObj]);
+    const name = glb ? 'a.glb' : 'a.obj';
+    const read = await readModel([{ name, content }], () => {}, new NodeSurroundings(work));
     const { signal } = new AbortController();
     const { model } = await buildModel(read, () => {}, signal);
     const drawnWith = settingsFor(options, options.link, 'y');
@@ -162,6 +164,58 @@ describe('the stage', () => {
     const { theta, phi } = new Spherical().setFromVector3(place);
     return [(180 * theta) / Math.PI, 90 - (180 * phi) / Math.PI].map((angle) => Math.round(10 * angle) / 10);
   };
+
+  /** A model with a camera above its right side, which sees to its left and right, and with two lights. @param moves so that it stays a scene */
+  function seenAndLit(moves: boolean): Uint8Array<ArrayBuffer> {
+    const builder = tetrahedron();
+    const { json } = builder;
+    const turned = (about: number[], angle: number): number[] => [
+      ...about.map((value) => value * Math.sin(angle / 2)),
+      Math.cos(angle / 2),
+    ];
+    const light = (index: number): object => ({ KHR_lights_punctual: { light: index } });
+    json.cameras = [{ type: 'perspective', perspective: { yfov: 0.6, znear: 0.1, aspectRatio: 2 } }];
+    json.extensions = {
+      KHR_lights_punctual: {
+        lights: [{ type: 'directional', intensity: 2 }, { type: 'point', intensity: 90 }, { type: 'directional' }],
+      },
+    };
+    json.nodes.push(
+      { name: 'side', camera: 0, translation: [9, 0, 0], rotation: turned([0, 1, 0], Math.PI / 2) },
+      { rotation: turned([1, 0, 0], -Math.PI / 3), extensions: light(0) },
+      { translation: [-3, 0, 0], extensions: light(1) },
+      { extensions: light(2) },
+    );
+    json.scenes[0].nodes = json.nodes.map((_: object, i: number) => i);
+    if (moves)
+      addTrack(
+        builder,
+        'translation',
+        builder.accessor(Float32Array.of(0, 1), 'SCALAR'),
+        builder.accessor(new Float32Array(6), 'VEC3'),
+      );
+    return builder.glb() as Uint8Array<ArrayBuffer>;
+  }
+
+  test.each([false, true])('has the eye and the lights of a glTF file, moving: %s', async (moves) => {
+    const glb = seenAndLit(moves);
+    const { placed, lights, settings } = await staged(['--camera', 'side', '--sheet', '60x60'], undefined, glb);
+    const { camera } = placed as { camera: PerspectiveCamera };
+    expect(camera.position.x).toBeCloseTo(9 / Math.sqrt(3), 4);
+    expect(placed.target.length()).toBeCloseTo(0, 5);
+    // All that it sees to the sides is on a sheet that is as high as wide.
+    expect(Math.tan((camera.fov * Math.PI) / 360)).toBeCloseTo(2 * Math.tan(0.3), 5);
+    // The lamp of 90 at a distance of √3 radii gives more light than the sun.
+    expect([settings.lightKind, settings.secondLight]).toEqual(['point', 'free']);
+    expect([degrees(lights.position), degrees(lights.secondPosition)]).toEqual([
+      [-90, 0],
+      [0, 60],
+    ]);
+    const found = await staged(['--no-file-lights', '--view', '0 0'], undefined, glb);
+    expect(found.settings.lightKind).toBe('directional');
+    const own = await staged(['--light', '10 20'], undefined, glb);
+    expect(degrees(own.lights.position)).toEqual([10, 20]);
+  });
 
   test('has eye and light where the options say', async () => {
     const { placed, lights } = await staged(['--view', '25 8', '--light', '-45 40']);
@@ -325,4 +379,45 @@ test.each([
   expect(said).toContain(name);
   expect(said).toMatch(/^\S[^\n]*\.$/);
   expect(said).not.toMatch(/this page|drop |browser has/);
+});
+
+describe('what a glTF file offers', () => {
+  const named = (): Uint8Array => {
+    const builder = tetrahedron();
+    const { json } = builder;
+    json.cameras = [{ type: 'perspective', name: 'hero', perspective: { yfov: 0.9, znear: 0.1 } }];
+    json.nodes.push({ camera: 0, translation: [0, 0, 6] });
+    json.scenes[0].nodes = [0, 1];
+    json.materials = [{}, { pbrMetallicRoughness: { baseColorFactor: [0, 0, 0, 1] } }];
+    json.extensions = { KHR_materials_variants: { variants: [{ name: 'white' }, { name: 'black' }] } };
+    const mappings = [{ material: 1, variants: [1] }];
+    Object.assign(json.meshes[0].primitives[0], { extensions: { KHR_materials_variants: { mappings } } });
+    const times = builder.accessor(Float32Array.of(0, 1), 'SCALAR');
+    const places = builder.accessor(new Float32Array(6), 'VEC3');
+    json.animations = ['walk', 'run'].map((name) => ({
+      name,
+      channels: [{ sampler: 0, target: { node: 0, path: 'translation' } }],
+      samplers: [{ input: times, output: places }],
+    }));
+    return builder.glb();
+  };
+
+  test('is said where nobody asks for it', async () => {
+    expect((await draw('a.glb', named(), ...SMALL)).notes).toEqual([
+      'a.glb has the camera hero: --camera draws with it.',
+      'a.glb has the variants white, black: --variant draws with one.',
+      'a.glb has the clips walk, run: --clip draws with one.',
+    ]);
+  });
+
+  test('is drawn where somebody does', async () => {
+    const chosen = ['--camera', '1', '--variant', 'black', '--clip', '2'];
+    const white = await draw('a.glb', named(), ...SMALL, ...chosen.with(3, '1'));
+    const black = await draw('a.glb', named(), ...SMALL, ...chosen);
+    expect([white.notes, black.notes]).toEqual([[], []]);
+    expect(black.drawn[0]).toBeGreaterThan(1.2 * white.drawn[0]);
+    expect(await refusal('a.glb', named(), '--camera', 'side')).toBe('a.glb has no camera side; it has hero.');
+    expect(await refusal('a.obj', octahedronObj, '--camera', '1')).toBe('a.obj has no cameras.');
+    expect(await refusal('a.obj', octahedronObj, '--variant', '1')).toBe('a.obj has no variants of its materials.');
+  });
 });

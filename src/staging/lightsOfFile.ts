@@ -1,0 +1,79 @@
+import { MathUtils, Spherical, Vector3 } from 'three';
+import type { FileLight } from '../files/common/ModelExtras.js';
+import { acceptSetting } from '../settings/acceptSetting.js';
+import { SETTINGS, type SettingKey, type Settings } from '../settings/settings.js';
+
+/** A light that sends less than this share of the brightest is left out. */
+const LEAST_SHARE = 0.05;
+/** So many lights are drawn: the light, and a second sun. */
+const MOST_LIGHTS = 2;
+
+type LightSettings = Pick<
+  Settings,
+  | 'lightKind'
+  | 'lightAzimuth'
+  | 'lightElevation'
+  | 'lightFollows'
+  | 'lightDistance'
+  | 'spotAngle'
+  | 'secondLight'
+  | 'secondAzimuth'
+  | 'secondElevation'
+  | 'secondStrength'
+>;
+
+/**
+ * The brightest lights of a file as settings: the light, and a second sun that shines from where the next one is. The model of radius 1
+ * lies around the origin, where the light of each is compared.
+ *
+ * @param lights in the world
+ * @returns undefined if none of them shines on the model; and how many are left out
+ */
+export function lightsOfFile(lights: readonly FileLight[]): { settings: LightSettings; leftOut: number } | undefined {
+  const [first, second] = [...lights].map(arriving).sort((a, b) => b.light - a.light);
+  if (!first || !(first.light > 0)) return undefined;
+  const hasSecond = second !== undefined && second.light > LEAST_SHARE * first.light;
+  const main = placeOf(first.towards);
+  const beside = hasSecond ? placeOf(second.towards) : undefined;
+  const strength = hasSecond ? (100 * second.light) / first.light : undefined;
+  const settings = {
+    lightKind: first.kind,
+    lightAzimuth: accepted('lightAzimuth', main.azimuth),
+    lightElevation: accepted('lightElevation', main.elevation),
+    lightFollows: 'model',
+    lightDistance: accepted('lightDistance', first.distance),
+    spotAngle: accepted('spotAngle', MathUtils.radToDeg(2 * first.angle)),
+    secondLight: hasSecond ? 'free' : 'none',
+    secondAzimuth: accepted('secondAzimuth', beside?.azimuth),
+    secondElevation: accepted('secondElevation', beside?.elevation),
+    secondStrength: accepted('secondStrength', strength),
+  } as LightSettings;
+  return { settings, leftOut: Math.max(0, lights.length - (hasSecond ? MOST_LIGHTS : 1)) };
+}
+
+/** How much light arrives in the middle of the model, and from where. */
+function arriving({ kind, intensity, position, forwards, angle }: FileLight): {
+  kind: FileLight['kind'];
+  light: number;
+  towards: Vector3;
+  distance: number;
+  angle: number;
+} {
+  const way = new Vector3().fromArray(forwards);
+  if (kind === 'directional') return { kind, light: intensity, towards: way.negate(), distance: 1, angle };
+  const towards = new Vector3().fromArray(position);
+  const distance = towards.length();
+  // A lamp in the middle of the model has no direction.
+  const light = distance > 0 ? intensity / distance ** 2 : 0;
+  const isAside = kind === 'spot' && way.dot(towards) > -distance * Math.cos(angle);
+  return { kind, light: isAside ? 0 : light, towards, distance, angle };
+}
+
+function placeOf(towards: Vector3): { azimuth: number; elevation: number } {
+  const { theta, phi } = new Spherical().setFromVector3(towards);
+  return { azimuth: MathUtils.radToDeg(theta), elevation: 90 - MathUtils.radToDeg(phi) };
+}
+
+/** The allowed value of a setting that is nearest; its default for undefined. */
+const accepted = (key: SettingKey, value: number | undefined): string | number | undefined =>
+  acceptSetting(key, value ?? SETTINGS[key].default);
