@@ -14,6 +14,8 @@ export interface LoadOptions {
   onCoarse?: ((model: ReadModel) => void) | undefined;
   /** The most triangles of a model whose triangles are simplified, if it is not to have those that a sheet shows. */
   most?: number | undefined;
+  /** The index of the variant of its materials. */
+  variant?: number | undefined;
 }
 
 /** Only smaller files are read on the main thread: it does nothing else meanwhile, and reading cannot be stopped. */
@@ -44,7 +46,7 @@ export async function loadModelFiles(
   }
 }
 
-async function readHere(files: readonly ModelFile[], { signal, onStage }: LoadOptions): Promise<ReadModel> {
+async function readHere(files: readonly ModelFile[], { signal, onStage, variant }: LoadOptions): Promise<ReadModel> {
   const bytes = sizeOf(files);
   if (bytes > MAX_BYTES_WITHOUT_WORKER) {
     const [has, takes] = [bytes, MAX_BYTES_WITHOUT_WORKER].map((size) => Math.ceil(size / 2 ** 20));
@@ -55,7 +57,8 @@ async function readHere(files: readonly ModelFile[], { signal, onStage }: LoadOp
   const { readModel } = await import('../../files/readModel.js');
   const { withPictures } = await import('../../files/decodePictures.js');
   signal.throwIfAborted();
-  const model = await withPictures(await readModel(files, onStage, PAGE_SURROUNDINGS), onStage, PAGE_SURROUNDINGS);
+  const read = await readModel(files, onStage, PAGE_SURROUNDINGS, variant);
+  const model = await withPictures(read, onStage, PAGE_SURROUNDINGS);
   signal.throwIfAborted();
   return model;
 }
@@ -73,7 +76,7 @@ const sizeOf = (files: readonly ModelFile[]): number => files.reduce((sum, { con
 
 async function readInWorker(
   given: readonly ModelFile[] | Promise<readonly ModelFile[]>,
-  { signal, onStage, onCoarse, most }: LoadOptions,
+  { signal, onStage, onCoarse, most, variant }: LoadOptions,
   ahead: ReadAhead | undefined,
 ): Promise<ReadModel> {
   const worker = ahead?.worker ?? startWorker();
@@ -116,7 +119,8 @@ async function readInWorker(
         if (isOver) return;
         bytes = sizeOf(files);
         restartTimer();
-        if (!ahead) worker.postMessage(most === undefined ? files : ({ files, most } satisfies FineRequest));
+        const isPlain = most === undefined && variant === undefined;
+        if (!ahead) worker.postMessage(isPlain ? files : ({ files, most, variant } satisfies FineRequest));
       };
       if (given instanceof Promise) given.then(post).catch(reject);
       else post(given);

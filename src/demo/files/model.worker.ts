@@ -7,10 +7,13 @@ import { type ModelFile, type OnStage, type ReadMesh, type ReadModel, readModel 
 import { PAGE_SURROUNDINGS } from './pageSurroundings.js';
 import { coarseModel, isTooFine, simplified, withoutHeavyPictures } from './readLarge.js';
 
-/** What the worker is given if a model is to be read with other triangles than a sheet shows: at most so many. */
+/** What the worker is given if a model is to be read otherwise than a sheet shows it. */
 export interface FineRequest {
   files: readonly ModelFile[];
-  most: number;
+  /** The most triangles that it is to have; undefined for those that a sheet shows. */
+  most: number | undefined;
+  /** The index of the variant of its materials. */
+  variant: number | undefined;
 }
 
 /** Messages of the worker: its progress, its result, or the sentence of its error. */
@@ -63,9 +66,10 @@ async function lessOf(model: ReadMesh, onStage: OnStage, most?: number): Promise
 
 addEventListener('message', async ({ data }: MessageEvent<readonly ModelFile[] | FineRequest>) => {
   try {
-    const { files, most } = 'files' in data ? data : { files: data, most: undefined };
+    const { files, most, variant }: Partial<FineRequest> & Pick<FineRequest, 'files'> =
+      'files' in data ? data : { files: data };
     const onStage: OnStage = (stage, bytes) => post({ kind: 'stage', stage, bytes });
-    const read = withoutHeavyPictures(await readModel(files, onStage, PAGE_SURROUNDINGS));
+    const read = withoutHeavyPictures(await readModel(files, onStage, PAGE_SURROUNDINGS, variant));
     const model = await withPictures(read, onStage, PAGE_SURROUNDINGS);
     const isLessDrawn = isTooFine(model, most);
     if (most === undefined && model.kind === 'mesh' && needsCoarse(model.mesh)) postCoarse(model);

@@ -8,9 +8,12 @@ import type { BundledDrawing } from '../../../files/archives/bundle.js';
 import { shownName } from '../../../files/common/shownText.js';
 import type { ModelFile, ReadMesh, ReadModel } from '../../../files/readModel.js';
 import type { CameraView } from '../../../settings/CameraView.js';
+import { isLitBy, lightOf, type SavedView } from '../../../settings/savedViews.js';
 import { SETTINGS, type Settings } from '../../../settings/settings.js';
 import { drawsWithAdjacency } from '../../../settings/settingValues.js';
+import { viewsOfFile } from '../../../staging/viewsOfFile.js';
 import type { CodeModel } from '../../code/CodeModel.js';
+import { extrasInWorld } from '../../drawing/extrasInWorld.js';
 import { standInOf } from '../../drawing/standInOf.js';
 import { loadModelFiles } from '../../files/loadModelFiles.js';
 import { BUILT_IN_MODELS, type BuiltInModel } from '../../models/models.js';
@@ -31,6 +34,8 @@ interface LoadedModel {
   drawing?: BundledDrawing | undefined;
   /** Lights the model for its view; undefined if its light is known. */
   light?: typeof lightModel | undefined;
+  /** The index of the variant of its materials, if one was chosen. */
+  variant?: number | undefined;
 }
 
 /** A model by the value of its setting, with its files if it is the user's own. */
@@ -53,6 +58,8 @@ export interface OpenedModel {
   isOther: boolean;
   /** The look, the camera and the strokes that came with the model, if any did. */
   drawing: BundledDrawing | undefined;
+  /** Views of its cameras and lights. */
+  views: readonly SavedView[];
 }
 
 /** How loading has ended: with files that the user has opened, with a model that the settings ask for, or with the previous model. */
@@ -70,6 +77,8 @@ export class ModelLoader {
   simplified: ReadMesh['simplified'];
   /** The files from which the shown model was read. Built-in models have none. */
   shownFiles: ShownFiles = { files: [], missing: [] };
+  /** The index of the variant of the shown model's materials, if one was chosen. */
+  variant: number | undefined;
   /** The state of the page that a stand-in has changed. */
   private beforeStandIn:
     | {
@@ -83,6 +92,8 @@ export class ModelLoader {
   private stoodInFor: WantedModel | undefined;
   /** Where the light was put for a model. */
   private lit: Pick<Settings, 'lightAzimuth' | 'lightElevation'> | undefined;
+  /** The lights of the shown model's file, if it is lit by these: those before it, its own, and the light that suits its view. */
+  private litByFile: Record<'before' | 'given' | 'found', SavedView['light']> | undefined;
   /** The shown model, as the value of its setting. */
   private shownModel: Settings['model'];
   /** The model that is shown or being loaded, if there is one. */
@@ -189,6 +200,21 @@ export class ModelLoader {
     this.addresses.set(files, address);
   }
 
+  /** The names of the variants of the shown model's materials. */
+  get variants(): readonly string[] {
+    return this.shownModel === 'file' ? (this.stage.model?.extras.variants ?? []) : [];
+  }
+
+  /** Shows the user's own model with a variant of its materials, by its index, or with those that it has without one. */
+  showVariant(variant: number | undefined): void {
+    const { files } = this.shownFiles;
+    void this.show({ model: 'file', files }, { isFramed: false, isRestored: true }, async (report, signal) => {
+      const read = await loadModelFiles(files, { signal, onStage: report, variant });
+      const { name: title, missing, unpacked } = read;
+      return { title, read, shown: { files, missing, unpacked }, variant };
+    });
+  }
+
   /** Shows a model of the user's own. */
   showFiles(files: readonly ModelFile[]): Promise<void> {
     // The same model with pictures that were missing is not framed again.
@@ -288,6 +314,7 @@ export class ModelLoader {
     this.shownModel = model;
     this.title = title;
     this.shownFiles = loaded.shown ?? { files: [], missing: [] };
+    this.variant = loaded.variant;
     this.simplified = read.kind === 'mesh' ? read.simplified : undefined;
     this.sceneRadius = read.kind === 'mesh' ? undefined : 1 / next.root.scale.x;
     const { statistics } = next;
@@ -304,7 +331,7 @@ export class ModelLoader {
     if (isFramed && !hasStandIn) stage.view.frame();
     if (!hasStandIn) this.light(light);
     if (isRestored) this.onChange('restored');
-    else this.onChange('opened', { isOther: isFramed, drawing });
+    else this.onChange('opened', { isOther: isFramed, drawing, views: this.fileViews(next) });
     page.lamp.hidden = false;
   }
 
@@ -315,6 +342,7 @@ export class ModelLoader {
     if (!standIn) return;
     const { upAxis, lightAzimuth, lightElevation } = settings;
     // Where the stand-in of a model that was given up is shown, the page before that one is what may come back.
+    if ('extras' in read && read.extras) standIn.extras = read.extras;
     this.beforeStandIn ??= {
       settings: { upAxis, lightAzimuth, lightElevation },
       title: document.title,
@@ -337,9 +365,19 @@ export class ModelLoader {
 
   private light(light: LoadedModel['light']): void {
     if (!light) return;
-    light(this.stage, this.settings);
+    const { settings, litByFile } = this;
+    // The lights of a file are those of its model alone.
+    if (litByFile && isLitBy(settings, litByFile.given)) Object.assign(settings, litByFile.before);
+    const before = lightOf(settings);
+    const found = light(this.stage, settings);
     const { lightAzimuth, lightElevation } = this.settings;
     this.lit = { lightAzimuth, lightElevation };
+    this.litByFile = found && { before, given: lightOf(this.settings), found };
+  }
+
+  private fileViews(model: HatchedModel): SavedView[] {
+    const { cameras } = extrasInWorld(model);
+    return viewsOfFile(cameras, lightOf(this.settings), this.litByFile?.found);
   }
 
   /** Restores the page to how it was before the stand-in, because its model could not be loaded. */

@@ -2,14 +2,22 @@ import { MathUtils, Spherical } from 'three';
 import { flatteringLight } from 'three-hatching';
 import { acceptSetting } from '../../../settings/acceptSetting.js';
 import { lookOf } from '../../../settings/lookOf.js';
+import { lightOf, type SavedView } from '../../../settings/savedViews.js';
 import type { Settings } from '../../../settings/settings.js';
+import { lightsOfFile } from '../../../staging/lightsOfFile.js';
+import { extrasInWorld } from '../../drawing/extrasInWorld.js';
 import type { Stage } from '../../stage/Stage.js';
 
-/** Lights the shown model for its view, and applies the settings with that. A module of its own, which is fetched with the first file. */
-export function lightModel(stage: Stage, settings: Settings): void {
+/**
+ * Lights the shown model for its view or, if its file has lights, as these do, and applies the settings with that. A module of its own, which
+ * is fetched with the first file.
+ *
+ * @returns the view with the light that suits it, if the model is lit by its file
+ */
+export function lightModel(stage: Stage, settings: Settings): SavedView['light'] | undefined {
   // The model is seen upright from here on.
   stage.apply(lookOf(settings));
-  if (!stage.model) return;
+  if (!stage.model) return undefined;
   const { view } = stage;
   const camera = view.isFramed ? view.roomiest : stage.camera;
   const { direction } = flatteringLight(stage.model.root, camera, { onGround: view.modelOutline });
@@ -19,7 +27,11 @@ export function lightModel(stage: Stage, settings: Settings): void {
   for (const key of ['lightAzimuth', 'lightElevation'] as const) {
     settings[key] = acceptSetting(key, place[key]) as number;
   }
+  const found = lightOf(settings);
+  const ofFile = lightsOfFile(extrasInWorld(stage.model).lights);
+  if (ofFile) Object.assign(settings, ofFile.settings);
   stage.apply(lookOf(settings));
   // The shadow is another one now.
   if (view.isFramed) view.frame();
+  return ofFile && found;
 }

@@ -33,8 +33,12 @@ export class Card {
     const { stage, settings } = session;
     const presets = new PresetBar(page.presets, settings, (name) => session.useLook(wholeLook(name)));
     this.shelf = parts.later(async () => {
-      const { Shelf } = await import('../shelf/Shelf.js');
-      return new Shelf(stage, settings, session.views, (look) => session.useLook(look));
+      const [{ Shelf }, { ModelVariants }] = await Promise.all([
+        import('../shelf/Shelf.js'),
+        import('../shelf/ModelVariants.js'),
+      ]);
+      const variants = new ModelVariants(session.modelLoader);
+      return new Shelf(stage, settings, session.views, variants, (look) => session.useLook(look));
     });
     this.motion = parts.later(async () => {
       const { MotionPanel } = await import('./MotionPanel.js');

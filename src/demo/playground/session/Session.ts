@@ -246,8 +246,8 @@ export class Session {
   }
 
   /** Draws a model with the look that came with it. Its look is checked as that of a link is; an address in it means nothing. */
-  private takeOver({ isOther, drawing }: OpenedModel): void {
-    if (isOther) this.views.list = [];
+  private takeOver({ isOther, drawing, views: ofFile }: OpenedModel): void {
+    if (isOther) this.views.list = ofFile;
     if (!drawing) return;
     const { settings: next, camera, views, hand } = this.linked(drawing.link);
     this.showLook({ settings: { ...next, model: this.settings.model }, camera, views, hand });

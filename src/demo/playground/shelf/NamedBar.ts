@@ -1,13 +1,16 @@
 import { shownName } from '../../../files/common/shownText.js';
 import type { NamedItem, NamedList } from './NamedList.js';
 
+/** What a bar shows of a list. */
+export type BarItems = Pick<NamedList, 'items' | 'choose' | 'isShown'>;
+
 /** A row of buttons, one for each item of a list. The button of the item that is shown is pressed. An empty row is hidden. */
 export class NamedBar {
   private shown = '';
 
   constructor(
     private readonly container: HTMLElement,
-    private readonly list: NamedList,
+    private readonly list: BarItems,
   ) {
     this.refresh();
   }

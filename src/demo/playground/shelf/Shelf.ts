@@ -3,7 +3,7 @@ import type { Settings } from '../../../settings/settings.js';
 import { thumbnailOf } from '../../kept/thumbnailOf.js';
 import { findElement } from '../../page/findElement.js';
 import type { Stage } from '../../stage/Stage.js';
-import { NamedBar } from './NamedBar.js';
+import { type BarItems, NamedBar } from './NamedBar.js';
 import { type ListWords, NamedListDialog } from './NamedListDialog.js';
 import { OwnLooks } from './OwnLooks.js';
 import type { SavedViews } from './SavedViews.js';
@@ -24,7 +24,7 @@ const WORDS = {
   },
 } as const satisfies Record<string, ListWords>;
 
-/** The user's own looks and views, as buttons beside the presets and in a dialog. */
+/** The user's own looks and views, as buttons beside the presets and in a dialog, and the variants of the model. */
 export class Shelf {
   private readonly looks: OwnLooks;
   private readonly bars: readonly NamedBar[];
@@ -34,11 +34,16 @@ export class Shelf {
     stage: Stage,
     settings: Settings,
     private readonly views: SavedViews,
+    variants: BarItems,
     onLook: (look: OwnLook) => void,
   ) {
     const picture = () => (stage.isComplete && stage.frames.redraw() ? thumbnailOf(stage.frames.canvas) : undefined);
     this.looks = new OwnLooks(settings, picture, onLook, () => this.refresh());
-    this.bars = [new NamedBar(findElement('own-looks'), this.looks), new NamedBar(findElement('saved-views'), views)];
+    this.bars = [
+      new NamedBar(findElement('own-looks'), this.looks),
+      new NamedBar(findElement('saved-views'), views),
+      new NamedBar(findElement('variants'), variants),
+    ];
   }
 
   /** To be called when settings or the view have changed. */

@@ -40,8 +40,8 @@ export class ExportActions {
 
   /** Saves the picture that the settings ask for from more triangles than the page draws. */
   private readonly saveFiner = (): Promise<void> => {
-    const { files } = this.session.modelLoader.shownFiles;
-    return this.save(async () => (await import('./saveFiner.js')).saveFiner(files), {
+    const { shownFiles, variant } = this.session.modelLoader;
+    return this.save(async () => (await import('./saveFiner.js')).saveFiner(shownFiles.files, variant), {
       label: 'Save it again',
       run: this.saveFiner,
     });

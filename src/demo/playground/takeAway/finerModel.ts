@@ -23,6 +23,7 @@ export interface FinerModel extends Pick<ReadMesh, 'simplified'> {
 /**
  * Reads a simplified model again, with as many of its triangles as there is memory for, and bakes what the settings draw it with.
  *
+ * @param variant the index of the variant of its materials, if one was chosen
  * @throws ModelError with one sentence for the user
  */
 export async function finerModel(
@@ -31,11 +32,13 @@ export async function finerModel(
   settings: Settings,
   report: Report,
   signal: AbortSignal,
+  variant?: number,
 ): Promise<FinerModel> {
   const { mesh, simplified } = (await loadModelFiles(files, {
     signal,
     onStage: report,
     most: MOST_TRIANGLES,
+    variant,
   })) as ReadMesh;
   const triangles = triangleCount(mesh);
   const joining = `joining ${triangles.toLocaleString('en')} triangles`;

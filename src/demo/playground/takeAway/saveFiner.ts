@@ -8,12 +8,13 @@ import { savePicture } from './savePicture.js';
  * Saves the picture as `savePicture` does, from more triangles than the page draws. They are let go afterwards.
  *
  * @param files the model, which was simplified
+ * @param variant the index of the variant of its materials, if one was chosen
  */
 export const saveFiner =
-  (files: readonly ModelFile[]): SaveDrawing =>
+  (files: readonly ModelFile[], variant?: number): SaveDrawing =>
   async (stage, settings, name, report, signal) => {
     const { model } = stage;
-    const { geometry, triangles, simplified } = await finerModel(files, stage, settings, report, signal);
+    const { geometry, triangles, simplified } = await finerModel(files, stage, settings, report, signal, variant);
     try {
       if (stage.model !== model) throw new Error('another model was opened meanwhile.');
       stage.finer = geometry;

@@ -1,11 +1,12 @@
 import { ConeGeometry, Group, MathUtils, Mesh, PerspectiveCamera, SphereGeometry, Vector3 } from 'three';
 import { expect, test, vi } from 'vitest';
 import { lightModel } from '../../../../../src/demo/playground/loading/lightModel.js';
+import { type ModelExtras, NO_EXTRAS } from '../../../../../src/files/common/ModelExtras.js';
 import type { Look } from '../../../../../src/settings/lookOf.js';
 import { defaultSettings, type Settings } from '../../../../../src/settings/settings.js';
 
 /** A stage with a ball that its looks turn upright, and a camera that looks at it from the right. */
-function createStage(isFramed = true) {
+function createStage(isFramed = true, extras = NO_EXTRAS) {
   const root = new Mesh(new SphereGeometry(1, 48, 32));
   const upright = new Group().add(root);
   const camera = new PerspectiveCamera(30, 1.3);
@@ -18,7 +19,7 @@ function createStage(isFramed = true) {
   };
   const modelOutline = root.geometry.attributes.position.array;
   const view = { isFramed, frame: vi.fn(), roomiest: camera, modelOutline };
-  const stage = { model: { root }, camera, apply, view };
+  const stage = { model: { root, extras }, camera, apply, view };
   return { stage, applied, root, light: (settings: Settings) => lightModel(stage as never, settings) };
 }
 
@@ -41,6 +42,22 @@ test('the settings get a light from the upper front of the view, in steps of the
   ]);
   expect(applied.at(-1)?.lights.place).toEqual({ azimuth: settings.lightAzimuth, elevation: settings.lightElevation });
   expect(stage.view.frame).toHaveBeenCalledTimes(1);
+});
+
+test('a model is lit by its file, as it stands; the light that suits the view is told', () => {
+  // From in front, before the model is turned upright.
+  const sun = { kind: 'directional', intensity: 2, position: [0, 0, 0], forwards: [0, 0, -1], angle: 0 } as const;
+  const lamp = { ...sun, kind: 'point', position: [-2, 0, 0], intensity: 4 } as const;
+  const { stage, light } = createStage(true, { ...NO_EXTRAS, lights: [lamp, sun] } as unknown as ModelExtras);
+  const settings: Settings = { ...defaultSettings(), upAxis: 'z', lightFollows: 'viewer' };
+  const found = light(settings);
+  expect([settings.lightKind, settings.secondLight, settings.lightFollows]).toEqual(['directional', 'free', 'model']);
+  expect(directionOf(settings).distanceTo(new Vector3(0, 1, 0))).toBeLessThan(0.02);
+  expect([settings.secondAzimuth, settings.secondElevation, settings.secondStrength]).toEqual([-90, 0, 50]);
+  expect(found?.lightKind).toBe('directional');
+  expect(found?.lightElevation).not.toBe(settings.lightElevation);
+  expect(stage.view.frame).toHaveBeenCalledTimes(1);
+  expect(createStage().light(defaultSettings())).toBe(undefined);
 });
 
 test('a light that goes with the viewer gets the same place', () => {

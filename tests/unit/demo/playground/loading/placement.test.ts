@@ -6,6 +6,7 @@ import { BUILT_IN_MODELS, type BuiltInModel } from '../../../../../src/demo/mode
 import { lightModel } from '../../../../../src/demo/playground/loading/lightModel.js';
 import { View } from '../../../../../src/demo/stage/view/View.js';
 import type { HatchedModel } from '../../../../../src/drawing/HatchedModel.js';
+import { NO_EXTRAS } from '../../../../../src/files/common/ModelExtras.js';
 import { GALLERY } from '../../../../../src/settings/gallery.js';
 import { type Look, lookOf } from '../../../../../src/settings/lookOf.js';
 import { defaultSettings } from '../../../../../src/settings/settings.js';
@@ -66,7 +67,7 @@ function framed(model: HatchedModel, first: Direction, turn: number, [width, hei
   };
   view.resized(width / height);
   view.setOutline(outline, first);
-  const stage = { model: { root: holder }, camera, view, apply };
+  const stage = { model: { root: holder, extras: NO_EXTRAS }, camera, view, apply };
   return { stage, camera, place: () => placeOf(camera, outline, shadow()), light };
 }
 

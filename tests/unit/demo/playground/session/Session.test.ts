@@ -150,17 +150,20 @@ test('a model that the user opens is a step; one that the settings ask for, and 
   loaders.onModel!('restored');
   loaders.onModel!('failed');
   expect([session.canUndo, events]).toEqual([false, ['modelShown', 'applied', 'applied']]);
-  loaders.onModel!('opened', { isOther: true, drawing: undefined });
+  loaders.onModel!('opened', { isOther: true, drawing: undefined, views: [] });
   expect([session.canUndo, events.slice(3)]).toEqual([true, ['modelShown', 'applied', 'stepped true false']]);
 });
 
-test('another model leaves no views of the one before; the same one with more pictures keeps them', () => {
+test('another model leaves the views of its file and none of the one before; the same one with more pictures keeps them', () => {
   const { session } = createSession();
   const view = { name: 'From above', camera: undefined, light: {} as never };
   session.views.list = [view];
-  loaders.onModel!('opened', { isOther: false, drawing: undefined });
+  loaders.onModel!('opened', { isOther: false, drawing: undefined, views: [] });
   expect(session.views.list).toEqual([view]);
-  loaders.onModel!('opened', { isOther: true, drawing: undefined });
+  const ofFile = { ...view, name: 'hero' };
+  loaders.onModel!('opened', { isOther: true, drawing: undefined, views: [ofFile] });
+  expect(session.views.list).toEqual([ofFile]);
+  loaders.onModel!('opened', { isOther: true, drawing: undefined, views: [] });
   expect(session.views.list).toEqual([]);
 });
 
@@ -168,7 +171,7 @@ test('a model that comes with its look is drawn so, and the look cannot choose a
   const { session } = createSession();
   session.settings.model = 'file';
   const link = new URLSearchParams({ ink: '#7a2e1d', model: 'cube' }).toString();
-  loaders.onModel!('opened', { isOther: true, drawing: { link, strokes: [] } as never });
+  loaders.onModel!('opened', { isOther: true, drawing: { link, strokes: [] } as never, views: [] });
   expect([session.settings.ink, session.settings.model]).toEqual(['#7a2e1d', 'file']);
 });
 
