@@ -74,8 +74,9 @@ void coverPiece(const in Piece piece, const in int corner) {
   vec2 halfStart = halfWidthsAt(from);
   vec2 halfEnd = halfWidthsAt(to);
   vec2 halves = vec2(max(halfStart.x, halfStart.y), max(halfEnd.x, halfEnd.y)) * (1.0 + accents * piece.contour);
-  vec3 nearStart = lifted(start, liftOf(from, piece, halves.x * unitsToPixel(start), scale));
-  vec3 nearEnd = lifted(end, liftOf(to, piece, halves.y * unitsToPixel(end), scale));
+  vec2 pixels = vec2(unitsToPixel(start), unitsToPixel(end));
+  vec3 nearStart = lifted(start, liftOf(from, piece, halves.x * pixels.x, pixels.x, scale));
+  vec3 nearEnd = lifted(end, liftOf(to, piece, halves.y * pixels.y, pixels.y, scale));
   vec4 clipStart = projectionMatrix * vec4(nearStart, 1.0);
   vec4 clipEnd = projectionMatrix * vec4(nearEnd, 1.0);
   vec2 a = pixelOf(projectionMatrix * vec4(start, 1.0));
@@ -94,7 +95,7 @@ void coverPiece(const in Piece piece, const in int corner) {
   vEnd = vec4(end, -nearEnd.z);
   vOvershoots = vec2(from.overshoot, to.overshoot);
   vContour = piece.contour;
-  vTolerance = toleranceOf(piece, max(unitsToPixel(start), unitsToPixel(end)), scale);
+  vTolerance = toleranceOf(piece, max(pixels.x, pixels.y), scale);
   vStandings = piece.contour > 0.0 ? vec4(-1.0) : vec4(1.0, 0.0, 1.0, 0.0);
   #ifdef HIDDEN
     vStandings = vec4(1.0, 0.0, 1.0, 0.0);

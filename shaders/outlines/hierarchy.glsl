@@ -3,6 +3,7 @@
 // outline is seen over its whole width or not at all.
 uniform float outlineWidth; // pixels
 uniform float accents; // how much heavier an outline becomes where it passes before another
+uniform bool isDrawnBefore; // whether surfaces that lie nearer do not hide it
 
 // Pieces that are no longer than this are judged at their ends, for fragments to share, and others in each fragment, pixels.
 #define SHORT 16.0
@@ -32,6 +33,7 @@ float gapAt(const in Spine spine, const in vec2 pixel) {
 }
 
 bool isSeen(const in Spine spine, const in vec2 place) {
+  if (isDrawnBefore) return true;
   vec2 beside = BESIDE * vec2(-spine.along.y, spine.along.x);
   if (!isInView(place + beside) || !isInView(place - beside)) return true;
   return max(gapAt(spine, place + beside), gapAt(spine, place - beside)) >= -vTolerance;

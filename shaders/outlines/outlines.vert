@@ -47,7 +47,7 @@ void main() {
     if (suggestiveContours > 0.0 && !isPiece(piece)) piece = suggestiveContour(a, b, c, seenFrom);
     measureExtent(piece, a, b, c, seenFrom);
   }
-  if (!isPiece(piece)) return;
+  if (!isPiece(piece) || isScaledToNothing()) return;
 
   #ifndef HIDDEN
     shade(piece);

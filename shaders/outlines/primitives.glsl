@@ -35,6 +35,16 @@ bool isEdge(const in uvec4 primitive) {
   return (flagsOf(primitive) & EDGE_IS_EDGE) != 0u;
 }
 
+// Whether the instance is hidden by a scale of 0.
+bool isScaledToNothing() {
+  #ifdef USE_INSTANCING
+    vec3 size = vec3(dot(instancePlace[0], instancePlace[0]), dot(instancePlace[1], instancePlace[1]), dot(instancePlace[2], instancePlace[2]));
+    return size.x + size.y + size.z == 0.0;
+  #else
+    return false;
+  #endif // USE_INSTANCING
+}
+
 // The eye in the space of the instance.
 vec4 eyeOfInstance(const in vec4 eye) {
   #ifdef USE_INSTANCING

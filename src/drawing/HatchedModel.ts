@@ -2,11 +2,14 @@ import {
   type Blending,
   type Box3,
   Color,
+  CustomBlending,
   type Material,
   type Mesh,
   NoBlending,
   type Object3D,
+  OneFactor,
   type Texture,
+  ZeroFactor,
 } from 'three';
 import type {
   HatchingMaterial,
@@ -32,6 +35,9 @@ import type { EitherMaterial, NodeMakers } from './NodeMakers.js';
 import { parameterSetter } from './parameterSetter.js';
 import { materialSizesIn, outlineSizesIn } from './picturedSizes.js';
 import { releaseGraphics, releaseMaterial } from './releaseGraphics.js';
+
+/** Leaves every pixel as it is. The surface still hides what is behind it. */
+const NO_INK = { blending: CustomBlending, blendSrc: ZeroFactor, blendDst: OneFactor };
 
 /** What the bake found in a model. */
 export interface ModelStatistics {
@@ -232,7 +238,9 @@ export class HatchedModel {
     this.showPaper(layer === undefined || layer === 'colour');
     for (const pair of this.pairs) {
       for (const material of bothOf(pair)) {
-        material.colorWrite = layer !== 'shadow' && layer !== 'outline';
+        material.colorWrite = layer !== 'shadow';
+        // Without colorWrite it would have no outlines.
+        if (layer === 'outline') Object.assign(material, NO_INK);
         if (layer === 'colour') material.toneCurve = BLANK;
       }
     }

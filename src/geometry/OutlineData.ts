@@ -11,7 +11,6 @@ const MAX_RESTORES = 3;
 
 /** The data that the outlines of a geometry are drawn from: the textures of `outlineLayout.ts`, and the data for the search for contours. */
 export class OutlineData {
-  readonly points: DataTexture;
   readonly primitives: DataTexture;
   readonly triangleCount: number;
   readonly edgeCount: number;
@@ -19,21 +18,34 @@ export class OutlineData {
   readonly radius: number;
   /** The data that the search for contours needs; null while the worker has it. */
   search: ContourSearch | null;
-  private readonly pointCount: number;
+  readonly pointCount: number;
   private restored = 0;
 
-  /** @param createWorker creates the worker that searches for contours. By default it is the inlined worker. */
+  /**
+   * @param createWorker creates the worker that searches for contours. By default it is the inlined worker.
+   * @param points the texture of the points, if there is one
+   */
   constructor(
-    { points, primitives, searched, triangleCount, edgeCount, positions, normals, radius }: PackedOutlines,
+    { points: words, primitives, searched, triangleCount, edgeCount, positions, normals, radius }: PackedOutlines,
     public createWorker?: (() => Worker) | undefined,
+    readonly points: DataTexture = integerTexture(words),
   ) {
-    this.points = integerTexture(points);
     this.primitives = integerTexture(primitives);
     this.triangleCount = triangleCount;
     this.edgeCount = edgeCount;
     this.radius = radius;
     this.pointCount = positions.length / 3;
     this.search = this.searchIn(positions, normals, searched ?? primitives);
+  }
+
+  /** The same points with other primitives. Whoever asks for it frees the texture of those. */
+  withPrimitives(others: Omit<PackedOutlines, 'points' | 'radius'>): OutlineData {
+    const { createWorker, points, radius } = this;
+    return new OutlineData(
+      { ...others, points: points.image.data as Uint32Array<ArrayBuffer>, radius },
+      createWorker,
+      points,
+    );
   }
 
   /** Whether the search for contours runs in the worker, because it takes long. */

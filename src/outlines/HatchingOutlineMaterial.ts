@@ -25,6 +25,7 @@ import { HATCHING_OUTLINE_DEFAULTS, OUTLINE_NUMBER_NAMES, type OutlineNumberName
 import { outlineShaders } from './outlineShaders.js';
 import { createOutlineUniforms, OUTLINE_MESH_UNIFORMS } from './outlineUniforms.js';
 import { checkHidden, checkShadeWeights, defineOutlineNumbers, writeOutlineLook } from './outlineValues.js';
+import { writeDrawState } from './surfaceRules.js';
 
 /** Stands for the id of a material where there is none. */
 const NO_LOOK = -1;
@@ -219,6 +220,7 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
       writePictureOffset(u.toothOffset.value, camera, viewport);
     }
     writeImportance(mesh, takesWeight(look), u);
+    writeDrawState(this, u);
   }
 
   private writeMesh(isDeformed: boolean, hasMaterials: boolean): void {

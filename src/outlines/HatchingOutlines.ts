@@ -1,15 +1,26 @@
-import { type Camera, type Mesh, type Scene, Vector4, type WebGLRenderer } from 'three';
-import { type OutlineData, outlineDataOf } from '../geometry/OutlineData.js';
+import {
+  type BufferGeometry,
+  type Camera,
+  type Material,
+  type Mesh,
+  type Scene,
+  Vector4,
+  type WebGLRenderer,
+} from 'three';
+import { outlineDataOf } from '../geometry/OutlineData.js';
 import { hasFloatTargets } from '../material/deformation/canDeform.js';
 import { glslDeformations } from '../material/deformation/glslDeformations.js';
 import { tellOfRenderer } from '../material/tellOfRenderer.js';
 import { HatchingOutlineMaterial, type HatchingOutlineParameters } from './HatchingOutlineMaterial.js';
 import { HiddenPass } from './HiddenPass.js';
 import { InstanceList } from './InstanceList.js';
-import { emphasisOf, isInFrustum, isUnseen, MeshOutlines, meanScale, NOTHING, VERTICES } from './MeshOutlines.js';
+import { emphasisOf, isInFrustum, MeshOutlines, meanScale, NOTHING, VERTICES } from './MeshOutlines.js';
+import type { OutlinePart } from './OutlineParts.js';
 import { type SceneDepth, sceneDepthOf } from './SceneDepth.js';
+import { isClipped, isDrawnBefore } from './surfaceRules.js';
 
 const drawnInto = /* @__PURE__ */ new Vector4();
+const NONE: readonly OutlinePart[] = [];
 
 /**
  * Draws the contours, borders and creases of a mesh. Add it to the mesh as a child. The geometry of the mesh must come from
@@ -30,6 +41,9 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
   /** What has copied the depth of the scene for these outlines. */
   private readonly depths = new Set<SceneDepth>();
   private hiddenPass: HiddenPass | null = null;
+  /** What is being drawn. */
+  private drawn: readonly OutlinePart[] = NONE;
+  private isDeformed = false;
 
   /**
    * @param mesh the mesh whose outlines are drawn. Default: the parent, if that is a mesh.
@@ -49,17 +63,28 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
     this.depths.clear();
   }
 
-  override readonly onBeforeRender = (renderer: WebGLRenderer, _scene: Scene, camera: Camera): void => {
+  override readonly onBeforeRender = (
+    renderer: WebGLRenderer,
+    scene: Scene,
+    camera: Camera,
+    _geometry?: BufferGeometry,
+    drawnWith: Material = this.material,
+  ): void => {
     const { geometry, mesh } = this;
     geometry.setDrawRange(0, NOTHING);
-    // Helpers that light a scene step by step give every object another material for a moment.
-    if (!mesh || !(this.material instanceof HatchingOutlineMaterial) || isUnseen(mesh)) return;
+    this.drawn = NONE;
+    // Helpers that light a scene step by step give every object another material for a moment, and scenes may have one for all.
+    if (!mesh || !(this.material instanceof HatchingOutlineMaterial) || !('isHatchingOutlineMaterial' in drawnWith))
+      return;
+    if (!this.isMeshReached(scene)) return;
+    const data = outlineDataOf(mesh.geometry);
+    const parts = data ? this.partsOf(mesh, data) : NONE;
+    if (data && parts.length === 0) return;
     if ('isWebGPURenderer' in renderer) {
       tellOfRenderer('HatchingOutlines');
       return;
     }
     this.matrixWorld.copy(mesh.matrixWorld);
-    const data = outlineDataOf(mesh.geometry);
     if (!data) {
       this.report(
         mesh,
@@ -68,14 +93,44 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
       return;
     }
     if (mesh.frustumCulled && !isInFrustum(mesh, renderer, camera)) return;
+    this.drawn = parts;
     this.showInstances();
-    const isDeformed = this.bindDeformation(renderer, camera, mesh);
-    this.bindData(data);
-    this.bindCamera(renderer, camera, mesh, isDeformed);
-    const { suggestiveContours, uniforms } = this.material;
+    this.isDeformed = this.bindDeformation(renderer, camera, mesh);
+    this.bindPart(renderer, camera, mesh, parts[0]);
+  };
+
+  override readonly onAfterRender = (renderer: WebGLRenderer, scene: Scene, camera: Camera): void => {
+    const { drawn, geometry, material, mesh } = this;
+    for (let i = 0; i < drawn.length && mesh; i++) {
+      if (i > 0) {
+        this.showInstances();
+        this.bindPart(renderer, camera, mesh, drawn[i]);
+        renderer.renderBufferDirect(camera, scene, geometry, material, this, null!);
+      }
+      this.drawHidden(renderer, scene, camera, drawn[i]);
+      this.endSurface();
+    }
+    this.drawn = NONE;
+    this.hideInstances();
+    this.moveToCentre();
+  };
+
+  /** Has the next draw show a part of the outlines. */
+  private bindPart(renderer: WebGLRenderer, camera: Camera, mesh: Mesh, part: OutlinePart): void {
+    const { material, geometry } = this;
+    const { suggestiveContours, uniforms } = material;
+    const { data, surface } = part;
+    this.beginSurface(surface);
+    // three.js keeps the planes of a material from one draw to the next, as if they could not change between.
+    if (isClipped(surface)) (renderer.properties.get(material) as { clippingState?: unknown }).clippingState = null;
+    uniforms.outlinePoints.value = data.points;
+    uniforms.outlinePrimitives.value = data.primitives;
+    // A number that is stored is allocated.
+    if (uniforms.radius.value !== (data.radius || 1)) uniforms.radius.value = data.radius || 1;
+    this.bindCamera(renderer, camera, mesh);
     // Suggestive contours may lie anywhere on surfaces that face the eye.
-    const isAnywhere = isDeformed || suggestiveContours > 0;
-    const list = isAnywhere ? null : this.listFor(camera, data, mesh, uniforms.eye.value);
+    const isAnywhere = this.isDeformed || suggestiveContours > 0;
+    const list = isAnywhere ? null : this.listFor(camera, part, mesh, uniforms.eye.value);
     if (list instanceof InstanceList) {
       // The list holds the instance of each primitive, so three.js draws a single instance.
       this.count = 1;
@@ -84,19 +139,12 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
     uniforms.isListed.value = list !== null;
     uniforms.candidates.value = list?.texture ?? data.primitives;
     geometry.setDrawRange(0, VERTICES * (list ? list.count : data.triangleCount + data.edgeCount));
-  };
+  }
 
-  override readonly onAfterRender = (renderer: WebGLRenderer, scene: Scene, camera: Camera): void => {
-    this.drawHidden(renderer, scene, camera);
-    this.hideInstances();
-    this.moveToCentre();
-  };
-
-  /** Draws what is hidden of what has just been drawn. Lists leave out what cannot be seen, so it is looked for among all primitives. */
-  private drawHidden(renderer: WebGLRenderer, scene: Scene, camera: Camera): void {
-    const { geometry, mesh, material } = this;
-    const data = mesh && outlineDataOf(mesh.geometry);
-    if (!data || geometry.drawRange.count <= 0 || (material.hidden ?? 'none') === 'none') return;
+  /** Draws what is hidden of a part that has just been drawn. Lists leave out what cannot be seen, so it is looked for among all primitives. */
+  private drawHidden(renderer: WebGLRenderer, scene: Scene, camera: Camera, { data }: OutlinePart): void {
+    const { geometry, material } = this;
+    if (geometry.drawRange.count <= 0 || (material.hidden ?? 'none') === 'none' || isDrawnBefore(material)) return;
     this.showInstances();
     material.uniforms.isListed.value = false;
     material.uniforms.candidates.value = data.primitives;
@@ -116,15 +164,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
     return true;
   }
 
-  private bindData({ points, primitives, radius }: OutlineData): void {
-    const { uniforms } = this.material;
-    uniforms.outlinePoints.value = points;
-    uniforms.outlinePrimitives.value = primitives;
-    // A number that is stored is allocated.
-    if (uniforms.radius.value !== (radius || 1)) uniforms.radius.value = radius || 1;
-  }
-
-  private bindCamera(renderer: WebGLRenderer, camera: Camera, mesh: Mesh, isDeformed: boolean): void {
+  private bindCamera(renderer: WebGLRenderer, camera: Camera, mesh: Mesh): void {
     const { uniforms } = this.material;
     this.writeEye(uniforms.eye.value as Vector4, camera, mesh);
     const objectScale = meanScale(mesh.matrixWorld);
@@ -133,7 +173,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
     const { viewport } = camera as Camera & { viewport?: Vector4 };
     if (viewport) drawnInto.copy(viewport);
     else renderer.getCurrentViewport(drawnInto);
-    this.material.writeDraw(renderer, camera, mesh, drawnInto, emphasisOf(mesh), isDeformed);
+    this.material.writeDraw(renderer, camera, mesh, drawnInto, emphasisOf(mesh), this.isDeformed);
     this.bindSceneDepth(renderer, camera);
   }
 

@@ -24,6 +24,10 @@ import { describeObject } from '../mistakes/describeObject.js';
 import { tell } from '../mistakes/tell.js';
 import { ContourList } from './ContourList.js';
 import { InstanceList } from './InstanceList.js';
+import { isScaledToNothing } from './isScaledToNothing.js';
+import { MeshLayers } from './MeshLayers.js';
+import { type OutlinePart, OutlineParts } from './OutlineParts.js';
+import { type DrawState, takeDrawState } from './surfaceRules.js';
 
 /** What the camera of `frustumFrame` sees in that frame. */
 const frustum = /* @__PURE__ */ new Frustum();
@@ -33,8 +37,6 @@ const sphere = /* @__PURE__ */ new Sphere();
 const place = /* @__PURE__ */ new Vector3();
 /** A draw count for which three.js draws nothing. With 0 it would make a draw call, and read textures that do not exist. */
 export const NOTHING = -1;
-/** The largest number of lists that are kept, one per camera: more than the six cameras of a CubeCamera and two eyes. */
-const MAX_LISTS = 12;
 /** The number of vertices that each primitive is drawn with. */
 export const VERTICES = 3;
 
@@ -64,8 +66,11 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Obj
 
   private ownMesh: Mesh | null;
   private ownsMaterial: boolean;
-  /** The list of each camera. */
-  private readonly lists = new Map<Camera, ContourList | InstanceList>();
+  private readonly parts = new OutlineParts();
+  /** The place in the order of drawing that was set for the outlines themselves; null while they follow the mesh. */
+  private ownOrder: number | null = null;
+  /** The state of the material before it took that of a surface; null while it has its own. */
+  private ownState: DrawState | null = null;
   private hasReported = false;
 
   /** @param look a material, or the parameters of a new one of this kind */
@@ -75,6 +80,15 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Obj
     this.ownsMaterial = !(look instanceof Kind);
     this.material = look instanceof Kind ? look : new Kind(look);
     this.frustumCulled = false;
+    this.layers = new MeshLayers(this);
+    const followed = (): number => this.mesh?.renderOrder ?? 0;
+    Object.defineProperty(this, 'renderOrder', {
+      get: () => this.ownOrder ?? followed(),
+      set: (order: number) => {
+        this.ownOrder = order === followed() ? null : order;
+      },
+      enumerable: true,
+    });
     this.geometry.boundingBox = new Box3();
     this.geometry.boundingSphere = new Sphere(new Vector3(), -1);
   }
@@ -91,6 +105,8 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Obj
 
   override copy(source: this, recursive?: boolean): this {
     super.copy(source, recursive);
+    (this.layers as MeshLayers).copy(source.layers as MeshLayers);
+    this.ownOrder = source.ownOrder;
     if (this.ownsMaterial) this.material.dispose();
     this.material = source.material;
     this.ownsMaterial = false;
@@ -114,8 +130,7 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Obj
     // In older versions of three.js, Object3D has no dispose().
     super.dispose?.();
     this.geometry.dispose();
-    for (const list of this.lists.values()) list.dispose();
-    this.lists.clear();
+    this.parts.dispose();
     if (this.ownsMaterial) this.material.dispose();
   }
 
@@ -205,30 +220,55 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Obj
     this.instanceMatrix = null;
   }
 
-  /** What may hold an outline as the camera sees the mesh; null if that is not known. @param eye of the camera, in the space of the mesh @internal */
-  protected listFor(camera: Camera, data: OutlineData, mesh: Mesh, eye: Vector4): ContourList | InstanceList | null {
-    const { boundingSphere } = mesh.geometry;
-    if (!boundingSphere) return null;
-    const known = this.lists.get(camera);
-    if ('isInstancedMesh' in mesh) {
-      const list = known instanceof InstanceList ? known : this.addList(camera, new InstanceList());
-      return list.update(data, mesh as InstancedMesh, eye) ? list : null;
-    }
-    const list = known instanceof ContourList ? known : this.addList(camera, new ContourList());
-    return list.update(data, eye, boundingSphere) ? list : null;
+  /** The parts of the outlines that are drawn one after another, by what three.js draws of the mesh; none if it draws nothing. @internal */
+  protected partsOf(mesh: Mesh, data: OutlineData): readonly OutlinePart[] {
+    return this.parts.of(mesh, data);
   }
 
-  /** Adds the list of a camera. If there are too many, the oldest one is removed, since its camera may be gone. */
-  private addList<List extends ContourList | InstanceList>(camera: Camera, list: List): List {
-    this.lists.get(camera)?.dispose();
-    const [oldest] = this.lists;
-    if (this.lists.size >= MAX_LISTS && !this.lists.has(camera)) {
-      oldest[1].dispose();
-      this.lists.delete(oldest[0]);
+  /** Whether three.js comes to the mesh in what it draws. Of outlines that lie elsewhere than on their mesh that is another question than of them. */
+  protected isMeshReached(scene: Object3D): boolean {
+    const { mesh, parent } = this;
+    if (mesh === null || isScaledToNothing(mesh.matrixWorld)) return false;
+    if (parent === mesh) return true;
+    let object: Object3D = mesh;
+    for (;;) {
+      if (!object.visible) return false;
+      if (object === scene) return true;
+      if (object.parent === null) return object === rootOf(this);
+      object = object.parent;
     }
-    this.lists.set(camera, list);
-    return list;
   }
+
+  /** Has the material fade and be tested as a surface is, until `endSurface`. */
+  protected beginSurface(surface: Material): void {
+    this.endSurface();
+    this.ownState = takeDrawState(this.material, surface);
+  }
+
+  protected endSurface(): void {
+    if (this.ownState === null) return;
+    Object.assign(this.material, this.ownState);
+    this.ownState = null;
+  }
+
+  /** What of a part may hold an outline as the camera sees the mesh; null if that is not known. @param eye of the camera, in the space of the mesh @internal */
+  protected listFor(camera: Camera, part: OutlinePart, mesh: Mesh, eye: Vector4): ContourList | InstanceList | null {
+    const { boundingSphere } = mesh.geometry;
+    if (!boundingSphere) return null;
+    const { data, lists } = part;
+    if ('isInstancedMesh' in mesh) {
+      const list = lists.of(camera, InstanceList);
+      return list.update(data, mesh as InstancedMesh, eye) ? list : null;
+    }
+    const list = lists.of(camera, ContourList);
+    return list.update(data, eye, boundingSphere) ? list : null;
+  }
+}
+
+function rootOf(object: Object3D): Object3D {
+  let root = object;
+  while (root.parent !== null) root = root.parent;
+  return root;
 }
 
 /** How many times longer a matrix makes lengths, in the mean over directions; 1 if it flattens. `determinant()` would leave garbage in every frame. */
@@ -240,14 +280,12 @@ export function meanScale({ elements: m }: Matrix4): number {
 
 /** What says how much weight the drawing of a mesh has where: its first hatching material. Its outlines have the same. */
 export function emphasisOf({ material }: Mesh): (Material & EmphasisLook) | null {
-  const isHatching = (one: Material): boolean => 'isHatchingMaterial' in one || 'isHatchingNodeMaterial' in one;
+  // Places of the array may be empty.
+  const isHatching = (one: Material | null | undefined): boolean =>
+    one !== null && one !== undefined && ('isHatchingMaterial' in one || 'isHatchingNodeMaterial' in one);
   const found = Array.isArray(material) ? material.find(isHatching) : isHatching(material) && material;
   return found ? (found as Material & EmphasisLook) : null;
 }
-
-/** Whether the surface is not drawn, since no material of the mesh is visible: neither are its outlines then. */
-export const isUnseen = ({ material }: Mesh): boolean =>
-  Array.isArray(material) ? !material.some((one) => one?.visible) : material?.visible === false;
 
 /** The bounding sphere by which three.js sorts and culls a mesh; null before it has been computed. */
 function boundsOf(mesh: Mesh): Sphere | null {

@@ -21,8 +21,15 @@ interface Format {
   format: DepthTexture['format'];
 }
 
-/** A copy that is more than this many times as large as needed is made anew. */
-const MAX_SPARE = 4;
+/** So many copies are kept at most, and none that was not made again for so many frames. */
+const MOST_COPIES = 4;
+const KEPT_FRAMES = 60;
+
+interface Copy {
+  target: WebGLRenderTarget;
+  /** The frame in which it was last made. */
+  frame: number;
+}
 
 /** What WebGL says about the depth of a framebuffer. */
 interface DepthFacts {
@@ -45,7 +52,9 @@ function formatsOf({ bits, isFloat, hasStencil }: DepthFacts): readonly Format[]
  * outlines are drawn, after all opaque objects.
  */
 export class SceneDepth {
-  private copy: WebGLRenderTarget | null = null;
+  /** The copies of what is drawn to, one for each size and format: pictures in a scene have others than the canvas. */
+  private copies: Copy[] = [];
+  private latest: WebGLRenderTarget | null = null;
   private frame = -1;
   private camera: Camera | null = null;
   private isCopied = false;
@@ -62,16 +71,17 @@ export class SceneDepth {
       this.camera = camera;
       this.isCopied = this.update(camera, viewport);
     }
-    return this.isCopied ? this.copy!.depthTexture : null;
+    return this.isCopied ? this.latest!.depthTexture : null;
   }
 
   /**
-   * Frees the copy. What reads it later makes another. It is also called when the context is lost: in a restored context the old names of
+   * Frees the copies. What reads it later makes another. It is also called when the context is lost: in a restored context the old names of
    * its textures may stand for others.
    */
   readonly dispose = (): void => {
-    this.copy?.dispose();
-    this.copy = null;
+    for (const { target } of this.copies) target.dispose();
+    this.copies = [];
+    this.latest = null;
     this.frame = -1;
     this.renderer.domElement.removeEventListener('webglcontextlost', this.dispose);
   };
@@ -111,11 +121,13 @@ export class SceneDepth {
     const { renderer } = this;
     const gl = renderer.getContext() as WebGL2RenderingContext;
     const target = renderer.getRenderTarget();
-    // All of it: a part of a canvas with antialiasing is not copied into a texture that has been copied to before (seen in Chromium).
-    const { width, height } = target ?? { width: gl.drawingBufferWidth, height: gl.drawingBufferHeight };
     const face = renderer.getActiveCubeFace();
     const level = renderer.getActiveMipmapLevel();
-    renderer.setRenderTarget(this.copyOf(format, width, height));
+    // All of it, into a texture of its size: where samples are resolved, drivers copy nothing else, or all but what they copied before.
+    const width = target ? Math.max(1, target.width >> level) : gl.drawingBufferWidth;
+    const height = target ? Math.max(1, target.height >> level) : gl.drawingBufferHeight;
+    this.latest = this.copyOf(format, width, height);
+    renderer.setRenderTarget(this.latest);
     gl.bindFramebuffer(gl.READ_FRAMEBUFFER, from);
     gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.DEPTH_BUFFER_BIT, gl.NEAREST);
     renderer.setRenderTarget(target, face, level);
@@ -126,23 +138,39 @@ export class SceneDepth {
   }
 
   private copyOf({ type, format }: Format, width: number, height: number): WebGLRenderTarget {
-    const { copy, renderer } = this;
-    if (copy?.depthTexture?.type === type && copy.depthTexture.format === format) {
-      const isLarge = copy.width >= width && copy.height >= height;
-      if (isLarge && copy.width * copy.height <= MAX_SPARE * width * height) return copy;
+    const { frame, renderer } = this;
+    let found: Copy | null = null;
+    let oldest: Copy | null = null;
+    for (let i = this.copies.length - 1; i >= 0; i--) {
+      const copy = this.copies[i];
+      const { depthTexture, width: copyWidth, height: copyHeight } = copy.target;
+      const isOfFormat = depthTexture?.type === type && depthTexture.format === format;
+      if (isOfFormat && copyWidth === width && copyHeight === height) found = copy;
+      else if (copy.frame < frame - KEPT_FRAMES) this.free(copy);
+      else if (oldest === null || copy.frame < oldest.frame) oldest = copy;
     }
-    copy?.dispose();
+    if (found) {
+      found.frame = frame;
+      return found.target;
+    }
+    if (oldest && this.copies.length >= MOST_COPIES) this.free(oldest);
     renderer.domElement.addEventListener('webglcontextlost', this.dispose);
     const depthTexture = new DepthTexture(width, height, type);
     depthTexture.format = format;
-    this.copy = new WebGLRenderTarget(width, height, {
+    const target = new WebGLRenderTarget(width, height, {
       // A framebuffer needs a colour; of one byte.
       format: RedFormat,
       depthTexture,
       stencilBuffer: format === DepthStencilFormat,
       generateMipmaps: false,
     });
-    return this.copy;
+    this.copies.push({ target, frame });
+    return target;
+  }
+
+  private free(copy: Copy): void {
+    copy.target.dispose();
+    this.copies.splice(this.copies.indexOf(copy), 1);
   }
 }
 

@@ -7,7 +7,18 @@ import { OUTLINE_NUMBER_NAMES } from './outlineProperties.js';
 export const OUTLINE_MESH_UNIFORMS = [
   ...['outlinePoints', 'outlinePrimitives', 'deformedNormals', 'deformedPositions', 'deformedTurns'],
   ...['candidates', 'instancePlaces', 'sceneDepth', 'toothMap'],
-  ...['eye', 'importance', 'isListed', 'materialBorders', 'objectScale', 'radius'],
+  ...[
+    'clippingPlanes',
+    'eye',
+    'importance',
+    'isDrawnBefore',
+    'isListed',
+    'materialBorders',
+    'objectScale',
+    'opacity',
+    'pull',
+    'radius',
+  ],
 ];
 
 /** Creates the uniforms of an outline material: those of its properties, of the geometry and camera, and of lights and fog. */
@@ -34,7 +45,9 @@ export const createOutlineUniforms = (): Record<string, IUniform> =>
         // These depend on the camera.
         candidates: { value: null },
         instancePlaces: { value: null },
+        isDrawnBefore: { value: false },
         isListed: { value: false },
+        pull: { value: 0 },
         eye: { value: new Vector4() },
         hasSceneDepth: { value: false },
         sceneDepth: { value: null },

@@ -74,7 +74,7 @@ export class Hatcher {
   /** Gives the scene back its own look, and frees all memory. */
   dispose(): void {
     this.abort.abort();
-    this.veil.lift(undefined);
+    this.veil.lift();
     this.hatched?.dispose();
     this.hatched = undefined;
     this.releaseMap();
@@ -89,7 +89,7 @@ export class Hatcher {
     } catch (error) {
       // With this snapshot there is no other try before something changes.
       this.snapshot.take(this.root);
-      this.veil.lift(undefined);
+      this.veil.lift();
       if (!signal.aborted) this.events.onError(error);
     } finally {
       this.isBusy = false;
@@ -163,7 +163,7 @@ export class Hatcher {
       hatched.skipped.some(({ mesh, error }) => error && this.snapshot.looksOtherwise(mesh));
     // If the snapshot stays as it is, the caller sees the change, and hatches the scene again.
     if (!hasChanged) this.snapshot.take(this.root);
-    this.veil.lift(hatched);
+    this.veil.lift();
   }
 
   /** Goes on with geometries that the hatched scene has given to meshes. */

@@ -1,5 +1,4 @@
 import type { Mesh, Object3D } from 'three';
-import type { HatchedScene, HatchingOutlines } from 'three-hatching';
 
 /** Hides meshes for a while by taking them out of all layers. Properties that React sets, such as `visible`, stay as they are. */
 export class Veil {
@@ -11,18 +10,17 @@ export class Veil {
     object.layers.mask = 0;
   }
 
-  /** Hides the outlines of a mesh whose geometry has changed. */
+  /** Hides the outlines of a mesh whose geometry has changed. Those of a mesh that is hidden are hidden with it. */
   coverOutlines({ children }: Mesh): void {
-    for (const child of children) if ((child as Partial<HatchingOutlines>).isHatchingOutlines) this.cover(child);
+    for (const child of children) if (isOutlines(child) && child.layers.mask !== 0) this.cover(child);
   }
 
-  /** Shows all meshes again, and puts their new outlines into the same layers. */
-  lift(hatched: HatchedScene | undefined): void {
-    for (const [mesh, mask] of this.masks) mesh.layers.mask = mask;
-    for (const outlines of hatched?.outlines ?? []) {
-      const mask = outlines.mesh && this.masks.get(outlines.mesh);
-      if (typeof mask === 'number') outlines.layers.mask = mask;
-    }
+  /** Shows all meshes again, and then their outlines, which follow their layers. */
+  lift(): void {
+    for (const isLater of [false, true])
+      for (const [object, mask] of this.masks) if (isOutlines(object) === isLater) object.layers.mask = mask;
     this.masks.clear();
   }
 }
+
+const isOutlines = (object: Object3D): boolean => 'isHatchingOutlines' in object;

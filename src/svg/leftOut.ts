@@ -1,4 +1,4 @@
-import type { Material, Mesh, Object3D } from 'three';
+import { LessDepth, LessEqualDepth, type Material, type Mesh, type Object3D } from 'three';
 import { checkGeometry } from '../geometry/checkGeometry.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { describeObject } from '../mistakes/describeObject.js';
@@ -41,6 +41,14 @@ export function whyNoLines(mesh: Mesh, material: Material): string | undefined {
   if (technique !== 'engraved' && !isStippled(material as HatchingMaterial))
     return `has no lines: strokes of the technique '${technique}' are drawn from images`;
   if (!mesh.geometry.attributes.normal) return 'has no lines: its geometry has no normals';
+  return undefined;
+}
+
+/** What of a material's tests, pixel by pixel, lines cannot know; undefined if nothing. */
+export function untestedBy({ depthTest, depthFunc, stencilWrite }: Material): string | undefined {
+  if (stencilWrite) return 'is drawn as if its material had no stencil: lines are not tested pixel by pixel';
+  if (!depthTest || (depthFunc !== LessEqualDepth && depthFunc !== LessDepth))
+    return 'is drawn where nothing lies before it: its material draws by another depth test';
   return undefined;
 }
 

@@ -1,10 +1,11 @@
-import { type Camera, DataUtils, Matrix3, Matrix4, type Mesh, Vector3 } from 'three';
+import { type Camera, DataUtils, type Material, Matrix3, Matrix4, type Mesh, Vector3 } from 'three';
 import { POINT_BITS, POINT_MASK, POINT_WORDS, PRIMITIVE_WORDS } from '../bake/outlineLayout.js';
 import { unpackPoints } from '../bake/unpackPoints.js';
 import type { Emphasis } from '../engraving/emphasis.js';
 import { BORDER, CONTRARY, CORNER_AT_END, CORNER_AT_START, CREASE, MATERIAL_BORDER } from '../features/edgeFlags.js';
 import type { OutlineData } from '../geometry/OutlineData.js';
 import type { HatchingOutlineMaterial } from '../outlines/HatchingOutlineMaterial.js';
+import { opacityOf } from '../outlines/surfaceRules.js';
 import { asPhase } from '../slices/asPhase.js';
 import type { FeatureEdge, OutlineLook, OutlineMesh } from '../vector/outlines/OutlineMesh.js';
 import { bothPlaces } from './bothPlaces.js';
@@ -17,20 +18,22 @@ import { rowsOf } from './rowsOf.js';
 const CHUNK = 4096;
 
 /**
- * How outlines look.
+ * How outlines look. Lines do not fade: half transparent ones are half as wide, which is the same ink.
  *
+ * @param surface what draws the surface
  * @param hasMaterials whether the mesh has several, whose borders are drawn
  * @param emphasis of the mesh
  */
 export function outlineLookOf(
   material: HatchingOutlineMaterial,
+  surface: Material,
   hasMaterials: boolean,
   emphasis: Emphasis | null,
 ): OutlineLook {
   const { outlineWidth, contours, innerContours, borders, creases, materialBorders, suggestiveContours } = material;
   const { taper, lostEdges, accents, overshoot, wobble, hidden } = material;
   return {
-    width: outlineWidth,
+    width: outlineWidth * opacityOf(material) * opacityOf(surface),
     materialBorders: hasMaterials ? materialBorders : 0,
     shadeWeights: material.shadeWeights.toArray() as [number, number],
     ...{ contours, innerContours, borders, creases, suggestiveContours, taper, lostEdges },
@@ -42,15 +45,13 @@ export function outlineLookOf(
 export interface OutlinedCopy {
   toWorld: Matrix4;
   posed: PosedVertices;
-  /** The triangle of the scene that the first of the mesh is. */
-  firstTriangle: number;
 }
 
 /** Reads what the outlines of a mesh are found on. Yields its progress. */
 export function* readOutlines(
   mesh: Mesh,
   data: OutlineData,
-  { toWorld, posed, firstTriangle }: OutlinedCopy,
+  { toWorld, posed }: OutlinedCopy,
   camera: Camera,
 ): Generator<number, OutlineMesh, void> {
   const points = data.points.image.data as Uint32Array<ArrayBuffer>;
@@ -78,7 +79,7 @@ export function* readOutlines(
   yield 0.5;
   const places = yield* asPhase(placesAlong(anchors), 0.5, 1);
   return {
-    ...{ positions, normals, anchors, curvatures, triangles, firstTriangle, edges },
+    ...{ positions, normals, anchors, curvatures, triangles, edges },
     placeOf: positions === anchors ? places : bothPlaces(places, yield* placesAlong(positions)),
     radius: data.radius || 1,
     toWorld: [...toWorld.elements],

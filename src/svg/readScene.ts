@@ -19,6 +19,9 @@ import type { ToneFit } from '../material/exposure/ToneFit.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingOutlineMaterial } from '../outlines/HatchingOutlineMaterial.js';
 import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
+import { OutlineParts } from '../outlines/OutlineParts.js';
+import { type SurfacePart, surfaceParts } from '../outlines/surfaceParts.js';
+import { isClipped } from '../outlines/surfaceRules.js';
 import { asPhase } from '../slices/asPhase.js';
 import { CASTS_BACK, CASTS_FRONT, FADES_FRONT, MAY_HAVE_HOLES, SEEN_BACK, SEEN_FRONT } from '../vector/Bvh.js';
 import type {
@@ -34,7 +37,16 @@ import type { Veil } from '../vector/paint/Fading.js';
 import type { Cutout } from '../vector/paint/PaintLook.js';
 import { clipOf, shadowClipOf } from './clipOf.js';
 import { flattened } from './flattened.js';
-import { drawnWithout, faultOf, isStippled, type LeftOut, sentence, whyNoLines, whyNothing } from './leftOut.js';
+import {
+  drawnWithout,
+  faultOf,
+  isStippled,
+  type LeftOut,
+  sentence,
+  untestedBy,
+  whyNoLines,
+  whyNothing,
+} from './leftOut.js';
 import { alphaTestOf, type Painted, PaintReader } from './PaintReader.js';
 import { type MeshCopy, meshCopies } from './pose/meshCopies.js';
 import { type PosedVertices, posedVertices } from './pose/posedVertices.js';
@@ -104,8 +116,8 @@ class SceneReader {
   private readonly cutouts: Cutout[] = [];
   private readonly veils: Veil[] = [];
   private readonly paints: PaintReader;
-  /** The places of each mesh that is drawn, and the first triangle of each. */
-  private readonly copies = new Map<Object3D, { copy: MeshCopy; posed: PosedVertices; firstTriangle: number }[]>();
+  /** The places of each mesh that is drawn. */
+  private readonly copies = new Map<Object3D, { copy: MeshCopy; posed: PosedVertices }[]>();
   private readonly fit: ToneFit;
   private casterSize = 0;
 
@@ -161,7 +173,7 @@ class SceneReader {
       this.note(mesh, fault);
       return;
     }
-    const parts = partsOf(mesh);
+    const parts = surfaceParts(mesh);
     if (parts.length === 0) return;
     const nothing = whyNothing(mesh);
     if (nothing) {
@@ -181,6 +193,8 @@ class SceneReader {
     for (const { material } of parts) {
       const unread = this.paints.unreadable(material as Painted);
       if (unread.length > 0) this.note(mesh, `is drawn without ${unread.join(', ')}: pixels that cannot be read here`);
+      const untested = untestedBy(material);
+      if (untested) this.note(mesh, untested);
       const noLines = whyNoLines(mesh, material);
       if (noLines) this.note(mesh, noLines);
       else
@@ -192,10 +206,10 @@ class SceneReader {
     mesh: Mesh,
     copy: MeshCopy,
     posed: PosedVertices,
-    parts: readonly MeshPart[],
+    parts: readonly SurfacePart[],
   ): Generator<number, void, void> {
     const known = this.copies.get(mesh) ?? [];
-    this.copies.set(mesh, [...known, { copy, posed, firstTriangle: this.sides.length }]);
+    this.copies.set(mesh, [...known, { copy, posed }]);
     if (mesh.castShadow) this.noteCaster(mesh, copy);
     for (const [i, part] of parts.entries()) {
       const from = i / parts.length;
@@ -204,7 +218,7 @@ class SceneReader {
       const paint = this.paints.needs(mesh, part.material, copy);
       const source = { mesh, copy, posed, material: part.material as Painted, paint };
       const firstTriangle = yield* asPhase(this.addTriangles(source, corners), (i + 0.1) / parts.length, middle);
-      if (whyNoLines(mesh, part.material) !== undefined) continue;
+      if (whyNoLines(mesh, part.material) !== undefined || !part.material.colorWrite) continue;
       const adding = this.addSurface(source, part.material as HatchingMaterial, { corners, firstTriangle });
       yield* asPhase(adding, middle, (i + 1) / parts.length);
     }
@@ -295,6 +309,7 @@ class SceneReader {
   *readOutlinesOf(object: Object3D): Generator<number, void, void> {
     if (!isOutlines(object)) return;
     const { mesh, material } = object;
+    const outlineParts = new OutlineParts();
     const copies = mesh && this.copies.get(mesh);
     if (!mesh || !copies) return;
     const data = outlineDataOf(mesh.geometry);
@@ -302,14 +317,18 @@ class SceneReader {
       this.note(mesh, 'has no outlines: its geometry was prepared without them');
       return;
     }
+    const parts = outlineParts.of(mesh, data);
+    if (parts.length === 0) return;
     if (material.tooth > 0) this.note(mesh, 'has outlines of ink: the tooth of the paper cannot leave as lines');
-    for (const { copy, posed, firstTriangle } of copies)
-      this.outlines.push({
-        mesh: yield* readOutlines(mesh, data, { toWorld: copy.toWorld, posed, firstTriangle }, this.camera),
-        look: outlineLookOf(material, Array.isArray(mesh.material), readOutlineEmphasis(mesh, this.camera)),
-        clip: clipOf(material, this.clippingPlanes),
-        ink: colorOf(material),
-      });
+    for (const { copy, posed } of copies)
+      for (const { data: ofPart, surface } of parts)
+        this.outlines.push({
+          mesh: yield* readOutlines(mesh, ofPart, { toWorld: copy.toWorld, posed }, this.camera),
+          look: outlineLookOf(material, surface, Array.isArray(mesh.material), readOutlineEmphasis(mesh, this.camera)),
+          clip: clipOf(isClipped(material) ? material : surface, this.clippingPlanes),
+          ink: colorOf(material),
+        });
+    outlineParts.dispose();
   }
 }
 
@@ -342,31 +361,10 @@ function castingOf({ side, shadowSide }: Material): number {
   return casts === BackSide ? CASTS_BACK : CASTS_FRONT;
 }
 
-/** A part of a mesh that one material draws: its corners from `start` up to `end`. */
-interface MeshPart {
-  material: Material;
-  start: number;
-  end: number;
-}
-
-function partsOf({ geometry, material }: Mesh): MeshPart[] {
-  const { index, attributes, drawRange, groups } = geometry;
-  const count = (index ?? attributes.position)?.count ?? 0;
-  const [first, last] = [drawRange.start, Math.min(count, drawRange.start + drawRange.count)];
-  const parts = Array.isArray(material)
-    ? groups.map(({ start, count: size, materialIndex = 0 }) => ({
-        material: material[materialIndex],
-        start: Math.max(first, start),
-        end: Math.min(last, start + size),
-      }))
-    : [{ material, start: first, end: last }];
-  return parts.filter((part) => part.material?.visible && part.end - part.start >= 3);
-}
-
 /** The vertices of the corners of a part, turned round where the mesh is mirrored. Yields its progress. */
 function* cornersOf(
   { geometry: { index }, matrixWorld }: Mesh,
-  part: MeshPart,
+  part: SurfacePart,
   { range }: MeshCopy,
 ): Generator<number, Uint32Array, void> {
   const start = Math.max(part.start, range?.start ?? 0);

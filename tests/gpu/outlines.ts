@@ -31,7 +31,9 @@ const EVEN = {
 async function outlinedMesh(source: THREE.BufferGeometry, options: Options = {}) {
   const { layout = 'indexed', isClear = false, ...parameters } = options;
   const geometry = await prepareHatchingGeometry(source, { layout, outlines: true });
-  const paper = new THREE.MeshBasicMaterial({ side: THREE.DoubleSide, colorWrite: !isClear, depthWrite: !isClear });
+  const blending = isClear ? THREE.CustomBlending : THREE.NormalBlending;
+  const untouched = { blending, blendSrc: THREE.ZeroFactor, blendDst: THREE.OneFactor };
+  const paper = new THREE.MeshBasicMaterial({ side: THREE.DoubleSide, ...untouched, depthWrite: !isClear });
   const mesh = new THREE.Mesh(geometry, paper);
   mesh.add(new HatchingOutlines(mesh, { ...EVEN, ...parameters }));
   return mesh;

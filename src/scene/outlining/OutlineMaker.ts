@@ -59,7 +59,6 @@ export class OutlineMaker<
     }
     if (materialsOf({ material }).every(isCutOut)) return;
     const outlines = this.kind.outlines(mesh, this.materialFor(deforms(geometry, mesh)));
-    outlines.layers.mask = mesh.layers.mask;
     this.made.push(outlines);
   }
 

@@ -1,4 +1,5 @@
 import { type BatchedMesh, Color, type InstancedMesh, Matrix4, type Mesh } from 'three';
+import { isScaledToNothing } from '../../outlines/isScaledToNothing.js';
 
 /** One of the places that a mesh stands in: its own, or that of an instance. */
 export interface MeshCopy {
@@ -11,8 +12,11 @@ export interface MeshCopy {
   range: { start: number; count: number } | null;
 }
 
-/** All places that a mesh stands in. */
-export function meshCopies(mesh: Mesh): MeshCopy[] {
+/** All places that a mesh stands in, but those where it is hidden by a scale of 0. */
+export const meshCopies = (mesh: Mesh): MeshCopy[] =>
+  allCopies(mesh).filter(({ toWorld }) => !isScaledToNothing(toWorld));
+
+function allCopies(mesh: Mesh): MeshCopy[] {
   if ('isBatchedMesh' in mesh) return batchCopies(mesh as BatchedMesh);
   if (!('isInstancedMesh' in mesh)) return [{ toWorld: mesh.matrixWorld, instance: -1, tint: null, range: null }];
   const { count, instanceColor } = mesh as InstancedMesh;

@@ -15,9 +15,8 @@ export interface OutlineMesh {
   curvatures: Float32Array;
   /** The place of each point. */
   placeOf: Uint32Array;
-  /** The points of each triangle, and the triangle of the scene that the first of them is. */
+  /** The points of each triangle. */
   triangles: Uint32Array;
-  firstTriangle: number;
   edges: readonly FeatureEdge[];
   /** Of the bounding sphere, object units. */
   radius: number;

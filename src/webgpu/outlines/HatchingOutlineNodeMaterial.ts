@@ -30,6 +30,7 @@ import {
   defineOutlineNumbers,
   writeOutlineLook,
 } from '../../outlines/outlineValues.js';
+import { drawStateOf, writeDrawState } from '../../outlines/surfaceRules.js';
 import { toothMap } from '../../tam/toothMap.js';
 import { clipSpine } from '../nodes/outlines/clipping.js';
 import { type OutlineNodes, outlineNodes } from '../nodes/outlines/outlineNodes.js';
@@ -127,7 +128,7 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
       });
     }
     const { hiddenOnes } = this;
-    hiddenOnes.opacity = this.opacity;
+    Object.assign(hiddenOnes, drawStateOf(this));
     hiddenOnes.fog = this.fog;
     hiddenOnes.tooth = this.tooth;
     hiddenOnes.wobble = this.wobble;
@@ -172,6 +173,7 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
     writeSheet(u.sheet.value, camera, viewport);
     writePictureOffset(u.toothOffset.value, camera, viewport);
     writeImportance(mesh, takesWeight(look), u);
+    writeDrawState(this, u);
   }
 
   /** Fog is as dense as at the spine: the triangle that covers a piece lies across the line of sight. @internal */

@@ -1,17 +1,21 @@
-import { type Camera, type InstancedMesh, type Mesh, type Scene, Vector2, Vector4, type WebGLRenderer } from 'three';
+import {
+  type BufferGeometry,
+  type Camera,
+  type InstancedMesh,
+  type Material,
+  type Mesh,
+  type Scene,
+  Vector2,
+  Vector4,
+  type WebGLRenderer,
+} from 'three';
 import type { WebGPURenderer } from 'three/webgpu';
 import { outlineDataOf } from '../../geometry/OutlineData.js';
 import { tell } from '../../mistakes/tell.js';
 import type { HatchingOutlineParameters } from '../../outlines/HatchingOutlineMaterial.js';
-import {
-  emphasisOf,
-  isInFrustum,
-  isUnseen,
-  MeshOutlines,
-  meanScale,
-  NOTHING,
-  VERTICES,
-} from '../../outlines/MeshOutlines.js';
+import { emphasisOf, isInFrustum, MeshOutlines, meanScale, NOTHING, VERTICES } from '../../outlines/MeshOutlines.js';
+import type { OutlinePart } from '../../outlines/OutlineParts.js';
+import { isDrawnBefore } from '../../outlines/surfaceRules.js';
 import { hasFloatTargets, nodeDeformations } from '../deformation/nodeDeformations.js';
 import { placesOf } from '../nodes/base/InstancePlaces.js';
 import { clippingOf } from './clippingOf.js';
@@ -20,6 +24,8 @@ import { readWhereDrawn } from './readWhereDrawn.js';
 
 const drawnInto = /* @__PURE__ */ new Vector4();
 const size = /* @__PURE__ */ new Vector2();
+
+const NONE: readonly OutlinePart[] = [];
 
 let wasToldOfRenderer = false;
 
@@ -38,7 +44,11 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
   /** @internal */
   override readonly type: string = 'HatchingOutlines';
 
-  private isDrawingHidden = false;
+  /** Whether three.js is asked for one more draw of these outlines. */
+  private isDrawingMore = false;
+  /** What is being drawn. */
+  private drawn: readonly OutlinePart[] = NONE;
+  private isDeformed = false;
 
   /**
    * @param mesh the mesh whose outlines are drawn. Default: the parent, if that is a mesh.
@@ -51,19 +61,29 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
     super(mesh, look, HatchingOutlineNodeMaterial);
   }
 
-  override readonly onBeforeRender = (either: WebGLRenderer | WebGPURenderer, _scene: Scene, camera: Camera): void => {
-    if (this.isDrawingHidden) return;
+  override readonly onBeforeRender = (
+    either: WebGLRenderer | WebGPURenderer,
+    scene: Scene,
+    camera: Camera,
+    _geometry?: BufferGeometry,
+    drawnWith: Material = this.material,
+  ): void => {
+    if (this.isDrawingMore) return;
     const { geometry, mesh } = this;
     geometry.setDrawRange(0, NOTHING);
-    // Helpers that light a scene step by step give every object another material for a moment.
-    if (!mesh || !(this.material instanceof HatchingOutlineNodeMaterial) || isUnseen(mesh)) return;
+    this.drawn = NONE;
+    // Helpers that light a scene step by step give every object another material for a moment, and scenes may have one for all.
+    if (!mesh || !(this.material instanceof HatchingOutlineNodeMaterial)) return;
+    if (!('isHatchingOutlineNodeMaterial' in drawnWith) || !this.isMeshReached(scene)) return;
+    const data = outlineDataOf(mesh.geometry);
+    const parts = data ? this.partsOf(mesh, data) : NONE;
+    if (data && parts.length === 0) return;
     if (!('isWebGPURenderer' in either)) {
       tellOfWebGLRenderer();
       return;
     }
     const renderer = either as WebGPURenderer;
     this.matrixWorld.copy(mesh.matrixWorld);
-    const data = outlineDataOf(mesh.geometry);
     if (!data) {
       this.report(
         mesh,
@@ -73,8 +93,33 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
     }
     // What it asks of a renderer, both kinds have.
     if (mesh.frustumCulled && !isInFrustum(mesh, renderer as unknown as WebGLRenderer, camera)) return;
+    this.drawn = parts;
+    this.isDeformed = this.bindDeformation(renderer, camera, mesh);
+    this.bindPart(renderer, camera, mesh, parts[0]);
+    readWhereDrawn(renderer);
+  };
+
+  override readonly onAfterRender = (either: WebGLRenderer | WebGPURenderer, scene: Scene, camera: Camera): void => {
+    if (this.isDrawingMore) return;
+    const { drawn, material, mesh } = this;
+    const renderer = either as WebGPURenderer;
+    for (let i = 0; i < drawn.length && mesh; i++) {
+      if (i > 0) {
+        this.bindPart(renderer, camera, mesh, drawn[i]);
+        this.drawMore(renderer, scene, camera, material, `outlines ${i}`);
+      }
+      this.drawHidden(renderer, scene, camera, i);
+      this.endSurface();
+    }
+    this.drawn = NONE;
+    this.moveToCentre();
+  };
+
+  /** Has the next draw show a part of the outlines. */
+  private bindPart(renderer: WebGPURenderer, camera: Camera, mesh: Mesh, part: OutlinePart): void {
+    const { data, surface } = part;
     const { suggestiveContours, uniforms } = this.material;
-    const isDeformed = this.bindDeformation(renderer, camera, mesh);
+    this.beginSurface(surface);
     uniforms.outlinePoints.value = data.points;
     uniforms.outlinePrimitives.value = data.primitives;
     uniforms.radius.value = data.radius || 1;
@@ -83,35 +128,39 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
     writeViewport(renderer, drawnInto);
     this.material.writeDraw(renderer, camera, mesh, drawnInto, emphasisOf(mesh));
     // Suggestive contours may lie anywhere on surfaces that face the eye.
-    const isAnywhere = isDeformed || suggestiveContours > 0;
-    const list = isAnywhere ? null : this.listFor(camera, data, mesh, uniforms.eye.value);
+    const isAnywhere = this.isDeformed || suggestiveContours > 0;
+    const list = isAnywhere ? null : this.listFor(camera, part, mesh, uniforms.eye.value);
     uniforms.isListed.value = list !== null;
     uniforms.candidates.value = list?.texture ?? null;
     this.bindInstances(mesh, list !== null);
-    readWhereDrawn(renderer);
-    geometry.setDrawRange(0, VERTICES * (list ? list.count : data.triangleCount + data.edgeCount));
-  };
+    this.geometry.setDrawRange(0, VERTICES * (list ? list.count : data.triangleCount + data.edgeCount));
+  }
 
-  override readonly onAfterRender = (either: WebGLRenderer | WebGPURenderer, scene: Scene, camera: Camera): void => {
-    if (this.isDrawingHidden) return;
-    if ('isWebGPURenderer' in either) this.drawHidden(either as WebGPURenderer, scene, camera);
-    this.moveToCentre();
-  };
-
-  /** Draws what is hidden of what has just been drawn. Lists leave out what cannot be seen, so it is looked for among all primitives. */
-  private drawHidden(renderer: WebGPURenderer, scene: Scene, camera: Camera): void {
+  /** Draws what is hidden of a part that has just been drawn. Lists leave out what cannot be seen, so it is looked for among all primitives. */
+  private drawHidden(renderer: WebGPURenderer, scene: Scene, camera: Camera, number: number): void {
     const { geometry, mesh, material } = this;
-    const data = mesh && outlineDataOf(mesh.geometry);
-    if (!data || geometry.drawRange.count <= 0 || material.hidden === 'none') return;
+    const { data } = this.drawn[number];
+    if (geometry.drawRange.count <= 0 || material.hidden === 'none' || isDrawnBefore(material)) return;
     material.uniforms.isListed.value = false;
     material.uniforms.candidates.value = null;
-    this.bindInstances(mesh, false);
+    this.bindInstances(mesh!, false);
     geometry.setDrawRange(0, VERTICES * (data.triangleCount + data.edgeCount));
-    this.isDrawingHidden = true;
+    this.drawMore(renderer, scene, camera, material.ofHidden(), `hiddenOutlines ${number}`);
+  }
+
+  /** Has three.js draw these outlines once more. @param pass says which draw it is: each has uniforms of its own */
+  private drawMore(
+    renderer: WebGPURenderer,
+    scene: Scene,
+    camera: Camera,
+    material: HatchingOutlineNodeMaterial,
+    pass: string,
+  ): void {
+    this.isDrawingMore = true;
     const lights = renderer.lighting.getNode(scene);
     const clipping = clippingOf(this, renderer);
-    renderer.renderObject(this, scene, camera, geometry, material.ofHidden(), null, lights, clipping, 'hiddenOutlines');
-    this.isDrawingHidden = false;
+    renderer.renderObject(this, scene, camera, this.geometry, material, null, lights, clipping, pass);
+    this.isDrawingMore = false;
   }
 
   /** Updates the pose of a mesh that deforms. Returns whether there is one. */

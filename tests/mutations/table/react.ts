@@ -4,8 +4,8 @@ export const react: readonly Mutation[] = [
   {
     name: 'a veiled mesh comes back in all layers',
     file: 'src/react/Veil.ts',
-    find: 'mesh.layers.mask = mask;',
-    replace: 'mesh.layers.mask = -1;',
+    find: 'object.layers.mask = mask;',
+    replace: 'object.layers.mask = -1;',
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/react/Hatcher.test.ts',

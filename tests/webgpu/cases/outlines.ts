@@ -129,6 +129,30 @@ export const cases: readonly SceneCase[] = [
     ),
   },
   {
+    name: 'sides of a box that fade, are hidden or pass every test',
+    show: show(
+      { outlineWidth: 4, creases: 1 },
+      () => new BoxGeometry(1.2, 0.9, 0.8),
+      ({ mesh }) => {
+        mesh.rotation.set(0.5, 0.6, 0.2);
+        const materials = Array.from({ length: 6 }, paper);
+        Object.assign(materials[0], { transparent: true, opacity: 0.5 });
+        materials[2].visible = false;
+        materials[3].depthTest = false;
+        (mesh as Mesh).material = materials;
+        return {};
+      },
+    ),
+  },
+  {
+    name: 'instances, of which one is hidden by its scale',
+    show: show({}, ofKnot, (stage) => {
+      const many = instances(stage, { outlineWidth: 2.5 });
+      many.setMatrixAt(1, new Matrix4().makeScale(0, 0, 0));
+      return {};
+    }),
+  },
+  {
     name: 'instances',
     show: show({}, ofKnot, (stage) => {
       instances(stage, { outlineWidth: 2.5 });

@@ -121,12 +121,13 @@ export function coverPiece(
   If(isDrawn, () => {
     const halfStart = halfWidthsAt(from, defines).toVar();
     const halfEnd = halfWidthsAt(to, defines).toVar();
-    const most = accents.mul(piece.contour).add(1).toVar();
-    const halves = vec2(larger(halfStart), larger(halfEnd)).mul(most).toVar();
+    const halves = vec2(larger(halfStart), larger(halfEnd)).mul(accents.mul(piece.contour).add(1)).toVar();
     const pixelAtStart = unitsToPixel(start).toVar();
     const pixelAtEnd = unitsToPixel(end).toVar();
-    const nearStart = lifted(start, liftOf(from, piece, halves.x.mul(pixelAtStart), scale).toVar()).toVar();
-    const nearEnd = lifted(end, liftOf(to, piece, halves.y.mul(pixelAtEnd), scale).toVar()).toVar();
+    const liftedEnd = (place: Value, end: PieceEnd, half: Value, pixel: Value): Value =>
+      lifted(place, liftOf(end, piece, half.mul(pixel), pixel, scale).toVar()).toVar();
+    const nearStart = liftedEnd(start, from, halves.x, pixelAtStart);
+    const nearEnd = liftedEnd(end, to, halves.y, pixelAtEnd);
     const clipStart = toClip(nearStart).toVar();
     const clipEnd = toClip(nearEnd).toVar();
     const a = pixelOf(toClip(start)).toVar();

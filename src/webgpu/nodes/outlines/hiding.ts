@@ -4,6 +4,7 @@
  */
 import { OUTLINE_CONSTANTS } from '../../../engraving/constants/outlineConstants.js';
 import { isOrthographic } from '../base/isOrthographic.js';
+import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 import type { Piece, PieceEnd } from './piece.js';
 import { radius } from './points.js';
@@ -11,11 +12,20 @@ import { radius } from './points.js';
 const { float, length, max, min, select, sqrt, vec3 } = tsl;
 const { EDGE_SLOPE, LIFT_SHARE, LOOKED_BESIDE, MOST_RISE, ROUNDING } = OUTLINE_CONSTANTS;
 
-/** @param halfWidth of the outline, in view units. @param scale view units per object unit. @returns view units */
-export function liftOf(end: PieceEnd, piece: Piece, halfWidth: Value, scale: Value): Value {
+/** How many slopes to a pixel nearer than it lies the surface is drawn (`polygonOffsetFactor`). */
+const pull = /* @__PURE__ */ hatchingUniform('pull', 'float');
+
+/**
+ * @param halfWidth of the outline, in view units
+ * @param pixel in view units
+ * @param scale view units per object unit
+ * @returns view units
+ */
+export function liftOf(end: PieceEnd, piece: Piece, halfWidth: Value, pixel: Value, scale: Value): Value {
   const r = radius.mul(scale).toVar();
   const half = halfWidth.toVar();
-  const own = r.mul(LIFT_SHARE).add(piece.extent.mul(scale)).toVar();
+  const pulled = pull.mul(pixel).mul(4 * EDGE_SLOPE);
+  const own = r.mul(LIFT_SHARE).add(piece.extent.mul(scale)).add(pulled).toVar();
   // A surface of curvature κ rises by √(2x/κ) towards the eye over the distance x beside its contour. Without this, half of the outline drowns.
   const rise = sqrt(half.mul(2).mul(r).div(max(end.bend, 1e-3)));
   const ofSurface = own.add(half.mul(2)).add(min(rise, r.mul(MOST_RISE)));
@@ -28,7 +38,12 @@ export const toleranceOf = (piece: Piece, pixel: Value, scale: Value): Value =>
     .mul(ROUNDING)
     .add(piece.ownCover)
     .mul(scale)
-    .add(select(piece.isValley, pixel.mul(LOOKED_BESIDE * EDGE_SLOPE), float(0)));
+    .add(
+      pull
+        .add(select(piece.isValley, float(LOOKED_BESIDE), float(0)))
+        .mul(EDGE_SLOPE)
+        .mul(pixel),
+    );
 
 export const lifted = (position: Value, lift: Value): Value =>
   select(

@@ -16,6 +16,8 @@ const { ACCENT_REACH, BEGINS_AS_PAPER, BESIDE, BEYOND, FULL_JUMP, IS_PAPER, LEAS
 export const outlineWidth: Value = /* @__PURE__ */ hatchingUniform('outlineWidth', 'float');
 /** How much heavier an outline becomes where it passes before another. */
 export const accents: Value = /* @__PURE__ */ hatchingUniform('accents', 'float');
+/** Whether surfaces that lie nearer do not hide it. */
+const isDrawnBefore = /* @__PURE__ */ hatchingUniform('isDrawnBefore', 'float');
 
 /** Pieces that are no longer than this are judged at their ends, for fragments to share, and others in each fragment, pixels. */
 export const SHORT = 16;
@@ -55,7 +57,8 @@ function gapAt(spine: Spine, pixel: Value, builder: NodeBuilder): Value {
 export function isSeen(spine: Spine, place: Value, builder: NodeBuilder): Value {
   const beside = vec2(spine.along.y.negate(), spine.along.x).mul(BESIDE).toVar();
   const seen = bool(true).toVar();
-  If(isInView(place.add(beside)).and(isInView(place.sub(beside))), () => {
+  const isTested = isDrawnBefore.lessThan(0.5);
+  If(isTested.and(isInView(place.add(beside))).and(isInView(place.sub(beside))), () => {
     const gap = max(gapAt(spine, place.add(beside), builder), gapAt(spine, place.sub(beside), builder));
     seen.assign(gap.greaterThanEqual(spine.tolerance.negate()));
   });

@@ -63,6 +63,9 @@ function inverseRows([x, y, z]: InstancePlace): [Value, Value, Value] {
   return [yz.div(determinant), cross(z, x).div(determinant), cross(x, y).div(determinant)];
 }
 
+/** Whether an instance is hidden by a scale of 0. */
+export const isScaledToNothing = ([x, y, z]: InstancePlace): Value => dot(x, x).add(dot(y, y)).add(dot(z, z)).equal(0);
+
 /** The eye in the space of the instance. */
 export function eyeOfInstance(eye: Value, instancePlace: InstancePlace): Value {
   const away = eye.xyz.sub(eye.w.mul(instancePlace[3])).toVar();

@@ -12,7 +12,7 @@ import { featureEdge } from './featureEdge.js';
 import type { OutlineDefines } from './OutlineDefines.js';
 import { isPiece, measureExtent, noPiece } from './piece.js';
 import { readPoint } from './points.js';
-import { eyeOfInstance, flagsOf, isEdge, readPrimitive } from './primitives.js';
+import { eyeOfInstance, flagsOf, isEdge, isScaledToNothing, readPrimitive } from './primitives.js';
 import { shade } from './shade.js';
 import { suggestiveContour, suggestiveContours } from './suggestiveContour.js';
 
@@ -50,7 +50,7 @@ export const vertices = (defines: OutlineDefines): Value =>
       });
       measureExtent(piece, a, b, c, seenFrom);
     });
-    If(isPiece(piece), () => {
+    If(isPiece(piece).and(isScaledToNothing(instancePlace).not()), () => {
       if (!defines.HIDDEN) shade(piece, instancePlace, lightsOf(builder));
       coverPiece(piece, index.mod(3), instancePlace, clipPosition, defines, builder);
     });

@@ -1,0 +1,115 @@
+import type { Material, Mesh } from 'three';
+import type { OutlineData } from '../geometry/OutlineData.js';
+import { NO_PART, splitterOf } from '../geometry/PrimitiveSplitter.js';
+import { CameraLists } from './CameraLists.js';
+import { type SurfacePart, surfaceParts } from './surfaceParts.js';
+import { isShown, looksAlike, opacityOf } from './surfaceRules.js';
+
+/** Outlines that are drawn at once. */
+export interface OutlinePart {
+  data: OutlineData;
+  /** What draws the surface. */
+  surface: Material;
+  readonly lists: CameraLists;
+}
+
+/** What is drawn with one look: the material, and the parts of the surface. */
+interface Look {
+  surface: Material;
+  parts: SurfacePart[];
+}
+
+const NONE: readonly OutlinePart[] = [];
+
+/**
+ * Divides the outlines of a mesh as three.js divides the mesh: by groups and their materials, within the draw range, without what is not
+ * drawn. Materials that make no difference to outlines share a part, so that nearly every mesh has one.
+ */
+export class OutlineParts {
+  /** The whole mesh, as one part. */
+  private whole: OutlinePart[] = [];
+  private split: OutlinePart[] = [];
+  /** What was split, and by which parts. */
+  private splitData: OutlineData | null = null;
+  private splitBy = '';
+
+  /** Allocates nothing for a mesh with one material that is drawn as a whole. */
+  of(mesh: Mesh, data: OutlineData): readonly OutlinePart[] {
+    const { material, geometry } = mesh;
+    if (!Array.isArray(material)) {
+      if (!material || !isShown(material)) return NONE;
+      const { start, count } = geometry.drawRange;
+      if (start <= 0 && start + count >= 3 * data.triangleCount) return this.asWhole(data, material);
+    }
+    const looks = looksOf(surfaceParts(mesh).filter((part) => isShown(part.material)));
+    if (looks.length === 0) return NONE;
+    if (looks.length === 1 && isAll(looks[0].parts, data)) return this.asWhole(data, looks[0].surface);
+    return this.asSplit(data, looks);
+  }
+
+  dispose(): void {
+    for (const { lists } of this.whole) lists.dispose();
+    this.whole = [];
+    this.dropSplit();
+  }
+
+  private asWhole(data: OutlineData, surface: Material): readonly OutlinePart[] {
+    if (this.whole.length === 0) this.whole.push({ data, surface, lists: new CameraLists() });
+    this.whole[0].data = data;
+    this.whole[0].surface = surface;
+    return this.whole;
+  }
+
+  private asSplit(data: OutlineData, looks: readonly Look[]): readonly OutlinePart[] {
+    const splitBy = looks.map(({ parts }) => parts.map(({ start, end }) => `${start}-${end}`).join()).join(';');
+    if (this.splitData !== data || this.splitBy !== splitBy) {
+      this.dropSplit();
+      const found = splitterOf(data).split(triangleParts(looks, data.triangleCount), looks.length);
+      this.split = found.map((of, i) => ({ data: of, surface: looks[i].surface, lists: new CameraLists() }));
+      this.splitData = data;
+      this.splitBy = splitBy;
+    }
+    for (let i = 0; i < looks.length; i++) this.split[i].surface = looks[i].surface;
+    return this.split;
+  }
+
+  private dropSplit(): void {
+    for (const { data, lists } of this.split) {
+      lists.dispose();
+      data.primitives.dispose();
+    }
+    this.split = [];
+    this.splitData = null;
+    this.splitBy = '';
+  }
+}
+
+/** Parts by their looks, the most opaque one first: what lies between two looks has that of the first. */
+function looksOf(parts: readonly SurfacePart[]): Look[] {
+  const looks: Look[] = [];
+  for (const part of parts) {
+    const known = looks.find(({ surface }) => looksAlike(surface, part.material));
+    if (known) known.parts.push(part);
+    else looks.push({ surface: part.material, parts: [part] });
+  }
+  return looks.sort((a, b) => opacityOf(b.surface) - opacityOf(a.surface));
+}
+
+const firstOf = ({ start }: SurfacePart): number => Math.ceil(start / 3);
+const endOf = ({ end }: SurfacePart): number => Math.floor(end / 3);
+
+/** Whether parts are all of a mesh. */
+function isAll(parts: readonly SurfacePart[], { triangleCount }: OutlineData): boolean {
+  let known = 0;
+  for (const part of [...parts].sort((a, b) => a.start - b.start))
+    if (firstOf(part) <= known) known = Math.max(known, endOf(part));
+  return known >= triangleCount;
+}
+
+/** The look of each triangle. Of several that draw one it has the first. */
+export function triangleParts(looks: readonly { parts: readonly SurfacePart[] }[], triangleCount: number): Int32Array {
+  const partOf = new Int32Array(triangleCount).fill(NO_PART);
+  for (let i = looks.length - 1; i >= 0; i--)
+    for (const part of looks[i].parts) partOf.fill(i, firstOf(part), Math.min(triangleCount, endOf(part)));
+  return partOf;
+}

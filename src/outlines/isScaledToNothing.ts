@@ -1,0 +1,13 @@
+import type { Matrix4 } from 'three';
+
+/** Whether a matrix takes everything to one point: objects and instances are hidden so. */
+export const isScaledToNothing = ({ elements: m }: Matrix4): boolean =>
+  m[0] === 0 &&
+  m[1] === 0 &&
+  m[2] === 0 &&
+  m[4] === 0 &&
+  m[5] === 0 &&
+  m[6] === 0 &&
+  m[8] === 0 &&
+  m[9] === 0 &&
+  m[10] === 0;

@@ -1,0 +1,98 @@
+import {
+  AdditiveBlending,
+  AlwaysDepth,
+  EqualDepth,
+  GreaterDepth,
+  LessEqualDepth,
+  type MaterialParameters,
+  MeshBasicMaterial,
+  NeverDepth,
+  NotEqualStencilFunc,
+  ReplaceStencilOp,
+} from 'three';
+import { describe, expect, test } from 'vitest';
+import { HatchingOutlineMaterial } from '../../../src/outlines/HatchingOutlineMaterial.js';
+import { drawStateOf, isShown, looksAlike, opacityOf, takeDrawState } from '../../../src/outlines/surfaceRules.js';
+
+const surface = (parameters: MaterialParameters = {}) => new MeshBasicMaterial(parameters);
+
+test.each<[MaterialParameters, number]>([
+  [{}, 1],
+  [{ opacity: 0.3 }, 1],
+  [{ opacity: 0.3, transparent: true }, 0.3],
+  [{ opacity: 0, transparent: true }, 0],
+  [{ opacity: -1, transparent: true }, 0],
+  [{ opacity: 3, transparent: true }, 1],
+  [{ opacity: 0.3, alphaHash: true }, 0.3],
+  [{ opacity: 0.3, alphaToCoverage: true }, 0.3],
+  [{ opacity: 0.3, blending: AdditiveBlending }, 0.3],
+  [{ opacity: 0.3, alphaTest: 0.5 }, 0],
+  [{ opacity: 0.6, alphaTest: 0.5 }, 1],
+])('of a material with %o outlines have the share %d of their ink', (parameters, share) => {
+  expect(opacityOf(surface(parameters))).toBe(share);
+});
+
+test('nothing is seen of a material that is not visible, writes no colour, is see-through or passes no test', () => {
+  expect(isShown(surface())).toBe(true);
+  const unseen = [
+    { visible: false },
+    { colorWrite: false },
+    { opacity: 0, transparent: true },
+    { depthFunc: NeverDepth },
+  ];
+  for (const parameters of unseen) expect(isShown(surface(parameters as MaterialParameters))).toBe(false);
+});
+
+describe('outlines take from a surface', () => {
+  test('nothing, if it is as materials are', () => {
+    const material = new HatchingOutlineMaterial();
+    expect(takeDrawState(material, surface({ opacity: 0.5, side: 2 }))).toBeNull();
+  });
+
+  test('its opacity beside their own, and give it back', () => {
+    const material = new HatchingOutlineMaterial({ opacity: 0.5 });
+    const before = takeDrawState(material, surface({ transparent: true, opacity: 0.4 }))!;
+    expect(material.opacity).toBeCloseTo(0.2);
+    Object.assign(material, before);
+    expect(material.opacity).toBe(0.5);
+    expect(drawStateOf(material)).toEqual(drawStateOf(new HatchingOutlineMaterial({ opacity: 0.5 })));
+  });
+
+  test.each<[MaterialParameters, MaterialParameters]>([
+    [{ depthTest: false }, { depthTest: false }],
+    [{ depthFunc: GreaterDepth }, { depthFunc: GreaterDepth }],
+    [{ depthFunc: AlwaysDepth }, { depthFunc: AlwaysDepth }],
+    [{ depthFunc: EqualDepth }, { depthFunc: LessEqualDepth }],
+    [
+      { polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -3 },
+      { polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -3 },
+    ],
+  ])('the tests of %o: %o', (parameters, expected) => {
+    const material = new HatchingOutlineMaterial();
+    takeDrawState(material, surface(parameters));
+    expect(material).toMatchObject(expected);
+    expect(material.depthWrite).toBe(false);
+  });
+
+  test('its stencil, without writing to it', () => {
+    const material = new HatchingOutlineMaterial();
+    const stencil = { stencilWrite: true, stencilFunc: NotEqualStencilFunc, stencilRef: 3, stencilFuncMask: 7 };
+    takeDrawState(material, surface({ ...stencil, stencilZPass: ReplaceStencilOp }));
+    expect(material).toMatchObject(stencil);
+    expect(material.stencilZPass).not.toBe(ReplaceStencilOp);
+  });
+
+  test('nothing in the place of a stencil, an offset and a depth test of their own', () => {
+    const own = { stencilWrite: true, stencilRef: 9, polygonOffset: true, polygonOffsetUnits: 5, depthTest: false };
+    const material = new HatchingOutlineMaterial(own);
+    takeDrawState(material, surface({ stencilWrite: true, stencilRef: 3, polygonOffset: true, polygonOffsetUnits: 1 }));
+    expect(material).toMatchObject(own);
+  });
+});
+
+test('materials look alike to outlines, whatever their colours are, unless they fade or are tested differently', () => {
+  expect(looksAlike(surface(), new MeshBasicMaterial({ color: 'red' }))).toBe(true);
+  expect(looksAlike(surface(), surface({ transparent: true, opacity: 0.5 }))).toBe(false);
+  expect(looksAlike(surface(), surface({ depthTest: false }))).toBe(false);
+  expect(looksAlike(surface({ stencilWrite: true, opacity: 0.4 }), surface({ stencilWrite: true }))).toBe(true);
+});
