@@ -9,7 +9,7 @@ import { type ToneLook, toneFromRadiance } from './tone.js';
 import { combined, cross, lengthOf, type Vec3 } from './vectors.js';
 
 const { NO_LIGHT } = TONE_CONSTANTS;
-const { FIRST_END, LEAST_LEFT } = GROUND_CONSTANTS;
+const { ENDING, LEAST_LEFT } = GROUND_CONSTANTS;
 const { LEAST_SINE } = FIELD_CONSTANTS;
 
 /** How a ground shows shadows. */
@@ -42,18 +42,19 @@ export function groundTone(
   return Math.max(toneFromRadiance(share, look) - share * toneEnds[0], 0) * tone * left;
 }
 
-/** Where a shadow dissolves its lines end one by one: what a line has of the width that it would have if all thinned out together. line: its value. left: the share of the shadow there. */
+/**
+ * Where a shadow dissolves its lines end one by one: the width of a line as a factor on what it would be if all thinned out together. The mean
+ * over all lines is 1, so that the tone is the same.
+ *
+ * @param line its value
+ * @param left the share of the shadow there
+ */
 export function lineLeft(line: number, left: number): number {
   if (left >= 1) return 1;
-  const end = FIRST_END * lotOf(line);
-  return Math.max(left - end, 0) / ((1 - end) * Math.max(left, LEAST_LEFT));
-}
-
-/** The mean of that over all lines. */
-export function meanLineLeft(left: number): number {
-  if (left >= 1) return 1;
-  const last = Math.min(FIRST_END, left);
-  return (last + (1 - left) * Math.log(1 - last)) / (FIRST_END * Math.max(left, LEAST_LEFT));
+  const gone = (ENDING * (1 - left)) / Math.max(left, LEAST_LEFT);
+  const kept = gone < 1 ? 1 - 0.5 * gone : 0.5 / gone;
+  // Half a turn from the lot by which widths differ: those that stay are neither the wide ones nor the thin ones.
+  return Math.max(1 - gone * ((lotOf(line) + 0.5) % 1), 0) / kept;
 }
 
 /**

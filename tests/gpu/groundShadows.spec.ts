@@ -59,6 +59,59 @@ for (const [filter, kind] of maps) {
   );
 }
 
+const STAGES = [0.9, 0.7, 0.5, 0.3, 0.1];
+const MEDIA = [
+  ['engraved', 'ink'],
+  ['engraved', 'pen'],
+  ['engraved', 'woodcut'],
+  ['anchored', 'ink'],
+  ['anchored', 'dry'],
+  ['anchored', 'stipple'],
+] as const;
+
+test('a shadow that dissolves has the tone that is left of it with all media', async ({ page }) => {
+  const tones = await page.evaluate(
+    async ([stages, media]) => {
+      const { SIZE, lightOf, casting, plate, ground, sceneOf, draw } = window.shading;
+      const light = casting(await lightOf('directional'), 0);
+      light.shadow.bias = 0;
+      const height = 0.4;
+      // At a fade of 1 so much of the tone is lost there: the light's camera sees a width of 4.
+      const share = height / light.position.clone().normalize().z / 4;
+      const found: Record<string, number[]> = {};
+      for (const [technique, medium] of media) {
+        const look = { toneModel: 'shadow', ink: '#000000', shadowTone: 0.5, shadowDirection: 'away', medium } as const;
+        const lines = { lineSpacing: 4, strokeLength: 30, handmade: 0.4 };
+        const plane = await ground(technique, {
+          ...look,
+          ...(technique === 'engraved' ? lines : { sizedOnScreen: 1 }),
+        });
+        await plane.material.ready;
+        const scene = sceneOf(plane, plate(height), light);
+        found[`${technique} ${medium}`] = stages.map((left) => {
+          plane.material.shadowFade = (1 - left) / share;
+          const pixels = draw(scene);
+          let [sum, count] = [0, 0];
+          for (let y = 0; y < SIZE; y++) {
+            for (let x = Math.ceil(0.55 * SIZE); x < SIZE; x++) {
+              sum += 1 - pixels[4 * (y * SIZE + x)] / 255;
+              count++;
+            }
+          }
+          return sum / count;
+        });
+      }
+      return found;
+    },
+    [STAGES, MEDIA] as const,
+  );
+  for (const [medium, found] of Object.entries(tones)) {
+    for (const [i, left] of STAGES.entries()) {
+      expect(Math.abs(found[i] - 0.5 * left), `${medium}, ${left} is left: ${found}`).toBeLessThan(0.015 + 0.08 * left);
+    }
+  }
+});
+
 const softMaps: [Filter, LightKind, boolean][] = [
   ...maps.map(([filter, kind]): [Filter, LightKind, boolean] => [filter, kind, false]),
   ['PCF', 'directional', true],

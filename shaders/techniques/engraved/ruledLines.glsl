@@ -26,10 +26,13 @@ float powerOf2(const in float octave) {
 }
 
 #ifdef DISSOLVES_SHADOWS
-  // Where a shadow dissolves its lines end one by one: what a line has of the width that it would have if all thinned out together.
+  // Where a shadow dissolves its lines end one by one: the width of a line as a factor on what it would be if all thinned out together. The
+  // mean over all lines is 1, so that the tone is the same.
   float lineLeft(const in float line) {
-    float end = FIRST_END * lotOf(line);
-    return max(shadowLeft() - end, 0.0) / ((1.0 - end) * max(shadowLeft(), LEAST_LEFT));
+    float gone = ENDING * (1.0 - shadowLeft()) / max(shadowLeft(), LEAST_LEFT);
+    float kept = gone < 1.0 ? 1.0 - 0.5 * gone : 0.5 / gone;
+    // Half a turn from the lot by which widths differ: those that stay are neither the wide ones nor the thin ones.
+    return max(1.0 - gone * fract(lotOf(line) + 0.5), 0.0) / kept;
   }
 #else
   #define lineLeft(line) 1.0

@@ -1,7 +1,10 @@
 /** The numbers by which lines end where a shadow on a ground dissolves, for the processor and, as defines, for the shaders. */
 export const GROUND_CONSTANTS = {
-  /** Where a shadow dissolves its lines end one by one: the first of them so early, as a share of what is left of it. */
-  FIRST_END: 0.4,
+  /**
+   * Where a shadow dissolves its lines end one by one: of a line whose turn it is at a share of all turns, a part of its width is gone that is
+   * so many times that share, times what is dissolved over what is left.
+   */
+  ENDING: 0.4,
   /** What is left counts as at least this. */
   LEAST_LEFT: 1e-3,
 } as const;

@@ -1,5 +1,5 @@
 import { cutFor, cutWidth } from '../../engraving/carving.js';
-import { lineLeft, meanLineLeft } from '../../engraving/groundShadow.js';
+import { lineLeft } from '../../engraving/groundShadow.js';
 import { handWidth } from '../../engraving/hand.js';
 import { penMargin } from '../../engraving/penLines.js';
 import { drawnShare, type Pen, penFor, strokeAt } from '../../engraving/penStrokes.js';
@@ -94,8 +94,7 @@ export function printedMark(measure: FamilyMeasure, line: Line): LineMark {
 
 /** A line as a pen of one width draws it. pen: its width, pixels. */
 export function plottedMark(measure: FamilyMeasure, line: Line, pen: number): LineMark {
-  const { strokes, perPixel, isEven } = measure;
-  const tone = measure.tone * meanLineLeft(measure.left);
+  const { strokes, perPixel, isEven, tone } = measure;
   const half = pen / 2;
   if (strokes?.medium === 'woodcut') {
     const black = blockBetweenCuts(measure, strokes, line, plottedOctave(measure, pen));
@@ -135,9 +134,7 @@ export const penDistance = (measure: FamilyMeasure, pen: number): number => pen 
 
 /** The tone that lines must have where a pen draws them, so that what it draws of them has the tone in the mean. */
 function penTone(measure: FamilyMeasure): number {
-  const { strokes } = measure;
-  // Where a shadow dissolves a pen draws fewer lines, in the place of some that are thinner.
-  const tone = measure.tone * meanLineLeft(measure.left);
+  const { strokes, tone } = measure;
   const drawn = strokes ? drawnShare(penOf(measure, strokes)) : 1;
   return Math.min(Math.max(tone, LEAST_PEN_TONE) / drawn, MOST_PEN_TONE);
 }

@@ -28,6 +28,16 @@ export const cases: readonly SceneCase[] = [
     shadows: PCFShadowMap,
     show: (kit) => alone(kit, { ...LINES, shadowDirection: 'strokes', shadowStrokes: 'cross' }),
   },
+  {
+    name: 'shadows alone, that dissolve soon',
+    shadows: PCFShadowMap,
+    show: (kit) => alone(kit, { ...LINES, shadowFade: 3 }),
+  },
+  {
+    name: 'shadows alone, that dissolve soon, with a pen',
+    shadows: PCFShadowMap,
+    show: (kit) => alone(kit, { ...LINES, medium: 'pen', shadowFade: 3 }),
+  },
   { name: 'shadows alone, of a cone', shadows: PCFShadowMap, show: (kit) => alone(kit, LINES, spot()) },
   { name: 'shadows alone, of a lamp', shadows: PCFShadowMap, show: (kit) => alone(kit, LINES, lamp()) },
   { name: 'shadows alone, blended', shadows: BasicShadowMap, show: (kit) => alone(kit, LINES) },

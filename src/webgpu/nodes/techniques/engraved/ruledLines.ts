@@ -13,7 +13,7 @@ import { octaves, powerOf2 } from './octaves.js';
 import { penCoverage, penFor } from './penStrokes.js';
 import { sizedOnScreen } from './sizedOnScreen.js';
 
-const { abs, ceil, clamp, float, floor, int, Loop, max, min, mix, select } = tsl;
+const { abs, ceil, clamp, float, floor, fract, int, Loop, max, min, mix, select } = tsl;
 
 /** Pixels between lines, or 256ths of a tile. */
 const lineSpacing = /* @__PURE__ */ hatchingUniform('lineSpacing', 'float');
@@ -22,11 +22,16 @@ const shadowSpacing = /* @__PURE__ */ hatchingUniform('shadowSpacing', 'float');
 /** Pixels: where lines would lie closer, every other one is left out. */
 const finestSpacing = /* @__PURE__ */ hatchingUniform('finestSpacing', 'float');
 
-/** Where a shadow dissolves its lines end one by one: what a line has of the width that it would have if all thinned out together. */
+/**
+ * Where a shadow dissolves its lines end one by one: the width of a line as a factor on what it would be if all thinned out together. The mean
+ * over all lines is 1, so that the tone is the same.
+ */
 function lineLeft(line: Value, shadowLeft: Value): Value {
-  const end = lotOf(line).mul(GROUND_CONSTANTS.FIRST_END).toVar();
-  const left = max(shadowLeft, GROUND_CONSTANTS.LEAST_LEFT);
-  return max(shadowLeft.sub(end), 0).div(float(1).sub(end).mul(left));
+  const { ENDING, LEAST_LEFT } = GROUND_CONSTANTS;
+  const gone = float(1).sub(shadowLeft).mul(ENDING).div(max(shadowLeft, LEAST_LEFT)).toVar();
+  const kept = select(gone.lessThan(1), float(1).sub(gone.mul(0.5)), float(0.5).div(gone));
+  // Half a turn from the lot by which widths differ: those that stay are neither the wide ones nor the thin ones.
+  return max(float(1).sub(gone.mul(fract(lotOf(line).add(0.5)))), 0).div(kept);
 }
 
 /** The share of a pixel that a line covers. @param away from the line, signed, pixels @param room half of what the line has, pixels */
