@@ -87,6 +87,17 @@ export class Ground {
     Object.assign(this.material, materialSizesIn(look, share, scale));
   }
 
+  /**
+   * Has shadows dissolve before the edges of the sheet, unless they are not to dissolve at all.
+   *
+   * @param fade how fast, at least
+   */
+  endShadows({ groundShadow }: Look, fade: number): void {
+    if (this.kind !== 'shadow') return;
+    const { shadowFade } = groundShadow;
+    this.material.shadowFade = shadowFade > 0 ? Math.max(shadowFade, fade) : 0;
+  }
+
   /** Shows or hides the paper of a floor. The sheet that shows shadows has none. */
   showPaper(shown: boolean): void {
     const { material } = this;

@@ -1,6 +1,17 @@
-import { type Camera, DirectionalLight, MathUtils, Matrix4, PointLight, type Scene, SpotLight, Vector3 } from 'three';
+import {
+  type Camera,
+  DirectionalLight,
+  MathUtils,
+  Matrix4,
+  type PerspectiveCamera,
+  PointLight,
+  type Scene,
+  SpotLight,
+  Vector3,
+} from 'three';
 import type { Lighting } from '../settings/lighting.js';
 import type { LightPlace } from '../settings/settingValues.js';
+import { fadeOnSheet, type GroundLight, type SheetPart } from './fadeOnSheet.js';
 import { shadowOnGround } from './shadowOnGround.js';
 
 /** Distance of a directional light, in radii of the model: outside of what casts shadows. */
@@ -36,6 +47,11 @@ export class LightRig {
   private readonly settled = new Vector3();
   private readonly secondSettled = new Vector3(0, SUN_DISTANCE, 0);
   private isWithViewer = false;
+  private readonly groundLight: GroundLight = {
+    position: this.position,
+    isSun: true,
+    widthAt: (place) => this.shadowWidth(place),
+  };
   private mapSize: number = SHADOWS.mapSize;
 
   constructor(scene: Scene) {
@@ -113,12 +129,39 @@ export class LightRig {
    * @returns undefined if it casts none
    */
   shadowOf(points: ArrayLike<number>, height: number, toEye: Vector3): number[] | undefined {
-    const { directional, point, spot } = this.main;
-    const light = [directional, point, spot].find(({ visible }) => visible);
-    if (!light?.castShadow) return undefined;
+    const { shining } = this;
+    if (!shining) return undefined;
     const position = this.settled.clone();
     if (this.isWithViewer) position.applyMatrix4(new Matrix4().lookAt(toEye, ORIGIN, UP));
-    return shadowOnGround(points, position, light === directional, height);
+    return shadowOnGround(points, position, shining === this.main.directional, height);
+  }
+
+  /** How fast the main light's shadow must dissolve to end on the sheet, as {@link fadeOnSheet} tells. The lights must be placed. */
+  fadeOf(points: ArrayLike<number>, height: number, camera: PerspectiveCamera, part: SheetPart): number {
+    const { shining } = this;
+    if (!shining) return 0;
+    this.groundLight.isSun = shining === this.main.directional;
+    return fadeOnSheet(points, height, this.groundLight, camera, part);
+  }
+
+  /** The main light, if it casts shadows. */
+  private get shining(): CastingLight | undefined {
+    for (const kind in this.main) {
+      const light = this.main[kind as Lighting['kind']];
+      if (light.visible) return light.castShadow ? light : undefined;
+    }
+    return undefined;
+  }
+
+  /** What the camera of the main light's shadow sees at a place, across its light. */
+  private shadowWidth({ x, y, z }: Vector3): number {
+    const { main, position, spot } = this;
+    if (main.directional.visible) return 2 * SHADOWS.reach;
+    const [dx, dy, dz] = [x - position.x, y - position.y, z - position.z];
+    if (main.point.visible) return 2 * Math.max(Math.abs(dx), Math.abs(dy), Math.abs(dz));
+    // It shines on the middle of the model.
+    const along = -(dx * position.x + dy * position.y + dz * position.z) / position.length();
+    return 2 * Math.tan(spot.angle) * along;
   }
 
   /**

@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test';
-import { openPlayground } from '../../tools/browser/playground.js';
+import { openPlayground, readDrawing } from '../../tools/browser/playground.js';
 import { expect, test } from '../browser/test.js';
 import { cases } from '../selection.mjs';
 import { TYPEWRITER, widenLetters } from './wideLetters.js';
@@ -137,3 +137,34 @@ test.describe('at 200 %', () => {
     }
   });
 });
+
+const LOW =
+  'model=dragon4&technique=engraved&outlines=off&occlusion=0&shadows=on&ground=shadow&lightElevation=12&lightAzimuth';
+for (const [name, hash] of [
+  ['of the first picture', ''],
+  ['under a low light from the left', `${LOW}=-90`],
+  ['under a low light from the right', `${LOW}=90`],
+]) {
+  test.describe('on a phone', () => {
+    test.use({ viewport: { width: 390, height: 844 } });
+
+    test(
+      `the shadow on the ground ends on the sheet: ${name}`,
+      hash === '' ? {} : { tag: '@all' },
+      async ({ page }) => {
+        await openPlayground(page, hash);
+        const { data, width, height } = await readDrawing(page);
+        const paper = data[0];
+        let [inked, atEdge] = [0, 0];
+        for (let i = 0; i < width * height; i++) {
+          if (data[4 * i] > paper - 24) continue;
+          inked++;
+          const x = i % width;
+          if (Math.min(x, width - 1 - x) < 2) atEdge++;
+        }
+        expect(inked).toBeGreaterThan(5000);
+        expect(atEdge).toBe(0);
+      },
+    );
+  });
+}

@@ -1,10 +1,11 @@
-import { Group, type Matrix4, Scene, Vector3 } from 'three';
+import { Group, type Matrix4, type PerspectiveCamera, Scene, Vector3 } from 'three';
 import type { TonalArtMap } from 'three-hatching';
 import type { NodeMakers } from '../../drawing/NodeMakers.js';
 import { releaseGraphics } from '../../drawing/releaseGraphics.js';
 import type { Look } from '../../settings/lookOf.js';
 import { UPRIGHT } from '../../settings/settingValues.js';
 import { Backdrop } from '../../staging/Backdrop.js';
+import type { SheetPart } from '../../staging/fadeOnSheet.js';
 import { Ground } from '../../staging/Ground.js';
 import { LightRig } from '../../staging/LightRig.js';
 import type { Layer } from '../../staging/layers.js';
@@ -22,6 +23,8 @@ export class Scenery {
   private readonly upright = new Group();
   private turn: Look['upright'] = UPRIGHT.y;
   private map: TonalArtMap | undefined;
+  /** xyz of points of the model as it stands, enough of them to frame it; none without a model. */
+  outline: ArrayLike<number> = [];
   /** Whether the model casts a shadow on the ground. Framing leaves room for that. */
   private showsShadow = false;
 
@@ -77,19 +80,26 @@ export class Scenery {
   }
 
   /** Puts the ground under the model. @returns xyz of points of the model, enough of them to frame it; undefined without a model */
-  standOnGround(): Float32Array | undefined {
+  standOnGround(): ArrayLike<number> | undefined {
     const { shown, ground, upright } = this;
     upright.updateMatrix();
     if (!shown.model) return undefined;
     ground.extent = shown.model.extent;
     if (this.look) this.backdrop.apply(this.look, shown.model.extent);
     ground.height = shown.model.bounds.clone().applyMatrix4(upright.matrix).min.y;
-    return turned(shown.model.outline, upright.matrix);
+    this.outline = turned(shown.model.outline, upright.matrix);
+    return this.outline;
   }
 
   /** The shadow that points (as xyz) cast on the ground, seen from a direction, as xyz; undefined if there is no shadow. */
   shadowOf(outline: ArrayLike<number>, toEye: Vector3): number[] | undefined {
     return this.showsShadow ? this.lights.shadowOf(outline, this.ground.height, toEye) : undefined;
+  }
+
+  /** Has the shadow on the ground end on the sheet that a camera sees, a part of its picture. The lights must be placed. */
+  endShadow(camera: PerspectiveCamera, part: SheetPart): void {
+    const { ground, lights, look, outline } = this;
+    if (look && this.showsShadow) ground.endShadows(look, lights.fadeOf(outline, ground.height, camera, part));
   }
 
   get tonalArtMap(): TonalArtMap | undefined {

@@ -54,6 +54,7 @@ export class Stage {
       },
       (outline, toEye) => scenery.shadowOf(outline, toEye),
     );
+    painter.sheetOf = () => this.view.sheet;
     this.contextLoss = new ContextLoss(painter, scenery, this.frames, this.quality);
     new ResizeObserver(() => this.resize()).observe(viewport);
     this.resize();
