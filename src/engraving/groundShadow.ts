@@ -9,7 +9,7 @@ import { type ToneLook, toneFromRadiance } from './tone.js';
 import { combined, cross, lengthOf, type Vec3 } from './vectors.js';
 
 const { NO_LIGHT } = TONE_CONSTANTS;
-const { ENDING, LEAST_LEFT } = GROUND_CONSTANTS;
+const { ENDING, MOST_ENDING, LEAST_LEFT } = GROUND_CONSTANTS;
 const { LEAST_SINE } = FIELD_CONSTANTS;
 
 /** How a ground shows shadows. */
@@ -51,7 +51,7 @@ export function groundTone(
  */
 export function lineLeft(line: number, left: number): number {
   if (left >= 1) return 1;
-  const gone = (ENDING * (1 - left)) / Math.max(left, LEAST_LEFT);
+  const gone = Math.min((ENDING * (1 - left)) / Math.max(left, LEAST_LEFT), MOST_ENDING);
   const kept = gone < 1 ? 1 - 0.5 * gone : 0.5 / gone;
   // Half a turn from the lot by which widths differ: those that stay are neither the wide ones nor the thin ones.
   return Math.max(1 - gone * ((lotOf(line) + 0.5) % 1), 0) / kept;

@@ -25,15 +25,16 @@ export function shadowedTone(
 /**
  * A line in a shadow of which so much is left, as a factor on its width there. Its turn to end is its lot, half of all later. When a share of the
  * turns has come it narrows, by 0.4 of that share for each part of what is left that has dissolved; the wider others are the whole in the mean.
- * What is left counts as a thousandth at least.
+ * The later half of the turns never comes. What is left counts as a thousandth at least.
  */
 export function leftOfLine(value: number, left: number): number {
   const lot = lotOf(value);
   const turn = lot < 0.5 ? lot + 0.5 : lot - 0.5;
   const least = Math.max(left, 1e-3);
-  const narrowed = (at: number) => clamp01(1 - at * 0.4 * ((1 - left) / least));
+  const steep = Math.min(0.4 * ((1 - left) / least), 2);
+  const narrowed = (at: number) => clamp01(1 - at * steep);
   // The mean is that of a ramp, up to where it ends.
-  const end = Math.min(1, least / (0.4 * (1 - left)));
+  const end = Math.min(1, 1 / steep);
   return narrowed(turn) / (end * 0.5 * (1 + narrowed(end)));
 }
 

@@ -29,7 +29,7 @@ float powerOf2(const in float octave) {
   // Where a shadow dissolves its lines end one by one: the width of a line as a factor on what it would be if all thinned out together. The
   // mean over all lines is 1, so that the tone is the same.
   float lineLeft(const in float line) {
-    float gone = ENDING * (1.0 - shadowLeft()) / max(shadowLeft(), LEAST_LEFT);
+    float gone = min(ENDING * (1.0 - shadowLeft()) / max(shadowLeft(), LEAST_LEFT), MOST_ENDING);
     float kept = gone < 1.0 ? 1.0 - 0.5 * gone : 0.5 / gone;
     // Half a turn from the lot by which widths differ: those that stay are neither the wide ones nor the thin ones.
     return max(1.0 - gone * fract(lotOf(line) + 0.5), 0.0) / kept;

@@ -5,6 +5,8 @@ export const GROUND_CONSTANTS = {
    * so many times that share, times what is dissolved over what is left.
    */
   ENDING: 0.4,
+  /** No more than that: half of all lines end so, and the others thin out together, or one would stand alone at the end. */
+  MOST_ENDING: 2,
   /** What is left counts as at least this. */
   LEAST_LEFT: 1e-3,
 } as const;

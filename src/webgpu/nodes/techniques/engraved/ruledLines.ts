@@ -27,8 +27,8 @@ const finestSpacing = /* @__PURE__ */ hatchingUniform('finestSpacing', 'float');
  * over all lines is 1, so that the tone is the same.
  */
 function lineLeft(line: Value, shadowLeft: Value): Value {
-  const { ENDING, LEAST_LEFT } = GROUND_CONSTANTS;
-  const gone = float(1).sub(shadowLeft).mul(ENDING).div(max(shadowLeft, LEAST_LEFT)).toVar();
+  const { ENDING, LEAST_LEFT, MOST_ENDING } = GROUND_CONSTANTS;
+  const gone = min(float(1).sub(shadowLeft).mul(ENDING).div(max(shadowLeft, LEAST_LEFT)), MOST_ENDING).toVar();
   const kept = select(gone.lessThan(1), float(1).sub(gone.mul(0.5)), float(0.5).div(gone));
   // Half a turn from the lot by which widths differ: those that stay are neither the wide ones nor the thin ones.
   return max(float(1).sub(gone.mul(fract(lotOf(line).add(0.5)))), 0).div(kept);
