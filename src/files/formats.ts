@@ -101,7 +101,7 @@ export const FORMATS: readonly ModelFormat[] = [
   {
     name: 'FBX',
     extensions: ['fbx'],
-    hasSignature: ({ head }) => /^Kaydara FBX Binary|^\s*(;.*\s+)*FBXHeaderExtension\s*:/.test(head),
+    hasSignature: ({ head }) => /^Kaydara FBX Binary|^\s*(;[^\n]*\n\s*)*FBXHeaderExtension\s*:/.test(head),
     up: 'y',
     loader: { name: 'FBXLoader', gives: 'object' },
     read: async ({ bytes, name }) => (await import('./scenes/readFbx.js')).readFbx(bytes, name),
@@ -161,7 +161,7 @@ export const FORMATS: readonly ModelFormat[] = [
     name: 'STL',
     extensions: ['stl'],
     looksLike: ({ bytes, head }) =>
-      binaryStlLength(bytes) !== undefined || /^\s*(#.*\s+)*solid\b[\s\S]*\bfacet\b/i.test(head),
+      binaryStlLength(bytes) !== undefined || /^\s*(#[^\n]*\n\s*)*solid\b[\s\S]*\bfacet\b/i.test(head),
     up: 'z',
     liesFlat: true,
     loader: { name: 'STLLoader', gives: 'geometry' },

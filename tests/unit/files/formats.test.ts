@@ -32,3 +32,13 @@ test('the page names all formats, its picker takes all files that belong to a mo
   for (const { loader } of FORMATS)
     if (loader) expect(config).toContain(`'loaders/${loader.module ?? loader.name}.js'`);
 });
+
+test.each(['# \n', ';  \n', '#\t \r\n'])('hundreds of comments in a row are passed over at once: %j', (comment) => {
+  const bytes = new TextEncoder().encode(`${comment.repeat(700)}v 0 0 0\n`);
+  const head = new TextDecoder('latin1').decode(bytes.subarray(0, 2048));
+  expect(FORMATS.filter(({ hasSignature, looksLike }) => (hasSignature ?? looksLike)?.({ bytes, head }))).toEqual([]);
+  const stl = `${comment.replace(';', '#').repeat(20)}solid a\nfacet normal 0 0 1\n`;
+  expect(
+    FORMATS.find(({ name }) => name === 'STL')?.looksLike?.({ bytes: new TextEncoder().encode(stl), head: stl }),
+  ).toBe(true);
+});
