@@ -6,7 +6,10 @@ import type { DrawingOptions } from './DrawingOptions.js';
 
 /** A model to be drawn in a thread. */
 export interface DrawTask {
+  /** The path of its file, or its name where the content is given. */
   model: string;
+  /** What is in it; left out, it is read from the file. */
+  content?: Uint8Array;
   options: DrawingOptions;
 }
 
@@ -16,7 +19,6 @@ export interface DrawingCounts {
   drawn: number;
   travelBefore: number;
   travelAfter: number;
-  seconds: number;
 }
 
 /** What a thread says: how far it is, a sentence for the user, a drawing, or how it ended. */

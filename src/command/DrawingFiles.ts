@@ -3,9 +3,13 @@ import { rename, rm, rmdir, stat, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import { makeFolder } from './makeFolder.js';
 import { sentenceOf } from './sentenceOf.js';
+import { STANDARD, writeStandardOutput } from './standardStreams.js';
 import { UsageError } from './UsageError.js';
 
-/** Writes drawings. Each file is there as a whole or not at all: it gets its name when all of it is written. */
+/**
+ * Writes drawings. Each file is there as a whole or not at all: it gets its name when all of it is written. The path `-` is the standard
+ * output.
+ */
 export class DrawingFiles {
   /** The folders that were created, the outermost first. */
   private readonly made: string[] = [];
@@ -22,7 +26,8 @@ export class DrawingFiles {
    *
    * @throws UsageError whose message is a single sentence
    */
-  async open(paths: readonly string[]): Promise<void> {
+  async open(outputs: readonly string[]): Promise<void> {
+    const paths = outputs.filter((path) => path !== STANDARD);
     for (const folder of new Set(paths.map((path) => dirname(path)))) await makeFolder(folder, this.made);
     for (const path of paths) await this.check(path);
   }
@@ -33,6 +38,12 @@ export class DrawingFiles {
    * @throws Error whose message is a single sentence, if it cannot be written; there is none of it then
    */
   async write(path: string, text: string): Promise<void> {
+    if (path === STANDARD) await writeStandardOutput(text);
+    else await this.writeFile(path, text);
+    this.written++;
+  }
+
+  private async writeFile(path: string, text: string): Promise<void> {
     const draft = join(dirname(path), `.three-hatching-${randomBytes(4).toString('hex')}`);
     this.drafts.add(draft);
     try {
@@ -40,7 +51,6 @@ export class DrawingFiles {
       // Another program may have written it meanwhile.
       await this.check(path);
       await rename(draft, path);
-      this.written++;
     } catch (error) {
       await rm(draft, { force: true }).catch(() => {});
       throw error instanceof UsageError ? error : new Error(sentenceOf(path, error));

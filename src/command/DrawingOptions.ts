@@ -1,3 +1,5 @@
+import type { Sheet } from '../svg/sheetSizes.js';
+
 /** A direction as degrees around the upright axis, from what faces the viewer to the right, and degrees above the horizon. */
 export interface DirectionInDegrees {
   azimuth: number;
@@ -24,13 +26,15 @@ export interface DrawingOptions {
   up: 'y' | 'z' | 'x' | '-y' | '-z' | '-x' | undefined;
   /** The name of a variant of the model's materials, or its number from 1 on. */
   variant: string | undefined;
+  /** The format of a model that neither its content nor its name tells, as an extension. */
+  format: string | undefined;
   /** The name of a clip of the model, or its number from 1 on. */
   clip: string | undefined;
   /** So many pictures of a turn, or of the clip; undefined for one picture. */
   frames: number | undefined;
   kind: 'print' | 'pen';
   pen: number;
-  sheet: readonly [width: number, height: number];
+  sheet: Sheet;
   margin: number;
   dpi: number;
   /** `#rrggbb`, or undefined for none. */

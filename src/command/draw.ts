@@ -3,12 +3,13 @@ import process from 'node:process';
 import { shownText } from '../files/common/shownText.js';
 import { DrawingFiles } from './DrawingFiles.js';
 import type { DrawingOptions } from './DrawingOptions.js';
-import { type DrawingCounts, type DrawMessage, drawInThread } from './DrawThread.js';
+import { type DrawingCounts, type DrawMessage, type DrawTask, drawInThread } from './DrawThread.js';
 import { expandPattern, isPattern } from './expandPattern.js';
 import { Interrupted } from './Interrupted.js';
 import type { ProgressBar } from './ProgressBar.js';
 import { DRAW_HELP, parseDrawing } from './parseDrawing.js';
 import { type PlannedModel, planOutputs } from './planOutputs.js';
+import { readStandardInput, STANDARD, STANDARD_INPUT } from './standardStreams.js';
 import { UsageError } from './UsageError.js';
 
 /**
@@ -44,6 +45,10 @@ export async function draw(args: readonly string[], signal: AbortSignal, bar: Pr
 async function filesOf(names: readonly string[]): Promise<string[]> {
   const models: string[] = [];
   for (const name of names) {
+    if (name === STANDARD) {
+      models.push(name);
+      continue;
+    }
     const isThere = await stat(name).then(
       () => true,
       () => false,
@@ -60,6 +65,8 @@ class Draughtsmen {
   /** How far each model is, in [0, 1]. */
   private readonly done: number[];
   private failed = 0;
+  /** Where the lines about drawings go. */
+  private readonly counts: NodeJS.WriteStream;
 
   constructor(
     private readonly planned: readonly PlannedModel[],
@@ -69,6 +76,8 @@ class Draughtsmen {
     private readonly bar: ProgressBar,
   ) {
     this.done = planned.map(() => 0);
+    const isPiped = planned.some(({ outputs }) => outputs.includes(STANDARD));
+    this.counts = isPiped ? process.stderr : process.stdout;
   }
 
   /** @returns how many models were not drawn as they should be */
@@ -85,7 +94,8 @@ class Draughtsmen {
 
   private async drawOne(index: number): Promise<void> {
     const { model, outputs } = this.planned[index];
-    const { signal, options, files } = this;
+    const { signal, files } = this;
+    let began = performance.now();
     let writing = Promise.resolve();
     const onMessage = (message: DrawMessage): void => {
       if (message.kind === 'progress') this.show(index, message.stage, message.progress);
@@ -94,14 +104,17 @@ class Draughtsmen {
         const { frame, svg, counts } = message;
         writing = writing.then(async () => {
           await files.write(outputs[frame], svg);
-          this.tell(process.stdout, `${outputs[frame]}: ${describe(counts)}`);
+          const now = performance.now();
+          this.tell(this.counts, `${nameOf(outputs[frame])}: ${describe(counts, (now - began) / 1000)}`);
+          began = now;
         });
         // It is awaited below; until then nothing is to be said of it.
         writing.catch(() => {});
       }
     };
     try {
-      const isWhole = await drawInThread({ model, options }, await sizeOf(model), signal, onMessage);
+      const { task, bytes } = await this.taskOf(model);
+      const isWhole = await drawInThread(task, bytes, signal, onMessage);
       await writing;
       if (!isWhole) this.failed++;
     } catch (error) {
@@ -111,6 +124,14 @@ class Draughtsmen {
       this.tell(process.stderr, `three-hatching: ${(error as Error).message}`);
     }
     this.show(index, 'drawing', 1);
+  }
+
+  /** What is drawn of a model in a thread, and how many bytes its file has. @throws Error with a sentence if there is no model */
+  private async taskOf(model: string): Promise<{ task: DrawTask; bytes: number }> {
+    const { options, signal } = this;
+    if (model !== STANDARD) return { task: { model, options }, bytes: await sizeOf(model) };
+    const content = await readStandardInput(signal);
+    return { task: { model: STANDARD_INPUT, options, content }, bytes: content.length };
   }
 
   private show(index: number, stage: string, progress: number): void {
@@ -138,7 +159,10 @@ async function sizeOf(model: string): Promise<number> {
 
 const inMetres = (millimetres: number): string => `${(millimetres / 1000).toFixed(2)} m`;
 
-function describe({ paths, drawn, travelBefore, travelAfter, seconds }: DrawingCounts): string {
+const nameOf = (output: string): string => (output === STANDARD ? 'the standard output' : output);
+
+/** @param seconds since the model was begun, or the frame before was written */
+function describe({ paths, drawn, travelBefore, travelAfter }: DrawingCounts, seconds: number): string {
   const count = `${paths.toLocaleString('en')} ${paths === 1 ? 'path' : 'paths'}`;
   return `${count}, ${inMetres(drawn)} drawn, ${inMetres(travelAfter)} of travel (${inMetres(travelBefore)} before ordering), ${seconds.toFixed(1)} s.`;
 }

@@ -14,6 +14,8 @@ const INTERRUPTED = 130;
 const abort = new AbortController();
 process.on('SIGINT', () => abort.abort());
 process.on('SIGTERM', () => abort.abort());
+// Whoever reads may stop before the end.
+for (const stream of [process.stdout, process.stderr]) stream.on('error', () => {});
 const bar = new ProgressBar(process.stderr);
 
 try {

@@ -1,6 +1,8 @@
 import { parseArgs } from 'node:util';
 import { type HatchingPreset, presets } from '../scene/presets.js';
-import type { DirectionInDegrees, DrawingOptions } from './DrawingOptions.js';
+import { SHEET_SIZES } from '../svg/sheetSizes.js';
+import type { DrawingOptions } from './DrawingOptions.js';
+import { directionOf } from './directionOf.js';
 import { sheetOf } from './sheetOf.js';
 import { UsageError } from './UsageError.js';
 
@@ -36,6 +38,7 @@ const OPTIONS = {
   out: { type: 'string' },
   force: { type: 'boolean' },
   jobs: { type: 'string' },
+  format: { type: 'string' },
   help: { type: 'boolean', short: 'h' },
 } as const;
 
@@ -55,21 +58,24 @@ export const DRAW_HELP = `three-hatching draw: draws models as SVG files, for pr
   npx three-hatching draw model.glb --preset engraving --view "25 8" --light "-45 40" --sheet A4 --out drawing.svg
   npx three-hatching draw "models/*.stl" --pen 0.3 --out "plots/{name}.svg" --jobs 4
 
-It reads GLB, glTF, OBJ, PLY, STL, FBX, DAE, USDZ, 3MF, 3DS, VRML and OFF files, also packed with gzip or in a ZIP.
+It reads GLB, glTF, OBJ, PLY, STL, FBX, DAE, USDZ, 3MF, 3DS, VRML and OFF files, also packed with gzip or in a ZIP;
+- is the standard input.
 
   --preset <name>          the look: ${LINED.join(', ')} (default engraving)
   --link <address>         the look, view and lights of a link of the playground; nothing is fetched
-  --view "<around> <up>"   where the eye is: degrees around the model and above it (default "31.8 17")
+  --view "<around> <up>"   where the eye is: degrees around the model and above it (default "31.8 17");
+                           or front, back, left, right, top, bottom or iso
   --camera <name>          draws from this camera of a glTF file; its number will do
   --zoom <factor>          how much larger than to fill the sheet (default 1)
   --orthographic           without perspective
-  --light "<around> <up>"  where the light is (default: as the file has it, or else where it suits the view)
+  --light "<around> <up>"  where the light is, as the eye (default: as the file has it, or else where it suits the view)
   --no-file-lights         puts the light where it suits the view also where a glTF file has lights
   --shadows, --no-shadows  whether the light casts shadows (default: as the look has it, which is yes)
   --up <axis>              the axis that points up: y, z, x, -y, -z or -x (default: as the format has it)
   --kind <print|pen>       filled lines, or lines for one pen (default print)
   --pen <mm>               the width of the pen; draws for a pen (default 0.3)
-  --sheet <size>           A3, A4 or A5, upright; "A4 landscape"; or as 200x150 in millimetres (default A4)
+  --sheet <size>           ${Object.keys(SHEET_SIZES).join(', ')}, turned to suit the model;
+                           "A4 landscape" or "A4 portrait"; or as 200x150 in millimetres or 8.5x11in (default A4)
   --margin <mm>            what stays blank on all sides (default 10)
   --dpi <number>           CSS pixels to an inch: more makes finer lines (default 96)
   --paper <#rrggbb>        a rectangle of this colour below the drawing, in print
@@ -79,7 +85,9 @@ It reads GLB, glTF, OBJ, PLY, STL, FBX, DAE, USDZ, 3MF, 3DS, VRML and OFF files,
   --frames <count>         numbered files of a turn of the model, or of its clip
   --variant <name>         a variant of the materials of a glTF file; its number will do
   --clip <name>            poses the model by this clip; its number will do
-  --out <file>             the file to write to; for several models a folder, or a name with {name} and {frame}
+  --format <name>          the format of a model whose name does not tell it: stl, obj, …
+  --out <file>             the SVG file to write to; - is the standard output;
+                           for several models a folder, or a name with {name} and {frame}
   --force                  replaces files
   --jobs <count>           how many models are drawn at a time (default 1)
   --help                   prints this text
@@ -107,21 +115,22 @@ export function parseDrawing(args: readonly string[]): DrawRequest {
     throw new UsageError('--shadows and --no-shadows exclude each other; pass only one of them.');
   const sheet = sheetOf(values.sheet ?? 'A4');
   const margin = number('margin', values.margin, { least: 0, most: 1000 }) ?? 10;
-  if (2 * margin >= Math.min(...sheet))
-    throw new UsageError(`--margin is ${margin}, which leaves nothing of a sheet of ${sheet.join(' × ')} mm.`);
+  if (2 * margin >= Math.min(...sheet.size))
+    throw new UsageError(`--margin is ${margin}, which leaves nothing of a sheet of ${sheet.size.join(' × ')} mm.`);
   const link = linkOf(values.link);
   if (link !== undefined && values.preset === undefined) checkLines(link);
   const options: DrawingOptions = {
     preset: presetOf(values.preset),
-    view: direction('view', values.view),
+    view: directionOf('view', values.view),
     camera: values.camera,
     zoom: number('zoom', values.zoom, { least: 0.05, most: 100 }) ?? 1,
     orthographic: values.orthographic ?? false,
-    light: direction('light', values.light),
+    light: directionOf('light', values.light),
     usesFileLights: !values['no-file-lights'],
     shadows: values['no-shadows'] ? false : values.shadows,
     up: choice('up', values.up, AXES),
     variant: values.variant,
+    format: formatOf(values.format),
     clip: values.clip,
     frames: whole('frames', values.frames, 9999),
     pen: number('pen', values.pen, { least: 0.01, most: 20 }) ?? 0.3,
@@ -163,6 +172,13 @@ function presetOf(name: string | undefined): string | undefined {
   throw new UsageError(`--preset is ${name}, ${reason}; use one of ${LINED.join(', ')}.`);
 }
 
+/** A format as an extension: in lower case and without a dot. */
+function formatOf(text: string | undefined): string | undefined {
+  const format = text?.trim().toLowerCase().replace(/^\./, '');
+  if (format === undefined || /^[a-z0-9]+$/.test(format)) return format;
+  throw new UsageError(`--format is ${text}, but must be the ending of the format's files, as stl.`);
+}
+
 /** The hash of a link, which may also be given alone. */
 function linkOf(link: string | undefined): string | undefined {
   const hash = link?.slice(link.indexOf('#') + 1);
@@ -179,19 +195,6 @@ function checkLines(link: string): void {
   if (isLined(technique, parameters.get('medium') ?? material?.medium)) return;
   throw new UsageError(
     '--link is drawn with strokes that are a picture and cannot leave as lines; add --preset with one of its own, engraving, say.',
-  );
-}
-
-function direction(option: string, text: string | undefined): DirectionInDegrees | undefined {
-  if (text === undefined) return undefined;
-  const [azimuth, elevation, ...rest] = text
-    .trim()
-    .split(/[\s,]+/)
-    .map(Number);
-  const isThere = rest.length === 0 && Math.abs(azimuth) <= 360 && Math.abs(elevation) <= 89;
-  if (isThere) return { azimuth, elevation };
-  throw new UsageError(
-    `--${option} is "${text}", but must be two numbers in quotes, as "25 8": degrees around the model, and from -89 to 89 above it.`,
   );
 }
 

@@ -1,4 +1,5 @@
 import { basename, extname, join, resolve } from 'node:path';
+import { STANDARD, STANDARD_INPUT } from './standardStreams.js';
 import { UsageError } from './UsageError.js';
 
 /** A model, and the files of its drawings: one, or one for each frame. */
@@ -10,10 +11,10 @@ export interface PlannedModel {
 /**
  * Names the files of drawings.
  *
- * @param out what the command line says: a file, a folder, or a name with `{name}` and `{frame}`
+ * @param out what the command line says: a file, a folder, a name with `{name}` and `{frame}`, or `-` for the standard output
  * @param isFolder whether `out` is a folder that is there
  * @param frames of each model; undefined for one drawing without a number
- * @throws UsageError if two drawings would have the same name, or a drawing that of a model
+ * @throws UsageError if two drawings would have the same name, a drawing that of a model, or a name that is not that of an SVG file
  */
 export function planOutputs(
   models: readonly string[],
@@ -21,7 +22,14 @@ export function planOutputs(
   isFolder: boolean,
   frames: number | undefined,
 ): PlannedModel[] {
-  const pattern = patternOf(out, isFolder || /[\\/]$/.test(out) || models.length > 1, frames !== undefined);
+  if (out === STANDARD) {
+    if (models.length === 1 && frames === undefined) return [{ model: models[0], outputs: [STANDARD] }];
+    throw new UsageError(
+      '--out is -, but the standard output takes one drawing; name a folder, or a file with {name} or {frame}.',
+    );
+  }
+  const hasFrames = frames !== undefined;
+  const pattern = patternOf(out, isFolder || /[\\/]$/.test(out), models.length > 1, hasFrames);
   const digits = String(frames ?? 1).length;
   const planned = models.map((model) => ({
     model,
@@ -33,7 +41,7 @@ export function planOutputs(
     ),
   }));
   const owners = new Map<string, string>();
-  const inputs = new Set(models.map((model) => resolve(model)));
+  const inputs = new Set(models.filter((model) => model !== STANDARD).map((model) => resolve(model)));
   for (const { model, outputs } of planned) {
     for (const output of outputs) {
       const other = owners.get(resolve(output));
@@ -49,9 +57,19 @@ export function planOutputs(
   return planned;
 }
 
-function patternOf(out: string, isFolder: boolean, hasFrames: boolean): string {
+/** @param isFolder whether `out` is a folder for sure; where there are several models, a name without an ending is one too */
+function patternOf(out: string, isFolder: boolean, areSeveral: boolean, hasFrames: boolean): string {
   const isNamed = out.includes('{name}') || (out.includes('{frame}') && hasFrames);
-  const pattern = isFolder && !isNamed ? join(out, '{name}.svg') : out;
+  const ending = isFolder && !isNamed ? '' : extname(out.replaceAll(/\{(name|frame)\}/g, '_'));
+  if (ending !== '' && ending.toLowerCase() !== '.svg')
+    throw new UsageError(
+      `--out is ${out}, but only SVG is written; name a file that ends in .svg, which Inkscape and vpype turn into other formats.`,
+    );
+  if (areSeveral && !isNamed && ending !== '')
+    throw new UsageError(
+      `--out is ${out}, one file, but there are several models; name a folder, or a file with {name}, as {name}.svg.`,
+    );
+  const pattern = (isFolder || areSeveral) && !isNamed ? join(out, '{name}.svg') : out;
   if (!hasFrames || pattern.includes('{frame}')) return pattern;
   const extension = extname(pattern);
   return `${pattern.slice(0, pattern.length - extension.length)}-{frame}${extension}`;
@@ -65,6 +83,7 @@ function nameOf(model: string, models: readonly string[]): string {
 
 /** The name of a model without its folder and its extension. */
 function stemOf(model: string): string {
+  if (model === STANDARD) return STANDARD_INPUT;
   const name = basename(model).replace(/\.gz$/i, '');
   return name.slice(0, name.length - extname(name).length) || name;
 }

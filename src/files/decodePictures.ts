@@ -27,5 +27,5 @@ export async function withPictures(
   }
   settleBlendedPictures(parts);
   const notes = lost > 0 ? [counted(lost, 'damaged picture', 'left out')] : [];
-  return { ...model, notes: [...model.notes, ...notes] };
+  return { ...model, notes: [...model.notes, ...notes], lostPictures: (model.lostPictures ?? 0) + lost };
 }

@@ -50,6 +50,8 @@ interface Read {
   details: string[];
   /** The names of files that the model refers to and that were not dropped along. */
   missing: string[];
+  /** How many pictures are there but could not be read. */
+  lostPictures?: number | undefined;
   /** The files from the archive that was read, with those that were dropped along. Undefined if no archive was read. */
   unpacked?: readonly ModelFile[];
   /** How the model is drawn, if the archive has a description of it. */
@@ -154,10 +156,10 @@ async function readMain(
   const usual = usualUp(format);
   const upAxis = format.up;
   if ('arrays' in content) {
-    const { missing } = parsed;
+    const { missing, lostPictures } = parsed;
     const notes = [...missingNote(missing), ...parsed.notes];
     const details = [...missingDetail(missing), ...brokenNote(parsed.broken), ...parsed.details];
-    return { kind: 'parts', name, upAxis, usual, notes, details, missing, parts: content, extras };
+    return { kind: 'parts', name, upAxis, usual, notes, details, missing, lostPictures, parts: content, extras };
   }
   onStage('looking over the triangles');
   const wanted: WantedPicture[] = [];
@@ -166,8 +168,11 @@ async function readMain(
   const { mesh, broken } = cleanMesh(distinct);
   const { centre, radius } = fitModel(mesh);
   const normals = plainNormals(mesh);
-  const { pictures, notes, ...lacks } = await readMeshPictures(wanted, findFile, decodePicture, (number, count) =>
-    onStage(`decoding picture ${number} of ${count}`),
+  const { pictures, notes, lostPictures, ...lacks } = await readMeshPictures(
+    wanted,
+    findFile,
+    decodePicture,
+    (number, count) => onStage(`decoding picture ${number} of ${count}`),
   );
   const missing = [...parsed.missing, ...lacks.missing];
   return {
@@ -181,6 +186,7 @@ async function readMain(
     stands: usual && findUpAxis(mesh.positions, mesh.indices, usual),
     extras: extras && movedExtras(extras, fitOf(centre, radius)),
     missing,
+    lostPictures,
     notes: [...missingNote(missing), ...thinNote(mesh.positions, mesh.indices), ...parsed.notes, ...notes],
     details: [
       ...missingDetail(missing),

@@ -126,13 +126,14 @@ export class LightRig {
    * Where the main light casts the shadows of points on level ground, as {@link shadowOnGround} tells.
    *
    * @param toEye direction to the viewer, with whom a light may move
+   * @param up what points up in the viewer's picture
    * @returns undefined if it casts none
    */
-  shadowOf(points: ArrayLike<number>, height: number, toEye: Vector3): number[] | undefined {
+  shadowOf(points: ArrayLike<number>, height: number, toEye: Vector3, up: Vector3 = UP): number[] | undefined {
     const { shining } = this;
     if (!shining) return undefined;
     const position = this.settled.clone();
-    if (this.isWithViewer) position.applyMatrix4(new Matrix4().lookAt(toEye, ORIGIN, UP));
+    if (this.isWithViewer) position.applyMatrix4(new Matrix4().lookAt(toEye, ORIGIN, up));
     return shadowOnGround(points, position, shining === this.main.directional, height);
   }
 

@@ -8,6 +8,7 @@ export const SHADOW_ROOM: ShadowRoom = { model: 0.88, shadow: 0.96, smaller: 1.2
 const CENTRED = 0.09;
 /** If it is as small as it may be, it moves aside by at most this share. What is left of a long shadow is cut. */
 const MAX_ASIDE = 0.4;
+const UP = new Vector3(0, 1, 0);
 
 /** How a model leaves room for its shadow. */
 export interface ShadowRoom {
@@ -33,7 +34,7 @@ export interface Framing {
 }
 
 /**
- * Places a camera so that points just fill its picture, seen from a given direction.
+ * Places a camera so that points just fill its picture, seen from a given direction. What its `up` says points up in the picture.
  *
  * @param positions xyz of each point
  * @param view direction from the points to the eye, of any length
@@ -71,9 +72,12 @@ export function fitCamera(
   return target;
 }
 
-/** How many times wider than high points are, seen from a given direction. */
-export function proportionOf(positions: ArrayLike<number>, view: Vector3): number {
-  const { right, up } = viewAxes(view);
+/** Points whose proportion lies between this and its inverse are about as wide as high, and suit a sheet in either orientation. */
+export const ABOUT_SQUARE = 1.15;
+
+/** How many times wider than high points are, seen from a given direction. @param upwards what points up on the sheet, as near as can be */
+export function proportionOf(positions: ArrayLike<number>, view: Vector3, upwards: Vector3 = UP): number {
+  const { right, up } = viewAxes(view, upwards);
   const [wide, high] = [right, up].map((axis) => {
     let [low, most] = [Infinity, -Infinity];
     for (let i = 0; i < positions.length; i += 3) {
@@ -96,12 +100,12 @@ interface FrustumAxes {
 
 function frustumAxes(camera: PerspectiveCamera, view: Vector3, part: readonly [number, number]): FrustumAxes {
   const slope = Math.tan(MathUtils.degToRad(camera.fov) / 2);
-  return { ...viewAxes(view), slopes: [part[0] * slope * camera.aspect, part[1] * slope] };
+  return { ...viewAxes(view, camera.up), slopes: [part[0] * slope * camera.aspect, part[1] * slope] };
 }
 
-function viewAxes(view: Vector3): Omit<FrustumAxes, 'slopes'> {
+function viewAxes(view: Vector3, upwards: Vector3): Omit<FrustumAxes, 'slopes'> {
   const toEye = view.clone().normalize();
-  const right = new Vector3(0, 1, 0).cross(toEye).normalize();
+  const right = upwards.clone().cross(toEye).normalize();
   return { toEye, right, up: toEye.clone().cross(right) };
 }
 

@@ -10,6 +10,25 @@ const NARROW = 0.2;
 const FAR_AWAY = 40;
 const UP = new Vector3(0, 1, 0);
 
+/** Where an eye is seen from a model, and what points up in its picture. */
+export interface EyeDirection {
+  /** From the model to the eye, of any length. */
+  toEye: Vector3;
+  up: Vector3;
+}
+
+/** The direction to a place around the upright axis, from what faces the viewer to the right, and above the horizon, in degrees. */
+export function eyeDirection(azimuth: number, elevation: number): EyeDirection {
+  const [around, above] = [azimuth, elevation].map(MathUtils.degToRad);
+  // From straight above or below nothing of it is left by rounding.
+  const level = Math.abs(elevation) === 90 ? 0 : Math.cos(above);
+  const [x, z] = [Math.sin(around), Math.cos(around)];
+  return {
+    toEye: new Vector3(level * x, Math.sin(above), level * z),
+    up: level === 0 ? new Vector3(x, 0, z).multiplyScalar(-Math.sign(elevation)) : UP.clone(),
+  };
+}
+
 /** A camera, and what it looks at. */
 export interface PlacedCamera {
   camera: PerspectiveCamera | OrthographicCamera;
@@ -21,16 +40,16 @@ export interface PlacedCamera {
  *
  * @param aspect of the picture
  * @param outline xyz of points that are to be in the picture
- * @param toEye direction from the model to the eye
  */
 export function framedCamera(
   aspect: number,
   outline: ArrayLike<number>,
-  toEye: Vector3,
+  { toEye, up }: EyeDirection,
   { isOrthographic, ...framing }: Framing & { isOrthographic: boolean },
 ): PlacedCamera {
   const fieldOfView = isOrthographic ? NARROW : LENS.fieldOfView;
   const camera = new PerspectiveCamera(fieldOfView, aspect, LENS.near, LENS.far);
+  camera.up.copy(up);
   const target = fitCamera(camera, outline, toEye, framing);
   return { camera: isOrthographic ? withoutPerspective(camera, target) : camera, target };
 }
@@ -74,8 +93,8 @@ function withoutPerspective({ position, up, fov, aspect }: PerspectiveCamera, ta
   const toEye = position.clone().sub(target);
   const high = toEye.length() * Math.tan(MathUtils.degToRad(fov) / 2);
   const camera = new OrthographicCamera(-high * aspect, high * aspect, high, -high, LENS.near, 2 * FAR_AWAY);
-  camera.position.copy(target).addScaledVector(toEye.normalize(), FAR_AWAY);
   camera.up.copy(up);
+  camera.position.copy(target).addScaledVector(toEye.normalize(), FAR_AWAY);
   camera.lookAt(target);
   return camera;
 }
@@ -84,6 +103,7 @@ function withoutPerspective({ position, up, fov, aspect }: PerspectiveCamera, ta
 export function turnCamera({ camera, target }: PlacedCamera, angle: number): void {
   camera.position.applyAxisAngle(UP, angle);
   target.applyAxisAngle(UP, angle);
+  camera.up.applyAxisAngle(UP, angle);
   camera.lookAt(target);
 }
 

@@ -5,9 +5,7 @@ import { checkColor } from '../material/checkValues.js';
 import type { DrawingPlan } from '../vector/DrawnScene.js';
 import { checkOptions } from '../worker/checkOptions.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
-
-/** Sheets by name, upright: width and height in millimetres. */
-const SHEETS = { A3: [297, 420], A4: [210, 297], A5: [148, 210] } as const;
+import { lyingSize, SHEET_WORDS, type SheetName, sheetNamed } from './sheetSizes.js';
 
 /** How long a drawing takes to draw itself. */
 const ANIMATION_SECONDS = 12;
@@ -19,8 +17,11 @@ export interface DrawSVGOptions extends TaskOptions {
    * Default: `'print'`.
    */
   kind?: 'print' | 'pen' | undefined;
-  /** The sheet: a name, which stands upright, or width and height above 0. Default: `'A4'`. */
-  sheet?: keyof typeof SHEETS | readonly [width: number, height: number] | undefined;
+  /**
+   * The sheet: a name, which lies as suits the camera's picture unless `portrait` or `landscape` stands after it; or a size, as `'200x150'`
+   * in millimetres or `'8.5x11in'`; or width and height above 0. Default: `'A4'`.
+   */
+  sheet?: SheetName | (string & {}) | readonly [width: number, height: number] | undefined;
   /** What stays blank around the picture, 0 or more. Default: 10. */
   margin?: number | undefined;
   /** The width of the pen, above 0, with `kind: 'pen'`. Default: 0.3. */
@@ -79,8 +80,13 @@ const NAMES = {
   clippingPlanes: true,
 } satisfies Record<Exclude<keyof DrawSVGOptions, keyof TaskOptions>, true>;
 
-/** Checks options. @throws TypeError or RangeError that names the wrong one */
-export function planOf(options: DrawSVGOptions): DrawingPlan {
+/**
+ * Checks options.
+ *
+ * @param isWide whether the camera's picture is wider than high
+ * @throws TypeError or RangeError that names the wrong one
+ */
+export function planOf(options: DrawSVGOptions, isWide = false): DrawingPlan {
   checkOptions('drawSVG', options, NAMES);
   const { kind = 'print', sheet = 'A4', order = 'travel', shadows = true, paper = null, picture = null } = options;
   checkChoice('kind', kind, ['print', 'pen']);
@@ -98,7 +104,7 @@ export function planOf(options: DrawSVGOptions): DrawingPlan {
     throw new TypeError("drawSVG: paper is only for kind: 'print'. A pen would draw the border of the sheet.");
   if (picture !== null) checkPicture(picture, isPen);
   if (paper !== null) checkColor('drawSVG: paper', paper);
-  const [width, height] = sizeOf(sheet);
+  const [width, height] = sizeOf(sheet, isWide);
   const margin = checkNumber('margin', options.margin ?? 10, { from: 0 }, 'drawSVG');
   if (2 * margin >= Math.min(width, height))
     throw new RangeError(`drawSVG: a margin of ${margin} mm leaves nothing of a sheet of ${width} × ${height} mm.`);
@@ -141,11 +147,12 @@ function checkChoice(name: string, value: unknown, choices: readonly string[]): 
   );
 }
 
-function sizeOf(sheet: unknown): readonly [number, number] {
-  if (typeof sheet === 'string' && Object.hasOwn(SHEETS, sheet)) return SHEETS[sheet as keyof typeof SHEETS];
+function sizeOf(sheet: unknown, isWide: boolean): readonly [number, number] {
+  const named = typeof sheet === 'string' ? sheetNamed(sheet) : undefined;
+  if (named) return lyingSize(named, isWide);
   const isSize = Array.isArray(sheet) && sheet.length === 2 && sheet.every((side) => side > 0 && side < Infinity);
   if (isSize) return sheet as unknown as readonly [number, number];
   throw new RangeError(
-    `drawSVG: sheet is ${JSON.stringify(sheet)}, but must be ${Object.keys(SHEETS).join(', ')} or [width, height] in millimetres.`,
+    `drawSVG: sheet is ${JSON.stringify(sheet)}, but must be ${SHEET_WORDS}, or [width, height] in millimetres.`,
   );
 }

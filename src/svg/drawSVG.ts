@@ -43,10 +43,11 @@ export interface SVGDrawing {
  * @throws TypeError or RangeError, as the reason of the rejected promise, for wrong options
  */
 export async function drawSVG(scene: Object3D, camera: Camera, options: DrawSVGOptions = {}): Promise<SVGDrawing> {
-  const plan = planOf(options);
   if (!scene?.isObject3D) throw new TypeError('drawSVG: scene must be an Object3D, such as a Scene.');
   if (!('isCamera' in (camera ?? {})))
     throw new TypeError('drawSVG: camera must be a PerspectiveCamera or an OrthographicCamera.');
+  const { elements } = camera.projectionMatrix;
+  const plan = planOf(options, elements[5] > elements[0]);
   const { signal, onProgress, createWorker, shadows = true, clippingPlanes = [] } = options;
   const start = performance.now();
   const read = async (onRead?: (progress: number) => void) => {

@@ -11,7 +11,11 @@ import {
 } from 'node:fs';
 import { join } from 'node:path';
 import { PNG } from 'pngjs';
+import { columnGlb } from '../../tools/modelFiles/columnModel.js';
+import { octahedronBinaryStl } from '../../tools/modelFiles/modelFiles.js';
 import { expect, test } from '../browser/test.js';
+import { DOCUMENTS } from '../unit/docs/documents.js';
+import { NODE_SAMPLES, SAMPLE_CALLS } from '../unit/docs/sampleList.js';
 import { installPackedLibrary, libraryFolder, projectFolder } from './packedLibrary.js';
 
 const work = join(projectFolder, 'maps');
@@ -124,6 +128,34 @@ test('the command writes into the folder that a link points to, and reports at o
     'three-hatching: file is not a folder; choose another name after --out.\n',
   ]);
   expect(readdirSync(work).sort()).toEqual(['file', 'link', 'real']);
+});
+
+test('every call of the command in README and guides runs', { tag: '@all' }, () => {
+  test.slow();
+  expect(SAMPLE_CALLS.length).toBeGreaterThan(8);
+  mkdirSync(join(work, 'models'));
+  writeFileSync(join(work, 'model.glb'), columnGlb());
+  for (const name of ['model.stl', 'models/a.stl', 'models/b.stl'])
+    writeFileSync(join(work, name), octahedronBinaryStl());
+  writeFileSync(join(work, 'hand.json'), /^```json\n([\s\S]*?)^```/m.exec(DOCUMENTS['docs/hand.md'])![1]);
+  for (const { line, args, input, output } of SAMPLE_CALLS) {
+    const { status, stdout, stderr } = spawnSync(process.execPath, [script, ...args], {
+      cwd: work,
+      encoding: 'utf8',
+      ...(input && { input: readFileSync(join(work, input)) }),
+    });
+    expect([line, status, stderr.match(/^three-hatching: .*/m)?.[0]]).toEqual([line, 0, undefined]);
+    if (output) expect(stdout).toMatch(/^<svg [\s\S]*<\/svg>\n$/);
+  }
+});
+
+test('every sample for Node runs with the library as it is packed', { tag: '@all' }, () => {
+  for (const { name, code } of NODE_SAMPLES) {
+    writeFileSync(join(work, `${name}.js`), code);
+    const { status, stderr } = spawnSync(process.execPath, [`${name}.js`], { cwd: work, encoding: 'utf8' });
+    expect([status, stderr]).toEqual([0, '']);
+    expect(readFileSync(join(work, 'drawing.svg'), 'utf8')).toContain('<path');
+  }
 });
 
 const REFUSED = [

@@ -120,7 +120,14 @@ export default defineConfig(
         formats: ['es'],
       },
       rolldownOptions: {
-        external: [/^three($|\/)/, /^node:/, /^react($|\/)/, '@react-three/fiber', /^three-hatching($|\/(facts|svg)$)/],
+        external: [
+          /^three($|\/)/,
+          /^node:/,
+          /^@jsquash\//,
+          /^react($|\/)/,
+          '@react-three/fiber',
+          /^three-hatching($|\/(facts|svg)$)/,
+        ],
         // Chunks that are loaded when they are needed keep their names, those of the command's threads after its own; code that several files need has a chunk of its own.
         output: {
           chunkFileNames: mode === 'draw' ? 'draw.[name].js' : '[name].js',

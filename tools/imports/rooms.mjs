@@ -177,12 +177,16 @@ export const ROOMS = {
     'hatchImages',
     'mapFiles',
     'scene/presets.ts',
+    'svg/sheetSizes.ts',
     'files/common',
     'files/readingTime.ts',
   ],
   // What draws models imports the library by its package name, and three.js: it is loaded when it is asked for.
-  // The library's rows of PNG and what loads its simplifier are no part of its interface.
-  'command/draw': ['/src/command', '/src/mapFiles/pngRows.ts', '/src/detail/loadSimplifier.ts', ...SHARED],
+  // The library's rows of PNG, its sheets and what loads its simplifier are no part of its interface.
+  'command/draw': [
+    ...['/src/command', '/src/mapFiles/pngRows.ts', '/src/svg/sheetSizes.ts', '/src/detail/loadSimplifier.ts'],
+    ...SHARED,
+  ],
 
   // These import the library by its package name. The numbers by chance that strokes are placed by are no part of its interface.
   hands: ['strokes/random.ts'],
@@ -200,8 +204,8 @@ export const ROOMS = {
   'demo/page': [],
   'demo/code': [...SHARED, 'files', 'models', 'stage', '/package.json'],
   'demo/kept': [...SHARED, 'files'],
-  // The library's encoding of PNG is no part of its interface.
-  'demo/print': [...SHARED, 'stage', '/src/mapFiles/pngChunks.ts'],
+  // The library's encoding of PNG and its sheets are no part of its interface.
+  'demo/print': [...SHARED, 'stage', '/src/mapFiles/pngChunks.ts', '/src/svg/sheetSizes.ts'],
   'demo/video': [...SHARED, 'stage', 'print'],
   'demo/fetch': [],
   'demo/figures': [...SHARED, 'files', 'models', 'drawing', 'stage', 'page'],

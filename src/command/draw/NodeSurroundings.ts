@@ -6,18 +6,10 @@ import type { DecoderModule } from 'draco3d';
 import { baseName } from '../../files/common/fileName.js';
 import { MAX_BYTES } from '../../files/common/modelLimits.js';
 import type { PictureSource, PictureWish, PixelPicture, Surroundings } from '../../files/common/Surroundings.js';
-import { decodePng } from './decodePng.js';
+import { decodePicture, UndecodedError } from './decodePicture.js';
 import { fitPixels } from './fitPixels.js';
 
-/** Pictures that only browsers decode, by how they begin. */
-const FOREIGN: readonly [name: string, beginning: RegExp][] = [
-  ['JPEG', /^\xff\xd8/],
-  ['WebP', /^RIFF....WEBP/s],
-  ['GIF', /^GIF8/],
-  ['BMP', /^BM/],
-];
-
-/** What models are read with where there is no browser: files beside the model, PNG and Draco. Nothing is fetched. */
+/** What models are read with where there is no browser: files beside the model, PNG, JPEG, WebP and Draco. Nothing is fetched. */
 export class NodeSurroundings implements Surroundings {
   /** The formats of pictures that were asked for and are not decoded here. */
   readonly undecoded = new Set<string>();
@@ -27,12 +19,13 @@ export class NodeSurroundings implements Surroundings {
 
   readonly decodePicture = async (source: PictureSource, wish: PictureWish): Promise<PixelPicture | undefined> => {
     if (!(source instanceof Blob)) return fitPixels(source, wish);
-    const bytes = new Uint8Array(await source.arrayBuffer());
-    const beginning = String.fromCharCode(...bytes.subarray(0, 16));
-    const foreign = FOREIGN.find(([, expression]) => expression.test(beginning))?.[0];
-    if (!foreign) return fitPixels(decodePng(bytes), wish);
-    this.undecoded.add(foreign);
-    return undefined;
+    try {
+      return fitPixels(await decodePicture(new Uint8Array(await source.arrayBuffer())), wish);
+    } catch (error) {
+      if (!(error instanceof UndecodedError)) throw error;
+      this.undecoded.add(error.format);
+      return undefined;
+    }
   };
 
   /** Finds a file in the model's folder or below it, by its path or by its name alone. Others are not read, whatever a model says. */

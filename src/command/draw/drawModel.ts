@@ -8,9 +8,13 @@ import { buildModel } from '../../drawing/buildModel.js';
 import type { HatchedModel } from '../../drawing/HatchedModel.js';
 import { meshesOf } from '../../drawing/meshesOf.js';
 import { counted } from '../../files/common/counted.js';
+import { extensionOf, withoutGz } from '../../files/common/fileName.js';
 import { indexOfName } from '../../files/common/indexOfName.js';
 import { ModelError } from '../../files/common/ModelError.js';
+import type { ModelFile } from '../../files/common/ModelFile.js';
+import { shownName } from '../../files/common/shownText.js';
 import { withPictures } from '../../files/decodePictures.js';
+import { missingDetail, missingNote } from '../../files/pictures/meshPictures.js';
 import { type ReadModel, readModel } from '../../files/readModel.js';
 import { lightsOfFile } from '../../staging/lightsOfFile.js';
 import { turnCamera } from '../../staging/placeCamera.js';
@@ -38,7 +42,7 @@ const NAMED = 12;
  * @throws ModelError or Error, whose message is a sentence about the model
  */
 export async function drawModel(
-  { model: path, options }: DrawTask,
+  { model: path, options, content }: DrawTask,
   say: (message: DrawMessage) => void,
   signal: AbortSignal = new AbortController().signal,
 ): Promise<boolean> {
@@ -46,10 +50,11 @@ export async function drawModel(
   const progress = (stage: string, share: number): void => say({ kind: 'progress', stage, progress: share });
   const note = (sentence: string): void => say({ kind: 'note', sentence });
   const surroundings = new NodeSurroundings(dirname(path));
-  const read = await readFrom(path, surroundings, options.variant, say);
+  const file = { name: namedAs(name, options), content: await contentOf(path, content) };
+  const read = await readFrom(file, surroundings, options.variant, say);
   const report = (stage: string, share = 0): void => progress(stage, READ + (JOINED - READ) * share);
   const { model, notes } = await buildModel(read, report, signal);
-  for (const one of notes) note(`${name}: ${plainSentence(one)}.`);
+  tellFaults(name, read, notes, note);
   // An archive of the playground holds the look with the model.
   const drawnWith = settingsFor(options, options.link ?? read.drawing?.link, read.upAxis);
   chooseClip(model, options, name);
@@ -60,22 +65,31 @@ export async function drawModel(
     signal,
     report: (stage, share) => progress(stage, JOINED + (BAKED - JOINED) * share),
   });
-  const isWhole = tellPictures(model, surroundings, name, note);
+  const isWhole = tellPictures(name, model, read, surroundings, note);
   await drawFrames(model, staged, options, name, { say, progress, note, signal });
   return isWhole;
 }
 
+/** The name by which a file is read: with the extension of the format that the command line says. */
+function namedAs(name: string, { format }: DrawingOptions): string {
+  return format === undefined || extensionOf(withoutGz(name)) === format ? name : `${name}.${format}`;
+}
+
+async function contentOf(path: string, content: Uint8Array | undefined): Promise<Blob> {
+  if (content) return new Blob([content as Uint8Array<ArrayBuffer>]);
+  if (!(await stat(path)).isFile()) throw new ModelError(`${path} is no file.`);
+  return openAsBlob(path);
+}
+
 async function readFrom(
-  path: string,
+  file: ModelFile,
   surroundings: NodeSurroundings,
   variant: string | undefined,
   say: (message: DrawMessage) => void,
 ): Promise<ReadModel> {
   const onStage = (stage: string, bytes?: number): void =>
     say({ kind: 'progress', stage, bytes, progress: 0.5 * READ });
-  if (!(await stat(path)).isFile()) throw new ModelError(`${path} is no file.`);
-  const files = [{ name: basename(path), content: await openAsBlob(path) }];
-  const read = await readModel(files, onStage, surroundings, variant);
+  const read = await readModel([file], onStage, surroundings, variant);
   if (read.kind !== 'mesh') return withPictures(read, onStage, surroundings);
   const onProgress = (share: number): void =>
     say({ kind: 'progress', stage: 'simplifying', progress: READ * (0.5 + 0.5 * share) });
@@ -132,34 +146,57 @@ function offer(option: string, names: readonly string[], chosen: string | undefi
   return [`has the ${option}${plural} ${list.join(', ')}: --${option} draws with ${one}`];
 }
 
+/** Tells what was wrong with a model: of each missing file in a line of its own. */
+function tellFaults(
+  name: string,
+  { missing, details }: ReadModel,
+  notes: readonly string[],
+  note: (sentence: string) => void,
+): void {
+  const files = new Set(missing);
+  for (const file of files) note(`${name}: ${shownName(file)} is missing, and belongs beside the model.`);
+  const ofFiles = [...missingNote(missing), ...missingDetail(missing)];
+  for (const one of [...notes, ...details]) if (!ofFiles.includes(one)) note(`${name}: ${plainSentence(one)}.`);
+}
+
 /**
  * Tells which pictures were left out because they are not decoded here.
  *
- * @returns whether none is missing that the drawing would show
+ * @returns whether no picture is missing that the drawing would show
  * @throws ModelError if one cuts out surfaces: without it there would be leaves, say, as whole sheets
  */
 function tellPictures(
-  model: HatchedModel,
-  { undecoded }: NodeSurroundings,
   name: string,
+  model: HatchedModel,
+  { missing, lostPictures = 0 }: ReadModel,
+  { undecoded }: NodeSurroundings,
   note: (sentence: string) => void,
 ): boolean {
-  if (undecoded.size === 0) return true;
-  const formats = [...undecoded].join(' and ');
   const materials = meshesOf(model.root).flatMap(({ material }: Mesh) => material as HatchingMaterial);
-  if (materials.some(({ alphaTest, map }) => alphaTest > 0 && map && !map.image))
+  const formats = [...undecoded].join(' and ');
+  if (formats !== '' && materials.some(({ alphaTest, map }) => alphaTest > 0 && map && !map.image))
     throw new ModelError(
-      `${name} has surfaces that are cut out by pictures in ${formats}, which only a browser decodes; save them as PNG.`,
+      `${name} has surfaces that are cut out by pictures in ${formats}, which are not read here; save them as PNG.`,
     );
+  materials.forEach(dropEmptyPictures);
   const showsColours = materials.some(({ localTone, colorFill }) => localTone > 0 || colorFill > 0);
   if (!showsColours) return true;
-  note(`${name} is drawn without its pictures in ${formats}, which only a browser decodes; save them as PNG.`);
-  return false;
+  if (formats !== '')
+    note(`${name} is drawn without its pictures in ${formats}, which are not read here; save them as PNG.`);
+  const isMissing = missing.some((file) => extensionOf(file) !== 'mtl');
+  return formats === '' && !isMissing && lostPictures === 0;
+}
+
+const PICTURES = ['map', 'emissiveMap', 'aoMap', 'lightMap', 'alphaMap', 'normalMap', 'bumpMap'] as const;
+
+/** Takes pictures off that are not there, which were told of once: each mesh would tell of them again. */
+function dropEmptyPictures(material: HatchingMaterial): void {
+  for (const name of PICTURES) if (material[name] && !material[name].image) material[name] = null;
 }
 
 async function drawFrames(
   { motion }: HatchedModel,
-  { scene, lights, placed }: StagedModel,
+  { scene, lights, placed, sheet }: StagedModel,
   { frames = 1, clip, ...options }: DrawingOptions,
   name: string,
   to: {
@@ -169,7 +206,7 @@ async function drawFrames(
     signal: AbortSignal;
   },
 ): Promise<void> {
-  const { kind, pen, sheet, margin, dpi, paper, order, hidden, animate } = options;
+  const { kind, pen, margin, dpi, paper, order, hidden, animate } = options;
   const told = new Set<string>();
   for (let frame = 0; frame < frames; frame++) {
     if (motion && clip !== undefined) motion.time = (frame / frames) * motion.duration;
@@ -194,6 +231,6 @@ async function drawFrames(
   }
 }
 
-const countsOf = ({ paths, drawn, travelBefore, travelAfter, seconds }: DrawingCounts): DrawingCounts => ({
-  ...{ paths, drawn, travelBefore, travelAfter, seconds },
+const countsOf = ({ paths, drawn, travelBefore, travelAfter }: DrawingCounts): DrawingCounts => ({
+  ...{ paths, drawn, travelBefore, travelAfter },
 });

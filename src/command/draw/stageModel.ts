@@ -4,23 +4,27 @@ import { bakeFurther } from '../../drawing/bakeFurther.js';
 import type { HatchedModel } from '../../drawing/HatchedModel.js';
 import { meshesOf } from '../../drawing/meshesOf.js';
 import { indexOfName } from '../../files/common/indexOfName.js';
-import { movedExtras } from '../../files/common/ModelExtras.js';
+import { type FileCamera, movedExtras } from '../../files/common/ModelExtras.js';
 import { lookOf } from '../../settings/lookOf.js';
 import { formDrawn } from '../../settings/settingValues.js';
 import { Backdrop } from '../../staging/Backdrop.js';
 import { DEFAULT_VIEW, LENS } from '../../staging/createCamera.js';
+import { ABOUT_SQUARE, proportionOf } from '../../staging/framing.js';
 import { Ground } from '../../staging/Ground.js';
 import { LightRig } from '../../staging/LightRig.js';
 import { lightsOfFile } from '../../staging/lightsOfFile.js';
 import {
   cameraOfFile,
+  type EyeDirection,
+  eyeDirection,
   framedCamera,
   linkedCamera,
   type PlacedCamera,
   roomiestView,
 } from '../../staging/placeCamera.js';
 import { strokeShare } from '../../staging/strokeShare.js';
-import type { DirectionInDegrees, DrawingOptions } from '../DrawingOptions.js';
+import { lyingSize } from '../../svg/sheetSizes.js';
+import type { DrawingOptions } from '../DrawingOptions.js';
 import type { DrawnWith } from './settingsFor.js';
 
 /** How a model fills what the margins leave of a sheet, and leaves room for its shadow. */
@@ -36,6 +40,8 @@ export interface StagedModel {
   scene: Scene;
   lights: LightRig;
   placed: PlacedCamera;
+  /** The sheet as it lies, millimetres. */
+  sheet: readonly [width: number, height: number];
 }
 
 /**
@@ -60,22 +66,22 @@ export async function stageModel(
   scene.add(upright);
   scene.updateMatrixWorld();
   const outline = turnedPoints(model.outline, upright);
-  const [width, height] = options.sheet.map((side) => side - 2 * options.margin);
-  const aspect = width / height;
+  const inPicture = aroundUpright(outline, angles);
   const { cameras, lights: fileLights } = movedExtras(model.extras, upright.matrixWorld);
-  const { orthographic: isOrthographic, zoom } = options;
   const fileCamera = options.camera === undefined ? undefined : cameras[indexOfName(namesOf(cameras), options.camera)];
-  const ofFile = fileCamera && cameraOfFile(aspect, fileCamera, isOrthographic);
-  const toEye = ofFile
-    ? ofFile.camera.position.clone().sub(ofFile.target)
-    : options.view
-      ? directionOf(options.view)
-      : new Vector3(...DEFAULT_VIEW);
+  const eye = fileCamera ? eyeOfFile(fileCamera) : eyeOf(options, place);
+  const { toEye, up } = eye;
+  const proportion = fileCamera?.aspect ?? proportionOf(inPicture, toEye, up);
+  const sheet = lyingSize(options.sheet, proportion > ABOUT_SQUARE);
+  const [width, height] = sheet.map((side) => side - 2 * options.margin);
+  const aspect = width / height;
+  const { orthographic: isOrthographic, zoom } = options;
   model.apply(lookOf(settings));
   const lit = !isLit && options.usesFileLights ? lightsOfFile(fileLights) : undefined;
   if (lit) Object.assign(settings, lit.settings);
   else if (!isLit) {
     const lens = new PerspectiveCamera(LENS.fieldOfView, aspect, LENS.near, LENS.far);
+    lens.up.copy(up);
     const { direction } = flatteringLight(model.root, roomiestView(lens, outline, toEye, ON_SHEET), {
       onGround: outline,
     });
@@ -92,33 +98,55 @@ export async function stageModel(
   if (look.ground !== 'none') await isMade;
   const backdrop = new Backdrop(scene);
   backdrop.apply(look, model.extent);
-  const inPicture = aroundUpright(outline, angles);
-  const shadow = look.showsGround ? lights.shadowOf(outline, ground.height, toEye) : undefined;
-  const placed = ofFile
-    ? ofFile
+  const shadow = look.showsGround ? lights.shadowOf(outline, ground.height, toEye, up) : undefined;
+  const placed = fileCamera
+    ? cameraOfFile(aspect, fileCamera, isOrthographic)
     : place
       ? linkedCamera(aspect, place, isOrthographic)
-      : framedCamera(aspect, inPicture, toEye, {
+      : framedCamera(aspect, inPicture, eye, {
           ...ON_SHEET,
           isOrthographic,
           ...(shadow && { shadow: aroundUpright(shadow, angles) }),
         });
   placed.camera.zoom = zoom;
   placed.camera.updateProjectionMatrix();
+  if (shadow && !place && !fileCamera && isAnyOutside(aroundUpright(shadow, angles), placed)) ground.dissolveAtRim();
   const pixels = options.dpi / MILLIMETRES_PER_INCH;
   const share = strokeShare(width * pixels, height * pixels);
   model.setWidths(look, share);
   ground.setWidths(look, share);
   backdrop.setWidths(look, share);
   await bake(model, settings, signal, report);
-  return { scene, lights, placed };
+  return { scene, lights, placed, sheet };
 }
 
 const namesOf = (named: readonly { name: string }[]): string[] => named.map(({ name }) => name);
 
-/** The direction to a place in degrees around the model and above it. */
-function directionOf({ azimuth, elevation }: DirectionInDegrees): Vector3 {
-  return new Vector3().setFromSphericalCoords(1, MathUtils.degToRad(90 - elevation), MathUtils.degToRad(azimuth));
+/** Where a camera of a file is, from what it looks at. */
+function eyeOfFile(fileCamera: FileCamera): EyeDirection {
+  const { camera, target } = cameraOfFile(1, fileCamera, false);
+  return { toEye: camera.position.clone().sub(target), up: camera.up };
+}
+
+/** Where the eye is: where the options say, or else a link, or else where the playground has it at first. */
+function eyeOf({ view }: DrawingOptions, place: DrawnWith['camera']): EyeDirection {
+  if (view) return eyeDirection(view.azimuth, view.elevation);
+  const [position, target] = place ? [place.position, place.target] : [DEFAULT_VIEW, [0, 0, 0]];
+  return { toEye: new Vector3(...position).sub(new Vector3(...target)), up: UP };
+}
+
+/** Shadows count as cut that come so near to the edge of the picture, as a share of the way from its middle. */
+const NEAR_EDGE = 0.985;
+
+/** Whether any of the points lies outside of the picture of a camera. */
+function isAnyOutside(points: readonly number[], { camera }: PlacedCamera): boolean {
+  camera.updateMatrixWorld();
+  const seen = new Vector3();
+  for (let i = 0; i < points.length; i += 3) {
+    const { x, y } = seen.fromArray(points, i).project(camera);
+    if (Math.max(Math.abs(x), Math.abs(y)) > NEAR_EDGE) return true;
+  }
+  return false;
 }
 
 /** A ground, which is made when a look asks for it. */

@@ -1,19 +1,16 @@
 import type { Settings } from '../../settings/settings.js';
 import { strokeShare } from '../../staging/strokeShare.js';
-
-const MILLIMETRES_PER_INCH = 25.4;
+import { MILLIMETRES_PER_INCH, SHEET_SIZES, type SheetName } from '../../svg/sheetSizes.js';
 
 /** Dots per inch of pictures in the size of the page. The panel measures strokes in print with it. */
 const PAGE_DPI = 300;
 
-/** Sheets of paper (ISO 216), upright, in millimetres. */
-export const PAPER_FORMATS = {
-  a6: [105, 148],
-  a5: [148, 210],
-  a4: [210, 297],
-  a3: [297, 420],
-  a2: [420, 594],
-} as const satisfies Partial<Record<Settings['pictureSize'], readonly [number, number]>>;
+type PaperFormat = Extract<Settings['pictureSize'], Lowercase<SheetName>>;
+
+/** Sheets of paper by the settings that ask for them, upright, in millimetres. */
+export const PAPER_FORMATS = Object.fromEntries(
+  Object.entries(SHEET_SIZES).map(([name, size]) => [name.toLowerCase(), size]),
+) as Record<PaperFormat, readonly [number, number]>;
 
 /** The margin of the view around a sheet, on every side, in CSS pixels. */
 const SHEET_MARGIN = 12;
@@ -57,12 +54,21 @@ const toPixels = (millimetres: number, dpi: number): number => Math.round((milli
 
 export const toMillimetres = (pixels: number, dpi: number): number => (pixels / dpi) * MILLIMETRES_PER_INCH;
 
+/** The sides of the sheet that the settings ask for, a format's as it stands upright, in millimetres; undefined for the size of the page. */
+export function sheetSides(settings: Settings): readonly [number, number] | undefined {
+  const { pictureSize, pictureWidth, pictureHeight, pictureWidthInches, pictureHeightInches } = settings;
+  if (pictureSize === 'own') return [pictureWidth, pictureHeight];
+  if (pictureSize === 'inches')
+    return [pictureWidthInches * MILLIMETRES_PER_INCH, pictureHeightInches * MILLIMETRES_PER_INCH];
+  return pictureSize in PAPER_FORMATS ? PAPER_FORMATS[pictureSize as PaperFormat] : undefined;
+}
+
 /** The sheet that the settings ask for, in millimetres; undefined for the size of the page. */
 function sheetOf(settings: Settings, view: DrawnView): readonly [number, number] | undefined {
   const { pictureSize, pictureTurn } = settings;
-  if (pictureSize === 'own') return [settings.pictureWidth, settings.pictureHeight];
-  if (!(pictureSize in PAPER_FORMATS)) return undefined;
-  const [short, long] = PAPER_FORMATS[pictureSize as keyof typeof PAPER_FORMATS];
+  const sides = sheetSides(settings);
+  if (!sides || !(pictureSize in PAPER_FORMATS)) return sides;
+  const [short, long] = sides;
   const isWide = pictureTurn === 'suited' ? view.isWide : pictureTurn === 'landscape';
   return isWide ? [long, short] : [short, long];
 }

@@ -1,6 +1,6 @@
 import { hasEffect } from '../../settings/effects.js';
 import type { Settings } from '../../settings/settings.js';
-import { type PrintPlan, toMillimetres } from './printPlan.js';
+import { type PrintPlan, sheetSides, toMillimetres } from './printPlan.js';
 
 /** CSS pixels to an inch, by which a drawing in the size of the page is measured. */
 const CSS_DPI = 96;
@@ -25,9 +25,10 @@ export interface SvgPlan {
 export function planSvg(settings: Settings, plan: PrintPlan): SvgPlan {
   const isSheet = hasEffect('pictureMargin', settings);
   const dpi = Number.isFinite(Number(settings.pictureSize)) ? CSS_DPI : plan.dpi;
-  // A picture is a whole number of pixels, and so up to half of one smaller or larger than its sheet, which is a whole number of millimetres.
+  // A picture is a whole number of pixels, and so up to half of one smaller or larger than its sheet.
   const exact = [plan.width, plan.height].map((pixels) => toMillimetres(pixels, dpi));
-  const [width, height] = exact.map((side) => (isSheet ? Math.round(side) : Math.round(10 * side) / 10));
+  const sides = isSheet ? sheetSides(settings) : undefined;
+  const [width, height] = exact.map((side) => (sides ? nearest(sides, side) : Math.round(10 * side) / 10));
   const margin = isSheet ? settings.pictureMargin : 0;
   const room = isSheet ? [width - 2 * margin, height - 2 * margin] : exact;
   if (Math.min(...room) < 1) {
@@ -46,6 +47,9 @@ export function planSvg(settings: Settings, plan: PrintPlan): SvgPlan {
   };
   return { sheet: [width, height], margin, within };
 }
+
+const nearest = ([one, other]: readonly [number, number], side: number): number =>
+  Math.abs(one - side) <= Math.abs(other - side) ? one : other;
 
 /** The same picture in other pixels, as fine as a print of it should be: `dpi`, or as fine as a file can hold. */
 export function printablePlan(plan: PrintPlan, dpi: number): PrintPlan {

@@ -18,6 +18,8 @@ export interface Pictures {
   pictures: (Picture | undefined)[];
   /** The names of pictures that were not dropped along. */
   missing: string[];
+  /** How many others could not be read. */
+  lostPictures: number;
   notes: string[];
 }
 
@@ -44,7 +46,7 @@ export async function collectPictures(
     else pictures[i] = { content: new Blob([bytes as Uint8Array<ArrayBuffer>]), width, height, isReduced: false };
   }
   const notes = [...describe(unreadable, tooLarge), ...fitPictures(pictures.filter((one) => one !== undefined))];
-  return { pictures, missing: [...new Set(missing)], notes };
+  return { pictures, missing: [...new Set(missing)], lostPictures: unreadable + tooLarge, notes };
 }
 
 function viewBytes(values: GltfValues, view: number | undefined): Uint8Array | undefined {

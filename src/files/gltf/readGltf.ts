@@ -37,6 +37,8 @@ export interface ReadGltf {
   missing: string[];
   /** What it offers beside its model, in the space of its content. */
   extras?: ModelExtras;
+  /** How many pictures are there but could not be read. */
+  lostPictures?: number;
 }
 
 /**
@@ -63,7 +65,7 @@ export async function readGltf(
   const values = new GltfValues(document, await collectBuffers(document, name, binary, findFile), name);
   await values.prepare();
   const plain = await unpackGltf(document, chosen, values, name, loadDraco);
-  const { pictures, missing, notes: pictureNotes } = await collectPictures(document, values, findFile);
+  const { pictures, missing, lostPictures, notes: pictureNotes } = await collectPictures(document, values, findFile);
   const notes = [...chosen.notes, ...plain.notes, ...pictureNotes];
   const details = [...chosen.details, ...plain.details];
   if (leftOut > 0) details.push(counted(leftOut, 'damaged setting', 'left out'));
@@ -71,13 +73,15 @@ export async function readGltf(
   const glows = document.materials.some((material) => material?.emissiveFactor?.some((value) => value > 0));
   const isScene = plain.moves || isPictured || glows;
   if (isScene && isSmall(plain)) {
-    return { content: withMaterials(plain, document, pictures), broken: plain.broken, notes, details, missing, extras };
+    const content = withMaterials(plain, document, pictures);
+    return { content, broken: plain.broken, notes, details, missing, lostPictures, extras };
   }
   if (isScene) notes.push(`too large to be drawn ${plain.moves ? 'in motion' : 'with its pictures'}`);
   const { root } = await parseGltf(withMaterials({ ...plain, json: { ...plain.json, animations: [] } }, document, []));
   const toMesh = new Matrix4();
   const content = mergeScene(root, undefined, toMesh);
-  return { content, broken: plain.broken, notes, details, missing, extras: movedExtras(extras, toMesh) };
+  const moved = movedExtras(extras, toMesh);
+  return { content, broken: plain.broken, notes, details, missing, lostPictures, extras: moved };
 }
 
 function isSmall({ json, vertices, draws }: PlainGltf): boolean {

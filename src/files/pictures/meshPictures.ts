@@ -25,6 +25,8 @@ export interface MeshPictures {
   pictures: (MeshPicture | undefined)[];
   /** The names of pictures that were not dropped along. */
   missing: string[];
+  /** How many others could not be read. */
+  lostPictures: number;
   notes: string[];
 }
 
@@ -96,7 +98,8 @@ export async function readMeshPictures(
     ...without([...lacks.tooLarge], 'too large'),
     ...reduced,
   ];
-  return { pictures, missing: [...lacks.missing], notes };
+  const lostPictures = lacks.unreadable.size + lacks.tooLarge.size;
+  return { pictures, missing: [...lacks.missing], lostPictures, notes };
 }
 
 /** A note on files that a model refers to and that were not dropped along, and what to do about it. */

@@ -17,9 +17,15 @@ export const VIEW_SETTINGS = inGroup('View', 'subject', {
 });
 
 /** Sheets of paper by name. */
-const PAPER = { a6: 'A6 sheet', a5: 'A5 sheet', a4: 'A4 sheet', a3: 'A3 sheet', a2: 'A2 sheet' } as const;
+const PAPER = {
+  ...{ a6: 'A6 sheet', a5: 'A5 sheet', a4: 'A4 sheet', a3: 'A3 sheet', a2: 'A2 sheet', a1: 'A1 sheet', a0: 'A0 sheet' },
+  ...{ letter: 'Letter sheet', legal: 'Legal sheet', tabloid: 'Tabloid sheet' },
+} as const;
 const PAPER_SIZES = Object.keys(PAPER);
 const OWN_SHEET = { pictureSize: ['own'] };
+const OWN_INCHES = { pictureSize: ['inches'] };
+const SHEETS = [...PAPER_SIZES, 'own', 'inches'];
+const INCHES = { kind: 'number', when: OWN_INCHES, default: 8, unit: 'in', min: 1, max: 48, step: 0.05 } as const;
 
 /** The picture that is saved. */
 export const PICTURE_SETTINGS = inGroup('Picture', 'output', {
@@ -33,6 +39,7 @@ export const PICTURE_SETTINGS = inGroup('Picture', 'output', {
       4: 'Four times the page',
       ...PAPER,
       own: 'A sheet of your own',
+      inches: 'A sheet of your own, in inches',
     },
   },
   pictureWidth: {
@@ -42,8 +49,8 @@ export const PICTURE_SETTINGS = inGroup('Picture', 'output', {
     default: 200,
     unit: 'mm',
     min: 20,
-    max: 600,
-    step: 1,
+    max: 1200,
+    step: 0.1,
   },
   pictureHeight: {
     kind: 'number',
@@ -52,9 +59,11 @@ export const PICTURE_SETTINGS = inGroup('Picture', 'output', {
     default: 200,
     unit: 'mm',
     min: 20,
-    max: 600,
-    step: 1,
+    max: 1200,
+    step: 0.1,
   },
+  pictureWidthInches: { ...INCHES, label: 'Sheet width' },
+  pictureHeightInches: { ...INCHES, label: 'Sheet height' },
   pictureTurn: {
     kind: 'choice',
     label: 'Turned',
@@ -65,7 +74,7 @@ export const PICTURE_SETTINGS = inGroup('Picture', 'output', {
   pictureDpi: {
     kind: 'choice',
     label: 'Fineness',
-    when: { pictureSize: [...PAPER_SIZES, 'own'] },
+    when: { pictureSize: SHEETS },
     default: '300',
     choices: { 150: '150 dpi', 300: '300 dpi', 600: '600 dpi', 1200: '1,200 dpi' },
   },
@@ -107,7 +116,7 @@ export const PICTURE_SETTINGS = inGroup('Picture', 'output', {
   pictureMargin: {
     kind: 'number',
     label: 'SVG margin',
-    when: { pictureSize: [...PAPER_SIZES, 'own'], pictureCrop: ['sheet'] },
+    when: { pictureSize: SHEETS, pictureCrop: ['sheet'] },
     default: 10,
     unit: 'mm',
     min: 0,

@@ -38,13 +38,15 @@ interface Ended {
   stderr: string;
 }
 
-/** Runs the built command in the folder of the test. @param onText is given what it has said so far */
+/** Runs the built command in the folder of the test. @param onText is given what it has said so far. @param input of its standard input */
 function run(
   args: readonly string[],
   onText: (text: string, command: ChildProcess) => void = () => {},
+  input: string | Uint8Array = '',
 ): Promise<Ended> {
   const command = spawn(process.execPath, [join(outDir, 'command.js'), ...args], { cwd: work });
   running = command;
+  command.stdin.on('error', () => {}).end(input);
   const said = { stdout: '', stderr: '' };
   for (const name of ['stdout', 'stderr'] as const)
     command[name].setEncoding('utf8').on('data', (text: string) => {
@@ -72,6 +74,47 @@ test('draws the same bytes as its source', { tags: ['all'] }, async () => {
   const [drawing] = messages.flatMap((message) => (message.kind === 'drawing' ? [message.svg] : []));
   expect(readFileSync(join(work, 'out/a.svg'), 'utf8')).toBe(drawing);
   expect(tree()).toEqual(['a.obj', 'out', 'out/a.svg']);
+});
+
+describe('standard input and output', () => {
+  test('- takes a model and gives its drawing; all else is said beside it', async () => {
+    const { code, stdout, stderr } = await run(['draw', '-', '--out', '-', ...SMALL], undefined, octahedronGlb());
+    expect(code).toBe(0);
+    expect(stdout).toMatch(/^<svg [\s\S]*<\/svg>\n$/);
+    expect(stderr).toMatch(/^the standard output: [\d,]+ paths, [^\n]* s\.\n$/);
+    expect(tree()).toEqual(['a.obj']);
+  });
+
+  test('the drawing is that of a file, byte for byte', { tags: ['all'] }, async () => {
+    const [piped, filed] = [
+      await draw('a.obj', '--out', '-', ...SMALL),
+      await draw('a.obj', '--out', 'a.svg', ...SMALL),
+    ];
+    expect([piped.code, filed.code]).toEqual([0, 0]);
+    expect(piped.stdout).toBe(readFileSync(join(work, 'a.svg'), 'utf8'));
+  });
+
+  test('--format says what a model is; a folder has it as stdin', { tags: ['all'] }, async () => {
+    const comment = `# not a vertex first\n${'# \n'.repeat(2000)}${octahedronObj}`;
+    const args = ['draw', '-', '--out', 'out/', ...SMALL];
+    const unknown = await run(args, undefined, comment);
+    expect([unknown.code, unknown.stderr]).toEqual([1, expect.stringMatching(/^three-hatching: stdin is not a model/)]);
+    const { code, stdout } = await run([...args, '--format', 'obj'], undefined, comment);
+    expect([code, stdout]).toEqual([0, expect.stringMatching(/^out\/stdin\.svg: /)]);
+  });
+
+  test('an empty input, and a reader that stops before the end, are said in a sentence', async () => {
+    const empty = await run(['draw', '-', '--out', 'b.svg']);
+    expect([empty.code, empty.stderr]).toEqual([1, 'three-hatching: stdin is empty.\n']);
+    writeFileSync(join(work, 'b.glb'), octahedronGlb());
+    const closed = run(['draw', 'b.glb', '--out', '-', ...SMALL]);
+    running?.stdout?.destroy();
+    const { code, stderr } = await closed;
+    expect([code, stderr]).toEqual([
+      1,
+      'three-hatching: The standard output was closed before the whole drawing was written.\n',
+    ]);
+  });
 });
 
 describe('several models', { tags: ['all'] }, () => {
@@ -111,7 +154,9 @@ describe('how it ends', () => {
     [['draw', 'a.obj'], '--out is missing'],
     [['draw', 'a.obj', '--out', 'a.svg', '--pen', 'x'], '--pen is x'],
     [['draw', '*.zip', '--out', 'a.svg'], '*.zip stands for no file'],
-    [['draw', 'a.obj', '--out', 'a.obj'], 'which is a model'],
+    [['draw', 'a.obj', '--out', 'a.dxf'], 'only SVG is written'],
+    [['draw', 'a.obj', '-', '--out', 'one.svg'], 'one file, but there are several models'],
+    [['draw', 'a.obj', '--out', '-', '--frames', '2'], 'the standard output takes one drawing'],
     [['paint'], '"paint" is not a command; the commands are tam and draw.'],
   ])('2 for a wrong call: %j', async (args, sentence) => {
     const { code, stdout, stderr } = await run(args);

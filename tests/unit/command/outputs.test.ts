@@ -85,7 +85,34 @@ describe('names of drawings', () => {
   });
 
   test('a drawing does not take the place of a model', () => {
-    expect(() => names(['a.obj'], './a.obj', false, undefined)).toThrow('which is a model');
+    expect(() => names(['a.svg'], './a.svg', false, undefined)).toThrow('which is a model');
+  });
+
+  test.each(['a.dxf', 'out/a.HPGL', 'a.svgz', '{name}.pdf'])('%s is refused with what to do', (out) => {
+    expect(() => names(['a.obj'], out, false, undefined)).toThrow(
+      `--out is ${out}, but only SVG is written; name a file that ends in .svg, which Inkscape and vpype turn into other formats.`,
+    );
+  });
+
+  test('an ending in capitals, none at all and a folder with a dot are as they are', () => {
+    expect(names(['a.obj'], 'b.SVG', false, undefined)).toEqual(['b.SVG']);
+    expect(names(['a.obj'], 'b', false, undefined)).toEqual(['b']);
+    expect(names(['a.v2.obj'], '{name}', false, undefined)).toEqual(['a.v2']);
+    expect(names(['a.obj', 'b.obj'], 'v1.2/', false, undefined)).toEqual(['v1.2/a.svg', 'v1.2/b.svg']);
+  });
+
+  test('one file for several models is refused, and no folder of its name is made', () => {
+    expect(() => names(['a.obj', 'b.obj'], 'one.svg', false, undefined)).toThrow(
+      '--out is one.svg, one file, but there are several models; name a folder, or a file with {name}, as {name}.svg.',
+    );
+    expect(names(['a.obj', 'b.obj'], 'one.svg', true, undefined)).toEqual(['one.svg/a.svg', 'one.svg/b.svg']);
+  });
+
+  test('the standard output takes one drawing, and the standard input gives a name', () => {
+    expect(names(['m/a.obj'], '-', false, undefined)).toEqual(['-']);
+    expect(() => names(['a.obj', 'b.obj'], '-', false, undefined)).toThrow('the standard output takes one drawing');
+    expect(() => names(['a.obj'], '-', false, 2)).toThrow('the standard output takes one drawing');
+    expect(names(['-'], 'out', true, undefined)).toEqual(['out/stdin.svg']);
   });
 });
 

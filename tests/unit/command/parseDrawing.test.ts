@@ -25,7 +25,15 @@ describe('what the command line says', () => {
     const { models, out, options } = drawing(...line, '--view', '25 8', '--light', '-45 40');
     expect([models, out]).toEqual([['model.glb'], 'drawing.svg']);
     expect(options).toMatchObject({
-      ...{ preset: 'engraving', kind: 'pen', pen: 0.3, sheet: [210, 297], margin: 12, dpi: 96, order: 'travel' },
+      ...{
+        preset: 'engraving',
+        kind: 'pen',
+        pen: 0.3,
+        sheet: { size: [210, 297], suits: true },
+        margin: 12,
+        dpi: 96,
+        order: 'travel',
+      },
       view: { azimuth: 25, elevation: 8 },
       light: { azimuth: -45, elevation: 40 },
       shadows: undefined,
@@ -49,6 +57,30 @@ describe('what the command line says', () => {
       view: { azimuth: -10, elevation: -20 },
       up: '-z',
     });
+  });
+
+  test.each([
+    ['front', 0, 0],
+    [' Top ', 0, 90],
+    ['bottom', 0, -90],
+    ['left', -90, 0],
+    ['right', 90, 0],
+    ['back', 180, 0],
+    ['0 90', 0, 90],
+    ['30,-90', 30, -90],
+  ])('the view %j', (view, azimuth, elevation) => {
+    expect(drawing(...OUT, '--view', view).options.view).toEqual({ azimuth, elevation });
+  });
+
+  test('the view iso shows the three axes equally long', () => {
+    const { azimuth, elevation } = drawing(...OUT, '--view', 'iso').options.view!;
+    expect(azimuth).toBe(45);
+    expect(Math.sin((elevation * Math.PI) / 180)).toBeCloseTo(Math.sqrt(1 / 3), 12);
+  });
+
+  test('- is a model, and a file to write to; a format is an ending', () => {
+    const { models, out, options } = drawing('-', '--format', '.STL', '--out', '-');
+    expect([models, out, options.format]).toEqual([['-'], '-', 'stl']);
   });
 
   test('without a pen it is for print, and shadows are drawn or not', () => {
@@ -76,8 +108,9 @@ describe('what the command line says', () => {
 
   test('nothing at all, or --help, asks for help, which names every option', () => {
     expect([parseDrawing([]), parseDrawing(['a.obj', '-h'])]).toEqual([{ action: 'help' }, { action: 'help' }]);
-    for (const name of ['preset', 'link', 'view', 'light', 'pen', 'frames', 'jobs', 'out', 'force'])
+    for (const name of ['preset', 'link', 'view', 'light', 'pen', 'frames', 'jobs', 'format', 'out', 'force'])
       expect(DRAW_HELP).toContain(`--${name} `);
+    for (const name of ['A0', 'A6', 'Letter', 'Legal', 'Tabloid', 'iso', 'bottom']) expect(DRAW_HELP).toContain(name);
   });
 });
 
@@ -91,13 +124,19 @@ test.each([
   [[...OUT, '--preset', 'toString'], '--preset is toString, which is not a preset; use one of pen, crossHatching'],
   [[...OUT, '--view', '25'], '--view is "25", but must be two numbers in quotes'],
   [[...OUT, '--view', '25 8 3'], '--view is "25 8 3", but must be two numbers'],
-  [[...OUT, '--light', '25 90'], '--light is "25 90", but must be two numbers'],
+  [[...OUT, '--view', 'behind'], '--view is "behind", but must be two numbers in quotes'],
+  [[...OUT, '--view', '0 90.5'], 'from -90 to 90 above it; or front, back, left, right, top, bottom or iso.'],
+  [[...OUT, '--light', '25 91'], '--light is "25 91", but must be two numbers'],
+  [[...OUT, '--format', 'a/b'], "--format is a/b, but must be the ending of the format's files, as stl."],
   [[...OUT, '--pen', 'thin'], '--pen is thin, but must be a number from 0.01 to 20.'],
   [[...OUT, '--pen', '0.3', '--kind', 'print'], '--pen and --kind print exclude each other'],
   [[...OUT, '--pen', '0.3', '--paper', '#ffffff'], '--paper is for print'],
   [[...OUT, '--paper', 'white'], '--paper is white, but must be a colour as "#f4f1e6"'],
   [[...OUT, '--shadows', '--no-shadows'], '--shadows and --no-shadows exclude each other'],
-  [[...OUT, '--sheet', 'B4'], '--sheet is B4, but must be A2, A3, A4, A5, A6, one of them with landscape'],
+  [
+    [...OUT, '--sheet', 'B4'],
+    '--sheet is B4, but must be A0, A1, A2, A3, A4, A5, A6, Letter, Legal, Tabloid, one of them',
+  ],
   [[...OUT, '--margin', '105'], '--margin is 105, which leaves nothing of a sheet of 210 × 297 mm.'],
   [[...OUT, '--frames', '0'], '--frames is 0, but must be a whole number from 1 to 9999.'],
   [[...OUT, '--jobs', '1.5'], '--jobs is 1.5, but must be a whole number from 1 to 64.'],
@@ -110,15 +149,30 @@ test.each([
 });
 
 test.each([
-  ['A4', [210, 297]],
-  ['a3 landscape', [420, 297]],
-  ['A5-landscape', [210, 148]],
-  ['200x150', [200, 150]],
-  ['99.5 × 10', [99.5, 10]],
-])('the sheet %s', (name, size) => {
-  expect(sheetOf(name)).toEqual(size);
+  ['A4', [210, 297], true],
+  ['a0', [841, 1189], true],
+  ['letter', [215.9, 279.4], true],
+  ['Legal', [215.9, 355.6], true],
+  ['TABLOID', [279.4, 431.8], true],
+  ['A4 portrait', [210, 297], false],
+  ['a3 landscape', [420, 297], false],
+  ['A5-landscape', [210, 148], false],
+  ['Letter landscape', [279.4, 215.9], false],
+  ['200x150', [200, 150], false],
+  ['200x150mm', [200, 150], false],
+  ['99.5 × 10', [99.5, 10], false],
+  ['8.5x11in', [215.9, 279.4], false],
+  ['8.5 in x 11 in', [215.9, 279.4], false],
+])('the sheet %s', (name, [width, height], suits) => {
+  const sheet = sheetOf(name);
+  expect(sheet.size[0]).toBeCloseTo(width, 9);
+  expect(sheet.size[1]).toBeCloseTo(height, 9);
+  expect(sheet.suits).toBe(suits);
 });
 
-test.each(['', 'A4 upside', '0x100', '100', '1e9x1', 'x'])('no sheet: %j', (name) => {
-  expect(() => sheetOf(name)).toThrow(UsageError);
-});
+test.each(['', 'A4 upside', '0x100', '100', '1e9x1', 'x', '8.5inx11', '9000x10', '300x1in x', 'toString', 'A7'])(
+  'no sheet: %j',
+  (name) => {
+    expect(() => sheetOf(name)).toThrow(UsageError);
+  },
+);

@@ -51,3 +51,38 @@ export const SAMPLES: readonly Sample[] = Object.entries(DOCUMENTS).flatMap(([pa
     return sample.includes('<hatched-model') ? [{ name, kind: 'html', code: sample }] : [];
   }),
 );
+
+/** Every sample that runs in Node as it stands: it imports a module of Node. */
+export const NODE_SAMPLES: readonly { name: string; code: string }[] = Object.entries(DOCUMENTS).flatMap(
+  ([path, text]) =>
+    [...text.matchAll(/^```js\n([\s\S]*?)^```/gm)]
+      .filter(([, code]) => code.includes("from 'node:"))
+      .map(([, code], i) => ({ name: `${path.replace(/^docs\//, '').replace('.md', '')}-node-${i + 1}`, code })),
+);
+
+/** A call of the command in a guide: its arguments, what is piped into it and what its output is written to. */
+export interface SampleCall {
+  line: string;
+  args: readonly string[];
+  input: string | undefined;
+  output: string | undefined;
+}
+
+/** Every call of the command in README and guides. */
+export const SAMPLE_CALLS: readonly SampleCall[] = Object.values(DOCUMENTS).flatMap((text) =>
+  [...text.matchAll(/^```sh\n([\s\S]*?)^```/gm)]
+    .flatMap(([, lines]) => lines.split('\n'))
+    .filter((line) => line.includes('npx three-hatching'))
+    .map((line): SampleCall => {
+      const words = [...line.matchAll(/"([^"]*)"|(\S+)/g)].map(([, quoted, word]) => quoted ?? word);
+      const comment = words.indexOf('#');
+      const call = words.slice(words.indexOf('three-hatching') + 1, comment < 0 ? undefined : comment);
+      const redirect = call.indexOf('>');
+      return {
+        line,
+        args: redirect < 0 ? call : call.slice(0, redirect),
+        input: words[0] === 'cat' ? words[1] : undefined,
+        output: redirect < 0 ? undefined : call[redirect + 1],
+      };
+    }),
+);

@@ -1,10 +1,12 @@
 import { execFileSync } from 'node:child_process';
-import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
-import { expect, test } from 'vitest';
+import { pathToFileURL } from 'node:url';
+import { afterEach, expect, test } from 'vitest';
+import { parseDrawing } from '../../../src/command/parseDrawing.js';
 import { root } from './documents.js';
-import { SAMPLES } from './sampleList.js';
+import { NODE_SAMPLES, SAMPLE_CALLS, SAMPLES } from './sampleList.js';
 
 const folder = join(root, 'tests/output/samples');
 
@@ -22,6 +24,30 @@ declare global {
 }
 export {};
 `;
+
+const home = process.cwd();
+afterEach(() => process.chdir(home));
+
+test('a sample for Node runs as it stands', async () => {
+  expect(NODE_SAMPLES.map(({ name }) => name)).toEqual(['svg-node-1']);
+  const [{ name, code }] = NODE_SAMPLES;
+  const place = join(root, 'tests/output/nodeSamples');
+  mkdirSync(place, { recursive: true });
+  rmSync(join(place, 'drawing.svg'), { force: true });
+  writeFileSync(join(place, `${name}.js`), code);
+  process.chdir(place);
+  await import(/* @vite-ignore */ pathToFileURL(join(place, `${name}.js`)).href);
+  const svg = readFileSync(join(place, 'drawing.svg'), 'utf8');
+  expect(svg).toContain('width="200mm" height="200mm"');
+  expect(svg.match(/<path/g)!.length).toBeGreaterThan(100);
+});
+
+test.each(SAMPLE_CALLS.filter(({ args }) => args[0] === 'draw').map(({ line, args }) => [line, args] as const))(
+  'a call of the guides is understood: %s',
+  (_, args) => {
+    expect(parseDrawing(args.slice(1)).action).toBe('draw');
+  },
+);
 
 test('every sample of README and guides compiles', () => {
   rmSync(folder, { recursive: true, force: true });

@@ -88,6 +88,7 @@ describe('a setting has an effect', () => {
         pictureSize: 'own',
       },
       { technique: 'anchored', medium: 'dry', toneModel: 'phong', pictureSize: 'a4' },
+      { pictureSize: 'inches' },
       {
         technique: 'engraved',
         medium: 'pen',

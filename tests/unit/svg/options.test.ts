@@ -13,7 +13,10 @@ describe('wrong options end in one sentence that names them', () => {
     [{ size: 3 }, 'drawSVG: unknown option "size".'],
     [{ kind: 'plot' }, "drawSVG: kind is plot, but must be 'print' or 'pen'."],
     [{ order: 'short' }, "drawSVG: order is short, but must be 'travel' or 'drawn'."],
-    [{ sheet: 'A9' }, 'drawSVG: sheet is "A9", but must be A3, A4, A5 or [width, height] in millimetres.'],
+    [
+      { sheet: 'A9' },
+      'drawSVG: sheet is "A9", but must be A0, A1, A2, A3, A4, A5, A6, Letter, Legal, Tabloid, one of them with',
+    ],
     [{ sheet: [100] }, 'drawSVG: sheet is [100]'],
     [{ sheet: [100, -1] }, 'drawSVG: sheet is [100,-1]'],
     [{ margin: -1 }, 'drawSVG.margin: -1 is not a number in [0, ∞).'],
@@ -39,6 +42,19 @@ describe('wrong options end in one sentence that names them', () => {
     await expect(draw({}, new Scene(), new Object3D())).rejects.toThrow('drawSVG: camera must be');
     await expect(draw({}, new Scene(), null)).rejects.toThrow('drawSVG: camera must be');
   });
+});
+
+test.each([
+  ['A5', 1, '148mm', '210mm'],
+  ['A5', 2, '210mm', '148mm'],
+  ['A5 portrait', 2, '148mm', '210mm'],
+  ['a5 landscape', 0.5, '210mm', '148mm'],
+  ['Letter', 0.5, '215.9mm', '279.4mm'],
+  ['9x4in', 0.5, '228.6mm', '101.6mm'],
+  [[50, 40], 0.5, '50mm', '40mm'],
+])('the sheet %j for a picture of the aspect %f', async (sheet, aspect, width, height) => {
+  const { svg } = await draw({ sheet }, new Scene(), new PerspectiveCamera(30, aspect));
+  expect(svg).toContain(`width="${width}" height="${height}"`);
 });
 
 test('an empty scene is an empty sheet', async () => {

@@ -1,3 +1,4 @@
+import { ABOUT_SQUARE } from '../../../staging/framing.js';
 import type { DrawnView } from '../../print/printPlan.js';
 import type { Stage } from '../../stage/Stage.js';
 import { page } from './page.js';
@@ -8,12 +9,9 @@ export function viewSize(): { width: number; height: number } {
   return { width, height };
 }
 
-/** A model whose proportion lies between this and its inverse is about as wide as high, and suits a sheet in either orientation. */
-const SQUARE = 1.15;
-
 /** The viewport, and the orientation of a sheet for the model: that of the model or, if the model suits either, of the viewport. */
 export function drawnView({ view: { proportion } }: Stage): DrawnView {
   const size = viewSize();
-  const isSquare = Math.max(proportion, 1 / proportion) < SQUARE;
+  const isSquare = Math.max(proportion, 1 / proportion) < ABOUT_SQUARE;
   return { ...size, isWide: isSquare ? size.width > size.height : proportion > 1 };
 }

@@ -1,7 +1,8 @@
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { type PerspectiveCamera, Spherical, Vector3 } from 'three';
+import { type BufferGeometry, type Mesh, type PerspectiveCamera, Spherical, Vector3 } from 'three';
+import type { HatchingMaterial } from 'three-hatching';
 import { drawSVG } from 'three-hatching/svg';
 import { afterEach, beforeEach, describe, expect, test } from 'vitest';
 import type { DrawingOptions } from '../../../../src/command/DrawingOptions.js';
@@ -79,7 +80,12 @@ const refusal = async (name: string, content: string | Uint8Array, ...args: stri
 };
 
 /** A picture in a format that only browsers decode: its header is all that is read. */
-const JPEG = Buffer.from('ffd8ffe000104a46494600010100000100010000ffc0001108000400040301110002110103', 'hex');
+const GIF = Buffer.from(`474946383961040004008000000000ffffff2c0000000004000400000202${'00'.repeat(8)}`, 'hex');
+/** One that is decoded here, too. */
+const JPEG = Buffer.from(
+  '/9j/4AAQSkZJRgABAQAAAQABAAD/2wCEAAMDAwMDAwQEBAQFBQUFBQcHBgYHBwsICQgJCAsRCwwLCwwLEQ8SDw4PEg8bFRMTFRsfGhkaHyYiIiYwLTA+PlQBAwMDAwMDBAQEBAUFBQUFBwcGBgcHCwgJCAkICxELDAsLDAsRDxIPDg8SDxsVExMVGx8aGRofJiIiJjAtMD4+VP/CABEIABAAEAMBEQACEQEDEQH/xAAqAAEBAQAAAAAAAAAAAAAAAAAKBwkBAQEBAAAAAAAAAAAAAAAAAAkGB//aAAwDAQACEAMQAAAAg+RIxt7rpznaRiSRKc9b/8QAFBABAAAAAAAAAAAAAAAAAAAAIP/aAAgBAQABPwAf/8QAFBEBAAAAAAAAAAAAAAAAAAAAIP/aAAgBAgEBPwAf/8QAFBEBAAAAAAAAAAAAAAAAAAAAIP/aAAgBAwEBPwAf/9k=',
+  'base64',
+);
 
 describe('a model of every format is drawn', () => {
   const GLB = octahedronGlb();
@@ -217,6 +223,49 @@ describe('the stage', () => {
     expect(degrees(own.lights.position)).toEqual([10, 20]);
   });
 
+  test.each([
+    ['top', [0, 1, 0], [1, 0, 0], [0, 0, -1]],
+    ['0 -90', [0, -1, 0], [1, 0, 0], [0, 0, 1]],
+    ['90 90', [0, 1, 0], [0, 0, -1], [-1, 0, 0]],
+    ['left', [-1, 0, 0], [0, 0, 1], [0, 1, 0]],
+  ])('from %s is seen exactly, with and without perspective', async (view, toEye, right, up) => {
+    for (const args of [[], ['--orthographic']]) {
+      const { placed, scene } = await staged(['--view', view, '--no-shadows', ...args]);
+      const { camera, target } = placed;
+      camera.updateMatrixWorld();
+      scene.updateMatrixWorld();
+      const axes = [new Vector3(), new Vector3(), new Vector3()];
+      camera.matrixWorld.extractBasis(axes[0], axes[1], axes[2]);
+      for (const [i, expected] of [right, up, toEye].entries())
+        for (const k of [0, 1, 2]) expect(axes[i].getComponent(k)).toBeCloseTo(expected[k], 6);
+      const seen = camera.position.clone().sub(target).normalize();
+      for (const k of [0, 1, 2]) expect(seen.getComponent(k)).toBeCloseTo(toEye[k], 6);
+    }
+  });
+
+  test('lays a sheet as suits the model, unless it is said', async () => {
+    const wide = 'v -3 0 0\nv 3 0 0\nv 0 1 0.2\nv 0 0 -0.3\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n';
+    const high = wide.replaceAll(/v (\S+) (\S+)/g, 'v $2 $1');
+    const sizeOf = async (content: string, sheet: string): Promise<string> => {
+      const { svgs } = await draw('a.obj', content, '--sheet', sheet, '--view', 'front', '--no-shadows', '--dpi', '20');
+      return /width="([\d.]+)mm" height="([\d.]+)mm"/.exec(svgs[0])!.slice(1).join(' ');
+    };
+    expect(await sizeOf(wide, 'A6')).toBe('148 105');
+    expect(await sizeOf(high, 'A6')).toBe('105 148');
+    expect(await sizeOf(wide, 'A6 portrait')).toBe('105 148');
+    expect(await sizeOf(high, '5x3in')).toBe('127 76.2');
+  });
+
+  test('has a shadow that dissolves towards the rim where it would be cut, and as it is elsewhere', async () => {
+    const vignetteOf = async (...args: string[]): Promise<number> => {
+      const { scene } = await staged(['--view', '0 20', ...args]);
+      return (scene.getObjectByName('ground') as Mesh<BufferGeometry, HatchingMaterial>).material.vignette;
+    };
+    expect(await vignetteOf('--light', '80 12')).toBe(1);
+    expect(await vignetteOf('--light', '30 60')).toBe(0);
+    expect(await vignetteOf()).toBe(0);
+  });
+
   test('has eye and light where the options say', async () => {
     const { placed, lights } = await staged(['--view', '25 8', '--light', '-45 40']);
     expect(degrees(placed.camera.position.clone().sub(placed.target))).toEqual([25, 8]);
@@ -285,32 +334,77 @@ describe('the stage', () => {
 });
 
 describe('pictures', () => {
-  test('PNG is decoded; other formats are named, and the drawing is made without their colours', async () => {
+  test('PNG and JPEG are decoded; other formats are named, and the drawing is made without their colours', async () => {
     writeFileSync(join(work, 'square.mtl'), squareMtl);
     writeFileSync(join(work, 'sky.png'), skyPng());
     const good = await draw('a.obj', squareObj, '--view', '0 0', ...SMALL);
     expect(good.isWhole).toBe(true);
     expect(good.notes.filter((note) => /PNG/.test(note))).toEqual([]);
     writeFileSync(join(work, 'sky.png'), JPEG);
+    const other = await draw('a.obj', squareObj, '--view', '0 0', ...SMALL);
+    expect([other.isWhole, other.notes]).toEqual([true, good.notes]);
+    expect(other.svgs[0]).not.toBe(good.svgs[0]);
+    writeFileSync(join(work, 'sky.png'), GIF);
     const lacking = await draw('b.obj', squareObj, '--view', '0 0', ...SMALL);
     expect(lacking.svgs).toHaveLength(1);
     expect(lacking.isWhole).toBe(false);
-    expect(lacking.notes).toContain(
-      'b.obj is drawn without its pictures in JPEG, which only a browser decodes; save them as PNG.',
-    );
+    expect(lacking.notes).toEqual([
+      'b.obj is drawn without its pictures in GIF, which are not read here; save them as PNG.',
+    ]);
   });
 
   test('without one that cuts out a surface, nothing is drawn', async () => {
     const json = JSON.parse(octahedronGltf());
-    const uri = `data:image/jpeg;base64,${JPEG.toString('base64')}`;
+    const uri = `data:image/gif;base64,${GIF.toString('base64')}`;
     json.images = [{ uri }];
     json.textures = [{ source: 0 }];
     json.materials = [{ alphaMode: 'MASK', pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }];
     json.meshes[0].primitives[0].material = 0;
     expect(await refusal('leaf.glb', packGlb(JSON.stringify(json), octahedronBin()))).toBe(
-      'leaf.glb has surfaces that are cut out by pictures in JPEG, which only a browser decodes; save them as PNG.',
+      'leaf.glb has surfaces that are cut out by pictures in GIF, which are not read here; save them as PNG.',
     );
   });
+
+  test('each that is missing or damaged is told once, whatever shows it, and what is drawn is not whole', async () => {
+    const json = JSON.parse(octahedronGltf());
+    json.images = [{ uri: 'a.png' }, { uri: 'b.jpg' }, { uri: 'c.jpg' }];
+    json.textures = [0, 1, 2].map((source) => ({ source }));
+    json.materials = [0, 1, 2].map((index) => ({ pbrMetallicRoughness: { baseColorTexture: { index } } }));
+    const [primitive] = json.meshes[0].primitives;
+    json.meshes = [0, 1, 2, 0].map((material) => ({ primitives: [{ ...primitive, material }] }));
+    json.nodes = json.meshes.map((_: unknown, mesh: number) => ({ mesh }));
+    json.scenes = [{ nodes: [0, 1, 2, 3] }];
+    writeFileSync(join(work, 'c.jpg'), JPEG.subarray(0, 120));
+    const glb = packGlb(JSON.stringify(json), octahedronBin());
+    const { notes, isWhole, svgs } = await draw('parts.glb', glb, ...SMALL);
+    expect(svgs).toHaveLength(1);
+    expect(isWhole).toBe(false);
+    expect(notes.filter((note) => /a\.png|b\.jpg|picture|map/.test(note))).toEqual([
+      'parts.glb: a.png is missing, and belongs beside the model.',
+      'parts.glb: b.jpg is missing, and belongs beside the model.',
+      expect.stringMatching(/^parts\.glb: 1 (damaged )?picture left out/),
+    ]);
+  });
+
+  test('a texture of an OBJ that is missing is told, and without its colours nothing is missing', async () => {
+    writeFileSync(join(work, 'square.mtl'), squareMtl);
+    const { notes, isWhole } = await draw('a.obj', squareObj, ...SMALL);
+    expect([notes, isWhole]).toEqual([['a.obj: sky.png is missing, and belongs beside the model.'], false]);
+  });
+});
+
+test.each([
+  [
+    'corner.obj',
+    octahedronObj.replace(/^f .*$/m, (face) => `v nan 0 0\n${face}\nf 1 2 -1`),
+    /^corner\.obj: 1 triangle without three valid corners left out\.$/,
+  ],
+  ['corner.stl', octahedronAsciiStl.replace(/vertex \S+/, 'vertex nan'), /^corner\.stl: 1 triangle /],
+  ['corner.ply', octahedronPly.replace(/(end_header\n)\S+/, '$1nan'), /^corner\.ply: \d triangles? without /],
+])('a face with a corner that is no number is told: %s', async (name, content, sentence) => {
+  const { notes, svgs } = await draw(name, content, ...SMALL);
+  expect(svgs).toHaveLength(1);
+  expect(notes).toEqual(expect.arrayContaining([expect.stringMatching(sentence)]));
 });
 
 test('hidden outlines and an animation are those of drawSVG', async () => {

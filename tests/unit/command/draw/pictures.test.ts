@@ -1,6 +1,7 @@
 import { deflateSync } from 'node:zlib';
 import { PNG } from 'pngjs';
 import { describe, expect, test } from 'vitest';
+import { decodePicture, UndecodedError } from '../../../../src/command/draw/decodePicture.js';
 import { decodePng } from '../../../../src/command/draw/decodePng.js';
 import { fitPixels } from '../../../../src/command/draw/fitPixels.js';
 import { PNG_SIGNATURE, pngChunk } from '../../../../src/mapFiles/pngChunks.js';
@@ -102,6 +103,50 @@ describe('PNG', () => {
     ['nothing', new Uint8Array()],
   ])('with %s is damaged', (_, bytes) => {
     expect(() => decodePng(bytes)).toThrow();
+  });
+});
+
+/** Red on the upper left, blue on the lower left, and almost white on the right: 16 × 16 pixels. */
+const JPEG = Buffer.from(
+  '/9j/4AAQSkZJRgABAQAAAQABAAD/2wCEAAMDAwMDAwQEBAQFBQUFBQcHBgYHBwsICQgJCAsRCwwLCwwLEQ8SDw4PEg8bFRMTFRsfGhkaHyYiIiYwLTA+PlQBAwMDAwMDBAQEBAUFBQUFBwcGBgcHCwgJCAkICxELDAsLDAsRDxIPDg8SDxsVExMVGx8aGRofJiIiJjAtMD4+VP/CABEIABAAEAMBEQACEQEDEQH/xAAqAAEBAQAAAAAAAAAAAAAAAAAKBwkBAQEBAAAAAAAAAAAAAAAAAAkGB//aAAwDAQACEAMQAAAAg+RIxt7rpznaRiSRKc9b/8QAFBABAAAAAAAAAAAAAAAAAAAAIP/aAAgBAQABPwAf/8QAFBEBAAAAAAAAAAAAAAAAAAAAIP/aAAgBAgEBPwAf/8QAFBEBAAAAAAAAAAAAAAAAAAAAIP/aAAgBAwEBPwAf/9k=',
+  'base64',
+);
+const WEBP = Buffer.from(
+  'UklGRjwAAABXRUJQVlA4TDAAAAAvD8ADABcgEEji2J9yErFgYjR/qAi6xIKJx/yJwuma//gXBAIBwqRJpw4i+h8Kry4=',
+  'base64',
+);
+
+describe('JPEG and WebP', () => {
+  test.each([
+    ['JPEG', JPEG, 12],
+    ['WebP', WEBP, 0],
+  ])('%s has the colours that it was made of', async (_, bytes, most) => {
+    const { data, width, height } = await decodePicture(bytes);
+    expect([width, height, data.length]).toEqual([16, 16, 1024]);
+    for (const [x, y, colour] of [
+      [2, 2, [230, 20, 20]],
+      [2, 13, [20, 20, 230]],
+      [13, 8, [250, 250, 250]],
+    ] as const) {
+      const pixel = data.subarray(4 * (16 * y + x), 4 * (16 * y + x) + 4);
+      for (const k of [0, 1, 2]) expect(Math.abs(pixel[k] - colour[k])).toBeLessThanOrEqual(most);
+      expect(pixel[3]).toBe(255);
+    }
+  });
+
+  test.each([
+    ['JPEG', JPEG.subarray(0, 60)],
+    ['JPEG', Buffer.concat([JPEG.subarray(0, 2), Buffer.alloc(400, 7)])],
+    ['WebP', WEBP.subarray(0, 30)],
+  ])('a damaged %s is an error, and the next one is decoded', async (_, bytes) => {
+    await expect(decodePicture(bytes)).rejects.toThrow();
+    expect((await decodePicture(JPEG)).width).toBe(16);
+    expect((await decodePicture(WEBP)).width).toBe(16);
+  });
+
+  test('others are told by their names', async () => {
+    await expect(decodePicture(Buffer.from('GIF89a'))).rejects.toEqual(new UndecodedError('GIF'));
+    await expect(decodePicture(Buffer.from('BM6'))).rejects.toEqual(new UndecodedError('BMP'));
   });
 });
 

@@ -45,6 +45,10 @@ describe('planSvg', () => {
     expect(plans({ pictureSize: 'a5', pictureDpi }).svg.sheet).toEqual([210, 148]);
     const own = { pictureSize: 'own', pictureWidth: 121, pictureHeight: 83 } as const;
     expect(plans({ ...own, pictureDpi }).svg.sheet).toEqual([121, 83]);
+    expect(plans({ pictureSize: 'letter', pictureDpi }).svg.sheet).toEqual([279.4, 215.9]);
+    const inches = { pictureSize: 'inches', pictureWidthInches: 9.5, pictureHeightInches: 12 } as const;
+    for (const [i, side] of plans({ ...inches, pictureDpi }).svg.sheet.entries())
+      expect(side).toBeCloseTo([241.3, 304.8][i], 9);
   });
 
   test('what is cut to the drawing has no margin', () => {

@@ -63,10 +63,17 @@ describe.each(LOCKS)('%s', (path) => {
 });
 
 test('the library depends on nothing but three.js, and its components on React where it is used', () => {
-  const { dependencies, peerDependencies, peerDependenciesMeta } = JSON.parse(
+  const { dependencies, optionalDependencies, peerDependencies, peerDependenciesMeta } = JSON.parse(
     readFileSync(new URL('../../../../package.json', import.meta.url), 'utf8'),
-  ) as { dependencies?: object; peerDependencies: object; peerDependenciesMeta: Record<string, { optional: boolean }> };
+  ) as {
+    dependencies?: object;
+    optionalDependencies: object;
+    peerDependencies: object;
+    peerDependenciesMeta: Record<string, { optional: boolean }>;
+  };
   expect(dependencies).toBeUndefined();
+  // Of the command alone: without them it reads PNG.
+  expect(Object.keys(optionalDependencies)).toEqual(['@jsquash/jpeg', '@jsquash/webp']);
   const needed = Object.keys(peerDependencies).filter((name) => !peerDependenciesMeta[name]?.optional);
   expect(needed).toEqual(['three']);
   expect(Object.keys(peerDependencies)).toEqual(['@react-three/fiber', 'meshoptimizer', 'react', 'three']);

@@ -1,0 +1,86 @@
+import { readFile } from 'node:fs/promises';
+import { createRequire } from 'node:module';
+import type { PixelPicture } from '../../files/common/Surroundings.js';
+import { decodePng } from './decodePng.js';
+
+type Pixels = Omit<PixelPicture, 'close'>;
+/** What decoders write is nothing to users. */
+const SILENT = { print: () => {}, printErr: () => {} };
+
+/** Formats of pictures, by how they begin. What has no decoder is decoded by browsers alone. */
+const FORMATS: readonly { name: string; beginning: RegExp; decode?: (bytes: Uint8Array) => Promise<Pixels> }[] = [
+  { name: 'JPEG', beginning: /^\xff\xd8/, decode: decodeJpeg },
+  { name: 'WebP', beginning: /^RIFF....WEBP/s, decode: decodeWebp },
+  { name: 'GIF', beginning: /^GIF8/ },
+  { name: 'BMP', beginning: /^BM/ },
+];
+
+/** A picture in a format that is not decoded here. */
+export class UndecodedError extends Error {
+  /** @param format its name */
+  constructor(readonly format: string) {
+    super(`Pictures in ${format} are not decoded here.`);
+  }
+}
+
+/**
+ * Decodes a picture in PNG, JPEG or WebP.
+ *
+ * @throws UndecodedError for other formats, also if a decoder is not installed; Error if the picture is damaged
+ */
+export async function decodePicture(bytes: Uint8Array): Promise<Pixels> {
+  const beginning = String.fromCharCode(...bytes.subarray(0, 16));
+  const format = FORMATS.find((one) => one.beginning.test(beginning));
+  if (!format) return decodePng(bytes);
+  if (!format.decode) throw new UndecodedError(format.name);
+  try {
+    return await format.decode(bytes);
+  } catch (error) {
+    const isMissing = ['ERR_MODULE_NOT_FOUND', 'MODULE_NOT_FOUND'].includes(
+      String((error as NodeJS.ErrnoException).code),
+    );
+    throw isMissing ? new UndecodedError(format.name) : error;
+  }
+}
+
+async function decodeJpeg(bytes: Uint8Array): Promise<Pixels> {
+  const { default: decode, init } = await import('@jsquash/jpeg/decode.js');
+  await start('jpeg', init, '@jsquash/jpeg/codec/dec/mozjpeg_dec.wasm');
+  // As browsers turn pictures.
+  return asPixels(() => decode(new Uint8Array(bytes).buffer, { preserveOrientation: true }));
+}
+
+async function decodeWebp(bytes: Uint8Array): Promise<Pixels> {
+  const { default: decode, init } = await import('@jsquash/webp/decode.js');
+  await start('webp', init, '@jsquash/webp/codec/dec/webp_dec.wasm');
+  return asPixels(() => decode(new Uint8Array(bytes).buffer));
+}
+
+const started = new Set<string>();
+
+/** Starts a decoder once. By itself it would fetch its code, which Node does not do of files. */
+async function start(
+  name: string,
+  init: (code: WebAssembly.Module, options: typeof SILENT) => Promise<void>,
+  path: string,
+): Promise<void> {
+  if (started.has(name)) return;
+  const code = await WebAssembly.compile(await readFile(createRequire(import.meta.url).resolve(path)));
+  await init(code, SILENT);
+  started.add(name);
+}
+
+/** What decoders give their pixels in, which Node lacks. */
+class PlainImageData {
+  constructor(
+    readonly data: Uint8ClampedArray,
+    readonly width: number,
+    readonly height: number,
+  ) {}
+}
+
+async function asPixels(decode: () => Promise<Pixels>): Promise<Pixels> {
+  Object.assign(globalThis, { ImageData: globalThis.ImageData ?? PlainImageData });
+  const { data, width, height } = await decode();
+  return { data, width, height };
+}
