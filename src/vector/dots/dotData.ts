@@ -1,5 +1,8 @@
 import type { Dot } from './placeDots.js';
 
+/** Corners of a closed line, millimetres. */
+export type DotRing = readonly (readonly [x: number, y: number])[];
+
 /** The sides of a disc lie within its circle by no more than this, millimetres, and they are so many. */
 const STRAY = 0.01;
 const LEAST_SIDES = 8;
@@ -19,7 +22,7 @@ const joined = (numbers: readonly string[]): string =>
   });
 
 /** How many sides the outline of a disc has. */
-export const sidesOf = (radius: number): number =>
+const sidesOf = (radius: number): number =>
   Math.min(
     Math.max(2 * Math.ceil((0.5 * Math.PI) / Math.acos(1 - Math.min(STRAY / radius, 1))), LEAST_SIDES),
     MOST_SIDES,
@@ -29,29 +32,53 @@ export const sidesOf = (radius: number): number =>
  * A filled disc, as a polygon of its area. Programs fill small circles as polygons within them, of eight sides or so: a tenth of the ink
  * would be lost, and more the smaller they are shown.
  */
-export function discData({ x, y, radius }: Dot): string {
+export function discRing({ x, y, radius }: Dot): DotRing {
   const sides = sidesOf(radius);
   const turn = (2 * Math.PI) / sides;
   const outer = radius * Math.sqrt(turn / Math.sin(turn));
-  const at = (k: number): readonly [number, number] => [
-    Math.round(PER_MILLIMETRE * (x + outer * Math.cos(turn * k))),
-    Math.round(PER_MILLIMETRE * (y + outer * Math.sin(turn * k))),
-  ];
-  let [left, top] = at(0);
-  const first = joined([written(left), written(top)]);
-  const steps: string[] = [];
-  for (let k = 1; k < sides; k++) {
-    const [nextLeft, nextTop] = at(k);
-    steps.push(written(nextLeft - left), written(nextTop - top));
-    [left, top] = [nextLeft, nextTop];
-  }
-  return `M${first}l${joined(steps)}z`;
+  return Array.from({ length: sides }, (_, k) => [x + outer * Math.cos(turn * k), y + outer * Math.sin(turn * k)]);
 }
 
-const millimetres = (value: number): string => String(Number(value.toFixed(3)));
+/** Turns of a spiral lie apart by no more than so much of the pen's width. */
+const PITCH = 0.8;
+/** A pen goes around the middle of a dot by this radius at least, so that it moves while it is down. Millimetres. */
+const LEAST_CIRCLE = 0.02;
 
-/** A circle that a pen draws, of two arcs. */
-export function circleData({ x, y, radius }: Dot): string {
-  const [r, across] = [millimetres(radius), millimetres(2 * radius)];
-  return `M${millimetres(x - radius)} ${millimetres(y)}a${r} ${r} 0 1 0 ${across} 0a${r} ${r} 0 1 0 -${across} 0z`;
+/**
+ * A dot that a pen draws: around its middle, and if that leaves it blank, from a smaller circle outwards in a spiral. It is made of straight
+ * pieces: programs leave the middle of a circle blank that is smaller than the width of its line.
+ *
+ * @param pen its width, millimetres
+ */
+export function penDotRing({ x, y, radius }: Dot, pen: number): DotRing {
+  const outer = Math.max(radius - pen / 2, LEAST_CIRCLE);
+  const inner = Math.min(outer, pen / 2);
+  const turns = Math.ceil((outer - inner) / (PITCH * pen));
+  const sides = sidesOf(outer);
+  const circles = turns === 0 ? 1 : turns + 2;
+  return Array.from({ length: sides * circles }, (_, k) => {
+    const spiral = turns === 0 ? 0 : Math.min(Math.max((k / sides - 1) / turns, 0), 1);
+    const [angle, reach] = [(2 * Math.PI * k) / sides, inner + spiral * (outer - inner)];
+    return [x + reach * Math.cos(angle), y + reach * Math.sin(angle)];
+  });
+}
+
+/** How long a closed line is, millimetres. */
+export function ringLength(ring: DotRing): number {
+  return ring.reduce((sum, [x, y], i) => {
+    const [nextX, nextY] = ring[(i + 1) % ring.length];
+    return sum + Math.hypot(nextX - x, nextY - y);
+  }, 0);
+}
+
+/** The path data of a closed line. */
+export function ringData(ring: DotRing): string {
+  const [first, ...others] = ring.map((place) => place.map((value) => Math.round(PER_MILLIMETRE * value)));
+  let [left, top] = first;
+  const steps: string[] = [];
+  for (const [x, y] of others) {
+    steps.push(written(x - left), written(y - top));
+    [left, top] = [x, y];
+  }
+  return `M${joined(first.map(written))}l${joined(steps)}z`;
 }

@@ -3,18 +3,16 @@ import type { DrawingPlan } from '../DrawnScene.js';
 import type { PathCounts, WrittenPath } from '../file/finishPaths.js';
 import { asDrawn, orderPaths, travelOf } from '../order/orderPaths.js';
 import type { Placement } from '../paths/pathData.js';
-import { circleData, discData, sidesOf } from './dotData.js';
+import { discRing, penDotRing, ringData, ringLength } from './dotData.js';
 import type { Dot } from './placeDots.js';
 
 /** A pen draws no dot smaller than this share of its width, and others as large as its width at least. */
 const LEAST_IN_PENS = 0.7;
-/** A pen draws a dot as a circle of this radius at least, so that it moves while it is down. Millimetres. */
-const LEAST_CIRCLE = 0.02;
 
 /** In print the dots of squares of the sheet are one path each, so that they meet without a seam. Millimetres. */
 const SQUARE = 10;
 
-/** Orders dots and writes them as path data: circles of a pen, discs of a print. Yields its progress. */
+/** Orders dots and writes them as path data: lines of a pen, discs of a print. Yields its progress. */
 export function* finishDots(
   dots: readonly Dot[],
   { pen, order }: DrawingPlan,
@@ -22,19 +20,17 @@ export function* finishDots(
 ): Generator<number, { written: WrittenPath[]; counts: PathCounts }, void> {
   const circles = dots
     .filter(({ radius }) => pen === null || 2 * radius * scale >= LEAST_IN_PENS * pen)
-    .map(({ x, y, radius }) => {
-      const drawn = pen === null ? radius * scale : Math.max(radius * scale - pen / 2, LEAST_CIRCLE);
-      return { x: left + scale * x, y: top + scale * y, radius: drawn };
-    });
+    .map(({ x, y, radius }) => ({ x: left + scale * x, y: top + scale * y, radius: radius * scale }));
   const ends = circles.map(({ x, y }) => ({ start: [x, y] as const, end: [x, y] as const }));
   const isOrdered = order === 'travel' && pen !== null;
   const steps = isOrdered ? yield* asPhase(orderPaths(ends), 0, 1) : asDrawn(ends);
-  const data = steps.map(({ path }) => (pen === null ? discData : circleData)(circles[path]));
+  const rings = steps.map(({ path }) => (pen === null ? discRing(circles[path]) : penDotRing(circles[path], pen)));
+  const data = rings.map(ringData);
   const written = pen === null ? joinedBySquares(circles, data) : data;
-  const drawn = circles.reduce((sum, { radius }) => sum + 2 * Math.PI * radius, 0);
+  const drawn = rings.reduce((sum, ring) => sum + ringLength(ring), 0);
   const counts: PathCounts = {
     paths: written.length,
-    points: circles.reduce((sum, { radius }) => sum + (pen === null ? sidesOf(radius) : 1), 0),
+    points: rings.reduce((sum, ring) => sum + ring.length, 0),
     travelBefore: travelOf(ends, asDrawn(ends)),
     travelAfter: travelOf(ends, steps),
     drawn,
