@@ -170,7 +170,7 @@ export const FORMATS: readonly ModelFormat[] = [
   {
     name: 'OFF',
     extensions: ['off'],
-    hasSignature: ({ head }) => /^\s*(#.*\s+)*(ST)?C?N?4?n?OFF(?![a-z])/i.test(head),
+    hasSignature: ({ head }) => /^\s*(#[^\n]*\n\s*)*(ST)?C?N?4?n?OFF(?![a-z])/i.test(head),
     isBelieved: true,
     up: 'y',
     loader: undefined,
