@@ -14,7 +14,7 @@ import { tellOfRenderer } from '../material/tellOfRenderer.js';
 import { HatchingOutlineMaterial, type HatchingOutlineParameters } from './HatchingOutlineMaterial.js';
 import { HiddenPass } from './HiddenPass.js';
 import { InstanceList } from './InstanceList.js';
-import { emphasisOf, isInFrustum, MeshOutlines, meanScale, NOTHING, VERTICES } from './MeshOutlines.js';
+import { emphasisOf, isInFrustum, MeshOutlines, meanScale } from './MeshOutlines.js';
 import type { OutlinePart } from './OutlineParts.js';
 import { type SceneDepth, sceneDepthOf } from './SceneDepth.js';
 import { isClipped, isDrawnBefore } from './surfaceRules.js';
@@ -70,8 +70,8 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
     _geometry?: BufferGeometry,
     drawnWith: Material = this.material,
   ): void => {
-    const { geometry, mesh } = this;
-    geometry.setDrawRange(0, NOTHING);
+    const { mesh } = this;
+    this.setCount(0);
     this.drawn = NONE;
     // Helpers that light a scene step by step give every object another material for a moment, and scenes may have one for all.
     if (!mesh || !(this.material instanceof HatchingOutlineMaterial) || !('isHatchingOutlineMaterial' in drawnWith))
@@ -117,7 +117,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
 
   /** Has the next draw show a part of the outlines. */
   private bindPart(renderer: WebGLRenderer, camera: Camera, mesh: Mesh, part: OutlinePart): void {
-    const { material, geometry } = this;
+    const { material } = this;
     const { suggestiveContours, uniforms } = material;
     const { data, surface } = part;
     this.beginSurface(surface);
@@ -138,7 +138,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
     }
     uniforms.isListed.value = list !== null;
     uniforms.candidates.value = list?.texture ?? data.primitives;
-    geometry.setDrawRange(0, VERTICES * (list ? list.count : data.triangleCount + data.edgeCount));
+    this.setCount(list ? list.count : data.triangleCount + data.edgeCount);
   }
 
   /** Draws what is hidden of a part that has just been drawn. Lists leave out what cannot be seen, so it is looked for among all primitives. */
@@ -148,7 +148,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
     this.showInstances();
     material.uniforms.isListed.value = false;
     material.uniforms.candidates.value = data.primitives;
-    geometry.setDrawRange(0, VERTICES * (data.triangleCount + data.edgeCount));
+    this.setCount(data.triangleCount + data.edgeCount);
     this.hiddenPass ??= new HiddenPass();
     this.hiddenPass.draw(this, renderer, scene, camera);
   }

@@ -36,9 +36,9 @@ const matrix = /* @__PURE__ */ new Matrix4();
 const sphere = /* @__PURE__ */ new Sphere();
 const place = /* @__PURE__ */ new Vector3();
 /** A draw count for which three.js draws nothing. With 0 it would make a draw call, and read textures that do not exist. */
-export const NOTHING = -1;
+const NOTHING = -1;
 /** The number of vertices that each primitive is drawn with. */
-export const VERTICES = 3;
+const VERTICES = 3;
 
 /** The object that draws the outlines of a mesh, with whatever material: where it lies, and what of the mesh may hold an outline. */
 export abstract class MeshOutlines<Look extends Material = Material> extends Object3D {
@@ -239,6 +239,11 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Obj
     }
   }
 
+  /** Has the next draw show so many primitives. */
+  protected setCount(primitives: number): void {
+    this.geometry.setDrawRange(0, primitives > 0 ? VERTICES * primitives : NOTHING);
+  }
+
   /** Has the material fade and be tested as a surface is, until `endSurface`. */
   protected beginSurface(surface: Material): void {
     this.endSurface();
@@ -278,11 +283,14 @@ export function meanScale({ elements: m }: Matrix4): number {
   return Math.cbrt(Math.abs(determinant)) || 1;
 }
 
+/** A function of its own: one in another is allocated whenever that is called. Places of an array of materials may be empty. */
+const isHatching = (material: Material | null | undefined): boolean =>
+  material !== null &&
+  material !== undefined &&
+  ('isHatchingMaterial' in material || 'isHatchingNodeMaterial' in material);
+
 /** What says how much weight the drawing of a mesh has where: its first hatching material. Its outlines have the same. */
 export function emphasisOf({ material }: Mesh): (Material & EmphasisLook) | null {
-  // Places of the array may be empty.
-  const isHatching = (one: Material | null | undefined): boolean =>
-    one !== null && one !== undefined && ('isHatchingMaterial' in one || 'isHatchingNodeMaterial' in one);
   const found = Array.isArray(material) ? material.find(isHatching) : isHatching(material) && material;
   return found ? (found as Material & EmphasisLook) : null;
 }

@@ -13,7 +13,7 @@ import type { WebGPURenderer } from 'three/webgpu';
 import { outlineDataOf } from '../../geometry/OutlineData.js';
 import { tell } from '../../mistakes/tell.js';
 import type { HatchingOutlineParameters } from '../../outlines/HatchingOutlineMaterial.js';
-import { emphasisOf, isInFrustum, MeshOutlines, meanScale, NOTHING, VERTICES } from '../../outlines/MeshOutlines.js';
+import { emphasisOf, isInFrustum, MeshOutlines, meanScale } from '../../outlines/MeshOutlines.js';
 import type { OutlinePart } from '../../outlines/OutlineParts.js';
 import { isDrawnBefore } from '../../outlines/surfaceRules.js';
 import { hasFloatTargets, nodeDeformations } from '../deformation/nodeDeformations.js';
@@ -69,8 +69,8 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
     drawnWith: Material = this.material,
   ): void => {
     if (this.isDrawingMore) return;
-    const { geometry, mesh } = this;
-    geometry.setDrawRange(0, NOTHING);
+    const { mesh } = this;
+    this.setCount(0);
     this.drawn = NONE;
     // Helpers that light a scene step by step give every object another material for a moment, and scenes may have one for all.
     if (!mesh || !(this.material instanceof HatchingOutlineNodeMaterial)) return;
@@ -133,7 +133,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
     uniforms.isListed.value = list !== null;
     uniforms.candidates.value = list?.texture ?? null;
     this.bindInstances(mesh, list !== null);
-    this.geometry.setDrawRange(0, VERTICES * (list ? list.count : data.triangleCount + data.edgeCount));
+    this.setCount(list ? list.count : data.triangleCount + data.edgeCount);
   }
 
   /** Draws what is hidden of a part that has just been drawn. Lists leave out what cannot be seen, so it is looked for among all primitives. */
@@ -144,7 +144,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
     material.uniforms.isListed.value = false;
     material.uniforms.candidates.value = null;
     this.bindInstances(mesh!, false);
-    geometry.setDrawRange(0, VERTICES * (data.triangleCount + data.edgeCount));
+    this.setCount(data.triangleCount + data.edgeCount);
     this.drawMore(renderer, scene, camera, material.ofHidden(), `hiddenOutlines ${number}`);
   }
 
