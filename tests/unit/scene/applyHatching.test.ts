@@ -21,10 +21,12 @@ import {
   MeshStandardMaterial,
   Object3D,
   ObjectSpaceNormalMap,
+  PerspectiveCamera,
   Plane,
   PlaneGeometry,
   Points,
   PointsMaterial,
+  Scene,
   ShadowMaterial,
   Skeleton,
   SkinnedMesh,
@@ -102,6 +104,24 @@ describe('what it makes of a scene', () => {
     expect(a.geometry).not.toBe(box);
     expect(a.geometry.userData.hatching).toMatchObject({ triangles: 12, layout: 'indexed' });
     expect(c.geometry.userData.hatching).toMatchObject({ layout: 'indexed' });
+  });
+
+  test('outlines follow the layers, the order and the opacity of their meshes, also what changes later', async () => {
+    const source = new MeshStandardMaterial({ transparent: true });
+    const mesh = new Mesh(new BoxGeometry(), source);
+    mesh.layers.set(1);
+    const scene = await applyHatching(new Group().add(mesh), { outlines: true, material: { technique: 'engraved' } });
+    const [outlines] = scene.outlines;
+    expect(outlines.layers.mask).toBe(mesh.layers.mask);
+    mesh.layers.set(2);
+    mesh.renderOrder = 3;
+    expect([outlines.layers.mask, outlines.renderOrder]).toEqual([4, 3]);
+    source.opacity = 0;
+    scene.follow();
+    outlines.geometry.setDrawRange(0, 9);
+    outlines.onBeforeRender({} as never, new Scene(), new PerspectiveCamera());
+    expect(outlines.geometry.drawRange.count).toBe(-1);
+    scene.dispose();
   });
 
   test('a material keeps everything that has a meaning on paper', async () => {
