@@ -15,7 +15,7 @@ import { isFitted } from '../material/exposure/isFitted.js';
 import type { ToneFit } from '../material/exposure/ToneFit.js';
 import { luminanceOf } from '../material/facts/luminanceOf.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
-import { isSharp, readImage } from '../material/readImage.js';
+import { isSharp, readImage } from '../material/pictures/readImage.js';
 import type { MapLook, PaintLook, ToneImage, Wrapping } from '../vector/paint/PaintLook.js';
 import type { MeshCopy } from './pose/meshCopies.js';
 import { rowsOf } from './rowsOf.js';

@@ -61,6 +61,7 @@ export const ROOMS = {
     '/src/material/fieldFrameName.ts',
     '/src/material/MeshUniforms.ts',
   ],
+  'material/pictures': [],
   'material/firstDraw': ['facts', 'deformation', 'exposure', 'parts'],
   outlines: [
     'mistakes',

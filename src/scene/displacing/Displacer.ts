@@ -11,7 +11,7 @@ import {
   Vector2,
   Vector3,
 } from 'three';
-import { readImage, type TextureImage } from '../../material/readImage.js';
+import { readImage, type TextureImage } from '../../material/pictures/readImage.js';
 import { isBatched } from '../surfaceMeshes.js';
 
 /** What surface materials of three.js displace by. */

@@ -158,7 +158,7 @@ test('large meshes have a coarse copy, which is drawn however small, and medium 
   const [small, medium, large] = [99_000, 400_000, 400_001].map(withTriangles);
   expect([small, medium, large].map(needsCoarse)).toEqual([false, false, true]);
   expect([small, medium, large].map((one) => plainNormals(one) !== null)).toEqual([false, true, false]);
-  const pictured = { ...large, uvs: new Float32Array(2) };
+  const pictured = { ...large, ranges: [{ start: 0, count: 3, picture: 0 }] };
   expect([needsCoarse(pictured), plainNormals(pictured)]).toEqual([false, null]);
   expect(coarseModel(readOf(mesh)).plainNormals).toHaveLength(coarseModel(readOf(mesh)).mesh.positions.length);
 });
@@ -184,4 +184,26 @@ test.each([
 ])('an error of %f radii is a third of a pixel at most where a model is up to %i pixels across', (error, pixels) => {
   expect(exactPixels(error)).toBe(pixels);
   expect((exactPixels(error) / 2) * error).toBeLessThanOrEqual(1 / 3);
+});
+
+test('of a simplified model glass stays glass, and of one that loses its pictures too', async () => {
+  const mesh = ball(40);
+  const { length } = mesh.indices!;
+  const ranges = [
+    { start: 0, count: length / 2, picture: 0 },
+    { start: length / 2, count: length / 2, picture: -1, isSeeThrough: true },
+  ];
+  const { mesh: simple } = await simplified(readOf({ ...mesh, ranges }), () => {}, 4000);
+  const [solid, glass] = simple.ranges!;
+  expect([solid.isSeeThrough, glass.isSeeThrough]).toEqual([undefined, true]);
+  expect([solid.start, solid.count, glass.count]).toEqual([0, glass.start, simple.indices!.length - glass.start]);
+  expect(simple.indices!.length).toBeLessThan(0.6 * length);
+  expect(Math.min(solid.count, glass.count)).toBeGreaterThan(0.3 * simple.indices!.length);
+  const heavy = { ...mesh, ranges, uvs: new Float32Array(2), indices: new Uint32Array(3 * 5_300_000) };
+  const without = withoutHeavyPictures({ ...readOf(heavy), notes: [] }) as ReadMesh;
+  expect(without.mesh.uvs).toBeUndefined();
+  expect(without.mesh.ranges?.map(({ picture, isSeeThrough = false }) => [picture, isSeeThrough])).toEqual([
+    [-1, false],
+    [-1, true],
+  ]);
 });
