@@ -4,6 +4,8 @@ import type { Texture } from 'three';
 export interface WantedPicture {
   /** Its image is a {@link PictureLink}. */
   texture: Texture;
+  /** A picture of its own whose lightness is the alpha of the other; its image is a {@link PictureLink}, too. */
+  mask?: Texture | undefined;
   /** The alpha below which nothing of the surface is there; 0 if all is. */
   cutOut: number;
 }

@@ -15,7 +15,9 @@ const SIDE = 128;
 
 /** The alpha of a picture; undefined where its pixels cannot be read. */
 export function alphaOf(picture: DecodedPicture): PictureAlpha | undefined {
-  const data = 'data' in picture ? picture.data : pixelsOf(picture);
+  const scale = 'data' in picture ? 1 : Math.min(1, SIDE / Math.max(picture.width, picture.height));
+  const [width, height] = [picture.width, picture.height].map((side) => Math.max(1, Math.round(scale * side)));
+  const data = pixelsOf(picture, width, height);
   if (!data) return undefined;
   let [sum, clear, solid] = [0, 0, 0];
   for (let i = 3; i < data.length; i += 4) {
@@ -28,11 +30,27 @@ export function alphaOf(picture: DecodedPicture): PictureAlpha | undefined {
   return { mean: sum / count, half: count > clear ? 1 - solid / (count - clear) : 0 };
 }
 
-function pixelsOf(bitmap: ImageBitmap): Uint8ClampedArray | undefined {
+/** The pixels of a picture in some size; undefined where they cannot be read. */
+export function pixelsOf(picture: DecodedPicture, width: number, height: number): Uint8ClampedArray | undefined {
+  if ('data' in picture)
+    return picture.width === width && picture.height === height ? picture.data : sampled(picture, width, height);
   if (typeof OffscreenCanvas === 'undefined') return undefined;
-  const scale = Math.min(1, SIDE / Math.max(bitmap.width, bitmap.height));
-  const [width, height] = [bitmap.width, bitmap.height].map((side) => Math.max(1, Math.round(scale * side)));
   const context = new OffscreenCanvas(width, height).getContext('2d');
-  context?.drawImage(bitmap, 0, 0, width, height);
+  context?.drawImage(picture, 0, 0, width, height);
   return context?.getImageData(0, 0, width, height).data;
+}
+
+/** The nearest pixel for each. */
+function sampled(
+  { data, width: columns, height: rows }: Extract<DecodedPicture, { data: Uint8ClampedArray }>,
+  width: number,
+  height: number,
+): Uint8ClampedArray {
+  const pixels = new Uint8ClampedArray(4 * width * height);
+  for (let i = 0; i < width * height; i++) {
+    const column = Math.floor(((i % width) * columns) / width);
+    const from = 4 * (Math.floor((Math.floor(i / width) * rows) / height) * columns + column);
+    for (let k = 0; k < 4; k++) pixels[4 * i + k] = data[from + k];
+  }
+  return pixels;
 }

@@ -1,4 +1,4 @@
-import type { Wrapping } from 'three';
+import type { Texture, Wrapping } from 'three';
 import type { FindFile } from '../common/FindFile.js';
 import { baseName, extensionOf } from '../common/fileName.js';
 import { readUri } from '../common/readUri.js';
@@ -6,6 +6,7 @@ import type { DecodedPicture, PixelPicture, Surroundings } from '../common/Surro
 import { shownName } from '../common/shownText.js';
 import { fitPictures, type PictureSize, PixelBudget } from './fitPictures.js';
 import { imageSize } from './imageSize.js';
+import { masked } from './masked.js';
 import type { PictureLink, WantedPicture } from './WantedPicture.js';
 
 /** A picture of a mesh, decoded and the right way up. */
@@ -57,12 +58,11 @@ export async function readMeshPictures(
   const budget = new PixelBudget();
   const asked = new Set<string>();
   const shared = new Map<string, Source>();
-  const sources: (Source | undefined)[] = [];
-  for (const { texture } of wanted) {
-    const { url, content } = texture.image as PictureLink;
+  const find = async ({ image, flipY }: Texture): Promise<Source | undefined> => {
+    const { url, content } = image as PictureLink;
     const isInside = /^(blob|data):/.test(url);
     const name = isInside ? 'a picture in the file' : baseName(url);
-    const key = `${texture.flipY} ${isInside ? url : name.toLowerCase()}`;
+    const key = `${flipY} ${isInside ? url : name.toLowerCase()}`;
     if (!asked.has(key)) {
       asked.add(key);
       const bytes = content ? new Uint8Array(await content.arrayBuffer()) : await readUri(url, findFile);
@@ -73,11 +73,14 @@ export async function readMeshPictures(
       else if (!budget.take(...size)) lacks.tooLarge.add(name);
       else {
         const [width, height] = size;
-        shared.set(key, { name, bytes, isTga, flipY: texture.flipY, width, height, isReduced: false });
+        shared.set(key, { name, bytes, isTga, flipY, width, height, isReduced: false });
       }
     }
-    sources.push(shared.get(key));
-  }
+    return shared.get(key);
+  };
+  const sources: { colors: Source | undefined; mask: Source | undefined }[] = [];
+  for (const { texture, mask } of wanted)
+    sources.push({ colors: await find(texture), mask: mask && (await find(mask)) });
   const distinct = [...shared.values()];
   const reduced = fitPictures(distinct);
   // One after the other, because each takes its full size for a moment.
@@ -89,10 +92,15 @@ export async function readMeshPictures(
       lacks.unreadable.add(source.name);
     }
   }
-  const pictures = sources.map((source, i) => {
-    const { texture, cutOut } = wanted[i];
-    return source?.bitmap && { bitmap: source.bitmap, wrapS: texture.wrapS, wrapT: texture.wrapT, cutOut };
-  });
+  const pictures: (MeshPicture | undefined)[] = [];
+  for (const [i, { texture, cutOut }] of wanted.entries()) {
+    const { colors, mask } = sources[i];
+    // A texture that is its own mask has no colours.
+    const own = mask === colors ? undefined : colors?.bitmap;
+    const bitmap = (mask?.bitmap && (await masked(own, mask.bitmap, decodePicture))) ?? colors?.bitmap;
+    pictures.push(bitmap && { bitmap, wrapS: texture.wrapS, wrapT: texture.wrapT, cutOut });
+  }
+  for (const { bitmap } of distinct) if (!pictures.some((picture) => picture?.bitmap === bitmap)) bitmap?.close();
   const notes = [
     ...without([...lacks.unreadable], 'no picture that a browser reads'),
     ...without([...lacks.tooLarge], 'too large'),

@@ -142,28 +142,41 @@ function pictureOf(
   material: Material | undefined,
   pictures: WantedPicture[] | undefined,
 ): number {
-  const texture = mapOf(material);
+  const texture = pictured(material);
   // Glass is drawn in its outlines, without what is printed on it.
   if (!pictures || !texture || material!.transparent || !geometry.getAttribute(uvName(texture))) return -1;
   const cutOut = material!.alphaTest;
-  const key = pictureKey({ texture, cutOut });
+  const mask = cutOut > 0 ? maskOf(material) : undefined;
+  const key = pictureKey({ texture, mask, cutOut });
   const known = pictures.findIndex((picture) => pictureKey(picture) === key);
-  return known === -1 ? pictures.push({ texture, cutOut }) - 1 : known;
+  return known === -1 ? pictures.push({ texture, cutOut, ...(mask && { mask }) }) - 1 : known;
 }
 
 /** A key that differs for pictures which need textures of their own. Offsets and scales are written into texture coordinates. */
-function pictureKey({ texture, cutOut }: WantedPicture): string {
+function pictureKey({ texture, mask, cutOut }: WantedPicture): string {
   const { flipY, wrapS, wrapT } = texture;
-  return [linkOf(texture)?.url, flipY, wrapS, wrapT, cutOut].join();
+  return [linkOf(texture)?.url, mask && linkOf(mask)?.url, flipY, wrapS, wrapT, cutOut].join();
 }
+
+/** The texture that a material is drawn with: that of its colour or, if it has none, that of its alpha. */
+const pictured = (material: Material | undefined): Texture | undefined => mapOf(material) ?? maskOf(material);
 
 const linkOf = ({ image }: Texture): Partial<PictureLink> | null => image as Partial<PictureLink> | null;
 
 /** The texture of a material's colour, if it links to its picture. */
-function mapOf(material: Material | undefined): Texture | undefined {
-  const map = (material as { map?: Texture | null } | undefined)?.map;
-  return map?.isTexture && linkOf(map)?.url ? map : undefined;
+const mapOf = (material: Material | undefined): Texture | undefined => linked((material as Maps | undefined)?.map);
+
+/** The texture of a material's alpha, if that is a picture of its own. */
+function maskOf(material: Material | undefined): Texture | undefined {
+  const { map, alphaMap } = (material ?? {}) as Maps;
+  const mask = linked(alphaMap);
+  return mask && linkOf(mask)?.url !== (map && linkOf(map)?.url) ? mask : undefined;
 }
+
+type Maps = { map?: Texture | null; alphaMap?: Texture | null };
+
+const linked = (texture: Texture | null | undefined): Texture | undefined =>
+  texture?.isTexture && linkOf(texture)?.url ? texture : undefined;
 
 const uvName = ({ channel }: Texture): string => (channel === 0 ? 'uv' : `uv${channel}`);
 
@@ -246,9 +259,9 @@ function writeColors(part: Part, colors: Float32Array): void {
 function writeUvs(part: Part, uvs: Float32Array): void {
   const { geometry } = part.mesh;
   const place = new Vector2();
-  for (const { material } of part.pieces) mapOf(material)?.updateMatrix();
+  for (const { material } of part.pieces) pictured(material)?.updateMatrix();
   forEachVertex(part, (to, from, piece) => {
-    const texture = mapOf(piece?.material);
+    const texture = pictured(piece?.material);
     if (!texture || piece?.picture === -1) return;
     place.fromBufferAttribute(geometry.getAttribute(uvName(texture)) as never, from);
     place.applyMatrix3(texture.matrix).toArray(uvs, 2 * to);

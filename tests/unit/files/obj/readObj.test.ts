@@ -1,11 +1,15 @@
 import { PNG } from 'pngjs';
 import { ClampToEdgeWrapping, RepeatWrapping } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
+import { NodeSurroundings } from '../../../../src/command/draw/NodeSurroundings.js';
+import type { PixelPicture } from '../../../../src/files/common/Surroundings.js';
+import { type ReadMesh, readModel } from '../../../../src/files/readModel.js';
 import { BOX_CORNERS, BOX_FACES } from '../../../../tools/modelFiles/box.js';
 import {
   colorsOf,
   colouredBoxMtl,
   colouredBoxObj,
+  file,
   measure,
   read,
   triangles,
@@ -151,7 +155,7 @@ describe('OBJ with pictures', () => {
       ['Wood.PNG', picture()],
     );
     const { mesh, pictures, notes } = box;
-    expect(notes).toEqual([]);
+    expect(notes).toEqual(['leaf.png is missing: drop it along']);
     expect(mesh.ranges).toEqual([
       { start: 0, count: 12, picture: -1 },
       { start: 12, count: 12, picture: 0 },
@@ -174,6 +178,35 @@ describe('OBJ with pictures', () => {
     const corners = Array.from({ length: 12 }, (_, i) => [...mesh.uvs!.subarray(2 * (first + i), 2 * (first + i) + 2)]);
     expect(Math.max(...corners.map(([u]) => u))).toBe(2);
     expect(Math.max(...corners.map(([, v]) => v))).toBe(3);
+  });
+
+  test('a picture of alpha cuts out the picture beside it, or the surface alone, by its lightness or by its alpha', async () => {
+    const pngOf = (...pixels: number[][]): Buffer => {
+      const png = new PNG({ width: pixels.length, height: 1 });
+      png.data = Buffer.from(pixels.flat());
+      return PNG.sync.write(png);
+    };
+    const drawnWith = async (mtl: string): Promise<[pixels: number[], cutOut: number]> => {
+      const files = {
+        'box.obj': texturedObj,
+        'box.mtl': `newmtl blue\n${mtl}`,
+        'wood.png': pngOf([10, 20, 30, 255], [40, 50, 60, 255]),
+        'light.png': pngOf([0, 0, 0, 255], [255, 255, 255, 255]),
+        'clear.png': pngOf([255, 255, 255, 0], [255, 255, 255, 255], [255, 255, 255, 255], [255, 255, 255, 255]),
+      };
+      const model = await readModel(
+        Object.entries(files).map(([name, content]) => file(name, content)),
+        () => {},
+        new NodeSurroundings('.'),
+      );
+      const [picture] = (model as ReadMesh).pictures;
+      return [[...(picture!.bitmap as PixelPicture).data], picture!.cutOut];
+    };
+    expect(await drawnWith('map_Kd wood.png')).toEqual([[10, 20, 30, 255, 40, 50, 60, 255], 0]);
+    expect(await drawnWith('map_Kd wood.png\nmap_d light.png')).toEqual([[10, 20, 30, 0, 40, 50, 60, 255], 0.5]);
+    expect(await drawnWith('map_Kd wood.png\nmap_d clear.png')).toEqual([[10, 20, 30, 0, 40, 50, 60, 255], 0.5]);
+    expect(await drawnWith('map_d light.png')).toEqual([[255, 255, 255, 0, 255, 255, 255, 255], 0.5]);
+    expect(await drawnWith('map_Kd wood.png\nmap_d wood.png')).toEqual([[10, 20, 30, 255, 40, 50, 60, 255], 0.5]);
   });
 
   test('pictures are judged by their headers, all together, before one is decoded', async () => {
