@@ -54,7 +54,7 @@ const DOUBLES = new Proxy(Float32Array, {
 });
 
 /** Replaces properties of an object. @returns a function that puts the former ones back */
-function replace(target: object, values: Readonly<Record<string, unknown>>): () => void {
+export function replace(target: object, values: Readonly<Record<string, unknown>>): () => void {
   const former = Object.keys(values).map((key) => [key, Object.getOwnPropertyDescriptor(target, key)] as const);
   for (const [key, value] of Object.entries(values)) {
     Object.defineProperty(target, key, { value, configurable: true, writable: true });

@@ -190,3 +190,24 @@ test('holes of COLLADA stay open, and its strips and fans are drawn', async () =
   expect(measure(model).area).toBeCloseTo((2 * 12 + 16 + 8) / radiusOf(corners) ** 2, 4);
   expect(triangles(model)).toBe(2 * 8 + 8 + 8);
 });
+
+describe('normals of a file that has none', () => {
+  const solid = extruded(ARROW, 6);
+  const zeros = async (name: string, content: string): Promise<boolean[]> => {
+    const { normals = null, positions } = (await read([name, content])).mesh;
+    return [...new Set(positions.map((_, i) => Math.abs(normals?.[i] ?? 0)))].map((size) => size === 0);
+  };
+
+  test.each<[string, string]>([
+    ['solid.obj', obj(solid)],
+    ['solid.dae', polylist(solid)],
+    ['solid.wrl', wrl(solid, false)],
+    ['solid.usda', usda(solid)],
+  ])('are left to be computed, with edges kept: %s', async (name, content) => {
+    expect(await zeros(name, content)).toEqual([true]);
+  });
+
+  test('are those that a file of VRML asks for', async () => {
+    expect(await zeros('solid.wrl', wrl(solid, false).replace('coord ', 'creaseAngle 3 coord '))).toContain(false);
+  });
+});
