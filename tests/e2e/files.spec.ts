@@ -1,6 +1,7 @@
 import type { PNG } from 'pngjs';
 import { drop, follow, openPlayground, readDrawing, ready, writtenHash } from '../../tools/browser/playground.js';
 import { BOX_CORNERS, BOX_FACES } from '../../tools/modelFiles/box.js';
+import { tetrahedron } from '../../tools/modelFiles/GltfBuilder.js';
 import {
   file,
   largeTorus,
@@ -82,6 +83,50 @@ test('what a model has behind glass is drawn, and glass casts no shadow', { tag:
   // Between the box and its shell there is paper, but for a few strokes.
   expect(changedShare(opaque, glass)).toBeGreaterThan(0.1);
   expect(meanInk(glass)).toBeLessThan(0.7 * meanInk(opaque));
+});
+
+test('cameras, lights and variants of a glTF file can be chosen', { tag: '@all' }, async ({ page }) => {
+  const builder = tetrahedron();
+  const { json } = builder;
+  json.cameras = [{ type: 'perspective', name: 'close', perspective: { yfov: 0.3, znear: 0.1 } }];
+  json.nodes.push(
+    { camera: 0, translation: [0, 0, 6] },
+    { rotation: [-Math.SQRT1_2, 0, 0, Math.SQRT1_2], extensions: { KHR_lights_punctual: { light: 0 } } },
+  );
+  json.scenes[0].nodes = [0, 1, 2];
+  json.materials = [{}, { pbrMetallicRoughness: { baseColorFactor: [0.01, 0.01, 0.01, 1] } }];
+  json.extensions = {
+    KHR_lights_punctual: { lights: [{ type: 'directional' }] },
+    KHR_materials_variants: { variants: [{ name: 'white' }, { name: 'black' }] },
+  };
+  const mappings = [{ material: 1, variants: [1] }];
+  Object.assign(json.meshes[0].primitives[0], { extensions: { KHR_materials_variants: { mappings } } });
+  // Wide enough for the card.
+  await page.setViewportSize({ width: 1000, height: 500 });
+  await openPlayground(page, `${SMALL}&localTone=100`);
+  await drop(page, [file('extras.glb', Buffer.from(builder.glb()))]);
+  const views = page.getByRole('group', { name: 'Views' }).getByRole('button');
+  await expect(views).toHaveText(['1Lights of the file', '2Light for the view', '3close']);
+  await expect(views.first()).toHaveAttribute('aria-pressed', 'true');
+  const first = await readDrawing(page);
+  expect(new URLSearchParams(await writtenHash(page)).get('lightElevation')).toBe('89');
+  await views.nth(1).click();
+  const lit = await readDrawing(page);
+  expect(changedShare(first, lit)).toBeGreaterThan(0.02);
+  await views.nth(2).click();
+  expect(changedShare(lit, await readDrawing(page))).toBeGreaterThan(0.05);
+  await views.first().click();
+  const variants = page.getByRole('group', { name: 'Variants of the model' }).getByRole('button');
+  await expect(variants).toHaveText(['white', 'black']);
+  await variants.nth(1).click();
+  await expect(variants.nth(1)).toHaveAttribute('aria-pressed', 'true');
+  expect(meanInk(await readDrawing(page))).toBeGreaterThan(1.2 * meanInk(first));
+  await variants.nth(1).click();
+  await expect(variants.nth(1)).toHaveAttribute('aria-pressed', 'false');
+  expect(changedShare(first, await readDrawing(page))).toBe(0);
+  await drop(page, [file('octahedron.obj', octahedronObj)]);
+  await expect(page.getByRole('group', { name: 'Variants of the model' })).toBeHidden();
+  await expect(views).toHaveCount(0);
 });
 
 test('a mirrored part of a model is not turned inside out', { tag: '@all' }, async ({ page }) => {
