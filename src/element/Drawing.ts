@@ -4,17 +4,20 @@ import {
   DirectionalLight,
   Group,
   type InstancedMesh,
+  type Light,
   type Material,
   MathUtils,
   type Mesh,
   type MeshPhysicalMaterial,
   type Object3D,
+  OrthographicCamera,
   PerspectiveCamera,
   Scene,
   Spherical,
   Vector3,
 } from 'three';
 import { applyHatching, flatteringLight, type HatchedScene, type HatchingPreset } from 'three-hatching';
+import { chosenIndex } from './chosenIndex.js';
 import { disposeModel, loadModel } from './loadModel.js';
 import type { ModelSource } from './ModelSource.js';
 import type { Direction } from './readAttributes.js';
@@ -23,6 +26,8 @@ import type { Direction } from './readAttributes.js';
 const LIGHT_DISTANCE = 3;
 const SHADOW = { reach: 1.05, near: 1, far: 5, mapSize: 2048, normalBias: 0.02 } as const;
 const FIELD_OF_VIEW = 30;
+const NEAR = 0.05;
+const FAR = 40;
 /** The share of the picture that the model fills, of its width or its height. */
 const FILL = 0.94;
 
@@ -33,7 +38,9 @@ const before = new Vector3();
 /** A hatched model with its light and camera. It is scaled to a radius of 1 around the origin. */
 export class Drawing {
   readonly scene = new Scene();
-  readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.05, 40);
+  /** The camera that draws: that of the file, or one that goes around the model. */
+  camera: PerspectiveCamera | OrthographicCamera;
+  private readonly around = new PerspectiveCamera(FIELD_OF_VIEW, 1, NEAR, FAR);
   private readonly light = new DirectionalLight(0xffffff, Math.PI);
   private readonly extent: Extent;
 
@@ -41,7 +48,9 @@ export class Drawing {
     private readonly model: Object3D,
     private readonly preset: HatchingPreset,
     private readonly hatched: HatchedScene,
+    private readonly ofFile: FileCamera | undefined,
   ) {
+    this.camera = this.around;
     const { shadow } = this.light;
     const { reach, near, far, mapSize, normalBias } = SHADOW;
     this.light.castShadow = true;
@@ -52,29 +61,36 @@ export class Drawing {
     shadow.autoUpdate = false;
     this.extent = extentOf(model);
     this.scene.add(fitted(model, this.extent), this.light);
+    this.scene.updateMatrixWorld();
+    // Their light is that of the drawing, which can be moved.
+    for (const light of lightsIn(model)) light.visible = false;
   }
 
   /**
    * Loads a model and hatches it.
    *
+   * @param camera of the file: a name, or a number from 1 on; '' for none
    * @param invalidate called when a frame is to be drawn because lines change by themselves
    * @throws Error whose message is a sentence for the reader of the page; the signal's reason when aborted
    */
   static async load(
     source: ModelSource,
     preset: HatchingPreset,
+    camera: string,
     signal: AbortSignal,
     invalidate: () => void,
   ): Promise<Drawing> {
-    const model = await loadModel(source);
+    const { scene: model, cameras } = await loadModel(source);
     try {
       signal.throwIfAborted();
+      const names = cameras.map((one) => one.names);
+      const ofFile = camera ? cameras[chosenIndex('camera', names, camera)].camera : undefined;
       model.traverse((object) => {
         object.receiveShadow = true;
         object.castShadow = !isSeenThrough(object as Mesh);
       });
       const hatched = await applyHatching(model, { ...preset, signal, invalidate });
-      return new Drawing(model, preset, hatched);
+      return new Drawing(model, preset, hatched, ofFile);
     } catch (error) {
       disposeModel(model);
       throw error;
@@ -85,28 +101,40 @@ export class Drawing {
     return this.preset.material.paper ?? 'white';
   }
 
-  /** The direction to a light that suits a view of the whole model. @param aspect width of the picture divided by its height */
+  /** The direction to the brightest light of the file or, if it has none, to one that suits the first view. @param aspect width of the picture divided by its height */
   lightFor(eye: Direction, aspect: number): Direction {
-    this.look(eye, 1, aspect);
-    const { theta, phi } = new Spherical().setFromVector3(flatteringLight(this.model, this.camera).direction);
-    return { azimuth: MathUtils.radToDeg(theta), elevation: 90 - MathUtils.radToDeg(phi) };
+    this.lookFirst(eye, aspect);
+    return directionOf(brightest(lightsIn(this.model)) ?? flatteringLight(this.model, this.camera).direction);
+  }
+
+  /** The direction from the model to the camera of the file, if one is asked for. */
+  get firstEye(): Direction | undefined {
+    return this.ofFile && directionOf(place.setFromMatrixPosition(this.ofFile.matrixWorld));
   }
 
   /**
    * Sets the positions of light and camera.
    *
+   * @param isFirst whether nobody has turned or zoomed: then the camera of the file draws, if one is asked for
    * @param zoom 1 makes the model just fill the picture, 2 makes it twice as large
    * @param aspect width of the picture divided by its height
    */
-  arrange(light: Direction, eye: Direction, zoom: number, aspect: number): void {
+  arrange(light: Direction, eye: Direction, zoom: number, aspect: number, isFirst: boolean): void {
     before.copy(this.light.position);
     putAt(this.light.position, light, LIGHT_DISTANCE);
     if (!this.light.position.equals(before)) this.renewShadow();
-    this.look(eye, zoom, aspect);
+    if (isFirst) this.lookFirst(eye, aspect);
+    else this.look(eye, zoom, aspect);
+  }
+
+  private lookFirst(eye: Direction, aspect: number): void {
+    if (this.ofFile) this.camera = cameraOf(this.ofFile, aspect);
+    else this.look(eye, 1, aspect);
   }
 
   private look(eye: Direction, zoom: number, aspect: number): void {
-    const { camera } = this;
+    const { around: camera } = this;
+    this.camera = camera;
     putAt(camera.position, eye, this.distance(MathUtils.degToRad(eye.elevation), aspect) / zoom);
     camera.lookAt(0, 0, 0);
     camera.aspect = aspect;
@@ -143,6 +171,51 @@ const isSeenThrough = ({ material }: Mesh): boolean =>
     .some(({ transparent, opacity, transmission = 0 }: MaybeGlass) => (transparent && opacity < 1) || transmission > 0);
 
 type MaybeGlass = Pick<Material, 'transparent' | 'opacity'> & Partial<Pick<MeshPhysicalMaterial, 'transmission'>>;
+
+type FileCamera = PerspectiveCamera | OrthographicCamera;
+
+/** A camera of a file for a picture of other proportions, which shows all of its own. */
+function cameraOf(source: FileCamera, aspect: number): FileCamera {
+  const scale = source.matrixWorld.getMaxScaleOnAxis();
+  const isFlat = 'isOrthographicCamera' in source;
+  const high = isFlat ? (scale * (source.top - source.bottom)) / 2 : Math.tan(MathUtils.degToRad(source.fov) / 2);
+  const own = isFlat ? (source.right - source.left) / (source.top - source.bottom) : source.aspect;
+  const half = Math.max(high, (high * own) / aspect);
+  const camera = isFlat
+    ? new OrthographicCamera(-half * aspect, half * aspect, half, -half, NEAR, FAR)
+    : new PerspectiveCamera(2 * MathUtils.radToDeg(Math.atan(half)), aspect, NEAR, FAR);
+  source.matrixWorld.decompose(camera.position, camera.quaternion, place);
+  return camera;
+}
+
+function lightsIn(model: Object3D): Light[] {
+  const lights: Light[] = [];
+  model.traverse((object) => {
+    if ('isLight' in object) lights.push(object as Light);
+  });
+  return lights;
+}
+
+/** The direction to the light that arrives most of in the middle of the model; undefined if there is none. */
+function brightest(lights: readonly Light[]): Vector3 | undefined {
+  let most = 0;
+  let found: Vector3 | undefined;
+  for (const light of lights) {
+    const towards = new Vector3().setFromMatrixPosition(light.matrixWorld);
+    const isFar = 'isDirectionalLight' in light;
+    if (isFar) towards.sub(place.setFromMatrixPosition((light as DirectionalLight).target.matrixWorld));
+    const arriving = light.intensity / (isFar ? 1 : towards.lengthSq());
+    if (!(arriving > most && towards.lengthSq() > 0)) continue;
+    most = arriving;
+    found = towards;
+  }
+  return found;
+}
+
+function directionOf(towards: Vector3): Direction {
+  const { theta, phi } = new Spherical().setFromVector3(towards);
+  return { azimuth: MathUtils.radToDeg(theta), elevation: 90 - MathUtils.radToDeg(phi) };
+}
 
 function putAt(position: Vector3, { azimuth, elevation }: Direction, distance: number): void {
   position.setFromSphericalCoords(distance, MathUtils.degToRad(90 - elevation), MathUtils.degToRad(azimuth));

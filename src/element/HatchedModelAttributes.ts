@@ -14,8 +14,12 @@ export interface HatchedModelAttributes {
   exposure?: number | string | undefined;
   /** How much strokes fade towards the rim, from 0 to 1. Default: 0. */
   vignette?: number | string | undefined;
-  /** Azimuth and elevation of the light in degrees. Default: one that suits the first view of the model. */
+  /** Azimuth and elevation of the light in degrees. Default: those of the file's light, or of one that suits the first view of the model. */
   light?: string | undefined;
+  /** The camera of the file that the first view is that of: its name, or its number from 1 on. */
+  camera?: number | string | undefined;
+  /** The variant of the materials of the file: its name, or its number from 1 on. */
+  variant?: number | string | undefined;
   /** Whether visitors may turn the model and its light; with `light` only the light. Default: false. */
   controls?: boolean | 'light' | undefined;
   /** Describes the picture in words; empty if it is decoration. Default: "Drawing of a model". */

@@ -22,6 +22,8 @@ const PROPERTIES = {
   exposure: 'exposure',
   vignette: 'vignette',
   light: 'light',
+  camera: 'camera',
+  variant: 'variant',
   controls: 'controls',
   alt: 'alt',
   poster: 'poster',
@@ -29,7 +31,15 @@ const PROPERTIES = {
   'ktx2-path': 'ktx2Path',
 } as const;
 /** The attributes whose change loads the model again. */
-const OF_MODEL: readonly string[] = ['src', 'preset', ...Object.keys(LOOK_NUMBERS), 'draco-path', 'ktx2-path'];
+const OF_MODEL: readonly string[] = [
+  'src',
+  'preset',
+  'camera',
+  'variant',
+  ...Object.keys(LOOK_NUMBERS),
+  'draco-path',
+  'ktx2-path',
+];
 /** A model is loaded when it is this near to the visible part of the page. */
 const LOAD_MARGIN = '300px';
 /** The largest number of pixels per CSS pixel. More of them take long and show little. */
@@ -53,7 +63,9 @@ const Base = globalThis.HTMLElement ?? (class {} as unknown as typeof HTMLElemen
  * | `local-tone` | how much the darkness of these colours is hatched, from 0 to 1; 0.8 by default |
  * | `exposure` | how much lighter the drawing is, as a factor; 1 by default |
  * | `vignette` | how much strokes fade towards the rim, from 0 to 1; 0 by default |
- * | `light` | azimuth and elevation of the light in degrees, such as `-45 40`; by default one that suits the first view of the model |
+ * | `light` | azimuth and elevation of the light in degrees, such as `-45 40`; by default that of the file, or one that suits the first view of the model |
+ * | `camera` | the camera of the file that the first view is that of: its name, or its number from 1 on |
+ * | `variant` | the variant of the materials of the file: its name, or its number from 1 on |
  * | `controls` | lets visitors turn the model and its light; with `controls="light"` only the light |
  * | `alt` | describes the picture in words; empty if it is decoration |
  * | `poster` | URL of a picture that is shown until the model is drawn |
@@ -73,6 +85,8 @@ export class HatchedModelElement extends Base {
   declare exposure: string;
   declare vignette: string;
   declare light: string;
+  declare camera: string;
+  declare variant: string;
   declare controls: string;
   declare alt: string;
   declare poster: string;
@@ -84,6 +98,8 @@ export class HatchedModelElement extends Base {
   private readonly message = document.createElement('p');
   /** The light that suits the model. */
   private suitingLight = FIRST_LIGHT;
+  /** Where the first view of the model is taken from. */
+  private firstEye = EYE;
   private readonly arrangement: Arrangement = this.home;
   private viewControls: ViewControls | undefined;
   private painter: Painter | undefined;
@@ -191,10 +207,12 @@ export class HatchedModelElement extends Base {
       const drawing = await Drawing.load(
         {
           address: resolve(this.src),
+          variant: this.variant.trim(),
           folders: { draco: folderOf(this.dracoPath), ktx2: folderOf(this.ktx2Path) },
           renderer: this.painter.renderer,
         },
         preset,
+        this.camera.trim(),
         loading.signal,
         this.invalidate,
       );
@@ -204,7 +222,7 @@ export class HatchedModelElement extends Base {
       }
       this.drawing?.dispose();
       this.drawing = drawing;
-      this.lightModel(drawing);
+      this.showFirst(drawing);
       this.say('');
       this.invalidate();
       this.dispatchEvent(new Event('load'));
@@ -215,16 +233,25 @@ export class HatchedModelElement extends Base {
     }
   }
 
-  /** Lights a new model for its first view, unless an attribute or a visitor has chosen the light. */
-  private lightModel(drawing: Drawing): void {
-    const { light } = this.arrangement;
+  /** Shows the first view of a new model and lights it, unless an attribute or a visitor has chosen the view or the light. */
+  private showFirst(drawing: Drawing): void {
+    const { light, eye } = this.arrangement;
     const before = this.home.light;
+    const { isFirst } = this;
+    this.firstEye = drawing.firstEye ?? EYE;
+    if (isFirst) Object.assign(eye, this.firstEye);
     const aspect = this.clientWidth / this.clientHeight;
     // An element without a size will get one.
-    this.suitingLight = drawing.lightFor(EYE, aspect > 0 && aspect < Infinity ? aspect : 1);
+    this.suitingLight = drawing.lightFor(this.firstEye, aspect > 0 && aspect < Infinity ? aspect : 1);
     if (light.azimuth === before.azimuth && light.elevation === before.elevation) {
       Object.assign(light, this.home.light);
     }
+  }
+
+  /** Whether the model is seen as at first. */
+  private get isFirst(): boolean {
+    const { eye, zoom } = this.arrangement;
+    return zoom === 1 && eye.azimuth === this.firstEye.azimuth && eye.elevation === this.firstEye.elevation;
   }
 
   /** The arrangement that visitors find, and go back to. */
@@ -235,7 +262,7 @@ export class HatchedModelElement extends Base {
     } catch {
       // Loading reports the error.
     }
-    return { light: { ...(light ?? this.suitingLight) }, eye: { ...EYE }, zoom: 1 };
+    return { light: { ...(light ?? this.suitingLight) }, eye: { ...this.firstEye }, zoom: 1 };
   }
 
   private showLight(): void {
@@ -306,7 +333,7 @@ export class HatchedModelElement extends Base {
     // Setting a size clears the canvas, even if it is the same.
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
     const { light, eye, zoom } = this.arrangement;
-    drawing.arrange(light, eye, zoom, width / height);
+    drawing.arrange(light, eye, zoom, width / height, this.isFirst);
     if (!painter.paint(drawing, canvas, ratio)) return;
     canvas.dataset.drawn = '';
     this.image.hidden = true;

@@ -4,12 +4,26 @@ import {
   type Material,
   type Mesh,
   type Object3D,
+  type OrthographicCamera,
+  type PerspectiveCamera,
   type SkinnedMesh,
   type Texture,
 } from 'three';
-import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import type { ModelSource } from './ModelSource.js';
 import { readExtensions } from './readExtensions.js';
+import { useVariant } from './useVariant.js';
+
+/** A camera of a model, and the names by which it can be chosen. */
+export interface NamedCamera {
+  names: string[];
+  camera: PerspectiveCamera | OrthographicCamera;
+}
+
+export interface LoadedModel {
+  scene: Object3D;
+  cameras: NamedCamera[];
+}
 
 /** The extensions that need decoders. Decoders are loaded only when needed: they are large, and strict policies forbid WebAssembly. */
 const PACKED = /^(KHR_draco_mesh_compression|(EXT|KHR)_meshopt_compression|KHR_texture_basisu)$/;
@@ -19,7 +33,7 @@ const PACKED = /^(KHR_draco_mesh_compression|(EXT|KHR)_meshopt_compression|KHR_t
  *
  * @throws Error whose message is a sentence for the reader of the page
  */
-export async function loadModel(source: ModelSource): Promise<Object3D> {
+export async function loadModel(source: ModelSource): Promise<LoadedModel> {
   const { address } = source;
   let giveBack: (() => void) | undefined;
   try {
@@ -29,12 +43,27 @@ export async function loadModel(source: ModelSource): Promise<Object3D> {
     if (extensions.used.some((name) => PACKED.test(name))) {
       giveBack = await (await import('./addDecoders.js')).addDecoders(loader, extensions, source);
     }
-    return (await loader.parseAsync(content, LoaderUtils.extractUrlBase(address))).scene;
+    const gltf = await loader.parseAsync(content, LoaderUtils.extractUrlBase(address));
+    if (source.variant) await useVariant(gltf, source.variant);
+    return { scene: gltf.scene, cameras: camerasOf(gltf) };
   } catch (cause) {
     throw new Error(sentenceOf(address, cause), { cause });
   } finally {
     giveBack?.();
   }
+}
+
+/** The cameras in the scene of a model, with the names by which they can be chosen. */
+function camerasOf({ scene, parser }: GLTF): NamedCamera[] {
+  const cameras: NamedCamera[] = [];
+  scene.traverse((object) => {
+    if (!('isCamera' in object)) return;
+    const { nodes = -1 } = parser.associations.get(object) ?? {};
+    const node = parser.json.nodes?.[nodes] ?? {};
+    const names = [parser.json.cameras?.[node.camera]?.name, node.name, `Camera ${cameras.length + 1}`];
+    cameras.push({ names: names.filter(Boolean), camera: object as NamedCamera['camera'] });
+  });
+  return cameras;
 }
 
 /** Frees the GPU memory of a loaded model. */
