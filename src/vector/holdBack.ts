@@ -2,6 +2,7 @@ import type { Bvh } from './Bvh.js';
 import type { CutRun } from './cutRun.js';
 import type { Projection } from './Projection.js';
 import { PATH_STRIDE } from './paths/LinePath.js';
+import { leftSide } from './paths/strokeOutline.js';
 
 /** Lines thinner than this do not reach beyond their surface by what could be seen. Pixels. */
 const THIN = 0.25;
@@ -28,10 +29,7 @@ export function* holdBack(
   const count = depths.length;
   for (let i = 0; i < count; i++) {
     if (i % 64 === 63) yield i / count;
-    const [before, after] = [PATH_STRIDE * Math.max(i - 1, 0), PATH_STRIDE * Math.min(i + 1, count - 1)];
-    const [dx, dy] = [points[after] - points[before], points[after + 1] - points[before + 1]];
-    const length = Math.hypot(dx, dy);
-    if (length === 0) continue;
+    const [left, up] = leftSide(path, i);
     const o = PATH_STRIDE * i;
     const pixel = projection.unitsPerPixel(depths[i]);
     for (const side of [0, 1]) {
@@ -39,8 +37,8 @@ export function* holdBack(
       if (half < THIN) continue;
       const sign = side === 0 ? 1 : -1;
       const depthAt = (reach: number): number => {
-        const x = points[o] + (sign * reach * dy) / length;
-        const y = points[o + 1] - (sign * reach * dx) / length;
+        const x = points[o] + sign * reach * left;
+        const y = points[o + 1] + sign * reach * up;
         const { origin, direction } = projection.rayThrough(x, y);
         const met = bvh.firstMet(origin, direction, projection.camera.near);
         return isSheer && met > depths[i] - GENTLE * half * pixel ? depths[i] : met;

@@ -13,9 +13,9 @@ export function strokeOutline({ points, isClosed }: LinePath): Ring[] {
   const right: number[] = [];
   for (let i = 0; i < count; i++) {
     const o = PATH_STRIDE * i;
-    const [tx, ty, mitre] = tangentAt(points, i, count, isClosed);
-    left.push(points[o] - ty * points[o + 2] * mitre, points[o + 1] + tx * points[o + 2] * mitre);
-    right.push(points[o] + ty * points[o + 3] * mitre, points[o + 1] - tx * points[o + 3] * mitre);
+    const [x, y] = leftSide({ points, isClosed }, i);
+    left.push(points[o] + x * points[o + 2], points[o + 1] + y * points[o + 2]);
+    right.push(points[o] - x * points[o + 3], points[o + 1] - y * points[o + 3]);
   }
   const back: number[] = [];
   for (let i = count - 1; i >= 0; i--) back.push(right[2 * i], right[2 * i + 1]);
@@ -23,13 +23,9 @@ export function strokeOutline({ points, isClosed }: LinePath): Ring[] {
   return isClosed ? [left, back] : [[...left, ...back]];
 }
 
-/** The direction of a path at a point, unit, and by how much its sides are farther away at a turn. */
-function tangentAt(
-  points: readonly number[],
-  i: number,
-  count: number,
-  isClosed: boolean,
-): readonly [number, number, number] {
+/** Where the left side of a path lies beside a point, in half widths: as far away as its turn there asks for. The right side lies opposite. */
+export function leftSide({ points, isClosed }: LinePath, i: number): readonly [x: number, y: number] {
+  const count = points.length / PATH_STRIDE;
   const before = isClosed ? (i + count - 1) % count : Math.max(i - 1, 0);
   const after = isClosed ? (i + 1) % count : Math.min(i + 1, count - 1);
   // The mean of both directions, so that a long piece does not outweigh a short one.
@@ -44,7 +40,8 @@ function tangentAt(
     if (length > 0) [tx, ty] = [tx + dx / length, ty + dy / length];
   }
   const length = Math.hypot(tx, ty);
-  if (length === 0) return [1, 0, 1];
+  if (length === 0) return [0, 1];
   const isEnd = before === i || after === i;
-  return [tx / length, ty / length, isEnd ? 1 : Math.min(2 / Math.max(length, 1), LONGEST_MITRE)];
+  const mitre = isEnd ? 1 : Math.min(2 / Math.max(length, 1), LONGEST_MITRE);
+  return [(-ty / length) * mitre, (tx / length) * mitre];
 }

@@ -26,8 +26,8 @@ export const svg: readonly Mutation[] = [
   {
     name: 'both sides of a stroke are as wide as the left one',
     file: 'src/vector/paths/strokeOutline.ts',
-    find: 'points[o] + ty * points[o + 3] * mitre',
-    replace: 'points[o] + ty * points[o + 2] * mitre',
+    find: 'points[o] - x * points[o + 3]',
+    replace: 'points[o] - x * points[o + 2]',
     caughtBy: { layer: 'unit', file: 'tests/unit/vector/paths.test.ts', title: 'covers as much as its widths say' },
   },
   {

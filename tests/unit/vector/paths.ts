@@ -12,13 +12,13 @@ export function ringsOf(data: string): number[][] {
   return rings;
 }
 
-/** The path data of a drawing, of one layer or of all. */
-export function pathsOf(svg: string, layer = ''): string[] {
+/** The path data of a drawing, of the layers whose names begin so or that a pattern fits. */
+export function pathsOf(svg: string, layer: string | RegExp = ''): string[] {
   const groups = [
     ...svg.matchAll(/<g id="[^"]*" inkscape:groupmode="layer" inkscape:label="\d+ ([^"]*)"[^>]*>([\s\S]*?)<\/g>/g),
   ];
   return groups
-    .filter(([, name]) => name.startsWith(layer))
+    .filter(([, name]) => (typeof layer === 'string' ? name.startsWith(layer) : layer.test(name)))
     .flatMap(([, , body]) => [...body.matchAll(/<path d="([^"]*)"\/>/g)].map(([, data]) => data));
 }
 
