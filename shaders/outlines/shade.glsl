@@ -1,8 +1,8 @@
-// Illustrators draw the side away from the light with a heavier outline, and leave it out between lit surface and paper.
+// Illustrators draw the side away from the light with a heavier outline, and a thin one between lit surface and paper.
 #include "meanLight"
 
 uniform vec2 shadeWeights; // lit, shaded
-uniform float lostEdges; // how much of the contours between lit surface and paper is lost
+uniform float lostEdges; // how much of the contours between lit surface and paper is lost, and how thin the rest becomes
 
 mat4 objectToView() {
   #ifdef USE_INSTANCING
@@ -27,8 +27,9 @@ void shadeEnd(inout PieceEnd end, const in float contour, const in vec3 light, c
   end.weight *= weight;
   end.innerWeight *= weight;
   float inside = dot(normalize(normal + INSIDE * sight), light);
-  float lost = 1.0 - LOST_RANGE * lostEdges;
-  end.weight *= 1.0 - contour * smoothstep(lost, lost + LOST_TAPER, inside);
+  float from = 1.0 - LOST_RANGE * lostEdges;
+  float lost = 1.0 - LOST_WEIGHT * (1.0 - lostEdges);
+  end.weight *= 1.0 - contour * lost * smoothstep(from, from + LOST_TAPER, inside);
 }
 
 void shade(inout Piece piece) {

@@ -2,8 +2,9 @@
 import { OUTLINE_CONSTANTS } from './constants/outlineConstants.js';
 import { clamp01, combined, cross, dot, lengthOf, mix, normalize, smoothstep, type Vec3 } from './vectors.js';
 
-const { LIT, SHADED, INSIDE, LOST_RANGE, LOST_TAPER, LIFT_SHARE, MOST_RISE, EDGE_SLOPE, BEGINS_AS_PAPER, IS_PAPER } =
+const { LIT, SHADED, INSIDE, LOST_RANGE, LOST_TAPER, LOST_WEIGHT, LIFT_SHARE, MOST_RISE, EDGE_SLOPE } =
   OUTLINE_CONSTANTS;
+const { BEGINS_AS_PAPER, IS_PAPER } = OUTLINE_CONSTANTS;
 const { STRAY_ACROSS, ACROSS_BENT, ACROSS_BEND, STRAY_UP, UP_BENT, UP_BEND, UP_PHASE } = OUTLINE_CONSTANTS;
 const { LOOKED_BESIDE, ROUNDING, STRAY_FINELY, FINE_PHASE, STRAY_SHARES } = OUTLINE_CONSTANTS;
 
@@ -53,8 +54,9 @@ export function shadeWeight(
 ): readonly [inner: number, outer: number] {
   const weight = mix(shadeWeights[0], shadeWeights[1], smoothstep(LIT, SHADED, 0.5 - 0.5 * dot(normal, light)));
   const inside = dot(normalize(combined(1, normal, INSIDE, sight)), light);
-  const lost = 1 - LOST_RANGE * lostEdges;
-  return [weight, weight * (1 - contour * smoothstep(lost, lost + LOST_TAPER, inside))];
+  const from = 1 - LOST_RANGE * lostEdges;
+  const lost = 1 - LOST_WEIGHT * (1 - lostEdges);
+  return [weight, weight * (1 - contour * lost * smoothstep(from, from + LOST_TAPER, inside))];
 }
 
 /** A piece of an outline, as far as its visibility goes. Lengths in world units. */

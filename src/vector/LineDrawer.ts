@@ -10,6 +10,7 @@ import { Engraver, type FamilyName } from './Engraver.js';
 import { dashed, endHairlines } from './hairlines.js';
 import { holdBack } from './holdBack.js';
 import type { LineMedium } from './marks/lineMarks.js';
+import { dropScraps } from './outlines/dropScraps.js';
 import { hiddenLook, weighHidden } from './outlines/hiddenPieces.js';
 import { outlineChains } from './outlines/outlineChains.js';
 import { outlinePieces } from './outlines/outlinePieces.js';
@@ -53,6 +54,16 @@ const ABOVE = 1e-6;
 /** Behind something that is seen through a pen draws dashes, whose beginnings lie so many of its widths apart. */
 const FADED_PERIOD = 12;
 
+/** A piece of an outline that a pen draws is at least so long, or meets others, millimetres. */
+const SHORTEST_ALONE = 2;
+
+/** A path of a layer. left: the share of it that is left behind what is seen through. */
+interface LeftPath {
+  layer: PathLayer;
+  path: LinePath;
+  left: number;
+}
+
 /** A line as far as a share of it is left behind something that is seen through. */
 interface FadedPart {
   faded: Chain;
@@ -86,6 +97,7 @@ export class LineDrawer {
   /**
    * @param pen its width, pixels; null where widths are the tone
    * @param least the width of the thinnest line of a print, pixels; 0 for none
+   * @param millimetre pixels to one
    */
   constructor(
     private readonly scene: DrawnScene,
@@ -93,26 +105,31 @@ export class LineDrawer {
     private readonly projection: Projection,
     private readonly bvh: Bvh,
     private readonly least = 0,
+    private readonly millimetre = 1,
   ) {
     this.above = ABOVE * bvh.extent;
     this.fading = new Fading(bvh, projection, scene.veils, this.above, veilTones(scene, projection, bvh));
   }
 
   *drawOutlines(): Generator<number, void, void> {
+    const { pen, millimetre } = this;
     const { outlines } = this.scene;
+    const seen: LeftPath[] = [];
     for (const [i, outlined] of outlines.entries())
-      yield* asPhase(this.drawOutline(outlined), i / outlines.length, (i + 1) / outlines.length);
+      yield* asPhase(this.drawOutline(outlined, seen), i / outlines.length, (i + 1) / outlines.length);
+    const kept = pen === null ? seen : dropScraps(seen, { shortest: SHORTEST_ALONE * millimetre, near: pen });
+    for (const one of kept) this.addPath(one);
   }
 
-  private *drawOutline(outlined: OutlinedMesh): Generator<number, void, void> {
-    if (outlined.look.hidden === 'none') yield* this.drawSeen(outlined);
+  private *drawOutline(outlined: OutlinedMesh, seen: LeftPath[]): Generator<number, void, void> {
+    if (outlined.look.hidden === 'none') yield* this.drawSeen(outlined, seen);
     else {
-      yield* asPhase(this.drawSeen(outlined), 0, 0.5);
+      yield* asPhase(this.drawSeen(outlined, seen), 0, 0.5);
       yield* asPhase(this.drawHidden(outlined), 0.5, 1);
     }
   }
 
-  private *drawSeen({ mesh, look, clip, ink }: OutlinedMesh): Generator<number, void, void> {
+  private *drawSeen({ mesh, look, clip, ink }: OutlinedMesh, seen: LeftPath[]): Generator<number, void, void> {
     const { scene, projection, bvh, least } = this;
     const pieces = yield* asPhase(outlinePieces(mesh, look), 0, 0.4);
     const joining = outlineChains(pieces, mesh, look, projection, scene.illumination);
@@ -125,7 +142,9 @@ export class LineDrawer {
       const isSeen = clipped(outlineTest(chain, bvh, projection), clip);
       for (const { faded, left, isLeft } of yield* this.fadedParts(chain, isSeen)) {
         if (least > 0) endHairlines(faded, least);
-        yield* asPhase(this.addChain(this.layerOf('outlines', ink), faded, isLeft, left), (from + to) / 2, to);
+        const layer = this.layerOf('outlines', ink);
+        for (const { path } of yield* asPhase(this.seenParts(faded, isLeft), (from + to) / 2, to))
+          seen.push({ layer, path, left });
       }
     }
   }
@@ -271,25 +290,30 @@ export class LineDrawer {
     };
   }
 
-  /** Adds what is seen of a chain. left: the share that is left of it, which a pen draws as dashes. surface: that its sides must not reach beyond. */
+  /** Adds what is seen of a line on a surface. left: the share that is left of it. */
   private *addChain(
-    { paths }: PathLayer,
+    layer: PathLayer,
     chain: Chain,
     isSeen: SeenTest,
     left: number,
-    surface?: EngravedSurface,
+    surface: EngravedSurface,
   ): Generator<number, void, void> {
     const { projection, bvh, pen } = this;
     for (const cut of yield* asPhase(this.seenParts(chain, isSeen), 0, 0.7)) {
-      if (pen !== null && left < 1)
-        paths.push(...dashes(cut.path, left * FADED_PERIOD * pen, (1 - left) * FADED_PERIOD * pen));
-      else if (!surface || pen !== null) paths.push(cut.path);
+      if (pen !== null) this.addPath({ layer, path: cut.path, left });
       else {
         const finer = refineEnds(cut);
         yield* asPhase(holdBack(finer, bvh, projection, !surface.hides), 0.7, 1);
-        paths.push(finer.path);
+        layer.paths.push(finer.path);
       }
     }
+  }
+
+  /** Adds a path, which a pen draws as dashes where only a share of it is left. */
+  private addPath({ layer: { paths }, path, left }: LeftPath): void {
+    const { pen } = this;
+    if (pen === null || left === 1) paths.push(path);
+    else paths.push(...dashes(path, left * FADED_PERIOD * pen, (1 - left) * FADED_PERIOD * pen));
   }
 
   private *seenParts(chain: Chain, isSeen: SeenTest): Generator<number, CutRun[], void> {

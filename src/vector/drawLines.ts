@@ -25,7 +25,8 @@ export function* drawLines(scene: DrawnScene, plan: DrawingPlan): Generator<numb
   const phases = drawingPhases(scene);
   const bvh = yield* asPhase(Bvh.build(scene.corners, scene.sides, scene.cutouts), ...phases.building);
   const pen = plan.pen === null ? null : plan.pen / placement.scale;
-  const drawer = new LineDrawer(scene, pen, projection, bvh, pen === null ? plan.leastWidth / placement.scale : 0);
+  const least = pen === null ? plan.leastWidth / placement.scale : 0;
+  const drawer = new LineDrawer(scene, pen, projection, bvh, least, 1 / placement.scale);
   yield* asPhase(drawer.drawOutlines(), ...phases.outlines);
   yield* asPhase(drawer.drawSurfaces(), ...phases.surfaces);
   yield* asPhase(drawer.drawBackgrounds(), ...phases.backgrounds);

@@ -6,11 +6,12 @@ export const OUTLINE_CONSTANTS = {
   /** How far the surface just inside of a contour leans towards the eye: the share of that direction in its normal. */
   INSIDE: 0.5,
   /**
-   * The N·L just inside above which a contour is lost falls from 1 by as much as this. Over the second of N·L it tapers to nothing, so that
-   * the pen lifts instead of fading.
+   * The N·L just inside above which a contour is lost falls from 1 by as much as this. Over the second of N·L it tapers to the third, a
+   * share of its weight, times what of all edges is not lost: where a line ended, an outline would be in pieces.
    */
   LOST_RANGE: 0.7,
   LOST_TAPER: 0.12,
+  LOST_WEIGHT: 0.5,
 
   /** The lift as a share of the bounding radius, for rounding and for what smooth normals and flat triangles differ by. */
   LIFT_SHARE: 0.004,

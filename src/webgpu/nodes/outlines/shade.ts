@@ -23,7 +23,7 @@ const {
   vec3,
   vec4,
 } = tsl;
-const { INSIDE, LIT, LOST_RANGE, LOST_TAPER, SHADED } = OUTLINE_CONSTANTS;
+const { INSIDE, LIT, LOST_RANGE, LOST_TAPER, LOST_WEIGHT, SHADED } = OUTLINE_CONSTANTS;
 
 /** Lit, shaded. */
 const shadeWeights = /* @__PURE__ */ hatchingUniform('shadeWeights', 'vec2');
@@ -49,9 +49,10 @@ function shadeEnd(end: PieceEnd, contour: Value, light: Value, sight: Value, pla
   const share = smoothstep(LIT, SHADED, float(0.5).sub(dot(normal, light).mul(0.5)));
   const weight = mix(shadeWeights.x, shadeWeights.y, share).toVar();
   const inside = dot(normalize(normal.add(sight.mul(INSIDE))), light);
-  const lost = float(1).sub(lostEdges.mul(LOST_RANGE)).toVar();
+  const from = float(1).sub(lostEdges.mul(LOST_RANGE)).toVar();
+  const lost = float(1).sub(float(1).sub(lostEdges).mul(LOST_WEIGHT));
   end.innerWeight.mulAssign(weight);
-  end.weight.mulAssign(weight.mul(float(1).sub(contour.mul(smoothstep(lost, lost.add(LOST_TAPER), inside)))));
+  end.weight.mulAssign(weight.mul(float(1).sub(contour.mul(lost).mul(smoothstep(from, from.add(LOST_TAPER), inside)))));
 }
 
 /** @param lights of the scene */

@@ -1,0 +1,98 @@
+import { type LinePath, PATH_STRIDE, pathLength } from '../paths/LinePath.js';
+
+/** How short and how far from all others a line is that stands alone, pixels. */
+export interface ScrapLimits {
+  /** Lines that meet are shorter than this together. */
+  shortest: number;
+  /** Two lines meet where an end of one is no farther from the other. */
+  near: number;
+}
+
+/** No piece of a line is looked at in more places. */
+const MOST_STEPS = 2 ** 16;
+/** Cells are told by one number: rows are so many cells apart. */
+const ROW = 2 ** 22;
+
+/** Paths without those that stand alone: short open ones that meet no others, or only such that all together are short too. */
+export function dropScraps<Item extends { path: LinePath }>(items: readonly Item[], limits: ScrapLimits): Item[] {
+  const lengths = items.map(({ path }) => pathLength(path));
+  const isShort = items.map(({ path }, i) => !path.isClosed && lengths[i] < limits.shortest);
+  if (!isShort.includes(true)) return [...items];
+  const groups = new Groups(lengths.map((length, i) => (isShort[i] ? length : Infinity)));
+  const places = new Places(limits.near);
+  for (const [i, { path }] of items.entries()) places.add(path, i);
+  for (const [i, { path }] of items.entries()) {
+    if (!isShort[i]) continue;
+    const { points } = path;
+    for (const end of [0, points.length - PATH_STRIDE])
+      for (const other of places.near(points[end], points[end + 1])) groups.join(i, other);
+  }
+  return items.filter((_, i) => groups.lengthOf(i) >= limits.shortest);
+}
+
+/** Which lines lie at a place, found by cells. */
+class Places {
+  private readonly cells = new Map<number, [x: number, y: number, line: number][]>();
+
+  constructor(private readonly distance: number) {}
+
+  private cellOf(x: number, y: number): number {
+    return Math.floor(x / this.distance) + ROW * Math.floor(y / this.distance);
+  }
+
+  /** Adds a line by places on it that are half of the distance apart. */
+  add({ points, isClosed }: LinePath, line: number): void {
+    const count = points.length / PATH_STRIDE;
+    for (let i = 0; i < count; i++) {
+      const [from, to] = [PATH_STRIDE * i, PATH_STRIDE * ((i + 1) % count)];
+      const [dx, dy] = [points[to] - points[from], points[to + 1] - points[from + 1]];
+      const isLast = i === count - 1 && !isClosed;
+      const asked = Math.ceil((2 * Math.hypot(dx, dy)) / this.distance);
+      const steps = isLast ? 1 : Math.min(Math.max(asked, 1), MOST_STEPS);
+      for (let k = 0; k < steps; k++) {
+        const [x, y] = [points[from] + (k * dx) / steps, points[from + 1] + (k * dy) / steps];
+        const cell = this.cellOf(x, y);
+        const known = this.cells.get(cell);
+        if (known) known.push([x, y, line]);
+        else this.cells.set(cell, [[x, y, line]]);
+      }
+    }
+  }
+
+  *near(x: number, y: number): Generator<number, void, void> {
+    const { distance } = this;
+    for (const dy of [-distance, 0, distance]) {
+      for (const dx of [-distance, 0, distance]) {
+        for (const [px, py, line] of this.cells.get(this.cellOf(x + dx, y + dy)) ?? [])
+          if (Math.hypot(px - x, py - y) <= distance) yield line;
+      }
+    }
+  }
+}
+
+/** Lines that meet, and how long all of a group are together. */
+class Groups {
+  private readonly parents: number[];
+
+  constructor(private readonly lengths: number[]) {
+    this.parents = lengths.map((_, i) => i);
+  }
+
+  private rootOf(line: number): number {
+    let root = line;
+    while (this.parents[root] !== root) root = this.parents[root];
+    this.parents[line] = root;
+    return root;
+  }
+
+  join(a: number, b: number): void {
+    const [into, from] = [this.rootOf(a), this.rootOf(b)];
+    if (into === from) return;
+    this.parents[from] = into;
+    this.lengths[into] += this.lengths[from];
+  }
+
+  lengthOf(line: number): number {
+    return this.lengths[this.rootOf(line)];
+  }
+}
