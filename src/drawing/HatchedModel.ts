@@ -105,7 +105,7 @@ export class HatchedModel {
   /**
    * @param root the model, centred, with a radius of 1. Its materials are hatching materials with the colours and maps
    *   of the source, and strokes of one tile per world unit.
-   * @param bounds of the root, in all poses
+   * @param bounds of what of the root stands on a ground
    * @param outline xyz of points on the outer parts of the root, in all poses
    * @param stands which of its axes points up; undefined if no flat side shows that
    * @param motion its clips and morph targets, if it has any

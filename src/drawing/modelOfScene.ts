@@ -23,6 +23,7 @@ import { HatchedModel } from './HatchedModel.js';
 import { Motion } from './Motion.js';
 import { meshesOf } from './meshesOf.js';
 import { freeGraphics } from './releaseGraphics.js';
+import { carryingBox, standingBox } from './standingBox.js';
 import { statisticsOf } from './statisticsOf.js';
 import { widenIntegers } from './widenIntegers.js';
 
@@ -67,7 +68,7 @@ export async function modelOfScene(
   const motion = new Motion(root, usable);
   const holder = new Group().add(root);
   await slices.next();
-  const outline = fitScene(holder, motion);
+  const { outline, standing } = fitScene(holder, motion);
   await slices.next();
   const { points, share } = someTriangles(root);
   const stands = usual && findUpAxis(points, null, usual);
@@ -87,7 +88,7 @@ export async function modelOfScene(
   await ending.next();
   const model = new HatchedModel(
     holder,
-    new Box3().setFromArray(outline),
+    standing,
     outline,
     stands,
     statistics,
@@ -143,17 +144,19 @@ function removeUnseen(root: Object3D): void {
  * Moves and scales `holder` so that its content is centred and its farthest vertex lies at distance 1, in all sampled
  * poses of the clip.
  *
- * @returns points of its outline in these poses, as xyz
+ * @returns points of its outline in these poses, as xyz, and the box by which it stands on a ground
  */
-function fitScene(holder: Group, motion: Motion): Float32Array {
+function fitScene(holder: Group, motion: Motion): { outline: Float32Array; standing: Box3 } {
   const vertices = countVertices(holder);
   const poses = motion.duration > 0 ? MathUtils.clamp(Math.floor(MAX_POINTS / vertices), 1, MAX_POSES) : 1;
   const step = Math.ceil((vertices * poses) / MAX_POINTS);
   const points: number[] = [];
+  const boxes: Box3[] = [];
   for (let i = 0; i < poses; i++) {
     motion.time = (i / poses) * motion.duration;
     holder.updateMatrixWorld(true);
     addPoints(holder, step, points);
+    boxes.push(carryingBox(holder));
   }
   motion.time = 0;
   const { centre, radius } = measureExtent(points);
@@ -164,7 +167,8 @@ function fitScene(holder: Group, motion: Motion): Float32Array {
   const point = new Vector3();
   for (let i = 0; i < points.length; i += 3)
     point.fromArray(points, i).applyMatrix4(holder.matrixWorld).toArray(outline, i);
-  return outline;
+  const standing = standingBox(boxes).applyMatrix4(holder.matrixWorld);
+  return { outline, standing: standing.isEmpty() ? new Box3().setFromArray(outline) : standing };
 }
 
 /** Triangles chosen evenly from all of a scene, as xyz of their corners, and the share of the scene's triangles that they are. */

@@ -1,0 +1,61 @@
+import { Box3, type Material, type Mesh, type Object3D, Vector3 } from 'three';
+import { placements } from '../files/scenes/placements.js';
+import { meshesOf } from './meshesOf.js';
+
+/** The most vertices that are looked at. */
+const MOST_POINTS = 100_000;
+/** A pose may reach so much farther than the first one and still stand on the same ground, as a share of the extent. */
+const SAME_GROUND = 0.03;
+
+/**
+ * The box of what carries a scene in its present pose: of what is drawn and hides what lies behind it. A hidden part or a pane of glass does
+ * not, unless there is nothing else.
+ */
+export function carryingBox(root: Object3D): Box3 {
+  const drawn = meshesOf(root).filter((mesh) => isShown(mesh, root));
+  const solid = boxOf(drawn.filter((mesh) => materialsOf(mesh).some(isSolid)));
+  return solid.isEmpty() ? boxOf(drawn) : solid;
+}
+
+/** The box by which a scene stands on a ground: that of its first pose, or of all if others reach much farther, as a jump does. */
+export function standingBox([first, ...others]: readonly Box3[]): Box3 {
+  const all = others.reduce((box, other) => box.union(other), first.clone());
+  const near = SAME_GROUND * all.min.distanceTo(all.max);
+  const box = first.clone();
+  for (const axis of ['x', 'y', 'z'] as const) {
+    if (box.min[axis] - all.min[axis] > near) box.min[axis] = all.min[axis];
+    if (all.max[axis] - box.max[axis] > near) box.max[axis] = all.max[axis];
+  }
+  return box;
+}
+
+function boxOf(meshes: readonly Mesh[]): Box3 {
+  const box = new Box3();
+  const point = new Vector3();
+  const counts = meshes.map(({ geometry }) => geometry.getAttribute('position')?.count ?? 0);
+  const step = Math.ceil(counts.reduce((sum, count) => sum + count, 0) / MOST_POINTS) || 1;
+  for (const [i, mesh] of meshes.entries()) {
+    const { index } = mesh.geometry;
+    const corners = index?.count ?? counts[i];
+    for (const matrix of placements(mesh)) {
+      // A vertex that no triangle uses is not drawn.
+      for (let corner = 0; corner < corners; corner += step) {
+        mesh.getVertexPosition(index ? index.getX(corner) : corner, point).applyMatrix4(matrix);
+        if (Number.isFinite(point.x + point.y + point.z)) box.expandByPoint(point);
+      }
+    }
+  }
+  return box;
+}
+
+function isShown(mesh: Mesh, root: Object3D): boolean {
+  for (let object: Object3D | null = mesh; object; object = object === root ? null : object.parent) {
+    if (!object.visible) return false;
+  }
+  return materialsOf(mesh).some(({ visible, opacity }) => visible && opacity > 0);
+}
+
+const isSolid = ({ visible, transparent, transmission = 0 }: Material & { transmission?: number }): boolean =>
+  visible && !transparent && transmission === 0;
+
+const materialsOf = ({ material }: Mesh): Material[] => (Array.isArray(material) ? material : [material]);
