@@ -1,26 +1,15 @@
 import { nextCorner } from '../mesh/corners.js';
-import { hashWords } from '../mesh/hashWords.js';
-import { weldPositions } from '../mesh/weldPositions.js';
 
 /** Stands for the corner of an edge that no triangle has. */
 export const NO_CORNER = -1;
 
-/** Finds the edges of triangles by where they begin and end. */
+/** Finds the edges of triangles by the points that they begin and end at. */
 export class EdgeTable {
-  /** Of each point the first one at its position. */
-  private readonly places: Uint32Array;
   /** A corner + 1 in each slot; 0 in an empty one. */
   private readonly table: Uint32Array;
 
   /** @param points of the corners of triangles */
-  constructor(
-    positions: Float32Array<ArrayBuffer>,
-    private readonly points: Uint32Array,
-  ) {
-    const welding = weldPositions(positions);
-    let step = welding.next();
-    while (!step.done) step = welding.next();
-    this.places = step.value.canonical;
+  constructor(private readonly points: Uint32Array) {
     let size = 16;
     while (size < 2 * points.length) size *= 2;
     this.table = new Uint32Array(size);
@@ -37,16 +26,12 @@ export class EdgeTable {
 
   /** The slot of an edge, or the empty one that it would have. */
   private slotOf(from: number, to: number): number {
-    const { places, points, table } = this;
-    const start = places[from];
-    const end = places[to];
+    const { points, table } = this;
     const mask = table.length - 1;
-    let slot = hashWords(start, end, 0) & mask;
-    for (;;) {
+    const mixed = Math.imul(from, 0x9e3779b1) ^ Math.imul(to, 0x85ebca6b);
+    for (let slot = (mixed ^ (mixed >>> 15)) & mask; ; slot = (slot + 1) & mask) {
       const corner = table[slot] - 1;
-      if (corner < 0) return slot;
-      if (places[points[corner]] === start && places[points[nextCorner(corner)]] === end) return slot;
-      slot = (slot + 1) & mask;
+      if (corner < 0 || (points[corner] === from && points[nextCorner(corner)] === to)) return slot;
     }
   }
 }

@@ -31,7 +31,7 @@ export class PrimitiveSplitter {
     this.points = new Uint32Array(3 * triangleCount);
     for (let t = 0; t < triangleCount; t++)
       for (let k = 0; k < 3; k++) this.points[3 * t + k] = this.words[PRIMITIVE_WORDS * t + k];
-    this.edges = new EdgeTable(positions, this.points);
+    this.edges = new EdgeTable(this.points);
     this.sides = new Int32Array(2 * edgeCount);
     this.isListed = new Uint8Array(3 * triangleCount);
     for (let edge = 0; edge < edgeCount; edge++) this.findSides(edge);
@@ -68,7 +68,7 @@ export class PrimitiveSplitter {
     return this.data.primitives.image.data as Uint32Array<ArrayBuffer>;
   }
 
-  /** Whether what lies across an edge is not drawn. */
+  /** Whether what lies across an edge is not drawn. Of edges that are not listed both sides have the same points. */
   private isCut(corner: number, partOf: Int32Array): boolean {
     const { edges, points } = this;
     const across = edges.find(points[nextCorner(corner)], points[corner]);
