@@ -18,10 +18,10 @@ export class PrimitiveSplitter {
   private readonly normals: Float32Array<ArrayBuffer>;
   /** The points of the corners of all triangles. */
   private readonly points: Uint32Array;
-  private readonly edges: EdgeTable;
+  /** For each edge the corners that its two sides start it at. */
   private readonly sides: Int32Array;
-  /** Whether the edge at a corner is among the edges. */
-  private readonly isListed: Uint8Array;
+  /** For each corner the triangle across its edge, on surfaces that go on there; of edges that are listed `NO_CORNER`. */
+  private readonly across: Int32Array;
 
   constructor(private readonly data: OutlineData) {
     const { triangleCount, edgeCount } = data;
@@ -31,10 +31,16 @@ export class PrimitiveSplitter {
     this.points = new Uint32Array(3 * triangleCount);
     for (let t = 0; t < triangleCount; t++)
       for (let k = 0; k < 3; k++) this.points[3 * t + k] = this.words[PRIMITIVE_WORDS * t + k];
-    this.edges = new EdgeTable(this.points);
+    const table = new EdgeTable(this.points);
     this.sides = new Int32Array(2 * edgeCount);
-    this.isListed = new Uint8Array(3 * triangleCount);
-    for (let edge = 0; edge < edgeCount; edge++) this.findSides(edge);
+    for (let edge = 0; edge < edgeCount; edge++) this.findSides(edge, table);
+    this.across = new Int32Array(3 * triangleCount);
+    for (let corner = 0; corner < this.across.length; corner++) {
+      // Of edges that are not listed both sides have the same points.
+      const twin = table.find(this.points[nextCorner(corner)], this.points[corner]);
+      this.across[corner] = twin === NO_CORNER ? NO_CORNER : triangleOf(twin);
+    }
+    for (const corner of this.sides) if (corner !== NO_CORNER) this.across[corner] = NO_CORNER;
   }
 
   /**
@@ -45,13 +51,15 @@ export class PrimitiveSplitter {
   split(partOf: Int32Array, partCount: number): OutlineData[] {
     const triangles = Array.from({ length: partCount }, (): number[] => []);
     const edges = Array.from({ length: partCount }, (): number[] => []);
-    const { data, sides } = this;
+    const { across, data, sides } = this;
     for (let t = 0; t < data.triangleCount; t++) {
       const part = partOf[t];
       if (part === NO_PART) continue;
       triangles[part].push(t);
-      for (let corner = 3 * t; corner < 3 * t + 3; corner++)
-        if (!this.isListed[corner] && this.isCut(corner, partOf)) this.pushBorder(corner, edges[part]);
+      for (let corner = 3 * t; corner < 3 * t + 3; corner++) {
+        const other = across[corner];
+        if (other !== NO_CORNER && partOf[other] === NO_PART) this.pushBorder(corner, edges[part]);
+      }
     }
     for (let edge = 0; edge < data.edgeCount; edge++) {
       const [left, right] = [sides[2 * edge], sides[2 * edge + 1]];
@@ -68,15 +76,8 @@ export class PrimitiveSplitter {
     return this.data.primitives.image.data as Uint32Array<ArrayBuffer>;
   }
 
-  /** Whether what lies across an edge is not drawn. Of edges that are not listed both sides have the same points. */
-  private isCut(corner: number, partOf: Int32Array): boolean {
-    const { edges, points } = this;
-    const across = edges.find(points[nextCorner(corner)], points[corner]);
-    return across !== NO_CORNER && partOf[triangleOf(across)] === NO_PART;
-  }
-
-  private findSides(edge: number): void {
-    const { data, edges, isListed, sides, words } = this;
+  private findSides(edge: number, edges: EdgeTable): void {
+    const { data, sides, words } = this;
     const o = PRIMITIVE_WORDS * (data.triangleCount + edge);
     const flags = flagsAt(words, o);
     const left = edges.find(words[o] & POINT_MASK, words[o + 1] & POINT_MASK);
@@ -86,7 +87,6 @@ export class PrimitiveSplitter {
     const right = (flags & BORDER) !== 0 ? NO_CORNER : across;
     sides[2 * edge] = left;
     sides[2 * edge + 1] = right;
-    for (const corner of [left, right]) if (corner !== NO_CORNER) isListed[corner] = 1;
   }
 
   private pushEdge(edge: number, hasLeft: boolean, hasRight: boolean, into: number[]): void {
@@ -110,8 +110,10 @@ export class PrimitiveSplitter {
     const triangleCount = triangles.length;
     const edgeCount = edges.length / PRIMITIVE_WORDS;
     const primitives = new Uint32Array(paddedWords(Math.max(1, triangleCount + edgeCount), PRIMITIVE_WORDS));
-    for (const [i, t] of triangles.entries())
-      primitives.set(words.subarray(PRIMITIVE_WORDS * t, PRIMITIVE_WORDS * (t + 1)), PRIMITIVE_WORDS * i);
+    for (let i = 0; i < triangleCount; i++) {
+      const o = PRIMITIVE_WORDS * triangles[i];
+      for (let k = 0; k < PRIMITIVE_WORDS; k++) primitives[PRIMITIVE_WORDS * i + k] = words[o + k];
+    }
     primitives.set(edges, PRIMITIVE_WORDS * triangleCount);
     // The arrays of a search in the worker are transferred to it.
     const isTransferred = triangleCount >= SEARCHED_IN_WORKER;

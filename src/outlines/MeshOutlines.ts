@@ -259,7 +259,7 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Obj
   /** What of a part may hold an outline as the camera sees the mesh; null if that is not known. @param eye of the camera, in the space of the mesh @internal */
   protected listFor(camera: Camera, part: OutlinePart, mesh: Mesh, eye: Vector4): ContourList | InstanceList | null {
     const { boundingSphere } = mesh.geometry;
-    if (!boundingSphere) return null;
+    if (!boundingSphere || part.isNew) return null;
     const { data, lists } = part;
     if ('isInstancedMesh' in mesh) {
       const list = lists.of(camera, InstanceList);

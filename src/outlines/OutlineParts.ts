@@ -11,6 +11,8 @@ export interface OutlinePart {
   /** What draws the surface. */
   surface: Material;
   readonly lists: CameraLists;
+  /** Whether it was made in this frame. While a draw range moves on, a list of it would never be of use. */
+  isNew: boolean;
 }
 
 /** What is drawn with one look: the material, and the parts of the surface. */
@@ -54,7 +56,7 @@ export class OutlineParts {
   }
 
   private asWhole(data: OutlineData, surface: Material): readonly OutlinePart[] {
-    if (this.whole.length === 0) this.whole.push({ data, surface, lists: new CameraLists() });
+    if (this.whole.length === 0) this.whole.push({ data, surface, lists: new CameraLists(), isNew: false });
     this.whole[0].data = data;
     this.whole[0].surface = surface;
     return this.whole;
@@ -62,14 +64,15 @@ export class OutlineParts {
 
   private asSplit(data: OutlineData, looks: readonly Look[]): readonly OutlinePart[] {
     const splitBy = looks.map(({ parts }) => parts.map(({ start, end }) => `${start}-${end}`).join()).join(';');
-    if (this.splitData !== data || this.splitBy !== splitBy) {
+    const isNew = this.splitData !== data || this.splitBy !== splitBy;
+    if (isNew) {
       this.dropSplit();
       const found = splitterOf(data).split(triangleParts(looks, data.triangleCount), looks.length);
-      this.split = found.map((of, i) => ({ data: of, surface: looks[i].surface, lists: new CameraLists() }));
+      this.split = found.map((of, i) => ({ data: of, surface: looks[i].surface, lists: new CameraLists(), isNew }));
       this.splitData = data;
       this.splitBy = splitBy;
     }
-    for (let i = 0; i < looks.length; i++) this.split[i].surface = looks[i].surface;
+    for (let i = 0; i < looks.length; i++) Object.assign(this.split[i], { surface: looks[i].surface, isNew });
     return this.split;
   }
 
