@@ -1,11 +1,11 @@
 import {
   Box3,
+  type BufferGeometry,
   type ColorRepresentation,
   DirectionalLight,
   Group,
   type InstancedMesh,
   type Light,
-  type Material,
   MathUtils,
   type Mesh,
   type MeshPhysicalMaterial,
@@ -87,7 +87,9 @@ export class Drawing {
       const ofFile = camera ? cameras[chosenIndex('camera', names, camera)].camera : undefined;
       model.traverse((object) => {
         object.receiveShadow = true;
-        object.castShadow = !isSeenThrough(object as Mesh);
+        // Glass casts none.
+        const { material } = object as Partial<Mesh<BufferGeometry, MeshPhysicalMaterial>>;
+        object.castShadow = !material?.transmission && !(material?.transparent && material.opacity < 1);
       });
       const hatched = await applyHatching(model, { ...preset, signal, invalidate });
       return new Drawing(model, preset, hatched, ofFile);
@@ -163,14 +165,6 @@ export class Drawing {
     this.light.dispose();
   }
 }
-
-/** Whether a mesh lets light through, so that it casts no shadow. */
-const isSeenThrough = ({ material }: Mesh): boolean =>
-  [material ?? []]
-    .flat()
-    .some(({ transparent, opacity, transmission = 0 }: MaybeGlass) => (transparent && opacity < 1) || transmission > 0);
-
-type MaybeGlass = Pick<Material, 'transparent' | 'opacity'> & Partial<Pick<MeshPhysicalMaterial, 'transmission'>>;
 
 type FileCamera = PerspectiveCamera | OrthographicCamera;
 

@@ -1,4 +1,4 @@
-import type { BufferGeometry, Material, Mesh, Object3D, Texture } from 'three';
+import type { BufferGeometry, Material, Mesh, Object3D } from 'three';
 import type { OutlineOptions, PrepareHatchingGeometryOptions } from '../geometry/PrepareHatchingGeometryOptions.js';
 import { needsMap } from '../material/facts/lookFacts.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
@@ -17,7 +17,6 @@ import { assertTree } from './assertTree.js';
 import { type ChosenMeshes, chooseMeshes } from './chooseMeshes.js';
 import { claimMeshes } from './claimMeshes.js';
 import type { MakeLevels } from './detail/levelMaker.js';
-import type { Displacer } from './displacing/Displacer.js';
 import type { FirstFrame } from './FirstFrame.js';
 import { failure } from './failure.js';
 import type { OldLook, PlannedMesh } from './geometryPlans.js';
@@ -43,6 +42,12 @@ interface MadeLooks {
   /** Has levels of detail drawn; what it returns ends that. */
   showDetail: (() => () => void) | undefined;
   HatchedScene: typeof HatchedScene;
+}
+
+/** The looks of meshes before, and the meshes that cannot be read. */
+interface OldLooks {
+  seen: OldLook[];
+  unreadable: SkippedMesh[];
 }
 
 /** The materials that meshes will get, what is to be baked, and, if lines follow the form anywhere, what makes the object that bakes them later. */
@@ -143,10 +148,9 @@ async function makeLooks(
 ): Promise<MadeLooks> {
   const { replaces, signal, tilesPerWorldUnit, onGeometry, onProgress } = options;
   const asBefore = <Result>(work: () => Result): Result => (replaces ? replaces.suspended(work) : work());
-  const displacer = asBefore(() => chosen.some(isDisplaced)) ? await fetchDisplacer() : undefined;
-  const { seen, unreadable } = asBefore(() => looksToReplace(chosen, displacer));
+  const old = asBefore(() => looksToReplace(chosen));
   const [{ making, replacer, planned, plans, formsLater }, firstFrame, outlineMaker, detail] = await Promise.all([
-    plan(seen, options, makers, disposables, asBefore),
+    plan(old, options, makers, disposables, asBefore),
     firstFrameOf(root, options),
     outlineMakerOf(options, makers),
     detailOf(options),
@@ -186,7 +190,7 @@ async function makeLooks(
   forms?.drawMeanwhile(baked);
   const { assertNoFailure, changedMeanwhile, collectLooks, finishLooks, HatchedScene, hasChanged } = dressing;
   const { looks, skipped } = asBefore(() => collectLooks(planned, baked));
-  skipped.push(...unreadable);
+  skipped.push(...old.unreadable);
   if (looks.length === 0) assertNoFailure(skipped);
   for (const material of named) material.tonalArtMap = maps.get(material.tonalArtMap as StrokeStyleName) ?? null;
   signal?.throwIfAborted();
@@ -229,7 +233,7 @@ async function firstFrameOf(root: Object3D, { renderer, camera }: ApplyHatchingO
  * bakes these later.
  */
 async function plan(
-  seen: readonly OldLook[],
+  { seen, unreadable }: OldLooks,
   options: ApplyHatchingOptions,
   makers: LookMakers,
   disposables: { dispose(): void }[],
@@ -238,7 +242,8 @@ async function plan(
   const making = await import('./making/making.js');
   const replacer = new making.MaterialReplacer(options.material ?? {}, makers.material);
   disposables.push(replacer);
-  const planned = await runSliced(making.planMeshes(seen, replacer), { signal: options.signal, around: asBefore });
+  const displaced = await making.displaceMeshes(seen, unreadable);
+  const planned = await runSliced(making.planMeshes(displaced, replacer), { signal: options.signal, around: asBefore });
   const plans = making.geometryPlans(planned, options);
   const planning = { making, replacer, planned, plans };
   if ([...plans.values()].every(({ form }) => !form)) return planning;
@@ -255,13 +260,6 @@ async function plan(
   };
 }
 
-/** Whether a mesh has a material that moves its vertices by a map. */
-const isDisplaced = (mesh: Mesh): boolean =>
-  materialsOf(mesh).some((material) => (material as { displacementMap?: Texture | null }).displacementMap);
-
-/** What displaces meshes. Scenes without such materials do not load it. */
-const fetchDisplacer = async (): Promise<Displacer> => new (await import('./displacing/Displacer.js')).Displacer();
-
 /** What makes levels of detail, if they are asked for. Scenes without them do not load it. @throws TypeError for a wrong option */
 async function detailOf(options: ApplyHatchingOptions): Promise<MakeLevels | null> {
   return options.detail ? (await import('./detail/levelMaker.js')).levelMaker(options.detail, options) : null;
@@ -272,24 +270,15 @@ async function outlineMakerOf({ outlines }: ApplyHatchingOptions, makers: LookMa
   return outlines ? makers.outlineMaker(outlines === true ? {} : outlines) : null;
 }
 
-/**
- * Collects the looks of all meshes that do not have a `HatchingMaterial` yet, and those meshes that have no geometry.
- *
- * @param displacer of those that a map displaces; undefined if there are none
- */
-function looksToReplace(
-  meshes: readonly Mesh[],
-  displacer: Displacer | undefined,
-): { seen: OldLook[]; unreadable: SkippedMesh[] } {
+/** Collects the looks of all meshes that do not have a `HatchingMaterial` yet, and those meshes that have no geometry. */
+function looksToReplace(meshes: readonly Mesh[]): OldLooks {
   const seen: OldLook[] = [];
   const unreadable: SkippedMesh[] = [];
   for (const mesh of meshes) {
     if (materialsOf(mesh).every(isHatching)) continue;
     try {
       assertGeometry(mesh.geometry, 'applyHatching');
-      const { geometry, material: oldMaterial } = mesh;
-      const displaced = isDisplaced(mesh) ? displacer?.displaced(mesh) : undefined;
-      seen.push({ mesh, geometry: displaced ?? geometry, ...(displaced && { flatGeometry: geometry }), oldMaterial });
+      seen.push({ mesh, geometry: mesh.geometry, oldMaterial: mesh.material });
     } catch (error) {
       unreadable.push(failure(mesh, error as Error));
     }

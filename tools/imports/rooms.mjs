@@ -91,11 +91,13 @@ export const ROOMS = {
     'lighting',
   ],
   'scene/detail': ['/src/scene/MeshLook.ts', '/src/scene/surfaceMeshes.ts'],
-  'scene/displacing': ['/src/scene/surfaceMeshes.ts'],
+  'scene/displacing': ['/src/scene/geometryPlans.ts', '/src/scene/surfaceMeshes.ts'],
   'scene/jointForms': [],
   'scene/making': [
     'jointForms',
-    ...['geometryPlans', 'MaterialReplacer', 'planMeshes', 'wantedMap'].map((name) => `/src/scene/${name}.ts`),
+    ...['displaceMeshes', 'geometryPlans', 'MaterialReplacer', 'planMeshes', 'wantedMap'].map(
+      (name) => `/src/scene/${name}.ts`,
+    ),
   ],
   'scene/occlusion': ['/src/scene/HatchedScene.ts'],
   'scene/outlining': ['/src/scene/MeshLook.ts', '/src/scene/surfaceMeshes.ts'],

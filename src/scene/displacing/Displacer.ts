@@ -12,6 +12,7 @@ import {
   Vector3,
 } from 'three';
 import { readImage, type TextureImage } from '../../material/pictures/readImage.js';
+import type { OldLook } from '../geometryPlans.js';
 import { isBatched } from '../surfaceMeshes.js';
 
 /** What surface materials of three.js displace by. */
@@ -31,12 +32,11 @@ export class Displacer {
    *
    * @throws Error if a map cannot be read here, or has no coordinates
    */
-  displaced(mesh: Mesh): BufferGeometry {
+  displaced({ mesh, geometry, oldMaterial: material }: OldLook): BufferGeometry {
     if (isBatched(mesh))
       throw new Error(
         'applyHatching: its displacementMap would move all geometries of the batch. Displace them before.',
       );
-    const { geometry, material } = mesh;
     const key = [geometry, ...[material].flat()].map((one) => one?.uuid).join();
     let displaced = this.made.get(key);
     if (!displaced) {

@@ -1,0 +1,33 @@
+import type { Material, Texture } from 'three';
+import { failure } from './failure.js';
+import type { OldLook } from './geometryPlans.js';
+import type { SkippedMesh } from './HatchedScene.js';
+
+/**
+ * Gives the looks whose materials move vertices by a map the geometry that this makes, to be baked. Scenes without such materials do not load
+ * what makes it.
+ *
+ * @param unreadable receives the meshes that cannot be displaced
+ */
+export async function displaceMeshes(
+  looks: readonly OldLook[],
+  unreadable: SkippedMesh[],
+): Promise<readonly OldLook[]> {
+  if (!looks.some(isDisplaced)) return looks;
+  const { Displacer } = await import('./displacing/Displacer.js');
+  const displacer = new Displacer();
+  return looks.flatMap((look) => {
+    if (!isDisplaced(look)) return [look];
+    try {
+      return [{ ...look, geometry: displacer.displaced(look), flatGeometry: look.geometry }];
+    } catch (error) {
+      unreadable.push(failure(look.mesh, error as Error));
+      return [];
+    }
+  });
+}
+
+const isDisplaced = ({ oldMaterial }: OldLook): boolean =>
+  [oldMaterial].flat().some((material: Displaceable | null | undefined) => material?.displacementMap);
+
+type Displaceable = Material & { displacementMap?: Texture | null };
