@@ -1,4 +1,4 @@
-import type { IUniform, Vector2 } from 'three';
+import type { IUniform, Mesh, Vector2 } from 'three';
 
 import type { Emphasis } from '../engraving/emphasis.js';
 import type { CutField } from '../engraving/fieldAxis.js';
@@ -60,12 +60,13 @@ export function engravedLookOf(material: HatchingMaterial, hasForm: boolean): En
 /**
  * How a material shows the light of a scene.
  *
+ * @param mesh that it draws
  * @param fit of the exposure to the scene
  * @param emphasis of the object
  */
 export function surfaceLookOf(
   material: HatchingMaterial,
-  receivesShadows: boolean,
+  { geometry, receiveShadow: receivesShadows }: Mesh,
   fit: ToneFit,
   emphasis: Emphasis | null,
 ): SurfaceLook {
@@ -86,7 +87,7 @@ export function surfaceLookOf(
     hollowTone,
     ground: toneModel === 'shadow' ? groundOf(material) : null,
     darkness: localTone > 0 ? localDarkness(luminanceOf(color), emitted, localTone, isFit ? 1 / fit.white : 1) : 0,
-    opacity: opacityOf(material),
+    opacity: opacityOf(material, geometry),
     ...{ shininess, reflectedLight, emitted, receivesShadows, emphasis },
   };
 }

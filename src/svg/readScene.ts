@@ -59,7 +59,7 @@ import { engravedLookOf, surfaceLookOf } from './readLook.js';
 import { outlineLookOf, readOutlines } from './readOutlines.js';
 import { readStippled } from './readStippled.js';
 import { readSurface } from './readSurface.js';
-import { leftBehind } from './seenThrough.js';
+import { leftBehind, variesInOpacity } from './seenThrough.js';
 import { objectFrame, surfaceFrame } from './surfaceFrame.js';
 import type { TriangleRange } from './TriangleRange.js';
 
@@ -195,6 +195,8 @@ class SceneReader {
       if (unread.length > 0) this.note(mesh, `is drawn without ${unread.join(', ')}: pixels that cannot be read here`);
       const untested = untestedBy(material);
       if (untested) this.note(mesh, untested);
+      if (variesInOpacity(mesh.geometry, material))
+        this.note(mesh, 'is drawn with one opacity, the mean of those of its vertices');
       const noLines = whyNoLines(mesh, material);
       if (noLines) this.note(mesh, noLines);
       else
@@ -235,7 +237,7 @@ class SceneReader {
     const { mesh, copy, posed, material } = source;
     const { positions } = posed;
     const first = this.sides.length;
-    const left = leftBehind(material);
+    const left = leftBehind(material, mesh.geometry);
     const seen = left > 0 ? FADING * sidesOf(material) : material.depthWrite ? sidesOf(material) : 0;
     if (left > 0 && left < 1) this.veils.push({ first, end: first + corners.length / 3, left });
     let bits = seen | (mesh.castShadow ? castingOf(material) : 0);
@@ -276,7 +278,7 @@ class SceneReader {
   ): Generator<number, void, void> {
     const { camera, lights, fit, paints } = this;
     const { mesh, copy, paint } = source;
-    const look = surfaceLookOf(material, mesh.receiveShadow, fit, readEmphasis(mesh, material, camera));
+    const look = surfaceLookOf(material, mesh, fit, readEmphasis(mesh, material, camera));
     const clip = clipOf(material, this.clippingPlanes);
     const ink = colorOf(material);
     if (isStippled(material)) {
@@ -299,7 +301,7 @@ class SceneReader {
       field: fieldOf(laid, lights.lamps),
       turned: mesh.receiveShadow ? turnedLinesOf(laid, lights.lamps) : [],
       look,
-      hides: material.depthWrite && leftBehind(material) === 0,
+      hides: material.depthWrite && leftBehind(material, mesh.geometry) === 0,
       paint: paint && paints.paint(source, paint, firstCoordinate(source, frame)),
       clip,
       ink,

@@ -1,4 +1,4 @@
-import { Mesh, MeshBasicMaterial, PlaneGeometry } from 'three';
+import { DataTexture, Float32BufferAttribute, Mesh, MeshBasicMaterial, PlaneGeometry } from 'three';
 import { describe, expect, test } from 'vitest';
 import type { HatchingMaterialParameters } from '../../../src/material/HatchingMaterialParameters.js';
 import { drawSVG } from '../../../src/svg/drawSVG.js';
@@ -47,6 +47,28 @@ describe('surfaces that are seen through', () => {
     const { behind, beside } = await draw(await planeOfTone(0.4), pane(material));
     expect(Math.abs(beside - 0.4)).toBeLessThan(0.015);
     expect(Math.abs(behind - 0.4 * left)).toBeLessThan(0.015);
+  });
+
+  test('a pane with a picture leaves as much as one without, where the picture is', async () => {
+    const data = Uint8Array.of(255, 255, 255, 255, 255, 255, 255, 0);
+    const map = Object.assign(new DataTexture(data, 2, 1), { needsUpdate: true });
+    const { behind } = await draw(await planeOfTone(0.4), pane({ transparent: true, opacity: 0.25, map }));
+    // Half of it is cut out.
+    expect(Math.abs(behind - (0.4 * (0.75 + 1)) / 2)).toBeLessThan(0.03);
+  });
+
+  test('a pane whose vertices are seen through leaves as much as they do', async () => {
+    const withAlphas = (...alphas: number[]): Mesh => {
+      const glass = pane({ transparent: true, opacity: 0.5, vertexColors: true });
+      const colors = alphas.flatMap((alpha) => [1, 1, 1, alpha]);
+      glass.geometry.setAttribute('color', new Float32BufferAttribute(colors, 4));
+      return glass;
+    };
+    const { behind } = await draw(await planeOfTone(0.4), withAlphas(0.5, 0.5, 0.5, 0.5));
+    expect(Math.abs(behind - 0.4 * 0.75)).toBeLessThan(0.015);
+    const scene = sceneOf(await planeOfTone(0.4), withAlphas(1, 0, 1, 0));
+    const { leftOut } = await drawSVG(scene, cameraAt(0, 0, 1, true), { sheet: [SIDE, SIDE] });
+    expect(leftOut.map(({ reason }) => reason)).toContainEqual(expect.stringContaining('drawn with one opacity'));
   });
 
   test('two panes leave what both leave, and one without paper all', async () => {
