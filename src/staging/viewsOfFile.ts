@@ -17,8 +17,13 @@ const LEAST_DISTANCE = 0.1;
  * @param cameras in the world, where the model of radius 1 lies around the origin
  * @param light at present
  * @param found the light that suits the view, if that of the file is another
+ * @returns no more views than have keys, and how many cameras have none
  */
-export function viewsOfFile(cameras: readonly FileCamera[], light: Light, found: Light | undefined): SavedView[] {
+export function viewsOfFile(
+  cameras: readonly FileCamera[],
+  light: Light,
+  found: Light | undefined,
+): { views: SavedView[]; leftOut: number } {
   const lit: SavedView[] = found
     ? [
         { name: 'Lights of the file', camera: undefined, light },
@@ -29,7 +34,8 @@ export function viewsOfFile(cameras: readonly FileCamera[], light: Light, found:
     const view = cameraViewOf(camera);
     return view ? [{ name: plainName(camera.name) || `Camera ${i + 1}`, camera: view, light }] : [];
   });
-  return [...lit, ...seen].slice(0, MAX_VIEWS);
+  const views = [...lit, ...seen].slice(0, MAX_VIEWS);
+  return { views, leftOut: lit.length + cameras.length - views.length };
 }
 
 /** A view with the lens of the page, which shows what a camera looks at in the size in which that does; undefined if it is too far away. */

@@ -39,12 +39,12 @@ describe('a camera of a file', () => {
   });
 
   test('becomes a view with the lens of the page, in which the model is as large', () => {
-    const [view] = viewsOfFile([hero], LIGHT, undefined);
+    const [view] = viewsOfFile([hero], LIGHT, undefined).views;
     expect([view.name, view.light]).toEqual(['hero', LIGHT]);
     const { camera } = linkedCamera(1, view.camera!, false);
     camera.updateMatrixWorld();
     expect(new Vector3(0, 2.5, 0).project(camera).y).toBeCloseTo(1, 5);
-    const [plan] = viewsOfFile([flat], LIGHT, undefined);
+    const [plan] = viewsOfFile([flat], LIGHT, undefined).views;
     const { camera: above } = linkedCamera(1, plan.camera!, false);
     above.updateMatrixWorld();
     expect(new Vector3(0, 1.2, 0).project(above).y).toBeCloseTo(1, 5);
@@ -53,15 +53,15 @@ describe('a camera of a file', () => {
   });
 
   test('stays where it is within the model; one that is too far away is no view', () => {
-    const within = viewsOfFile([{ ...hero, position: [0, 0, 0.5] }], LIGHT, undefined);
+    const within = viewsOfFile([{ ...hero, position: [0, 0, 0.5] }], LIGHT, undefined).views;
     expect(within[0].camera).toEqual({ position: [0, 0, 0.5], target: [0, 0, 0] });
-    expect(viewsOfFile([{ ...hero, position: [0, 0, 1e4] }], LIGHT, undefined)).toEqual([]);
+    expect(viewsOfFile([{ ...hero, position: [0, 0, 1e4] }], LIGHT, undefined)).toEqual({ views: [], leftOut: 1 });
   });
 
   test('no more views than keys, with the lights of the file and those that suit the view first', () => {
     const found = { ...LIGHT, lightAzimuth: 10 };
-    const views = viewsOfFile(new Array<FileCamera>(20).fill(hero), LIGHT, found);
-    expect(views).toHaveLength(MAX_VIEWS);
+    const { views, leftOut } = viewsOfFile(new Array<FileCamera>(20).fill(hero), LIGHT, found);
+    expect([views.length, leftOut]).toEqual([MAX_VIEWS, 2 + 20 - MAX_VIEWS]);
     expect(views.slice(0, 3).map(({ name, camera, light }) => [name, camera !== undefined, light])).toEqual([
       ['Lights of the file', false, LIGHT],
       ['Light for the view', false, found],

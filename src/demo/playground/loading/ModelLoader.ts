@@ -5,12 +5,14 @@ import type { HatchedModel } from '../../../drawing/HatchedModel.js';
 import { isOpen } from '../../../drawing/isOpen.js';
 import type { Report } from '../../../drawing/Report.js';
 import type { BundledDrawing } from '../../../files/archives/bundle.js';
+import { counted } from '../../../files/common/counted.js';
 import { shownName } from '../../../files/common/shownText.js';
 import type { ModelFile, ReadMesh, ReadModel } from '../../../files/readModel.js';
 import type { CameraView } from '../../../settings/CameraView.js';
 import { isLitBy, lightOf, type SavedView } from '../../../settings/savedViews.js';
 import { SETTINGS, type Settings } from '../../../settings/settings.js';
 import { drawsWithAdjacency } from '../../../settings/settingValues.js';
+import { lightsOfFile } from '../../../staging/lightsOfFile.js';
 import { viewsOfFile } from '../../../staging/viewsOfFile.js';
 import type { CodeModel } from '../../code/CodeModel.js';
 import { extrasInWorld } from '../../drawing/extrasInWorld.js';
@@ -321,17 +323,18 @@ export class ModelLoader {
     this.isOpen = read.kind === 'mesh' && isOpen(statistics);
     settings.model = model;
     if (!isRestored && !hasStandIn) settings.upAxis = read.upAxis;
-    // Notes on what was left out matter for the user's own models only.
-    const isOwn = model === 'file';
-    const details = isOwn && 'details' in read ? read.details : [];
-    this.name({ title, statistics, notes: isOwn ? notes : [], details });
     if (stage.shown.isStandIn) stage.frames.fadeIntoNext();
     stage.shown.set(next, view, hasStandIn);
     // The user may have moved the camera while the stand-in was shown.
     if (isFramed && !hasStandIn) stage.view.frame();
     if (!hasStandIn) this.light(light);
+    const ofFile = isRestored ? { views: [], notes: [] } : this.fileViews(next);
+    // Notes on what was left out matter for the user's own models only.
+    const isOwn = model === 'file';
+    const details = isOwn && 'details' in read ? read.details : [];
+    this.name({ title, statistics, notes: isOwn ? [...notes, ...ofFile.notes] : [], details });
     if (isRestored) this.onChange('restored');
-    else this.onChange('opened', { isOther: isFramed, drawing, views: this.fileViews(next) });
+    else this.onChange('opened', { isOther: isFramed, drawing, views: ofFile.views });
     page.lamp.hidden = false;
   }
 
@@ -375,9 +378,13 @@ export class ModelLoader {
     this.litByFile = found && { before, given: lightOf(this.settings), found };
   }
 
-  private fileViews(model: HatchedModel): SavedView[] {
-    const { cameras } = extrasInWorld(model);
-    return viewsOfFile(cameras, lightOf(this.settings), this.litByFile?.found);
+  /** The views of a model's file, and notes on cameras and lights that are left out. */
+  private fileViews(model: HatchedModel): { views: SavedView[]; notes: string[] } {
+    const { cameras, lights } = extrasInWorld(model);
+    const { views, leftOut } = viewsOfFile(cameras, lightOf(this.settings), this.litByFile?.found);
+    const dark = this.litByFile ? (lightsOfFile(lights)?.leftOut ?? 0) : 0;
+    const notes = [counted(leftOut, 'camera', 'left out'), counted(dark, 'light', 'left out')];
+    return { views, notes: notes.filter(Boolean) };
   }
 
   /** Restores the page to how it was before the stand-in, because its model could not be loaded. */
