@@ -16,3 +16,9 @@ export function sharedByTwo(tone: number, shareB: number): readonly [number, num
   const blankB = 1 - shareB * tone;
   return [1 - blankB, 1 - (1 - tone) / Math.max(blankB, 1e-4)];
 }
+
+/**
+ * The share of side B among families that lean the other way. Where the first family has no lines, `has` being 0, one side is left to the
+ * families that lean either way: they would lie along one another.
+ */
+export const otherShare = (shareB: number, has: number): number => shareB + has - 1;

@@ -1,7 +1,7 @@
 import { rowOctaves } from '../engraving/carving.js';
 import { FIELD_CONSTANTS } from '../engraving/constants/fieldConstants.js';
 import { LINE_CONSTANTS } from '../engraving/constants/lineConstants.js';
-import { KEPT_BY_PEN, leftOf, sharedByTwo, THIRD_FROM, takenOf } from '../engraving/crossedTones.js';
+import { KEPT_BY_PEN, leftOf, otherShare, sharedByTwo, THIRD_FROM, takenOf } from '../engraving/crossedTones.js';
 import type { CutField, Field } from '../engraving/fieldAxis.js';
 import { handTone } from '../engraving/hand.js';
 
@@ -96,14 +96,16 @@ export class Engraver {
   ) {
     this.cut = field && cutFamilies(field);
     const [cosine, sine] = [Math.cos(look.crossAngle), Math.sin(look.crossAngle)];
+    // Others halve the wider angle between the first and those that cross it: they lean the other way by 60° if that is theirs.
+    const other = { cosine: Math.sin(look.crossAngle / 2), sine: -Math.cos(look.crossAngle / 2) };
     this.leans = {
       first: { cosine: 1, sine: 0, side: null },
       crossB: { cosine, sine, side: 'B' },
       crossC: { cosine, sine, side: 'C' },
-      thirdB: { cosine, sine: -sine, side: 'B' },
-      thirdC: { cosine, sine: -sine, side: 'C' },
-      shadowB: { cosine, sine: -sine, side: 'B' },
-      shadowC: { cosine, sine: -sine, side: 'C' },
+      thirdB: { ...other, side: 'B' },
+      thirdC: { ...other, side: 'C' },
+      shadowB: { ...other, side: 'B' },
+      shadowC: { ...other, side: 'C' },
     };
   }
 
@@ -195,11 +197,13 @@ export class Engraver {
     if (family === 'first') return first;
     const others = leftOf(own, first);
     const second = isPen ? taken(others, THIRD_FROM) : others;
+    const isShadow = family.startsWith('shadow');
     let left = second;
-    if (family.startsWith('shadow')) left = leftOf(tones.tone, tones.unshadowed);
+    if (isShadow) left = leftOf(tones.tone, tones.unshadowed);
     // Strokes cross at a slant, which alone would leave rows of rhombs open in the darks: others lean the other way there.
     else if (family.startsWith('third')) left = leftOf(others, second);
-    const tone = sharedByTwo(left, shareB)[family.endsWith('B') ? 0 : 1];
+    const leansOther = isShadow || family.startsWith('third');
+    const tone = sharedByTwo(left, leansOther ? otherShare(shareB, has) : shareB)[family.endsWith('B') ? 0 : 1];
     // What is as good as nothing has no lines.
     return tone <= LEAST_TONE ? 0 : tone;
   }

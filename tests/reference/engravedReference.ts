@@ -65,7 +65,7 @@ interface Families {
   /** Axes perpendicular to that of the first family and to each other. The crossing lines lean towards one of them. */
   sides: readonly [Vec3, Vec3];
   across: readonly [LineFunction, LineFunction];
-  /** The lines that cross it in shadows lean the other way. */
+  /** The lines that cross it in shadows halve the wider angle between both. */
   shadows: readonly [LineFunction, LineFunction];
 }
 
@@ -151,7 +151,7 @@ function familiesOf(scene: EngravedScene, isDark: boolean): Families {
       LineFunction,
       LineFunction,
     ];
-  return { first, sides, across: leaning(crossAngle), shadows: leaning(-crossAngle) };
+  return { first, sides, across: leaning(crossAngle), shadows: leaning(crossAngle / 2 - Math.PI / 2) };
 }
 
 /** The share of a pixel that a line of this width covers, at a distance from its middle. Thin lines become paler instead of thinner. */
@@ -303,9 +303,10 @@ export class EngravedReference {
     // Squares of the sines at which the lines of the two cross those of the first.
     const axis = cross(...sides);
     const [b, c] = sides.map((side) => dot(n, cross(axis, side)) ** 2);
-    const share = 1 + has * (smoothly(-0.35, 0.35, (b - c) / Math.max(slope ** 2, 1e-4)) - 1);
-    /** The shares that two families leave blank, so that both together leave the wanted share. */
+    const better = smoothly(-0.35, 0.35, (b - c) / Math.max(slope ** 2, 1e-4));
+    /** The shares that two families leave blank, so that both together leave the wanted share. Without a first one, those in shadows take the other side. */
     const leftByBoth = (two: readonly [LineFunction, LineFunction], blank: number) => {
+      const share = has * better + (two === across ? 1 - has : 0);
       const blankB = 1 + share * (blank - 1);
       return leftBy(two[0], 1 - blankB, 0.4) * leftBy(two[1], 1 - blank / blankB, 0.4);
     };

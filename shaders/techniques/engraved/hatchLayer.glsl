@@ -1,7 +1,7 @@
 // Engraved lines: level sets of a function on the object. They never break, fork or repeat, on any mesh. They swell with the
 // tone, new ones are born between old ones as one comes nearer, and other families cross them in the darks.
 uniform float crossFrom; // tone above which lines cross
-uniform vec4 layerTurns; // xy: cosine and sine of the angle between a family and what crosses it
+uniform vec4 layerTurns; // cosine and sine of the angle between a family and what crosses it, and of the middle of the wider angle between them
 uniform float sizedOnScreen; // 0: lines spaced on the object, 1: on the screen
 uniform float lineContrast; // 0: an even grey of the same tone, while lines give way to others; 1: lines
 
@@ -10,10 +10,12 @@ uniform float lineContrast; // 0: an even grey of the same tone, while lines giv
 // The darkness of three families printed over one another. first: tone of the first. crossing: tone of the other two together.
 // lean: cosine and sine of the angle at which they cross it.
 float families(const in HatchingParameters h, const in float first, const in float crossing, const in vec2 lean) {
-  float blankB = mix(1.0, 1.0 - crossing, h.shareB);
+  // Where the first has no lines, one side is left to the families that lean either way: they would lie along one another.
+  float shareB = lean.y < 0.0 ? h.shareB + h.has - 1.0 : h.shareB;
+  float blankB = mix(1.0, 1.0 - crossing, shareB);
   float blankC = (1.0 - crossing) / max(blankB, 1e-4);
   // Families without ink cost nothing: the one that takes more comes first.
-  bool isB = h.shareB >= 0.5;
+  bool isB = shareB >= 0.5;
   float second = 1.0 - (isB ? blankB : blankC);
   float third = 1.0 - (isB ? blankC : blankB);
   int count = third > LEAST_TONE ? 3 : second > LEAST_TONE ? 2 : 1;
@@ -38,7 +40,7 @@ float hatchLayer(const in HatchingParameters h, const in float tone) {
     float blank = 1.0;
     for (int i = 0; i < 2; i++) {
       bool isOther = i == 1;
-      vec2 lean = vec2(layerTurns.x, isOther ? -layerTurns.y : layerTurns.y);
+      vec2 lean = isOther ? -layerTurns.zw : layerTurns.xy;
       blank *= 1.0 - families(h, isOther ? 0.0 : first, isOther ? third : second, lean);
     }
     float darkness = 1.0 - blank;

@@ -1,6 +1,13 @@
 import { mat4, vec3 } from 'gl-matrix';
 import { expect, test } from 'vitest';
-import { KEPT_BY_PEN, leftOf, sharedByTwo, THIRD_FROM, takenOf } from '../../../src/engraving/crossedTones.js';
+import {
+  KEPT_BY_PEN,
+  leftOf,
+  otherShare,
+  sharedByTwo,
+  THIRD_FROM,
+  takenOf,
+} from '../../../src/engraving/crossedTones.js';
 import { across, type CutField, type Field, firstField } from '../../../src/engraving/fieldAxis.js';
 import { handTone } from '../../../src/engraving/hand.js';
 import { fieldLight } from '../../../src/engraving/lightField.js';
@@ -58,14 +65,15 @@ const view = mat4.lookAt(mat4.create(), [1, 1.5, 4], [0, 0, 0], [0, 1, 0]);
 
 const LEANS = (angle: number): Lean[] => {
   const [cosine, sine] = [Math.cos(angle), Math.sin(angle)];
+  const other = { cosine: Math.sin(angle / 2), sine: -Math.cos(angle / 2) };
   return [
     { cosine: 1, sine: 0, side: null },
     { cosine, sine, side: 'B' },
     { cosine, sine, side: 'C' },
-    { cosine, sine: -sine, side: 'B' },
-    { cosine, sine: -sine, side: 'C' },
-    { cosine, sine: -sine, side: 'B' },
-    { cosine, sine: -sine, side: 'C' },
+    { ...other, side: 'B' },
+    { ...other, side: 'C' },
+    { ...other, side: 'B' },
+    { ...other, side: 'C' },
   ];
 };
 
@@ -118,7 +126,12 @@ function darknessOf(
   const first = reading.has * taken(own, crossFrom);
   const others = leftOf(own, first);
   const second = medium === 'pen' ? taken(others, THIRD_FROM) : others;
-  const shared = [second, leftOf(others, second), leftOf(tone, own)].flatMap((of) => sharedByTwo(of, reading.shareB));
+  const { shareB, has } = reading;
+  const other = otherShare(shareB, has);
+  const shared = [
+    ...sharedByTwo(second, shareB),
+    ...[leftOf(others, second), leftOf(tone, own)].flatMap((of) => sharedByTwo(of, other)),
+  ];
   let blank = 1;
   for (const [i, familyTone] of [first, ...shared].entries()) {
     if (i > 0 && familyTone <= 1e-4) continue;

@@ -233,3 +233,47 @@ test.each(cases([2], [0, 2, 4]))(
     expect(ratio).toBeLessThan(1.25);
   },
 );
+
+describe('lines of a shadow', () => {
+  /** The direction of the lines of a layer, as an angle from 0 to π: that of the longest. */
+  function directionOf(svg: string, layer: string): number {
+    const steps = pathsOf(svg, layer).map((data) => {
+      const [points] = ringsOf(data);
+      return [points[points.length - 2] - points[0], points[points.length - 1] - points[1]];
+    });
+    const [dx, dy] = steps.sort((a, b) => Math.hypot(...b) - Math.hypot(...a))[0];
+    return (Math.atan2(dy, dx) + Math.PI) % Math.PI;
+  }
+
+  const LOOKS: [string, HatchingMaterialParameters][] = [
+    ['at 60°, where the first has none', { lineField: 'z' }],
+    ['at 90°, where the first has none', { lineField: 'z', crossAngle: Math.PI / 2 }],
+  ];
+
+  test.each(cases(LOOKS.slice(0, 1), LOOKS))(
+    'lie across those that cross the first %s',
+    { tags: ['more'] },
+    async (_, look) => {
+      const material = {
+        handmade: 0,
+        reflectedLight: 0,
+        shadowStrokes: 'cross',
+        crossFrom: 0.1,
+        sizedOnScreen: 1,
+      } as const;
+      const wall = await hatchedMesh(new PlaneGeometry(2.4, 2.4, 2, 2), {
+        outlines: false,
+        material: { ...material, toneCurve: 'linear', exposure: 0.6, lineSpacing: 4, ...look },
+      });
+      const sun = new DirectionalLight('white', Math.PI);
+      sun.position.set(0.9, 0.1, 2.2);
+      const caster = plate(0.5);
+      wall.receiveShadow = caster.castShadow = sun.castShadow = true;
+      const scene = new Scene().add(wall, caster, sun);
+      const options = { kind: 'pen', penWidth: 0.2, shadows: 'hard', sheet: [40, 40], margin: 0 } as const;
+      const { svg } = await drawSVG(scene, camera(), options);
+      const between = Math.abs(directionOf(svg, 'crossing') - directionOf(svg, 'shadows'));
+      expect(Math.min(between, Math.PI - between)).toBeGreaterThan(Math.PI / 7);
+    },
+  );
+});

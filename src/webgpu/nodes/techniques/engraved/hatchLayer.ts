@@ -13,7 +13,7 @@ const { float, If, max, mix, select } = tsl;
 
 /** The tone above which lines cross. */
 const crossFrom = /* @__PURE__ */ hatchingUniform('crossFrom', 'float');
-/** xy: cosine and sine of the angle between a family and what crosses it. */
+/** Cosine and sine of the angle between a family and what crosses it, and of the middle of the wider angle between them. */
 const layerTurns = /* @__PURE__ */ hatchingUniform('layerTurns', 'vec4');
 /** 0: an even grey of the same tone, while lines give way to others; 1: lines. */
 const lineContrast = /* @__PURE__ */ hatchingUniform('lineContrast', 'float');
@@ -25,8 +25,11 @@ export function families(
   crossing: Value,
   { medium, isOther }: { medium: Medium; isOther: boolean },
 ): Value {
-  const lean = [layerTurns.x, isOther ? layerTurns.y.negate() : layerTurns.y] as const;
-  const blankB = mix(1, float(1).sub(crossing), h.shareB).toVar();
+  const { x, y, z, w } = layerTurns;
+  const lean = isOther ? ([z.negate(), w.negate()] as const) : ([x, y] as const);
+  // Where the first has no lines, one side is left to the families that lean either way: they would lie along one another.
+  const shareB = isOther ? h.shareB.add(h.has).sub(1) : h.shareB;
+  const blankB = mix(1, float(1).sub(crossing), shareB).toVar();
   const blankC = float(1).sub(crossing).div(max(blankB, 1e-4)).toVar();
   const blank = float(1).toVar();
   const print = (tone: Value, least: number, family: () => Family): void => {
