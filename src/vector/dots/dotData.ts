@@ -56,9 +56,11 @@ export function penDotRing({ x, y, radius }: Dot, pen: number): DotRing {
   const turns = Math.ceil((outer - inner) / (PITCH * pen));
   const sides = sidesOf(outer);
   const circles = turns === 0 ? 1 : turns + 2;
+  // As long as the circle that it stands for.
+  const stretch = Math.PI / sides / Math.sin(Math.PI / sides);
   return Array.from({ length: sides * circles }, (_, k) => {
     const spiral = turns === 0 ? 0 : Math.min(Math.max((k / sides - 1) / turns, 0), 1);
-    const [angle, reach] = [(2 * Math.PI * k) / sides, inner + spiral * (outer - inner)];
+    const [angle, reach] = [(2 * Math.PI * k) / sides, stretch * (inner + spiral * (outer - inner))];
     return [x + reach * Math.cos(angle), y + reach * Math.sin(angle)];
   });
 }
