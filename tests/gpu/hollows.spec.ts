@@ -64,7 +64,7 @@ for (const technique of techniques) {
           const light = 0.6 * (1 - occlusion * hidden * smooth(0, 0.4, hidden));
           const [start, end] = toneCurve === 'linear' ? [0, 1] : [toneCurve[0][1], toneCurve[1][1]];
           const lit = start + (end - start) * (1 - light);
-          const share = hollowTone * occlusion * smooth(0.1, 0.6, hidden);
+          const share = hollowTone * occlusion * smooth(0.1, 0.8, hidden);
           const tone = lit + share * ((end > start ? 1 : 0) - lit);
           expect(seen[i][j], `${JSON.stringify(cases[i])} at ${hidden}`).toBeCloseTo(1 - tone, 2);
         }

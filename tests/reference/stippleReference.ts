@@ -44,7 +44,7 @@ function planesOf(normal: Vec3): { axis: Vec3; share: number }[] {
 }
 
 /** The share of the paper that dots cover: up to half tone the tone, and all of it from 0.85 on. */
-const coverOf = (tone: number) => Math.min(1, tone + 0.15 * (Math.max(0, tone - 0.5) / 0.35) ** 2);
+const coverOf = (tone: number) => Math.min(1, tone + 0.05 * (Math.max(0, tone - 0.7) / 0.25) ** 2);
 
 /** The shift of the set along both axes of a plane, per axis of space and in tiles. */
 const SHIFTS: readonly Vec3[] = [

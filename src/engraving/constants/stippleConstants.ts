@@ -26,7 +26,7 @@ export const STIPPLE_CONSTANTS = {
   /** From this tone on down dots lie no further apart, and only grow smaller. */
   LEAST_DENSE_SHARE: 0.02,
   /** From the first tone on dots close faster than the tone deepens; from the second on nothing is left between them. */
-  CLOSING: [0.5, 0.85],
+  CLOSING: [0.7, 0.95],
   /** Where dots cover as much as this, what is left of the paper begins to fill: a speck of it would be seen. */
   FILLING: 0.97,
   /** Shift of the set along each axis, in tiles: any numbers that bring no two dots together. */

@@ -20,7 +20,7 @@ export const TONE_CONSTANTS = {
   SIDE_AXIS: [0.36, 0.48, 0.8],
 
   /** The occlusion from which on a place is a hollow, which is that of eyelids and lips, and from which on it is a deep one. */
-  HOLLOW: [0.1, 0.6],
+  HOLLOW: [0.1, 0.8],
 
   /** Where a surface hardly sees a light, whether it lies in shadow is a matter of rounding. */
   LEAST_RESPONSE: 0.05,
