@@ -37,12 +37,13 @@ export const undo: readonly Mutation[] = [
   {
     name: 'views of the former model stay',
     file: 'src/demo/playground/session/Session.ts',
-    find: 'if (isOther) this.views.list = [];',
+    find: 'if (isOther) this.views.list = ofFile;',
     replace: '',
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/demo/playground/session/Session.test.ts',
-      title: 'another model leaves no views of the one before; the same one with more pictures keeps them',
+      title:
+        'another model leaves the views of its file and none of the one before; the same one with more pictures keeps them',
     },
   },
   {

@@ -5,17 +5,13 @@ import type { HatchedModel } from '../../../drawing/HatchedModel.js';
 import { isOpen } from '../../../drawing/isOpen.js';
 import type { Report } from '../../../drawing/Report.js';
 import type { BundledDrawing } from '../../../files/archives/bundle.js';
-import { counted } from '../../../files/common/counted.js';
 import { shownName } from '../../../files/common/shownText.js';
 import type { ModelFile, ReadMesh, ReadModel } from '../../../files/readModel.js';
 import type { CameraView } from '../../../settings/CameraView.js';
-import { isLitBy, lightOf, type SavedView } from '../../../settings/savedViews.js';
+import type { SavedView } from '../../../settings/savedViews.js';
 import { SETTINGS, type Settings } from '../../../settings/settings.js';
 import { drawsWithAdjacency } from '../../../settings/settingValues.js';
-import { lightsOfFile } from '../../../staging/lightsOfFile.js';
-import { viewsOfFile } from '../../../staging/viewsOfFile.js';
 import type { CodeModel } from '../../code/CodeModel.js';
-import { extrasInWorld } from '../../drawing/extrasInWorld.js';
 import { standInOf } from '../../drawing/standInOf.js';
 import { loadModelFiles } from '../../files/loadModelFiles.js';
 import { BUILT_IN_MODELS, type BuiltInModel } from '../../models/models.js';
@@ -24,6 +20,7 @@ import type { Stage } from '../../stage/Stage.js';
 import { whenDrawn } from '../../stage/whenDrawn.js';
 import { page } from '../elements/page.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
+import { FileViews } from './FileViews.js';
 import type { lightModel } from './lightModel.js';
 import { type CaptionContent, ModelCaption } from './ModelCaption.js';
 import type { ShownFiles } from './sortDrop.js';
@@ -94,13 +91,12 @@ export class ModelLoader {
   private stoodInFor: WantedModel | undefined;
   /** Where the light was put for a model. */
   private lit: Pick<Settings, 'lightAzimuth' | 'lightElevation'> | undefined;
-  /** The lights of the shown model's file, if it is lit by these: those before it, its own, and the light that suits its view. */
-  private litByFile: Record<'before' | 'given' | 'found', SavedView['light']> | undefined;
   /** The shown model, as the value of its setting. */
   private shownModel: Settings['model'];
   /** The model that is shown or being loaded, if there is one. */
   private wanted: WantedModel | undefined;
   private readonly caption = new ModelCaption(page.modelCaption);
+  private readonly fileViews: FileViews;
   private readonly addresses = new WeakMap<readonly ModelFile[], string>();
 
   constructor(
@@ -111,6 +107,7 @@ export class ModelLoader {
     private readonly onChange: (end: ModelEnd, opened?: OpenedModel) => void,
   ) {
     this.shownModel = settings.model;
+    this.fileViews = new FileViews(stage, settings);
   }
 
   /** Shows the built-in model that the settings ask for. */
@@ -328,7 +325,7 @@ export class ModelLoader {
     // The user may have moved the camera while the stand-in was shown.
     if (isFramed && !hasStandIn) stage.view.frame();
     if (!hasStandIn) this.light(light);
-    const ofFile = isRestored ? { views: [], notes: [] } : this.fileViews(next);
+    const ofFile = isRestored ? { views: [], notes: [] } : this.fileViews.of(next);
     // Notes on what was left out matter for the user's own models only.
     const isOwn = model === 'file';
     const details = isOwn && 'details' in read ? read.details : [];
@@ -368,23 +365,9 @@ export class ModelLoader {
 
   private light(light: LoadedModel['light']): void {
     if (!light) return;
-    const { settings, litByFile } = this;
-    // The lights of a file are those of its model alone.
-    if (litByFile && isLitBy(settings, litByFile.given)) Object.assign(settings, litByFile.before);
-    const before = lightOf(settings);
-    const found = light(this.stage, settings);
+    this.fileViews.light(light);
     const { lightAzimuth, lightElevation } = this.settings;
     this.lit = { lightAzimuth, lightElevation };
-    this.litByFile = found && { before, given: lightOf(this.settings), found };
-  }
-
-  /** The views of a model's file, and notes on cameras and lights that are left out. */
-  private fileViews(model: HatchedModel): { views: SavedView[]; notes: string[] } {
-    const { cameras, lights } = extrasInWorld(model);
-    const { views, leftOut } = viewsOfFile(cameras, lightOf(this.settings), this.litByFile?.found);
-    const dark = this.litByFile ? (lightsOfFile(lights)?.leftOut ?? 0) : 0;
-    const notes = [counted(leftOut, 'camera', 'left out'), counted(dark, 'light', 'left out')];
-    return { views, notes: notes.filter(Boolean) };
   }
 
   /** Restores the page to how it was before the stand-in, because its model could not be loaded. */
