@@ -1,7 +1,7 @@
 import type { Material, Mesh } from 'three';
 import type { OutlineData } from '../geometry/OutlineData.js';
-import { NO_PART, splitterOf } from '../geometry/PrimitiveSplitter.js';
 import { CameraLists } from './CameraLists.js';
+import { NO_PART, splitterOf } from './PrimitiveSplitter.js';
 import { type SurfacePart, surfaceParts } from './surfaceParts.js';
 import { isShown, looksAlike, opacityOf } from './surfaceRules.js';
 

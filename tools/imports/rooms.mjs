@@ -65,6 +65,7 @@ export const ROOMS = {
   'material/firstDraw': ['facts', 'deformation', 'exposure', 'parts'],
   outlines: [
     'mistakes',
+    'mesh/corners.ts',
     'features',
     'bake',
     'worker',

@@ -237,6 +237,16 @@ test('a draw range is followed when it changes, and ends in borders', () => {
   expect(draw(outlines)).toEqual([all]);
 });
 
+test('of a part the outlines that may be seen are listed once it stays as it is', () => {
+  const { mesh, outlines } = outlined(box, new MeshBasicMaterial(), { suggestiveContours: 0 });
+  const renderer = new NotingRenderer();
+  mesh.geometry.setDrawRange(0, 24);
+  const [[first], [second]] = [renderer.draw(outlines), renderer.draw(outlines)];
+  expect(first.primitives).toBe(8 + 12);
+  expect(second.primitives).toBeLessThan(first.primitives);
+  mesh.geometry.setDrawRange(0, Infinity);
+});
+
 describe('outlines that lie elsewhere than on their mesh', () => {
   test('are drawn where the mesh is reached, and not where one of its ancestors is hidden', () => {
     const scene = new Scene();

@@ -3,8 +3,8 @@ import { expect, test } from 'vitest';
 import { POINT_BITS, PRIMITIVE_WORDS } from '../../../src/bake/outlineLayout.js';
 import { BORDER, CREASE, IS_EDGE, MATERIAL_BORDER } from '../../../src/features/edgeFlags.js';
 import { type OutlineData, outlineDataOf } from '../../../src/geometry/OutlineData.js';
-import { NO_PART, splitterOf } from '../../../src/geometry/PrimitiveSplitter.js';
 import { prepareHatchingGeometry } from '../../../src/geometry/prepareHatchingGeometry.js';
+import { NO_PART, splitterOf } from '../../../src/outlines/PrimitiveSplitter.js';
 
 const outlinesOf = async (geometry: BufferGeometry): Promise<OutlineData> =>
   outlineDataOf(await prepareHatchingGeometry(geometry, { outlines: true, layout: 'indexed' }))!;

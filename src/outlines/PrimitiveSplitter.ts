@@ -2,9 +2,9 @@ import { POINT_BITS, POINT_MASK, PRIMITIVE_WORDS, SEARCHED_IN_WORKER } from '../
 import { paddedWords } from '../bake/packPull.js';
 import { unpackPoints } from '../bake/unpackPoints.js';
 import { BORDER, CONTRARY, CREASE, IS_EDGE, LOW_FLAGS, MATERIAL_BORDER } from '../features/edgeFlags.js';
+import type { OutlineData } from '../geometry/OutlineData.js';
 import { nextCorner, triangleOf } from '../mesh/corners.js';
 import { EdgeTable, NO_CORNER } from './EdgeTable.js';
-import type { OutlineData } from './OutlineData.js';
 
 /** Stands for the part of a triangle that is not drawn. */
 export const NO_PART = -1;
