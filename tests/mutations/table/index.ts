@@ -22,6 +22,7 @@ import { lights } from './lights.js';
 import { links } from './links.js';
 import { maps } from './maps.js';
 import { material } from './material.js';
+import { meaning } from './meaning.js';
 import { mistakes } from './mistakes.js';
 import { nodes } from './nodes.js';
 import { normals } from './normals.js';
@@ -66,6 +67,7 @@ export const table: Readonly<Record<string, readonly Mutation[]>> = {
   links,
   maps,
   material,
+  meaning,
   mistakes,
   nodes,
   normals,
