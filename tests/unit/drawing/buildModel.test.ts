@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest';
 import { buildModel } from '../../../src/drawing/buildModel.js';
+import { meshesOf } from '../../../src/drawing/meshesOf.js';
 import { readModel } from '../../../src/files/readModel.js';
 import { addTrack, tetrahedron } from '../../../tools/modelFiles/GltfBuilder.js';
 
@@ -25,4 +26,15 @@ test('a model whose triangles are all lines or points is refused, also one that 
     if (share) expect((await drawn).model.statistics.triangles).toBe(2);
     else await expect(drawn).rejects.toThrow(sentence);
   }
+});
+
+test('a part of glTF without normals gets those of every other format, with edges kept', async () => {
+  const builder = tetrahedron();
+  const times = builder.accessor(Float32Array.of(0, 1), 'SCALAR');
+  addTrack(builder, 'translation', times, builder.accessor(Float32Array.of(0, 0, 0, 1, 0, 0), 'VEC3'));
+  const { model } = await draw('moves.glb', builder.glb() as Uint8Array<ArrayBuffer>);
+  const [mesh] = meshesOf(model.root);
+  expect(mesh.material).toMatchObject({ flatShading: false });
+  expect(mesh.geometry.attributes.normal.count).toBeGreaterThan(3);
+  model.dispose();
 });
