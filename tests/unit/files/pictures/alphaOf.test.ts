@@ -24,21 +24,26 @@ test.each([
 });
 
 test('a blended picture that is half there, or not at all, gives its alpha to the material; others cut it out', () => {
-  const factorsWith = (alphaMode: string, ...alphas: number[]): unknown => {
-    const pbrMetallicRoughness = { baseColorFactor: [1, 1, 1, 0.5], baseColorTexture: { index: 0 } };
+  const factorsWith = (alphaMode: string, factor: number, ...alphas: number[]): unknown => {
+    const pbrMetallicRoughness = { baseColorFactor: [1, 1, 1, factor], baseColorTexture: { index: 0 } };
+    const material = { alphaMode, pbrMetallicRoughness };
     const parts = {
-      json: { materials: [{ alphaMode, pbrMetallicRoughness }, {}] },
+      json: { materials: [material, {}] },
       textures: [{ image: 0, sampler: undefined }],
       bitmaps: [pictureOf(...alphas)],
     };
     settleBlendedPictures(parts as unknown as GltfParts);
     return [
+      material.alphaMode,
       pbrMetallicRoughness.baseColorFactor[3].toFixed(2),
       pbrMetallicRoughness.baseColorTexture ? 'with its picture' : 'without',
     ];
   };
-  expect(factorsWith('BLEND', 0.4, 0.4)).toEqual(['0.20', 'without']);
-  expect(factorsWith('BLEND', 0, 0)).toEqual(['0.00', 'without']);
-  expect(factorsWith('BLEND', 1, 0)).toEqual(['0.50', 'with its picture']);
-  expect(factorsWith('MASK', 0.4, 0.4)).toEqual(['0.50', 'with its picture']);
+  expect(factorsWith('BLEND', 0.5, 0.4, 0.4)).toEqual(['BLEND', '0.20', 'without']);
+  expect(factorsWith('BLEND', 1, 0, 0)).toEqual(['BLEND', '0.00', 'without']);
+  expect(factorsWith('BLEND', 1, 1, 0)).toEqual(['BLEND', '1.00', 'with its picture']);
+  expect(factorsWith('MASK', 1, 0.4, 0.4)).toEqual(['MASK', '1.00', 'with its picture']);
+  // Many programs write all materials as blended.
+  expect(factorsWith('BLEND', 1, 1, 1)).toEqual(['OPAQUE', '1.00', 'with its picture']);
+  expect(factorsWith('BLEND', 0.5, 1, 1)).toEqual(['BLEND', '0.50', 'with its picture']);
 });
