@@ -140,13 +140,13 @@ describe('occlusion', () => {
   });
 
   test('makes deep hollows as dark as it gets, whatever falls into them', () => {
-    expect(shadedTone(1, 0.6, look)).toBe(1);
+    expect(shadedTone(1, 0.8, look)).toBe(1);
     expect(shadedTone(1, 0.1, look)).toBe(0);
     // Half way from where they begin to where they are deep.
-    expect(shadedTone(1, 0.35, look)).toBeCloseTo(0.5, 9);
-    expect(shadedTone(1, 0.6, { ...look, hollowTone: 0 })).toBe(0);
+    expect(shadedTone(1, 0.45, look)).toBeCloseTo(0.5, 9);
+    expect(shadedTone(1, 0.8, { ...look, hollowTone: 0 })).toBe(0);
     // Chalk draws the lights: a hollow is bare paper.
-    expect(shadedTone(0, 0.6, { ...look, toneEnds: [0.95, 0] })).toBe(0);
+    expect(shadedTone(0, 0.8, { ...look, toneEnds: [0.95, 0] })).toBe(0);
   });
 });
 
