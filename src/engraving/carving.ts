@@ -5,7 +5,7 @@
 import { CARVING_CONSTANTS } from './constants/carvingConstants.js';
 import { lotOf } from './hand.js';
 import { octaves } from './ruledLines.js';
-import { type Along, numberOf } from './strokeLengths.js';
+import { type Along, differing, numberOf } from './strokeLengths.js';
 import { clamp01, mix } from './vectors.js';
 
 const { SWELL, SWELL_SHARE, RARE, WIDENING } = CARVING_CONSTANTS;
@@ -24,11 +24,12 @@ export interface Cut {
   repeat: number;
 }
 
-export function cutFor(tone: number, along: Along, repeat: number): Cut {
+/** octave: of the distance between cuts. */
+export function cutFor(tone: number, along: Along, repeat: number, octave: number): Cut {
   const white = 1 - tone;
   const rare = Math.min(white, tone);
   // The mean of clamp(middle + swell u, 0, 1), for u even within [−1, 1], is what is white.
-  const swell = Math.min(SWELL, SWELL_SHARE * rare);
+  const swell = differing(octave, repeat) * Math.min(SWELL, SWELL_SHARE * rare);
   const middle = rare < swell ? Math.sqrt(4 * swell * rare) - swell : rare;
   // Waves that are mixed are flatter.
   const left = (share: number): number => share * share + (1 - share) ** 2;

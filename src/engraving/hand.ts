@@ -47,18 +47,20 @@ export function bitsOf(value: number): number {
 }
 
 /**
- * A number in [0, 1) that belongs to a line and is far from those of its neighbours. line: its value, a multiple of a power of two.
+ * A number in [0, 1) that belongs to a line. line: its value, a multiple of a power of two.
  *
- * The value is multiplied by a number whose binary digits repeat those of THUE_MORSE on both sides of its point, and the fraction is the lot.
- * Neighbours at any power of two are then at least 0.17 apart, and so is the next but one.
+ * The value is multiplied by a number whose binary digits repeat those that are given on both sides of its point, and the fraction is the lot.
  */
-export function lotOf(line: number): number {
+export function lotBy(digits: number, line: number): number {
   const word = bitsOf(line);
   const exponent = (word >>> 23) & 31;
-  const factor = (LOT_FACTORS.THUE_MORSE << exponent) | (LOT_FACTORS.THUE_MORSE >>> (-exponent & 31));
+  const factor = (digits << exponent) | (digits >>> (-exponent & 31));
   const spread = Math.imul((word & 0x7fffff) | 0x800000, factor) ^ (word & 0x80000000);
   return (spread >>> 8) / 16777216;
 }
+
+/** One that is far from those of its neighbours: at any power of two they are at least 0.17 apart, and so is the next but one. */
+export const lotOf = (line: number): number => lotBy(LOT_FACTORS.THUE_MORSE, line);
 
 /** A factor on the width of a line, the same all along it; 1 in the mean. */
 export const handWidth = (line: number, handmade: number): number =>

@@ -5,8 +5,8 @@
 
 import { LOT_FACTORS } from './constants/lotConstants.js';
 import { PEN_CONSTANTS } from './constants/penConstants.js';
-import { bitsOf, lotOf } from './hand.js';
-import { type Along, numberOf } from './strokeLengths.js';
+import { bitsOf, lotBy, lotOf } from './hand.js';
+import { type Along, differing, numberOf } from './strokeLengths.js';
 import { clamp01, mix } from './vectors.js';
 
 const {
@@ -26,7 +26,7 @@ const {
   WIDTH_SPREAD,
 } = PEN_CONSTANTS;
 const { GAP_LOT, BIRTH_LOT, WIDTH_LOT, AXIS_LOT, AXIS_TURN } = PEN_CONSTANTS;
-const { GOLDEN_RATIO, THIRD_FACTOR, THUE_MORSE } = LOT_FACTORS;
+const { GOLDEN_RATIO, ONE_THIRD, THIRD_FACTOR, THUE_MORSE } = LOT_FACTORS;
 
 /** What a line loses to the gaps and the ends of its strokes where they are farthest apart. */
 const LOST = 0.5 * STROKE_GAP + TAPER / 3;
@@ -37,6 +37,8 @@ export interface Pen {
   tone: number;
   /** How far strokes are apart at their ends. */
   open: number;
+  /** The tone from which on all strokes are there. */
+  allFrom: number;
   /** Of a stroke in its middle, as a share of the room of a line. */
   width: number;
   /** From 0, a ruling machine, to 1. */
@@ -53,17 +55,20 @@ function rampSum(x: number): number {
 }
 
 /** The share of strokes that are there. */
-const thereAt = (tone: number): number => (rampSum(tone) - rampSum(Math.max(tone - ALL_FROM, 0))) / ALL_FROM;
+const thereAt = (tone: number, allFrom: number): number =>
+  (rampSum(tone) - rampSum(Math.max(tone - allFrom, 0))) / allFrom;
 
-export function penFor(tone: number, along: Along, handmade: number, repeat: number): Pen {
+/** octave: of the distance between lines. */
+export function penFor(tone: number, along: Along, handmade: number, repeat: number, octave: number): Pen {
+  const allFrom = ALL_FROM * differing(octave, repeat);
   const open = Math.max(1 - tone / CLOSED_FROM, 0) ** 2;
-  const width = tone / Math.max(thereAt(tone) * (1 - LOST * open), 1e-4);
-  return { along, tone, open, width: tone < ALL_FROM ? Math.min(width, NIB) : width, handmade, repeat };
+  const width = tone / Math.max(thereAt(tone, allFrom) * (1 - LOST * open), 1e-4);
+  return { along, tone, open, allFrom, width: tone < allFrom ? Math.min(width, NIB) : width, handmade, repeat };
 }
 
 /** The share of its length that strokes of one width cover of a line in the mean: they do not narrow, but have their gaps. */
-export const drawnShare = ({ tone, open }: Pen): number =>
-  Math.max(thereAt(tone) * (1 - 0.5 * STROKE_GAP * open), 1e-4);
+export const drawnShare = ({ tone, open, allFrom }: Pen): number =>
+  Math.max(thereAt(tone, allFrom) * (1 - 0.5 * STROKE_GAP * open), 1e-4);
 
 /** The lot below which strokes have been born where so large a share of them is, each over a part BIRTH of all lots. */
 function bornBelow(share: number): number {
@@ -95,6 +100,8 @@ export interface Stroke {
 /** A line where its strokes are looked for. */
 interface PennedLine {
   lot: number;
+  /** 0, a third or two thirds, in turn. */
+  turn: number;
   bits: number;
   /** −1 or 1, in which direction its strokes stray. */
   sign: number;
@@ -104,7 +111,12 @@ interface PennedLine {
 const latenessOf = (chance: number): number => LATENESS * fract(LATE_LOT * chance);
 
 /** place: in lengths of strokes. born: the lot below which strokes are born. */
-function strokeOn({ tone, open, width, handmade }: Pen, born: number, place: number, line: PennedLine): Stroke {
+function strokeOn(
+  { tone, open, allFrom, width, handmade }: Pen,
+  born: number,
+  place: number,
+  line: PennedLine,
+): Stroke {
   const along = place + line.lot;
   // Strokes begin late by chance, and so differ in length: the ends of neighbours would otherwise lie in rows across the lines.
   let stroke = Math.floor(along);
@@ -114,9 +126,9 @@ function strokeOn({ tone, open, width, handmade }: Pen, born: number, place: num
   const size = 1 + latenessOf(lotOfStroke(line.bits, stroke + 1)) - late;
   // From −1 at one end to 1 at the other.
   const way = (2 * (along - stroke - late)) / size - 1;
-  let there = clamp01((tone - ALL_FROM * chance) / STROKE_GROWTH);
-  // What differs from stroke to stroke is spread evenly over a surface.
+  // What differs from stroke to stroke is spread evenly over a surface. Of three neighbouring lines the first strokes lie on one.
   const even = lotOfStroke(line.lot * 2 ** 32, stroke);
+  let there = clamp01((tone - allFrom * fract(line.turn + even / 3)) / STROKE_GROWTH);
   const gap = fract(GAP_LOT * even);
   const inside = 1 - Math.abs(way) - open * STROKE_GAP * gap - SHORTENING * (1 - there);
   const taper = open * TAPER;
@@ -149,7 +161,8 @@ export function strokeAt(pen: Pen, share: number, line: number): Stroke {
   const { places, period, longer, share: firstOfAll } = pen.along;
   const number = numberOf(line, pen.repeat);
   const size = Math.abs(number);
-  const penned: PennedLine = { lot: lotOf(size), bits: bitsOfLine(size), sign: Math.sign(number) };
+  const turn = size === 0 ? 0 : lotBy(ONE_THIRD, size);
+  const penned: PennedLine = { lot: lotOf(size), turn, bits: bitsOfLine(size), sign: Math.sign(number) };
   // Lines go over from one axis to the other one after another.
   const first = clamp01(((1 + AXIS_TURN) * firstOfAll - fract(AXIS_LOT * penned.lot)) / AXIS_TURN);
   const alongAxis = (place: number): Stroke => {

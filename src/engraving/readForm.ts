@@ -18,16 +18,18 @@ export const formVarying = (gradient: Vec3, value: number, place: Vec3): FormAt 
   rest: value - 0.5 * dot(gradient, place),
 });
 
-/** The value of a function at a place, where the hand puts it; and how the hand presses there. */
+/** The value of a function at a place, where the hand puts it; and how the hand presses there. isInk: whether lines are drawn in one go. */
 export function readForm(
   { gradient, rest }: FormAt,
   place: Vec3,
   handmade: number,
+  isInk: boolean,
 ): { value: number; pressure: number } {
   const waves = slowWaves(place);
   const stray = handPoint([0, 0, 0], waves, handmade);
   return {
     value: rest + dot(gradient, combined(0.5, place, 1, stray)),
-    pressure: handPressure(waves, handmade) + handmade * WIDTH_WAVE * waves[2],
+    // Strokes and cuts differ by themselves.
+    pressure: handPressure(waves, handmade) + (isInk ? handmade * WIDTH_WAVE * waves[2] : 0),
   };
 }

@@ -9,7 +9,7 @@ import { type ScreenMap, screenGradient } from './screenGradient.js';
 import { cross, dot, mix, smoothstep, type Vec3 } from './vectors.js';
 
 const { PARTS_OF_TILE } = LINE_CONSTANTS;
-const { LENGTHS_FADE, AXES_FADE } = STROKE_LENGTH_CONSTANTS;
+const { LENGTHS_FADE, AXES_FADE, DIFFERING_OCTAVES, LEAST_DIFFERING } = STROKE_LENGTH_CONSTANTS;
 
 /** Where a place lies along the lines of a family: by two axes of the field, those along which the lines run most. */
 export interface Along {
@@ -71,6 +71,14 @@ export function alongLines(
     longer: smoothstep(1 - LENGTHS_FADE, 1, octave - whole + 0.5),
   };
 }
+
+/**
+ * How far lines differ, as a share of the most: less where few lie between the repeats of their numbers.
+ *
+ * @param octave of their distance
+ */
+export const differing = (octave: number, repeat: number): number =>
+  Math.min(Math.max((octaves(repeat) - octave) / DIFFERING_OCTAVES, LEAST_DIFFERING), 1);
 
 /** The number of a line: the same on both sides of a seam but for its sign. repeat: by how much values change there; Infinity without seams. */
 export const numberOf = (line: number, repeat: number): number =>

@@ -226,7 +226,7 @@ export class Engraver {
   }
 
   private read(family: FamilyName, { cut: reading, place: { field, form, formCrossing } }: EngravedPlace): Reading {
-    const { handmade, lineField } = this.look;
+    const { handmade, lineField, medium } = this.look;
     if (this.cut !== null && reading !== null) {
       const lean = this.leans[family];
       return {
@@ -242,7 +242,7 @@ export class Engraver {
     const isAcross = lineField === 'acrossForm';
     const [first, other] = isAcross ? [formCrossing, form] : [form, formCrossing];
     const coarsest = isAcross ? COARSEST_OCTAVES.toReversed() : COARSEST_OCTAVES;
-    const a = readForm(first, field, handmade);
+    const a = readForm(first, field, handmade, medium === 'ink');
     const rest = { pressure: a.pressure, has: 1, shareB: 1 };
     if (family === 'first') {
       return {
@@ -253,7 +253,7 @@ export class Engraver {
         ...rest,
       };
     }
-    const b = readForm(other, field, handmade);
+    const b = readForm(other, field, handmade, medium === 'ink');
     const rise = lengthOf(other.gradient);
     if (family === 'crossB') return { value: b.value, gradient: other.gradient, rise, coarsest: coarsest[1], ...rest };
     // The difference of the two functions is whole across seams too, and its lines lean the other way.

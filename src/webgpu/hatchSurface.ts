@@ -101,7 +101,7 @@ type Printing = Record<'hatch' | 'shadowLayer', (tone: Value) => Value>;
 
 function engravedIn(look: Look, { told, shadowLeft }: HatchingSurface, builder: NodeBuilder): Printing {
   const { medium } = look;
-  const h = read(builder, cutFor(look, builder), { told, shadowLeft, lights: lightsOf(builder) });
+  const h = read(builder, cutFor(look, builder), medium, { told, shadowLeft, lights: lightsOf(builder) });
   return {
     hatch: (tone) => hatchLayer(h, tone, medium),
     shadowLayer: (tone) => shadowFamilies(h, tone, medium),

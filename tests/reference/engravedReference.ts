@@ -200,10 +200,10 @@ function ruledDarkness(
   const nearest = Math.round(value / period);
   const shareOf = (line: number): number =>
     settings.medium === 'woodcut'
-      ? cutShare(line, 1 - tone, along, widest)
+      ? cutShare(line, 1 - tone, along, widest, octaveOf(wanted))
       : tone * (form ? 1 : lineFactor(line, handmade));
   let covered = 0;
-  const pen = { tone, handmade, along, repeat: widest };
+  const pen = { tone, handmade, along, repeat: widest, octave: octaveOf(wanted) };
   for (let line = nearest - 2; line <= nearest + 2; line += 0.5) {
     const isOld = Number.isInteger(line);
     if (settings.medium === 'pen') {
@@ -345,6 +345,8 @@ export class EngravedReference {
     const { form, lineField, tilesPerUnit, crossFrom } = settings;
     const { strayed, pressure, widening } = hand(fromCentre, settings);
     const stray = mixed(strayed, 1, fromCentre, -1);
+    // Strokes of a pen and cuts of a gouge differ by themselves.
+    const press = settings.medium === 'pen' || settings.medium === 'woodcut' ? pressure : pressure + widening;
     const both = form!.map((quadratic, i) => {
       const gradient = quadraticGradient(quadratic, fromCentre);
       return { gradient, value: quadraticAt(quadratic, fromCentre) + dot(gradient, stray), widest: FORM_WIDEST[i] };
@@ -357,7 +359,7 @@ export class EngravedReference {
     };
     const leftBy = (family: typeof first, familyTone: number) => {
       if (familyTone <= 1e-4 && family !== first) return 1;
-      const pressed = familyTone + (pressure + widening) * familyTone * (1 - familyTone);
+      const pressed = familyTone + press * familyTone * (1 - familyTone);
       const perPixel = tilesPerUnit * plane.gradientLength(family.gradient);
       const rise = vec3.length((family === first ? first : crossing).gradient);
       const along = alongLines(fromCentre, normal, family.gradient, plane, settings);

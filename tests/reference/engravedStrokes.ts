@@ -6,16 +6,19 @@ import { clamp01, cross, smoothly, unit } from './vectors.js';
 /** Every digit of the Thue–Morse sequence tells whether its place has an odd number of binary ones. */
 const THUE_MORSE = Array.from({ length: 32 }, (_, place) => [...place.toString(2)].filter((d) => d === '1').length % 2);
 
+/** Every other digit, which together are a third. */
+const THIRD = Array.from({ length: 32 }, (_, place) => place % 2);
+
 /** Digits of the line's number from a place on; they repeat. */
-const digitsFrom = (place: number): bigint =>
-  BigInt(`0b${Array.from({ length: 32 }, (_, i) => THUE_MORSE[(place + i) % 32]).join('')}`);
+const digitsFrom = (place: number, digits: readonly number[] = THUE_MORSE): bigint =>
+  BigInt(`0b${Array.from({ length: 32 }, (_, i) => digits[(place + i) % 32]).join('')}`);
 
 /** A number in [0, 1) of the line at a value: 24 bits of the fraction of its size times that number; half a turn farther on below 0. */
-export function lotOf(value: number): number {
+export function lotOf(value: number, digits: readonly number[] = THUE_MORSE): number {
   const size = Math.abs(Math.fround(value));
   const exponent = size === 0 ? -127 : Math.floor(Math.log2(size));
   const significand = size === 0 ? 1n << 23n : BigInt(size * 2 ** (23 - exponent));
-  const fraction = BigInt.asUintN(32, significand * digitsFrom((exponent + 127) % 32));
+  const fraction = BigInt.asUintN(32, significand * digitsFrom((exponent + 127) % 32, digits));
   return (Number(fraction >> 8n) / 2 ** 24 + (value < 0 ? 0.5 : 0)) % 1;
 }
 
@@ -75,12 +78,18 @@ export function alongLines(
 export const numberOf = (line: number, repeat: number): number =>
   repeat < Infinity ? line - repeat * Math.round(line / repeat) : line;
 
+/** Lines differ less where few lie between the repeats of their numbers: not in full unless there are 32 of them. */
+const differing = (repeat: number, octave: number): number =>
+  Math.min(1, Math.max(0.01, (Math.log2(repeat) - octave) / 5));
+
 /** What a pen does at a fragment, on all lines. */
 export interface PenState {
   tone: number;
   handmade: number;
   along: Along;
   repeat: number;
+  /** Of the distance between lines. */
+  octave: number;
 }
 
 /** The mean over lots from 0 to `all` of a ramp that begins at the lot and ends a `growth` later. */
@@ -106,10 +115,15 @@ const evenLot = (ofLine: number, stroke: number): number =>
   Number(BigInt.asUintN(32, (BigInt(ofLine * 2 ** 24) << 8n) + BigInt(stroke) * digitsFrom(0)) >> 8n) / 2 ** 24;
 
 /** The width of the strokes on a line, as a share of the room of an old one, and how far they stray, in distances between lines. */
-export function penStroke(line: number, share: number, { tone, handmade, along, repeat }: PenState): [number, number] {
+export function penStroke(
+  line: number,
+  share: number,
+  { tone, handmade, along, repeat, octave }: PenState,
+): [number, number] {
+  const all = 0.15 * differing(repeat, octave);
   const open = tone < 0.8 ? (1 - 1.25 * tone) ** 2 : 0;
-  const filling = tone / Math.max(grown(tone, 0.15, 0.05) * (1 - (0.15 + 0.3) * open), 1e-4);
-  const full = tone < 0.15 && filling > 0.6 ? 0.6 : filling;
+  const filling = tone / Math.max(grown(tone, all, 0.05) * (1 - (0.15 + 0.3) * open), 1e-4);
+  const full = tone < all && filling > 0.6 ? 0.6 : filling;
   const number = numberOf(line, repeat);
   // In dark tones all strokes of a line are there from its birth on, and thin.
   const few = Math.sqrt(open);
@@ -119,6 +133,7 @@ export function penStroke(line: number, share: number, { tone, handmade, along, 
     there < 0.04 ? Math.sqrt(0.16 * there) : last > 0.04 ? there + 0.04 : 1.08 - Math.sqrt(Math.max(0.16 * last, 0));
   const fract = (x: number) => x - Math.floor(x);
   const lot = lotOf(Math.abs(number));
+  const turn = number === 0 ? 0 : lotOf(Math.abs(number), THIRD);
   const beginOf = (stroke: number) => stroke + 0.4 * fract(16 * lotOfStroke(number, stroke));
   const one = (place: number, period: number): [number, number] => {
     const at = place / period + lot;
@@ -129,7 +144,7 @@ export function penStroke(line: number, share: number, { tone, handmade, along, 
     const even = evenLot(lot, stroke);
     const [begin, end] = [beginOf(stroke), beginOf(stroke + 1)];
     const way = (at - begin - (end - at)) / (end - begin);
-    const sized = clamp01((tone - 0.15 * chance) / 0.05);
+    const sized = clamp01((tone - all * fract(turn + even / 3)) / 0.05);
     const length = 1 - open * 0.3 * fract(64 * even) - 0.35 * (1 - sized);
     // The part of the end over which it narrows that is already passed.
     const rest = clamp01((open * 0.9 - (length - Math.abs(way))) / Math.max(open * 0.9, 1e-3));
@@ -164,9 +179,10 @@ export function cutShare(
   white: number,
   { places, share, period, longer }: Along,
   repeat: number,
+  octave: number,
 ): number {
   const rarer = Math.min(white, 1 - white);
-  const swell = Math.min(0.42, 1.3 * rarer);
+  const swell = Math.min(0.42, 1.3 * rarer) * differing(repeat, octave);
   const lot = lotOf(Math.abs(numberOf(line, repeat)));
   const mixed = (a: number, b: number, t: number) => (1 - t) * a + t * b;
   const flattened = (t: number) => Math.hypot(t, 1 - t);

@@ -16,13 +16,13 @@ float rowOctaves(const in float tone) {
   return clamp(octaves(RARE / max(min(tone, 1.0 - tone), 1e-4)), 0.0, 2.0);
 }
 
-Cut cutFor(const in HatchingParameters h, const in Family family, const in float tone) {
+Cut cutFor(const in HatchingParameters h, const in Family family, const in float tone, const in float octave) {
   Cut cut;
   cut.family = family;
   float white = 1.0 - tone;
   float rare = min(white, tone);
   // The mean of clamp(middle + swell u, 0, 1), for u even within [−1, 1], is what is white.
-  float swell = min(SWELL, SWELL_SHARE * rare);
+  float swell = differing(family, octave) * min(SWELL, SWELL_SHARE * rare);
   float middle = rare < swell ? sqrt(4.0 * swell * rare) - swell : rare;
   cut.middle = white < 0.5 ? middle : 1.0 - middle;
   Along along = alongLines(h, family);

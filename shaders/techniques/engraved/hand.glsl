@@ -27,14 +27,19 @@ float handTone(const in float pressure, const in float tone) {
   return tone + pressure * tone * (1.0 - tone);
 }
 
-// A number in [0, 1) that belongs to a line and is far from those of its neighbours. line: its value, a multiple of a power of two. It is
-// multiplied by a number whose binary digits repeat those of THUE_MORSE on both sides of its point, and the fraction is the lot.
-float lotOf(const in float line) {
+// A number in [0, 1) that belongs to a line. line: its value, a multiple of a power of two. It is multiplied by a number whose binary digits
+// repeat those that are given on both sides of its point, and the fraction is the lot.
+float lotBy(const in uint digits, const in float line) {
   uint bits = floatBitsToUint(line);
   uint exponent = (bits >> 23u) & 31u;
-  uint factor = (THUE_MORSE << exponent) | (THUE_MORSE >> ((32u - exponent) & 31u));
+  uint factor = (digits << exponent) | (digits >> ((32u - exponent) & 31u));
   uint spread = (((bits & 0x7fffffu) | 0x800000u) * factor) ^ (bits & 0x80000000u);
   return float(spread >> 8u) * (1.0 / 16777216.0);
+}
+
+// One that is far from those of its neighbours.
+float lotOf(const in float line) {
+  return lotBy(THUE_MORSE, line);
 }
 
 // A factor on the width of a line, the same all along it; 1 in the mean.

@@ -10,6 +10,7 @@ struct Pen {
   Along along;
   float tone;
   float open; // how far strokes are apart at their ends
+  float allFrom; // the tone from which on all strokes are there
   float width; // of a stroke in its middle, as a share of the room of a line
 };
 
@@ -20,12 +21,13 @@ float rampSum(const in float x) {
   return STROKE_GROWTH * sum + max(x - STROKE_GROWTH, 0.0);
 }
 
-Pen penFor(const in HatchingParameters h, const in Family family, const in float tone) {
+Pen penFor(const in HatchingParameters h, const in Family family, const in float tone, const in float octave) {
+  float allFrom = ALL_FROM * differing(family, octave);
   float light = max(1.0 - tone / CLOSED_FROM, 0.0);
   float open = light * light;
-  float there = (rampSum(tone) - rampSum(max(tone - ALL_FROM, 0.0))) / ALL_FROM;
+  float there = (rampSum(tone) - rampSum(max(tone - allFrom, 0.0))) / allFrom;
   float width = tone / max(there * (1.0 - LOST * open), 1e-4);
-  return Pen(family, alongLines(h, family), tone, open, tone < ALL_FROM ? min(width, NIB) : width);
+  return Pen(family, alongLines(h, family), tone, open, allFrom, tone < allFrom ? min(width, NIB) : width);
 }
 
 // The lot below which strokes have been born where so large a share of them is, each over a part BIRTH of all lots.
@@ -52,8 +54,10 @@ float latenessOf(const in float chance) {
 }
 
 // The strokes of a line by one axis and of one length: their width at this place, as a share of its room, and how far they stray from it,
-// in distances between lines. place: in lengths of strokes. lot, ofLine: of the line.
-vec2 strokeOn(const in Pen pen, const in float born, const in float place, const in float lot, const in uint ofLine) {
+// in distances between lines. place: in lengths of strokes. lot, turn, ofLine: of the line.
+vec2 strokeOn(
+  const in Pen pen, const in float born, const in float place, const in float lot, const in float turn, const in uint ofLine
+) {
   float along = place + lot;
   // Strokes begin late by chance, and so differ in length: the ends of neighbours would otherwise lie in rows across the lines.
   float stroke = floor(along);
@@ -62,9 +66,9 @@ vec2 strokeOn(const in Pen pen, const in float born, const in float place, const
   float late = latenessOf(chance);
   float size = 1.0 + latenessOf(lotOfStroke(ofLine, stroke + 1.0)) - late;
   float way = 2.0 * (along - stroke - late) / size - 1.0; // from −1 at one end to 1 at the other
-  float there = clamp((pen.tone - ALL_FROM * chance) / STROKE_GROWTH, 0.0, 1.0);
-  // What differs from stroke to stroke is spread evenly over a surface.
+  // What differs from stroke to stroke is spread evenly over a surface. Of three neighbouring lines the first strokes lie on one.
   float even = lotOfStroke(uint(lot * 16777216.0) << 8u, stroke);
+  float there = clamp((pen.tone - pen.allFrom * fract(turn + even / 3.0)) / STROKE_GROWTH, 0.0, 1.0);
   float gap = fract(GAP_LOT * even);
   float inside = 1.0 - abs(way) - pen.open * STROKE_GAP * gap - SHORTENING * (1.0 - there);
   float taper = pen.open * TAPER;
@@ -86,6 +90,7 @@ vec2 strokesOn(const in Pen pen, const in float born, const in float line) {
   Along along = pen.along;
   float number = numberOf(line, pen.family);
   float lot = lotOf(abs(number));
+  float turn = number == 0.0 ? 0.0 : lotBy(ONE_THIRD, abs(number));
   uint ofLine = bitsOfLine(abs(number));
   float first = firstOnLine(along, lot);
   bool isFirst = first >= 0.5;
@@ -98,7 +103,7 @@ vec2 strokesOn(const in Pen pen, const in float born, const in float line) {
     bool isLonger = i == 1 ? !isOther : i == 3;
     float share = (isOther ? other : 1.0 - other) * (isLonger ? along.longer : 1.0 - along.longer);
     float place = isFirst == isOther ? along.places.y : along.places.x;
-    strokes += share * strokeOn(pen, born, place / (isLonger ? 2.0 * along.period : along.period), lot, ofLine);
+    strokes += share * strokeOn(pen, born, place / (isLonger ? 2.0 * along.period : along.period), lot, turn, ofLine);
   }
   return vec2(strokes.x, sign(number) * strokes.y);
 }

@@ -39,7 +39,11 @@ HatchingParameters readHatchingParameters() {
   #endif // REORIENTS_IN_SHADOW
   vec3 waves = slowWaves(HAND_WAVES * vFieldPoint);
   vec3 stray = handPoint(vec3(0.0), waves);
-  h.pressure = handPressure(waves) + handmade * WIDTH_WAVE * waves.z;
+  h.pressure = handPressure(waves);
+  #if MEDIUM != MEDIUM_PEN && MEDIUM != MEDIUM_WOODCUT
+    // Strokes and cuts differ by themselves.
+    h.pressure += handmade * WIDTH_WAVE * waves.z;
+  #endif // MEDIUM
   h.has = 1.0;
   h.values = vec2(formValueAt(first, stray), formValueAt(crossing, stray));
   h.gradient = first.xyz;

@@ -71,9 +71,9 @@ float ruledLines(const in HatchingParameters h, const in Family family, const in
   float x = family.value / period;
   float below = floor(x);
   #if MEDIUM == MEDIUM_PEN
-    Pen pen = penFor(h, family, tone);
+    Pen pen = penFor(h, family, tone, octave);
   #elif MEDIUM == MEDIUM_WOODCUT
-    Cut cut = cutFor(h, family, tone);
+    Cut cut = cutFor(h, family, tone, octave);
   #endif // MEDIUM
   float oldRoom = 0.5 * spacing;
   float youngRoom = 0.5 * (pixels - spacing);

@@ -37,6 +37,11 @@ Along alongLines(const in HatchingParameters h, const in Family family) {
   return along;
 }
 
+// How far lines differ, as a share of the most: less where few lie between the repeats of their numbers. octave: of their distance.
+float differing(const in Family family, const in float octave) {
+  return clamp((family.coarsest - octave) / DIFFERING_OCTAVES, LEAST_DIFFERING, 1.0);
+}
+
 // The number of a line: the same on both sides of a seam but for its sign.
 float numberOf(const in float line, const in Family family) {
   #ifdef FOLLOWS_FORM

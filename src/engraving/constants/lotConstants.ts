@@ -5,6 +5,8 @@ export const LOT_FACTORS = {
    * it nor its double comes near a whole number.
    */
   THUE_MORSE: 0x69969669,
+  /** A third: lots by it are in turn 0, a third and two thirds, or 0, two thirds and a third, since twice a third is two thirds. */
+  ONE_THIRD: 0x55555555,
   GOLDEN_RATIO: 0x9e3779b9,
   SECOND_FACTOR: 0x85ebca6b,
   THIRD_FACTOR: 0x2c1b3c6d,

@@ -139,8 +139,8 @@ function penTone(measure: FamilyMeasure): number {
   return Math.min(Math.max(tone, LEAST_PEN_TONE) / drawn, MOST_PEN_TONE);
 }
 
-const penOf = ({ tone }: FamilyMeasure, { along, handmade, repeat }: StrokePlace): Pen =>
-  penFor(tone, along, handmade, repeat);
+const penOf = ({ tone, octave }: FamilyMeasure, { along, handmade, repeat }: StrokePlace): Pen =>
+  penFor(tone, along, handmade, repeat, octave);
 
 /** The value that a line has at a place: across seams of the form another one than where it begins. */
 function sameLine({ value, repeat }: StrokePlace, line: Line): number {
@@ -182,7 +182,7 @@ function blockBetweenCuts(
   const { along, repeat, cutOctave } = strokes;
   const middle = sameLine(strokes, line);
   const room = 2 ** line.rank;
-  const cut = cutFor(tone, along, repeat);
+  const cut = cutFor(tone, along, repeat, cutOctave);
   // Old cuts are multiples of a period, and those that are born between them of its half.
   const half = 2 ** (Math.ceil(cutOctave) - 1);
   const oldRoom = 0.5 * powerOf2(cutOctave);

@@ -50,10 +50,10 @@ export function familyDarkness(
     const line = k * step;
     const room = roomOf(rankOf(line), octave);
     let [width, away] = [room * tone * (form ? 1 : handWidth(line, handmade)), value - line];
-    if (medium === 'woodcut') width = room * cutWidth(cutFor(tone, along, repeat), line);
+    if (medium === 'woodcut') width = room * cutWidth(cutFor(tone, along, repeat, octave), line);
     if (medium === 'pen') {
       const spacing = powerOf2(octave);
-      const stroke = strokeAt(penFor(tone, along, handmade, repeat), room / spacing, line);
+      const stroke = strokeAt(penFor(tone, along, handmade, repeat, octave), room / spacing, line);
       width = spacing * stroke.width;
       away -= spacing * stroke.astray;
     }

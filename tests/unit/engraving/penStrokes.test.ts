@@ -6,7 +6,7 @@ const LINES = 200;
 
 /** A pen on plain parallel lines, strokes of length 1 along the second axis. */
 const penAt = (place: number, tone: number): Pen =>
-  penFor(tone, { places: [0, place], share: 0, period: 1, longer: 0 }, 0, Infinity);
+  penFor(tone, { places: [0, place], share: 0, period: 1, longer: 0 }, 0, Infinity, 0);
 
 const widthAt = (place: number, tone: number, line: number): number => strokeAt(penAt(place, tone), 1, line).width;
 

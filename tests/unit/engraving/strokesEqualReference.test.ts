@@ -54,7 +54,7 @@ function fragmentOf(
   const read = given.form!.map((quadratic) => {
     const gradient = quadraticGradient(quadratic, [...point]) as Vec3;
     const varying = formVarying(gradient, quadraticAt(quadratic, [...point]), point);
-    return { ...readForm(varying, point, handmade), gradient };
+    return { ...readForm(varying, point, handmade, medium === 'ink'), gradient };
   });
   // Where no light arrives the families change places.
   const isAcross = (given.lineField === 'acrossForm') !== isDark;

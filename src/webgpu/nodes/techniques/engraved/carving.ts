@@ -4,7 +4,7 @@ import { tsl, type Value } from '../../base/values.js';
 import type { Family, HatchingParameters } from './Hatching.js';
 import { lotOf } from './hand.js';
 import { octaves } from './octaves.js';
-import { alongLines, numberOf } from './strokeLengths.js';
+import { alongLines, differing, numberOf } from './strokeLengths.js';
 
 const { abs, clamp, float, fract, inverseSqrt, max, min, mix, select, sqrt, vec2, vec4 } = tsl;
 const { RARE, SWELL, SWELL_SHARE, WIDENING } = CARVING_CONSTANTS;
@@ -32,11 +32,11 @@ export const rowOctaves = (tone: Value): Value =>
     2,
   );
 
-export function cutFor(h: HatchingParameters, family: Family, tone: Value): Cut {
+export function cutFor(h: HatchingParameters, family: Family, tone: Value, octave: Value): Cut {
   const white = float(1).sub(tone).toVar();
   const rare = min(white, tone).toVar();
   // The mean of clamp(middle + swell u, 0, 1), for u even within [−1, 1], is what is white.
-  const swell = min(rare.mul(SWELL_SHARE), SWELL).toVar();
+  const swell = min(rare.mul(SWELL_SHARE), SWELL).mul(differing(family, octave)).toVar();
   const narrow = sqrt(max(swell.mul(rare).mul(4), 0)).sub(swell);
   const ofRare = select(rare.lessThan(swell), narrow, rare).toVar();
   const middle = select(white.lessThan(0.5), ofRare, float(1).sub(ofRare)).toVar();

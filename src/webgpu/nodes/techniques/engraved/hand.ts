@@ -41,18 +41,19 @@ export const handPressure = (waves: Value): Value => handmade.mul(PRESSURE).mul(
 
 export const handTone = (pressure: Value, tone: Value): Value => tone.add(pressure.mul(tone).mul(float(1).sub(tone)));
 
-const digits = (): Value => uint(LOT_FACTORS.THUE_MORSE);
-
-/** A number in [0, 1) that belongs to a line and is far from those of its neighbours. @param line its value, a multiple of a power of two */
-export function lotOf(line: Value): Value {
+/** A number in [0, 1) that belongs to a line. @param line its value, a multiple of a power of two */
+export function lotBy(digits: number, line: Value): Value {
   const bits = floatBitsToUint(line).toVar();
   const exponent = bits.shiftRight(uint(23)).bitAnd(uint(31)).toVar();
   const rest = uint(32).sub(exponent).bitAnd(uint(31));
-  const factor = digits().shiftLeft(exponent).bitOr(digits().shiftRight(rest));
+  const factor = uint(digits).shiftLeft(exponent).bitOr(uint(digits).shiftRight(rest));
   const significand = bits.bitAnd(uint(0x7fffff)).bitOr(uint(0x800000));
   const spread = significand.mul(factor).bitXor(bits.bitAnd(uint(0x80000000)));
   return float(spread.shiftRight(uint(8) as Input)).mul(1 / 16777216);
 }
+
+/** One that is far from those of its neighbours. */
+export const lotOf = (line: Value): Value => lotBy(LOT_FACTORS.THUE_MORSE, line);
 
 /** A factor on the width of a line, the same all along it; 1 in the mean. */
 export function handWidth(line: Value): Value {

@@ -4,9 +4,9 @@ import { PEN_CONSTANTS } from '../../../../engraving/constants/penConstants.js';
 import { tsl, type Value } from '../../base/values.js';
 import { lineCoverage } from '../../chunks/lineCoverage.js';
 import type { Family, HatchingParameters } from './Hatching.js';
-import { handmade, lotOf } from './hand.js';
+import { handmade, lotBy, lotOf } from './hand.js';
 import { FRINGE } from './lineFringe.js';
-import { type Along, alongLines, numberOf } from './strokeLengths.js';
+import { type Along, alongLines, differing, numberOf } from './strokeLengths.js';
 
 const {
   abs,
@@ -41,6 +41,8 @@ export interface Pen {
   tone: Value;
   /** How far strokes are apart at their ends. */
   open: Value;
+  /** The tone from which on all strokes are there. */
+  allFrom: Value;
   /** Of a stroke in its middle, as a share of the room of a line. */
   width: Value;
 }
@@ -58,14 +60,15 @@ function rampSum(x: Value): Value {
     .add(max(x.sub(STROKE_GROWTH), 0));
 }
 
-export function penFor(h: HatchingParameters, family: Family, tone: Value): Pen {
+export function penFor(h: HatchingParameters, family: Family, tone: Value, octave: Value): Pen {
+  const allFrom = differing(family, octave).mul(ALL_FROM).toVar();
   const light = max(oneMinus(tone.div(CLOSED_FROM)), 0).toVar();
   const open = light.mul(light).toVar();
-  const above = max(tone.sub(ALL_FROM), 0).toVar();
-  const there = rampSum(tone).sub(rampSum(above)).div(ALL_FROM);
+  const above = max(tone.sub(allFrom), 0).toVar();
+  const there = rampSum(tone).sub(rampSum(above)).div(allFrom);
   const width = tone.div(max(there.mul(oneMinus(open.mul(LOST))), 1e-4)).toVar();
-  const drawn = select(tone.lessThan(ALL_FROM), min(width, NIB), width).toVar();
-  return { family, along: alongLines(h, family), tone, open, width: drawn };
+  const drawn = select(tone.lessThan(allFrom), min(width, NIB), width).toVar();
+  return { family, along: alongLines(h, family), tone, open, allFrom, width: drawn };
 }
 
 /** The lot below which strokes have been born where so large a share of them is, each over a part BIRTH of all lots. */
@@ -106,9 +109,14 @@ const latenessOf = (chance: Value): Value => fract(chance.mul(LATE_LOT)).mul(LAT
  * distances between lines.
  *
  * @param place in lengths of strokes
- * @param lot of the line, as are the bits that its strokes have by chance
+ * @param lot of the line, as are its turn and the bits that its strokes have by chance
  */
-function strokeOn(pen: Pen, born: Value, place: Value, lot: Value, bits: Value): Value {
+function strokeOn(
+  pen: Pen,
+  born: Value,
+  place: Value,
+  { lot, turn, bits }: Record<'lot' | 'turn' | 'bits', Value>,
+): Value {
   const along = place.add(lot).toVar();
   // Strokes begin late by chance, and so differ in length: the ends of neighbours would otherwise lie in rows across the lines.
   const stroke = floor(along).toVar();
@@ -121,9 +129,10 @@ function strokeOn(pen: Pen, born: Value, place: Value, lot: Value, bits: Value):
     .add(1);
   // From −1 at one end to 1 at the other.
   const way = along.sub(stroke).sub(late).mul(2).div(size).sub(1).toVar();
-  const grown = clamp(pen.tone.sub(chance.mul(ALL_FROM)).div(STROKE_GROWTH), 0, 1).toVar();
-  // What differs from stroke to stroke is spread evenly over a surface.
+  // What differs from stroke to stroke is spread evenly over a surface. Of three neighbouring lines the first strokes lie on one.
   const even = lotOfStroke(uint(lot.mul(16777216)).shiftLeft(uint(8)), stroke);
+  const order = fract(turn.add(even.div(3)));
+  const grown = clamp(pen.tone.sub(pen.allFrom.mul(order)).div(STROKE_GROWTH), 0, 1).toVar();
   const gap = fract(even.mul(GAP_LOT)).toVar();
   const inside = oneMinus(abs(way)).sub(pen.open.mul(STROKE_GAP).mul(gap)).sub(oneMinus(grown).mul(SHORTENING));
   const taper = pen.open.mul(TAPER).toVar();
@@ -167,6 +176,7 @@ function strokesOn(pen: Pen, born: Value, line: Value): Value {
   const number = numberOf(line, pen.family).toVar();
   const size = abs(number).toVar();
   const lot = lotOf(size).toVar();
+  const turn = select(size.equal(0), 0, lotBy(LOT_FACTORS.ONE_THIRD, size)).toVar();
   const bits = bitsOfLine(size);
   const first = firstOnLine(along, lot);
   const isFirst = first.greaterThanEqual(0.5).toVar();
@@ -183,7 +193,7 @@ function strokesOn(pen: Pen, born: Value, line: Value): Value {
     If(share.greaterThan(0), () => {
       const place = select(isFirst.equal(isOther), along.places.y, along.places.x).toVar();
       const period = select(isLonger, along.period.mul(2), along.period).toVar();
-      strokes.addAssign(strokeOn(pen, born, place.div(period), lot, bits).mul(share));
+      strokes.addAssign(strokeOn(pen, born, place.div(period), { lot, turn, bits }).mul(share));
     });
   });
   return vec2(strokes.x, sign(number).mul(strokes.y)).toVar();

@@ -1,5 +1,6 @@
 /** The twin of shaders/techniques/engraved/read.glsl. */
 import type { NodeBuilder } from 'three/webgpu';
+import type { Medium } from '../../../../material/facts/hatchingProperties.js';
 import { followsForm } from '../../base/followsForm.js';
 import type { LineCut } from './fieldAxis.js';
 import type { HatchingParameters, LinesInShadow } from './Hatching.js';
@@ -7,7 +8,7 @@ import { readHatchingParameters as readCut } from './readCut.js';
 import { readHatchingParameters as readForm } from './readForm.js';
 
 /** What engraving needs to know at this fragment. @param cut what cuts lines out of the object */
-export const read = (builder: NodeBuilder, cut: LineCut, shadow: LinesInShadow): HatchingParameters =>
+export const read = (builder: NodeBuilder, cut: LineCut, medium: Medium, shadow: LinesInShadow): HatchingParameters =>
   followsForm(cut.lineField)
-    ? readForm(builder, cut.lineField === 'acrossForm', shadow)
+    ? readForm(builder, { isAcross: cut.lineField === 'acrossForm', medium }, shadow)
     : readCut(builder, cut, shadow);

@@ -2,6 +2,7 @@
 import type { NodeBuilder } from 'three/webgpu';
 import { FORM_CONSTANTS } from '../../../../engraving/constants/formConstants.js';
 import { HAND_CONSTANTS } from '../../../../engraving/constants/handConstants.js';
+import type { Medium } from '../../../../material/facts/hatchingProperties.js';
 import { tsl, type Value } from '../../base/values.js';
 import { isInFullShadow } from '../../perFragment/fullShadow.js';
 import { screenGradient, screenMap, triangleOnScreen } from '../../perFragment/screenGradient.js';
@@ -17,10 +18,10 @@ const { COARSEST_OCTAVES, WIDTH_WAVE } = FORM_CONSTANTS;
 const formValueAt = (form: Value, stray: Value): Value =>
   form.w.add(dot(form.xyz, vFieldPoint.mul(0.5).add(stray))).toVar();
 
-/** @param isAcross whether the first family runs across the form */
+/** isAcross: whether the first family runs across the form. */
 export function readHatchingParameters(
   builder: NodeBuilder,
-  isAcross: boolean,
+  { isAcross, medium }: { isAcross: boolean; medium: Medium },
   { lights, told, shadowLeft }: LinesInShadow,
 ): HatchingParameters {
   const first = vForm.toVar();
@@ -38,6 +39,10 @@ export function readHatchingParameters(
   }
   const waves = slowWaves(vFieldPoint.mul(HAND_CONSTANTS.HAND_WAVES)).toVar();
   const stray = handPoint(vec3(0), waves).toVar();
+  // Strokes and cuts differ by themselves.
+  const differs = medium === 'pen' || medium === 'woodcut';
+  const ofHand = handPressure(waves);
+  const pressure = differs ? ofHand : ofHand.add(handmade.mul(WIDTH_WAVE).mul(waves.z));
   const values = [formValueAt(first, stray), formValueAt(crossing, stray)];
   const viewToField = objectToField.mul(readViewToAnchor(builder)).toVar();
   const onScreen = screenMap(normalize(vFieldNormal).toVar(), viewToField);
@@ -47,7 +52,7 @@ export function readHatchingParameters(
   return {
     onScreen,
     shadowLeft,
-    pressure: handPressure(waves).add(handmade.mul(WIDTH_WAVE).mul(waves.z)).toVar(),
+    pressure: pressure.toVar(),
     has: float(1),
     shareB: float(1),
     firstFamily: () => ({

@@ -42,14 +42,14 @@ function coveringBy(
   h: HatchingParameters,
   family: Family,
   tone: Value,
-  { oldRoom, spacing }: { oldRoom: Value; spacing: Value },
+  { octave, oldRoom, spacing }: Record<'octave' | 'oldRoom' | 'spacing', Value>,
 ): Covering {
   if (medium === 'pen') {
-    const pen = penFor(h, family, tone);
+    const pen = penFor(h, family, tone, octave);
     return (away, room, line) => penCoverage(pen, away, room.div(oldRoom), spacing, line);
   }
   if (medium === 'woodcut') {
-    const cut = cutFor(h, family, tone);
+    const cut = cutFor(h, family, tone, octave);
     return (away, room, line) => lineCoverage(abs(away), room.mul(cutWidth(cut, line)).toVar(), FRINGE);
   }
   return (away, room, line) => {
@@ -77,7 +77,7 @@ export function ruledLines(h: HatchingParameters, family: Family, tone: Value, m
   const below = floor(x).toVar();
   const oldRoom = spacing.mul(0.5).toVar();
   const youngRoom = pixels.sub(spacing).mul(0.5).toVar();
-  const covering = coveringBy(medium, h, family, tone, { oldRoom, spacing });
+  const covering = coveringBy(medium, h, family, tone, { octave, oldRoom, spacing });
   const covered = float(0).toVar();
   // All that a pixel may lie on: their shares of it add up.
   Loop({ start: int(0), end: int(3), type: 'int', condition: '<' }, ({ i }) => {

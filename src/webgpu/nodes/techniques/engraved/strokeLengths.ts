@@ -9,8 +9,8 @@ import { octaves, powerOf2 } from './octaves.js';
 import { sizedOnScreen } from './sizedOnScreen.js';
 import { vFieldNormal, vFieldPoint } from './varyings.js';
 
-const { abs, ceil, cross, dot, float, floor, max, min, mix, normalize, select, smoothstep, vec2, vec3 } = tsl;
-const { AXES_FADE, LENGTHS_FADE } = STROKE_LENGTH_CONSTANTS;
+const { abs, ceil, clamp, cross, dot, float, floor, max, min, mix, normalize, select, smoothstep, vec2, vec3 } = tsl;
+const { AXES_FADE, DIFFERING_OCTAVES, LEAST_DIFFERING, LENGTHS_FADE } = STROKE_LENGTH_CONSTANTS;
 
 /** Pixels, or 256ths of a tile. */
 const strokeLength = /* @__PURE__ */ hatchingUniform('strokeLength', 'float');
@@ -53,6 +53,10 @@ export function alongLines(h: HatchingParameters, family: Family): Along {
     longer: smoothstep(1 - LENGTHS_FADE, 1, octave.sub(whole).add(0.5)).toVar(),
   };
 }
+
+/** How far lines differ, as a share of the most: less where few lie between the repeats of their numbers. @param octave of their distance */
+export const differing = ({ coarsest }: Family, octave: Value): Value =>
+  clamp(float(coarsest).sub(octave).div(DIFFERING_OCTAVES), LEAST_DIFFERING, 1).toVar();
 
 /** The number of a line: the same on both sides of a seam but for its sign. */
 export function numberOf(line: Value, { isOfForm, coarsest }: Family): Value {
