@@ -3,7 +3,7 @@
  * out again: each line is a row of wedges. What they leave between them is black, and ends in points too.
  */
 import { CARVING_CONSTANTS } from './constants/carvingConstants.js';
-import { lotOf } from './hand.js';
+import { turnOf } from './hand.js';
 import { octaves } from './ruledLines.js';
 import { type Along, differing, numberOf } from './strokeLengths.js';
 import { clamp01, mix } from './vectors.js';
@@ -48,7 +48,7 @@ function gouge(x: number): number {
 
 /** The share of its room that is cut away of a line, from 0 to 1. */
 export function cutWidth({ middle, swell, along, repeat }: Cut, line: number): number {
-  const lot = lotOf(Math.abs(numberOf(line, repeat)));
+  const lot = turnOf(Math.abs(numberOf(line, repeat)));
   const [first, second] = along.places.map((place) => {
     const wedges = place / along.period;
     return mix(gouge(wedges + lot), gouge(0.5 * wedges + lot), along.longer);

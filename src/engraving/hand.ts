@@ -51,7 +51,7 @@ export function bitsOf(value: number): number {
  *
  * The value is multiplied by a number whose binary digits repeat those that are given on both sides of its point, and the fraction is the lot.
  */
-export function lotBy(digits: number, line: number): number {
+function lotBy(digits: number, line: number): number {
   const word = bitsOf(line);
   const exponent = (word >>> 23) & 31;
   const factor = (digits << exponent) | (digits >>> (-exponent & 31));
@@ -61,6 +61,9 @@ export function lotBy(digits: number, line: number): number {
 
 /** One that is far from those of its neighbours: at any power of two they are at least 0.17 apart, and so is the next but one. */
 export const lotOf = (line: number): number => lotBy(LOT_FACTORS.THUE_MORSE, line);
+
+/** One by which three neighbours take turns: 0, a third and two thirds. */
+export const turnOf = (line: number): number => (line === 0 ? 0 : lotBy(LOT_FACTORS.ONE_THIRD, line));
 
 /** A factor on the width of a line, the same all along it; 1 in the mean. */
 export const handWidth = (line: number, handmade: number): number =>

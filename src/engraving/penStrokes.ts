@@ -5,7 +5,7 @@
 
 import { LOT_FACTORS } from './constants/lotConstants.js';
 import { PEN_CONSTANTS } from './constants/penConstants.js';
-import { bitsOf, lotBy, lotOf } from './hand.js';
+import { bitsOf, lotOf, turnOf } from './hand.js';
 import { type Along, differing, numberOf } from './strokeLengths.js';
 import { clamp01, mix } from './vectors.js';
 
@@ -26,7 +26,7 @@ const {
   WIDTH_SPREAD,
 } = PEN_CONSTANTS;
 const { GAP_LOT, BIRTH_LOT, WIDTH_LOT, AXIS_LOT, AXIS_TURN } = PEN_CONSTANTS;
-const { GOLDEN_RATIO, ONE_THIRD, THIRD_FACTOR, THUE_MORSE } = LOT_FACTORS;
+const { GOLDEN_RATIO, THIRD_FACTOR, THUE_MORSE } = LOT_FACTORS;
 
 /** What a line loses to the gaps and the ends of its strokes where they are farthest apart. */
 const LOST = 0.5 * STROKE_GAP + TAPER / 3;
@@ -161,8 +161,7 @@ export function strokeAt(pen: Pen, share: number, line: number): Stroke {
   const { places, period, longer, share: firstOfAll } = pen.along;
   const number = numberOf(line, pen.repeat);
   const size = Math.abs(number);
-  const turn = size === 0 ? 0 : lotBy(ONE_THIRD, size);
-  const penned: PennedLine = { lot: lotOf(size), turn, bits: bitsOfLine(size), sign: Math.sign(number) };
+  const penned: PennedLine = { lot: lotOf(size), turn: turnOf(size), bits: bitsOfLine(size), sign: Math.sign(number) };
   // Lines go over from one axis to the other one after another.
   const first = clamp01(((1 + AXIS_TURN) * firstOfAll - fract(AXIS_LOT * penned.lot)) / AXIS_TURN);
   const alongAxis = (place: number): Stroke => {

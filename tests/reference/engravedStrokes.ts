@@ -22,6 +22,9 @@ export function lotOf(value: number, digits: readonly number[] = THUE_MORSE): nu
   return (Number(fraction >> 8n) / 2 ** 24 + (value < 0 ? 0.5 : 0)) % 1;
 }
 
+/** Another, in turn for three neighbours, the same below 0. */
+export const turnOf = (value: number): number => (value === 0 ? 0 : lotOf(Math.abs(value), THIRD));
+
 /** A factor on the width of the line at a value. */
 export const lineFactor = (value: number, handmade: number): number => 1 + handmade * (0.5 * lotOf(value) - 0.25);
 
@@ -133,7 +136,7 @@ export function penStroke(
     there < 0.04 ? Math.sqrt(0.16 * there) : last > 0.04 ? there + 0.04 : 1.08 - Math.sqrt(Math.max(0.16 * last, 0));
   const fract = (x: number) => x - Math.floor(x);
   const lot = lotOf(Math.abs(number));
-  const turn = number === 0 ? 0 : lotOf(Math.abs(number), THIRD);
+  const turn = turnOf(number);
   const beginOf = (stroke: number) => stroke + 0.4 * fract(16 * lotOfStroke(number, stroke));
   const one = (place: number, period: number): [number, number] => {
     const at = place / period + lot;
@@ -183,7 +186,7 @@ export function cutShare(
 ): number {
   const rarer = Math.min(white, 1 - white);
   const swell = Math.min(0.42, 1.3 * rarer) * differing(repeat, octave);
-  const lot = lotOf(Math.abs(numberOf(line, repeat)));
+  const lot = turnOf(numberOf(line, repeat));
   const mixed = (a: number, b: number, t: number) => (1 - t) * a + t * b;
   const flattened = (t: number) => Math.hypot(t, 1 - t);
   const waves = places.map((place) => {

@@ -43,7 +43,7 @@ vec4 gouge(const in vec4 x) {
 }
 
 float cutWidth(const in Cut cut, const in float line) {
-  vec4 waves = gouge(cut.waves + lotOf(abs(numberOf(line, cut.family))));
+  vec4 waves = gouge(cut.waves + turnOf(abs(numberOf(line, cut.family))));
   vec2 lengths = mix(waves.xy, waves.zw, cut.shares.x);
   return clamp(cut.middle + cut.swell * mix(lengths.y, lengths.x, cut.shares.y), 0.0, 1.0);
 }

@@ -42,6 +42,11 @@ float lotOf(const in float line) {
   return lotBy(THUE_MORSE, line);
 }
 
+// One by which three neighbours take turns: 0, a third and two thirds.
+float turnOf(const in float line) {
+  return line == 0.0 ? 0.0 : lotBy(ONE_THIRD, line);
+}
+
 // A factor on the width of a line, the same all along it; 1 in the mean.
 float handWidth(const in float line) {
   float most = handmade * WIDTHS;

@@ -90,7 +90,7 @@ vec2 strokesOn(const in Pen pen, const in float born, const in float line) {
   Along along = pen.along;
   float number = numberOf(line, pen.family);
   float lot = lotOf(abs(number));
-  float turn = number == 0.0 ? 0.0 : lotBy(ONE_THIRD, abs(number));
+  float turn = turnOf(abs(number));
   uint ofLine = bitsOfLine(abs(number));
   float first = firstOnLine(along, lot);
   bool isFirst = first >= 0.5;

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { handWidth, lotOf } from '../../../src/engraving/hand.js';
+import { handWidth, lotOf, turnOf } from '../../../src/engraving/hand.js';
 import { fieldLight } from '../../../src/engraving/lightField.js';
 import { octaves, powerOf2, roomOf } from '../../../src/engraving/ruledLines.js';
 import type { Vec3 } from '../../../src/engraving/vectors.js';
@@ -11,6 +11,15 @@ test('a line has the lot and the width of the reference', () => {
   for (let i = -300; i < 300; i++) {
     expect(lotOf(i / 64)).toBe(referenceLot(i / 64));
     expect(handWidth(i / 64, 0.7)).toBeCloseTo(lineFactor(i / 64, 0.7), 12);
+  }
+});
+
+test('three neighbouring lines take turns at every octave', () => {
+  for (let octave = -25; octave < 15; octave++) {
+    for (const start of [0, 1, 300, 5000, 70_000]) {
+      const turns = Array.from({ length: 30 }, (_, i) => Math.round(3 * turnOf((start + i) * 2 ** octave)) % 3);
+      for (let i = 2; i < turns.length; i++) expect(new Set(turns.slice(i - 2, i + 1)).size).toBe(3);
+    }
   }
 });
 

@@ -45,3 +45,27 @@ test('strokes of one line differ in length, and are of the asked length in the m
   expect(Math.min(...lengths)).toBeGreaterThan(0.6);
   expect(Math.max(...lengths) - Math.min(...lengths)).toBeGreaterThan(0.2);
 });
+
+test('the first strokes of a light tone lie on every third line, wherever they are looked for', () => {
+  for (let i = 0; i < 12; i++) {
+    const drawn = Array.from({ length: 30 }, (_, line) => widthAt(i + 0.5, 0.045, 300 + line) > 0);
+    for (let line = 0; line + 6 <= drawn.length; line++) {
+      const neighbours = drawn.slice(line, line + 6).filter(Boolean).length;
+      expect(neighbours, `strokes of six lines from ${line} on`).toBeLessThanOrEqual(2);
+    }
+  }
+});
+
+test('lines that repeat after a few have all their strokes in a light tone, as thin as that takes', () => {
+  const along = { places: [0, 0], share: 0, period: 1, longer: 0 } as const;
+  for (const [octave, least] of [
+    [2, 1],
+    [-8, 0],
+  ]) {
+    const widths = Array.from({ length: 9 }, (_, i) => {
+      const pen = penFor(0.06, { ...along, places: [0, 0.3 + i] }, 0, 4, octave);
+      return strokeAt(pen, 1, 1).presence;
+    });
+    expect(Math.min(...widths) >= 0.5).toBe(least === 1);
+  }
+});

@@ -2,7 +2,7 @@
 import { CARVING_CONSTANTS } from '../../../../engraving/constants/carvingConstants.js';
 import { tsl, type Value } from '../../base/values.js';
 import type { Family, HatchingParameters } from './Hatching.js';
-import { lotOf } from './hand.js';
+import { turnOf } from './hand.js';
 import { octaves } from './octaves.js';
 import { alongLines, differing, numberOf } from './strokeLengths.js';
 
@@ -69,7 +69,7 @@ function gouge(x: Value): Value {
 }
 
 export function cutWidth(cut: Cut, line: Value): Value {
-  const lot = lotOf(abs(numberOf(line, cut.family)).toVar());
+  const lot = turnOf(abs(numberOf(line, cut.family)).toVar());
   const waves = gouge(cut.waves.add(lot)).toVar();
   const lengths = mix(waves.xy, waves.zw, cut.shares.x).toVar();
   return clamp(cut.middle.add(cut.swell.mul(mix(lengths.y, lengths.x, cut.shares.y))), 0, 1);

@@ -4,7 +4,7 @@ import { LOT_FACTORS } from '../../../../engraving/constants/lotConstants.js';
 import { hatchingUniform } from '../../base/uniforms.js';
 import { type Input, tsl, type Value } from '../../base/values.js';
 
-const { abs, float, floatBitsToUint, fract, uint, vec3 } = tsl;
+const { abs, float, floatBitsToUint, fract, select, uint, vec3 } = tsl;
 const { BEND_PHASES, BENDS, BENT_BY, PRESSURE, SLOW_WAVES, STRAY, WAVE_PHASES, WIDTHS } = HAND_CONSTANTS;
 
 /** 0: a ruling machine. */
@@ -42,7 +42,7 @@ export const handPressure = (waves: Value): Value => handmade.mul(PRESSURE).mul(
 export const handTone = (pressure: Value, tone: Value): Value => tone.add(pressure.mul(tone).mul(float(1).sub(tone)));
 
 /** A number in [0, 1) that belongs to a line. @param line its value, a multiple of a power of two */
-export function lotBy(digits: number, line: Value): Value {
+function lotBy(digits: number, line: Value): Value {
   const bits = floatBitsToUint(line).toVar();
   const exponent = bits.shiftRight(uint(23)).bitAnd(uint(31)).toVar();
   const rest = uint(32).sub(exponent).bitAnd(uint(31));
@@ -54,6 +54,9 @@ export function lotBy(digits: number, line: Value): Value {
 
 /** One that is far from those of its neighbours. */
 export const lotOf = (line: Value): Value => lotBy(LOT_FACTORS.THUE_MORSE, line);
+
+/** One by which three neighbours take turns: 0, a third and two thirds. */
+export const turnOf = (line: Value): Value => select(line.equal(0), 0, lotBy(LOT_FACTORS.ONE_THIRD, line)).toVar();
 
 /** A factor on the width of a line, the same all along it; 1 in the mean. */
 export function handWidth(line: Value): Value {

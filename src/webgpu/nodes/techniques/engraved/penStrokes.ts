@@ -4,7 +4,7 @@ import { PEN_CONSTANTS } from '../../../../engraving/constants/penConstants.js';
 import { tsl, type Value } from '../../base/values.js';
 import { lineCoverage } from '../../chunks/lineCoverage.js';
 import type { Family, HatchingParameters } from './Hatching.js';
-import { handmade, lotBy, lotOf } from './hand.js';
+import { handmade, lotOf, turnOf } from './hand.js';
 import { FRINGE } from './lineFringe.js';
 import { type Along, alongLines, differing, numberOf } from './strokeLengths.js';
 
@@ -176,7 +176,7 @@ function strokesOn(pen: Pen, born: Value, line: Value): Value {
   const number = numberOf(line, pen.family).toVar();
   const size = abs(number).toVar();
   const lot = lotOf(size).toVar();
-  const turn = select(size.equal(0), 0, lotBy(LOT_FACTORS.ONE_THIRD, size)).toVar();
+  const turn = turnOf(size);
   const bits = bitsOfLine(size);
   const first = firstOnLine(along, lot);
   const isFirst = first.greaterThanEqual(0.5).toVar();
