@@ -1,3 +1,4 @@
+import type { Mesh, Object3D } from 'three';
 import { ThreeMFLoader } from 'three/addons/loaders/3MFLoader.js';
 import { unzip } from '../archives/zip.js';
 import { join3mf } from './join3mf.js';
@@ -11,5 +12,14 @@ export async function read3mf(bytes: Uint8Array, name: string): Promise<LoadedSc
     withStandIns(() => new ThreeMFLoader().parse(joined.bytes.slice().buffer)),
     name,
   );
+  showAlpha(scene.root);
   return { ...scene, notes: joined.notes };
+}
+
+/** Has materials blend whose colour has an alpha: the loader reads it as an opacity, which opaque materials do not show. */
+function showAlpha(root: Object3D): void {
+  root.traverse((object) => {
+    for (const material of [(object as Partial<Mesh>).material ?? []].flat())
+      if (material.opacity < 1) material.transparent = true;
+  });
 }

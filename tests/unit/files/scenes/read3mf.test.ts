@@ -107,6 +107,17 @@ describe('3MF', () => {
     );
   });
 
+  test('a colour with an alpha is seen through', async () => {
+    const colour = (alpha: string): string =>
+      `<basematerials id="5"><base name="a" displaycolor="#FF0000${alpha}"/></basematerials>`;
+    const seenThrough = async (alpha: string): Promise<boolean> => {
+      const resources = colour(alpha) + box(1, [1, 1, 1], 'pid="5" pindex="0"') + box(2, [2, 2, 2]);
+      const { mesh } = await read(...packed({ [ROOT]: model(resources, item(1) + item(2, at(4))) }));
+      return mesh.ranges?.some(({ isSeeThrough }) => isSeeThrough) ?? false;
+    };
+    expect(await Promise.all(['40', 'FF'].map(seenThrough))).toEqual([true, false]);
+  });
+
   test('properties that are no plain colours leave the triangles, and are named', async () => {
     const mixed = '<m:multiproperties id="5" pids="1 2"><m:multi pindices="0 0"/></m:multiproperties>';
     const drawn = await read(...packed({ [ROOT]: model(mixed + box(1, [1, 1, 1], 'pid="5" pindex="0"'), item(1)) }));
