@@ -247,7 +247,7 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Obj
   /** Has the material fade and be tested as a surface is, until `endSurface`. */
   protected beginSurface(surface: Material): void {
     this.endSurface();
-    this.ownState = takeDrawState(this.material, surface);
+    this.ownState = takeDrawState(this.material, surface, this.mesh?.geometry);
   }
 
   protected endSurface(): void {

@@ -1,4 +1,4 @@
-import type { Material, Mesh } from 'three';
+import type { BufferGeometry, Material, Mesh } from 'three';
 import type { OutlineData } from '../geometry/OutlineData.js';
 import { CameraLists } from './CameraLists.js';
 import { NO_PART, splitterOf } from './PrimitiveSplitter.js';
@@ -39,20 +39,29 @@ export class OutlineParts {
   of(mesh: Mesh, data: OutlineData): readonly OutlinePart[] {
     const { material, geometry } = mesh;
     if (!Array.isArray(material)) {
-      if (!material || !isShown(material)) return NONE;
+      if (!material || !isShown(material, geometry)) return NONE;
       const { start, count } = geometry.drawRange;
       if (start <= 0 && start + count >= 3 * data.triangleCount) return this.asWhole(data, material);
     }
-    const looks = looksOf(surfaceParts(mesh).filter((part) => isShown(part.material)));
-    if (looks.length === 0) return NONE;
-    if (looks.length === 1 && isAll(looks[0].parts, data)) return this.asWhole(data, looks[0].surface);
-    return this.asSplit(data, looks);
+    return this.ofGroups(mesh, data);
   }
 
   dispose(): void {
     for (const { lists } of this.whole) lists.dispose();
     this.whole = [];
     this.dropSplit();
+  }
+
+  /** A function of its own: what its closures keep is allocated whenever it is called. */
+  private ofGroups(mesh: Mesh, data: OutlineData): readonly OutlinePart[] {
+    const { geometry } = mesh;
+    const looks = looksOf(
+      surfaceParts(mesh).filter((part) => isShown(part.material, geometry)),
+      geometry,
+    );
+    if (looks.length === 0) return NONE;
+    if (looks.length === 1 && isAll(looks[0].parts, data)) return this.asWhole(data, looks[0].surface);
+    return this.asSplit(data, looks);
   }
 
   private asWhole(data: OutlineData, surface: Material): readonly OutlinePart[] {
@@ -88,14 +97,14 @@ export class OutlineParts {
 }
 
 /** Parts by their looks, the most opaque one first: what lies between two looks has that of the first. */
-function looksOf(parts: readonly SurfacePart[]): Look[] {
+function looksOf(parts: readonly SurfacePart[], geometry: BufferGeometry): Look[] {
   const looks: Look[] = [];
   for (const part of parts) {
-    const known = looks.find(({ surface }) => looksAlike(surface, part.material));
+    const known = looks.find(({ surface }) => looksAlike(surface, part.material, geometry));
     if (known) known.parts.push(part);
     else looks.push({ surface: part.material, parts: [part] });
   }
-  return looks.sort((a, b) => opacityOf(b.surface) - opacityOf(a.surface));
+  return looks.sort((a, b) => opacityOf(b.surface, geometry) - opacityOf(a.surface, geometry));
 }
 
 const firstOf = ({ start }: SurfacePart): number => Math.ceil(start / 3);

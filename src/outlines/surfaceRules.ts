@@ -1,4 +1,5 @@
 import {
+  type BufferGeometry,
   type DepthModes,
   EqualDepth,
   GreaterDepth,
@@ -13,17 +14,37 @@ import {
   NotEqualDepth,
 } from 'three';
 
-/** The share of the ink that the opacity of a material leaves, by the rules of three.js: what is not blended is opaque. */
-export function opacityOf(material: Material): number {
-  const { opacity, transparent, blending, alphaHash, alphaTest, alphaToCoverage } = material;
+/** The alpha of the most opaque vertex, for attributes of colours and their version. */
+const alphas = new WeakMap<object, { version: number; most: number }>();
+
+/** The alpha that colours of vertices give to a material: that of the most opaque one. */
+function vertexAlpha({ vertexColors }: Material, { attributes: { color } }: BufferGeometry): number {
+  if (!vertexColors || color?.itemSize !== 4) return 1;
+  const version = 'version' in color ? color.version : color.data.version;
+  const known = alphas.get(color);
+  if (known?.version === version) return known.most;
+  let most = 0;
+  for (let vertex = 0; vertex < color.count; vertex++) most = Math.max(most, color.getW(vertex));
+  alphas.set(color, { version, most });
+  return most;
+}
+
+/**
+ * The share of the ink that the opacity of a material leaves, by the rules of three.js: what is not blended is opaque.
+ *
+ * @param geometry whose colours of vertices count too
+ */
+export function opacityOf(material: Material, geometry: BufferGeometry | null = null): number {
+  const { transparent, blending, alphaHash, alphaTest, alphaToCoverage } = material;
+  const opacity = geometry ? material.opacity * vertexAlpha(material, geometry) : material.opacity;
   if (opacity < alphaTest) return 0;
   const isBlended = blending !== NormalBlending && blending !== NoBlending;
   return transparent || alphaHash || alphaToCoverage || isBlended ? Math.min(Math.max(opacity, 0), 1) : 1;
 }
 
 /** Whether anything is seen of a surface with this material. */
-export const isShown = (material: Material): boolean =>
-  material.visible && material.colorWrite && material.depthFunc !== NeverDepth && opacityOf(material) > 0;
+export const isShown = (material: Material, geometry: BufferGeometry | null = null): boolean =>
+  material.visible && material.colorWrite && material.depthFunc !== NeverDepth && opacityOf(material, geometry) > 0;
 
 /** What says for each pixel whether a material is drawn there, and how much of it is seen. */
 const NAMES = [
@@ -65,8 +86,12 @@ const NEARER: readonly DepthModes[] = [LessDepth, LessEqualDepth, EqualDepth];
  *
  * @returns the state that it had before; null if nothing changes. Allocates nothing then.
  */
-export function takeDrawState(material: Material, surface: Material): DrawState | null {
-  const opacity = opacityOf(surface);
+export function takeDrawState(
+  material: Material,
+  surface: Material,
+  geometry: BufferGeometry | null = null,
+): DrawState | null {
+  const opacity = opacityOf(surface, geometry);
   if (opacity === 1 && isTestedAsUsual(surface)) return null;
   const before = drawStateOf(material);
   material.opacity *= opacity;
@@ -107,7 +132,7 @@ export function writeDrawState(material: Material, u: Record<string, IUniform>):
 }
 
 /** Whether two materials give their outlines the same look. */
-export const looksAlike = (a: Material, b: Material): boolean =>
+export const looksAlike = (a: Material, b: Material, geometry: BufferGeometry | null = null): boolean =>
   a === b ||
-  (opacityOf(a) === opacityOf(b) &&
+  (opacityOf(a, geometry) === opacityOf(b, geometry) &&
     ((isTestedAsUsual(a) && isTestedAsUsual(b)) || NAMES.every((name) => name === 'opacity' || a[name] === b[name])));

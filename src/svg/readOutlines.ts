@@ -1,4 +1,13 @@
-import { type Camera, DataUtils, type Material, Matrix3, Matrix4, type Mesh, Vector3 } from 'three';
+import {
+  type BufferGeometry,
+  type Camera,
+  DataUtils,
+  type Material,
+  Matrix3,
+  Matrix4,
+  type Mesh,
+  Vector3,
+} from 'three';
 import { POINT_BITS, POINT_MASK, POINT_WORDS, PRIMITIVE_WORDS } from '../bake/outlineLayout.js';
 import { unpackPoints } from '../bake/unpackPoints.js';
 import type { Emphasis } from '../engraving/emphasis.js';
@@ -21,19 +30,21 @@ const CHUNK = 4096;
  * How outlines look. Lines do not fade: half transparent ones are half as wide, which is the same ink.
  *
  * @param surface what draws the surface
+ * @param geometry of the surface
  * @param hasMaterials whether the mesh has several, whose borders are drawn
  * @param emphasis of the mesh
  */
 export function outlineLookOf(
   material: HatchingOutlineMaterial,
   surface: Material,
+  geometry: BufferGeometry,
   hasMaterials: boolean,
   emphasis: Emphasis | null,
 ): OutlineLook {
   const { outlineWidth, contours, innerContours, borders, creases, materialBorders, suggestiveContours } = material;
   const { taper, lostEdges, accents, overshoot, wobble, hidden } = material;
   return {
-    width: outlineWidth * opacityOf(material) * opacityOf(surface),
+    width: outlineWidth * opacityOf(material) * opacityOf(surface, geometry),
     materialBorders: hasMaterials ? materialBorders : 0,
     shadeWeights: material.shadeWeights.toArray() as [number, number],
     ...{ contours, innerContours, borders, creases, suggestiveContours, taper, lostEdges },

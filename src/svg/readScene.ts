@@ -326,7 +326,13 @@ class SceneReader {
       for (const { data: ofPart, surface } of parts)
         this.outlines.push({
           mesh: yield* readOutlines(mesh, ofPart, { toWorld: copy.toWorld, posed }, this.camera),
-          look: outlineLookOf(material, surface, Array.isArray(mesh.material), readOutlineEmphasis(mesh, this.camera)),
+          look: outlineLookOf(
+            material,
+            surface,
+            mesh.geometry,
+            Array.isArray(mesh.material),
+            readOutlineEmphasis(mesh, this.camera),
+          ),
           clip: clipOf(isClipped(material) ? material : surface, this.clippingPlanes),
           ink: colorOf(material),
         });

@@ -1,6 +1,8 @@
 import {
   AdditiveBlending,
   AlwaysDepth,
+  BufferAttribute,
+  BufferGeometry,
   EqualDepth,
   GreaterDepth,
   LessEqualDepth,
@@ -30,6 +32,20 @@ test.each<[MaterialParameters, number]>([
   [{ opacity: 0.6, alphaTest: 0.5 }, 1],
 ])('of a material with %o outlines have the share %d of their ink', (parameters, share) => {
   expect(opacityOf(surface(parameters))).toBe(share);
+});
+
+test('colours of vertices with an alpha count, where they fade their material: the most opaque one', () => {
+  const geometry = new BufferGeometry();
+  const color = new BufferAttribute(Float32Array.of(1, 1, 1, 0.2, 1, 1, 1, 0.5), 4);
+  geometry.setAttribute('color', color);
+  const faded = surface({ transparent: true, opacity: 0.5, vertexColors: true });
+  expect(opacityOf(faded, geometry)).toBe(0.25);
+  expect(opacityOf(surface({ transparent: true, opacity: 0.5 }), geometry)).toBe(0.5);
+  expect(opacityOf(surface({ vertexColors: true }), geometry)).toBe(1);
+  color.setW(1, 0).setW(0, 0).needsUpdate = true;
+  expect(isShown(faded, geometry)).toBe(false);
+  geometry.setAttribute('color', new BufferAttribute(new Float32Array(6), 3));
+  expect(opacityOf(faded, geometry)).toBe(0.5);
 });
 
 test('nothing is seen of a material that is not visible, writes no colour, is see-through or passes no test', () => {
