@@ -90,7 +90,7 @@ export class HatchedScene {
 
   /**
    * Takes over what has changed in the materials that were replaced: colour, opacity, maps, emission, visibility, sides, wireframe,
-   * fog and clipping. A parameter that you gave, or a value that you have set on the new material, stays. A mesh that was given its
+   * fog, clipping, depth and stencil. A parameter that you gave, or a value that you have set on the new material, stays. A mesh that was given its
    * former material or geometry back, as helpers that swap materials for a moment do, gets its new look again.
    *
    * Call it before a frame if your code changes the former materials; `<Hatched>` does so. It costs a comparison per property.

@@ -26,9 +26,9 @@ export const SENTENCES = {
   noForm: (mesh: string, field: string) =>
     `${mesh} is drawn with ${field} 'light', because it was prepared without form. Prepare it with { form: true }.`,
   moved: (mesh: string) =>
-    `the positions of ${mesh} have changed since it was prepared; its neighbours, stroke normals and outlines have not. Move the mesh instead of the geometry, move vertices by bones or morph targets, which strokes and outlines follow, or change the geometry before prepareHatchingGeometry.`,
+    `the positions of ${mesh} have changed since it was prepared; its strokes and outlines have not. Move the mesh instead of the geometry, or vertices by bones or morph targets, which both follow, or change the geometry before prepareHatchingGeometry.`,
   movedIndexed: (mesh: string) =>
-    `the positions of ${mesh} have changed since it was prepared; its stroke normals and outlines have not. Move the mesh, or move vertices by bones or morph targets, which strokes and outlines follow, or prepare the geometry again. Without outlines, geometry.deleteAttribute('hatchNormal') draws it with its own normals, and a shift of all by the same vector needs nothing.`,
+    `the positions of ${mesh} have changed since it was prepared; its strokes and outlines have not. Move the mesh, or vertices by bones or morph targets, which both follow, or prepare it again. Without outlines, geometry.deleteAttribute('hatchNormal') draws it with its own normals.`,
   toneMapped: (mesh: string) =>
     `${mesh} is drawn with the tone mapping of the renderer, which makes paper and ink grey. Set toneMapped: false on its material, or renderer.toneMapping = NoToneMapping; in React Three Fiber use <Canvas flat>.`,
   noLight: (mesh: string) => `${mesh} gets no light. Add a DirectionalLight of intensity Math.PI to the scene.`,

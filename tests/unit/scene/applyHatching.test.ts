@@ -8,6 +8,7 @@ import {
   BufferGeometry,
   Color,
   DoubleSide,
+  GreaterDepth,
   Group,
   InstancedMesh,
   Line,
@@ -116,8 +117,9 @@ describe('what it makes of a scene', () => {
     mesh.layers.set(2);
     mesh.renderOrder = 3;
     expect([outlines.layers.mask, outlines.renderOrder]).toEqual([4, 3]);
-    source.opacity = 0;
+    Object.assign(source, { opacity: 0, depthFunc: GreaterDepth, stencilWrite: true, stencilRef: 2 });
     scene.follow();
+    expect(mesh.material).toMatchObject({ opacity: 0, depthFunc: GreaterDepth, stencilWrite: true, stencilRef: 2 });
     outlines.geometry.setDrawRange(0, 9);
     outlines.onBeforeRender({} as never, new Scene(), new PerspectiveCamera());
     expect(outlines.geometry.drawRange.count).toBe(-1);
