@@ -167,7 +167,7 @@ export const ROOMS = {
   'files/gltf': ['common', 'mesh', 'pictures', 'draco', 'scenes'],
   // The library's simplification is no part of its interface.
   'files/simplify': ['mesh', '/src/detail'],
-  'files/moving': ['common', 'pictures', 'gltf'],
+  'files/moving': ['common', 'mesh', 'pictures', 'gltf'],
   // By its path, the library's presets are data for Node too: tests of the figures read them there. Its check of hands is no part of its interface.
   settings: ['scene/presets.ts', 'hand'],
   drawing: ['files', 'settings'],

@@ -8,6 +8,25 @@ export const FAR = 8;
  * @param indices of the points that count; by default all do
  */
 export function nearFloats(points: ArrayLike<number>, indices?: ArrayLike<number>): Float32Array {
+  const centre = farCentre(points, FAR, indices);
+  if (!centre) return Float32Array.from(points);
+  const near = new Float32Array(points.length);
+  for (let i = 0; i < near.length; i++) near[i] = points[i] - centre[i % 3];
+  return near;
+}
+
+/**
+ * The centre of points that lie far from the origin; undefined if they do not.
+ *
+ * @param points xyz of each; those that are no numbers do not count
+ * @param far so many times their size
+ * @param indices of the points that count; by default all do
+ */
+export function farCentre(
+  points: ArrayLike<number>,
+  far: number,
+  indices?: ArrayLike<number>,
+): readonly number[] | undefined {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
   const count = indices?.length ?? points.length / 3;
@@ -23,8 +42,5 @@ export function nearFloats(points: ArrayLike<number>, indices?: ArrayLike<number
   }
   const size = Math.hypot(...high.map((value, axis) => value - low[axis]));
   const centre = low.map((value, axis) => value / 2 + high[axis] / 2);
-  if (!(size > 0 && Math.hypot(...centre) >= FAR * size && size < Infinity)) return Float32Array.from(points);
-  const near = new Float32Array(points.length);
-  for (let i = 0; i < near.length; i++) near[i] = points[i] - centre[i % 3];
-  return near;
+  return size > 0 && size < Infinity && Math.hypot(...centre) >= far * size ? centre : undefined;
 }

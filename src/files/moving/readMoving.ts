@@ -2,6 +2,7 @@ import type { Mesh, Object3D } from 'three';
 import { counted } from '../common/counted.js';
 import type { FindFile } from '../common/FindFile.js';
 import type { ReadGltf } from '../gltf/readGltf.js';
+import { farCentre } from '../mesh/nearFloats.js';
 
 /** Writing a larger scene as glTF would take too long, and it would not be drawn in motion anyway. */
 const MAX_VERTICES = 300_000;
@@ -40,11 +41,8 @@ const moves = (json: { animations?: unknown[] }): boolean => (json.animations?.l
 function isFar(root: Object3D): boolean {
   let isFound = false;
   root.traverse((object) => {
-    const { geometry } = object as Partial<Mesh>;
-    if (!geometry?.getAttribute('position')) return;
-    geometry.computeBoundingSphere();
-    const { center, radius } = geometry.boundingSphere!;
-    isFound ||= center.length() > MAX_DISTANCE * radius;
+    const position = (object as Partial<Mesh>).geometry?.getAttribute('position');
+    isFound ||= position !== undefined && farCentre(position.array, MAX_DISTANCE) !== undefined;
   });
   return isFound;
 }

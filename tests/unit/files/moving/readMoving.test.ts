@@ -20,7 +20,8 @@ import { buildModel } from '../../../../src/drawing/buildModel.js';
 import { meshesOf } from '../../../../src/drawing/meshesOf.js';
 import { type GltfParts, parseGltf } from '../../../../src/files/gltf/parseGltf.js';
 import { readMoving } from '../../../../src/files/moving/readMoving.js';
-import { type ReadParts, readModel } from '../../../../src/files/readModel.js';
+import { type ReadMesh, type ReadParts, readModel } from '../../../../src/files/readModel.js';
+import { BOX_CORNERS } from '../../../../tools/modelFiles/box.js';
 import { FileReaderStandIn } from '../../../../tools/modelFiles/FileReaderStandIn.js';
 import { dae, fbx } from '../../../../tools/modelFiles/sceneWriters.js';
 
@@ -49,6 +50,18 @@ describe("a model of three's other loaders that moves", () => {
     expect(motion!.duration).toBe(1);
     // It goes from one side to the other.
     expect(bounds.max.x - bounds.min.x).toBeGreaterThan(1.5 * (bounds.max.z - bounds.min.z));
+    expect(message).not.toHaveBeenCalled();
+  });
+
+  test('is drawn at rest where its vertices lie so far from its origin that glTF would round them', async () => {
+    const corners = BOX_CORNERS.map((corner) => corner.join(' ')).join(' ');
+    const far = BOX_CORNERS.map(([x, y, z]) => [0.25 * x + 1e7, 0.25 * y, 0.25 * z].join(' ')).join(' ');
+    const model = await read(dae(undefined, true).replaceAll(corners, far));
+    expect([model.kind, model.notes]).toEqual(['mesh', ['shown without its motion']]);
+    const side = 1 / Math.sqrt(3);
+    for (const value of (model as ReadMesh).mesh.positions) expect(Math.abs(value)).toBeCloseTo(side, 5);
+    const message = vi.spyOn(console, 'error');
+    await read(dae(undefined, true).replaceAll(corners, corners.replace('1', 'x')));
     expect(message).not.toHaveBeenCalled();
   });
 
