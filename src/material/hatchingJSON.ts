@@ -34,7 +34,8 @@ export function setFromJSON(
   json: HatchingMaterialJSON,
   textures: Readonly<Record<string, Texture>>,
 ): void {
-  checkIsRecord(json);
+  const isRecord = typeof json === 'object' && json !== null && !Array.isArray(json);
+  check('what was given', isRecord, json, 'JSON object, as toJSON gives it');
   const values: Record<string, unknown> = {};
   const plain = plainProperties();
   for (const [name, value] of Object.entries(json)) {
@@ -90,13 +91,6 @@ function planesFrom(value: unknown): Plane[] {
     const [x, y, z, constant] = numbers as number[];
     return new Plane(new Vector3(x, y, z), constant);
   });
-}
-
-function checkIsRecord(json: unknown): void {
-  if (typeof json === 'object' && json !== null && !Array.isArray(json)) return;
-  // What is no JSON has no text.
-  const text = JSON.stringify(json) ?? String(json);
-  throw new TypeError(`HatchingMaterial.fromJSON: expected the object that toJSON returns, but got ${text}.`);
 }
 
 function check(name: string, isRight: boolean, value: unknown, expected: string): void {

@@ -68,11 +68,13 @@ describe('JSON of a material, from anywhere', () => {
     [true, 'true'],
     ['{}', '"{}"'],
     [[], '[]'],
-    [() => {}, '() => {'],
+    [() => {}, 'undefined'],
   ])('is refused in a sentence where it is no object: %s', (json, shown) => {
     const read = () => HatchingMaterial.fromJSON(json as unknown as HatchingMaterialJSON);
     expect(read).toThrow(TypeError);
-    expect(read).toThrow(`HatchingMaterial.fromJSON: expected the object that toJSON returns, but got ${shown}`);
+    expect(read).toThrow(
+      `HatchingMaterial.fromJSON: what was given is ${shown}, but must be a JSON object, as toJSON gives it.`,
+    );
   });
 
   test('has no defaults, those of a technique included, and what is no default', async () => {
