@@ -101,7 +101,7 @@ export const FORMATS: readonly ModelFormat[] = [
   {
     name: 'FBX',
     extensions: ['fbx'],
-    hasSignature: ({ head }) => /^Kaydara FBX Binary|^\s*(;[^\n]*\n\s*)*FBXHeaderExtension\s*:/.test(head),
+    hasSignature: ({ head }) => /^Kaydara FBX Binary|^\s*(;[^\n\r]*[\n\r]\s*)*FBXHeaderExtension\s*:/.test(head),
     up: 'y',
     loader: { name: 'FBXLoader', gives: 'object' },
     read: async ({ bytes, name }) => (await import('./scenes/readFbx.js')).readFbx(bytes, name),
@@ -161,7 +161,7 @@ export const FORMATS: readonly ModelFormat[] = [
     name: 'STL',
     extensions: ['stl'],
     looksLike: ({ bytes, head }) =>
-      binaryStlLength(bytes) !== undefined || /^\s*(#[^\n]*\n\s*)*solid\b[\s\S]*\bfacet\b/i.test(head),
+      binaryStlLength(bytes) !== undefined || /^\s*(#[^\n\r]*[\n\r]\s*)*solid\b[\s\S]*\bfacet\b/i.test(head),
     up: 'z',
     liesFlat: true,
     loader: { name: 'STLLoader', gives: 'geometry' },
@@ -170,7 +170,7 @@ export const FORMATS: readonly ModelFormat[] = [
   {
     name: 'OFF',
     extensions: ['off'],
-    hasSignature: ({ head }) => /^\s*(#[^\n]*\n\s*)*(ST)?C?N?4?n?OFF(?![a-z])/i.test(head),
+    hasSignature: ({ head }) => /^\s*(#[^\n\r]*[\n\r]\s*)*(ST)?C?N?4?n?OFF(?![a-z])/i.test(head),
     isBelieved: true,
     up: 'y',
     loader: undefined,

@@ -34,8 +34,7 @@ export function setFromJSON(
   json: HatchingMaterialJSON,
   textures: Readonly<Record<string, Texture>>,
 ): void {
-  const isRecord = typeof json === 'object' && json !== null && !Array.isArray(json);
-  check('what was given', isRecord, json, 'JSON object, as toJSON gives it');
+  checkRecord('what it is given', json);
   const values: Record<string, unknown> = {};
   const plain = plainProperties();
   for (const [name, value] of Object.entries(json)) {
@@ -53,7 +52,7 @@ export function setFromJSON(
   }
   const { uuid, userData } = json;
   check('uuid', uuid === undefined || typeof uuid === 'string', uuid, 'string');
-  check('userData', userData === undefined || (typeof userData === 'object' && userData !== null), userData, 'object');
+  if (userData !== undefined) checkRecord('userData', userData);
   material.setValues(values as HatchingMaterialParameters);
   if (uuid !== undefined) Object.assign(material, { uuid });
   if (userData !== undefined) material.userData = userData;
@@ -91,6 +90,10 @@ function planesFrom(value: unknown): Plane[] {
     const [x, y, z, constant] = numbers as number[];
     return new Plane(new Vector3(x, y, z), constant);
   });
+}
+
+function checkRecord(name: string, value: unknown): void {
+  check(name, typeof value === 'object' && value !== null && !Array.isArray(value), value, 'JSON object');
 }
 
 function check(name: string, isRight: boolean, value: unknown, expected: string): void {

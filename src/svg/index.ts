@@ -6,3 +6,4 @@
 export type { DrawSVGOptions } from './DrawSVGOptions.js';
 export { drawSVG, type SVGDrawing } from './drawSVG.js';
 export type { LeftOut } from './leftOut.js';
+export type { SheetName } from './sheetSizes.js';

@@ -50,7 +50,7 @@ describe('JSON of a material, from anywhere', () => {
     ['{ "transparent": 1 }', 'HatchingMaterial.fromJSON: transparent is 1, but must be a boolean.'],
     ['{ "name": {} }', 'HatchingMaterial.fromJSON: name is {}, but must be a string.'],
     ['{ "uuid": 5 }', 'HatchingMaterial.fromJSON: uuid is 5, but must be a string.'],
-    ['{ "userData": null }', 'HatchingMaterial.fromJSON: userData is null, but must be a object.'],
+    ['{ "userData": null }', 'HatchingMaterial.fromJSON: userData is null, but must be a JSON object.'],
     ['{ "clippingPlanes": [{ "normal": [0, 1], "constant": 2 }] }', 'must be a list of planes.'],
     ['{ "clippingPlanes": 1 }', 'must be a list of planes.'],
   ])('is refused with a value of the wrong kind, and sets nothing: %s', (text, message) => {
@@ -72,9 +72,7 @@ describe('JSON of a material, from anywhere', () => {
   ])('is refused in a sentence where it is no object: %s', (json, shown) => {
     const read = () => HatchingMaterial.fromJSON(json as unknown as HatchingMaterialJSON);
     expect(read).toThrow(TypeError);
-    expect(read).toThrow(
-      `HatchingMaterial.fromJSON: what was given is ${shown}, but must be a JSON object, as toJSON gives it.`,
-    );
+    expect(read).toThrow(`HatchingMaterial.fromJSON: what it is given is ${shown}, but must be a JSON object.`);
   });
 
   test('has no defaults, those of a technique included, and what is no default', async () => {
