@@ -180,7 +180,7 @@ test('fits a screen 360 pixels wide in dark mode, with a light slider large enou
   expect(box.width).toBeGreaterThan(140);
 });
 
-test('the pages link to each other', async ({ page }) => {
+test('the pages link to each other', { tag: '@all' }, async ({ page }) => {
   await openPlayground(page, 'model=cube');
   await page.getByRole('link', { name: 'Figures' }).click();
   await expect(page.getByRole('heading', { level: 1 })).toHaveText('The figures of the paper');

@@ -66,7 +66,10 @@ async function expectModelsDrawn(page: Page, pageProblems: string[], policy: str
   expect(pageProblems.splice(0).length).toBeGreaterThan(0);
 }
 
-test('files are read and drawn where a page may use neither blob: nor data:', async ({ page, pageProblems }) => {
+test('files are read and drawn where a page may use neither blob: nor data:', { tag: '@all' }, async ({
+  page,
+  pageProblems,
+}) => {
   await expectModelsDrawn(page, pageProblems, "worker-src 'self'; connect-src 'self'; img-src 'self'");
 });
 
