@@ -35,14 +35,12 @@ export class OutlineParts {
   private splitData: OutlineData | null = null;
   private splitBy = '';
 
-  /** Allocates nothing for a mesh with one material that is drawn as a whole. */
+  /** Allocates nothing for a mesh that is drawn as a whole, with one look. */
   of(mesh: Mesh, data: OutlineData): readonly OutlinePart[] {
     const { material, geometry } = mesh;
-    if (!Array.isArray(material)) {
-      if (!material || !isShown(material, geometry)) return NONE;
-      const { start, count } = geometry.drawRange;
-      if (start <= 0 && start + count >= 3 * data.triangleCount) return this.asWhole(data, material);
-    }
+    if (!Array.isArray(material) && (!material || !isShown(material, geometry))) return NONE;
+    const surface = soleLook(mesh, data);
+    if (surface) return this.asWhole(data, surface);
     return this.ofGroups(mesh, data);
   }
 
@@ -94,6 +92,23 @@ export class OutlineParts {
     this.splitData = null;
     this.splitBy = '';
   }
+}
+
+/** What draws all of a mesh with one look, by groups in their order where it has several materials; null where it is not so simple. */
+function soleLook({ material, geometry }: Mesh, { triangleCount }: OutlineData): Material | null {
+  const { groups, drawRange } = geometry;
+  if (drawRange.start > 0 || drawRange.start + drawRange.count < 3 * triangleCount) return null;
+  if (!Array.isArray(material)) return material;
+  let surface: Material | null = null;
+  let known = 0;
+  for (const { start, count, materialIndex = 0 } of groups) {
+    const own = material[materialIndex];
+    if (!own || start > known || !isShown(own, geometry)) return null;
+    surface ??= own;
+    if (!looksAlike(surface, own, geometry)) return null;
+    known = Math.max(known, start + count);
+  }
+  return known >= 3 * triangleCount ? surface : null;
 }
 
 /** Parts by their looks, the most opaque one first: what lies between two looks has that of the first. */

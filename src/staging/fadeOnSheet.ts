@@ -19,6 +19,9 @@ export interface GroundLight {
 /** The part of the picture that counts as the sheet, around its middle, in shares of its width and height. */
 export type SheetPart = readonly [number, number];
 
+/** A picture that is all sheet. */
+export const WHOLE_SHEET: SheetPart = [1, 1];
+
 const point = new Vector3();
 const cast = new Vector3();
 const seen = new Vector3();

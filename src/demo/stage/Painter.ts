@@ -1,14 +1,12 @@
 import { WebGLRenderer } from 'three';
 import type { Look } from '../../settings/lookOf.js';
 import { createCamera } from '../../staging/createCamera.js';
-import type { SheetPart } from '../../staging/fadeOnSheet.js';
+import { type SheetPart, WHOLE_SHEET } from '../../staging/fadeOnSheet.js';
 import type { ShadowQuality } from '../../staging/LightRig.js';
 import { strokeShare } from '../../staging/strokeShare.js';
 import { ProgramBuilder } from './ProgramBuilder.js';
 import type { Scenery } from './Scenery.js';
 import { SideBySide, sidesOf, type Tile } from './SideBySide.js';
-
-const WHOLE: SheetPart = [1, 1];
 
 /** Draws the scenery into the canvas, as the camera sees it. */
 export class Painter {
@@ -20,8 +18,8 @@ export class Painter {
   private builtFor = '';
   /** Whether there may be something of the scenery on the graphics card. */
   private isUsed = false;
-  /** The part of the picture that is the sheet; undefined for all of it. */
-  sheetOf: () => SheetPart | undefined = () => undefined;
+  /** The part of the picture that is the sheet. */
+  sheetOf: () => SheetPart = () => WHOLE_SHEET;
   /** How often the shadow maps were outdated. */
   shadowChanges = 0;
 
@@ -148,6 +146,6 @@ export class Painter {
   setWidths(scale = 1): void {
     const { clientWidth, clientHeight } = this.viewport;
     this.scenery.setWidths(strokeShare(clientWidth, clientHeight), scale);
-    this.scenery.endShadow(this.camera, this.sheetOf() ?? WHOLE);
+    this.scenery.endShadow(this.camera, this.sheetOf());
   }
 }

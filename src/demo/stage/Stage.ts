@@ -2,6 +2,7 @@ import type { BufferGeometry, PerspectiveCamera } from 'three';
 import type { TonalArtMap } from 'three-hatching';
 import type { HatchedModel } from '../../drawing/HatchedModel.js';
 import type { Look } from '../../settings/lookOf.js';
+import { WHOLE_SHEET } from '../../staging/fadeOnSheet.js';
 import { ContextLoss } from './ContextLoss.js';
 import { FrameQuality } from './FrameQuality.js';
 import { Frames } from './Frames.js';
@@ -54,7 +55,7 @@ export class Stage {
       },
       (outline, toEye) => scenery.shadowOf(outline, toEye),
     );
-    painter.sheetOf = () => this.view.sheet;
+    painter.sheetOf = () => this.view.sheet ?? WHOLE_SHEET;
     this.contextLoss = new ContextLoss(painter, scenery, this.frames, this.quality);
     new ResizeObserver(() => this.resize()).observe(viewport);
     this.resize();

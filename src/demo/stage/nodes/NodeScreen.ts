@@ -4,7 +4,6 @@ import { HatchingNodeMaterial } from 'three-hatching/webgpu';
 import type { HatchedModel } from '../../../drawing/HatchedModel.js';
 import type { Look } from '../../../settings/lookOf.js';
 import { createCamera } from '../../../staging/createCamera.js';
-import type { SheetPart } from '../../../staging/fadeOnSheet.js';
 import { Ground } from '../../../staging/Ground.js';
 import { LightRig } from '../../../staging/LightRig.js';
 import { strokeShare } from '../../../staging/strokeShare.js';
@@ -200,14 +199,12 @@ export class NodeScreen implements Screen {
     ground.setWidths(look, share);
     placeLike(camera, painter.camera);
     lights.place(camera);
-    ground.endShadows(look, lights.fadeOf(scenery.outline, ground.height, camera, painter.sheetOf() ?? WHOLE));
+    ground.endShadows(look, lights.fadeOf(scenery.outline, ground.height, camera, painter.sheetOf()));
     if (painter.shadowChanges === this.shadows) return;
     this.shadows = painter.shadowChanges;
     lights.outdateShadows();
   }
 }
-
-const WHOLE: SheetPart = [1, 1];
 
 /** Gives a camera the place and the lens of another one. */
 function placeLike(
