@@ -28,8 +28,9 @@ void shadeEnd(inout PieceEnd end, const in float contour, const in vec3 light, c
   end.innerWeight *= weight;
   float inside = dot(normalize(normal + INSIDE * sight), light);
   float from = 1.0 - LOST_RANGE * lostEdges;
-  float lost = 1.0 - LOST_WEIGHT * (1.0 - lostEdges);
-  end.weight *= 1.0 - contour * lost * smoothstep(from, from + LOST_TAPER, inside);
+  float taper = LOST_TAPER.x + LOST_TAPER.y * lostEdges;
+  float lost = LOST_WEIGHT.x + LOST_WEIGHT.y * lostEdges;
+  end.weight *= 1.0 - contour * lost * smoothstep(from, from + taper, inside);
 }
 
 void shade(inout Piece piece) {

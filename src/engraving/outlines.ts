@@ -42,7 +42,7 @@ export interface OutlineLight {
 }
 
 /**
- * Factors on the weight of an outline before a surface, and before the paper.
+ * A factor on the weight of an outline, and another one for what lies before the paper: what is left of it where edges are lost.
  *
  * @param normal unit, in the space of the directions
  * @param contour the share of the piece that is a contour or a border
@@ -51,12 +51,13 @@ export function shadeWeight(
   normal: Vec3,
   contour: number,
   { light, sight, shadeWeights, lostEdges }: OutlineLight,
-): readonly [inner: number, outer: number] {
+): readonly [weight: number, left: number] {
   const weight = mix(shadeWeights[0], shadeWeights[1], smoothstep(LIT, SHADED, 0.5 - 0.5 * dot(normal, light)));
   const inside = dot(normalize(combined(1, normal, INSIDE, sight)), light);
   const from = 1 - LOST_RANGE * lostEdges;
-  const lost = 1 - LOST_WEIGHT * (1 - lostEdges);
-  return [weight, weight * (1 - contour * lost * smoothstep(from, from + LOST_TAPER, inside))];
+  const taper = LOST_TAPER[0] + LOST_TAPER[1] * lostEdges;
+  const lost = LOST_WEIGHT[0] + LOST_WEIGHT[1] * lostEdges;
+  return [weight, 1 - contour * lost * smoothstep(from, from + taper, inside)];
 }
 
 /** A piece of an outline, as far as its visibility goes. Lengths in world units. */

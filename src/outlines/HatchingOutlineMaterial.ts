@@ -73,7 +73,7 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
   declare suggestiveContours: number;
   /**
    * How much of the contours between a lit surface and the paper is lost, from 0 (nothing) to 1 (all that the light falls on). The
-   * brightest part is lost first. A thin line is left of it, and the less the more is lost; nothing at 1. Default 0.2.
+   * brightest part is lost first. A thin line is left of it, and the less the more is lost: 0.12 of its width at 1. Default 0.2.
    */
   declare lostEdges: number;
   /**

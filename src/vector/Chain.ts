@@ -31,6 +31,10 @@ export interface ChainOutline {
   innerHalves: Float64Array;
   /** The share of a contour or a border times how much heavier an accent makes it. */
   accents: Float64Array;
+  /** How much of it is a contour or a border before the paper: first as if all lay there, then as it lies. */
+  contours: Float64Array;
+  /** What is left of its width where edges are lost, as a share: first as if all lay before the paper, then as it lies. */
+  lefts: Float64Array;
   /** Of a line of weight 1, pixels. */
   width: number;
   /** Of the bounding sphere, world units. */

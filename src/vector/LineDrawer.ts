@@ -12,6 +12,7 @@ import { holdBack } from './holdBack.js';
 import type { LineMedium } from './marks/lineMarks.js';
 import { dropScraps } from './outlines/dropScraps.js';
 import { hiddenLook, weighHidden } from './outlines/hiddenPieces.js';
+import { loseEdges, type SeenOutline } from './outlines/loseEdges.js';
 import { outlineChains } from './outlines/outlineChains.js';
 import { outlinePieces } from './outlines/outlinePieces.js';
 import { outlineTest } from './outlines/seenOutlines.js';
@@ -30,7 +31,7 @@ import { Toner } from './Toner.js';
 import type { Tracing } from './Tracing.js';
 import { seenSides, traceFamily } from './traceFamily.js';
 import { VertexTones } from './VertexTones.js';
-import { type SeenTest, visibleRuns } from './visibleRuns.js';
+import { type Run, type SeenTest, visibleRuns } from './visibleRuns.js';
 
 const { DASH, FAINT, GAP } = OUTLINE_CONSTANTS;
 
@@ -130,10 +131,11 @@ export class LineDrawer {
   }
 
   private *drawSeen({ mesh, look, clip, ink }: OutlinedMesh, seen: LeftPath[]): Generator<number, void, void> {
-    const { scene, projection, bvh, least } = this;
+    const { scene, projection, bvh, least, millimetre } = this;
     const pieces = yield* asPhase(outlinePieces(mesh, look), 0, 0.4);
     const joining = outlineChains(pieces, mesh, look, projection, scene.illumination);
     const chains = yield* asPhase(joining, 0.4, 0.5);
+    const parts: (SeenOutline & { left: number })[] = [];
     for (const [i, chain] of chains.entries()) {
       const [from, to] = [0.5 + (0.5 * i) / chains.length, 0.5 + (0.5 * (i + 1)) / chains.length];
       this.segments += chain.count - 1;
@@ -142,10 +144,14 @@ export class LineDrawer {
       const isSeen = clipped(outlineTest(chain, bvh, projection), clip);
       for (const { faded, left, isLeft } of yield* this.fadedParts(chain, isSeen)) {
         if (least > 0) endHairlines(faded, least);
-        const layer = this.layerOf('outlines', ink);
-        for (const { path } of yield* asPhase(this.seenParts(faded, isLeft), (from + to) / 2, to))
-          seen.push({ layer, path, left });
+        const runs = yield* asPhase(visibleRuns(faded, projection, isLeft), (from + to) / 2, to);
+        parts.push({ chain: faded, left, runs });
       }
+    }
+    loseEdges(parts, { shortest: SHORTEST_ALONE * millimetre, leastHalf: least / 2 });
+    for (const { chain, left, runs } of parts) {
+      const layer = this.layerOf('outlines', ink);
+      for (const { path } of this.cutRuns(chain, runs)) seen.push({ layer, path, left });
     }
   }
 
@@ -317,11 +323,12 @@ export class LineDrawer {
   }
 
   private *seenParts(chain: Chain, isSeen: SeenTest): Generator<number, CutRun[], void> {
-    const { projection } = this;
-    const runs = yield* visibleRuns(chain, projection, isSeen);
-    return runs
-      .map((run) => cutRun(chain, run, projection, this.pen !== null))
-      .filter(({ depths }) => depths.length >= 2);
+    return this.cutRuns(chain, yield* visibleRuns(chain, this.projection, isSeen));
+  }
+
+  private cutRuns(chain: Chain, runs: readonly Run[]): CutRun[] {
+    const { projection, pen } = this;
+    return runs.map((run) => cutRun(chain, run, projection, pen !== null)).filter(({ depths }) => depths.length >= 2);
   }
 }
 

@@ -112,11 +112,14 @@ function isDash(chain: Chain, piece: number, [a, b]: readonly [number, number], 
   return Math.abs(phase - Math.floor(phase) - 0.5) < 0.5 * share;
 }
 
-/** Makes an outline or a stroke of a print nowhere thinner than a press holds: it ends where it would be less than half as wide. Changes the chain. */
-export function endHairlines({ halves, margins, count }: Chain, width: number): void {
+/**
+ * Makes an outline or a stroke of a print nowhere thinner than a press holds: it ends where it would be less than half as wide, but for what
+ * light takes of it. Changes the chain.
+ */
+export function endHairlines({ halves, margins, count, outline }: Chain, width: number): void {
   const least = width / 2;
   for (let i = 0; i < count; i++) {
-    if (margins[i] > 0) margins[i] = halves[i] - 0.5 * least;
+    if (margins[i] > 0) margins[i] = halves[i] / (outline?.lefts[i] ?? 1) - 0.5 * least;
     halves[i] = Math.max(halves[i], least);
   }
 }

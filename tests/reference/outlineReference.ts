@@ -45,8 +45,8 @@ export function shadedWidths(
   // Just inside, the surface leans to the eye by half. The brightest part of the contour is lost first, over a range of 0.7 of the cosine.
   const inside = dot(unit(mixed(normal, 2, sight, 1)), light);
   const end = 1 - 0.7 * lostEdges;
-  const thinnest = 0.5 - 0.5 * lostEdges;
-  return [before, before - before * contour * (1 - thinnest) * smoothly(end, end + 0.12, inside)];
+  const thinnest = 0.47 - 0.35 * lostEdges;
+  return [before, before - before * contour * (1 - thinnest) * smoothly(end, end + 0.05 + 0.35 * lostEdges, inside)];
 }
 
 /**

@@ -6,12 +6,13 @@ export const OUTLINE_CONSTANTS = {
   /** How far the surface just inside of a contour leans towards the eye: the share of that direction in its normal. */
   INSIDE: 0.5,
   /**
-   * The N·L just inside above which a contour is lost falls from 1 by as much as this. Over the second of N·L it tapers to the third, a
-   * share of its weight, times what of all edges is not lost: where a line ended, an outline would be in pieces.
+   * The N·L just inside above which a contour is lost falls from 1 by as much as this. Over the second of N·L it loses the third, a share of
+   * its weight, and never all: where a line ended, an outline would be in pieces. Each of the two is so much where no edges are lost, and
+   * grows by as much as the number after it where all are.
    */
   LOST_RANGE: 0.7,
-  LOST_TAPER: 0.12,
-  LOST_WEIGHT: 0.5,
+  LOST_TAPER: [0.05, 0.35],
+  LOST_WEIGHT: [0.53, 0.35],
 
   /** The lift as a share of the bounding radius, for rounding and for what smooth normals and flat triangles differ by. */
   LIFT_SHARE: 0.004,

@@ -81,6 +81,8 @@ export interface PieceEnd {
   /** Weights before the paper, and before a surface. */
   weight: number;
   innerWeight: number;
+  /** What is left of the weight before the paper where edges are lost, as a share. */
+  left: number;
   /** How far the outline runs on beyond it, pixels. */
   overshoot: number;
   /** Names the place: two ends that have it in common lie there. */

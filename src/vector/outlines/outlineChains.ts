@@ -58,9 +58,10 @@ function shade(
   const sight = isOrthographic ? backwards : normalize(combined(1, eye, -1, middle));
   for (const side of [start, end]) {
     const normal = normalize(normalToWorld.map((row) => dot(row, side.normal)) as unknown as Vec3);
-    const [inner, outer] = shadeWeight(normal, contour, { light: normalize(light), sight, shadeWeights, lostEdges });
-    side.weight *= outer;
-    side.innerWeight *= inner;
+    const [weight, left] = shadeWeight(normal, contour, { light: normalize(light), sight, shadeWeights, lostEdges });
+    side.weight *= weight;
+    side.innerWeight *= weight;
+    side.left = left;
   }
 }
 
@@ -151,6 +152,8 @@ class OutlineDrawing {
   private readonly pieces: LiftedPiece[] = [];
   private readonly innerHalves: number[] = [];
   private readonly accents: number[] = [];
+  private readonly contours: number[] = [];
+  private readonly lefts: number[] = [];
   private last: { piece: OutlinePiece; from: PieceEnd; to: PieceEnd } | undefined;
 
   constructor(
@@ -173,7 +176,7 @@ class OutlineDrawing {
   }
 
   finish(isClosed: boolean): Chain {
-    const { pieces, innerHalves, accents, mesh, look, last } = this;
+    const { pieces, innerHalves, accents, contours, lefts, mesh, look, last } = this;
     if (last) this.runOn(last.piece, last.to, last.from);
     const radius = mesh.radius * mesh.scale;
     return {
@@ -182,6 +185,8 @@ class OutlineDrawing {
         ...{ pieces, radius, width: look.width },
         innerHalves: Float64Array.from(innerHalves),
         accents: Float64Array.from(accents),
+        contours: Float64Array.from(contours),
+        lefts: Float64Array.from(lefts),
       },
     };
   }
@@ -233,6 +238,8 @@ class OutlineDrawing {
     this.builder.push(screen, world, half, isBehind ? Math.max(half, inner) : -1, -1);
     this.innerHalves.push(inner);
     this.accents.push(this.look.accents * contour);
+    this.contours.push(contour);
+    this.lefts.push(end.left);
     const { scale } = this.mesh;
     this.pieces.push({ isSmooth, bend: end.bend, extent: extent * scale, ownCover: ownCover * scale, isValley });
   }
@@ -245,6 +252,8 @@ class OutlineDrawing {
     const before = this.pieces[last];
     this.innerHalves[last] = 0.5 * (this.innerHalves[last] + inner);
     this.accents[last] = 0.5 * (this.accents[last] + this.look.accents * contour);
+    this.contours[last] = 0.5 * (this.contours[last] + contour);
+    this.lefts[last] = 0.5 * (this.lefts[last] + end.left);
     this.pieces[last] = {
       ...before,
       isSmooth: isSmooth || before.isSmooth,
@@ -265,5 +274,6 @@ function endAt(a: PieceEnd, b: PieceEnd, share: number): PieceEnd {
     bend: rest * a.bend + share * b.bend,
     weight: rest * a.weight + share * b.weight,
     innerWeight: rest * a.innerWeight + share * b.innerWeight,
+    left: rest * a.left + share * b.left,
   };
 }

@@ -103,6 +103,7 @@ class PieceFinder {
       bend: mix(this.bend[a], this.bend[b], share),
       weight: 0,
       innerWeight: 0,
+      left: 1,
       overshoot: 0,
       key,
     };

@@ -10,14 +10,14 @@ import { type ChainPlace, placeOn } from '../visibleRuns.js';
  * the widths of the chain. Yields its progress.
  */
 export function* weighByStanding(chain: Chain, bvh: Bvh, projection: Projection): Generator<number, void, void> {
-  const { innerHalves, accents, width, pieces } = chain.outline!;
+  const { innerHalves, accents, contours, lefts, width, pieces } = chain.outline!;
   const { screen, halves, count, margins } = chain;
   const placeAt = (i: number): ChainPlace => placeOn(chain, Math.min(i, count - 2), i < count - 1 ? 0 : 1, projection);
   const depthAt = (i: number): number => projection.depthOf(...placeAt(i).world);
   for (let i = 0; i < count; i++) {
     if (i % 32 === 31) yield i / count;
     const [outer, inner] = [halves[i], innerHalves[i]];
-    if ((outer === inner && accents[i] === 0) || margins[i] <= 0) continue;
+    if ((outer === inner && accents[i] === 0 && contours[i] === 0) || margins[i] <= 0) continue;
     const [before, after] = [Math.max(i - 1, 0), Math.min(i + 1, count - 1)];
     const dx = screen[2 * after] - screen[2 * before];
     const dy = screen[2 * after + 1] - screen[2 * before + 1];
@@ -26,7 +26,11 @@ export function* weighByStanding(chain: Chain, bvh: Bvh, projection: Projection)
     const slope = pieces[i].isSmooth ? 0 : (depthAt(after) - depthAt(before)) / length;
     const gaps = new GapReader({ ...placeAt(i), along: [dx / length, dy / length], slope }, bvh, projection);
     const { paper, accent } = gaps.standing(Math.max(outer, inner) + OUTLINE_CONSTANTS.BEYOND, strideOf(width));
-    halves[i] = (inner + paper * (outer - inner)) * (1 + accents[i] * accent);
+    const whole = inner + paper * (outer - inner);
+    const lost = paper * outer * (1 - lefts[i]);
+    halves[i] = (whole - lost) * (1 + accents[i] * accent);
+    contours[i] *= paper;
+    lefts[i] = whole > 0 ? 1 - lost / whole : 1;
   }
 }
 

@@ -31,6 +31,17 @@ export const svg: readonly Mutation[] = [
     caughtBy: { layer: 'unit', file: 'tests/unit/vector/paths.test.ts', title: 'covers as much as its widths say' },
   },
   {
+    name: 'gaps of lost edges are three times as long as they may be',
+    file: 'src/vector/outlines/loseEdges.ts',
+    find: 'LONGEST_GAP = 0.1;',
+    replace: 'LONGEST_GAP = 0.3;',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/svg/lostEdges.test.ts',
+      title: 'a pen leaves gaps of limited length in the outline of a … boot …, and no loose piece',
+    },
+  },
+  {
     name: 'a reversed path begins where it began',
     file: 'src/vector/order/orderPaths.ts',
     find: 'place = isReversed ? start : end;',

@@ -43,7 +43,8 @@ test('what an outline weighs is what the reference says', () => {
     const [normal, light, sight] = [unit3(), unit3(), unit3()];
     const [lit, shaded, lostEdges, contour] = [random(), 1 + random(), random(), random()];
     const given = { light, sight, shadeWeights: [lit, shaded] as const, lostEdges };
-    const [inner, outer] = shadeWeight(normal, contour, given);
+    const [inner, left] = shadeWeight(normal, contour, given);
+    const outer = inner * left;
     const expected = shadedWidths(normal, contour, { light, sight, lit, shaded, lostEdges });
     same(inner, expected[0]);
     same(outer, expected[1]);

@@ -50,9 +50,10 @@ function shadeEnd(end: PieceEnd, contour: Value, light: Value, sight: Value, pla
   const weight = mix(shadeWeights.x, shadeWeights.y, share).toVar();
   const inside = dot(normalize(normal.add(sight.mul(INSIDE))), light);
   const from = float(1).sub(lostEdges.mul(LOST_RANGE)).toVar();
-  const lost = float(1).sub(float(1).sub(lostEdges).mul(LOST_WEIGHT));
+  const to = from.add(lostEdges.mul(LOST_TAPER[1]).add(LOST_TAPER[0]));
+  const lost = lostEdges.mul(LOST_WEIGHT[1]).add(LOST_WEIGHT[0]);
   end.innerWeight.mulAssign(weight);
-  end.weight.mulAssign(weight.mul(float(1).sub(contour.mul(lost).mul(smoothstep(from, from.add(LOST_TAPER), inside)))));
+  end.weight.mulAssign(weight.mul(float(1).sub(contour.mul(lost).mul(smoothstep(from, to, inside)))));
 }
 
 /** @param lights of the scene */
