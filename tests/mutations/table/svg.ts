@@ -31,6 +31,17 @@ export const svg: readonly Mutation[] = [
     caughtBy: { layer: 'unit', file: 'tests/unit/vector/paths.test.ts', title: 'covers as much as its widths say' },
   },
   {
+    name: 'hollows become deep at once',
+    file: 'src/engraving/constants/toneConstants.ts',
+    find: 'HOLLOW: [0.1, 0.8]',
+    replace: 'HOLLOW: [0.3, 0.45]',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/svg/hollows.test.ts',
+      title: 'a deep hollow grows dark over at least six line spacings: … stipple',
+    },
+  },
+  {
     name: 'gaps of lost edges are three times as long as they may be',
     file: 'src/vector/outlines/loseEdges.ts',
     find: 'LONGEST_GAP = 0.1;',
