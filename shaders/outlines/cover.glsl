@@ -28,7 +28,7 @@ void clearVaryings() {
 // View units to a pixel at a point.
 float unitsToPixel(const in vec3 position) {
   float away = isOrthographic ? 1.0 : max(-position.z, nearDistance);
-  return 2.0 * away / (projectionMatrix[1][1] * viewport.w);
+  return 2.0 * away / (abs(projectionMatrix[1][1]) * viewport.w);
 }
 
 vec2 pixelOf(const in vec4 clip) {

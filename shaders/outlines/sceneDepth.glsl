@@ -39,5 +39,5 @@ float depthAt(const in vec2 pixel) {
 
 // The height of the view at a distance from the eye, in view units.
 float viewHeightAt(const in float away) {
-  return 2.0 * (isOrthographic ? 1.0 : away) / projectionMatrix[1][1];
+  return 2.0 * (isOrthographic ? 1.0 : away) / abs(projectionMatrix[1][1]);
 }

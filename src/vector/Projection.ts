@@ -62,7 +62,7 @@ export class Projection {
 
   /** View units to a pixel at a depth. */
   unitsPerPixel(depth: number): number {
-    return (2 * (this.isOrthographic ? 1 : depth)) / (this.camera.projection[5] * this.height);
+    return (2 * (this.isOrthographic ? 1 : depth)) / (Math.abs(this.camera.projection[5]) * this.height);
   }
 
   /** The way from a place in the world to the near plane: its whole length is 1, that to the eye or to the plane of the camera. */

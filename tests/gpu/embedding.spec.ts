@@ -42,6 +42,44 @@ for (const technique of kindsOfTechnique) {
   );
 }
 
+for (const technique of kindsOfTechnique) {
+  test(
+    `a CubeCamera, whose pictures are turned, sees the strokes and outlines that others see: ${technique}`,
+    quickIf(technique === 'engraved'),
+    async ({ page }) => {
+      const [plain, turned] = await page.evaluate(async (technique) => {
+        const { THREE, applyHatching, sceneOf, sun, makeRenderer } = window.toolkit;
+        const size = 160;
+        const renderer = makeRenderer();
+        const knot = new THREE.Mesh(new THREE.TorusKnotGeometry(0.8, 0.3, 96, 16), new THREE.MeshLambertMaterial());
+        const box = new THREE.Mesh(new THREE.BoxGeometry(0.8, 0.8, 0.8), new THREE.MeshLambertMaterial());
+        box.position.set(0.9, 0.9, 0.8);
+        const scene = sceneOf(sun(), knot, box);
+        await applyHatching(scene, { material: { technique }, outlines: {} });
+        const eye = new THREE.Vector3(0, 0, 2.5);
+        const camera = new THREE.PerspectiveCamera(90, 1, 0.1, 50);
+        camera.position.copy(eye);
+        const target = new THREE.WebGLRenderTarget(size, size);
+        renderer.setRenderTarget(target);
+        renderer.render(scene, camera);
+        const pixels = [0, 1].map(() => new Uint8Array(4 * size * size));
+        renderer.readRenderTargetPixels(target, 0, 0, size, size, pixels[0]);
+        renderer.setRenderTarget(null);
+        const cube = new THREE.WebGLCubeRenderTarget(size);
+        const cubeCamera = new THREE.CubeCamera(0.1, 50, cube);
+        cubeCamera.position.copy(eye);
+        cubeCamera.update(renderer, scene);
+        renderer.readRenderTargetPixels(cube, 0, 0, size, size, pixels[1], 5);
+        const reds = pixels.map((of) => Array.from({ length: size * size }, (_, i) => of[4 * i]));
+        return [reds[0], reds[1].reverse()];
+      }, technique);
+      expect(plain.filter((red) => red < 60).length).toBeGreaterThan(400);
+      const different = plain.filter((red, i) => Math.abs(red - turned[i]) > 60).length;
+      expect(different / plain.length).toBeLessThan(0.005);
+    },
+  );
+}
+
 test('a BatchedMesh gives the pixels of separate meshes', async ({ page }) => {
   const [separate, batched] = await page.evaluate(async () => {
     const { THREE, hatchedMesh, sceneOf, sun, pixelsOf } = window.toolkit;

@@ -137,7 +137,7 @@ export function automaticDepthFade({ front, back }: SeenDepths, camera: Camera):
   const [x, y] = view?.enabled ? [view.width / view.fullWidth, view.height / view.fullHeight] : [1, 1];
   const isOrthographic = elements[15] === 1;
   const middle = isOrthographic ? 1 : (2 * front * back) / (front + back);
-  const side = Math.min(2 / (elements[0] * x), 2 / (elements[5] * y)) * middle;
+  const side = Math.min(2 / (Math.abs(elements[0]) * x), 2 / (Math.abs(elements[5]) * y)) * middle;
   const depth = (back - front) / side;
   return STRENGTH * Math.min(Math.max((depth - DEEP_FROM) / (DEEP - DEEP_FROM), 0), 1);
 }

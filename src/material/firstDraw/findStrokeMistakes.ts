@@ -65,7 +65,7 @@ function checkOnScreen(draw: FirstDraw, note: NoteMistake): void {
 /** How many pixels a unit of world space has where the mesh is nearest to the camera. */
 function pixelsPerUnit({ mesh, camera, height }: FirstDraw): number {
   const { elements } = camera.projectionMatrix;
-  const pixels = (elements[5] * height) / 2;
+  const pixels = (Math.abs(elements[5]) * height) / 2;
   if (elements[11] === 0) return pixels;
   const { center, radius } = worldSphere([mesh]);
   const depth = -center.clone().applyMatrix4(camera.matrixWorldInverse).z - radius;

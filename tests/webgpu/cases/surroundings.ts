@@ -72,6 +72,15 @@ export const cases: readonly SceneCase[] = [
   { name: 'logarithmic depth', depth: 'logarithmic', show: (kit) => outlined(kit) },
   { name: 'reversed depth', depth: 'reversed', show: (kit) => outlined(kit) },
   {
+    name: 'a camera whose pictures are turned, as those of a CubeCamera',
+    async show(kit) {
+      const stage = await outlined(kit);
+      stage.camera.fov *= -1;
+      stage.camera.updateProjectionMatrix();
+      return stage;
+    },
+  },
+  {
     name: 'outlines on half transparent surfaces',
     show: (kit) => outlined(kit, { transparent: true, opacity: 0.5 }),
   },

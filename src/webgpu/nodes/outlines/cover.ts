@@ -59,7 +59,7 @@ export function clearVaryings({ HIDDEN, WOBBLE }: OutlineDefines): void {
 const unitsToPixel = (position: Value): Value =>
   select(isOrthographic(), float(1), max(position.z.negate(), nearDistance))
     .mul(2)
-    .div(projection(1, 1).mul(viewport.w));
+    .div(abs(projection(1, 1)).mul(viewport.w));
 
 const toClip = (position: Value): Value => cameraProjectionMatrix.mul(vec4(position, 1));
 

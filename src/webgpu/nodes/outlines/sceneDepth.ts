@@ -13,7 +13,7 @@ import { isOrthographic } from '../base/isOrthographic.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { type TextureValue, threeNodes, tsl, type Value } from '../base/values.js';
 
-const { cameraFar, cameraNear, cameraProjectionMatrix, clamp, float, floor, int, ivec2, screenSize, select } = tsl;
+const { abs, cameraFar, cameraNear, cameraProjectionMatrix, clamp, float, floor, int, ivec2, screenSize, select } = tsl;
 const { logarithmicDepthToViewZ, orthographicDepthToViewZ, screenUV, viewportDepthTexture } = threeNodes;
 
 export const nearDistance: Value = /* @__PURE__ */ hatchingUniform('nearDistance', 'float');
@@ -98,4 +98,6 @@ export function depthAt(pixel: Value, builder: NodeBuilder): Value {
 
 /** The height of the view at a distance from the eye, in view units. */
 export const viewHeightAt = (away: Value): Value =>
-  select(isOrthographic(), float(1), away).mul(2).div(projection(1, 1));
+  select(isOrthographic(), float(1), away)
+    .mul(2)
+    .div(abs(projection(1, 1)));

@@ -19,7 +19,7 @@ export const centreOfScreen = (): Value =>
 export const viewUnitsPerPixel = (): Value =>
   select(isOrthographic(), 1, positionView.z.negate())
     .mul(2)
-    .div(cameraProjectionMatrix.element(1).element(1).mul(viewportHeight));
+    .div(abs(cameraProjectionMatrix.element(1).element(1)).mul(viewportHeight));
 
 /** @param normal view space, of the length at which it stands for as many view units as a pixel of the plane has */
 export function screenMapOf(normal: Value, centre: Value, viewToPlace: Value): ScreenMap {

@@ -106,6 +106,16 @@ describe('a scene fades by itself', () => {
     expect(automaticDepthFade(seen(box([-1, -1, -15], [1, 1, 6]), camera)!, camera)).toBe(0.7);
   });
 
+  test('alike before a camera whose pictures are turned, as those of a CubeCamera', () => {
+    const turned = cameraAt(0);
+    turned.fov *= -1;
+    turned.updateProjectionMatrix();
+    for (const back of [3, 5, 9]) {
+      const depths = { front: 1, back };
+      expect(automaticDepthFade(depths, turned)).toBe(automaticDepthFade(depths, cameraAt(0)));
+    }
+  });
+
   test('before an orthographic camera, if it is deeper than three sheets', () => {
     const camera = new OrthographicCamera(-2, 2, 1, -1, 0, 100);
     expect(automaticDepthFade({ front: 40, back: 46 }, camera)).toBe(0);
