@@ -4,6 +4,7 @@
 uniform float outlineWidth; // pixels
 uniform float accents; // how much heavier an outline becomes where it passes before another
 uniform bool isDrawnBefore; // whether surfaces that lie nearer do not hide it
+uniform bool isCutOut; // whether parts of its surface are not drawn
 
 // Pieces that are no longer than this are judged at their ends, for fragments to share, and others in each fragment, pixels.
 #define SHORT 16.0
@@ -37,6 +38,14 @@ bool isSeen(const in Spine spine, const in vec2 place) {
   vec2 beside = BESIDE * vec2(-spine.along.y, spine.along.x);
   if (!isInView(place + beside) || !isInView(place - beside)) return true;
   return max(gapAt(spine, place + beside), gapAt(spine, place - beside)) >= -vTolerance;
+}
+
+// Whether the surface is not there, on neither side of a place: both show what lies behind it.
+bool isCutAway(const in Spine spine, const in vec2 place) {
+  if (!isCutOut) return false;
+  vec2 beside = BESIDE * vec2(-spine.along.y, spine.along.x);
+  float pixel = viewHeightAt(spineDepth(spine, place)) / viewport.w;
+  return min(gapAt(spine, place + beside), gapAt(spine, place - beside)) > vTolerance + CUT_SLOPE * pixel;
 }
 
 // Whether what lies so far behind, as a share of the height of the view, is as good as paper.

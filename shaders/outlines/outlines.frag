@@ -51,7 +51,7 @@ void main() {
     #ifdef HIDDEN
       isDrawn = !isDrawn;
     #endif // HIDDEN
-    if (!isDrawn) discard;
+    if (!isDrawn || isCutAway(spine, seen)) discard;
     vec2 standing = mix(vStandings.xy, vStandings.zw, t);
     if (vStandings.x < 0.0) standing = standingAt(spine, seen, max(halves.x, halves.y));
     halfWidth = halfWidthAs(standing, halves);

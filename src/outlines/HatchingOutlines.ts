@@ -17,7 +17,7 @@ import { InstanceList } from './InstanceList.js';
 import { emphasisOf, isInFrustum, MeshOutlines, meanScale } from './MeshOutlines.js';
 import type { OutlinePart } from './OutlineParts.js';
 import { type SceneDepth, sceneDepthOf } from './SceneDepth.js';
-import { isClipped, isDrawnBefore } from './surfaceRules.js';
+import { isClipped, isCutOut, isDrawnBefore } from './surfaceRules.js';
 
 const drawnInto = /* @__PURE__ */ new Vector4();
 const NONE: readonly OutlinePart[] = [];
@@ -125,6 +125,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
     if (isClipped(surface)) (renderer.properties.get(material) as { clippingState?: unknown }).clippingState = null;
     uniforms.outlinePoints.value = data.points;
     uniforms.outlinePrimitives.value = data.primitives;
+    uniforms.isCutOut.value = isCutOut(surface);
     // A number that is stored is allocated.
     if (uniforms.radius.value !== (data.radius || 1)) uniforms.radius.value = data.radius || 1;
     this.bindCamera(renderer, camera, mesh);

@@ -11,6 +11,7 @@ export const OUTLINE_MESH_UNIFORMS = [
     'clippingPlanes',
     'eye',
     'importance',
+    'isCutOut',
     'isDrawnBefore',
     'isListed',
     'materialBorders',
@@ -45,6 +46,7 @@ export const createOutlineUniforms = (): Record<string, IUniform> =>
         // These depend on the camera.
         candidates: { value: null },
         instancePlaces: { value: null },
+        isCutOut: { value: false },
         isDrawnBefore: { value: false },
         isListed: { value: false },
         pull: { value: 0 },

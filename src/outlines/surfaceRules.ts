@@ -46,6 +46,13 @@ export function opacityOf(material: Material, geometry: BufferGeometry | null = 
 export const isShown = (material: Material, geometry: BufferGeometry | null = null): boolean =>
   material.visible && material.colorWrite && material.depthFunc !== NeverDepth && opacityOf(material, geometry) > 0;
 
+/**
+ * Whether parts of a surface may not be drawn, so that the depth of the scene says where its outlines are. That of a blended surface does not:
+ * it is drawn later.
+ */
+export const isCutOut = ({ alphaHash, alphaTest, depthTest, depthWrite, opacity, transparent }: Material): boolean =>
+  (alphaTest > 0 || (alphaHash && opacity >= 1)) && depthTest && depthWrite && !transparent;
+
 /** What says for each pixel whether a material is drawn there, and how much of it is seen. */
 const NAMES = [
   'opacity',
@@ -135,4 +142,5 @@ export function writeDrawState(material: Material, u: Record<string, IUniform>):
 export const looksAlike = (a: Material, b: Material, geometry: BufferGeometry | null = null): boolean =>
   a === b ||
   (opacityOf(a, geometry) === opacityOf(b, geometry) &&
+    isCutOut(a) === isCutOut(b) &&
     ((isTestedAsUsual(a) && isTestedAsUsual(b)) || NAMES.every((name) => name === 'opacity' || a[name] === b[name])));

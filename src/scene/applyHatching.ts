@@ -42,7 +42,7 @@ const IN_GLSL: LookMakers = {
  *   continue where the borders of meshes meet.
  * - Geometries that `triangle` or `adjacency` draws are baked with adjacency, the others without, unless `adjacency` asks for it.
  *   No map is drawn for materials that need none.
- * - `outlines` draws contours, borders and creases of every mesh except `BatchedMesh` and cut-outs (`alphaTest`, `alphaHash`).
+ * - `outlines` draws contours, borders and creases of every mesh except `BatchedMesh`, and cut-outs that are blended or write no depth.
  * - A `BatchedMesh` keeps its geometry. `anchored` hatches it with the normals that it has; other techniques can draw it only if
  *   it was filled with prepared geometries.
  *

@@ -18,10 +18,12 @@ import { opacityOf } from '../outlines/surfaceRules.js';
 import { asPhase } from '../slices/asPhase.js';
 import type { FeatureEdge, OutlineLook, OutlineMesh } from '../vector/outlines/OutlineMesh.js';
 import { bothPlaces } from './bothPlaces.js';
+import { alphaTestOf } from './PaintReader.js';
 import { placesOf } from './placesOf.js';
 import type { PosedVertices } from './pose/posedVertices.js';
 import { posePoints } from './pose/posePoints.js';
 import { rowsOf } from './rowsOf.js';
+import { leftBehind } from './seenThrough.js';
 
 /** Triangles, edges and points are read so many at a time. */
 const CHUNK = 4096;
@@ -49,6 +51,7 @@ export function outlineLookOf(
     shadeWeights: material.shadeWeights.toArray() as [number, number],
     ...{ contours, innerContours, borders, creases, suggestiveContours, taper, lostEdges },
     ...{ accents, overshoot, wobble, emphasis, hidden },
+    isCutOut: alphaTestOf(surface) > 0 && surface.depthWrite && leftBehind(surface, geometry) === 0,
   };
 }
 

@@ -39,6 +39,8 @@ export interface ChainOutline {
   width: number;
   /** Of the bounding sphere, world units. */
   radius: number;
+  /** Whether parts of the surface may be cut away. */
+  isCutOut: boolean;
 }
 
 /** Collects the points of a chain. */

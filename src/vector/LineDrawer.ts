@@ -15,7 +15,7 @@ import { hiddenLook, weighHidden } from './outlines/hiddenPieces.js';
 import { loseEdges, type SeenOutline } from './outlines/loseEdges.js';
 import { outlineChains } from './outlines/outlineChains.js';
 import { outlinePieces } from './outlines/outlinePieces.js';
-import { outlineTest } from './outlines/seenOutlines.js';
+import { cutTest, outlineTest } from './outlines/seenOutlines.js';
 import { weighByStanding } from './outlines/weighByStanding.js';
 import type { Projection } from './Projection.js';
 import { type Clip, isClipped } from './paint/Clip.js';
@@ -141,7 +141,7 @@ export class LineDrawer {
       this.segments += chain.count - 1;
       yield from;
       yield* asPhase(weighByStanding(chain, bvh, projection), from, (from + to) / 2);
-      const isSeen = clipped(outlineTest(chain, bvh, projection), clip);
+      const isSeen = clipped(uncut(outlineTest(chain, bvh, projection), cutTest(chain, bvh, projection)), clip);
       for (const { faded, left, isLeft } of yield* this.fadedParts(chain, isSeen)) {
         if (least > 0) endHairlines(faded, least);
         const runs = yield* asPhase(visibleRuns(faded, projection, isLeft), (from + to) / 2, to);
@@ -169,7 +169,10 @@ export class LineDrawer {
       const isSeen = outlineTest(chain, bvh, projection, look.width / 2);
       const hidden = this.seenParts(
         chain,
-        clipped((place) => !isSeen(place), clip),
+        clipped(
+          uncut((place) => !isSeen(place), cutTest(chain, bvh, projection)),
+          clip,
+        ),
       );
       yield from;
       for (const { path } of yield* asPhase(hidden, from, to))
@@ -360,6 +363,10 @@ function* tracedFamilies(tracing: Tracing, tones: VertexTones): Generator<number
   }
   return lines;
 }
+
+/** A test that sees nothing of an outline where its surface is cut away. */
+const uncut = (isSeen: SeenTest, isCut: SeenTest | null): SeenTest =>
+  isCut ? (place) => isSeen(place) && !isCut(place) : isSeen;
 
 /** A test that sees nothing of what clipping planes take away. */
 const clipped = (isSeen: SeenTest, clip: Clip | null): SeenTest =>

@@ -171,6 +171,60 @@ test('instances of scale 0 leave no dot', async ({ page }) => {
   for (const [i, ink] of inks.one.entries()) expect(ink).toBeLessThan(inks.alone[i] + 1e-3);
 });
 
+test('where a picture or vertices cut a surface away, it has no outlines', async ({ page }) => {
+  const found = await page.evaluate(async () => {
+    const { THREE, outlinedMesh, paperScene, lookFrom, draw, rendererOf, pixelOf, inkNear, total } = window.lining;
+    const camera = lookFrom(1.6, 1.6, 3);
+    const renderer = rendererOf(200);
+    // The left half of every side is there.
+    const half = new THREE.DataTexture(Uint8Array.of(255, 255, 255, 255, 255, 255, 255, 0), 2, 1);
+    half.needsUpdate = true;
+    const look = async (material: Three.MeshBasicMaterialParameters, change?: (mesh: Three.Mesh) => void) => {
+      const mesh = await outlinedMesh(new THREE.BoxGeometry(1, 1, 1), { outlineWidth: 3, creases: 1 });
+      Object.assign(mesh.material, material);
+      change?.(mesh);
+      const ink = draw(paperScene(mesh), camera, renderer);
+      const at = (x: number, y: number, z: number) =>
+        inkNear(ink, 200, pixelOf(new THREE.Vector3(x, y, z), camera, 200), 2);
+      return {
+        // Of the side before: the edge below, where it is and where it is not.
+        kept: at(-0.25, -0.5, 0.5),
+        cut: at(0.25, -0.5, 0.5),
+        // Between it, where it is not, and the side to the right, which is there.
+        between: at(0.5, 0, 0.5),
+        all: total(ink),
+      };
+    };
+    const fading = (mesh: Three.Mesh) => {
+      const { position } = mesh.geometry.attributes;
+      const color = new THREE.BufferAttribute(new Float32Array(4 * position.count).fill(1), 4);
+      for (let i = 0; i < position.count; i++) color.setW(i, position.getX(i) < 0 ? 1 : 0);
+      mesh.geometry.setAttribute('color', color);
+    };
+    const alphaMap = new THREE.DataTexture(Uint8Array.of(255, 255, 255, 255, 0, 0, 0, 255), 2, 1);
+    alphaMap.needsUpdate = true;
+    return {
+      whole: await look({}),
+      opaque: await look({ map: half }),
+      map: await look({ map: half, alphaTest: 0.5 }),
+      alphaMap: await look({ alphaMap, alphaTest: 0.5 }),
+      hashed: await look({ map: half, alphaHash: true }),
+      unused: await look({ alphaTest: 0.5 }),
+      blended: await look({ map: half, alphaTest: 0.5, transparent: true }),
+      vertices: await look({ vertexColors: true, alphaTest: 0.5 }, fading),
+    };
+  });
+  const { whole, vertices, ...others } = found;
+  for (const [name, look] of Object.entries({ whole, ...others })) {
+    expect(look.kept, name).toBeGreaterThan(0.9);
+    expect(look.between, name).toBeGreaterThan(0.9);
+  }
+  for (const name of ['map', 'alphaMap', 'hashed'] as const) expect(found[name].cut, name).toBe(0);
+  for (const name of ['opaque', 'unused', 'blended'] as const)
+    expect(found[name].all / whole.all, name).toBeCloseTo(1, 2);
+  expect([vertices.kept > 0.9, vertices.cut, vertices.between]).toEqual([true, 0, 0]);
+});
+
 test('a canvas with antialiasing that becomes a little smaller keeps all of its outlines', async ({ page }) => {
   const differences = await page.evaluate(async () => {
     const { THREE, outlinedMesh, paperScene, lookFrom, inkOf, mostDifferent } = window.lining;

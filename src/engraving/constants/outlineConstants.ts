@@ -27,6 +27,8 @@ export const OUTLINE_CONSTANTS = {
   ROUNDING: 0.0005,
   /** How far beside the middle of an outline that is seen where it lies between two sides that rise from it, pixels. */
   LOOKED_BESIDE: 2,
+  /** How steeply the parts of a cut-out surface may lie that have outlines. */
+  CUT_SLOPE: 9,
 
   /** From where on beyond its side an outline looks for what lies behind it, pixels. */
   BEYOND: 1.5,

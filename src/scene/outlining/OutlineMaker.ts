@@ -6,11 +6,15 @@ import { tell } from '../../mistakes/tell.js';
 import type { HatchingOutlineMaterial, HatchingOutlineParameters } from '../../outlines/HatchingOutlineMaterial.js';
 import type { HatchingOutlines } from '../../outlines/HatchingOutlines.js';
 import type { MeshOutlines } from '../../outlines/MeshOutlines.js';
+import { isCutOut } from '../../outlines/surfaceRules.js';
 import type { MeshLook } from '../MeshLook.js';
 import { isBatched, materialsOf } from '../surfaceMeshes.js';
 
-/** Whether a map cuts out parts of a surface. Its outlines would follow the outline of the geometry, and not of the picture on it. */
-const isCutOut = ({ alphaTest, alphaHash }: Material): boolean => alphaTest > 0 || alphaHash;
+/** Whether outlines would follow the outline of the geometry, and not of the picture that cuts it out or fades it. */
+function isWiderThanSeen(material: Material & { alphaMap?: unknown }): boolean {
+  const { alphaHash, alphaMap, alphaTest, transparent } = material;
+  return (alphaTest > 0 || alphaHash || (transparent && Boolean(alphaMap))) && !isCutOut(material);
+}
 
 let hasWarned = false;
 
@@ -51,13 +55,13 @@ export class OutlineMaker<
     this.materialFor(false);
   }
 
-  /** Makes the outlines of a mesh whose geometry was baked, unless it is a cut-out. They are not yet added to the scene. */
+  /** Makes the outlines of a mesh whose geometry was baked, unless they would be where nothing is seen of it. They are not yet added to the scene. */
   addOutlines({ mesh, geometry, material }: MeshLook): void {
     if (isBatched(mesh)) {
       warnOfBatch(mesh);
       return;
     }
-    if (materialsOf({ material }).every(isCutOut)) return;
+    if (materialsOf({ material }).every(isWiderThanSeen)) return;
     const outlines = this.kind.outlines(mesh, this.materialFor(deforms(geometry, mesh)));
     this.made.push(outlines);
   }

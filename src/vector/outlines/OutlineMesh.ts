@@ -66,6 +66,8 @@ export interface OutlineLook {
   wobble: number;
   /** What is drawn of outlines behind a surface. */
   hidden: HiddenOutlines;
+  /** Whether parts of their surface may be cut away, which have none. */
+  isCutOut: boolean;
   /** What takes weight away; null where all has its full weight. */
   emphasis: Emphasis | null;
 }

@@ -182,7 +182,7 @@ class OutlineDrawing {
     return {
       ...this.builder.finish(isClosed),
       outline: {
-        ...{ pieces, radius, width: look.width },
+        ...{ pieces, radius, width: look.width, isCutOut: look.isCutOut },
         innerHalves: Float64Array.from(innerHalves),
         accents: Float64Array.from(accents),
         contours: Float64Array.from(contours),

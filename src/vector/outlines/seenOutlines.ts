@@ -6,6 +6,8 @@ import type { Chain } from '../Chain.js';
 import type { Projection } from '../Projection.js';
 import type { ChainPlace, SeenTest } from '../visibleRuns.js';
 
+const { BESIDE, CUT_SLOPE } = OUTLINE_CONSTANTS;
+
 /**
  * A test whether places of an outline are seen: lifted towards the eye by so much that their own surface does not hide them, and with
  * nothing before them on one side at least.
@@ -28,6 +30,17 @@ export function outlineTest(chain: Chain, bvh: Bvh, projection: Projection, leas
   };
 }
 
+/** A test whether the surface of an outline is cut away where that runs; null where it has no such parts. */
+export function cutTest(chain: Chain, bvh: Bvh, projection: Projection): SeenTest | null {
+  const { pieces, radius, isCutOut } = chain.outline!;
+  if (!isCutOut) return null;
+  const beside = new BesideOutline(chain, bvh, projection);
+  return (place: ChainPlace) => {
+    const pixel = projection.unitsPerPixel(projection.depthOf(...place.world));
+    return beside.isEmpty(place, toleranceOf(pieces[place.piece + 1], pixel, radius) + CUT_SLOPE * pixel);
+  };
+}
+
 /** Looks what lies before an outline beside it, where less of its own surface does. */
 class BesideOutline {
   constructor(
@@ -37,20 +50,42 @@ class BesideOutline {
   ) {}
 
   /** Whether on one side nothing lies before a place by more than the tolerance, world units; beyond the picture nothing is known. */
-  isOpen({ world, piece }: ChainPlace, tolerance: number): boolean {
+  isOpen(place: ChainPlace, tolerance: number): boolean {
     const { projection, bvh } = this;
-    const depth = projection.depthOf(...world);
+    const depth = projection.depthOf(...place.world);
     if (depth <= projection.camera.near) return true;
-    const [x, y] = projection.project(...projection.toView(world as Vec3));
-    const [dx, dy] = this.sideways(piece);
-    const sides = [1, -1].map((sign) => [x + sign * dx, y + sign * dy] as const);
+    const sides = this.sidesOf(place);
     if (!sides.every((side) => projection.contains(...side))) return true;
     return sides.some((side) => {
-      const { origin, direction } = projection.rayThrough(...side);
-      const place = combined(1, origin, depth, direction);
-      const { way, end } = projection.wayToEye(...place);
-      return !bvh.isHidden(place, way, tolerance / depth, end);
+      const { point, way, end } = this.rayFrom(side, depth);
+      return !bvh.isHidden(point, way, tolerance / depth, end);
     });
+  }
+
+  /** Whether on both sides nothing lies before what is behind a place by the tolerance, world units. */
+  isEmpty(place: ChainPlace, tolerance: number): boolean {
+    const { projection, bvh } = this;
+    const depth = projection.depthOf(...place.world) + tolerance;
+    if (depth <= projection.camera.near) return false;
+    return this.sidesOf(place).every((side) => {
+      const { point, way, end } = this.rayFrom(side, depth);
+      return !bvh.isHidden(point, way, 0, end);
+    });
+  }
+
+  private sidesOf({ world, piece }: ChainPlace): readonly (readonly [number, number])[] {
+    const { projection } = this;
+    const [x, y] = projection.project(...projection.toView(world as Vec3));
+    const [dx, dy] = this.sideways(piece);
+    return [1, -1].map((sign) => [x + sign * dx, y + sign * dy] as const);
+  }
+
+  /** The way to the eye of what a pixel shows at a depth. */
+  private rayFrom(pixel: readonly [number, number], depth: number) {
+    const { projection } = this;
+    const { origin, direction } = projection.rayThrough(...pixel);
+    const point = combined(1, origin, depth, direction);
+    return { point, ...projection.wayToEye(...point) };
   }
 
   /** Square to a piece on the picture. The hand shifts it there, and nothing else. */
@@ -59,7 +94,6 @@ class BesideOutline {
     const dx = screen[2 * piece + 2] - screen[2 * piece];
     const dy = screen[2 * piece + 3] - screen[2 * piece + 1];
     const length = Math.hypot(dx, dy);
-    const { BESIDE } = OUTLINE_CONSTANTS;
     return length > 0 ? [(-BESIDE * dy) / length, (BESIDE * dx) / length] : [0, BESIDE];
   }
 }

@@ -15,7 +15,7 @@ import { tell } from '../../mistakes/tell.js';
 import type { HatchingOutlineParameters } from '../../outlines/HatchingOutlineMaterial.js';
 import { emphasisOf, isInFrustum, MeshOutlines, meanScale } from '../../outlines/MeshOutlines.js';
 import type { OutlinePart } from '../../outlines/OutlineParts.js';
-import { isDrawnBefore } from '../../outlines/surfaceRules.js';
+import { isCutOut, isDrawnBefore } from '../../outlines/surfaceRules.js';
 import { hasFloatTargets, nodeDeformations } from '../deformation/nodeDeformations.js';
 import { placesOf } from '../nodes/base/InstancePlaces.js';
 import { clippingOf } from './clippingOf.js';
@@ -122,6 +122,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
     this.beginSurface(surface);
     uniforms.outlinePoints.value = data.points;
     uniforms.outlinePrimitives.value = data.primitives;
+    uniforms.isCutOut.value = isCutOut(surface);
     uniforms.radius.value = data.radius || 1;
     this.writeEye(uniforms.eye.value, camera, mesh);
     uniforms.objectScale.value = meanScale(mesh.matrixWorld);

@@ -7,6 +7,7 @@ import {
   BufferAttribute,
   BufferGeometry,
   Color,
+  DataTexture,
   DoubleSide,
   GreaterDepth,
   Group,
@@ -20,6 +21,7 @@ import {
   MeshBasicMaterial,
   MeshDepthMaterial,
   MeshStandardMaterial,
+  type MeshStandardMaterialParameters,
   Object3D,
   ObjectSpaceNormalMap,
   PerspectiveCamera,
@@ -124,6 +126,31 @@ describe('what it makes of a scene', () => {
     outlines.onBeforeRender({} as never, new Scene(), new PerspectiveCamera());
     expect(outlines.geometry.drawRange.count).toBe(-1);
     scene.dispose();
+  });
+
+  test('cut-outs have outlines, unless these would be drawn where nothing is seen', async () => {
+    const map = new DataTexture(Uint8Array.of(255, 255, 255, 0), 1, 1);
+    const hasOutlines = async (parameters: MeshStandardMaterialParameters) => {
+      const group = new Group().add(
+        new Mesh(new BoxGeometry(), new MeshStandardMaterial(parameters)),
+        new Mesh(new BoxGeometry(), new MeshStandardMaterial()),
+      );
+      const { outlines } = await applyHatching(group, { outlines: true, material: { technique: 'engraved' } });
+      return outlines.some(({ mesh }) => mesh === group.children[0]);
+    };
+    for (const parameters of [
+      { alphaTest: 0.5, map },
+      { alphaHash: true, map },
+      { transparent: true, map },
+    ])
+      expect(await hasOutlines(parameters), Object.keys(parameters).join()).toBe(true);
+    for (const parameters of [
+      { alphaTest: 0.5, map, transparent: true },
+      { alphaTest: 0.5, map, depthWrite: false },
+      { alphaHash: true, opacity: 0.5 },
+      { transparent: true, alphaMap: map },
+    ])
+      expect(await hasOutlines(parameters), Object.keys(parameters).join()).toBe(false);
   });
 
   test('a material keeps everything that has a meaning on paper', async () => {

@@ -1,5 +1,6 @@
 import {
   BoxGeometry,
+  DataTexture,
   EqualStencilFunc,
   GreaterDepth,
   InstancedMesh,
@@ -124,6 +125,47 @@ test('the clipping planes of a material cut them', async () => {
   expect((await draw(mesh)).ink).toBeLessThan(0.8 * ink);
   mesh.material.clippingPlanes = [new Plane(new Vector3(1, 0, 0), -9)];
   expect((await draw(mesh)).ink).toBe(0);
+});
+
+describe('where a picture cuts the surface away', () => {
+  /** Whose left half is there. */
+  const half = new DataTexture(Uint8Array.of(255, 255, 255, 255, 255, 255, 255, 0), 2, 1);
+  const card = async (material = {}, outlines = {}) => {
+    const mesh = await hatchedMesh(new PlaneGeometry(1.2, 1.2), {
+      outlines: { ...EVEN, outlineWidth: 3, ...outlines },
+      material: BLANK,
+    });
+    Object.assign(mesh.material, material);
+    return mesh;
+  };
+  const camera = cameraAt(0, 0, 1, true);
+  const drawn = async (mesh: Mesh, ...others: Mesh[]) => {
+    const { svg } = await drawSVG(sceneOf(mesh, ...others), camera, SHEET);
+    const sides = (paths: readonly string[]) => [coverageOf(paths, [0, 0, 29, 60]), coverageOf(paths, [31, 0, 29, 60])];
+    return { seen: sides(pathsOf(svg, 'outlines')), hidden: sides(pathsOf(svg, 'hidden')) };
+  };
+
+  test('there are none', async () => {
+    const { seen: whole } = await drawn(await card());
+    for (const material of [{ alphaTest: 0.5 }, { alphaHash: true }, { transparent: true }]) {
+      const { seen } = await drawn(await card({ map: half, ...material }));
+      expect(seen[0] / whole[0], JSON.stringify(material)).toBeCloseTo(1, 1);
+      expect(seen[1], JSON.stringify(material)).toBe(0);
+    }
+    for (const material of [{ map: half }, { alphaTest: 0.5 }, { map: half, alphaTest: 0.5, depthWrite: false }]) {
+      const { seen } = await drawn(await card(material));
+      expect(seen[1] / whole[1], JSON.stringify(material)).toBeCloseTo(1, 2);
+    }
+  });
+
+  test('there are no hidden ones either', async () => {
+    const { hidden } = await drawn(await card({ map: half, alphaTest: 0.5 }, { hidden: 'faint' }));
+    expect(hidden).toEqual([0, 0]);
+    const wall = new Mesh(new PlaneGeometry(9, 9), blank());
+    wall.position.z = 0.2;
+    const behind = await drawn(await card({}, { hidden: 'faint' }), wall);
+    expect(Math.min(...behind.hidden)).toBeGreaterThan(0);
+  });
 });
 
 test('instances that are hidden by a scale of 0 leave nothing', async () => {

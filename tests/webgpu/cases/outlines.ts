@@ -1,6 +1,7 @@
 import {
   BoxGeometry,
   type BufferGeometry,
+  DataTexture,
   Fog,
   HemisphereLight,
   InstancedMesh,
@@ -140,6 +141,20 @@ export const cases: readonly SceneCase[] = [
         materials[2].visible = false;
         materials[3].depthTest = false;
         (mesh as Mesh).material = materials;
+        return {};
+      },
+    ),
+  },
+  {
+    name: 'a box that a picture cuts away in part, with what is hidden of it',
+    show: show(
+      { outlineWidth: 4, creases: 1, hidden: 'faint' },
+      () => new BoxGeometry(1.2, 0.9, 0.8),
+      ({ mesh }) => {
+        mesh.rotation.set(0.5, 0.6, 0.2);
+        const map = new DataTexture(Uint8Array.of(255, 255, 255, 255, 255, 255, 255, 0), 2, 1);
+        map.needsUpdate = true;
+        Object.assign(mesh.material, { map, alphaTest: 0.5 });
         return {};
       },
     ),

@@ -6,7 +6,16 @@ import { outlineEmphasisAt } from '../chunks/emphasis.js';
 import { lineCoverage } from '../chunks/lineCoverage.js';
 import { dryInk } from './dryOutline.js';
 import { hiddenCoverage } from './hidden.js';
-import { accents, alongLine, halfWidthAs, isSeen, outlineWidth, type Spine, standingAt } from './hierarchy.js';
+import {
+  accents,
+  alongLine,
+  halfWidthAs,
+  isCutAway,
+  isSeen,
+  outlineWidth,
+  type Spine,
+  standingAt,
+} from './hierarchy.js';
 import type { OutlineDefines } from './OutlineDefines.js';
 import { hasSceneDepth } from './sceneDepth.js';
 import {
@@ -82,7 +91,7 @@ export const fragments = (defines: OutlineDefines): Value =>
       if (hasSceneDepth(builder)) {
         const seen = spine.start.add(clamp(place, 0, size).mul(spine.along)).toVar();
         const isBefore = isSeen(spine, seen, builder);
-        isDrawn.assign(defines.HIDDEN ? isBefore.not() : isBefore);
+        isDrawn.assign((defines.HIDDEN ? isBefore.not() : isBefore).and(isCutAway(spine, seen, builder).not()));
         If(isDrawn, () => {
           const standing = mix(vStandings.xy, vStandings.zw, t).toVar();
           If(vStandings.x.lessThan(0), () => {

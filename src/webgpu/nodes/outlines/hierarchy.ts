@@ -7,10 +7,10 @@ import { ACCENT_STEPS, OUTLINE_CONSTANTS } from '../../../engraving/constants/ou
 import { isOrthographic } from '../base/isOrthographic.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
-import { depthAt, isInView, NOWHERE, viewHeightAt } from './sceneDepth.js';
+import { depthAt, isInView, NOWHERE, viewHeightAt, viewport } from './sceneDepth.js';
 
 const { Break, If, Loop, abs, bool, clamp, dot, float, floor, int, max, min, mix, select, smoothstep, vec2 } = tsl;
-const { ACCENT_REACH, BEGINS_AS_PAPER, BESIDE, BEYOND, FULL_JUMP, IS_PAPER, LEAST_JUMP } = OUTLINE_CONSTANTS;
+const { ACCENT_REACH, BEGINS_AS_PAPER, BESIDE, BEYOND, CUT_SLOPE, FULL_JUMP, IS_PAPER, LEAST_JUMP } = OUTLINE_CONSTANTS;
 
 /** Pixels. */
 export const outlineWidth: Value = /* @__PURE__ */ hatchingUniform('outlineWidth', 'float');
@@ -18,6 +18,8 @@ export const outlineWidth: Value = /* @__PURE__ */ hatchingUniform('outlineWidth
 export const accents: Value = /* @__PURE__ */ hatchingUniform('accents', 'float');
 /** Whether surfaces that lie nearer do not hide it. */
 const isDrawnBefore = /* @__PURE__ */ hatchingUniform('isDrawnBefore', 'float');
+/** Whether parts of its surface are not drawn. */
+const isCutOut = /* @__PURE__ */ hatchingUniform('isCutOut', 'float');
 
 /** Pieces that are no longer than this are judged at their ends, for fragments to share, and others in each fragment, pixels. */
 export const SHORT = 16;
@@ -63,6 +65,18 @@ export function isSeen(spine: Spine, place: Value, builder: NodeBuilder): Value 
     seen.assign(gap.greaterThanEqual(spine.tolerance.negate()));
   });
   return seen;
+}
+
+/** Whether the surface is not there, on neither side of a place: both show what lies behind it. */
+export function isCutAway(spine: Spine, place: Value, builder: NodeBuilder): Value {
+  const beside = vec2(spine.along.y.negate(), spine.along.x).mul(BESIDE).toVar();
+  const cutAway = bool(false).toVar();
+  If(isCutOut.greaterThan(0.5), () => {
+    const pixel = viewHeightAt(spineDepth(spine, place)).div(viewport.w);
+    const gap = min(gapAt(spine, place.add(beside), builder), gapAt(spine, place.sub(beside), builder));
+    cutAway.assign(gap.greaterThan(spine.tolerance.add(pixel.mul(CUT_SLOPE))));
+  });
+  return cutAway;
 }
 
 /** Whether what lies so far behind, as a share of the height of the view, is as good as paper. */
