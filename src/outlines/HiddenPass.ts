@@ -8,7 +8,7 @@ import {
   type WebGLRenderer,
 } from 'three';
 import type { HatchingOutlineMaterial } from './HatchingOutlineMaterial.js';
-import { drawStateOf } from './surfaceRules.js';
+import { copyDrawState } from './surfaceRules.js';
 
 /** What draws outlines. */
 type Outlines = Object3D & { geometry: BufferGeometry; material: HatchingOutlineMaterial };
@@ -22,7 +22,7 @@ export class HiddenPass {
   /** Draws what of outlines is hidden, right after what is seen of them. */
   draw(outlines: Outlines, renderer: WebGLRenderer, scene: Scene, camera: Camera): void {
     const material = this.materialFor(outlines.material);
-    Object.assign(material, drawStateOf(outlines.material));
+    copyDrawState(outlines.material, material);
     // Where the depth of the scene is known, fragments find out what is hidden.
     const isKnown: boolean = material.uniforms.hasSceneDepth.value;
     material.depthTest = !isKnown;

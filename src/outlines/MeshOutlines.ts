@@ -27,7 +27,7 @@ import { InstanceList } from './InstanceList.js';
 import { isScaledToNothing } from './isScaledToNothing.js';
 import { MeshLayers } from './MeshLayers.js';
 import { type OutlinePart, OutlineParts } from './OutlineParts.js';
-import { type DrawState, takeDrawState } from './surfaceRules.js';
+import { copyDrawState, type DrawState, takeDrawState } from './surfaceRules.js';
 
 /** What the camera of `frustumFrame` sees in that frame. */
 const frustum = /* @__PURE__ */ new Frustum();
@@ -69,8 +69,9 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Obj
   private readonly parts = new OutlineParts();
   /** The place in the order of drawing that was set for the outlines themselves; null while they follow the mesh. */
   private ownOrder: number | null = null;
-  /** The state of the material before it took that of a surface; null while it has its own. */
-  private ownState: DrawState | null = null;
+  /** The state of the material before it took that of a surface. */
+  private readonly ownState: Partial<DrawState> = {};
+  private hasTaken = false;
   private hasReported = false;
 
   /** @param look a material, or the parameters of a new one of this kind */
@@ -247,13 +248,12 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Obj
   /** Has the material fade and be tested as a surface is, until `endSurface`. */
   protected beginSurface(surface: Material): void {
     this.endSurface();
-    this.ownState = takeDrawState(this.material, surface, this.mesh?.geometry);
+    this.hasTaken = takeDrawState(this.material, surface, this.mesh?.geometry ?? null, this.ownState);
   }
 
   protected endSurface(): void {
-    if (this.ownState === null) return;
-    Object.assign(this.material, this.ownState);
-    this.ownState = null;
+    if (this.hasTaken) copyDrawState(this.ownState as DrawState, this.material);
+    this.hasTaken = false;
   }
 
   /** What of a part may hold an outline as the camera sees the mesh; null if that is not known. @param eye of the camera, in the space of the mesh @internal */

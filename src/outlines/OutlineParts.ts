@@ -34,8 +34,9 @@ export class OutlineParts {
   /** What was split, and by which parts. */
   private splitData: OutlineData | null = null;
   private splitBy = '';
+  private readonly division = new Division();
 
-  /** Allocates nothing for a mesh that is drawn as a whole, with one look. */
+  /** Allocates nothing while the mesh is divided as it was in the frame before. */
   of(mesh: Mesh, data: OutlineData): readonly OutlinePart[] {
     const { material, geometry } = mesh;
     if (!Array.isArray(material) && (!material || !isShown(material, geometry))) return NONE;
@@ -53,12 +54,20 @@ export class OutlineParts {
   /** A function of its own: what its closures keep is allocated whenever it is called. */
   private ofGroups(mesh: Mesh, data: OutlineData): readonly OutlinePart[] {
     const { geometry } = mesh;
+    if (this.splitData === data && this.division.isThatOf(mesh)) {
+      for (let i = 0; i < this.split.length; i++) {
+        this.split[i].surface = this.division.surfaces[i];
+        this.split[i].isNew = false;
+      }
+      return this.split;
+    }
     const looks = looksOf(
       surfaceParts(mesh).filter((part) => isShown(part.material, geometry)),
       geometry,
     );
     if (looks.length === 0) return NONE;
     if (looks.length === 1 && isAll(looks[0].parts, data)) return this.asWhole(data, looks[0].surface);
+    this.division.note(mesh, looks);
     return this.asSplit(data, looks);
   }
 
@@ -92,6 +101,84 @@ export class OutlineParts {
     this.splitData = null;
     this.splitBy = '';
   }
+}
+
+/** What a group of a mesh that is not drawn has in the place of a look. */
+const NO_LOOK = -1;
+/** How many numbers are kept of each group: its first corner, how many it has, and its look. */
+const KEPT = 3;
+
+/** How a mesh was divided into looks. */
+class Division {
+  /** What draws the first group of each look. */
+  readonly surfaces: Material[] = [];
+  private readonly firstGroups: number[] = [];
+  private readonly groups: number[] = [];
+  private start = 0;
+  private count = 0;
+
+  note(mesh: Mesh, looks: readonly Look[]): void {
+    const { drawRange } = mesh.geometry;
+    this.start = drawRange.start;
+    this.count = drawRange.count;
+    this.surfaces.length = this.groups.length = 0;
+    this.surfaces.push(...looks.map(({ surface }) => surface));
+    for (let i = 0; i < groupCount(mesh); i++) {
+      const { start = 0, count = 0 } = mesh.geometry.groups[i] ?? {};
+      const material = drawnMaterial(mesh, i);
+      const look = this.surfaces.findIndex((surface) => material && looksAlike(surface, material, mesh.geometry));
+      this.groups.push(start, count, look);
+    }
+    for (let look = 0; look < looks.length; look++) {
+      const at = this.groups.findIndex((value, i) => i % KEPT === KEPT - 1 && value === look);
+      this.firstGroups[look] = Math.floor(at / KEPT);
+    }
+  }
+
+  /** Whether a mesh is divided so. Brings the surfaces up to date, and allocates nothing. */
+  isThatOf(mesh: Mesh): boolean {
+    const { groups, firstGroups, surfaces } = this;
+    const { geometry } = mesh;
+    const { drawRange } = geometry;
+    const count = groupCount(mesh);
+    if (groups.length !== KEPT * count || drawRange.start !== this.start || drawRange.count !== this.count)
+      return false;
+    for (let i = 0; i < count; i++) {
+      const group = geometry.groups[i];
+      if (group && (group.start !== groups[KEPT * i] || group.count !== groups[KEPT * i + 1])) return false;
+      const material = drawnMaterial(mesh, i);
+      const look = groups[KEPT * i + 2];
+      if ((material === null) !== (look === NO_LOOK)) return false;
+      if (material === null) continue;
+      if (firstGroups[look] === i) surfaces[look] = material;
+      else if (!looksAlike(surfaces[look], material, geometry)) return false;
+    }
+    return this.isInOrder(geometry);
+  }
+
+  /** Whether the looks still differ, the most opaque one first. */
+  private isInOrder(geometry: BufferGeometry): boolean {
+    const { firstGroups, surfaces } = this;
+    for (let b = 1; b < surfaces.length; b++) {
+      const fall = opacityOf(surfaces[b - 1], geometry) - opacityOf(surfaces[b], geometry);
+      if (fall < 0 || (fall === 0 && firstGroups[b - 1] > firstGroups[b])) return false;
+      for (let a = 0; a < b; a++) if (looksAlike(surfaces[a], surfaces[b], geometry)) return false;
+    }
+    return true;
+  }
+}
+
+/** How many groups of a mesh may be drawn one by one. */
+const groupCount = ({ geometry, material }: Mesh): number => (Array.isArray(material) ? geometry.groups.length : 1);
+
+/** What draws a group of a mesh; null if nothing of it is drawn. */
+function drawnMaterial({ geometry, material }: Mesh, group: number): Material | null {
+  if (!Array.isArray(material)) return isShown(material, geometry) ? material : null;
+  const { start, count, materialIndex = 0 } = geometry.groups[group];
+  const { drawRange } = geometry;
+  const own = material[materialIndex];
+  const end = Math.min(start + count, drawRange.start + drawRange.count);
+  return own && end - Math.max(start, drawRange.start) >= 3 && isShown(own, geometry) ? own : null;
 }
 
 /** What draws all of a mesh with one look, by groups in their order where it has several materials; null where it is not so simple. */

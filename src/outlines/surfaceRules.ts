@@ -81,8 +81,10 @@ function isTestedAsUsual(material: Material): boolean {
   return depthTest && depthFunc === LessEqualDepth && !stencilWrite && !polygonOffset && !isClipped(material);
 }
 
-export const drawStateOf = (material: Material): DrawState =>
-  Object.fromEntries(NAMES.map((name) => [name, material[name]])) as unknown as DrawState;
+/** Makes the state of a material, or of what was kept of one, that of another. Allocates nothing once `to` has had one. */
+export function copyDrawState(from: DrawState, to: Partial<DrawState>): void {
+  for (let i = 0; i < NAMES.length; i++) (to as Record<string, unknown>)[NAMES[i]] = from[NAMES[i]];
+}
 
 /** The modes in which what lies nearer is drawn. Outlines lie before their surface, so that all three are one to them. */
 const NEARER: readonly DepthModes[] = [LessDepth, LessEqualDepth, EqualDepth];
@@ -91,16 +93,18 @@ const NEARER: readonly DepthModes[] = [LessDepth, LessEqualDepth, EqualDepth];
  * Has the material of outlines fade as a surface does, and pass its tests beside those of its own. Outlines never write to the stencil for
  * a surface: they would widen what it marks.
  *
- * @returns the state that it had before; null if nothing changes. Allocates nothing then.
+ * @param before gets the state that it had before, if anything changes
+ * @returns whether anything changes
  */
 export function takeDrawState(
   material: Material,
   surface: Material,
-  geometry: BufferGeometry | null = null,
-): DrawState | null {
+  geometry: BufferGeometry | null,
+  before: Partial<DrawState>,
+): boolean {
   const opacity = opacityOf(surface, geometry);
-  if (opacity === 1 && isTestedAsUsual(surface)) return null;
-  const before = drawStateOf(material);
+  if (opacity === 1 && isTestedAsUsual(surface)) return false;
+  copyDrawState(material, before);
   material.opacity *= opacity;
   material.depthTest &&= surface.depthTest;
   if (!NEARER.includes(surface.depthFunc)) material.depthFunc = surface.depthFunc;
@@ -119,7 +123,7 @@ export function takeDrawState(
     material.clippingPlanes = surface.clippingPlanes;
     material.clipIntersection = surface.clipIntersection;
   }
-  return before;
+  return true;
 }
 
 /** Whether surfaces that lie nearer do not hide what a material draws. */
@@ -138,9 +142,14 @@ export function writeDrawState(material: Material, u: Record<string, IUniform>):
   u.isDrawnBefore.value = isDrawnBefore(material);
 }
 
+/** Whether materials are tested alike. */
+function isTestedAlike(a: Material, b: Material): boolean {
+  if (isTestedAsUsual(a) && isTestedAsUsual(b)) return true;
+  // A function for each name would be allocated in every frame.
+  for (let i = 0; i < NAMES.length; i++) if (NAMES[i] !== 'opacity' && a[NAMES[i]] !== b[NAMES[i]]) return false;
+  return true;
+}
+
 /** Whether two materials give their outlines the same look. */
 export const looksAlike = (a: Material, b: Material, geometry: BufferGeometry | null = null): boolean =>
-  a === b ||
-  (opacityOf(a, geometry) === opacityOf(b, geometry) &&
-    isCutOut(a) === isCutOut(b) &&
-    ((isTestedAsUsual(a) && isTestedAsUsual(b)) || NAMES.every((name) => name === 'opacity' || a[name] === b[name])));
+  a === b || (opacityOf(a, geometry) === opacityOf(b, geometry) && isCutOut(a) === isCutOut(b) && isTestedAlike(a, b));

@@ -30,7 +30,7 @@ import {
   defineOutlineNumbers,
   writeOutlineLook,
 } from '../../outlines/outlineValues.js';
-import { drawStateOf, writeDrawState } from '../../outlines/surfaceRules.js';
+import { copyDrawState, writeDrawState } from '../../outlines/surfaceRules.js';
 import { toothMap } from '../../tam/toothMap.js';
 import { clipSpine } from '../nodes/outlines/clipping.js';
 import { type OutlineNodes, outlineNodes } from '../nodes/outlines/outlineNodes.js';
@@ -128,7 +128,7 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
       });
     }
     const { hiddenOnes } = this;
-    Object.assign(hiddenOnes, drawStateOf(this));
+    copyDrawState(this, hiddenOnes);
     hiddenOnes.fog = this.fog;
     hiddenOnes.tooth = this.tooth;
     hiddenOnes.wobble = this.wobble;

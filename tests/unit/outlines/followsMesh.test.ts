@@ -17,6 +17,7 @@ import { beforeAll, describe, expect, test, vi } from 'vitest';
 import { prepareHatchingGeometry } from '../../../src/geometry/prepareHatchingGeometry.js';
 import { HatchingOutlineMaterial } from '../../../src/outlines/HatchingOutlineMaterial.js';
 import { HatchingOutlines } from '../../../src/outlines/HatchingOutlines.js';
+import { randomNumbers } from '../vector/randomNumbers.js';
 
 let box: BufferGeometry;
 let plane: BufferGeometry;
@@ -220,6 +221,39 @@ describe('groups', () => {
     materials[3].opacity = 1;
     expect(draw(outlines)).toMatchObject([{ opacity: 1, primitives: whole() }]);
   });
+});
+
+test('what changes from frame to frame is drawn as if it were new', () => {
+  const random = randomNumbers(7);
+  const pick = (count: number): number => Math.floor(count * random());
+  const geometry = box.clone();
+  const looks = [
+    {},
+    {},
+    { opacity: 0.5 },
+    { opacity: 0.25 },
+    { visible: false },
+    { depthTest: false },
+    { alphaTest: 0.1 },
+  ];
+  const materials: Material[] = Array.from({ length: 4 }, () => new MeshBasicMaterial({ transparent: true }));
+  const { mesh, outlines } = outlined(geometry, materials);
+  const renderer = new NotingRenderer();
+  const counts = new Set<number>();
+  for (let frame = 0; frame < 300; frame++) {
+    const what = pick(8);
+    if (what < 4) {
+      const plain = { opacity: 1, visible: true, depthTest: true, alphaTest: 0, transparent: true };
+      Object.assign(materials[what], plain, looks[pick(looks.length)]);
+    } else if (what === 4) geometry.setDrawRange(6 * pick(3), 6 * (2 + pick(6)));
+    else if (what === 5) geometry.groups[pick(6)].materialIndex = pick(5);
+    else if (what === 6) [materials[0], materials[1]] = [materials[1], materials[0]];
+    const { outlines: fresh } = outlined(geometry, mesh.material as Material[]);
+    const drawn = renderer.draw(outlines);
+    expect(drawn, `frame ${frame}`).toEqual(draw(fresh));
+    counts.add(drawn.length);
+  }
+  expect(counts.size).toBeGreaterThan(2);
 });
 
 test('a draw range is followed when it changes, and ends in borders', () => {

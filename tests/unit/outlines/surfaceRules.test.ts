@@ -14,7 +14,14 @@ import {
 } from 'three';
 import { describe, expect, test } from 'vitest';
 import { HatchingOutlineMaterial } from '../../../src/outlines/HatchingOutlineMaterial.js';
-import { drawStateOf, isShown, looksAlike, opacityOf, takeDrawState } from '../../../src/outlines/surfaceRules.js';
+import {
+  copyDrawState,
+  type DrawState,
+  isShown,
+  looksAlike,
+  opacityOf,
+  takeDrawState,
+} from '../../../src/outlines/surfaceRules.js';
 
 const surface = (parameters: MaterialParameters = {}) => new MeshBasicMaterial(parameters);
 
@@ -62,16 +69,19 @@ test('nothing is seen of a material that is not visible, writes no colour, is se
 describe('outlines take from a surface', () => {
   test('nothing, if it is as materials are', () => {
     const material = new HatchingOutlineMaterial();
-    expect(takeDrawState(material, surface({ opacity: 0.5, side: 2 }))).toBeNull();
+    expect(takeDrawState(material, surface({ opacity: 0.5, side: 2 }), null, {})).toBe(false);
   });
 
   test('its opacity beside their own, and give it back', () => {
     const material = new HatchingOutlineMaterial({ opacity: 0.5 });
-    const before = takeDrawState(material, surface({ transparent: true, opacity: 0.4 }))!;
+    const before: Partial<DrawState> = {};
+    expect(takeDrawState(material, surface({ transparent: true, opacity: 0.4 }), null, before)).toBe(true);
     expect(material.opacity).toBeCloseTo(0.2);
-    Object.assign(material, before);
+    copyDrawState(before as DrawState, material);
     expect(material.opacity).toBe(0.5);
-    expect(drawStateOf(material)).toEqual(drawStateOf(new HatchingOutlineMaterial({ opacity: 0.5 })));
+    const fresh: Partial<DrawState> = {};
+    copyDrawState(new HatchingOutlineMaterial({ opacity: 0.5 }), fresh);
+    expect(before).toEqual(fresh);
   });
 
   test.each<[MaterialParameters, MaterialParameters]>([
@@ -85,7 +95,7 @@ describe('outlines take from a surface', () => {
     ],
   ])('the tests of %o: %o', (parameters, expected) => {
     const material = new HatchingOutlineMaterial();
-    takeDrawState(material, surface(parameters));
+    takeDrawState(material, surface(parameters), null, {});
     expect(material).toMatchObject(expected);
     expect(material.depthWrite).toBe(false);
   });
@@ -93,7 +103,7 @@ describe('outlines take from a surface', () => {
   test('its stencil, without writing to it', () => {
     const material = new HatchingOutlineMaterial();
     const stencil = { stencilWrite: true, stencilFunc: NotEqualStencilFunc, stencilRef: 3, stencilFuncMask: 7 };
-    takeDrawState(material, surface({ ...stencil, stencilZPass: ReplaceStencilOp }));
+    takeDrawState(material, surface({ ...stencil, stencilZPass: ReplaceStencilOp }), null, {});
     expect(material).toMatchObject(stencil);
     expect(material.stencilZPass).not.toBe(ReplaceStencilOp);
   });
@@ -101,7 +111,12 @@ describe('outlines take from a surface', () => {
   test('nothing in the place of a stencil, an offset and a depth test of their own', () => {
     const own = { stencilWrite: true, stencilRef: 9, polygonOffset: true, polygonOffsetUnits: 5, depthTest: false };
     const material = new HatchingOutlineMaterial(own);
-    takeDrawState(material, surface({ stencilWrite: true, stencilRef: 3, polygonOffset: true, polygonOffsetUnits: 1 }));
+    takeDrawState(
+      material,
+      surface({ stencilWrite: true, stencilRef: 3, polygonOffset: true, polygonOffsetUnits: 1 }),
+      null,
+      {},
+    );
     expect(material).toMatchObject(own);
   });
 });
