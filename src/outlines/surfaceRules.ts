@@ -1,9 +1,15 @@
 import {
   type BufferGeometry,
+  DecrementWrapStencilOp,
   type DepthModes,
   EqualDepth,
+  EqualStencilFunc,
   GreaterDepth,
   GreaterEqualDepth,
+  GreaterStencilFunc,
+  IncrementStencilOp,
+  IncrementWrapStencilOp,
+  InvertStencilOp,
   type IUniform,
   LessDepth,
   LessEqualDepth,
@@ -12,6 +18,8 @@ import {
   NoBlending,
   NormalBlending,
   NotEqualDepth,
+  NotEqualStencilFunc,
+  ReplaceStencilOp,
 } from 'three';
 
 /** The alpha of the most opaque vertex, for attributes of colours and their version. */
@@ -81,6 +89,22 @@ function isTestedAsUsual(material: Material): boolean {
   return depthTest && depthFunc === LessEqualDepth && !stencilWrite && !polygonOffset && !isClipped(material);
 }
 
+/** What marks a pixel of the stencil that nothing has marked before. */
+const MARKS: readonly number[] = [IncrementStencilOp, IncrementWrapStencilOp, DecrementWrapStencilOp, InvertStencilOp];
+
+/**
+ * Whether a surface passes the test of the stencil where nothing is marked, and fails it where it has marked that: so it is drawn once to a
+ * pixel. Its outlines, which are drawn after it, would fail everywhere on it.
+ */
+function isDrawnOnce(surface: Material): boolean {
+  const { stencilFunc, stencilFuncMask, stencilRef, stencilWriteMask, stencilZPass } = surface;
+  if (!surface.stencilWrite || (stencilWriteMask & stencilFuncMask) === 0) return false;
+  if ((stencilRef & stencilFuncMask) === 0) return stencilFunc === EqualStencilFunc && MARKS.includes(stencilZPass);
+  return (
+    stencilZPass === ReplaceStencilOp && (stencilFunc === NotEqualStencilFunc || stencilFunc === GreaterStencilFunc)
+  );
+}
+
 /** Makes the state of a material, or of what was kept of one, that of another. Allocates nothing once `to` has had one. */
 export function copyDrawState(from: DrawState, to: Partial<DrawState>): void {
   for (let i = 0; i < NAMES.length; i++) (to as Record<string, unknown>)[NAMES[i]] = from[NAMES[i]];
@@ -108,7 +132,7 @@ export function takeDrawState(
   material.opacity *= opacity;
   material.depthTest &&= surface.depthTest;
   if (!NEARER.includes(surface.depthFunc)) material.depthFunc = surface.depthFunc;
-  if (surface.stencilWrite && !material.stencilWrite) {
+  if (surface.stencilWrite && !material.stencilWrite && !isDrawnOnce(surface)) {
     material.stencilWrite = true;
     material.stencilFunc = surface.stencilFunc;
     material.stencilRef = surface.stencilRef;
@@ -147,7 +171,7 @@ function isTestedAlike(a: Material, b: Material): boolean {
   if (isTestedAsUsual(a) && isTestedAsUsual(b)) return true;
   // A function for each name would be allocated in every frame.
   for (let i = 0; i < NAMES.length; i++) if (NAMES[i] !== 'opacity' && a[NAMES[i]] !== b[NAMES[i]]) return false;
-  return true;
+  return isDrawnOnce(a) === isDrawnOnce(b);
 }
 
 /** Whether two materials give their outlines the same look. */

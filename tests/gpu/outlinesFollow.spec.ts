@@ -87,6 +87,12 @@ test('stencil, depth test and clipping planes of a mesh are those of its outline
         { stencilWrite: true, stencilRef: 1, stencilFunc: THREE.EqualStencilFunc, depthWrite: true },
         mask,
       ),
+      once: await inkOfQuarters({
+        stencilWrite: true,
+        stencilRef: 1,
+        stencilFunc: THREE.NotEqualStencilFunc,
+        stencilZPass: THREE.ReplaceStencilOp,
+      }),
       clipped: await inkOfQuarters({ clippingPlanes: [left] }),
       behind: await inkOfQuarters({}, wall),
       before: await inkOfQuarters({ depthTest: false }, wall),
@@ -106,7 +112,8 @@ test('stencil, depth test and clipping planes of a mesh are those of its outline
     expect(inks[name][1] / upperRight, name).toBeLessThan(0.1);
   }
   expect(inks.behind[0] + inks.behind[1]).toBe(0);
-  for (const name of ['before', 'onlyBehind'] as const) expect(inks[name][0] / upperLeft, name).toBeCloseTo(1, 1);
+  for (const name of ['once', 'before', 'onlyBehind'] as const)
+    expect(inks[name][0] / upperLeft, name).toBeCloseTo(1, 1);
 });
 
 test('groups of a mesh fade, vanish and are cut with what draws them', async ({ page }) => {

@@ -3,8 +3,14 @@ import {
   AlwaysDepth,
   BufferAttribute,
   BufferGeometry,
+  DecrementStencilOp,
   EqualDepth,
+  EqualStencilFunc,
   GreaterDepth,
+  GreaterStencilFunc,
+  IncrementStencilOp,
+  InvertStencilOp,
+  KeepStencilOp,
   LessEqualDepth,
   type MaterialParameters,
   MeshBasicMaterial,
@@ -102,10 +108,34 @@ describe('outlines take from a surface', () => {
 
   test('its stencil, without writing to it', () => {
     const material = new HatchingOutlineMaterial();
-    const stencil = { stencilWrite: true, stencilFunc: NotEqualStencilFunc, stencilRef: 3, stencilFuncMask: 7 };
+    const stencil = { stencilWrite: true, stencilFunc: EqualStencilFunc, stencilRef: 3, stencilFuncMask: 7 };
     takeDrawState(material, surface({ ...stencil, stencilZPass: ReplaceStencilOp }), null, {});
     expect(material).toMatchObject(stencil);
     expect(material.stencilZPass).not.toBe(ReplaceStencilOp);
+  });
+
+  // Whether the test that a surface passes where nothing is marked, it fails where it has marked that.
+  test.each<[boolean, MaterialParameters]>([
+    [true, { stencilRef: 1, stencilFunc: NotEqualStencilFunc, stencilZPass: ReplaceStencilOp }],
+    [true, { stencilRef: 3, stencilFunc: GreaterStencilFunc, stencilZPass: ReplaceStencilOp }],
+    [true, { stencilRef: 0, stencilFunc: EqualStencilFunc, stencilZPass: IncrementStencilOp }],
+    [true, { stencilRef: 8, stencilFuncMask: 7, stencilFunc: EqualStencilFunc, stencilZPass: InvertStencilOp }],
+    // The caps of clipped solids, which are drawn where others have marked.
+    [false, { stencilRef: 0, stencilFunc: NotEqualStencilFunc, stencilZPass: ReplaceStencilOp }],
+    [false, { stencilRef: 1, stencilFunc: EqualStencilFunc, stencilZPass: IncrementStencilOp }],
+    [false, { stencilRef: 1, stencilFunc: NotEqualStencilFunc }],
+    [false, { stencilRef: 1, stencilFunc: NotEqualStencilFunc, stencilZPass: ReplaceStencilOp, stencilWriteMask: 0 }],
+    [false, { stencilRef: 0, stencilFunc: EqualStencilFunc, stencilZPass: DecrementStencilOp }],
+  ])('no stencil by which it is drawn once to a pixel, or else this: %s for %o', (isDrawnOnce, parameters) => {
+    const material = new HatchingOutlineMaterial();
+    takeDrawState(material, surface({ stencilWrite: true, ...parameters }), null, {});
+    expect(material.stencilWrite).toBe(!isDrawnOnce);
+    expect(
+      looksAlike(
+        surface({ stencilWrite: true, ...parameters }),
+        surface({ stencilWrite: true, ...parameters, stencilZPass: KeepStencilOp }),
+      ),
+    ).toBe(!isDrawnOnce);
   });
 
   test('nothing in the place of a stencil, an offset and a depth test of their own', () => {
