@@ -7,10 +7,10 @@ import type { LaterForms } from './LaterForms.js';
 import type { MaterialFollower } from './MaterialFollower.js';
 import type { MeshLook } from './MeshLook.js';
 
-/** A mesh that was left unchanged. */
+/** A mesh that was left unchanged, or hatched without the outlines that were asked for. */
 export interface SkippedMesh {
   mesh: Mesh;
-  /** Why it was left unchanged: a sentence that names the mesh. */
+  /** Why: a sentence that names the mesh. */
   reason: string;
   /** What went wrong. Only a mesh that was to be hatched, and could not be, has an error. */
   error?: Error | undefined;
@@ -29,7 +29,7 @@ export class HatchedScene {
    *
    * @param materials all new materials; you may change them
    * @param outlines the outlines of all meshes, if requested; you may change their materials
-   * @param skipped meshes that were left alone
+   * @param skipped meshes that were left alone, or have no outlines
    * @param followers take over what changes in the materials that were replaced
    * @param disposables everything that `dispose()` frees
    * @param releaseMeshes called when the meshes are restored

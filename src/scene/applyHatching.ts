@@ -36,7 +36,8 @@ const IN_GLSL: LookMakers = {
  *   `onBeforeCompile` of its own or shows a render target, as helpers such as grids, mirrors, text and contact shadows do; those
  *   with `userData.hatching` set to false, or below an object that has it (true hatches the mesh whatever its material is); those
  *   that are hatched already, so that after meshes were added another call hatches them; and, with an `error`, those whose
- *   geometry cannot be baked or whose geometry or material was replaced during the call.
+ *   geometry cannot be baked or whose geometry or material was replaced during the call. Meshes that are hatched without the outlines
+ *   that were asked for are listed too.
  * - Lines of `engraved` continue from mesh to mesh: `userData.hatchingField` of each mesh holds the coordinate frame that they
  *   share, as it is at the time of the call. Clones keep it. Instances and batches have separate lines. Lines that follow the form
  *   continue where the borders of meshes meet.

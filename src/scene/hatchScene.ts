@@ -213,7 +213,7 @@ async function makeLooks(
     looks: kept,
     materials: replacer.materials.filter((material) => used.has(material)),
     outlines: allOutlines.filter(({ mesh }) => !changed.has(mesh!)),
-    skipped: [...leftAlone, ...skipped],
+    skipped: [...leftAlone, ...skipped, ...(outlineMaker?.without ?? [])],
     followers: replacer.followers,
     forms,
     showDetail,

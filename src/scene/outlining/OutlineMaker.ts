@@ -7,6 +7,7 @@ import type { HatchingOutlineMaterial, HatchingOutlineParameters } from '../../o
 import type { HatchingOutlines } from '../../outlines/HatchingOutlines.js';
 import type { MeshOutlines } from '../../outlines/MeshOutlines.js';
 import { isCutOut } from '../../outlines/surfaceRules.js';
+import type { SkippedMesh } from '../HatchedScene.js';
 import type { MeshLook } from '../MeshLook.js';
 import { isBatched, materialsOf } from '../surfaceMeshes.js';
 
@@ -44,6 +45,8 @@ export class OutlineMaker<
   private readonly parameters: HatchingOutlineParameters;
   private readonly materials = new Map<boolean, Look>();
   private readonly made: Drawn[] = [];
+  /** The meshes that are hatched without outlines, and why. */
+  readonly without: SkippedMesh[] = [];
 
   constructor(
     { featureAngle, creaseLength, ...parameters }: OutlineOptions & HatchingOutlineParameters,
@@ -59,9 +62,13 @@ export class OutlineMaker<
   addOutlines({ mesh, geometry, material }: MeshLook): void {
     if (isBatched(mesh)) {
       warnOfBatch(mesh);
+      this.leaveOut(mesh, 'a BatchedMesh has none');
       return;
     }
-    if (materialsOf({ material }).every(isWiderThanSeen)) return;
+    if (materialsOf({ material }).every(isWiderThanSeen)) {
+      this.leaveOut(mesh, 'they would be drawn where its picture or its opacity cuts it away');
+      return;
+    }
     const outlines = this.kind.outlines(mesh, this.materialFor(deforms(geometry, mesh)));
     this.made.push(outlines);
   }
@@ -79,6 +86,10 @@ export class OutlineMaker<
   dispose(): void {
     for (const outlines of this.made) outlines.dispose();
     for (const material of this.materials.values()) material.dispose();
+  }
+
+  private leaveOut(mesh: Mesh, why: string): void {
+    this.without.push({ mesh, reason: `The ${describeObject(mesh)} is hatched without outlines: ${why}.` });
   }
 
   private materialFor(isDeforming: boolean): Look {

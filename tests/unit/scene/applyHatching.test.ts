@@ -135,8 +135,15 @@ describe('what it makes of a scene', () => {
         new Mesh(new BoxGeometry(), new MeshStandardMaterial(parameters)),
         new Mesh(new BoxGeometry(), new MeshStandardMaterial()),
       );
-      const { outlines } = await applyHatching(group, { outlines: true, material: { technique: 'engraved' } });
-      return outlines.some(({ mesh }) => mesh === group.children[0]);
+      const { outlines, skipped } = await applyHatching(group, {
+        outlines: true,
+        material: { technique: 'engraved' },
+      });
+      const has = outlines.some(({ mesh }) => mesh === group.children[0]);
+      expect(skipped.map(({ mesh }) => mesh)).toEqual(has ? [] : [group.children[0]]);
+      for (const { reason } of skipped)
+        expect(reason).toMatch(/ is hatched without outlines: they would be drawn where/);
+      return has;
     };
     for (const parameters of [
       { alphaTest: 0.5, map },

@@ -123,7 +123,11 @@ test('a batch that cannot have outlines says so once', async () => {
     const batch = new BatchedMesh(1, 24, 36, new MeshBasicMaterial());
     batch.name = 'bricks';
     batch.addInstance(batch.addGeometry(new BoxGeometry()));
-    await applyHatching(batch, { ...options, outlines: true });
+    const { skipped, outlines } = await applyHatching(batch, { ...options, outlines: true });
+    expect(outlines).toEqual([]);
+    expect(skipped).toEqual([
+      { mesh: batch, reason: 'The BatchedMesh "bricks" is hatched without outlines: a BatchedMesh has none.' },
+    ]);
   }
   expect(warn.mock.calls).toEqual([
     [expect.stringContaining('the BatchedMesh "bricks" is hatched without outlines, since a BatchedMesh has none.')],
