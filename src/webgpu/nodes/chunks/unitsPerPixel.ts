@@ -12,5 +12,8 @@ export function unitsPerPixel(viewToObject: Value, viewPosition: Value): Value {
   const away = select(isOrthographic(), 1, viewPosition.z.negate());
   // The cube root of the volume a view-space unit cube takes in object space: the mean of the scale over directions.
   const scale = pow(abs(determinant(viewToObject)), 1 / 3);
-  return away.mul(scale).mul(2).div(abs(cameraProjectionMatrix.element(1).element(1)).mul(viewportHeight));
+  return away
+    .mul(scale)
+    .mul(2)
+    .div(abs(cameraProjectionMatrix.element(1).element(1)).mul(viewportHeight));
 }
