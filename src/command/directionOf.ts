@@ -1,5 +1,6 @@
 import type { DirectionInDegrees } from './DrawingOptions.js';
 import { UsageError } from './UsageError.js';
+import { numberOf } from './values.js';
 
 /** Directions by name. From the direction of the view `iso`, all three axes of the model are equally long. */
 const NAMED: Readonly<Record<string, DirectionInDegrees>> = {
@@ -23,10 +24,10 @@ export function directionOf(option: string, text: string | undefined): Direction
   if (text === undefined) return undefined;
   const plain = text.trim().toLowerCase();
   if (NAMES.includes(plain)) return NAMED[plain];
-  const [azimuth, elevation, ...rest] = plain.split(/[\s,]+/).map((part) => (part === '' ? Number.NaN : Number(part)));
+  const [azimuth, elevation, ...rest] = plain.split(/[\s,]+/).map(numberOf);
   const isThere = rest.length === 0 && Math.abs(azimuth) <= 360 && Math.abs(elevation) <= 90;
   if (isThere) return { azimuth, elevation };
   throw new UsageError(
-    `--${option} is "${text}", but must be two numbers in quotes, as "25 8": degrees around the model, and from -90 to 90 above it; or ${NAMES.slice(0, -1).join(', ')} or ${NAMES.at(-1)}.`,
+    `--${option} is "${text}", but must be two numbers in quotes, as "25 8": degrees around the model, from -360 to 360, and degrees above it, from -90 to 90; or ${NAMES.slice(0, -1).join(', ')} or ${NAMES.at(-1)}.`,
   );
 }

@@ -1,5 +1,7 @@
 import { stat } from 'node:fs/promises';
+import { join, resolve } from 'node:path';
 import process from 'node:process';
+import { version } from '../../package.json';
 import { shownText } from '../files/common/shownText.js';
 import { DrawingFiles } from './DrawingFiles.js';
 import type { DrawingOptions } from './DrawingOptions.js';
@@ -25,6 +27,10 @@ export async function draw(args: readonly string[], signal: AbortSignal, bar: Pr
     process.stdout.write(DRAW_HELP);
     return 0;
   }
+  if (request.action === 'version') {
+    process.stdout.write(`${version}\n`);
+    return 0;
+  }
   const { out, force, jobs, options } = request;
   const models = await filesOf(request.models);
   const isFolder = (await stat(out).catch(() => undefined))?.isDirectory() ?? false;
@@ -41,7 +47,7 @@ export async function draw(args: readonly string[], signal: AbortSignal, bar: Pr
   }
 }
 
-/** The models that names and patterns stand for, each once. A file whose name looks like a pattern is a file. */
+/** The models that names and patterns stand for, each once, however it is written. A file whose name looks like a pattern is a file. */
 async function filesOf(names: readonly string[]): Promise<string[]> {
   const models: string[] = [];
   for (const name of names) {
@@ -57,8 +63,10 @@ async function filesOf(names: readonly string[]): Promise<string[]> {
     if (found.length === 0) throw new UsageError(`${name} stands for no file; look after its folder.`);
     models.push(...found);
   }
-  return [...new Set(models)];
+  return [...new Map(models.toReversed().map((model) => [placeOf(model), model])).values()].toReversed();
 }
+
+const placeOf = (model: string): string => (model === STANDARD ? STANDARD : resolve(model));
 
 /** Draws several models, some of them at a time. */
 class Draughtsmen {
@@ -153,6 +161,8 @@ async function sizeOf(model: string): Promise<number> {
   const found = await stat(model).catch((error: NodeJS.ErrnoException) => {
     throw new Error(error.code === 'ENOENT' ? `${model} is not there.` : `${model} cannot be read (${error.code}).`);
   });
+  if (found.isDirectory())
+    throw new Error(`${model} is a folder; name models in it, as "${join(model, '*.glb')}" in quotes.`);
   if (!found.isFile()) throw new Error(`${model} is no file.`);
   return found.size;
 }

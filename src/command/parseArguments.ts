@@ -1,14 +1,15 @@
-import { parseArgs } from 'node:util';
 import { type MapDrawing, resolveMapDrawing } from '../hatchImages/hatchImageOptions.js';
 import { type HatchingPreset, presets } from '../scene/presets.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
 import { strokeStyles } from '../strokes/strokeStyles.js';
 import { readHand } from './readHand.js';
+import { readOptions } from './readOptions.js';
 import { UsageError } from './UsageError.js';
 
 /** The task of the command. */
 export type Request =
   | { action: 'help' }
+  | { action: 'version' }
   | { action: 'list' }
   | { action: 'draw'; map: MapDrawing; out: string; force: boolean };
 
@@ -25,6 +26,7 @@ const OPTIONS = {
   force: { type: 'boolean' },
   list: { type: 'boolean' },
   help: { type: 'boolean', short: 'h' },
+  version: { type: 'boolean' },
 } as const;
 
 export const HELP = `three-hatching tam: draws a tonal art map into a folder of PNG images and a map.json.
@@ -43,6 +45,7 @@ export const HELP = `three-hatching tam: draws a tonal art map into a folder of 
   --force                 replaces an existing map
   --list                  prints the names of the styles
   --help                  prints this text
+  --version               prints the version of three-hatching
 
 Load it with TonalArtMap.load('maps/woodcut/map.json').
 
@@ -56,8 +59,10 @@ three-hatching draw: draws models as SVG files for print and plotters; see npx t
  * @throws UsageError if they are not valid
  */
 export function parseArguments(args: readonly string[]): Request {
-  const { values, positionals } = read(args);
-  if (values.help || args.length === 0) return { action: 'help' };
+  const { values, positionals } = readOptions(args, OPTIONS, '--help');
+  const isHelp = values.help || args.length === 0 || (positionals.length === 1 && positionals[0] === 'help');
+  if (isHelp) return { action: 'help' };
+  if (values.version) return { action: 'version' };
   const [command, ...rest] = positionals;
   if (command !== 'tam')
     throw new UsageError(`"${command ?? ''}" is not a command; the commands are tam and draw. See --help.`);
@@ -107,14 +112,6 @@ function mapOfPreset({ preset, style }: { preset?: string; style?: string }): Ma
 
 /** The names of the styles, one per line. */
 export const styleList = (): string => `${Object.keys(strokeStyles).join('\n')}\n`;
-
-function read(args: readonly string[]) {
-  try {
-    return parseArgs({ args: [...args], options: OPTIONS, allowPositionals: true });
-  } catch (error) {
-    throw new UsageError(`${(error as Error).message.split('. ')[0]}. See --help.`);
-  }
-}
 
 function wholeNumber(option: string, text: string | undefined): number | undefined {
   if (text === undefined) return undefined;

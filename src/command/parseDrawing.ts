@@ -1,14 +1,16 @@
-import { parseArgs } from 'node:util';
 import { type HatchingPreset, presets } from '../scene/presets.js';
 import { SHEET_SIZES } from '../svg/sheetSizes.js';
 import type { DrawingOptions } from './DrawingOptions.js';
 import { directionOf } from './directionOf.js';
+import { readOptions } from './readOptions.js';
 import { sheetOf } from './sheetOf.js';
 import { UsageError } from './UsageError.js';
+import { numberOf, shown } from './values.js';
 
 /** The task of the command `draw`. */
 export type DrawRequest =
   | { action: 'help' }
+  | { action: 'version' }
   | { action: 'draw'; models: string[]; out: string; force: boolean; jobs: number; options: DrawingOptions };
 
 const OPTIONS = {
@@ -40,6 +42,7 @@ const OPTIONS = {
   jobs: { type: 'string' },
   format: { type: 'string' },
   help: { type: 'boolean', short: 'h' },
+  version: { type: 'boolean' },
 } as const;
 
 /** Whether what is drawn so leaves as lines or dots. Other strokes are pictures. */
@@ -50,6 +53,12 @@ const isLined = (technique: string | undefined, medium: string | undefined): boo
 const LINED = Object.entries<HatchingPreset>(presets)
   .filter(([, { material }]) => isLined(material.technique, material.medium))
   .map(([name]) => name);
+
+/** The endings of the files that are read, as `--format` takes them. The readers themselves are loaded in the threads that draw. */
+export const FORMAT_ENDINGS: readonly string[] = [
+  ...['glb', 'gltf', 'obj', 'fbx', 'dae', 'usdz', 'usdc', 'usda', 'usd', '3mf', '3ds', 'wrl', 'ply', 'stl', 'off'],
+  'zip',
+];
 
 const AXES = ['y', 'z', 'x', '-y', '-z', '-x'] as const;
 
@@ -85,12 +94,15 @@ It reads GLB, glTF, OBJ, PLY, STL, FBX, DAE, USDZ, 3MF, 3DS, VRML and OFF files,
   --frames <count>         numbered files of a turn of the model, or of its clip
   --variant <name>         a variant of the materials of a glTF file; its number will do
   --clip <name>            poses the model by this clip; its number will do
-  --format <name>          the format of a model whose name does not tell it: stl, obj, …
+  --format <name>          the format of a model that does not tell it: stl, obj, …
   --out <file>             the SVG file to write to; - is the standard output;
                            for several models a folder, or a name with {name} and {frame}
   --force                  replaces files
   --jobs <count>           how many models are drawn at a time (default 1)
   --help                   prints this text
+  --version                prints the version of three-hatching
+
+Of an option that is given twice the last value counts.
 `;
 
 /**
@@ -100,10 +112,11 @@ It reads GLB, glTF, OBJ, PLY, STL, FBX, DAE, USDZ, 3MF, 3DS, VRML and OFF files,
  * @throws UsageError if they are not valid
  */
 export function parseDrawing(args: readonly string[]): DrawRequest {
-  const { values, positionals: models } = read(args);
+  const { values, positionals: models } = readOptions(args, OPTIONS, 'draw --help');
   if (values.help || args.length === 0) return { action: 'help' };
+  if (values.version) return { action: 'version' };
   if (models.length === 0) throw new UsageError('There is no model to draw; name a file after draw.');
-  if (!values.out) throw new UsageError('--out is missing; name the file to write the drawing to.');
+  if (!values.out?.trim()) throw new UsageError('--out is missing; name the file to write the drawing to.');
   const kind = choice('kind', values.kind, ['print', 'pen']) ?? (values.pen === undefined ? 'print' : 'pen');
   if (kind === 'print' && values.pen !== undefined)
     throw new UsageError('--pen and --kind print exclude each other; pass only one of them.');
@@ -134,7 +147,7 @@ export function parseDrawing(args: readonly string[]): DrawRequest {
     clip: values.clip,
     frames: whole('frames', values.frames, 9999),
     pen: number('pen', values.pen, { least: 0.01, most: 20 }) ?? 0.3,
-    dpi: number('dpi', values.dpi, { least: 10, most: 2400 }) ?? 96,
+    dpi: number('dpi', values.dpi, { least: 10, most: 1200 }) ?? 96,
     paper: colour(values.paper),
     order: choice('order', values.order, ['travel', 'drawn']) ?? 'travel',
     hidden: choice('hidden', values.hidden, ['none', 'dashed', 'faint']),
@@ -145,38 +158,24 @@ export function parseDrawing(args: readonly string[]): DrawRequest {
   return { action: 'draw', models, out: values.out, force: values.force ?? false, jobs, options };
 }
 
-function read(args: readonly string[]) {
-  try {
-    return parseArgs({ args: withDashes(args), options: OPTIONS, allowPositionals: true });
-  } catch (error) {
-    throw new UsageError(`${(error as Error).message.split('. ')[0].replace(/\.$/, '')}. See draw --help.`);
-  }
-}
-
-/** Joins options with values that begin with a dash, as angles and axes may. Node takes those for options. */
-function withDashes(args: readonly string[]): string[] {
-  const joined: string[] = [];
-  for (const arg of args) {
-    const before = joined.at(-1);
-    if (/^-(\d|\.|[xyz]$)/.test(arg) && before && /^--[a-z-]+$/.test(before)) joined.push(`${joined.pop()}=${arg}`);
-    else joined.push(arg);
-  }
-  return joined;
-}
-
-function presetOf(name: string | undefined): string | undefined {
-  if (name === undefined || LINED.includes(name)) return name;
+function presetOf(text: string | undefined): string | undefined {
+  if (text === undefined) return undefined;
+  const name = Object.keys(presets).find((one) => one.toLowerCase() === text.trim().toLowerCase()) ?? text;
+  if (LINED.includes(name)) return name;
   const reason = Object.hasOwn(presets, name)
     ? 'whose strokes are a picture and cannot leave as lines'
     : 'which is not a preset';
-  throw new UsageError(`--preset is ${name}, ${reason}; use one of ${LINED.join(', ')}.`);
+  throw new UsageError(`--preset is ${shown(name)}, ${reason}; use one of ${LINED.join(', ')}.`);
 }
 
 /** A format as an extension: in lower case and without a dot. */
 function formatOf(text: string | undefined): string | undefined {
   const format = text?.trim().toLowerCase().replace(/^\./, '');
-  if (format === undefined || /^[a-z0-9]+$/.test(format)) return format;
-  throw new UsageError(`--format is ${text}, but must be the ending of the format's files, as stl.`);
+  if (format === undefined || FORMAT_ENDINGS.includes(format)) return format;
+  if (format === 'vrml') return 'wrl';
+  throw new UsageError(
+    `--format is ${shown(text)}, but must be ${FORMAT_ENDINGS.slice(0, -1).join(', ')} or ${FORMAT_ENDINGS.at(-1)}.`,
+  );
 }
 
 /** The hash of a link, which may also be given alone. */
@@ -204,15 +203,15 @@ function number(
   { least, most }: { least: number; most: number },
 ): number | undefined {
   if (text === undefined) return undefined;
-  const value = text.trim() === '' ? Number.NaN : Number(text);
+  const value = numberOf(text);
   if (value >= least && value <= most) return value;
-  throw new UsageError(`--${option} is ${text}, but must be a number from ${least} to ${most}.`);
+  throw new UsageError(`--${option} is ${shown(text)}, but must be a number from ${least} to ${most}.`);
 }
 
 function whole(option: string, text: string | undefined, most: number): number | undefined {
   if (text === undefined) return undefined;
   if (/^\d+$/.test(text) && Number(text) >= 1 && Number(text) <= most) return Number(text);
-  throw new UsageError(`--${option} is ${text}, but must be a whole number from 1 to ${most}.`);
+  throw new UsageError(`--${option} is ${shown(text)}, but must be a whole number from 1 to ${most}.`);
 }
 
 function choice<Choice extends string>(
@@ -221,12 +220,14 @@ function choice<Choice extends string>(
   choices: readonly Choice[],
 ): Choice | undefined {
   if (text === undefined) return undefined;
-  const found = choices.find((one) => one === text);
+  const found = choices.find((one) => one === text.trim().toLowerCase());
   if (found) return found;
-  throw new UsageError(`--${option} is ${text}, but must be ${choices.slice(0, -1).join(', ')} or ${choices.at(-1)}.`);
+  throw new UsageError(
+    `--${option} is ${shown(text)}, but must be ${choices.slice(0, -1).join(', ')} or ${choices.at(-1)}.`,
+  );
 }
 
 function colour(text: string | undefined): string | undefined {
   if (text === undefined || /^#[0-9a-f]{6}$/i.test(text)) return text?.toLowerCase();
-  throw new UsageError(`--paper is ${text}, but must be a colour as "#f4f1e6", in quotes.`);
+  throw new UsageError(`--paper is ${shown(text)}, but must be a colour as "#f4f1e6", in quotes.`);
 }

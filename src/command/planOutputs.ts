@@ -45,10 +45,12 @@ export function planOutputs(
   for (const { model, outputs } of planned) {
     for (const output of outputs) {
       const other = owners.get(resolve(output));
-      if (other !== undefined)
-        throw new UsageError(
-          `${other} and ${model} would both be drawn to ${output}; give --out a name with {name}, or draw them one by one.`,
-        );
+      if (other !== undefined) {
+        const remedy = pattern.includes('{name}')
+          ? 'draw them into different folders, or one by one'
+          : 'give --out a name with {name}, or draw them one by one';
+        throw new UsageError(`${other} and ${model} would both be drawn to ${output}; ${remedy}.`);
+      }
       if (inputs.has(resolve(output)))
         throw new UsageError(`--out is ${output}, which is a model; choose another name.`);
       owners.set(resolve(output), model);

@@ -1,5 +1,6 @@
 import { SHEET_WORDS, type Sheet, sheetNamed } from '../svg/sheetSizes.js';
 import { UsageError } from './UsageError.js';
+import { shown } from './values.js';
 
 /**
  * The sheet after `--sheet`.
@@ -9,5 +10,5 @@ import { UsageError } from './UsageError.js';
 export function sheetOf(text: string): Sheet {
   const sheet = sheetNamed(text);
   if (sheet) return sheet;
-  throw new UsageError(`--sheet is ${text}, but must be ${SHEET_WORDS}.`);
+  throw new UsageError(`--sheet is ${shown(text)}, but must be ${SHEET_WORDS}.`);
 }

@@ -1,4 +1,5 @@
 import process from 'node:process';
+import { version } from '../../package.json';
 import { generateHatchImages } from '../hatchImages/generateHatchImages.js';
 import { generateThresholds } from '../hatchImages/generateThresholds.js';
 import { type MapDrawing, resolveMapDrawing } from '../hatchImages/hatchImageOptions.js';
@@ -19,6 +20,7 @@ import { HELP, parseArguments, styleList } from './parseArguments.js';
 export async function tam(args: readonly string[], signal: AbortSignal, bar: ProgressBar): Promise<void> {
   const request = parseArguments(args);
   if (request.action === 'help') process.stdout.write(HELP);
+  else if (request.action === 'version') process.stdout.write(`${version}\n`);
   else if (request.action === 'list') process.stdout.write(styleList());
   else {
     const { map, out, force } = request;

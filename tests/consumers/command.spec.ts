@@ -165,7 +165,7 @@ const REFUSED = [
   [['paint', '--out', 'x'], '"paint" is not a command; the commands are tam and draw. See --help.'],
   [['draw', '--out', 'x'], 'There is no model to draw; name a file after draw.'],
   [['tam', 'x'], '"x" is an unexpected argument; name the folder after --out.'],
-  [['tam', '--out', 'x', '--colour'], "Unknown option '--colour'"],
+  [['tam', '--out', 'x', '--colour'], '--colour is not an option. See --help.'],
   [['tam', '--out', 'x', '--style', 'oil'], '--style is oil, but must be one of hatching, '],
   [['tam', '--out', 'x', '--preset', 'engraving'], '--preset is engraving, which needs no map; use one of pencil, '],
   [['tam', '--out', 'x', '--preset', 'oil'], '--preset is oil, which is not a preset; use one of pencil, '],

@@ -175,6 +175,7 @@ export const ROOMS = {
 
   // For Node: the presets are data.
   command: [
+    '/package.json',
     'slices',
     'hand',
     'strokes',

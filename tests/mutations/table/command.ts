@@ -32,9 +32,9 @@ export const command: readonly Mutation[] = [
   },
   {
     name: 'negative angles are options',
-    file: 'src/command/parseDrawing.ts',
-    find: '/^-(\\d|\\.|[xyz]$)/',
-    replace: '/^-([xyz]$)/',
+    file: 'src/command/readOptions.ts',
+    find: '/^-(\\d|\\.|[xyz]$)/i',
+    replace: '/^-([xyz]$)/i',
     caughtBy: { layer: 'unit', file: 'tests/unit/command/parseDrawing.test.ts', title: 'the example of the help' },
   },
   {

@@ -1,10 +1,11 @@
 import { type ChildProcess, spawn } from 'node:child_process';
-import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
 import { afterEach, beforeAll, beforeEach, describe, expect, test } from 'vitest';
+import { version } from '../../../package.json';
 import type { DrawingOptions } from '../../../src/command/DrawingOptions.js';
 import type { DrawMessage } from '../../../src/command/DrawThread.js';
 import { drawModel } from '../../../src/command/draw/drawModel.js';
@@ -135,6 +136,13 @@ describe('several models', { tags: ['all'] }, () => {
     ]);
   });
 
+  test('a model that is named twice is drawn once; a folder is none', async () => {
+    mkdirSync(join(work, 'sub'));
+    const { code, stdout, stderr } = await draw('a.obj', './a.obj', 'sub', '--out', 'out', ...SMALL);
+    expect([code, stdout]).toEqual([1, expect.stringMatching(/^out\/a\.svg: [^\n]*\n$/)]);
+    expect(stderr).toContain('three-hatching: sub is a folder; name models in it, as "sub/*.glb" in quotes.\n');
+  });
+
   test('give numbered files each, with as many frames as are asked for', async () => {
     const { code } = await draw('a.obj', '--frames', '3', '--no-shadows', '--out', 'turn/{name}.svg', ...SMALL);
     expect(code).toBe(0);
@@ -143,9 +151,11 @@ describe('several models', { tags: ['all'] }, () => {
 });
 
 describe('how it ends', () => {
-  test('0 for help, of which there is one for each command', async () => {
+  test('0 for help, of which there is one for each command, and for the version', async () => {
     const [all, one] = [await run([]), await draw('--help')];
     expect([all.code, one.code]).toEqual([0, 0]);
+    for (const args of [['--version'], ['draw', '--version']])
+      expect(await run(args)).toEqual({ code: 0, stdout: `${version}\n`, stderr: '' });
     expect(all.stdout).toContain('npx three-hatching draw --help');
     expect(one.stdout).toContain('--pen <mm>');
   });

@@ -68,7 +68,10 @@ describe('names of drawings', () => {
       'out/b.glb.svg',
     ]);
     expect(() => names(['m/a.obj', 'n/a.obj'], 'out', false, undefined)).toThrow(
-      'm/a.obj and n/a.obj would both be drawn to out/a.obj.svg',
+      'm/a.obj and n/a.obj would both be drawn to out/a.obj.svg; draw them into different folders, or one by one.',
+    );
+    expect(() => names(['a.obj', 'b.obj'], 'out/{frame}.svg', false, 2)).toThrow(
+      'a.obj and b.obj would both be drawn to out/1.svg; give --out a name with {name}, or draw them one by one.',
     );
   });
 

@@ -1,7 +1,8 @@
 import { describe, expect, test } from 'vitest';
-import { DRAW_HELP, parseDrawing } from '../../../src/command/parseDrawing.js';
+import { DRAW_HELP, FORMAT_ENDINGS, parseDrawing } from '../../../src/command/parseDrawing.js';
 import { sheetOf } from '../../../src/command/sheetOf.js';
 import { UsageError } from '../../../src/command/UsageError.js';
+import { FORMATS, MODEL_EXTENSIONS } from '../../../src/files/formats.js';
 
 const drawing = (...args: string[]) => {
   const request = parseDrawing(args);
@@ -50,6 +51,21 @@ describe('what the command line says', () => {
     expect(refusal(...OUT, '--camera', '1', '--view', '0 0')).toBe(
       '--camera and --view exclude each other; pass only one of them.',
     );
+  });
+
+  test('names of presets, kinds and axes in capitals or not; of two values the last; what follows -- is a model', () => {
+    const line = ['--preset', 'CROSSHATCHING', '--kind', 'Pen', '--up', '-Z', '--pen', '1', '--pen', '2'];
+    const { models, options } = drawing(...OUT, ...line, '--', '-1.obj');
+    expect(models).toEqual(['a.obj', '-1.obj']);
+    expect(options).toMatchObject({ preset: 'crossHatching', kind: 'pen', up: '-z', pen: 2 });
+  });
+
+  test('every format that is read can be named', () => {
+    expect([...FORMAT_ENDINGS].sort()).toEqual([...MODEL_EXTENSIONS].sort());
+    for (const { name } of FORMATS) {
+      const format = drawing(...OUT, '--format', name).options.format;
+      expect(MODEL_EXTENSIONS).toContain(format);
+    }
   });
 
   test('values may begin with a dash, also after an equals sign', () => {
@@ -108,6 +124,7 @@ describe('what the command line says', () => {
 
   test('nothing at all, or --help, asks for help, which names every option', () => {
     expect([parseDrawing([]), parseDrawing(['a.obj', '-h'])]).toEqual([{ action: 'help' }, { action: 'help' }]);
+    expect(parseDrawing(['--version'])).toEqual({ action: 'version' });
     for (const name of ['preset', 'link', 'view', 'light', 'pen', 'frames', 'jobs', 'format', 'out', 'force'])
       expect(DRAW_HELP).toContain(`--${name} `);
     for (const name of ['A0', 'A6', 'Letter', 'Legal', 'Tabloid', 'iso', 'bottom']) expect(DRAW_HELP).toContain(name);
@@ -125,9 +142,12 @@ test.each([
   [[...OUT, '--view', '25'], '--view is "25", but must be two numbers in quotes'],
   [[...OUT, '--view', '25 8 3'], '--view is "25 8 3", but must be two numbers'],
   [[...OUT, '--view', 'behind'], '--view is "behind", but must be two numbers in quotes'],
-  [[...OUT, '--view', '0 90.5'], 'from -90 to 90 above it; or front, back, left, right, top, bottom or iso.'],
+  [
+    [...OUT, '--view', '0 90.5'],
+    'and degrees above it, from -90 to 90; or front, back, left, right, top, bottom or iso.',
+  ],
   [[...OUT, '--light', '25 91'], '--light is "25 91", but must be two numbers'],
-  [[...OUT, '--format', 'a/b'], "--format is a/b, but must be the ending of the format's files, as stl."],
+  [[...OUT, '--format', ''], '--format is "", but must be glb, gltf, obj'],
   [[...OUT, '--pen', 'thin'], '--pen is thin, but must be a number from 0.01 to 20.'],
   [[...OUT, '--pen', '0.3', '--kind', 'print'], '--pen and --kind print exclude each other'],
   [[...OUT, '--pen', '0.3', '--paper', '#ffffff'], '--paper is for print'],
@@ -141,7 +161,22 @@ test.each([
   [[...OUT, '--frames', '0'], '--frames is 0, but must be a whole number from 1 to 9999.'],
   [[...OUT, '--jobs', '1.5'], '--jobs is 1.5, but must be a whole number from 1 to 64.'],
   [[...OUT, '--order', 'random'], '--order is random, but must be travel or drawn.'],
-  [[...OUT, '--turn'], "Unknown option '--turn'. See draw --help."],
+  [[...OUT, '--turn'], '--turn is not an option. See draw --help.'],
+  [[...OUT, '--presett', 'pen'], '--presett is not an option; --preset may be meant. See draw --help.'],
+  [['a.obj', '--oot=a.svg'], '--oot is not an option; --out may be meant.'],
+  [[...OUT, '--No-Shadows'], '--No-Shadows is not an option; --no-shadows may be meant.'],
+  [[...OUT, '--ortho'], '--ortho is not an option; --orthographic may be meant.'],
+  [['-dash.obj', '--out', 'a.svg'], '-dash.obj is not an option; write ./ before the name of a file that begins'],
+  [['a.obj', '--out'], '--out needs a value after it. See draw --help.'],
+  [['a.obj', '--out', '--force'], '--out needs a value after it. See draw --help.'],
+  [['a.obj', '--out', ' '], '--out is missing; name the file to write the drawing to.'],
+  [[...OUT, '--force=yes'], '--force takes no value. See draw --help.'],
+  [[...OUT, '--view', '400 0'], 'degrees around the model, from -360 to 360, and degrees above it'],
+  [[...OUT, '--view', '0x10 0'], '--view is "0x10 0", but must be two numbers'],
+  [[...OUT, '--sheet', ''], '--sheet is "", but must be A0'],
+  [[...OUT, '--pen', '0x1'], '--pen is 0x1, but must be a number from 0.01 to 20.'],
+  [[...OUT, '--dpi', '2400'], '--dpi is 2400, but must be a number from 10 to 1200.'],
+  [[...OUT, '--format', 'step'], '--format is step, but must be glb, gltf, obj'],
 ])('%j is refused in one sentence', (args, sentence) => {
   const message = refusal(...args);
   expect(message).toContain(sentence);
