@@ -135,16 +135,16 @@ export function parseDrawing(args: readonly string[]): DrawRequest {
   const options: DrawingOptions = {
     preset: presetOf(values.preset),
     view: directionOf('view', values.view),
-    camera: values.camera,
+    camera: nameOf('camera', values.camera),
     zoom: number('zoom', values.zoom, { least: 0.05, most: 100 }) ?? 1,
     orthographic: values.orthographic ?? false,
     light: directionOf('light', values.light),
     usesFileLights: !values['no-file-lights'],
     shadows: values['no-shadows'] ? false : values.shadows,
     up: choice('up', values.up, AXES),
-    variant: values.variant,
+    variant: nameOf('variant', values.variant),
     format: formatOf(values.format),
-    clip: values.clip,
+    clip: nameOf('clip', values.clip),
     frames: whole('frames', values.frames, 9999),
     pen: number('pen', values.pen, { least: 0.01, most: 20 }) ?? 0.3,
     dpi: number('dpi', values.dpi, { least: 10, most: 1200 }) ?? 96,
@@ -176,6 +176,12 @@ function formatOf(text: string | undefined): string | undefined {
   throw new UsageError(
     `--format is ${shown(text)}, but must be ${FORMAT_ENDINGS.slice(0, -1).join(', ')} or ${FORMAT_ENDINGS.at(-1)}.`,
   );
+}
+
+/** What a part of a file is chosen by. */
+function nameOf(option: string, text: string | undefined): string | undefined {
+  if (text === undefined || text.trim() !== '') return text;
+  throw new UsageError(`--${option} is ${shown(text)}, but must be a name, or a number from 1 on.`);
 }
 
 /** The hash of a link, which may also be given alone. */

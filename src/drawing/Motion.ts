@@ -1,4 +1,5 @@
 import { type AnimationAction, type AnimationClip, AnimationMixer, type Mesh, type Object3D } from 'three';
+import { distinctNames } from '../files/common/distinctNames.js';
 import { meshesOf } from './meshesOf.js';
 
 /** Longest step between two frames, in seconds. Longer pauses, as when the page was hidden, are cut to it. */
@@ -32,7 +33,10 @@ export class Motion {
     private readonly animations: readonly AnimationClip[],
   ) {
     this.mixer = new AnimationMixer(root);
-    this.clips = animations.map(({ name }, i) => name || `Clip ${i + 1}`);
+    this.clips = distinctNames(
+      animations.map(({ name }) => name),
+      'Clip',
+    );
     for (const mesh of meshesOf(root)) this.addMorphTargets(mesh);
     this.morphs = [...this.morphTargets.keys()];
     this.clip = 0;

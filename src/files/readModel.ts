@@ -132,7 +132,7 @@ async function readMain(
   const shown = shownName(main.name);
   const bytes = toUtf8(await gunzip(new Uint8Array(await main.content.arrayBuffer()), shown, MAX_BYTES));
   onStage(`reading ${shown}`, bytes.length);
-  let format = sniffFormat(withoutGz(shown), bytes);
+  let format = sniffFormat(withoutGz(shown), bytes, main.format);
   if (format === 'zip') {
     const archive = await readArchive(bytes, shown, {
       formats: FORMATS,
@@ -153,12 +153,13 @@ async function readMain(
     return file ? new Uint8Array(await file.content.arrayBuffer()) : surroundings.findFile?.(uri);
   };
   const { content, extras, ...parsed } = await parse(format, { bytes, name: shown, findFile, loadDraco, variant });
+  const other = otherFormatNote(main, format);
   const usual = usualUp(format);
   const upAxis = format.up;
   if ('arrays' in content) {
     const { missing, lostPictures } = parsed;
     const notes = [...missingNote(missing), ...parsed.notes];
-    const details = [...missingDetail(missing), ...brokenNote(parsed.broken), ...parsed.details];
+    const details = [...missingDetail(missing), ...other, ...brokenNote(parsed.broken), ...parsed.details];
     return { kind: 'parts', name, upAxis, usual, notes, details, missing, lostPictures, parts: content, extras };
   }
   onStage('looking over the triangles');
@@ -186,10 +187,11 @@ async function readMain(
     stands: usual && findUpAxis(mesh.positions, mesh.indices, usual),
     extras: extras && movedExtras(extras, fitOf(centre, radius)),
     missing,
-    lostPictures,
+    lostPictures: (parsed.lostPictures ?? 0) + lostPictures,
     notes: [...missingNote(missing), ...thinNote(mesh.positions, mesh.indices), ...parsed.notes, ...notes],
     details: [
       ...missingDetail(missing),
+      ...other,
       ...brokenNote(parsed.broken + broken),
       ...duplicateNote(duplicates),
       ...parsed.details,
@@ -215,6 +217,12 @@ async function readArchived(
   const read = { ...(await readMain(main, unpacked, onStage, surroundings, true)), unpacked };
   const count = archived.filter((file) => rankOf(file) < MODEL_EXTENSIONS.length).length;
   return count === 1 ? read : { ...read, notes: [`one of ${count} models in ${shownName(name)}`, ...read.notes] };
+}
+
+/** Says that a file is not of the format that it was said to be. A ZIP holds what it is read as. */
+function otherFormatNote({ format: said }: ModelFile, { name, extensions }: ModelFormat): string[] {
+  if (said === undefined || said === 'zip' || extensions.includes(said)) return [];
+  return [`read as ${name}, which its content is, and not as ${said.toUpperCase()}`];
 }
 
 /** Says that models were dropped together, of which only one is shown. */

@@ -7,11 +7,11 @@ import { type FileStart, FORMATS, formatNames, formatOf, type ModelFormat } from
  * itself, or hold one.
  *
  * @param name the file's name, without a `.gz`
+ * @param extension what stands for that of the name
  * @throws ModelError saying what the file is instead
  */
-export function sniffFormat(name: string, bytes: Uint8Array): ModelFormat | 'zip' {
+export function sniffFormat(name: string, bytes: Uint8Array, extension = extensionOf(name) ?? ''): ModelFormat | 'zip' {
   if (bytes.length === 0) throw new ModelError(`${name} is empty.`);
-  const extension = extensionOf(name) ?? '';
   const head = new TextDecoder('latin1').decode(bytes.subarray(0, 2048));
   const start: FileStart = { bytes, head };
   if (head.startsWith(ZIP_SIGNATURE)) return 'zip';
@@ -28,7 +28,8 @@ export function sniffFormat(name: string, bytes: Uint8Array): ModelFormat | 'zip
   const named = formatOf(extension);
   if (named?.isBelieved) return named;
   if (named || extension === 'zip') {
-    throw new ModelError(`${name} is not a ${extension.toUpperCase()} file inside, or it was cut short.`);
+    const article = /^[fos]/.test(extension) ? 'an' : 'a';
+    throw new ModelError(`${name} is not ${article} ${extension.toUpperCase()} file inside, or it was cut short.`);
   }
   throw new ModelError(`${name} is not a model this page can read; it takes ${formatNames('and')}, also in a ZIP.`);
 }

@@ -43,11 +43,36 @@ export async function decodePicture(bytes: Uint8Array): Promise<Pixels> {
   }
 }
 
+const START_OF_SCAN = 0xda;
+/** The end of a picture. */
+const END = Buffer.of(0xff, 0xd9);
+/** The colours of a picture for four inks. The decoder knows grey and three colours. */
+const INKS = 4;
+
 async function decodeJpeg(bytes: Uint8Array): Promise<Pixels> {
+  const { colours, scan } = readHeader(bytes);
+  if (colours === INKS) throw new UndecodedError('CMYK JPEG');
+  // The decoder would make grey what is not there.
+  if (Buffer.from(bytes.buffer, bytes.byteOffset, bytes.length).indexOf(END, scan) === -1)
+    throw new Error('JPEG: cut short');
   const { default: decode, init } = await import('@jsquash/jpeg/decode.js');
   await start('jpeg', init, '@jsquash/jpeg/codec/dec/mozjpeg_dec.wasm');
   // As browsers turn pictures.
   return asPixels(() => decode(new Uint8Array(bytes).buffer, { preserveOrientation: true }));
+}
+
+/** How many colours the pixels of a JPEG picture have, and where they begin. */
+function readHeader(bytes: Uint8Array): { colours: number; scan: number } {
+  let colours = 0;
+  for (let at = 2; at + 3 < bytes.length && bytes[at] === 0xff; ) {
+    const marker = bytes[at + 1];
+    if (marker === START_OF_SCAN) return { colours, scan: at };
+    const startsFrame = marker >= 0xc0 && marker <= 0xcf && ![0xc4, 0xc8, 0xcc].includes(marker);
+    if (startsFrame) colours = bytes[at + 9];
+    // Markers may be preceded by any number of such bytes.
+    at += marker === 0xff ? 1 : 2 + ((bytes[at + 2] << 8) | bytes[at + 3]);
+  }
+  return { colours, scan: bytes.length };
 }
 
 async function decodeWebp(bytes: Uint8Array): Promise<Pixels> {

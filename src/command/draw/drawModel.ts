@@ -8,7 +8,7 @@ import { buildModel } from '../../drawing/buildModel.js';
 import type { HatchedModel } from '../../drawing/HatchedModel.js';
 import { meshesOf } from '../../drawing/meshesOf.js';
 import { counted } from '../../files/common/counted.js';
-import { extensionOf, withoutGz } from '../../files/common/fileName.js';
+import { extensionOf } from '../../files/common/fileName.js';
 import { indexOfName } from '../../files/common/indexOfName.js';
 import { ModelError } from '../../files/common/ModelError.js';
 import type { ModelFile } from '../../files/common/ModelFile.js';
@@ -50,7 +50,7 @@ export async function drawModel(
   const progress = (stage: string, share: number): void => say({ kind: 'progress', stage, progress: share });
   const note = (sentence: string): void => say({ kind: 'note', sentence });
   const surroundings = new NodeSurroundings(dirname(path));
-  const file = { name: namedAs(name, options), content: await contentOf(path, content) };
+  const file = { name, content: await contentOf(path, content), format: options.format };
   const read = await readFrom(file, surroundings, options.variant, say);
   const report = (stage: string, share = 0): void => progress(stage, READ + (JOINED - READ) * share);
   const { model, notes } = await buildModel(read, report, signal);
@@ -68,11 +68,6 @@ export async function drawModel(
   const isWhole = tellPictures(name, model, read, surroundings, note);
   await drawFrames(model, staged, options, name, { say, progress, note, signal });
   return isWhole;
-}
-
-/** The name by which a file is read: with the extension of the format that the command line says. */
-function namedAs(name: string, { format }: DrawingOptions): string {
-  return format === undefined || extensionOf(withoutGz(name)) === format ? name : `${name}.${format}`;
 }
 
 async function contentOf(path: string, content: Uint8Array | undefined): Promise<Blob> {

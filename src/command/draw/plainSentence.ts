@@ -1,7 +1,7 @@
 /** Words of the readers, who speak to whoever drops files on a page, and what they are to whoever names files. */
 const WORDS: readonly [RegExp, string][] = [
   [/; drop both files together/, '; put both files into one folder'],
-  [/no picture that a browser reads/, 'no picture that can be read'],
+  [/no (pictures?) that a browser reads/, 'no $1 that can be read'],
   [/, which this page does not (read|unpack)/, ', which is not $1 here'],
   [/a later version of this page, which this one cannot read/, 'a later version of the playground'],
   [/(model )?(that )?this page can read/, '$1that can be read here'],

@@ -2,4 +2,6 @@
 export interface ModelFile {
   name: string;
   content: Blob;
+  /** What its format is if its content does not tell, as an extension; left out, that of its name. */
+  format?: string | undefined;
 }

@@ -1,4 +1,5 @@
 import { Matrix4, Quaternion, Vector3 } from 'three';
+import { distinctNames } from '../common/distinctNames.js';
 import { indexOfName } from '../common/indexOfName.js';
 import { ModelError } from '../common/ModelError.js';
 import { type FileCamera, type FileLight, type ModelExtras, movedExtras, NO_EXTRAS } from '../common/ModelExtras.js';
@@ -35,7 +36,12 @@ export function gltfExtras(document: GltfDocument, { roots, visible }: ChosenSce
     for (const child of [...(node.children ?? [])].reverse())
       pending.push({ node: child, matrix: matrix.clone().multiply(matrixOf(document.nodes[child])) });
   }
-  return { cameras: withNames(cameras), lights, variants: variantsOf(document) };
+  const names = distinctNames(
+    cameras.map(({ name }) => name),
+    'Camera',
+  );
+  const named = cameras.map((camera, i) => ({ ...camera, name: names[i] }));
+  return { cameras: named, lights, variants: variantsOf(document) };
 }
 
 const isSomewhere = ({ position, forwards }: FileCamera | FileLight): boolean =>
@@ -43,7 +49,10 @@ const isSomewhere = ({ position, forwards }: FileCamera | FileLight): boolean =>
 
 /** The names of the variants of materials, in the order of the file. */
 const variantsOf = ({ variants = [] }: GltfDocument): string[] =>
-  variants.map((variant, i) => variant?.name || `Variant ${i + 1}`);
+  distinctNames(
+    variants.map((variant) => variant?.name),
+    'Variant',
+  );
 
 /**
  * Gives all primitives the materials of a variant; those that do not take part in it keep theirs.
@@ -105,17 +114,6 @@ function cameraOf(camera: GltfCamera | undefined, nodeName: string | undefined):
 
 const positive = (value: number | undefined): number | undefined =>
   value !== undefined && value > 0 ? value : undefined;
-
-/** Names that differ, so that each can be chosen. */
-function withNames(cameras: readonly FileCamera[]): FileCamera[] {
-  const taken = new Map<string, number>();
-  return cameras.map((camera, i) => {
-    const name = camera.name || `Camera ${i + 1}`;
-    const before = taken.get(name) ?? 0;
-    taken.set(name, before + 1);
-    return { ...camera, name: before === 0 ? name : `${name} ${before + 1}` };
-  });
-}
 
 function lightOf(light: GltfLight | undefined): FileLight | undefined {
   if (!light) return undefined;

@@ -30,7 +30,8 @@ function jpegSize(view: DataView): [number, number] | undefined {
     const startsFrame = marker >= 0xffc0 && marker <= 0xffcf && ![0xffc4, 0xffc8, 0xffcc].includes(marker);
     if (startsFrame) return [view.getUint16(at + 7), view.getUint16(at + 5)];
     if (marker < 0xff00) return undefined;
-    at += 2 + view.getUint16(at + 2);
+    // Markers may be preceded by any number of such bytes.
+    at += marker === 0xffff ? 1 : 2 + view.getUint16(at + 2);
   }
   return undefined;
 }

@@ -2,11 +2,12 @@ import type { Texture, Wrapping } from 'three';
 import type { FindFile } from '../common/FindFile.js';
 import { baseName, extensionOf } from '../common/fileName.js';
 import { readUri } from '../common/readUri.js';
-import type { DecodedPicture, PixelPicture, Surroundings } from '../common/Surroundings.js';
+import type { DecodedPicture, Surroundings } from '../common/Surroundings.js';
 import { shownName } from '../common/shownText.js';
 import { fitPictures, type PictureSize, PixelBudget } from './fitPictures.js';
 import { imageSize } from './imageSize.js';
 import { masked } from './masked.js';
+import { decodeTga, tgaSize } from './tgaPicture.js';
 import type { PictureLink, WantedPicture } from './WantedPicture.js';
 
 /** A picture of a mesh, decoded and the right way up. */
@@ -102,7 +103,10 @@ export async function readMeshPictures(
   }
   for (const { bitmap } of distinct) if (!pictures.some((picture) => picture?.bitmap === bitmap)) bitmap?.close();
   const notes = [
-    ...without([...lacks.unreadable], 'no picture that a browser reads'),
+    ...without(
+      [...lacks.unreadable],
+      lacks.unreadable.size === 1 ? 'no picture that a browser reads' : 'no pictures that a browser reads',
+    ),
     ...without([...lacks.tooLarge], 'too large'),
     ...reduced,
   ];
@@ -138,22 +142,4 @@ async function decode(
 ): Promise<DecodedPicture | undefined> {
   const content = isTga ? await decodeTga(bytes) : new Blob([bytes as Uint8Array<ArrayBuffer>]);
   return decodePicture(content, { width, height, flipY });
-}
-
-/** Width and height in the header of a TGA file, which has no signature. */
-function tgaSize(bytes: Uint8Array): [width: number, height: number] | undefined {
-  if (bytes.length < 18) return undefined;
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  return [view.getUint16(12, true), view.getUint16(14, true)];
-}
-
-/** Decodes TGA, which older programs write and browsers do not read. */
-async function decodeTga(bytes: Uint8Array): Promise<Omit<PixelPicture, 'close'>> {
-  const { TGALoader } = await import('three/addons/loaders/TGALoader.js');
-  const { data, width, height } = new TGALoader().parse(bytes.slice().buffer) as {
-    data: Uint8Array;
-    width: number;
-    height: number;
-  };
-  return { data: new Uint8ClampedArray(data), width, height };
 }

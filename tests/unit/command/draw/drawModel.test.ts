@@ -333,6 +333,23 @@ describe('the stage', () => {
   });
 });
 
+describe('--format', () => {
+  test('of another format than the content is not believed, which a sentence says', async () => {
+    const said = async (...args: string[]): Promise<string[]> =>
+      (await draw('a.dat', octahedronBinaryStl(), ...SMALL, ...args)).notes;
+    expect(await said()).toEqual([]);
+    expect(await said('--format', 'stl')).toEqual([]);
+    expect(await said('--format', 'obj')).toEqual(['a.dat: read as STL, which its content is, and not as OBJ.']);
+  });
+
+  test('is no part of the name of a file that cannot be read', async () => {
+    expect(await refusal('a.dat', '', '--format', 'stl')).toBe('a.dat is empty.');
+    expect(await refusal('b.dat', 'solid', '--format', 'stl')).toBe(
+      'b.dat is not an STL file inside, or it was cut short.',
+    );
+  });
+});
+
 describe('pictures', () => {
   test('PNG and JPEG are decoded; other formats are named, and the drawing is made without their colours', async () => {
     writeFileSync(join(work, 'square.mtl'), squareMtl);
@@ -384,6 +401,17 @@ describe('pictures', () => {
       'parts.glb: b.jpg is missing, and belongs beside the model.',
       expect.stringMatching(/^parts\.glb: 1 (damaged )?picture left out/),
     ]);
+  });
+
+  test('one of a glTF that is no picture at all is told, and what is drawn is not whole', async () => {
+    const json = JSON.parse(octahedronGltf());
+    json.images = [{ uri: 'a.png' }];
+    json.textures = [{ source: 0 }];
+    json.materials = [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }];
+    json.meshes[0].primitives[0].material = 0;
+    writeFileSync(join(work, 'a.png'), 'This is text, which has the name of a picture.');
+    const { notes, isWhole } = await draw('a.glb', packGlb(JSON.stringify(json), octahedronBin()), ...SMALL);
+    expect([notes, isWhole]).toEqual([['a.glb: 1 picture left out: not PNG, JPEG or WebP.'], false]);
   });
 
   test('a texture of an OBJ that is missing is told, and without its colours nothing is missing', async () => {

@@ -136,6 +136,7 @@ describe('JPEG and WebP', () => {
 
   test.each([
     ['JPEG', JPEG.subarray(0, 60)],
+    ['JPEG', JPEG.subarray(0, JPEG.length - 2)],
     ['JPEG', Buffer.concat([JPEG.subarray(0, 2), Buffer.alloc(400, 7)])],
     ['WebP', WEBP.subarray(0, 30)],
   ])('a damaged %s is an error, and the next one is decoded', async (_, bytes) => {
@@ -147,6 +148,9 @@ describe('JPEG and WebP', () => {
   test('others are told by their names', async () => {
     await expect(decodePicture(Buffer.from('GIF89a'))).rejects.toEqual(new UndecodedError('GIF'));
     await expect(decodePicture(Buffer.from('BM6'))).rejects.toEqual(new UndecodedError('BMP'));
+    // The start of a frame of four colours, after bytes that only fill.
+    const inks = [0xff, 0xd8, 0xff, 0xff, 0xc0, 0, 20, 8, 0, 16, 0, 16, 4, ...new Uint8Array(12), 0xff, 0xda, 0, 2];
+    await expect(decodePicture(Uint8Array.from(inks))).rejects.toEqual(new UndecodedError('CMYK JPEG'));
   });
 });
 

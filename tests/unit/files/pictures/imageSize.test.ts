@@ -18,6 +18,7 @@ describe('the size of a picture', () => {
     const frame = (kind: number) => [0xff, kind, 0, 11, 8, 0x01, 0x02, 0x03, 0x04, 1, 0, 0, 0];
     for (const kind of [0xc0, 0xc2]) {
       expect(imageSize(bytes([0xff, 0xd8], app, huffman, frame(kind)))).toEqual([0x0304, 0x0102]);
+      expect(imageSize(bytes([0xff, 0xd8], app, [0xff, 0xff], frame(kind)))).toEqual([0x0304, 0x0102]);
     }
     expect(imageSize(bytes([0xff, 0xd8], app, [0, 1, 2, 3]))).toBeUndefined();
   });
