@@ -12,8 +12,8 @@ const MISUSED = 2;
 const INTERRUPTED = 130;
 
 const abort = new AbortController();
-process.on('SIGINT', () => abort.abort());
-process.on('SIGTERM', () => abort.abort());
+// The last of them comes where a terminal is closed.
+for (const name of ['SIGINT', 'SIGTERM', 'SIGHUP'] as const) process.on(name, () => abort.abort());
 // Whoever reads may stop before the end.
 for (const stream of [process.stdout, process.stderr]) stream.on('error', () => {});
 const bar = new ProgressBar(process.stderr);

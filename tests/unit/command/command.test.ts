@@ -215,18 +215,16 @@ describe('how it ends', () => {
     },
   );
 
-  test.skipIf(process.platform === 'win32')(
-    '130 before anything is drawn, with nothing left behind',
-    { tags: ['all'] },
-    async () => {
+  describe.skipIf(process.platform === 'win32')('130 before anything is drawn, with nothing left behind', () => {
+    test.each(['SIGINT', 'SIGHUP'] as const)('by %s', { tags: ['all'] }, async (name) => {
       const ended = run(['draw', 'a.obj', '--out', 'out/a.svg']);
       while (!existsSync(join(work, 'out'))) await new Promise((resume) => setTimeout(resume, 2));
-      running?.kill('SIGINT');
+      running?.kill(name);
       const { code, stderr } = await ended;
       expect([code, stderr]).toEqual([130, 'three-hatching: interrupted; nothing was written.\n']);
       expect(tree()).toEqual(['a.obj']);
-    },
-  );
+    });
+  });
 });
 
 test('what names hold does not move the cursor', { tags: ['all'] }, async () => {
