@@ -5,7 +5,7 @@ import { checkColor } from '../material/checkValues.js';
 import type { DrawingPlan } from '../vector/DrawnScene.js';
 import { checkOptions } from '../worker/checkOptions.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
-import { lyingSize, SHEET_WORDS, type SheetName, sheetNamed } from './sheetSizes.js';
+import { isSide, lyingSize, SHEET_WORDS, type SheetName, sheetNamed } from './sheetSizes.js';
 
 /** How long a drawing takes to draw itself. */
 const ANIMATION_SECONDS = 12;
@@ -19,7 +19,7 @@ export interface DrawSVGOptions extends TaskOptions {
   kind?: 'print' | 'pen' | undefined;
   /**
    * The sheet: a name, which lies as suits the camera's picture unless `portrait` or `landscape` stands after it; or a size, as `'200x150'`
-   * in millimetres or `'8.5x11in'`; or width and height above 0. Default: `'A4'`.
+   * in millimetres or `'8.5x11in'`; or width and height. Sides are from 1 to 5000 mm. Default: `'A4'`.
    */
   sheet?: SheetName | (string & {}) | readonly [width: number, height: number] | undefined;
   /** What stays blank around the picture, 0 or more. Default: 10. */
@@ -150,7 +150,7 @@ function checkChoice(name: string, value: unknown, choices: readonly string[]): 
 function sizeOf(sheet: unknown, isWide: boolean): readonly [number, number] {
   const named = typeof sheet === 'string' ? sheetNamed(sheet) : undefined;
   if (named) return lyingSize(named, isWide);
-  const isSize = Array.isArray(sheet) && sheet.length === 2 && sheet.every((side) => side > 0 && side < Infinity);
+  const isSize = Array.isArray(sheet) && sheet.length === 2 && sheet.every(isSide);
   if (isSize) return sheet as unknown as readonly [number, number];
   throw new RangeError(
     `drawSVG: sheet is ${JSON.stringify(sheet)}, but must be ${SHEET_WORDS}, or [width, height] in millimetres.`,

@@ -49,11 +49,15 @@ export function sheetNamed(text: string): Sheet | undefined {
   if (width === undefined || isMixed) return undefined;
   const factor = lastUnit === 'in' ? MILLIMETRES_PER_INCH : 1;
   const size = [Number(width) * factor, Number(height) * factor] as const;
-  return size.every((side) => side >= SHORTEST && side <= LONGEST) ? { size, suits: false } : undefined;
+  return size.every(isSide) ? { size, suits: false } : undefined;
 }
 
+/** Whether a value is the side of a sheet that can be drawn on, millimetres. */
+export const isSide = (value: unknown): value is number =>
+  typeof value === 'number' && value >= SHORTEST && value <= LONGEST;
+
 /** What a sheet may be, in words. */
-export const SHEET_WORDS = `${Object.keys(SHEET_SIZES).join(', ')}, one of them with portrait or landscape after it, or a size as 200x150 in millimetres or 8.5x11in`;
+export const SHEET_WORDS = `${Object.keys(SHEET_SIZES).join(', ')}, one of them with portrait or landscape after it, or a size as 200x150 in millimetres or 8.5x11in, with sides from ${SHORTEST} to ${LONGEST} mm`;
 
 /** The size of a sheet as it lies. isWide: whether what is drawn on it is wider than high */
 export const lyingSize = ({ size, suits }: Sheet, isWide: boolean): readonly [number, number] =>

@@ -19,6 +19,8 @@ describe('wrong options end in one sentence that names them', () => {
     ],
     [{ sheet: [100] }, 'drawSVG: sheet is [100]'],
     [{ sheet: [100, -1] }, 'drawSVG: sheet is [100,-1]'],
+    [{ sheet: ['200', '100'] }, 'drawSVG: sheet is ["200","100"]'],
+    [{ sheet: [1e9, 100] }, 'with sides from 1 to 5000 mm, or [width, height] in millimetres.'],
     [{ margin: -1 }, 'drawSVG.margin: -1 is not a number in [0, ∞).'],
     [{ sheet: [40, 90], margin: 20 }, 'drawSVG: a margin of 20 mm leaves nothing of a sheet of 40 × 90 mm.'],
     [{ kind: 'pen', penWidth: 0 }, 'drawSVG.penWidth: 0 is not a number in (0, ∞).'],
