@@ -10,6 +10,9 @@ export function cleanObj(text: string): string {
       // Names of materials may hold a "#".
       .replace(/^([ \t]*(?:v[tn]?|f)[ \t][^#\n]*)#.*$/gm, '$1')
       .replace(/^[ \t]*usemtl[ \t]+/gm, 'usemtl ')
+      // Lines without their numbers count, too: faces would get the corners of others.
+      .replace(/^[ \t]*v[ \t]*$/gm, 'v nan nan nan')
+      .replace(/^[ \t]*(v[tn])[ \t]*$/gm, '$1 0 0 0')
       .replace(/^(?![ \t]*(?:v[tn]?|f|s)[ \t]|usemtl ).+$/gm, ''),
   );
 }

@@ -124,6 +124,15 @@ describe('OBJ', () => {
     expect(notes).toEqual([]);
   });
 
+  test('a vertex without numbers moves no other: faces keep their corners', async () => {
+    const [a, b, c, d] = ['v 0 0 0', 'v 2 0 0', 'v 0 3 0', 'v 0 0 4'];
+    const whole = await read(['a.obj', [a, b, c, d, 'vn 0 0 1', 'f 1//1 2//1 3//1', 'f 1 2 4'].join('\n')]);
+    const obj = [a, 'v', b, c, 'v ', d, 'vn', 'vn 0 0 1', 'f 1//2 3//2 4//2', 'f 1 3 6', 'f 1 2 6'].join('\n');
+    const lacking = await read(['a.obj', obj]);
+    expect(measure(lacking)).toEqual(measure(whole));
+    expect(lacking.details).toEqual(['1 triangle without three valid corners left out']);
+  });
+
   test('triangles with a corner that does not exist are left out, and counted', async () => {
     const box = await read(['box.obj', colouredBoxObj.replace(/^f 1 .*$/m, 'f 1 2 99')]);
     expect(triangles(box)).toBe(10);
