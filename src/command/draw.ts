@@ -159,12 +159,22 @@ class Draughtsmen {
 /** The size of a model's file. @throws Error with a sentence if it is no file */
 async function sizeOf(model: string): Promise<number> {
   const found = await stat(model).catch((error: NodeJS.ErrnoException) => {
-    throw new Error(error.code === 'ENOENT' ? `${model} is not there.` : `${model} cannot be read (${error.code}).`);
+    throw new Error(
+      error.code === 'ENOENT'
+        ? `${model} is not there${whyNotThere(model)}.`
+        : `${model} cannot be read (${error.code}).`,
+    );
   });
   if (found.isDirectory())
     throw new Error(`${model} is a folder; name models in it, as "${join(model, '*.glb')}" in quotes.`);
   if (!found.isFile()) throw new Error(`${model} is no file.`);
   return found.size;
+}
+
+/** What may be the reason, beside a mistyped name. */
+function whyNotThere(model: string): string {
+  if (/^https?:/i.test(model)) return ': nothing is fetched, so save the file first';
+  return model.startsWith('~') ? ': shells know ~ outside of quotes alone' : '';
 }
 
 const inMetres = (millimetres: number): string => `${(millimetres / 1000).toFixed(2)} m`;

@@ -136,11 +136,16 @@ describe('several models', { tags: ['all'] }, () => {
     ]);
   });
 
-  test('a model that is named twice is drawn once; a folder is none', async () => {
+  test('a model that is named twice is drawn once; a folder is none, nor is an address', async () => {
+    const absent = ['https://example.org/c.glb', '~/d.obj'];
     mkdirSync(join(work, 'sub'));
-    const { code, stdout, stderr } = await draw('a.obj', './a.obj', 'sub', '--out', 'out', ...SMALL);
+    const { code, stdout, stderr } = await draw('a.obj', './a.obj', 'sub', ...absent, '--out', 'out', ...SMALL);
     expect([code, stdout]).toEqual([1, expect.stringMatching(/^out\/a\.svg: [^\n]*\n$/)]);
-    expect(stderr).toContain('three-hatching: sub is a folder; name models in it, as "sub/*.glb" in quotes.\n');
+    expect(stderr.split('\n').filter((line) => line.startsWith('three-hatching: '))).toEqual([
+      'three-hatching: sub is a folder; name models in it, as "sub/*.glb" in quotes.',
+      'three-hatching: https://example.org/c.glb is not there: nothing is fetched, so save the file first.',
+      'three-hatching: ~/d.obj is not there: shells know ~ outside of quotes alone.',
+    ]);
   });
 
   test('give numbered files each, with as many frames as are asked for', async () => {
