@@ -1,6 +1,7 @@
 import { counted } from './common/counted.js';
 import type { Surroundings } from './common/Surroundings.js';
 import { settleBlendedPictures } from './gltf/blendedPictures.js';
+import { settleTransmittedPictures } from './gltf/transmittedPictures.js';
 import type { ReadModel } from './readModel.js';
 
 /** Decodes the pictures of a model. A worker should do it: a large one takes seconds. */
@@ -26,6 +27,7 @@ export async function withPictures(
     }
   }
   settleBlendedPictures(parts);
+  settleTransmittedPictures(parts);
   const notes = lost > 0 ? [counted(lost, 'damaged picture', 'left out')] : [];
   return { ...model, notes: [...model.notes, ...notes], lostPictures: (model.lostPictures ?? 0) + lost };
 }

@@ -19,7 +19,8 @@ export function textureSource({ textures }: GltfDocument, texture: number | unde
 export function usedImages(document: GltfDocument): Set<number> {
   const used = new Set<number>();
   for (const material of document.materials) {
-    for (const use of [baseColor(material).texture, ...TEXTURES.map((key) => material?.[key])]) {
+    const transmitted = transmittedBy(material)?.texture;
+    for (const use of [baseColor(material).texture, transmitted, ...TEXTURES.map((key) => material?.[key])]) {
       const image = textureSource(document, use?.index);
       if (image !== undefined) used.add(image);
     }
@@ -41,11 +42,12 @@ export function drawnMaterials(document: GltfDocument, hasImage: (image: number)
   return document.materials.map((material) => {
     const { name, alphaMode, alphaCutoff, doubleSided, emissiveFactor, extensions } = material ?? {};
     const { factor, texture } = baseColor(material);
-    const { transmissionFactor = 0, transmissionTexture } = extensions?.KHR_materials_transmission ?? {};
-    // A picture of what is transmitted lets some of a surface through, which stays opaque as a whole.
-    const isGlass = transmissionFactor > 0 && !transmissionTexture && alphaMode !== 'MASK';
+    const transmitted = transmittedBy(material);
+    // A picture says of every triangle whether it is seen through, once it is decoded.
+    const isGlass = transmitted !== undefined && !transmitted.texture;
+    const picture = drawn(transmitted?.texture);
     const [r, g, b, a] = factor ?? [1, 1, 1, 1];
-    const alpha = (alphaMode === 'BLEND' ? a : 1) * (1 - TRANSMITTED * Math.min(transmissionFactor, 1));
+    const alpha = (alphaMode === 'BLEND' ? a : 1) * (1 - TRANSMITTED * (transmitted?.factor ?? 0));
     // Without the picture that says where the surface emits light, all of it would, and none of it would be hatched.
     const hasGlow = !material?.emissiveTexture || drawn(material.emissiveTexture) !== undefined;
     const strength = extensions?.KHR_materials_emissive_strength;
@@ -61,8 +63,18 @@ export function drawnMaterials(document: GltfDocument, hasImage: (image: number)
       },
       ...Object.assign({}, ...TEXTURES.map((key) => optional(key, drawn(material?.[key])))),
       ...(strength && { extensions: { KHR_materials_emissive_strength: strength } }),
+      ...(transmitted && picture && { extras: { transmitted: { factor: transmitted.factor, texture: picture } } }),
     };
   });
+}
+
+/** How much light a material lets through, and by which picture; undefined if none, or if it is cut out. */
+function transmittedBy(
+  material: GltfMaterial | undefined,
+): { factor: number; texture?: GltfTextureUse | undefined } | undefined {
+  const { transmissionFactor = 0, transmissionTexture } = material?.extensions?.KHR_materials_transmission ?? {};
+  if (!(transmissionFactor > 0) || material?.alphaMode === 'MASK') return undefined;
+  return { factor: Math.min(transmissionFactor, 1), texture: transmissionTexture };
 }
 
 /** The base colour of the older extension for gloss, if a material has no other. */

@@ -3,7 +3,7 @@ import type { BufferAttribute, Material, Mesh, Object3D, Texture } from 'three';
 /** A surface with less opacity is not seen. */
 const LEAST = 0.02;
 /** A surface with more opacity hides what is behind it. */
-const MOST = 0.95;
+export const MOST = 0.95;
 /** The most that a surface loses of its opacity by letting light through: glass is clear, and yet there. */
 export const TRANSMITTED = 0.8;
 /** The alpha from which on a picture that is blended is drawn. */

@@ -1,0 +1,158 @@
+import type { PixelPicture } from '../common/Surroundings.js';
+import { pixelsOf } from '../pictures/alphaOf.js';
+import { MOST, TRANSMITTED } from '../scenes/settleAlpha.js';
+import type { GltfSampler, GltfTextureUse } from './gltfDocument.js';
+import type { GltfParts } from './parseGltf.js';
+
+/** How much of the light a material lets through, by a picture; drawn materials hold it until the picture is decoded. */
+export interface TransmittedPicture {
+  factor: number;
+  texture: GltfTextureUse;
+}
+
+interface Material {
+  alphaMode?: string;
+  pbrMetallicRoughness: { baseColorFactor?: number[] };
+  extras?: { transmitted: TransmittedPicture };
+}
+
+interface Primitive {
+  attributes: Record<string, number>;
+  indices?: number;
+  material?: number;
+}
+
+interface Json {
+  materials: Material[];
+  meshes: { primitives: Primitive[] }[];
+  accessors: { bufferView: number; componentType: number; count: number; type: string }[];
+  bufferViews: { buffer: number; byteLength: number }[];
+}
+
+const UINT = 5125;
+/** A picture is looked at in this size at most. */
+const SIDE = 512;
+/** The middles of the small triangles that a triangle is looked at by, as shares of its second and third corner. */
+const PLACES = Array.from({ length: 4 }, (_, i) => i).flatMap((row) =>
+  Array.from({ length: 4 - row }, (_, column) => [row, column]).flatMap(([r, c]) => [
+    [(r + 1 / 3) / 4, (c + 1 / 3) / 4],
+    ...(r + c < 3 ? [[(r + 2 / 3) / 4, (c + 2 / 3) / 4]] : []),
+  ]),
+);
+
+/**
+ * Looks at the pictures of what materials let through, now that they are decoded. Triangles that are mostly see-through become a primitive of
+ * their own, with a blended material; the others stay as they are.
+ */
+export function settleTransmittedPictures(parts: GltfParts): void {
+  const json = parts.json as Json;
+  for (const [index, material] of [...(json.materials ?? [])].entries()) {
+    if (!material.extras) continue;
+    const { factor, texture } = material.extras.transmitted;
+    delete material.extras;
+    const { image, sampler } = parts.textures[texture.index] ?? {};
+    const letThrough = lightThrough(parts.bitmaps[image ?? -1], sampler);
+    if (!letThrough) continue;
+    const [r, g, b, a] = material.pbrMetallicRoughness.baseColorFactor ?? [1, 1, 1, 1];
+    const own = material.alphaMode === 'BLEND' ? a : 1;
+    const alphaAt = (u: number, v: number): number => own * (1 - TRANSMITTED * factor * letThrough(u, v));
+    let glass: number | undefined;
+    const sum = { alpha: 0, triangles: 0 };
+    for (const mesh of json.meshes) {
+      mesh.primitives = mesh.primitives.flatMap((primitive) => {
+        const split = primitive.material === index ? splitBy(parts, json, primitive, texture, alphaAt) : undefined;
+        if (!split) return [primitive];
+        sum.alpha += split.alpha;
+        sum.triangles += split.clear.length / 3;
+        glass ??= json.materials.push({ ...material }) - 1;
+        return [
+          ...(split.solid.length > 0 ? [{ ...primitive, indices: written(parts, json, split.solid) }] : []),
+          { ...primitive, indices: written(parts, json, split.clear), material: glass },
+        ];
+      });
+    }
+    if (glass === undefined) continue;
+    json.materials[glass] = {
+      ...material,
+      alphaMode: 'BLEND',
+      pbrMetallicRoughness: { ...material.pbrMetallicRoughness, baseColorFactor: [r, g, b, sum.alpha / sum.triangles] },
+    };
+  }
+}
+
+/** How much light a picture lets through at a place, from 0 to 1: its red. Undefined where its pixels cannot be read. */
+function lightThrough(
+  picture: GltfParts['bitmaps'][number],
+  { wrapS, wrapT }: NonNullable<GltfSampler> = {},
+): ((u: number, v: number) => number) | undefined {
+  if (!picture) return undefined;
+  const [width, height] = sizeOf(picture);
+  const data = pixelsOf(picture, width, height);
+  if (!data) return undefined;
+  return (u, v) => {
+    const column = Math.min(Math.floor(width * wrapped(u, wrapS)), width - 1);
+    const row = Math.min(Math.floor(height * wrapped(v, wrapT)), height - 1);
+    return data[4 * (row * width + column)] / 255;
+  };
+}
+
+function sizeOf(picture: NonNullable<GltfParts['bitmaps'][number]> | PixelPicture): [width: number, height: number] {
+  const scale = Math.min(1, SIDE / Math.max(picture.width, picture.height));
+  return [picture.width, picture.height].map((side) => Math.max(1, Math.round(scale * side))) as [number, number];
+}
+
+const [CLAMPED, MIRRORED] = [33071, 33648];
+
+/** A coordinate in [0, 1] as a sampler wraps it. */
+function wrapped(place: number, wrap: number | undefined): number {
+  if (!Number.isFinite(place)) return 0;
+  if (wrap === CLAMPED) return Math.min(Math.max(place, 0), 1);
+  if (wrap !== MIRRORED) return place - Math.floor(place);
+  const turn = place - 2 * Math.floor(place / 2);
+  return turn > 1 ? 2 - turn : turn;
+}
+
+/** The corners of a primitive's triangles that are mostly see-through, and of the others; undefined if none is. */
+function splitBy(
+  { arrays }: GltfParts,
+  { accessors }: Json,
+  { attributes, indices }: Primitive,
+  { texCoord = 0, extensions }: GltfTextureUse,
+  alphaAt: (u: number, v: number) => number,
+): { clear: number[]; solid: number[]; alpha: number } | undefined {
+  const { offset = [0, 0], rotation = 0, scale = [1, 1], texCoord: other } = extensions?.KHR_texture_transform ?? {};
+  const accessor = attributes[`TEXCOORD_${other ?? texCoord}`];
+  if (accessor === undefined) return undefined;
+  const uvs = new Float32Array(arrays[accessors[accessor].bufferView]);
+  const list = indices === undefined ? undefined : new Uint32Array(arrays[accessors[indices].bufferView]);
+  const count = list?.length ?? uvs.length / 2;
+  const [cos, sin] = [Math.cos(rotation), Math.sin(rotation)];
+  const placed = (u: number, v: number): number =>
+    alphaAt(offset[0] + cos * scale[0] * u + sin * scale[1] * v, offset[1] - sin * scale[0] * u + cos * scale[1] * v);
+  const [clear, solid]: number[][] = [[], []];
+  let alpha = 0;
+  for (let corner = 0; corner + 2 < count; corner += 3) {
+    const [a, b, c] = [0, 1, 2].map((k) => list?.[corner + k] ?? corner + k);
+    let [sum, seen] = [0, 0];
+    for (const [second, third] of PLACES) {
+      const at = (axis: number): number =>
+        uvs[2 * a + axis] * (1 - second - third) + uvs[2 * b + axis] * second + uvs[2 * c + axis] * third;
+      const here = placed(at(0), at(1));
+      if (here >= MOST) continue;
+      sum += here;
+      seen++;
+    }
+    const isClear = 2 * seen >= PLACES.length;
+    if (isClear) alpha += sum / seen;
+    (isClear ? clear : solid).push(a, b, c);
+  }
+  return clear.length > 0 ? { clear, solid, alpha } : undefined;
+}
+
+/** The index of a new accessor. */
+function written({ arrays }: GltfParts, { accessors, bufferViews }: Json, indices: readonly number[]): number {
+  const values = Uint32Array.from(indices);
+  const bufferView = arrays.push(values.buffer) - 1;
+  bufferViews.push({ buffer: 0, byteLength: values.byteLength });
+  return accessors.push({ bufferView, componentType: UINT, count: values.length, type: 'SCALAR' }) - 1;
+}
