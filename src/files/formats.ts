@@ -1,7 +1,7 @@
 import type { FindFile } from './common/FindFile.js';
 import type { Surroundings } from './common/Surroundings.js';
 import type { ReadGltf } from './gltf/readGltf.js';
-import type { PlainMesh } from './mesh/PlainMesh.js';
+import type { NotedMesh } from './mesh/PlainMesh.js';
 import { is3ds } from './scenes/is3ds.js';
 import type { LoadedScene } from './scenes/LoadedScene.js';
 import { binaryStlLength } from './stl/binaryStlLength.js';
@@ -60,7 +60,7 @@ export interface ModelFormat {
   /** Undefined if three.js has none. */
   loader: FormatLoader | undefined;
   /** Reads a file. @throws ModelError, or Error as the loader has it */
-  read: (file: FormatFile) => Promise<ReadGltf | LoadedScene | PlainMesh>;
+  read: (file: FormatFile) => Promise<ReadGltf | LoadedScene | NotedMesh>;
 }
 
 const GLTF = {

@@ -19,7 +19,7 @@ import type { ReadGltf } from './gltf/readGltf.js';
 import { findUpAxis, type UpAxis, type UsualUp } from './mesh/findUpAxis.js';
 import { fitModel } from './mesh/fitModel.js';
 import { isClosed } from './mesh/isClosed.js';
-import type { PlainMesh } from './mesh/PlainMesh.js';
+import type { NotedMesh, PlainMesh } from './mesh/PlainMesh.js';
 import { plainNormals } from './mesh/plainNormals.js';
 import { thinNote } from './mesh/thinNote.js';
 import { readMoving } from './moving/readMoving.js';
@@ -260,11 +260,12 @@ async function parse(format: ModelFormat, file: FormatFile): Promise<Parsed> {
 }
 
 /** Completes what a reader returned: nothing is missing and there is nothing to note unless it says so. */
-function parsedOf(read: PlainMesh | LoadedScene): Parsed {
+function parsedOf(read: NotedMesh | LoadedScene): Parsed {
   const isScene = 'root' in read;
-  const { notes = [], missing = [] }: Partial<LoadedScene> = isScene ? read : {};
+  const { notes = [], missing = [] }: Partial<LoadedScene> = read;
   const left = isScene && hasLines(read.root) ? ['points and lines left out'] : [];
-  return { content: isScene ? read.root : read, broken: 0, notes: [...notes, ...left], details: [], missing };
+  const content = isScene ? read.root : read.mesh;
+  return { content, broken: 0, notes: [...new Set([...notes, ...left])], details: [], missing };
 }
 
 /** Whether a scene has lines or points, which are not drawn. */

@@ -1,6 +1,7 @@
 import type { PixelPicture } from '../common/Surroundings.js';
+import { MOST } from '../mesh/rangesByAlpha.js';
 import { pixelsOf } from '../pictures/alphaOf.js';
-import { MOST, TRANSMITTED } from '../scenes/settleAlpha.js';
+import { TRANSMITTED } from '../scenes/settleAlpha.js';
 import type { GltfSampler, GltfTextureUse } from './gltfDocument.js';
 import type { GltfParts } from './parseGltf.js';
 

@@ -24,6 +24,12 @@ export interface PictureRange {
   isSeeThrough?: boolean;
 }
 
+/** A mesh, and what the caption is to say of what is not in it. */
+export interface NotedMesh {
+  mesh: PlainMesh;
+  notes: string[];
+}
+
 /** The number of triangles in a mesh. */
 export function triangleCount(mesh: PlainMesh): number {
   return Math.floor((mesh.indices?.length ?? mesh.positions.length / 3) / 3);

@@ -5,7 +5,8 @@ import { cutPolygons } from '../mesh/cutPolygons.js';
 import { withFaceColors } from '../mesh/faceColors.js';
 import { linearColors } from '../mesh/linearColors.js';
 import { nearFloats } from '../mesh/nearFloats.js';
-import type { PlainMesh } from '../mesh/PlainMesh.js';
+import type { NotedMesh, PlainMesh } from '../mesh/PlainMesh.js';
+import { meanAlpha, rangesByAlpha } from '../mesh/rangesByAlpha.js';
 import { GrowingIndices } from '../ply/GrowingIndices.js';
 
 /** The word that files begin with: with texture coordinates (ST), colours (C), normals (N) or a fourth coordinate (4) of vertices. */
@@ -15,6 +16,8 @@ const LEAST_NUMBER_BYTES = 2;
 
 interface Header {
   hasNormals: boolean;
+  /** Whether the fourth number of a colour is an alpha, and not a texture coordinate. */
+  hasAlpha: boolean;
   /** The coordinates of a vertex. */
   size: number;
   vertices: number;
@@ -27,21 +30,37 @@ interface Header {
  *
  * @throws ModelError if it is binary, damaged or cut short
  */
-export function readOff(bytes: Uint8Array, name: string): PlainMesh {
+export function readOff(bytes: Uint8Array, name: string): NotedMesh {
   const reader = new AsciiReader(bytes);
   const header = readHeader(reader, name);
-  const { positions, normals, colors } = readVertices(reader, header, name);
-  const { indices, polygons, faceColors } = readFaces(reader, header, name);
+  const { positions, normals, colors, alphas } = readVertices(reader, header, name);
+  const { indices, polygons, hasLines, ...faces } = readFaces(reader, header, name);
   checkReadTriangles(indices.length / 3);
   cutPolygons(positions, indices, polygons);
-  const mesh: PlainMesh = {
+  const full = colors ? fullValue(colors) : 1;
+  const plain: PlainMesh = {
     positions: nearFloats(positions, indices),
     normals,
-    colors: colors && linearColors(colors, fullValue(colors)),
+    colors: colors && linearColors(colors, full),
     indices,
   };
-  return faceColors ? withFaceColors(mesh, linearColors(faceColors, fullValue(faceColors))) : mesh;
+  const notes = hasLines ? ['points and lines left out'] : [];
+  if (!faces.isColoured) {
+    const vertexAlpha =
+      alphas &&
+      meanAlpha(
+        alphas.map((alpha) => alpha / full),
+        indices,
+      );
+    return { mesh: vertexAlpha ? rangesByAlpha(plain, vertexAlpha) : plain, notes };
+  }
+  const faceFull = fullValue(faces.colors);
+  const mesh = withFaceColors(plain, linearColors(faces.colors, faceFull));
+  return { mesh: rangesByAlpha(mesh, (triangle) => opacityOf(faces.alphas[triangle] / faceFull)), notes };
 }
+
+/** An alpha that is not given is that of an opaque face. */
+const opacityOf = (alpha: number): number => (Number.isFinite(alpha) ? alpha : 1);
 
 function readHeader(reader: AsciiReader, name: string): Header {
   skipComments(reader);
@@ -66,17 +85,24 @@ function readHeader(reader: AsciiReader, name: string): Header {
   if (LEAST_NUMBER_BYTES * (size * vertices + faces) > reader.bytesLeft + 1) {
     throw new ModelError(`${name} is cut short: it announces more points and faces than it holds.`);
   }
-  return { hasNormals: keyword.includes('N'), size, vertices, faces };
+  return {
+    hasNormals: keyword.includes('N'),
+    hasAlpha: keyword.includes('C') || !keyword.includes('ST'),
+    size,
+    vertices,
+    faces,
+  };
 }
 
 function readVertices(
   reader: AsciiReader,
-  { hasNormals, size, vertices }: Header,
+  { hasNormals, hasAlpha, size, vertices }: Header,
   name: string,
-): { positions: Float64Array; normals: Float32Array | null; colors: Float64Array | null } {
+): { positions: Float64Array; normals: Float32Array | null; colors: Float64Array | null; alphas: Float64Array | null } {
   const positions = new Float64Array(3 * vertices);
   const normals = hasNormals ? new Float32Array(3 * vertices) : null;
   let colors: Float64Array | null = null;
+  let alphas: Float64Array | null = null;
   const row = [0, 0, 0, 1];
   for (let vertex = 0; vertex < vertices; vertex++) {
     startRow(reader, name);
@@ -88,8 +114,11 @@ function readVertices(
     // Vertices without a colour are white where others have one.
     colors ??= new Float64Array(3 * vertices).fill(Number.NaN);
     for (let k = 0; k < 3; k++) colors[3 * vertex + k] = rest[k];
+    if (rest.length < 4 || !hasAlpha) continue;
+    alphas ??= new Float64Array(vertices).fill(Number.NaN);
+    alphas[vertex] = rest[3];
   }
-  return { positions, normals, colors };
+  return { positions, normals, colors, alphas };
 }
 
 /** Reads a normal, of length 1; one without a direction becomes zero, and is computed later. */
@@ -99,16 +128,25 @@ function writeNormal(reader: AsciiReader, normals: Float32Array, at: number): vo
   for (let k = 0; k < 3; k++) normals[at + k] = length > 0 && length < Infinity ? normal[k] / length : 0;
 }
 
-/** Reads the faces as triangles, polygons as fans, with a colour for each if any face has one. */
+/** Reads the faces as triangles, polygons as fans, with a colour and an alpha for each, which are not numbers where there is none. */
 function readFaces(
   reader: AsciiReader,
   { faces }: Header,
   name: string,
-): { indices: Uint32Array; polygons: number[]; faceColors: number[] | undefined } {
+): {
+  indices: Uint32Array;
+  polygons: number[];
+  colors: number[];
+  alphas: number[];
+  isColoured: boolean;
+  hasLines: boolean;
+} {
   const indices = new GrowingIndices();
   const polygons: number[] = [];
-  const faceColors: number[] = [];
+  const colors: number[] = [];
+  const alphas: number[] = [];
   let isColoured = false;
+  let hasLines = false;
   for (let face = 0; face < faces; face++) {
     startRow(reader, name);
     const count = reader.number();
@@ -125,11 +163,15 @@ function readFaces(
     if (count > 3) polygons.push(before, indices.length);
     const rest = restOfLine(reader);
     // A single number is a place in a list of colours, which is not in the file.
-    const [red, green, blue] = rest.length >= 3 ? rest : [Number.NaN, Number.NaN, Number.NaN];
+    const [red, green, blue, alpha = Number.NaN] = rest.length >= 3 ? rest : [Number.NaN, Number.NaN, Number.NaN];
     isColoured ||= rest.length >= 3;
-    for (let i = before; i < indices.length; i += 3) faceColors.push(red, green, blue);
+    hasLines ||= count === 1 || count === 2;
+    for (let i = before; i < indices.length; i += 3) {
+      colors.push(red, green, blue);
+      alphas.push(alpha);
+    }
   }
-  return { indices: indices.values(), polygons, faceColors: isColoured ? faceColors : undefined };
+  return { indices: indices.values(), polygons, colors, alphas, isColoured, hasLines };
 }
 
 function startRow(reader: AsciiReader, name: string): void {

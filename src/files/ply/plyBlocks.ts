@@ -2,11 +2,12 @@ import type { GrowingIndices } from './GrowingIndices.js';
 import { PLY_BYTES, type PlyElement, type PlyProperty, type PlyType } from './plyHeader.js';
 import type { BinaryNumbers } from './plyRows.js';
 
-/** Where the numbers of a property go: to every third place of an array, from `axis` on. */
+/** Where the numbers of a property go: to places of an array that are `step` apart, from `axis` on. */
 export interface PlyColumn {
   property: PlyProperty;
   target: Float32Array | Float64Array;
   axis: number;
+  step: number;
 }
 
 /**
@@ -34,17 +35,17 @@ function readColumn(
   start: number,
   rowBytes: number,
   count: number,
-  { property, target, axis }: PlyColumn,
+  { property, target, axis, step }: PlyColumn,
 ): void {
   const end = start + count * rowBytes;
   // The type is asked for once, and not for every number.
   if (property.type === 'float32') {
-    for (let at = start, to = axis; at < end; at += rowBytes, to += 3) target[to] = view.getFloat32(at, isLittle);
+    for (let at = start, to = axis; at < end; at += rowBytes, to += step) target[to] = view.getFloat32(at, isLittle);
   } else if (property.type === 'uint8') {
-    for (let at = start, to = axis; at < end; at += rowBytes, to += 3) target[to] = view.getUint8(at);
+    for (let at = start, to = axis; at < end; at += rowBytes, to += step) target[to] = view.getUint8(at);
   } else {
     const read = GETTERS[property.type];
-    for (let at = start, to = axis; at < end; at += rowBytes, to += 3) target[to] = read(view, at, isLittle);
+    for (let at = start, to = axis; at < end; at += rowBytes, to += step) target[to] = read(view, at, isLittle);
   }
 }
 

@@ -52,6 +52,8 @@ export interface PlyHeader {
   format: 'ascii' | 'little' | 'big';
   /** The elements, in the order of the file. */
   elements: PlyElement[];
+  /** The name of the picture that a comment speaks of, as several programs write it. */
+  picture: string | undefined;
   /** The byte where the data begin. */
   end: number;
 }
@@ -76,9 +78,11 @@ export function readPlyHeader(bytes: Uint8Array, name: string): PlyHeader {
   if (!last) throw new ModelError(`${name} is cut short: its PLY header has no end.`);
   const elements: PlyElement[] = [];
   let format: PlyHeader['format'] | undefined;
+  let picture: string | undefined;
   for (const line of head.slice(0, last.index).split(/[\r\n]+/)) {
     const words = line.trim().split(/\s+/);
-    if (words[0] === 'format') format = FORMATS[words[1] ?? ''];
+    if (/^comment TextureFile$/i.test(words.slice(0, 2).join(' '))) picture = words.slice(2).join(' ');
+    else if (words[0] === 'format') format = FORMATS[words[1] ?? ''];
     else if (words[0] === 'element') elements.push({ name: words[1] ?? '', count: Number(words[2]), properties: [] });
     else if (words[0] === 'property') elements.at(-1)?.properties.push(property(words, name));
   }
@@ -88,7 +92,7 @@ export function readPlyHeader(bytes: Uint8Array, name: string): PlyHeader {
       throw new ModelError(`${name} is damaged: its header does not say how many "${element.name}" it holds.`);
     }
   }
-  return { format, elements, end: last.index + last[0].length };
+  return { format, elements, picture, end: last.index + last[0].length };
 }
 
 function property(words: readonly string[], name: string): PlyProperty {

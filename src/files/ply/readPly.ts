@@ -1,16 +1,18 @@
 import { ModelError } from '../common/ModelError.js';
+import { shownName } from '../common/shownText.js';
 import { checkReadTriangles } from '../mesh/checkTriangleCount.js';
 import { cutPolygons } from '../mesh/cutPolygons.js';
 import { type FaceColors, withFaceColors } from '../mesh/faceColors.js';
 import { linearColors } from '../mesh/linearColors.js';
 import { nearFloats } from '../mesh/nearFloats.js';
-import type { PlainMesh } from '../mesh/PlainMesh.js';
+import type { NotedMesh, PlainMesh } from '../mesh/PlainMesh.js';
+import { meanAlpha, rangesByAlpha } from '../mesh/rangesByAlpha.js';
 import { GrowingIndices } from './GrowingIndices.js';
 import { type PlyColumn, readColumns, readTriangles } from './plyBlocks.js';
 import { type PlyElement, type PlyHeader, type PlyProperty, readPlyHeader } from './plyHeader.js';
 import { BinaryNumbers, leastRowBytes, type PlyNumbers, plyNumbers } from './plyRows.js';
 
-/** The names that programs give to the properties that are drawn, in the order position, normal, colour. */
+/** The names that programs give to the properties that are drawn, in the order position, normal, colour, alpha. */
 const COLUMNS: readonly (readonly string[])[] = [
   ['x', 'px', 'posx'],
   ['y', 'py', 'posy'],
@@ -21,48 +23,70 @@ const COLUMNS: readonly (readonly string[])[] = [
   ['red', 'diffuse_red', 'r', 'diffuse_r'],
   ['green', 'diffuse_green', 'g', 'diffuse_g'],
   ['blue', 'diffuse_blue', 'b', 'diffuse_b'],
+  ['alpha', 'diffuse_alpha', 'a', 'diffuse_a'],
 ];
 const NORMAL = 3;
 const COLOR = 6;
+const ALPHA = 9;
 const CORNERS = /^vertex_?(indices|indexes|index)$/;
 
 /**
  * Reads a PLY file: ASCII or binary of either byte order, its elements in any order, faces with any number of corners, triangle
- * strips, and colours of vertices or, before these, of faces. three's own loader leaves out faces of more than four corners and triangle strips,
+ * strips, and colours and alpha of vertices or, before these, of faces. three's own loader leaves out faces of more than four corners and triangle strips,
  * without a word.
  *
  * @throws ModelError if it holds points or splats only, or is cut short
  */
-export function readPly(bytes: Uint8Array, name: string): PlainMesh {
+export function readPly(bytes: Uint8Array, name: string): NotedMesh {
   const header = readPlyHeader(bytes, name);
   checkElements(header, name);
   const numbers = plyNumbers(bytes, header);
   const indices = new GrowingIndices();
   let points: Points | undefined;
-  let faceColors: FaceColors | undefined;
+  let faces: Faces = {};
   const polygons: number[] = [];
   for (const element of header.elements) {
     checkLength(element, header.format, numbers, name);
     if (element.name === 'vertex') points = readPoints(element, numbers, name);
-    else if (element.name === 'face') faceColors = readFaces(element, numbers, indices, polygons, name);
+    else if (element.name === 'face') faces = readFaces(element, numbers, indices, polygons, name);
     else if (element.name === 'tristrips') readStrips(element, numbers, indices, name);
     else skipRows(element, numbers, name);
   }
   checkReadTriangles(indices.length / 3);
   const corners = indices.values();
-  const { positions } = points!;
+  const { positions, alphas, ...others } = points!;
   cutPolygons(positions, corners, polygons);
-  const mesh: PlainMesh = {
-    ...points!,
+  const plain: PlainMesh = {
+    ...others,
     positions: positions instanceof Float64Array ? nearFloats(positions, corners) : positions,
     indices: corners,
   };
-  return faceColors ? withFaceColors(mesh, faceColors) : mesh;
+  const mesh = faces.colors ? withFaceColors(plain, faces.colors) : plain;
+  const { alphas: ofFaces } = faces;
+  const alphaOf = ofFaces ? (triangle: number): number => ofFaces[triangle] : alphas && meanAlpha(alphas, corners);
+  return { mesh: alphaOf ? rangesByAlpha(mesh, alphaOf) : mesh, notes: notesOn(header) };
 }
 
 interface Points extends Pick<PlainMesh, 'normals' | 'colors'> {
   /** In double precision where the file may hold more than single ones. */
   positions: Float32Array | Float64Array;
+  /** From 0 to 1, one for each. */
+  alphas: Float32Array | null;
+}
+
+/** What triangles have, one for each, if any has it. */
+interface Faces {
+  colors?: FaceColors | undefined;
+  /** From 0 to 1. */
+  alphas?: Float32Array | undefined;
+}
+
+function notesOn({ elements, picture }: PlyHeader): string[] {
+  const hasLines = elements.some(({ name, count }) => name === 'edge' && count > 0);
+  return [
+    ...(hasLines ? ['points and lines left out'] : []),
+    ...(picture ? [`without ${shownName(picture)}: pictures on PLY are not read`] : []),
+  ];
 }
 
 function checkElements({ elements }: PlyHeader, name: string): void {
@@ -101,15 +125,22 @@ function readPoints(element: PlyElement, numbers: PlyNumbers, name: string): Poi
   const positions = isSingle ? new Float32Array(3 * count) : new Float64Array(3 * count);
   const normals = has(NORMAL) ? new Float32Array(3 * count) : null;
   const colors = has(COLOR) ? new Float64Array(3 * count) : null;
-  const red = properties[slots.indexOf(COLOR)];
+  const alphas = slots.includes(ALPHA) ? new Float32Array(count) : null;
+  const [red, alpha] = [COLOR, ALPHA].map((slot) => properties[slots.indexOf(slot)]);
+  const read = (): Points => ({
+    positions,
+    normals,
+    colors: colors && toLinear(colors, red),
+    alphas: alphas && toShares(alphas, alpha),
+  });
   if (numbers instanceof BinaryNumbers) {
     const columns = properties.flatMap((property, i): PlyColumn[] => {
-      const target = [positions, normals, colors][Math.floor(slots[i] / 3)];
-      return target ? [{ property, target, axis: slots[i] % 3 }] : [];
+      const target = [positions, normals, colors, alphas][Math.floor(slots[i] / 3)];
+      return target ? [{ property, target, axis: slots[i] % 3, step: slots[i] === ALPHA ? 1 : 3 }] : [];
     });
     if (readColumns(element, numbers, columns)) {
       if (normals) normalize(normals);
-      return { positions, normals, colors: colors && toLinear(colors, red) };
+      return read();
     }
   }
   for (let vertex = 0; vertex < count; vertex++) {
@@ -125,13 +156,14 @@ function readPoints(element: PlyElement, numbers: PlyNumbers, name: string): Poi
       positions[at + axis] = row[axis];
       if (colors) colors[at + axis] = row[COLOR + axis];
     }
+    if (alphas) alphas[vertex] = row[ALPHA];
     if (!normals) continue;
     const length = Math.hypot(row[NORMAL], row[NORMAL + 1], row[NORMAL + 2]);
     if (length > 0 && length < Infinity) {
       for (let axis = 0; axis < 3; axis++) normals[at + axis] = row[NORMAL + axis] / length;
     }
   }
-  return { positions, normals, colors: colors && toLinear(colors, red) };
+  return read();
 }
 
 /** Gives normals the length 1. Those without a length or a direction become zero. */
@@ -148,19 +180,21 @@ function normalize(normals: Float32Array): void {
   }
 }
 
-/** Reads faces. `polygons` receives where those of more corners than three begin. @returns their colours, if they have any */
+/** Reads faces. `polygons` receives where those of more corners than three begin. @returns what else they have */
 function readFaces(
   element: PlyElement,
   numbers: PlyNumbers,
   indices: GrowingIndices,
   polygons: number[],
   name: string,
-): FaceColors | undefined {
+): Faces {
   const { count, properties } = element;
   const corners = cornerList(properties);
   const slots = properties.map((property) => COLUMNS.findIndex((names) => names.includes(property.name)) - COLOR);
   const colors = [0, 1, 2].every((slot) => slots.includes(slot)) ? ([] as number[]) : undefined;
-  const color = [0, 0, 0];
+  const alphas = slots.includes(ALPHA - COLOR) ? ([] as number[]) : undefined;
+  const [r, g, b, a] = [0, 1, 2, 3];
+  const color = [0, 0, 0, 0];
   const read = numbers instanceof BinaryNumbers ? readTriangles(element, numbers, indices) : 0;
   for (let face = read; face < count; face++) {
     const before = indices.length;
@@ -172,9 +206,16 @@ function readFaces(
       else numbers.next(property.type);
     });
     if (indices.length > before + 3) polygons.push(before, indices.length);
-    if (colors) for (let corner = before; corner < indices.length; corner += 3) colors.push(...color);
+    for (let corner = before; corner < indices.length; corner += 3) {
+      colors?.push(color[r], color[g], color[b]);
+      alphas?.push(color[a]);
+    }
   }
-  return colors && toLinear(colors, properties[slots.indexOf(0)]);
+  const typeOf = (slot: number): PlyProperty => properties[slots.indexOf(slot)];
+  return {
+    colors: colors && toLinear(colors, typeOf(r)),
+    alphas: alphas && toShares(Float32Array.from(alphas), typeOf(a)),
+  };
 }
 
 /** Adds a fan of triangles around the first corner. */
@@ -254,6 +295,13 @@ function listLength({ countType }: PlyProperty, numbers: PlyNumbers, name: strin
 /** Converts sRGB values of a type to linear RGB from 0 to 1. Values that are not numbers become white. */
 function toLinear(values: ArrayLike<number>, { type }: PlyProperty): Float32Array {
   return linearColors(values, fullValue(values, type));
+}
+
+/** Divides values of a type by the largest, in place. Those that are not numbers are opaque. */
+function toShares(values: Float32Array, { type }: PlyProperty): Float32Array {
+  const full = fullValue(values, type);
+  for (let i = 0; i < values.length; i++) values[i] = Number.isFinite(values[i]) ? values[i] / full : 1;
+  return values;
 }
 
 /** The value of full brightness. Floats go to 1, but some programs write 0 to 255. */

@@ -1,9 +1,6 @@
 import type { BufferAttribute, Material, Mesh, Object3D, Texture } from 'three';
+import { LEAST, MOST } from '../mesh/rangesByAlpha.js';
 
-/** A surface with less opacity is not seen. */
-const LEAST = 0.02;
-/** A surface with more opacity hides what is behind it. */
-export const MOST = 0.95;
 /** The most that a surface loses of its opacity by letting light through: glass is clear, and yet there. */
 export const TRANSMITTED = 0.8;
 /** The alpha from which on a picture that is blended is drawn. */
@@ -15,7 +12,7 @@ type Surface = Material & { map?: Texture | null; alphaMap?: Texture | null; tra
 /**
  * Settles how the surfaces of a scene are drawn. Ink knows no half opacity, so that each is one of four: opaque; cut out by its picture
  * (`alphaTest`); seen through as glass is (`transparent`); or not there (`visible` is false). Triangles whose vertices have no alpha are
- * left out. Of a scene of which nothing would be seen, all is opaque: some programs write opacity the wrong way round.
+ * left out, and others of one mesh are told apart by theirs. Of a scene of which nothing would be seen, all is opaque: some programs write opacity the wrong way round.
  */
 export function settleAlpha(root: Object3D): void {
   const drawn: Surface[] = [];
@@ -24,11 +21,7 @@ export function settleAlpha(root: Object3D): void {
     if (!mesh.isMesh || !mesh.geometry.getAttribute('position')) return;
     const { material } = mesh;
     if (Array.isArray(material)) for (const one of material) one && settle(one);
-    else if (material) {
-      const alpha = dropClearTriangles(mesh, material);
-      if (alpha !== undefined) mesh.material = material.clone();
-      settle(mesh.material as Surface, alpha);
-    }
+    else if (material && !settleVertices(mesh, material)) settle(material);
     drawn.push(...[mesh.material].flat().filter(Boolean));
   });
   if (drawn.some(({ visible }) => visible)) return;
@@ -45,45 +38,61 @@ const isBlended = ({ transparent, transmission = 0 }: Surface): boolean => trans
 function settle(material: Surface, alpha = 1): void {
   const opacity = alpha * opacityOf(material);
   const picture = material.map ?? material.alphaMap;
-  const settled = { transparent: false, depthWrite: true, opacity: 1, alphaTest: 0, transmission: 0 };
+  const plain = { transparent: false, depthWrite: true, opacity: 1, alphaTest: 0, transmission: 0 };
   if (material.alphaTest > 0) {
     const cutOff = material.alphaTest / Math.max(opacity, Number.EPSILON);
-    Object.assign(material, settled, { alphaTest: picture ? cutOff : 0 });
+    Object.assign(material, plain, { alphaTest: picture ? cutOff : 0 });
     if (cutOff > 1) material.visible = false;
   } else if (isBlended(material)) {
     if (opacity < LEAST) material.visible = false;
-    if (opacity < MOST) Object.assign(material, settled, { transparent: true, depthWrite: false, opacity });
-    else Object.assign(material, settled, { alphaTest: picture?.image ? HALF : 0 });
+    if (opacity < MOST) Object.assign(material, plain, { transparent: true, depthWrite: false, opacity });
+    else Object.assign(material, plain, { alphaTest: picture?.image ? HALF : 0 });
   }
 }
 
 /**
- * Leaves out the triangles of a mesh whose vertices let everything through.
+ * Settles a mesh whose vertices have an alpha: its triangles are opaque, seen through or not there, each by the alpha of its corners.
  *
- * @returns the mean alpha of the vertices of the others, or 1 where alpha cuts them out; undefined if vertices have none
+ * @returns whether that was done
  */
-function dropClearTriangles(mesh: Mesh, material: Surface): number | undefined {
+function settleVertices(mesh: Mesh, material: Surface): boolean {
   const { geometry } = mesh;
   const color = geometry.getAttribute('color') as BufferAttribute | undefined;
-  const least = material.alphaTest > 0 ? material.alphaTest : LEAST;
-  if (color?.itemSize !== 4 || !material.vertexColors || !(material.alphaTest > 0 || isBlended(material)))
-    return undefined;
+  const isCutOut = material.alphaTest > 0;
+  if (color?.itemSize !== 4 || !material.vertexColors || !(isCutOut || isBlended(material))) return false;
   const opacity = opacityOf(material);
   const { index } = geometry;
   const corners = index?.count ?? color.count;
-  const kept: number[] = [];
-  let sum = 0;
+  const solid = { vertices: [] as number[], sum: 0 };
+  const clear = { vertices: [] as number[], sum: 0 };
   for (let corner = 0; corner + 2 < corners; corner += 3) {
     const vertices = [corner, corner + 1, corner + 2].map((at) => (index ? index.getX(at) : at));
     const alphas = vertices.map((vertex) => color.getW(vertex));
-    if (opacity * Math.max(...alphas) < least) continue;
-    kept.push(...vertices);
-    sum += alphas[0] + alphas[1] + alphas[2];
+    if (opacity * Math.max(...alphas) < (isCutOut ? material.alphaTest : LEAST)) continue;
+    const sum = isCutOut ? 3 : alphas[0] + alphas[1] + alphas[2];
+    const side = isCutOut || (opacity * sum) / 3 >= MOST ? solid : clear;
+    side.vertices.push(...vertices);
+    side.sum += sum;
   }
-  if (kept.length < corners - (corners % 3)) {
+  const parts = [solid, clear].filter(({ vertices }) => vertices.length > 0);
+  if (parts.length > 1 || solid.vertices.length + clear.vertices.length < corners - (corners % 3)) {
     mesh.geometry = geometry.clone();
-    mesh.geometry.setIndex(kept);
+    mesh.geometry.setIndex(solid.vertices.concat(clear.vertices));
   }
-  if (kept.length === 0) return 0;
-  return material.alphaTest > 0 ? 1 : sum / kept.length;
+  const materials = parts.map(({ vertices, sum }) => settled(material, sum / vertices.length));
+  if (parts.length < 2) mesh.material = materials[0] ?? settled(material, 0);
+  else {
+    mesh.material = materials;
+    mesh.geometry.clearGroups();
+    mesh.geometry.addGroup(0, solid.vertices.length, 0);
+    mesh.geometry.addGroup(solid.vertices.length, clear.vertices.length, 1);
+  }
+  return true;
+}
+
+/** A copy of a material, settled for vertices of some alpha. */
+function settled(material: Surface, alpha: number): Surface {
+  const copy = material.clone();
+  settle(copy, alpha);
+  return copy;
 }

@@ -2,10 +2,11 @@ import { AsciiReader } from '../common/AsciiReader.js';
 import { checkReadTriangles } from '../mesh/checkTriangleCount.js';
 import { nearFloats } from '../mesh/nearFloats.js';
 import type { PlainMesh } from '../mesh/PlainMesh.js';
+import { triangulatePolygon } from '../mesh/triangulatePolygon.js';
 
 /**
  * Reads an ASCII STL file, in one pass: three's loader searches it with patterns that take minutes on some files. Loops of more
- * than three corners are split into triangles; comments are skipped.
+ * than three corners are cut into triangles; comments are skipped.
  */
 export function readAsciiStl(bytes: Uint8Array): PlainMesh {
   const reader = new AsciiReader(bytes);
@@ -14,10 +15,9 @@ export function readAsciiStl(bytes: Uint8Array): PlainMesh {
   let normal = [0, 0, 0];
   let loop: number[] = [];
   const endLoop = (): void => {
-    for (let corner = 6; corner + 3 <= loop.length; corner += 3) {
-      positions.push(loop[0], loop[1], loop[2]);
-      for (let i = corner - 3; i < corner + 3; i++) positions.push(loop[i]);
-      for (let i = 0; i < 3; i++) normals.push(...normal);
+    for (const corner of triangulatePolygon(loop)) {
+      for (let axis = 0; axis < 3; axis++) positions.push(loop[3 * corner + axis]);
+      normals.push(...normal);
     }
     loop = [];
   };

@@ -1,14 +1,14 @@
 import { Mesh } from 'three';
 import { STLLoader } from 'three/addons/loaders/STLLoader.js';
-import type { PlainMesh } from '../mesh/PlainMesh.js';
+import type { NotedMesh } from '../mesh/PlainMesh.js';
 import type { LoadedScene } from '../scenes/LoadedScene.js';
 import { binaryStlLength } from './binaryStlLength.js';
 import { readAsciiStl } from './readAsciiStl.js';
 
 /** Reads an STL file, ASCII or binary. */
-export function readStl(bytes: Uint8Array): PlainMesh | LoadedScene {
+export function readStl(bytes: Uint8Array): NotedMesh | LoadedScene {
   const length = binaryStlLength(bytes);
-  if (length === undefined) return readAsciiStl(bytes);
+  if (length === undefined) return { mesh: readAsciiStl(bytes), notes: [] };
   // Bytes after the triangles are cut off: with them, three's loader would take the file for text.
   return { root: new Mesh(new STLLoader().parse(bytes.slice(0, length).buffer)) };
 }

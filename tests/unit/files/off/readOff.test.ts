@@ -48,7 +48,7 @@ describe('OFF', () => {
     expect(new Set(colorsOf(prism))).toEqual(new Set(['255,0,0', '255,255,255']));
   });
 
-  test.each([[' 255 0 0'], [' 1.0 0.0 0.0 0.5']])(
+  test.each([[' 255 0 0'], [' 1.0 0.0 0.0 1.0']])(
     'colours of faces, "%s", before those of vertices',
     async (colour) => {
       const text = off('COFF', counts, ...rows(() => ' 0 0 255 255'), ...faces((i) => (i === 0 ? colour : ' 7')));

@@ -70,6 +70,29 @@ test.each([
   expect(pane.geometry.index!.count / 3).toBe(triangles);
 });
 
+test('vertices of one mesh make what is opaque, what is seen through and what is not there', () => {
+  const geometry = new PlaneGeometry(3, 1, 3, 1).toNonIndexed();
+  const alphas = [1, 0.3, 0].flatMap((alpha) => Array<number>(6).fill(alpha));
+  const colors = alphas.flatMap((alpha) => [1, 1, 1, alpha]);
+  geometry.setAttribute('color', new Float32BufferAttribute(colors, 4));
+  const squares = new Mesh(geometry, new MeshStandardMaterial({ transparent: true, vertexColors: true }));
+  const root = new Group().add(squares);
+  for (let times = 0; times < 2; times++) {
+    settleAlpha(root);
+    const materials = squares.material as unknown as MeshStandardMaterial[];
+    expect(materials.map(kindOf)).toEqual(['opaque', 'glass']);
+    expect(squares.geometry.groups.map(({ start, count }) => [start, count])).toEqual([
+      [0, 6],
+      [6, 6],
+    ]);
+  }
+  expect(geometry.index).toBe(null);
+  expect(mergeScene(root).ranges).toEqual([
+    { start: 0, count: 6, picture: -1 },
+    { start: 6, count: 6, picture: -1, isSeeThrough: true },
+  ]);
+});
+
 test('where nothing would be seen all is opaque', () => {
   const material = new MeshStandardMaterial({ transparent: true, opacity: 0 });
   settleAlpha(new Group().add(new Mesh(new BoxGeometry(), material)));

@@ -36,6 +36,12 @@ describe('STL', () => {
     }
   });
 
+  test('ASCII faces keep their notches', async () => {
+    const arrow = await read(['arrow.stl', asciiStl('0 0 1', ['-2 -1 0', '0 0 0', '2 -1 0', '0 1 0'])]);
+    expect(triangles(arrow)).toBe(2);
+    expect(measure(arrow).area).toBeCloseTo(2 / (2 ** 2 + 1 ** 2), 5);
+  });
+
   test('numbers in every notation', async () => {
     const { mesh } = await read([
       'one.stl',
