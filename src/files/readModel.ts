@@ -169,7 +169,7 @@ async function readMain(
   const { mesh, broken } = cleanMesh(distinct);
   const { centre, radius } = fitModel(mesh);
   const normals = plainNormals(mesh);
-  const { pictures, notes, lostPictures, ...lacks } = await readMeshPictures(
+  const { pictures, clear, notes, lostPictures, ...lacks } = await readMeshPictures(
     wanted,
     findFile,
     decodePicture,
@@ -180,7 +180,7 @@ async function readMain(
     kind: 'mesh',
     name,
     upAxis,
-    mesh,
+    mesh: withClearRanges(mesh, clear),
     pictures,
     plainNormals: normals,
     isClosed: normals !== null && isClosed(mesh),
@@ -197,6 +197,15 @@ async function readMain(
       ...parsed.details,
     ],
   };
+}
+
+/** A mesh in which some pictures are of something seen through: their ranges are glass, without them. */
+function withClearRanges(mesh: PlainMesh, clear: ReadonlySet<number>): PlainMesh {
+  if (clear.size === 0) return mesh;
+  const ranges = mesh.ranges?.map((range) =>
+    clear.has(range.picture) ? { ...range, picture: -1, isSeeThrough: true } : range,
+  );
+  return { ...mesh, ...(ranges && { ranges }) };
 }
 
 /** The matrix that moves a centre to the origin and scales a radius to 1. */

@@ -1,12 +1,8 @@
-import { alphaOf } from '../pictures/alphaOf.js';
+import { alphaOf, isHalfThere, isOpaque } from '../pictures/alphaOf.js';
 import type { GltfParts } from './parseGltf.js';
 
-/** A picture more of which is half there is that of something seen through, and not one with clear parts. */
-const MOST_HALF = 0.5;
 /** A material with no less opacity is opaque. */
 const ALMOST = 0.95;
-/** A picture with a greater mean alpha is opaque. */
-const OPAQUE = 0.999;
 
 interface BlendedMaterial {
   alphaMode?: string;
@@ -24,8 +20,8 @@ export function settleBlendedPictures({ json, textures, bitmaps }: GltfParts): v
     if (alphaMode !== 'BLEND' || !base || !bitmap) continue;
     const alpha = alphaOf(bitmap);
     const [r, g, b, a] = base.baseColorFactor ?? [1, 1, 1, 1];
-    if (alpha && alpha.mean > OPAQUE && a >= ALMOST) material.alphaMode = 'OPAQUE';
-    if (!alpha || (alpha.half <= MOST_HALF && alpha.mean > 0)) continue;
+    if (alpha && isOpaque(alpha) && a >= ALMOST) material.alphaMode = 'OPAQUE';
+    if (!alpha || !isHalfThere(alpha)) continue;
     base.baseColorFactor = [r, g, b, a * alpha.mean];
     delete base.baseColorTexture;
   }

@@ -8,6 +8,10 @@ export interface PictureAlpha {
   half: number;
 }
 
+/** A picture more of which is half there is that of something seen through, and not one with clear parts. */
+const MOST_HALF = 0.5;
+/** A picture with a greater mean alpha is opaque. */
+const OPAQUE = 0.999;
 /** A pixel is not there with less alpha, and wholly with more. */
 const [CLEAR, SOLID] = [0.1, 0.9];
 /** A bitmap is looked at in this size at most. */
@@ -29,6 +33,11 @@ export function alphaOf(picture: DecodedPicture): PictureAlpha | undefined {
   const count = data.length / 4;
   return { mean: sum / count, half: count > clear ? 1 - solid / (count - clear) : 0 };
 }
+
+/** Whether a picture that is blended is that of something seen through, as a whole. */
+export const isHalfThere = ({ half, mean }: PictureAlpha): boolean => half > MOST_HALF || mean === 0;
+
+export const isOpaque = ({ mean }: PictureAlpha): boolean => mean > OPAQUE;
 
 /** The pixels of a picture in some size; undefined where they cannot be read. */
 export function pixelsOf(picture: DecodedPicture, width: number, height: number): Uint8ClampedArray | undefined {

@@ -10,12 +10,14 @@ const ALPHA = 3;
  * A picture with the lightness of another as its alpha, or with its alpha if that says anything.
  *
  * @param picture undefined for plain white
+ * @param isInverted whether the mask says what is not there
  * @returns undefined where pixels cannot be read
  */
 export async function masked(
   picture: DecodedPicture | undefined,
   mask: DecodedPicture,
   decodePicture: Surroundings['decodePicture'],
+  isInverted = false,
 ): Promise<DecodedPicture | undefined> {
   const { width, height } = picture ?? mask;
   const alphas = pixelsOf(mask, width, height);
@@ -23,6 +25,7 @@ export async function masked(
   if (!alphas || !colors) return undefined;
   const data = colors.slice();
   const channel = (alphaOf(mask)?.mean ?? 1) < OPAQUE ? ALPHA : GREEN;
-  for (let i = 0; i < data.length; i += 4) data[i + ALPHA] = alphas[i + channel];
+  for (let i = 0; i < data.length; i += 4)
+    data[i + ALPHA] = isInverted ? 255 - alphas[i + channel] : alphas[i + channel];
   return decodePicture({ data, width, height }, { width, height, flipY: false });
 }

@@ -4,6 +4,7 @@ import { baseName, extensionOf } from '../common/fileName.js';
 import { readUri } from '../common/readUri.js';
 import type { DecodedPicture, Surroundings } from '../common/Surroundings.js';
 import { shownName } from '../common/shownText.js';
+import { alphaOf, isHalfThere, isOpaque } from './alphaOf.js';
 import { fitPictures, type PictureSize, PixelBudget } from './fitPictures.js';
 import { imageSize } from './imageSize.js';
 import { masked } from './masked.js';
@@ -25,6 +26,8 @@ const NAMED = 2;
 /** The pictures of a mesh, by their index in its ranges, and what to say about those that are not there. */
 export interface MeshPictures {
   pictures: (MeshPicture | undefined)[];
+  /** Those that are of something seen through. */
+  clear: ReadonlySet<number>;
   /** The names of pictures that were not dropped along. */
   missing: string[];
   /** How many others could not be read. */
@@ -94,12 +97,22 @@ export async function readMeshPictures(
     }
   }
   const pictures: (MeshPicture | undefined)[] = [];
-  for (const [i, { texture, cutOut }] of wanted.entries()) {
+  const clear = new Set<number>();
+  for (const [i, { texture, mask: alphaMap, cutOut, isBlended }] of wanted.entries()) {
     const { colors, mask } = sources[i];
     // A texture that is its own mask has no colours.
-    const own = mask === colors ? undefined : colors?.bitmap;
-    const bitmap = (mask?.bitmap && (await masked(own, mask.bitmap, decodePicture))) ?? colors?.bitmap;
-    pictures.push(bitmap && { bitmap, wrapS: texture.wrapS, wrapT: texture.wrapT, cutOut });
+    const own = alphaMap === texture ? undefined : colors?.bitmap;
+    const { isInverted } = alphaMap?.userData ?? {};
+    const bitmap = (mask?.bitmap && (await masked(own, mask.bitmap, decodePicture, isInverted))) ?? colors?.bitmap;
+    const alpha = isBlended && bitmap && alphaOf(bitmap);
+    if (alpha && isHalfThere(alpha)) {
+      clear.add(i);
+      pictures.push(undefined);
+      if (bitmap !== colors?.bitmap) bitmap.close();
+    } else {
+      const isWhole = alpha && isOpaque(alpha);
+      pictures.push(bitmap && { bitmap, wrapS: texture.wrapS, wrapT: texture.wrapT, cutOut: isWhole ? 0 : cutOut });
+    }
   }
   for (const { bitmap } of distinct) if (!pictures.some((picture) => picture?.bitmap === bitmap)) bitmap?.close();
   const notes = [
@@ -111,7 +124,7 @@ export async function readMeshPictures(
     ...reduced,
   ];
   const lostPictures = lacks.unreadable.size + lacks.tooLarge.size;
-  return { pictures, missing: [...lacks.missing], lostPictures, notes };
+  return { pictures, clear, missing: [...lacks.missing], lostPictures, notes };
 }
 
 /** A note on files that a model refers to and that were not dropped along, and what to do about it. */

@@ -1,3 +1,4 @@
+import type { Mesh, MeshPhongMaterial, Object3D } from 'three';
 import { triangulatePolygon } from '../mesh/triangulatePolygon.js';
 import { XmlElement, XmlParser } from './XmlElement.js';
 
@@ -16,8 +17,45 @@ export class ColladaXml extends XmlParser {
       for (const [i, child] of mesh.childNodes.entries())
         if (PRIMITIVES.includes(child.nodeName)) mesh.childNodes[i] = asTriangles(child, points);
     }
+    for (const technique of document.getElementsByTagName('technique')) technique.childNodes.forEach(placeMask);
     return document;
   }
+}
+
+/** The places of pictures that are not drawn. In the first goes one of opacity, in the second one of transparency. */
+const UNDRAWN = ['ambient', 'specular'];
+
+/**
+ * Puts the picture of a surface's transparency in the place of another that is not drawn, since three's loader leaves it out. That of its colours
+ * has its alpha already.
+ */
+function placeMask(shader: XmlElement): void {
+  const childOf = (name: string): XmlElement | undefined => shader.childNodes.find((child) => child.nodeName === name);
+  const [transparent, texture, colours] = [
+    childOf('transparent'),
+    childOf('transparent')?.querySelector('texture'),
+    childOf('diffuse')?.querySelector('texture'),
+  ];
+  const own = shader.childNodes.filter(({ nodeName }) => !UNDRAWN.includes(nodeName));
+  if (own.length < shader.childNodes.length) shader.childNodes.splice(0, Infinity, ...own);
+  if (!transparent || !texture) return;
+  const opaque = transparent.getAttribute('opaque') ?? 'A_ONE';
+  if (opaque === 'A_ONE' && colours?.getAttribute('texture') === texture.getAttribute('texture')) return;
+  const mask = new XmlElement(UNDRAWN[opaque.endsWith('ZERO') ? 1 : 0]);
+  mask.childNodes.push(texture);
+  shader.childNodes.push(mask);
+}
+
+/** Makes the pictures of transparency that {@link ColladaXml} has placed the alpha of their materials. */
+export function takeMasks(root: Object3D): void {
+  root.traverse((object) => {
+    for (const material of [(object as Partial<Mesh>).material ?? []].flat() as MeshPhongMaterial[]) {
+      const { lightMap, specularMap } = material;
+      material.alphaMap ??= lightMap ?? specularMap ?? null;
+      if (specularMap) specularMap.userData.isInverted = true;
+      Object.assign(material, { lightMap: null, specularMap: null });
+    }
+  });
 }
 
 /** The coordinates of a mesh, and how many numbers each point takes. */

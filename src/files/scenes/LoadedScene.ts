@@ -1,4 +1,4 @@
-import type { Object3D } from 'three';
+import { Loader, type Mesh, type MeshBasicMaterial, type Object3D } from 'three';
 import { ModelError } from '../common/ModelError.js';
 import { withoutBackground } from './withoutBackground.js';
 
@@ -12,12 +12,21 @@ export interface LoadedScene {
 }
 
 /**
- * The scene of a loader, without a background.
+ * The scene of a loader, without a background and the colours that it makes up.
  *
  * @param root what the loader returned: some return nothing for a damaged file
  * @throws ModelError if there is none
  */
 export function sceneOf(root: Object3D | undefined, name: string): LoadedScene {
   if (!root) throw new ModelError(`${name} could not be read; its outline seems to be damaged.`);
+  root.traverse(whiteWithoutMaterial);
   return { root: withoutBackground(root) };
+}
+
+/** Surfaces without a material are white: three's loaders paint them in colours of their own, black or magenta. */
+function whiteWithoutMaterial(object: Object3D): void {
+  const { isMesh, material } = object as Partial<Mesh>;
+  if (!isMesh) return;
+  for (const one of [material ?? []].flat() as MeshBasicMaterial[])
+    if (one.name === Loader.DEFAULT_MATERIAL_NAME) one.color.set('white');
 }

@@ -147,15 +147,18 @@ function pictureOf(
   if (!pictures || !texture || material!.transparent || !geometry.getAttribute(uvName(texture))) return -1;
   const cutOut = material!.alphaTest;
   const mask = cutOut > 0 ? maskOf(material) : undefined;
-  const key = pictureKey({ texture, mask, cutOut });
+  const isBlended = cutOut > 0 && material!.userData.isBlended === true;
+  const wanted = { texture, cutOut, ...(mask && { mask }), ...(isBlended && { isBlended }) };
+  const key = pictureKey(wanted);
   const known = pictures.findIndex((picture) => pictureKey(picture) === key);
-  return known === -1 ? pictures.push({ texture, cutOut, ...(mask && { mask }) }) - 1 : known;
+  return known === -1 ? pictures.push(wanted) - 1 : known;
 }
 
 /** A key that differs for pictures which need textures of their own. Offsets and scales are written into texture coordinates. */
-function pictureKey({ texture, mask, cutOut }: WantedPicture): string {
+function pictureKey({ texture, mask, cutOut, isBlended }: WantedPicture): string {
   const { flipY, wrapS, wrapT } = texture;
-  return [linkOf(texture)?.url, mask && linkOf(mask)?.url, flipY, wrapS, wrapT, cutOut].join();
+  const { isInverted } = mask?.userData ?? {};
+  return [linkOf(texture)?.url, mask && linkOf(mask)?.url, isInverted, flipY, wrapS, wrapT, cutOut, isBlended].join();
 }
 
 /** The texture that a material is drawn with: that of its colour or, if it has none, that of its alpha. */
@@ -170,7 +173,8 @@ const mapOf = (material: Material | undefined): Texture | undefined => linked((m
 function maskOf(material: Material | undefined): Texture | undefined {
   const { map, alphaMap } = (material ?? {}) as Maps;
   const mask = linked(alphaMap);
-  return mask && linkOf(mask)?.url !== (map && linkOf(map)?.url) ? mask : undefined;
+  const isOther = mask && (mask.userData.isInverted || linkOf(mask)?.url !== (map && linkOf(map)?.url));
+  return isOther ? mask : undefined;
 }
 
 type Maps = { map?: Texture | null; alphaMap?: Texture | null };

@@ -1,11 +1,12 @@
 import { ColladaLoader } from 'three/addons/loaders/ColladaLoader.js';
-import { ColladaXml } from './ColladaXml.js';
+import { ColladaXml, takeMasks } from './ColladaXml.js';
 import { type LoadedScene, sceneOf } from './LoadedScene.js';
 import { withStandIns } from './standIns.js';
 
 /** Reads a COLLADA file (DAE), with its clips. @throws Error as the loader has it */
-export const readCollada = (bytes: Uint8Array, name: string): LoadedScene =>
-  sceneOf(
-    withStandIns(() => new ColladaLoader().parse(new TextDecoder().decode(bytes), '')?.scene, ColladaXml),
-    name,
-  );
+export function readCollada(bytes: Uint8Array, name: string): LoadedScene {
+  const text = new TextDecoder().decode(bytes);
+  const root = withStandIns(() => new ColladaLoader().parse(text, '')?.scene, ColladaXml);
+  if (root) takeMasks(root);
+  return sceneOf(root, name);
+}

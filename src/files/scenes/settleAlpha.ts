@@ -46,7 +46,11 @@ function settle(material: Surface, alpha = 1): void {
   } else if (isBlended(material)) {
     if (opacity < LEAST) material.visible = false;
     if (opacity < MOST) Object.assign(material, plain, { transparent: true, depthWrite: false, opacity });
-    else Object.assign(material, plain, { alphaTest: picture?.image ? HALF : 0 });
+    else {
+      Object.assign(material, plain, { alphaTest: picture?.image ? HALF : 0 });
+      // Its picture says more, once it is decoded.
+      material.userData.isBlended = material.alphaTest > 0;
+    }
   }
 }
 

@@ -1,6 +1,20 @@
+import { PNG } from 'pngjs';
 import { describe, expect, test } from 'vitest';
+import { NodeSurroundings } from '../../../src/command/draw/NodeSurroundings.js';
+import { readModel } from '../../../src/files/readModel.js';
 import { BOX_CORNERS, BOX_FACES } from '../../../tools/modelFiles/box.js';
-import { CORNER_LIST, colorsOf, ply, read, refusal, triangles, XYZ } from '../../../tools/modelFiles/modelWriters.js';
+import {
+  CORNER_LIST,
+  colorsOf,
+  colouredBoxObj,
+  file,
+  ply,
+  read,
+  refusal,
+  triangles,
+  XYZ,
+} from '../../../tools/modelFiles/modelWriters.js';
+import { dae, wrl } from '../../../tools/modelFiles/sceneWriters.js';
 
 /** A box within a box: both in one mesh, whose outer faces have an alpha. */
 const POINTS = [...BOX_CORNERS, ...BOX_CORNERS.map((corner) => corner.map((value) => 3 * value - 1))];
@@ -73,6 +87,58 @@ describe.each<[string, Writer]>([
   });
 });
 
+/** A picture of one colour, or one whose left half has another. */
+function picture(right: number[], left = right): Uint8Array {
+  const png = new PNG({ width: 8, height: 8 });
+  for (let i = 0; i < 64; i++) png.data.set(i % 8 < 4 ? left : right, 4 * i);
+  return PNG.sync.write(png);
+}
+
+const GREY = picture([110, 110, 110, 255]);
+const HALF_CLEAR = picture([110, 110, 110, 110]);
+const STRIPES = picture([255, 255, 255, 255], [0, 0, 0, 0]);
+const WHITE = picture([255, 255, 255, 255]);
+
+/** A square with a picture, beside a box without one. */
+const obj = (mtl: string, content: Uint8Array): Record<string, string | Uint8Array> => ({
+  'a.obj': `mtllib a.mtl\n${colouredBoxObj.replace(/^(mtllib|usemtl).*$/gm, '')}
+v 3 0 0\nv 4 0 0\nv 4 1 0\nv 3 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl pane\nf 9/1 10/2 11/3 12/4\n`,
+  'a.mtl': `newmtl pane\n${mtl}\n`,
+  'p.png': content,
+});
+/** A box, whose red sides have the picture as their transparency. */
+const collada = (opaque: string, isColoured: boolean, content: Uint8Array): Record<string, string | Uint8Array> => {
+  const transparent = `<transparent opaque="${opaque}"><texture texture="sampler" texcoord="UV"/></transparent>`;
+  const text = dae('p.png').replace('</diffuse>', `</diffuse>${transparent}`);
+  const colour = '<diffuse><color>1 0 0 1</color></diffuse>';
+  return { 'a.dae': isColoured ? text.replace(/<diffuse><texture.*?<\/diffuse>/, colour) : text, 'p.png': content };
+};
+
+test.each<[string, Record<string, string | Uint8Array>, string]>([
+  ['map_d of grey', obj('map_d p.png', GREY), 'glass'],
+  ['map_d of white', obj('map_d p.png', WHITE), 'opaque'],
+  ['map_d of stripes', obj('map_d p.png', STRIPES), 'cut out'],
+  ['one picture that is half clear', obj('map_Kd p.png\nmap_d p.png', HALF_CLEAR), 'glass'],
+  ['colours and an alpha', obj('map_Kd p.png\nmap_d -clamp on p.png', STRIPES), 'cut out'],
+  ['A_ONE, half clear', collada('A_ONE', false, HALF_CLEAR), 'glass'],
+  ['A_ONE, stripes', collada('A_ONE', false, STRIPES), 'cut out'],
+  ['A_ONE, stripes on a colour', collada('A_ONE', true, STRIPES), 'cut out'],
+  ['A_ONE, grey on a colour', collada('A_ONE', true, GREY), 'glass'],
+  ['RGB_ZERO, grey', collada('RGB_ZERO', false, GREY), 'glass'],
+  ['RGB_ZERO, black', collada('RGB_ZERO', true, picture([0, 0, 0, 255])), 'opaque'],
+])('a surface with %s is seen through as its picture says', async (_, files, kind) => {
+  const model = await readModel(
+    Object.entries(files).map(([name, content]) => file(name, content)),
+    () => {},
+    new NodeSurroundings('.'),
+  );
+  if (model.kind !== 'mesh') throw new Error('It is no mesh.');
+  const { picture: index, isSeeThrough } = model.mesh.ranges!.at(-1)!;
+  const cutOut = model.pictures[index]?.cutOut ?? -1;
+  expect(isSeeThrough ? 'glass' : cutOut > 0 ? 'cut out' : 'opaque').toBe(kind);
+  expect(model.notes).toEqual([]);
+});
+
 test('an alpha by which nothing would be seen does not count', async () => {
   const rows = BOX_FACES.map((face) => [face, 255, 0, 0, 0]);
   const properties = [CORNER_LIST, ...RGBA.map((name) => `uchar ${name}`)];
@@ -101,4 +167,11 @@ test('lines and pictures that are not drawn are said', async () => {
   const withLine = `${String(text).replace(' 12 0\n', ' 13 0\n')}2 0 7\n`;
   expect((await read([name, withLine])).notes).toEqual(['points and lines left out']);
   expect(await refusal([name, 'OFF\n2 1 0\n0 0 0\n1 0 0\n2 0 1\n'])).toMatch(/^The file holds no triangles/);
+});
+
+test('surfaces without a material are white', async () => {
+  const bare = wrl().replace(/appearance Appearance \{.*\}/g, '');
+  expect(new Set(colorsOf(await read(['box.wrl', bare])))).toEqual(new Set(['none']));
+  const unbound = dae().replace(/<bind_material>[\s\S]*<\/bind_material>/, '');
+  expect(new Set(colorsOf(await read(['box.dae', unbound])))).toEqual(new Set(['none']));
 });

@@ -215,7 +215,7 @@ describe('OBJ with pictures', () => {
     expect(await drawnWith('map_Kd wood.png\nmap_d light.png')).toEqual([[10, 20, 30, 0, 40, 50, 60, 255], 0.5]);
     expect(await drawnWith('map_Kd wood.png\nmap_d clear.png')).toEqual([[10, 20, 30, 0, 40, 50, 60, 255], 0.5]);
     expect(await drawnWith('map_d light.png')).toEqual([[255, 255, 255, 0, 255, 255, 255, 255], 0.5]);
-    expect(await drawnWith('map_Kd wood.png\nmap_d wood.png')).toEqual([[10, 20, 30, 255, 40, 50, 60, 255], 0.5]);
+    expect(await drawnWith('map_Kd wood.png\nmap_d wood.png')).toEqual([[10, 20, 30, 255, 40, 50, 60, 255], 0]);
   });
 
   test('pictures are judged by their headers, all together, before one is decoded', async () => {
