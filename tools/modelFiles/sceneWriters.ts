@@ -269,7 +269,8 @@ export const threeMf = (level?: 0 | 9, changed = (model: string) => model): Uint
   );
 };
 
-function chunk(id: number, ...parts: (Uint8Array | number[])[]): Uint8Array {
+/** A part of a 3DS file, of other parts and numbers. */
+export function chunk(id: number, ...parts: (Uint8Array | number[])[]): Uint8Array {
   const bytes = new Uint8Array(6 + parts.reduce((sum, part) => sum + part.length, 0));
   const view = new DataView(bytes.buffer);
   view.setUint16(0, id, true);
@@ -282,8 +283,9 @@ function chunk(id: number, ...parts: (Uint8Array | number[])[]): Uint8Array {
   return bytes;
 }
 
-const shorts = (...values: number[]): Uint8Array => new Uint8Array(Uint16Array.from(values).buffer);
-const text = (value: string): Uint8Array => strToU8(`${value}\0`);
+export const shorts = (...values: number[]): Uint8Array => new Uint8Array(Uint16Array.from(values).buffer);
+/** A text of a 3DS file. */
+export const text = (value: string): Uint8Array => strToU8(`${value}\0`);
 
 /** A 3DS file. */
 export const tds = (): Uint8Array => {

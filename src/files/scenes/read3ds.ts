@@ -1,18 +1,27 @@
 import type { Mesh, Object3D } from 'three';
-import { TDSLoader } from 'three/addons/loaders/TDSLoader.js';
 import { check3ds } from './check3ds.js';
 import { type LoadedScene, sceneOf } from './LoadedScene.js';
+import { smoothByGroups } from './smoothByGroups.js';
 import { withStandIns } from './standIns.js';
+import { TdsFaces } from './TdsFaces.js';
 
 /** Reads a 3DS file. @throws ModelError if it is damaged; Error as the loader has it */
 export function read3ds(bytes: Uint8Array, name: string): LoadedScene {
-  check3ds(bytes, name);
-  const root = withStandIns(() => new TDSLoader().parse(bytes.slice().buffer, ''));
-  root?.traverse(withoutNormals);
+  const plain = bytes.slice();
+  check3ds(plain, name);
+  const loader = new TdsFaces();
+  const root = withStandIns(() => loader.parse(plain.buffer, ''));
+  root?.traverse((object) => setNormals(object, loader));
   return sceneOf(root, name);
 }
 
-/** The loader's normals are smooth across every edge. Without them, they are computed later, with edges kept. */
-function withoutNormals(object: Object3D): void {
-  (object as Partial<Mesh>).geometry?.deleteAttribute('normal');
+/**
+ * Gives a mesh the normals of its smoothing groups. The loader's own are smooth across every edge; without them, they are computed later, with
+ * edges kept.
+ */
+function setNormals(object: Object3D, { smoothing }: TdsFaces): void {
+  const mesh = object as Mesh;
+  const groups = smoothing.get(mesh.geometry);
+  if (groups) mesh.geometry = smoothByGroups(mesh.geometry, groups);
+  else (object as Partial<Mesh>).geometry?.deleteAttribute('normal');
 }
