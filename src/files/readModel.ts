@@ -1,4 +1,4 @@
-import { Matrix4, type Object3D } from 'three';
+import { Matrix4, type Mesh, type MeshPhongMaterial, type Object3D } from 'three';
 import type { BundledDrawing } from './archives/bundle.js';
 import { gunzip } from './archives/gunzip.js';
 import { readArchive } from './archives/readArchive.js';
@@ -27,7 +27,7 @@ import { type MeshPicture, missingDetail, missingNote, readMeshPictures } from '
 import type { WantedPicture } from './pictures/WantedPicture.js';
 import { cleanMesh } from './repair/cleanMesh.js';
 import { dropDuplicates } from './repair/dropDuplicates.js';
-import type { LoadedScene } from './scenes/LoadedScene.js';
+import { DISPLACEMENT_NOTE, type LoadedScene } from './scenes/LoadedScene.js';
 import { mergeScene } from './scenes/mergeScene.js';
 import { sniffFormat } from './sniffFormat.js';
 
@@ -261,8 +261,9 @@ async function parse(format: ModelFormat, file: FormatFile): Promise<Parsed> {
   const read = await format.read(file);
   if ('content' in read) return read;
   if (!('root' in read) || read.root.animations.length === 0) return parsedOf(read);
+  const notes = notesOn(read);
   const moving = await readMoving(read.root, file.name, file.findFile);
-  if (moving) return moving;
+  if (moving) return { ...moving, notes: [...new Set([...moving.notes, ...notes])] };
   // It is read again, because the first scene was used up.
   const again = (await format.read(file)) as LoadedScene;
   return parsedOf({ ...again, notes: ['shown without its motion'] });
@@ -271,19 +272,21 @@ async function parse(format: ModelFormat, file: FormatFile): Promise<Parsed> {
 /** Completes what a reader returned: nothing is missing and there is nothing to note unless it says so. */
 function parsedOf(read: NotedMesh | LoadedScene): Parsed {
   const isScene = 'root' in read;
-  const { notes = [], missing = [] }: Partial<LoadedScene> = read;
-  const left = isScene && hasLines(read.root) ? ['points and lines left out'] : [];
+  const { missing = [] }: Partial<LoadedScene> = isScene ? read : {};
   const content = isScene ? read.root : read.mesh;
-  return { content, broken: 0, notes: [...new Set([...notes, ...left])], details: [], missing };
+  return { content, broken: 0, notes: isScene ? notesOn(read) : read.notes, details: [], missing };
 }
 
-/** Whether a scene has lines or points, which are not drawn. */
-function hasLines(root: Object3D): boolean {
-  let isFound = false;
+/** What the caption is to say of a scene: what its reader says, and what is in it and not drawn. */
+function notesOn({ root, notes = [] }: LoadedScene): string[] {
+  const all = new Set(notes);
   root.traverseVisible((object) => {
-    isFound ||= 'isLine' in object || 'isPoints' in object;
+    const { isMesh, material } = object as Partial<Mesh>;
+    if ('isLine' in object || 'isPoints' in object) all.add('points and lines left out');
+    if (isMesh && [material ?? []].flat().some((one) => (one as MeshPhongMaterial).displacementMap))
+      all.add(DISPLACEMENT_NOTE);
   });
-  return isFound;
+  return [...all];
 }
 
 /** A name as files are found by: readers may join blanks in it. */

@@ -20,8 +20,16 @@ import {
 export const COMPONENT_BYTES = { 5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4 } as const;
 export const TYPE_SIZES = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3: 9, MAT4: 16 } as const;
 
-const READABLE =
-  /^(KHR_draco_mesh_compression|EXT_meshopt_compression|KHR_meshopt_compression|KHR_mesh_quantization|EXT_mesh_gpu_instancing|(KHR|EXT)_(texture|materials|lights)_\w+|KHR_node_visibility)$/;
+const GEOMETRY =
+  '(KHR_draco|EXT_meshopt|KHR_meshopt)_(mesh_)?compression|KHR_mesh_quantization|EXT_mesh_gpu_instancing|KHR_node_visibility';
+const READABLE = new RegExp(`^(${GEOMETRY}|(KHR|EXT)_(texture|materials|lights)_\\w+)$`);
+/** Extensions that are read. */
+const READ = new RegExp(
+  `^(${GEOMETRY}|KHR_lights_punctual|KHR_animation_pointer|(KHR|EXT)_texture_(transform|webp|avif|basisu)|KHR_materials_(emissive_strength|pbrSpecularGlossiness|transmission|variants))$`,
+);
+/** Extensions without which a drawing is the same: how surfaces shine, how light goes on within them, and who made the file. */
+const NEEDLESS =
+  /^(KHR_materials_(anisotropy|clearcoat|diffuse_transmission|dispersion|ior|iridescence|sheen|specular|subsurface|unlit|volume|volume_scatter)|KHR_xmp(_json_ld)?)$/;
 
 const name = orNothing(text);
 const componentType = oneOf(5120, 5121, 5122, 5123, 5125, 5126);
@@ -252,11 +260,14 @@ export type GltfAnimationSampler = TypeOf<typeof animationSampler>;
 /**
  * Reads the text of a glTF document.
  *
- * @returns the document, and the number of values that were left out because they have the wrong type and a model can do
- *   without them; those of animations are undefined and not counted
+ * @returns the document; the number of values that were left out because they have the wrong type and a model can do
+ *   without them, where those of animations are undefined and not counted; and the extensions in use that are not read
  * @throws ModelError with the first value that has the wrong type, if the model cannot do without it
  */
-export function readGltfDocument(source: string, fileName: string): { document: GltfDocument; leftOut: number } {
+export function readGltfDocument(
+  source: string,
+  fileName: string,
+): { document: GltfDocument; leftOut: number; unread: string[] } {
   let json: Record<string, unknown>;
   try {
     json = JSON.parse(source) as Record<string, unknown>;
@@ -282,7 +293,12 @@ export function readGltfDocument(source: string, fileName: string): { document: 
     scene: json.scene === undefined ? undefined : orNothing(indexIn('scenes'))(json.scene, 'scene', context),
   } as GltfDocument;
   const leftOut = context.leftOut.filter((at) => !at.startsWith('animations')).length;
-  return { document, leftOut };
+  return { document, leftOut, unread: unreadExtensions(json) };
+}
+
+function unreadExtensions({ extensionsUsed }: Record<string, unknown>): string[] {
+  const names = Array.isArray(extensionsUsed) ? extensionsUsed.filter((one) => typeof one === 'string') : [];
+  return [...new Set(names)].filter((one) => !READ.test(one) && !NEEDLESS.test(one));
 }
 
 function checkVersion(json: Record<string, unknown> | null, fileName: string): void {

@@ -58,7 +58,7 @@ export async function readGltf(
   const { text, binary } = isBinary
     ? splitGlb(bytes, name)
     : { text: new TextDecoder().decode(bytes), binary: undefined };
-  const { document, leftOut } = readGltfDocument(text, name);
+  const { document, leftOut, unread } = readGltfDocument(text, name);
   if (variant !== undefined) useVariant(document, variant, name);
   const chosen = chooseScene(document, name);
   const extras = gltfExtras(document, chosen);
@@ -69,6 +69,7 @@ export async function readGltf(
   const notes = [...chosen.notes, ...plain.notes, ...pictureNotes];
   const details = [...chosen.details, ...plain.details];
   if (leftOut > 0) details.push(counted(leftOut, 'damaged setting', 'left out'));
+  if (unread.length > 0) details.push(unreadDetail(unread));
   const isPictured = pictures.some(Boolean);
   const glows = document.materials.some((material) => material?.emissiveFactor?.some((value) => value > 0));
   const isScene = plain.moves || isPictured || glows;
@@ -82,6 +83,15 @@ export async function readGltf(
   const content = mergeScene(root, undefined, toMesh);
   const moved = movedExtras(extras, toMesh);
   return { content, broken: plain.broken, notes, details, missing, lostPictures, extras: moved };
+}
+
+/** The most extensions that are named. */
+const NAMED = 5;
+
+function unreadDetail(names: readonly string[]): string {
+  const more = names.length > NAMED ? [`${names.length - NAMED} more`] : [];
+  const list = [...names.slice(0, NAMED).map(shownName), ...more].join(', ');
+  return names.length === 1 ? `the glTF extension ${list} is not read` : `the glTF extensions ${list} are not read`;
 }
 
 function isSmall({ json, vertices, draws }: PlainGltf): boolean {

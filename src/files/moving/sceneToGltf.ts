@@ -15,6 +15,8 @@ import {
   Uint16BufferAttribute,
 } from 'three';
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
+import { replace } from '../scenes/standIns.js';
+import { BlobReader } from './BlobReader.js';
 import { GltfPictureWriter } from './GltfPictureWriter.js';
 
 /** Values of each property per key. */
@@ -66,7 +68,8 @@ export async function sceneToGltf(root: Object3D): Promise<WrittenScene> {
     object.animations = [];
   });
   const exporter = new GLTFExporter().register((writer) => pictures.plugin(writer as never));
-  const glb = (await exporter.parseAsync(holder, { binary: true, animations })) as ArrayBuffer;
+  const restore = 'FileReader' in globalThis ? () => {} : replace(globalThis, { FileReader: BlobReader });
+  const glb = (await exporter.parseAsync(holder, { binary: true, animations }).finally(restore)) as ArrayBuffer;
   return { glb: new Uint8Array(glb), pictures: pictures.written, leftOut };
 }
 

@@ -1,3 +1,5 @@
+import { DISPLACEMENT_NOTE } from '../scenes/LoadedScene.js';
+
 /**
  * Keeps the lines of an OBJ file that triangles are drawn from, in the form that three's loader reads: vertices, faces, their smoothing and the
  * use of materials.
@@ -20,7 +22,22 @@ export function cleanObj(text: string): string {
 /** Makes vertices without a colour white where others have one. three's loader would give the colours to the wrong vertices. */
 function withAllColors(text: string): string {
   if (!/^[ \t]*v(?:[ \t]+\S+){6}/m.test(text)) return text;
-  return text.replace(/^([ \t]*v(?:[ \t]+\S+){3})(?:[ \t]+\S+){0,2}[ \t]*$/gm, '$1 1 1 1');
+  return withFractions(text).replace(/^([ \t]*v(?:[ \t]+\S+){3})(?:[ \t]+\S+){0,2}[ \t]*$/gm, '$1 1 1 1');
+}
+
+/** Colours as fractions, where they are whole numbers up to 255. */
+function withFractions(text: string): string {
+  const colored = /^([ \t]*v(?:[ \t]+\S+){3})[ \t]+(\S+)[ \t]+(\S+)[ \t]+(\S+)/gm;
+  let largest = 0;
+  for (const [, , ...rgb] of text.matchAll(colored)) {
+    if (!rgb.every((value) => /^\d+(?:\.0*)?$/.test(value))) return text;
+    largest = Math.max(largest, ...rgb.map(Number));
+  }
+  if (largest <= 1) return text;
+  return text.replace(colored, (_, point: string, ...rgb: string[]) => {
+    const shares = rgb.slice(0, 3).map((value) => Number(value) / 255);
+    return `${point} ${shares.join(' ')}`;
+  });
 }
 
 /** The names of material files in an OBJ file, line by line. A line may have several, see {@link namesIn}. */
@@ -87,10 +104,11 @@ function plainMap(text: string): string {
   return isPlain ? name : `-s ${found.s.join(' ')} -o ${found.o.join(' ')} ${name}`;
 }
 
-/** Notes on what an OBJ file holds beside surfaces of flat faces. */
-export function otherThanFaces(text: string): string[] {
+/** Notes on what an OBJ file and its materials hold beside surfaces of flat faces. */
+export function otherThanFaces(text: string, materials: string): string[] {
   const notes: string[] = [];
-  if (/^[ \t]*[lp][ \t]+[-\d]/m.test(text)) notes.push('points and lines left out');
+  if (/^[ \t]*(?:map_)?disp[ \t]+\S/im.test(withLineFeeds(materials))) notes.push(DISPLACEMENT_NOTE);
+  if (/^[ \t]*(?:[lp]|curv2?)[ \t]+[-\d]/m.test(text)) notes.push('points and lines left out');
   if (/^[ \t]*surf[ \t]/m.test(text)) notes.push('curved surfaces left out');
   return notes;
 }

@@ -20,7 +20,7 @@ export async function readObj(bytes: Uint8Array, findFile: FindFile): Promise<Lo
     return loader.parse(writeFaces(cleanObj(text)));
   });
   clamp(root, clampedMaterials(materials));
-  return { root, missing, notes: otherThanFaces(text) };
+  return { root, missing, notes: otherThanFaces(text, materials) };
 }
 
 /** Ends the pictures of some materials at their borders. */

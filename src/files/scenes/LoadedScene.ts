@@ -11,6 +11,9 @@ export interface LoadedScene {
   notes?: string[];
 }
 
+/** Says that surfaces are drawn without the pictures that move their points. */
+export const DISPLACEMENT_NOTE = 'displacement left out';
+
 /**
  * The scene of a loader, without a background and the colours that it makes up.
  *

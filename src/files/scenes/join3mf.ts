@@ -78,7 +78,7 @@ class Parts {
   private readonly settings: SlicerSettings;
   /** The number of the filament of each object, by its id in the joined model. */
   private readonly filaments = new Map<string, number>();
-  private readonly leftOut = { missing: 0, helpers: 0, mixed: 0 };
+  private readonly leftOut = { missing: 0, helpers: 0, mixed: 0, painted: 0 };
 
   constructor(private readonly files: ReadonlyMap<string, Uint8Array>) {
     const settings = fileAt(files, 'Metadata/model_settings.config');
@@ -87,11 +87,12 @@ class Parts {
   }
 
   notes(): string[] {
-    const { missing, helpers, mixed } = this.leftOut;
+    const { missing, helpers, mixed, painted } = this.leftOut;
     return [
       counted(missing, 'part', 'left out: not in its file'),
       counted(helpers, 'helper', 'of the slicer left out'),
       mixed > 0 ? 'mixed colours left out' : '',
+      painted > 0 ? 'painted colours left out' : '',
     ].filter(Boolean);
   }
 
@@ -120,6 +121,7 @@ class Parts {
     const unit = /<(?:\w+:)?model\b[^>]*?\sunit\s*=\s*["'](\w+)["']/.exec(text)?.[1] ?? 'millimeter';
     const prefix = this.parts.size === 0 ? '' : `part${this.parts.size}-`;
     const part = { prefix, unit: UNITS[unit.toLowerCase()] ?? 1, text: prefix ? withPrefix(text, prefix) : text };
+    if (PAINTED.test(text)) this.leftOut.painted++;
     this.parts.set(key, part);
     return part;
   }
@@ -158,8 +160,9 @@ class Parts {
 
   /** Gives every mesh a colour that three's loader can draw. */
   private withColours(text: string): string {
+    const opaque = withoutClearGroups(text);
     const known = new Set([...text.matchAll(COLOURS)].map(([, id]) => id));
-    const plain = text.replace(/\spid\s*=\s*["']([^"']*)["']/g, (whole, id: string) => {
+    const plain = opaque.replace(/\spid\s*=\s*["']([^"']*)["']/g, (whole, id: string) => {
       if (known.has(id)) return whole;
       this.leftOut.mixed++;
       return '';
@@ -182,6 +185,21 @@ const OBJECT_OR_USE =
   /<(?:\w+:)?(?:object\b[^>]*>|(component|item)\b[^>]*?(?:\/>|>[\s\S]*?<\/(?:\w+:)?(?:component|item)\s*>))/g;
 /** What gives colours to triangles, with its id. */
 const COLOURS = /<(?:\w+:)?(?:basematerials|colorgroup|texture2dgroup)\b[^>]*?\sid\s*=\s*["']([^"']*)["']/g;
+
+/** A triangle that a slicer has painted in a colour. Paint for supports and seams is none. */
+const PAINTED = /<(?:\w+:)?triangle\b[^>]*?\s(?:paint_color|(?:\w+:)?mmu_segmentation)\s*=\s*["'][^"']/;
+
+/** Makes groups of colours with an alpha materials, of which a triangle has one: three's loader reads no alpha in groups of colours. */
+const withoutClearGroups = (text: string): string =>
+  text.replace(
+    /<(?:\w+:)?colorgroup\b([^>]*)>([\s\S]*?)<\/(?:\w+:)?colorgroup\s*>/g,
+    (whole, attributes: string, colours: string) => {
+      const values = [...colours.matchAll(/\scolor\s*=\s*["']([^"']*)["']/g)].map(([, value]) => value);
+      if (!values.some((value) => /^#[\da-f]{8}$/i.test(value) && !/ff$/i.test(value))) return whole;
+      const bases = values.map((value) => `<base name="" displaycolor="${value}"/>`);
+      return `<basematerials${attributes}>${bases.join('')}</basematerials>`;
+    },
+  );
 
 const attributeOf = (tag: string, name: string): string | undefined =>
   new RegExp(`\\s${name}\\s*=\\s*(?:"([^"]*)"|'([^']*)')`)

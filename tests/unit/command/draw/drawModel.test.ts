@@ -31,6 +31,7 @@ import {
   squareMtl,
   squareObj,
 } from '../../../../tools/modelFiles/modelFiles.js';
+import { dae, fbx } from '../../../../tools/modelFiles/sceneWriters.js';
 
 let work: string;
 beforeEach(() => {
@@ -482,6 +483,14 @@ describe('frames', () => {
       /a\.glb has no clip(s\.| Dance; it has )/,
     );
     expect(await refusal('b.obj', octahedronObj, '--clip', 'Dance')).toBe('b.obj has no clips.');
+  });
+
+  test.each<[string, string]>([
+    ['a.fbx', fbx(7300, true)],
+    ['a.dae', dae(undefined, true)],
+  ])('show the clip of %s', async (name, content) => {
+    const { svgs, notes } = await draw(name, content, '--clip', '1', '--frames', '2', ...SMALL);
+    expect([svgs.length, notes]).toEqual([2, []]);
   });
 });
 

@@ -135,3 +135,18 @@ describe('variants of materials', () => {
     await expect(read(glb([]), 'red')).rejects.toThrow('a.glb has no variants of its materials.');
   });
 });
+
+test('extensions that are not read are named, and not those that change nothing', async () => {
+  const said = async (...names: string[]): Promise<string[]> => {
+    const builder = tetrahedron();
+    builder.json.extensionsUsed = names;
+    return (await read(builder.glb())).details;
+  };
+  expect(await said('KHR_materials_clearcoat', 'KHR_materials_unlit', 'KHR_texture_transform', 'KHR_xmp')).toEqual([]);
+  expect(await said('KHR_draco_mesh_compression', 'EXT_meshopt_compression', 'KHR_mesh_quantization')).toEqual([]);
+  expect(await said('KHR_materials_ior', 'VRM')).toEqual(['the glTF extension VRM is not read']);
+  expect(await said('MSFT_lod', 'KHR_materials_displacement', 'MSFT_lod')).toEqual([
+    'the glTF extensions MSFT_lod, KHR_materials_displacement are not read',
+  ]);
+  expect(await said(...'ABCDEFG')).toEqual(['the glTF extensions A, B, C, D, E, 2 more are not read']);
+});

@@ -15,18 +15,16 @@ import {
   SkinnedMesh,
   Vector3,
 } from 'three';
-import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
+import { afterEach, describe, expect, test, vi } from 'vitest';
 import { buildModel } from '../../../../src/drawing/buildModel.js';
 import { meshesOf } from '../../../../src/drawing/meshesOf.js';
 import { type GltfParts, parseGltf } from '../../../../src/files/gltf/parseGltf.js';
 import { readMoving } from '../../../../src/files/moving/readMoving.js';
 import { type ReadMesh, type ReadParts, readModel } from '../../../../src/files/readModel.js';
 import { BOX_CORNERS } from '../../../../tools/modelFiles/box.js';
-import { FileReaderStandIn } from '../../../../tools/modelFiles/FileReaderStandIn.js';
 import { dae, fbx } from '../../../../tools/modelFiles/sceneWriters.js';
 
-beforeEach(() => void vi.stubGlobal('FileReader', FileReaderStandIn));
-afterEach(() => void vi.unstubAllGlobals());
+afterEach(() => expect('FileReader' in globalThis).toBe(false));
 
 const read = (text: string, others: [string, Uint8Array][] = []) =>
   readModel(

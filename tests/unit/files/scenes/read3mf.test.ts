@@ -118,6 +118,29 @@ describe('3MF', () => {
     expect(await Promise.all(['40', 'FF'].map(seenThrough))).toEqual([true, false]);
   });
 
+  test('a group of colours with an alpha has one colour for each triangle, and is seen through', async () => {
+    const colours = '<m:colorgroup id="9"><m:color color="#0000FF40"/><m:color color="#FF0000"/></m:colorgroup>';
+    const painted = box(1, [1, 1, 1], 'pid="9" pindex="1"', (face) =>
+      face === 0 ? ' pid="9" p1="0" p2="0" p3="0"' : '',
+    );
+    const { mesh } = await read(...packed({ [ROOT]: model(colours + painted, item(1)) }));
+    expect(mesh.ranges!.map(({ count, isSeeThrough = false }) => [count / 3, isSeeThrough])).toEqual([
+      [10, false],
+      [2, true],
+    ]);
+    expect(colorsOf({ mesh } as ReadMesh).slice(-2)).toEqual(['0,0,255', '0,0,255']);
+  });
+
+  test.each([
+    ['paint_color="8"', ['painted colours left out']],
+    ['slic3rpe:mmu_segmentation="8"', ['painted colours left out']],
+    ['paint_color=""', []],
+    ['paint_supports="8" paint_seam="4"', []],
+  ])('paint by triangle, %s, is said where it is a colour', async (attribute, notes) => {
+    const painted = box(1, [1, 1, 1], '', (face) => (face === 0 ? ` ${attribute}` : ''));
+    expect((await read(...packed({ [ROOT]: model(painted, item(1)) }))).notes).toEqual(notes);
+  });
+
   test('properties that are no plain colours leave the triangles, and are named', async () => {
     const mixed = '<m:multiproperties id="5" pids="1 2"><m:multi pindices="0 0"/></m:multiproperties>';
     const drawn = await read(...packed({ [ROOT]: model(mixed + box(1, [1, 1, 1], 'pid="5" pindex="0"'), item(1)) }));

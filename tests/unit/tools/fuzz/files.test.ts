@@ -1,13 +1,10 @@
-import { afterAll, beforeAll, describe, expect, test, vi } from 'vitest';
+import { afterAll, describe, expect, test } from 'vitest';
 import { goodDrop, KINDS } from '../../../../tools/fuzz/goodFiles.js';
 import { mutate } from '../../../../tools/fuzz/mutate.js';
 import { outcomeOf } from '../../../../tools/fuzz/outcomeOf.js';
-import { FileReaderStandIn } from '../../../../tools/modelFiles/FileReaderStandIn.js';
 import { consoleDuring, FUZZ_TIMEOUT, type FuzzReport, runCases, seedsOf, writeReport } from './report.js';
 
 const report: FuzzReport = {};
-
-beforeAll(() => void vi.stubGlobal('FileReader', FileReaderStandIn));
 
 describe('damaged files give a model or one sentence', () => {
   for (const [k, kind] of KINDS.entries()) {
