@@ -15,7 +15,6 @@ import {
   Uint16BufferAttribute,
 } from 'three';
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
-import { replace } from '../scenes/standIns.js';
 import { BlobReader } from './BlobReader.js';
 import { GltfPictureWriter } from './GltfPictureWriter.js';
 
@@ -68,9 +67,19 @@ export async function sceneToGltf(root: Object3D): Promise<WrittenScene> {
     object.animations = [];
   });
   const exporter = new GLTFExporter().register((writer) => pictures.plugin(writer as never));
-  const restore = 'FileReader' in globalThis ? () => {} : replace(globalThis, { FileReader: BlobReader });
-  const glb = (await exporter.parseAsync(holder, { binary: true, animations }).finally(restore)) as ArrayBuffer;
-  return { glb: new Uint8Array(glb), pictures: pictures.written, leftOut };
+  const glb = await withReader(() => exporter.parseAsync(holder, { binary: true, animations }));
+  return { glb: new Uint8Array(glb as ArrayBuffer), pictures: pictures.written, leftOut };
+}
+
+/** Writes with a stand-in for the `FileReader` that the exporter asks for, where there is none. */
+async function withReader<Result>(write: () => Promise<Result>): Promise<Result> {
+  if ('FileReader' in globalThis) return write();
+  Object.assign(globalThis, { FileReader: BlobReader });
+  try {
+    return await write();
+  } finally {
+    Reflect.deleteProperty(globalThis, 'FileReader');
+  }
 }
 
 function plainMaterial(material: MeshPhongMaterial, pictures: GltfPictureWriter): MeshStandardMaterial {
