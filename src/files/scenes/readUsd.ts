@@ -1,32 +1,31 @@
 import { USDLoader } from 'three/addons/loaders/USDLoader.js';
 import { type LoadedScene, sceneOf } from './LoadedScene.js';
 import { mendFans } from './mendFans.js';
-import { replace, withStandIns } from './standIns.js';
+import { mendUsd, plainUsda, type UsdComposer } from './mendUsd.js';
+import { withStandIns } from './standIns.js';
+
+const SIGNATURE = '#usda';
 
 /** Reads a USD file, as text, binary or in a package (USDZ). @throws Error as the loader has it */
 export async function readUsd(bytes: Uint8Array, name: string): Promise<LoadedScene> {
-  const restore = await leaveNormalsOpen();
+  const notes = new Set<string>();
+  const restore = await mendComposer(notes);
   try {
-    const root = withStandIns(() => new USDLoader().parse(bytes.slice().buffer));
+    const isText = new TextDecoder('latin1').decode(bytes.subarray(0, SIGNATURE.length)) === SIGNATURE;
+    const content = isText ? plainUsda(new TextDecoder().decode(bytes)) : bytes.slice().buffer;
+    const root = withStandIns(() => new USDLoader().parse(content));
     if (root) mendFans(root);
-    return sceneOf(root, name);
+    return { ...sceneOf(root, name), notes: [...notes] };
   } finally {
     restore();
   }
 }
 
-/**
- * Has the loader write zeros where a mesh has no normals, so that they are computed later, with edges kept. Its own are smooth across every
- * edge. A version of three.js that does this elsewhere keeps them.
- *
- * @returns a function that ends it
- */
-async function leaveNormalsOpen(): Promise<() => void> {
+/** A version of three.js whose composer lies elsewhere composes as it does. */
+async function mendComposer(notes: Set<string>): Promise<() => void> {
   try {
     const { USDComposer } = await import('three/addons/loaders/usd/USDComposer.js');
-    return replace(USDComposer.prototype, {
-      _computeVertexNormals: (points: ArrayLike<number>) => new Float32Array(points.length),
-    });
+    return mendUsd(USDComposer.prototype as UsdComposer, notes);
   } catch {
     return () => {};
   }
