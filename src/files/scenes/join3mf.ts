@@ -26,6 +26,8 @@ interface Part {
   prefix: string;
   /** The length of its unit, in millimetres. */
   unit: number;
+  /** The ids of objects that are no part of the model, such as supports. */
+  helpers: ReadonlySet<string>;
 }
 
 /**
@@ -120,14 +122,18 @@ class Parts {
     const text = decoded(bytes).replace(/<!--[\s\S]*?-->/g, '');
     const unit = /<(?:\w+:)?model\b[^>]*?\sunit\s*=\s*["'](\w+)["']/.exec(text)?.[1] ?? 'millimeter';
     const prefix = this.parts.size === 0 ? '' : `part${this.parts.size}-`;
-    const part = { prefix, unit: UNITS[unit.toLowerCase()] ?? 1, text: prefix ? withPrefix(text, prefix) : text };
+    const helpers = new Set(
+      [...text.matchAll(OBJECT)].filter(([tag]) => isHelper(tag)).map(([tag]) => prefix + attributeOf(tag, 'id')),
+    );
+    const joined = prefix ? withPrefix(text, prefix) : text;
+    const part = { prefix, unit: UNITS[unit.toLowerCase()] ?? 1, text: joined, helpers };
     if (PAINTED.test(text)) this.leftOut.painted++;
     this.parts.set(key, part);
     return part;
   }
 
   /** The text of a part whose components and items name objects of the joined model, in their units. */
-  private withPaths({ text, unit, prefix }: Part): string {
+  private withPaths({ text, unit, prefix, helpers }: Part): string {
     let object = '';
     return text.replace(OBJECT_OR_USE, (tag, use?: 'component' | 'item') => {
       if (!use) {
@@ -135,13 +141,17 @@ class Parts {
         return tag;
       }
       const path = attributeOf(tag, '(?:\\w+:)?path');
-      const part = path === undefined ? { prefix, unit } : this.partAt(path);
+      const part = path === undefined ? { prefix, unit, helpers } : this.partAt(path);
       if (!part) {
         this.leftOut.missing++;
         return '';
       }
       const plainId = (attributeOf(tag, 'objectid') ?? '').slice(prefix.length);
       const id = part.prefix + plainId;
+      if (part.helpers.has(id)) {
+        this.leftOut.helpers++;
+        return '';
+      }
       // Settings name the objects of the root file, and the components of these.
       if (use === 'component' && prefix === '') {
         if (this.settings.isHelper(object, plainId)) {
@@ -179,6 +189,10 @@ class Parts {
     });
   }
 }
+
+const OBJECT = /<(?:\w+:)?object\b[^>]*>/g;
+/** Whether an object's tag says that it is no part of the model. */
+const isHelper = (tag: string): boolean => /^(?:support|solidsupport|other)$/i.test(attributeOf(tag, 'type') ?? '');
 
 /** An object's tag; or a whole component or item. */
 const OBJECT_OR_USE =

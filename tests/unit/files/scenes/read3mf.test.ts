@@ -131,6 +131,14 @@ describe('3MF', () => {
     expect(colorsOf({ mesh } as ReadMesh).slice(-2)).toEqual(['0,0,255', '0,0,255']);
   });
 
+  test.each(['support', 'solidsupport', 'other'])('objects of the type %s are no part of the model', async (type) => {
+    const helper = box(2, [2, 2, 2]).replace('type="model"', `type="${type}"`);
+    expect(helper).toContain(type);
+    const resources = box(1, [1, 1, 1]) + helper;
+    const drawn = await read(...packed({ [ROOT]: model(resources, item(1) + item(2, at(4))) }));
+    expect([triangles(drawn), drawn.notes]).toEqual([12, ['1 helper of the slicer left out']]);
+  });
+
   test.each([
     ['paint_color="8"', ['painted colours left out']],
     ['slic3rpe:mmu_segmentation="8"', ['painted colours left out']],
