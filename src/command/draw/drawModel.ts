@@ -129,7 +129,11 @@ function offersOf({ extras, motion }: HatchedModel, { camera, variant, clip, ...
     ),
     ...offer('variant', variants, variant),
     ...(clips.length > 1 ? offer('clip', clips, clip) : []),
-    ...(leftOut > 0 ? [`has ${counted(leftOut, 'light', 'that are not drawn: the brightest two are, at most')}`] : []),
+    ...(leftOut > 0
+      ? [
+          `has ${counted(leftOut, 'light', `that ${leftOut === 1 ? 'is' : 'are'} not drawn: the brightest two are, at most`)}`,
+        ]
+      : []),
   ];
 }
 

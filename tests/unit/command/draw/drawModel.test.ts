@@ -541,6 +541,24 @@ describe('what a glTF file offers', () => {
     ]);
   });
 
+  test.each([
+    [2, []],
+    [3, ['a.glb has 1 light that is not drawn: the brightest two are, at most.']],
+    [4, ['a.glb has 2 lights that are not drawn: the brightest two are, at most.']],
+  ])('is said of more than two lights: of %i', async (count, notes) => {
+    const builder = tetrahedron();
+    const { json } = builder;
+    const lights = Array.from({ length: count }, (_, i) => ({ type: 'point', intensity: 50 + i }));
+    json.extensions = { KHR_lights_punctual: { lights } };
+    const nodes = lights.map((_, light) => ({
+      translation: [0, 3, 3],
+      extensions: { KHR_lights_punctual: { light } },
+    }));
+    json.nodes = [{ mesh: 0 }, ...nodes];
+    json.scenes = [{ nodes: [...json.nodes.keys()] }];
+    expect((await draw('a.glb', builder.glb(), ...SMALL)).notes).toEqual(notes);
+  });
+
   test('is drawn where somebody does', async () => {
     const chosen = ['--camera', '1', '--variant', 'black', '--clip', '2'];
     const white = await draw('a.glb', named(), ...SMALL, ...chosen.with(3, '1'));
