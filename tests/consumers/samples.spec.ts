@@ -32,8 +32,7 @@ for (const guide of GUIDES) {
   test(title, { tag: '@all' }, async ({ page, pageProblems }) => {
     await answerFiles(page);
     await page.setViewportSize({ width: 240, height: 180 });
-    await page.goto(`${server.url}/samples.html`);
-    await page.waitForFunction(() => 'runSample' in window);
+    await open(page);
     for (const { name, kind, code } of SAMPLES.filter((sample) => guideOf(sample.name) === guide)) {
       const facts = {
         html: kind === 'html' ? code : undefined,
@@ -49,8 +48,15 @@ for (const guide of GUIDES) {
       const drawn = async (): Promise<number> => drawnShare(await page.screenshot({ path }));
       await expect.soft.poll(drawn, { message: name, intervals: [100, 250] }).toBeGreaterThan(LEAST_DRAWN);
       expect.soft(pageProblems.splice(0), name).toEqual([]);
+      // Its renderer would go on to draw the scene of the next sample.
+      if (/const renderer = new/.test(code)) await open(page);
     }
   });
+}
+
+async function open(page: Page): Promise<void> {
+  await page.goto(`${server.url}/samples.html`);
+  await page.waitForFunction(() => 'runSample' in window);
 }
 
 function guideOf(sample: string): string {

@@ -97,6 +97,8 @@ function surround(isLit: boolean): { scene: Scene; camera: PerspectiveCamera } {
     },
     gltf: () => ({ scene: placed(ball(-1)) }),
     first: () => placed(ball(-1)),
+    // With more triangles than detail asks for.
+    scan: () => placed(new Group().add(new Mesh(new SphereGeometry(0.8, 400, 300), new MeshLambertMaterial()))),
     second: () => placed(ball(1)),
     gradientMap: () => new DataTexture(new Uint8Array([64, 128, 255, 255]), 1, 1),
   };

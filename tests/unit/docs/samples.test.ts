@@ -18,7 +18,7 @@ import type { Hand as OwnHand, HandStroke as Drawn, HatchingMaterial as Material
 declare global {
   const mesh: AnyMesh; const scene: World; const camera: Eye; const renderer: Renderer; const light: Sun;
   const geometry: BufferGeometry; const material: Material; const tonalArtMap: HatchMap; const map: HatchMap;
-  const gltf: { scene: Group }; const first: Object3D; const second: Object3D; const gradientMap: Texture;
+  const gltf: { scene: Group }; const scan: Object3D; const first: Object3D; const second: Object3D; const gradientMap: Texture;
   const files: File[]; const ground: AnyMesh<BufferGeometry, Material>; const BakeWorker: new () => Worker;
   const strokes: Drawn[]; const hand: OwnHand; const picture: HTMLCanvasElement;
 }
