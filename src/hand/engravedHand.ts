@@ -1,3 +1,4 @@
+import { checkHandNumbers } from './checkHandNumbers.js';
 import type { Hand } from './Hand.js';
 
 /** By what a hand is scaled to lines and outlines. */
@@ -42,11 +43,15 @@ const clamp = (value: number, from: number, to: number): number => Math.max(from
  * const { material, outlines } = engravedHand(hand);
  * applyHatching(scene, { material: { technique: 'engraved', ...material }, outlines });
  * ```
+ *
+ * @throws TypeError or RangeError that says in a sentence what is wrong with the hand
  */
 export function engravedHand(
-  { numbers }: Pick<Hand, 'numbers'>,
+  hand: Pick<Hand, 'numbers'>,
   { lineSpacing = 4.5, outlineWidth = 1.8 }: EngravedHandOptions = {},
 ): EngravedHand {
+  checkHandNumbers('engravedHand', hand);
+  const { numbers } = hand;
   const { width, widthSpread, wobble, spacing, spacingSpread, length, taperStart, taperEnd } = numbers;
   const shares = [
     widthSpread / MOST_WIDTH_SPREAD,

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { engravedHand } from '../../../src/hand/engravedHand.js';
-import type { HandNumbers } from '../../../src/hand/Hand.js';
+import type { Hand, HandNumbers } from '../../../src/hand/Hand.js';
 import { HAND_NUMBER_NAMES, HAND_NUMBER_RANGES } from '../../../src/hand/handNumberRanges.js';
 import { learnHand } from '../../../src/hand/learnHand.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
@@ -62,5 +62,17 @@ describe('engravedHand', () => {
       expect(() => new HatchingOutlineMaterial(outlines).dispose()).not.toThrow();
       expect(material.handmade).toBeLessThanOrEqual(1);
     }
+  });
+
+  it.each([
+    [null, 'engravedHand: hand is null, but must be { version, strokes, numbers }; learnHand makes one from strokes.'],
+    [
+      [],
+      'engravedHand: hand is an array, but must be { version, strokes, numbers }; learnHand makes one from strokes.',
+    ],
+    [{ version: 99 }, 'engravedHand: hand.numbers is undefined, but must be an object with the learnt numbers.'],
+    [{ numbers: {} }, /^engravedHand: hand\.numbers\.\w+ is undefined, but must be a number from /],
+  ])('says what is wrong with %j', (hand, message) => {
+    expect(() => engravedHand(hand as unknown as Hand)).toThrow(message);
   });
 });
