@@ -4,6 +4,7 @@ import {
   Group,
   type InstancedMesh,
   MathUtils,
+  type Mesh,
   type MeshStandardMaterial,
   Object3D,
   Vector3,
@@ -19,6 +20,7 @@ import { thinNote } from '../files/mesh/thinNote.js';
 import { repairScene } from '../files/repair/repairGeometry.js';
 import { placements } from '../files/scenes/placements.js';
 import { settleAlpha } from '../files/scenes/settleAlpha.js';
+import { drawnMeshes, drawnVertices } from './drawnParts.js';
 import { HatchedModel } from './HatchedModel.js';
 import { Motion } from './Motion.js';
 import { meshesOf } from './meshesOf.js';
@@ -152,10 +154,11 @@ function fitScene(holder: Group, motion: Motion): { outline: Float32Array; stand
   const step = Math.ceil((vertices * poses) / MAX_POINTS);
   const points: number[] = [];
   const boxes: Box3[] = [];
+  const parts = drawnPartsOf(holder);
   for (let i = 0; i < poses; i++) {
     motion.time = (i / poses) * motion.duration;
     holder.updateMatrixWorld(true);
-    addPoints(holder, step, points);
+    addPoints(parts, step, points);
     boxes.push(carryingBox(holder));
   }
   motion.time = 0;
@@ -197,13 +200,26 @@ function someTriangles(root: Object3D): { points: number[]; share: number } {
   return { points, share: 3 / step };
 }
 
-/** Adds the world position of every `step`th vertex of all meshes, in the current pose. */
-function addPoints(holder: Group, step: number, points: number[]): void {
+/** A mesh, and marks of its vertices that count. */
+interface DrawnPart {
+  mesh: Mesh;
+  drawn: Uint8Array;
+}
+
+/** What is drawn of a scene; all of it, if that is nothing. */
+function drawnPartsOf(holder: Group): DrawnPart[] {
+  const parts = drawnMeshes(holder).map((mesh) => ({ mesh, drawn: drawnVertices(mesh) }));
+  if (parts.some(({ drawn }) => drawn.includes(1))) return parts;
+  return meshesOf(holder).map((mesh) => ({ mesh, drawn: drawnVertices(mesh).fill(1) }));
+}
+
+/** Adds the world position of every `step`th vertex of all parts, if it is drawn, in the current pose. */
+function addPoints(parts: readonly DrawnPart[], step: number, points: number[]): void {
   const point = new Vector3();
-  for (const mesh of meshesOf(holder)) {
-    const count = mesh.geometry.getAttribute('position')?.count ?? 0;
+  for (const { mesh, drawn } of parts) {
     for (const matrix of placements(mesh)) {
-      for (let i = 0; i < count; i += step) {
+      for (let i = 0; i < drawn.length; i += step) {
+        if (drawn[i] === 0) continue;
         mesh.getVertexPosition(i, point).applyMatrix4(matrix);
         // A mesh with such a vertex is left out later.
         if (Number.isFinite(point.x + point.y + point.z)) points.push(point.x, point.y, point.z);

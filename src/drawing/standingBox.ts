@@ -1,6 +1,6 @@
 import { Box3, type Material, type Mesh, type Object3D, Vector3 } from 'three';
 import { placements } from '../files/scenes/placements.js';
-import { meshesOf } from './meshesOf.js';
+import { drawnMeshes, materialsOf } from './drawnParts.js';
 
 /** The most vertices that are looked at. */
 const MOST_POINTS = 100_000;
@@ -12,7 +12,7 @@ const SAME_GROUND = 0.03;
  * not, unless there is nothing else.
  */
 export function carryingBox(root: Object3D): Box3 {
-  const drawn = meshesOf(root).filter((mesh) => isShown(mesh, root));
+  const drawn = drawnMeshes(root);
   const solid = boxOf(drawn.filter((mesh) => materialsOf(mesh).some(isSolid)));
   return solid.isEmpty() ? boxOf(drawn) : solid;
 }
@@ -48,14 +48,5 @@ function boxOf(meshes: readonly Mesh[]): Box3 {
   return box;
 }
 
-function isShown(mesh: Mesh, root: Object3D): boolean {
-  for (let object: Object3D | null = mesh; object; object = object === root ? null : object.parent) {
-    if (!object.visible) return false;
-  }
-  return materialsOf(mesh).some(({ visible, opacity }) => visible && opacity > 0);
-}
-
 const isSolid = ({ visible, transparent, transmission = 0 }: Material & { transmission?: number }): boolean =>
   visible && !transparent && transmission === 0;
-
-const materialsOf = ({ material }: Mesh): Material[] => (Array.isArray(material) ? material : [material]);

@@ -1,10 +1,8 @@
 import {
-  Box3,
   type BufferGeometry,
   type ColorRepresentation,
   DirectionalLight,
   Group,
-  type InstancedMesh,
   type Light,
   MathUtils,
   type Mesh,
@@ -18,6 +16,7 @@ import {
 } from 'three';
 import { applyHatching, flatteringLight, type HatchedScene, type HatchingPreset } from 'three-hatching';
 import { chosenIndex } from './chosenIndex.js';
+import { type Extent, extentOf } from './extentOf.js';
 import { disposeModel, loadModel } from './loadModel.js';
 import type { ModelSource } from './ModelSource.js';
 import type { Direction } from './readAttributes.js';
@@ -31,7 +30,6 @@ const FAR = 40;
 /** The share of the picture that the model fills, of its width or its height. */
 const FILL = 0.94;
 
-const box = new Box3();
 const place = new Vector3();
 const before = new Vector3();
 
@@ -215,18 +213,6 @@ function putAt(position: Vector3, { azimuth, elevation }: Direction, distance: n
   position.setFromSphericalCoords(distance, MathUtils.degToRad(90 - elevation), MathUtils.degToRad(azimuth));
 }
 
-/** The extent of a model. */
-interface Extent {
-  /** The centre of the bounding box, in the units of the model. */
-  middle: Vector3;
-  /** The distance of the farthest point from the middle, in the units of the model. */
-  radius: number;
-  /** The distance of the farthest point from the vertical axis through the middle, in radii. */
-  around: number;
-  /** Half the height of the bounding box, in radii. */
-  height: number;
-}
-
 /** Puts the model into a group that moves its middle to the origin and scales its farthest point to a distance of 1. */
 function fitted(model: Object3D, { middle, radius }: Extent): Group {
   const inner = new Group().add(model);
@@ -234,33 +220,4 @@ function fitted(model: Object3D, { middle, radius }: Extent): Group {
   const outer = new Group().add(inner);
   outer.scale.setScalar(1 / radius);
   return outer;
-}
-
-function extentOf(model: Object3D): Extent {
-  const middle = box.setFromObject(model, true).getCenter(new Vector3());
-  const height = box.getSize(place).y / 2;
-  // For instances only the bounding box is known.
-  const [radius, around] = farthest(model, middle) ?? [place.length() / 2, Math.hypot(place.x, place.z) / 2];
-  const unit = radius > 0 && radius < Infinity ? radius : 1;
-  return { middle, radius: unit, around: around / unit, height: height / unit };
-}
-
-/** The greatest distances of a model's points from a place and from the vertical line through it; undefined if there are instances. */
-function farthest(model: Object3D, from: Vector3): [radius: number, around: number] | undefined {
-  let radius = 0;
-  let around = 0;
-  let hasInstances = false;
-  const point = new Vector3();
-  model.traverse((object) => {
-    const { isMesh, isInstancedMesh, geometry } = object as Mesh & Partial<InstancedMesh>;
-    if (!isMesh) return;
-    hasInstances ||= isInstancedMesh === true;
-    const count = geometry.attributes.position?.count ?? 0;
-    for (let i = 0; i < count; i++) {
-      (object as Mesh).getVertexPosition(i, point).applyMatrix4(object.matrixWorld).sub(from);
-      radius = Math.max(radius, point.length());
-      around = Math.max(around, Math.hypot(point.x, point.z));
-    }
-  });
-  return hasInstances ? undefined : [radius, around];
 }

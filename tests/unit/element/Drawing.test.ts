@@ -101,3 +101,55 @@ test('a variant of the materials is drawn, or its absence is told', async () => 
   expect(colourOf(await load(varied, '', 'red'))).toEqual([1, 0, 0]);
   await expect(load(varied, '', 'blue')).rejects.toThrow('The model has no variant "blue". There are white, red.');
 });
+
+describe('a model fills the picture with what is seen of it', () => {
+  /** What the element makes of a model, whose own radius is known. */
+  const radiusOf = (drawing: Drawing): number => 1 / drawing.scene.children[0].scale.x;
+  const addPart = (json: GltfBuilder['json'], material: object): void => {
+    json.materials = [material];
+    json.meshes.push({ primitives: [{ ...json.meshes[0].primitives[0], material: 0 }] });
+    json.nodes.push({ mesh: 1, translation: [3, 0, 0], scale: [9, 9, 9] });
+    json.scenes[0].nodes = [0, 1];
+  };
+  const clear = { pbrMetallicRoughness: { baseColorFactor: [1, 1, 1, 0] } };
+
+  test.each([
+    ['a part of alpha 0', { ...clear, alphaMode: 'BLEND' }],
+    ['a part that its cutoff leaves out', { ...clear, alphaMode: 'MASK', alphaCutoff: 0.5 }],
+  ])('not with %s', async (_, material) => {
+    const drawing = await load((json) => addPart(json, material));
+    expect(radiusOf(drawing)).toBeCloseTo(RADIUS, 5);
+    drawing.dispose();
+  });
+
+  test('also with a part that is opaque, whatever its alpha, and with glass', async () => {
+    const pane = { alphaMode: 'BLEND', pbrMetallicRoughness: { baseColorFactor: [1, 1, 1, 0.25] } };
+    for (const material of [clear, pane]) {
+      const drawing = await load((json) => addPart(json, material));
+      expect(radiusOf(drawing)).toBeGreaterThan(9);
+      drawing.dispose();
+    }
+  });
+
+  test('with all of it, if nothing of it is seen', async () => {
+    const drawing = await load((json) => {
+      addPart(json, { ...clear, alphaMode: 'BLEND' });
+      json.meshes[0].primitives[0].material = 0;
+    });
+    expect(radiusOf(drawing)).toBeGreaterThan(9);
+    drawing.dispose();
+  });
+
+  test('wherever its nodes are', async () => {
+    const drawing = await load((json) => {
+      json.nodes[0].translation = [1e7, -3e6, 5e6];
+    });
+    expect(radiusOf(drawing)).toBeCloseTo(RADIUS, 5);
+    const centre = new Vector3();
+    drawing.scene.traverse((object) => {
+      if (object instanceof Mesh) centre.setFromMatrixPosition(object.matrixWorld);
+    });
+    expect(centre.length()).toBeLessThan(1e-6);
+    drawing.dispose();
+  });
+});
