@@ -1,6 +1,7 @@
 import { acceptSetting } from './acceptSetting.js';
 import type { CameraView } from './CameraView.js';
 import { storedValue } from './formerNames.js';
+import { type ModelChoice, NO_CHOICE } from './ModelChoice.js';
 import { PRESET_NAMES } from './presetLabels.js';
 import { firstView, presetLook } from './presets.js';
 import { MAX_VIEWS, readView, type SavedView, writeView } from './savedViews.js';
@@ -18,6 +19,8 @@ export interface LinkedDrawing {
   views: readonly SavedView[];
   /** The user's own hand, as the text that `readHand` reads, if it is drawn with. It is not read yet. */
   handText: string | undefined;
+  /** The variant and the clip of the model's file. */
+  choice: ModelChoice;
 }
 
 /**
@@ -27,6 +30,7 @@ export interface LinkedDrawing {
  * @param address of the user's own model, if it is on the web; a link cannot refer to a dropped file
  * @param views that are kept with the drawing
  * @param hand the user's own hand as a text; without it, a link cannot say that it is drawn with
+ * @param choice the variant and the clip of the model's file, which are numbers from 1 on in a link
  */
 export function writeLink(
   settings: Settings,
@@ -34,6 +38,7 @@ export function writeLink(
   address?: string,
   views: readonly SavedView[] = [],
   hand?: string,
+  choice: ModelChoice = NO_CHOICE,
 ): string {
   const parameters = new URLSearchParams();
   if (settings.model === 'file' && address) parameters.set('model', address);
@@ -45,12 +50,15 @@ export function writeLink(
     parameters.set(key, String(value));
   }
   if (settings.mapStyle === 'ownHand' && hand !== undefined) parameters.set('hand', hand);
+  for (const key of CHOICES) if (choice[key] !== undefined) parameters.set(key, String(choice[key] + 1));
   if (camera) {
     parameters.set('camera', [...camera.position, ...camera.target].map(shortest).join(','));
   }
   for (const view of views) parameters.append('view', writeView(view));
   return parameters.toString();
 }
+
+const CHOICES = ['variant', 'clip'] as const;
 
 /** Every number of single precision is told by so many digits. */
 const MAX_DIGITS = 9;
@@ -95,8 +103,14 @@ export function readLink(hash: string): LinkedDrawing {
       .map(readView)
       .filter((view) => view !== undefined),
     handText,
+    choice: Object.fromEntries(
+      CHOICES.map((key) => [key, indexOf(parameters.get(key) ?? '')]),
+    ) as unknown as ModelChoice,
   };
 }
+
+/** The index that a number from 1 on stands for; undefined for anything else. */
+const indexOf = (text: string): number | undefined => (/^[1-9]\d{0,3}$/.test(text) ? Number(text) - 1 : undefined);
 
 /** As long as the name of a host can be in the domain name system. */
 const MAX_HOST = 253;

@@ -120,7 +120,20 @@ test('cameras, lights and variants of a glTF file can be chosen', { tag: '@all' 
   await expect(variants).toHaveText(['white', 'black']);
   await variants.nth(1).click();
   await expect(variants.nth(1)).toHaveAttribute('aria-pressed', 'true');
-  expect(meanInk(await readDrawing(page))).toBeGreaterThan(1.2 * meanInk(first));
+  const black = await readDrawing(page);
+  expect(meanInk(black)).toBeGreaterThan(1.2 * meanInk(first));
+  // It is a step, and the page's address brings it back.
+  expect(new URLSearchParams(await writtenHash(page)).get('variant')).toBe('2');
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(variants.nth(1)).toHaveAttribute('aria-pressed', 'false');
+  expect(changedShare(first, await readDrawing(page))).toBe(0);
+  expect(await writtenHash(page)).not.toContain('variant');
+  await page.getByRole('button', { name: 'Redo' }).click();
+  await expect(variants.nth(1)).toHaveAttribute('aria-pressed', 'true');
+  expect(await writtenHash(page)).toContain('variant=2');
+  await page.reload();
+  await expect(variants.nth(1)).toHaveAttribute('aria-pressed', 'true');
+  expect(changedShare(black, await readDrawing(page))).toBe(0);
   await variants.nth(1).click();
   await expect(variants.nth(1)).toHaveAttribute('aria-pressed', 'false');
   expect(changedShare(first, await readDrawing(page))).toBe(0);

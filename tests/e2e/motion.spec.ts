@@ -92,7 +92,19 @@ test.describe('with reduced motion', () => {
     await time(page).press('Home');
     expect(changedShare(first, await readDrawing(page))).toBe(0);
 
-    await page.getByRole('combobox', { name: 'Clip' }).selectOption('Turn');
+    const clips = page.getByRole('combobox', { name: 'Clip' });
+    const atFirst = await clips.inputValue();
+    await clips.selectOption('Turn');
+    await expect(time(page)).toHaveAttribute('max', '2');
+    // It is a step, and the page's address brings it back.
+    expect(await writtenHash(page)).toContain('clip=2');
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await expect(clips).toHaveValue(atFirst);
+    expect(await writtenHash(page)).not.toContain('clip');
+    await page.getByRole('button', { name: 'Redo' }).click();
+    expect(await writtenHash(page)).toContain('clip=2');
+    await page.reload();
+    await expect(clips).toHaveValue('1');
     await expect(time(page)).toHaveAttribute('max', '2');
     await time(page).fill('1');
     const turned = await readDrawing(page);

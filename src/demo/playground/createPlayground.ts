@@ -136,7 +136,7 @@ function keepDrawing({
 
 /** Opens the first drawing. @param kept the id of the drawing that the browser has kept for this entry of its history, if there is one */
 function openFirst(
-  { camera, address }: LinkedDrawing,
+  { camera, address, choice }: LinkedDrawing,
   session: Session,
   opener: DrawingOpener,
   kept: string | undefined,
@@ -148,8 +148,8 @@ function openFirst(
     void opener.openKept(kept).then(() => session.forgetSteps());
     return;
   }
-  if (address === undefined) modelLoader.showChosen();
-  else opener.openAddress(address, camera === undefined);
+  if (address === undefined) modelLoader.showChosen(choice);
+  else opener.openAddress(address, camera === undefined, choice);
   void mapLoader.showChosen();
 }
 

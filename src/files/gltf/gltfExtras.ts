@@ -57,13 +57,14 @@ const variantsOf = ({ variants = [] }: GltfDocument): string[] =>
 /**
  * Gives all primitives the materials of a variant; those that do not take part in it keep theirs.
  *
- * @param wanted its index, or its name or its number from 1 on as text
- * @throws ModelError if there is no such variant
+ * @param wanted its index, where one that is not there is none, or its name or its number from 1 on as text
+ * @throws ModelError if there is no variant of this name
  */
 export function useVariant(document: GltfDocument, wanted: string | number, fileName: string): void {
   const names = variantsOf(document);
-  const index = typeof wanted === 'number' ? wanted : indexOfName(names, wanted);
-  if (names.length === 0) throw new ModelError(`${fileName} has no variants of its materials.`);
+  const isNumber = typeof wanted === 'number';
+  const index = isNumber ? wanted : indexOfName(names, wanted);
+  if (names.length === 0 && !isNumber) throw new ModelError(`${fileName} has no variants of its materials.`);
   if (index === -1) {
     const known = names.map(shownName).join(', ');
     throw new ModelError(`${fileName} has no variant ${shownName(String(wanted))}; it has ${known}.`);

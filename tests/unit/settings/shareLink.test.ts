@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import type { CameraView } from '../../../src/settings/CameraView.js';
+import { NO_CHOICE } from '../../../src/settings/ModelChoice.js';
 import { Random } from '../../../src/settings/Random.js';
 import { defaultSettings, SETTING_KEYS, SETTINGS } from '../../../src/settings/settings.js';
 import { readLink, writeLink } from '../../../src/settings/shareLink.js';
@@ -48,6 +49,16 @@ describe('a link', () => {
     expect(readLink('camera=1.234,0.5,-6.001,0,0.04,0').camera?.position).toEqual(
       [1.234, 0.5, -6.001].map(Math.fround),
     );
+  });
+
+  test('carries the variant and the clip of a file, by numbers from 1 on', () => {
+    const choice = { variant: 0, clip: 11 };
+    const link = writeLink(defaultSettings(), undefined, undefined, [], undefined, choice);
+    expect(link).toContain('variant=1&clip=12');
+    expect(readLink(link).choice).toEqual(choice);
+    for (const other of ['', '0', '-1', '1.5', 'red', '1e3', '99999', '١']) {
+      expect(readLink(`variant=${other}&clip=${other}`).choice).toEqual(NO_CHOICE);
+    }
   });
 
   test('carries a model by its address, over HTTPS alone', () => {

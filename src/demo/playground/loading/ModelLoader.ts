@@ -8,6 +8,7 @@ import type { BundledDrawing } from '../../../files/archives/bundle.js';
 import { shownName } from '../../../files/common/shownText.js';
 import type { ModelFile, ReadMesh, ReadModel } from '../../../files/readModel.js';
 import type { CameraView } from '../../../settings/CameraView.js';
+import { type ModelChoice, NO_CHOICE } from '../../../settings/ModelChoice.js';
 import type { SavedView } from '../../../settings/savedViews.js';
 import { SETTINGS, type Settings } from '../../../settings/settings.js';
 import { drawsWithAdjacency } from '../../../settings/settingValues.js';
@@ -33,14 +34,14 @@ interface LoadedModel {
   drawing?: BundledDrawing | undefined;
   /** Lights the model for its view; undefined if its light is known. */
   light?: typeof lightModel | undefined;
-  /** The index of the variant of its materials, if one was chosen. */
-  variant?: number | undefined;
 }
 
 /** A model by the value of its setting, with its files if it is the user's own. */
 interface WantedModel {
   model: Settings['model'];
   files?: readonly ModelFile[] | undefined;
+  /** The variant and the clip of its file. */
+  choice: ModelChoice;
 }
 
 /** How a model is shown. */
@@ -49,6 +50,8 @@ interface WayToShow {
   isFramed: boolean;
   /** Whether the settings ask for the model, so that showing it changes none of them. */
   isRestored: boolean;
+  /** Whether the user has asked for something else of the shown model, which is a step. */
+  isChosen?: boolean;
 }
 
 /** A model that the user has opened. */
@@ -77,7 +80,7 @@ export class ModelLoader {
   /** The files from which the shown model was read. Built-in models have none. */
   shownFiles: ShownFiles = { files: [], missing: [] };
   /** The index of the variant of the shown model's materials, if one was chosen. */
-  variant: number | undefined;
+  private shownVariant: number | undefined;
   /** The state of the page that a stand-in has changed. */
   private beforeStandIn:
     | {
@@ -111,10 +114,10 @@ export class ModelLoader {
   }
 
   /** Shows the built-in model that the settings ask for. */
-  showChosen(): void {
+  showChosen(choice = NO_CHOICE): void {
     const { settings } = this;
     // It is not framed, because a link may have placed the camera.
-    if (settings.model !== 'file') void this.showBuiltIn(settings.model, false);
+    if (settings.model !== 'file') void this.showBuiltIn(settings.model, { isFramed: false, choice });
   }
 
   /** As {@link showChosen}, if nothing is shown or being loaded, so that the page is not left empty. */
@@ -128,10 +131,13 @@ export class ModelLoader {
    * @param files the files of the user's own model
    * @param isFramed whether the camera is placed so that the whole model is in the picture
    */
-  restore({ model, files }: WantedModel, isFramed: boolean): void {
-    if (model === this.wanted?.model && files === this.wanted.files) return;
-    if (model !== 'file') void this.showBuiltIn(model, isFramed);
-    else if (files) void this.showOwn(files, { isFramed, isRestored: true });
+  restore({ model, files, choice }: WantedModel, isFramed: boolean): void {
+    const { wanted } = this;
+    if (model === wanted?.model && files === wanted.files && choice.variant === wanted.choice.variant) {
+      wanted.choice = choice;
+      this.poseClip(choice);
+    } else if (model !== 'file') void this.showBuiltIn(model, { isFramed, choice });
+    else if (files) void this.showOwn(files, { isFramed, isRestored: true }, choice);
   }
 
   /**
@@ -143,7 +149,7 @@ export class ModelLoader {
     const { settings } = this;
     if (settings.model === 'file') return;
     settings.upAxis = SETTINGS.upAxis.default;
-    void this.showBuiltIn(settings.model, isFramed, isFramed && this.isLightOfPage);
+    void this.showBuiltIn(settings.model, { isFramed, isLit: isFramed && this.isLightOfPage });
   }
 
   get isLoading(): boolean {
@@ -171,8 +177,8 @@ export class ModelLoader {
   }
 
   /** Fetches a model from another site, to which the user has agreed, and shows it with the present settings. */
-  showAddress(address: string, isFramed: boolean): void {
-    const wanted: WantedModel = { model: 'file' };
+  showAddress(address: string, isFramed: boolean, choice: ModelChoice): void {
+    const wanted: WantedModel = { model: 'file', choice };
     void this.show(wanted, { isFramed, isRestored: true }, async (report, signal) => {
       const { describeAddress, fetchModel } = await import('./fetchModel.js');
       const stage = `fetching ${shownName(describeAddress(address).name)}`;
@@ -183,7 +189,8 @@ export class ModelLoader {
       const onCoarse = (read: ReadModel): void => {
         if (!signal.aborted) this.showStandIn({ title: read.name, read }, { isFramed, isRestored: true });
       };
-      const read = await loadModelFiles(files, { signal, onStage: report, onCoarse });
+      const { variant } = choice;
+      const read = await loadModelFiles(files, { signal, onStage: report, onCoarse, variant });
       const { name: title, missing, unpacked } = read;
       return { title, read, shown: { files, missing, unpacked } };
     });
@@ -206,23 +213,46 @@ export class ModelLoader {
 
   /** Shows the user's own model with a variant of its materials, by its index, or with those that it has without one. */
   showVariant(variant: number | undefined): void {
-    const { files } = this.shownFiles;
-    void this.show({ model: 'file', files }, { isFramed: false, isRestored: true }, async (report, signal) => {
-      const read = await loadModelFiles(files, { signal, onStage: report, variant });
-      const { name: title, missing, unpacked } = read;
-      return { title, read, shown: { files, missing, unpacked }, variant };
-    });
+    const { shownFiles, choice } = this;
+    const way: WayToShow = { isFramed: false, isRestored: true, isChosen: true };
+    void this.showOwn(shownFiles.files, way, { ...choice, variant });
+  }
+
+  /** The index of the variant of the shown model's materials, if one was chosen. */
+  get variant(): number | undefined {
+    return this.choice.variant;
+  }
+
+  /** Poses the shown model by one of its clips. */
+  set clip(clip: number) {
+    const choice = { ...this.choice, clip: clip || undefined };
+    if (this.wanted && !this.isLoading) this.wanted.choice = choice;
+    this.poseClip(choice);
+  }
+
+  /** The variant and the clip of the file of the shown model. */
+  get choice(): ModelChoice {
+    const { clip = 0 } = this.stage.model?.motion ?? {};
+    return { variant: this.shownVariant, clip: clip > 0 ? clip : undefined };
+  }
+
+  private poseClip({ clip = 0 }: ModelChoice): void {
+    const { motion } = this.stage.model ?? {};
+    if (!motion || motion.clip === clip) return;
+    motion.clip = clip;
+    this.stage.frames.invalidate();
   }
 
   /** Shows a model of the user's own. */
   showFiles(files: readonly ModelFile[]): Promise<void> {
     // The same model with pictures that were missing is not framed again.
     const isFramed = !files.some((file) => this.shownFiles.files.includes(file));
-    return this.showOwn(files, { isFramed, isRestored: false });
+    return this.showOwn(files, { isFramed, isRestored: false }, isFramed ? NO_CHOICE : this.choice);
   }
 
-  private showOwn(files: readonly ModelFile[], way: WayToShow): Promise<void> {
-    return this.show({ model: 'file', files }, way, async (report, signal) => {
+  private showOwn(files: readonly ModelFile[], way: WayToShow, choice: ModelChoice): Promise<void> {
+    const { variant } = choice;
+    return this.show({ model: 'file', files, choice }, way, async (report, signal) => {
       const lighting = fetchLight();
       const lightOf = async ({ drawing }: ReadModel): Promise<LoadedModel['light']> =>
         way.isRestored || !way.isFramed || drawing ? undefined : lighting;
@@ -231,7 +261,8 @@ export class ModelLoader {
         const light = await lightOf(read).catch(() => undefined);
         if (!signal.aborted) this.showStandIn({ title: read.name, read, light }, way);
       };
-      const [read] = await Promise.all([loadModelFiles(files, { signal, onStage: report, onCoarse }), lighting]);
+      const reading = loadModelFiles(files, { signal, onStage: report, onCoarse, variant });
+      const [read] = await Promise.all([reading, lighting]);
       const { name: title, missing, unpacked, drawing } = read;
       const light = await lightOf(read);
       return { title, read, shown: { files, missing, unpacked }, drawing, light };
@@ -251,8 +282,11 @@ export class ModelLoader {
   }
 
   /** @param isLit whether the model gets a light that suits its view */
-  private showBuiltIn(model: BuiltInModel, isFramed: boolean, isLit = false): Promise<void> {
-    return this.show({ model }, { isFramed, isRestored: true }, async (report, signal) => {
+  private showBuiltIn(
+    model: BuiltInModel,
+    { isFramed, isLit = false, choice = NO_CHOICE }: { isFramed: boolean; isLit?: boolean; choice?: ModelChoice },
+  ): Promise<void> {
+    return this.show({ model, choice }, { isFramed, isRestored: true }, async (report, signal) => {
       const { title, view, load } = BUILT_IN_MODELS[model];
       report(`fetching ${title}`);
       const lighting = isLit ? fetchLight() : undefined;
@@ -289,22 +323,22 @@ export class ModelLoader {
         throw error;
       }
       report('drawing', 1);
-      this.showLoaded(wanted.model, loaded, built, way);
+      this.showLoaded(wanted, loaded, built, way);
     });
     if (end === 'failed') {
       this.takeStandInAway();
       // The previous model stays, so the setting goes back to it.
       settings.model = this.shownModel;
-      this.wanted = { model: this.shownModel, files: this.ownFiles };
+      this.wanted = { model: this.shownModel, files: this.ownFiles, choice: this.choice };
       this.onChange('failed');
     }
   }
 
   private showLoaded(
-    model: Settings['model'],
+    { model, choice }: WantedModel,
     loaded: LoadedModel,
     { model: next, notes }: { model: HatchedModel; notes: readonly string[] },
-    { isFramed, isRestored }: WayToShow,
+    { isFramed, isRestored, isChosen = false }: WayToShow,
   ): void {
     const { settings, stage } = this;
     const { title, read, view, drawing, light } = loaded;
@@ -313,7 +347,8 @@ export class ModelLoader {
     this.shownModel = model;
     this.title = title;
     this.shownFiles = loaded.shown ?? { files: [], missing: [] };
-    this.variant = loaded.variant;
+    this.shownVariant = next.extras.variants[choice.variant ?? -1] === undefined ? undefined : choice.variant;
+    if (next.motion && choice.clip !== undefined) next.motion.clip = choice.clip;
     this.simplified = read.kind === 'mesh' ? read.simplified : undefined;
     this.sceneRadius = read.kind === 'mesh' ? undefined : 1 / next.root.scale.x;
     const { statistics } = next;
@@ -330,8 +365,8 @@ export class ModelLoader {
     const isOwn = model === 'file';
     const details = isOwn && 'details' in read ? read.details : [];
     this.name({ title, statistics, notes: isOwn ? [...notes, ...ofFile.notes] : [], details });
-    if (isRestored) this.onChange('restored');
-    else this.onChange('opened', { isOther: isFramed, drawing, views: ofFile.views });
+    if (isRestored && !isChosen) this.onChange('restored');
+    else this.onChange('opened', { isOther: isFramed, drawing: isRestored ? undefined : drawing, views: ofFile.views });
     page.lamp.hidden = false;
   }
 

@@ -42,7 +42,8 @@ export class Card {
     });
     this.motion = parts.later(async () => {
       const { MotionPanel } = await import('./MotionPanel.js');
-      return new MotionPanel(page.motion, page.canvas, () => stage.frames.invalidate());
+      const invalidate = (): void => stage.frames.invalidate();
+      return new MotionPanel(page.motion, page.canvas, invalidate, (clip) => session.chooseClip(clip));
     });
     // The panel is fetched later, because it would delay the first drawing. The shelf lies above it and comes first, so that nothing moves.
     void Promise.all([import('./SettingsPanel.js'), createActions(), this.shelf.fetch()])

@@ -26,6 +26,8 @@ export class MotionPanel {
     private readonly container: HTMLElement,
     drawing: HTMLElement,
     private readonly onChange: () => void,
+    /** Shows a clip, by its index. */
+    private readonly onChoose: (clip: number) => void,
   ) {
     this.row.className = 'motion-clip';
     this.clips.setAttribute('aria-label', 'Clip');
@@ -63,6 +65,11 @@ export class MotionPanel {
   /** Updates the controls to the state of the model. To be called after each frame. */
   update(): void {
     if (!this.motion) return;
+    const clip = String(this.motion.clip);
+    if (this.clips.value !== clip && this.motion.clip >= 0) {
+      this.clips.value = clip;
+      this.showClip();
+    }
     this.play.textContent = this.motion.isPlaying ? 'Pause' : 'Play';
     for (const slider of [this.time, this.speed, ...this.morphs]) slider.update();
   }
@@ -73,7 +80,7 @@ export class MotionPanel {
   }
 
   private chooseClip(): void {
-    this.motion!.clip = Number(this.clips.value);
+    this.onChoose(Number(this.clips.value));
     this.showClip();
     this.changed();
   }

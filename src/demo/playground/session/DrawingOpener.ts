@@ -1,3 +1,4 @@
+import type { ModelChoice } from '../../../settings/ModelChoice.js';
 import type { Status } from '../tasks/Status.js';
 import { sentenceFor } from '../tasks/sentenceFor.js';
 import type { Keeper } from './Keeper.js';
@@ -36,8 +37,8 @@ export class DrawingOpener {
   }
 
   /** Opens a model of another site, if the user agrees. @param isFramed whether the model is framed */
-  openAddress(address: string, isFramed: boolean): void {
-    void this.open((links) => links.showAddress(address, isFramed));
+  openAddress(address: string, isFramed: boolean, choice: ModelChoice): void {
+    void this.open((links) => links.showAddress(address, isFramed, choice));
   }
 
   private async open(show: (links: LinkFollower) => Promise<void>): Promise<void> {

@@ -1,4 +1,5 @@
 import type { ModelFile } from '../../../files/readModel.js';
+import { isSameChoice, type ModelChoice } from '../../../settings/ModelChoice.js';
 import type { SavedView } from '../../../settings/savedViews.js';
 import { SETTING_KEYS, type Settings } from '../../../settings/settings.js';
 import type { OwnHand } from '../../drawing/OwnHand.js';
@@ -18,11 +19,14 @@ export interface LookState {
 export interface DrawingState extends LookState {
   /** The files of the model, if it is the user's own. */
   files: readonly ModelFile[] | undefined;
+  /** The variant and the clip of its file. */
+  choice: ModelChoice;
 }
 
 export const isSameState = (a: DrawingState, b: DrawingState): boolean =>
   SETTING_KEYS.every((key) => a.settings[key] === b.settings[key]) &&
   a.files === b.files &&
+  isSameChoice(a.choice, b.choice) &&
   isSameHand(a.hand, b.hand) &&
   JSON.stringify(a.views) === JSON.stringify(b.views) &&
   // A framed model is placed anew in every viewport, so its camera does not matter.

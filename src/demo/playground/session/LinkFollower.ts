@@ -1,6 +1,8 @@
 import { ModelError } from '../../../files/common/ModelError.js';
-import { SETTINGS, type Settings } from '../../../settings/settings.js';
+import type { ModelChoice } from '../../../settings/ModelChoice.js';
+import { SETTINGS } from '../../../settings/settings.js';
 import { askToFetch } from '../loading/ask.js';
+import type { DrawingState } from './DrawingState.js';
 import type { Keeper } from './Keeper.js';
 import { LatestRequest } from './LatestRequest.js';
 import type { PageAddress } from './PageAddress.js';
@@ -25,29 +27,35 @@ export class LinkFollower {
     // A question about an earlier address must not be answered any more.
     this.asked.drop();
     const { drawing } = this.address;
-    const { settings: next, namesModel, camera, address, views, hand } = session.linked(this.address.read());
+    const linked = session.linked(this.address.read());
+    const { settings: next, namesModel, camera, address, views, hand, choice } = linked;
     if (drawing !== undefined) return this.openKept(drawing);
-    const { ownFiles } = session.modelLoader;
-    if (!namesModel && ownFiles)
-      session.showState({ settings: this.onOwnModel(next), camera, files: ownFiles, views, hand });
+    const { ownFiles, choice: before } = session.modelLoader;
+    if (!namesModel && ownFiles) session.showState({ ...linked, ...this.onOwnModel(linked, before), files: ownFiles });
     // The shown model stays until the user has agreed and the model from the web has come.
-    else if (address === undefined) session.showState({ settings: next, camera, files: undefined, views, hand });
+    else if (address === undefined) session.showState({ ...linked, files: undefined });
     else session.showLook({ settings: { ...next, model: session.settings.model }, camera, views, hand });
     session.recordChange();
-    if (address !== undefined) await this.showAddress(address, camera === undefined);
+    if (address !== undefined) await this.showAddress(address, camera === undefined, choice);
   }
 
-  /** The settings of a link that names no model, for the user's own one, which stands as it stood unless the link turns it. */
-  private onOwnModel(next: Settings): Settings {
+  /** A link that names no model, for the user's own one, which stands as it stood and is drawn in the variant and pose in which it was unless the link asks for others. */
+  private onOwnModel(
+    { settings: next, choice }: Pick<DrawingState, 'settings' | 'choice'>,
+    before: ModelChoice,
+  ): Pick<DrawingState, 'settings' | 'choice'> {
     const { upAxis } = this.session.settings;
-    return { ...next, model: 'file', upAxis: next.upAxis === SETTINGS.upAxis.default ? upAxis : next.upAxis };
+    return {
+      settings: { ...next, model: 'file', upAxis: next.upAxis === SETTINGS.upAxis.default ? upAxis : next.upAxis },
+      choice: { variant: choice.variant ?? before.variant, clip: choice.clip ?? before.clip },
+    };
   }
 
   /** Shows a model from another site, if the user agrees. */
-  async showAddress(address: string, isFramed: boolean): Promise<void> {
+  async showAddress(address: string, isFramed: boolean, choice: ModelChoice): Promise<void> {
     const isAgreed = await this.asked.run((signal) => askToFetch(address, signal));
     const { modelLoader } = this.session;
-    if (isAgreed) modelLoader.showAddress(address, isFramed);
+    if (isAgreed) modelLoader.showAddress(address, isFramed, choice);
     else if (isAgreed === false) modelLoader.showSomething();
   }
 
@@ -66,11 +74,12 @@ export class LinkFollower {
             : 'The browser does not return the drawing that it keeps: open your model again.',
         );
       }
-      const { settings: next, address: origin, views, hand } = session.linked(kept.drawing.link);
+      const linked = session.linked(kept.drawing.link);
+      const { settings: next, address: origin } = linked;
       const { model: files, map } = kept.files;
       if (files) next.model = 'file';
       if (files && origin !== undefined) modelLoader.cameFrom(files, origin);
-      session.showState({ settings: next, camera: kept.drawing.camera, files, views, hand });
+      session.showState({ ...linked, camera: kept.drawing.camera, files });
       if (map) await mapLoader.showFiles(map, true);
       return true;
     });

@@ -97,6 +97,12 @@ export class Session {
     void this.mapLoader.showChosen();
   }
 
+  /** Shows a clip of the model that the user has chosen, by its index. */
+  chooseClip(index: number): void {
+    this.modelLoader.clip = index;
+    this.recordChange();
+  }
+
   /** To be called when the user has changed one setting with its control. */
   settingChanged(key: SettingKey): void {
     if (key === 'model') this.modelLoader.changeModel();
@@ -161,13 +167,15 @@ export class Session {
       files: settings.model === 'file' ? this.modelLoader.ownFiles : undefined,
       views: views.list,
       hand: this.mapLoader.hand,
+      choice: this.modelLoader.choice,
     };
   }
 
   /** The drawing as the text of a link. */
   get link(): string {
     const { modelLoader, mapLoader, views } = this;
-    return writeLink(this.settings, this.stage.view.ownPlace, modelLoader.address, views.list, mapLoader.hand?.link);
+    const { address, choice } = modelLoader;
+    return writeLink(this.settings, this.stage.view.ownPlace, address, views.list, mapLoader.hand?.link, choice);
   }
 
   /** Whether a link to the drawing brings back its model. */
@@ -195,12 +203,12 @@ export class Session {
 
   /** Takes over settings, camera and views, and loads the model and the map that they ask for. */
   showState(state: DrawingState): void {
-    const { settings: next, camera: place, files } = state;
+    const { settings: next, camera: place, files, choice } = state;
     // Files that are gone cannot be shown again.
     const { model } = this.settings;
     this.showLook({ ...state, settings: { ...next, ...(next.model === 'file' && !files && { model }) } });
     const isFramed = place === undefined || place.framedFor !== undefined;
-    this.modelLoader.restore({ model: this.settings.model, files }, isFramed);
+    this.modelLoader.restore({ model: this.settings.model, files, choice }, isFramed);
   }
 
   /** Takes over settings, camera and views, and loads the map that they ask for. */
@@ -249,8 +257,10 @@ export class Session {
   private takeOver({ isOther, drawing, views: ofFile }: OpenedModel): void {
     if (isOther) this.views.list = ofFile;
     if (!drawing) return;
-    const { settings: next, camera, views, hand } = this.linked(drawing.link);
-    this.showLook({ settings: { ...next, model: this.settings.model }, camera, views, hand });
+    const { settings: next, camera, views, hand, choice } = this.linked(drawing.link);
+    const { model } = this.settings;
+    this.showLook({ settings: { ...next, model }, camera, views, hand });
+    this.modelLoader.restore({ model, files: this.modelLoader.ownFiles, choice }, false);
     if (drawing.strokes.length > 0)
       void this.mapLoader.showFiles(drawing.strokes, true).then(() => this.history.adopt());
   }

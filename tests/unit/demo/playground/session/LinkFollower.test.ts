@@ -2,6 +2,7 @@ import { beforeEach, expect, test, vi } from 'vitest';
 import { askToFetch } from '../../../../../src/demo/playground/loading/ask.js';
 import { LinkFollower } from '../../../../../src/demo/playground/session/LinkFollower.js';
 import type { ModelFile } from '../../../../../src/files/common/ModelFile.js';
+import { type ModelChoice, NO_CHOICE } from '../../../../../src/settings/ModelChoice.js';
 import type { Settings } from '../../../../../src/settings/settings.js';
 
 vi.mock('../../../../../src/demo/playground/loading/ask.js', () => ({ askToFetch: vi.fn() }));
@@ -14,9 +15,9 @@ interface PageContent {
   address?: string;
   drawing?: string;
   /** What the link describes. */
-  link?: { settings?: Partial<Settings>; namesModel?: boolean };
+  link?: { settings?: Partial<Settings>; namesModel?: boolean; choice?: ModelChoice };
   /** The user's own model. */
-  shown?: { settings?: Partial<Settings>; files?: readonly ModelFile[] };
+  shown?: { settings?: Partial<Settings>; files?: readonly ModelFile[]; choice?: ModelChoice };
 }
 
 /** A follower of links on a page that shows a cube, and what it does to that. */
@@ -28,9 +29,15 @@ function onPage({ address, drawing, link = {}, shown = {} }: PageContent = {}) {
     address,
     views: [],
     hand: undefined,
+    choice: NO_CHOICE as ModelChoice,
     ...link,
   };
-  const modelLoader = { ownFiles: shown.files, showAddress: vi.fn(), showSomething: vi.fn() };
+  const modelLoader = {
+    ownFiles: shown.files,
+    choice: shown.choice ?? NO_CHOICE,
+    showAddress: vi.fn(),
+    showSomething: vi.fn(),
+  };
   const session = {
     settings: { model: 'cube', ...shown.settings },
     modelLoader,
@@ -47,12 +54,12 @@ function onPage({ address, drawing, link = {}, shown = {} }: PageContent = {}) {
 test('a model of another site is fetched if the user agrees; if not, something else is shown', async () => {
   const { follower, modelLoader } = onPage();
   vi.mocked(askToFetch).mockResolvedValueOnce(false);
-  await follower.showAddress(ADDRESS, true);
+  await follower.showAddress(ADDRESS, true, NO_CHOICE);
   expect([modelLoader.showAddress.mock.calls, modelLoader.showSomething.mock.calls.length]).toEqual([[], 1]);
   vi.mocked(askToFetch).mockResolvedValueOnce(true);
-  await follower.showAddress(ADDRESS, true);
+  await follower.showAddress(ADDRESS, true, NO_CHOICE);
   expect([modelLoader.showAddress.mock.calls, modelLoader.showSomething.mock.calls.length]).toEqual([
-    [[ADDRESS, true]],
+    [[ADDRESS, true, NO_CHOICE]],
     1,
   ]);
 });
@@ -61,7 +68,7 @@ test('an agreement that comes after the address asks for something else is none'
   const { follower, modelLoader, session } = onPage();
   let agree = (_: boolean): void => {};
   vi.mocked(askToFetch).mockImplementationOnce(() => new Promise((resolve) => (agree = resolve)));
-  const asked = follower.showAddress(ADDRESS, true);
+  const asked = follower.showAddress(ADDRESS, true, NO_CHOICE);
   await follower.follow();
   agree(true);
   await asked;
@@ -76,7 +83,7 @@ test('until the user has agreed, the look of a link is shown on the model that i
   await follower.follow();
   expect(session.showState).not.toHaveBeenCalled();
   expect(session.showLook.mock.calls[0][0].settings).toEqual({ model: 'cube', ink: '#123456' });
-  expect(modelLoader.showAddress).toHaveBeenCalledExactlyOnceWith(ADDRESS, true);
+  expect(modelLoader.showAddress).toHaveBeenCalledExactlyOnceWith(ADDRESS, true, NO_CHOICE);
 });
 
 test.each([
@@ -90,6 +97,15 @@ test.each([
   await follower.follow();
   const [state] = session.showState.mock.calls[0];
   expect(state).toMatchObject({ settings: { model: 'file', ink: '#123456', upAxis }, files });
+});
+
+test('an address that names no model leaves the variant and the clip of the user’s own one, unless it asks for others', async () => {
+  const files = [{ name: 'shoe.glb' }] as unknown as readonly ModelFile[];
+  const shown = { files, choice: { variant: 1, clip: 2 } };
+  const asked = { variant: undefined, clip: 3 };
+  const { follower, session } = onPage({ link: { namesModel: false, choice: asked }, shown });
+  await follower.follow();
+  expect(session.showState.mock.calls[0][0]).toMatchObject({ choice: { variant: 1, clip: 3 }, files });
 });
 
 test('an address that names no model shows the first one where the user has none', async () => {

@@ -2,6 +2,7 @@ import { beforeEach, expect, test, vi } from 'vitest';
 import type { ModelEnd, OpenedModel } from '../../../../../src/demo/playground/loading/ModelLoader.js';
 import { Session } from '../../../../../src/demo/playground/session/Session.js';
 import type { Look } from '../../../../../src/settings/lookOf.js';
+import type { ModelChoice } from '../../../../../src/settings/ModelChoice.js';
 import { defaultSettings } from '../../../../../src/settings/settings.js';
 
 type OnModel = (end: ModelEnd, opened?: OpenedModel) => void;
@@ -16,6 +17,8 @@ vi.mock('../../../../../src/demo/playground/loading/ModelLoader.js', () => ({
   ModelLoader: class {
     ownFiles = undefined;
     address = undefined;
+    choice = { variant: undefined, clip: undefined };
+    clip = 0;
     restore = loaders.restore;
     changeModel = loaders.changeModel;
     constructor(_scene: unknown, _settings: unknown, _tasks: unknown, onChange: OnModel) {
@@ -176,6 +179,7 @@ test('a model that comes with its look is drawn so, and the look cannot choose a
 });
 
 test('where a state had files that are gone, the model that is shown stays', () => {
+  const choice = { variant: 1, clip: undefined };
   const { session } = createSession();
   const { model } = session.settings;
   session.showState({
@@ -184,9 +188,33 @@ test('where a state had files that are gone, the model that is shown stays', () 
     camera: undefined,
     files: undefined,
     views: [],
+    choice,
   });
   expect([session.settings.model, session.settings.ink]).toEqual([model, '#00ff00']);
-  expect(loaders.restore).toHaveBeenCalledWith({ model, files: undefined }, true);
+  expect(loaders.restore).toHaveBeenCalledWith({ model, files: undefined, choice }, true);
+});
+
+test('a variant and a clip that were chosen are in the link, and undone and redone', () => {
+  const { session } = createSession();
+  const loader = session.modelLoader as unknown as { choice: ModelChoice };
+  const { link } = session;
+  for (const choice of [
+    { variant: 1, clip: undefined },
+    { variant: 1, clip: 2 },
+  ]) {
+    loader.choice = choice;
+    session.recordChange();
+  }
+  const both = new URLSearchParams(session.link);
+  expect([both.get('variant'), both.get('clip')]).toEqual(['2', '3']);
+  loaders.restore.mockImplementation(({ choice }: { choice: ModelChoice }) => void Object.assign(loader, { choice }));
+  session.undo();
+  expect(loader.choice).toEqual({ variant: 1, clip: undefined });
+  session.undo();
+  expect(session.link).toBe(link);
+  session.redo();
+  session.redo();
+  expect(loader.choice).toEqual({ variant: 1, clip: 2 });
 });
 
 test('forgotten steps cannot be undone', () => {
