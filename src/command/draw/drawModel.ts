@@ -16,6 +16,8 @@ import { shownName } from '../../files/common/shownText.js';
 import { withPictures } from '../../files/decodePictures.js';
 import { missingDetail, missingNote } from '../../files/pictures/meshPictures.js';
 import { type ReadModel, readModel } from '../../files/readModel.js';
+import { type ModelChoice, NO_CHOICE } from '../../settings/ModelChoice.js';
+import { readLink } from '../../settings/shareLink.js';
 import { lightsOfFile } from '../../staging/lightsOfFile.js';
 import { turnCamera } from '../../staging/placeCamera.js';
 import type { DrawingOptions } from '../DrawingOptions.js';
@@ -51,15 +53,21 @@ export async function drawModel(
   const note = (sentence: string): void => say({ kind: 'note', sentence });
   const surroundings = new NodeSurroundings(dirname(path));
   const file = { name, content: await contentOf(path, content), format: options.format };
-  const read = await readFrom(file, surroundings, options.variant, say);
+  const asked = choiceOf(options.link);
+  let read = await readFrom(file, surroundings, options.variant ?? asked.variant, say);
+  // An archive of the playground holds the look with the model.
+  const link = options.link ?? read.drawing?.link;
+  const linked = choiceOf(link);
+  if (options.variant === undefined && linked.variant !== asked.variant) {
+    read = await readFrom(file, surroundings, linked.variant, say);
+  }
   const report = (stage: string, share = 0): void => progress(stage, READ + (JOINED - READ) * share);
   const { model, notes } = await buildModel(read, report, signal);
   tellFaults(name, read, notes, note);
-  // An archive of the playground holds the look with the model.
-  const drawnWith = settingsFor(options, options.link ?? read.drawing?.link, read.upAxis);
-  chooseClip(model, options, name);
+  const drawnWith = settingsFor(options, link, read.upAxis);
+  chooseClip(model, options, linked, name);
   checkChosen(model, options, name);
-  for (const offer of offersOf(model, options)) note(`${name} ${offer}.`);
+  for (const offer of offersOf(model, options, linked)) note(`${name} ${offer}.`);
   const angles = anglesOf(options);
   const staged = await stageModel(model, drawnWith, options, angles, {
     signal,
@@ -79,7 +87,7 @@ async function contentOf(path: string, content: Uint8Array | undefined): Promise
 async function readFrom(
   file: ModelFile,
   surroundings: NodeSurroundings,
-  variant: string | undefined,
+  variant: string | number | undefined,
   say: (message: DrawMessage) => void,
 ): Promise<ReadModel> {
   const onStage = (stage: string, bytes?: number): void =>
@@ -91,13 +99,19 @@ async function readFrom(
   return withPictures(await fitMemory(read, mostTriangles(memoryHere()), onProgress), onStage, surroundings);
 }
 
+const choiceOf = (link: string | undefined): ModelChoice => (link === undefined ? NO_CHOICE : readLink(link).choice);
+
 /** The angles by which the camera is turned for the frames, in radians. The clip takes the place of the turn. */
 function anglesOf({ frames = 1, clip }: DrawingOptions): number[] {
   return Array.from({ length: clip === undefined ? frames : 1 }, (_, i) => MathUtils.degToRad((360 * i) / frames));
 }
 
-function chooseClip({ motion }: HatchedModel, { clip }: DrawingOptions, name: string): void {
-  if (clip === undefined) return;
+function chooseClip({ motion }: HatchedModel, { clip }: DrawingOptions, linked: ModelChoice, name: string): void {
+  if (clip === undefined) {
+    // A clip that is not there stands for the first.
+    if (motion && linked.clip !== undefined) motion.clip = linked.clip;
+    return;
+  }
   const clips = motion?.clips ?? [];
   const index = indexOfName(clips, clip);
   if (!motion || clips.length === 0) throw new ModelError(`${name} has no clips.`);
@@ -117,7 +131,11 @@ function checkChosen({ extras }: HatchedModel, { camera, variant }: DrawingOptio
 }
 
 /** What a model offers that nobody has asked for. */
-function offersOf({ extras, motion }: HatchedModel, { camera, variant, clip, ...options }: DrawingOptions): string[] {
+function offersOf(
+  { extras, motion }: HatchedModel,
+  { camera, variant, clip, ...options }: DrawingOptions,
+  linked: ModelChoice,
+): string[] {
   const { cameras, variants, lights } = extras;
   const clips = motion?.clips ?? [];
   const leftOut = options.usesFileLights && !options.light ? (lightsOfFile(lights)?.leftOut ?? 0) : 0;
@@ -127,8 +145,8 @@ function offersOf({ extras, motion }: HatchedModel, { camera, variant, clip, ...
       cameras.map((one) => one.name),
       camera,
     ),
-    ...offer('variant', variants, variant),
-    ...(clips.length > 1 ? offer('clip', clips, clip) : []),
+    ...offer('variant', variants, variant ?? linked.variant),
+    ...(clips.length > 1 ? offer('clip', clips, clip ?? linked.clip) : []),
     ...(leftOut > 0
       ? [
           `has ${counted(leftOut, 'light', `that ${leftOut === 1 ? 'is' : 'are'} not drawn: the brightest two are, at most`)}`,
@@ -138,7 +156,7 @@ function offersOf({ extras, motion }: HatchedModel, { camera, variant, clip, ...
 }
 
 /** A sentence on things that can be chosen, if there are any and none is. */
-function offer(option: string, names: readonly string[], chosen: string | undefined): string[] {
+function offer(option: string, names: readonly string[], chosen: string | number | undefined): string[] {
   if (chosen !== undefined || names.length === 0) return [];
   const list = names.length > NAMED ? [...names.slice(0, NAMED), '…'] : names;
   const [plural, one] = names.length === 1 ? ['', 'it'] : ['s', 'one'];

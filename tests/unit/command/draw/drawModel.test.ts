@@ -559,6 +559,17 @@ describe('what a glTF file offers', () => {
     expect((await draw('a.glb', builder.glb(), ...SMALL)).notes).toEqual(notes);
   });
 
+  test('is drawn as a link has it, unless options say otherwise', async () => {
+    const draws = (hash: string, ...more: string[]) =>
+      draw('a.glb', named(), ...SMALL, '--camera', '1', '--link', `#preset=pen&${hash}`, ...more);
+    const black = await draws('variant=2&clip=2');
+    expect(black.notes).toEqual([]);
+    const white = await draws('variant=2&clip=2', '--variant', 'white');
+    expect(black.drawn[0]).toBeGreaterThan(1.2 * white.drawn[0]);
+    // What is not there is nothing.
+    expect((await draws('variant=9&clip=9')).drawn).toEqual(white.drawn);
+  });
+
   test('is drawn where somebody does', async () => {
     const chosen = ['--camera', '1', '--variant', 'black', '--clip', '2'];
     const white = await draw('a.glb', named(), ...SMALL, ...chosen.with(3, '1'));
