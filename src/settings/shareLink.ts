@@ -1,5 +1,6 @@
 import { acceptSetting } from './acceptSetting.js';
 import type { CameraView } from './CameraView.js';
+import { cameraParts, inSingle, takeCamera } from './cameraNumbers.js';
 import { storedValue } from './formerNames.js';
 import { type ModelChoice, NO_CHOICE } from './ModelChoice.js';
 import { PRESET_NAMES } from './presetLabels.js';
@@ -52,7 +53,8 @@ export function writeLink(
   if (settings.mapStyle === 'ownHand' && hand !== undefined) parameters.set('hand', hand);
   for (const key of CHOICES) if (choice[key] !== undefined) parameters.set(key, String(choice[key] + 1));
   if (camera) {
-    parameters.set('camera', [...camera.position, ...camera.target].map(shortest).join(','));
+    const parts = cameraParts(camera).map((part) => (typeof part === 'number' ? shortest(part) : part));
+    parameters.set('camera', parts.join(','));
   }
   for (const view of views) parameters.append('view', writeView(view));
   return parameters.toString();
@@ -89,13 +91,12 @@ export function readLink(hash: string): LinkedDrawing {
   }
   const handText = settings.mapStyle === 'ownHand' ? (parameters.get('hand') ?? undefined) : undefined;
   if (settings.mapStyle === 'ownHand' && handText === undefined) settings.mapStyle = SETTINGS.mapStyle.default;
-  const numbers = (parameters.get('camera') ?? '').split(',').map((text) => Math.fround(Number(text)));
-  const isCamera = numbers.length === 6 && numbers.every((value) => Number.isFinite(value) && Math.abs(value) <= 100);
-  const [x, y, z, tx, ty, tz] = numbers as [number, number, number, number, number, number];
+  const parts = (parameters.get('camera') ?? '').split(',');
+  const camera = takeCamera(parts);
   return {
     settings,
     namesModel,
-    camera: isCamera ? { position: [x, y, z], target: [tx, ty, tz] } : undefined,
+    camera: camera && parts.length === 0 ? inSingle(camera) : undefined,
     address,
     views: parameters
       .getAll('view')

@@ -1,4 +1,5 @@
 import { MathUtils, type PerspectiveCamera, Vector3 } from 'three';
+import { LensCamera } from './LensCamera.js';
 
 /** What is looked at of a shadow that nears the edges of the sheet: from the first share of the way there on, and wholly at the second. */
 const NEARS_EDGE = { from: 0.86, to: 0.97 } as const;
@@ -62,13 +63,10 @@ function castPoint({ position, isSun }: GroundLight, ground: number): boolean {
 }
 
 /** How far a place is from the middle of the sheet: 1 at its edges. */
-function reachOf(
-  place: Vector3,
-  { matrixWorldInverse, fov, aspect }: PerspectiveCamera,
-  [wide, high]: SheetPart,
-): number {
-  const { x, y, z } = seen.copy(place).applyMatrix4(matrixWorldInverse);
+function reachOf(place: Vector3, camera: PerspectiveCamera | LensCamera, [wide, high]: SheetPart): number {
+  const { x, y, z } = seen.copy(place).applyMatrix4(camera.matrixWorldInverse);
   if (z >= 0) return Infinity;
-  const slope = -z * Math.tan(MathUtils.degToRad(fov) / 2);
-  return Math.max(Math.abs(x) / (slope * aspect * wide), Math.abs(y) / (slope * high));
+  const isFlat = camera instanceof LensCamera && camera.lens?.isOrthographic;
+  const half = isFlat ? camera.top : -z * Math.tan(MathUtils.degToRad(camera.fov) / 2);
+  return Math.max(Math.abs(x) / (half * camera.aspect * wide), Math.abs(y) / (half * high));
 }

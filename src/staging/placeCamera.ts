@@ -1,8 +1,8 @@
 import { MathUtils, Matrix4, OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import type { FileCamera } from '../files/common/ModelExtras.js';
-import type { CameraView } from '../settings/CameraView.js';
-import { LENS } from './createCamera.js';
+import { type CameraLens, type CameraView, halfHeightOf } from '../settings/CameraView.js';
 import { type Framing, fitCamera } from './framing.js';
+import { LENS } from './LensCamera.js';
 
 /** The lens of a picture without perspective is found by one that sees almost none, in degrees. */
 const NARROW = 0.2;
@@ -54,8 +54,10 @@ export function framedCamera(
   return { camera: isOrthographic ? withoutPerspective(camera, target) : camera, target };
 }
 
-/** A camera at the place that a link names. The middle of the page, as high as wide, is in its picture. */
-export function linkedCamera(aspect: number, { position, target }: CameraView, isOrthographic: boolean): PlacedCamera {
+/** A camera at the place that a link names. The middle of the page, as high as wide, is in its picture, or all that a lens of its own sees. */
+export function linkedCamera(aspect: number, view: CameraView, isOrthographic: boolean): PlacedCamera {
+  const { position, target, lens } = view;
+  if (lens) return cameraWithLens(aspect, { ...view, lens }, isOrthographic);
   const slope = Math.tan(MathUtils.degToRad(LENS.fieldOfView) / 2) / Math.min(1, aspect);
   const camera = new PerspectiveCamera(2 * MathUtils.radToDeg(Math.atan(slope)), aspect, LENS.near, LENS.far);
   camera.position.fromArray(position);
@@ -65,27 +67,34 @@ export function linkedCamera(aspect: number, { position, target }: CameraView, i
 }
 
 /** What a camera of a file looks at lies so far before it at least, in radii of the model. */
-const LEAST_DISTANCE = 0.1;
+const LEAST_DISTANCE = 0.16;
 
-/** A camera of a file, in the world. All of its own picture is in that of the sheet. @param aspect of the sheet */
-export function cameraOfFile(
-  aspect: number,
-  { position, forwards, up, high, isOrthographic: isFlat, aspect: own = 0 }: FileCamera,
-  isOrthographic: boolean,
-): PlacedCamera {
+/** A camera of a file, in the world, as a view. It looks at the point nearest to the middle of the model, of its line of sight. */
+export function viewOfCamera({ position, forwards, up, high, isOrthographic, aspect = 0 }: FileCamera): LensView {
   const eye = new Vector3().fromArray(position);
   const way = new Vector3().fromArray(forwards);
-  // Of its line of sight, the point nearest to the middle of the model.
   const target = eye.clone().addScaledVector(way, Math.max(LEAST_DISTANCE, -eye.dot(way)));
-  const half = Math.max(high, (high * own) / aspect);
-  const camera = isFlat
+  return { position, target: target.toArray(), lens: { isOrthographic, high, aspect, up } };
+}
+
+/** A camera of a file, in the world. All of its own picture is in that of the sheet. @param aspect of the sheet */
+export const cameraOfFile = (aspect: number, camera: FileCamera, isOrthographic: boolean): PlacedCamera =>
+  cameraWithLens(aspect, viewOfCamera(camera), isOrthographic);
+
+/** A view with a lens of its own. */
+type LensView = CameraView & { lens: CameraLens };
+
+function cameraWithLens(aspect: number, { position, target, lens }: LensView, isOrthographic: boolean): PlacedCamera {
+  const half = halfHeightOf(lens, aspect);
+  const camera = lens.isOrthographic
     ? new OrthographicCamera(-half * aspect, half * aspect, half, -half, LENS.near, 2 * FAR_AWAY)
     : new PerspectiveCamera(2 * MathUtils.radToDeg(Math.atan(half)), aspect, LENS.near, LENS.far);
-  camera.position.copy(eye);
-  camera.up.fromArray(up);
-  camera.lookAt(target);
+  const lookedAt = new Vector3().fromArray(target);
+  camera.position.fromArray(position);
+  camera.up.fromArray(lens.up);
+  camera.lookAt(lookedAt);
   const isChanged = isOrthographic && camera instanceof PerspectiveCamera;
-  return { camera: isChanged ? withoutPerspective(camera, target) : camera, target };
+  return { camera: isChanged ? withoutPerspective(camera, lookedAt) : camera, target: lookedAt };
 }
 
 /** A camera that sees as much of the plane through its target as another one. */

@@ -1,15 +1,11 @@
-import { MathUtils, Vector3 } from 'three';
 import type { FileCamera } from '../files/common/ModelExtras.js';
 import type { CameraView } from '../settings/CameraView.js';
+import { inSingle, isCamera } from '../settings/cameraNumbers.js';
 import { plainName } from '../settings/plainName.js';
-import { isCamera, MAX_VIEWS, type SavedView } from '../settings/savedViews.js';
-import { LENS } from './createCamera.js';
+import { MAX_VIEWS, type SavedView } from '../settings/savedViews.js';
+import { viewOfCamera } from './placeCamera.js';
 
 type Light = SavedView['light'];
-
-/** A camera that looks at the model from within a sphere around it stays where it is; others keep the size of what they look at. */
-const WITHIN = 1;
-const LEAST_DISTANCE = 0.1;
 
 /**
  * Views of a file: one of each camera and, if it has lights, one with these and one with the light that suits the view.
@@ -38,17 +34,8 @@ export function viewsOfFile(
   return { views, leftOut: lit.length + cameras.length - views.length };
 }
 
-/** A view with the lens of the page, which shows what a camera looks at in the size in which that does; undefined if it is too far away. */
-function cameraViewOf({ position, forwards, high, isOrthographic }: FileCamera): CameraView | undefined {
-  const eye = new Vector3().fromArray(position);
-  const way = new Vector3().fromArray(forwards);
-  const distance = Math.max(LEAST_DISTANCE, -eye.dot(way));
-  const target = eye.clone().addScaledVector(way, distance);
-  const half = isOrthographic ? high : high * distance;
-  const away = half / Math.tan(MathUtils.degToRad(LENS.fieldOfView) / 2);
-  if (isOrthographic || eye.length() > WITHIN) eye.copy(target).addScaledVector(way, -away);
-  const numbers = [...eye.toArray(), ...target.toArray()].map(Math.fround);
-  if (!isCamera(numbers)) return undefined;
-  const [x, y, z, tx, ty, tz] = numbers;
-  return { position: [x, y, z], target: [tx, ty, tz] };
+/** A view through the lens of a camera of a file; undefined if it is too far away. */
+function cameraViewOf(camera: FileCamera): CameraView | undefined {
+  const view = inSingle(viewOfCamera(camera));
+  return isCamera(view) ? view : undefined;
 }

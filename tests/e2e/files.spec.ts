@@ -88,12 +88,17 @@ test('what a model has behind glass is drawn, and glass casts no shadow', { tag:
 test('cameras, lights and variants of a glTF file can be chosen', { tag: '@all' }, async ({ page }) => {
   const builder = tetrahedron();
   const { json } = builder;
-  json.cameras = [{ type: 'perspective', name: 'close', perspective: { yfov: 0.3, znear: 0.1 } }];
+  json.cameras = [
+    { type: 'perspective', name: 'close', perspective: { yfov: 0.3, znear: 0.1 } },
+    { type: 'orthographic', name: 'plan', orthographic: { xmag: 2, ymag: 2, znear: 0, zfar: 20 } },
+  ];
   json.nodes.push(
     { camera: 0, translation: [0, 0, 6] },
     { rotation: [-Math.SQRT1_2, 0, 0, Math.SQRT1_2], extensions: { KHR_lights_punctual: { light: 0 } } },
   );
-  json.scenes[0].nodes = [0, 1, 2];
+  // From above, with the right of the model up.
+  json.nodes.push({ camera: 1, translation: [0, 6, 0], rotation: [-0.5, -0.5, -0.5, 0.5] });
+  json.scenes[0].nodes = [0, 1, 2, 3];
   json.materials = [{}, { pbrMetallicRoughness: { baseColorFactor: [0.01, 0.01, 0.01, 1] } }];
   json.extensions = {
     KHR_lights_punctual: { lights: [{ type: 'directional' }] },
@@ -106,7 +111,7 @@ test('cameras, lights and variants of a glTF file can be chosen', { tag: '@all' 
   await openPlayground(page, `${SMALL}&localTone=100`);
   await drop(page, [file('extras.glb', Buffer.from(builder.glb()))]);
   const views = page.getByRole('group', { name: 'Views' }).getByRole('button');
-  await expect(views).toHaveText(['1Lights of the file', '2Light for the view', '3close']);
+  await expect(views).toHaveText(['1Lights of the file', '2Light for the view', '3close', '4plan']);
   await expect(views.first()).toHaveAttribute('aria-pressed', 'true');
   const first = await readDrawing(page);
   expect(new URLSearchParams(await writtenHash(page)).get('lightElevation')).toBe('89');
@@ -114,7 +119,21 @@ test('cameras, lights and variants of a glTF file can be chosen', { tag: '@all' 
   const lit = await readDrawing(page);
   expect(changedShare(first, lit)).toBeGreaterThan(0.02);
   await views.nth(2).click();
-  expect(changedShare(lit, await readDrawing(page))).toBeGreaterThan(0.05);
+  const close = await readDrawing(page);
+  expect(changedShare(lit, close)).toBeGreaterThan(0.05);
+  await views.nth(3).click();
+  await expect(views.nth(3)).toHaveAttribute('aria-pressed', 'true');
+  const plan = await readDrawing(page);
+  expect(changedShare(close, plan)).toBeGreaterThan(0.05);
+  expect(await writtenHash(page)).toMatch(/camera=[^&]*orthographic/);
+  await page.locator('#drawing').press('+');
+  expect(changedShare(plan, await readDrawing(page))).toBeGreaterThan(0.02);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(views.nth(3)).toHaveAttribute('aria-pressed', 'true');
+  expect(changedShare(plan, await readDrawing(page))).toBe(0);
+  await page.locator('#drawing').press('Home');
+  await views.nth(2).click();
+  expect(changedShare(close, await readDrawing(page))).toBe(0);
   await views.first().click();
   const variants = page.getByRole('group', { name: 'Variants of the model' }).getByRole('button');
   await expect(variants).toHaveText(['white', 'black']);

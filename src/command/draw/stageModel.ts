@@ -8,10 +8,11 @@ import { type FileCamera, movedExtras } from '../../files/common/ModelExtras.js'
 import { lookOf } from '../../settings/lookOf.js';
 import { formDrawn } from '../../settings/settingValues.js';
 import { Backdrop } from '../../staging/Backdrop.js';
-import { DEFAULT_VIEW, LENS } from '../../staging/createCamera.js';
+import { DEFAULT_VIEW } from '../../staging/createCamera.js';
 import { ABOUT_SQUARE, proportionOf } from '../../staging/framing.js';
 import { Ground } from '../../staging/Ground.js';
 import { LightRig } from '../../staging/LightRig.js';
+import { LENS } from '../../staging/LensCamera.js';
 import { lightsOfFile } from '../../staging/lightsOfFile.js';
 import {
   cameraOfFile,

@@ -4,8 +4,8 @@ import { shadowNumbers } from '../../settings/groundShadow.js';
 import { presetOf } from '../../settings/presets.js';
 import type { Settings } from '../../settings/settings.js';
 import { type LightPlace, placeOfLight, placeOfSecondLight, UPRIGHT } from '../../settings/settingValues.js';
-import { LENS } from '../../staging/createCamera.js';
 import { GROUND } from '../../staging/Ground.js';
+import { LENS } from '../../staging/LensCamera.js';
 import { SHADOWS, SUN_DISTANCE } from '../../staging/LightRig.js';
 import { FULL_SHEET, LEAST_STROKE_SHARE } from '../../staging/strokeShare.js';
 import type { CodeDrawing } from './CodeModel.js';
@@ -83,9 +83,14 @@ const indented = (code: string): string => code.replace(/^(?=.)/gm, '  ');
 const listed = (numbers: readonly number[]): string => numbers.map(round).join(', ');
 
 function stagePart({ settings, camera }: CodeDrawing): Part {
+  const { lens } = camera;
+  const [kind, frustum] = lens?.isOrthographic
+    ? ['OrthographicCamera', '-1, 1, 1, -1']
+    : ['PerspectiveCamera', `${LENS.fieldOfView}, 1`];
+  const up = lens && lens.up.join() !== '0,1,0' ? `camera.up.set(${listed(lens.up)});\n` : '';
   const shadows = settings.shadows === 'on' ? '\nrenderer.shadowMap.enabled = true;' : '';
   return {
-    three: ['WebGLRenderer', 'Scene', 'PerspectiveCamera'],
+    three: ['WebGLRenderer', 'Scene', kind],
     code: `const renderer = new WebGLRenderer({ canvas, antialias: true });
 renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
 renderer.setClearColor('${settings.paper}');${shadows}
@@ -93,8 +98,8 @@ renderer.setClearColor('${settings.paper}');${shadows}
 const sheet = Math.min(canvas.clientWidth / ${FULL_SHEET.width}, canvas.clientHeight / ${FULL_SHEET.height});
 const ${SHARE} = MathUtils.clamp(sheet, ${LEAST_STROKE_SHARE}, 1);
 const scene = new Scene();
-const camera = new PerspectiveCamera(${LENS.fieldOfView}, 1, ${LENS.near}, ${LENS.far});
-camera.position.set(${listed(camera.position)});
+const camera = new ${kind}(${frustum}, ${LENS.near}, ${LENS.far});
+${up}camera.position.set(${listed(camera.position)});
 const controls = new OrbitControls(camera, canvas);
 controls.target.set(${listed(camera.target)});
 controls.update();`,
@@ -298,7 +303,29 @@ holder.traverse((object) => {
   return { code: lines.join('\n'), three };
 }
 
-function framesPart({ model, settings, aspect }: CodeDrawing, hasClips = false): Part {
+/** How the camera shows as much in a picture of any proportion as on the page. */
+function proportionCode({ camera: { lens }, aspect }: CodeDrawing): string {
+  if (!lens) {
+    return `  camera.aspect = width / height;
+  // A narrow picture shows as much of the width as a wide one.
+  const widening = Math.max(1, ${round(aspect)} / camera.aspect);
+  const slope = Math.tan(MathUtils.degToRad(${LENS.fieldOfView / 2}));
+  camera.fov = MathUtils.radToDeg(2 * Math.atan(widening * slope));`;
+  }
+  const [high, wide] = [lens.high, lens.high * lens.aspect].map((size) => Number(size.toPrecision(5)));
+  const half = wide > 0 ? `Math.max(${high}, ${wide} / aspect)` : high;
+  return `  const aspect = width / height;
+  // All that the camera of the file sees is in the picture.
+  const half = ${half};
+${
+  lens.isOrthographic
+    ? '  Object.assign(camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });'
+    : '  camera.aspect = aspect;\n  camera.fov = MathUtils.radToDeg(2 * Math.atan(half));'
+}`;
+}
+
+function framesPart(drawing: CodeDrawing, hasClips = false): Part {
+  const { model, settings } = drawing;
   const following =
     settings.lightFollows === 'viewer'
       ? `
@@ -326,11 +353,7 @@ new ResizeObserver(() => {
   const { clientWidth: width, clientHeight: height } = canvas;
   if (width === 0 || height === 0) return;
   renderer.setSize(width, height, false);
-  camera.aspect = width / height;
-  // A narrow picture shows as much of the width as a wide one.
-  const widening = Math.max(1, ${round(aspect)} / camera.aspect);
-  const slope = Math.tan(MathUtils.degToRad(${LENS.fieldOfView / 2}));
-  camera.fov = MathUtils.radToDeg(2 * Math.atan(widening * slope));
+${proportionCode(drawing)}
   camera.updateProjectionMatrix();
   draw();
 }).observe(canvas);${playing}`,

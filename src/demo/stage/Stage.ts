@@ -1,8 +1,9 @@
-import type { BufferGeometry, PerspectiveCamera } from 'three';
+import type { BufferGeometry } from 'three';
 import type { TonalArtMap } from 'three-hatching';
 import type { HatchedModel } from '../../drawing/HatchedModel.js';
 import type { Look } from '../../settings/lookOf.js';
 import { WHOLE_SHEET } from '../../staging/fadeOnSheet.js';
+import type { LensCamera } from '../../staging/LensCamera.js';
 import { ContextLoss } from './ContextLoss.js';
 import { FrameQuality } from './FrameQuality.js';
 import { Frames } from './Frames.js';
@@ -14,7 +15,7 @@ import { View } from './view/View.js';
 /** The drawing on the page: what is drawn, where the camera is, and the frames and pictures that are drawn of it. */
 export class Stage {
   readonly scenery: Scenery;
-  readonly camera: PerspectiveCamera;
+  readonly camera: LensCamera;
   readonly view: View;
   readonly frames: Frames;
   readonly quality: FrameQuality;

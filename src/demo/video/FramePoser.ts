@@ -22,6 +22,7 @@ export class FramePoser {
   private readonly clipTime: number | undefined;
   private readonly position = new Vector3();
   private readonly quaternion = new Quaternion();
+  private readonly up = new Vector3();
   /** The position of the camera in the first frame, and the point that it looks at. */
   private readonly first = new Vector3();
   private readonly target: Vector3;
@@ -42,6 +43,7 @@ export class FramePoser {
     this.clipTime = model?.motion?.time;
     this.position.copy(camera.position);
     this.quaternion.copy(camera.quaternion);
+    this.up.copy(camera.up);
     this.target = view.isFramed ? frame(stage, camera, aspect, turns) : view.controls.target.clone();
     this.first.copy(camera.position);
   }
@@ -52,6 +54,7 @@ export class FramePoser {
     const { lights } = stage.scenery;
     const around = MathUtils.degToRad(-turn);
     camera.position.copy(this.first).applyAxisAngle(UP, around);
+    camera.up.copy(this.up).applyAxisAngle(UP, around);
     camera.lookAt(this.target.clone().applyAxisAngle(UP, around));
     lights.apply(lookOf({ ...settings, lightAzimuth: settings.lightAzimuth + light }).lights);
     lights.place(camera);
@@ -63,6 +66,7 @@ export class FramePoser {
   restore(): void {
     const { camera, model, scenery } = this.stage;
     camera.position.copy(this.position);
+    camera.up.copy(this.up);
     camera.quaternion.copy(this.quaternion);
     scenery.lights.apply(lookOf(this.settings).lights);
     if (model?.motion && this.clipTime !== undefined) model.motion.time = this.clipTime;

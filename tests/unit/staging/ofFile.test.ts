@@ -3,6 +3,7 @@ import { describe, expect, test } from 'vitest';
 import type { FileCamera, FileLight } from '../../../src/files/common/ModelExtras.js';
 import { lightOf, MAX_VIEWS, readView, writeView } from '../../../src/settings/savedViews.js';
 import { defaultSettings } from '../../../src/settings/settings.js';
+import { readLink, writeLink } from '../../../src/settings/shareLink.js';
 import { lightsOfFile } from '../../../src/staging/lightsOfFile.js';
 import { cameraOfFile, linkedCamera } from '../../../src/staging/placeCamera.js';
 import { viewsOfFile } from '../../../src/staging/viewsOfFile.js';
@@ -38,24 +39,50 @@ describe('a camera of a file', () => {
     expect(cameraOfFile(1, hero, false).camera).toBeInstanceOf(PerspectiveCamera);
   });
 
-  test('becomes a view with the lens of the page, in which the model is as large', () => {
-    const [view] = viewsOfFile([hero], LIGHT, undefined).views;
-    expect([view.name, view.light]).toEqual(['hero', LIGHT]);
-    const { camera } = linkedCamera(1, view.camera!, false);
-    camera.updateMatrixWorld();
-    expect(new Vector3(0, 2.5, 0).project(camera).y).toBeCloseTo(1, 5);
-    const [plan] = viewsOfFile([flat], LIGHT, undefined).views;
-    const { camera: above } = linkedCamera(1, plan.camera!, false);
-    above.updateMatrixWorld();
-    expect(new Vector3(0, 1.2, 0).project(above).y).toBeCloseTo(1, 5);
-    // Links hold it to the last digit.
-    expect(readView(writeView(view))).toEqual(view);
+  test('becomes a view with its own lens, which links hold to the last digit', () => {
+    for (const camera of [hero, { ...flat, up: [0.6, 0.8, 0] } as FileCamera]) {
+      const [view] = viewsOfFile([camera], LIGHT, undefined).views;
+      expect([view.name, view.light]).toEqual([camera.name, LIGHT]);
+      const { isOrthographic, high, aspect = 0, up } = camera;
+      expect(view.camera).toEqual({
+        position: [0, 0, 5],
+        target: [0, 0, 0],
+        lens: { isOrthographic, high: Math.fround(high), aspect, up: up.map(Math.fround) },
+      });
+      expect(readView(writeView(view))).toEqual(view);
+      expect(readLink(writeLink(defaultSettings(), view.camera)).camera).toEqual(view.camera);
+      const [drawn, linked] = [cameraOfFile(1.5, camera, false), linkedCamera(1.5, view.camera!, false)].map(
+        (placed) => {
+          placed.camera.updateMatrixWorld();
+          return new Vector3(0.3, 0.2, -0.4).project(placed.camera);
+        },
+      );
+      expect(drawn.distanceTo(linked)).toBeLessThan(1e-5);
+    }
   });
 
-  test('stays where it is within the model; one that is too far away is no view', () => {
+  test('may be within the model; one that is too far away, or has no lens, is no view', () => {
     const within = viewsOfFile([{ ...hero, position: [0, 0, 0.5] }], LIGHT, undefined).views;
-    expect(within[0].camera).toEqual({ position: [0, 0, 0.5], target: [0, 0, 0] });
-    expect(viewsOfFile([{ ...hero, position: [0, 0, 1e4] }], LIGHT, undefined)).toEqual({ views: [], leftOut: 1 });
+    expect(within[0].camera).toMatchObject({ position: [0, 0, 0.5], target: [0, 0, 0] });
+    for (const other of [{ position: [0, 0, 1e4] }, { high: 0 }, { high: 1e9 }, { up: [0, 0, 0] }] as object[]) {
+      expect(viewsOfFile([{ ...hero, ...other }], LIGHT, undefined)).toEqual({ views: [], leftOut: 1 });
+    }
+  });
+
+  test('with a damaged lens in a link is none', () => {
+    const link = (lens: string): unknown => readLink(`camera=0,0,5,0,0,0${lens}`).camera;
+    expect(link('')).toMatchObject({ position: [0, 0, 5] });
+    expect(link(',orthographic,1,0,0,1,0')).toMatchObject({ lens: { isOrthographic: true, high: 1 } });
+    for (const lens of [
+      ',orthographic',
+      ',flat,1,0,0,1,0',
+      ',perspective,0,0,0,1,0',
+      ',perspective,1,0,0,1',
+      ',perspective,1,-1,0,1,0',
+    ]) {
+      expect(link(lens)).toBeUndefined();
+    }
+    expect(link(',perspective,1,0,0,1,0,7')).toBeUndefined();
   });
 
   test('no more views than keys, with the lights of the file and those that suit the view first', () => {

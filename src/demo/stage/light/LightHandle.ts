@@ -246,8 +246,9 @@ export class LightHandle {
     const { width, height } = this.projection.size;
     const { x, y } = this.projection.project(new Vector3());
     const room = Math.min(x, y, width - x, height - y) - MARGIN;
-    const focalLength = height / 2 / Math.tan(MathUtils.degToRad(camera.fov) / 2);
-    const radius = radiusWithin(camera.position.length(), room / focalLength);
+    const focalLength = (height / 2) * camera.projectionMatrix.elements[5];
+    const isFlat = 'isOrthographicCamera' in camera;
+    const radius = isFlat ? room / focalLength : radiusWithin(camera.position.length(), room / focalLength);
     return MathUtils.clamp(radius, SUN_RADIUS.min, SUN_RADIUS.max);
   }
 

@@ -1,10 +1,11 @@
-import { Color, type PerspectiveCamera, Scene } from 'three';
+import { Color, Scene } from 'three';
 import { WebGPURenderer } from 'three/webgpu';
 import { HatchingNodeMaterial } from 'three-hatching/webgpu';
 import type { HatchedModel } from '../../../drawing/HatchedModel.js';
 import type { Look } from '../../../settings/lookOf.js';
 import { createCamera } from '../../../staging/createCamera.js';
 import { Ground } from '../../../staging/Ground.js';
+import type { LensCamera } from '../../../staging/LensCamera.js';
 import { LightRig } from '../../../staging/LightRig.js';
 import { strokeShare } from '../../../staging/strokeShare.js';
 import type { Painter } from '../Painter.js';
@@ -207,13 +208,9 @@ export class NodeScreen implements Screen {
 }
 
 /** Gives a camera the place and the lens of another one. */
-function placeLike(
-  camera: PerspectiveCamera,
-  { position, quaternion, fov, aspect, near, far }: PerspectiveCamera,
-): void {
+function placeLike(camera: LensCamera, other: LensCamera): void {
+  const { position, quaternion, aspect, lens, sheet } = other;
   camera.position.copy(position);
   camera.quaternion.copy(quaternion);
-  if (camera.fov === fov && camera.aspect === aspect && camera.near === near && camera.far === far) return;
-  Object.assign(camera, { fov, aspect, near, far });
-  camera.updateProjectionMatrix();
+  if (camera.aspect !== aspect || camera.lens !== lens || camera.sheet !== sheet) camera.takeLens(other);
 }

@@ -1,5 +1,6 @@
-import { MathUtils, type PerspectiveCamera, Spherical, Vector3 } from 'three';
+import { MathUtils, Spherical, Vector3 } from 'three';
 import type { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import type { LensCamera } from '../../../staging/LensCamera.js';
 
 const TURN = MathUtils.degToRad(5);
 const FINE_TURN = MathUtils.degToRad(1);
@@ -11,7 +12,7 @@ const ZOOM = 1.1;
 export class OrbitKeys {
   constructor(
     element: HTMLElement,
-    private readonly camera: PerspectiveCamera,
+    private readonly camera: LensCamera,
     private readonly controls: OrbitControls,
     private readonly frameModel: () => void,
   ) {
@@ -52,6 +53,11 @@ export class OrbitKeys {
   }
 
   private zoom(factor: number): void {
+    if (this.camera.lens?.isOrthographic) {
+      this.camera.widen(factor);
+      this.controls.dispatchEvent({ type: 'change' });
+      return;
+    }
     const offset = new Vector3().subVectors(this.camera.position, this.controls.target).multiplyScalar(factor);
     offset.clampLength(this.controls.minDistance, this.controls.maxDistance);
     this.camera.position.copy(this.controls.target).add(offset);

@@ -1,14 +1,18 @@
-import { MathUtils, type PerspectiveCamera, Vector3 } from 'three';
+import { MathUtils, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import type { CameraView } from '../../../settings/CameraView.js';
+import type { CameraLens, CameraView } from '../../../settings/CameraView.js';
 import { DEFAULT_VIEW } from '../../../staging/createCamera.js';
+import { WHOLE_SHEET } from '../../../staging/fadeOnSheet.js';
 import { type Framing, fitCamera, proportionOf, SHADOW_ROOM } from '../../../staging/framing.js';
+import type { LensCamera } from '../../../staging/LensCamera.js';
 import { roomiestView } from '../../../staging/placeCamera.js';
 import { OrbitKeys } from './OrbitKeys.js';
 import { turnedView } from './turnedView.js';
 
 /** The smallest distance from the point that the camera orbits, in radii of the model: near enough to look into a room. */
 const MIN_DISTANCE = 0.15;
+/** The greatest one, unless the camera of a file is farther away. */
+const MAX_DISTANCE = 30;
 /** Share of the viewport that a model fills, of its width or its height: about two thirds of the sheet with its caption. */
 const FILL = 0.76;
 /** The same share for a sheet of paper, which holds nothing but the drawing. */
@@ -55,14 +59,14 @@ export class View {
    */
   constructor(
     canvas: HTMLCanvasElement,
-    private readonly camera: PerspectiveCamera,
+    private readonly camera: LensCamera,
     private readonly onChange: () => void,
     private readonly shadowOf: (outline: ArrayLike<number>, toEye: Vector3) => ArrayLike<number> | undefined,
   ) {
     this.controls = new OrbitControls(camera, canvas);
     this.controls.minDistance = MIN_DISTANCE;
     this.controls.zoomToCursor = true;
-    this.controls.maxDistance = 30;
+    this.controls.maxDistance = MAX_DISTANCE;
     this.controls.addEventListener('change', this.moved);
     // The controls send no event for a very small last step.
     this.controls.addEventListener('end', () => {
@@ -73,6 +77,7 @@ export class View {
   }
 
   private readonly moved = (): void => {
+    this.takeZoom();
     this.round();
     if (!this.isPlacing) {
       this.framedFor = undefined;
@@ -115,6 +120,7 @@ export class View {
 
   /** Places the camera so that the whole model is in the picture, and its shadow if that is not long. */
   readonly frame = (): void => {
+    this.setLens(undefined);
     this.controls.target.copy(this.fit(this.camera));
     this.update();
     this.framedFor = this.frameFor(this.camera.aspect);
@@ -127,7 +133,7 @@ export class View {
     if (this.isFramed && this.framedFor !== this.frameFor(this.aspect)) this.frame();
   }
 
-  private fit(camera: PerspectiveCamera): Vector3 {
+  private fit(camera: LensCamera): Vector3 {
     const { outline, first, ...framing } = this.framing;
     return fitCamera(camera, outline, first, framing);
   }
@@ -136,9 +142,11 @@ export class View {
    * The view of a framed model, as much smaller as it may be drawn to leave room for its shadow: a shadow that lies wholly in the picture
    * is wholly on the sheet when the model is framed with it, and leaves the model in the middle.
    */
-  get roomiest(): PerspectiveCamera {
+  get roomiest(): LensCamera {
     const { outline, first, room = SHADOW_ROOM, ...framing } = this.framing;
-    return roomiestView(this.camera.clone(), outline, first, { ...framing, room });
+    const camera = this.camera.clone();
+    roomiestView(camera, outline, first, { ...framing, room });
+    return camera;
   }
 
   /**
@@ -151,6 +159,7 @@ export class View {
 
   set sheet(sheet: readonly [number, number] | undefined) {
     this.shownSheet = sheet;
+    this.camera.sheet = sheet ?? WHOLE_SHEET;
     this.frameAnew();
   }
 
@@ -207,7 +216,8 @@ export class View {
   }
 
   get place(): CameraView {
-    return { position: this.camera.position.toArray(), target: this.controls.target.toArray() };
+    const { position, lens } = this.camera;
+    return { position: position.toArray(), target: this.controls.target.toArray(), ...(lens && { lens }) };
   }
 
   /** As {@link place}; undefined if the camera is where {@link frame} would put it, as whoever frames the same model will see it. */
@@ -219,10 +229,17 @@ export class View {
     return isThere ? undefined : this.place;
   }
 
-  set place({ position, target }: CameraView) {
+  set place({ position, target, lens }: CameraView) {
+    this.setLens(lens);
     this.camera.position.fromArray(position);
     this.controls.target.fromArray(target);
+    this.controls.maxDistance = Math.max(MAX_DISTANCE, this.camera.position.distanceTo(this.controls.target));
     this.update();
+    if (lens) {
+      // Controls turn a camera a little that looks straight down.
+      this.camera.position.fromArray(position);
+      this.camera.lookAt(this.controls.target);
+    }
     this.framedFor = undefined;
     this.onChange();
   }
@@ -235,6 +252,16 @@ export class View {
     this.place = place;
     this.framedFor = framedFor;
     this.frameAnew();
+  }
+
+  private setLens(lens: CameraLens | undefined): void {
+    if (lens !== this.camera.lens) this.camera.lens = lens;
+  }
+
+  /** Controls zoom a camera without perspective by its lens, which then is another one. */
+  private takeZoom(): void {
+    const { zoom } = this.camera;
+    if (zoom !== 1) this.camera.widen(1 / zoom);
   }
 
   private frameFor(aspect: number): string {

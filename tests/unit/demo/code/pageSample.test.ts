@@ -77,6 +77,22 @@ describe('copied code', () => {
     parse(moduleSample(drawing({ title: 'all.zip' }, { mapStyle: 'file', outlines: 'off' })));
   });
 
+  test.each([
+    [false, 'new PerspectiveCamera(26, 1, 0.05, 100);', 'camera.fov = MathUtils.radToDeg(2 * Math.atan(half));'],
+    [true, 'new OrthographicCamera(-1, 1, 1, -1, 0.05, 100);', 'top: half, bottom: -half });'],
+  ])('sees what a camera of a file sees; orthographic: %s', (isOrthographic, made, sized) => {
+    const lens = { isOrthographic, high: 0.0123456, aspect: 2, up: [0.6, 0.8, 0] as [number, number, number] };
+    const text = moduleSample({ ...drawing({}), camera: { position: [1, 2, 4], target: [0, 0, 0], lens } });
+    parse(text);
+    for (const part of [
+      made,
+      sized,
+      'camera.up.set(0.6, 0.8, 0);',
+      'const half = Math.max(0.012346, 0.024691 / aspect);',
+    ])
+      expect(text).toContain(part);
+  });
+
   test.each<[Partial<Settings>, boolean]>([
     [{ technique: 'engraved' }, false],
     [{ technique: 'anchored', medium: 'stipple' }, false],

@@ -1,6 +1,7 @@
-import { BoxGeometry, type Vector3 } from 'three';
+import { BoxGeometry, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
 import { View } from '../../../../../src/demo/stage/view/View.js';
+import type { CameraLens, CameraView } from '../../../../../src/settings/CameraView.js';
 import { defaultSettings } from '../../../../../src/settings/settings.js';
 import { readLink, writeLink } from '../../../../../src/settings/shareLink.js';
 import { createCamera } from '../../../../../src/staging/createCamera.js';
@@ -52,6 +53,40 @@ describe('a view that a link brings back', () => {
     view.frame();
     expect(view.ownPlace).toBeUndefined();
     expect(view.place).not.toEqual(framed);
+  });
+});
+
+describe('a view through the camera of a file', () => {
+  const lens: CameraLens = { isOrthographic: true, high: 1.25, aspect: 0, up: [1, 0, 0] };
+  // From straight above, where controls alone would turn it.
+  const above: CameraView = { position: [0, 50, 0], target: [0, 0, 0], lens };
+
+  test('is the very view of the file, however far away, and in links', () => {
+    const { view, camera } = viewOf();
+    view.place = above;
+    expect([view.place, view.isFramed]).toEqual([above, false]);
+    expect(readLink(writeLink(defaultSettings(), view.ownPlace)).camera).toEqual(above);
+    camera.updateMatrixWorld();
+    expect(new Vector3(1.25, 0, 0).project(camera).y).toBeCloseTo(1, 5);
+    // On a sheet in the middle it is as large as the sheet.
+    view.sheet = [0.5, 0.5];
+    expect(new Vector3(1.25, 0, 0).project(camera).y).toBeCloseTo(0.5, 5);
+  });
+
+  test('is zoomed by its lens where it has no perspective, and ends where the model is framed', () => {
+    const { view, press } = viewOf();
+    view.place = above;
+    press('+');
+    expect(view.place.lens?.high).toBe(Math.fround(1.25 / 1.1));
+    expect(view.place.position[1]).toBeCloseTo(50, 3);
+    press('-');
+    expect(view.place.lens?.high).toBeCloseTo(1.25, 5);
+    const { state } = view;
+    press('Home');
+    expect([view.place.lens, view.isFramed]).toEqual([undefined, true]);
+    view.state = state;
+    expect(view.state).toEqual(state);
+    expect(viewOf().view.framing.first).toEqual(view.framing.first);
   });
 });
 
