@@ -32,3 +32,37 @@ test('a scene far from the origin of the world is drawn as it is there', async (
   expect(differing(near, empty, 40)).toBeGreaterThan(500);
   expect(differing(near, far, 40)).toBeLessThan(10);
 });
+
+for (const preset of ['pencil', 'woodcut'] as const) {
+  const title = `objects at ten million units are drawn as at the origin, with exposure, hollows and background: ${preset}`;
+  test(title, { tag: '@all' }, async ({ page }) => {
+    const [near, far, empty] = await page.evaluate(async (name) => {
+      const { THREE, applyHatching, bakeOcclusion, HatchingBackground, sun, pixelsOf, makeRenderer } = window.toolkit;
+      const drawnAt = async (x: number): Promise<number[]> => {
+        const material = new THREE.MeshStandardMaterial({ color: 'tan' });
+        const ball = new THREE.Mesh(new THREE.SphereGeometry(0.6, 24, 16), material);
+        const floor = new THREE.Mesh(new THREE.PlaneGeometry(3, 3, 8, 8), material);
+        floor.rotation.x = -Math.PI / 2;
+        floor.position.y = -0.6;
+        const light = sun();
+        // Each object is far by itself, so that no group has a place of its own.
+        const scene = new THREE.Scene().add(ball, floor, light, light.target);
+        for (const object of [ball, floor, light, light.target])
+          object.position.add(new THREE.Vector3(x, -x / 4, x / 2));
+        scene.updateMatrixWorld();
+        const { materials } = await applyHatching(scene, { preset: name, outlines: true });
+        await bakeOcclusion(scene);
+        await Promise.all(materials.map(({ ready }) => ready));
+        scene.add(new HatchingBackground(scene, { tone: 0.3 }));
+        const camera = new THREE.PerspectiveCamera(30, 1, 0.1, 50);
+        camera.position.set(x + 2, -x / 4 + 2, x / 2 + 5);
+        camera.lookAt(ball.position);
+        return pixelsOf(scene, makeRenderer(), camera);
+      };
+      const white = pixelsOf(new THREE.Scene(), makeRenderer(), new THREE.PerspectiveCamera());
+      return [await drawnAt(0), await drawnAt(1e7), white];
+    }, preset);
+    expect(differing(near, empty, 40)).toBeGreaterThan(500);
+    expect(differing(near, far, 40)).toBeLessThan(25);
+  });
+}

@@ -106,4 +106,14 @@ describe('a model is as large as what is seen of it', () => {
       expect(await radiusOf(pane, isMoving)).toBeGreaterThan(9);
     });
   }
+
+  test.each([false, true])('wherever its nodes are; moving: %s', async (isMoving) => {
+    const builder = tetrahedron();
+    builder.json.nodes[0].translation = [1e7, -3e6, 5e6];
+    if (isMoving) {
+      const times = builder.accessor(Float32Array.of(0, 1), 'SCALAR');
+      addTrack(builder, 'rotation', times, builder.accessor(Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1), 'VEC4'));
+    }
+    expect(await drawnRadius(builder)).toBeCloseTo(Math.sqrt(3), 4);
+  });
 });
