@@ -4,8 +4,9 @@ import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { afterEach, expect, test } from 'vitest';
+import { compileTemplate } from 'vue/compiler-sfc';
 import { parseDrawing } from '../../../src/command/parseDrawing.js';
-import { root } from './documents.js';
+import { DOCUMENTS, root } from './documents.js';
 import { NODE_SAMPLES, SAMPLE_CALLS, SAMPLES } from './sampleList.js';
 
 const folder = join(root, 'tests/output/samples');
@@ -75,4 +76,14 @@ test('every sample of README and guides compiles', () => {
     output = (error as { stdout: string }).stdout;
   }
   expect(output).toBe('');
+});
+
+test('the setting for Vue has the tag left to the browser', () => {
+  const [, code] = /^```js\n(vue\([\s\S]*?)^```/m.exec(DOCUMENTS['docs/element.md'])!;
+  const { template } = new Function('vue', `return ${code}`)((options: unknown) => options);
+  const compiled = (compilerOptions: object): string =>
+    compileTemplate({ source: '<hatched-model src="bust.glb" />', filename: 'bust.vue', id: 'bust', compilerOptions })
+      .code;
+  expect(compiled({})).toContain('resolveComponent');
+  expect(compiled(template.compilerOptions)).not.toContain('resolveComponent');
 });
