@@ -2,8 +2,41 @@ import type { Mutation } from '../Mutation.js';
 
 export const links: readonly Mutation[] = [
   {
-    name: 'the target of the camera is its position',
+    name: 'a variant that was chosen is not in the link',
     file: 'src/settings/shareLink.ts',
+    find: "const CHOICES = ['variant', 'clip'] as const;",
+    replace: "const CHOICES = ['clip'] as const;",
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/settings/shareLink.test.ts',
+      title: 'carries the variant and the clip of a file, by numbers from 1 on',
+    },
+  },
+  {
+    name: 'the camera of a file fills the page and not the sheet on it',
+    file: 'src/staging/LensCamera.ts',
+    find: 'const [wide, high] = this.ownSheet;',
+    replace: 'const [wide, high] = [1, 1];',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/staging/LensCamera.test.ts',
+      title: 'shows all of its picture on a sheet in the middle of the page',
+    },
+  },
+  {
+    name: 'the element frames what is not seen, too',
+    file: 'src/element/extentOf.ts',
+    find: 'if (!one || isClear(one)) continue;',
+    replace: 'if (!one) continue;',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/element/Drawing.test.ts',
+      title: 'a model fills the picture with what is seen of it',
+    },
+  },
+  {
+    name: 'the target of the camera is its position',
+    file: 'src/settings/cameraNumbers.ts',
     find: '{ position: [x, y, z], target: [tx, ty, tz] }',
     replace: '{ position: [tx, ty, tz], target: [tx, ty, tz] }',
     caughtBy: {
