@@ -65,11 +65,6 @@ export class Ground {
     this.freePrograms();
   }
 
-  /** Has shadows dissolve towards the rim of the sheet until a look is applied again. */
-  dissolveAtRim(): void {
-    this.material.vignette = 1;
-  }
-
   /** Hides the ground until a look is applied again. */
   hide(): void {
     this.holder.visible = false;

@@ -3,6 +3,7 @@ import {
   DirectionalLight,
   MathUtils,
   Matrix4,
+  type OrthographicCamera,
   type PerspectiveCamera,
   PointLight,
   type Scene,
@@ -52,10 +53,12 @@ export class LightRig {
     isSun: true,
     widthAt: (place) => this.shadowWidth(place),
   };
+  private readonly secondGroundLight: GroundLight;
   private mapSize: number = SHADOWS.mapSize;
 
   constructor(scene: Scene) {
     this.secondPosition = this.second.position;
+    this.secondGroundLight = { position: this.secondPosition, isSun: true, widthAt: () => 2 * SHADOWS.reach };
     const sun = new DirectionalLight();
     const point = new PointLight();
     // Without decay, moving the light turns the strokes and does not change the exposure.
@@ -137,12 +140,18 @@ export class LightRig {
     return shadowOnGround(points, position, shining === this.main.directional, height);
   }
 
-  /** How fast the main light's shadow must dissolve to end on the sheet, as {@link fadeOnSheet} tells. The lights must be placed. */
-  fadeOf(points: ArrayLike<number>, height: number, camera: PerspectiveCamera, part: SheetPart): number {
-    const { shining } = this;
+  /** How fast the shadows of all lights must dissolve to end on the sheet, as {@link fadeOnSheet} tells. The lights must be placed. */
+  fadeOf(
+    casters: ArrayLike<number>,
+    height: number,
+    camera: PerspectiveCamera | OrthographicCamera,
+    part: SheetPart,
+  ): number {
+    const { shining, second, groundLight, secondGroundLight } = this;
     if (!shining) return 0;
-    this.groundLight.isSun = shining === this.main.directional;
-    return fadeOnSheet(points, height, this.groundLight, camera, part);
+    groundLight.isSun = shining === this.main.directional;
+    const fade = fadeOnSheet(casters, height, groundLight, camera, part);
+    return second.visible ? Math.max(fade, fadeOnSheet(casters, height, secondGroundLight, camera, part)) : fade;
   }
 
   /** The main light, if it casts shadows. */

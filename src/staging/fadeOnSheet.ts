@@ -1,12 +1,21 @@
-import { MathUtils, type PerspectiveCamera, Vector3 } from 'three';
-import { LensCamera } from './LensCamera.js';
+import { MathUtils, Matrix4, type OrthographicCamera, type PerspectiveCamera, Vector3, Vector4 } from 'three';
+import { CASTER_ERROR } from './castersOf.js';
 
-/** What is looked at of a shadow that nears the edges of the sheet: from the first share of the way there on, and wholly at the second. */
-const NEARS_EDGE = { from: 0.86, to: 0.97 } as const;
-/** A shadow dissolves no faster, so that something of it is left where a body touches the ground. */
-const MOST_FADE = 6;
-/** So many points tell how far a shadow reaches. */
-const ENOUGH_POINTS = 1500;
+/** A shadow ends at this share of the way from the middle of the sheet to its edges. */
+const END = 0.99;
+/** One that is so long, as a share of the way from the foot of what casts it to there, begins to dissolve sooner. */
+const NEARS_END = 0.7;
+/** Of a model that comes so near to an edge itself, and then is cut by it, the shadow is cut by it too. */
+const MODEL_NEARS = { from: 0.95, to: 1 } as const;
+/** A shadow dissolves no faster, so that something of it is left where a model touches the ground. */
+const MOST_FADE = 50;
+/** The edges of the sheet, from its middle. */
+const EDGES = [
+  { right: 1, up: 0 },
+  { right: -1, up: 0 },
+  { right: 0, up: 1 },
+  { right: 0, up: -1 },
+] as const;
 
 /** A light that casts a shadow on the ground. */
 export interface GroundLight {
@@ -23,50 +32,124 @@ export type SheetPart = readonly [number, number];
 /** A picture that is all sheet. */
 export const WHOLE_SHEET: SheetPart = [1, 1];
 
-const point = new Vector3();
+/** From the world to the sheet: what lies on it has |x| and |y| of at most w. */
+const toSheet = new Matrix4();
+const lightOnSheet = new Vector4();
+const upOnSheet = new Vector4();
+const low = new Vector4();
+const high = new Vector4();
+const foot = new Vector4();
+const growth = new Vector4();
+const caster = new Vector3();
 const cast = new Vector3();
-const seen = new Vector3();
+/** Of each edge: how much of the way to it, in w, is lost by what casters are beside what they stand for. */
+const errors = [0, 0, 0, 0];
+/** How near to it the model comes, and how fast shadows must dissolve before it. */
+const nearness = [0, 0, 0, 0];
+const fades = [0, 0, 0, 0];
 
 /**
  * How fast a shadow on level ground must dissolve to end before the edges of the sheet, as `shadowFade` has it; 0 where it lies on the sheet.
- * What is off the sheet itself casts its shadow as it likes. Allocates nothing.
+ * Allocates nothing.
  *
- * @param points xyz of points of the model
+ * The cast of a point is its perspective projection from the light onto the ground. In homogeneous coordinates of the sheet it moves along
+ * a straight line as the point rises, so that each edge is met at one height.
+ *
+ * @param casters as `castersOf` finds them
  * @param ground its height
  */
 export function fadeOnSheet(
-  points: ArrayLike<number>,
+  casters: ArrayLike<number>,
   ground: number,
   light: GroundLight,
-  camera: PerspectiveCamera,
+  camera: PerspectiveCamera | OrthographicCamera,
   part: SheetPart,
 ): number {
-  camera.updateMatrixWorld();
-  const step = 3 * Math.ceil(points.length / 3 / ENOUGH_POINTS);
-  let fade = 0;
-  for (let i = 0; i + 2 < points.length; i += step) {
-    point.set(points[i], points[i + 1], points[i + 2]);
-    if (!castPoint(light, ground) || reachOf(point, camera, part) > 1) continue;
-    const share = MathUtils.smoothstep(reachOf(cast, camera, part), NEARS_EDGE.from, NEARS_EDGE.to);
-    if (share > 0) fade = Math.max(fade, (share * light.widthAt(cast)) / cast.distanceTo(point));
+  const { position, isSun } = light;
+  const above = isSun ? position.y : position.y - ground;
+  if (above <= 0) return 0;
+  setSheet(camera, part);
+  lightOnSheet.set(position.x, position.y, position.z, isSun ? 0 : 1).applyMatrix4(toSheet);
+  upOnSheet.set(0, 1, 0, 0).applyMatrix4(toSheet);
+  growth.copy(upOnSheet).multiplyScalar(above).sub(lightOnSheet);
+  for (let edge = 0; edge < EDGES.length; edge++) errors[edge] = CASTER_ERROR * steepness(EDGES[edge]);
+  nearness.fill(0);
+  fades.fill(0);
+  for (let i = 0; i + 3 < casters.length; i += 4) {
+    const lowest = Math.max(casters[i + 2] - ground, 0);
+    const highest = casters[i + 3] - ground;
+    foot.set(casters[i], ground, casters[i + 1], 1).applyMatrix4(toSheet);
+    low.copy(foot).addScaledVector(upOnSheet, lowest);
+    high.copy(foot).addScaledVector(upOnSheet, highest);
+    foot.multiplyScalar(above);
+    // The heights from which, and up to which, a point there casts its shadow onto the sheet.
+    let from = 0;
+    let to = Infinity;
+    let met = 0;
+    let nearing = 0;
+    for (let edge = 0; edge < EDGES.length; edge++) {
+      const { right, up } = EDGES[edge];
+      nearness[edge] = Math.max(nearness[edge], shareTo(low, right, up), shareTo(high, right, up));
+      const left = END * foot.w - right * foot.x - up * foot.y;
+      const approach = right * growth.x + up * growth.y - END * growth.w;
+      if (approach < 0) from = Math.max(from, left / approach);
+      else if (left < approach * to) {
+        to = left / approach;
+        met = edge;
+        nearing = approach;
+      }
+    }
+    if (from > to) continue;
+    const height = Math.max(to, lowest);
+    if (highest < NEARS_END * height || (!isSun && height >= above)) continue;
+    const share = MathUtils.smoothstep(highest / Math.max(height, Number.EPSILON), NEARS_END, 1);
+    const sooner = (errors[met] * (isSun ? above : above - height)) / nearing;
+    caster.set(casters[i], ground + Math.max(height - sooner, 0), casters[i + 1]);
+    const far = Math.max(castFar(ground, light, above), Number.EPSILON);
+    fades[met] = Math.max(fades[met], Math.min((share * light.widthAt(cast)) / far, MOST_FADE));
   }
-  return Math.min(fade, MOST_FADE);
+  let fade = 0;
+  for (let edge = 0; edge < EDGES.length; edge++) {
+    const { from, to } = MODEL_NEARS;
+    fade = Math.max(fade, fades[edge] * (1 - MathUtils.smoothstep(nearness[edge], from, to)));
+  }
+  return fade;
 }
 
-/** Where the point casts its shadow. @returns whether it casts one */
-function castPoint({ position, isSun }: GroundLight, ground: number): boolean {
-  if (isSun) cast.copy(position).negate();
-  else cast.subVectors(point, position);
-  if (cast.y >= 0 || point.y <= ground) return false;
-  cast.multiplyScalar((ground - point.y) / cast.y).add(point);
-  return true;
+/** Without its view offset: the tiles of a picture have one shadow. */
+function setSheet(camera: PerspectiveCamera | OrthographicCamera, [wide, high]: SheetPart): void {
+  camera.updateWorldMatrix(true, false);
+  if ('isPerspectiveCamera' in camera) {
+    const { fov, aspect, zoom } = camera as PerspectiveCamera;
+    const slope = Math.tan(MathUtils.degToRad(fov) / 2) / zoom;
+    toSheet.set(1 / (slope * aspect * wide), 0, 0, 0, 0, 1 / (slope * high), 0, 0, 0, 0, 1, 0, 0, 0, -1, 0);
+  } else {
+    const { left, right, top, bottom, zoom } = camera as OrthographicCamera;
+    const [x, y] = [(2 * zoom) / (right - left) / wide, (2 * zoom) / (top - bottom) / high];
+    toSheet.set(x, 0, 0, (-x * (left + right)) / 2, 0, y, 0, (-y * (top + bottom)) / 2, 0, 0, 1, 0, 0, 0, 0, 1);
+  }
+  toSheet.multiply(camera.matrixWorldInverse);
 }
 
-/** How far a place is from the middle of the sheet: 1 at its edges. */
-function reachOf(place: Vector3, camera: PerspectiveCamera | LensCamera, [wide, high]: SheetPart): number {
-  const { x, y, z } = seen.copy(place).applyMatrix4(camera.matrixWorldInverse);
-  if (z >= 0) return Infinity;
-  const isFlat = camera instanceof LensCamera && camera.lens?.isOrthographic;
-  const half = isFlat ? camera.top : -z * Math.tan(MathUtils.degToRad(camera.fov) / 2);
-  return Math.max(Math.abs(x) / (half * camera.aspect * wide), Math.abs(y) / (half * high));
+/** How fast a place on the ground nears an edge of the sheet, in w, when it moves straight towards it. */
+function steepness({ right, up }: (typeof EDGES)[number]): number {
+  const { elements } = toSheet;
+  const along = (column: number): number =>
+    right * elements[column] + up * elements[column + 1] - END * elements[column + 3];
+  return Math.hypot(along(0), along(8));
+}
+
+/** How far a place is on the way from the middle of the sheet to one of its edges. */
+function shareTo({ x, y, w }: Vector4, right: number, up: number): number {
+  return w > 0 ? (right * x + up * y) / w : Infinity;
+}
+
+/** Casts the caster's shadow. @returns how far */
+function castFar(ground: number, { position, isSun }: GroundLight, above: number): number {
+  const height = caster.y - ground;
+  if (isSun) cast.copy(position);
+  else cast.subVectors(position, caster);
+  const steps = height / (isSun ? above : above - height);
+  cast.multiplyScalar(-steps).add(caster);
+  return cast.distanceTo(caster);
 }

@@ -213,7 +213,7 @@ function dropEmptyPictures(material: HatchingMaterial): void {
 
 async function drawFrames(
   { motion }: HatchedModel,
-  { scene, lights, placed, sheet }: StagedModel,
+  { scene, placed, placeLights, sheet }: StagedModel,
   { frames = 1, clip, ...options }: DrawingOptions,
   name: string,
   to: {
@@ -229,7 +229,7 @@ async function drawFrames(
     if (motion && clip !== undefined) motion.time = (frame / frames) * motion.duration;
     else if (frame > 0) turnCamera(placed, (2 * Math.PI) / frames);
     scene.updateMatrixWorld();
-    lights.place(placed.camera);
+    placeLights();
     const stage = frames === 1 ? 'drawing' : `drawing frame ${frame + 1} of ${frames}`;
     const { svg, leftOut, ...counts } = await drawSVG(scene, placed.camera, {
       ...{ kind, sheet, margin, dpi, order, hidden, animate },

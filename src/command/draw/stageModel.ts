@@ -8,7 +8,9 @@ import { type FileCamera, movedExtras } from '../../files/common/ModelExtras.js'
 import { lookOf } from '../../settings/lookOf.js';
 import { formDrawn } from '../../settings/settingValues.js';
 import { Backdrop } from '../../staging/Backdrop.js';
+import { castersOf } from '../../staging/castersOf.js';
 import { DEFAULT_VIEW } from '../../staging/createCamera.js';
+import { WHOLE_SHEET } from '../../staging/fadeOnSheet.js';
 import { ABOUT_SQUARE, proportionOf } from '../../staging/framing.js';
 import { Ground } from '../../staging/Ground.js';
 import { LightRig } from '../../staging/LightRig.js';
@@ -41,6 +43,8 @@ export interface StagedModel {
   scene: Scene;
   lights: LightRig;
   placed: PlacedCamera;
+  /** Places the lights for the camera where it is, and has the shadow on the ground end on the sheet. */
+  placeLights(): void;
   /** The sheet as it lies, millimetres. */
   sheet: readonly [width: number, height: number];
 }
@@ -111,14 +115,18 @@ export async function stageModel(
         });
   placed.camera.zoom = zoom;
   placed.camera.updateProjectionMatrix();
-  if (shadow && !place && !fileCamera && isAnyOutside(aroundUpright(shadow, angles), placed)) ground.dissolveAtRim();
+  const casters = look.showsGround ? castersOf(model.root, model.motion) : [];
+  const placeLights = (): void => {
+    lights.place(placed.camera);
+    ground.endShadows(look, lights.fadeOf(casters, ground.height, placed.camera, WHOLE_SHEET));
+  };
   const pixels = options.dpi / MILLIMETRES_PER_INCH;
   const share = strokeShare(width * pixels, height * pixels);
   model.setWidths(look, share);
   ground.setWidths(look, share);
   backdrop.setWidths(look, share);
   await bake(model, settings, signal, report);
-  return { scene, lights, placed, sheet };
+  return { scene, lights, placed, placeLights, sheet };
 }
 
 const namesOf = (named: readonly { name: string }[]): string[] => named.map(({ name }) => name);
@@ -134,20 +142,6 @@ function eyeOf({ view }: DrawingOptions, place: DrawnWith['camera']): EyeDirecti
   if (view) return eyeDirection(view.azimuth, view.elevation);
   const [position, target] = place ? [place.position, place.target] : [DEFAULT_VIEW, [0, 0, 0]];
   return { toEye: new Vector3(...position).sub(new Vector3(...target)), up: UP };
-}
-
-/** Shadows count as cut that come so near to the edge of the picture, as a share of the way from its middle. */
-const NEAR_EDGE = 0.985;
-
-/** Whether any of the points lies outside of the picture of a camera. */
-function isAnyOutside(points: readonly number[], { camera }: PlacedCamera): boolean {
-  camera.updateMatrixWorld();
-  const seen = new Vector3();
-  for (let i = 0; i < points.length; i += 3) {
-    const { x, y } = seen.fromArray(points, i).project(camera);
-    if (Math.max(Math.abs(x), Math.abs(y)) > NEAR_EDGE) return true;
-  }
-  return false;
 }
 
 /** A ground, which is made when a look asks for it. */

@@ -5,6 +5,7 @@ import { releaseGraphics } from '../../drawing/releaseGraphics.js';
 import type { Look } from '../../settings/lookOf.js';
 import { UPRIGHT } from '../../settings/settingValues.js';
 import { Backdrop } from '../../staging/Backdrop.js';
+import { castersOf } from '../../staging/castersOf.js';
 import type { SheetPart } from '../../staging/fadeOnSheet.js';
 import { Ground } from '../../staging/Ground.js';
 import { LightRig } from '../../staging/LightRig.js';
@@ -23,8 +24,8 @@ export class Scenery {
   private readonly upright = new Group();
   private turn: Look['upright'] = UPRIGHT.y;
   private map: TonalArtMap | undefined;
-  /** xyz of points of the model as it stands, enough of them to frame it; none without a model. */
-  outline: ArrayLike<number> = [];
+  /** What of the model casts shadows as it stands; undefined until a shadow falls on the ground. */
+  private casters: Float32Array | undefined;
   /** Whether the model casts a shadow on the ground. Framing leaves room for that. */
   private showsShadow = false;
 
@@ -87,8 +88,8 @@ export class Scenery {
     ground.extent = shown.model.extent;
     if (this.look) this.backdrop.apply(this.look, shown.model.extent);
     ground.height = shown.model.bounds.clone().applyMatrix4(upright.matrix).min.y;
-    this.outline = turned(shown.model.outline, upright.matrix);
-    return this.outline;
+    this.casters = undefined;
+    return turned(shown.model.outline, upright.matrix);
   }
 
   /** The shadow that points (as xyz) cast on the ground, seen from a direction, as xyz; undefined if there is no shadow. */
@@ -96,10 +97,20 @@ export class Scenery {
     return this.showsShadow ? this.lights.shadowOf(outline, this.ground.height, toEye) : undefined;
   }
 
-  /** Has the shadow on the ground end on the sheet that a camera sees, a part of its picture. The lights must be placed. */
-  endShadow(camera: PerspectiveCamera, part: SheetPart): void {
-    const { ground, lights, look, outline } = this;
-    if (look && this.showsShadow) ground.endShadows(look, lights.fadeOf(outline, ground.height, camera, part));
+  /**
+   * Has the shadow on a ground end on the sheet that a camera sees, a part of its picture. The lights must be placed.
+   *
+   * @param ground and lights of whoever draws the scenery: its own, or copies of them
+   */
+  endShadow(
+    camera: PerspectiveCamera,
+    part: SheetPart,
+    { ground, lights }: Pick<Scenery, 'ground' | 'lights'> = this,
+  ): void {
+    const { look, shown } = this;
+    if (!look || !shown.model || !this.showsShadow) return;
+    this.casters ??= castersOf(shown.model.root, shown.model.motion);
+    ground.endShadows(look, lights.fadeOf(this.casters, ground.height, camera, part));
   }
 
   get tonalArtMap(): TonalArtMap | undefined {

@@ -200,7 +200,7 @@ export class NodeScreen implements Screen {
     ground.setWidths(look, share);
     placeLike(camera, painter.camera);
     lights.place(camera);
-    ground.endShadows(look, lights.fadeOf(scenery.outline, ground.height, camera, painter.sheetOf()));
+    scenery.endShadow(camera, painter.sheetOf(), { ground, lights });
     if (painter.shadowChanges === this.shadows) return;
     this.shadows = painter.shadowChanges;
     lights.outdateShadows();

@@ -32,6 +32,7 @@ import {
   squareObj,
 } from '../../../../tools/modelFiles/modelFiles.js';
 import { dae, fbx } from '../../../../tools/modelFiles/sceneWriters.js';
+import { pathsOf, ringsOf } from '../../vector/paths.js';
 
 let work: string;
 beforeEach(() => {
@@ -148,8 +149,11 @@ test('the drawing is that of drawSVG for a scene staged in the same way, byte fo
   const { signal } = new AbortController();
   const { model } = await buildModel(read, () => {}, signal);
   const drawnWith = settingsFor(options, undefined, read.upAxis);
-  const { scene, lights, placed } = await stageModel(model, drawnWith, options, [0], { signal, report: () => {} });
-  lights.place(placed.camera);
+  const { scene, placed, placeLights } = await stageModel(model, drawnWith, options, [0], {
+    signal,
+    report: () => {},
+  });
+  placeLights();
   const { svg } = await drawSVG(scene, placed.camera, { kind: 'pen', penWidth: 0.4, sheet: [60, 45], margin: 5 });
   expect(svgs).toEqual([svg]);
 });
@@ -164,7 +168,7 @@ describe('the stage', () => {
     const { model } = await buildModel(read, () => {}, signal);
     const drawnWith = settingsFor(options, options.link, 'y');
     const stage = await stageModel(model, drawnWith, options, [0], { signal, report: () => {} });
-    stage.lights.place(stage.placed.camera);
+    stage.placeLights();
     return { ...stage, settings: drawnWith.settings };
   }
   const degrees = (place: Vector3): number[] => {
@@ -257,14 +261,55 @@ describe('the stage', () => {
     expect(await sizeOf(high, '5x3in')).toBe('127 76.2');
   });
 
-  test('has a shadow that dissolves towards the rim where it would be cut, and as it is elsewhere', async () => {
-    const vignetteOf = async (...args: string[]): Promise<number> => {
+  test('has a shadow that ends on the sheet where it would be cut, and as the look says elsewhere', async () => {
+    const fadeOf = async (...args: string[]): Promise<number> => {
       const { scene } = await staged(['--view', '0 20', ...args]);
-      return (scene.getObjectByName('ground') as Mesh<BufferGeometry, HatchingMaterial>).material.vignette;
+      return (scene.getObjectByName('ground') as Mesh<BufferGeometry, HatchingMaterial>).material.shadowFade;
     };
-    expect(await vignetteOf('--light', '80 12')).toBe(1);
-    expect(await vignetteOf('--light', '30 60')).toBe(0);
-    expect(await vignetteOf()).toBe(0);
+    const usual = await fadeOf('--light', '30 70');
+    expect(usual).toBe(0.65);
+    for (const lens of [[], ['--orthographic']]) {
+      expect(await fadeOf('--light', '80 12', ...lens)).toBeGreaterThan(1.2 * usual);
+      expect(await fadeOf('--light', '-80 6', ...lens)).toBeGreaterThan(1.2 * usual);
+    }
+  });
+
+  test('has a shadow that has no line at the margins, however low the light, seen as one likes', {
+    tags: ['all'],
+  }, async () => {
+    const post = (x: number, width: number, height: number): number[][] =>
+      [0, 1].flatMap((up) =>
+        [
+          [-1, -1],
+          [1, -1],
+          [1, 1],
+          [-1, 1],
+        ].map(([dx, dz]) => [x + dx * width, up * height, dz * width]),
+      );
+    const corners = [...post(0, 0.05, 3), ...post(0, 0.3, 0.1)];
+    const faces = [
+      [0, 1, 2, 3],
+      [7, 6, 5, 4],
+      [0, 4, 5, 1],
+      [1, 5, 6, 2],
+      [2, 6, 7, 3],
+      [3, 7, 4, 0],
+    ];
+    const lamp = [
+      ...corners.map((corner) => `v ${corner.join(' ')}`),
+      ...[0, 8].flatMap((first) => faces.map((face) => `f ${face.map((i) => first + i + 1).join(' ')}`)),
+    ].join('\n');
+    const views = [[], ['--view', '30 50'], ['--orthographic']];
+    for (const [i, sheet] of ['60x40', '40x60'].entries())
+      for (const [k, light] of ['90 8', '-90 8', '0 8', '135 25'].entries()) {
+        const view = views[(i + k) % 3];
+        const { svgs } = await draw('lamp.obj', lamp, '--sheet', sheet, '--margin', '4', '--light', light, ...view);
+        const [width, height] = sheet.split('x').map(Number);
+        const points = pathsOf(svgs[0]).flatMap(ringsOf).flat();
+        expect(points.length).toBeGreaterThan(500);
+        const near = points.filter((place, i) => Math.min(place - 4, (i % 2 === 0 ? width : height) - 4 - place) < 0.2);
+        expect(near, `${sheet} ${light} ${view}`).toEqual([]);
+      }
   });
 
   test('has eye and light where the options say', async () => {

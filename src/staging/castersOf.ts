@@ -1,0 +1,119 @@
+import { MathUtils, type Mesh, type Object3D, Vector3 } from 'three';
+import type { Motion } from '../drawing/Motion.js';
+import { meshesOf } from '../drawing/meshesOf.js';
+import { placements } from '../files/scenes/placements.js';
+
+/** A model is cut into cubes of this size, in radii of it. */
+const CELL = 1 / 24;
+/** The number of cubes along each side of what is cut. What a moving model has outside counts as in the outermost ones. */
+const CELLS = 60;
+/** Edges are cut into parts of at most this length, each of which counts as where its middle is. */
+const LONGEST = CELL / 2;
+/** How far a caster lies beside what it stands for at most: half the diagonal of a cube, and half a part of an edge. */
+export const CASTER_ERROR = CELL * Math.SQRT1_2 + LONGEST / 2;
+/** The most poses at which a clip is looked at, and the most corners of triangles in all of them. */
+const MOST_POSES = 8;
+const MOST_CORNERS = 60_000;
+
+/**
+ * What of a model casts shadows, as upright pieces: of each x and z, and the heights of its foot and its top. They follow the edges of
+ * triangles, for no triangle casts a shadow beyond that of its edges. What is hidden or seen through casts none.
+ *
+ * @param root the model as it stands in the world, with a radius of 1 around the origin
+ * @param motion of the model, all of whose poses count
+ */
+export function castersOf(root: Object3D, motion?: Motion): Float32Array {
+  const pieces = new UprightPieces();
+  root.updateWorldMatrix(true, true);
+  const casting = meshesOf(root).filter((mesh) => castsShadow(mesh, root));
+  if (!motion) {
+    for (const mesh of casting) addEdges(mesh, 1, pieces);
+    return pieces.take();
+  }
+  const corners = casting.reduce((sum, mesh) => sum + cornersOf(mesh), 0);
+  const poses = motion.duration > 0 ? MathUtils.clamp(Math.floor(MOST_CORNERS / corners), 1, MOST_POSES) : 1;
+  const step = Math.ceil((corners * poses) / MOST_CORNERS);
+  const { time } = motion;
+  for (let pose = 0; pose < poses; pose++) {
+    if (poses > 1) motion.time = (pose / poses) * motion.duration;
+    root.updateWorldMatrix(true, true);
+    for (const mesh of casting) addEdges(mesh, step, pieces);
+  }
+  motion.time = time;
+  root.updateWorldMatrix(true, true);
+  return pieces.take();
+}
+
+function castsShadow(mesh: Mesh, root: Object3D): boolean {
+  for (let object: Object3D | null = mesh; object; object = object === root ? null : object.parent) {
+    if (!object.visible) return false;
+  }
+  return [mesh.material].flat().some(({ visible, transparent }) => visible && !transparent);
+}
+
+const cornersOf = ({ geometry: { index, attributes } }: Mesh): number =>
+  index?.count ?? attributes.position?.count ?? 0;
+
+const ends = [new Vector3(), new Vector3(), new Vector3()];
+const place = new Vector3();
+
+/** Adds the edges of every `step`th triangle, in the present pose. */
+function addEdges(mesh: Mesh, step: number, pieces: UprightPieces): void {
+  const { index } = mesh.geometry;
+  const corners = cornersOf(mesh);
+  for (const matrix of placements(mesh)) {
+    for (let first = 0; first + 2 < corners; first += 3 * step) {
+      for (const [i, end] of ends.entries()) {
+        const corner = first + i;
+        mesh.getVertexPosition(index ? index.getX(corner) : corner, end).applyMatrix4(matrix);
+      }
+      for (let i = 0; i < 3; i++) addEdge(ends[i], ends[(i + 1) % 3], pieces);
+    }
+  }
+}
+
+function addEdge(from: Vector3, to: Vector3, pieces: UprightPieces): void {
+  const parts = Math.ceil(from.distanceTo(to) / LONGEST);
+  // A mesh with a coordinate that is no number is not drawn.
+  if (!(parts < Infinity)) return;
+  if (parts <= 1) pieces.add(from, from.y, to.y);
+  const rise = (to.y - from.y) / parts;
+  for (let i = 0; parts > 1 && i < parts; i++)
+    pieces.add(place.lerpVectors(from, to, (i + 0.5) / parts), from.y + i * rise, from.y + (i + 1) * rise);
+}
+
+/** The heights between which a model fills each cube of a grid. */
+class UprightPieces {
+  private readonly lows = new Float32Array(CELLS ** 3).fill(Infinity);
+  private readonly highs = new Float32Array(CELLS ** 3).fill(-Infinity);
+
+  /** Adds a place that stands for what lies between two heights there. */
+  add({ x, y, z }: Vector3, one: number, other: number): void {
+    const { lows, highs } = this;
+    const cell = (cellOf(x) * CELLS + cellOf(z)) * CELLS + cellOf(y);
+    lows[cell] = Math.min(lows[cell], one, other);
+    highs[cell] = Math.max(highs[cell], one, other);
+  }
+
+  /** The pieces, with one in the place of those that lie on one another. */
+  take(): Float32Array {
+    const { lows, highs } = this;
+    const pieces: number[] = [];
+    for (let cell = 0; cell < lows.length; cell++) {
+      if (lows[cell] === Infinity) continue;
+      const column = Math.floor(cell / CELLS);
+      let [low, high] = [lows[cell], highs[cell]];
+      while ((cell + 1) % CELLS > 0 && lows[cell + 1] < Infinity) {
+        cell++;
+        low = Math.min(low, lows[cell]);
+        high = Math.max(high, highs[cell]);
+      }
+      pieces.push(middleOf(Math.floor(column / CELLS)), middleOf(column % CELLS), low, high);
+    }
+    return Float32Array.from(pieces);
+  }
+}
+
+const cellOf = (place: number): number => MathUtils.clamp(Math.floor(place / CELL + CELLS / 2), 0, CELLS - 1);
+
+const middleOf = (cell: number): number => (cell + 0.5 - CELLS / 2) * CELL;
