@@ -4,9 +4,9 @@ import { meshesOf } from '../drawing/meshesOf.js';
 import { placements } from '../files/scenes/placements.js';
 
 /** A model is cut into cubes of this size, in radii of it. */
-const CELL = 1 / 24;
+const CELL = 1 / 32;
 /** The number of cubes along each side of what is cut. What a moving model has outside counts as in the outermost ones. */
-const CELLS = 60;
+const CELLS = 80;
 /** Edges are cut into parts of at most this length, each of which counts as where its middle is. */
 const LONGEST = CELL / 2;
 /** How far a caster lies beside what it stands for at most: half the diagonal of a cube, and half a part of an edge. */

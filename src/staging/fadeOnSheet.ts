@@ -3,8 +3,12 @@ import { CASTER_ERROR } from './castersOf.js';
 
 /** A shadow ends at this share of the way from the middle of the sheet to its edges. */
 const END = 0.99;
-/** One that is so long, as a share of the way from the foot of what casts it to there, begins to dissolve sooner. */
+/**
+ * One that is so long, as a share of the way from the foot of what casts it to there, begins to dissolve sooner: as if the way were so many
+ * times longer as is left of it. One that is framed with its model hardly does.
+ */
 const NEARS_END = 0.7;
+const LEFT_COUNTS = 20;
 /** Of a model that comes so near to an edge itself, and then is cut by it, the shadow is cut by it too. */
 const MODEL_NEARS = { from: 0.95, to: 1 } as const;
 /** A shadow dissolves no faster, so that something of it is left where a model touches the ground. */
@@ -99,12 +103,13 @@ export function fadeOnSheet(
         nearing = approach;
       }
     }
-    if (from > to) continue;
-    const height = Math.max(to, lowest);
-    if (highest < NEARS_END * height || (!isSun && height >= above)) continue;
-    const share = MathUtils.smoothstep(highest / Math.max(height, Number.EPSILON), NEARS_END, 1);
-    const sooner = (errors[met] * (isSun ? above : above - height)) / nearing;
-    caster.set(casters[i], ground + Math.max(height - sooner, 0), casters[i + 1]);
+    if (from > to || to >= (isSun ? Infinity : above)) continue;
+    const sooner = (errors[met] * (isSun ? above : above - to)) / nearing;
+    const height = Math.max(to - sooner, lowest);
+    const length = Math.min(highest / Math.max(height, Number.EPSILON), 1);
+    if (length < NEARS_END) continue;
+    const share = MathUtils.smoothstep(length, NEARS_END, 1) / (1 + LEFT_COUNTS * (1 - length));
+    caster.set(casters[i], ground + height, casters[i + 1]);
     const far = Math.max(castFar(ground, light, above), Number.EPSILON);
     fades[met] = Math.max(fades[met], Math.min((share * light.widthAt(cast)) / far, MOST_FADE));
   }

@@ -3,7 +3,7 @@ import { MathUtils, type PerspectiveCamera, Vector3 } from 'three';
 /** The share of the picture that points fill unless asked otherwise, of its width or its height. */
 const POINTS_FILL = 0.94;
 /** How far a model and its shadow may go towards the edges, unless asked otherwise. */
-export const SHADOW_ROOM: ShadowRoom = { model: 0.88, shadow: 0.96, smaller: 1.25 };
+export const SHADOW_ROOM: ShadowRoom = { model: 0.88, shadow: 0.93, smaller: 1.25 };
 /** A model is drawn smaller before its middle moves aside by more than this share of the way to the edge. */
 const CENTRED = 0.09;
 /** If it is as small as it may be, it moves aside by at most this share. What is left of a long shadow is cut. */

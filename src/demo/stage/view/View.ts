@@ -16,9 +16,9 @@ const MAX_DISTANCE = 30;
 /** Share of the viewport that a model fills, of its width or its height: about two thirds of the sheet with its caption. */
 const FILL = 0.76;
 /** The same share for a sheet of paper, which holds nothing but the drawing. */
-const ON_SHEET = { fill: 0.86, room: { ...SHADOW_ROOM, shadow: 0.93 } };
+const ON_SHEET = { fill: 0.86, room: SHADOW_ROOM };
 /** On a phone that is held upright, models go nearer to the sides. */
-const UPRIGHT = { aspect: 0.65, fill: 0.9, room: { model: 0.94, shadow: 0.98, smaller: 1.18 } };
+const UPRIGHT = { aspect: 0.65, fill: 0.9, room: { model: 0.94, shadow: 0.93, smaller: 1.18 } };
 /** The shares of its width and height that they fill there at least, with room for their shadow. Those that are wide are turned for it. */
 const UPRIGHT_LEAST = { width: 0.56, height: 0.41 };
 /** What is framed before there is a model. */
