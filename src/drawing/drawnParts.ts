@@ -23,7 +23,7 @@ export function drawnVertices({ geometry, material }: Mesh): Uint8Array {
 
 export const materialsOf = ({ material }: Mesh): Material[] => (Array.isArray(material) ? material : [material]);
 
-const isSeen = ({ visible, transparent, opacity }: Material): boolean => visible && !(transparent && opacity === 0);
+export const isSeen = ({ visible, transparent, opacity }: Material): boolean => visible && !(transparent && opacity === 0);
 
 function isShown(mesh: Mesh, root: Object3D): boolean {
   for (let object: Object3D | null = mesh; object; object = object === root ? null : object.parent) {

@@ -53,8 +53,8 @@ export async function modelOfMesh(
       throw error;
     }
   }
-  const bounds = new Box3();
-  for (const { geometry } of meshesOf(root)) bounds.union(geometry.boundingBox!);
+  const bounds = boundsOf(meshesOf(root));
+  const solid = boundsOf(meshesOf(root).filter(({ material }) => [material].flat().some((one) => !one.transparent)));
   const extent = new SceneExtent(root, bounds);
   for (const material of materials) material.extent = extent;
   // An incomplete file does not fit.
@@ -62,7 +62,7 @@ export async function modelOfMesh(
   if (isOccluded) writeOcclusion(meshesOf(root)[0].geometry, mesh, occlusion);
   const model = new HatchedModel(
     root,
-    bounds,
+    solid.isEmpty() ? bounds : solid,
     outlineOf(mesh.positions),
     stands,
     statisticsOf(root),
@@ -77,6 +77,9 @@ export async function modelOfMesh(
   model.isOccluded = isOccluded;
   return model;
 }
+
+const boundsOf = (meshes: readonly Mesh[]): Box3 =>
+  meshes.reduce((bounds, { geometry }) => bounds.union(geometry.boundingBox!), new Box3());
 
 /** What hides what is behind it, and what is seen through. */
 function partsOf(mesh: PlainMesh): PlainMesh[] {

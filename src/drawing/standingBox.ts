@@ -1,6 +1,6 @@
 import { Box3, type Material, type Mesh, type Object3D, Vector3 } from 'three';
 import { placements } from '../files/scenes/placements.js';
-import { drawnMeshes, materialsOf } from './drawnParts.js';
+import { drawnMeshes, isSeen } from './drawnParts.js';
 
 /** The most vertices that are looked at. */
 const MOST_POINTS = 100_000;
@@ -13,8 +13,8 @@ const SAME_GROUND = 0.03;
  */
 export function carryingBox(root: Object3D): Box3 {
   const drawn = drawnMeshes(root);
-  const solid = boxOf(drawn.filter((mesh) => materialsOf(mesh).some(isSolid)));
-  return solid.isEmpty() ? boxOf(drawn) : solid;
+  const solid = boxOf(drawn, isSolid);
+  return solid.isEmpty() ? boxOf(drawn, isSeen) : solid;
 }
 
 /** The box by which a scene stands on a ground: that of its first pose, or of all if others reach much farther, as a jump does. */
@@ -29,17 +29,17 @@ export function standingBox([first, ...others]: readonly Box3[]): Box3 {
   return box;
 }
 
-function boxOf(meshes: readonly Mesh[]): Box3 {
+/** The box of the triangles whose material counts. */
+function boxOf(meshes: readonly Mesh[], counts: (material: Material) => boolean): Box3 {
   const box = new Box3();
   const point = new Vector3();
-  const counts = meshes.map(({ geometry }) => geometry.getAttribute('position')?.count ?? 0);
-  const step = Math.ceil(counts.reduce((sum, count) => sum + count, 0) / MOST_POINTS) || 1;
-  for (const [i, mesh] of meshes.entries()) {
+  const parts = meshes.flatMap((mesh) => rangesOf(mesh, counts).map((range) => ({ mesh, ...range })));
+  const step = Math.ceil(parts.reduce((sum, { count }) => sum + count, 0) / MOST_POINTS) || 1;
+  for (const { mesh, start, count } of parts) {
     const { index } = mesh.geometry;
-    const corners = index?.count ?? counts[i];
     for (const matrix of placements(mesh)) {
       // A vertex that no triangle uses is not drawn.
-      for (let corner = 0; corner < corners; corner += step) {
+      for (let corner = start; corner < start + count; corner += step) {
         mesh.getVertexPosition(index ? index.getX(corner) : corner, point).applyMatrix4(matrix);
         if (Number.isFinite(point.x + point.y + point.z)) box.expandByPoint(point);
       }
@@ -48,5 +48,18 @@ function boxOf(meshes: readonly Mesh[]): Box3 {
   return box;
 }
 
-const isSolid = ({ visible, transparent, transmission = 0 }: Material & { transmission?: number }): boolean =>
-  visible && !transparent && transmission === 0;
+/** The corners of a mesh whose material counts. As in three.js, groups count only if there are several materials. */
+function rangesOf(
+  { geometry, material }: Mesh,
+  counts: (material: Material) => boolean,
+): { start: number; count: number }[] {
+  const { index, attributes, groups } = geometry;
+  const corners = index?.count ?? attributes.position?.count ?? 0;
+  if (!Array.isArray(material)) return counts(material) ? [{ start: 0, count: corners }] : [];
+  return groups
+    .filter(({ materialIndex = 0 }) => material[materialIndex] && counts(material[materialIndex]))
+    .map(({ start, count }) => ({ start, count: Math.min(count, corners - start) }));
+}
+
+const isSolid = (material: Material & { transmission?: number }): boolean =>
+  isSeen(material) && !material.transparent && (material.transmission ?? 0) === 0;

@@ -1,4 +1,4 @@
-import { DirectionalLight, type Material, type Mesh, OrthographicCamera, Scene } from 'three';
+import { Box3, DirectionalLight, type Material, type Mesh, OrthographicCamera, Scene } from 'three';
 import { describe, expect, test } from 'vitest';
 import { buildModel } from '../../../src/drawing/buildModel.js';
 import type { HatchedModel } from '../../../src/drawing/HatchedModel.js';
@@ -96,6 +96,19 @@ const shells = (kind: 1 | 2 | 3): [format: string, files: Files][] =>
   SHELLS.map((shell): [string, Files] => [shell[0], shell[kind]]).filter(([, files]) => files.length > 0);
 
 describe('a shell', () => {
+  test.each([...shells(1), ...shells(2)])(
+    'in %s carries nothing: the model stands on what is in it',
+    async (_format, files) => {
+      const { root, bounds } = await build(...files);
+      const solid = meshesOf(root).filter((mesh) => mesh.visible && !materialOf(mesh).transparent);
+      root.updateMatrixWorld(true);
+      const lowest = Math.min(...solid.map((mesh) => new Box3().setFromObject(mesh, true).min.y));
+      expect(bounds.min.y).toBeCloseTo(lowest, 6);
+      if (meshesOf(root).length > solid.length)
+        expect(lowest).toBeGreaterThan(new Box3().setFromObject(root, true).min.y + 0.1);
+    },
+  );
+
   test.each(shells(1))('in %s is glass: it hides nothing, and casts and takes no shadow', async (_format, files) => {
     const model = await build(...files);
     const meshes = meshesOf(model.root);

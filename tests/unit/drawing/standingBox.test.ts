@@ -8,6 +8,7 @@ import {
   MeshStandardMaterial,
   Vector3,
 } from 'three';
+import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import { describe, expect, test } from 'vitest';
 import { carryingBox, standingBox } from '../../../src/drawing/standingBox.js';
 
@@ -38,6 +39,21 @@ describe('what a model stands on', () => {
     const crystal = boxAt(-0.6, 0.2, new MeshPhysicalMaterial({ transmission: 1 }));
     expect(lowestOf(boxAt(0, 1), glass(), crystal)).toBeCloseTo(0, 6);
     expect(lowestOf(glass())).toBeCloseTo(-0.5, 6);
+  });
+
+  test('is each part of a mesh by its own material', () => {
+    const geometry = mergeGeometries(
+      [
+        new BoxGeometry(0.1, 1, 0.1).translate(0, 0.5, 0),
+        new BoxGeometry(0.1, 0.3, 0.1).translate(0, -0.2, 0),
+        new BoxGeometry(0.1, 0.3, 0.1).translate(0, -0.5, 0),
+      ],
+      true,
+    );
+    const glass = new MeshStandardMaterial({ transparent: true, opacity: 0.3 });
+    const hidden = new MeshStandardMaterial({ visible: false });
+    expect(lowestOf(new Mesh(geometry, [new MeshStandardMaterial(), glass, hidden]))).toBeCloseTo(0, 6);
+    expect(lowestOf(new Mesh(geometry, [hidden, glass, hidden]))).toBeCloseTo(-0.35, 6);
   });
 
   test('is no vertex that no triangle uses', () => {
