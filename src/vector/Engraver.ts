@@ -183,7 +183,13 @@ export class Engraver {
       strokes:
         medium === 'ink'
           ? null
-          : this.strokesAt(medium, place, reading, { smooth, flat }, Math.min(octave + rowOctaves(tone), coarsest)),
+          : this.strokesAt(
+              medium,
+              place,
+              reading,
+              { smooth, flat },
+              Math.min(octave + rowOctaves(Math.max(tone, tones.full)), coarsest),
+            ),
     };
   }
 

@@ -49,6 +49,8 @@ export interface Tones {
   shadows: number;
   /** The share of the shadow on a ground that has not dissolved; 1 on bodies. */
   left: number;
+  /** What a full shadow on a ground would print there; 0 on bodies. */
+  full: number;
   /** Which of the lamps hardly arrive, so that lines turn, as bits. */
   turned: number;
 }
@@ -136,12 +138,12 @@ export class Toner {
     const left = taken > 0 ? 1 - lost / taken : 1;
     if (look.ground) {
       const tone = weight * groundTone(open * direct + rest, open * shadowed, left, look, look.ground);
-      return { tone, unshadowed: 0, shadows, left, turned };
+      return { tone, unshadowed: 0, shadows, left, full: look.toneEnds[1] * look.ground.tone * left, turned };
     }
     const toneOf = (radiance: number): number => weight * shadedTone(radiance, occluded, painted);
     const tone = toneOf(open * direct + rest);
     const unshadowed = shadowed > 0 ? toneOf(open * (direct + shadowed) + rest) : tone;
-    return { tone, unshadowed, shadows, left: 1, turned };
+    return { tone, unshadowed, shadows, left: 1, full: 0, turned };
   }
 
   private shadowOf(

@@ -23,6 +23,6 @@ export class VertexTones {
       this.tones[vertex] = tone;
       this.unshadowed[vertex] = unshadowed;
     }
-    return { tone: this.tones[vertex], unshadowed: this.unshadowed[vertex], shadows: 0, left: 1, turned: 0 };
+    return { tone: this.tones[vertex], unshadowed: this.unshadowed[vertex], shadows: 0, left: 1, full: 0, turned: 0 };
   }
 }

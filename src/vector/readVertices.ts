@@ -50,7 +50,7 @@ export function* readVertices(
 }
 
 /** What may be anywhere on a surface whose normals are bent. */
-const DARKEST: Tones = { tone: 1, unshadowed: 0.5, shadows: 0, left: 1, turned: 0 };
+const DARKEST: Tones = { tone: 1, unshadowed: 0.5, shadows: 0, left: 1, full: 0, turned: 0 };
 
 class VertexReader {
   private readonly shadowings: readonly Shadowing[];

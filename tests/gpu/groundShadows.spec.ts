@@ -112,6 +112,49 @@ test('a shadow that dissolves has the tone that is left of it with all media', a
   }
 });
 
+test('lines of a woodcut end in points at the soft edge of a shadow: nothing stands alone there', async ({ page }) => {
+  const pieces = await page.evaluate(async () => {
+    const { SIZE, lightOf, casting, plate, ground, sceneOf, draw } = window.shading;
+    const light = casting(await lightOf('directional'), 1);
+    light.shadow.bias = 0;
+    const plane = await ground('engraved', {
+      toneModel: 'shadow',
+      medium: 'woodcut',
+      ink: '#000000',
+      shadowTone: 0.3,
+      shadowFade: 0,
+      shadowSoftness: 0.3,
+      lineSpacing: 6,
+      strokeLength: 60,
+      handmade: 0.6,
+      sizedOnScreen: 1,
+    });
+    const pixels = draw(sceneOf(plane, plate(0.5), light));
+    const isInk = (i: number): boolean => pixels[4 * i] < 190;
+    const sizes: number[] = [];
+    const seen = new Uint8Array(SIZE * SIZE);
+    for (let first = 0; first < SIZE * SIZE; first++) {
+      if (seen[first] || !isInk(first)) continue;
+      const open = [first];
+      seen[first] = 1;
+      for (let n = 0; n < open.length; n++) {
+        const [x, y] = [open[n] % SIZE, Math.floor(open[n] / SIZE)];
+        for (let dy = -1; dy <= 1; dy++)
+          for (let dx = -1; dx <= 1; dx++) {
+            const next = (y + dy) * SIZE + x + dx;
+            if (x + dx < 0 || x + dx >= SIZE || y + dy < 0 || y + dy >= SIZE || seen[next] || !isInk(next)) continue;
+            seen[next] = 1;
+            open.push(next);
+          }
+      }
+      sizes.push(open.length);
+    }
+    return sizes.sort((a, b) => a - b);
+  });
+  expect(pieces.length).toBeGreaterThan(3);
+  expect(pieces.filter((size) => size < 12).length, `${pieces}`).toBeLessThan(9);
+});
+
 const softMaps: [Filter, LightKind, boolean][] = [
   ...maps.map(([filter, kind]): [Filter, LightKind, boolean] => [filter, kind, false]),
   ['PCF', 'directional', true],

@@ -45,6 +45,12 @@ float powerOf2(const in float octave) {
 #elif MEDIUM == MEDIUM_WOODCUT
   #include "technique/carving"
   #define LINE(away, room, line) lineCoverage(abs(away), room * cutWidth(cut, line), FRINGE)
+  #ifdef DISSOLVES_SHADOWS
+    // Rows keep their places at the edges of a shadow, where their cuts widen: a row for each tone would leave crumbs there.
+    #define ROW_TONE max(tone, toneEnds.y * shadowTone * shadowLeft())
+  #else
+    #define ROW_TONE tone
+  #endif // DISSOLVES_SHADOWS
 #elif defined(FOLLOWS_FORM)
   #define LINE(away, room, line) lineCoverage(abs(away), room * tone, FRINGE)
 #else
@@ -60,7 +66,7 @@ float ruledLines(const in HatchingParameters h, const in Family family, const in
   float onScreen = octaves(WANTED_SPACING * perPixel);
   float octave = max(mix(onObject, onScreen, sizedOnScreen), octaves(finestSpacing * perPixel));
   #if MEDIUM == MEDIUM_WOODCUT
-    octave += rowOctaves(tone);
+    octave += rowOctaves(ROW_TONE);
   #endif // MEDIUM
   octave = min(octave, family.coarsest);
   float period = powerOf2(ceil(octave));

@@ -126,8 +126,8 @@ const makeMaterials = () =>
       handmade: 0.6,
       toneCurve: CUT,
       reflectedLight: 0.15,
-      // So steep a curve makes crumbs and a rim of a soft edge.
-      shadowSoftness: 0,
+      // Sharp edges that still end each line in a point.
+      shadowSoftness: 0.05,
       ...VALUES,
       ink: '#120e0a',
       paper: '#ece0c4',

@@ -19,6 +19,9 @@ const { abs, ceil, clamp, float, floor, fract, int, Loop, max, min, mix, select 
 const lineSpacing = /* @__PURE__ */ hatchingUniform('lineSpacing', 'float');
 /** How many times as far apart lines of a shadow lie. */
 const shadowSpacing = /* @__PURE__ */ hatchingUniform('shadowSpacing', 'float');
+/** The tones that are printed where all light arrives, and where none does, and of a full shadow alone. */
+const toneEnds = /* @__PURE__ */ hatchingUniform('toneEnds', 'vec2');
+const shadowTone = /* @__PURE__ */ hatchingUniform('shadowTone', 'float');
 /** Pixels: where lines would lie closer, every other one is left out. */
 const finestSpacing = /* @__PURE__ */ hatchingUniform('finestSpacing', 'float');
 
@@ -33,6 +36,10 @@ function lineLeft(line: Value, shadowLeft: Value): Value {
   // Half a turn from the lot by which widths differ: those that stay are neither the wide ones nor the thin ones.
   return max(float(1).sub(gone.mul(fract(lotOf(line).add(0.5)))), 0).div(kept);
 }
+
+/** The tone by which rows of cuts lie apart: they keep their places at the edges of a shadow, where their cuts widen. */
+const rowTone = ({ shadowLeft }: HatchingParameters, tone: Value): Value =>
+  shadowLeft ? max(tone, toneEnds.y.mul(shadowTone).mul(shadowLeft)).toVar() : tone;
 
 /** The share of a pixel that a line covers. @param away from the line, signed, pixels @param room half of what the line has, pixels */
 type Covering = (away: Value, room: Value, line: Value) => Value;
@@ -68,7 +75,7 @@ export function ruledLines(h: HatchingParameters, family: Family, tone: Value, m
   const onObject = octaves(wanted.div(PARTS_OF_TILE).mul(family.rise).toVar());
   const onScreen = octaves(wanted.mul(perPixel).toVar());
   const octave = max(mix(onObject, onScreen, sizedOnScreen), octaves(finestSpacing.mul(perPixel).toVar())).toVar();
-  if (medium === 'woodcut') octave.addAssign(rowOctaves(tone));
+  if (medium === 'woodcut') octave.addAssign(rowOctaves(rowTone(h, tone)));
   octave.assign(min(octave, family.coarsest));
   const period = powerOf2(ceil(octave)).toVar();
   const pixels = period.div(seen).toVar();
