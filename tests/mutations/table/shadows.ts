@@ -2,6 +2,28 @@ import type { Mutation } from '../Mutation.js';
 
 export const shadows: readonly Mutation[] = [
   {
+    name: 'a shadow on the ground ends where a caster beside it would have it',
+    file: 'src/staging/fadeOnSheet.ts',
+    find: 'Math.max(to - sooner, lowest)',
+    replace: 'Math.max(2 * to, lowest)',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/staging/fadeOnSheet.test.ts',
+      title: 'has ended at every edge of',
+    },
+  },
+  {
+    name: 'only corners of triangles cast shadows that end on the sheet',
+    file: 'src/staging/castersOf.ts',
+    find: 'for (let i = 0; parts > 1 && i < parts; i++)',
+    replace: 'for (let i = 0; parts > 1 && i < 1; i++)',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/staging/castersOf.test.ts',
+      title: 'is a post from its foot to its top',
+    },
+  },
+  {
     name: 'shadows of a model reach behind the light',
     file: 'src/lighting/shadowOnSheet.ts',
     find: 'points[i] - height * east',
