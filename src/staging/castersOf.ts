@@ -7,10 +7,10 @@ import { placements } from '../files/scenes/placements.js';
 const CELL = 1 / 32;
 /** The number of cubes along each side of what is cut. What a moving model has outside counts as in the outermost ones. */
 const CELLS = 80;
-/** Edges are cut into parts of at most this length, each of which counts as where its middle is. */
+/** Edges are cut into parts of at most this length, each of which counts as where its middle is, as triangles that are no longer do. */
 const LONGEST = CELL / 2;
-/** How far a caster lies beside what it stands for at most: half the diagonal of a cube, and half a part of an edge. */
-export const CASTER_ERROR = CELL * Math.SQRT1_2 + LONGEST / 2;
+/** How far a caster lies beside what it stands for at most: half the diagonal of a cube, and two thirds of such a triangle. */
+export const CASTER_ERROR = CELL * Math.SQRT1_2 + (2 / 3) * LONGEST;
 /** The most poses at which a clip is looked at, and the most corners of triangles in all of them. */
 const MOST_POSES = 8;
 const MOST_CORNERS = 60_000;
@@ -67,9 +67,20 @@ function addEdges(mesh: Mesh, step: number, pieces: UprightPieces): void {
         const corner = first + i;
         mesh.getVertexPosition(index ? index.getX(corner) : corner, end).applyMatrix4(matrix);
       }
-      for (let i = 0; i < 3; i++) addEdge(ends[i], ends[(i + 1) % 3], pieces);
+      addTriangle(ends[0], ends[1], ends[2], pieces);
     }
   }
+}
+
+function addTriangle(a: Vector3, b: Vector3, c: Vector3, pieces: UprightPieces): void {
+  if (Math.max(a.distanceToSquared(b), b.distanceToSquared(c), c.distanceToSquared(a)) < LONGEST ** 2) {
+    place.addVectors(a, b).add(c).divideScalar(3);
+    pieces.add(place, Math.min(a.y, b.y, c.y), Math.max(a.y, b.y, c.y));
+    return;
+  }
+  addEdge(a, b, pieces);
+  addEdge(b, c, pieces);
+  addEdge(c, a, pieces);
 }
 
 function addEdge(from: Vector3, to: Vector3, pieces: UprightPieces): void {
