@@ -21,9 +21,10 @@ export function drawnVertices({ geometry, material }: Mesh): Uint8Array {
   return drawn;
 }
 
-export const materialsOf = ({ material }: Mesh): Material[] => (Array.isArray(material) ? material : [material]);
+const materialsOf = ({ material }: Mesh): Material[] => (Array.isArray(material) ? material : [material]);
 
-export const isSeen = ({ visible, transparent, opacity }: Material): boolean => visible && !(transparent && opacity === 0);
+export const isSeen = ({ visible, transparent, opacity }: Material): boolean =>
+  visible && !(transparent && opacity === 0);
 
 function isShown(mesh: Mesh, root: Object3D): boolean {
   for (let object: Object3D | null = mesh; object; object = object === root ? null : object.parent) {

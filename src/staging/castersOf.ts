@@ -14,6 +14,10 @@ export const CASTER_ERROR = CELL * Math.SQRT1_2 + (2 / 3) * LONGEST;
 /** The most poses at which a clip is looked at, and the most corners of triangles in all of them. */
 const MOST_POSES = 8;
 const MOST_CORNERS = 60_000;
+/** The most corners of a model that does not move, as many as take some 30 ms; large meshes leave out triangles in equal steps. */
+const MOST_STILL_CORNERS = 450_000;
+/** A mesh of fewer corners than this leaves out none. */
+const FEW_CORNERS = 3_000;
 
 /**
  * What of a model casts shadows, as upright pieces: of each x and z, and the heights of its foot and its top. They follow the edges of
@@ -26,11 +30,12 @@ export function castersOf(root: Object3D, motion?: Motion): Float32Array {
   const pieces = new UprightPieces();
   root.updateWorldMatrix(true, true);
   const casting = meshesOf(root).filter((mesh) => castsShadow(mesh, root));
+  const corners = casting.reduce((sum, mesh) => sum + cornersOf(mesh), 0);
   if (!motion) {
-    for (const mesh of casting) addEdges(mesh, 1, pieces);
+    const step = Math.ceil(corners / MOST_STILL_CORNERS);
+    for (const mesh of casting) addEdges(mesh, cornersOf(mesh) < FEW_CORNERS ? 1 : step, pieces);
     return pieces.take();
   }
-  const corners = casting.reduce((sum, mesh) => sum + cornersOf(mesh), 0);
   const poses = motion.duration > 0 ? MathUtils.clamp(Math.floor(MOST_CORNERS / corners), 1, MOST_POSES) : 1;
   const step = Math.ceil((corners * poses) / MOST_CORNERS);
   const { time } = motion;

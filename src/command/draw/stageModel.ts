@@ -13,8 +13,8 @@ import { DEFAULT_VIEW } from '../../staging/createCamera.js';
 import { WHOLE_SHEET } from '../../staging/fadeOnSheet.js';
 import { ABOUT_SQUARE, proportionOf } from '../../staging/framing.js';
 import { Ground } from '../../staging/Ground.js';
-import { LightRig } from '../../staging/LightRig.js';
 import { LENS } from '../../staging/LensCamera.js';
+import { LightRig } from '../../staging/LightRig.js';
 import { lightsOfFile } from '../../staging/lightsOfFile.js';
 import {
   cameraOfFile,

@@ -1,4 +1,4 @@
-import { BoxGeometry, Group, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial } from 'three';
+import { BoxGeometry, Group, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial, PlaneGeometry } from 'three';
 import { describe, expect, test } from 'vitest';
 import { castersOf } from '../../../src/staging/castersOf.js';
 
@@ -54,5 +54,18 @@ describe('what casts shadows', () => {
     expect(Math.min(...places)).toBeCloseTo(-0.5, 1);
     expect(Math.max(...places)).toBeCloseTo(1.25, 1);
     expect(places.every(Number.isFinite)).toBe(true);
+  });
+
+  test('is each edge of a small mesh beside a large one, of which some triangles are left out', () => {
+    const plane = new Mesh(new PlaneGeometry(1.6, 1.6, 500, 500), new MeshBasicMaterial());
+    const post = box([0.01, 1.8, 0.01]);
+    post.position.z = 0.5;
+    const pieces = piecesOf(plane, post);
+    const ofPost = pieces.filter(([, z]) => z > 0.4);
+    expect(Math.min(...ofPost.map(([, , low]) => low))).toBeCloseTo(-0.9, 6);
+    expect(Math.max(...ofPost.map(([, , , high]) => high))).toBeCloseTo(0.9, 6);
+    const tops = pieces.filter(([, z]) => z < 0.4).map(([, , , high]) => high);
+    expect(tops.length).toBeGreaterThan(30);
+    expect(Math.min(...tops)).toBeGreaterThan(0.75);
   });
 });
