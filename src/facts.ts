@@ -4,9 +4,9 @@
  *
  * @module three-hatching/facts
  */
-export { HATCHING_BACKGROUND_DEFAULTS } from './background/backgroundProperties.js';
-export { defaultOf } from './material/facts/defaultOf.js';
-export { GLASS } from './material/facts/glass.js';
+export { HATCHING_BACKGROUND_DEFAULTS } from './material/backgroundProperties.js';
+export { defaultOf } from './look/defaultOf.js';
+export { GLASS } from './look/glass.js';
 export type {
   HatchingChoice,
   HatchingCondition,
@@ -22,9 +22,9 @@ export type {
   NumberRange,
   PlainValue,
   UsedByTechniques,
-} from './material/facts/HatchingProperty.js';
-export { HATCHING_FACTS } from './material/facts/hatchingFacts.js';
-export { HATCHING_DEFAULTS, HATCHING_PROPERTIES } from './material/facts/hatchingProperties.js';
+} from './look/HatchingProperty.js';
+export { HATCHING_FACTS } from './look/hatchingFacts.js';
+export { HATCHING_DEFAULTS, HATCHING_PROPERTIES } from './look/hatchingProperties.js';
 export {
   followsForm,
   formOf,
@@ -32,7 +32,7 @@ export {
   knowsChoice,
   needsAdjacency,
   needsMap,
-} from './material/facts/lookFacts.js';
-export { counts, measureOf, pixelPower, scaledSizes } from './material/facts/measuredFacts.js';
-export { HATCHING_OUTLINE_DEFAULTS } from './outlines/outlineProperties.js';
+} from './look/lookFacts.js';
+export { counts, measureOf, pixelPower, scaledSizes } from './look/measuredFacts.js';
+export { HATCHING_OUTLINE_DEFAULTS } from './material/outlines/outlineProperties.js';
 export { leftAlone } from './scene/leftAlone.js';

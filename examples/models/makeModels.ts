@@ -13,7 +13,7 @@ import {
 } from 'three';
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
 import { mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
-import { makeFish } from '../../src/demo/models/makeFish.js';
+import { makeFish } from '../../src/playground/models/makeFish.js';
 import { FileReaderStandIn } from '../../tools/modelFiles/FileReaderStandIn.js';
 
 /** The models by file name, as GLB. */

@@ -3,7 +3,7 @@
 // Σ w_i g_i / √(Σ w_i²) is standard normal again (Heitz and Neyret, "High-Performance By-Example Noise", 2018).
 //
 // Its levels are those of the tonal art map, each drawn with strokes as wide in texels. They lie side by side in one texture
-// (src/tam/packThresholds.ts), and beside each, in green, the next coarser one: one plain fetch reads two levels.
+// (src/material/tam/packThresholds.ts), and beside each, in green, the next coarser one: one plain fetch reads two levels.
 
 uniform highp sampler2D thresholdMap;
 uniform float thresholdMapSize; // texels per side of level 0

@@ -1,7 +1,7 @@
 // The tooth of paper. It lies on the screen; in the tiles of a larger picture it lies on the whole picture.
 #include "toothConstants"
 
-uniform sampler2D toothMap; // a standard normal field, low where the paper stands up (src/tam/toothMap.ts)
+uniform sampler2D toothMap; // a standard normal field, low where the paper stands up (src/material/tam/toothMap.ts)
 uniform vec2 toothOffset; // of this picture within a larger one, pixels
 uniform float toothSize; // pixels to a bump
 

@@ -1,4 +1,4 @@
-// Points that outlines run between (src/bake/outlineLayout.ts).
+// Points that outlines run between (src/mesh/bake/outlineLayout.ts).
 uniform highp usampler2D outlinePoints;
 uniform float radius; // of the bounding sphere, object units
 #ifdef DEFORMED

@@ -1,4 +1,4 @@
-// Primitives, all of them or those that are listed (src/bake/outlineLayout.ts).
+// Primitives, all of them or those that are listed (src/mesh/bake/outlineLayout.ts).
 uniform highp usampler2D outlinePrimitives;
 uniform highp usampler2D candidates; // four numbers to a texel; of instances two, each with the instance it is of
 uniform bool isListed;

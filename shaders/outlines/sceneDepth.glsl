@@ -1,4 +1,4 @@
-// The depth of what has been drawn before the outlines, all of it opaque (src/outlines/SceneDepth.ts).
+// The depth of what has been drawn before the outlines, all of it opaque (src/material/outlines/SceneDepth.ts).
 uniform bool hasSceneDepth;
 uniform highp sampler2D sceneDepth;
 uniform float nearDistance;

@@ -1,4 +1,4 @@
-// The textures of the layout `pull` (src/bake/pullLayout.ts).
+// The textures of the layout `pull` (src/mesh/bake/pullLayout.ts).
 uniform highp usampler2D triangleVertices;
 uniform highp sampler2D restPositions;
 uniform int pullRowShift; // texels in a row of these, as a power of two

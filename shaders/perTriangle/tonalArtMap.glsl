@@ -1,5 +1,5 @@
 // The tonal art map: RGBA layers that overlap by one tone, so that both hatch images of any tone lie in one texel and
-// a triangle costs one fetch (src/tam/packHatchImages.ts writes them).
+// a triangle costs one fetch (src/material/tam/packHatchImages.ts writes them).
 
 uniform highp sampler2DArray tonalArtMap;
 uniform float tonalArtMapTones;

@@ -1,7 +1,7 @@
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { Worker } from 'node:worker_threads';
-import { readingTime } from '../files/readingTime.js';
+import { readingTime } from '../viewer/files/readingTime.js';
 import type { DrawingOptions } from './DrawingOptions.js';
 
 /** A model to be drawn in a thread. */

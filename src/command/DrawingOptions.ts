@@ -1,4 +1,4 @@
-import type { Sheet } from '../svg/sheetSizes.js';
+import type { Sheet } from '../vector/svg/sheetSizes.js';
 
 /** A direction as degrees around the upright axis, from what faces the viewer to the right, and degrees above the horizon. */
 export interface DirectionInDegrees {

@@ -1,7 +1,7 @@
 import { randomBytes } from 'node:crypto';
 import { mkdir, readdir, rename, rm, rmdir, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import type { MapFile } from '../mapFiles/mapFiles.js';
+import type { MapFile } from '../strokes/mapFiles/mapFiles.js';
 import { makeFolder } from './makeFolder.js';
 import { sentenceOf } from './sentenceOf.js';
 import { UsageError } from './UsageError.js';

@@ -2,7 +2,7 @@ import { stat } from 'node:fs/promises';
 import { join, resolve } from 'node:path';
 import process from 'node:process';
 import { version } from '../../package.json';
-import { shownText } from '../files/common/shownText.js';
+import { shownText } from '../viewer/files/common/shownText.js';
 import { DrawingFiles } from './DrawingFiles.js';
 import type { DrawingOptions } from './DrawingOptions.js';
 import { type DrawingCounts, type DrawMessage, type DrawTask, drawInThread } from './DrawThread.js';

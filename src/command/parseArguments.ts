@@ -1,4 +1,4 @@
-import { type MapDrawing, resolveMapDrawing } from '../hatchImages/hatchImageOptions.js';
+import { type MapDrawing, resolveMapDrawing } from '../strokes/tamImages/hatchImageOptions.js';
 import { type HatchingPreset, presets } from '../scene/presets.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
 import { strokeStyles } from '../strokes/strokeStyles.js';

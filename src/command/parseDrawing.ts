@@ -1,5 +1,5 @@
 import { type HatchingPreset, presets } from '../scene/presets.js';
-import { SHEET_SIZES } from '../svg/sheetSizes.js';
+import { SHEET_SIZES } from '../vector/svg/sheetSizes.js';
 import type { DrawingOptions } from './DrawingOptions.js';
 import { directionOf } from './directionOf.js';
 import { readOptions } from './readOptions.js';

@@ -1,6 +1,6 @@
 import { readFileSync, statSync } from 'node:fs';
-import { checkHand } from '../hand/checkHand.js';
-import type { Hand } from '../hand/Hand.js';
+import { checkHand } from '../strokes/hand/checkHand.js';
+import type { Hand } from '../strokes/hand/Hand.js';
 import { UsageError } from './UsageError.js';
 
 /** The largest file that is read, in bytes: 100,000 points take less than a tenth of it. */

@@ -1,4 +1,4 @@
-import { SHEET_WORDS, type Sheet, sheetNamed } from '../svg/sheetSizes.js';
+import { SHEET_WORDS, type Sheet, sheetNamed } from '../vector/svg/sheetSizes.js';
 import { UsageError } from './UsageError.js';
 import { shown } from './values.js';
 

@@ -1,5 +1,5 @@
 import process from 'node:process';
-import { MAX_BYTES } from '../files/common/modelLimits.js';
+import { MAX_BYTES } from '../viewer/files/common/modelLimits.js';
 
 /** What the command line calls the standard input, as a model, and the standard output, as a drawing. */
 export const STANDARD = '-';

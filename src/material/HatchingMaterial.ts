@@ -16,22 +16,22 @@ import {
   type WebGLProgramParametersWithUniforms,
   type WebGLRenderer,
 } from 'three';
-import { isFormed } from '../geometry/formGeometry.js';
-import { silence } from '../mistakes/silence.js';
-import type { TonalArtMap } from '../tam/TonalArtMap.js';
+import { isFormed } from './geometry/formGeometry.js';
+import { silence } from './diagnostics/silence.js';
+import type { TonalArtMap } from './tam/TonalArtMap.js';
 import { bindEnvironment } from './bindEnvironment.js';
 import { blurredEnvironment } from './blurredEnvironment.js';
 import { checkChoice, checkValues } from './checkValues.js';
 import { vertexLayoutOf } from './deformation/vertexLayoutOf.js';
-import { takesWeight, writeEmphasis, writeImportance } from './emphasis/emphasis.js';
+import { takesWeight, writeEmphasis, writeImportance } from './fading/emphasis.js';
 import { environmentAround } from './environmentAround.js';
 import { FrameStamp } from './FrameStamp.js';
-import { defaultOf } from './facts/defaultOf.js';
-import type { HatchingProperty } from './facts/HatchingProperty.js';
-import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from './facts/hatchingProperties.js';
-import { followsForm, needsMap, usesThresholds } from './facts/lookFacts.js';
-import type { PresetName } from './facts/presetMaterials.js';
-import { spelledOut } from './facts/presetParameters.js';
+import { defaultOf } from '../look/defaultOf.js';
+import type { HatchingProperty } from '../look/HatchingProperty.js';
+import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
+import { followsForm, needsMap, usesThresholds } from '../look/lookFacts.js';
+import type { PresetName } from '../look/presetMaterials.js';
+import { spelledOut } from '../look/presetParameters.js';
 import { DrawnMeshes } from './firstDraw/DrawnMeshes.js';
 import type { ToneCurve } from './fitToneCurve.js';
 import { fittingMap } from './fittingMap.js';

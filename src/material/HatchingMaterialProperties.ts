@@ -15,7 +15,7 @@ import type {
   StrokeLayers,
   ToneModel,
   ToneNormal,
-} from './facts/hatchingProperties.js';
+} from '../look/hatchingProperties.js';
 import type { ToneCurve } from './fitToneCurve.js';
 import type { Vector2Like, Vector3Like } from './vectorValues.js';
 

@@ -1,4 +1,4 @@
-import type { NumberRange } from './facts/HatchingProperty.js';
+import type { NumberRange } from '../look/HatchingProperty.js';
 
 /** @throws RangeError unless `value` is a finite number in `range`, naming the property and the range */
 export function checkNumber(name: string, value: unknown, range: NumberRange = {}, owner = 'HatchingMaterial'): number {

@@ -1,6 +1,6 @@
-import { isPromise } from '../mistakes/isPromise.js';
+import { isPromise } from './diagnostics/isPromise.js';
 import { STROKE_STYLE_NAMES, type StrokeStyleName } from '../strokes/strokeStyleNames.js';
-import type { TonalArtMap } from '../tam/TonalArtMap.js';
+import type { TonalArtMap } from './tam/TonalArtMap.js';
 
 /** Whether a value is a TonalArtMap, also one from another copy of the library. */
 export const isTonalArtMap = (value: unknown): value is TonalArtMap =>

@@ -1,6 +1,6 @@
-import { identityOf } from '../geometry/identityOf.js';
-import { tell } from '../mistakes/tell.js';
-import type { TonalArtMap } from '../tam/TonalArtMap.js';
+import { identityOf } from './geometry/identityOf.js';
+import { tell } from './diagnostics/tell.js';
+import type { TonalArtMap } from './tam/TonalArtMap.js';
 
 /** Identities of maps that were reported as too large. */
 const refused = new WeakSet<object>();

@@ -1,8 +1,8 @@
 import { Material, Plane, type Texture, Vector2, Vector3 } from 'three';
 import { isTonalArtMap } from './checkTonalArtMap.js';
-import { isDefault } from './facts/defaultOf.js';
-import { HATCHING_PROPERTIES, type HatchingPropertyName } from './facts/hatchingProperties.js';
-import { plainValue } from './facts/plainValue.js';
+import { isDefault } from '../look/defaultOf.js';
+import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
+import { plainValue } from '../look/plainValue.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 

@@ -1,12 +1,12 @@
 import { type IUniform, Matrix3, type Texture, UniformsLib, UniformsUtils, Vector2, Vector3, Vector4 } from 'three';
-import type { TonalArtMap } from '../tam/TonalArtMap.js';
+import type { TonalArtMap } from './tam/TonalArtMap.js';
 import { blankThresholdMap } from './blankThresholdMap.js';
 import { blankTonalArtMap } from './blankTonalArtMap.js';
-import { createEmphasisUniforms } from './emphasis/emphasis.js';
+import { createEmphasisUniforms } from './fading/emphasis.js';
 import { isFitted } from './exposure/isFitted.js';
-import type { HatchingProperty } from './facts/HatchingProperty.js';
-import { HATCHING_PROPERTIES, type HatchingPropertyName } from './facts/hatchingProperties.js';
-import { runsAway } from './facts/lookFacts.js';
+import type { HatchingProperty } from '../look/HatchingProperty.js';
+import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
+import { runsAway } from '../look/lookFacts.js';
 import { curveEnds, fittedCurve, type ToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 

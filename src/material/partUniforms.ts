@@ -1,5 +1,5 @@
 import { type Camera, type IUniform, Vector4, type WebGLRenderer } from 'three';
-import { writeSheet } from './emphasis/writeSheet.js';
+import { writeSheet } from './fading/writeSheet.js';
 import { writePictureOffset } from './pictureOffset.js';
 
 const viewport = /* @__PURE__ */ new Vector4();

@@ -1,13 +1,13 @@
 import type { Texture } from 'three';
-import { defaultOf } from './facts/defaultOf.js';
-import type { HatchingProperty } from './facts/HatchingProperty.js';
+import { defaultOf } from '../look/defaultOf.js';
+import type { HatchingProperty } from '../look/HatchingProperty.js';
 import {
   HATCHING_PROPERTIES,
   HATCHING_TECHNIQUES,
   type HatchingPropertyName,
   type LineField,
-} from './facts/hatchingProperties.js';
-import { formFieldOf, formOf, isUsedBy, knowsChoice, needsAdjacency, runsAway } from './facts/lookFacts.js';
+} from '../look/hatchingProperties.js';
+import { formFieldOf, formOf, isUsedBy, knowsChoice, needsAdjacency, runsAway } from '../look/lookFacts.js';
 import type { ToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 import {

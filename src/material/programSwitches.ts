@@ -1,5 +1,5 @@
 import type { Texture } from 'three';
-import { HATCHING_PROPERTIES, type HatchingPropertyName } from './facts/hatchingProperties.js';
+import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 
 /**

@@ -2,14 +2,14 @@ import { Color, Vector2, type Vector3 } from 'three';
 import { checkNumber } from './checkNumber.js';
 import { checkHatchingMap, type HatchingMap } from './checkTonalArtMap.js';
 import { checkPoint, isWord } from './checkValues.js';
-import { defaultOf } from './facts/defaultOf.js';
-import type { HatchingProperty } from './facts/HatchingProperty.js';
+import { defaultOf } from '../look/defaultOf.js';
+import type { HatchingProperty } from '../look/HatchingProperty.js';
 import {
   HATCHING_DEFAULTS,
   HATCHING_PROPERTIES,
   type HatchingPropertyName,
   type HatchingTechnique,
-} from './facts/hatchingProperties.js';
+} from '../look/hatchingProperties.js';
 import { toPoint } from './vectorValues.js';
 
 /** What a material keeps of its properties, in GLSL or of nodes. */

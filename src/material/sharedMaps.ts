@@ -1,5 +1,5 @@
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
-import type { TonalArtMap } from '../tam/TonalArtMap.js';
+import type { TonalArtMap } from './tam/TonalArtMap.js';
 import type { HatchingMap } from './checkTonalArtMap.js';
 
 /** The shared map of each style that was drawn with; null until the code of maps is there, and after a failure. */
@@ -42,6 +42,6 @@ async function draw(style: StrokeStyleName): Promise<void> {
 }
 
 async function fetchMap(style: StrokeStyleName): Promise<TonalArtMap> {
-  const { TonalArtMap } = await import('../tam/TonalArtMap.js');
+  const { TonalArtMap } = await import('./tam/TonalArtMap.js');
   return TonalArtMap.shared(style);
 }

@@ -1,4 +1,4 @@
-import { tell } from '../mistakes/tell.js';
+import { tell } from './diagnostics/tell.js';
 
 let wasTold = false;
 

@@ -1,8 +1,8 @@
-import { tell } from '../mistakes/tell.js';
-import { isDefault } from './facts/defaultOf.js';
-import type { HatchingProperty } from './facts/HatchingProperty.js';
-import { HATCHING_PROPERTIES, type HatchingPropertyName, type HatchingTechnique } from './facts/hatchingProperties.js';
-import { isUsedBy } from './facts/lookFacts.js';
+import { tell } from './diagnostics/tell.js';
+import { isDefault } from '../look/defaultOf.js';
+import type { HatchingProperty } from '../look/HatchingProperty.js';
+import { HATCHING_PROPERTIES, type HatchingPropertyName, type HatchingTechnique } from '../look/hatchingProperties.js';
+import { isUsedBy } from '../look/lookFacts.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
 
 const warned = new Set<string>();

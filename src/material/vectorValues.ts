@@ -1,6 +1,6 @@
 import { Vector2, Vector3 } from 'three';
-import type { HatchingProperty } from './facts/HatchingProperty.js';
-import { HATCHING_PROPERTIES } from './facts/hatchingProperties.js';
+import type { HatchingProperty } from '../look/HatchingProperty.js';
+import { HATCHING_PROPERTIES } from '../look/hatchingProperties.js';
 
 /** A vector, or its two numbers. */
 export type Vector2Like = Vector2 | readonly [number, number];

@@ -1,5 +1,5 @@
-import { asPhase } from '../slices/asPhase.js';
-import { forEachChunk } from '../slices/forEachChunk.js';
+import { asPhase } from './timeSlicing/asPhase.js';
+import { forEachChunk } from './timeSlicing/forEachChunk.js';
 import { disjointSets, join, rootOf } from './disjointSets.js';
 import { hashWords } from './hashWords.js';
 

@@ -1,5 +1,5 @@
-import { asPhase } from '../slices/asPhase.js';
-import { forEachChunk } from '../slices/forEachChunk.js';
+import { asPhase } from './timeSlicing/asPhase.js';
+import { forEachChunk } from './timeSlicing/forEachChunk.js';
 import type { TriangleMesh } from './TriangleMesh.js';
 
 /** The bounding box of a mesh, and the radius of its bounding sphere about the middle of the box. */

@@ -1,4 +1,4 @@
-import { forEachChunk } from '../slices/forEachChunk.js';
+import { forEachChunk } from './timeSlicing/forEachChunk.js';
 import type { TriangleMesh } from './TriangleMesh.js';
 
 /**

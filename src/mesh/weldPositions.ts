@@ -1,5 +1,5 @@
-import { forEachChunk } from '../slices/forEachChunk.js';
-import { release } from '../slices/release.js';
+import { forEachChunk } from './timeSlicing/forEachChunk.js';
+import { release } from './timeSlicing/release.js';
 import { hashWords } from './hashWords.js';
 
 /** What `weldPositions` returns. */

@@ -11,10 +11,10 @@ import {
   type WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
-import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../material/facts/hatchingProperties.js';
-import { needsAdjacency, usesThresholds } from '../material/facts/lookFacts.js';
+import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
+import { needsAdjacency, usesThresholds } from '../look/lookFacts.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
-import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
+import type { HatchingOutlines } from '../material/outlines/HatchingOutlines.js';
 import { isHatching, materialsOf } from './surfaceMeshes.js';
 
 const POLL_MILLISECONDS = 10;

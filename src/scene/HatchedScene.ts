@@ -1,8 +1,8 @@
 import type { Mesh } from 'three';
-import { identityOf } from '../geometry/identityOf.js';
+import { identityOf } from '../material/geometry/identityOf.js';
 import { FIELD_FRAME } from '../material/fieldFrameName.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
-import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
+import type { HatchingOutlines } from '../material/outlines/HatchingOutlines.js';
 import type { LaterForms } from './LaterForms.js';
 import type { MaterialFollower } from './MaterialFollower.js';
 import type { MeshLook } from './MeshLook.js';

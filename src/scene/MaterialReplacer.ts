@@ -1,6 +1,6 @@
 import type { Material, Mesh } from 'three';
 import { deforms } from '../material/deformation/canDeform.js';
-import type { SceneExtent } from '../material/emphasis/SceneExtent.js';
+import type { SceneExtent } from '../material/fading/SceneExtent.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 import { hatchingMaterialFrom } from './hatchingMaterialFrom.js';

@@ -1,7 +1,7 @@
 import type { Object3D } from 'three';
 import { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { fetchPartsOf } from '../material/parts/parts.js';
-import { mustBeAwaited } from '../mistakes/mustBeAwaited.js';
+import { mustBeAwaited } from '../material/diagnostics/mustBeAwaited.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import type { HatchedScene } from './HatchedScene.js';
 import { hatchScene, type LookMakers } from './hatchScene.js';
@@ -14,7 +14,7 @@ const IN_GLSL: LookMakers = {
   material: () => new HatchingMaterial(),
   fetchPartsOf,
   async outlineMaker(parameters) {
-    return (await import('./outlining/outlinesInGlsl.js')).outlinesInGlsl(parameters);
+    return (await import('./outlinesInGlsl.js')).outlinesInGlsl(parameters);
   },
 };
 

@@ -1,9 +1,9 @@
 import {
   checkPrepareOptions,
   type PrepareHatchingGeometryOptions,
-} from '../geometry/PrepareHatchingGeometryOptions.js';
+} from '../material/geometry/PrepareHatchingGeometryOptions.js';
 import { checkTonalArtMap } from '../material/checkTonalArtMap.js';
-import { checkHatchImageOptions } from '../tam/checkHatchImageOptions.js';
+import { checkHatchImageOptions } from '../material/tam/checkHatchImageOptions.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import type { PresetName } from './presets.js';
 import { isToBeMade } from './wantedMap.js';

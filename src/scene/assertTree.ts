@@ -1,5 +1,5 @@
 import type { Object3D } from 'three';
-import { describeObject } from '../mistakes/describeObject.js';
+import { describeObject } from '../material/diagnostics/describeObject.js';
 
 /**
  * Checks that all children at or below `root` are objects, and that no object is its own descendant, which would make three.js

@@ -1,9 +1,9 @@
 import { BackSide, type Mesh, type Object3D, type Vector3 } from 'three';
-import { checkGeometry } from '../geometry/checkGeometry.js';
-import { cornerRange } from '../geometry/cornerRange.js';
-import { copyVectors, extractMesh } from '../geometry/extractMesh.js';
-import { assertGeometry } from '../mistakes/assertGeometry.js';
-import type { OcclusionMesh, OcclusionScene } from '../occlusion/OcclusionScene.js';
+import { checkGeometry } from '../material/geometry/checkGeometry.js';
+import { cornerRange } from '../material/geometry/cornerRange.js';
+import { copyVectors, extractMesh } from '../material/geometry/extractMesh.js';
+import { assertGeometry } from '../material/diagnostics/assertGeometry.js';
+import type { OcclusionMesh, OcclusionScene } from '../mesh/occlusion/OcclusionScene.js';
 import { checkOptions } from '../worker/checkOptions.js';
 import { maxWorkers } from '../worker/maxWorkers.js';
 import { runTask } from '../worker/runTask.js';
@@ -11,8 +11,8 @@ import type { TaskOptions } from '../worker/TaskOptions.js';
 import { assertTree } from './assertTree.js';
 import { failure } from './failure.js';
 import type { SkippedMesh } from './HatchedScene.js';
-import { hasRoom, OcclusionBake } from './occlusion/OcclusionBake.js';
-import { OcclusionLanes } from './occlusion/OcclusionLanes.js';
+import { hasRoom, OcclusionBake } from './OcclusionBake.js';
+import { OcclusionLanes } from './OcclusionLanes.js';
 import { isBatched, materialsOf, surfaceMeshes } from './surfaceMeshes.js';
 import { worldMatrices } from './worldMatrices.js';
 

@@ -1,5 +1,5 @@
 import type { Mesh } from 'three';
-import { describeObject } from '../mistakes/describeObject.js';
+import { describeObject } from '../material/diagnostics/describeObject.js';
 import { isClaimed } from './claimMeshes.js';
 import type { HatchedScene, SkippedMesh } from './HatchedScene.js';
 import { leftAlone } from './leftAlone.js';

@@ -1,5 +1,5 @@
 import type { Mesh } from 'three';
-import { identityOf } from '../geometry/identityOf.js';
+import { identityOf } from '../material/geometry/identityOf.js';
 
 /** The identities of the marked meshes. */
 const claimed = new WeakSet<object>();

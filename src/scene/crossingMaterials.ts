@@ -1,5 +1,5 @@
 import type { BufferGeometry } from 'three';
-import type { PrepareHatchingGeometryOptions } from '../geometry/PrepareHatchingGeometryOptions.js';
+import type { PrepareHatchingGeometryOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { askingMaterials, crossingOf, type PlannedMesh } from './geometryPlans.js';
 import { isBatched } from './surfaceMeshes.js';

@@ -14,7 +14,7 @@ export async function displaceMeshes(
   unreadable: SkippedMesh[],
 ): Promise<readonly OldLook[]> {
   if (!looks.some(isDisplaced)) return looks;
-  const { Displacer } = await import('./displacing/Displacer.js');
+  const { Displacer } = await import('./Displacer.js');
   const displacer = new Displacer();
   return looks.flatMap((look) => {
     if (!isDisplaced(look)) return [look];

@@ -1,5 +1,5 @@
 import type { Mesh } from 'three';
-import { describeObject } from '../mistakes/describeObject.js';
+import { describeObject } from '../material/diagnostics/describeObject.js';
 import type { SkippedMesh } from './HatchedScene.js';
 
 /** The names of functions that begin a message. */

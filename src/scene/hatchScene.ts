@@ -1,14 +1,14 @@
 import type { BufferGeometry, Material, Mesh, Object3D } from 'three';
-import type { OutlineOptions, PrepareHatchingGeometryOptions } from '../geometry/PrepareHatchingGeometryOptions.js';
-import { needsMap } from '../material/facts/lookFacts.js';
+import type { OutlineOptions, PrepareHatchingGeometryOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
+import { needsMap } from '../look/lookFacts.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
-import { assertGeometry } from '../mistakes/assertGeometry.js';
-import { describeObject } from '../mistakes/describeObject.js';
-import { isPromise } from '../mistakes/isPromise.js';
-import { tell } from '../mistakes/tell.js';
-import type { HatchingOutlineParameters } from '../outlines/HatchingOutlineMaterial.js';
-import type { HatchingOutlines } from '../outlines/HatchingOutlines.js';
-import { runSliced } from '../slices/runSliced.js';
+import { assertGeometry } from '../material/diagnostics/assertGeometry.js';
+import { describeObject } from '../material/diagnostics/describeObject.js';
+import { isPromise } from '../material/diagnostics/isPromise.js';
+import { tell } from '../material/diagnostics/tell.js';
+import type { HatchingOutlineParameters } from '../material/outlines/HatchingOutlineMaterial.js';
+import type { HatchingOutlines } from '../material/outlines/HatchingOutlines.js';
+import { runSliced } from '../mesh/timeSlicing/runSliced.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
 import { startWorker } from '../worker/runTask.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
@@ -26,7 +26,7 @@ import type { LaterForms } from './LaterForms.js';
 import type { MaterialFollower } from './MaterialFollower.js';
 import type { MaterialReplacer } from './MaterialReplacer.js';
 import type { MeshLook } from './MeshLook.js';
-import type { OutlineMaker } from './outlining/OutlineMaker.js';
+import type { OutlineMaker } from './OutlineMaker.js';
 import type { PresetName } from './presets.js';
 import { isHatching, materialsOf, surfaceMeshes } from './surfaceMeshes.js';
 import { isToBeMade } from './wantedMap.js';
@@ -180,7 +180,7 @@ async function makeLooks(
     (stop) => makeMaps(options.tonalArtMap, styles, { ...options, onProgress: onMap, signal: stop }, disposables),
     async () => {
       const [dressing] = await Promise.all([
-        import('./dressing/dressing.js'),
+        import('./making/dressing.js'),
         ...replacer.materials.map(makers.fetchPartsOf),
       ]);
       asBefore(() => firstFrame?.compile(planned, outlineMaker?.samples ?? [], false));

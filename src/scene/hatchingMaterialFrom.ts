@@ -1,11 +1,11 @@
 import { type Color, Material, type NormalMapTypes, type Texture, type Vector2 } from 'three';
-import { GLASS } from '../material/facts/glass.js';
-import type { HatchingProperty } from '../material/facts/HatchingProperty.js';
+import { GLASS } from '../look/glass.js';
+import type { HatchingProperty } from '../look/HatchingProperty.js';
 import {
   HATCHING_DEFAULTS,
   HATCHING_PROPERTIES,
   type HatchingPropertyName,
-} from '../material/facts/hatchingProperties.js';
+} from '../look/hatchingProperties.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 

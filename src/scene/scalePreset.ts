@@ -1,5 +1,5 @@
-import { scaledSizes } from '../material/facts/measuredFacts.js';
-import { scaledOutlineSizes } from '../outlines/outlineProperties.js';
+import { scaledSizes } from '../look/measuredFacts.js';
+import { scaledOutlineSizes } from '../material/outlines/outlineProperties.js';
 import type { HatchingPreset } from './presets.js';
 
 /**

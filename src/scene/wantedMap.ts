@@ -1,6 +1,6 @@
 import { isTonalArtMap } from '../material/checkTonalArtMap.js';
-import { isPromise } from '../mistakes/isPromise.js';
-import type { TonalArtMap } from '../tam/TonalArtMap.js';
+import { isPromise } from '../material/diagnostics/isPromise.js';
+import type { TonalArtMap } from '../material/tam/TonalArtMap.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 
 /** What the option `tonalArtMap` asks for. */

@@ -1,4 +1,4 @@
-import type { HandNumbers } from '../hand/Hand.js';
+import type { HandNumbers } from './hand/Hand.js';
 import type { PreparedHand } from './prepareHand.js';
 import type { PlacingHabit } from './StrokeDensityField.js';
 import { makeProfile } from './StrokeProfile.js';

@@ -1,9 +1,9 @@
-import { checkHand } from '../hand/checkHand.js';
-import type { Hand, HandNumbers } from '../hand/Hand.js';
-import { arcAt, measureStroke, type StrokeMeasure } from '../hand/measureStroke.js';
-import { distance, polylineOf, resample } from '../hand/Polyline.js';
-import { separateLayers } from '../hand/separateLayers.js';
-import { splitAtTurns } from '../hand/splitAtTurns.js';
+import { checkHand } from './hand/checkHand.js';
+import type { Hand, HandNumbers } from './hand/Hand.js';
+import { arcAt, measureStroke, type StrokeMeasure } from './hand/measureStroke.js';
+import { distance, polylineOf, resample } from './hand/Polyline.js';
+import { separateLayers } from './hand/separateLayers.js';
+import { splitAtTurns } from './hand/splitAtTurns.js';
 import { type Random, random } from './random.js';
 import { PROFILE_SAMPLES } from './StrokeProfile.js';
 

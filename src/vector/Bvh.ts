@@ -1,6 +1,6 @@
-import type { Vec3 } from '../engraving/vectors.js';
-import { asPhase } from '../slices/asPhase.js';
-import { forEachChunk } from '../slices/forEachChunk.js';
+import type { Vec3 } from '../look/vectors.js';
+import { asPhase } from '../mesh/timeSlicing/asPhase.js';
+import { forEachChunk } from '../mesh/timeSlicing/forEachChunk.js';
 import { type BvhNodes, buildBvh } from './buildBvh.js';
 import { Holes } from './paint/Holes.js';
 import type { Cutout } from './paint/PaintLook.js';

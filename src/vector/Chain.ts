@@ -1,4 +1,4 @@
-import type { LiftedPiece } from '../engraving/outlines.js';
+import type { LiftedPiece } from './shading/outlines.js';
 
 /** A line on a surface, point by point. A closed one ends with its first point. */
 export interface Chain {

@@ -1,5 +1,5 @@
-import type { Field } from '../engraving/fieldAxis.js';
-import type { DotLayers, DotSize } from '../engraving/stipple.js';
+import type { Field } from './shading/fieldAxis.js';
+import type { DotLayers, DotSize } from './shading/stipple.js';
 import type { DotSet } from './dots/placeDots.js';
 import type { EngravedLook } from './Engraver.js';
 import type { LineSurface } from './LineSurface.js';

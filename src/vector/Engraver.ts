@@ -1,9 +1,9 @@
-import { rowOctaves } from '../engraving/carving.js';
-import { FIELD_CONSTANTS } from '../engraving/constants/fieldConstants.js';
-import { LINE_CONSTANTS } from '../engraving/constants/lineConstants.js';
-import { KEPT_BY_PEN, leftOf, otherShare, sharedByTwo, THIRD_FROM, takenOf } from '../engraving/crossedTones.js';
-import type { CutField, Field } from '../engraving/fieldAxis.js';
-import { handTone } from '../engraving/hand.js';
+import { rowOctaves } from './shading/carving.js';
+import { FIELD_CONSTANTS } from '../look/constants/fieldConstants.js';
+import { LINE_CONSTANTS } from '../look/constants/lineConstants.js';
+import { KEPT_BY_PEN, leftOf, otherShare, sharedByTwo, THIRD_FROM, takenOf } from './shading/crossedTones.js';
+import type { CutField, Field } from './shading/fieldAxis.js';
+import { handTone } from './shading/hand.js';
 
 import {
   type CutFamilies,
@@ -13,10 +13,10 @@ import {
   familyValue,
   type Lean,
   readCut,
-} from '../engraving/readCut.js';
-import { COARSEST_OCTAVES, readForm } from '../engraving/readForm.js';
+} from './shading/readCut.js';
+import { COARSEST_OCTAVES, readForm } from './shading/readForm.js';
 
-import { type LineSpacing, octaveOf, powerOf2, riseOf, spacedBy } from '../engraving/ruledLines.js';
+import { type LineSpacing, octaveOf, powerOf2, riseOf, spacedBy } from './shading/ruledLines.js';
 import {
   changePerPixel,
   type Mat3,
@@ -24,9 +24,9 @@ import {
   type SeenPlace,
   screenMap,
   uphillOnPicture,
-} from '../engraving/screenGradient.js';
-import { alongLines } from '../engraving/strokeLengths.js';
-import { combined, lengthOf, type Vec3 } from '../engraving/vectors.js';
+} from './shading/screenGradient.js';
+import { alongLines } from './shading/strokeLengths.js';
+import { combined, lengthOf, type Vec3 } from '../look/vectors.js';
 
 import type { SurfacePlace } from './LineSurface.js';
 import type { FamilyMeasure, LineMedium, StrokePlace } from './marks/lineMarks.js';

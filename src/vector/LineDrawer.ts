@@ -1,7 +1,7 @@
-import { OUTLINE_CONSTANTS } from '../engraving/constants/outlineConstants.js';
-import { asPhase } from '../slices/asPhase.js';
+import { OUTLINE_CONSTANTS } from '../look/constants/outlineConstants.js';
+import { asPhase } from '../mesh/timeSlicing/asPhase.js';
 import type { Bvh } from './Bvh.js';
-import { backgroundPaths } from './background/backgroundPaths.js';
+import { backgroundPaths } from './backgroundPaths.js';
 import type { Chain } from './Chain.js';
 import { type CutRun, cutRun } from './cutRun.js';
 import type { DrawnScene, EngravedSurface, OutlinedMesh } from './DrawnScene.js';

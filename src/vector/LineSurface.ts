@@ -1,6 +1,6 @@
-import type { FormAt } from '../engraving/readForm.js';
-import type { Mat3 } from '../engraving/screenGradient.js';
-import { combined, cross, normalize, type Vec3 } from '../engraving/vectors.js';
+import type { FormAt } from './shading/readForm.js';
+import type { Mat3 } from './shading/screenGradient.js';
+import { combined, cross, normalize, type Vec3 } from '../look/vectors.js';
 import type { Paint } from './paint/Painter.js';
 import type { PosedMaps, SurfaceDetails } from './paint/SurfaceDetails.js';
 

@@ -1,4 +1,4 @@
-import type { Vec3 } from '../engraving/vectors.js';
+import type { Vec3 } from '../look/vectors.js';
 
 /** A matrix of 16 numbers, column by column. */
 export type Matrix = ArrayLike<number>;

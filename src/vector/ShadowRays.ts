@@ -1,7 +1,7 @@
-import { SHADOW_CONSTANTS, SHADOW_SAMPLES } from '../engraving/constants/shadowConstants.js';
-import type { GroundLook } from '../engraving/groundShadow.js';
-import type { Lamp } from '../engraving/radiance.js';
-import { combined, cross, dot, normalize, type Vec3 } from '../engraving/vectors.js';
+import { SHADOW_CONSTANTS, SHADOW_SAMPLES } from '../look/constants/shadowConstants.js';
+import type { GroundLook } from './shading/groundShadow.js';
+import type { Lamp } from './shading/radiance.js';
+import { combined, cross, dot, normalize, type Vec3 } from '../look/vectors.js';
 import type { Bvh } from './Bvh.js';
 
 /** The map that the canvas reads the shadow of a light from. */

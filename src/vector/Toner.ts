@@ -1,10 +1,10 @@
-import { TONE_CONSTANTS } from '../engraving/constants/toneConstants.js';
-import { type Emphasis, emphasisAt } from '../engraving/emphasis.js';
-import { type GroundLook, groundTone } from '../engraving/groundShadow.js';
-import { arriving, type Lamp, reflectedTo, responseTo, type ToneModel } from '../engraving/radiance.js';
-import { radianceAround, type Surroundings } from '../engraving/surroundings.js';
-import { openToLights, openToSky, shadedTone, type ToneLook } from '../engraving/tone.js';
-import { combined, dot, normalize, type Vec3 } from '../engraving/vectors.js';
+import { TONE_CONSTANTS } from '../look/constants/toneConstants.js';
+import { type Emphasis, emphasisAt } from './shading/emphasis.js';
+import { type GroundLook, groundTone } from './shading/groundShadow.js';
+import { arriving, type Lamp, reflectedTo, responseTo, type ToneModel } from './shading/radiance.js';
+import { radianceAround, type Surroundings } from '../look/surroundings.js';
+import { openToLights, openToSky, shadedTone, type ToneLook } from './shading/tone.js';
+import { combined, dot, normalize, type Vec3 } from '../look/vectors.js';
 import type { Bvh } from './Bvh.js';
 import type { SurfacePlace } from './LineSurface.js';
 import { emphasisedPlace } from './marks/emphasisedPlace.js';

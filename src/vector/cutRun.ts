@@ -1,4 +1,4 @@
-import { mix } from '../engraving/vectors.js';
+import { mix } from '../look/vectors.js';
 import type { Chain } from './Chain.js';
 import { shiftPath } from './marks/shiftPath.js';
 import type { Projection } from './Projection.js';

@@ -1,5 +1,5 @@
-import type { Emphasis } from '../engraving/emphasis.js';
-import { dot, type Vec3 } from '../engraving/vectors.js';
+import type { Emphasis } from './shading/emphasis.js';
+import { dot, type Vec3 } from '../look/vectors.js';
 import type { DrawnScene } from './DrawnScene.js';
 import { type LineSurface, STRIDE, WORLD } from './LineSurface.js';
 import type { Matrix } from './Projection.js';

@@ -1,6 +1,6 @@
-import { asideOf } from '../engraving/penLines.js';
-import { smoothstep } from '../engraving/vectors.js';
-import { asPhase } from '../slices/asPhase.js';
+import { asideOf } from './shading/penLines.js';
+import { smoothstep } from '../look/vectors.js';
+import { asPhase } from '../mesh/timeSlicing/asPhase.js';
 import type { FamilyName } from './Engraver.js';
 import { placeFrom, readTriangle, STRIDE, VIEW } from './LineSurface.js';
 import { type LinesAside, NO_RANK } from './levelSegments.js';

@@ -1,6 +1,6 @@
-import { lotOf } from '../engraving/hand.js';
-import type { Vec3 } from '../engraving/vectors.js';
-import { asPhase } from '../slices/asPhase.js';
+import { lotOf } from './shading/hand.js';
+import type { Vec3 } from '../look/vectors.js';
+import { asPhase } from '../mesh/timeSlicing/asPhase.js';
 import { type Chain, ChainBuilder } from './Chain.js';
 import type { EngravedPlace, FamilyName } from './Engraver.js';
 import { between, type LineSurface, STRIDE, type SurfacePlace, VIEW } from './LineSurface.js';

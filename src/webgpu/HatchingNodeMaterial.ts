@@ -20,23 +20,23 @@ import {
   NodeMaterial,
   type WebGPURenderer,
 } from 'three/webgpu';
-import { hasOtherFormAngle, noteFormAngle } from '../geometry/formAngles.js';
-import { lineContrast } from '../geometry/lineFades.js';
+import { hasOtherFormAngle, noteFormAngle } from '../material/geometry/formAngles.js';
+import { lineContrast } from '../material/geometry/lineFades.js';
 import type { HatchingMap } from '../material/checkTonalArtMap.js';
 import { checkChoice, checkValues } from '../material/checkValues.js';
-import { takesWeight, writeEmphasis, writeImportance } from '../material/emphasis/emphasis.js';
-import type { SceneExtent } from '../material/emphasis/SceneExtent.js';
+import { takesWeight, writeEmphasis, writeImportance } from '../material/fading/emphasis.js';
+import type { SceneExtent } from '../material/fading/SceneExtent.js';
 import { FrameStamp } from '../material/FrameStamp.js';
-import { defaultOf } from '../material/facts/defaultOf.js';
-import type { HatchingProperty } from '../material/facts/HatchingProperty.js';
+import { defaultOf } from '../look/defaultOf.js';
+import type { HatchingProperty } from '../look/HatchingProperty.js';
 import {
   HATCHING_DEFAULTS,
   HATCHING_PROPERTIES,
   type HatchingPropertyName,
-} from '../material/facts/hatchingProperties.js';
-import { formOf, needsMap, usesThresholds } from '../material/facts/lookFacts.js';
-import type { PresetName } from '../material/facts/presetMaterials.js';
-import { spelledOut } from '../material/facts/presetParameters.js';
+} from '../look/hatchingProperties.js';
+import { formOf, needsMap, usesThresholds } from '../look/lookFacts.js';
+import type { PresetName } from '../look/presetMaterials.js';
+import { spelledOut } from '../look/presetParameters.js';
 import { fittedCurve, type ToneCurve } from '../material/fitToneCurve.js';
 import { fittingMap } from '../material/fittingMap.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
@@ -56,7 +56,7 @@ import { accessorOf, fieldOf } from '../material/propertyAccessors.js';
 import { TONE_CURVES } from '../material/shaders/shaderConventions.js';
 import { mapIsReady, sharedMap } from '../material/sharedMaps.js';
 import { withVectors } from '../material/vectorValues.js';
-import type { TonalArtMap } from '../tam/TonalArtMap.js';
+import type { TonalArtMap } from '../material/tam/TonalArtMap.js';
 import { exposureReady, writeExposure } from './fittedExposure.js';
 import { HatchingLightingModel, type LitSurface, unlitSurface } from './HatchingLightingModel.js';
 import { darknessOf, drawnChoice, emitVertex, pixelFromBelow } from './hatchSurface.js';

@@ -1,7 +1,7 @@
 import type { Object3D } from 'three';
-import type { OutlineOptions } from '../geometry/PrepareHatchingGeometryOptions.js';
-import { mustBeAwaited } from '../mistakes/mustBeAwaited.js';
-import type { HatchingOutlineParameters } from '../outlines/HatchingOutlineMaterial.js';
+import type { OutlineOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
+import { mustBeAwaited } from '../material/diagnostics/mustBeAwaited.js';
+import type { HatchingOutlineParameters } from '../material/outlines/HatchingOutlineMaterial.js';
 import type { ApplyHatchingOptions } from '../scene/ApplyHatchingOptions.js';
 import type { HatchedScene } from '../scene/HatchedScene.js';
 import { hatchScene, type LookMakers } from '../scene/hatchScene.js';

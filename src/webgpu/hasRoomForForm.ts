@@ -1,7 +1,7 @@
 import { type BufferGeometry, type InstancedMesh, Material, type SkinnedMesh, Texture } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
-import { formLayout } from '../bake/formLayout.js';
-import { hatchNormal } from '../bake/hatchNormal.js';
+import { formLayout } from '../mesh/bake/formLayout.js';
+import { hatchNormal } from '../mesh/bake/hatchNormal.js';
 import { tellOnce } from './tellOnce.js';
 
 /**

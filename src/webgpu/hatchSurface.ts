@@ -1,7 +1,7 @@
 import type { BufferGeometry, Light } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
-import { isFormed } from '../geometry/formGeometry.js';
-import { formOf, runsAway } from '../material/facts/lookFacts.js';
+import { isFormed } from '../material/geometry/formGeometry.js';
+import { formOf, runsAway } from '../look/lookFacts.js';
 import type { HatchingMaterialProperties } from '../material/HatchingMaterialProperties.js';
 import { AWAY, withoutForm } from '../material/programDefines.js';
 import { hasRoomForForm } from './hasRoomForForm.js';
@@ -17,16 +17,16 @@ import { placeInstance } from './nodes/chunks/objectToView.js';
 import { hatchInShadow } from './nodes/chunks/shadowStrokes.js';
 import { hasShadows } from './nodes/chunks/shadows.js';
 import { emitAnchor } from './nodes/perFragment/emit.js';
-import { emitAnchored } from './nodes/techniques/anchored/emit.js';
-import { hatch } from './nodes/techniques/anchored/hatch.js';
-import { type HatchingParameters, readHatchingParameters } from './nodes/techniques/anchored/read.js';
-import { shadowLayer } from './nodes/techniques/anchored/shadowStrokes.js';
-import { type StrokeDefines, hatchLayer as strokeLayer } from './nodes/techniques/anchored/strokes.js';
-import { emitEngraved } from './nodes/techniques/engraved/emit.js';
-import { type LineCut, turnsWithLight } from './nodes/techniques/engraved/fieldAxis.js';
-import { hatchLayer } from './nodes/techniques/engraved/hatchLayer.js';
-import { read } from './nodes/techniques/engraved/read.js';
-import { shadowLayer as shadowFamilies } from './nodes/techniques/engraved/shadowStrokes.js';
+import { emitAnchored } from './nodes/anchored/emit.js';
+import { hatch } from './nodes/anchored/hatch.js';
+import { type HatchingParameters, readHatchingParameters } from './nodes/anchored/read.js';
+import { shadowLayer } from './nodes/anchored/shadowStrokes.js';
+import { type StrokeDefines, hatchLayer as strokeLayer } from './nodes/anchored/strokes.js';
+import { emitEngraved } from './nodes/engraved/emit.js';
+import { type LineCut, turnsWithLight } from './nodes/engraved/fieldAxis.js';
+import { hatchLayer } from './nodes/engraved/hatchLayer.js';
+import { read } from './nodes/engraved/read.js';
+import { shadowLayer as shadowFamilies } from './nodes/engraved/shadowStrokes.js';
 
 type Look = HatchingMaterialProperties;
 

@@ -1,7 +1,7 @@
 import type { DataTexture, IUniform } from 'three';
 import type { HatchingMaterialProperties } from '../material/HatchingMaterialProperties.js';
 import { Later } from './Later.js';
-import type { hatchLayer } from './nodes/techniques/anchored/stipple.js';
+import type { hatchLayer } from './nodes/anchored/stipple.js';
 
 /** What a medium is drawn with. */
 interface Code {
@@ -21,13 +21,13 @@ const PATTERNS: Readonly<Partial<Record<string, Pattern>>> = {
   dry: {
     name: 'toothMap',
     made: /* @__PURE__ */ new Later('makes the tooth of paper', 'surfaces are plain paper', async () => ({
-      texture: (await import('../tam/toothMap.js')).toothMap,
+      texture: (await import('../material/tam/toothMap.js')).toothMap,
     })),
   },
   stipple: {
     name: 'stippleMap',
     made: /* @__PURE__ */ new Later('places dots', 'surfaces are plain paper', async () => {
-      const codes = [import('../tam/stippleMap.js'), import('./nodes/techniques/anchored/stipple.js')] as const;
+      const codes = [import('../material/tam/stippleMap.js'), import('./nodes/anchored/stipple.js')] as const;
       const [{ stippleMap }, { hatchLayer }] = await Promise.all(codes);
       return { texture: stippleMap, dotLayer: hatchLayer };
     }),

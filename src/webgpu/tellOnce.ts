@@ -1,4 +1,4 @@
-import { tell } from '../mistakes/tell.js';
+import { tell } from '../material/diagnostics/tell.js';
 
 const told = new Set<string>();
 

@@ -1,4 +1,4 @@
-import { runSliced, type SlicedOptions } from '../slices/runSliced.js';
+import { runSliced, type SlicedOptions } from '../mesh/timeSlicing/runSliced.js';
 import { disposedError } from './disposedError.js';
 import { awaitEnd } from './lifeLock.js';
 import { type FromWorker, type ToWorker, unpackError } from './protocol.js';

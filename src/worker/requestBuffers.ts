@@ -1,8 +1,8 @@
-import { bakeRequestBuffers, jointRequestBuffers } from '../bake/bakeRequestBuffers.js';
-import { detailRequestBuffers } from '../detail/DetailRequest.js';
-import { contourSearchBuffers } from '../features/contourSearchBuffers.js';
-import { imageBuffers } from '../hatchImages/imageBuffers.js';
-import { occlusionMeshBuffers, occlusionSceneBuffers } from '../occlusion/occlusionBuffers.js';
+import { bakeRequestBuffers, jointRequestBuffers } from '../mesh/bake/bakeRequestBuffers.js';
+import { detailRequestBuffers } from '../mesh/detail/DetailRequest.js';
+import { contourSearchBuffers } from '../mesh/features/contourSearchBuffers.js';
+import { imageBuffers } from '../strokes/tamImages/imageBuffers.js';
+import { occlusionMeshBuffers, occlusionSceneBuffers } from '../mesh/occlusion/occlusionBuffers.js';
 import type { TaskSet } from './TaskSet.js';
 import type { BakingTasks } from './tasks.js';
 

@@ -1,7 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import type { Locator, Page } from '@playwright/test';
 import { PNG } from 'pngjs';
-import { SHEET_SIZES } from '../../src/svg/sheetSizes.js';
+import { SHEET_SIZES } from '../../src/vector/svg/sheetSizes.js';
 import { openPlayground } from '../../tools/browser/playground.js';
 import { expect, test } from '../browser/test.js';
 

@@ -3,9 +3,9 @@ import './toolkit.js';
 import * as THREE from 'three';
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import type { HatchingMaterial, HatchingMaterialParameters } from 'three-hatching';
-import { pulledVerticesOf } from '../../src/geometry/pulledVerticesOf.js';
+import { pulledVerticesOf } from '../../src/material/geometry/pulledVerticesOf.js';
 import { plainLook } from '../../tools/plainLook.js';
-import { reactive } from '../unit/geometry/reactive.js';
+import { reactive } from '../unit/material/geometry/reactive.js';
 
 export interface DeformedVertex {
   position: number[];

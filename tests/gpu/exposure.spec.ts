@@ -1,5 +1,5 @@
 import * as three from 'three';
-import { fitExposure } from '../../src/scene/exposing/fitExposure.js';
+import { fitExposure } from '../../src/scene/fitExposure.js';
 import { quickIf } from '../browser/quickIf.js';
 import { expect } from '../browser/test.js';
 import { covered, difference, isGround, SIZE } from './pixels.js';

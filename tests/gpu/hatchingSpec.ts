@@ -1,4 +1,4 @@
-import type { StrokeField } from '../../src/material/facts/hatchingProperties.js';
+import type { StrokeField } from '../../src/look/hatchingProperties.js';
 import type { EngravedSettings, Quadratic } from '../reference/engravedReference.js';
 import type { ReferenceLight, ReferenceMaterial } from '../reference/hatchingReference.js';
 import type { ReferenceCamera } from '../reference/rasterizeReference.js';

@@ -1,4 +1,4 @@
-import { PRESET_MATERIALS } from '../../src/material/facts/presetMaterials.js';
+import { PRESET_MATERIALS } from '../../src/look/presetMaterials.js';
 import { expect } from '../browser/test.js';
 import { test } from './toolkitPage.js';
 

@@ -1,4 +1,4 @@
-import type { HatchingOutlineParameters } from '../../src/outlines/HatchingOutlineMaterial.js';
+import type { HatchingOutlineParameters } from '../../src/material/outlines/HatchingOutlineMaterial.js';
 import { quickIf } from '../browser/quickIf.js';
 import { expect, testOnOnePage as onOnePage } from '../browser/test.js';
 

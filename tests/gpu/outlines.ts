@@ -10,8 +10,8 @@ import {
   type PrepareHatchingGeometryOptions,
   prepareHatchingGeometry,
 } from 'three-hatching';
-import { outlineDataOf } from '../../src/geometry/OutlineData.js';
-import { HATCHING_OUTLINE_DEFAULTS } from '../../src/outlines/outlineProperties.js';
+import { outlineDataOf } from '../../src/material/geometry/OutlineData.js';
+import { HATCHING_OUTLINE_DEFAULTS } from '../../src/material/outlines/outlineProperties.js';
 import { loadModel } from '../../tools/metrics/loadModel.js';
 import { visibleLines, wrongLength } from './visibleLines.js';
 

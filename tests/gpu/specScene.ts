@@ -28,8 +28,8 @@ import {
   prepareHatchingGeometry,
   TonalArtMap,
 } from 'three-hatching';
-import { pairThresholdLevels } from '../../src/tam/pairThresholdLevels.js';
-import { ThresholdTexture } from '../../src/tam/ThresholdTexture.js';
+import { pairThresholdLevels } from '../../src/material/tam/pairThresholdLevels.js';
+import { ThresholdTexture } from '../../src/material/tam/ThresholdTexture.js';
 import { plainLook } from '../../tools/plainLook.js';
 import { quadraticAt, quadraticGradient } from '../reference/engravedReference.js';
 import type { ReferenceLight } from '../reference/hatchingReference.js';

@@ -1,4 +1,4 @@
-import { HATCHING_TECHNIQUES, type HatchingTechnique } from '../../src/material/facts/hatchingProperties.js';
+import { HATCHING_TECHNIQUES, type HatchingTechnique } from '../../src/look/hatchingProperties.js';
 
 /** Every technique, for what all of them must do. */
 export const techniques = Object.keys(HATCHING_TECHNIQUES) as HatchingTechnique[];

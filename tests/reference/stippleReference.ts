@@ -3,8 +3,8 @@
  * screen. It shares no code with the shader, except for the table of the points.
  */
 import { mat3, mat4, vec3 } from 'gl-matrix';
-import { STIPPLE_MAP_SIZE } from '../../src/tam/patternSizes.js';
-import { stippleMap } from '../../src/tam/stippleMap.js';
+import { STIPPLE_MAP_SIZE } from '../../src/material/tam/patternSizes.js';
+import { stippleMap } from '../../src/material/tam/stippleMap.js';
 import type { HatchingReference } from './hatchingReference.js';
 import type { ReferenceCamera } from './rasterizeReference.js';
 import type { Vec3 } from './referenceAdjacency.js';

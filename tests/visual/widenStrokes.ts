@@ -1,6 +1,6 @@
-import type { HatchImages } from '../../src/hatchImages/HatchImages.js';
-import type { MapRequest } from '../../src/hatchImages/hatchImageRequest.js';
-import { resolveHatchImageOptions } from '../../src/hatchImages/hatchImageRequest.js';
+import type { HatchImages } from '../../src/strokes/tamImages/HatchImages.js';
+import type { MapRequest } from '../../src/strokes/tamImages/hatchImageRequest.js';
+import { resolveHatchImageOptions } from '../../src/strokes/tamImages/hatchImageRequest.js';
 import { placeStrokes } from '../../src/strokes/placeStrokes.js';
 import { rasterizeStroke } from '../../src/strokes/rasterizeStroke.js';
 

@@ -1,9 +1,9 @@
-import { bakePull } from '../../src/bake/bakePull.js';
-import { type ModelFile, readModel } from '../../src/files/readModel.js';
-import { DEFAULT_CREASE_ANGLE } from '../../src/geometry/PrepareHatchingGeometryOptions.js';
-import { addDirections } from '../../src/occlusion/addDirections.js';
-import type { OcclusionScene } from '../../src/occlusion/OcclusionScene.js';
-import { startOcclusion } from '../../src/occlusion/startOcclusion.js';
+import { bakePull } from '../../src/mesh/bake/bakePull.js';
+import { type ModelFile, readModel } from '../../src/viewer/files/readModel.js';
+import { DEFAULT_CREASE_ANGLE } from '../../src/material/geometry/PrepareHatchingGeometryOptions.js';
+import { addDirections } from '../../src/mesh/occlusion/addDirections.js';
+import type { OcclusionScene } from '../../src/mesh/occlusion/OcclusionScene.js';
+import { startOcclusion } from '../../src/mesh/occlusion/startOcclusion.js';
 
 /** As many as `bakeOcclusion` looks in by default, and as it counts them: two by two. */
 const PAIRS = 192;
@@ -14,7 +14,7 @@ const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 /**
  * Reads a model as the page does and bakes its ambient occlusion.
  *
- * @returns what `writeOcclusion` of src/drawing writes to the geometry that is made of what was read
+ * @returns what `writeOcclusion` of src/viewer/drawing writes to the geometry that is made of what was read
  */
 export async function bakeModelOcclusion(file: ModelFile): Promise<Uint8Array> {
   const read = await readModel([file], () => {});

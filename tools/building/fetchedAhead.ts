@@ -10,9 +10,9 @@ const FIRST_MODULES = [
   '/src/worker/inlineWorker.ts',
   '/src/material/parts/engraved.ts',
   '/src/material/parts/exposure.ts',
-  '/src/geometry/bakedGeometry.ts',
-  '/src/demo/stage/makeForerunner.ts',
-  '/src/drawing/modelOfMesh.ts',
+  '/src/material/geometry/bakedGeometry.ts',
+  '/src/playground/viewport/makeForerunner.ts',
+  '/src/viewer/drawing/modelOfMesh.ts',
 ];
 
 /** The script that reads models. */

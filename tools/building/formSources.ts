@@ -5,7 +5,7 @@ import { build, type Plugin, type Rolldown } from 'vite';
 const NAME = 'virtual:form-sources';
 const ENTRY = '\0form';
 
-const pathOf = (file: string): string => fileURLToPath(new URL(`../../src/demo/models/${file}`, import.meta.url));
+const pathOf = (file: string): string => fileURLToPath(new URL(`../../src/playground/models/${file}`, import.meta.url));
 
 /** The functions that make models by code, and where they lie. */
 const FORMS = {

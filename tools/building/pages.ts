@@ -2,16 +2,16 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Connect, Plugin } from 'vite';
 
-/** The pages beside the playground. The address of each is the name of its room in src/demo. */
+/** The pages beside the playground. The address of each is the name of its room in src/playground. */
 const ROOMS = ['figures', 'fetch'];
 
-const sourceOf = (room: string): string => `src/demo/${room}/index.html`;
+const sourceOf = (room: string): string => `src/playground/${room}/index.html`;
 
 /** What the build starts from, as paths below the root: the playground's page, and one in a folder for each other page. */
 export const pageInputs = ['index.html', ...ROOMS.map((room) => `${room}/index.html`)];
 
 /**
- * Gives the pages their short addresses: the source of `/figures/` is `src/demo/figures/index.html`. `/figures` is sent on to the folder, as
+ * Gives the pages their short addresses: the source of `/figures/` is `tools/figures/index.html`. `/figures` is sent on to the folder, as
  * hosts of static files do.
  */
 export function pages(): Plugin {

@@ -1,5 +1,5 @@
 /**
- * `node tools/building/stippleSet.mjs`: finds the set of points that stipple has its dots on, and prints it as src/tam/stippleSet.ts holds it.
+ * `node tools/building/stippleSet.mjs`: finds the set of points that stipple has its dots on, and prints it as src/material/tam/stippleSet.ts holds it.
  *
  * One point per cell of a square grid that repeats. That of cell c is that of cell 2c + b, half as large, in quarter b of c: so the
  * set at half its size holds the set. Quarters are chosen one by one, over and over, so that points keep away from one another, with
@@ -15,8 +15,8 @@ const server = await createServer({
   logLevel: 'error',
   server: { middlewareMode: true, ws: false, watch: null },
 });
-const { STIPPLE_PERIOD: PERIOD } = await server.ssrLoadModule('/src/tam/patternSizes.ts');
-const { bayerRank, pointsOf } = await server.ssrLoadModule('/src/tam/stippleSet.ts');
+const { STIPPLE_PERIOD: PERIOD } = await server.ssrLoadModule('/src/material/tam/patternSizes.ts');
+const { bayerRank, pointsOf } = await server.ssrLoadModule('/src/material/tam/stippleSet.ts');
 await server.close();
 
 const SWEEPS = 400;

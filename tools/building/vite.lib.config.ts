@@ -5,11 +5,11 @@ import { shortShaders } from './shortShaders.js';
 /** Further entries, by the mode that builds them. */
 const ENTRIES: Record<string, Record<string, string>> = {
   worker: { 'bake.worker': 'src/worker/bake.worker.ts' },
-  svgWorker: { 'svg.worker': 'src/svg/svg.worker.ts' },
-  handWorker: { 'hand.worker': 'src/handTasks/hand.worker.ts' },
+  svgWorker: { 'svg.worker': 'src/vector/svg/svg.worker.ts' },
+  handWorker: { 'hand.worker': 'src/worker/hand.worker.ts' },
   command: { command: 'src/command/main.ts' },
   draw: { 'draw.worker': 'src/command/draw/drawWorker.ts' },
-  hands: { hands: 'src/hands/index.ts' },
+  hands: { hands: 'src/strokes/hands/index.ts' },
   react: { react: 'src/react/index.ts' },
   element: { element: 'src/element/element.ts' },
 };
@@ -114,7 +114,7 @@ export default defineConfig(
         entry: ENTRIES[mode] ?? {
           index: 'src/index.ts',
           facts: 'src/facts.ts',
-          svg: 'src/svg/index.ts',
+          svg: 'src/vector/svg/index.ts',
           webgpu: 'src/webgpu/index.ts',
         },
         formats: ['es'],

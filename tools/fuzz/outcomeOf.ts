@@ -1,9 +1,9 @@
 import { type BufferAttribute, type InstancedMesh, Matrix4, type Mesh, Vector3 } from 'three';
-import { buildModel } from '../../src/drawing/buildModel.js';
-import type { HatchedModel } from '../../src/drawing/HatchedModel.js';
-import { meshesOf } from '../../src/drawing/meshesOf.js';
-import { ModelError } from '../../src/files/common/ModelError.js';
-import { type ModelFile, readModel } from '../../src/files/readModel.js';
+import { buildModel } from '../../src/viewer/drawing/buildModel.js';
+import type { HatchedModel } from '../../src/viewer/drawing/HatchedModel.js';
+import { meshesOf } from '../../src/viewer/drawing/meshesOf.js';
+import { ModelError } from '../../src/viewer/files/common/ModelError.js';
+import { type ModelFile, readModel } from '../../src/viewer/files/readModel.js';
 import { checkSentence, checkWords } from './checkWords.js';
 
 export type Outcome = { kind: 'model'; notes: string[] } | { kind: 'refused'; sentence: string };

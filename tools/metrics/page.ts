@@ -7,7 +7,7 @@ import {
   TonalArtMap,
 } from 'three-hatching';
 import { counts, followsForm, needsMap } from 'three-hatching/facts';
-import { HATCHING_TECHNIQUES } from '../../src/material/facts/hatchingProperties.js';
+import { HATCHING_TECHNIQUES } from '../../src/look/hatchingProperties.js';
 import { plainLook } from '../plainLook.js';
 import { type FlatTones, measureFlatTones } from './flatTones.js';
 import { loadModel, type ModelName } from './loadModel.js';

@@ -1,5 +1,5 @@
-import type { ModelFile, ReadMesh } from '../../src/files/readModel.js';
-import { readModel } from '../../src/files/readModel.js';
+import type { ModelFile, ReadMesh } from '../../src/viewer/files/readModel.js';
+import { readModel } from '../../src/viewer/files/readModel.js';
 import { BOX_CORNERS, BOX_FACES } from './box.js';
 
 /** Small files of every kind, written by code, and helpers that read them as the playground does. */

@@ -225,7 +225,7 @@ export const PARTS: readonly Part[] = [
     by: 'Amazon',
     address: 'https://github.com/immersive-web/webxr-input-profiles',
     licence: 'MIT',
-    licenceFile: 'src/demo/models/assets/hand.LICENSE.txt',
+    licenceFile: 'src/playground/models/assets/hand.LICENSE.txt',
   },
 ];
 

@@ -9,15 +9,15 @@ import {
   type Object3D,
   PlaneGeometry,
 } from 'three';
-import { bookshelf } from '../../src/demo/models/bookshelf.js';
-import { gearWheel } from '../../src/demo/models/gearWheel.js';
-import { makeFox } from '../../src/demo/models/makeFox.js';
-import { makeHouse } from '../../src/demo/models/makeHouse.js';
-import { makeRoom } from '../../src/demo/models/makeRoom.js';
-import { makeStairs } from '../../src/demo/models/makeStairs.js';
-import { makeStreet } from '../../src/demo/models/makeStreet.js';
-import { shellChair } from '../../src/demo/models/shellChair.js';
-import { sceneOf } from '../../src/demo/models/solids.js';
+import { bookshelf } from '../../src/playground/models/bookshelf.js';
+import { gearWheel } from '../../src/playground/models/gearWheel.js';
+import { makeFox } from '../../src/playground/models/makeFox.js';
+import { makeHouse } from '../../src/playground/models/makeHouse.js';
+import { makeRoom } from '../../src/playground/models/makeRoom.js';
+import { makeStairs } from '../../src/playground/models/makeStairs.js';
+import { makeStreet } from '../../src/playground/models/makeStreet.js';
+import { shellChair } from '../../src/playground/models/shellChair.js';
+import { sceneOf } from '../../src/playground/models/solids.js';
 import { makeCar } from './makeCar.js';
 import { makeTerrain } from './makeTerrain.js';
 

@@ -18,8 +18,8 @@ const QUALITY = 0.8;
  * @param {readonly string[]} [only] the names of those that are drawn; all of them unless given
  */
 export async function drawGallery(server, browser, root, only) {
-  const { GALLERY } = await server.ssrLoadModule('/src/settings/gallery.ts');
-  const { PRESET_NAMES } = await server.ssrLoadModule('/src/settings/presetLabels.ts');
+  const { GALLERY } = await server.ssrLoadModule('/src/viewer/settings/gallery.ts');
+  const { PRESET_NAMES } = await server.ssrLoadModule('/src/viewer/settings/presetLabels.ts');
   const pictures = [
     ...GALLERY.map(({ name, link }) => ({ ...DRAWING, name, link })),
     ...PRESET_NAMES.map((name) => ({ ...PRESET, name: `preset-${name}`, link: `preset=${name}&model=sphere` })),

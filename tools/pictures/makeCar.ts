@@ -1,6 +1,6 @@
 import { type BufferGeometry, CylinderGeometry } from 'three';
-import { box, facets, type Point, sceneOf, solid } from '../../src/demo/models/solids.js';
-import type { ModelScene } from '../../src/files/gltf/parseGltf.js';
+import { box, facets, type Point, sceneOf, solid } from '../../src/playground/models/solids.js';
+import type { ModelScene } from '../../src/viewer/files/gltf/parseGltf.js';
 
 const COLOURS = { panel: '#d9c9a6', glass: '#26323c', tyre: '#222222', metal: '#c9c9c4', lamp: '#f7f1e0' };
 

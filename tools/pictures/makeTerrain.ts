@@ -1,5 +1,5 @@
 import { type BufferGeometry, Group, Mesh, MeshStandardMaterial, PlaneGeometry } from 'three';
-import { solid } from '../../src/demo/models/solids.js';
+import { solid } from '../../src/playground/models/solids.js';
 
 /** Squares along a side of the terrain, and their length. */
 const SQUARES = 14;

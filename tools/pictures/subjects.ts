@@ -13,10 +13,10 @@ import {
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
 import { mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
-import { gearWheel } from '../../src/demo/models/gearWheel.js';
-import { loadHand } from '../../src/demo/models/loadHand.js';
-import { BUILT_IN_MODELS, type BuiltInModel } from '../../src/demo/models/models.js';
-import type { PlainMesh } from '../../src/files/mesh/PlainMesh.js';
+import { gearWheel } from '../../src/playground/models/gearWheel.js';
+import { loadHand } from '../../src/playground/models/loadHand.js';
+import { BUILT_IN_MODELS, type BuiltInModel } from '../../src/playground/models/models.js';
+import type { PlainMesh } from '../../src/viewer/files/mesh/PlainMesh.js';
 
 /** What a picture can show. `files` are what has to be read from a folder of models, in the order in which they are passed. */
 const subjects = {

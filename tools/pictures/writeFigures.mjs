@@ -13,7 +13,7 @@ const root = fileURLToPath(new URL('../..', import.meta.url));
 const wanted = process.argv.slice(2);
 
 const server = await createServer({ root, mode: 'test', logLevel: 'error', server: { host: '127.0.0.1', port: 0 } });
-const { FIGURES } = await server.ssrLoadModule('/src/demo/figures/figures.ts');
+const { FIGURES } = await server.ssrLoadModule('/tools/figures/figures.ts');
 const chosen = FIGURES.filter(({ number }) => wanted.length === 0 || wanted.includes(String(number)));
 const { writePalettePng } = await server.ssrLoadModule('/tools/pictures/writePalettePng.ts');
 await server.listen();

@@ -1,4 +1,4 @@
-import type { HatchingCondition, HatchingMeasure, NumberRange } from '../../src/material/facts/HatchingProperty.js';
+import type { HatchingCondition, HatchingMeasure, NumberRange } from '../../src/look/HatchingProperty.js';
 import type { StrokeStyleName } from '../../src/strokes/strokeStyleNames.js';
 
 /** A property of the material: one row of the table. What is left out does not apply. */

@@ -1,4 +1,4 @@
-import type { HatchingMeasure } from '../../src/material/facts/HatchingProperty.js';
+import type { HatchingMeasure } from '../../src/look/HatchingProperty.js';
 
 /** What numbers measure, in words for JSDoc and documentation. */
 const WORDS: Readonly<Record<HatchingMeasure, string>> = {

@@ -8,8 +8,8 @@ import { writePropertyData, writePropertyFacts, writePropertyTypes } from './wri
 
 const absolute = (path: string): string => fileURLToPath(new URL(`../../${path}`, import.meta.url));
 
-const DATA = 'src/material/facts/hatchingProperties.ts';
-const FACTS = 'src/material/facts/hatchingFacts.ts';
+const DATA = 'src/look/hatchingProperties.ts';
+const FACTS = 'src/look/hatchingFacts.ts';
 const TYPES = 'src/material/HatchingMaterialProperties.ts';
 
 /** What the table writes: the path of every file in the repository, and its text. */

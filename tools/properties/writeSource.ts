@@ -1,5 +1,5 @@
-import { constantCase } from '../../src/material/facts/constantCase.js';
-import type { NumberRange } from '../../src/material/facts/HatchingProperty.js';
+import { constantCase } from '../../src/look/constantCase.js';
+import type { NumberRange } from '../../src/look/HatchingProperty.js';
 import { describe } from './describe.js';
 import type { PropertyRow } from './PropertyRow.js';
 import type { TechniqueRow } from './techniques.js';
@@ -8,7 +8,7 @@ type Table = Readonly<Record<string, PropertyRow>>;
 
 const HEADER = '// Written by `npm run properties` from tools/properties/table.ts. Change that, not this.\n';
 
-/** src/material/facts/hatchingProperties.ts: what is needed at run time, and the types of the choices. */
+/** src/look/hatchingProperties.ts: what is needed at run time, and the types of the choices. */
 export function writePropertyData(table: Table, techniques: Readonly<Record<string, TechniqueRow>>): string {
   const rows = Object.entries(table);
   const types = rows.flatMap(([, row]) => (row.kind === 'choice' ? [choiceType(row)] : []));
@@ -42,7 +42,7 @@ ${Object.entries(techniques)
 `;
 }
 
-/** src/material/facts/hatchingFacts.ts: what numbers measure and what properties count with, which drawing alone does not need. */
+/** src/look/hatchingFacts.ts: what numbers measure and what properties count with, which drawing alone does not need. */
 export function writePropertyFacts(table: Table): string {
   const facts = Object.entries(table).flatMap(([name, row]) => {
     const measure = 'measure' in row ? row.measure : undefined;

@@ -1,5 +1,5 @@
 // The dots of one plane, a disc on the screen for each point of the set.
-uniform highp sampler2D stippleMap; // a texel per cell: its point and, in blue, when in an octave it is born (src/tam/stippleMap.ts)
+uniform highp sampler2D stippleMap; // a texel per cell: its point and, in blue, when in an octave it is born (src/material/tam/stippleMap.ts)
 uniform float dotPixels; // diameter of a dot at half tone
 uniform float edgePixels; // width of the edge of a dot
 

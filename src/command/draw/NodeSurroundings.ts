@@ -3,9 +3,9 @@ import { createRequire } from 'node:module';
 import { dirname, join, relative } from 'node:path';
 import { compileFunction } from 'node:vm';
 import type { DecoderModule } from 'draco3d';
-import { baseName } from '../../files/common/fileName.js';
-import { MAX_BYTES } from '../../files/common/modelLimits.js';
-import type { PictureSource, PictureWish, PixelPicture, Surroundings } from '../../files/common/Surroundings.js';
+import { baseName } from '../../viewer/files/common/fileName.js';
+import { MAX_BYTES } from '../../viewer/files/common/modelLimits.js';
+import type { PictureSource, PictureWish, PixelPicture, Surroundings } from '../../viewer/files/common/Surroundings.js';
 import { decodePicture, UndecodedError } from './decodePicture.js';
 import { fitPixels } from './fitPixels.js';
 

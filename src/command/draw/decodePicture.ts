@@ -1,6 +1,6 @@
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
-import type { PixelPicture } from '../../files/common/Surroundings.js';
+import type { PixelPicture } from '../../viewer/files/common/Surroundings.js';
 import { decodePng } from './decodePng.js';
 
 type Pixels = Omit<PixelPicture, 'close'>;

@@ -1,9 +1,9 @@
 import { totalmem } from 'node:os';
-import { loadSimplifier, simplifierOf } from '../../detail/loadSimplifier.js';
-import { ModelError } from '../../files/common/ModelError.js';
-import { triangleCount } from '../../files/mesh/PlainMesh.js';
-import type { ReadMesh } from '../../files/readModel.js';
-import { simplifyMesh } from '../../files/simplify/simplifyMesh.js';
+import { loadSimplifier, simplifierOf } from '../../mesh/detail/loadSimplifier.js';
+import { ModelError } from '../../viewer/files/common/ModelError.js';
+import { triangleCount } from '../../viewer/files/mesh/PlainMesh.js';
+import type { ReadMesh } from '../../viewer/files/readModel.js';
+import { simplifyMesh } from '../../viewer/files/repair/simplifyMesh.js';
 
 /**
  * The memory that a triangle takes until its lines are written, along the form and with dark hollows. It was measured on scans of one and

@@ -1,4 +1,4 @@
-import type { PictureWish, PixelPicture } from '../../files/common/Surroundings.js';
+import type { PictureWish, PixelPicture } from '../../viewer/files/common/Surroundings.js';
 
 /** A picture in the size that is wished for, each pixel the mean of those in its place, and turned over if that is wished for. */
 export function fitPixels(picture: Omit<PixelPicture, 'close'>, { width, height, flipY }: PictureWish): PixelPicture {

@@ -1,9 +1,9 @@
 import { MathUtils } from 'three';
 import type { PresetName } from 'three-hatching';
-import type { CameraView } from '../../settings/CameraView.js';
-import { firstView, presetLook, wholeLook } from '../../settings/presets.js';
-import { SETTINGS, type Settings } from '../../settings/settings.js';
-import { readLink } from '../../settings/shareLink.js';
+import type { CameraView } from '../../viewer/settings/CameraView.js';
+import { firstView, presetLook, wholeLook } from '../../viewer/settings/presets.js';
+import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';
+import { readLink } from '../../viewer/settings/shareLink.js';
 import type { DrawingOptions } from '../DrawingOptions.js';
 
 /** What a model is drawn with. */

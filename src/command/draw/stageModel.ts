@@ -1,21 +1,21 @@
 import { Group, MathUtils, PerspectiveCamera, Scene, Spherical, Vector3 } from 'three';
 import { bakeOcclusion, flatteringLight } from 'three-hatching';
-import { bakeFurther } from '../../drawing/bakeFurther.js';
-import type { HatchedModel } from '../../drawing/HatchedModel.js';
-import { meshesOf } from '../../drawing/meshesOf.js';
-import { indexOfName } from '../../files/common/indexOfName.js';
-import { type FileCamera, movedExtras } from '../../files/common/ModelExtras.js';
-import { lookOf } from '../../settings/lookOf.js';
-import { formDrawn } from '../../settings/settingValues.js';
-import { Backdrop } from '../../staging/Backdrop.js';
-import { castersOf } from '../../staging/castersOf.js';
-import { DEFAULT_VIEW } from '../../staging/createCamera.js';
-import { WHOLE_SHEET } from '../../staging/fadeOnSheet.js';
-import { ABOUT_SQUARE, proportionOf } from '../../staging/framing.js';
-import { Ground } from '../../staging/Ground.js';
-import { LENS } from '../../staging/LensCamera.js';
-import { LightRig } from '../../staging/LightRig.js';
-import { lightsOfFile } from '../../staging/lightsOfFile.js';
+import { bakeFurther } from '../../viewer/drawing/bakeFurther.js';
+import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
+import { meshesOf } from '../../viewer/drawing/meshesOf.js';
+import { indexOfName } from '../../viewer/files/common/indexOfName.js';
+import { type FileCamera, movedExtras } from '../../viewer/files/common/ModelExtras.js';
+import { lookOf } from '../../viewer/settings/lookOf.js';
+import { formDrawn } from '../../viewer/settings/settingValues.js';
+import { Backdrop } from '../../viewer/sceneSetup/Backdrop.js';
+import { castersOf } from '../../viewer/sceneSetup/castersOf.js';
+import { DEFAULT_VIEW } from '../../viewer/sceneSetup/createCamera.js';
+import { WHOLE_SHEET } from '../../viewer/sceneSetup/fadeOnSheet.js';
+import { ABOUT_SQUARE, proportionOf } from '../../viewer/sceneSetup/framing.js';
+import { Ground } from '../../viewer/sceneSetup/Ground.js';
+import { LENS } from '../../viewer/sceneSetup/LensCamera.js';
+import { LightRig } from '../../viewer/sceneSetup/LightRig.js';
+import { lightsOfFile } from '../../viewer/sceneSetup/lightsOfFile.js';
 import {
   cameraOfFile,
   type EyeDirection,
@@ -24,9 +24,9 @@ import {
   linkedCamera,
   type PlacedCamera,
   roomiestView,
-} from '../../staging/placeCamera.js';
-import { strokeShare } from '../../staging/strokeShare.js';
-import { lyingSize } from '../../svg/sheetSizes.js';
+} from '../../viewer/sceneSetup/placeCamera.js';
+import { strokeShare } from '../../viewer/sceneSetup/strokeShare.js';
+import { lyingSize } from '../../vector/svg/sheetSizes.js';
 import type { DrawingOptions } from '../DrawingOptions.js';
 import type { DrawnWith } from './settingsFor.js';
 

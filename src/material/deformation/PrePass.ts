@@ -17,8 +17,8 @@ import {
   type WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
-import { pullColumns, pullTextureSize } from '../../bake/pullLayout.js';
-import type { PulledVertices } from '../../geometry/PulledVertices.js';
+import { pullColumns, pullTextureSize } from '../../mesh/bake/pullLayout.js';
+import type { PulledVertices } from '../geometry/PulledVertices.js';
 import { deformationShaders } from './deformationShaders.js';
 import type { PosePass } from './PosePass.js';
 

@@ -1,5 +1,5 @@
 import type { BufferGeometry, Camera, Mesh, Object3D, ShaderMaterial, Texture, WebGLRenderer } from 'three';
-import { pulledVerticesOf } from '../../geometry/pulledVerticesOf.js';
+import { pulledVerticesOf } from '../geometry/pulledVerticesOf.js';
 import type { VertexLayout } from '../shaders/shaderConventions.js';
 import { canDeform, deforms } from './canDeform.js';
 import { glslDeformations } from './glslDeformations.js';

@@ -1,5 +1,5 @@
 import type { BufferGeometry, Object3D } from 'three';
-import { pulledVerticesOf } from '../../geometry/pulledVerticesOf.js';
+import { pulledVerticesOf } from '../geometry/pulledVerticesOf.js';
 import type { VertexLayout } from '../shaders/shaderConventions.js';
 import { deforms } from './canDeform.js';
 

@@ -1,5 +1,5 @@
 import { type CubeTexture, type Texture, Vector3 } from 'three';
-import type { Harmonics } from '../../engraving/surroundings.js';
+import type { Harmonics } from '../../look/surroundings.js';
 import { type Luminances, luminances } from './luminances.js';
 
 /** At most so many rows of an image are looked at, and so many columns. */

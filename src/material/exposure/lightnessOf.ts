@@ -1,6 +1,6 @@
 import type { Texture } from 'three';
-import { lightness } from '../facts/lightness.js';
-import { luminanceOf } from '../facts/luminanceOf.js';
+import { lightness } from '../../look/lightness.js';
+import { luminanceOf } from '../../look/luminanceOf.js';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
 import { type Luminances, luminances } from './luminances.js';
 import type { SurfaceSamples } from './surfaceSamples.js';

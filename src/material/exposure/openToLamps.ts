@@ -1,4 +1,4 @@
-import { CAVITY } from '../facts/cavity.js';
+import { CAVITY } from '../../look/cavity.js';
 
 /**
  * The share of a light with a direction that hollows leave a surface, as `occlude.glsl` has it.

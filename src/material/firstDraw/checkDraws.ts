@@ -1,6 +1,6 @@
-import { identityOf } from '../../geometry/identityOf.js';
-import { describeObject } from '../../mistakes/describeObject.js';
-import { tell } from '../../mistakes/tell.js';
+import { identityOf } from '../geometry/identityOf.js';
+import { describeObject } from '../diagnostics/describeObject.js';
+import { tell } from '../diagnostics/tell.js';
 import type { FirstDraw } from './FirstDraw.js';
 import { findLightMistake } from './findLightMistake.js';
 import { findStrokeMistakes } from './findStrokeMistakes.js';
@@ -10,7 +10,7 @@ import type { NoteMistake } from './NoteMistake.js';
 import { printsNothing } from './printsNothing.js';
 import { type Mistake, SENTENCES, type Sentence } from './sentences.js';
 
-export { isStale } from '../../geometry/staleGeometry.js';
+export { isStale } from '../geometry/staleGeometry.js';
 
 /** What was said of each thing: a material, a geometry, a scene or a renderer. */
 const told = new WeakMap<object, Set<Mistake>>();

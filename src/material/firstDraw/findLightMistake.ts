@@ -1,6 +1,6 @@
 import type { BufferAttribute, Color, Object3D } from 'three';
-import { hatchNormal } from '../../bake/hatchNormal.js';
-import { identityOf } from '../../geometry/identityOf.js';
+import { hatchNormal } from '../../mesh/bake/hatchNormal.js';
+import { identityOf } from '../geometry/identityOf.js';
 import { isFitted } from '../exposure/isFitted.js';
 import type { FirstDraw } from './FirstDraw.js';
 import { lightOn, luminance } from './lightOn.js';

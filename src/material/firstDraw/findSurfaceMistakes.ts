@@ -1,11 +1,11 @@
 import { NoToneMapping } from 'three';
-import { cornerLayout } from '../../bake/cornerLayout.js';
-import { hatchNormal } from '../../bake/hatchNormal.js';
-import { isFormExpected, isFormed } from '../../geometry/formGeometry.js';
-import { pulledVerticesOf } from '../../geometry/pulledVerticesOf.js';
-import { isStale } from '../../geometry/staleGeometry.js';
+import { cornerLayout } from '../../mesh/bake/cornerLayout.js';
+import { hatchNormal } from '../../mesh/bake/hatchNormal.js';
+import { isFormExpected, isFormed } from '../geometry/formGeometry.js';
+import { pulledVerticesOf } from '../geometry/pulledVerticesOf.js';
+import { isStale } from '../geometry/staleGeometry.js';
 import { deforms, hasFloatTargets, morphsEachInstance } from '../deformation/canDeform.js';
-import { formFieldOf, formOf, needsAdjacency, needsMap } from '../facts/lookFacts.js';
+import { formFieldOf, formOf, needsAdjacency, needsMap } from '../../look/lookFacts.js';
 import type { FirstDraw } from './FirstDraw.js';
 import type { NoteMistake } from './NoteMistake.js';
 import { printsNothing } from './printsNothing.js';

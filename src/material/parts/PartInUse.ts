@@ -1,4 +1,4 @@
-import type { HatchingTechnique, Medium } from '../facts/hatchingProperties.js';
+import type { HatchingTechnique, Medium } from '../../look/hatchingProperties.js';
 import type { MaterialPart } from './MaterialPart.js';
 import { fetchedPart, fetchPart, type PartName, partNameOf } from './parts.js';
 

@@ -1,4 +1,4 @@
-import { toothMap } from '../../tam/toothMap.js';
+import { toothMap } from '../tam/toothMap.js';
 import { toothConstantsChunk } from '../shaders/toothConstants.js';
 import type { MaterialPart } from './MaterialPart.js';
 

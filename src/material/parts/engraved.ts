@@ -1,6 +1,6 @@
-import { hasOtherFormAngle, noteFormAngle } from '../../geometry/formAngles.js';
-import { lineContrast } from '../../geometry/lineFades.js';
-import { followsForm } from '../facts/lookFacts.js';
+import { hasOtherFormAngle, noteFormAngle } from '../geometry/formAngles.js';
+import { lineContrast } from '../geometry/lineFades.js';
+import { followsForm } from '../../look/lookFacts.js';
 import { engravedConstantsChunk } from './engravedConstants.js';
 import { writeFieldFrame } from './fieldFrame.js';
 import type { MaterialPart } from './MaterialPart.js';

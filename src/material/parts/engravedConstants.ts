@@ -1,13 +1,13 @@
-import { CARVING_CONSTANTS } from '../../engraving/constants/carvingConstants.js';
-import { FIELD_CONSTANTS } from '../../engraving/constants/fieldConstants.js';
-import { FORM_CONSTANTS } from '../../engraving/constants/formConstants.js';
-import { GROUND_CONSTANTS } from '../../engraving/constants/groundConstants.js';
-import { HAND_CONSTANTS } from '../../engraving/constants/handConstants.js';
-import { LINE_CONSTANTS } from '../../engraving/constants/lineConstants.js';
-import { LOT_FACTORS } from '../../engraving/constants/lotConstants.js';
-import { PEN_CONSTANTS } from '../../engraving/constants/penConstants.js';
-import { SCREEN_CONSTANTS } from '../../engraving/constants/screenConstants.js';
-import { STROKE_LENGTH_CONSTANTS } from '../../engraving/constants/strokeLengthConstants.js';
+import { CARVING_CONSTANTS } from '../../look/constants/carvingConstants.js';
+import { FIELD_CONSTANTS } from '../../look/constants/fieldConstants.js';
+import { FORM_CONSTANTS } from '../../look/constants/formConstants.js';
+import { GROUND_CONSTANTS } from '../../look/constants/groundConstants.js';
+import { HAND_CONSTANTS } from '../../look/constants/handConstants.js';
+import { LINE_CONSTANTS } from '../../look/constants/lineConstants.js';
+import { LOT_FACTORS } from '../../look/constants/lotConstants.js';
+import { PEN_CONSTANTS } from '../../look/constants/penConstants.js';
+import { SCREEN_CONSTANTS } from '../../look/constants/screenConstants.js';
+import { STROKE_LENGTH_CONSTANTS } from '../../look/constants/strokeLengthConstants.js';
 import { definesOf } from '../shaders/definesOf.js';
 
 const TABLES = [

@@ -1,4 +1,4 @@
-import { HATCHING_TECHNIQUES, type HatchingTechnique, type Medium } from '../facts/hatchingProperties.js';
+import { HATCHING_TECHNIQUES, type HatchingTechnique, type Medium } from '../../look/hatchingProperties.js';
 import type { MaterialPart } from './MaterialPart.js';
 
 /** Fetches each part. Strokes of ink that are anchored, the default, need none. */

@@ -1,7 +1,7 @@
-import { SCREEN_CONSTANTS } from '../../engraving/constants/screenConstants.js';
-import { STIPPLE_CONSTANTS } from '../../engraving/constants/stippleConstants.js';
-import { STIPPLE_MAP_SIZE } from '../../tam/patternSizes.js';
-import { stippleMap } from '../../tam/stippleMap.js';
+import { SCREEN_CONSTANTS } from '../../look/constants/screenConstants.js';
+import { STIPPLE_CONSTANTS } from '../../look/constants/stippleConstants.js';
+import { STIPPLE_MAP_SIZE } from '../tam/patternSizes.js';
+import { stippleMap } from '../tam/stippleMap.js';
 import { definesOf } from '../shaders/definesOf.js';
 import type { MaterialPart } from './MaterialPart.js';
 

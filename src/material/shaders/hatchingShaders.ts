@@ -1,5 +1,5 @@
 import { ShaderLib } from 'three';
-import type { HatchingTechnique } from '../facts/hatchingProperties.js';
+import type { HatchingTechnique } from '../../look/hatchingProperties.js';
 import { environmentLayout } from './environmentLayout.js';
 import { lightChunks, shadowChunks } from './lightKinds.js';
 import { resolveIncludes } from './resolveIncludes.js';

@@ -1,4 +1,4 @@
-import { TOOTH_MAP_BUMP, TOOTH_MAP_SIZE } from '../../tam/patternSizes.js';
+import { TOOTH_MAP_BUMP, TOOTH_MAP_SIZE } from '../tam/patternSizes.js';
 import { definesOf } from './definesOf.js';
 
 /** What shaders know of the map of a paper's tooth. */

@@ -1,5 +1,5 @@
 import { BufferAttribute, type BufferGeometry } from 'three';
-import type { DetailLevel, DetailLevels } from '../../detail/makeLevels.js';
+import type { DetailLevel, DetailLevels } from '../../mesh/detail/makeLevels.js';
 
 /**
  * The levels of one geometry: one index on the graphics card, in which they stand one after another over the same vertices. The geometry has

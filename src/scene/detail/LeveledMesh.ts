@@ -1,5 +1,5 @@
 import { type Camera, type Material, type Mesh, Vector4, type WebGLRenderer } from 'three';
-import { chooseLevel } from '../../detail/chooseLevel.js';
+import { chooseLevel } from '../../mesh/detail/chooseLevel.js';
 import type { LeveledGeometry } from './LeveledGeometry.js';
 import { pixelsPerUnit } from './pixelsPerUnit.js';
 

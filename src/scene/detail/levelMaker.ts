@@ -1,11 +1,11 @@
 /** What draws large meshes with no more triangles than can be seen. It is fetched where the option `detail` is set. */
 import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from 'three';
-import { formLayout } from '../../bake/formLayout.js';
-import { hatchNormal } from '../../bake/hatchNormal.js';
-import type { DetailRequest } from '../../detail/DetailRequest.js';
-import { isFormExpected } from '../../geometry/formGeometry.js';
-import { tell } from '../../mistakes/tell.js';
-import { runSliced } from '../../slices/runSliced.js';
+import { formLayout } from '../../mesh/bake/formLayout.js';
+import { hatchNormal } from '../../mesh/bake/hatchNormal.js';
+import type { DetailRequest } from '../../mesh/detail/DetailRequest.js';
+import { isFormExpected } from '../../material/geometry/formGeometry.js';
+import { tell } from '../../material/diagnostics/tell.js';
+import { runSliced } from '../../mesh/timeSlicing/runSliced.js';
 import { runTask } from '../../worker/runTask.js';
 import type { TaskOptions } from '../../worker/TaskOptions.js';
 import type { MeshLook } from '../MeshLook.js';

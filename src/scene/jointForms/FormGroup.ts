@@ -1,6 +1,6 @@
-import type { HatchingFormOptions } from '../../geometry/HatchingFormOptions.js';
-import type { GeometryPart } from '../../geometry/jointForms.js';
-import type { PrepareHatchingGeometryOptions } from '../../geometry/PrepareHatchingGeometryOptions.js';
+import type { HatchingFormOptions } from '../../material/geometry/HatchingFormOptions.js';
+import type { GeometryPart } from '../../material/geometry/jointForms.js';
+import type { PrepareHatchingGeometryOptions } from '../../material/geometry/PrepareHatchingGeometryOptions.js';
 
 /** Geometries that may touch, so that lines along their form are to run on from one to the next. */
 export interface FormGroup {

@@ -1,6 +1,6 @@
 import { Box3, type BufferAttribute, type BufferGeometry, Matrix4, type Mesh, type SkinnedMesh } from 'three';
-import { checkGeometry } from '../../geometry/checkGeometry.js';
-import type { HatchingFormOptions } from '../../geometry/HatchingFormOptions.js';
+import { checkGeometry } from '../../material/geometry/checkGeometry.js';
+import type { HatchingFormOptions } from '../../material/geometry/HatchingFormOptions.js';
 import { groupCorners } from './bakeGroups.js';
 import { cornerCount } from './cornerCount.js';
 import type { FormGroup, GeometryPlan } from './FormGroup.js';

@@ -1,7 +1,7 @@
-import type { MapDrawing } from '../../hatchImages/hatchImageOptions.js';
+import type { MapDrawing } from '../../strokes/tamImages/hatchImageOptions.js';
 import { checkTonalArtMap } from '../../material/checkTonalArtMap.js';
 import type { StrokeStyleName } from '../../strokes/strokeStyleNames.js';
-import type { TonalArtMap } from '../../tam/TonalArtMap.js';
+import type { TonalArtMap } from '../../material/tam/TonalArtMap.js';
 import type { TaskOptions } from '../../worker/TaskOptions.js';
 import { isToBeMade, type WantedMap } from '../wantedMap.js';
 import { progressParts } from './progressParts.js';
@@ -49,7 +49,7 @@ async function makeMap(
 }
 
 /** The code of maps, which looks without one do not need. */
-const fetchMaps = () => import('../../tam/TonalArtMap.js');
+const fetchMaps = () => import('../../material/tam/TonalArtMap.js');
 
 const namesStyleAlone = (drawing: MapDrawing): boolean =>
   Object.entries(drawing).every(([name, value]) => name === 'style' || value === undefined);

@@ -1,5 +1,5 @@
-import { STIPPLE_CONSTANTS } from '../../engraving/constants/stippleConstants.js';
-import { type ScreenMap, screenGradient, screenMap } from '../../engraving/screenGradient.js';
+import { STIPPLE_CONSTANTS } from '../../look/constants/stippleConstants.js';
+import { type ScreenMap, screenGradient, screenMap } from '../shading/screenGradient.js';
 import {
   coverOf,
   type DotLayers,
@@ -15,8 +15,8 @@ import {
   planesNear,
   roundScreenMap,
   setShift,
-} from '../../engraving/stipple.js';
-import { combined, dot, normalize, timesVector, type Vec3 } from '../../engraving/vectors.js';
+} from '../shading/stipple.js';
+import { combined, dot, normalize, timesVector, type Vec3 } from '../../look/vectors.js';
 import type { Bvh } from '../Bvh.js';
 import { between, type LineSurface, STRIDE, type SurfacePlace } from '../LineSurface.js';
 import type { Projection } from '../Projection.js';

@@ -1,5 +1,5 @@
-import type { EmphasisedPlace } from '../../engraving/emphasis.js';
-import type { Vec3 } from '../../engraving/vectors.js';
+import type { EmphasisedPlace } from '../shading/emphasis.js';
+import type { Vec3 } from '../../look/vectors.js';
 import type { Projection } from '../Projection.js';
 
 /** A place of a drawing, as far as its weight depends on it. */

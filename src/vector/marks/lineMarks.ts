@@ -1,11 +1,11 @@
-import { cutFor, cutWidth } from '../../engraving/carving.js';
-import { lineLeft } from '../../engraving/groundShadow.js';
-import { handWidth } from '../../engraving/hand.js';
-import { penMargin } from '../../engraving/penLines.js';
-import { drawnShare, type Pen, penFor, strokeAt } from '../../engraving/penStrokes.js';
-import { powerOf2, roomOf } from '../../engraving/ruledLines.js';
-import type { Along } from '../../engraving/strokeLengths.js';
-import { smoothstep } from '../../engraving/vectors.js';
+import { cutFor, cutWidth } from '../shading/carving.js';
+import { lineLeft } from '../shading/groundShadow.js';
+import { handWidth } from '../shading/hand.js';
+import { penMargin } from '../shading/penLines.js';
+import { drawnShare, type Pen, penFor, strokeAt } from '../shading/penStrokes.js';
+import { powerOf2, roomOf } from '../shading/ruledLines.js';
+import type { Along } from '../shading/strokeLengths.js';
+import { smoothstep } from '../../look/vectors.js';
 
 /** What draws the lines: ink in one go, a pen in strokes, or a gouge that cuts them white. */
 export type LineMedium = 'ink' | 'pen' | 'woodcut';

@@ -1,7 +1,7 @@
-import type { Emphasis } from '../../engraving/emphasis.js';
-import type { HiddenOutlines } from '../../engraving/hiddenOutlines.js';
+import type { Emphasis } from '../shading/emphasis.js';
+import type { HiddenOutlines } from '../../look/hiddenOutlines.js';
 
-import type { Vec3 } from '../../engraving/vectors.js';
+import type { Vec3 } from '../../look/vectors.js';
 import type { Matrix } from '../Projection.js';
 
 /** What outlines are found on. */

@@ -1,4 +1,4 @@
-import { hiddenWeight } from '../../engraving/hiddenOutlines.js';
+import { hiddenWeight } from '../../look/hiddenOutlines.js';
 import type { OutlineLook, OutlinePiece } from './OutlineMesh.js';
 
 /** How outlines look where they are hidden: all as heavy, whatever the light and what lies behind them. */

@@ -1,4 +1,4 @@
-import { smoothstep } from '../../engraving/vectors.js';
+import { smoothstep } from '../../look/vectors.js';
 import type { Chain } from '../Chain.js';
 import type { Run } from '../visibleRuns.js';
 

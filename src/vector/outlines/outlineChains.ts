@@ -1,9 +1,9 @@
-import { outlineEmphasisAt } from '../../engraving/emphasis.js';
-import { meanLightAt } from '../../engraving/meanLight.js';
+import { outlineEmphasisAt } from '../shading/emphasis.js';
+import { meanLightAt } from '../shading/meanLight.js';
 
-import { type LiftedPiece, shadeWeight, wobbleAt } from '../../engraving/outlines.js';
-import { combined, dot, normalize, type Vec3 } from '../../engraving/vectors.js';
-import { asPhase } from '../../slices/asPhase.js';
+import { type LiftedPiece, shadeWeight, wobbleAt } from '../shading/outlines.js';
+import { combined, dot, normalize, type Vec3 } from '../../look/vectors.js';
+import { asPhase } from '../../mesh/timeSlicing/asPhase.js';
 import { type Chain, ChainBuilder } from '../Chain.js';
 import { emphasisedPlace } from '../marks/emphasisedPlace.js';
 import { type Projection, transformed } from '../Projection.js';

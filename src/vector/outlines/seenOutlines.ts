@@ -1,6 +1,6 @@
-import { OUTLINE_CONSTANTS } from '../../engraving/constants/outlineConstants.js';
-import { liftOf, toleranceOf } from '../../engraving/outlines.js';
-import { combined, type Vec3 } from '../../engraving/vectors.js';
+import { OUTLINE_CONSTANTS } from '../../look/constants/outlineConstants.js';
+import { liftOf, toleranceOf } from '../shading/outlines.js';
+import { combined, type Vec3 } from '../../look/vectors.js';
 import type { Bvh } from '../Bvh.js';
 import type { Chain } from '../Chain.js';
 import type { Projection } from '../Projection.js';

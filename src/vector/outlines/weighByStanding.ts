@@ -1,5 +1,5 @@
-import { OUTLINE_CONSTANTS } from '../../engraving/constants/outlineConstants.js';
-import { standingAt, strideOf } from '../../engraving/outlineStanding.js';
+import { OUTLINE_CONSTANTS } from '../../look/constants/outlineConstants.js';
+import { standingAt, strideOf } from '../shading/outlineStanding.js';
 import type { Bvh } from '../Bvh.js';
 import type { Chain } from '../Chain.js';
 import type { Projection } from '../Projection.js';

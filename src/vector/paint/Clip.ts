@@ -1,4 +1,4 @@
-import type { Vec3 } from '../../engraving/vectors.js';
+import type { Vec3 } from '../../look/vectors.js';
 
 /** A plane that clips: what lies below 0 of n·p + d is taken away. World space. */
 export type ClipPlane = readonly [x: number, y: number, z: number, d: number];

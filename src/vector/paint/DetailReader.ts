@@ -1,5 +1,5 @@
-import type { Mat3 } from '../../engraving/screenGradient.js';
-import { combined, cross, dot, type Vec3 } from '../../engraving/vectors.js';
+import type { Mat3 } from '../shading/screenGradient.js';
+import { combined, cross, dot, type Vec3 } from '../../look/vectors.js';
 import { FIELD, type LineSurface, STRIDE, VIEW, WORLD } from '../LineSurface.js';
 import { type EdgeProducts, PlaceInTriangle } from './PlaceInTriangle.js';
 import type { PosedMaps, SurfaceDetails } from './SurfaceDetails.js';

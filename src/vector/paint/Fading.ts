@@ -1,4 +1,4 @@
-import { combined, type Vec3 } from '../../engraving/vectors.js';
+import { combined, type Vec3 } from '../../look/vectors.js';
 import type { Bvh } from '../Bvh.js';
 import type { Projection } from '../Projection.js';
 import type { VeilTone } from './VeilTone.js';

@@ -1,4 +1,4 @@
-import type { Vec3 } from '../../engraving/vectors.js';
+import type { Vec3 } from '../../look/vectors.js';
 import { isClipped } from './Clip.js';
 import { Painter } from './Painter.js';
 import type { Cutout } from './PaintLook.js';

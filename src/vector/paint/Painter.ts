@@ -1,5 +1,5 @@
-import { localDarkness } from '../../engraving/tone.js';
-import { combined, cross, type Vec3 } from '../../engraving/vectors.js';
+import { localDarkness } from '../shading/tone.js';
+import { combined, cross, type Vec3 } from '../../look/vectors.js';
 import type { Projection } from '../Projection.js';
 import { MapSampler, type Rgba } from './MapSampler.js';
 import type { MapLook, PaintLook } from './PaintLook.js';

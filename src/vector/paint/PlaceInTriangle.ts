@@ -1,4 +1,4 @@
-import { combined, dot, type Vec3 } from '../../engraving/vectors.js';
+import { combined, dot, type Vec3 } from '../../look/vectors.js';
 
 /** Products of the edges that leave the first corner of a triangle: of the first with itself, with the second, and of the second. */
 export interface EdgeProducts {

@@ -1,4 +1,4 @@
-import type { Mat3 } from '../../engraving/screenGradient.js';
+import type { Mat3 } from '../shading/screenGradient.js';
 
 /**
  * What only some surfaces have at their vertices, linear over the triangles that they were read with, however small these are divided

@@ -1,4 +1,4 @@
-import { combined, cross, dot, type Vec3 } from '../../engraving/vectors.js';
+import { combined, cross, dot, type Vec3 } from '../../look/vectors.js';
 import { type LineSurface, placeFrom, readTriangle, STRIDE, WORLD } from '../LineSurface.js';
 import type { Projection } from '../Projection.js';
 import type { Toner } from '../Toner.js';

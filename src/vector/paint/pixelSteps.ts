@@ -1,4 +1,4 @@
-import { combined, dot, type Vec3 } from '../../engraving/vectors.js';
+import { combined, dot, type Vec3 } from '../../look/vectors.js';
 import type { Projection } from '../Projection.js';
 
 /** The ways in the plane through a place that lead one pixel to the right and one up on the picture; null where it is seen edge-on. */

@@ -15,8 +15,8 @@ import {
   Vector2,
 } from 'three';
 import { NodeMaterial, type WebGPURenderer } from 'three/webgpu';
-import { pullTextureSize } from '../../bake/pullLayout.js';
-import type { PulledVertices } from '../../geometry/PulledVertices.js';
+import { pullTextureSize } from '../../mesh/bake/pullLayout.js';
+import type { PulledVertices } from '../../material/geometry/PulledVertices.js';
 import type { PosePass } from '../../material/deformation/PosePass.js';
 import { OF_CORNERS, OF_VERTICES } from './poseNodes.js';
 

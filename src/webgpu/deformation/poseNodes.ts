@@ -7,7 +7,7 @@ import { hatchingTexture } from '../nodes/base/textures.js';
 import { hatchingUniform } from '../nodes/base/uniforms.js';
 import { threeNodes, tsl, type Value } from '../nodes/base/values.js';
 import { deformVertex } from '../nodes/chunks/deformVertex.js';
-import { turnOf } from '../nodes/perTriangle/turns.js';
+import { turnOf } from '../nodes/outlines/turns.js';
 
 const { Fn, If, dot, int, ivec2, normalLocal, select, uint, varyingProperty, vec2, vec3, vec4, vertexIndex } = tsl;
 

@@ -12,26 +12,26 @@ import {
   type WebGLRenderer,
 } from 'three';
 import { type NodeBuilder, NodeMaterial, type WebGPURenderer } from 'three/webgpu';
-import type { HiddenOutlines } from '../../engraving/hiddenOutlines.js';
+import type { HiddenOutlines } from '../../look/hiddenOutlines.js';
 import { checkColor } from '../../material/checkValues.js';
-import { type EmphasisLook, takesWeight, writeEmphasis, writeImportance } from '../../material/emphasis/emphasis.js';
-import { writeSheet } from '../../material/emphasis/writeSheet.js';
+import { type EmphasisLook, takesWeight, writeEmphasis, writeImportance } from '../../material/fading/emphasis.js';
+import { writeSheet } from '../../material/fading/writeSheet.js';
 import { writePictureOffset } from '../../material/pictureOffset.js';
-import type { HatchingOutlineMaterial, HatchingOutlineParameters } from '../../outlines/HatchingOutlineMaterial.js';
+import type { HatchingOutlineMaterial, HatchingOutlineParameters } from '../../material/outlines/HatchingOutlineMaterial.js';
 import {
   HATCHING_OUTLINE_DEFAULTS,
   OUTLINE_NUMBER_NAMES,
   type OutlineNumberName,
-} from '../../outlines/outlineProperties.js';
-import { createOutlineUniforms } from '../../outlines/outlineUniforms.js';
+} from '../../material/outlines/outlineProperties.js';
+import { createOutlineUniforms } from '../../material/outlines/outlineUniforms.js';
 import {
   checkHidden,
   checkShadeWeights,
   defineOutlineNumbers,
   writeOutlineLook,
-} from '../../outlines/outlineValues.js';
-import { copyDrawState, writeDrawState } from '../../outlines/surfaceRules.js';
-import { toothMap } from '../../tam/toothMap.js';
+} from '../../material/outlines/outlineValues.js';
+import { copyDrawState, writeDrawState } from '../../material/outlines/surfaceRules.js';
+import { toothMap } from '../../material/tam/toothMap.js';
 import { clipSpine } from '../nodes/outlines/clipping.js';
 import { type OutlineNodes, outlineNodes } from '../nodes/outlines/outlineNodes.js';
 

@@ -10,12 +10,12 @@ import {
   type WebGLRenderer,
 } from 'three';
 import type { WebGPURenderer } from 'three/webgpu';
-import { outlineDataOf } from '../../geometry/OutlineData.js';
-import { tell } from '../../mistakes/tell.js';
-import type { HatchingOutlineParameters } from '../../outlines/HatchingOutlineMaterial.js';
-import { emphasisOf, isInFrustum, MeshOutlines, meanScale } from '../../outlines/MeshOutlines.js';
-import type { OutlinePart } from '../../outlines/OutlineParts.js';
-import { isCutOut, isDrawnBefore } from '../../outlines/surfaceRules.js';
+import { outlineDataOf } from '../../material/geometry/OutlineData.js';
+import { tell } from '../../material/diagnostics/tell.js';
+import type { HatchingOutlineParameters } from '../../material/outlines/HatchingOutlineMaterial.js';
+import { emphasisOf, isInFrustum, MeshOutlines, meanScale } from '../../material/outlines/MeshOutlines.js';
+import type { OutlinePart } from '../../material/outlines/OutlineParts.js';
+import { isCutOut, isDrawnBefore } from '../../material/outlines/surfaceRules.js';
 import { hasFloatTargets, nodeDeformations } from '../deformation/nodeDeformations.js';
 import { placesOf } from '../nodes/base/InstancePlaces.js';
 import { clippingOf } from './clippingOf.js';

@@ -1,6 +1,6 @@
-import type { OutlineOptions } from '../../geometry/PrepareHatchingGeometryOptions.js';
-import type { HatchingOutlineParameters } from '../../outlines/HatchingOutlineMaterial.js';
-import { type OutlineKind, OutlineMaker } from '../../scene/outlining/OutlineMaker.js';
+import type { OutlineOptions } from '../../material/geometry/PrepareHatchingGeometryOptions.js';
+import type { HatchingOutlineParameters } from '../../material/outlines/HatchingOutlineMaterial.js';
+import { type OutlineKind, OutlineMaker } from '../../scene/OutlineMaker.js';
 import { HatchingOutlineNodeMaterial } from './HatchingOutlineNodeMaterial.js';
 import { HatchingOutlines } from './HatchingOutlines.js';
 

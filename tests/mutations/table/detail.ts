@@ -3,23 +3,23 @@ import type { Mutation } from '../Mutation.js';
 export const detail: readonly Mutation[] = [
   {
     name: 'levels change to and fro',
-    file: 'src/detail/chooseLevel.ts',
+    file: 'src/mesh/detail/chooseLevel.ts',
     find: 'i > before ? CALM * MOST_PIXELS',
     replace: 'i < before ? CALM * MOST_PIXELS',
     caughtBy: {
       layer: 'unit',
-      file: 'tests/unit/detail/chooseLevel.test.ts',
+      file: 'tests/unit/mesh/detail/chooseLevel.test.ts',
       title: 'a view that wavers around a border between two levels does not flicker',
     },
   },
   {
     name: 'a level is as far off as its error is small',
-    file: 'src/detail/chooseLevel.ts',
+    file: 'src/mesh/detail/chooseLevel.ts',
     find: 'levels[i].error * pixelsPerUnit',
     replace: 'levels[i].error / pixelsPerUnit',
     caughtBy: {
       layer: 'unit',
-      file: 'tests/unit/detail/chooseLevel.test.ts',
+      file: 'tests/unit/mesh/detail/chooseLevel.test.ts',
       title: 'a view that wavers around a border between two levels does not flicker',
     },
   },

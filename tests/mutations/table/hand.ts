@@ -3,31 +3,31 @@ import type { Mutation } from '../Mutation.js';
 export const hand: readonly Mutation[] = [
   {
     name: 'strokes drawn backwards bend to the wrong side',
-    file: 'src/hand/learnHand.ts',
+    file: 'src/strokes/hand/learnHand.ts',
     find: ' * Math.sign(Math.cos(stroke.angle - angle))',
     replace: '',
     caughtBy: {
       layer: 'unit',
-      file: 'tests/unit/hand/learnHand.test.ts',
+      file: 'tests/unit/strokes/hand/learnHand.test.ts',
       title: 'does not care in which direction or order strokes are drawn',
     },
   },
   {
     name: 'the spread of lengths is that of squares',
-    file: 'src/hand/learnHand.ts',
+    file: 'src/strokes/hand/learnHand.ts',
     find: 'Math.sqrt(deviations / Math.max(1, measures.length - 1)) / length',
     replace: 'deviations / Math.max(1, measures.length - 1) / length',
     caughtBy: {
       layer: 'unit',
-      file: 'tests/unit/hand/learnHand.test.ts',
+      file: 'tests/unit/strokes/hand/learnHand.test.ts',
       title: 'learns spreads, from many strokes as they are by chance',
     },
   },
   {
     name: 'crossing begins a tone early',
-    file: 'src/hand/learnHand.ts',
+    file: 'src/strokes/hand/learnHand.ts',
     find: 'light: 0.125, middle: 0.375, dark: 0.625',
     replace: 'light: 0.125, middle: 0.125, dark: 0.375',
-    caughtBy: { layer: 'unit', file: 'tests/unit/hand/learnHand.test.ts', title: 'learns a second layer at … degrees' },
+    caughtBy: { layer: 'unit', file: 'tests/unit/strokes/hand/learnHand.test.ts', title: 'learns a second layer at … degrees' },
   },
 ];

@@ -4,62 +4,62 @@ import type { Mutation } from '../Mutation.js';
 export const meaning: readonly Mutation[] = [
   {
     name: 'blended surfaces hide what is behind them',
-    file: 'src/files/scenes/settleAlpha.ts',
+    file: 'src/viewer/files/scenes/settleAlpha.ts',
     find: 'if (opacity < MOST) Object',
     replace: 'if (opacity < 0) Object',
     caughtBy: {
       layer: 'unit',
-      file: 'tests/unit/files/scenes/settleAlpha.test.ts',
+      file: 'tests/unit/viewer/files/scenes/settleAlpha.test.ts',
       title: 'of a merged scene glass has ranges of its own, and what is not there counts for nothing',
     },
   },
   {
     name: 'glass casts shadows',
-    file: 'src/drawing/HatchedModel.ts',
+    file: 'src/viewer/drawing/HatchedModel.ts',
     find: 'mesh.castShadow = areCast && !isGlass(mesh)',
     replace: 'mesh.castShadow = areCast',
     caughtBy: {
       layer: 'unit',
-      file: 'tests/unit/drawing/glass.test.ts',
+      file: 'tests/unit/viewer/drawing/glass.test.ts',
       title: 'is glass: it hides nothing, and casts and takes no shadow',
     },
   },
   {
     name: 'polygons are fans over their notches',
-    file: 'src/files/mesh/triangulatePolygon.ts',
+    file: 'src/viewer/files/mesh/triangulatePolygon.ts',
     find: 'if (!(turn > least)) return false;',
     replace: 'if (!(turn > -Infinity)) return false;',
     caughtBy: {
       layer: 'unit',
-      file: 'tests/unit/files/mesh/triangulatePolygon.test.ts',
+      file: 'tests/unit/viewer/files/mesh/triangulatePolygon.test.ts',
       title: 'with a hole that a slit joins to its outline keeps the hole open',
     },
   },
   {
     name: 'corners in the middle of sides are left out of polygons',
-    file: 'src/files/mesh/triangulatePolygon.ts',
+    file: 'src/viewer/files/mesh/triangulatePolygon.ts',
     find: 'if (side === -1) return [triangle];',
     replace: 'if (side >= -1) return [triangle];',
     caughtBy: {
       layer: 'unit',
-      file: 'tests/unit/files/mesh/triangulatePolygon.test.ts',
+      file: 'tests/unit/viewer/files/mesh/triangulatePolygon.test.ts',
       title: 'keeps corners in the middle of its sides, so that neighbours meet it edge to edge',
     },
   },
   {
     name: 'smoothing groups of OBJ do not count',
-    file: 'src/files/obj/writeFaces.ts',
+    file: 'src/viewer/files/formats/writeFaces.ts',
     find: 'group = groupOf(line.slice(1).trim());',
     replace: 'group = -1;',
     caughtBy: {
       layer: 'unit',
-      file: 'tests/unit/files/obj/readObj.test.ts',
+      file: 'tests/unit/viewer/files/formats/readObj.test.ts',
       title: 'has edges between groups, whatever the materials, and groups last until the next one',
     },
   },
   {
     name: 'displaced meshes stay flat',
-    file: 'src/scene/displacing/Displacer.ts',
+    file: 'src/scene/Displacer.ts',
     find: 'places.setXYZ(vertex, place.x, place.y, place.z);',
     replace: '',
     caughtBy: {

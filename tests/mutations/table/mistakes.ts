@@ -3,34 +3,34 @@ import type { Mutation } from '../Mutation.js';
 export const mistakes: readonly Mutation[] = [
   {
     name: 'a missing await is told each time',
-    file: 'src/mistakes/mustBeAwaited.ts',
+    file: 'src/material/diagnostics/mustBeAwaited.ts',
     find: 'if (!wasTold) tell',
     replace: 'tell',
     caughtBy: {
       layer: 'unit',
-      file: 'tests/unit/mistakes/mistakes.test.ts',
+      file: 'tests/unit/material/diagnostics/mistakes.test.ts',
       title: 'says so when its result is asked of it, once',
     },
   },
   {
     name: 'a silent library speaks',
-    file: 'src/mistakes/tell.ts',
+    file: 'src/material/diagnostics/tell.ts',
     find: 'if (!silence.isOn) console',
     replace: 'console',
     caughtBy: {
       layer: 'unit',
-      file: 'tests/unit/mistakes/mistakes.test.ts',
+      file: 'tests/unit/material/diagnostics/mistakes.test.ts',
       title: 'a scene without a mesh is named, unless its caller follows it',
     },
   },
   {
     name: 'an object is named without its place',
-    file: 'src/mistakes/describeObject.ts',
+    file: 'src/material/diagnostics/describeObject.ts',
     find: 'object.parent.children.indexOf(object)',
     replace: '0',
     caughtBy: {
       layer: 'unit',
-      file: 'tests/unit/mistakes/describeObject.test.ts',
+      file: 'tests/unit/material/diagnostics/describeObject.test.ts',
       title: 'one that is its own descendant is named, too',
     },
   },

@@ -25,7 +25,7 @@ export const nodes: readonly Mutation[] = [
   },
   {
     name: 'families of nodes cross from black alone',
-    file: 'src/webgpu/nodes/techniques/engraved/hatchLayer.ts',
+    file: 'src/webgpu/nodes/engraved/hatchLayer.ts',
     find: 'takenOf(tone, crossFrom, kept)',
     replace: 'takenOf(tone, float(1), kept)',
     caughtBy: {
@@ -71,7 +71,7 @@ export const nodes: readonly Mutation[] = [
   },
   {
     name: 'dots of nodes are the larger of two sizes',
-    file: 'src/webgpu/nodes/techniques/anchored/stipple.ts',
+    file: 'src/webgpu/nodes/anchored/stipple.ts',
     find: 'min(onObject, onScreen)',
     replace: 'max(onObject, onScreen)',
     caughtBy: {

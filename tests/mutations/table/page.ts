@@ -3,7 +3,7 @@ import type { Mutation } from '../Mutation.js';
 export const page: readonly Mutation[] = [
   {
     name: 'a double-click resets nothing',
-    file: 'src/demo/playground/panel/SettingsPanel.ts',
+    file: 'src/playground/panel/SettingsPanel.ts',
     find: "controller.domElement.addEventListener('dblclick'",
     replace: "controller.domElement.addEventListener('auxclick'",
     caughtBy: {
@@ -14,7 +14,7 @@ export const page: readonly Mutation[] = [
   },
   {
     name: 'a clip does not begin by itself',
-    file: 'src/demo/playground/panel/MotionPanel.ts',
+    file: 'src/playground/panel/MotionPanel.ts',
     find: "motion.isPlaying = !matchMedia('(prefers-reduced-motion: reduce)').matches",
     replace: 'motion.isPlaying = false',
     caughtBy: {

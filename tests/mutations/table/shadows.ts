@@ -3,45 +3,45 @@ import type { Mutation } from '../Mutation.js';
 export const shadows: readonly Mutation[] = [
   {
     name: 'a shadow on the ground ends where a caster beside it would have it',
-    file: 'src/staging/fadeOnSheet.ts',
+    file: 'src/viewer/sceneSetup/fadeOnSheet.ts',
     find: 'Math.max(to - sooner, lowest)',
     replace: 'Math.max(2 * to, lowest)',
     caughtBy: {
       layer: 'unit',
-      file: 'tests/unit/staging/fadeOnSheet.test.ts',
+      file: 'tests/unit/viewer/sceneSetup/fadeOnSheet.test.ts',
       title: 'has ended at every edge of',
     },
   },
   {
     name: 'only corners of triangles cast shadows that end on the sheet',
-    file: 'src/staging/castersOf.ts',
+    file: 'src/viewer/sceneSetup/castersOf.ts',
     find: 'for (let i = 0; parts > 1 && i < parts; i++)',
     replace: 'for (let i = 0; parts > 1 && i < 1; i++)',
     caughtBy: {
       layer: 'unit',
-      file: 'tests/unit/staging/castersOf.test.ts',
+      file: 'tests/unit/viewer/sceneSetup/castersOf.test.ts',
       title: 'is a post from its foot to its top',
     },
   },
   {
     name: 'shadows of a model reach behind the light',
-    file: 'src/lighting/shadowOnSheet.ts',
+    file: 'src/scene/lighting/shadowOnSheet.ts',
     find: 'points[i] - height * east',
     replace: 'points[i] + height * east',
     caughtBy: {
       layer: 'unit',
-      file: 'tests/unit/lighting/shadowOnSheet.test.ts',
+      file: 'tests/unit/scene/lighting/shadowOnSheet.test.ts',
       title: 'depends on the light, the ground and the sheet, and not on where the world has its origin',
     },
   },
   {
     name: 'points above a lamp cast shadows',
-    file: 'src/staging/shadowOnGround.ts',
+    file: 'src/viewer/sceneSetup/shadowOnGround.ts',
     find: 'if (dy >= 0) continue;',
     replace: '',
     caughtBy: {
       layer: 'unit',
-      file: 'tests/unit/staging/shadowOnGround.test.ts',
+      file: 'tests/unit/viewer/sceneSetup/shadowOnGround.test.ts',
       title: 'a lamp casts longer shadows of what is farther from below it, and none of what is as high as itself',
     },
   },

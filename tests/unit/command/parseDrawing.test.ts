@@ -2,7 +2,7 @@ import { describe, expect, test } from 'vitest';
 import { DRAW_HELP, FORMAT_ENDINGS, parseDrawing } from '../../../src/command/parseDrawing.js';
 import { sheetOf } from '../../../src/command/sheetOf.js';
 import { UsageError } from '../../../src/command/UsageError.js';
-import { FORMATS, MODEL_EXTENSIONS } from '../../../src/files/formats.js';
+import { FORMATS, MODEL_EXTENSIONS } from '../../../src/viewer/files/formats.js';
 
 const drawing = (...args: string[]) => {
   const request = parseDrawing(args);

@@ -6,10 +6,10 @@ import { ProgressBar } from '../../../src/command/ProgressBar.js';
 import { parseArguments } from '../../../src/command/parseArguments.js';
 import { tam } from '../../../src/command/tam.js';
 import { UsageError } from '../../../src/command/UsageError.js';
-import { learnHand } from '../../../src/hand/learnHand.js';
-import { generateHatchImages } from '../../../src/hatchImages/generateHatchImages.js';
-import { readMap } from '../../../src/mapFiles/readMapFiles.js';
-import { drawSwatch } from '../hand/drawSwatch.js';
+import { learnHand } from '../../../src/strokes/hand/learnHand.js';
+import { generateHatchImages } from '../../../src/strokes/tamImages/generateHatchImages.js';
+import { readMap } from '../../../src/strokes/mapFiles/readMapFiles.js';
+import { drawSwatch } from '../strokes/hand/drawSwatch.js';
 import { finish, requestOf } from '../strokes/draw.js';
 
 const hand = learnHand(drawSwatch({ rows: 8, taperEnd: 0.3, curvature: 0.05 }));

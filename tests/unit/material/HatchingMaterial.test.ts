@@ -11,11 +11,11 @@ import {
   Vector2,
 } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
-import { HATCHING_PROPERTIES } from '../../../src/material/facts/hatchingProperties.js';
+import { HATCHING_PROPERTIES } from '../../../src/look/hatchingProperties.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import type { HatchingMaterialParameters } from '../../../src/material/HatchingMaterialParameters.js';
 import { programSwitches } from '../../../src/material/programSwitches.js';
-import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
+import { TonalArtMap } from '../../../src/material/tam/TonalArtMap.js';
 
 // Materials are looked at in the same turn in which they are made.
 await HatchingMaterial.preload();

@@ -1,6 +1,6 @@
 import { BoxGeometry, type Group, Matrix4, Mesh, PerspectiveCamera, Scene, Vector4, type WebGLRenderer } from 'three';
 import { expect, test, vi } from 'vitest';
-import { prepareHatchingGeometry } from '../../../src/geometry/prepareHatchingGeometry.js';
+import { prepareHatchingGeometry } from '../../../src/material/geometry/prepareHatchingGeometry.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import { leastPerFrame } from '../allocated.js';
 

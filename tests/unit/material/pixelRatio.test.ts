@@ -1,6 +1,6 @@
 import { BoxGeometry, type Group, Mesh, PerspectiveCamera, Scene, type Vector4, type WebGLRenderer } from 'three';
 import { expect, test } from 'vitest';
-import { scaledSizes } from '../../../src/material/facts/measuredFacts.js';
+import { scaledSizes } from '../../../src/look/measuredFacts.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import type { HatchingMaterialParameters } from '../../../src/material/HatchingMaterialParameters.js';
 

@@ -1,16 +1,16 @@
 import { readFileSync } from 'node:fs';
 import { Color, DoubleSide, MaterialLoader, Texture, Vector2, Vector3 } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
-import { defaultOf } from '../../../src/material/facts/defaultOf.js';
-import type { NumberRange } from '../../../src/material/facts/HatchingProperty.js';
+import { defaultOf } from '../../../src/look/defaultOf.js';
+import type { NumberRange } from '../../../src/look/HatchingProperty.js';
 import {
   HATCHING_DEFAULTS,
   HATCHING_PROPERTIES,
   type HatchingPropertyName,
-} from '../../../src/material/facts/hatchingProperties.js';
+} from '../../../src/look/hatchingProperties.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import type { HatchingMaterialParameters } from '../../../src/material/HatchingMaterialParameters.js';
-import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
+import { TonalArtMap } from '../../../src/material/tam/TonalArtMap.js';
 import { outputs } from '../../../tools/properties/outputs.js';
 import type { PropertyRow } from '../../../tools/properties/PropertyRow.js';
 import { PROPERTIES } from '../../../tools/properties/table.js';

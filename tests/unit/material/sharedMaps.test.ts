@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { mapIsReady, sharedMap } from '../../../src/material/sharedMaps.js';
-import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
+import { TonalArtMap } from '../../../src/material/tam/TonalArtMap.js';
 import { eventually } from '../patience.js';
 
 const drawn = TonalArtMap.fromHatchImages({ size: 1, images: [[new Uint8Array([255])], [new Uint8Array(1)]] });

@@ -14,13 +14,13 @@ import {
 } from 'three';
 import { type ApplyHatchingOptions, type HatchedScene, HatchingMaterial, presets, TonalArtMap } from 'three-hatching';
 import { expect, test, vi } from 'vitest';
-import { noteFormAngle } from '../../../src/geometry/formAngles.js';
+import { noteFormAngle } from '../../../src/material/geometry/formAngles.js';
 import { Hatcher } from '../../../src/react/Hatcher.js';
 import { eventually } from '../patience.js';
 
 // What counts as large is some hundred triangles here.
-vi.mock('../../../src/geometry/PrepareHatchingGeometryOptions.js', async (original) => ({
-  ...(await original<typeof import('../../../src/geometry/PrepareHatchingGeometryOptions.js')>()),
+vi.mock('../../../src/material/geometry/PrepareHatchingGeometryOptions.js', async (original) => ({
+  ...(await original<typeof import('../../../src/material/geometry/PrepareHatchingGeometryOptions.js')>()),
   MANY_TRIANGLES: 400,
 }));
 

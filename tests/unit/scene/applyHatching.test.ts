@@ -45,8 +45,8 @@ import { describe, expect, test, vi } from 'vitest';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import type { ApplyHatchingOptions } from '../../../src/scene/ApplyHatchingOptions.js';
 import { applyHatching } from '../../../src/scene/applyHatching.js';
-import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
-import { reactive } from '../geometry/reactive.js';
+import { TonalArtMap } from '../../../src/material/tam/TonalArtMap.js';
+import { reactive } from '../material/geometry/reactive.js';
 
 const tonalArtMap = TonalArtMap.fromHatchImages({
   size: 4,

@@ -1,6 +1,6 @@
 import { BoxGeometry, MaterialLoader, Mesh, MeshBasicMaterial, ObjectLoader, type SphereGeometry } from 'three';
 import { afterEach, expect, test, vi } from 'vitest';
-import { prepareHatchingGeometry } from '../../../src/geometry/prepareHatchingGeometry.js';
+import { prepareHatchingGeometry } from '../../../src/material/geometry/prepareHatchingGeometry.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 
 /** What the table in docs/support.md says of JSON. */

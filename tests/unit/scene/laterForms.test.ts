@@ -1,16 +1,16 @@
 import { type BufferGeometry, Group, Mesh, MeshStandardMaterial, TorusGeometry } from 'three';
 import { afterEach, expect, test, vi } from 'vitest';
-import { noteFormAngle } from '../../../src/geometry/formAngles.js';
-import { isFormExpected } from '../../../src/geometry/formGeometry.js';
-import { lineContrast } from '../../../src/geometry/lineFades.js';
-import { outlineDataOf } from '../../../src/geometry/OutlineData.js';
-import type * as options from '../../../src/geometry/PrepareHatchingGeometryOptions.js';
+import { noteFormAngle } from '../../../src/material/geometry/formAngles.js';
+import { isFormExpected } from '../../../src/material/geometry/formGeometry.js';
+import { lineContrast } from '../../../src/material/geometry/lineFades.js';
+import { outlineDataOf } from '../../../src/material/geometry/OutlineData.js';
+import type * as options from '../../../src/material/geometry/PrepareHatchingGeometryOptions.js';
 import type { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import { applyHatching } from '../../../src/scene/applyHatching.js';
 import { disposeHatchingWorkers } from '../../../src/worker/runTask.js';
 
 // What counts as large is some hundred triangles here.
-vi.mock('../../../src/geometry/PrepareHatchingGeometryOptions.js', async (original) => ({
+vi.mock('../../../src/material/geometry/PrepareHatchingGeometryOptions.js', async (original) => ({
   ...(await original<typeof options>()),
   MANY_TRIANGLES: 400,
 }));

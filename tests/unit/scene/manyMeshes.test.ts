@@ -1,11 +1,11 @@
 import { BoxGeometry, Group, Mesh, MeshLambertMaterial } from 'three';
 import { afterEach, expect, test, vi } from 'vitest';
-import * as identities from '../../../src/geometry/identityOf.js';
+import * as identities from '../../../src/material/geometry/identityOf.js';
 import type { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import { applyHatching } from '../../../src/scene/applyHatching.js';
-import { OutlineMaker } from '../../../src/scene/outlining/OutlineMaker.js';
+import { OutlineMaker } from '../../../src/scene/OutlineMaker.js';
 
-vi.mock('../../../src/geometry/identityOf.js', async (original) => {
+vi.mock('../../../src/material/geometry/identityOf.js', async (original) => {
   const { identityOf } = await original<typeof identities>();
   return { identityOf: vi.fn(identityOf) };
 });

@@ -2,7 +2,7 @@ import { BoxGeometry, Group, Mesh, MeshBasicMaterial, SphereGeometry } from 'thr
 import { describe, expect, test } from 'vitest';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import { applyHatching } from '../../../src/scene/applyHatching.js';
-import { reactive } from '../geometry/reactive.js';
+import { reactive } from '../material/geometry/reactive.js';
 
 const scene = () => {
   const meshes = [new BoxGeometry(), new SphereGeometry(1, 8, 6)].map((one) => new Mesh(one, new MeshBasicMaterial()));

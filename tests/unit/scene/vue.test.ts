@@ -1,11 +1,11 @@
 import { reactive, ref, shallowRef, toRaw } from '@vue/reactivity';
 import { BoxGeometry, Group, Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
 import { expect, test } from 'vitest';
-import { prepareHatchingGeometry } from '../../../src/geometry/prepareHatchingGeometry.js';
+import { prepareHatchingGeometry } from '../../../src/material/geometry/prepareHatchingGeometry.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import { applyHatching } from '../../../src/scene/applyHatching.js';
-import { TonalArtMap } from '../../../src/tam/TonalArtMap.js';
-import { reactive as asInTheTests } from '../geometry/reactive.js';
+import { TonalArtMap } from '../../../src/material/tam/TonalArtMap.js';
+import { reactive as asInTheTests } from '../material/geometry/reactive.js';
 
 /** With Vue itself; the other tests use a proxy like Vue's. */
 

@@ -1,8 +1,8 @@
-import { generateHatchImages } from '../../../src/hatchImages/generateHatchImages.js';
-import type { HatchImages } from '../../../src/hatchImages/HatchImages.js';
-import type { MapDrawing } from '../../../src/hatchImages/hatchImageOptions.js';
-import type { MapRequest } from '../../../src/hatchImages/hatchImageRequest.js';
-import { requestOfHand } from '../../../src/hatchImages/requestOfHand.js';
+import { generateHatchImages } from '../../../src/strokes/tamImages/generateHatchImages.js';
+import type { HatchImages } from '../../../src/strokes/tamImages/HatchImages.js';
+import type { MapDrawing } from '../../../src/strokes/tamImages/hatchImageOptions.js';
+import type { MapRequest } from '../../../src/strokes/tamImages/hatchImageRequest.js';
+import { requestOfHand } from '../../../src/strokes/tamImages/requestOfHand.js';
 import { rasterizeStroke } from '../../../src/strokes/rasterizeStroke.js';
 import type { Stroke } from '../../../src/strokes/Stroke.js';
 import type { StrokeStyleName } from '../../../src/strokes/strokeStyleNames.js';

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { resolveHatchImageOptions } from '../../../src/hatchImages/hatchImageRequest.js';
+import { resolveHatchImageOptions } from '../../../src/strokes/tamImages/hatchImageRequest.js';
 import { type PlacementRequest, placeStrokes } from '../../../src/strokes/placeStrokes.js';
 import type { Stroke } from '../../../src/strokes/Stroke.js';
 import { drawStrokes, finish, styleNames } from './draw.js';

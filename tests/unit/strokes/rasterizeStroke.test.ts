@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { resolveHatchImageOptions } from '../../../src/hatchImages/hatchImageRequest.js';
+import { resolveHatchImageOptions } from '../../../src/strokes/tamImages/hatchImageRequest.js';
 import { placeStrokes } from '../../../src/strokes/placeStrokes.js';
 import { rasterizeStroke } from '../../../src/strokes/rasterizeStroke.js';
 import type { Stroke } from '../../../src/strokes/Stroke.js';

@@ -22,17 +22,17 @@ test('the table is a tower: a room imports only rooms that stand before it', () 
 });
 
 test.each([
-  ['src/mesh/weldPositions.ts', '../bake/bake.js', 'mesh imports slices'],
+  ['src/mesh/weldPositions.ts', '../mesh/bake/bake.js', 'mesh imports slices'],
   ['src/mesh/weldPositions.ts', 'three/addons/loaders/GLTFLoader.js', 'mesh knows no three.js'],
   ['src/material/FrameStamp.ts', '../scene/applyHatching.js', 'material imports'],
-  ['src/files/ply/readPly.ts', '../../demo/stage/View.js', 'files/ply imports common'],
-  ['src/files/readPly.ts', '../index.js', 'files imports no other room'],
-  ['src/files/gltf/readGltf.ts', '../ply/readPly.js', 'files/gltf imports common'],
-  ['src/files/gltf/readGltf.ts', '../readModel.js', 'files/gltf imports common'],
-  ['src/demo/playground/panel/SettingsPanel.ts', '../dialogs/Gallery.js', 'demo/playground/panel imports'],
-  ['src/demo/playground/panel/SettingsPanel.ts', '../main.js', 'demo/playground/panel imports'],
+  ['src/viewer/files/formats/readPly.ts', '../../demo/stage/View.js', 'files/ply imports common'],
+  ['src/viewer/files/readPly.ts', '../index.js', 'files imports no other room'],
+  ['src/viewer/files/gltf/readGltf.ts', '../ply/readPly.js', 'files/gltf imports common'],
+  ['src/viewer/files/gltf/readGltf.ts', '../readModel.js', 'files/gltf imports common'],
+  ['src/playground/panel/SettingsPanel.ts', '../dialogs/Gallery.js', 'demo/playground/panel imports'],
+  ['src/playground/panel/SettingsPanel.ts', '../main.js', 'demo/playground/panel imports'],
   ['src/react/Hatcher.tsx', '../scene/applyHatching.js', 'react imports no other room'],
-  ['src/outlines/HatchingOutlines.ts', '../tam/TonalArtMap.js', 'outlines imports'],
+  ['src/material/outlines/HatchingOutlines.ts', '../material/tam/TonalArtMap.js', 'outlines imports'],
   ['tools/soak/soak.ts', '../../tests/browser/test.js', 'only tests import from tests'],
 ])('%s may not import %s', (file, name, reason) => {
   expect(objectionTo(file, name)).toContain(reason);
@@ -40,13 +40,13 @@ test.each([
 
 test.each([
   ['src/mesh/weldPositions.ts', './TriangleMesh.js'],
-  ['src/bake/bake.ts', '../mesh/TriangleMesh.js'],
-  ['src/outlines/HatchingOutlines.ts', '../tam/toothMap.js'],
-  ['src/outlines/HatchingOutlines.ts', '../../shaders/outlines/outline.vert?raw'],
-  ['src/files/gltf/readGltf.ts', '../scenes/mergeScene.js'],
-  ['src/files/readModel.ts', './ply/readPly.js'],
-  ['src/demo/playground/panel/SettingsPanel.ts', '../../../settings/settings.js'],
-  ['src/demo/playground/createPlayground.ts', './panel/SettingsPanel.js'],
+  ['src/mesh/bake/bake.ts', '../mesh/TriangleMesh.js'],
+  ['src/material/outlines/HatchingOutlines.ts', '../material/tam/toothMap.js'],
+  ['src/material/outlines/HatchingOutlines.ts', '../../shaders/outlines/outline.vert?raw'],
+  ['src/viewer/files/gltf/readGltf.ts', '../scenes/mergeScene.js'],
+  ['src/viewer/files/readModel.ts', './ply/readPly.js'],
+  ['src/playground/panel/SettingsPanel.ts', '../../../settings/settings.js'],
+  ['src/playground/createPlayground.ts', './panel/SettingsPanel.js'],
   ['src/scene/applyHatching.ts', 'three'],
 ])('%s may import %s', (file, name) => {
   expect(objectionTo(file, name)).toBeUndefined();

@@ -2,7 +2,7 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
 import { readExamples } from '../../../examples/readExamples.mjs';
 import { presets } from '../../../src/scene/presets.js';
-import { PRESET_LABELS } from '../../../src/settings/presetLabels.js';
+import { PRESET_LABELS } from '../../../src/viewer/settings/presetLabels.js';
 import { TECHNIQUES } from '../../../tools/properties/techniques.js';
 
 interface Kept {
@@ -19,10 +19,10 @@ const LISTS: Record<string, Kept> = {
       'tools/properties/techniques.ts',
       // Each property says which of them read it.
       'tools/properties/rows/strokes.ts',
-      'src/material/facts/hatchingProperties.ts',
+      'src/look/hatchingProperties.ts',
       'src/material/HatchingMaterialProperties.ts',
       // Their labels on the page. The compiler misses one that is left out.
-      'src/settings/table/drawingSettings.ts',
+      'src/viewer/settings/table/drawingSettings.ts',
       // What is measured: a technique with a layout or as a look.
       'tools/bench/frame/measureFrames.ts',
       'tools/bench/compare.mjs',

@@ -8,11 +8,11 @@ import {
   PlaneGeometry,
   Scene,
 } from 'three';
-import { prepareHatchingGeometry } from '../../../src/geometry/prepareHatchingGeometry.js';
+import { prepareHatchingGeometry } from '../../../src/material/geometry/prepareHatchingGeometry.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import type { HatchingMaterialParameters } from '../../../src/material/HatchingMaterialParameters.js';
-import type { HatchingOutlineParameters } from '../../../src/outlines/HatchingOutlineMaterial.js';
-import { HatchingOutlines } from '../../../src/outlines/HatchingOutlines.js';
+import type { HatchingOutlineParameters } from '../../../src/material/outlines/HatchingOutlineMaterial.js';
+import { HatchingOutlines } from '../../../src/material/outlines/HatchingOutlines.js';
 
 /** Scenes that are drawn as lines. */
 

@@ -1,5 +1,5 @@
 import type { Camera, Scene } from 'three';
-import { readScene } from '../../../src/svg/readScene.js';
+import { readScene } from '../../../src/vector/svg/readScene.js';
 import { Bvh } from '../../../src/vector/Bvh.js';
 import { LineDrawer } from '../../../src/vector/LineDrawer.js';
 import { Projection } from '../../../src/vector/Projection.js';

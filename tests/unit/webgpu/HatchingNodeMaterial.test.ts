@@ -1,6 +1,6 @@
 import { BoxGeometry, DirectionalLight, Group, Mesh, MeshStandardMaterial, Scene, Vector3 } from 'three';
 import { describe, expect, test, vi } from 'vitest';
-import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../../../src/material/facts/hatchingProperties.js';
+import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../../../src/look/hatchingProperties.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import { applyHatching } from '../../../src/webgpu/applyHatching.js';
 import { HatchingNodeMaterial } from '../../../src/webgpu/HatchingNodeMaterial.js';

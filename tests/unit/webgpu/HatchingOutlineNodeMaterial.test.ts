@@ -1,7 +1,7 @@
 import { Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
 import { describe, expect, test, vi } from 'vitest';
-import { HatchingOutlineMaterial } from '../../../src/outlines/HatchingOutlineMaterial.js';
-import { OUTLINE_NUMBER_NAMES, OUTLINE_NUMBERS } from '../../../src/outlines/outlineProperties.js';
+import { HatchingOutlineMaterial } from '../../../src/material/outlines/HatchingOutlineMaterial.js';
+import { OUTLINE_NUMBER_NAMES, OUTLINE_NUMBERS } from '../../../src/material/outlines/outlineProperties.js';
 import { HatchingOutlineNodeMaterial } from '../../../src/webgpu/outlines/HatchingOutlineNodeMaterial.js';
 import { HatchingOutlines } from '../../../src/webgpu/outlines/HatchingOutlines.js';
 

@@ -1,7 +1,7 @@
 import { BufferAttribute, type BufferGeometry, CylinderGeometry, Texture } from 'three';
 import { MeshStandardNodeMaterial, type NodeBuilder } from 'three/webgpu';
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
-import { prepareHatchingGeometry } from '../../../src/geometry/prepareHatchingGeometry.js';
+import { prepareHatchingGeometry } from '../../../src/material/geometry/prepareHatchingGeometry.js';
 
 const warn = vi.spyOn(console, 'warn');
 

@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
-import type { BakeCornersResult, BakeRequest } from '../../../src/bake/bakeCorners.js';
+import type { BakeCornersResult, BakeRequest } from '../../../src/mesh/bake/bakeCorners.js';
 import { bakingTasks } from '../../../src/worker/bakingTasks.js';
 import { TaskClient } from '../../../src/worker/TaskClient.js';
 import type { BakingTasks } from '../../../src/worker/tasks.js';

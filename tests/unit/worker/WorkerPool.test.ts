@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
-import type { MapRequest } from '../../../src/hatchImages/hatchImageRequest.js';
+import type { MapRequest } from '../../../src/strokes/tamImages/hatchImageRequest.js';
 import { bakingTasks } from '../../../src/worker/bakingTasks.js';
 import { maxWorkers } from '../../../src/worker/maxWorkers.js';
 import type { BakingTasks } from '../../../src/worker/tasks.js';

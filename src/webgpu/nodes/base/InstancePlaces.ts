@@ -1,5 +1,5 @@
 import { DataTexture, FloatType, type InstancedMesh, RGBAFormat } from 'three';
-import { pullTextureSize } from '../../../bake/pullLayout.js';
+import { pullTextureSize } from '../../../mesh/bake/pullLayout.js';
 
 /** Texels of a matrix, one per column. */
 const MATRIX_TEXELS = 4;

@@ -1,5 +1,5 @@
 /** The twin of shaders/chunks/tooth.glsl: the tooth of paper. It lies on the screen; in the tiles of a larger picture it lies on the whole picture. */
-import { TOOTH_MAP_BUMP, TOOTH_MAP_SIZE } from '../../../tam/patternSizes.js';
+import { TOOTH_MAP_BUMP, TOOTH_MAP_SIZE } from '../../../material/tam/patternSizes.js';
 import { blankTooth } from '../base/blankTextures.js';
 import { hatchingTexture } from '../base/textures.js';
 import { hatchingUniform } from '../base/uniforms.js';

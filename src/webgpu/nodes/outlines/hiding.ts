@@ -2,7 +2,7 @@
  * The twin of shaders/outlines/hiding.glsl. Each end is moved along its ray towards the eye before the depth test, so far that the surface
  * it lies on does not hide it, and hardly further; it stays where it is on the screen.
  */
-import { OUTLINE_CONSTANTS } from '../../../engraving/constants/outlineConstants.js';
+import { OUTLINE_CONSTANTS } from '../../../look/constants/outlineConstants.js';
 import { isOrthographic } from '../base/isOrthographic.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';

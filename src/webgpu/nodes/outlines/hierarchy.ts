@@ -3,7 +3,7 @@
  * is judged at its spine, so that it is seen over its whole width or not at all.
  */
 import type { NodeBuilder } from 'three/webgpu';
-import { ACCENT_STEPS, OUTLINE_CONSTANTS } from '../../../engraving/constants/outlineConstants.js';
+import { ACCENT_STEPS, OUTLINE_CONSTANTS } from '../../../look/constants/outlineConstants.js';
 import { isOrthographic } from '../base/isOrthographic.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';

@@ -1,12 +1,12 @@
-/** The twin of shaders/outlines/points.glsl: points that outlines run between (src/bake/outlineLayout.ts). */
-import { POINT_MASK } from '../../../bake/outlineLayout.js';
+/** The twin of shaders/outlines/points.glsl: points that outlines run between (src/mesh/bake/outlineLayout.ts). */
+import { POINT_MASK } from '../../../mesh/bake/outlineLayout.js';
 import { blankIntegers, blankPoses } from '../base/blankTextures.js';
 import { identity } from '../base/matrices.js';
 import { texelOf } from '../base/texelOf.js';
 import { hatchingTexture } from '../base/textures.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
-import { turnBack } from '../perTriangle/turns.js';
+import { turnBack } from './turns.js';
 
 const { If, abs, dot, float, int, ivec2, max, normalize, select, transpose, uint, uintBitsToFloat } = tsl;
 const { unpackHalf2x16, unpackSnorm2x16, vec3 } = tsl;

@@ -1,6 +1,6 @@
-/** The twin of shaders/outlines/primitives.glsl: primitives, all of them or those that are listed (src/bake/outlineLayout.ts). */
-import { POINT_BITS } from '../../../bake/outlineLayout.js';
-import { IS_EDGE } from '../../../features/edgeFlags.js';
+/** The twin of shaders/outlines/primitives.glsl: primitives, all of them or those that are listed (src/mesh/bake/outlineLayout.ts). */
+import { POINT_BITS } from '../../../mesh/bake/outlineLayout.js';
+import { IS_EDGE } from '../../../mesh/features/edgeFlags.js';
 import { blankFloats, blankIntegers } from '../base/blankTextures.js';
 import { texelOf } from '../base/texelOf.js';
 import { hatchingTexture } from '../base/textures.js';

@@ -1,6 +1,6 @@
 /** The twin of shaders/outlines/shade.glsl: the side away from the light has a heavier outline, and there is none between lit surface and paper. */
 import type { Light } from 'three';
-import { OUTLINE_CONSTANTS } from '../../../engraving/constants/outlineConstants.js';
+import { OUTLINE_CONSTANTS } from '../../../look/constants/outlineConstants.js';
 import { isOrthographic } from '../base/isOrthographic.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';

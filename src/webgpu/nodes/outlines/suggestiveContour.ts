@@ -1,5 +1,5 @@
 /** The twin of shaders/outlines/suggestiveContour.glsl. */
-import { OUTLINE_CONSTANTS } from '../../../engraving/constants/outlineConstants.js';
+import { OUTLINE_CONSTANTS } from '../../../look/constants/outlineConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 import { zeroSet } from './contour.js';

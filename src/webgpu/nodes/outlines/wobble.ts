@@ -1,5 +1,5 @@
 /** The twin of shaders/outlines/wobble.glsl: the unsteadiness of a hand, a slow shift on the screen that belongs to the place on the object. */
-import { OUTLINE_CONSTANTS } from '../../../engraving/constants/outlineConstants.js';
+import { OUTLINE_CONSTANTS } from '../../../look/constants/outlineConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 import { radius } from './points.js';

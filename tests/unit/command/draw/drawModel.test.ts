@@ -13,8 +13,8 @@ import { NodeSurroundings } from '../../../../src/command/draw/NodeSurroundings.
 import { settingsFor } from '../../../../src/command/draw/settingsFor.js';
 import { stageModel } from '../../../../src/command/draw/stageModel.js';
 import { parseDrawing } from '../../../../src/command/parseDrawing.js';
-import { buildModel } from '../../../../src/drawing/buildModel.js';
-import { readModel } from '../../../../src/files/readModel.js';
+import { buildModel } from '../../../../src/viewer/drawing/buildModel.js';
+import { readModel } from '../../../../src/viewer/files/readModel.js';
 import { columnGlb, packGlb } from '../../../../tools/modelFiles/columnModel.js';
 import { addTrack, tetrahedron } from '../../../../tools/modelFiles/GltfBuilder.js';
 import {

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { failure } from '../../../../src/command/draw/failure.js';
 import { fitMemory, memoryHere, mostTriangles } from '../../../../src/command/draw/fitMemory.js';
-import type { ReadMesh } from '../../../../src/files/readModel.js';
+import type { ReadMesh } from '../../../../src/viewer/files/readModel.js';
 import { scannedTorus } from '../../../../tools/bench/detail/scannedTorus.mjs';
 
 const readOf = (mesh: object) =>

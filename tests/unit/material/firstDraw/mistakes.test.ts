@@ -21,10 +21,10 @@ import {
   type WebGLRenderer,
 } from 'three';
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
-import { prepareHatchingGeometry } from '../../../../src/geometry/prepareHatchingGeometry.js';
+import { prepareHatchingGeometry } from '../../../../src/material/geometry/prepareHatchingGeometry.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import type { HatchingMaterialParameters } from '../../../../src/material/HatchingMaterialParameters.js';
-import { TonalArtMap } from '../../../../src/tam/TonalArtMap.js';
+import { TonalArtMap } from '../../../../src/material/tam/TonalArtMap.js';
 
 const blank = () => new Uint8Array(16).fill(255);
 const map = TonalArtMap.fromHatchImages({ size: 4, images: [[blank()], [new Uint8Array(16)]] });

@@ -2,9 +2,9 @@ import { readFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
 import { bakeOcclusion } from 'three-hatching';
 import { expect, test } from 'vitest';
-import { meshesOf } from '../../../../src/drawing/meshesOf.js';
-import { modelOfMesh } from '../../../../src/drawing/modelOfMesh.js';
-import { type ReadMesh, readModel } from '../../../../src/files/readModel.js';
+import { meshesOf } from '../../../../src/viewer/drawing/meshesOf.js';
+import { modelOfMesh } from '../../../../src/viewer/drawing/modelOfMesh.js';
+import { type ReadMesh, readModel } from '../../../../src/viewer/files/readModel.js';
 import { bakeModelOcclusion } from '../../../../tools/building/bakeModelOcclusion.js';
 
 const STEPS = 20;

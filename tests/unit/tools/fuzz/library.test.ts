@@ -1,8 +1,8 @@
 import type { BufferAttribute, BufferGeometry } from 'three';
 import { applyHatching, bakeOcclusion, HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
 import { afterAll, describe, expect, test } from 'vitest';
-import { HATCHING_PROPERTIES } from '../../../../src/material/facts/hatchingProperties.js';
-import type { Random } from '../../../../src/settings/Random.js';
+import { HATCHING_PROPERTIES } from '../../../../src/look/hatchingProperties.js';
+import type { Random } from '../../../../src/viewer/settings/Random.js';
 import { mutateBytes, mutateText } from '../../../../tools/fuzz/mutate.js';
 import { checkRefusal, oddGeometry, oddOptions, oddScene, outcome } from './oddThings.js';
 import { consoleDuring, FUZZ_TIMEOUT, type FuzzReport, runCases, seedsOf, writeReport } from './report.js';

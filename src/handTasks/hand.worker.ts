@@ -1,4 +1,0 @@
-import { serveTasks } from '../worker/serveTasks.js';
-import { handTasks } from './handTasks.js';
-
-serveTasks(handTasks);

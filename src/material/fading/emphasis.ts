@@ -1,0 +1,88 @@
+import { type Camera, type IUniform, type Object3D, Vector3, Vector4, type WebGLRenderer } from 'three';
+import { isUsedBy, propertyOf } from '../../look/lookFacts.js';
+import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
+import { importanceOf } from './importanceOf.js';
+import type { SceneExtent } from './SceneExtent.js';
+import { automaticDepthFade, type SeenDepths } from './seenDepths.js';
+
+type Uniforms = Record<string, IUniform>;
+
+/** What says how much weight the drawing has where: a HatchingMaterial. */
+export type EmphasisLook = Pick<
+  HatchingMaterialProperties,
+  'technique' | 'depthFade' | 'depthNear' | 'depthFar' | 'focus' | 'focusRadius' | 'vignette'
+> & { readonly extent: SceneExtent | null };
+
+/** The uniforms of shaders/chunks/emphasis.glsl. */
+export const createEmphasisUniforms = (): Uniforms => ({
+  depthFading: { value: new Vector3(0, 1, 0) },
+  focusing: { value: new Vector4() },
+  importance: { value: 1 },
+  sheet: { value: new Vector4(0, 0, 1, 1) },
+  vignette: { value: 0 },
+});
+
+/** Whether a look takes weight away anywhere, as the techniques of the paper by Suarez et al. do not. */
+export const takesWeight = (look: EmphasisLook | null): look is EmphasisLook =>
+  look !== null && isUsedBy(look.technique, propertyOf('depthFade'));
+
+/**
+ * Writes the uniforms of a frame. Allocates nothing.
+ *
+ * @param look null where nothing is said of it: then all has its full weight
+ * @param camera left out before the first frame
+ */
+export function writeEmphasis(look: EmphasisLook | null, u: Uniforms, renderer?: WebGLRenderer, camera?: Camera): void {
+  const focusing = u.focusing.value as Vector4;
+  if (!takesWeight(look)) {
+    (u.depthFading.value as Vector3).set(0, 1, 0);
+    focusing.w = 0;
+    u.vignette.value = 0;
+    return;
+  }
+  // Most scenes do not fade: they need not be measured.
+  const seen = look.depthFade !== 0 && renderer && camera && look.extent?.seenFrom(renderer, camera);
+  writeDepthFading(look, seen || null, camera, u.depthFading.value);
+  u.vignette.value = look.vignette;
+  const { focus, focusRadius } = look;
+  if (!focus) {
+    focusing.w = 0;
+    return;
+  }
+  const { x, y, z } = focus;
+  focusing.set(x, y, z, 1);
+  if (camera) focusing.applyMatrix4(camera.matrixWorldInverse);
+  focusing.w = focusRadius;
+}
+
+/**
+ * Writes the depths from which and up to which a look fades, and how strongly. Allocates nothing.
+ *
+ * @param seen how deep the scene is; null where nobody measured it, and depths are then in view units
+ */
+export function writeDepthFading(
+  { depthFade, depthNear, depthFar }: EmphasisLook,
+  seen: Readonly<SeenDepths> | null,
+  camera: Camera | undefined,
+  fading: Vector3,
+): void {
+  const strength = depthFade !== 'auto' ? depthFade : seen && camera ? automaticDepthFade(seen, camera) : 0;
+  const start = seen ? seen.front : 0;
+  const unit = seen ? seen.back - seen.front : 1;
+  const near = start + unit * depthNear;
+  // A fade without a length is an edge.
+  fading.set(near, Math.max(start + unit * depthFar, near + 1e-6), strength);
+}
+
+/**
+ * Writes how much an object matters. Allocates nothing.
+ *
+ * @param isWeighed whether its look takes weight away at all
+ * @returns whether it matters more or less than the one before
+ */
+export function writeImportance(object: Object3D, isWeighed: boolean, u: Uniforms): boolean {
+  const importance = isWeighed ? importanceOf(object) : 1;
+  const isOther = importance !== u.importance.value;
+  u.importance.value = importance;
+  return isOther;
+}

@@ -1,0 +1,231 @@
+import type { BufferGeometry } from 'three';
+import type { BakeRequest } from '../../mesh/bake/bakeCorners.js';
+import type { OutlineRequest } from '../../mesh/bake/bakeOutlines.js';
+import type { FormRequest } from '../../mesh/bake/bakeSurface.js';
+import type { VertexWords } from '../../mesh/bake/expandPerCorner.js';
+import type { FormField } from '../../mesh/form/FormField.js';
+import { HATCHING_TECHNIQUES } from '../../look/hatchingProperties.js';
+import type { TriangleMesh } from '../../mesh/TriangleMesh.js';
+import { mustBeAwaited } from '../diagnostics/mustBeAwaited.js';
+import { checkNames } from '../../worker/checkOptions.js';
+import { runTask } from '../../worker/runTask.js';
+import { checkGeometry } from './checkGeometry.js';
+import { type CornerRange, cornerRange } from './cornerRange.js';
+import { extractMesh } from './extractMesh.js';
+import type { HatchingStatistics } from './HatchingStatistics.js';
+import {
+  checkPrepareOptions,
+  DEFAULT_CREASE_ANGLE,
+  MANY_TRIANGLES,
+  OUTLINE_OPTIONS,
+  type OutlineOptions,
+  type PrepareHatchingGeometryOptions,
+} from './PrepareHatchingGeometryOptions.js';
+import type { NotBaked } from './preparedGeometry.js';
+import { countUnusableNormals, type Repairs, zeroBadValues } from './repairValues.js';
+import { rememberSource } from './sourceState.js';
+import { startGeometry } from './startGeometry.js';
+import { triangleGroups } from './triangleGroups.js';
+import { extractWords, type KeptAttribute, keptAttributes } from './vertexAttributes.js';
+
+/** What three.js asks of a geometry first, and users. */
+const ASKED_OF_GEOMETRIES = ['morphAttributes', 'boundingSphere', 'attributes', 'userData'] as const;
+
+/**
+ * Prepares a geometry for `HatchingMaterial`, in a worker. In every layout the new geometry has the attribute `hatchNormal`: the
+ * normal at the scale of a stroke, as four normalised 16-bit integers. The last of them is 0 until `bakeOcclusion` writes to it.
+ *
+ * - Layout `'corner'` stores, for each corner, the positions of the six adjacency vertices of its triangle (Suarez et al.,
+ *   section 3.2, figure 5; see `cornerLayout.ts`). The geometry has no index; positions become 32-bit floats. With normal, uv,
+ *   colour, instance matrix and instance colour it takes 15 of WebGL's 16 vertex attributes.
+ * - Layout `'pull'` has no index either. The indices and positions of the adjacency vertices lie in two textures that belong to
+ *   the geometry and its clones. They do not survive `toJSON`, and a `BatchedMesh` cannot draw them.
+ * - Layout `'indexed'` keeps the vertices of the source, and adds copies of those at sharp edges, which need a normal for each
+ *   side. The geometry has an index even if the source had none; the index has 16 bits if that is enough.
+ *
+ * The result is a new geometry with the triangles in the draw range; `geometry` itself is never changed. The other attributes of
+ * the source keep their types; morph targets, groups, name and user data are kept too. Normals are computed where they are
+ * missing, and where they are zero or not finite at a vertex that a triangle uses. Other values that three.js reads become 0 if
+ * they are not finite. `userData.hatching` holds a `HatchingStatistics`, which counts both.
+ *
+ * Vertices at the same position count as one, so that seams of uvs or normals do not separate triangles. Vertices at borders
+ * count as one if they lie within the `weldTolerance`, unless that would join a chain wider than four tolerances or collapse a
+ * triangle. Border edges, non-manifold edges without a partner and degenerate triangles contribute nothing to their neighbours;
+ * they are counted.
+ *
+ * The promise is rejected
+ *
+ * - with a TypeError or RangeError that names the remedy, if `geometry` is not a BufferGeometry, has no `position`, no triangles, a
+ *   count that is not a multiple of three, an index out of range, a position that is not finite, memory that was freed or an
+ *   attribute shorter than `position`; or if an option is unknown or out of its range;
+ * - with the signal's reason, when aborted;
+ * - with an Error, when the worker is disposed of before the bake is finished.
+ *
+ * If the worker dies, the bake starts over in a new worker, and if that dies too, on the main thread, each time with a warning in
+ * the console. If `geometry` has changed since the call, the promise is rejected with an Error instead.
+ */
+export function prepareHatchingGeometry(
+  geometry: BufferGeometry,
+  options: PrepareHatchingGeometryOptions = {},
+): Promise<BufferGeometry> {
+  return mustBeAwaited(prepareWithForm(geometry, options, null), 'prepareHatchingGeometry()', ASKED_OF_GEOMETRIES);
+}
+
+/**
+ * As `prepareHatchingGeometry`, without a word to those who do not await it.
+ *
+ * @param bakedForm a form field of this geometry that was baked before, to be taken instead of one that is baked for it alone
+ */
+export async function prepareWithForm(
+  geometry: BufferGeometry,
+  options: PrepareHatchingGeometryOptions,
+  bakedForm: FormField | null,
+): Promise<BufferGeometry> {
+  checkPrepareOptions('prepareHatchingGeometry', options, { technique: true });
+  options.signal?.throwIfAborted();
+  const creaseAngle = options.creaseAngle ?? DEFAULT_CREASE_ANGLE;
+  checkValues(options, creaseAngle);
+  const label = checkGeometry(geometry);
+  const range = cornerRange(geometry, label);
+  const kept = keptAttributes(geometry);
+  const position = geometry.attributes.position;
+  const prepared = startGeometry(geometry, range);
+  const source = extractSource(geometry, range, kept);
+  const { mesh, copied, ...repairs } = source;
+  const own: NotBaked = { ...repairs, createWorker: options.createWorker };
+  const layout = chooseLayout(geometry, mesh.indices.length / 3, options);
+  const isUnchanged = rememberSource(geometry);
+  const extractAgain = () => {
+    if (!isUnchanged()) throw new Error(`${label} was changed while it was being prepared.`);
+    return extractSource(geometry, range, kept);
+  };
+
+  const place = { name: 'position', isMorphTarget: false, attribute: position };
+  const positions = layout === 'indexed' ? extractWords(position, position.count) : null;
+  // From here on the geometry may change.
+  const request = {
+    label,
+    creaseAngle,
+    smoothingRadius: options.smoothingRadius,
+    weldTolerance: options.weldTolerance,
+    wantsNormals: repairs.computedNormals > 0,
+    outlines: outlineRequest(options.outlines, range),
+    form: await formRequestOf(options),
+    // One that was baked for other triangles does not fit.
+    bakedForm: bakedForm?.ofCorner.length === mesh.indices.length ? bakedForm : null,
+  };
+
+  if (positions) {
+    const attributes = [{ ...place, ...positions }, ...kept.map((entry, i) => ({ ...entry, ...copied[i] }))];
+    const again = () => ({ ...request, mesh: extractAgain().mesh });
+    const baking = runTask('bakeIndexed', { ...request, mesh }, options, again);
+    const [result, { applyIndexed }] = await Promise.all([baking, import('./bakedGeometry.js')]);
+    applyIndexed(prepared, attributes, { ...result, ...own });
+    return prepared;
+  }
+  const requestFor = ({ mesh, copied }: ExtractedSource): BakeRequest => ({ ...request, mesh, attributes: copied });
+  const requestAgain = (): BakeRequest => requestFor(extractAgain());
+  if (layout === 'pull') {
+    const baking = runTask('bakePull', requestFor(source), options, requestAgain);
+    const [result, { applyPull }] = await Promise.all([baking, import('./bakedGeometry.js')]);
+    applyPull(prepared, kept, { ...result, ...own });
+  } else {
+    const baking = runTask('bakeCorners', requestFor(source), options, requestAgain);
+    const [result, { applyCorners }] = await Promise.all([baking, import('./bakedGeometry.js')]);
+    applyCorners(prepared, kept, { ...result, ...own });
+  }
+  return prepared;
+}
+
+/** The request for a form field, if one is asked for. Its defaults and its checks are fetched then. */
+async function formRequestOf({ form }: PrepareHatchingGeometryOptions): Promise<FormRequest | null> {
+  if (form === undefined || form === false) return null;
+  const { formRequest } = await import('./HatchingFormOptions.js');
+  return formRequest('prepareHatchingGeometry', form);
+}
+
+/** Copies of the data of a geometry that the bake needs, repaired where necessary. */
+interface ExtractedSource extends Repairs {
+  mesh: TriangleMesh;
+  /** The values of every kept attribute. */
+  copied: VertexWords[];
+}
+
+function extractSource(geometry: BufferGeometry, range: CornerRange, kept: readonly KeptAttribute[]): ExtractedSource {
+  const mesh = extractMesh(geometry, range);
+  let zeroedValues = 0;
+  const copied = kept.map((entry) => {
+    const copy = extractWords(entry.attribute, geometry.attributes.position.count);
+    zeroedValues += zeroBadValues(geometry, entry, copy);
+    return copy;
+  });
+  return { mesh, copied, computedNormals: countUnusableNormals(geometry, mesh.indices), zeroedValues };
+}
+
+function outlineRequest(
+  outlines: PrepareHatchingGeometryOptions['outlines'],
+  range: CornerRange,
+): OutlineRequest | null {
+  if (!outlines) return null;
+  return { ...(outlines === true ? {} : outlines), triangleGroups: triangleGroups(range) };
+}
+
+function chooseLayout(
+  { attributes, morphAttributes }: BufferGeometry,
+  triangleCount: number,
+  options: PrepareHatchingGeometryOptions,
+): HatchingStatistics['layout'] {
+  const { layout = wantsAdjacency(options) ? 'auto' : 'indexed' } = options;
+  if (layout !== 'auto') return layout;
+  const deforms = attributes.skinIndex || morphAttributes.position || morphAttributes.normal;
+  return deforms || triangleCount > MANY_TRIANGLES ? 'pull' : 'corner';
+}
+
+const wantsAdjacency = ({ adjacency = false, technique }: PrepareHatchingGeometryOptions): boolean =>
+  adjacency || (technique !== undefined && HATCHING_TECHNIQUES[technique].vertexData === 'adjacency');
+
+function checkValues(options: PrepareHatchingGeometryOptions, creaseAngle: number): void {
+  const { adjacency = false, technique, layout = 'auto', smoothingRadius, weldTolerance, outlines } = options;
+  if (typeof adjacency !== 'boolean') {
+    throw new TypeError(
+      `prepareHatchingGeometry: adjacency is ${String(adjacency)}. Pass true or false, or leave the option out.`,
+    );
+  }
+  if (technique !== undefined && !Object.hasOwn(HATCHING_TECHNIQUES, technique)) {
+    throw new RangeError(
+      `prepareHatchingGeometry: unknown technique '${technique}'. Use one of ${Object.keys(HATCHING_TECHNIQUES).join(', ')}.`,
+    );
+  }
+  if (wantsAdjacency(options) && layout === 'indexed') {
+    throw new RangeError(
+      "prepareHatchingGeometry: the layout 'indexed' has no adjacency. Leave out one of the two options.",
+    );
+  }
+  if (!['auto', 'corner', 'pull', 'indexed'].includes(layout)) {
+    throw new RangeError(
+      `prepareHatchingGeometry: unknown layout '${layout}'. Use 'auto', 'corner', 'pull' or 'indexed'.`,
+    );
+  }
+  checkAngle('creaseAngle', creaseAngle);
+  if (outlines !== undefined && typeof outlines !== 'boolean') checkLines(outlines);
+  checkSize('smoothingRadius', smoothingRadius);
+  checkSize('weldTolerance', weldTolerance, 'a share of the bounding radius, 0 or more, such as 1e-6');
+}
+
+function checkLines(outlines: OutlineOptions): void {
+  checkNames('prepareHatchingGeometry', 'outlines', outlines, OUTLINE_OPTIONS);
+  checkAngle('outlines.featureAngle', outlines.featureAngle);
+  checkSize('outlines.creaseLength', outlines.creaseLength);
+}
+
+function checkAngle(name: string, angle = 0): void {
+  if (angle >= 0 && angle <= Math.PI) return;
+  throw new RangeError(
+    `prepareHatchingGeometry: ${name} is ${angle}. Pass an angle in radians from 0 to π; 60 degrees is Math.PI / 3.`,
+  );
+}
+
+function checkSize(name: string, size = 0, wanted = 'a length in object units, 0 or more'): void {
+  if (size >= 0 && size < Infinity) return;
+  throw new RangeError(`prepareHatchingGeometry: ${name} is ${String(size)}. Pass ${wanted}, or leave the option out.`);
+}

@@ -1,0 +1,70 @@
+import { Box3, BufferAttribute, type BufferGeometry, Sphere, Vector3 } from 'three';
+import type { BakeReport } from '../../mesh/bake/bakeSurface.js';
+import type { TaskOptions } from '../../worker/TaskOptions.js';
+import { isFormed } from './formGeometry.js';
+import type { HatchingStatistics } from './HatchingStatistics.js';
+import { OutlineData, setOutlineData } from './OutlineData.js';
+import type { Repairs } from './repairValues.js';
+import { replaceUnusableNormals } from './replaceUnusableNormals.js';
+import { rememberPositions } from './staleGeometry.js';
+
+/** What a prepared geometry needs beside what was baked. */
+export interface NotBaked extends Repairs, Pick<TaskOptions, 'createWorker'> {}
+
+/** Sets the computed normals of a geometry: all of them, or only those that cannot be used as they are. */
+export function setNormals(geometry: BufferGeometry, normals: Float32Array<ArrayBuffer>): void {
+  if (geometry.attributes.normal) replaceUnusableNormals(geometry.attributes.normal, normals);
+  else geometry.setAttribute('normal', new BufferAttribute(normals, 3));
+}
+
+/** Sets the bounds, the outlines and `userData.hatching`, once all attributes are set. */
+export function finishGeometry(
+  geometry: BufferGeometry,
+  layout: HatchingStatistics['layout'],
+  report: BakeReport & NotBaked,
+  textureBytes = 0,
+): void {
+  applyBounds(geometry, report);
+  const outlines = report.outlines && new OutlineData(report.outlines, report.createWorker);
+  const { borderEdges, nonManifoldEdges, unpairedEdges, inconsistentEdges, degenerateTriangles } = report;
+  const { computedNormals, zeroedValues } = report;
+  const statistics: HatchingStatistics = {
+    triangles: (geometry.index ?? geometry.attributes.position).count / 3,
+    borderEdges,
+    nonManifoldEdges,
+    unpairedEdges,
+    inconsistentEdges,
+    degenerateTriangles,
+    computedNormals,
+    zeroedValues,
+    layout,
+    lineField: isFormed(geometry) ? 'form' : 'light',
+    bytes: bytesOf(geometry) + textureBytes + (outlines?.bytes ?? 0),
+  };
+  geometry.userData.hatching = statistics;
+  if (outlines) setOutlineData(geometry, outlines);
+  rememberPositions(geometry);
+}
+
+function applyBounds(geometry: BufferGeometry, { bounds }: BakeReport): void {
+  if (geometry.morphAttributes.position) {
+    // three.js includes the morph targets in the bounds, whereas the bake only knows the rest pose.
+    geometry.computeBoundingBox();
+    geometry.computeBoundingSphere();
+    return;
+  }
+  const box = new Box3(new Vector3(...bounds.min), new Vector3(...bounds.max));
+  geometry.boundingBox = box;
+  geometry.boundingSphere = new Sphere(box.getCenter(new Vector3()), bounds.radius);
+}
+
+function bytesOf(geometry: BufferGeometry): number {
+  const arrays = new Set<ArrayBufferView>();
+  for (const attribute of Object.values(geometry.attributes)) arrays.add(attribute.array);
+  for (const targets of Object.values(geometry.morphAttributes))
+    for (const { array } of targets ?? []) arrays.add(array);
+  if (geometry.index) arrays.add(geometry.index.array);
+  let bytes = 0;
+  for (const { byteLength } of arrays) bytes += byteLength;
+  return bytes;
+}

@@ -1,0 +1,238 @@
+import {
+  type Camera,
+  Color,
+  type ColorRepresentation,
+  DoubleSide,
+  Material,
+  type MaterialParameters,
+  type Mesh,
+  type PerspectiveCamera,
+  ShaderMaterial,
+  Vector2,
+  type Vector4,
+  type WebGLRenderer,
+} from 'three';
+import type { HiddenOutlines } from '../../look/hiddenOutlines.js';
+import { checkColor } from '../checkValues.js';
+import { type EmphasisLook, takesWeight, writeEmphasis, writeImportance } from '../fading/emphasis.js';
+import { writeSheet } from '../fading/writeSheet.js';
+import { FrameStamp } from '../FrameStamp.js';
+import { MeshUniforms } from '../MeshUniforms.js';
+import { writePictureOffset } from '../pictureOffset.js';
+import type { Vector2Like } from '../vectorValues.js';
+import { toothMap } from '../tam/toothMap.js';
+import { HATCHING_OUTLINE_DEFAULTS, OUTLINE_NUMBER_NAMES, type OutlineNumberName } from './outlineProperties.js';
+import { outlineShaders } from './outlineShaders.js';
+import { createOutlineUniforms, OUTLINE_MESH_UNIFORMS } from './outlineUniforms.js';
+import { checkHidden, checkShadeWeights, defineOutlineNumbers, writeOutlineLook } from './outlineValues.js';
+import { writeDrawState } from './surfaceRules.js';
+
+/** Stands for the id of a material where there is none. */
+const NO_LOOK = -1;
+
+/** The parameters of `new HatchingOutlineMaterial()` and `setValues()`. */
+export type HatchingOutlineParameters = MaterialParameters &
+  Partial<Pick<HatchingOutlineMaterial, OutlineNumberName>> & {
+    ink?: ColorRepresentation | undefined;
+    /** The weights on the lit side and in the shade, each 0 or more. */
+    shadeWeights?: Vector2Like | undefined;
+    hidden?: HiddenOutlines | undefined;
+    fog?: boolean | undefined;
+    clipping?: boolean | undefined;
+  };
+
+/**
+ * The material of `HatchingOutlines`. It uses the lights, fog and clipping planes of the scene. Every property may be set at any time
+ * and takes effect in the next frame; `wobble` and `tooth` compile another program when they change between 0 and more than 0.
+ * Several `HatchingOutlines` may share a material.
+ */
+export class HatchingOutlineMaterial extends ShaderMaterial {
+  readonly isHatchingOutlineMaterial = true;
+  /** @internal This is left out of the declarations, because three.js 0.170 declares an accessor and other versions a property. */
+  override readonly type: string = 'HatchingOutlineMaterial';
+
+  /** Width of an outline of weight 1, in CSS pixels, above 0. In print, see `millimetresToPixels`. Default 1.8. */
+  declare outlineWidth: number;
+  /** Weight of contours, along which the surface turns away from the eye, 0 or more; 0 draws none. Default 1. */
+  declare contours: number;
+  /**
+   * Weight of contours and borders that have a surface behind them, as a share of their weight before the paper, 0 or more. A surface
+   * that lies more than half of the height of the view behind them is as good as paper. 1 draws all alike. Default 0.5.
+   */
+  declare innerContours: number;
+  /** Weight of borders, where the surface ends, 0 or more; 0 draws none. Default 1. */
+  declare borders: number;
+  /** Weight of creases, sharp edges with both sides visible, 0 or more; 0 draws none. Default 0.35. */
+  declare creases: number;
+  /** Weight of edges between groups of a geometry, on meshes with several materials, 0 or more; 0 draws none. Default 0.35. */
+  declare materialBorders: number;
+  /**
+   * Weight of suggestive contours, where a contour would appear if the eye moved a little (DeCarlo et al., 2003), 0 or
+   * more; 0 draws none. Every triangle is tested for them. Default 0; try 0.6.
+   */
+  declare suggestiveContours: number;
+  /**
+   * How much of the contours between a lit surface and the paper is lost, from 0 (nothing) to 1 (all that the light falls on). The
+   * brightest part is lost first. A thin line is left of it, and the less the more is lost: 0.12 of its width at 1. Default 0.2.
+   */
+  declare lostEdges: number;
+  /**
+   * How much heavier a contour becomes where another one ends behind it, as a share of its weight, 0 or more. The accent tapers over
+   * eight times `outlineWidth` to either side. Default 0.5.
+   */
+  declare accents: number;
+  /**
+   * Where a contour begins to taper, 0 or more. A contour ends where the surface stops curving away along the line of sight. It has
+   * its full width where that curvature is at least `taper` divided by the bounding radius, and becomes narrower below. 0 ends it
+   * bluntly. Default 0.8.
+   */
+  declare taper: number;
+  /** How far outlines deviate as if drawn by hand, in CSS pixels, 0 or more. The deviation is fixed to the object. Default 0. */
+  declare wobble: number;
+  /** How far outlines are drawn beyond the corners of creases and borders, in CSS pixels, 0 or more. Default 0. */
+  declare overshoot: number;
+  /** How strongly the tooth of the paper breaks outlines up, from 0 (ink, the default) to 1. See docs/media.md. */
+  declare tooth: number;
+  /** Size of the bumps of the paper, in CSS pixels, above 0. Default 2.5. */
+  declare toothSize: number;
+  /** Colour of the outlines. Default black. */
+  ink: Color = new Color(HATCHING_OUTLINE_DEFAULTS.ink);
+  /** Weights on the lit side and in the shade, each 0 or more, under all lights of the scene. Default (0.7, 1.7). */
+  shadeWeights: Vector2 = new Vector2(...HATCHING_OUTLINE_DEFAULTS.shadeWeights);
+
+  /** Has three upload what belongs to a mesh. @internal */
+  readonly ofMesh: MeshUniforms;
+
+  private hiddenLines: HiddenOutlines = HATCHING_OUTLINE_DEFAULTS.hidden;
+  /** The frame that the uniforms are written for, and the id of what says how much weight its lines have: the material itself would be kept. */
+  private readonly written = new FrameStamp();
+  private writtenLook = NO_LOOK;
+
+  /** @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour */
+  // React Three Fiber resets a removed attribute to its default only if the constructor's length is 0.
+  constructor(parameters: HatchingOutlineParameters | undefined = undefined) {
+    super();
+    defineOutlineNumbers(this, 'HatchingOutlineMaterial', (name, value) => {
+      // The define is set at once, so that `renderer.compile` compiles the program that frames use.
+      if (name === 'wobble' || name === 'tooth') this.setDefine(name.toUpperCase(), value > 0);
+    });
+    this.uniforms = createOutlineUniforms();
+    Object.assign(this, outlineShaders());
+    this.lights = true;
+    this.fog = true;
+    this.clipping = true;
+    this.transparent = true;
+    this.depthWrite = false;
+    this.toneMapped = false;
+    this.side = DoubleSide;
+    this.ofMesh = new MeshUniforms(this, OUTLINE_MESH_UNIFORMS);
+    this.setValues(parameters);
+    this.writeUniforms(false, false);
+  }
+
+  /**
+   * Sets properties by name, as `setValues` of three.js does.
+   *
+   * @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour
+   */
+  override setValues(values?: HatchingOutlineParameters): void {
+    if (!values) return;
+    if (values.ink !== undefined) checkColor('HatchingOutlineMaterial.ink', values.ink);
+    const { shadeWeights, ...others } = values;
+    super.setValues(others as MaterialParameters);
+    if (shadeWeights !== undefined)
+      this.shadeWeights.set(...checkShadeWeights(shadeWeights, 'HatchingOutlineMaterial'));
+  }
+
+  /**
+   * How outlines and creases behind a surface are drawn, as in technical drawings: not at all (`'none'`, the default), `'dashed'` or
+   * `'faint'`. They are half as wide as `outlineWidth`, wherever they lie. Drawing them takes one more pass over all edges of the mesh.
+   */
+  get hidden(): HiddenOutlines {
+    return this.hiddenLines;
+  }
+
+  set hidden(value: HiddenOutlines) {
+    this.hiddenLines = checkHidden(value, 'HatchingOutlineMaterial');
+  }
+
+  override copy(source: this): this {
+    // ShaderMaterial.copy would clone every texture among the uniforms, and each clone would be uploaded again.
+    Material.prototype.copy.call(this, source);
+    this.fog = source.fog;
+    this.lights = source.lights;
+    this.clipping = source.clipping;
+    for (const name of OUTLINE_NUMBER_NAMES) this[name] = source[name];
+    this.ink.copy(source.ink);
+    this.shadeWeights.copy(source.shadeWeights);
+    this.hidden = source.hidden;
+    return this;
+  }
+
+  /**
+   * Writes the properties to the uniforms.
+   *
+   * @param pixelRatio pixels of what is drawn to, which shaders measure sizes in, per CSS pixel
+   * @internal
+   */
+  writeUniforms(isDeformed: boolean, hasMaterials: boolean, pixelRatio = 1): void {
+    writeOutlineLook(this, this.uniforms, pixelRatio);
+    if (this.tooth > 0) this.uniforms.toothMap.value = toothMap();
+    this.writeMesh(isDeformed, hasMaterials);
+    this.uniformsNeedUpdate = true;
+  }
+
+  /**
+   * Writes what the outlines of one mesh are drawn with: what is of the frame if they are the first in it, and what is of the mesh.
+   * Allocates nothing.
+   *
+   * @param viewport the part of the target that the camera draws into, pixels
+   * @param look what says how much weight lines have where
+   * @internal
+   */
+  writeDraw(
+    renderer: WebGLRenderer,
+    camera: Camera,
+    mesh: Mesh,
+    viewport: Vector4,
+    look: (Material & EmphasisLook) | null,
+    isDeformed: boolean,
+  ): void {
+    const u = this.uniforms;
+    const hasMaterials = Array.isArray(mesh.material);
+    const lookId = look?.id ?? NO_LOOK;
+    const isSame =
+      !this.ofMesh.isAllWanted &&
+      this.written.isOf(renderer, camera) &&
+      lookId === this.writtenLook &&
+      viewport.equals(u.viewport.value as Vector4);
+    if (isSame) {
+      this.writeMesh(isDeformed, hasMaterials);
+      this.ofMesh.want(renderer);
+    } else {
+      this.written.note(renderer, camera);
+      this.writtenLook = lookId;
+      (u.viewport.value as Vector4).copy(viewport);
+      this.writeUniforms(isDeformed, hasMaterials, renderer.getPixelRatio());
+      u.nearDistance.value = (camera as PerspectiveCamera).near ?? 0;
+      writeEmphasis(look, u, renderer, camera);
+      writeSheet(u.sheet.value, camera, viewport);
+      writePictureOffset(u.toothOffset.value, camera, viewport);
+    }
+    writeImportance(mesh, takesWeight(look), u);
+    writeDrawState(this, u);
+  }
+
+  private writeMesh(isDeformed: boolean, hasMaterials: boolean): void {
+    // If all groups have the same material, there are no borders between materials.
+    this.uniforms.materialBorders.value = hasMaterials ? this.materialBorders : 0;
+    this.setDefine('DEFORMED', isDeformed);
+  }
+
+  private setDefine(name: string, isSet: boolean): void {
+    if (isSet === name in this.defines) return;
+    if (isSet) this.defines[name] = '';
+    else delete this.defines[name];
+    this.needsUpdate = true;
+  }
+}

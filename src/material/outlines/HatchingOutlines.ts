@@ -1,0 +1,188 @@
+import {
+  type BufferGeometry,
+  type Camera,
+  type Material,
+  type Mesh,
+  type Scene,
+  Vector4,
+  type WebGLRenderer,
+} from 'three';
+import { outlineDataOf } from '../geometry/OutlineData.js';
+import { hasFloatTargets } from '../deformation/canDeform.js';
+import { glslDeformations } from '../deformation/glslDeformations.js';
+import { tellOfRenderer } from '../tellOfRenderer.js';
+import { HatchingOutlineMaterial, type HatchingOutlineParameters } from './HatchingOutlineMaterial.js';
+import { HiddenPass } from './HiddenPass.js';
+import { InstanceList } from './InstanceList.js';
+import { emphasisOf, isInFrustum, MeshOutlines, meanScale } from './MeshOutlines.js';
+import type { OutlinePart } from './OutlineParts.js';
+import { type SceneDepth, sceneDepthOf } from './SceneDepth.js';
+import { isClipped, isCutOut, isDrawnBefore } from './surfaceRules.js';
+
+const drawnInto = /* @__PURE__ */ new Vector4();
+const NONE: readonly OutlinePart[] = [];
+
+/**
+ * Draws the contours, borders and creases of a mesh. Add it to the mesh as a child. The geometry of the mesh must come from
+ * `prepareHatchingGeometry(geometry, { outlines: true })`.
+ *
+ *     mesh.geometry = await prepareHatchingGeometry(mesh.geometry, { outlines: true });
+ *     mesh.add(new HatchingOutlines(mesh, { outlineWidth: 2 }));
+ *
+ * The outlines follow skins, morph targets and instances, and are hidden where the surface hides them. They cast no shadow, are left
+ * out of raycasts, bounding boxes, exporters and passes with an override material, and draw nothing while the mesh has a geometry
+ * that was not prepared.
+ */
+export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
+  readonly isHatchingOutlines = true;
+  /** @internal This is left out of the declarations, because three.js 0.170 declares an accessor and other versions a property. */
+  override readonly type: string = 'HatchingOutlines';
+
+  /** What has copied the depth of the scene for these outlines. */
+  private readonly depths = new Set<SceneDepth>();
+  private hiddenPass: HiddenPass | null = null;
+  /** What is being drawn. */
+  private drawn: readonly OutlinePart[] = NONE;
+  private isDeformed = false;
+
+  /**
+   * @param mesh the mesh whose outlines are drawn. Default: the parent, if that is a mesh.
+   * @param look a material, or the parameters of a new one. A material that you pass is not disposed of with the outlines.
+   */
+  constructor(
+    mesh: Mesh | null | undefined = undefined,
+    look: HatchingOutlineMaterial | HatchingOutlineParameters = {},
+  ) {
+    super(mesh, look, HatchingOutlineMaterial);
+  }
+
+  override dispose(): void {
+    super.dispose();
+    this.hiddenPass?.dispose();
+    for (const depth of this.depths) depth.dispose();
+    this.depths.clear();
+  }
+
+  override readonly onBeforeRender = (
+    renderer: WebGLRenderer,
+    scene: Scene,
+    camera: Camera,
+    _geometry?: BufferGeometry,
+    drawnWith: Material = this.material,
+  ): void => {
+    const { mesh } = this;
+    this.setCount(0);
+    this.drawn = NONE;
+    // Helpers that light a scene step by step give every object another material for a moment, and scenes may have one for all.
+    if (!mesh || !(this.material instanceof HatchingOutlineMaterial) || !('isHatchingOutlineMaterial' in drawnWith))
+      return;
+    if (!this.isMeshReached(scene)) return;
+    const data = outlineDataOf(mesh.geometry);
+    const parts = data ? this.partsOf(mesh, data) : NONE;
+    if (data && parts.length === 0) return;
+    if ('isWebGPURenderer' in renderer) {
+      tellOfRenderer('HatchingOutlines');
+      return;
+    }
+    this.matrixWorld.copy(mesh.matrixWorld);
+    if (!data) {
+      this.report(
+        mesh,
+        'has no outlines to draw. Give it the result of await prepareHatchingGeometry(geometry, { outlines: true }).',
+      );
+      return;
+    }
+    if (mesh.frustumCulled && !isInFrustum(mesh, renderer, camera)) return;
+    this.drawn = parts;
+    this.showInstances();
+    this.isDeformed = this.bindDeformation(renderer, camera, mesh);
+    this.bindPart(renderer, camera, mesh, parts[0]);
+  };
+
+  override readonly onAfterRender = (renderer: WebGLRenderer, scene: Scene, camera: Camera): void => {
+    const { drawn, geometry, material, mesh } = this;
+    for (let i = 0; i < drawn.length && mesh; i++) {
+      if (i > 0) {
+        this.showInstances();
+        this.bindPart(renderer, camera, mesh, drawn[i]);
+        renderer.renderBufferDirect(camera, scene, geometry, material, this, null!);
+      }
+      this.drawHidden(renderer, scene, camera, drawn[i]);
+      this.endSurface();
+    }
+    this.drawn = NONE;
+    this.hideInstances();
+    this.moveToCentre();
+  };
+
+  /** Has the next draw show a part of the outlines. */
+  private bindPart(renderer: WebGLRenderer, camera: Camera, mesh: Mesh, part: OutlinePart): void {
+    const { material } = this;
+    const { suggestiveContours, uniforms } = material;
+    const { data, surface } = part;
+    this.beginSurface(surface);
+    // three.js keeps the planes of a material from one draw to the next, as if they could not change between.
+    if (isClipped(surface)) (renderer.properties.get(material) as { clippingState?: unknown }).clippingState = null;
+    uniforms.outlinePoints.value = data.points;
+    uniforms.outlinePrimitives.value = data.primitives;
+    uniforms.isCutOut.value = isCutOut(surface);
+    // A number that is stored is allocated.
+    if (uniforms.radius.value !== (data.radius || 1)) uniforms.radius.value = data.radius || 1;
+    this.bindCamera(renderer, camera, mesh);
+    // Suggestive contours may lie anywhere on surfaces that face the eye.
+    const isAnywhere = this.isDeformed || suggestiveContours > 0;
+    const list = isAnywhere ? null : this.listFor(camera, part, mesh, uniforms.eye.value);
+    if (list instanceof InstanceList) {
+      // The list holds the instance of each primitive, so three.js draws a single instance.
+      this.count = 1;
+      uniforms.instancePlaces.value = list.places;
+    }
+    uniforms.isListed.value = list !== null;
+    uniforms.candidates.value = list?.texture ?? data.primitives;
+    this.setCount(list ? list.count : data.triangleCount + data.edgeCount);
+  }
+
+  /** Draws what is hidden of a part that has just been drawn. Lists leave out what cannot be seen, so it is looked for among all primitives. */
+  private drawHidden(renderer: WebGLRenderer, scene: Scene, camera: Camera, { data }: OutlinePart): void {
+    const { geometry, material } = this;
+    if (geometry.drawRange.count <= 0 || (material.hidden ?? 'none') === 'none' || isDrawnBefore(material)) return;
+    this.showInstances();
+    material.uniforms.isListed.value = false;
+    material.uniforms.candidates.value = data.primitives;
+    this.setCount(data.triangleCount + data.edgeCount);
+    this.hiddenPass ??= new HiddenPass();
+    this.hiddenPass.draw(this, renderer, scene, camera);
+  }
+
+  /** Updates the pre-pass of a mesh that deforms. Returns whether there is one. */
+  private bindDeformation(renderer: WebGLRenderer, camera: Camera, mesh: Mesh): boolean {
+    const deformation = this.deformationBy(glslDeformations, hasFloatTargets, renderer, camera, mesh);
+    if (!deformation) return false;
+    const { uniforms } = this.material;
+    uniforms.deformedPositions.value = deformation.positions;
+    uniforms.deformedNormals.value = deformation.normals;
+    uniforms.deformedTurns.value = deformation.turns;
+    return true;
+  }
+
+  private bindCamera(renderer: WebGLRenderer, camera: Camera, mesh: Mesh): void {
+    const { uniforms } = this.material;
+    this.writeEye(uniforms.eye.value as Vector4, camera, mesh);
+    const objectScale = meanScale(mesh.matrixWorld);
+    if (objectScale !== uniforms.objectScale.value) uniforms.objectScale.value = objectScale;
+    // Each camera of an ArrayCamera draws into a part of the target.
+    const { viewport } = camera as Camera & { viewport?: Vector4 };
+    if (viewport) drawnInto.copy(viewport);
+    else renderer.getCurrentViewport(drawnInto);
+    this.material.writeDraw(renderer, camera, mesh, drawnInto, emphasisOf(mesh), this.isDeformed);
+    this.bindSceneDepth(renderer, camera);
+  }
+
+  private bindSceneDepth(renderer: WebGLRenderer, camera: Camera): void {
+    const { uniforms } = this.material;
+    const depth = sceneDepthOf(renderer);
+    this.depths.add(depth);
+    uniforms.sceneDepth.value = depth.read(camera, uniforms.viewport.value as Vector4);
+    uniforms.hasSceneDepth.value = uniforms.sceneDepth.value !== null;
+  }
+}

@@ -1,0 +1,314 @@
+import {
+  Box3,
+  BufferGeometry,
+  type Camera,
+  Frustum,
+  type InstancedMesh,
+  type Material,
+  Matrix4,
+  type Mesh,
+  Object3D,
+  Sphere,
+  Vector3,
+  type Vector4,
+  type WebGLRenderer,
+} from 'three';
+import type { OutlineData } from '../geometry/OutlineData.js';
+import { pulledVerticesOf } from '../geometry/pulledVerticesOf.js';
+import { deforms, morphsEachInstance } from '../deformation/canDeform.js';
+import type { Deformation } from '../deformation/Deformation.js';
+import type { Deformations } from '../deformation/Deformations.js';
+import type { EmphasisLook } from '../fading/emphasis.js';
+import { FrameStamp } from '../FrameStamp.js';
+import { describeObject } from '../diagnostics/describeObject.js';
+import { tell } from '../diagnostics/tell.js';
+import { ContourList } from './ContourList.js';
+import { InstanceList } from './InstanceList.js';
+import { isScaledToNothing } from './isScaledToNothing.js';
+import { MeshLayers } from './MeshLayers.js';
+import { type OutlinePart, OutlineParts } from './OutlineParts.js';
+import { copyDrawState, type DrawState, takeDrawState } from './surfaceRules.js';
+
+/** What the camera of `frustumFrame` sees in that frame. */
+const frustum = /* @__PURE__ */ new Frustum();
+const frustumFrame = /* @__PURE__ */ new FrameStamp();
+const matrix = /* @__PURE__ */ new Matrix4();
+const sphere = /* @__PURE__ */ new Sphere();
+const place = /* @__PURE__ */ new Vector3();
+/** A draw count for which three.js draws nothing. With 0 it would make a draw call, and read textures that do not exist. */
+const NOTHING = -1;
+/** The number of vertices that each primitive is drawn with. */
+const VERTICES = 3;
+
+/** The object that draws the outlines of a mesh, with whatever material: where it lies, and what of the mesh may hold an outline. */
+export abstract class MeshOutlines<Look extends Material = Material> extends Object3D {
+  /**
+   * Makes three.js draw the outlines as it draws a sprite: from triangles, in the order of transparent objects. A mesh would be
+   * exported, would cast shadows, and would be found by code that looks for surfaces.
+   *
+   * @internal
+   */
+  readonly isSprite = true;
+  /** True while instances are drawn; three.js reads it. @internal */
+  isInstancedMesh = false;
+  /** @internal */
+  instanceMatrix: InstancedMesh['instanceMatrix'] | null = null;
+  /** Instances have neither colours nor morph targets here; an override material asks for both. @internal */
+  readonly instanceColor = null;
+  /** @internal */
+  readonly morphTexture = null;
+  /** @internal */
+  override count = 0;
+  /** A geometry without attributes: vertices read their data from textures, and other materials draw nothing. @internal */
+  readonly geometry = new BufferGeometry();
+
+  material: Look;
+
+  private ownMesh: Mesh | null;
+  private ownsMaterial: boolean;
+  private readonly parts = new OutlineParts();
+  /** The place in the order of drawing that was set for the outlines themselves; null while they follow the mesh. */
+  private ownOrder: number | null = null;
+  /** The state of the material before it took that of a surface. */
+  private readonly ownState: Partial<DrawState> = {};
+  private hasTaken = false;
+  private hasReported = false;
+
+  /** @param look a material, or the parameters of a new one of this kind */
+  constructor(mesh: Mesh | null | undefined, look: Look | object, Kind: new (parameters: object) => Look) {
+    super();
+    this.ownMesh = mesh ?? null;
+    this.ownsMaterial = !(look instanceof Kind);
+    this.material = look instanceof Kind ? look : new Kind(look);
+    this.frustumCulled = false;
+    this.layers = new MeshLayers(this);
+    const followed = (): number => this.mesh?.renderOrder ?? 0;
+    Object.defineProperty(this, 'renderOrder', {
+      get: () => this.ownOrder ?? followed(),
+      set: (order: number) => {
+        this.ownOrder = order === followed() ? null : order;
+      },
+      enumerable: true,
+    });
+    this.geometry.boundingBox = new Box3();
+    this.geometry.boundingSphere = new Sphere(new Vector3(), -1);
+  }
+
+  /** The mesh whose outlines are drawn: the one that was set, or else the parent, if that is a mesh. */
+  get mesh(): Mesh | null {
+    if (this.ownMesh) return this.ownMesh;
+    return this.parent !== null && 'isMesh' in this.parent ? (this.parent as Mesh) : null;
+  }
+
+  set mesh(mesh: Mesh | null) {
+    this.ownMesh = mesh;
+  }
+
+  override copy(source: this, recursive?: boolean): this {
+    super.copy(source, recursive);
+    (this.layers as MeshLayers).copy(source.layers as MeshLayers);
+    this.ownOrder = source.ownOrder;
+    if (this.ownsMaterial) this.material.dispose();
+    this.material = source.material;
+    this.ownsMaterial = false;
+    // A clone of the mesh draws its own outlines.
+    this.ownMesh = source.ownMesh === source.parent ? null : source.ownMesh;
+    return this;
+  }
+
+  /** Does nothing: rays do not hit outlines. */
+  override raycast(): void {}
+
+  /** Writes an empty object instead of the outlines: loaders do not know them, and they can be made again from the geometry. */
+  override toJSON(meta?: Parameters<Object3D['toJSON']>[0]): ReturnType<Object3D['toJSON']> {
+    const empty = new Object3D().copy(this);
+    empty.uuid = this.uuid;
+    return empty.toJSON(meta);
+  }
+
+  /** Frees the GPU memory of the outlines and of their own material. The data of the geometry is freed with the geometry. */
+  override dispose(): void {
+    // In older versions of three.js, Object3D has no dispose().
+    super.dispose?.();
+    this.geometry.dispose();
+    this.parts.dispose();
+    if (this.ownsMaterial) this.material.dispose();
+  }
+
+  /**
+   * three.js sorts sprites by their position and meshes by the centre of their bounding sphere. Between draws the outlines are placed
+   * at that centre, so that outlines on a transparent surface are drawn right after it.
+   */
+  override updateMatrixWorld(force?: boolean): void {
+    super.updateMatrixWorld(force);
+    this.moveToCentre();
+  }
+
+  override updateWorldMatrix(updateParents: boolean, updateChildren: boolean): void {
+    super.updateWorldMatrix(updateParents, updateChildren);
+    this.moveToCentre();
+  }
+
+  protected moveToCentre(): void {
+    const mesh = this.mesh;
+    if (!mesh) return;
+    this.matrixWorld.copy(mesh.matrixWorld);
+    const bounds = boundsOf(mesh);
+    if (!bounds) return;
+    // These are exactly the steps of the renderer, so that both compute the same number.
+    place.copy(bounds.center).applyMatrix4(mesh.matrixWorld);
+    this.matrixWorld.setPosition(place);
+  }
+
+  /** Says once that something is not drawn, or not as it should be. */
+  protected report(mesh: Mesh, problem: string): void {
+    if (this.hasReported) return;
+    this.hasReported = true;
+    tell(`HatchingOutlines: the ${describeObject(mesh)} ${problem}`, 'error');
+  }
+
+  /** Writes where the camera is, in the space of the mesh. Allocates nothing. */
+  protected writeEye(eye: Vector4, camera: Camera, mesh: Mesh): void {
+    matrix.copy(mesh.matrixWorld).invert();
+    // Virtual reality has cameras of its own classes, so the projection decides: its last row ends in 1 if it is orthographic.
+    if (camera.projectionMatrix.elements[15] === 1) {
+      place.setFromMatrixColumn(camera.matrixWorld, 2).transformDirection(matrix);
+      eye.set(place.x, place.y, place.z, 0);
+    } else {
+      place.setFromMatrixPosition(camera.matrixWorld).applyMatrix4(matrix);
+      eye.set(place.x, place.y, place.z, 1);
+    }
+  }
+
+  /**
+   * The vertices of a mesh that deforms, in its present pose; null if it does not, or if they cannot be known, which is said once.
+   *
+   * @param hasFloatTargets whether the device can draw into float textures
+   * @internal
+   */
+  protected deformationBy<Renderer extends { readonly domElement: EventTarget }>(
+    deformations: Deformations<Renderer>,
+    hasFloatTargets: (renderer: Renderer) => boolean,
+    renderer: Renderer,
+    camera: Camera,
+    mesh: Mesh,
+  ): Deformation | null {
+    const { geometry } = mesh;
+    if (!deforms(geometry, mesh) || geometry.userData.hatching.layout === 'corner') return null;
+    if (!hasFloatTargets(renderer) || morphsEachInstance(mesh)) {
+      this.report(
+        mesh,
+        'has its outlines as at rest: this device cannot draw into float textures, or its instances have morph targets each of their own.',
+      );
+      return null;
+    }
+    return deformations.of(renderer, camera, mesh, geometry, pulledVerticesOf(geometry) ?? null, this.material);
+  }
+
+  /** Has three.js see the instances of the mesh until the end of the draw, since they choose another program. @internal */
+  showInstances(): void {
+    const { mesh } = this;
+    if (!mesh || !('isInstancedMesh' in mesh)) return;
+    const { instanceMatrix, count } = mesh as InstancedMesh;
+    this.isInstancedMesh = true;
+    this.instanceMatrix = instanceMatrix;
+    this.count = count;
+  }
+
+  /** Ends what `showInstances` began. @internal */
+  hideInstances(): void {
+    this.isInstancedMesh = false;
+    this.instanceMatrix = null;
+  }
+
+  /** The parts of the outlines that are drawn one after another, by what three.js draws of the mesh; none if it draws nothing. @internal */
+  protected partsOf(mesh: Mesh, data: OutlineData): readonly OutlinePart[] {
+    return this.parts.of(mesh, data);
+  }
+
+  /** Whether three.js comes to the mesh in what it draws. Of outlines that lie elsewhere than on their mesh that is another question than of them. */
+  protected isMeshReached(scene: Object3D): boolean {
+    const { mesh, parent } = this;
+    if (mesh === null || isScaledToNothing(mesh.matrixWorld)) return false;
+    if (parent === mesh) return true;
+    let object: Object3D = mesh;
+    for (;;) {
+      if (!object.visible) return false;
+      if (object === scene) return true;
+      if (object.parent === null) return object === rootOf(this);
+      object = object.parent;
+    }
+  }
+
+  /** Has the next draw show so many primitives. */
+  protected setCount(primitives: number): void {
+    this.geometry.setDrawRange(0, primitives > 0 ? VERTICES * primitives : NOTHING);
+  }
+
+  /** Has the material fade and be tested as a surface is, until `endSurface`. */
+  protected beginSurface(surface: Material): void {
+    this.endSurface();
+    this.hasTaken = takeDrawState(this.material, surface, this.mesh?.geometry ?? null, this.ownState);
+  }
+
+  protected endSurface(): void {
+    if (this.hasTaken) copyDrawState(this.ownState as DrawState, this.material);
+    this.hasTaken = false;
+  }
+
+  /** What of a part may hold an outline as the camera sees the mesh; null if that is not known. @param eye of the camera, in the space of the mesh @internal */
+  protected listFor(camera: Camera, part: OutlinePart, mesh: Mesh, eye: Vector4): ContourList | InstanceList | null {
+    const { boundingSphere } = mesh.geometry;
+    if (!boundingSphere || part.isNew) return null;
+    const { data, lists } = part;
+    if ('isInstancedMesh' in mesh) {
+      const list = lists.of(camera, InstanceList);
+      return list.update(data, mesh as InstancedMesh, eye) ? list : null;
+    }
+    const list = lists.of(camera, ContourList);
+    return list.update(data, eye, boundingSphere) ? list : null;
+  }
+}
+
+function rootOf(object: Object3D): Object3D {
+  let root = object;
+  while (root.parent !== null) root = root.parent;
+  return root;
+}
+
+/** How many times longer a matrix makes lengths, in the mean over directions; 1 if it flattens. `determinant()` would leave garbage in every frame. */
+export function meanScale({ elements: m }: Matrix4): number {
+  const determinant =
+    m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) + m[8] * (m[1] * m[6] - m[2] * m[5]);
+  return Math.cbrt(Math.abs(determinant)) || 1;
+}
+
+/** A function of its own: one in another is allocated whenever that is called. Places of an array of materials may be empty. */
+const isHatching = (material: Material | null | undefined): boolean =>
+  material !== null &&
+  material !== undefined &&
+  ('isHatchingMaterial' in material || 'isHatchingNodeMaterial' in material);
+
+/** What says how much weight the drawing of a mesh has where: its first hatching material. Its outlines have the same. */
+export function emphasisOf({ material }: Mesh): (Material & EmphasisLook) | null {
+  const found = Array.isArray(material) ? material.find(isHatching) : isHatching(material) && material;
+  return found ? (found as Material & EmphasisLook) : null;
+}
+
+/** The bounding sphere by which three.js sorts and culls a mesh; null before it has been computed. */
+function boundsOf(mesh: Mesh): Sphere | null {
+  const own = (mesh as Mesh & { boundingSphere?: Sphere | null }).boundingSphere;
+  return (own === undefined ? mesh.geometry.boundingSphere : own) ?? null;
+}
+
+export function isInFrustum(mesh: Mesh, renderer: WebGLRenderer, camera: Camera): boolean {
+  const bounds = boundsOf(mesh);
+  if (!bounds) return true;
+  if (!frustumFrame.isOf(renderer, camera)) {
+    frustumFrame.note(renderer, camera);
+    matrix.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+    const { coordinateSystem, reversedDepth } = camera as Camera & { reversedDepth?: boolean };
+    frustum.setFromProjectionMatrix(matrix, coordinateSystem, reversedDepth);
+  }
+  return frustum.intersectsSphere(sphere.copy(bounds).applyMatrix4(mesh.matrixWorld));
+}

@@ -1,0 +1,156 @@
+import { POINT_BITS, POINT_MASK, PRIMITIVE_WORDS, SEARCHED_IN_WORKER } from '../../mesh/bake/outlineLayout.js';
+import { paddedWords } from '../../mesh/bake/packPull.js';
+import { unpackPoints } from '../../mesh/bake/unpackPoints.js';
+import { BORDER, CONTRARY, CREASE, IS_EDGE, LOW_FLAGS, MATERIAL_BORDER } from '../../mesh/features/edgeFlags.js';
+import type { OutlineData } from '../geometry/OutlineData.js';
+import { nextCorner, triangleOf } from '../../mesh/corners.js';
+import { EdgeTable, NO_CORNER } from './EdgeTable.js';
+
+/** Stands for the part of a triangle that is not drawn. */
+export const NO_PART = -1;
+
+/** What an edge keeps where only one of its sides is drawn: it is a border there, with the same corners. */
+const KEPT_BY_BORDER = ~(CREASE | MATERIAL_BORDER | CONTRARY);
+
+/** Deals out the triangles and edges of outlines to parts of the mesh that are drawn one by one, or not at all. */
+export class PrimitiveSplitter {
+  private readonly positions: Float32Array<ArrayBuffer>;
+  private readonly normals: Float32Array<ArrayBuffer>;
+  /** The points of the corners of all triangles. */
+  private readonly points: Uint32Array;
+  /** For each edge the corners that its two sides start it at. */
+  private readonly sides: Int32Array;
+  /** For each corner the triangle across its edge, on surfaces that go on there; of edges that are listed `NO_CORNER`. */
+  private readonly across: Int32Array;
+
+  constructor(private readonly data: OutlineData) {
+    const { triangleCount, edgeCount } = data;
+    const { positions, normals } = unpackPoints(data.points.image.data as Uint32Array<ArrayBuffer>, data.pointCount);
+    this.positions = positions;
+    this.normals = normals;
+    this.points = new Uint32Array(3 * triangleCount);
+    for (let t = 0; t < triangleCount; t++)
+      for (let k = 0; k < 3; k++) this.points[3 * t + k] = this.words[PRIMITIVE_WORDS * t + k];
+    const table = new EdgeTable(this.points);
+    this.sides = new Int32Array(2 * edgeCount);
+    for (let edge = 0; edge < edgeCount; edge++) this.findSides(edge, table);
+    this.across = new Int32Array(3 * triangleCount);
+    for (let corner = 0; corner < this.across.length; corner++) {
+      // Of edges that are not listed both sides have the same points.
+      const twin = table.find(this.points[nextCorner(corner)], this.points[corner]);
+      this.across[corner] = twin === NO_CORNER ? NO_CORNER : triangleOf(twin);
+    }
+    for (const corner of this.sides) if (corner !== NO_CORNER) this.across[corner] = NO_CORNER;
+  }
+
+  /**
+   * The outlines of each part. An edge between two parts is of the first. Where what is drawn ends at what is not, it has a border.
+   *
+   * @param partOf the part of each triangle, or `NO_PART`
+   */
+  split(partOf: Int32Array, partCount: number): OutlineData[] {
+    const triangles = Array.from({ length: partCount }, (): number[] => []);
+    const edges = Array.from({ length: partCount }, (): number[] => []);
+    const { across, data, sides } = this;
+    for (let t = 0; t < data.triangleCount; t++) {
+      const part = partOf[t];
+      if (part === NO_PART) continue;
+      triangles[part].push(t);
+      for (let corner = 3 * t; corner < 3 * t + 3; corner++) {
+        const other = across[corner];
+        if (other !== NO_CORNER && partOf[other] === NO_PART) this.pushBorder(corner, edges[part]);
+      }
+    }
+    for (let edge = 0; edge < data.edgeCount; edge++) {
+      const [left, right] = [sides[2 * edge], sides[2 * edge + 1]];
+      const ofLeft = left === NO_CORNER ? NO_PART : partOf[triangleOf(left)];
+      const ofRight = right === NO_CORNER ? NO_PART : partOf[triangleOf(right)];
+      if (ofLeft === NO_PART && ofRight === NO_PART) continue;
+      const part = Math.min(ofLeft, ofRight) === NO_PART ? Math.max(ofLeft, ofRight) : Math.min(ofLeft, ofRight);
+      this.pushEdge(edge, ofLeft !== NO_PART, ofRight !== NO_PART, edges[part]);
+    }
+    return triangles.map((ofPart, part) => this.outlinesOf(ofPart, edges[part]));
+  }
+
+  private get words(): Uint32Array<ArrayBuffer> {
+    return this.data.primitives.image.data as Uint32Array<ArrayBuffer>;
+  }
+
+  private findSides(edge: number, edges: EdgeTable): void {
+    const { data, sides, words } = this;
+    const o = PRIMITIVE_WORDS * (data.triangleCount + edge);
+    const flags = flagsAt(words, o);
+    const left = edges.find(words[o] & POINT_MASK, words[o + 1] & POINT_MASK);
+    const [rightStart, rightEnd] = [words[o + 2] & POINT_MASK, words[o + 3] & POINT_MASK];
+    const isContrary = (flags & CONTRARY) !== 0;
+    const across = isContrary ? edges.find(rightStart, rightEnd) : edges.find(rightEnd, rightStart);
+    const right = (flags & BORDER) !== 0 ? NO_CORNER : across;
+    sides[2 * edge] = left;
+    sides[2 * edge + 1] = right;
+  }
+
+  private pushEdge(edge: number, hasLeft: boolean, hasRight: boolean, into: number[]): void {
+    const { data, words } = this;
+    const o = PRIMITIVE_WORDS * (data.triangleCount + edge);
+    const flags = flagsAt(words, o);
+    if ((hasLeft && hasRight) || (flags & BORDER) !== 0) {
+      into.push(...words.subarray(o, o + PRIMITIVE_WORDS));
+      return;
+    }
+    const side = hasLeft ? o : o + 2;
+    pushEnds(words[side] & POINT_MASK, words[side + 1] & POINT_MASK, (flags & KEPT_BY_BORDER) | BORDER, into);
+  }
+
+  private pushBorder(corner: number, into: number[]): void {
+    pushEnds(this.points[corner], this.points[nextCorner(corner)], BORDER | IS_EDGE, into);
+  }
+
+  private outlinesOf(triangles: readonly number[], edges: readonly number[]): OutlineData {
+    const { data, words } = this;
+    const triangleCount = triangles.length;
+    const edgeCount = edges.length / PRIMITIVE_WORDS;
+    const primitives = new Uint32Array(paddedWords(Math.max(1, triangleCount + edgeCount), PRIMITIVE_WORDS));
+    for (let i = 0; i < triangleCount; i++) {
+      const o = PRIMITIVE_WORDS * triangles[i];
+      for (let k = 0; k < PRIMITIVE_WORDS; k++) primitives[PRIMITIVE_WORDS * i + k] = words[o + k];
+    }
+    primitives.set(edges, PRIMITIVE_WORDS * triangleCount);
+    // The arrays of a search in the worker are transferred to it.
+    const isTransferred = triangleCount >= SEARCHED_IN_WORKER;
+    const own = <Values extends { slice(): Values }>(values: Values): Values =>
+      isTransferred ? values.slice() : values;
+    return data.withPrimitives({
+      primitives,
+      searched: isTransferred ? primitives.slice() : null,
+      triangleCount,
+      edgeCount,
+      positions: own(this.positions),
+      normals: own(this.normals),
+    });
+  }
+}
+
+const splitters = new WeakMap<OutlineData, PrimitiveSplitter>();
+
+/** What splits outlines. It is made when it is first asked for. */
+export function splitterOf(data: OutlineData): PrimitiveSplitter {
+  let splitter = splitters.get(data);
+  if (!splitter) {
+    splitter = new PrimitiveSplitter(data);
+    splitters.set(data, splitter);
+  }
+  return splitter;
+}
+
+const flagsAt = (words: Uint32Array, o: number): number =>
+  (words[o] >>> POINT_BITS) | ((words[o + 1] >>> POINT_BITS) << 4);
+
+/** Adds an edge with the same points on both sides, as borders have them. */
+function pushEnds(start: number, end: number, flags: number, into: number[]): void {
+  into.push(
+    (start | ((flags & LOW_FLAGS) << POINT_BITS)) >>> 0,
+    (end | ((flags >> 4) << POINT_BITS)) >>> 0,
+    start,
+    end,
+  );
+}

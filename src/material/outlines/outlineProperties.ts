@@ -1,0 +1,61 @@
+import type { NumberRange } from '../../look/HatchingProperty.js';
+
+/** The defaults of all properties of `HatchingOutlineMaterial`; colours as 0xrrggbb. */
+export const HATCHING_OUTLINE_DEFAULTS = {
+  outlineWidth: 1.8,
+  contours: 1,
+  innerContours: 0.5,
+  borders: 1,
+  creases: 0.35,
+  materialBorders: 0.35,
+  suggestiveContours: 0,
+  lostEdges: 0.2,
+  accents: 0.5,
+  taper: 0.8,
+  wobble: 0,
+  overshoot: 0,
+  tooth: 0,
+  toothSize: 2.5,
+  ink: 0x000000,
+  shadeWeights: [0.7, 1.7],
+  hidden: 'none',
+} as const;
+
+/** The ranges of the numeric properties. Each has a uniform of the same name. */
+export const OUTLINE_NUMBERS = {
+  outlineWidth: { above: 0 },
+  contours: { from: 0 },
+  innerContours: { from: 0 },
+  borders: { from: 0 },
+  creases: { from: 0 },
+  materialBorders: { from: 0 },
+  suggestiveContours: { from: 0 },
+  lostEdges: { from: 0, to: 1 },
+  accents: { from: 0 },
+  taper: { from: 0 },
+  wobble: { from: 0 },
+  overshoot: { from: 0 },
+  tooth: { from: 0, to: 1 },
+  toothSize: { above: 0 },
+} as const satisfies Partial<Record<keyof typeof HATCHING_OUTLINE_DEFAULTS, NumberRange>>;
+
+export type OutlineNumberName = keyof typeof OUTLINE_NUMBERS;
+
+/** The properties that are measured in CSS pixels. */
+export const OUTLINE_SIZES = [
+  'outlineWidth',
+  'wobble',
+  'overshoot',
+  'toothSize',
+] as const satisfies OutlineNumberName[];
+
+/** The sizes in `look`, multiplied by `factor`: for a picture `factor` times as wide, at the same pixel ratio. */
+export function scaledOutlineSizes<Look extends { readonly [Name in OutlineNumberName]?: unknown }>(
+  look: Look,
+  factor: number,
+): Partial<Look> {
+  const given = OUTLINE_SIZES.filter((name) => typeof look[name] === 'number');
+  return Object.fromEntries(given.map((name) => [name, Number(look[name]) * factor])) as Partial<Look>;
+}
+
+export const OUTLINE_NUMBER_NAMES = /* @__PURE__ */ Object.keys(OUTLINE_NUMBERS) as OutlineNumberName[];

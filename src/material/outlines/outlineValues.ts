@@ -1,0 +1,65 @@
+import type { Color, IUniform, Vector2 } from 'three';
+import { HIDDEN_OUTLINES, type HiddenOutlines } from '../../look/hiddenOutlines.js';
+import { checkNumber } from '../checkNumber.js';
+import type { Vector2Like } from '../vectorValues.js';
+import {
+  HATCHING_OUTLINE_DEFAULTS,
+  OUTLINE_NUMBER_NAMES,
+  OUTLINE_NUMBERS,
+  OUTLINE_SIZES,
+  type OutlineNumberName,
+} from './outlineProperties.js';
+
+/** The values that a material of outlines is drawn with. */
+type OutlineLook = Record<OutlineNumberName, number> & {
+  ink: Color;
+  shadeWeights: Vector2;
+  opacity: number;
+  hidden: HiddenOutlines;
+};
+
+/** Gives a material a property for each number, which is checked. @param told is called when one was set. @param owner the name of the class */
+export function defineOutlineNumbers(
+  material: object,
+  owner: string,
+  told: (name: OutlineNumberName, value: number) => void,
+): void {
+  for (const name of OUTLINE_NUMBER_NAMES) {
+    let current: number = HATCHING_OUTLINE_DEFAULTS[name];
+    Object.defineProperty(material, name, {
+      get: () => current,
+      set: (value: number) => {
+        current = checkNumber(name, value, OUTLINE_NUMBERS[name], owner);
+        told(name, current);
+      },
+      enumerable: true,
+    });
+  }
+}
+
+/** @throws TypeError */
+export function checkHidden(value: HiddenOutlines, owner: string): HiddenOutlines {
+  if (HIDDEN_OUTLINES.includes(value)) return value;
+  throw new TypeError(
+    `${owner}.hidden is ${String(value)}, but must be ${HIDDEN_OUTLINES.map((one) => `'${one}'`).join(', ')}.`,
+  );
+}
+
+/** @throws RangeError */
+export function checkShadeWeights(weights: Vector2Like, owner: string): [number, number] {
+  const [lit, shaded] = Symbol.iterator in Object(weights) ? [...(weights as Iterable<number>)] : [];
+  if (lit >= 0 && shaded >= 0 && lit + shaded < Infinity) return [lit, shaded];
+  throw new RangeError(
+    `${owner}.shadeWeights: pass two numbers, 0 or more: the weights on the lit side and in the shade.`,
+  );
+}
+
+/** Writes the properties of a material to uniforms. @param pixelRatio pixels of what is drawn to per CSS pixel */
+export function writeOutlineLook(look: OutlineLook, u: Record<string, IUniform>, pixelRatio: number): void {
+  for (const name of OUTLINE_NUMBER_NAMES) u[name].value = look[name];
+  for (const name of OUTLINE_SIZES) u[name].value *= pixelRatio;
+  u.ink.value = look.ink;
+  u.shadeWeights.value = look.shadeWeights;
+  u.opacity.value = look.opacity;
+  u.isDashed.value = look.hidden === 'dashed';
+}

@@ -1,0 +1,146 @@
+import { IS_EDGE } from '../features/edgeFlags.js';
+import { fanCurvatures, TENSOR_FLOATS } from '../features/fanCurvatures.js';
+import { type FeatureEdges, findFeatureEdges } from '../features/findFeatureEdges.js';
+import { turnFlaps } from '../features/turnFlaps.js';
+import { doubleArea } from '../computeAreaNormals.js';
+import type { TriangleMesh } from '../TriangleMesh.js';
+import { absorbSmallPatches } from '../normals/absorbSmallPatches.js';
+import type { FanSurface } from '../normals/assembleHeatEquation.js';
+import type { Fans } from '../normals/buildFans.js';
+import { fanDirections } from '../normals/fanDirections.js';
+import type { Patches } from '../normals/findPatches.js';
+import { asPhase } from '../timeSlicing/asPhase.js';
+
+/** What the bake of outlines needs to know. Plain data: it is posted to the worker. */
+export interface OutlineRequest {
+  /** Edges where the surface turns by at least this angle, in radians, are creases. See `CreaseLimits`. */
+  featureAngle?: number | undefined;
+  /** Shorter chains of creases are left out, in object units. Default: see `CREASE_SHARE`. */
+  creaseLength?: number | undefined;
+  /** The geometry group of each triangle; null if there is only one. */
+  triangleGroups: Uint16Array<ArrayBuffer> | null;
+}
+
+/** The surface that contours and feature edges are drawn from, before it is packed. */
+export interface OutlineSurface {
+  mesh: TriangleMesh;
+  /** The fans of the hatch normals, except for the specks. */
+  fans: Fans;
+  /** Unit normals, three per fan. */
+  normals: Float32Array<ArrayBuffer>;
+  /** See `fanCurvatures`. */
+  curvatures: Float32Array<ArrayBuffer>;
+  edges: FeatureEdges;
+  /** Radius of the bounding sphere. */
+  radius: number;
+}
+
+/** Smoothing radius of the normals for contours, as a share of the bounding radius. Larger would leave the outline. */
+const CONTOUR_SHARE = 0.01;
+
+/** Smoothing radius of the normals for curvatures, as a share of the bounding radius. */
+const CURVATURE_SHARE = 0.015;
+
+/** A mesh with fewer triangles is not a scan: its small patches are faces that someone has modelled. */
+const MIN_SCAN_TRIANGLES = 5000;
+
+/** The largest number of triangles in a speck. */
+const MAX_SPECK_TRIANGLES = 2;
+
+/** The largest area of a speck, as a multiple of the mean area of a triangle. */
+const MAX_SPECK_AREA = 1.5;
+
+/** Where specks hold a larger share of the triangles, they are the sides of boxes that someone has modelled. */
+const MAX_SPECKS_SHARE = 0.1;
+
+/** Connected creases are drawn if they are at least this long in total, as a share of the bounding radius. */
+const CREASE_SHARE = 0.2;
+
+/** The smoothing radii, in object units, of the normals for contours and for curvatures. */
+export const outlineSmoothingRadii = (radius: number): [contours: number, curvatures: number] => [
+  CONTOUR_SHARE * radius,
+  CURVATURE_SHARE * radius,
+];
+
+/**
+ * Computes the surface that contours, borders and creases are drawn from. On a coarse mesh each triangle keeps its own normal,
+ * and contours run along its edges.
+ *
+ * @param surface with twins that are cut at sharp edges, and with fans that have absorbed small patches
+ * @param joinedTwins the twins before any edge was cut
+ * @param smoothed the normals of the fans at each of the `outlineSmoothingRadii`; null for a coarse mesh
+ */
+export function* bakeOutlines(
+  surface: FanSurface,
+  patches: Patches,
+  joinedTwins: Int32Array,
+  smoothed: readonly Float32Array[] | null,
+  radius: number,
+  { featureAngle, creaseLength, triangleGroups }: OutlineRequest,
+): Generator<number, OutlineSurface, void> {
+  const { mesh, areaNormals, twins, canonicalCorners } = surface;
+  const smooth = yield* asPhase(smoothed ? smoothSurface(surface, patches, smoothed) : facets(areaNormals), 0, 0.7);
+  const edges = yield* asPhase(
+    findFeatureEdges(
+      {
+        mesh,
+        canonicalCorners,
+        areaNormals,
+        joinedTwins,
+        sharpTwins: twins,
+        ofCorner: smooth.fans.ofCorner,
+        normals: smooth.normals,
+        triangleGroups,
+      },
+      { featureAngle: featureAngle ?? null, creaseLength: creaseLength ?? CREASE_SHARE * radius },
+    ),
+    0.7,
+    1,
+  );
+  for (let edge = 0; edge < edges.flags.length; edge++) edges.flags[edge] |= IS_EDGE;
+  return { mesh, ...smooth, edges, radius };
+}
+
+type SmoothSurface = Pick<OutlineSurface, 'fans' | 'normals' | 'curvatures'>;
+
+function* smoothSurface(
+  surface: FanSurface,
+  patches: Patches,
+  [ofContours, ofCurvatures]: readonly Float32Array[],
+): Generator<number, SmoothSurface, void> {
+  const { mesh, areaNormals } = surface;
+  const fans = { ofCorner: surface.fans.ofCorner.slice(), count: surface.fans.count };
+  yield* asPhase(absorbSpecks(surface, patches, fans), 0, 0.2);
+  const normals = yield* asPhase(fanDirections(ofContours, areaNormals, fans), 0.2, 0.3);
+  yield* asPhase(turnFlaps(normals, fans), 0.3, 0.4);
+  const coarse = yield* asPhase(fanDirections(ofCurvatures, areaNormals, fans), 0.4, 0.5);
+  const curvatures = yield* asPhase(fanCurvatures(mesh, areaNormals, fans, coarse), 0.5, 1);
+  return { fans, normals, curvatures };
+}
+
+/**
+ * Moves the corners of specks to the fans around them. A speck is a tiny patch between sharp edges. Decimated scans have many
+ * triangles that are folded over, and without this step each would get an outline around it.
+ */
+function* absorbSpecks(surface: FanSurface, patches: Patches, fans: Fans): Generator<number, void, void> {
+  const { areaNormals } = surface;
+  const count = areaNormals.length / 3;
+  if (count < MIN_SCAN_TRIANGLES) return;
+  let whole = 0;
+  for (let triangle = 0; triangle < count; triangle++) whole += 0.5 * doubleArea(areaNormals, triangle);
+  const largest = (MAX_SPECK_AREA * whole) / count;
+  const isSpeck = (area: number, triangles: number): boolean => triangles <= MAX_SPECK_TRIANGLES && area <= largest;
+  let inSpecks = 0;
+  for (let patch = 0; patch < patches.sizes.length; patch++) {
+    if (isSpeck(patches.areas[patch], patches.sizes[patch])) inSpecks += patches.sizes[patch];
+  }
+  if (inSpecks <= MAX_SPECKS_SHARE * count) yield* absorbSmallPatches(surface, patches, fans, isSpeck);
+}
+
+/** The surface of a coarse mesh: every corner is a fan of its own, with the normal of its triangle. */
+function* facets(areaNormals: Float64Array): Generator<number, SmoothSurface, void> {
+  const count = areaNormals.length;
+  const fans = { ofCorner: Uint32Array.from({ length: count }, (_, corner) => corner), count };
+  const normals = yield* fanDirections(new Float32Array(3 * count), areaNormals, fans);
+  return { fans, normals, curvatures: new Float32Array(TENSOR_FLOATS * count) };
+}

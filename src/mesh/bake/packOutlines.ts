@@ -1,0 +1,132 @@
+import { LOW_FLAGS } from '../features/edgeFlags.js';
+import { TENSOR_FLOATS } from '../features/fanCurvatures.js';
+import { asPhase } from '../timeSlicing/asPhase.js';
+import { forEachChunk } from '../timeSlicing/forEachChunk.js';
+import type { OutlineSurface } from './bakeOutlines.js';
+import { halfFloat } from './halfFloat.js';
+import { octahedral } from './octahedral.js';
+import { POINT_BITS, POINT_WORDS, PRIMITIVE_WORDS, SEARCHED_IN_WORKER } from './outlineLayout.js';
+import { paddedWords } from './packPull.js';
+
+/** The data that outlines are drawn from (`outlineLayout.ts`). Plain data: the worker posts it back. */
+export interface PackedOutlines {
+  /** `POINT_WORDS` words per point, padded to whole rows of a texture. */
+  points: Uint32Array<ArrayBuffer>;
+  /** `PRIMITIVE_WORDS` words per primitive, all triangles before all edges, padded to whole rows. */
+  primitives: Uint32Array<ArrayBuffer>;
+  /** A copy of them for a search in the worker, which takes it away; null if there is none. */
+  searched: Uint32Array<ArrayBuffer> | null;
+  triangleCount: number;
+  edgeCount: number;
+  /** x, y, z of each point, for the search for contours. */
+  positions: Float32Array<ArrayBuffer>;
+  /** x, y, z of each point's unit normal. */
+  normals: Float32Array<ArrayBuffer>;
+  radius: number;
+}
+
+/**
+ * Packs the surface that outlines are drawn from.
+ *
+ * @param indices the vertex of each corner in the layout that is baked
+ */
+export function* packOutlines(
+  { fans, normals, curvatures, edges, radius, mesh }: OutlineSurface,
+  indices: Uint32Array,
+): Generator<number, PackedOutlines, void> {
+  const triangleCount = mesh.indices.length / 3;
+  const edgeCount = edges.flags.length;
+  const positions = new Float32Array(3 * fans.count);
+  const vertices = new Uint32Array(fans.count);
+  yield* asPhase(
+    forEachChunk(mesh.indices.length, (start, end) =>
+      placeRange(mesh.positions, mesh.indices, indices, fans.ofCorner, positions, vertices, start, end),
+    ),
+    0,
+    0.3,
+  );
+  const points = new Uint32Array(paddedWords(fans.count, POINT_WORDS));
+  yield* asPhase(
+    forEachChunk(fans.count, (start, end) =>
+      packPoints(positions, vertices, normals, curvatures, radius, points, start, end),
+    ),
+    0.3,
+    0.8,
+  );
+  const primitives = new Uint32Array(paddedWords(triangleCount + edgeCount, PRIMITIVE_WORDS));
+  yield* asPhase(
+    forEachChunk(triangleCount, (start, end) => packTriangles(fans.ofCorner, primitives, start, end)),
+    0.8,
+    1,
+  );
+  const first = PRIMITIVE_WORDS * triangleCount;
+  primitives.set(edges.fans, first);
+  for (let edge = 0; edge < edgeCount; edge++) {
+    const flags = edges.flags[edge];
+    primitives[first + PRIMITIVE_WORDS * edge] |= (flags & LOW_FLAGS) << POINT_BITS;
+    primitives[first + PRIMITIVE_WORDS * edge + 1] |= (flags >> 4) << POINT_BITS;
+  }
+  const searched = triangleCount < SEARCHED_IN_WORKER ? null : primitives.slice();
+  return { points, primitives, searched, triangleCount, edgeCount, positions, normals, radius };
+}
+
+/** The buffers of packed outlines, which are transferred with them. */
+export const outlineBuffers = (outlines: PackedOutlines | null): ArrayBuffer[] =>
+  outlines === null
+    ? []
+    : [outlines.points, outlines.primitives, outlines.searched, outlines.positions, outlines.normals].flatMap(
+        (array) => array?.buffer ?? [],
+      );
+
+/** Writes the position and a vertex of the fan of each corner in a range. */
+function placeRange(
+  meshPositions: Float32Array,
+  meshIndices: Uint32Array,
+  indices: Uint32Array,
+  ofCorner: Uint32Array,
+  positions: Float32Array,
+  vertices: Uint32Array,
+  start: number,
+  end: number,
+): void {
+  for (let corner = start; corner < end; corner++) {
+    const fan = ofCorner[corner];
+    const vertex = 3 * meshIndices[corner];
+    positions[3 * fan] = meshPositions[vertex];
+    positions[3 * fan + 1] = meshPositions[vertex + 1];
+    positions[3 * fan + 2] = meshPositions[vertex + 2];
+    vertices[fan] = indices[corner];
+  }
+}
+
+function packPoints(
+  positions: Float32Array,
+  vertices: Uint32Array,
+  normals: Float32Array,
+  curvatures: Float32Array,
+  radius: number,
+  words: Uint32Array,
+  start: number,
+  end: number,
+): void {
+  const floats = new Float32Array(words.buffer);
+  for (let point = start; point < end; point++) {
+    const i = 3 * point;
+    const target = POINT_WORDS * point;
+    floats[target] = positions[i];
+    floats[target + 1] = positions[i + 1];
+    floats[target + 2] = positions[i + 2];
+    words[target + 3] = octahedral(normals[i], normals[i + 1], normals[i + 2]);
+    for (let pair = 0; pair < TENSOR_FLOATS / 2; pair++) {
+      const k = TENSOR_FLOATS * point + 2 * pair;
+      words[target + 4 + pair] = halfFloat(radius * curvatures[k]) | (halfFloat(radius * curvatures[k + 1]) << 16);
+    }
+    words[target + 7] = vertices[point];
+  }
+}
+
+function packTriangles(ofCorner: Uint32Array, words: Uint32Array, start: number, end: number): void {
+  for (let triangle = start; triangle < end; triangle++) {
+    for (let k = 0; k < 3; k++) words[PRIMITIVE_WORDS * triangle + k] = ofCorner[3 * triangle + k];
+  }
+}

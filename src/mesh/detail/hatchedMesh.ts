@@ -1,0 +1,60 @@
+import { forEachChunk } from '../timeSlicing/forEachChunk.js';
+import type { SimplifiableMesh } from './SimplifiableMesh.js';
+
+/**
+ * How far a vertex may move, in radii of the mesh, for a turn of its strokes by one radian, by the whole of a map, by a whole colour, and
+ * by a line along the form, which is as far as two of those lines lie apart in the mean.
+ */
+const WEIGHTS = { normal: 0.02, uv: 0.5, color: 0.05, form: 1 / 16 };
+
+/** The vertices of a baked mesh, as arrays. */
+export interface HatchedVertices {
+  positions: Float32Array<ArrayBuffer>;
+  /** Four 16-bit integers per vertex, of which the first three are the normal that orients strokes. */
+  hatchNormals: Int16Array<ArrayBuffer>;
+  /** Two per vertex, if the mesh has a map. */
+  uvs: Float32Array<ArrayBuffer> | null;
+  /** Three or four per vertex, if its vertices have colours. */
+  colors: Float32Array<ArrayBuffer> | null;
+  /** φ and φ₂ of every vertex, if lines follow the form. */
+  forms: Float32Array<ArrayBuffer> | null;
+}
+
+/** Gathers what strokes depend on, so that a simpler mesh has it in the same places. */
+export function* hatchedMesh(
+  { positions, hatchNormals, uvs, colors, forms }: HatchedVertices,
+  radius: number,
+): Generator<number, SimplifiableMesh, void> {
+  const count = positions.length / 3;
+  const colorSize = colors ? colors.length / count : 0;
+  const weights = [
+    ...new Array<number>(3).fill(WEIGHTS.normal),
+    ...new Array<number>(uvs ? 2 : 0).fill(WEIGHTS.uv),
+    ...new Array<number>(colorSize).fill(WEIGHTS.color),
+    ...new Array<number>(forms ? 2 : 0).fill(WEIGHTS.form),
+  ].map((weight) => weight * radius);
+  const attributes = new Float32Array(count * weights.length);
+  yield* forEachChunk(count, (start, end) => {
+    gather(attributes, weights.length, 0, hatchNormals, 4, 3, 1 / 32767, start, end);
+    if (uvs) gather(attributes, weights.length, 3, uvs, 2, 2, 1, start, end);
+    if (colors) gather(attributes, weights.length, uvs ? 5 : 3, colors, colorSize, colorSize, 1, start, end);
+    if (forms) gather(attributes, weights.length, weights.length - 2, forms, 2, 2, 1, start, end);
+  });
+  return { positions, attributes, weights };
+}
+
+function gather(
+  target: Float32Array,
+  stride: number,
+  offset: number,
+  source: Float32Array | Int16Array,
+  sourceStride: number,
+  size: number,
+  scale: number,
+  start: number,
+  end: number,
+): void {
+  for (let i = start; i < end; i++) {
+    for (let k = 0; k < size; k++) target[i * stride + offset + k] = source[i * sourceStride + k] * scale;
+  }
+}

@@ -1,0 +1,12 @@
+import { asPhase } from '../timeSlicing/asPhase.js';
+import type { DetailRequest } from './DetailRequest.js';
+import { hatchedMesh } from './hatchedMesh.js';
+import { simplifierOf } from './loadSimplifier.js';
+import { type DetailLevels, makeLevels } from './makeLevels.js';
+
+/** Makes the levels of a baked mesh. The simplifier must be loaded. */
+export function* simplifyHatched(request: DetailRequest): Generator<number, DetailLevels, void> {
+  const { radius, indices } = request;
+  const mesh = yield* asPhase(hatchedMesh(request, radius), 0, 0.05);
+  return yield* asPhase(makeLevels(mesh, indices, radius, simplifierOf(request.simplifier)), 0.05, 1);
+}

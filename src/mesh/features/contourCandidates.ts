@@ -1,0 +1,137 @@
+import { asPhase } from '../timeSlicing/asPhase.js';
+import { forEachChunk } from '../timeSlicing/forEachChunk.js';
+import { BORDER, CONTRARY } from './edgeFlags.js';
+
+/** The data that the search for contours needs. Plain data: it is posted to the worker and back. */
+export interface ContourSearch {
+  /** x, y, z of each point. */
+  positions: Float32Array<ArrayBuffer>;
+  /** x, y, z of each point's unit normal. */
+  normals: Float32Array<ArrayBuffer>;
+  /** Four words per primitive (`outlineLayout.ts` of the bake): numbers of points, with flags in the bits above `pointMask`. */
+  primitives: Uint32Array<ArrayBuffer>;
+  pointMask: number;
+  /** The number of bits in the mask. */
+  pointBits: number;
+  triangleCount: number;
+  edgeCount: number;
+  /** Scratch memory, a value per point: 1 surely faces the eye, 2 surely faces away, 3 may do either. */
+  sides: Uint8Array<ArrayBuffer>;
+  /** The numbers of the candidates. It has room for every primitive. */
+  list: Uint32Array<ArrayBuffer>;
+}
+
+/** The eye in object space: x, y, z and 1, or, for an orthographic camera, the unit direction towards it and 0. */
+export type Eye = readonly [number, number, number, number];
+
+const FACES = 1;
+const LOOKS_AWAY = 2;
+
+/**
+ * Lists the candidates: the primitives that may hold a line as long as the direction to the eye turns by less than an angle. A
+ * triangle is left out if its three corners all face the eye, or all face away, by more than that angle. Borders and creases are
+ * candidates, unless all of a crease faces away; other edges follow the rule for triangles. Fills `list`, with triangles before
+ * edges, and returns the number of candidates.
+ *
+ * @param sine the sine of the angle
+ */
+export function* contourCandidates(search: ContourSearch, eye: Eye, sine: number): Generator<number, number, void> {
+  const { triangleCount, edgeCount } = search;
+  const points = search.positions.length / 3;
+  yield* asPhase(
+    forEachChunk(points, (start, end) => judgePoints(search, eye, sine, start, end)),
+    0,
+    0.6,
+  );
+  let count = 0;
+  yield* asPhase(
+    forEachChunk(triangleCount, (start, end) => {
+      count = listTriangles(search, count, start, end);
+    }),
+    0.6,
+    0.95,
+  );
+  yield* asPhase(
+    forEachChunk(edgeCount, (start, end) => {
+      count = listEdges(search, count, start, end);
+    }),
+    0.95,
+    1,
+  );
+  return count;
+}
+
+/** Does the same as `contourCandidates`, in one go. */
+export function findCandidates(search: ContourSearch, eye: Eye, sine: number): number {
+  const { triangleCount, edgeCount } = search;
+  judgePoints(search, eye, sine, 0, search.positions.length / 3);
+  return listEdges(search, listTriangles(search, 0, 0, triangleCount), 0, edgeCount);
+}
+
+function judgePoints({ positions, normals, sides }: ContourSearch, eye: Eye, sine: number, start: number, end: number) {
+  const [eyeX, eyeY, eyeZ, isPlace] = eye;
+  const squaredSine = sine * sine;
+  for (let point = start; point < end; point++) {
+    const i = 3 * point;
+    const x = eyeX - isPlace * positions[i];
+    const y = eyeY - isPlace * positions[i + 1];
+    const z = eyeZ - isPlace * positions[i + 2];
+    const facing = normals[i] * x + normals[i + 1] * y + normals[i + 2] * z;
+    const isSure = facing * facing > squaredSine * (x * x + y * y + z * z);
+    sides[point] = isSure ? (facing > 0 ? FACES : LOOKS_AWAY) : FACES | LOOKS_AWAY;
+  }
+}
+
+function listTriangles({ primitives, sides, list }: ContourSearch, listed: number, start: number, end: number): number {
+  let count = listed;
+  for (let triangle = start; triangle < end; triangle++) {
+    const i = 4 * triangle;
+    const both = sides[primitives[i]] | sides[primitives[i + 1]] | sides[primitives[i + 2]];
+    if (both === (FACES | LOOKS_AWAY)) list[count++] = triangle;
+  }
+  return count;
+}
+
+function listEdges(
+  { primitives, sides, list, pointMask, pointBits, triangleCount }: ContourSearch,
+  listed: number,
+  start: number,
+  end: number,
+): number {
+  let count = listed;
+  for (let edge = triangleCount + start; edge < triangleCount + end; edge++) {
+    const i = 4 * edge;
+    const first = primitives[i];
+    const leftSides = sides[first & pointMask] | sides[primitives[i + 1] & pointMask];
+    const rightSides = sides[primitives[i + 2]] | sides[primitives[i + 3]];
+    const both = leftSides | rightSides;
+    // At a border the back of the surface may be visible, and contrary windings leave front and back unknown. A crease is visible
+    // if one of its sides faces the eye. Any other edge can only hold the contour, which needs a side that faces away as well.
+    const kinds = (first & ~pointMask) >>> pointBits;
+    const isSeen = kinds & (BORDER | CONTRARY) || (kinds === 0 ? both === (FACES | LOOKS_AWAY) : both !== LOOKS_AWAY);
+    if (isSeen) list[count++] = edge;
+  }
+  return count;
+}
+
+/** The input of `searchContours`. Plain data: it is posted to the worker. */
+export interface ContourSearchRequest {
+  search: ContourSearch;
+  eye: Eye;
+  sine: number;
+}
+
+/** What `searchContours` returns: the arrays of the search come back, with the number of candidates in `list`. */
+export interface ContourSearchResult {
+  search: ContourSearch;
+  count: number;
+}
+
+/** Runs `contourCandidates` as a task of the worker. */
+export function* searchContours({
+  search,
+  eye,
+  sine,
+}: ContourSearchRequest): Generator<number, ContourSearchResult, void> {
+  return { search, count: yield* contourCandidates(search, eye, sine) };
+}

@@ -1,0 +1,83 @@
+import { cosineBetween } from '../computeAreaNormals.js';
+import { nextCorner, triangleOf } from '../corners.js';
+import type { TriangleMesh } from '../TriangleMesh.js';
+import { asPhase } from '../timeSlicing/asPhase.js';
+import { forEachChunk } from '../timeSlicing/forEachChunk.js';
+
+/** A mesh may be coarse if the mean length of its edges is above this, as a share of the bounding radius. */
+const LONG_EDGE = 0.1;
+/** Such a mesh is coarse if the mean angle between neighbouring triangles is above this too, in radians. */
+const WIDE_ANGLE = (9 * Math.PI) / 180;
+
+/**
+ * Whether a mesh has so few triangles that they show in its outline, as in a sphere of 320 triangles, but not of 1,280. A contour
+ * from smooth normals would run well inside that outline.
+ *
+ * @param twins twins with NO_TWIN at sharp edges and where windings contradict each other: such edges do not count
+ */
+export function* isCoarse(
+  mesh: TriangleMesh,
+  twins: Int32Array,
+  areaNormals: Float64Array,
+  radius: number,
+): Generator<number, boolean, void> {
+  const sums: EdgeSums = { count: 0, length: 0, turned: 0 };
+  yield* asPhase(
+    forEachChunk(twins.length, (start, end) => addLengths(mesh, twins, sums, start, end)),
+    0,
+    0.5,
+  );
+  // Most meshes have short edges, and their angles need not be measured.
+  if (!(sums.length > LONG_EDGE * radius * sums.count)) return false;
+  yield* asPhase(
+    forEachChunk(twins.length, (start, end) => addAngles(mesh, twins, areaNormals, sums, start, end)),
+    0.5,
+    1,
+  );
+  return sums.turned > WIDE_ANGLE * sums.length;
+}
+
+/** Sums over all edges that have twins. */
+interface EdgeSums {
+  count: number;
+  length: number;
+  /** The sum of the angles between neighbours, each times the length of the edge. */
+  turned: number;
+}
+
+function addLengths(mesh: TriangleMesh, twins: Int32Array, sums: EdgeSums, start: number, end: number): void {
+  let { count, length } = sums;
+  for (let corner = start; corner < end; corner++) {
+    if (!(twins[corner] > corner)) continue;
+    count++;
+    length += lengthOf(mesh, corner);
+  }
+  sums.count = count;
+  sums.length = length;
+}
+
+function addAngles(
+  mesh: TriangleMesh,
+  twins: Int32Array,
+  areaNormals: Float64Array,
+  sums: EdgeSums,
+  start: number,
+  end: number,
+): void {
+  for (let corner = start; corner < end; corner++) {
+    const twin = twins[corner];
+    if (!(twin > corner)) continue;
+    const cosine = cosineBetween(areaNormals, triangleOf(corner), triangleOf(twin)) || 0;
+    sums.turned += lengthOf(mesh, corner) * Math.acos(Math.min(1, Math.max(-1, cosine)));
+  }
+}
+
+/** The length of the edge that starts at `corner`. */
+function lengthOf({ positions, indices }: TriangleMesh, corner: number): number {
+  const a = 3 * indices[corner];
+  const b = 3 * indices[nextCorner(corner)];
+  const x = positions[b] - positions[a];
+  const y = positions[b + 1] - positions[a + 1];
+  const z = positions[b + 2] - positions[a + 2];
+  return Math.sqrt(x * x + y * y + z * z);
+}

@@ -1,0 +1,99 @@
+import type { TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
+import type { TriangleMesh } from '../TriangleMesh.js';
+import { asPhase } from '../timeSlicing/asPhase.js';
+import { release } from '../timeSlicing/release.js';
+import { chooseLineField } from './chooseLineField.js';
+import { cutForm, type FormSeam } from './cutForm.js';
+import { directionField } from './directions/directionField.js';
+import { type FaceDirections, faceDirections } from './directions/faceDirections.js';
+import type { FormField } from './FormField.js';
+import type { FormOptions } from './FormOptions.js';
+import { type FormSurface, formSurface } from './FormSurface.js';
+import { formVertices } from './formVertices.js';
+import { phaseLevels } from './phase/phaseLevels.js';
+import { phaseMatrix } from './phase/phaseMatrix.js';
+import { phaseSource } from './phase/phaseSource.js';
+import { type SeamRelations, seamRelations } from './phase/seamRelations.js';
+import { type Phase, solvePhase } from './phase/solvePhase.js';
+
+/** Lines per bounding radius where φ rises as it shall. More lines come from octaves of φ, in powers of two. */
+export const LINES_PER_RADIUS = 16;
+
+/**
+ * Bakes the field of lines that follow the form. It depends on the shape alone: on no scale, no place, no chance. φ does not depend
+ * on `crossAngle`, to the last bit.
+ *
+ * @param twins with NO_TWIN where windings contradict each other (`consistentTwins`). They are lost
+ * @param radius the bounding radius of the mesh
+ */
+export function* bakeForm(
+  mesh: TriangleMesh,
+  adjacency: Pick<TriangleAdjacency, 'canonicalCorners' | 'areaNormals'>,
+  twins: Int32Array<ArrayBuffer>,
+  radius: number,
+  options: FormOptions,
+): Generator<number, FormField, void> {
+  const surface = yield* asPhase(formSurface(mesh, adjacency, twins, radius, options), 0, 0.3);
+  release(twins);
+  return yield* asPhase(fieldOn(surface, options), 0.3, 1);
+}
+
+/** As `bakeForm`, for a shape that has a form: null for one of flat faces (`chooseLineField`). */
+export function* bakeChosenForm(
+  mesh: TriangleMesh,
+  adjacency: Pick<TriangleAdjacency, 'canonicalCorners' | 'areaNormals'>,
+  twins: Int32Array<ArrayBuffer>,
+  radius: number,
+  options: FormOptions,
+): Generator<number, FormField | null, void> {
+  const surface = yield* asPhase(formSurface(mesh, adjacency, twins, radius, options), 0, 0.3);
+  release(twins);
+  const { lineField } = yield* asPhase(chooseLineField(surface), 0.3, 0.31);
+  return lineField === 'form' ? yield* asPhase(fieldOn(surface, options), 0.31, 1) : null;
+}
+
+/** The field on a surface that was prepared for it, which is lost: its arrays are freed one by one, as they are no longer needed. */
+function* fieldOn(surface: FormSurface, options: FormOptions): Generator<number, FormField, void> {
+  const directions = yield* asPhase(formDirections(surface, options), 0, 0.5);
+  const { heat, normals, partShares } = surface;
+  release(normals, partShares, heat.masses, heat.degrees);
+  const seam = yield* asPhase(cutForm(surface, directions), 0.5, 0.6);
+  release(seam.cutTwins);
+  return yield* asPhase(combedField(surface, directions, seam, options.crossAngle), 0.6, 1);
+}
+
+/** The directions of the faces. The field that they come from is free when they are found. */
+function* formDirections(surface: FormSurface, options: FormOptions): Generator<number, FaceDirections, void> {
+  const field = yield* asPhase(directionField(surface, options), 0, 0.92);
+  return yield* asPhase(faceDirections(surface, field), 0.92, 1);
+}
+
+/** Finds φ and φ₂ on a surface that is cut so that directions can be combed. The directions are lost. */
+export function* combedField(
+  surface: FormSurface,
+  directions: FaceDirections,
+  seam: FormSeam,
+  crossAngle: number,
+): Generator<number, FormField, void> {
+  const { relations, phase } = yield* asPhase(combedPhase(surface, directions, seam, crossAngle), 0, 0.85);
+  return yield* asPhase(formVertices(surface, seam, relations, phase), 0.85, 1);
+}
+
+/** Solves for φ and φ₂. What is needed only for that is free when the vertices are made. */
+function* combedPhase(
+  surface: FormSurface,
+  directions: FaceDirections,
+  seam: FormSeam,
+  crossAngle: number,
+): Generator<number, { relations: SeamRelations; phase: Phase }, void> {
+  const relations = yield* asPhase(seamRelations(surface, seam), 0, 0.05);
+  const { matrix, shares } = yield* asPhase(phaseMatrix(surface, seam, relations), 0.05, 0.15);
+  release(surface.heat.neighbours);
+  const levels = yield* asPhase(phaseLevels(matrix), 0.15, 0.25);
+  // A mesh without extent has no lines.
+  const slope = surface.radius > 0 ? LINES_PER_RADIUS / surface.radius : 0;
+  const families = { slope, crossAngle };
+  const source = yield* asPhase(phaseSource(surface, directions, seam, relations, shares, families), 0.25, 0.3);
+  release(directions.across, directions.normals, shares);
+  return { relations, phase: yield* asPhase(solvePhase(surface, seam, relations, levels, source), 0.3, 1) };
+}

@@ -1,0 +1,135 @@
+import { TENSOR_FLOATS } from '../../features/fanCurvatures.js';
+import { forEachChunk } from '../../timeSlicing/forEachChunk.js';
+import type { FormOptions } from '../FormOptions.js';
+import type { FormSurface } from '../FormSurface.js';
+import { cross, normalized, type Vector, viewedFrom } from './axes.js';
+import { FRAME_FLOATS } from './tangentFrames.js';
+
+/** What a field of lines is drawn towards, before it is smoothed. Complex numbers are two floats per fan; see `Connection`. */
+export interface LineTargets {
+  /** For each fan how much it insists on its target. */
+  weights: Float64Array<ArrayBuffer>;
+  /** The weighted targets. */
+  right: Float64Array<ArrayBuffer>;
+  /** The part of `right` that curvature asks for: the direction that is the most convex. */
+  curved: Float64Array<ArrayBuffer>;
+  /** For each fan how far its two principal curvatures lie apart: half their difference, times the bounding radius of its part. */
+  anisotropy: Float32Array<ArrayBuffer>;
+}
+
+/** The anisotropy at which curvature counts half. */
+const HALF_ANISOTROPY = 1;
+
+/** From this anisotropy on, that of a limb of a thirtieth of the radius, directions reach the less far the thinner the limb is. */
+const THIN_ANISOTROPY = 15;
+
+/** How much `up` counts, beside curvature that is decided. */
+const UP_WEIGHT = 0.2;
+
+/** How much the level axis counts on what is flat and faces up or down, such as lids. */
+const LEVEL_WEIGHT = 0.5;
+
+/** The curvature, times the bounding radius, at which a surface is no longer flat. */
+const FLAT_CURVATURE = 0.3;
+
+/**
+ * Measures where lines should run: along the most convex direction, the more decidedly the further the principal curvatures lie
+ * apart, and weakly across `up`. Ridges and grooves cancel each other, so that noise says nothing. Flat lids, on which neither
+ * says anything, are ruled along one axis, the horizontal one in the picture as seen from the front.
+ *
+ * @param signs see `bendSigns`
+ */
+export function* curvatureLines(
+  surface: FormSurface,
+  frames: Float32Array,
+  signs: Int8Array,
+  { up, front, reach }: FormOptions,
+): Generator<number, LineTargets, void> {
+  const count = surface.fans.count;
+  const targets: LineTargets = {
+    weights: new Float64Array(count),
+    right: new Float64Array(2 * count),
+    curved: new Float64Array(2 * count),
+    anisotropy: new Float32Array(count),
+  };
+  const perMass = 1 / (reach * surface.radius) ** 2;
+  const axis = normalized(up);
+  const level = normalized(cross(axis, viewedFrom(axis, front)));
+  yield* forEachChunk(count, (start, end) =>
+    measureRange(surface, frames, signs, perMass, axis, level, targets, start, end),
+  );
+  return targets;
+}
+
+function measureRange(
+  { masses, tensors, radius, partShares }: FormSurface,
+  frames: Float32Array,
+  signs: Int8Array,
+  perMass: number,
+  axis: Vector,
+  levelAxis: Vector,
+  { weights, right, curved, anisotropy }: LineTargets,
+  start: number,
+  end: number,
+): void {
+  for (let fan = start; fan < end; fan++) {
+    const i = FRAME_FLOATS * fan;
+    const scale = signs[fan] * partShares[fan] * radius;
+    const ux = frames[i];
+    const uy = frames[i + 1];
+    const uz = frames[i + 2];
+    const vx = frames[i + 3];
+    const vy = frames[i + 4];
+    const vz = frames[i + 5];
+    const k = TENSOR_FLOATS * fan;
+    const xx = tensors[k];
+    const xy = tensors[k + 1];
+    const xz = tensors[k + 2];
+    const yy = tensors[k + 3];
+    const yz = tensors[k + 4];
+    const zz = tensors[k + 5];
+    // The tensor times u and times v, and from these its part without a trace, in the frame.
+    const kux = xx * ux + xy * uy + xz * uz;
+    const kuy = xy * ux + yy * uy + yz * uz;
+    const kuz = xz * ux + yz * uy + zz * uz;
+    const kvx = xx * vx + xy * vy + xz * vz;
+    const kvy = xy * vx + yy * vy + yz * vz;
+    const kvz = xz * vx + yz * vy + zz * vz;
+    const qx = 0.5 * scale * (ux * kux + uy * kuy + uz * kuz - vx * kvx - vy * kvy - vz * kvz);
+    const qy = scale * (vx * kux + vy * kuy + vz * kuz);
+    const length = Math.sqrt(qx * qx + qy * qy);
+    const mass = (perMass * masses[fan]) / partShares[fan] ** 2;
+    const reached = Math.max(1, length / THIN_ANISOTROPY);
+    const decided = (mass * reached * reached) / (length + HALF_ANISOTROPY);
+    // The tangent across the axis, as long as the axis' part in the tangent plane.
+    const hx = -(axis[0] * vx + axis[1] * vy + axis[2] * vz);
+    const hy = axis[0] * ux + axis[1] * uy + axis[2] * uz;
+    const steepness = hx * hx + hy * hy;
+    const bend = scale * scale * (xx * xx + yy * yy + zz * zz + 2 * (xy * xy + xz * xz + yz * yz));
+    const flatness = (FLAT_CURVATURE ** 2 / (FLAT_CURVATURE ** 2 + bend)) ** 2;
+    const lx = levelAxis[0] * ux + levelAxis[1] * uy + levelAxis[2] * uz;
+    const ly = levelAxis[0] * vx + levelAxis[1] * vy + levelAxis[2] * vz;
+    const across = UP_WEIGHT * mass;
+    const along = LEVEL_WEIGHT * mass * flatness * Math.max(0, 1 - steepness);
+    anisotropy[fan] = length;
+    weights[fan] = decided * length + across * steepness + along * (lx * lx + ly * ly);
+    curved[2 * fan] = decided * qx;
+    curved[2 * fan + 1] = decided * qy;
+    right[2 * fan] = decided * qx + across * (hx * hx - hy * hy) + along * (lx * lx - ly * ly);
+    right[2 * fan + 1] = decided * qy + across * 2 * hx * hy + along * 2 * lx * ly;
+  }
+}
+
+/** Lets each fan insist as much more on its target as it counts. */
+export function* weighTargets(
+  { weights, right }: LineTargets,
+  prominences: Float32Array,
+): Generator<number, void, void> {
+  yield* forEachChunk(prominences.length, (start, end) => {
+    for (let fan = start; fan < end; fan++) {
+      weights[fan] *= prominences[fan];
+      right[2 * fan] *= prominences[fan];
+      right[2 * fan + 1] *= prominences[fan];
+    }
+  });
+}

@@ -1,0 +1,221 @@
+import { nextCorner } from '../../corners.js';
+import { asPhase } from '../../timeSlicing/asPhase.js';
+import { forEachChunk } from '../../timeSlicing/forEachChunk.js';
+import type { FormSeam } from '../cutForm.js';
+import { type CutSegments, cutSegments } from '../cutSegments.js';
+import type { FormSurface } from '../FormSurface.js';
+import { bindJumps, type FreeJumps, freeJumps, type JumpEquations, releaseJumps } from './freeJumps.js';
+
+/** Stands for the offset of a wedge that has none, and for the origin of an offset that has none. */
+export const NO_OFFSET = -1;
+
+/**
+ * How φ at the wedges follows from one value per fan and from the free jumps: φ = sign · (value of the fan) + offset. The first
+ * wedge of a fan has no offset; where a walk around the fan crosses the cut, φ′ = sφ + j gives those of the others. At a singular
+ * point φ = −φ + Σ ±j once around: its sign is 0, and the offset of its first wedge is half of the sum. Offsets that are the same
+ * sums have one number.
+ */
+export interface SeamRelations {
+  /** For each wedge 1, −1 or 0. */
+  signs: Int8Array;
+  /** For each wedge the number of its offset, or NO_OFFSET. */
+  ofWedge: Int32Array;
+  /** For each offset an earlier one that it contains, or NO_OFFSET, and the sign with which it does. */
+  origins: Int32Array;
+  originSigns: Int8Array;
+  /** Offset i also contains terms starts[i] … starts[i + 1] − 1: jumps of segments, with factors. */
+  starts: Uint32Array;
+  segments: Uint32Array;
+  factors: Float32Array;
+  /** The number of segments of the cut. */
+  segmentCount: number;
+  jumps: FreeJumps;
+}
+
+/** The relations while they are collected. */
+interface Collection {
+  surface: FormSurface;
+  seam: FormSeam;
+  cut: CutSegments;
+  signs: Int8Array;
+  ofWedge: Int32Array;
+  origins: number[];
+  originSigns: number[];
+  starts: number[];
+  segments: number[];
+  factors: number[];
+  /** The number of each offset, by what it is the sum of. */
+  known: Map<string, number>;
+  equations: JumpEquations;
+}
+
+/** A jump of a segment, with its factor. */
+type Term = readonly [segment: number, factor: number];
+
+/** Finds the relations, by a walk around each fan of the cut. */
+export function* seamRelations(surface: FormSurface, seam: FormSeam): Generator<number, SeamRelations, void> {
+  const cut = yield* asPhase(cutSegments(surface, seam), 0, 0.4);
+  const { degree, wedges } = seam;
+  const collection: Collection = {
+    surface,
+    seam,
+    cut,
+    signs: new Int8Array(wedges.count).fill(1),
+    ofWedge: new Int32Array(wedges.count).fill(NO_OFFSET),
+    origins: [],
+    originSigns: [],
+    starts: [0],
+    segments: [],
+    factors: [],
+    known: new Map(),
+    equations: { starts: [0], segments: [], signs: [] },
+  };
+  yield* asPhase(
+    forEachChunk(surface.fans.count, (start, end) => {
+      for (let fan = start; fan < end; fan++) if (degree[fan] > 0) relateWedges(collection, fan);
+    }),
+    0.4,
+    0.8,
+  );
+  const jumps = freeJumps(collection.equations, cut.count);
+  yield 1;
+  return {
+    signs: collection.signs,
+    ofWedge: collection.ofWedge,
+    origins: Int32Array.from(collection.origins),
+    originSigns: Int8Array.from(collection.originSigns),
+    starts: Uint32Array.from(collection.starts),
+    segments: Uint32Array.from(collection.segments),
+    factors: Float32Array.from(collection.factors),
+    segmentCount: cut.count,
+    jumps,
+  };
+}
+
+/** Relates the wedges of a fan, each to the one before. */
+function relateWedges(collection: Collection, fan: number): void {
+  const { surface, seam, cut, signs, ofWedge, equations } = collection;
+  const { twins } = surface;
+  const { cutSign, wedges, isOpen, isPuncture } = seam;
+  const first = firstCorner(surface, seam, fan);
+  const crossed = crossedEdges(surface, seam, first);
+  let wedge = wedges.ofCorner[first];
+  if (isOpen[fan] === 0) {
+    const terms = jumpsAround(cut, seam, crossed);
+    const around = crossed.reduce((sign, edge) => sign * cutSign[edge], 1);
+    if (around < 0) {
+      signs[wedge] = 0;
+      const half = terms.map(([segment, sign]): Term => [segment, sign / 2]);
+      ofWedge[wedge] = enterOffset(collection, NO_OFFSET, 1, half);
+    } else if (isPuncture[fan] === 0 && !cancels(terms)) {
+      for (const [segment, sign] of terms) {
+        equations.segments.push(segment);
+        equations.signs.push(sign);
+      }
+      equations.starts.push(equations.segments.length);
+    }
+    // The last edge leads back to the first wedge.
+    crossed.pop();
+  }
+  for (const edge of crossed) {
+    const next = wedges.ofCorner[nextCorner(twins[edge])];
+    signs[next] = cutSign[edge] * signs[wedge];
+    const jump: Term = [cut.ofEdge[edge], cut.signs[edge]];
+    ofWedge[next] = enterOffset(collection, ofWedge[wedge], cutSign[edge], [jump]);
+    wedge = next;
+  }
+}
+
+/**
+ * Enters an offset, and returns its number. Along a segment all wedges have the same one, so that edges between the same cells become one edge on
+ * coarser levels.
+ */
+function enterOffset(collection: Collection, origin: number, originSign: number, terms: readonly Term[]): number {
+  const { known, origins, originSigns, starts, segments, factors } = collection;
+  const key = [origin, originSign, ...terms.flat()].join();
+  const before = known.get(key);
+  if (before !== undefined) return before;
+  const offset = origins.length;
+  known.set(key, offset);
+  origins.push(origin);
+  originSigns.push(originSign);
+  for (const [segment, factor] of terms) {
+    segments.push(segment);
+    factors.push(factor);
+  }
+  starts.push(segments.length);
+  return offset;
+}
+
+/** The corner where a walk around a fan of the cut begins: at the border, or just behind a cut edge. */
+function firstCorner({ twins }: FormSurface, { cut, cornerOf, isOpen }: FormSeam, fan: number): number {
+  let corner = cornerOf[fan];
+  if (isOpen[fan] === 1) return corner;
+  while (cut[corner] === 0) corner = nextCorner(twins[corner]);
+  return nextCorner(twins[corner]);
+}
+
+/** The cut edges that a walk around a fan crosses, in their order. */
+function crossedEdges({ twins }: FormSurface, { cut }: FormSeam, first: number): number[] {
+  const crossed: number[] = [];
+  let corner = first;
+  do {
+    if (cut[corner] === 1) crossed.push(corner);
+    if (twins[corner] < 0) break;
+    corner = nextCorner(twins[corner]);
+  } while (corner !== first);
+  return crossed;
+}
+
+/** The terms of what φ jumps by on a walk around a closed fan. */
+function jumpsAround(cut: CutSegments, { cutSign }: FormSeam, crossed: readonly number[]): Term[] {
+  let sign = 1;
+  return crossed.toReversed().map((edge) => {
+    const term: Term = [cut.ofEdge[edge], sign * cut.signs[edge]];
+    sign *= cutSign[edge];
+    return term;
+  });
+}
+
+/** Whether a segment that only passes takes away with one term what it brings with the other. */
+const cancels = (terms: readonly Term[]): boolean =>
+  terms.length === 2 && terms[0][0] === terms[1][0] && terms[0][1] === -terms[1][1];
+
+/** Writes the offsets that follow from `jumps`. Both have two values for each, one per family of lines; only free jumps are read. */
+export function offsetsOf(relations: SeamRelations, jumps: Float64Array, offsets: Float64Array): void {
+  const { origins, originSigns, starts, segments, factors } = relations;
+  bindJumps(relations.jumps, jumps);
+  for (let i = 0; i < origins.length; i++) {
+    const origin = 2 * origins[i];
+    let sum = origin < 0 ? 0 : originSigns[i] * offsets[origin];
+    let sum2 = origin < 0 ? 0 : originSigns[i] * offsets[origin + 1];
+    for (let term = starts[i]; term < starts[i + 1]; term++) {
+      const segment = 2 * segments[term];
+      sum += factors[term] * jumps[segment];
+      sum2 += factors[term] * jumps[segment + 1];
+    }
+    offsets[2 * i] = sum;
+    offsets[2 * i + 1] = sum2;
+  }
+}
+
+/** The transpose of `offsetsOf`: sums up what pulls at the offsets to what pulls at the free jumps. Overwrites `offsetPulls`. */
+export function jumpPulls(relations: SeamRelations, offsetPulls: Float64Array, pulls: Float64Array): void {
+  const { origins, originSigns, starts, segments, factors } = relations;
+  pulls.fill(0);
+  for (let i = origins.length - 1; i >= 0; i--) {
+    const origin = 2 * origins[i];
+    const pull = offsetPulls[2 * i];
+    const pull2 = offsetPulls[2 * i + 1];
+    if (origin >= 0) {
+      offsetPulls[origin] += originSigns[i] * pull;
+      offsetPulls[origin + 1] += originSigns[i] * pull2;
+    }
+    for (let term = starts[i]; term < starts[i + 1]; term++) {
+      const segment = 2 * segments[term];
+      pulls[segment] += factors[term] * pull;
+      pulls[segment + 1] += factors[term] * pull2;
+    }
+  }
+  releaseJumps(relations.jumps, pulls);
+}

@@ -1,0 +1,93 @@
+import { asPhase } from '../timeSlicing/asPhase.js';
+import { release } from '../timeSlicing/release.js';
+import { type CoarseHeat, coarsenHeat } from './coarsenHeat.js';
+import type { HeatLevel } from './HeatLevel.js';
+import { flow, highestRate, limitRate, twiceP } from './heatFlow.js';
+import { heatSeries } from './heatSeries.js';
+
+/** The share of the finest noise that may remain. */
+const TOLERANCE = 0.02;
+
+/** Heat that spreads for more steps does most of them on a coarser copy. So many take some 50 passes. */
+const MOST_STEPS = 320;
+
+/**
+ * The steps before a coarser copy, after which it shows what is left, and those after it, which leave nothing of its cells: enough for a
+ * radius of two or three edges, in nine passes each.
+ */
+const OVERLAP_STEPS = 10;
+
+/** Whether heat that spreads for so many steps spreads over many nodes. */
+export const isFar = (steps: number): boolean => steps > MOST_STEPS;
+
+/**
+ * Lets vectors diffuse like heat, for each of some times. Times that need many passes pass most of them on a coarser copy of the surface,
+ * and on a copy of that, so all take a time in proportion to the number of nodes (multigrid).
+ *
+ * Weights and degrees of the equation are lost, and the values.
+ *
+ * @param values three for each node
+ * @returns the values after each time
+ */
+export function* diffuse(
+  level: HeatLevel,
+  values: Float32Array<ArrayBuffer>,
+  times: readonly number[],
+): Generator<number, Float32Array<ArrayBuffer>[], void> {
+  const rate = highestRate(level.heat);
+  if (rate > 0) limitRate(level.heat, rate);
+  const results = times.map(() => values);
+  const flowing = [...times.keys()].filter((i) => times[i] * rate > 1e-6);
+  const { places } = level;
+  const far = places ? flowing.filter((i) => isFar(times[i] * rate)) : [];
+  const near = flowing.filter((i) => !far.includes(i));
+  const coarse = places && far.length > 0 ? yield* asPhase(coarsenHeat({ ...level, places }), 0, 0.2) : undefined;
+  const matrix = twiceP(level.heat, rate, level.shares);
+  const overlap = heatSeries(OVERLAP_STEPS, TOLERANCE);
+  const series = near.map((i) => heatSeries(times[i] * rate, TOLERANCE));
+  // Where a time is too short for a step, the values are a result themselves.
+  const start = flowing.length === times.length ? values : values.slice();
+  const [from, to] = coarse ? [0.2, 0.5] : [0, 1];
+  const flowed = yield* asPhase(flow(matrix, start, coarse ? [...series, overlap] : series), from, to);
+  for (const [k, i] of near.entries()) results[i] = flowed[k];
+  if (!coarse) return results;
+  const left = far.map((i) => times[i] - (2 * OVERLAP_STEPS) / rate);
+  const means = meansOf(flowed.at(-1)!, level.heat.masses, coarse);
+  release(flowed.at(-1)!);
+  const onCells = yield* asPhase(diffuse(coarse, means, left), 0.5, 0.7);
+  for (const [k, i] of far.entries()) {
+    const smoothing = flow(matrix, onNodes(onCells[k], coarse), [overlap]);
+    [results[i]] = yield* asPhase(smoothing, 0.7 + (0.3 * k) / far.length, 0.7 + (0.3 * (k + 1)) / far.length);
+  }
+  return results;
+}
+
+/** The mean of the values over each cell, by the masses of the nodes. */
+function meansOf(values: Float32Array, masses: Float64Array, { ofNode, heat }: CoarseHeat): Float32Array<ArrayBuffer> {
+  const sums = new Float64Array(3 * heat.masses.length);
+  for (let node = 0; node < ofNode.length; node++) {
+    const cell = 3 * ofNode[node];
+    const mass = masses[node];
+    sums[cell] += mass * values[3 * node];
+    sums[cell + 1] += mass * values[3 * node + 1];
+    sums[cell + 2] += mass * values[3 * node + 2];
+  }
+  const means = new Float32Array(sums.length);
+  for (let cell = 0, i = 0; i < means.length; cell++) {
+    const mass = heat.masses[cell] || 1;
+    for (const end = i + 3; i < end; i++) means[i] = sums[i] / mass;
+  }
+  return means;
+}
+
+/** Gives each node the values of its cell. */
+function onNodes(values: Float32Array, { ofNode }: CoarseHeat): Float32Array<ArrayBuffer> {
+  const spread = new Float32Array(3 * ofNode.length);
+  for (let node = 0; node < ofNode.length; node++) {
+    const cell = 3 * ofNode[node];
+    spread[3 * node] = values[cell];
+    spread[3 * node + 1] = values[cell + 1];
+    spread[3 * node + 2] = values[cell + 2];
+  }
+  return spread;
+}

@@ -1,0 +1,60 @@
+import { asPhase } from '../timeSlicing/asPhase.js';
+import { forEachChunk } from '../timeSlicing/forEachChunk.js';
+import type { Fans } from './buildFans.js';
+import { writeNormalized } from './writeNormalized.js';
+
+/**
+ * Normalises the vector of each fan. A zero vector is replaced by the normal of the fan's first triangle or, if that triangle
+ * is degenerate, by +z.
+ */
+export function* fanDirections(
+  vectors: Float32Array | Float64Array,
+  areaNormals: Float64Array,
+  { ofCorner, count }: Fans,
+): Generator<number, Float32Array<ArrayBuffer>, void> {
+  const directions = new Float32Array(3 * count);
+  let zeros = 0;
+  yield* asPhase(
+    forEachChunk(count, (start, end) => {
+      zeros += directRange(vectors, directions, start, end);
+    }),
+    0,
+    0.5,
+  );
+  // Few fans have no direction of their own, mostly none.
+  if (zeros > 0) {
+    yield* asPhase(
+      forEachChunk(ofCorner.length, (start, end) => replaceRange(areaNormals, ofCorner, directions, start, end)),
+      0.5,
+      1,
+    );
+  }
+  return directions;
+}
+
+/** Normalises the vectors of a range of fans. Returns how many are zero. */
+function directRange(
+  vectors: Float32Array | Float64Array,
+  directions: Float32Array,
+  start: number,
+  end: number,
+): number {
+  let zeros = 0;
+  for (let i = 3 * start; i < 3 * end; i += 3) if (!writeNormalized(vectors, i, directions, i)) zeros++;
+  return zeros;
+}
+
+/** Gives the fans of a range of corners the directions of their first triangles, if they have none. */
+function replaceRange(
+  areaNormals: Float64Array,
+  ofCorner: Uint32Array,
+  directions: Float32Array,
+  start: number,
+  end: number,
+): void {
+  for (let corner = start; corner < end; corner++) {
+    const fan = 3 * ofCorner[corner];
+    if (directions[fan] !== 0 || directions[fan + 1] !== 0 || directions[fan + 2] !== 0) continue;
+    if (!writeNormalized(areaNormals, corner - (corner % 3), directions, fan)) directions[fan + 2] = 1;
+  }
+}

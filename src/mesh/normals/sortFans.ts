@@ -1,0 +1,59 @@
+import { NO_TWIN, nextCorner } from '../corners.js';
+import { asPhase } from '../timeSlicing/asPhase.js';
+import { forEachChunk } from '../timeSlicing/forEachChunk.js';
+import { release } from '../timeSlicing/release.js';
+import type { Fans } from './buildFans.js';
+import { orderBySize } from './orderBySize.js';
+
+/** Fans, and the twins that they were built from. */
+interface CutSurface {
+  twins: Int32Array;
+  fans: Fans;
+}
+
+/** Fans in another order. */
+export interface SortedFans {
+  /** For each of the sorted fans its number before. */
+  order: Uint32Array<ArrayBuffer>;
+  /** For each fan, by its number before, its number now. */
+  numbers: Uint32Array<ArrayBuffer>;
+  /** The number of edges of each of the sorted fans, and a 0. */
+  sizes: Uint32Array<ArrayBuffer>;
+}
+
+/** Sorts fans by their number of edges, as far as that keeps neighbours near each other; see `orderBySize`. */
+export function* sortFans(surface: CutSurface): Generator<number, SortedFans, void> {
+  const { count } = surface.fans;
+  const unsorted = yield* asPhase(countEdges(surface), 0, 0.7);
+  const order = yield* asPhase(orderBySize(unsorted, count), 0.7, 1);
+  const numbers = new Uint32Array(count);
+  const sizes = new Uint32Array(count + 1);
+  for (let i = 0; i < count; i++) {
+    numbers[order[i]] = i;
+    sizes[i] = unsorted[order[i]];
+  }
+  release(unsorted);
+  return { order, numbers, sizes };
+}
+
+/** The fans in the order that they have. */
+export function* fansInOrder(surface: CutSurface): Generator<number, SortedFans, void> {
+  const order = new Uint32Array(surface.fans.count);
+  for (let fan = 0; fan < order.length; fan++) order[fan] = fan;
+  return { order, numbers: order, sizes: yield* countEdges(surface) };
+}
+
+/** Counts the edges of each fan. The array has one entry more, which is 0. */
+function* countEdges(surface: CutSurface): Generator<number, Uint32Array<ArrayBuffer>, void> {
+  const sizes = new Uint32Array(surface.fans.count + 1);
+  yield* forEachChunk(surface.twins.length, (start, end) => countRange(surface, sizes, start, end));
+  return sizes;
+}
+
+/** Counts the edges of each fan. A half-edge counts for the fan it starts from; without a twin it also counts for its end. */
+function countRange({ twins, fans: { ofCorner } }: CutSurface, sizes: Uint32Array, start: number, end: number): void {
+  for (let corner = start; corner < end; corner++) {
+    sizes[ofCorner[corner]]++;
+    if (twins[corner] === NO_TWIN) sizes[ofCorner[nextCorner(corner)]]++;
+  }
+}

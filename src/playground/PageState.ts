@@ -1,0 +1,74 @@
+import { setPageState } from './page/setPageState.js';
+import { page } from './elements/page.js';
+import { pageForm } from './elements/pageForm.js';
+import type { DrawingOpener } from './session/DrawingOpener.js';
+import type { Session } from './session/Session.js';
+import type { Status } from './tasks/Status.js';
+import type { TaskRunner } from './tasks/TaskRunner.js';
+
+/** Shows the state of the page: loading, ready, without a graphics context, or without anything to draw. */
+export class PageState {
+  private fetchesRest = false;
+
+  /**
+   * @param hasLights whether the lights have their handles, without which the page is not ready
+   * @param isAwaited whether something of the drawing is still to be baked
+   */
+  constructor(
+    private readonly session: Session,
+    private readonly tasks: TaskRunner,
+    private readonly opener: DrawingOpener,
+    private readonly status: Status,
+    hasLights: () => boolean,
+    private readonly isAwaited: () => boolean,
+  ) {
+    const { stage } = session;
+    stage.frames.onFrame(() => {
+      if (!tasks.isIdle || !stage.isComplete || stage.frames.isBuilding) return;
+      if (hasLights()) setPageState('ready');
+      this.fetchRest();
+    });
+    page.canvas.addEventListener('webglcontextlost', () => this.lose());
+    page.canvas.addEventListener('webglcontextrestored', () => this.restore());
+  }
+
+  /** To be called when the last task has ended. */
+  tasksEnded(): void {
+    this.showIfFailed();
+    this.session.stage.frames.refine();
+  }
+
+  /** Shows it if there is nothing to draw, and nothing is being loaded that could be drawn. */
+  showIfFailed(): void {
+    const { stage } = this.session;
+    if (this.tasks.isIdle && !this.opener.isOpening && !stage.isComplete && !stage.isLost) setPageState('failed');
+  }
+
+  /** Fetches the parts of the page that nobody has opened yet, once: when the first drawing is complete, which they would delay. */
+  private fetchRest(): void {
+    // In a frame of another page, there is little to open.
+    if (this.fetchesRest || pageForm === 'embed' || this.isAwaited()) return;
+    this.fetchesRest = true;
+    // A part that fails is fetched again when it is opened.
+    import('./fetchRest.js').then(({ fetchRest }) => fetchRest()).catch(() => {});
+  }
+
+  private lose(): void {
+    const { stage, mapLoader } = this.session;
+    setPageState('lost');
+    mapLoader.releaseGraphics();
+    this.status.addProblem(
+      'context',
+      stage.showsLastPicture
+        ? 'The graphics card has let go of the drawing again. This is its last picture; reload the page to go on if it stays.'
+        : 'The graphics card has let go of the drawing. It should come back by itself; if not, reload the page.',
+    );
+  }
+
+  private restore(): void {
+    this.status.solveProblem('context', 'The drawing is back.');
+    setPageState('loading');
+    this.showIfFailed();
+    this.session.stage.frames.invalidate();
+  }
+}

@@ -1,0 +1,97 @@
+import { errorMessage } from '../viewer/files/common/errorMessage.js';
+import type { Dialogs } from './dialogs/Dialogs.js';
+import { page } from './elements/page.js';
+import { pageForm } from './elements/pageForm.js';
+import { dropFiles } from './loading/dropFiles.js';
+import { listenToKeys } from './pageKeys.js';
+import type { Card } from './panel/Card.js';
+import type { Session } from './session/Session.js';
+import type { TakeAway } from './export/TakeAway.js';
+import type { LaterParts } from './tasks/LaterParts.js';
+import type { Status } from './tasks/Status.js';
+import { sentenceFor } from './tasks/sentenceFor.js';
+
+/** What the buttons, the keys and dropped files of the page work on. */
+export interface PageHandlers {
+  session: Session;
+  card: Card;
+  dialogs: Dialogs;
+  takeAway: TakeAway;
+  parts: LaterParts;
+  status: Status;
+  fillScreen: () => void;
+}
+
+/** Connects the buttons of the page, its keys and the files that are dropped on it. */
+export function connectPage(handlers: PageHandlers): void {
+  connectButtons(handlers);
+  connectSteps(handlers.session);
+  connectKeys(handlers);
+  if (pageForm === 'playground') connectDrops(handlers);
+}
+
+function connectButtons({ session, card, dialogs, takeAway, parts }: PageHandlers): void {
+  const onClick = (button: HTMLElement, run: () => void): void => button.addEventListener('click', run);
+  onClick(page.savePng, () => takeAway.run('savePng'));
+  onClick(page.saveMap, () => takeAway.run('saveMap'));
+  onClick(page.openKeys, () => dialogs.openKeys());
+  onClick(page.recent, () => dialogs.openRecent());
+  onClick(page.openGallery, () => {
+    openCard(false);
+    dialogs.openGallery();
+  });
+  for (const which of ['looks', 'views'] as const) {
+    onClick(page.shelf[which], () => card.shelf.use((shelf) => shelf.open(which)));
+  }
+  let seed = Date.now();
+  onClick(page.surprise, () =>
+    parts.whenFetched(import('../viewer/settings/surprise.js'), ({ surprise }) =>
+      session.useLook(surprise(session.settings, seed++)),
+    ),
+  );
+  onClick(page.home, () => {
+    page.home.href = `${location.pathname}#${session.link}`;
+  });
+  onClick(page.toggleCard, () => openCard(!page.card.classList.contains('is-open')));
+}
+
+function connectSteps(session: Session): void {
+  page.undo.addEventListener('click', () => session.undo());
+  page.redo.addEventListener('click', () => session.redo());
+  const stepped = (): void => {
+    page.undo.disabled = !session.canUndo;
+    page.redo.disabled = !session.canRedo;
+  };
+  session.listen({ stepped });
+  stepped();
+}
+
+function connectKeys({ session, dialogs, fillScreen }: PageHandlers): void {
+  listenToKeys({
+    close: () => openCard(false),
+    fillScreen,
+    openKeys: pageForm === 'playground' ? () => dialogs.openKeys() : undefined,
+    showView: (index) => session.views.choose(index),
+    undo: () => session.undo(),
+    redo: () => session.redo(),
+  });
+}
+
+function connectDrops({ session, parts, status }: PageHandlers): void {
+  dropFiles(
+    { overlay: page.drop, input: page.fileInput, buttons: [page.openFiles, page.openMap] },
+    (files) => {
+      status.solveProblem('link');
+      parts.whenFetched(import('./loading/openDropped.js'), ({ openDropped }) => {
+        openDropped(files, session).catch((error) => status.fail(sentenceFor(error)));
+      });
+    },
+    (error) => status.fail(`What was dropped could not be read: ${errorMessage(error)}`),
+  );
+}
+
+/** Opens or closes the card of settings, which narrow screens show on request only. */
+function openCard(open: boolean): void {
+  page.card.classList.toggle('is-open', open);
+  page.toggleCard.setAttribute('aria-expanded', String(open));
+}

@@ -1,0 +1,191 @@
+import type { Settings } from '../viewer/settings/settings.js';
+import { savedFormat } from '../viewer/settings/settingValues.js';
+import { type LinkedDrawing, readLink } from '../viewer/settings/shareLink.js';
+import type { SettingGroup } from '../viewer/settings/table/Setting.js';
+import { linkedHand } from './maps/OwnHand.js';
+import type { FrameQuality } from './viewport/FrameQuality.js';
+import { Stage } from './viewport/Stage.js';
+import { connectPage } from './connectPage.js';
+import { Dialogs } from './dialogs/Dialogs.js';
+import { page } from './elements/page.js';
+import { pageForm } from './elements/pageForm.js';
+import { toggleFullScreen } from './fullScreen.js';
+import { GeometryLoader } from './loading/GeometryLoader.js';
+import { OcclusionLoader } from './loading/OcclusionLoader.js';
+import { Overlays } from './overlay/Overlays.js';
+import { PageState } from './PageState.js';
+import { Card } from './panel/Card.js';
+import { AddressWriter } from './session/AddressWriter.js';
+import { DrawingOpener } from './session/DrawingOpener.js';
+import { Keeper } from './session/Keeper.js';
+import { PageAddress } from './session/PageAddress.js';
+import { RendererChoice } from './session/RendererChoice.js';
+import { Session } from './session/Session.js';
+import { TakeAway } from './export/TakeAway.js';
+import { LaterParts } from './tasks/LaterParts.js';
+import type { Status } from './tasks/Status.js';
+import { TaskRunner } from './tasks/TaskRunner.js';
+
+declare global {
+  interface Window {
+    /**
+     * For tests: the number of frames drawn since the page was opened, and whether the drawing stays as it is: no model, map, part of the
+     * page or frame is being waited for, and nothing fades. An idle page draws no frames.
+     */
+    __playground?: { readonly framesDrawn: number; readonly isIdle: boolean };
+  }
+}
+
+/** Creates the parts of the page, connects them, and opens the drawing that the page's address asks for. */
+export function createPlayground(context: WebGL2RenderingContext, status: Status): void {
+  const address = new PageAddress();
+  const linked = readLink(address.read());
+  const stage = new Stage(page.canvas, context, page.viewport);
+  const parts = new LaterParts(status);
+  const tasks = new TaskRunner(status, {
+    hasDrawing: () => stage.isComplete,
+    onIdle: () => state.tasksEnded(),
+  });
+  const session = new Session(stage, linked.settings, tasks);
+  session.views.list = linked.views;
+  session.mapLoader.hand = linkedHand(linked.handText);
+  const keeper = new Keeper(address, status, () => void showRecent(keeper));
+  const opener = new DrawingOpener(session, address, keeper, status);
+  const occlusion = new OcclusionLoader(stage, session.settings, tasks);
+  const geometries = new GeometryLoader(stage, session.settings, tasks);
+  const update = (): void => {
+    geometries.update();
+    occlusion.update();
+  };
+  session.listen({ applied: update });
+
+  // What the page shows.
+  const overlays = new Overlays(session, parts);
+  const dialogs = new Dialogs(session, keeper, opener, parts);
+  const takeAway = new TakeAway(session, address, status, tasks, geometries, parts);
+  const fillScreen = (): void => {
+    toggleFullScreen(page.sheet).catch(() => status.fail('The browser does not let the drawing fill the screen.'));
+  };
+  const createActions = async () =>
+    (await import('./panelActions.js')).panelActions(session, takeAway, dialogs, parts, fillScreen);
+  const renderers = new RendererChoice(session, parts, status);
+  const onFold = (group: SettingGroup, isOpen: boolean): void => {
+    if (group === 'Picture') overlays.showSheet(isOpen);
+  };
+  const card = new Card(session, status, parts, createActions, onFold, renderers);
+  session.listen({ applied: () => showSettings(session.settings) });
+  const isAwaited = (): boolean => geometries.isAwaited || occlusion.isAwaited || session.mapLoader.isAwaited;
+  const state = new PageState(session, tasks, opener, status, () => overlays.hasLights, isAwaited);
+  stage.quality.onMeasured(() => {
+    update();
+    showFrameTime(stage.quality);
+  });
+
+  connectPage({ session, card, dialogs, takeAway, parts, status, fillScreen });
+  addEventListener('hashchange', opener.follow);
+  const writer =
+    pageForm === 'playground' ? keepDrawing({ session, address, keeper, opener, tasks, parts }) : undefined;
+  opener.onEnd = () => {
+    writer?.update();
+    state.showIfFailed();
+  };
+  if (pageForm === 'kiosk') parts.whenFetched(import('./Kiosk.js'), ({ Kiosk }) => new Kiosk(opener.follow));
+  // The wheel scrolls the page around the frame until the drawing has the focus.
+  if (pageForm === 'embed') stage.view.zoomsWhenFocused(page.canvas);
+  const isIdle = (): boolean =>
+    tasks.isIdle && stage.frames.isSettled && !isAwaited() && !parts.isFetching && !opener.isOpening;
+  showToTests(stage, isIdle);
+  if (pageForm === 'playground') void showRecent(keeper);
+  openFirst(linked, session, opener, pageForm === 'playground' ? address.drawing : undefined);
+}
+
+/**
+ * Has the browser keep the drawing, by the page's address and with its files if it has any. Not to be called within another page or at an
+ * exhibition, because the address there belongs to the drawing that its visitors are shown.
+ */
+function keepDrawing({
+  session,
+  address,
+  keeper,
+  opener,
+  tasks,
+  parts,
+}: {
+  session: Session;
+  address: PageAddress;
+  keeper: Keeper;
+  opener: DrawingOpener;
+  tasks: TaskRunner;
+  parts: LaterParts;
+}): AddressWriter {
+  const { stage } = session;
+  const keptPicture = parts.later(async () => {
+    const { KeptPicture } = await import('./session/KeptPicture.js');
+    const isSettled = (): boolean => tasks.isIdle && !opener.isOpening;
+    return new KeptPicture(stage, isSettled, (picture) => keeper.pictured(picture));
+  });
+  stage.frames.onFrame(() => keptPicture.present?.frameDrawn());
+  // A drawing is kept without a thumbnail if the script cannot be fetched.
+  const wantPicture = (): void =>
+    parts.whenFetched(
+      keptPicture.fetch().catch(() => undefined),
+      (picture) => picture?.want(),
+    );
+  return new AddressWriter(session, address, keeper, wantPicture, () => opener.isOpening);
+}
+
+/** Opens the first drawing. @param kept the id of the drawing that the browser has kept for this entry of its history, if there is one */
+function openFirst(
+  { camera, address, choice }: LinkedDrawing,
+  session: Session,
+  opener: DrawingOpener,
+  kept: string | undefined,
+): void {
+  const { stage, modelLoader, mapLoader } = session;
+  if (camera) stage.view.place = camera;
+  session.start();
+  if (kept !== undefined) {
+    void opener.openKept(kept).then(() => session.forgetSteps());
+    return;
+  }
+  if (address === undefined) modelLoader.showChosen(choice);
+  else opener.openAddress(address, camera === undefined, choice);
+  void mapLoader.showChosen();
+}
+
+/** Shows the settings that belong to the page itself: its colours, and the format in which a picture is saved. */
+function showSettings(settings: Settings): void {
+  page.sheet.style.setProperty('--paper', settings.paper);
+  page.sheet.style.setProperty('--ink', settings.ink);
+  page.saveFormat.textContent = savedFormat(settings);
+  page.savePng.setAttribute('aria-label', `Save ${savedFormat(settings)}`);
+}
+
+function showFrameTime({ milliseconds, isCoarse }: FrameQuality): void {
+  if (milliseconds === undefined) {
+    page.frameTime.textContent = '';
+    return;
+  }
+  const time = `${milliseconds.toFixed(0)} ms a frame`;
+  page.frameTime.textContent = isCoarse
+    ? `${time}; half the resolution while it moves, because this machine is slow`
+    : time;
+}
+
+/** Shows the button that lists the kept drawings, if there are any. */
+async function showRecent(keeper: Keeper): Promise<void> {
+  page.recent.hidden = (await keeper.list()).length === 0;
+}
+
+function showToTests(stage: Stage, isIdle: () => boolean): void {
+  Object.defineProperty(window, '__playground', {
+    value: {
+      get framesDrawn() {
+        return stage.frames.count;
+      },
+      get isIdle() {
+        return isIdle();
+      },
+    },
+  });
+}

@@ -1,0 +1,82 @@
+import type { CodeDrawing } from '../code/CodeModel.js';
+import { findElement } from '../page/findElement.js';
+import type { Session } from '../session/Session.js';
+import { copyText } from './copyText.js';
+import { download } from './download.js';
+import { fileStem } from './fileStem.js';
+
+/** One of the forms of code that the dialog shows. */
+interface CodeForm {
+  /** Says what the code is for, in one sentence. */
+  about: string;
+  code: string;
+  /** The extension of the file in which the code is saved. */
+  extension: string;
+}
+
+/** Shows the drawing as code, in one of several forms, to be copied or saved. */
+export class CodeDialog {
+  private readonly dialog = findElement('code') as HTMLDialogElement;
+  private readonly form = findElement('code-form') as HTMLSelectElement;
+  private readonly about = findElement('code-about');
+  private readonly text = findElement('code-text') as HTMLTextAreaElement;
+  private readonly said = findElement('code-said');
+  private shown: CodeForm | undefined;
+
+  constructor(private readonly session: Session) {
+    this.form.addEventListener('change', () => void this.show());
+    findElement('code-copy').addEventListener('click', () => void this.copy());
+    findElement('code-save').addEventListener('click', () => this.save());
+    findElement('code-close').addEventListener('click', () => this.dialog.close());
+  }
+
+  async open(): Promise<void> {
+    await this.show();
+    this.dialog.showModal();
+  }
+
+  private get drawing(): CodeDrawing {
+    const { stage, settings, modelLoader } = this.session;
+    return {
+      model: modelLoader.codeModel,
+      settings: { ...settings },
+      camera: stage.view.place,
+      groundHeight: stage.scenery.ground.height,
+      aspect: stage.camera.aspect,
+    };
+  }
+
+  /** The address of this page in the form for other pages, with the drawing in it. */
+  private get embedAddress(): string {
+    return new URL(`?embed#${this.session.link}`, location.href).href;
+  }
+
+  private async show(): Promise<void> {
+    // The script is fetched when it is needed, because few users ask for code.
+    const { codeForms } = await import('../code/codeForms.js');
+    const { isModelInLink } = this.session;
+    const make = codeForms[this.form.value as keyof typeof codeForms];
+    this.shown = make(this.drawing, { address: this.embedAddress, isModelInLink });
+    this.about.textContent = this.shown.about;
+    this.text.value = this.shown.code;
+    this.text.scrollTop = 0;
+    this.said.textContent = '';
+  }
+
+  private async copy(): Promise<void> {
+    if (await copyText(this.text.value)) {
+      this.said.textContent = 'The code is on the clipboard.';
+      return;
+    }
+    this.text.focus();
+    this.text.select();
+    this.said.textContent =
+      'The browser does not let this page use the clipboard. The code is selected: copy it with the keyboard.';
+  }
+
+  private save(): void {
+    if (!this.shown) return;
+    const { code, extension } = this.shown;
+    download(new Blob([code], { type: 'text/plain' }), `${fileStem(this.session.modelLoader.title)}.${extension}`);
+  }
+}

@@ -1,0 +1,18 @@
+import type { Report } from '../../viewer/drawing/Report.js';
+import type { Settings } from '../../viewer/settings/settings.js';
+import type { Stage } from '../viewport/Stage.js';
+
+/**
+ * Draws a picture or a video, and has the browser download it unless the caller takes the result.
+ *
+ * @param name the name of the file without its extension
+ * @returns a sentence about what was saved, or the result
+ * @throws Error with a sentence for the user
+ */
+export type SaveDrawing<Result = string> = (
+  stage: Stage,
+  settings: Settings,
+  name: string,
+  report: Report,
+  signal: AbortSignal,
+) => Promise<Result>;

@@ -1,0 +1,34 @@
+import type { Settings } from '../../viewer/settings/settings.js';
+import { cutToDrawing, type PrintPlan, planPrint, sheetOnView } from '../print/print.js';
+import { LostContextError } from '../viewport/LostContextError.js';
+import { PictureSession } from '../viewport/PictureSession.js';
+import type { Stage } from '../viewport/Stage.js';
+import { drawnView } from '../elements/viewSize.js';
+import { raiseCurtain } from './raiseCurtain.js';
+
+const LOST =
+  'The graphics card let go of the drawing while it was being saved. There is no picture; save it again when the drawing is back, smaller if that fails too.';
+
+/** Holds frames behind a curtain while a picture is drawn. @param draw gets the plan of the picture: its part of the view and its size */
+export async function behindCurtain<Result>(
+  stage: Stage,
+  settings: Settings,
+  signal: AbortSignal,
+  draw: (session: PictureSession, plan: PrintPlan) => Promise<Result>,
+): Promise<Result> {
+  const curtain = raiseCurtain(stage, settings.paper);
+  const session = new PictureSession(stage);
+  const goBack = stage.view.composeFor(sheetOnView(settings, drawnView(stage)));
+  try {
+    const whole = planPrint(settings, drawnView(stage));
+    session.hold(Math.max(whole.width, whole.height));
+    const plan = settings.pictureCrop === 'drawing' ? await cutToDrawing(session, whole, signal) : whole;
+    return await draw(session, plan);
+  } catch (error) {
+    throw error instanceof LostContextError ? new LostContextError(LOST) : error;
+  } finally {
+    goBack();
+    session.release();
+    curtain.lower();
+  }
+}

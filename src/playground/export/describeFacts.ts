@@ -1,0 +1,61 @@
+import type { ModelStatistics } from '../../viewer/drawing/HatchedModel.js';
+import { extensionOf, withoutGz } from '../../viewer/files/common/fileName.js';
+import { FORMATS } from '../../viewer/files/formats.js';
+
+/** What a report of a bug should say about the page, the machine and the drawing. */
+export interface Facts {
+  /** The versions of this library and of three.js, such as `0.1.0` and `187`. */
+  versions: { hatching: string; three: string };
+  /** The name by which the browser introduces itself to servers. */
+  browser: string;
+  /** The name of the graphics card and its driver, as far as the browser tells it. */
+  graphics: string;
+  /** The size of the drawing in CSS pixels, and how many device pixels one of them is wide. */
+  sheet: { width: number; height: number; pixelRatio: number };
+  /** The built-in model by its name, or the names of the user's own files, of which only their formats are told. */
+  model: string | readonly string[];
+  statistics: ModelStatistics | undefined;
+  /** How many meshes the model has, and how many of them have been baked for lines that follow the form. */
+  meshes: { all: number; formed: number };
+  /** The settings as the text of a link, without the address of a model and without names that the user has given. */
+  settings: string;
+}
+
+/** The facts as lines of text, which can be pasted into a report. */
+export function describeFacts({
+  versions,
+  browser,
+  graphics,
+  sheet,
+  model,
+  statistics,
+  meshes,
+  settings,
+}: Facts): string {
+  const lines: [string, string][] = [
+    ['three-hatching', versions.hatching],
+    ['three.js', `r${versions.three}`],
+    ['Browser', browser],
+    ['Graphics', graphics],
+    ['Sheet', `${sheet.width} × ${sheet.height} CSS pixels, pixel ratio ${Number(sheet.pixelRatio.toFixed(3))}`],
+    ['Model', typeof model === 'string' ? model : describeFiles(model)],
+    ['Mesh', statistics ? describeMesh(statistics) : 'none'],
+    ['Lines along the form', `on ${meshes.formed} of ${meshes.all} meshes`],
+    ['Settings', settings],
+  ];
+  return `${lines.map(([name, value]) => `${name}: ${value}`).join('\n')}\n`;
+}
+
+function describeFiles(names: readonly string[]): string {
+  const extensions = new Set(names.map((name) => extensionOf(withoutGz(name))));
+  const formats = FORMATS.filter((format) => format.extensions.some((extension) => extensions.has(extension)));
+  return `own, ${formats.map(({ name }) => name).join(' and ') || 'of another format'}, in ${names.length} ${names.length === 1 ? 'file' : 'files'}`;
+}
+
+const describeMesh = ({ triangles, borderEdges, nonManifoldEdges, degenerateTriangles }: ModelStatistics): string =>
+  [
+    `${triangles} triangles`,
+    `${borderEdges} border edges`,
+    `${nonManifoldEdges} non-manifold edges`,
+    `${degenerateTriangles} without area`,
+  ].join(', ');

@@ -1,0 +1,24 @@
+import { meshesOf } from '../../viewer/drawing/meshesOf.js';
+import { writeLink } from '../../viewer/settings/shareLink.js';
+import { VERSIONS } from '../code/versions.js';
+import { rendererName } from '../viewport/rendererName.js';
+import type { Session } from '../session/Session.js';
+import { describeFacts } from './describeFacts.js';
+
+/** What a report of a bug should say about the page, the machine and the drawing of a session. */
+export function factsOf({ stage, settings, modelLoader }: Session): string {
+  const { canvas, context, view, model } = stage;
+  const meshes = model ? meshesOf(model.root) : [];
+  const formed = meshes.filter(({ geometry }) => geometry.userData.hatching?.lineField === 'form');
+  return describeFacts({
+    versions: VERSIONS,
+    browser: navigator.userAgent,
+    graphics: rendererName(context),
+    sheet: { width: canvas.clientWidth, height: canvas.clientHeight, pixelRatio: devicePixelRatio },
+    model: modelLoader.ownFiles?.map(({ name }) => name) ?? settings.model,
+    statistics: model?.statistics,
+    meshes: { all: meshes.length, formed: formed.length },
+    // Neither the address of a model nor the names of views.
+    settings: writeLink(settings, view.ownPlace),
+  });
+}

@@ -1,0 +1,80 @@
+import { type BufferGeometry, Group, MathUtils, Mesh } from 'three';
+import { bakeMesh } from '../../viewer/drawing/bakeMesh.js';
+import { meshesOf } from '../../viewer/drawing/meshesOf.js';
+import type { Report } from '../../viewer/drawing/Report.js';
+import { triangleCount } from '../../viewer/files/mesh/PlainMesh.js';
+import type { ModelFile, ReadMesh } from '../../viewer/files/readModel.js';
+import { lookOf } from '../../viewer/settings/lookOf.js';
+import type { Settings } from '../../viewer/settings/settings.js';
+import { drawsWithAdjacency, formDrawn } from '../../viewer/settings/settingValues.js';
+import { loadModelFiles } from '../reading/loadModelFiles.js';
+import type { Stage } from '../viewport/Stage.js';
+
+/** The most triangles of a model that is read again for a picture: the page holds those of its frames beside them. */
+const MOST_TRIANGLES = 4_000_000;
+
+/** A model as it was read again. */
+export interface FinerModel extends Pick<ReadMesh, 'simplified'> {
+  /** Baked, with all that the settings ask for. */
+  geometry: BufferGeometry;
+  triangles: number;
+}
+
+/**
+ * Reads a simplified model again, with as many of its triangles as there is memory for, and bakes what the settings draw it with.
+ *
+ * @param variant the index of the variant of its materials, if one was chosen
+ * @throws ModelError with one sentence for the user
+ */
+export async function finerModel(
+  files: readonly ModelFile[],
+  stage: Stage,
+  settings: Settings,
+  report: Report,
+  signal: AbortSignal,
+  variant?: number,
+): Promise<FinerModel> {
+  const { mesh, simplified } = (await loadModelFiles(files, {
+    signal,
+    onStage: report,
+    most: MOST_TRIANGLES,
+    variant,
+  })) as ReadMesh;
+  const triangles = triangleCount(mesh);
+  const joining = `joining ${triangles.toLocaleString('en')} triangles`;
+  const onProgress = (progress: number): void => report(joining, progress);
+  const { geometry } = await bakeMesh(mesh, {
+    adjacency: drawsWithAdjacency(settings),
+    signal,
+    onProgress,
+    outlines: true,
+  });
+  const [shown] = meshesOf(stage.model!.root);
+  const drawn = new Mesh(geometry, shown.material);
+  try {
+    await bakeLook(drawn, settings, report, signal);
+  } catch (error) {
+    drawn.geometry.dispose();
+    throw error;
+  }
+  return { geometry: drawn.geometry, triangles, simplified };
+}
+
+/** Bakes lines along the form and dark hollows into the geometry of a mesh, if the settings ask for them. */
+async function bakeLook(drawn: Mesh, settings: Settings, report: Report, signal: AbortSignal): Promise<void> {
+  const root = new Group().add(drawn);
+  root.rotation.set(...lookOf(settings).upright);
+  const form = formDrawn(settings);
+  if (form) {
+    const { bakeFurther } = await import('../../viewer/drawing/bakeFurther.js');
+    const onProgress = (progress: number): void => report('laying lines along the form', progress);
+    const crossAngle = MathUtils.degToRad(settings.crossAngle);
+    await bakeFurther(root, { form: { crossAngle, auto: form.auto } }, { signal, onProgress }, (former, made) => {
+      if (made !== former) former.dispose();
+    });
+  }
+  if (settings.occlusion === 0) return;
+  const { bakeOcclusion } = await import('../../viewer/drawing/bakeOcclusion.js');
+  const onProgress = (progress: number): void => report('darkening hollows', progress);
+  await bakeOcclusion(root, { signal, onProgress });
+}

@@ -1,0 +1,45 @@
+import type { Stage } from '../viewport/Stage.js';
+import { page } from '../elements/page.js';
+
+/** A copy of the drawing that covers it while it is saved. */
+interface Curtain {
+  /** Shows another picture instead of the drawing, all of it, on paper. */
+  show(picture: HTMLCanvasElement): void;
+  /** Takes the curtain away. */
+  lower(): void;
+}
+
+/**
+ * Covers the drawing with a copy of it and disables everything but Cancel, while a picture is drawn in tiles on the same canvas, or a
+ * video frame by frame.
+ */
+export function raiseCurtain(stage: Stage, paper: string): Curtain {
+  const { viewport, card, bar } = page;
+  const copy = document.createElement('canvas');
+  copy.className = 'curtain';
+  copy.setAttribute('aria-hidden', 'true');
+  // The drawing is copied in the same task, because the canvas does not keep its content for longer.
+  stage.frames.draw();
+  const { canvas } = stage.frames;
+  const { width, height } = Object.assign(copy, { width: canvas.width, height: canvas.height });
+  const context = copy.getContext('2d');
+  context?.drawImage(canvas, 0, 0);
+  canvas.after(copy);
+  const focused = document.activeElement;
+  for (const part of [viewport, card, bar]) part.inert = true;
+  return {
+    show(picture) {
+      if (!context) return;
+      const scale = Math.min(width / picture.width, height / picture.height);
+      const [wide, high] = [scale * picture.width, scale * picture.height];
+      context.fillStyle = paper;
+      context.fillRect(0, 0, width, height);
+      context.drawImage(picture, (width - wide) / 2, (height - high) / 2, wide, high);
+    },
+    lower() {
+      for (const part of [viewport, card, bar]) part.inert = false;
+      if (focused instanceof HTMLElement) focused.focus({ preventScroll: true });
+      copy.remove();
+    },
+  };
+}

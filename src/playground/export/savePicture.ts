@@ -1,0 +1,57 @@
+import type { Report } from '../../viewer/drawing/Report.js';
+import type { Settings } from '../../viewer/settings/settings.js';
+import { LAYERS } from '../../viewer/sceneSetup/layers.js';
+import { describePrint, drawPicture, nearestRadius, type PrintPlan, ZipWriter } from '../print/print.js';
+import type { PictureSession } from '../viewport/PictureSession.js';
+import { behindCurtain } from './behindCurtain.js';
+import { download } from './download.js';
+import type { SaveDrawing } from './SaveDrawing.js';
+
+/** The most pixels of a picture that other programs can be expected to paste from the clipboard. */
+const MOST_COPIED_PIXELS = 64_000_000;
+
+/** A saved picture. */
+export interface SavedPicture {
+  /** As what it was saved. */
+  kind: string;
+  size: string;
+  /** How many pixels a radius of the model is where it is nearest. */
+  pixelsPerRadius: number;
+}
+
+/** Saves the picture that the settings ask for: one PNG, or its layers in an archive. */
+export const savePicture: SaveDrawing<SavedPicture> = (stage, settings, name, report, signal) =>
+  behindCurtain(stage, settings, signal, async (session, plan) => {
+    const saved = { size: describePrint(plan), pixelsPerRadius: nearestRadius(stage.camera, plan) };
+    if (settings.pictureLayers === 'one') {
+      download(await drawWhole(session, settings, plan, report, signal), `${name}.png`);
+      return { kind: 'PNG', ...saved };
+    }
+    const zip = new ZipWriter();
+    for (const [i, layer] of LAYERS.entries()) {
+      const onProgress = (progress: number) => report('drawing the picture', (i + progress) / LAYERS.length);
+      const content = await drawPicture(session, plan, { ground: 'transparent', layer }, { signal, onProgress });
+      await zip.add(`${name}-${i + 1}-${layer}.png`, content);
+    }
+    download(zip.end(), `${name}-layers.zip`);
+    return { kind: `${LAYERS.length} PNG images in a ZIP`, ...saved };
+  });
+
+/** Draws the picture that the settings ask for as one PNG, for the clipboard. */
+export const drawForClipboard: SaveDrawing<Blob> = (stage, settings, _name, report, signal) =>
+  behindCurtain(stage, settings, signal, (session, plan) => {
+    if (plan.width * plan.height > MOST_COPIED_PIXELS)
+      throw new Error('the picture is too large for a clipboard. Save it, or choose a smaller size.');
+    return drawWhole(session, settings, plan, report, signal);
+  });
+
+function drawWhole(
+  session: PictureSession,
+  { pictureGround: ground }: Settings,
+  plan: PrintPlan,
+  report: Report,
+  signal: AbortSignal,
+): Promise<Blob> {
+  const onProgress = (progress: number) => report('drawing the picture', progress);
+  return drawPicture(session, plan, { ground }, { signal, onProgress });
+}

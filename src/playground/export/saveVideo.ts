@@ -1,0 +1,23 @@
+import { PictureSession } from '../viewport/PictureSession.js';
+import { recordVideo } from '../video/recordVideo.js';
+import { viewSize } from '../elements/viewSize.js';
+import { download } from './download.js';
+import { raiseCurtain } from './raiseCurtain.js';
+import type { SaveDrawing } from './SaveDrawing.js';
+
+/** Records the video that the settings ask for, and shows its frames meanwhile. */
+export const saveVideo: SaveDrawing = async (stage, settings, name, report, signal) => {
+  const view = viewSize();
+  const curtain = raiseCurtain(stage, settings.paper);
+  try {
+    const { content, extension, sentence } = await recordVideo(stage, new PictureSession(stage), settings, {
+      ...{ view, name, signal },
+      onProgress: (progress) => report('recording the video', progress),
+      onFrame: curtain.show,
+    });
+    download(content, `${name}${extension}`);
+    return sentence;
+  } finally {
+    curtain.lower();
+  }
+};

@@ -1,0 +1,43 @@
+import { type Hand, type HandNumbers, type HandStroke, learnHand } from 'three-hatching';
+import { ownHandOf } from '../maps/linkedHand.js';
+import type { OwnHand } from '../maps/OwnHand.js';
+
+/** Fewer strokes are no hand yet. */
+export const LEAST_STROKES = 5;
+
+/**
+ * The user's own hand with other strokes: learnt anew from five on, but for the numbers that the user has changed. Undefined if nothing is
+ * drawn.
+ */
+export function learnOwnHand(strokes: readonly HandStroke[], changed: Partial<HandNumbers>): OwnHand | undefined {
+  if (strokes.length === 0) return undefined;
+  const none: OwnHand = { strokes, hand: undefined, changed, link: undefined, files: undefined };
+  if (strokes.length < LEAST_STROKES) return none;
+  try {
+    return withNumbers({ ...none, hand: learnHand(strokes) }, changed);
+  } catch (error) {
+    // Of dots alone nothing can be learnt.
+    if (error instanceof RangeError) return none;
+    throw error;
+  }
+}
+
+/** So far may a number that was learnt again, from strokes that were rounded, be from the one before. */
+const CHANGED_SHARE = 0.1;
+const CHANGED_STEPS = 0.02;
+
+/** The numbers of a hand that its strokes do not tell: someone has changed them. */
+export function changedNumbers({ strokes, numbers }: Hand): Partial<HandNumbers> {
+  const learnt = learnHand(strokes).numbers;
+  const names = Object.keys(numbers) as (keyof HandNumbers)[];
+  const isChanged = (name: keyof HandNumbers): boolean =>
+    Math.abs(numbers[name] - learnt[name]) > CHANGED_STEPS + CHANGED_SHARE * Math.abs(learnt[name]);
+  return Object.fromEntries(names.filter(isChanged).map((name) => [name, numbers[name]]));
+}
+
+/** The hand with some of its numbers changed. */
+export function withNumbers(own: OwnHand, changed: Partial<HandNumbers>): OwnHand {
+  if (!own.hand) return { ...own, changed };
+  const hand = { ...own.hand, numbers: { ...own.hand.numbers, ...changed } };
+  return ownHandOf(hand, own.strokes, changed);
+}

@@ -1,0 +1,448 @@
+import { HatchingMaterial } from 'three-hatching';
+import type { BuiltInScene } from '../../viewer/drawing/BuiltInScene.js';
+import { buildModel } from '../../viewer/drawing/buildModel.js';
+import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
+import { isOpen } from '../../viewer/drawing/isOpen.js';
+import type { Report } from '../../viewer/drawing/Report.js';
+import type { BundledDrawing } from '../../viewer/files/archives/bundle.js';
+import { shownName } from '../../viewer/files/common/shownText.js';
+import type { ModelFile, ReadMesh, ReadModel } from '../../viewer/files/readModel.js';
+import type { CameraView } from '../../viewer/settings/CameraView.js';
+import { type ModelChoice, NO_CHOICE } from '../../viewer/settings/ModelChoice.js';
+import type { SavedView } from '../../viewer/settings/savedViews.js';
+import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';
+import { drawsWithAdjacency } from '../../viewer/settings/settingValues.js';
+import type { CodeModel } from '../code/CodeModel.js';
+import { standInOf } from '../maps/standInOf.js';
+import { loadModelFiles } from '../reading/loadModelFiles.js';
+import { BUILT_IN_MODELS, type BuiltInModel } from '../models/models.js';
+import { setPageState } from '../page/setPageState.js';
+import type { Stage } from '../viewport/Stage.js';
+import { whenDrawn } from '../viewport/whenDrawn.js';
+import { page } from '../elements/page.js';
+import type { TaskRunner } from '../tasks/TaskRunner.js';
+import { FileViews } from './FileViews.js';
+import type { lightModel } from './lightModel.js';
+import { type CaptionContent, ModelCaption } from './ModelCaption.js';
+import type { ShownFiles } from './sortDrop.js';
+
+interface LoadedModel {
+  title: string;
+  view?: [number, number, number] | undefined;
+  read: ReadModel | BuiltInScene;
+  shown?: ShownFiles;
+  drawing?: BundledDrawing | undefined;
+  /** Lights the model for its view; undefined if its light is known. */
+  light?: typeof lightModel | undefined;
+}
+
+/** A model by the value of its setting, with its files if it is the user's own. */
+interface WantedModel {
+  model: Settings['model'];
+  files?: readonly ModelFile[] | undefined;
+  /** The variant and the clip of its file. */
+  choice: ModelChoice;
+}
+
+/** How a model is shown. */
+interface WayToShow {
+  /** Whether the camera is placed so that the whole model is in the picture. */
+  isFramed: boolean;
+  /** Whether the settings ask for the model, so that showing it changes none of them. */
+  isRestored: boolean;
+  /** Whether the user has asked for something else of the shown model, which is a step. */
+  isChosen?: boolean;
+}
+
+/** A model that the user has opened. */
+export interface OpenedModel {
+  /** Whether it is another model than before, and not the same one with pictures that were missing. */
+  isOther: boolean;
+  /** The look, the camera and the strokes that came with the model, if any did. */
+  drawing: BundledDrawing | undefined;
+  /** Views of its cameras and lights. */
+  views: readonly SavedView[];
+}
+
+/** How loading has ended: with files that the user has opened, with a model that the settings ask for, or with the previous model. */
+export type ModelEnd = 'opened' | 'restored' | 'failed';
+
+/** Loads models and shows them. While one is loading, and if it fails, the previous one stays. */
+export class ModelLoader {
+  /** The name of the model that is shown. */
+  title = '';
+  /** The radius that a model drawn as a scene had before it was fitted. Undefined for a single mesh. */
+  sceneRadius: number | undefined;
+  /** Whether the model is a single mesh with border edges, whose surfaces are drawn from both sides. */
+  isOpen = false;
+  /** How the shown model was simplified, if it was. */
+  simplified: ReadMesh['simplified'];
+  /** The files from which the shown model was read. Built-in models have none. */
+  shownFiles: ShownFiles = { files: [], missing: [] };
+  /** The index of the variant of the shown model's materials, if one was chosen. */
+  private shownVariant: number | undefined;
+  /** The state of the page that a stand-in has changed. */
+  private beforeStandIn:
+    | {
+        settings: Pick<Settings, 'upAxis' | 'lightAzimuth' | 'lightElevation'>;
+        title: string;
+        caption: CaptionContent | undefined;
+        place: CameraView | undefined;
+      }
+    | undefined;
+  /** The model for which a stand-in was shown last. */
+  private stoodInFor: WantedModel | undefined;
+  /** Where the light was put for a model. */
+  private lit: Pick<Settings, 'lightAzimuth' | 'lightElevation'> | undefined;
+  /** The shown model, as the value of its setting. */
+  private shownModel: Settings['model'];
+  /** The model that is shown or being loaded, if there is one. */
+  private wanted: WantedModel | undefined;
+  private readonly caption = new ModelCaption(page.modelCaption);
+  private readonly fileViews: FileViews;
+  private readonly addresses = new WeakMap<readonly ModelFile[], string>();
+
+  constructor(
+    private readonly stage: Stage,
+    private readonly settings: Settings,
+    private readonly tasks: TaskRunner,
+    /** Called when loading has changed the settings. */
+    private readonly onChange: (end: ModelEnd, opened?: OpenedModel) => void,
+  ) {
+    this.shownModel = settings.model;
+    this.fileViews = new FileViews(stage, settings);
+  }
+
+  /** Shows the built-in model that the settings ask for. */
+  showChosen(choice = NO_CHOICE): void {
+    const { settings } = this;
+    // It is not framed, because a link may have placed the camera.
+    if (settings.model !== 'file') void this.showBuiltIn(settings.model, { isFramed: false, choice });
+  }
+
+  /** As {@link showChosen}, if nothing is shown or being loaded, so that the page is not left empty. */
+  showSomething(): void {
+    if (!this.stage.model && !this.isLoading) this.showChosen();
+  }
+
+  /**
+   * Shows a model that was shown before, or that a link asks for. The settings have been changed to it already.
+   *
+   * @param files the files of the user's own model
+   * @param isFramed whether the camera is placed so that the whole model is in the picture
+   */
+  restore({ model, files, choice }: WantedModel, isFramed: boolean): void {
+    const { wanted } = this;
+    if (model === wanted?.model && files === wanted.files && choice.variant === wanted.choice.variant) {
+      wanted.choice = choice;
+      this.poseClip(choice);
+    } else if (model !== 'file') void this.showBuiltIn(model, { isFramed, choice });
+    else if (files) void this.showOwn(files, { isFramed, isRestored: true }, choice);
+  }
+
+  /**
+   * Shows the built-in model that the settings ask for, after the user has chosen another one. Resets the up axis.
+   *
+   * @param isFramed whether the camera is placed so that the whole model is in the picture
+   */
+  changeModel(isFramed = true): void {
+    const { settings } = this;
+    if (settings.model === 'file') return;
+    settings.upAxis = SETTINGS.upAxis.default;
+    void this.showBuiltIn(settings.model, { isFramed, isLit: isFramed && this.isLightOfPage });
+  }
+
+  get isLoading(): boolean {
+    return this.tasks.isRunning('model');
+  }
+
+  /** The files of the shown model, if it is the user's own. */
+  get ownFiles(): readonly ModelFile[] | undefined {
+    return this.shownModel === 'file' ? this.shownFiles.files : undefined;
+  }
+
+  /** The shown model as the code that draws it elsewhere needs it. */
+  get codeModel(): CodeModel {
+    const { shownModel: model, title, sceneRadius, isOpen } = this;
+    const { root, motion } = this.stage.model ?? {};
+    const { clip: index = -1, time = 0, isPlaying = false } = motion ?? {};
+    return {
+      model,
+      title,
+      sceneRadius,
+      isOpen,
+      place: root && sceneRadius ? { scale: root.scale.x, position: root.position.toArray() } : undefined,
+      clip: index === -1 ? undefined : { index, time, isPlaying },
+    };
+  }
+
+  /** Fetches a model from another site, to which the user has agreed, and shows it with the present settings. */
+  showAddress(address: string, isFramed: boolean, choice: ModelChoice): void {
+    const wanted: WantedModel = { model: 'file', choice };
+    void this.show(wanted, { isFramed, isRestored: true }, async (report, signal) => {
+      const { describeAddress, fetchModel } = await import('./fetchModel.js');
+      const stage = `fetching ${shownName(describeAddress(address).name)}`;
+      report(stage);
+      const files = [await fetchModel(address, { signal, onProgress: (progress) => report(stage, progress) })];
+      wanted.files = files;
+      this.addresses.set(files, address);
+      const onCoarse = (read: ReadModel): void => {
+        if (!signal.aborted) this.showStandIn({ title: read.name, read }, { isFramed, isRestored: true });
+      };
+      const { variant } = choice;
+      const read = await loadModelFiles(files, { signal, onStage: report, onCoarse, variant });
+      const { name: title, missing, unpacked } = read;
+      return { title, read, shown: { files, missing, unpacked } };
+    });
+  }
+
+  /** The URL of the shown model, if it came from the web. */
+  get address(): string | undefined {
+    return this.ownFiles && this.addresses.get(this.ownFiles);
+  }
+
+  /** Remembers the URL from which files came that the browser has kept. */
+  cameFrom(files: readonly ModelFile[], address: string): void {
+    this.addresses.set(files, address);
+  }
+
+  /** The names of the variants of the shown model's materials. */
+  get variants(): readonly string[] {
+    return this.shownModel === 'file' ? (this.stage.model?.extras.variants ?? []) : [];
+  }
+
+  /** Shows the user's own model with a variant of its materials, by its index, or with those that it has without one. */
+  showVariant(variant: number | undefined): void {
+    const { shownFiles, choice } = this;
+    const way: WayToShow = { isFramed: false, isRestored: true, isChosen: true };
+    void this.showOwn(shownFiles.files, way, { ...choice, variant });
+  }
+
+  /** The index of the variant of the shown model's materials, if one was chosen. */
+  get variant(): number | undefined {
+    return this.choice.variant;
+  }
+
+  /** Poses the shown model by one of its clips. */
+  set clip(clip: number) {
+    const choice = { ...this.choice, clip: clip || undefined };
+    if (this.wanted && !this.isLoading) this.wanted.choice = choice;
+    this.poseClip(choice);
+  }
+
+  /** The variant and the clip of the file of the shown model. */
+  get choice(): ModelChoice {
+    const { clip = 0 } = this.stage.model?.motion ?? {};
+    return { variant: this.shownVariant, clip: clip > 0 ? clip : undefined };
+  }
+
+  private poseClip({ clip = 0 }: ModelChoice): void {
+    const { motion } = this.stage.model ?? {};
+    if (!motion || motion.clip === clip) return;
+    motion.clip = clip;
+    this.stage.frames.invalidate();
+  }
+
+  /** Shows a model of the user's own. */
+  showFiles(files: readonly ModelFile[]): Promise<void> {
+    // The same model with pictures that were missing is not framed again.
+    const isFramed = !files.some((file) => this.shownFiles.files.includes(file));
+    return this.showOwn(files, { isFramed, isRestored: false }, isFramed ? NO_CHOICE : this.choice);
+  }
+
+  private showOwn(files: readonly ModelFile[], way: WayToShow, choice: ModelChoice): Promise<void> {
+    const { variant } = choice;
+    return this.show({ model: 'file', files, choice }, way, async (report, signal) => {
+      const lighting = fetchLight();
+      const lightOf = async ({ drawing }: ReadModel): Promise<LoadedModel['light']> =>
+        way.isRestored || !way.isFramed || drawing ? undefined : lighting;
+      const onCoarse = async (read: ReadModel): Promise<void> => {
+        // It is lit as the model will be, or else all of its strokes would turn later.
+        const light = await lightOf(read).catch(() => undefined);
+        if (!signal.aborted) this.showStandIn({ title: read.name, read, light }, way);
+      };
+      const reading = loadModelFiles(files, { signal, onStage: report, onCoarse, variant });
+      const [read] = await Promise.all([reading, lighting]);
+      const { name: title, missing, unpacked, drawing } = read;
+      const light = await lightOf(read);
+      return { title, read, shown: { files, missing, unpacked }, drawing, light };
+    });
+  }
+
+  /** Whether nobody has placed the light: it is where it was at first, or where this page has put it for a model. */
+  private get isLightOfPage(): boolean {
+    const { settings, lit } = this;
+    const places = [
+      lit,
+      { lightAzimuth: SETTINGS.lightAzimuth.default, lightElevation: SETTINGS.lightElevation.default },
+    ];
+    return places.some(
+      (place) => place?.lightAzimuth === settings.lightAzimuth && place.lightElevation === settings.lightElevation,
+    );
+  }
+
+  /** @param isLit whether the model gets a light that suits its view */
+  private showBuiltIn(
+    model: BuiltInModel,
+    { isFramed, isLit = false, choice = NO_CHOICE }: { isFramed: boolean; isLit?: boolean; choice?: ModelChoice },
+  ): Promise<void> {
+    return this.show({ model, choice }, { isFramed, isRestored: true }, async (report, signal) => {
+      const { title, view, load } = BUILT_IN_MODELS[model];
+      report(`fetching ${title}`);
+      const lighting = isLit ? fetchLight() : undefined;
+      const onCoarse = async (read: ReadModel): Promise<void> => {
+        const light = await lighting?.catch(() => undefined);
+        if (!signal.aborted) this.showStandIn({ title, view, read, light }, { isFramed, isRestored: true });
+      };
+      const [read, light] = await Promise.all([load({ signal, onStage: report, onCoarse }), lighting]);
+      return { title, view, read, light };
+    });
+  }
+
+  private async show(
+    wanted: WantedModel,
+    way: WayToShow,
+    load: (report: Report, signal: AbortSignal) => Promise<LoadedModel>,
+  ): Promise<void> {
+    const { settings, stage } = this;
+    this.wanted = wanted;
+    if (!stage.isLost) setPageState('loading');
+    const end = await this.tasks.run('model', async (report, signal) => {
+      // Every technique draws from here on in the very frame in which it is chosen.
+      const techniques = HatchingMaterial.preload();
+      if (!stage.shown.drawn) void techniques.then(() => stage.buildAhead());
+      const [loaded] = await Promise.all([load(report, signal), techniques]);
+      this.showStandIn(loaded, way);
+      if (this.hasStandIn) await afterFrame(stage.context);
+      signal.throwIfAborted();
+      const built = await buildModel(loaded.read, report, signal, drawsWithAdjacency(settings));
+      try {
+        await stage.shown.dress(built.model, signal);
+      } catch (error) {
+        built.model.dispose();
+        throw error;
+      }
+      report('drawing', 1);
+      this.showLoaded(wanted, loaded, built, way);
+    });
+    if (end === 'failed') {
+      this.takeStandInAway();
+      // The previous model stays, so the setting goes back to it.
+      settings.model = this.shownModel;
+      this.wanted = { model: this.shownModel, files: this.ownFiles, choice: this.choice };
+      this.onChange('failed');
+    }
+  }
+
+  private showLoaded(
+    { model, choice }: WantedModel,
+    loaded: LoadedModel,
+    { model: next, notes }: { model: HatchedModel; notes: readonly string[] },
+    { isFramed, isRestored, isChosen = false }: WayToShow,
+  ): void {
+    const { settings, stage } = this;
+    const { title, read, view, drawing, light } = loaded;
+    const { hasStandIn } = this;
+    this.beforeStandIn = undefined;
+    this.shownModel = model;
+    this.title = title;
+    this.shownFiles = loaded.shown ?? { files: [], missing: [] };
+    this.shownVariant = next.extras.variants[choice.variant ?? -1] === undefined ? undefined : choice.variant;
+    if (next.motion && choice.clip !== undefined) next.motion.clip = choice.clip;
+    this.simplified = read.kind === 'mesh' ? read.simplified : undefined;
+    this.sceneRadius = read.kind === 'mesh' ? undefined : 1 / next.root.scale.x;
+    const { statistics } = next;
+    this.isOpen = read.kind === 'mesh' && isOpen(statistics);
+    settings.model = model;
+    if (!isRestored && !hasStandIn) settings.upAxis = read.upAxis;
+    if (stage.shown.isStandIn) stage.frames.fadeIntoNext();
+    stage.shown.set(next, view, hasStandIn);
+    // The user may have moved the camera while the stand-in was shown.
+    if (isFramed && !hasStandIn) stage.view.frame();
+    if (!hasStandIn) this.light(light);
+    const ofFile = isRestored ? { views: [], notes: [] } : this.fileViews.of(next);
+    // Notes on what was left out matter for the user's own models only.
+    const isOwn = model === 'file';
+    const details = isOwn && 'details' in read ? read.details : [];
+    this.name({ title, statistics, notes: isOwn ? [...notes, ...ofFile.notes] : [], details });
+    if (isRestored && !isChosen) this.onChange('restored');
+    else this.onChange('opened', { isOther: isFramed, drawing: isRestored ? undefined : drawing, views: ofFile.views });
+    page.lamp.hidden = false;
+  }
+
+  /** Draws a large mesh at once, as well as it can be drawn before it is prepared, or a coarse copy of it. */
+  private showStandIn({ read, title, view, light }: LoadedModel, { isFramed, isRestored }: WayToShow): void {
+    const { stage, settings } = this;
+    const standIn = standInOf(read, settings);
+    if (!standIn) return;
+    const { upAxis, lightAzimuth, lightElevation } = settings;
+    // Where the stand-in of a model that was given up is shown, the page before that one is what may come back.
+    if ('extras' in read && read.extras) standIn.extras = read.extras;
+    this.beforeStandIn ??= {
+      settings: { upAxis, lightAzimuth, lightElevation },
+      title: document.title,
+      caption: this.caption.content,
+      place: stage.view.ownPlace,
+    };
+    this.stoodInFor = this.wanted;
+    if (!isRestored) settings.upAxis = read.upAxis;
+    this.name({ title, statistics: standIn.statistics, notes: [], details: [] });
+    if (stage.shown.isStandIn) stage.frames.fadeIntoNext();
+    stage.shown.setStandIn(standIn, view);
+    if (isFramed) stage.view.frame();
+    this.light(light);
+  }
+
+  /** Whether a stand-in for the model that is being loaded is shown. */
+  private get hasStandIn(): boolean {
+    return this.stage.shown.isStandIn && this.stoodInFor === this.wanted;
+  }
+
+  private light(light: LoadedModel['light']): void {
+    if (!light) return;
+    this.fileViews.light(light);
+    const { lightAzimuth, lightElevation } = this.settings;
+    this.lit = { lightAzimuth, lightElevation };
+  }
+
+  /** Restores the page to how it was before the stand-in, because its model could not be loaded. */
+  private takeStandInAway(): void {
+    const { stage, settings, beforeStandIn: before } = this;
+    if (!before) return;
+    this.beforeStandIn = undefined;
+    Object.assign(settings, before.settings);
+    stage.shown.removeStandIn();
+    document.title = before.title;
+    this.caption.show(before.caption);
+    if (before.place) stage.view.place = before.place;
+    else stage.view.frame();
+  }
+
+  private name(content: CaptionContent): void {
+    this.caption.show(content);
+    document.title = `${shownName(content.title)}, hatched`;
+  }
+}
+
+/** How long a frame is waited for at most until it is handed over: a page in the background draws none. */
+const FRAME_MILLISECONDS = 100;
+/** How long it is waited for at most until it is drawn. */
+const DRAWING_MILLISECONDS = 1000;
+
+/**
+ * Resolves when the next frame is on the page. Long work waits for it: on a machine without a graphics card the two would share its
+ * processor, and the frame would take twice as long.
+ */
+async function afterFrame(context: WebGL2RenderingContext): Promise<void> {
+  await within(FRAME_MILLISECONDS, new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve))));
+  await within(DRAWING_MILLISECONDS, whenDrawn(context));
+}
+
+/** Resolves as soon as something does, or after some milliseconds. */
+async function within(milliseconds: number, task: Promise<unknown>): Promise<void> {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  await Promise.race([task, new Promise((resolve) => (timer = setTimeout(resolve, milliseconds)))]);
+  clearTimeout(timer);
+}
+
+const fetchLight = async (): Promise<typeof lightModel> => (await import('./lightModel.js')).lightModel;

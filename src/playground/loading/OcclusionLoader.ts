@@ -1,0 +1,66 @@
+import type { OcclusionBake } from 'three-hatching';
+import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
+import { meshesOf } from '../../viewer/drawing/meshesOf.js';
+import type { Settings } from '../../viewer/settings/settings.js';
+import type { Stage } from '../viewport/Stage.js';
+import type { TaskRunner } from '../tasks/TaskRunner.js';
+
+const STAGE = 'darkening hollows';
+
+/** Bakes the ambient occlusion of the shown model, once, when the settings first ask for it. */
+export class OcclusionLoader {
+  /** The model for which a bake was started, even if it failed or was cancelled. */
+  private model: HatchedModel | undefined;
+  private bake: OcclusionBake | undefined;
+
+  constructor(
+    private readonly stage: Stage,
+    private readonly settings: Settings,
+    private readonly tasks: TaskRunner,
+  ) {}
+
+  /** Whether a bake will start as soon as the model has been drawn without occlusion. */
+  get isAwaited(): boolean {
+    const { model, isLost } = this.stage;
+    return model !== undefined && model !== this.model && !model.isOccluded && this.settings.occlusion > 0 && !isLost;
+  }
+
+  /**
+   * Starts a bake if one is needed. To be called when the model or the settings have changed, and when a picture is on the page,
+   * because the bake must not delay the first frame.
+   */
+  update(): void {
+    // A stand-in is replaced before a bake of it could end.
+    const model = this.stage.shown.isStandIn ? undefined : this.stage.model;
+    if (model !== this.model) this.letGo();
+    if (!model || !this.isAwaited || !this.stage.quality.isOnPage) return;
+    this.model = model;
+    // Occlusion is stored per vertex, and all instances share their vertices.
+    if (meshesOf(model.root).every((mesh) => 'isInstancedMesh' in mesh)) return;
+    void this.tasks.run('occlusion', async (report, signal) => {
+      report(STAGE);
+      const { bakeOcclusion } = await import('../../viewer/drawing/bakeOcclusion.js');
+      signal.throwIfAborted();
+      const bake = await bakeOcclusion(model.root, {
+        signal,
+        onProgress: (progress) => report(STAGE, progress),
+        onPass: () => {
+          if (!this.stage.quality.isSlow) this.stage.frames.refine();
+        },
+        // Other tasks are more urgent, and a picture that is being saved must not change.
+        pause: () => this.tasks.others('occlusion', signal),
+      });
+      if (signal.aborted) bake.dispose();
+      else this.bake = bake;
+      this.stage.frames.refine();
+    });
+  }
+
+  /** Stops the bake and disposes its result, because the model is gone. */
+  private letGo(): void {
+    this.tasks.stop('occlusion');
+    this.bake?.dispose();
+    this.bake = undefined;
+    this.model = undefined;
+  }
+}

@@ -1,0 +1,108 @@
+import { shownName } from '../../viewer/files/common/shownText.js';
+import { describeAddress } from './fetchModel.js';
+
+/** For so long the first answer is disabled, so that a click meant for what lay there before agrees to nothing. */
+const READING_MILLISECONDS = 600;
+
+interface Question {
+  /** The lines of the question. */
+  lines: readonly (string | HTMLElement)[];
+  yes: string;
+  no: string;
+  /** Whether the first answer has consequences and must not be given by mistake. */
+  isGrave?: boolean;
+}
+
+/** Withdraws the question that is open. */
+let withdrawOpen = (): void => {};
+
+/**
+ * Asks a question with two answers. Escape means the second answer, and so does a later question, because only one is open at a time.
+ * Each question has a dialog of its own, so that its answer cannot be taken for the answer to another one.
+ *
+ * @param signal when it is aborted, the question is withdrawn, which means the second answer
+ */
+async function ask({ lines, yes, no, isGrave = false }: Question, signal?: AbortSignal): Promise<boolean> {
+  withdrawOpen();
+  if (signal?.aborted) return false;
+  const dialog = document.createElement('dialog');
+  Object.assign(dialog, { id: 'ask', className: 'ask' });
+  dialog.setAttribute('aria-labelledby', 'ask-question');
+  const question = Object.assign(document.createElement('div'), { id: 'ask-question' });
+  question.append(...lines.map(paragraph));
+  const form = Object.assign(document.createElement('form'), { method: 'dialog' });
+  const [agree, refuse] = [answer(yes, 'yes'), answer(no, 'no')];
+  form.append(agree, refuse);
+  dialog.append(question, form);
+  document.body.append(dialog);
+  const end = new AbortController();
+  const withdraw = (): void => {
+    dialog.close('no');
+    dialog.remove();
+  };
+  withdrawOpen = withdraw;
+  signal?.addEventListener('abort', withdraw, { signal: end.signal });
+  if (isGrave) {
+    refuse.autofocus = true;
+    holdBack(agree, end.signal);
+  }
+  dialog.showModal();
+  await new Promise((resolve) => dialog.addEventListener('close', resolve, { once: true }));
+  end.abort();
+  dialog.remove();
+  if (withdrawOpen === withdraw) withdrawOpen = () => {};
+  // Escape closes the dialog without a value.
+  return dialog.returnValue === 'yes';
+}
+
+function paragraph(line: string | HTMLElement): HTMLElement {
+  const made = document.createElement('p');
+  made.append(line);
+  return made;
+}
+
+function answer(label: string, value: string): HTMLButtonElement {
+  const made = Object.assign(document.createElement('button'), { type: 'submit', value, textContent: label });
+  made.className = 'text-button';
+  return made;
+}
+
+/** Disables a button for a moment, and again when the window comes back to the front. */
+function holdBack(button: HTMLButtonElement, end: AbortSignal): void {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const hold = (): void => {
+    button.disabled = true;
+    clearTimeout(timer);
+    timer = setTimeout(() => {
+      button.disabled = false;
+    }, READING_MILLISECONDS);
+  };
+  hold();
+  addEventListener('focus', hold, { signal: end });
+  end.addEventListener('abort', () => clearTimeout(timer));
+}
+
+/** Asks whether dropped pictures are strokes to draw with, which cannot be told from the pictures. */
+export function askForStrokes(names: readonly string[]): Promise<boolean> {
+  const question =
+    names.length === 1
+      ? `${shownName(names[0])} belongs to no model here. Draw with it as strokes?`
+      : `These ${names.length} pictures belong to no model here. Draw with them as strokes, one tone each?`;
+  return ask({ lines: [question], yes: 'Draw strokes', no: 'Leave the drawing' });
+}
+
+/** Asks whether a model may be fetched from another site, which will learn about the visit. */
+export function askToFetch(address: string, signal: AbortSignal): Promise<boolean> {
+  const { name, site } = describeAddress(address);
+  const lines = [
+    'This link asks for a model from another site:',
+    part('ask-site', site),
+    part('ask-file', `File: ${shownName(name)}`),
+    'Fetch it? The site will see that you do.',
+  ];
+  return ask({ lines, yes: 'Fetch it', no: 'Leave it', isGrave: true }, signal);
+}
+
+/** A line with text from elsewhere, which must not look like part of the question. */
+const part = (className: string, textContent: string): HTMLElement =>
+  Object.assign(document.createElement('bdi'), { className, textContent, dir: 'ltr' });

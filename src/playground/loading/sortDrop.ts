@@ -1,0 +1,40 @@
+import { baseName } from '../../viewer/files/common/fileName.js';
+import type { ModelFile } from '../../viewer/files/readModel.js';
+
+/** The files from which the shown model was read, and the names of files that it refers to and that were missing. */
+export interface ShownFiles {
+  files: readonly ModelFile[];
+  missing: readonly string[];
+  /** The files of the archive, if the model came in one. */
+  unpacked?: readonly ModelFile[] | undefined;
+}
+
+/** What files are for. `pictures` may be the images of a map, or may have been dropped by mistake. */
+export type DropKind = 'model' | 'map' | 'pictures';
+
+/**
+ * Tells what dropped files are for.
+ *
+ * @param isAtMap whether the images of the map are open, so that pictures belong to it
+ * @returns what the files are for, and the files to read, which include those of the shown model if the dropped files were missing
+ */
+export function sortDrop(
+  files: readonly ModelFile[],
+  shown: ShownFiles,
+  isAtMap: boolean,
+): { kind: DropKind; files: readonly ModelFile[] } {
+  const names = new Set(files.map(nameOf));
+  if (shown.missing.some((name) => names.has(name.toLowerCase()))) {
+    return { kind: 'model', files: [...shown.files.filter((file) => !names.has(nameOf(file))), ...files] };
+  }
+  if (!areMapFiles(files)) return { kind: 'model', files };
+  const isSavedMap = files.some(({ name }) => /\.json$/i.test(name));
+  return { kind: isAtMap || isSavedMap ? 'map' : 'pictures', files };
+}
+
+const nameOf = ({ name }: ModelFile): string => baseName(name).toLowerCase();
+
+/** Whether files can only be a tonal art map: PNG images, perhaps with the JSON file of a saved map. */
+function areMapFiles(files: readonly ModelFile[]): boolean {
+  return files.every(({ name }) => /\.(png|json)$/i.test(name));
+}

@@ -1,0 +1,36 @@
+import { HatchingMaterial } from 'three-hatching';
+import { errorMessage } from '../viewer/files/common/errorMessage.js';
+import { setPageState } from './page/setPageState.js';
+import { drawsInSoftware } from './viewport/drawsInSoftware.js';
+import { rendererAhead } from './viewport/rendererAhead.js';
+import { createPlayground } from './createPlayground.js';
+import { page } from './elements/page.js';
+import { Status } from './tasks/Status.js';
+
+// What a developer would do by mistake visitors choose: a weak light, strokes as wide as the model. And paper is shown until a map is drawn.
+HatchingMaterial.silent = true;
+
+function open(renderer: string | undefined): void {
+  const status = new Status(page.status);
+  const context = page.canvas.getContext('webgl2', {
+    alpha: true,
+    // A software renderer needs as long for it as for everything else, and strokes and lines have soft edges of their own.
+    antialias: !drawsInSoftware(renderer),
+    depth: true,
+    powerPreference: 'high-performance',
+  });
+  if (!context) {
+    setPageState('failed');
+    status.fail('This page needs WebGL 2, which this browser does not offer or has switched off.');
+    return;
+  }
+  try {
+    createPlayground(context, status);
+  } catch (error) {
+    setPageState('failed');
+    status.fail(`The page could not be set up: ${errorMessage(error)}`);
+    throw error;
+  }
+}
+
+void rendererAhead().then(open);

@@ -1,0 +1,32 @@
+import { ModelError } from '../../viewer/files/common/ModelError.js';
+import type { ModelFile } from '../../viewer/files/common/ModelFile.js';
+import { shownName } from '../../viewer/files/common/shownText.js';
+import { checkHand } from '../../strokes/hand/checkHand.js';
+import { ownHandOf } from './linkedHand.js';
+import type { OwnHand } from './OwnHand.js';
+
+/** A file of a hand is far smaller: it has 100,000 points at most. */
+const MOST_BYTES = 8 * 1024 * 1024;
+
+/** What the JSON of a hand has, and no other file that the page reads. */
+const SIGNS = ['strokes', 'numbers'];
+
+/** Reads the file of a hand. Undefined if it is one of something else. @throws ModelError with a sentence for the user, if it is damaged */
+export async function readHandFile({ name, content }: ModelFile): Promise<OwnHand | undefined> {
+  if (content.size > MOST_BYTES) return undefined;
+  let value: unknown;
+  try {
+    value = JSON.parse(await content.text());
+  } catch {
+    return undefined;
+  }
+  if (typeof value !== 'object' || value === null || !SIGNS.some((sign) => Object.hasOwn(value, sign)))
+    return undefined;
+  const shown = shownName(name);
+  try {
+    checkHand(shown, value);
+  } catch (error) {
+    throw new ModelError((error as Error).message);
+  }
+  return ownHandOf(value);
+}

@@ -1,0 +1,71 @@
+import { acceptSetting } from '../../viewer/settings/acceptSetting.js';
+import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';
+import { placeOfLight, placeOfSecondLight } from '../../viewer/settings/settingValues.js';
+import { LightHandle } from '../viewport/light/LightHandle.js';
+import type { Stage } from '../viewport/Stage.js';
+import { page } from '../elements/page.js';
+
+/** The handles of the light and of the second light. Dragging them changes the settings. */
+export class LightHandles {
+  private readonly first: LightHandle;
+  private readonly second: LightHandle;
+
+  /** @param onChange called after each change, with the name of the handle */
+  constructor(
+    stage: Stage,
+    private readonly settings: Settings,
+    onChange: (source: string) => void,
+  ) {
+    const change = (source: string, values: Partial<Settings>): void => {
+      // The values are rounded as controls and links round them, so that a link gives back exactly this drawing.
+      for (const [key, value] of Object.entries(values))
+        Object.assign(settings, { [key]: acceptSetting(key as keyof Settings, value) });
+      onChange(source);
+    };
+    const common = {
+      viewport: page.viewport,
+      camera: stage.camera,
+      outline: () => stage.view.modelOutline,
+      framedCount: () => stage.view.framedCount,
+      isWithViewer: () => settings.lightFollows === 'viewer',
+      onDrag: (dragging: boolean) => {
+        stage.view.controls.enabled = !dragging;
+        if (dragging) page.lamp.classList.add('is-known');
+      },
+    };
+    this.first = new LightHandle(page.lamp, {
+      ...common,
+      name: 'Light',
+      lightPosition: stage.scenery.lights.position,
+      place: () => placeOfLight(settings),
+      home: () => ({
+        azimuth: SETTINGS.lightAzimuth.default,
+        elevation: SETTINGS.lightElevation.default,
+        distance: SETTINGS.lightDistance.default,
+      }),
+      onMove: ({
+        azimuth = settings.lightAzimuth,
+        elevation = settings.lightElevation,
+        distance = settings.lightDistance,
+      }) => change('lamp', { lightAzimuth: azimuth, lightElevation: elevation, lightDistance: distance }),
+    });
+    const secondPlace = () => placeOfSecondLight(settings) ?? { azimuth: 0, elevation: 0 };
+    this.second = new LightHandle(page.secondLamp, {
+      ...common,
+      name: 'Second light',
+      lightPosition: stage.scenery.lights.secondPosition,
+      place: secondPlace,
+      home: () => ({ azimuth: SETTINGS.secondAzimuth.default, elevation: SETTINGS.secondElevation.default }),
+      // Once the user moves it, the second light no longer follows the first.
+      onMove: ({ azimuth = secondPlace().azimuth, elevation = secondPlace().elevation }) =>
+        change('second lamp', { secondLight: 'free', secondAzimuth: azimuth, secondElevation: elevation }),
+    });
+  }
+
+  /** Moves the handles to where the lights are in the picture. To be called after each frame, and while one has to wait. */
+  update(): void {
+    page.secondLamp.hidden = page.lamp.hidden || this.settings.secondLight === 'none';
+    this.first.update();
+    if (!page.secondLamp.hidden) this.second.update();
+  }
+}

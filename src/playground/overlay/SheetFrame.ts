@@ -1,0 +1,40 @@
+import type { Settings } from '../../viewer/settings/settings.js';
+import { sheetOnView } from '../print/printPlan.js';
+import type { Stage } from '../viewport/Stage.js';
+import { page } from '../elements/page.js';
+import { drawnView } from '../elements/viewSize.js';
+
+/**
+ * A frame over the drawing that shows the sheet on which a picture will be saved, and dims what lies outside of it. While the frame is
+ * shown, a framed model is composed for the sheet.
+ */
+export class SheetFrame {
+  private readonly element = Object.assign(document.createElement('div'), { className: 'sheet-frame', hidden: true });
+  private isWanted = false;
+
+  constructor(
+    private readonly stage: Stage,
+    private readonly settings: Settings,
+  ) {
+    this.element.setAttribute('aria-hidden', 'true');
+    page.canvas.after(this.element);
+    new ResizeObserver(() => this.refresh()).observe(page.viewport);
+  }
+
+  /** Shows or hides the frame. It is seen only if the settings ask for a sheet. */
+  show(isWanted: boolean): void {
+    this.isWanted = isWanted;
+    this.refresh();
+  }
+
+  /** To be called when the settings have changed. */
+  refresh(): void {
+    const { element, stage } = this;
+    const sheet = this.isWanted ? sheetOnView(this.settings, drawnView(stage)) : undefined;
+    stage.view.sheet = sheet;
+    element.hidden = !sheet;
+    if (!sheet) return;
+    const [width, height] = sheet.map((share) => `${(100 * share).toFixed(3)}%`);
+    Object.assign(element.style, { width, height });
+  }
+}

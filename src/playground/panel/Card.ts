@@ -1,0 +1,88 @@
+import { errorMessage } from '../../viewer/files/common/errorMessage.js';
+import { wholeLook } from '../../viewer/settings/presets.js';
+import type { SettingGroup } from '../../viewer/settings/table/Setting.js';
+import { page } from '../elements/page.js';
+import { drawnView } from '../elements/viewSize.js';
+import type { RendererChoice } from '../session/RendererChoice.js';
+import type { Session } from '../session/Session.js';
+import type { Shelf } from '../savedLooks/Shelf.js';
+import type { LaterPart, LaterParts } from '../tasks/LaterParts.js';
+import type { Status } from '../tasks/Status.js';
+import type { MotionPanel } from './MotionPanel.js';
+import { PresetBar } from './PresetBar.js';
+import type { PanelAction, SettingsPanel } from './SettingsPanel.js';
+
+/** The card beside the drawing: presets, the user's own looks and views, the controls of the settings and those of a model that moves. */
+export class Card {
+  readonly shelf: LaterPart<Shelf>;
+  private readonly motion: LaterPart<MotionPanel>;
+  private panel: SettingsPanel | undefined;
+
+  /**
+   * @param createActions fetches the buttons of the panel
+   * @param onFold called when a group of settings is unfolded or folded
+   */
+  constructor(
+    private readonly session: Session,
+    status: Status,
+    parts: LaterParts,
+    createActions: () => Promise<readonly PanelAction[]>,
+    onFold: (group: SettingGroup, isOpen: boolean) => void,
+    renderers: RendererChoice,
+  ) {
+    const { stage, settings } = session;
+    const presets = new PresetBar(page.presets, settings, (name) => session.useLook(wholeLook(name)));
+    this.shelf = parts.later(async () => {
+      const [{ Shelf }, { ModelVariants }] = await Promise.all([
+        import('../savedLooks/Shelf.js'),
+        import('../savedLooks/ModelVariants.js'),
+      ]);
+      const variants = new ModelVariants(session.modelLoader);
+      return new Shelf(stage, settings, session.views, variants, (look) => session.useLook(look));
+    });
+    this.motion = parts.later(async () => {
+      const { MotionPanel } = await import('./MotionPanel.js');
+      const invalidate = (): void => stage.frames.invalidate();
+      return new MotionPanel(page.motion, page.canvas, invalidate, (clip) => session.chooseClip(clip));
+    });
+    // The panel is fetched later, because it would delay the first drawing. The shelf lies above it and comes first, so that nothing moves.
+    void Promise.all([import('./SettingsPanel.js'), createActions(), this.shelf.fetch()])
+      .then(
+        ([{ SettingsPanel }, actions]) => {
+          const onChange = session.settingChanged.bind(session);
+          // Files are opened, not chosen.
+          const hasOwn = (value: string) => value === 'ownHand' && session.mapLoader.hand?.hand !== undefined;
+          const folded = (group: SettingGroup, isOpen: boolean): void => {
+            onFold(group, isOpen);
+            if (group === 'More' && isOpen) void renderers.ask().then(() => this.panel?.refresh());
+          };
+          this.panel = new SettingsPanel(
+            ...([page.panel, settings, actions, onChange, () => drawnView(stage), folded, hasOwn, renderers] as const),
+          );
+        },
+        (error) => status.fail(`The settings could not be fetched: ${errorMessage(error)}.`),
+      )
+      .finally(() => page.panel.removeAttribute('aria-busy'));
+    const refreshShelf = (): void => this.shelf.present?.refresh();
+    session.listen({
+      applied: () => {
+        this.panel?.refresh();
+        presets.refresh();
+        refreshShelf();
+      },
+      moved: refreshShelf,
+      modelShown: () => this.showMotion(),
+    });
+    stage.frames.onFrame(() => this.motion.present?.update());
+  }
+
+  /** Shows the controls of the model if it is animated. */
+  private showMotion(): void {
+    const { stage } = this.session;
+    if (!this.motion.present && !stage.model?.motion) return;
+    this.motion.use((panel) => {
+      panel.show(stage.model?.motion);
+      stage.frames.invalidate();
+    });
+  }
+}

@@ -1,0 +1,193 @@
+import { type Controller, GUI } from 'lil-gui';
+import { drawnSettings } from '../../viewer/settings/drawnSettings.js';
+import { hasEffect, isChoiceKnown, presentUnit } from '../../viewer/settings/effects.js';
+import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from '../../viewer/settings/settings.js';
+import { looksOf } from '../../viewer/settings/settingValues.js';
+import {
+  type NumberSetting,
+  SETTING_GROUPS,
+  type Setting,
+  type SettingGroup,
+} from '../../viewer/settings/table/Setting.js';
+import { type DrawnView, millimetresPerPixel } from '../print/printPlan.js';
+
+/** Choices that stand for something of the user's own. */
+type OwnChoice = 'ownHand' | 'file';
+const isOwn = (value: string): value is OwnChoice => value === 'ownHand' || value === 'file';
+
+/** Widths that the panel shows in millimetres of the print, too. */
+const PRINTED = ['strokeWidth', 'outlineWidth'] as const;
+
+/** An action for which the panel has a button. */
+export interface PanelAction {
+  /** A function is called at each change of the settings, for a label that depends on them. */
+  label: string | (() => string);
+  group: SettingGroup;
+  run: () => void;
+}
+
+/** The controls, created from the table of settings. Each has a label and a unit, and a double-click resets it. */
+export class SettingsPanel {
+  private readonly controllers = new Map<SettingKey, Controller>();
+  private readonly units = new Map<SettingKey, HTMLElement>();
+  private readonly changingLabels: (() => void)[] = [];
+  private readonly rendererNote = note('');
+  /** Show the widths of strokes and lines in a print of the chosen size. */
+  private readonly printNotes = { strokeWidth: note(''), outlineWidth: note('') };
+
+  constructor(
+    container: HTMLElement,
+    private readonly settings: Settings,
+    actions: readonly PanelAction[],
+    onChange: (key: SettingKey) => void,
+    private readonly drawnView: () => DrawnView,
+    /** Called when a group is unfolded or folded. */
+    onFold: (group: SettingGroup, isOpen: boolean) => void,
+    /** Whether there is something of the user's own that can be chosen. */
+    private readonly hasOwn: (value: OwnChoice) => boolean,
+    /** Whether there is a choice of renderers, and what is to be said of it. */
+    private readonly renderers: { readonly isOffered: boolean; readonly note: string },
+  ) {
+    // The page's own style sheet styles the panel, because the Content-Security-Policy forbids style elements.
+    const gui = new GUI({ container, injectStyles: false, title: 'Settings' });
+    const folders = SETTING_GROUPS.map((group, i) => {
+      const folder = i === 0 ? gui : gui.addFolder(group).close();
+      // Without lil-gui's own style sheet, its opening animation would never end.
+      folder.openAnimated = (open) => {
+        folder.open(open);
+        // The content of an opened fold comes into sight: all of it, or its beginning if it is longer than the panel.
+        if (open) {
+          folder.domElement.scrollIntoView({ block: 'nearest' });
+          folder.$title.scrollIntoView({ block: 'nearest' });
+        }
+        return folder;
+      };
+      return [group, folder] as const;
+    });
+    const folderOf = new Map(folders);
+    gui.onOpenClose((folder: GUI) => {
+      const group = SETTING_GROUPS.find((name) => folderOf.get(name) === folder);
+      if (group) onFold(group, !folder._closed);
+    });
+    for (const key of SETTING_KEYS) {
+      const controller = this.add(folderOf.get(SETTINGS[key].group)!, key);
+      controller.onChange(() => {
+        this.refresh();
+        onChange(key);
+      });
+      this.controllers.set(key, controller);
+    }
+    for (const { label, group, run } of actions) {
+      const controller = folderOf.get(group)!.add({ run }, 'run');
+      if (typeof label === 'string') controller.name(label);
+      else this.changingLabels.push(() => controller.name(label()));
+    }
+    // The folders stand behind the settings of the first group.
+    const children = gui.$children;
+    children.append(...[...children.children].filter((child) => child.classList.contains('lil-gui')));
+    this.refresh();
+  }
+
+  /** Updates the controls after the settings have changed elsewhere. Hides or disables those without an effect. */
+  refresh(): void {
+    for (const controller of this.controllers.values()) controller.updateDisplay();
+    for (const name of this.changingLabels) name();
+    const { settings } = this;
+    const looks = looksOf(settings);
+    for (const [key, controller] of this.controllers) {
+      const isUsed = hasEffect(key, settings, looks) && (key !== 'renderer' || this.renderers.isOffered);
+      const setting: Setting = SETTINGS[key];
+      if (setting.staysInPlace) controller.enable(isUsed);
+      else controller.show(isUsed);
+      if (setting.kind === 'number') {
+        const unit = presentUnit(key, looks);
+        this.units.get(key)!.textContent = unit;
+        sayValue(controller, setting, Number(settings[key]), unit);
+      }
+      if (setting.kind === 'choice') {
+        const options = controller.domElement.querySelectorAll('option');
+        for (const [i, value] of Object.keys(setting.choices).entries()) {
+          options[i].disabled = value !== settings[key] && !isChoiceKnown(key, value, looks);
+        }
+      }
+    }
+    this.notePrintedWidths();
+    this.rendererNote.textContent = this.renderers.note;
+    for (const key of ['model', 'mapStyle'] as const) {
+      const options = this.controllers.get(key)!.domElement.querySelectorAll('option');
+      for (const [i, value] of Object.keys(SETTINGS[key].choices).entries()) {
+        if (isOwn(value)) options[i].hidden = value !== settings[key] && !this.hasOwn(value);
+      }
+    }
+  }
+
+  /** Shows how wide strokes and lines are in print. */
+  private notePrintedWidths(): void {
+    const { settings } = this;
+    const millimetres = millimetresPerPixel(settings, this.drawnView());
+    const drawn = drawnSettings(settings);
+    const where = hasEffect('pictureDpi', settings) ? 'on the sheet' : 'in print, 300 dpi';
+    for (const key of PRINTED) {
+      this.printNotes[key].textContent = `${(drawn[key] * millimetres).toFixed(2)} mm ${where}`;
+    }
+  }
+
+  private add(gui: GUI, key: SettingKey): Controller {
+    const setting: Setting = SETTINGS[key];
+    const { settings } = this;
+    switch (setting.kind) {
+      case 'choice': {
+        const choices = Object.fromEntries(Object.entries(setting.choices).map(([value, words]) => [words, value]));
+        const controller = gui.add(settings, key, choices);
+        if (key === 'renderer') controller.$widget.append(this.rendererNote);
+        return this.finish(controller, setting);
+      }
+      case 'color':
+        return this.finish(gui.addColor(settings, key), setting);
+      case 'number': {
+        const controller = gui.add(settings, key, setting.min, setting.max, setting.step);
+        const unit = document.createElement('span');
+        unit.className = 'unit';
+        this.units.set(key, unit);
+        controller.$widget.append(unit);
+        if (setting.ends) controller.$widget.append(note(...setting.ends));
+        if (isPrinted(key)) controller.$widget.append(this.printNotes[key]);
+        return this.finish(controller, setting);
+      }
+    }
+  }
+
+  private finish(controller: Controller, setting: Setting): Controller {
+    controller.name(setting.label);
+    controller.$name.title = 'Double-click to reset';
+    controller.domElement.addEventListener('dblclick', (event) => {
+      if (event.target instanceof HTMLInputElement && event.target.type === 'text') return;
+      controller.setValue(setting.default);
+    });
+    return controller;
+  }
+}
+
+const isPrinted = (key: SettingKey): key is (typeof PRINTED)[number] =>
+  (PRINTED as readonly SettingKey[]).includes(key);
+
+/** Gives screen readers the value, the range and the unit of a number, because lil-gui uses a plain text field. */
+function sayValue(controller: Controller, { min, max }: NumberSetting, value: number, unit: string): void {
+  const said = {
+    role: 'spinbutton',
+    'aria-valuenow': value,
+    'aria-valuemin': min,
+    'aria-valuemax': max,
+    'aria-valuetext': `${value} ${unit}`.trim(),
+  };
+  const input = controller.$widget.querySelector('input');
+  for (const [name, text] of Object.entries(said)) input?.setAttribute(name, String(text));
+}
+
+/** Creates a line of small text below a control. Several texts are spread over its width. */
+function note(...texts: string[]): HTMLElement {
+  const element = document.createElement('span');
+  element.className = 'note';
+  for (const text of texts) element.append(Object.assign(document.createElement('span'), { textContent: text }));
+  return element;
+}

@@ -1,0 +1,133 @@
+import { ModelError } from '../../viewer/files/common/ModelError.js';
+import { readingTime } from '../../viewer/files/readingTime.js';
+import type { ModelFile, ReadModel } from '../../viewer/files/readModel.js';
+import type { FineRequest, ModelWorkerMessage } from './model.worker.js';
+import { PAGE_SURROUNDINGS } from './pageSurroundings.js';
+import type { ReadAhead } from './readAhead.js';
+
+export interface LoadOptions {
+  /** Aborting terminates the worker at once and rejects with the signal's reason. */
+  signal: AbortSignal;
+  /** Called with a few words on what is being done. */
+  onStage: (stage: string) => void;
+  /** Called with a coarse copy of a large model, before that is ready. */
+  onCoarse?: ((model: ReadModel) => void) | undefined;
+  /** The most triangles of a model whose triangles are simplified, if it is not to have those that a sheet shows. */
+  most?: number | undefined;
+  /** The index of the variant of its materials. */
+  variant?: number | undefined;
+}
+
+/** Only smaller files are read on the main thread: it does nothing else meanwhile, and reading cannot be stopped. */
+const MAX_BYTES_WITHOUT_WORKER = 4 * 2 ** 20;
+
+/** The worker did not start: its script is missing, or a Content-Security-Policy forbids workers. */
+class NotStarted extends Error {}
+
+/**
+ * Reads a model in a worker of its own, which is terminated if the caller aborts or it is silent for too long: some files
+ * keep a parser busy for minutes. Where no worker starts, small files are read on the main thread.
+ *
+ * @param files the files, or a promise of them: the worker starts meanwhile
+ * @param ahead a worker that was given the same files already
+ * @throws ModelError with one sentence for the user, or what the promise is rejected with
+ */
+export async function loadModelFiles(
+  files: readonly ModelFile[] | Promise<readonly ModelFile[]>,
+  options: LoadOptions,
+  ahead?: ReadAhead,
+): Promise<ReadModel> {
+  options.signal.throwIfAborted();
+  try {
+    return await readInWorker(files, options, ahead);
+  } catch (error) {
+    if (error instanceof NotStarted) return readHere(await files, options);
+    throw error;
+  }
+}
+
+async function readHere(files: readonly ModelFile[], { signal, onStage, variant }: LoadOptions): Promise<ReadModel> {
+  const bytes = sizeOf(files);
+  if (bytes > MAX_BYTES_WITHOUT_WORKER) {
+    const [has, takes] = [bytes, MAX_BYTES_WITHOUT_WORKER].map((size) => Math.ceil(size / 2 ** 20));
+    throw new ModelError(
+      `The file has ${has} MB. It takes a reader in the background, which did not start on this page; without one, up to ${takes} MB can be read.`,
+    );
+  }
+  const { readModel } = await import('../../viewer/files/readModel.js');
+  const { withPictures } = await import('../../viewer/files/decodePictures.js');
+  signal.throwIfAborted();
+  const read = await readModel(files, onStage, PAGE_SURROUNDINGS, variant);
+  const model = await withPictures(read, onStage, PAGE_SURROUNDINGS);
+  signal.throwIfAborted();
+  return model;
+}
+
+function startWorker(): Worker {
+  try {
+    return new Worker(new URL('./model.worker.ts', import.meta.url), { type: 'module', name: 'model' });
+  } catch {
+    // The browser has no workers, or the page may not start one.
+    throw new NotStarted();
+  }
+}
+
+const sizeOf = (files: readonly ModelFile[]): number => files.reduce((sum, { content }) => sum + content.size, 0);
+
+async function readInWorker(
+  given: readonly ModelFile[] | Promise<readonly ModelFile[]>,
+  { signal, onStage, onCoarse, most, variant }: LoadOptions,
+  ahead: ReadAhead | undefined,
+): Promise<ReadModel> {
+  const worker = ahead?.worker ?? startWorker();
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  let isOver = false;
+  try {
+    return await new Promise<ReadModel>((resolve, reject) => {
+      signal.addEventListener('abort', () => reject(signal.reason), { once: true });
+      let bytes = 0;
+      const restartTimer = (): void => {
+        clearTimeout(timer);
+        const seconds = Math.ceil(readingTime(bytes));
+        const sentence = `The file was put aside, because its reader made no progress for ${seconds} seconds.`;
+        timer = setTimeout(() => reject(new ModelError(sentence)), seconds * 1000);
+      };
+      let hasSpoken = false;
+      const fail = (event: Event): void => {
+        event.preventDefault();
+        // The error of a worker that did not load has no message. Other messages are JavaScript's, and not for users.
+        const isLoaded = hasSpoken || ('message' in event && Boolean(event.message));
+        reject(isLoaded ? new ModelError('The file could not be read: the reader stopped.') : new NotStarted());
+      };
+      worker.addEventListener('error', fail);
+      worker.addEventListener('messageerror', fail);
+      const hear = (data: ModelWorkerMessage): void => {
+        hasSpoken = true;
+        if (data.kind === 'stage') {
+          bytes = Math.max(bytes, data.bytes ?? 0);
+          restartTimer();
+          onStage(data.stage);
+        } else if (data.kind === 'coarse') {
+          restartTimer();
+          onCoarse?.(data.model);
+        } else if (data.kind === 'done') resolve(data.model);
+        else reject(new ModelError(data.sentence));
+      };
+      ahead?.messages.forEach(hear);
+      worker.addEventListener('message', ({ data }: MessageEvent<ModelWorkerMessage>) => hear(data));
+      const post = (files: readonly ModelFile[]): void => {
+        if (isOver) return;
+        bytes = sizeOf(files);
+        restartTimer();
+        const isPlain = most === undefined && variant === undefined;
+        if (!ahead) worker.postMessage(isPlain ? files : ({ files, most, variant } satisfies FineRequest));
+      };
+      if (given instanceof Promise) given.then(post).catch(reject);
+      else post(given);
+    });
+  } finally {
+    isOver = true;
+    clearTimeout(timer);
+    worker.terminate();
+  }
+}

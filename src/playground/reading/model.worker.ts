@@ -1,0 +1,82 @@
+import { toModelError } from '../../viewer/files/common/ModelError.js';
+import { withPictures } from '../../viewer/files/decodePictures.js';
+import { checkTriangleCount } from '../../viewer/files/mesh/checkTriangleCount.js';
+import { meshBuffers, triangleCount } from '../../viewer/files/mesh/PlainMesh.js';
+import { needsCoarse } from '../../viewer/files/mesh/plainNormals.js';
+import { type ModelFile, type OnStage, type ReadMesh, type ReadModel, readModel } from '../../viewer/files/readModel.js';
+import { PAGE_SURROUNDINGS } from './pageSurroundings.js';
+import { coarseModel, isTooFine, simplified, withoutHeavyPictures } from './readLarge.js';
+
+/** What the worker is given if a model is to be read otherwise than a sheet shows it. */
+export interface FineRequest {
+  files: readonly ModelFile[];
+  /** The most triangles that it is to have; undefined for those that a sheet shows. */
+  most: number | undefined;
+  /** The index of the variant of its materials. */
+  variant: number | undefined;
+}
+
+/** Messages of the worker: its progress, its result, or the sentence of its error. */
+export type ModelWorkerMessage =
+  | { kind: 'stage'; stage: string; bytes: number | undefined }
+  | { kind: 'coarse'; model: ReadModel }
+  | { kind: 'done'; model: ReadModel }
+  | { kind: 'failed'; sentence: string };
+
+/** How often the worker says how far it is, in milliseconds. */
+const STAGE_MS = 500;
+
+const post = (message: ModelWorkerMessage, transfer: Transferable[] = []): void => postMessage(message, { transfer });
+
+/** The buffers and bitmaps to transfer. Several pictures may share a bitmap. */
+function transferables(model: ReadModel): Transferable[] {
+  if (model.kind === 'mesh') {
+    const bitmaps = model.pictures.flatMap((picture) => (picture ? [picture.bitmap] : []));
+    // The stand-in may share the normals of the mesh.
+    const buffers = new Set([...meshBuffers(model.mesh), ...(model.plainNormals ? [model.plainNormals.buffer] : [])]);
+    return [...buffers, ...new Set(bitmaps)] as Transferable[];
+  }
+  const { arrays, bitmaps } = model.parts;
+  return [...arrays, ...(bitmaps.filter((bitmap) => bitmap !== undefined) as Transferable[])];
+}
+
+/** Hands over a coarse copy of a model, to be drawn at once. */
+function postCoarse(model: ReadMesh): void {
+  const coarse = coarseModel(model);
+  post({ kind: 'coarse', model: coarse }, transferables(coarse));
+}
+
+/** Simplifies a model. Where that fails, it is drawn as it is, if it can be. */
+async function lessOf(model: ReadMesh, onStage: OnStage, most?: number): Promise<ReadMesh> {
+  const stage = `simplifying ${triangleCount(model.mesh).toLocaleString('en')} triangles`;
+  onStage(stage);
+  let said = performance.now();
+  const onProgress = (progress: number): void => {
+    if (performance.now() < said + STAGE_MS) return;
+    said = performance.now();
+    onStage(`${stage}: ${Math.floor(100 * progress)} %`);
+  };
+  try {
+    return await simplified(model, onProgress, most);
+  } catch (error) {
+    console.warn(`The model is drawn with all its triangles, because it could not be simplified. ${error}`);
+    return model;
+  }
+}
+
+addEventListener('message', async ({ data }: MessageEvent<readonly ModelFile[] | FineRequest>) => {
+  try {
+    const { files, most, variant }: Partial<FineRequest> & Pick<FineRequest, 'files'> =
+      'files' in data ? data : { files: data };
+    const onStage: OnStage = (stage, bytes) => post({ kind: 'stage', stage, bytes });
+    const read = withoutHeavyPictures(await readModel(files, onStage, PAGE_SURROUNDINGS, variant));
+    const model = await withPictures(read, onStage, PAGE_SURROUNDINGS);
+    const isLessDrawn = isTooFine(model, most);
+    if (most === undefined && model.kind === 'mesh' && needsCoarse(model.mesh)) postCoarse(model);
+    const drawn = isLessDrawn ? await lessOf(model, onStage, most) : model;
+    if (drawn.kind === 'mesh') checkTriangleCount(triangleCount(drawn.mesh));
+    post({ kind: 'done', model: drawn }, transferables(drawn));
+  } catch (error) {
+    post({ kind: 'failed', sentence: toModelError('The file', error).message });
+  }
+});

@@ -1,0 +1,72 @@
+import { MOST_PIXELS } from '../../mesh/detail/chooseLevel.js';
+import { canDraw } from '../../viewer/files/mesh/checkTriangleCount.js';
+import { clusterMesh } from '../../viewer/files/mesh/clusterMesh.js';
+import { isClosed } from '../../viewer/files/mesh/isClosed.js';
+import { triangleCount } from '../../viewer/files/mesh/PlainMesh.js';
+import { meanNormals, plainNormals } from '../../viewer/files/mesh/plainNormals.js';
+import type { ReadMesh, ReadModel } from '../../viewer/files/readModel.js';
+
+/** Meshes of more triangles are simplified before they are baked. */
+const MANY_TRIANGLES = 2_000_000;
+
+/**
+ * Whether a model has more triangles than are drawn, by default than a sheet shows. Pictures keep theirs: corners of one place have several
+ * coordinates there.
+ */
+export const isTooFine = (model: ReadModel, most = MANY_TRIANGLES): model is ReadMesh =>
+  model.kind === 'mesh' && !model.mesh.uvs && triangleCount(model.mesh) > most;
+
+/** The model, without its pictures if it has more triangles than can be drawn with them. */
+export function withoutHeavyPictures(model: ReadModel): ReadModel {
+  if (model.kind !== 'mesh' || !model.mesh.uvs || canDraw(triangleCount(model.mesh))) return model;
+  const { uvs: _, ranges = [], ...plain } = model.mesh;
+  const hasGlass = ranges.some(({ isSeeThrough }) => isSeeThrough);
+  const mesh = { ...plain, ...(hasGlass && { ranges: ranges.map((range) => ({ ...range, picture: -1 })) }) };
+  return { ...model, mesh, pictures: [], notes: [...model.notes, 'too large to be drawn with its pictures'] };
+}
+
+/** A coarse copy of a model, to be drawn until it is simplified and baked. */
+export function coarseModel(model: ReadMesh): ReadMesh {
+  const mesh = clusterMesh(model.mesh);
+  return { ...model, mesh, plainNormals: meanNormals(mesh), isClosed: isClosed(mesh) };
+}
+
+/**
+ * Up to how many pixels across a model may be drawn until it lies farther than can be seen from the whole one, rounded down to two digits.
+ *
+ * @param error in radii
+ */
+export function exactPixels(error: number): number {
+  const pixels = (2 * MOST_PIXELS) / error;
+  const unit = 10 ** (Math.floor(Math.log10(pixels)) - 1);
+  return Math.floor(pixels / unit) * unit;
+}
+
+/** The model with no more triangles than `most`, by default than a sheet shows, and with a note that says so. */
+export async function simplified(
+  model: ReadMesh,
+  onProgress: (progress: number) => void,
+  most?: number,
+): Promise<ReadMesh> {
+  const [{ MeshoptSimplifier }, { simplifyMesh }] = await Promise.all([
+    import('meshoptimizer/simplifier'),
+    import('../../viewer/files/repair/simplifyMesh.js'),
+  ]);
+  await MeshoptSimplifier.ready;
+  const { mesh, error } = simplifyMesh(model.mesh, MeshoptSimplifier, onProgress, most);
+  const normals = plainNormals(mesh);
+  const [all, drawn] = [model.mesh, mesh].map((one) => triangleCount(one).toLocaleString('en'));
+  const share = (100 * error).toFixed(2);
+  const pixels = exactPixels(error).toLocaleString('en');
+  return {
+    ...model,
+    mesh,
+    plainNormals: normals,
+    isClosed: normals !== null && isClosed(mesh),
+    simplified: { triangles: triangleCount(model.mesh), error },
+    details: [
+      ...model.details,
+      `${drawn} of ${all} triangles are drawn, which lie within ${share} % of the radius from all of them: less than can be seen if the model is up to ${pixels} pixels across`,
+    ],
+  };
+}

@@ -1,0 +1,74 @@
+import { shownName } from '../../viewer/files/common/shownText.js';
+import { findElement } from '../page/findElement.js';
+import { textButton } from '../elements/textButton.js';
+import type { NamedItem, NamedList } from './NamedList.js';
+
+/** The words of the dialog for a list. */
+export interface ListWords {
+  title: string;
+  about: string;
+  /** The label of the button that adds what is shown. */
+  add: string;
+  full: string;
+}
+
+/** Lists named items, which can be added, chosen, renamed and deleted. */
+export class NamedListDialog {
+  private readonly dialog = findElement('named') as HTMLDialogElement;
+  private readonly name = findElement('named-name') as HTMLInputElement;
+  private readonly addButton = findElement('named-add') as HTMLButtonElement;
+  private readonly rows = findElement('named-list');
+  private readonly said = findElement('named-said');
+  private list: NamedList | undefined;
+  private words: ListWords | undefined;
+
+  constructor() {
+    findElement('named-close').addEventListener('click', () => this.dialog.close());
+    findElement('named-form').addEventListener('submit', (event) => {
+      event.preventDefault();
+      if (this.list) this.show(this.list.add(this.name.value));
+      this.rows.lastElementChild?.scrollIntoView({ block: 'nearest' });
+    });
+  }
+
+  open(list: NamedList, words: ListWords): void {
+    this.list = list;
+    this.words = words;
+    findElement('named-title').textContent = words.title;
+    findElement('named-about').textContent = words.about;
+    this.addButton.textContent = words.add;
+    this.show(undefined);
+    this.dialog.showModal();
+  }
+
+  /** Shows the list. @param sentence a sentence about the last change */
+  private show(sentence: string | undefined): void {
+    const { list, words, name, addButton } = this;
+    if (!list || !words) return;
+    this.rows.replaceChildren(...list.items.map((item, i) => this.row(list, item, i)));
+    name.value = list.freeName;
+    for (const field of [name, addButton]) field.disabled = list.isFull;
+    this.said.textContent = sentence ?? (list.isFull ? words.full : '');
+  }
+
+  private row(list: NamedList, { name: given, picture, key }: NamedItem, index: number): HTMLElement {
+    const name = shownName(given);
+    const row = document.createElement('li');
+    if (key) row.append(Object.assign(document.createElement('kbd'), { textContent: key }));
+    if (picture) row.append(Object.assign(document.createElement('img'), { alt: '', src: picture }));
+    const field = Object.assign(document.createElement('input'), { type: 'text', value: name, maxLength: 40 });
+    field.setAttribute('aria-label', `Name of ${name}`);
+    field.addEventListener('change', () => this.show(list.rename(index, field.value)));
+    const choose = (): void => {
+      this.dialog.close();
+      list.choose(index);
+    };
+    const remove = (): void => {
+      this.show(list.remove(index));
+      this.name.focus();
+    };
+    const buttons = [textButton('Show', choose, `Show ${name}`), textButton('Delete', remove, `Delete ${name}`)];
+    row.append(field, ...buttons);
+    return row;
+  }
+}

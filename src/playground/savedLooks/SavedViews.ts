@@ -1,0 +1,66 @@
+import { lookOf } from '../../viewer/settings/lookOf.js';
+import { plainName } from '../../viewer/settings/plainName.js';
+import { isLitBy, lightOf, MAX_VIEWS, type SavedView } from '../../viewer/settings/savedViews.js';
+import type { Settings } from '../../viewer/settings/settings.js';
+import type { Stage } from '../viewport/Stage.js';
+import { freeName, type NamedItem, type NamedList } from './NamedList.js';
+
+/** The views that belong to the drawing, each with a camera and lights. */
+export class SavedViews implements NamedList {
+  /** The array is replaced and never changed in place, because Undo goes back to earlier ones. */
+  list: readonly SavedView[] = [];
+
+  constructor(
+    private readonly stage: Stage,
+    private readonly settings: Settings,
+    /** Called when the user has changed the list, or has chosen a view. */
+    private readonly onChange: () => void,
+  ) {}
+
+  get items(): readonly NamedItem[] {
+    return this.list.map(({ name }, i) => ({ name, key: String(i + 1) }));
+  }
+
+  get isFull(): boolean {
+    return this.list.length >= MAX_VIEWS;
+  }
+
+  get freeName(): string {
+    return freeName('View', this.list);
+  }
+
+  add(name: string): undefined {
+    const { ownPlace: camera } = this.stage.view;
+    this.change([...this.list, { name: plainName(name) || this.freeName, camera, light: lightOf(this.settings) }]);
+  }
+
+  choose(index: number): void {
+    const view = this.list[index];
+    if (!view) return;
+    const { stage, settings } = this;
+    Object.assign(settings, view.light);
+    // The settings are applied first, because a model is framed together with its shadow, which depends on the lights.
+    stage.apply(lookOf(settings));
+    if (view.camera) stage.view.place = view.camera;
+    else stage.view.frame();
+    this.onChange();
+  }
+
+  rename(index: number, name: string): undefined {
+    this.change(this.list.map((view, i) => (i === index ? { ...view, name: plainName(name) || view.name } : view)));
+  }
+
+  remove(index: number): undefined {
+    this.change(this.list.filter((_, i) => i !== index));
+  }
+
+  isShown(index: number): boolean {
+    const { camera, light } = this.list[index];
+    return isLitBy(this.settings, light) && JSON.stringify(camera) === JSON.stringify(this.stage.view.ownPlace);
+  }
+
+  private change(list: readonly SavedView[]): void {
+    this.list = list;
+    this.onChange();
+  }
+}

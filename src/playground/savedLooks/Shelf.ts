@@ -1,0 +1,57 @@
+import type { OwnLook } from '../../viewer/settings/ownLook.js';
+import type { Settings } from '../../viewer/settings/settings.js';
+import { thumbnailOf } from '../storage/thumbnailOf.js';
+import { findElement } from '../page/findElement.js';
+import type { Stage } from '../viewport/Stage.js';
+import { type BarItems, NamedBar } from './NamedBar.js';
+import { type ListWords, NamedListDialog } from './NamedListDialog.js';
+import { OwnLooks } from './OwnLooks.js';
+import type { SavedViews } from './SavedViews.js';
+
+const WORDS = {
+  looks: {
+    title: 'Looks of your own',
+    about:
+      'A look is how things are drawn: strokes, lines, tone, colours, shadows. This browser keeps it, beside the presets.',
+    add: 'Keep this look',
+    full: 'There is no room for more: delete one first.',
+  },
+  views: {
+    title: 'Views of this drawing',
+    about: 'A view is a camera and the lights. Views belong to the drawing, and a link to it brings them along.',
+    add: 'Keep this view',
+    full: 'Each of the keys 1 to 9 has a view: delete one first.',
+  },
+} as const satisfies Record<string, ListWords>;
+
+/** The user's own looks and views, as buttons beside the presets and in a dialog, and the variants of the model. */
+export class Shelf {
+  private readonly looks: OwnLooks;
+  private readonly bars: readonly NamedBar[];
+  private readonly dialog = new NamedListDialog();
+
+  constructor(
+    stage: Stage,
+    settings: Settings,
+    private readonly views: SavedViews,
+    variants: BarItems,
+    onLook: (look: OwnLook) => void,
+  ) {
+    const picture = () => (stage.isComplete && stage.frames.redraw() ? thumbnailOf(stage.frames.canvas) : undefined);
+    this.looks = new OwnLooks(settings, picture, onLook, () => this.refresh());
+    this.bars = [
+      new NamedBar(findElement('own-looks'), this.looks),
+      new NamedBar(findElement('saved-views'), views),
+      new NamedBar(findElement('variants'), variants),
+    ];
+  }
+
+  /** To be called when settings or the view have changed. */
+  refresh(): void {
+    for (const bar of this.bars) bar.refresh();
+  }
+
+  open(which: keyof typeof WORDS): void {
+    this.dialog.open(this[which], WORDS[which]);
+  }
+}

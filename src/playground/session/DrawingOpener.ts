@@ -1,0 +1,59 @@
+import type { ModelChoice } from '../../viewer/settings/ModelChoice.js';
+import type { Status } from '../tasks/Status.js';
+import { sentenceFor } from '../tasks/sentenceFor.js';
+import type { Keeper } from './Keeper.js';
+import type { LinkFollower } from './LinkFollower.js';
+import type { PageAddress } from './PageAddress.js';
+import type { Session } from './Session.js';
+
+/** Opens drawings that take a while, and tells whether one is being opened, because the page's address is not written meanwhile. */
+export class DrawingOpener {
+  /** Called when a drawing has been opened, or could not be. */
+  onEnd: () => void = () => {};
+  private opening = 0;
+  /** The script is fetched when the first drawing is opened. */
+  private links: LinkFollower | undefined;
+
+  constructor(
+    private readonly session: Session,
+    private readonly address: PageAddress,
+    private readonly keeper: Keeper,
+    private readonly status: Status,
+  ) {}
+
+  /** Whether a drawing is being opened: the user is asked, or a kept drawing is read. */
+  get isOpening(): boolean {
+    return this.opening > 0;
+  }
+
+  /** Opens the drawing that the page's address asks for. */
+  readonly follow = (): void => {
+    void this.open((links) => links.follow());
+  };
+
+  /** Opens a drawing that the browser has kept. */
+  openKept(id: string): Promise<void> {
+    return this.open((links) => links.openKept(id));
+  }
+
+  /** Opens a model of another site, if the user agrees. @param isFramed whether the model is framed */
+  openAddress(address: string, isFramed: boolean, choice: ModelChoice): void {
+    void this.open((links) => links.showAddress(address, isFramed, choice));
+  }
+
+  private async open(show: (links: LinkFollower) => Promise<void>): Promise<void> {
+    const { session, address, keeper, status } = this;
+    this.opening++;
+    status.solveProblem('link');
+    try {
+      const { LinkFollower } = await import('./LinkFollower.js');
+      this.links ??= new LinkFollower(session, address, keeper);
+      await show(this.links);
+    } catch (error) {
+      status.addProblem('link', sentenceFor(error));
+    }
+    this.opening--;
+    if (!this.isOpening) session.modelLoader.showSomething();
+    this.onEnd();
+  }
+}

@@ -1,0 +1,39 @@
+import type { ModelFile } from '../../viewer/files/readModel.js';
+import { isSameChoice, type ModelChoice } from '../../viewer/settings/ModelChoice.js';
+import type { SavedView } from '../../viewer/settings/savedViews.js';
+import { SETTING_KEYS, type Settings } from '../../viewer/settings/settings.js';
+import type { OwnHand } from '../maps/OwnHand.js';
+import type { ViewState } from '../viewport/view/View.js';
+
+/** The state of a drawing without its model. */
+export interface LookState {
+  settings: Settings;
+  /** Undefined if the model is to be framed. */
+  camera: ViewState | undefined;
+  views: readonly SavedView[];
+  /** The user's own hand, if there is one, whether it is drawn with or not. */
+  hand: OwnHand | undefined;
+}
+
+/** The state of a drawing that Undo restores. */
+export interface DrawingState extends LookState {
+  /** The files of the model, if it is the user's own. */
+  files: readonly ModelFile[] | undefined;
+  /** The variant and the clip of its file. */
+  choice: ModelChoice;
+}
+
+export const isSameState = (a: DrawingState, b: DrawingState): boolean =>
+  SETTING_KEYS.every((key) => a.settings[key] === b.settings[key]) &&
+  a.files === b.files &&
+  isSameChoice(a.choice, b.choice) &&
+  isSameHand(a.hand, b.hand) &&
+  JSON.stringify(a.views) === JSON.stringify(b.views) &&
+  // A framed model is placed anew in every viewport, so its camera does not matter.
+  ((isFramed(a) && isFramed(b)) || JSON.stringify(a.camera) === JSON.stringify(b.camera));
+
+/** A hand from a link becomes another object when it is read. */
+const isSameHand = (a: OwnHand | undefined, b: OwnHand | undefined): boolean =>
+  a === b || (a?.link !== undefined && a.link === b?.link);
+
+const isFramed = ({ camera }: DrawingState): boolean => camera === undefined || camera.framedFor !== undefined;

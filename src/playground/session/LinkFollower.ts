@@ -1,0 +1,88 @@
+import { ModelError } from '../../viewer/files/common/ModelError.js';
+import type { ModelChoice } from '../../viewer/settings/ModelChoice.js';
+import { SETTINGS } from '../../viewer/settings/settings.js';
+import { askToFetch } from '../loading/ask.js';
+import type { DrawingState } from './DrawingState.js';
+import type { Keeper } from './Keeper.js';
+import { LatestRequest } from './LatestRequest.js';
+import type { PageAddress } from './PageAddress.js';
+import type { Session } from './Session.js';
+
+/**
+ * Shows drawings that take a while, because the user is asked first or the browser has to read them. The latest one is shown: what was
+ * asked for before is dropped.
+ */
+export class LinkFollower {
+  private readonly asked = new LatestRequest();
+
+  constructor(
+    private readonly session: Session,
+    private readonly address: PageAddress,
+    private readonly keeper: Keeper,
+  ) {}
+
+  /** Shows what the page's address asks for. Resolves when loading has begun. */
+  async follow(): Promise<void> {
+    const { session } = this;
+    // A question about an earlier address must not be answered any more.
+    this.asked.drop();
+    const { drawing } = this.address;
+    const linked = session.linked(this.address.read());
+    const { settings: next, namesModel, camera, address, views, hand, choice } = linked;
+    if (drawing !== undefined) return this.openKept(drawing);
+    const { ownFiles, choice: before } = session.modelLoader;
+    if (!namesModel && ownFiles) session.showState({ ...linked, ...this.onOwnModel(linked, before), files: ownFiles });
+    // The shown model stays until the user has agreed and the model from the web has come.
+    else if (address === undefined) session.showState({ ...linked, files: undefined });
+    else session.showLook({ settings: { ...next, model: session.settings.model }, camera, views, hand });
+    session.recordChange();
+    if (address !== undefined) await this.showAddress(address, camera === undefined, choice);
+  }
+
+  /** A link that names no model, for the user's own one, which stands as it stood and is drawn in the variant and pose in which it was unless the link asks for others. */
+  private onOwnModel(
+    { settings: next, choice }: Pick<DrawingState, 'settings' | 'choice'>,
+    before: ModelChoice,
+  ): Pick<DrawingState, 'settings' | 'choice'> {
+    const { upAxis } = this.session.settings;
+    return {
+      settings: { ...next, model: 'file', upAxis: next.upAxis === SETTINGS.upAxis.default ? upAxis : next.upAxis },
+      choice: { variant: choice.variant ?? before.variant, clip: choice.clip ?? before.clip },
+    };
+  }
+
+  /** Shows a model from another site, if the user agrees. */
+  async showAddress(address: string, isFramed: boolean, choice: ModelChoice): Promise<void> {
+    const isAgreed = await this.asked.run((signal) => askToFetch(address, signal));
+    const { modelLoader } = this.session;
+    if (isAgreed) modelLoader.showAddress(address, isFramed, choice);
+    else if (isAgreed === false) modelLoader.showSomething();
+  }
+
+  /** Shows a kept drawing. @throws ModelError with one sentence for the user, if there is none */
+  async openKept(id: string): Promise<void> {
+    const { session, keeper } = this;
+    const { modelLoader, mapLoader } = session;
+    const isShown = await this.asked.run(async (signal) => {
+      const kept = await keeper.open(id, signal).catch(() => 'unreadable' as const);
+      if (signal.aborted) return;
+      if (kept === undefined || kept === 'unreadable') {
+        void mapLoader.showChosen();
+        throw new ModelError(
+          kept === undefined
+            ? 'That drawing is no longer kept.'
+            : 'The browser does not return the drawing that it keeps: open your model again.',
+        );
+      }
+      const linked = session.linked(kept.drawing.link);
+      const { settings: next, address: origin } = linked;
+      const { model: files, map } = kept.files;
+      if (files) next.model = 'file';
+      if (files && origin !== undefined) modelLoader.cameFrom(files, origin);
+      session.showState({ ...linked, camera: kept.drawing.camera, files });
+      if (map) await mapLoader.showFiles(map, true);
+      return true;
+    });
+    if (isShown) session.recordChange();
+  }
+}

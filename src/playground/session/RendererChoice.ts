@@ -1,0 +1,91 @@
+import type { Screen } from '../viewport/Screen.js';
+import type { LaterParts } from '../tasks/LaterParts.js';
+import type { Status } from '../tasks/Status.js';
+import type { Session } from './Session.js';
+
+/** Has frames drawn by WebGPURenderer while the settings ask for it, and goes back to WebGL where that fails. */
+export class RendererChoice {
+  /** Whether the browser has WebGPU and a graphics card for it; undefined until somebody has asked. */
+  private isThere: boolean | undefined;
+  private isWanted = false;
+  private screen: Screen | undefined;
+
+  constructor(
+    private readonly session: Session,
+    private readonly parts: LaterParts,
+    private readonly status: Status,
+  ) {
+    session.listen({ applied: () => this.update() });
+  }
+
+  /** Whether there is something to choose: in a link it may have been chosen where there is. */
+  get isOffered(): boolean {
+    return this.isThere === true || this.session.settings.renderer === 'webgpu';
+  }
+
+  /** What WebGL draws although WebGPU is chosen, in a sentence; empty if it is not chosen. */
+  get note(): string {
+    const { settings, stage } = this.session;
+    if (settings.renderer !== 'webgpu') return '';
+    const lack = stage.scenery.look?.lackOfNodes;
+    if (lack === undefined) return 'Pictures, prints, videos and vector files are drawn by WebGL.';
+    return `WebGL draws this, because WebGPU lacks ${lack}.`;
+  }
+
+  /** Finds out whether there is WebGPU. It is not asked for before, because some browsers start a process for it. */
+  async ask(): Promise<boolean> {
+    this.isThere ??= (await navigator.gpu?.requestAdapter().catch(() => null)) != null;
+    return this.isThere;
+  }
+
+  private update(): void {
+    const isWanted = this.session.settings.renderer === 'webgpu';
+    if (isWanted === this.isWanted) return;
+    this.isWanted = isWanted;
+    if (isWanted) this.parts.whenFetched(this.start(), () => this.session.stage.frames.refine());
+    else this.stop();
+  }
+
+  private async start(): Promise<void> {
+    const { stage } = this.session;
+    if (!(await this.ask())) {
+      this.leave('This browser has no WebGPU for the page; WebGL draws on.');
+      return;
+    }
+    try {
+      const { NodeScreen } = await import('../viewport/NodeScreen.js');
+      const screen = await NodeScreen.create({
+        painter: stage.painter,
+        scenery: stage.scenery,
+        refine: () => stage.frames.refine(),
+        onLost: () => this.leave('The graphics card has let go of WebGPU; WebGL draws on.'),
+      });
+      // It may have been left meanwhile, or chosen once more.
+      if (!this.isWanted || this.screen) screen.dispose();
+      else this.use(screen);
+    } catch {
+      this.leave('WebGPU could not be set up; WebGL draws on.');
+    }
+  }
+
+  private use(screen: Screen | undefined): void {
+    const { frames } = this.session.stage;
+    this.screen = screen;
+    frames.drawOn(screen);
+  }
+
+  private stop(): void {
+    if (!this.screen) return;
+    this.use(undefined);
+    // The painter has freed its own.
+    this.session.stage.rebuildPrograms();
+  }
+
+  /** Goes back to WebGL, which is no step of the user. */
+  private leave(sentence: string): void {
+    if (!this.isWanted) return;
+    this.session.settings.renderer = 'webgl';
+    this.session.adopt();
+    this.status.fail(sentence);
+  }
+}

@@ -1,0 +1,271 @@
+import type { ModelFile } from '../../viewer/files/common/ModelFile.js';
+import { EditHistory } from '../../viewer/settings/EditHistory.js';
+import { choosesMap } from '../../viewer/settings/effects.js';
+import { type Look, lookOf } from '../../viewer/settings/lookOf.js';
+import type { SettingKey, Settings } from '../../viewer/settings/settings.js';
+import { type LinkedDrawing, readLink, writeLink } from '../../viewer/settings/shareLink.js';
+import { linkedHand, type OwnHand } from '../maps/OwnHand.js';
+import type { Stage } from '../viewport/Stage.js';
+import { MapLoader } from '../loading/MapLoader.js';
+import { type ModelEnd, ModelLoader, type OpenedModel } from '../loading/ModelLoader.js';
+import { SavedViews } from '../savedLooks/SavedViews.js';
+import type { TaskRunner } from '../tasks/TaskRunner.js';
+import { type DrawingState, isSameState, type LookState } from './DrawingState.js';
+import { watchPresses } from './watchPresses.js';
+
+/** The events of a session that a part of the page listens to. */
+export interface SessionListener {
+  /** Called when the settings have been applied to the stage. */
+  applied?(): void;
+  /** Called when the user has moved the camera. */
+  moved?(): void;
+  /** Called when there may be other steps to undo or redo. */
+  stepped?(): void;
+  /** Called when another model is shown, before its settings are applied. */
+  modelShown?(): void;
+  /** Called when another map is drawn with. */
+  mapShown?(): void;
+}
+
+type SessionEvent = keyof SessionListener;
+
+/** The drawing that the user works on: its settings, its model, its map and its views, and the steps that led to it. */
+export class Session {
+  readonly modelLoader: ModelLoader;
+  readonly mapLoader: MapLoader;
+  readonly views: SavedViews;
+  private readonly history: EditHistory<DrawingState>;
+  private readonly listeners: SessionListener[] = [];
+
+  constructor(
+    readonly stage: Stage,
+    readonly settings: Settings,
+    tasks: TaskRunner,
+  ) {
+    this.mapLoader = new MapLoader(
+      stage,
+      settings,
+      tasks,
+      () => this.mapShown(),
+      (isRestored) => (isRestored ? this.apply() : this.recordChange()),
+      () => this.adopt(),
+    );
+    this.modelLoader = new ModelLoader(stage, settings, tasks, (end, opened) => this.modelLoaded(end, opened));
+    this.views = new SavedViews(stage, settings, () => this.recordChange());
+    this.history = new EditHistory(() => this.state, isSameState, watchPresses());
+    stage.view.onMoved = () => {
+      this.history.changed('camera');
+      this.tell('stepped');
+      this.tell('moved');
+    };
+  }
+
+  /** Listeners are called in the order in which they were added. */
+  listen(listener: SessionListener): void {
+    this.listeners.push(listener);
+  }
+
+  /** Applies the settings as the state before the first step. */
+  start(): void {
+    this.history.adopt();
+    this.apply();
+  }
+
+  // ── Changes by the user ──
+
+  /**
+   * Applies settings that the user has changed, and keeps the earlier ones for Undo.
+   *
+   * @param source see {@link EditHistory.changed}
+   */
+  recordChange(source?: string): void {
+    // The settings are applied first, so that the step includes how the view reacts to them.
+    this.apply();
+    this.history.changed(source);
+    this.tell('stepped');
+  }
+
+  /** Takes over settings that need no other map, as a step of its own. */
+  change(values: Partial<Settings>): void {
+    Object.assign(this.settings, values);
+    this.recordChange();
+  }
+
+  /** Takes over settings, as a step of its own, and loads the map that they ask for. */
+  useLook(look: Partial<Settings>): void {
+    this.change(look);
+    void this.mapLoader.showChosen();
+  }
+
+  /** Shows a clip of the model that the user has chosen, by its index. */
+  chooseClip(index: number): void {
+    this.modelLoader.clip = index;
+    this.recordChange();
+  }
+
+  /** To be called when the user has changed one setting with its control. */
+  settingChanged(key: SettingKey): void {
+    if (key === 'model') this.modelLoader.changeModel();
+    if (choosesMap(key)) void this.mapLoader.showChosen();
+    this.recordChange(key);
+  }
+
+  /** Shows the drawing that a link describes, as a step of its own. */
+  useLink(link: string): void {
+    this.showState({ ...this.linked(link), files: undefined });
+    this.recordChange();
+  }
+
+  /**
+   * Takes over the user's own hand, with the settings that it needs.
+   *
+   * @param source see {@link EditHistory.changed}
+   */
+  handChanged(hand: OwnHand | undefined, values: Partial<Settings> = {}, source?: string): void {
+    this.mapLoader.hand = hand;
+    Object.assign(this.settings, values);
+    this.recordChange(source);
+  }
+
+  // ── Steps ──
+
+  get canUndo(): boolean {
+    return this.history.canUndo;
+  }
+
+  get canRedo(): boolean {
+    return this.history.canRedo;
+  }
+
+  undo(): void {
+    this.step(this.history.undo());
+  }
+
+  redo(): void {
+    this.step(this.history.redo());
+  }
+
+  /** Forgets all steps, so that nothing can be undone. */
+  forgetSteps(): void {
+    this.history.clear();
+    this.tell('stepped');
+  }
+
+  private step(state: DrawingState | undefined): void {
+    if (state) this.showState(state);
+    this.apply();
+    this.tell('stepped');
+  }
+
+  // ── States ──
+
+  private get state(): DrawingState {
+    const { settings, stage, views } = this;
+    return {
+      settings: { ...settings },
+      camera: stage.view.state,
+      files: settings.model === 'file' ? this.modelLoader.ownFiles : undefined,
+      views: views.list,
+      hand: this.mapLoader.hand,
+      choice: this.modelLoader.choice,
+    };
+  }
+
+  /** The drawing as the text of a link. */
+  get link(): string {
+    const { modelLoader, mapLoader, views } = this;
+    const { address, choice } = modelLoader;
+    return writeLink(this.settings, this.stage.view.ownPlace, address, views.list, mapLoader.hand?.link, choice);
+  }
+
+  /** Whether a link to the drawing brings back its model. */
+  get isModelInLink(): boolean {
+    return this.settings.model !== 'file' || this.modelLoader.address !== undefined;
+  }
+
+  /** Whether a link to the drawing brings back the hand that it is drawn with. */
+  get isHandInLink(): boolean {
+    return this.settings.mapStyle !== 'ownHand' || this.mapLoader.hand?.link !== undefined;
+  }
+
+  /** What a link describes, of which the hand is not read yet. */
+  linked(link: string): LinkedDrawing & LookState {
+    const drawing = readLink(link);
+    // A link without a hand leaves the user's own one: it can be chosen again.
+    return { ...drawing, hand: linkedHand(drawing.handText) ?? this.mapLoader.hand };
+  }
+
+  /** The images of the user's own map, or the user's own hand, if they are drawn with. */
+  get ownStrokes(): readonly ModelFile[] | undefined {
+    const { hand, ownFiles } = this.mapLoader;
+    return { ownHand: hand?.files, file: ownFiles }[this.settings.mapStyle as string];
+  }
+
+  /** Takes over settings, camera and views, and loads the model and the map that they ask for. */
+  showState(state: DrawingState): void {
+    const { settings: next, camera: place, files, choice } = state;
+    // Files that are gone cannot be shown again.
+    const { model } = this.settings;
+    this.showLook({ ...state, settings: { ...next, ...(next.model === 'file' && !files && { model }) } });
+    const isFramed = place === undefined || place.framedFor !== undefined;
+    this.modelLoader.restore({ model: this.settings.model, files, choice }, isFramed);
+  }
+
+  /** Takes over settings, camera and views, and loads the map that they ask for. */
+  showLook({ settings: next, camera: place, views: kept, hand }: LookState): void {
+    const { stage, settings } = this;
+    Object.assign(settings, next);
+    this.views.list = kept;
+    this.mapLoader.hand = hand;
+    void this.mapLoader.showChosen();
+    // Applied first: the model is framed together with its shadow, which depends on the lights.
+    stage.apply(this.look);
+    if (place) stage.view.state = place;
+    else stage.view.frame();
+  }
+
+  private get look(): Look {
+    const { settings, mapLoader } = this;
+    return lookOf({ ...settings, tilesPerUnit: settings.tilesPerUnit * mapLoader.tileScale });
+  }
+
+  private mapShown(): void {
+    // Its tiles may be smaller than those of the map before.
+    this.stage.apply(this.look);
+    this.tell('mapShown');
+  }
+
+  private apply(): void {
+    this.stage.apply(this.look);
+    this.tell('applied');
+  }
+
+  /** Applies settings that the page has changed by itself, which is no step. */
+  adopt(): void {
+    this.apply();
+    this.history.adopt();
+  }
+
+  private modelLoaded(end: ModelEnd, opened: OpenedModel | undefined): void {
+    if (opened) this.takeOver(opened);
+    if (end !== 'failed') this.tell('modelShown');
+    if (end === 'opened') this.recordChange();
+    else this.adopt();
+  }
+
+  /** Draws a model with the look that came with it. Its look is checked as that of a link is; an address in it means nothing. */
+  private takeOver({ isOther, drawing, views: ofFile }: OpenedModel): void {
+    if (isOther) this.views.list = ofFile;
+    if (!drawing) return;
+    const { settings: next, camera, views, hand, choice } = this.linked(drawing.link);
+    const { model } = this.settings;
+    this.showLook({ settings: { ...next, model }, camera, views, hand });
+    this.modelLoader.restore({ model, files: this.modelLoader.ownFiles, choice }, false);
+    if (drawing.strokes.length > 0)
+      void this.mapLoader.showFiles(drawing.strokes, true).then(() => this.history.adopt());
+  }
+
+  private tell(event: SessionEvent): void {
+    for (const listener of this.listeners) listener[event]?.();
+  }
+}

@@ -1,0 +1,132 @@
+import type { ModelFile } from '../../viewer/files/common/ModelFile.js';
+import type { CameraView } from '../../viewer/settings/CameraView.js';
+import { inTime } from './inTime.js';
+
+/** What is stored of a drawing that needs files of the user's own, apart from the files themselves. */
+export interface KeptDrawing {
+  id: string;
+  title: string;
+  /** The time at which the drawing last changed, in milliseconds since 1970. */
+  at: number;
+  /** The size of all its files together. */
+  bytes: number;
+  /** The settings, as the text of a link. */
+  link: string;
+  /** The camera, in full precision. Undefined if the model is framed. */
+  camera: CameraView | undefined;
+  /** A thumbnail, as a data URL. Undefined until the drawing has come to rest once, and for drawings of earlier versions. */
+  picture?: string;
+}
+
+/** The user's own files that a drawing needs. */
+export interface KeptFiles {
+  model?: readonly ModelFile[] | undefined;
+  map?: readonly ModelFile[] | undefined;
+}
+
+const DATABASE = 'three-hatching';
+const DRAWINGS = 'drawings';
+/** The files have a store of their own, so that changing a setting does not write the model again. */
+const FILES = 'files';
+/** How many drawings are kept. When another one comes, the oldest is deleted. */
+const MOST = 12;
+
+/**
+ * The drawings that the browser keeps for the page in IndexedDB, with the files they need. Every call may reject, for example in a
+ * private window. Reading rejects after two seconds without an answer, and so does writing if the browser does not open the database.
+ * Once the database is open, writing may take as long as large files need.
+ */
+export class KeptDrawings {
+  private opened: Promise<IDBDatabase> | undefined;
+
+  /** All drawings, the latest first. */
+  async list(): Promise<KeptDrawing[]> {
+    const all = await this.run<KeptDrawing[]>('readonly', (store) => store(DRAWINGS).getAll());
+    return all.sort((a, b) => b.at - a.at);
+  }
+
+  async read(id: string): Promise<{ drawing: KeptDrawing; files: KeptFiles } | undefined> {
+    const drawing = await this.run<KeptDrawing | undefined>('readonly', (store) => store(DRAWINGS).get(id));
+    const files = await this.run<KeptFiles | undefined>('readonly', (store) => store(FILES).get(id));
+    return drawing && files && { drawing, files };
+  }
+
+  /**
+   * Keeps a drawing with its files. Deletes older drawings: those beyond the number that is kept; those of the same title and
+   * size, because they are of the same model, opened earlier; and as many as the browser's quota requires.
+   */
+  async keep(drawing: KeptDrawing, files: KeptFiles): Promise<void> {
+    const others = (await this.list()).filter(({ id }) => id !== drawing.id);
+    const isTwin = ({ title, bytes }: KeptDrawing) => title === drawing.title && bytes === drawing.bytes;
+    await this.forget(...others.filter((other, i) => isTwin(other) || i >= MOST - 1).map(({ id }) => id));
+    const rest = others.filter((other, i) => !isTwin(other) && i < MOST - 1);
+    for (;;) {
+      try {
+        await this.write(drawing, files);
+        return;
+      } catch (error) {
+        const oldest = rest.pop();
+        if ((error as Error | null)?.name !== 'QuotaExceededError' || !oldest) throw error;
+        await this.forget(oldest.id);
+      }
+    }
+  }
+
+  /** Changes what is stored of a drawing, apart from its files. Does nothing if the drawing was deleted. */
+  async update(drawing: Pick<KeptDrawing, 'id'> & Partial<KeptDrawing>): Promise<void> {
+    const known = await this.run<KeptDrawing | undefined>('readonly', (store) => store(DRAWINGS).get(drawing.id));
+    if (known) await this.run('readwrite', (store) => store(DRAWINGS).put({ ...known, ...drawing }));
+  }
+
+  async forget(...ids: readonly string[]): Promise<void> {
+    if (ids.length === 0) return;
+    await this.run('readwrite', (store) => {
+      for (const id of ids) {
+        store(FILES).delete(id);
+        store(DRAWINGS).delete(id);
+      }
+      return undefined;
+    });
+  }
+
+  private async write(drawing: KeptDrawing, files: KeptFiles): Promise<void> {
+    await this.run('readwrite', (store) => {
+      store(FILES).put(files, drawing.id);
+      return store(DRAWINGS).put(drawing);
+    });
+  }
+
+  /** Runs requests in one transaction. Resolves, when it is complete, to the result of the request that is returned. */
+  private async run<Result = void>(
+    mode: IDBTransactionMode,
+    ask: (store: (name: string) => IDBObjectStore) => IDBRequest | undefined,
+  ): Promise<Result> {
+    const database = await inTime(this.open());
+    const result = new Promise<Result>((resolve, reject) => {
+      const transaction = database.transaction([DRAWINGS, FILES], mode);
+      const fail = (): void => reject(transaction.error ?? new Error('The browser has aborted the transaction.'));
+      transaction.addEventListener('abort', fail);
+      transaction.addEventListener('error', fail);
+      const request = ask((name) => transaction.objectStore(name));
+      transaction.addEventListener('complete', () => resolve(request?.result as Result));
+    });
+    return mode === 'readonly' ? inTime(result) : result;
+  }
+
+  private open(): Promise<IDBDatabase> {
+    this.opened ??= new Promise<IDBDatabase>((resolve, reject) => {
+      const request = indexedDB.open(DATABASE, 1);
+      request.addEventListener('upgradeneeded', () => {
+        request.result.createObjectStore(DRAWINGS, { keyPath: 'id' });
+        request.result.createObjectStore(FILES);
+      });
+      request.addEventListener('error', () => reject(request.error));
+      request.addEventListener('success', () => {
+        // Otherwise a page with a later version of the database would wait until this page is closed.
+        request.result.addEventListener('versionchange', () => request.result.close());
+        resolve(request.result);
+      });
+    });
+    return this.opened;
+  }
+}

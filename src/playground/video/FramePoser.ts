@@ -1,0 +1,85 @@
+import { MathUtils, type PerspectiveCamera, Quaternion, Vector3 } from 'three';
+import { lookOf } from '../../viewer/settings/lookOf.js';
+import type { Settings } from '../../viewer/settings/settings.js';
+import { fitCamera } from '../../viewer/sceneSetup/framing.js';
+import type { Stage } from '../viewport/Stage.js';
+import { turnedOutlines } from './turnedOutlines.js';
+
+/** How a frame of a video differs from what the page shows. */
+export interface FramePose {
+  /** The angle by which the model is turned, together with the ground and the lights, in degrees. */
+  turn: number;
+  /** The angle by which the light is moved around the model, in degrees. */
+  light: number;
+  /** The time in the model's clip, in seconds; undefined leaves it as it is. */
+  clipTime: number | undefined;
+}
+
+const UP = new Vector3(0, 1, 0);
+
+/** Moves the camera, the light and the model's clip for the frames of a video. To turn the model, the camera goes around it. */
+export class FramePoser {
+  private readonly clipTime: number | undefined;
+  private readonly position = new Vector3();
+  private readonly quaternion = new Quaternion();
+  private readonly up = new Vector3();
+  /** The position of the camera in the first frame, and the point that it looks at. */
+  private readonly first = new Vector3();
+  private readonly target: Vector3;
+
+  /**
+   * A model that is framed on the page is framed in the video, in every turn; otherwise the frames show the view of the page.
+   *
+   * @param aspect of the frames
+   * @param turns whether the model will turn
+   */
+  constructor(
+    private readonly stage: Stage,
+    private readonly settings: Settings,
+    aspect: number,
+    turns: boolean,
+  ) {
+    const { camera, view, model } = stage;
+    this.clipTime = model?.motion?.time;
+    this.position.copy(camera.position);
+    this.quaternion.copy(camera.quaternion);
+    this.up.copy(camera.up);
+    this.target = view.isFramed ? frame(stage, camera, aspect, turns) : view.controls.target.clone();
+    this.first.copy(camera.position);
+  }
+
+  pose({ turn, light, clipTime }: FramePose): void {
+    const { stage, settings } = this;
+    const { camera, model } = stage;
+    const { lights } = stage.scenery;
+    const around = MathUtils.degToRad(-turn);
+    camera.position.copy(this.first).applyAxisAngle(UP, around);
+    camera.up.copy(this.up).applyAxisAngle(UP, around);
+    camera.lookAt(this.target.clone().applyAxisAngle(UP, around));
+    lights.apply(lookOf({ ...settings, lightAzimuth: settings.lightAzimuth + light }).lights);
+    lights.place(camera);
+    if (model?.motion && clipTime !== undefined) model.motion.time = clipTime;
+    stage.outdateShadows();
+  }
+
+  /** Puts everything back that was moved. The stage itself sets the camera's aspect when frames go on. */
+  restore(): void {
+    const { camera, model, scenery } = this.stage;
+    camera.position.copy(this.position);
+    camera.up.copy(this.up);
+    camera.quaternion.copy(this.quaternion);
+    scenery.lights.apply(lookOf(this.settings).lights);
+    if (model?.motion && this.clipTime !== undefined) model.motion.time = this.clipTime;
+    this.stage.outdateShadows();
+  }
+}
+
+/** @returns what the camera looks at */
+function frame({ view }: Stage, camera: PerspectiveCamera, aspect: number, turns: boolean): Vector3 {
+  const { outline, first, fill, shadow } = view.framing;
+  camera.aspect = aspect;
+  camera.updateProjectionMatrix();
+  if (!turns) return fitCamera(camera, outline, first, { fill, shadow });
+  // The shadows of all turns together would reach to every side, so they are not framed.
+  return fitCamera(camera, turnedOutlines(outline), first, { fill });
+}

@@ -1,0 +1,112 @@
+import type { Settings } from '../../viewer/settings/settings.js';
+import type { Size } from '../print/printPlan.js';
+import { LostContextError } from '../viewport/LostContextError.js';
+import type { PictureSession } from '../viewport/PictureSession.js';
+import type { Stage } from '../viewport/Stage.js';
+import { FramePoser } from './FramePoser.js';
+import type { FrameSink } from './FrameSink.js';
+import { MovieSink } from './MovieSink.js';
+import { PicturesSink } from './PicturesSink.js';
+import { placeOnFrame, planVideo, poseOf, type VideoPlan } from './videoPlan.js';
+
+export interface RecordOptions {
+  /** Size of the page's view, in CSS pixels. */
+  view: Size;
+  /** The name of the pictures, if frames are saved as pictures. */
+  name: string;
+  signal: AbortSignal;
+  onProgress: (progress: number) => void;
+  /** Called after each frame, while the canvas still shows it. */
+  onFrame: (canvas: HTMLCanvasElement) => void;
+}
+
+/** A recorded video, and one sentence about it for the user. */
+export interface Recording {
+  content: Blob;
+  extension: string;
+  sentence: string;
+}
+
+/**
+ * Records the video that the settings ask for, frame by frame, however long each takes. The frames of the page are held meanwhile.
+ * Where the browser cannot encode video, the frames are saved as pictures.
+ *
+ * @throws Error with a sentence for the user
+ */
+export async function recordVideo(
+  stage: Stage,
+  session: PictureSession,
+  settings: Settings,
+  { view, name, signal, onProgress, onFrame }: RecordOptions,
+): Promise<Recording> {
+  const { videoMotion } = settings;
+  const motion = stage.model?.motion;
+  const clip = motion?.isPlaying && motion.duration > 0 ? motion : undefined;
+  if (videoMotion === 'clip' && !clip)
+    throw new Error('This model does not move by itself just now; choose another motion for the video.');
+  const plan = planVideo(settings, view);
+  const start = clip && { duration: clip.duration, time: clip.time, speed: clip.speed };
+  const { canvas } = stage;
+  const { width, height } = plan;
+  const place = placeOnFrame(plan, view, stage.view.isFramed);
+  let drawn = 0;
+  // The graphics context may be lost and restored between two checks, and leave a blank frame.
+  let wasLost = false;
+  const onLost = (): void => {
+    wasLost = true;
+  };
+  canvas.addEventListener('webglcontextlost', onLost);
+  session.hold(Math.max(width, height));
+  session.begin({ ground: 'paper' });
+  const poser = new FramePoser(stage, settings, width / height, videoMotion === 'turn');
+  let sink: FrameSink | undefined;
+  try {
+    const movie = settings.videoForm === 'video' ? await MovieSink.begin(plan, canvas) : undefined;
+    sink = movie ?? new PicturesSink(plan, name);
+    while (drawn < plan.frames) {
+      // Between two frames the page handles its events, Cancel among them.
+      await nextTask();
+      signal.throwIfAborted();
+      poser.pose(poseOf(plan, drawn, videoMotion, start));
+      session.drawPart(place, { x: 0, y: 0, width, height });
+      const taken = sink.add(canvas, drawn);
+      onFrame(canvas);
+      await taken;
+      if (wasLost) throw new LostContextError();
+      onProgress(++drawn / plan.frames);
+    }
+    const content = await sink.end();
+    const fallback = settings.videoForm === 'video' && !movie ? ' This browser encodes no video of that size.' : '';
+    return { content, extension: sink.extension, sentence: `Saved: ${describe(plan, sink.kind)}.${fallback}` };
+  } catch (error) {
+    await sink?.abort();
+    // An encoder may fail because the graphics context was lost, and be the first to report it.
+    const isLoss = error instanceof LostContextError || wasLost || stage.isLost;
+    throw isLoss ? new LostContextError(lossAfter(drawn, plan)) : error;
+  } finally {
+    canvas.removeEventListener('webglcontextlost', onLost);
+    poser.restore();
+    session.end();
+    session.release();
+  }
+}
+
+/** Resolves in the next task. Unlike timers, messages are not delayed in a hidden tab. */
+function nextTask(): Promise<void> {
+  return new Promise((resolve) => {
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = () => {
+      port1.close();
+      resolve();
+    };
+    port2.postMessage(undefined);
+  });
+}
+
+const lossAfter = (drawn: number, { frames }: VideoPlan): string =>
+  `The graphics card let go of the drawing after ${drawn} of ${frames} frames. There is no video; record it again when the drawing is back.`;
+
+function describe({ width, height, frames, rate }: VideoPlan, kind: string): string {
+  const size = `${width.toLocaleString('en')} × ${height.toLocaleString('en')} px`;
+  return `${size}, ${frames / rate} s with ${rate} frames a second, ${kind}`;
+}

@@ -1,0 +1,216 @@
+import { Color, Scene } from 'three';
+import { WebGPURenderer } from 'three/webgpu';
+import { HatchingNodeMaterial } from 'three-hatching/webgpu';
+import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
+import type { Look } from '../../viewer/settings/lookOf.js';
+import { createCamera } from '../../viewer/sceneSetup/createCamera.js';
+import { Ground } from '../../viewer/sceneSetup/Ground.js';
+import type { LensCamera } from '../../viewer/sceneSetup/LensCamera.js';
+import { LightRig } from '../../viewer/sceneSetup/LightRig.js';
+import { strokeShare } from '../../viewer/sceneSetup/strokeShare.js';
+import type { Painter } from './Painter.js';
+import type { Scenery } from './Scenery.js';
+import type { FrameSize, Screen } from './Screen.js';
+import { encodeInMaterials } from './encodeInMaterials.js';
+import { nodeMakers } from './nodeMakers.js';
+
+/** What a {@link NodeScreen} needs to know of the page, and whom it tells. */
+interface NodeScreenHost {
+  painter: Painter;
+  scenery: Scenery;
+  /** Requests a frame. */
+  refine(): void;
+  /** Called when the device is lost. The screen is of no use any more. */
+  onLost(): void;
+}
+
+/**
+ * Draws the scenery with WebGPURenderer and materials of nodes. The model is lent by the scenery; camera, lights and ground are of its own, because
+ * each kind of renderer writes to these what the other cannot read.
+ */
+export class NodeScreen implements Screen {
+  readonly canvas = document.createElement('canvas');
+  private readonly scene = new Scene();
+  private readonly camera = createCamera();
+  private readonly lights = new LightRig(this.scene);
+  private readonly groundMaterial = new HatchingNodeMaterial();
+  private readonly ground: Ground;
+  private readonly renderer: WebGPURenderer;
+  private look: Look | undefined;
+  /** The model and the programs that were built last. */
+  private builtModel: HatchedModel | undefined;
+  private builtFor = '';
+  private builds = 0;
+  /** What is being built: the programs, or what else the first frame needs. */
+  private building: 'programs' | 'rest' | undefined;
+  /** Whether no frame was drawn since programs were built. */
+  private isFirst = false;
+  private isDisposed = false;
+  /** The shadows that were drawn last, by the painter's number. */
+  private shadows = -1;
+  /** The size of the canvas. */
+  private readonly size: FrameSize = { width: 0, height: 0, ratio: 0 };
+
+  /**
+   * Sets up the renderer, on a canvas over that of the painter.
+   *
+   * @throws Error if the browser gives no device
+   */
+  static async create(host: NodeScreenHost): Promise<NodeScreen> {
+    const screen = new NodeScreen(host);
+    try {
+      await screen.renderer.init();
+      if (!screen.device) throw new Error('There is no device.');
+    } catch (error) {
+      screen.dispose();
+      throw error;
+    }
+    host.painter.canvas.after(screen.canvas);
+    return screen;
+  }
+
+  private constructor(private readonly host: NodeScreenHost) {
+    const { canvas, groundMaterial } = this;
+    // Until its first frame, the painter's last one is seen.
+    canvas.hidden = true;
+    canvas.className = 'node-screen';
+    canvas.setAttribute('aria-hidden', 'true');
+    const antialias = host.painter.context.getContextAttributes()?.antialias ?? true;
+    this.renderer = new WebGPURenderer({ canvas, antialias });
+    encodeInMaterials(this.renderer);
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.onDeviceLost = () => {
+      if (!this.isDisposed) host.onLost();
+    };
+    this.ground = new Ground(this.scene, () => this.outdate(), groundMaterial);
+  }
+
+  /** The graphics card; undefined if the renderer has fallen back to WebGL. */
+  private get device(): GPUDevice | undefined {
+    return (this.renderer.backend as { device?: GPUDevice }).device;
+  }
+
+  get canDraw(): boolean {
+    const { look, shown } = this.host.scenery;
+    return look !== undefined && shown.model !== undefined && look.lackOfNodes === undefined;
+  }
+
+  get isBuilding(): boolean {
+    return this.building !== undefined;
+  }
+
+  prepare(): boolean {
+    const { look, shown } = this.host.scenery;
+    if (!look || (look.programs === this.builtFor && shown.model === this.builtModel))
+      return this.building !== 'programs';
+    this.builtFor = look.programs;
+    this.builtModel = shown.model;
+    void this.build();
+    return false;
+  }
+
+  draw({ width, height, ratio }: FrameSize): void {
+    const { renderer, size } = this;
+    this.follow(width, height);
+    // Either gives the canvas new memory.
+    if (size.ratio !== ratio) renderer.setPixelRatio(ratio);
+    if (size.width !== width || size.height !== height) renderer.setSize(width, height, false);
+    Object.assign(size, { width, height, ratio });
+    try {
+      renderer.render(this.scene, this.camera);
+    } catch (error) {
+      // Where the browser's graphics process has fallen over, three.js is not told of the lost device.
+      console.error(error);
+      this.host.onLost();
+      return;
+    }
+    if (this.isFirst) void this.buildRest();
+  }
+
+  dispose(): void {
+    const { canvas, ground, host, renderer } = this;
+    this.isDisposed = true;
+    this.building = undefined;
+    host.scenery.dropNodes();
+    ground.dispose();
+    canvas.remove();
+    // It waits for what was not set up, which whoever creates the screen has been told of.
+    Promise.resolve(renderer.dispose()).catch(() => {});
+  }
+
+  /** Has the next frame wait for programs, because there is more to draw. */
+  private outdate(): void {
+    this.builtFor = '';
+    this.host.refine();
+  }
+
+  /** Builds what the next frame is drawn with, and requests it then. The canvas keeps the last frame meanwhile. */
+  private async build(): Promise<void> {
+    const { host, renderer, groundMaterial, lights } = this;
+    const build = ++this.builds;
+    this.building = 'programs';
+    this.follow(this.size.width, this.size.height);
+    // What cannot be fetched or built is missing in the frame, and the console says why.
+    try {
+      await Promise.all([host.scenery.shown.model?.nodesReady(), groundMaterial.ready]);
+      if (!this.isDisposed) await renderer.compileAsync(this.scene, this.camera);
+    } catch (error) {
+      if (!this.isDisposed) console.error(error);
+    }
+    if (build !== this.builds || this.isDisposed) return;
+    this.building = undefined;
+    this.isFirst = true;
+    lights.outdateShadows();
+    host.refine();
+  }
+
+  /**
+   * Waits for the first frame. The graphics card builds the programs of shadows for it, and that which puts it on the canvas. Until then, the
+   * page shows the frame before, and further ones would wait as well.
+   */
+  private async buildRest(): Promise<void> {
+    const { builds } = this;
+    this.isFirst = false;
+    this.building = 'rest';
+    // A card that is let go of meanwhile does not finish it.
+    await this.device?.queue.onSubmittedWorkDone().catch(() => {});
+    if (builds !== this.builds || this.isDisposed) return;
+    this.building = undefined;
+    this.host.refine();
+  }
+
+  /** Takes over what is shown, on a sheet of this size in CSS pixels. */
+  private follow(width: number, height: number): void {
+    const { camera, ground, host, lights, renderer } = this;
+    const { painter, scenery } = host;
+    const { look, shown, tonalArtMap } = scenery;
+    if (!look) return;
+    scenery.lend(this.scene, nodeMakers);
+    if (look !== this.look) {
+      this.look = look;
+      lights.apply(look.lights);
+      ground.apply(look);
+      renderer.setClearColor(new Color(look.paper).convertLinearToSRGB(), 1);
+    }
+    ground.height = scenery.ground.height;
+    ground.extent = shown.model?.extent ?? null;
+    if (tonalArtMap) ground.tonalArtMap = tonalArtMap;
+    const share = strokeShare(width, height);
+    shown.model?.setWidths(look, share);
+    ground.setWidths(look, share);
+    placeLike(camera, painter.camera);
+    lights.place(camera);
+    scenery.endShadow(camera, painter.sheetOf(), { ground, lights });
+    if (painter.shadowChanges === this.shadows) return;
+    this.shadows = painter.shadowChanges;
+    lights.outdateShadows();
+  }
+}
+
+/** Gives a camera the place and the lens of another one. */
+function placeLike(camera: LensCamera, other: LensCamera): void {
+  const { position, quaternion, aspect, lens, sheet } = other;
+  camera.position.copy(position);
+  camera.quaternion.copy(quaternion);
+  if (camera.aspect !== aspect || camera.lens !== lens || camera.sheet !== sheet) camera.takeLens(other);
+}

@@ -1,0 +1,151 @@
+import { WebGLRenderer } from 'three';
+import type { Look } from '../../viewer/settings/lookOf.js';
+import { createCamera } from '../../viewer/sceneSetup/createCamera.js';
+import { type SheetPart, WHOLE_SHEET } from '../../viewer/sceneSetup/fadeOnSheet.js';
+import type { ShadowQuality } from '../../viewer/sceneSetup/LightRig.js';
+import { strokeShare } from '../../viewer/sceneSetup/strokeShare.js';
+import { ProgramBuilder } from './ProgramBuilder.js';
+import type { Scenery } from './Scenery.js';
+import { SideBySide, sidesOf, type Tile } from './SideBySide.js';
+
+/** Draws the scenery into the canvas, as the camera sees it. */
+export class Painter {
+  readonly renderer: WebGLRenderer;
+  readonly camera = createCamera();
+  readonly sides: SideBySide;
+  private readonly builder: ProgramBuilder;
+  /** The key of the programs that were built last; empty if none were. */
+  private builtFor = '';
+  /** Whether there may be something of the scenery on the graphics card. */
+  private isUsed = false;
+  /** The part of the picture that is the sheet. */
+  sheetOf: () => SheetPart = () => WHOLE_SHEET;
+  /** How often the shadow maps were outdated. */
+  shadowChanges = 0;
+
+  /** @param onBuilt called when programs that were being built are ready */
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    readonly context: WebGL2RenderingContext,
+    private readonly viewport: HTMLElement,
+    private readonly scenery: Scenery,
+    onBuilt: () => void,
+  ) {
+    const renderer = new WebGLRenderer({ canvas, context });
+    // Shadows cost nothing while no light casts them. Their maps are drawn anew when a light or the model moves, not with the camera.
+    renderer.shadowMap.enabled = true;
+    renderer.shadowMap.autoUpdate = false;
+    this.renderer = renderer;
+    this.builder = new ProgramBuilder(renderer, onBuilt);
+    this.sides = new SideBySide(
+      renderer,
+      (side) => scenery.shown.model?.useMaterials(side),
+      () => renderer.render(scenery.scene, this.camera),
+    );
+  }
+
+  /** Whether the graphics context is lost. What is changed meanwhile is drawn when it comes back. */
+  get isLost(): boolean {
+    return this.context.isContextLost();
+  }
+
+  /** Pixels of the canvas per CSS pixel. */
+  get pixelRatio(): number {
+    return this.renderer.getPixelRatio();
+  }
+
+  /** Does nothing if the ratio is the same, because setting it gives the canvas new memory. */
+  set pixelRatio(ratio: number) {
+    if (ratio !== this.pixelRatio) this.renderer.setPixelRatio(ratio);
+  }
+
+  /** Sets the colour of the background. */
+  setPaper(color: string): void {
+    this.renderer.setClearColor(color, 1);
+  }
+
+  /**
+   * Draws one tile of a picture, or a whole frame.
+   *
+   * @param scale of a picture whose size is not that of the page; the widths of strokes and outlines go with it
+   */
+  drawTile(tile: Tile, scale = 1): void {
+    this.scenery.takeBack();
+    this.isUsed = true;
+    this.setWidths(scale);
+    this.sides.drawTile(tile);
+  }
+
+  /** Has the shadow maps drawn anew in the next frame, because a light or the model has moved. */
+  outdateShadows(): void {
+    this.renderer.shadowMap.needsUpdate = true;
+    this.shadowChanges++;
+  }
+
+  /** Places the lights, and has the shadow maps drawn anew if they or the model have moved. */
+  placeLights(quality: ShadowQuality): void {
+    const { scenery } = this;
+    const hasMoved = scenery.look !== undefined && scenery.lights.place(this.camera);
+    if (hasMoved || scenery.shown.model?.motion) this.outdateShadows();
+    this.setShadowQuality(quality, this.renderer.shadowMap.needsUpdate);
+  }
+
+  /** Sets how finely shadows are drawn, as {@link LightRig.setShadowQuality} does. */
+  setShadowQuality(quality: ShadowQuality, areDrawn: boolean): void {
+    if (this.scenery.lights.setShadowQuality(quality, areDrawn)) this.outdateShadows();
+  }
+
+  /** Whether programs are being built. */
+  get isBuilding(): boolean {
+    return this.builder.isBuilding;
+  }
+
+  /** Has the programs built that a look asks for, where they differ from those of the last time: numbers and colours build none. */
+  buildPrograms(look: Look): void {
+    const { scenery, renderer, camera } = this;
+    const { drawn } = scenery.shown;
+    if (!drawn || this.isLost) return;
+    if (look.programs === this.builtFor) return;
+    this.builtFor = look.programs;
+    scenery.takeBack();
+    this.isUsed = true;
+    // Lines that are not drawn by hand have a program of their own.
+    this.setWidths();
+    this.builder.build(() => {
+      for (const side of sidesOf(look)) {
+        drawn.useMaterials(side);
+        drawn.announce();
+        renderer.compile(scenery.scene, camera);
+      }
+    });
+  }
+
+  /** To be called when the same look needs other programs: those of another model, or of a restored context. */
+  forgetPrograms(): void {
+    this.builtFor = '';
+  }
+
+  stopBuilding(): void {
+    this.builder.stop();
+  }
+
+  /** Frees all that it has on the graphics card but the context, because another renderer draws frames. What it draws next is uploaded again. */
+  release(): void {
+    if (!this.isUsed || this.isLost) return;
+    this.isUsed = false;
+    this.stopBuilding();
+    this.forgetPrograms();
+    this.scenery.takeBack();
+    this.scenery.releaseGraphics();
+    this.outdateShadows();
+    this.pixelRatio = 1;
+    this.renderer.setSize(1, 1, false);
+  }
+
+  /** Sets how wide strokes and outlines are, and where the shadow on the ground ends. @param scale of a picture whose size is not that of the page */
+  setWidths(scale = 1): void {
+    const { clientWidth, clientHeight } = this.viewport;
+    this.scenery.setWidths(strokeShare(clientWidth, clientHeight), scale);
+    this.scenery.endShadow(this.camera, this.sheetOf());
+  }
+}

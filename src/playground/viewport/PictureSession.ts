@@ -1,0 +1,162 @@
+import type { BufferGeometry } from 'three';
+import { meshesOf } from '../../viewer/drawing/meshesOf.js';
+import type { Settings } from '../../viewer/settings/settings.js';
+import type { Layer } from '../../viewer/sceneSetup/layers.js';
+import { LostContextError } from './LostContextError.js';
+import { MARGIN } from './SideBySide.js';
+import type { Stage } from './Stage.js';
+
+/** Pixels of the longer side of a picture that is larger than a screen. */
+const LARGE = 2048;
+
+/** A picture that is drawn in tiles: where it lies on the whole view of the page, in pixels of the picture. */
+export interface TiledPicture {
+  viewWidth: number;
+  viewHeight: number;
+  left: number;
+  top: number;
+  /** Pixels of the picture per CSS pixel of the page, by which strokes and outlines are sized. */
+  scale: number;
+}
+
+/** A part of a picture, in its pixels. */
+interface Part {
+  x: number;
+  y: number;
+  width: number;
+  height: number;
+}
+
+/** How a picture is drawn: on which background, and whether all of it. */
+export interface PictureLook {
+  ground: Settings['pictureGround'];
+  /** The one layer that is drawn, on a transparent background. */
+  layer?: Layer;
+  /** Whether it lies below the lines of a vector file: what leaves as lines is left out, and so is a comparison. */
+  isUnderLines?: boolean;
+}
+
+/** Draws pictures in tiles, or videos frame by frame, on the canvas of the page. The frames of the page are held meanwhile. */
+export class PictureSession {
+  /** The changes of the stage when its frames were held: after another change, further tiles would not fit the earlier ones. */
+  private changes = 0;
+  /** Whether a comparison is left out. */
+  private isUndivided = false;
+  /** Gives the model the geometry back that frames show. */
+  private leaveFiner: () => void = () => {};
+
+  constructor(private readonly stage: Stage) {}
+
+  /**
+   * Stops frames and animation, so that a picture can be drawn in tiles, until {@link release}.
+   *
+   * @param size pixels of the longer side of the picture
+   */
+  hold(size: number): void {
+    const { quality, frames, painter, scenery } = this.stage;
+    quality.finishSketch();
+    frames.isHeld = true;
+    scenery.takeBack();
+    this.showFiner();
+    this.changes = this.stage.changes;
+    painter.setShadowQuality(size > LARGE ? 'fine' : 'usual', true);
+  }
+
+  /** Goes on with frames. One is drawn at once, so that the page never shows a tile. */
+  release(): void {
+    this.leaveFiner();
+    this.stage.frames.isHeld = false;
+    this.stage.resize();
+  }
+
+  /** Shows what the picture is to hold, until {@link end}. Frames must be held. */
+  begin({ ground, layer, isUnderLines = false }: PictureLook): void {
+    const { painter, scenery } = this.stage;
+    // Tiles are measured in pixels.
+    painter.pixelRatio = 1;
+    if (ground !== 'paper' || layer) painter.renderer.setClearAlpha(0);
+    if (layer) scenery.showLayer(layer);
+    else if (ground === 'strokes') scenery.showPaper(false);
+    if (isUnderLines) scenery.hideLines();
+    this.isUndivided = isUnderLines;
+  }
+
+  end(): void {
+    const { painter, scenery } = this.stage;
+    scenery.showLayer(undefined);
+    painter.renderer.setClearAlpha(1);
+  }
+
+  /** Gives the scene the sizes, shadows and technique of the page, for whoever reads it: tiles and small pictures had those of their own. */
+  restoreScene(): void {
+    const { painter, scenery } = this.stage;
+    painter.setWidths();
+    painter.setShadowQuality('usual', true);
+    scenery.shown.model?.useMaterials('drawn');
+  }
+
+  /**
+   * Draws one tile of a picture that was begun into the canvas, which keeps it until the end of the task.
+   *
+   * @param tile its place in the picture, in pixels
+   * @throws Error with a sentence for the user
+   */
+  drawPart({ viewWidth, viewHeight, left, top, scale }: TiledPicture, { x, y, width, height }: Part): void {
+    if (this.stage.changes !== this.changes)
+      throw new Error('The drawing was changed while it was being saved; save it again.');
+    const { painter } = this.stage;
+    const { canvas, camera } = painter;
+    // Setting the size gives the canvas new memory, even if it is the same.
+    if (canvas.width !== width || canvas.height !== height) painter.renderer.setSize(width, height, false);
+    camera.setViewOffset(viewWidth, viewHeight, left + x, top + y, width, height);
+    painter.drawTile({ viewWidth, x: left + x, width, height, isUndivided: this.isUndivided }, scale);
+    camera.clearViewOffset();
+    this.throwIfLost();
+  }
+
+  /**
+   * Draws one tile of a picture that was begun, and reads its pixels: RGBA multiplied with alpha, the lowest row first.
+   *
+   * @param tile its place in the picture, in pixels
+   * @param pixels to be filled
+   * @throws Error with a sentence for the user
+   */
+  readTile(picture: TiledPicture, tile: Part, pixels: Uint8Array): void {
+    const { context } = this.stage;
+    const [x, columns] = widened(tile.x, tile.width, picture.left, picture.viewWidth);
+    const [y, rows] = widened(tile.y, tile.height, picture.top, picture.viewHeight);
+    this.drawPart(picture, { x, y, width: columns, height: rows });
+    const below = y + rows - tile.y - tile.height;
+    context.readPixels(tile.x - x, below, tile.width, tile.height, context.RGBA, context.UNSIGNED_BYTE, pixels);
+    this.throwIfLost();
+  }
+
+  private showFiner(): void {
+    const { finer, model } = this.stage;
+    if (!finer || !model) return;
+    const [mesh] = meshesOf(model.root);
+    const { geometry } = mesh;
+    const exchange = (other: BufferGeometry): void => {
+      mesh.geometry = other;
+      this.stage.outdateShadows();
+    };
+    exchange(finer);
+    this.leaveFiner = () => exchange(geometry);
+  }
+
+  private throwIfLost(): void {
+    if (this.stage.isLost) throw new LostContextError();
+  }
+}
+
+/**
+ * The start and the length of a part with a margin before and after it, as far as the view reaches. Margins are even: pixels are shaded in
+ * pairs, which stay the same ones.
+ *
+ * @param origin of starts, in the view
+ */
+function widened(start: number, length: number, origin: number, viewLength: number): [number, number] {
+  const margin = (room: number): number => 2 * Math.floor(Math.min(MARGIN, Math.max(0, room)) / 2);
+  const before = margin(origin + start);
+  return [start - before, before + length + margin(viewLength - origin - start - length)];
+}

@@ -1,0 +1,185 @@
+import { Group, type Matrix4, type PerspectiveCamera, Scene, Vector3 } from 'three';
+import type { TonalArtMap } from 'three-hatching';
+import type { NodeMakers } from '../../viewer/drawing/NodeMakers.js';
+import { releaseGraphics } from '../../viewer/drawing/releaseGraphics.js';
+import type { Look } from '../../viewer/settings/lookOf.js';
+import { UPRIGHT } from '../../viewer/settings/settingValues.js';
+import { Backdrop } from '../../viewer/sceneSetup/Backdrop.js';
+import { castersOf } from '../../viewer/sceneSetup/castersOf.js';
+import type { SheetPart } from '../../viewer/sceneSetup/fadeOnSheet.js';
+import { Ground } from '../../viewer/sceneSetup/Ground.js';
+import { LightRig } from '../../viewer/sceneSetup/LightRig.js';
+import type { Layer } from '../../viewer/sceneSetup/layers.js';
+import { ShownModel } from './ShownModel.js';
+
+/** What is drawn: the model, turned so that its up axis is y, the ground that it stands on, and the lights. */
+export class Scenery {
+  readonly scene = new Scene();
+  readonly lights = new LightRig(this.scene);
+  readonly ground: Ground;
+  private readonly backdrop: Backdrop;
+  readonly shown: ShownModel;
+  /** How everything is drawn; undefined until the first look is applied. */
+  look: Look | undefined;
+  private readonly upright = new Group();
+  private turn: Look['upright'] = UPRIGHT.y;
+  private map: TonalArtMap | undefined;
+  /** What of the model casts shadows as it stands; undefined until a shadow falls on the ground. */
+  private casters: Float32Array | undefined;
+  /** Whether the model casts a shadow on the ground. Framing leaves room for that. */
+  private showsShadow = false;
+
+  /**
+   * @param onGround called when a frame with the ground can be drawn
+   * @param onModel called when another model is shown, as {@link ShownModel} says
+   */
+  constructor(onGround: () => void, onModel: ConstructorParameters<typeof ShownModel>[1]) {
+    this.ground = new Ground(this.scene, onGround);
+    this.backdrop = new Backdrop(this.scene);
+    this.shown = new ShownModel(this.upright, onModel);
+    this.scene.add(this.upright);
+  }
+
+  /**
+   * Gives a look to the lights, the model and the ground. Shadow maps are not drawn anew.
+   *
+   * @returns whether the model was turned, and whether its shadow has appeared or disappeared: both ask for another framing
+   */
+  apply(look: Look): { isTurned: boolean; hasOtherShadow: boolean } {
+    const { shown, lights, ground, upright } = this;
+    lights.apply(look.lights);
+    const hadShadow = this.showsShadow;
+    this.showsShadow = look.lights.castsShadows && look.ground !== 'none';
+    const isTurned = look.upright !== this.turn;
+    this.turn = look.upright;
+    if (isTurned) upright.rotation.set(...look.upright);
+    shown.apply(look);
+    ground.apply(look);
+    this.backdrop.apply(look, shown.model?.extent ?? null);
+    return { isTurned, hasOtherShadow: this.showsShadow !== hadShadow };
+  }
+
+  /** Lends the model to a scene of nodes, until {@link takeBack}. Does nothing if it is there already. */
+  lend(scene: Scene, makers: NodeMakers): void {
+    const { shown, look, upright } = this;
+    if (look) shown.model?.makeNodes(makers, look);
+    shown.model?.useMaterials('nodes');
+    if (upright.parent !== scene) scene.add(upright);
+  }
+
+  /** Has the model in its own scene, for WebGLRenderer. */
+  takeBack(): void {
+    if (this.upright.parent === this.scene) return;
+    this.shown.drawn?.useMaterials('drawn');
+    this.scene.add(this.upright);
+  }
+
+  /** Takes the model back for good, and frees what it has for a renderer of nodes. */
+  dropNodes(): void {
+    this.takeBack();
+    this.shown.dropNodes();
+  }
+
+  /** Puts the ground under the model. @returns xyz of points of the model, enough of them to frame it; undefined without a model */
+  standOnGround(): ArrayLike<number> | undefined {
+    const { shown, ground, upright } = this;
+    upright.updateMatrix();
+    if (!shown.model) return undefined;
+    ground.extent = shown.model.extent;
+    if (this.look) this.backdrop.apply(this.look, shown.model.extent);
+    ground.height = shown.model.bounds.clone().applyMatrix4(upright.matrix).min.y;
+    this.casters = undefined;
+    return turned(shown.model.outline, upright.matrix);
+  }
+
+  /** The shadow that points (as xyz) cast on the ground, seen from a direction, as xyz; undefined if there is no shadow. */
+  shadowOf(outline: ArrayLike<number>, toEye: Vector3): number[] | undefined {
+    return this.showsShadow ? this.lights.shadowOf(outline, this.ground.height, toEye) : undefined;
+  }
+
+  /**
+   * Has the shadow on a ground end on the sheet that a camera sees, a part of its picture. The lights must be placed.
+   *
+   * @param ground and lights of whoever draws the scenery: its own, or copies of them
+   */
+  endShadow(
+    camera: PerspectiveCamera,
+    part: SheetPart,
+    { ground, lights }: Pick<Scenery, 'ground' | 'lights'> = this,
+  ): void {
+    const { look, shown } = this;
+    if (!look || !shown.model || !this.showsShadow) return;
+    this.casters ??= castersOf(shown.model.root, shown.model.motion);
+    ground.endShadows(look, lights.fadeOf(this.casters, ground.height, camera, part));
+  }
+
+  get tonalArtMap(): TonalArtMap | undefined {
+    return this.map;
+  }
+
+  set tonalArtMap(map: TonalArtMap) {
+    this.map = map;
+    this.shown.tonalArtMap = map;
+    this.ground.tonalArtMap = map;
+  }
+
+  /** Whether there is a model, and a map if the look needs one. */
+  get isComplete(): boolean {
+    return this.shown.model !== undefined && (this.map !== undefined || this.look?.needsMap === false);
+  }
+
+  /**
+   * Sets how wide strokes and outlines are.
+   *
+   * @param share of their width that they have on a small sheet
+   * @param scale of a picture whose size is not that of the page
+   */
+  setWidths(share: number, scale: number): void {
+    if (!this.look) return;
+    this.shown.model?.setWidths(this.look, share, scale);
+    this.ground.setWidths(this.look, share, scale);
+    this.backdrop.setWidths(this.look, share * scale);
+  }
+
+  /** Hides outlines, ground and shadows, which need programs or frames of their own, until the look is applied again. */
+  showSketch(): void {
+    this.shown.model?.showOutlines(false);
+    this.shown.model?.castShadows(false);
+    this.ground.hide();
+    this.backdrop.hide();
+  }
+
+  /** Hides what leaves as lines of its own beside strokes, until {@link showLayer} shows all again. */
+  hideLines(): void {
+    this.shown.model?.showOutlines(false);
+    this.backdrop.hide();
+  }
+
+  /** Shows or hides the paper. Without it, only strokes are drawn. */
+  showPaper(isShown: boolean): void {
+    this.shown.model?.showPaper(isShown);
+    this.ground.showPaper(isShown);
+  }
+
+  /** Shows one layer alone, on a transparent background; or all of them again. */
+  showLayer(layer: Layer | undefined): void {
+    if (!this.look) return;
+    this.shown.model?.showLayer(layer, this.look);
+    this.ground.showLayer(layer, this.look);
+    this.backdrop.showLayer(layer, this.look);
+  }
+
+  /** Disposes of what everything has on the graphics card. To be called while the context is lost. */
+  releaseGraphics(): void {
+    this.shown.releaseGraphics();
+    releaseGraphics(this.scene);
+  }
+}
+
+/** Rotates points, given as xyz. */
+function turned(points: Float32Array, rotation: Matrix4): Float32Array {
+  const point = new Vector3();
+  const result = points.slice();
+  for (let i = 0; i < points.length; i += 3) point.fromArray(points, i).applyMatrix4(rotation).toArray(result, i);
+  return result;
+}

@@ -1,0 +1,39 @@
+import { Box3, BufferAttribute, BufferGeometry, FrontSide, Group, Mesh } from 'three';
+import { HatchingMaterial } from 'three-hatching';
+import { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
+
+/**
+ * A triangle without an area, with the attributes and the material of a closed scan. It is drawn while the first model is loaded, so that its
+ * programs are built by then: browsers compile part of a program in the first frame that draws with it.
+ */
+export function makeForerunner(): HatchedModel {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array(9), 3));
+  geometry.setAttribute('normal', new BufferAttribute(new Float32Array(9), 3));
+  geometry.setAttribute('hatchNormal', new BufferAttribute(new Int16Array(12), 4, true));
+  const material = new HatchingMaterial({ tilesPerUnit: 1, side: FrontSide });
+  const drawn = new Mesh(geometry, material);
+  drawn.frustumCulled = false;
+  const statistics = {
+    triangles: 1,
+    borderEdges: 0,
+    nonManifoldEdges: 0,
+    unpairedEdges: 0,
+    inconsistentEdges: 0,
+    degenerateTriangles: 1,
+  };
+  return new HatchedModel(
+    new Group().add(drawn),
+    new Box3(),
+    new Float32Array(0),
+    undefined,
+    statistics,
+    undefined,
+    [material],
+    [],
+    () => {
+      geometry.dispose();
+      material.dispose();
+    },
+  );
+}

@@ -1,0 +1,58 @@
+import { MathUtils, Spherical, Vector3 } from 'three';
+import { proportionOf } from '../../../viewer/sceneSetup/framing.js';
+
+/** How far the view may be turned about the upright and raised, in degrees and in steps, and which turns are as bad as each other. */
+const TURN = { most: 75, step: 5, bad: 45 };
+const RISE = { most: 30, step: 5, bad: 20 };
+/** No view comes nearer to that from straight above, in degrees. */
+const LEAST_POLAR = 30;
+/** So many points tell how wide a model is. */
+const ENOUGH_POINTS = 1500;
+
+/**
+ * The view nearest to a given one in which points are not wider than asked for; the one in which they are narrowest, if they are wider in
+ * all.
+ *
+ * @param outline xyz of each point
+ * @param first direction to the eye
+ * @param most how many times wider than high they may be
+ */
+export function turnedView(outline: ArrayLike<number>, first: Vector3, most: number): Vector3 {
+  const points = someOf(outline);
+  let best = first;
+  let least = Infinity;
+  for (const { view, cost } of views(first)) {
+    if (cost >= least) continue;
+    const excess = Math.max(0, proportionOf(points, view) - most);
+    if (cost + WIDE * excess >= least) continue;
+    least = cost + WIDE * excess;
+    best = view;
+  }
+  return best;
+}
+
+/** What one unit of proportion too many costs: more than any turn. */
+const WIDE = 100;
+
+/** Views around a given one, which comes first. @returns with the cost of each */
+function* views(first: Vector3): Generator<{ view: Vector3; cost: number }, void, void> {
+  const { theta, phi } = new Spherical().setFromVector3(first);
+  for (let rise = 0; rise <= RISE.most; rise += RISE.step) {
+    const polar = phi - MathUtils.degToRad(rise);
+    if (rise > 0 && polar < MathUtils.degToRad(LEAST_POLAR)) break;
+    for (let turn = 0; turn <= TURN.most; turn += TURN.step) {
+      for (const side of turn === 0 ? [1] : [-1, 1]) {
+        const view = new Vector3().setFromSphericalCoords(1, polar, theta + MathUtils.degToRad(side * turn));
+        yield { view, cost: (turn / TURN.bad) ** 2 + (rise / RISE.bad) ** 2 };
+      }
+    }
+  }
+}
+
+function someOf(outline: ArrayLike<number>): ArrayLike<number> {
+  const step = Math.ceil(outline.length / 3 / ENOUGH_POINTS);
+  if (step <= 1) return outline;
+  const points: number[] = [];
+  for (let i = 0; i + 2 < outline.length; i += 3 * step) points.push(outline[i], outline[i + 1], outline[i + 2]);
+  return points;
+}

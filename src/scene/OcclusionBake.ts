@@ -1,0 +1,94 @@
+import type { BufferAttribute, BufferGeometry, Mesh } from 'three';
+import { hatchNormal } from '../mesh/bake/hatchNormal.js';
+import { disposeSharingClone, sharingClone } from '../material/geometry/sharingClone.js';
+import type { SkippedMesh } from './HatchedScene.js';
+
+/** A mesh that gets occlusion. */
+interface OccludedMesh {
+  mesh: Mesh;
+  /** The geometry of the mesh when the bake began. */
+  source: BufferGeometry;
+  /** The geometry that the occlusion is written to: `source`, or a clone that shares everything but the occlusion. */
+  own: BufferGeometry;
+}
+
+/** For each attribute the bake that has written to it last: no bake may remove the occlusion of another. */
+const writers = new WeakMap<object, OcclusionBake>();
+
+/** Whether a geometry has an attribute that occlusion can be written to. */
+export function hasRoom({ attributes }: BufferGeometry): boolean {
+  const attribute = attributes[hatchNormal.name];
+  return (
+    attribute?.itemSize === hatchNormal.itemSize && attribute.array instanceof Int16Array && !('data' in attribute)
+  );
+}
+
+/** The ambient occlusion that `bakeOcclusion` has given to the meshes of a scene. */
+export class OcclusionBake {
+  /** The number of directions that the occlusion was measured in so far. */
+  directions = 0;
+  private occluded: readonly OccludedMesh[];
+
+  /**
+   * @param meshes meshes with prepared geometries
+   * @param skipped meshes that could not be read; they neither occlude nor receive occlusion
+   */
+  constructor(
+    meshes: readonly Mesh[],
+    readonly skipped: readonly SkippedMesh[],
+  ) {
+    const users = new Map<BufferGeometry, number>();
+    for (const { geometry } of meshes) users.set(geometry, (users.get(geometry) ?? 0) + 1);
+    this.occluded = meshes.map((mesh) => {
+      const source = mesh.geometry;
+      return { mesh, source, own: users.get(source) === 1 ? source : withOcclusionOfItsOwn(source) };
+    });
+  }
+
+  /** The meshes that have occlusion. */
+  get meshes(): readonly Mesh[] {
+    return this.occluded.map(({ mesh }) => mesh);
+  }
+
+  /**
+   * Writes the occlusion of each mesh, except of those that have got another geometry in the meantime.
+   *
+   * @param occlusions for each mesh the occlusion of each vertex, from 0 (sees the whole sky) to 32767 (sees nothing of it)
+   * @internal
+   */
+  write(occlusions: readonly Int16Array[], directions: number): void {
+    this.directions = directions;
+    for (const [i, { mesh, source, own }] of this.occluded.entries()) {
+      if (mesh.geometry === source) mesh.geometry = own;
+      if (mesh.geometry !== own || !hasRoom(own)) continue;
+      writers.set(own.attributes[hatchNormal.name], this);
+      writeOcclusion(own, occlusions[i]);
+    }
+  }
+
+  /** Removes the occlusion, and gives meshes that shared a geometry the shared one again. A second call does nothing. */
+  dispose(): void {
+    for (const { mesh, source, own } of this.occluded) {
+      if (own !== source) {
+        if (mesh.geometry === own) mesh.geometry = source;
+        disposeSharingClone(own, source);
+      } else if (hasRoom(own) && writers.get(own.attributes[hatchNormal.name]) === this) {
+        writeOcclusion(own, null);
+      }
+    }
+    this.occluded = [];
+  }
+}
+
+function withOcclusionOfItsOwn(source: BufferGeometry): BufferGeometry {
+  const clone = sharingClone(source);
+  return clone.setAttribute(hatchNormal.name, source.attributes[hatchNormal.name].clone());
+}
+
+function writeOcclusion({ attributes }: BufferGeometry, occlusion: Int16Array | null): void {
+  const attribute = attributes[hatchNormal.name] as BufferAttribute;
+  const { array } = attribute;
+  // The values are negative, because WebGL reads 1 if the attribute is missing, which must not darken anything.
+  for (let i = 3, vertex = 0; i < array.length; i += 4, vertex++) array[i] = occlusion ? -occlusion[vertex] : 0;
+  attribute.needsUpdate = true;
+}

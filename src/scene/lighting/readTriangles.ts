@@ -1,0 +1,206 @@
+import {
+  BackSide,
+  type Camera,
+  DoubleSide,
+  type InstancedMesh,
+  Matrix4,
+  type Mesh,
+  type Object3D,
+  Vector3,
+} from 'three';
+import { hatchNormal } from '../../mesh/bake/hatchNormal.js';
+import type { OuterPoints } from './OuterPoints.js';
+import { createProjectedTriangles, type ProjectedTriangles } from './ProjectedTriangles.js';
+import { openToLamps } from '../../material/exposure/openToLamps.js';
+import { isBatched, isHatching, isSurfaceMesh, materialsOf } from '../surfaceMeshes.js';
+
+/** At most this many triangles are read. Of larger scenes, each stands for some of its neighbours. */
+const MOST_TRIANGLES = 30_000;
+/** A skinned or morphed corner takes as long as so many others. */
+const DEFORMING_COST = 4;
+/** At most this many meshes are read, evenly chosen. */
+const MOST_MESHES = 2000;
+/** At most this many instances of a mesh are read. */
+const MOST_INSTANCES = 256;
+
+/** A mesh, where it is drawn, and which of its triangles are read. */
+interface MeshReading {
+  mesh: Mesh;
+  places: readonly Matrix4[];
+  /** The first corner, and the number of triangles. */
+  start: number;
+  triangles: number;
+  /** What reading all of it costs. */
+  cost: number;
+}
+
+/** How meshes are read. */
+interface Reader {
+  toView: Matrix4;
+  projection: Matrix4;
+  outer: OuterPoints | undefined;
+  /** Whether some meshes are left out, for which the others stand. */
+  isSample: boolean;
+}
+
+/**
+ * Reads the triangles that a camera may see, where they are now: skins and morph targets in their present pose. The world matrices of
+ * the object and the camera must be up to date.
+ *
+ * @param outer gets their corners, also those that are not seen
+ */
+export function readTriangles(object: Object3D, camera: Camera, outer?: OuterPoints): ProjectedTriangles {
+  const shown = shownMeshes(object, camera);
+  const readings = evenlyChosen(shown, MOST_MESHES).map(readingOf);
+  const share = fairShare(
+    readings.map(({ cost }) => cost),
+    MOST_TRIANGLES,
+  );
+  // The numbers are rounded up, so there is room for one more of each place.
+  const room = readings.reduce(
+    (sum, { triangles, places, cost }) => sum + places.length * Math.ceil(triangles / stepOf(cost, share)),
+    0,
+  );
+  const list = createProjectedTriangles(room);
+  const toView = new Matrix4().copy(camera.matrixWorld).invert();
+  const isSample = readings.length < shown.length;
+  const sheet = { toView, projection: camera.projectionMatrix, outer, isSample };
+  for (const reading of readings) readMesh(list, reading, stepOf(reading.cost, share), sheet);
+  return list;
+}
+
+/** Of how many triangles one is read. */
+const stepOf = (cost: number, share: number): number => Math.max(1, Math.ceil(cost / share));
+
+/** The meshes that are shown, at or below an object. Where some are opaque, `transparent` ones do not count: one looks through them. */
+function shownMeshes(object: Object3D, camera: Camera): Mesh[] {
+  const shown: Mesh[] = [];
+  object.traverseVisible((entry) => {
+    if (!isSurfaceMesh(entry) || !entry.layers.test(camera.layers) || isBatched(entry)) return;
+    if (entry.geometry?.attributes.position && materialsOf(entry).some(({ visible }) => visible)) shown.push(entry);
+  });
+  const opaque = shown.filter((mesh) => materialsOf(mesh).some(({ visible, transparent }) => visible && !transparent));
+  return opaque.length > 0 ? opaque : shown;
+}
+
+function evenlyChosen<Entry>(entries: readonly Entry[], most: number): Entry[] {
+  const step = Math.max(1, entries.length / most);
+  return Array.from({ length: Math.floor(entries.length / step) }, (_, i) => entries[Math.floor(i * step)]);
+}
+
+function readingOf(mesh: Mesh): MeshReading {
+  const { geometry } = mesh;
+  const { drawRange, index, attributes } = geometry;
+  const available = index ? index.count : attributes.position.count;
+  const start = Math.max(0, drawRange.start);
+  const triangles = Math.max(0, Math.floor((Math.min(available, drawRange.start + drawRange.count) - start) / 3));
+  const places = placesOf(mesh);
+  const isDeforming =
+    'isSkinnedMesh' in mesh || (mesh.morphTargetInfluences ?? []).some((influence) => influence !== 0);
+  return { mesh, places, start, triangles, cost: triangles * places.length * (isDeforming ? DEFORMING_COST : 1) };
+}
+
+/** The matrices to world space that a mesh is drawn with: those of some of its instances, if it has many. */
+function placesOf(mesh: Mesh): Matrix4[] {
+  if (!('isInstancedMesh' in mesh)) return [mesh.matrixWorld];
+  const instanced = mesh as InstancedMesh;
+  const step = Math.max(1, instanced.count / MOST_INSTANCES);
+  return Array.from({ length: Math.floor(instanced.count / step) }, (_, i) => {
+    const matrix = new Matrix4();
+    instanced.getMatrixAt(Math.floor(i * step), matrix);
+    return matrix.premultiply(mesh.matrixWorld);
+  });
+}
+
+/** The most that each may take, so that all together take no more than a limit: who needs less leaves the rest to the others. */
+function fairShare(needs: readonly number[], limit: number): number {
+  let left = limit;
+  for (const [i, need] of [...needs].sort((a, b) => a - b).entries()) {
+    const share = left / (needs.length - i);
+    if (need > share) return share;
+    left -= need;
+  }
+  return Infinity;
+}
+
+const corners = [new Vector3(), new Vector3(), new Vector3()];
+const projected = new Float64Array(9);
+const edge = new Vector3();
+const normal = new Vector3();
+const inView = new Matrix4();
+const onSheet = new Matrix4();
+
+function readMesh(
+  list: ProjectedTriangles,
+  { mesh, places, start, triangles }: MeshReading,
+  step: number,
+  { toView, projection, outer, isSample }: Reader,
+): void {
+  const { index, attributes } = mesh.geometry;
+  const openness = opennessOf(mesh);
+  const vertexAt = (entry: number): number => (index ? index.getX(entry) : entry);
+  for (const place of places) {
+    inView.multiplyMatrices(toView, place);
+    onSheet.multiplyMatrices(projection, inView);
+    const hidden = hiddenSide(mesh, place);
+    for (let triangle = 0; triangle < triangles; triangle += step) {
+      let open = 0;
+      let inFront = 0;
+      for (let corner = 0; corner < 3; corner++) {
+        const vertex = vertexAt(start + 3 * triangle + corner);
+        if (!(vertex < attributes.position.count)) break;
+        mesh.getVertexPosition(vertex, corners[corner]);
+        if (project(corners[corner], corner)) inFront++;
+        open += openness(vertex) / 3;
+        const { x, y, z } = corners[corner].applyMatrix4(place);
+        outer?.add(x, y, z);
+      }
+      if (inFront === 3) add(list, hidden, open, isSample || step > 1);
+    }
+  }
+}
+
+/** Projects a corner. @returns whether it lies in front of the eye */
+function project({ x, y, z }: Vector3, corner: number): boolean {
+  const e = onSheet.elements;
+  const v = inView.elements;
+  const depth = e[3] * x + e[7] * y + e[11] * z + e[15];
+  projected[3 * corner] = (e[0] * x + e[4] * y + e[8] * z + e[12]) / depth;
+  projected[3 * corner + 1] = (e[1] * x + e[5] * y + e[9] * z + e[13]) / depth;
+  // 1 / depth is linear on the sheet of a perspective camera; that of an orthographic one is always 1.
+  const isFlat = e[3] === 0 && e[7] === 0 && e[11] === 0;
+  projected[3 * corner + 2] = isFlat ? v[2] * x + v[6] * y + v[10] * z + v[14] : 1 / depth;
+  return depth > 0;
+}
+
+/** Adds the triangle of the present corners, unless only its hidden side is seen. */
+function add(list: ProjectedTriangles, hidden: number, openness: number, isSample: boolean): void {
+  const [ax, ay, , bx, by, , cx, cy] = projected;
+  const side = Math.sign((bx - ax) * (cy - ay) - (by - ay) * (cx - ax));
+  if (!(side === 1 || side === -1) || side === hidden) return;
+  normal.subVectors(corners[1], corners[0]).cross(edge.subVectors(corners[2], corners[0]));
+  const length = normal.length();
+  if (!(length > 0 && length < Infinity)) return;
+  const { count } = list;
+  normal.multiplyScalar(side / length).toArray(list.normals, 3 * count);
+  list.corners.set(projected, 9 * count);
+  list.openness[count] = openness;
+  list.isSample[count] = isSample ? 1 : 0;
+  list.count++;
+}
+
+/** The side of triangles that is not drawn: 1 where they turn left on the sheet, −1 where they turn right, 0 for none. */
+function hiddenSide(mesh: Mesh, place: Matrix4): number {
+  const [{ side }, ...others] = materialsOf(mesh);
+  if (side === DoubleSide || others.some((material) => material.side !== side)) return 0;
+  return (side === BackSide ? 1 : -1) * (place.determinant() < 0 ? -1 : 1);
+}
+
+/** The share of a light with a direction that hollows leave a vertex. */
+function opennessOf(mesh: Mesh): (vertex: number) => number {
+  const material = materialsOf(mesh).find(isHatching);
+  const baked = mesh.geometry.attributes[hatchNormal.name];
+  const strength = material?.occlusion ?? 0;
+  if (strength === 0 || baked?.itemSize !== hatchNormal.itemSize) return () => 1;
+  return (vertex) => openToLamps(Math.max(0, -baked.getW(vertex)), strength);
+}

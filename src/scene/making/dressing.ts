@@ -1,0 +1,104 @@
+/** What gives meshes their new looks once they are baked. It is fetched while they are. */
+import { type BufferGeometry, type Mesh, type Object3D, Sphere } from 'three';
+import { cornerLayout } from '../../mesh/bake/cornerLayout.js';
+import { describeObject } from '../../material/diagnostics/describeObject.js';
+import type { HatchingOutlines } from '../../material/outlines/HatchingOutlines.js';
+import { sentencesOf } from '../chooseMeshes.js';
+import { failure } from '../failure.js';
+import { needsNoAdjacency, type OldLook, type PlannedMesh } from '../geometryPlans.js';
+import type { SkippedMesh } from '../HatchedScene.js';
+import type { MaterialReplacer } from '../MaterialReplacer.js';
+import type { MeshLook } from '../MeshLook.js';
+import type { OutlineMaker } from '../OutlineMaker.js';
+import { isBatched } from '../surfaceMeshes.js';
+import { worldMatrices } from '../worldMatrices.js';
+import { extentOf } from './extentOf.js';
+import { fieldFrames } from './fieldFrames.js';
+
+export { HatchedScene } from '../HatchedScene.js';
+
+/** The default stroke scale: tiles of the map per radius of the scene. */
+const TILES_PER_RADIUS = 3;
+
+/** Divides the meshes into those that get a new look and those that are skipped. */
+export function collectLooks(
+  planned: readonly PlannedMesh[],
+  baked: ReadonlyMap<BufferGeometry, BufferGeometry | Error>,
+): { looks: MeshLook[]; skipped: SkippedMesh[] } {
+  const looks: MeshLook[] = [];
+  const skipped: SkippedMesh[] = [];
+  for (const plan of planned) {
+    const { mesh, material } = plan;
+    const geometry = isBatched(mesh) ? batchGeometry(plan) : baked.get(plan.geometry)!;
+    if (geometry instanceof Error) skipped.push(failure(mesh, geometry));
+    else if (hasChanged(plan)) skipped.push(changedMeanwhile(mesh));
+    else looks.push({ mesh, geometry, material, fieldFrame: undefined });
+  }
+  return { looks, skipped };
+}
+
+/** Whether a mesh was given another geometry or material since. */
+export const hasChanged = ({ mesh, geometry, flatGeometry = geometry, oldMaterial }: OldLook): boolean =>
+  mesh.geometry !== flatGeometry || mesh.material !== oldMaterial;
+
+/** Says so of a mesh. */
+export const changedMeanwhile = (mesh: Mesh): SkippedMesh =>
+  failure(
+    mesh,
+    new Error(
+      'applyHatching: it was given another geometry or material while it was being baked. Call applyHatching again.',
+    ),
+  );
+
+/** The geometry of a BatchedMesh, or the reason why it cannot be hatched. */
+function batchGeometry(plan: PlannedMesh): BufferGeometry | Error {
+  const { mesh, geometry } = plan;
+  if (needsNoAdjacency(plan) || geometry.hasAttribute(cornerLayout[0].name)) return geometry;
+  return new TypeError(
+    `applyHatching: the ${describeObject(mesh)} has no triangle adjacency. Use the technique 'anchored' for it, or fill it with results of prepareHatchingGeometry(geometry, { adjacency: true }).`,
+  );
+}
+
+/**
+ * Sets the size of the strokes, and gives every look its coordinate frame and its outlines. It yields after each look, since a scene
+ * may have thousands of meshes.
+ *
+ * @returns the outlines, which are not yet added to the scene
+ */
+export function* finishLooks(
+  root: Object3D,
+  { looks, claimed }: { looks: readonly MeshLook[]; claimed: readonly Mesh[] },
+  replacer: MaterialReplacer,
+  { tilesPerWorldUnit, outlineMaker }: { tilesPerWorldUnit: number | undefined; outlineMaker: OutlineMaker | null },
+): Generator<number, readonly HatchingOutlines[], void> {
+  // The strokes of meshes that were added have the size of those that are hatched already.
+  const hatchedBefore = claimed.filter((mesh) => isBatched(mesh) || mesh.geometry.boundingSphere !== null);
+  const { center, radius } = yield* sphereAround([...looks, ...hatchedBefore]);
+  replacer.setTilesPerUnit(tilesPerWorldUnit ?? TILES_PER_RADIUS / radius);
+  replacer.setExtent(yield* extentOf(root, [...looks, ...hatchedBefore]));
+  const fieldFrameOf = fieldFrames(root, center);
+  for (const look of looks) {
+    look.fieldFrame = fieldFrameOf(look.mesh);
+    outlineMaker?.addOutlines(look);
+    yield 0;
+  }
+  return outlineMaker?.outlines ?? [];
+}
+
+/** A sphere around all meshes, in world space. If there are none, it is the unit sphere about the origin. */
+function* sphereAround(looks: readonly (MeshLook | Mesh)[]): Generator<number, Sphere, void> {
+  const whole = new Sphere();
+  for (const look of looks) {
+    const { mesh, geometry } = 'isMesh' in look ? { mesh: look, geometry: look.geometry } : look;
+    if (isBatched(mesh) && mesh.boundingSphere === null) mesh.computeBoundingSphere();
+    const sphere = isBatched(mesh) ? mesh.boundingSphere! : geometry.boundingSphere!;
+    for (const matrix of worldMatrices(mesh)) whole.union(sphere.clone().applyMatrix4(matrix));
+    yield 0;
+  }
+  return whole.radius > 0 && Number.isFinite(whole.radius) ? whole : new Sphere(undefined, 1);
+}
+/** @throws TypeError that names the first meshes that could not be hatched */
+export function assertNoFailure(skipped: readonly SkippedMesh[]): void {
+  if (skipped.length === 0) return;
+  throw new TypeError(`applyHatching: no mesh could be hatched. ${sentencesOf(skipped)}`, { cause: skipped[0].error });
+}

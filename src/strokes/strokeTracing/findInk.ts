@@ -1,0 +1,155 @@
+import { asPhase } from '../../mesh/timeSlicing/asPhase.js';
+import { forEachChunk } from '../../mesh/timeSlicing/forEachChunk.js';
+import { gridValue, otsuThreshold, type PaperGrid } from './PaperGrid.js';
+import type { GreyImage } from './readGrey.js';
+
+/** A pixel counts as ink from this share of the ink's depth on. */
+const INK_SHARE = 0.45;
+/** Steps of the histograms of depth. */
+const BINS = 256;
+
+/** Where ink lies. */
+export interface Ink {
+  width: number;
+  height: number;
+  /** How much darker each pixel is than its paper, as a share of the paper's brightness; noise makes it negative too. */
+  depths: Float32Array;
+  /** The depth of a pixel that is all ink. */
+  fullDepth: number;
+  /** 1 for ink, 0 for paper. The outermost pixels are paper. */
+  mask: Uint8Array;
+}
+
+/** Parts ink from paper: a pixel is ink if it is darker than its own paper by about half the depth of the ink around. */
+export function* findInk(image: GreyImage, grid: PaperGrid): Generator<number, Ink, void> {
+  const { width, height } = image;
+  const raw = new Float32Array(width * height);
+  yield* asPhase(
+    forEachChunk(raw.length, (start, end) => measureDepths(image, grid, raw, start, end)),
+    0,
+    0.4,
+  );
+  const softened = new Float32Array(raw.length);
+  yield* asPhase(
+    forEachChunk(raw.length, (start, end) => soften(raw, width, height, softened, start, end)),
+    0.4,
+    0.6,
+  );
+  const mask = new Uint8Array(raw.length);
+  const histogram = new Uint32Array(BINS);
+  yield* asPhase(
+    forEachChunk(raw.length, (start, end) => countDepths(softened, mask, 0, histogram, start, end)),
+    0.6,
+    0.7,
+  );
+  const first = ((otsuThreshold(histogram) ?? 0) + 1) / BINS;
+  yield* asPhase(
+    forEachChunk(raw.length, (start, end) => markInk(softened, width, height, mask, () => first, start, end)),
+    0.7,
+    0.8,
+  );
+  histogram.fill(0);
+  yield* asPhase(
+    forEachChunk(raw.length, (start, end) => countDepths(softened, mask, 1, histogram, start, end)),
+    0.8,
+    0.9,
+  );
+  // Most ink lies near the edges of strokes, where blur makes it paler.
+  const fullDepth = quantile(histogram, 0.8);
+  const threshold = (x: number, y: number): number =>
+    INK_SHARE * Math.min(fullDepth, 1.1 * gridValue(grid, grid.depth, x, y));
+  yield* asPhase(
+    forEachChunk(raw.length, (start, end) => markInk(softened, width, height, mask, threshold, start, end)),
+    0.9,
+    1,
+  );
+  return { width, height, depths: raw, fullDepth, mask };
+}
+
+function measureDepths(image: GreyImage, grid: PaperGrid, depths: Float32Array, start: number, end: number): void {
+  const { width, values } = image;
+  for (let i = start; i < end; i++) {
+    depths[i] = 1 - values[i] / gridValue(grid, grid.paper, i % width, Math.floor(i / width));
+  }
+}
+
+/** A binomial filter of three by three pixels against noise. */
+function soften(
+  values: Float32Array,
+  width: number,
+  height: number,
+  result: Float32Array,
+  start: number,
+  end: number,
+): void {
+  for (let i = start; i < end; i++) {
+    const x = i % width;
+    const left = x > 0 ? -1 : 0;
+    const right = x < width - 1 ? 1 : 0;
+    const up = i >= width ? -width : 0;
+    const down = i < width * (height - 1) ? width : 0;
+    result[i] =
+      (4 * values[i] +
+        2 * (values[i + left] + values[i + right] + values[i + up] + values[i + down]) +
+        values[i + up + left] +
+        values[i + up + right] +
+        values[i + down + left] +
+        values[i + down + right]) /
+      16;
+  }
+}
+
+function markInk(
+  depths: Float32Array,
+  width: number,
+  height: number,
+  mask: Uint8Array,
+  threshold: (x: number, y: number) => number,
+  start: number,
+  end: number,
+): void {
+  for (let i = start; i < end; i++) {
+    const x = i % width;
+    const y = Math.floor(i / width);
+    const isInner = x > 0 && y > 0 && x < width - 1 && y < height - 1;
+    mask[i] = isInner && depths[i] > threshold(x, y) ? 1 : 0;
+  }
+}
+
+/** Counts the depths of the pixels whose mask is `kind`. */
+function countDepths(
+  depths: Float32Array,
+  mask: Uint8Array,
+  kind: number,
+  histogram: Uint32Array,
+  start: number,
+  end: number,
+): void {
+  for (let i = start; i < end; i++) if (mask[i] === kind) histogram[binOf(depths[i])]++;
+}
+
+const binOf = (depth: number): number => Math.min(BINS - 1, Math.max(0, Math.floor(BINS * depth)));
+
+/**
+ * The depth of full ink: that along the middle of the widest strokes, where blur does not reach.
+ *
+ * @param lines the pixels along the middle of strokes
+ * @param distances the distance of every pixel to paper
+ */
+export function depthOfLines({ depths, fullDepth }: Ink, lines: Int32Array, distances: Float32Array): number {
+  if (lines.length === 0) return fullDepth;
+  const wide = Float32Array.from(lines, (pixel) => distances[pixel]).sort()[Math.floor(0.75 * lines.length)];
+  const histogram = new Uint32Array(BINS);
+  for (const pixel of lines) if (distances[pixel] >= wide) histogram[binOf(depths[pixel])]++;
+  return quantile(histogram, 0.5);
+}
+
+function quantile(histogram: Uint32Array, share: number): number {
+  const wanted = share * histogram.reduce((sum, count) => sum + count, 0);
+  let sum = 0;
+  for (let bin = 0; bin < histogram.length; bin++) {
+    sum += histogram[bin];
+    if (sum >= wanted) return (bin + 0.5) / BINS;
+  }
+  return 1;
+}

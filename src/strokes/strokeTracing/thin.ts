@@ -1,0 +1,115 @@
+import { forEachChunk } from '../../mesh/timeSlicing/forEachChunk.js';
+
+/** Pixels that are looked at between two reports of progress. */
+const PIXELS_PER_SLICE = 1 << 16;
+
+/** What is known of a pixel from which of its eight neighbours are ink, clockwise from the one above, a bit for each. */
+interface Rules {
+  /** Whether the first and the second half of a step of Zhang and Suen take it away. */
+  halves: readonly [first: Uint8Array, second: Uint8Array];
+  /** Whether it can go from a line that is one pixel wide but for corners, so that every pixel of a line has two neighbours. */
+  corner: Uint8Array;
+}
+
+/**
+ * Thins ink to lines of one pixel's width, in place (Zhang and Suen 1984, and without the corners that it leaves). The outermost pixels
+ * must be paper.
+ *
+ * @returns the pixels of the lines, by growing index; yields progress in [0, 1], which is estimated
+ */
+export function* thin(mask: Uint8Array, width: number, widest: number): Generator<number, Int32Array, void> {
+  const rules = makeRules();
+  const around = [-width, 1 - width, 1, width + 1, width, width - 1, -1, -width - 1];
+  let inked = yield* pixelsOf(mask);
+  const going = new Int32Array(inked.length);
+  let step = 0;
+  let looked = 0;
+  for (let changed = true; changed; step++) {
+    changed = false;
+    for (const rule of rules.halves) {
+      let count = 0;
+      for (let start = 0; start < inked.length; start += PIXELS_PER_SLICE) {
+        count = chooseGoing(mask, inked, around, rule, going, count, start);
+        looked += PIXELS_PER_SLICE;
+        if (looked % (4 * PIXELS_PER_SLICE) === 0) yield Math.min(0.99, step / (widest + 2));
+      }
+      for (let i = 0; i < count; i++) mask[going[i]] = 0;
+      changed ||= count > 0;
+    }
+    inked = inked.filter((pixel) => mask[pixel] === 1);
+    yield Math.min(0.99, step / (widest + 2));
+  }
+  for (const pixel of inked) if (rules.corner[neighboursOf(mask, pixel, around)]) mask[pixel] = 0;
+  return inked.filter((pixel) => mask[pixel] === 1);
+}
+
+function* pixelsOf(mask: Uint8Array): Generator<number, Int32Array, void> {
+  const starts: number[] = [];
+  let count = 0;
+  for (const _ of forEachChunk(mask.length, (start, end) => {
+    starts.push(count);
+    count += countInk(mask, start, end);
+  })) {
+    yield 0;
+  }
+  const pixels = new Int32Array(count);
+  let chunk = 0;
+  for (const _ of forEachChunk(mask.length, (start, end) => listInk(mask, start, end, pixels, starts[chunk++]))) {
+    yield 0;
+  }
+  return pixels;
+}
+
+function countInk(mask: Uint8Array, start: number, end: number): number {
+  let count = 0;
+  for (let i = start; i < end; i++) count += mask[i];
+  return count;
+}
+
+function listInk(mask: Uint8Array, start: number, end: number, pixels: Int32Array, first: number): void {
+  let next = first;
+  for (let i = start; i < end; i++) if (mask[i]) pixels[next++] = i;
+}
+
+function chooseGoing(
+  mask: Uint8Array,
+  inked: Int32Array,
+  around: readonly number[],
+  rule: Uint8Array,
+  going: Int32Array,
+  count: number,
+  start: number,
+): number {
+  const end = Math.min(inked.length, start + PIXELS_PER_SLICE);
+  let chosen = count;
+  for (let i = start; i < end; i++) {
+    const pixel = inked[i];
+    if (mask[pixel] && rule[neighboursOf(mask, pixel, around)]) going[chosen++] = pixel;
+  }
+  return chosen;
+}
+
+function neighboursOf(mask: Uint8Array, pixel: number, around: readonly number[]): number {
+  let bits = 0;
+  for (let i = 0; i < 8; i++) bits |= mask[pixel + around[i]] << i;
+  return bits;
+}
+
+function makeRules(): Rules {
+  const halves: [Uint8Array, Uint8Array] = [new Uint8Array(256), new Uint8Array(256)];
+  const corner = new Uint8Array(256);
+  for (let bits = 0; bits < 256; bits++) {
+    const has = (i: number): boolean => ((bits >> (i & 7)) & 1) === 1;
+    const places = [0, 1, 2, 3, 4, 5, 6, 7];
+    const count = places.filter(has).length;
+    const runs = places.filter((i) => !has(i) && has(i + 1)).length;
+    const [above, right, below, left] = [has(0), has(2), has(4), has(6)];
+    const isBorder = count >= 2 && count <= 6 && runs === 1;
+    halves[0][bits] = Number(isBorder && !(above && right && below) && !(right && below && left));
+    halves[1][bits] = Number(isBorder && !(above && right && left) && !(above && below && left));
+    // Neighbours beside it touch each other by their corners even where the one between them is paper.
+    const gaps = places.filter((i) => has(i) && !has(i + 1) && !(i % 2 === 0 && has(i + 2))).length;
+    corner[bits] = Number(count >= 2 && count < 8 && gaps === 1 && !(above && right && below && left));
+  }
+  return { halves, corner };
+}

@@ -1,0 +1,48 @@
+import { type PaperGrain, paperGrain } from '../paperGrain.js';
+import { placeStrokes } from '../placeStrokes.js';
+import { rasterizeStroke } from '../rasterizeStroke.js';
+import type { Stroke } from '../Stroke.js';
+import { enforceLevelNesting } from './enforceLevelNesting.js';
+import type { HatchImages } from './HatchImages.js';
+import { type HatchImageRequest, type MapRequest, resolveHatchImageOptions } from './hatchImageRequest.js';
+
+/**
+ * Draws the hatch images of a tonal art map: every tone at every level.
+ *
+ * The mean ink of image k is maxInk·k/(tones−1) on every level, to within half a stroke; maxInk belongs to the style. Ink is
+ * averaged linearly (0 = paper, 1 = ink), so from a distance a renderer that mixes paper and ink in linear light shows these means.
+ *
+ * @throws RangeError if an option is out of its range, at the first step
+ * @returns the images; yields progress in [0, 1]
+ */
+export function* generateHatchImages(options: MapRequest = {}): Generator<number, HatchImages, void> {
+  const request = resolveHatchImageOptions(options);
+  const strokes = yield* placeStrokes(request);
+  const grains = Array.from({ length: request.levels }, (_, level) => paperGrain(request, level));
+  const images: Uint8Array[][] = [];
+  for (let tone = 0; tone < request.tones; tone++) {
+    images.push(drawTone(strokes, tone, request, grains, images.at(-1)));
+    yield 1;
+  }
+  // Strokes nest because finer levels repeat them. Grain breaks strokes up, and a hand bends them as it likes, so that nesting must be
+  // enforced.
+  if (request.style.grain || request.style.hand) enforceLevelNesting({ size: request.size, images });
+  return { size: request.size, images, strokeTexels: request.style.width };
+}
+
+/** Draws all levels of one tone: the images of the tone before plus its new strokes. */
+function drawTone(
+  strokes: Stroke[],
+  tone: number,
+  request: HatchImageRequest,
+  grains: (PaperGrain | undefined)[],
+  lighter?: Uint8Array[],
+): Uint8Array[] {
+  const added = strokes.filter((stroke) => stroke.tone === tone);
+  return Array.from({ length: request.levels }, (_, level) => {
+    const size = request.size >> level;
+    const image = lighter ? lighter[level].slice() : new Uint8Array(size * size).fill(255);
+    for (const stroke of added) if (stroke.level >= level) rasterizeStroke(image, size, stroke, grains[level]);
+    return image;
+  });
+}

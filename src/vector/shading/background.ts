@@ -1,0 +1,66 @@
+/** The field of ruled lines behind a subject, as shaders/background/background.frag has it. On the sheet, from its lower left corner, y up. */
+import { BACKGROUND_CONSTANTS } from '../../look/constants/backgroundConstants.js';
+import { LOT_FACTORS } from '../../look/constants/lotConstants.js';
+import { smoothstep } from '../../look/vectors.js';
+
+const { RAGGED, THINNING, RIM } = BACKGROUND_CONSTANTS;
+const { GOLDEN_RATIO, SECOND_FACTOR } = LOT_FACTORS;
+
+type Pair = readonly [number, number];
+
+/** The field. Lengths in pixels. */
+export interface BackgroundField {
+  /** The share of the paper that lines cover in the middle, and how much the light changes it. */
+  tone: number;
+  contrast: number;
+  spacing: number;
+  /** The cosine and sine of the angle of the lines. */
+  direction: Pair;
+  /** How far it reaches, by the size of the subject. */
+  extent: number;
+  /** Width and height of the sheet. */
+  sheet: Pair;
+  /** The middle of the subject on the sheet, and half of its size. */
+  centre: Pair;
+  half: Pair;
+  /** Towards the light on the sheet, of length 1 where it comes from the side. */
+  lit: Pair;
+}
+
+/** A random number in [0, 1) of an end of a line. */
+function lotOf(line: number, end: number): number {
+  let spread = Math.imul(2 * line + end, GOLDEN_RATIO);
+  spread ^= spread >>> 15;
+  return (Math.imul(spread, SECOND_FACTOR) >>> 8) / 16777216;
+}
+
+/** The number of the line that is nearest to a place on the sheet. */
+export function lineAt({ centre, direction, spacing }: BackgroundField, [x, y]: Pair): number {
+  const [dx, dy] = [x - centre[0], y - centre[1]];
+  return Math.floor((dy * direction[0] - dx * direction[1]) / spacing);
+}
+
+/** The place on a line so far along it, from the middle of the subject. */
+export function placeOnLine({ centre, direction, spacing }: BackgroundField, line: number, along: number): Pair {
+  const across = (line + 0.5) * spacing;
+  return [
+    centre[0] + along * direction[0] - across * direction[1],
+    centre[1] + along * direction[1] + across * direction[0],
+  ];
+}
+
+/** The width of a line at a place of the sheet; 0 where it has ended. */
+export function lineWidth(field: BackgroundField, line: number, [x, y]: Pair): number {
+  const { tone, contrast, spacing, direction, extent, sheet, centre, half, lit } = field;
+  const [dx, dy] = [x - centre[0], y - centre[1]];
+  const along = dx * direction[0] + dy * direction[1];
+  const bySize: Pair = [dx / half[0], dy / half[1]];
+  const rim = Math.max(Math.abs((2 * x) / sheet[0] - 1), Math.abs((2 * y) / sheet[1] - 1)) / RIM;
+  const way = Math.max(Math.hypot(...bySize) / extent, rim);
+  // The two ends of a line have nothing in common, so in its middle neither counts.
+  const ragged = RAGGED * Math.min((2 * Math.abs(along)) / (extent * Math.max(...half)), 1);
+  const end = ragged * (lotOf(line, along >= 0 ? 1 : 0) - 0.5);
+  const left = 1 - smoothstep(1 - THINNING, 1, way + end);
+  const side = Math.min(Math.max(lit[0] * bySize[0] + lit[1] * bySize[1], -1), 1);
+  return spacing * left * Math.min(tone * (1 + contrast * side), 1);
+}

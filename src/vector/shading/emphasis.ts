@@ -1,0 +1,66 @@
+/** How much weight a drawing has where, as emphasis.glsl has it: 1 as usual, 0 none. */
+import { EMPHASIS_CONSTANTS } from '../../look/constants/emphasisConstants.js';
+import { clamp01, combined, dot, lengthOf, smoothstep, type Vec3 } from '../../look/vectors.js';
+
+const { AIR, FRONT_GAIN, FOCUS_END, VIGNETTE_START, UNEVEN } = EMPHASIS_CONSTANTS;
+
+/** What takes weight away from an object. */
+export interface Emphasis {
+  /** The depths from which and up to which it fades, world units, and how strongly. */
+  depthFading: readonly [from: number, to: number, strength: number];
+  /** The point in focus, world space, and its radius; null without one. */
+  focus: { at: Vec3; radius: number } | null;
+  /** How much falls off towards the rim of the sheet, from 0 to 1. */
+  vignette: number;
+  /** The lower left corner of the sheet and its size, in widths and heights of the picture: of a picture that is a part of a larger one. */
+  sheet: readonly [x: number, y: number, width: number, height: number];
+  /** How much the object matters, from 0 to 1. */
+  importance: number;
+}
+
+/** A place that is drawn. */
+export interface EmphasisedPlace {
+  world: Vec3;
+  /** Before the camera, along its axis. */
+  depth: number;
+  /** On the picture, from its lower left corner, in widths and heights of it. */
+  onPicture: readonly [number, number];
+}
+
+function airBefore(depth: number, [from, to, strength]: Emphasis['depthFading']): number {
+  if (strength === 0) return 0;
+  return (1 - Math.exp(-AIR * clamp01((depth - from) / (to - from)))) / (1 - Math.exp(-AIR));
+}
+
+/** An edge that is left open by hand, within ±UNEVEN. The numbers mean nothing. */
+function uneven(p: Vec3): number {
+  const a = Math.sin(dot(p, [4.3, 3.1, -3.7]) + 1.6 * Math.sin(dot(p, [-2.9, 5.3, 4.1])));
+  const b = Math.sin(dot(p, [-11, 13, 9]) + 1.3 * Math.sin(dot(p, [7, -5, 6])) + 2);
+  return UNEVEN * (0.65 * a + 0.35 * b);
+}
+
+function inFocus(world: Vec3, focus: Emphasis['focus']): number {
+  if (focus === null) return 1;
+  const away = combined(1 / focus.radius, world, -1 / focus.radius, focus.at);
+  return 1 - smoothstep(1, FOCUS_END, lengthOf(away) * (1 + uneven(away)));
+}
+
+function onSheet([x, y]: readonly [number, number], { vignette, sheet }: Emphasis): number {
+  if (vignette === 0) return 1;
+  const away: Vec3 = [(2 * (x - sheet[0])) / sheet[2] - 1, (2 * (y - sheet[1])) / sheet[3] - 1, 0];
+  const wavering = 1 + uneven(combined(2, away, 0, away));
+  return 1 - vignette * smoothstep(VIGNETTE_START, 1, lengthOf(away) * wavering);
+}
+
+/** A factor on the tone. */
+export function emphasisAt(emphasis: Emphasis, { world, depth, onPicture }: EmphasisedPlace): number {
+  const { importance, focus, depthFading } = emphasis;
+  const inAir = 1 - depthFading[2] * airBefore(depth, depthFading);
+  return importance * inFocus(world, focus) * onSheet(onPicture, emphasis) * inAir;
+}
+
+/** A factor on the width of outlines, up to 1.4. */
+export function outlineEmphasisAt(emphasis: Emphasis, place: EmphasisedPlace): number {
+  const { depthFading } = emphasis;
+  return emphasisAt(emphasis, place) * (1 + FRONT_GAIN * depthFading[2] * (1 - airBefore(place.depth, depthFading)));
+}

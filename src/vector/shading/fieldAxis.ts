@@ -1,0 +1,47 @@
+/** The function that lines are level sets of, as shaders/techniques/engraved/fieldAxis.glsl has it. */
+import { FIELD_CONSTANTS } from '../../look/constants/fieldConstants.js';
+import { combined, cross, dot, lengthOf, normalize, type Vec3 } from '../../look/vectors.js';
+
+/** The distance along an axis, or from a lamp. */
+export interface Field {
+  /** The gradient at the origin, unit. */
+  axis: Vec3;
+  /** One over the distance of the lamp it counts from, per tile; 0 for planes across the axis. */
+  bend: number;
+}
+
+/** What cuts the lines. */
+export type CutField = 'light' | 'towards' | 'x' | 'y' | 'z' | 'slant';
+
+const { SLANT, UPRIGHT } = FIELD_CONSTANTS;
+
+const AXES: Readonly<Record<'x' | 'y' | 'z' | 'slant', Vec3>> = {
+  x: [1, 0, 0],
+  y: [0, 1, 0],
+  z: [0, 0, 1],
+  slant: SLANT,
+};
+
+/** Any unit vector across another, the same for neighbours of it. */
+export const across = (axis: Vec3): Vec3 => normalize(cross(axis, Math.abs(axis[1]) < UPRIGHT ? [0, 1, 0] : [0, 0, 1]));
+
+/**
+ * The field of the first family.
+ *
+ * @param light as `fieldLight` gives it
+ * @param rotation of strokes from the tangent to the light, radians
+ */
+export function firstField(lineField: CutField, { axis, bend }: Field, rotation: number): Field {
+  const [cosine, sine] = [Math.cos(rotation), Math.sin(rotation)];
+  if (lineField === 'light') return { axis: combined(cosine, axis, sine, across(axis)), bend: cosine * bend };
+  if (lineField === 'towards') return { axis: combined(cosine, across(axis), -sine, axis), bend: -sine * bend };
+  return { axis: AXES[lineField], bend: 0 };
+}
+
+/** The value of a field at a point, 0 at the origin, and its gradient there, unit. The point is in field space, tiles. */
+export function fieldAt({ axis, bend }: Field, point: Vec3): { value: number; gradient: Vec3 } {
+  const toLamp = combined(1, axis, -bend, point);
+  const far = Math.max(lengthOf(toLamp), 1e-6);
+  const sum = combined(1, axis, 1, toLamp);
+  return { value: dot(point, sum) / (1 + far), gradient: combined(1 / far, toLamp, 0, toLamp) };
+}

@@ -1,0 +1,14 @@
+import { arriving, type Lamp } from './radiance.js';
+import type { Sky } from '../../look/surroundings.js';
+import { combined, type Vec3 } from '../../look/vectors.js';
+
+/** The direction that the light comes from at a place in the world, as outlines are shaded by it: the mean of all lights, of any length. */
+export function meanLightAt(place: Vec3, lamps: readonly Lamp[], skies: readonly Sky[]): Vec3 {
+  let sum: Vec3 = [0, 0, 0];
+  for (const lamp of lamps) {
+    const { direction, luminance } = arriving(lamp, place);
+    sum = combined(1, sum, luminance, direction);
+  }
+  for (const { up, difference } of skies) sum = combined(1, sum, difference, up);
+  return sum;
+}

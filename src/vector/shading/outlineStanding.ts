@@ -1,0 +1,42 @@
+/** How an outline stands before what lies behind it, as shaders/outlines/hierarchy.glsl has it: how much of that is paper, and of an accent. */
+import { ACCENT_STEPS, OUTLINE_CONSTANTS } from '../../look/constants/outlineConstants.js';
+import { paperness } from './outlines.js';
+import { smoothstep } from '../../look/vectors.js';
+
+const { ACCENT_REACH, LEAST_JUMP, FULL_JUMP } = OUTLINE_CONSTANTS;
+
+/** How far apart the steps lie, in the unit of the width. */
+export const strideOf = (outlineWidth: number): number => (ACCENT_REACH * outlineWidth) / ACCENT_STEPS;
+
+export interface Standing {
+  /** The share of paper in what lies behind. */
+  paper: number;
+  /** 1 where another outline begins, 0 where none is near. */
+  accent: number;
+}
+
+/**
+ * The standing at a place. Along the outline, the weight changes gradually where what lies behind it does, and an accent grows towards that
+ * place.
+ *
+ * @param here how far behind the outline the surface beside it lies, in heights of the view, up to 1
+ * @param gapAt the same so many steps along the outline, to either side; undefined beyond the picture
+ */
+export function standingAt(here: number, gapAt: (step: number) => number | undefined): Standing {
+  let paper = paperness(here);
+  let sum = 1;
+  let accent = 0;
+  for (const side of [-1, 1]) {
+    let last = here;
+    for (let i = 1; i <= ACCENT_STEPS; i++) {
+      const gap = gapAt(side * i);
+      if (gap === undefined || Math.min(gap, last) < LEAST_JUMP) break;
+      const nearness = 1 - (i - 0.5) / ACCENT_STEPS;
+      accent = Math.max(accent, nearness * smoothstep(LEAST_JUMP, FULL_JUMP, Math.abs(gap - last)));
+      paper += nearness * paperness(gap);
+      sum += nearness;
+      last = gap;
+    }
+  }
+  return { paper: paper / sum, accent };
+}

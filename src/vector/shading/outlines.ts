@@ -1,0 +1,118 @@
+/** Contours and feature edges, as shaders/outlines has them. */
+import { OUTLINE_CONSTANTS } from '../../look/constants/outlineConstants.js';
+import { clamp01, combined, cross, dot, lengthOf, mix, normalize, smoothstep, type Vec3 } from '../../look/vectors.js';
+
+const { LIT, SHADED, INSIDE, LOST_RANGE, LOST_TAPER, LOST_WEIGHT, LIFT_SHARE, MOST_RISE, EDGE_SLOPE } =
+  OUTLINE_CONSTANTS;
+const { BEGINS_AS_PAPER, IS_PAPER } = OUTLINE_CONSTANTS;
+const { STRAY_ACROSS, ACROSS_BENT, ACROSS_BEND, STRAY_UP, UP_BENT, UP_BEND, UP_PHASE } = OUTLINE_CONSTANTS;
+const { LOOKED_BESIDE, ROUNDING, STRAY_FINELY, FINE_PHASE, STRAY_SHARES } = OUTLINE_CONSTANTS;
+
+/** Weight of a contour by the bend of the surface along the line of sight: it ends in a cusp, and the pen lifts there. */
+export const taperAt = (bend: number, taper: number): number =>
+  taper > 0 ? smoothstep(0, taper, bend) : Number(bend >= 0);
+
+/**
+ * The part of an edge, as shares from start to end, on which one side faces the eye and the other does not; null if there is none.
+ *
+ * @param left and `right`: n·v of the two sides at the start and at the end
+ */
+export function contourAlong(
+  left: readonly [number, number],
+  right: readonly [number, number],
+): readonly [number, number] | null {
+  const startsOn = left[0] * right[0] < 0;
+  const endsOn = left[1] * right[1] < 0;
+  const turnOf = (side: readonly [number, number]) => (side[0] * side[1] < 0 ? side[0] / (side[0] - side[1]) : -1);
+  const [leftTurn, rightTurn] = [turnOf(left), turnOf(right)];
+  if (startsOn && endsOn) return [0, 1];
+  const turn = Math.max(leftTurn, rightTurn);
+  if (startsOn) return 0 < turn ? [0, turn] : null;
+  if (endsOn) return turn < 1 ? [turn, 1] : null;
+  const least = Math.min(leftTurn, rightTurn);
+  return least >= 0 && least < turn ? [least, turn] : null;
+}
+
+/** The light, the eye and how outlines answer to them. Directions are unit, or without length where there is none. */
+export interface OutlineLight {
+  light: Vec3;
+  sight: Vec3;
+  shadeWeights: readonly [lit: number, shaded: number];
+  lostEdges: number;
+}
+
+/**
+ * A factor on the weight of an outline, and another one for what lies before the paper: what is left of it where edges are lost.
+ *
+ * @param normal unit, in the space of the directions
+ * @param contour the share of the piece that is a contour or a border
+ */
+export function shadeWeight(
+  normal: Vec3,
+  contour: number,
+  { light, sight, shadeWeights, lostEdges }: OutlineLight,
+): readonly [weight: number, left: number] {
+  const weight = mix(shadeWeights[0], shadeWeights[1], smoothstep(LIT, SHADED, 0.5 - 0.5 * dot(normal, light)));
+  const inside = dot(normalize(combined(1, normal, INSIDE, sight)), light);
+  const from = 1 - LOST_RANGE * lostEdges;
+  const taper = LOST_TAPER[0] + LOST_TAPER[1] * lostEdges;
+  const lost = LOST_WEIGHT[0] + LOST_WEIGHT[1] * lostEdges;
+  return [weight, 1 - contour * lost * smoothstep(from, from + taper, inside)];
+}
+
+/** A piece of an outline, as far as its visibility goes. Lengths in world units. */
+export interface LiftedPiece {
+  isSmooth: boolean;
+  /** Curvature along the line of sight times the bounding radius. */
+  bend: number;
+  /** How deep the surface beside the piece is along the line of sight. */
+  extent: number;
+  /** How much of that may lie before the piece, though the piece is to be seen. */
+  ownCover: number;
+  /** An edge whose two sides rise from it. */
+  isValley: boolean;
+}
+
+/** How far an outline is moved towards the eye, so that its own surface does not hide it. radius: of the bounding sphere. */
+export function liftOf({ isSmooth, bend, extent }: LiftedPiece, halfWidth: number, radius: number): number {
+  const own = LIFT_SHARE * radius + extent;
+  if (!isSmooth) return own + 2 * EDGE_SLOPE * halfWidth;
+  const rise = Math.sqrt((2 * halfWidth * radius) / Math.max(bend, 1e-3));
+  return own + 2 * halfWidth + Math.min(rise, MOST_RISE * radius);
+}
+
+/** How far the surface may lie before its own outline, beside it. pixel: its size; radius: of the bounding sphere. */
+export const toleranceOf = ({ ownCover, isValley }: LiftedPiece, pixel: number, radius: number): number =>
+  ROUNDING * radius + ownCover + (isValley ? LOOKED_BESIDE * EDGE_SLOPE * pixel : 0);
+
+/** Whether what lies so far behind an outline, as a share of the height of the view, is as good as paper. */
+export const paperness = (gap: number): number => smoothstep(BEGINS_AS_PAPER, IS_PAPER, clamp01(gap));
+
+/** The unsteadiness of a hand: a slow shift on the screen that belongs to the place on the object. anchor: over the bounding radius. */
+export function wobbleAt(p: Vec3, wobble: number): readonly [number, number] {
+  const a = Math.sin(dot(p, STRAY_ACROSS) + ACROSS_BEND * Math.sin(dot(p, ACROSS_BENT)));
+  const b = Math.sin(dot(p, STRAY_UP) + UP_BEND * Math.sin(dot(p, UP_BENT)) + UP_PHASE);
+  const c = Math.sin(dot(p, STRAY_FINELY) + FINE_PHASE);
+  const [long, short] = STRAY_SHARES;
+  return [wobble * (long * a + short * c), wobble * (long * b - short * c)];
+}
+
+/** Whether a triangle looks another way than its normals say, so that its neighbours hide it where the smooth surface is seen. */
+export function looksAway(
+  corners: readonly [Vec3, Vec3, Vec3],
+  normals: readonly [Vec3, Vec3, Vec3],
+  toEye: Vec3,
+): boolean {
+  const flat = cross(combined(1, corners[1], -1, corners[0]), combined(1, corners[2], -1, corners[0]));
+  const smooth = combined(1, combined(1, normals[0], 1, normals[1]), 1, normals[2]);
+  return dot(flat, toEye) * dot(flat, smooth) <= 0;
+}
+
+/** How deep a triangle is across a piece of contour on it, along the line of sight. */
+export function depthAcross(corners: readonly [Vec3, Vec3, Vec3], start: Vec3, end: Vec3, toEye: Vec3): number {
+  const v = normalize(toEye);
+  const along = normalize(combined(1, end, -1, start));
+  const sideways = combined(1, v, -dot(v, along), along);
+  const depths = corners.map((corner) => dot(combined(1, corner, -1, corners[0]), sideways));
+  return lengthOf(sideways) === 0 ? 0 : Math.max(...depths) - Math.min(...depths);
+}

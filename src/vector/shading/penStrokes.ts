@@ -1,0 +1,173 @@
+/**
+ * Lines that a pen draws in strokes, as shaders/techniques/engraved/penStrokes.glsl has it. Each begins thin, swells and is lifted again. Light
+ * tones have fewer strokes, of the width of the nib.
+ */
+
+import { LOT_FACTORS } from '../../look/constants/lotConstants.js';
+import { PEN_CONSTANTS } from '../../look/constants/penConstants.js';
+import { bitsOf, lotOf, turnOf } from './hand.js';
+import { type Along, differing, numberOf } from './strokeLengths.js';
+import { clamp01, mix } from '../../look/vectors.js';
+
+const {
+  ALL_FROM,
+  STROKE_GROWTH,
+  SHORTENING,
+  SHORTENING_OF_INK,
+  NIB,
+  CLOSED_FROM,
+  LATENESS,
+  LATE_LOT,
+  BIRTH,
+  STROKE_GAP,
+  TAPER,
+  LEANING,
+  BENDING,
+  WIDTH_SPREAD,
+} = PEN_CONSTANTS;
+const { GAP_LOT, BIRTH_LOT, WIDTH_LOT, AXIS_LOT, AXIS_TURN } = PEN_CONSTANTS;
+const { GOLDEN_RATIO, THIRD_FACTOR, THUE_MORSE } = LOT_FACTORS;
+
+/** What a line loses to the gaps and the ends of its strokes where they are farthest apart. */
+const LOST = 0.5 * STROKE_GAP + TAPER / 3;
+
+/** What a pen does at a place, on all lines. */
+export interface Pen {
+  along: Along;
+  tone: number;
+  /** How far strokes are apart at their ends. */
+  open: number;
+  /** The tone from which on all strokes are there. */
+  allFrom: number;
+  /** Of a stroke in its middle, as a share of the room of a line. */
+  width: number;
+  /** From 0, a ruling machine, to 1. */
+  handmade: number;
+  /** As `numberOf` has it. */
+  repeat: number;
+}
+
+/** The integral of the ink of a stroke that grows: a ramp from 0 to 1, and less where it is short. */
+function rampSum(x: number): number {
+  const grown = Math.min(x / STROKE_GROWTH, 1);
+  const sum = grown * grown * (0.5 - SHORTENING_OF_INK * (0.5 - grown / 3));
+  return STROKE_GROWTH * sum + Math.max(x - STROKE_GROWTH, 0);
+}
+
+/** The share of strokes that are there. */
+const thereAt = (tone: number, allFrom: number): number =>
+  (rampSum(tone) - rampSum(Math.max(tone - allFrom, 0))) / allFrom;
+
+/** octave: of the distance between lines. */
+export function penFor(tone: number, along: Along, handmade: number, repeat: number, octave: number): Pen {
+  const allFrom = ALL_FROM * differing(octave, repeat);
+  const open = Math.max(1 - tone / CLOSED_FROM, 0) ** 2;
+  const width = tone / Math.max(thereAt(tone, allFrom) * (1 - LOST * open), 1e-4);
+  return { along, tone, open, allFrom, width: tone < allFrom ? Math.min(width, NIB) : width, handmade, repeat };
+}
+
+/** The share of its length that strokes of one width cover of a line in the mean: they do not narrow, but have their gaps. */
+export const drawnShare = ({ tone, open, allFrom }: Pen): number =>
+  Math.max(thereAt(tone, allFrom) * (1 - 0.5 * STROKE_GAP * open), 1e-4);
+
+/** The lot below which strokes have been born where so large a share of them is, each over a part BIRTH of all lots. */
+function bornBelow(share: number): number {
+  if (share < 0.5 * BIRTH) return Math.sqrt(2 * BIRTH * share);
+  return share < 1 - 0.5 * BIRTH ? share + 0.5 * BIRTH : 1 + BIRTH - Math.sqrt(2 * BIRTH * Math.max(1 - share, 0));
+}
+
+/** Random bits that the lots of the strokes on a line begin with. */
+function bitsOfLine(line: number): number {
+  const word = bitsOf(line);
+  const spread = Math.imul(word ^ (word >>> 12), GOLDEN_RATIO);
+  return Math.imul(spread ^ (spread >>> 13), THIRD_FACTOR);
+}
+
+/** A number in [0, 1) that belongs to a stroke, and is far from those of its neighbours on the line. */
+const lotOfStroke = (bits: number, stroke: number): number => ((bits + Math.imul(stroke, THUE_MORSE)) >>> 8) / 16777216;
+
+const fract = (x: number): number => x - Math.floor(x);
+
+/** A stroke where it passes a place. */
+export interface Stroke {
+  /** As a share of the room that an old line has, and the share of it that a stroke of one width has there: 0 in gaps, 1 within. */
+  width: number;
+  presence: number;
+  /** How far it strays from its line towards higher values, in distances between lines. */
+  astray: number;
+}
+
+/** A line where its strokes are looked for. */
+interface PennedLine {
+  lot: number;
+  /** 0, a third or two thirds, in turn. */
+  turn: number;
+  bits: number;
+  /** −1 or 1, in which direction its strokes stray. */
+  sign: number;
+}
+
+/** How late a stroke begins, as a share of the mean length. */
+const latenessOf = (chance: number): number => LATENESS * fract(LATE_LOT * chance);
+
+/** place: in lengths of strokes. born: the lot below which strokes are born. */
+function strokeOn(
+  { tone, open, allFrom, width, handmade }: Pen,
+  born: number,
+  place: number,
+  line: PennedLine,
+): Stroke {
+  const along = place + line.lot;
+  // Strokes begin late by chance, and so differ in length: the ends of neighbours would otherwise lie in rows across the lines.
+  let stroke = Math.floor(along);
+  if (along < stroke + latenessOf(lotOfStroke(line.bits, stroke))) stroke--;
+  const chance = lotOfStroke(line.bits, stroke);
+  const late = latenessOf(chance);
+  const size = 1 + latenessOf(lotOfStroke(line.bits, stroke + 1)) - late;
+  // From −1 at one end to 1 at the other.
+  const way = (2 * (along - stroke - late)) / size - 1;
+  // What differs from stroke to stroke is spread evenly over a surface. Of three neighbouring lines the first strokes lie on one.
+  const even = lotOfStroke(line.lot * 2 ** 32, stroke);
+  let there = clamp01((tone - allFrom * fract(line.turn + even / 3)) / STROKE_GROWTH);
+  const gap = fract(GAP_LOT * even);
+  const inside = 1 - Math.abs(way) - open * STROKE_GAP * gap - SHORTENING * (1 - there);
+  const taper = open * TAPER;
+  const rest = clamp01((taper - inside) / Math.max(taper, 1e-3));
+  there *= clamp01((born - fract(BIRTH_LOT * even)) / BIRTH);
+  const spread = 1 + handmade * WIDTH_SPREAD * open * (fract(WIDTH_LOT * even) - 0.5);
+  const astray = LEANING * (gap - 0.5) * way + BENDING * (chance - 0.5) * (0.5 - way * way);
+  return {
+    width: width * there * spread * (1 - rest * rest),
+    presence: Math.min(there, clamp01(0.5 + 20 * inside)),
+    astray: handmade * open * line.sign * astray,
+  };
+}
+
+const mixed = (a: Stroke, b: Stroke, t: number): Stroke => ({
+  width: mix(a.width, b.width, t),
+  presence: mix(a.presence, b.presence, t),
+  astray: mix(a.astray, b.astray, t),
+});
+
+/**
+ * The stroke on a line at the place.
+ *
+ * @param share of the room of an old line that the line has: younger ones have thinner strokes, and fewer where the tone is light
+ */
+export function strokeAt(pen: Pen, share: number, line: number): Stroke {
+  // As wide as the old ones, they would fill the room between them. In the dark a stroke that is not there would be a hole.
+  const there = mix(1, Math.sqrt(Math.max(share, 0)), Math.sqrt(pen.open));
+  const born = bornBelow(there);
+  const { places, period, longer, share: firstOfAll } = pen.along;
+  const number = numberOf(line, pen.repeat);
+  const size = Math.abs(number);
+  const penned: PennedLine = { lot: lotOf(size), turn: turnOf(size), bits: bitsOfLine(size), sign: Math.sign(number) };
+  // Lines go over from one axis to the other one after another.
+  const first = clamp01(((1 + AXIS_TURN) * firstOfAll - fract(AXIS_LOT * penned.lot)) / AXIS_TURN);
+  const alongAxis = (place: number): Stroke => {
+    const stroke = strokeOn(pen, born, place / period, penned);
+    return longer > 0 ? mixed(stroke, strokeOn(pen, born, place / (2 * period), penned), longer) : stroke;
+  };
+  const stroke = mixed(alongAxis(places[1]), alongAxis(places[0]), first);
+  return { ...stroke, width: (share / Math.max(there, 1e-4)) * stroke.width };
+}

@@ -1,0 +1,35 @@
+/** Lines that follow the form, at a place, as readForm.glsl has them: level sets of two functions that were baked into the vertices. */
+import { FORM_CONSTANTS } from '../../look/constants/formConstants.js';
+import { handPoint, handPressure, slowWaves } from './hand.js';
+import { combined, dot, type Vec3 } from '../../look/vectors.js';
+
+const { WIDTH_WAVE } = FORM_CONSTANTS;
+export const { COARSEST_OCTAVES } = FORM_CONSTANTS;
+
+/** A function at a vertex: its gradient per tile, field space, and its value less half of what the gradient makes of the place. */
+export interface FormAt {
+  gradient: Vec3;
+  rest: number;
+}
+
+/** The function as shaders interpolate it. place: field space, tiles. */
+export const formVarying = (gradient: Vec3, value: number, place: Vec3): FormAt => ({
+  gradient,
+  rest: value - 0.5 * dot(gradient, place),
+});
+
+/** The value of a function at a place, where the hand puts it; and how the hand presses there. isInk: whether lines are drawn in one go. */
+export function readForm(
+  { gradient, rest }: FormAt,
+  place: Vec3,
+  handmade: number,
+  isInk: boolean,
+): { value: number; pressure: number } {
+  const waves = slowWaves(place);
+  const stray = handPoint([0, 0, 0], waves, handmade);
+  return {
+    value: rest + dot(gradient, combined(0.5, place, 1, stray)),
+    // Strokes and cuts differ by themselves.
+    pressure: handPressure(waves, handmade) + (isInk ? handmade * WIDTH_WAVE * waves[2] : 0),
+  };
+}

@@ -1,0 +1,144 @@
+/** Dots that lie in the surface and are round on the screen, as shaders/techniques/anchored/stipple.glsl and dots.glsl have it. */
+
+import { STIPPLE_CONSTANTS } from '../../look/constants/stippleConstants.js';
+import { TONE_CONSTANTS } from '../../look/constants/toneConstants.js';
+import { leftOf, THIRD_FROM, takenOf } from './crossedTones.js';
+import type { ScreenMap } from './screenGradient.js';
+import { clamp01, combined, cross, dot, lengthOf, normalize, type Vec3 } from '../../look/vectors.js';
+
+const { LEAST_PULL, PLANE_FADE, LEAST_SHARE, LEAST_ROUND, CLOSING, SET_SHIFT } = STIPPLE_CONSTANTS;
+const { DOTS_PER_TILE, DOT_SHARE, CROWDING, LEAST_DENSE_SHARE } = STIPPLE_CONSTANTS;
+const { DOT_GROWTH, OVERLAP, OVERLAP_WITHIN, LEAST_BLANK } = STIPPLE_CONSTANTS;
+
+/** A plane that has dots at a place. */
+export interface DotPlane {
+  /** Across it, unit, and two axes in it. Object space. */
+  axis: Vec3;
+  u: Vec3;
+  v: Vec3;
+  /** The share of the dots that it has. */
+  share: number;
+}
+
+/** Half way from the surface to the viewer, and nearer to the viewer where the surface leans away. front, toViewer: unit. */
+export const directionOfNeedles = (front: Vec3, toViewer: Vec3): Vec3 =>
+  normalize(combined(Math.max(dot(front, toViewer), LEAST_PULL), front, 1, toViewer));
+
+/** Any tangent of a unit vector, the same for the same one. */
+const anyTangent = ([x, y, z]: Vec3): Vec3 => normalize(Math.abs(x) > Math.abs(z) ? [-y, x, 0] : [0, -z, y]);
+
+/** The planes next to a direction: across the axes of a cube through its faces, edges and corners. */
+export function planesNear(direction: Vec3): DotPlane[] {
+  const size = direction.map(Math.abs);
+  const order = [0, 1, 2].toSorted((a, b) => size[b] - size[a]);
+  const axes = [1, 2, 3].map((count): Vec3 => {
+    const [x, y, z] = [0, 1, 2].map((k) => (order.indexOf(k) < count ? (direction[k] < 0 ? -1 : 1) : 0));
+    return normalize([x, y, z]);
+  });
+  const cosines = axes.map((axis) => dot(axis, direction));
+  const best = Math.max(...cosines);
+  const weights = cosines.map((cosine) => clamp01(1 + (cosine - best) / PLANE_FADE) ** 2);
+  const sum = weights[0] + weights[1] + weights[2];
+  const planes: DotPlane[] = [];
+  for (const [i, axis] of axes.entries()) {
+    const share = weights[i] / sum;
+    if (share < LEAST_SHARE) continue;
+    const u = anyTangent(axis);
+    planes.push({ axis, u, v: cross(axis, u), share });
+  }
+  return planes;
+}
+
+/** The tangent plane, leaning away no further than dots stay round. */
+export function roundScreenMap(map: ScreenMap, unitsPerPixel: number): ScreenMap {
+  const toViewer: Vec3 = [map.centre[0], map.centre[1], 1];
+  const facing = dot(map.normal, toViewer);
+  const least = LEAST_ROUND * lengthOf(map.normal);
+  const lacking = Math.max(least - facing, 0);
+  const normal = combined(1, map.normal, lacking / dot(toViewer, toViewer), toViewer);
+  return { ...map, normal, scale: unitsPerPixel / Math.max(facing, least, 1e-30) };
+}
+
+/** What dots cover at a tone: the tone itself in the lights, and more in the darks, which end solid. */
+export function coverOf(tone: number): number {
+  const way = clamp01((tone - CLOSING[0]) / (CLOSING[1] - CLOSING[0]));
+  return Math.min(tone + (1 - CLOSING[1]) * way * way, 1);
+}
+
+/** What a plane's dots cover alone, so that all planes printed over one another cover as much. */
+export const ownCover = (cover: number, share: number): number => 1 - (1 - cover) ** share;
+
+/** How large dots are asked to be. */
+export interface DotSize {
+  /** The diameter at half tone, pixels. */
+  dotPixels: number;
+  tilesPerUnit: number;
+  /** 0: spaced on the object, 1: on the screen. */
+  sizedOnScreen: number;
+}
+
+/**
+ * Cells of the set per object unit, as a logarithm to base 2.
+ *
+ * @param pixelArea object units² per pixel, above 0
+ * @param own what the dots of the plane cover
+ */
+export function dotOctave(pixelArea: number, own: number, { dotPixels, tilesPerUnit, sizedOnScreen }: DotSize): number {
+  const onObject = Math.log2(tilesPerUnit * DOTS_PER_TILE);
+  const onScreen = -0.5 * Math.log2(Math.max(pixelArea, 1e-30)) - Math.log2(dotPixels / DOT_SHARE);
+  const least = Math.min(onObject, onScreen);
+  const crowding = 0.5 * CROWDING * Math.log2(-Math.log2(1 - Math.max(own, LEAST_DENSE_SHARE)));
+  return least + sizedOnScreen * (onScreen - least) + crowding;
+}
+
+/** How many layers of dots there are, and how far they lie apart. */
+export interface DotLayers {
+  /** The distance between anchors, object units. */
+  shift: number;
+  /** Tone from which on a second layer takes a share, and a third; null where there is one. */
+  crossFrom: number | null;
+}
+
+/** What each layer of dots prints of a tone; printed over one another they give it again. */
+export function layerTones(tone: number, { crossFrom }: DotLayers): readonly number[] {
+  if (crossFrom === null) return [tone];
+  const first = takenOf(tone, crossFrom);
+  const others = leftOf(tone, first);
+  const second = takenOf(others, THIRD_FROM);
+  return [first, second, leftOf(others, second)];
+}
+
+/** Where a place lies in the set of a layer. Object space. */
+export const inLayer = (place: Vec3, layer: number, { shift }: DotLayers): Vec3 =>
+  combined(1, place, layer * shift, TONE_CONSTANTS.LAYER_SHIFT);
+
+/** How far the set lies from the origin of a plane, object units along both of its axes. */
+export const setShift = (axis: Vec3, tilesPerUnit: number): readonly [number, number] => [
+  dot(axis, SET_SHIFT) / tilesPerUnit,
+  dot(axis, [SET_SHIFT[1], SET_SHIFT[2], SET_SHIFT[0]]) / tilesPerUnit,
+];
+
+/** The mean area of dots that are born during an octave, at a place in it, as a share of their full one. */
+function grownShare(octave: number): number {
+  const covered = (t: number): number => (t < DOT_GROWTH ? (0.5 * t * t) / DOT_GROWTH : t - 0.5 * DOT_GROWTH);
+  return (covered(Math.max(octave, 0)) - covered(Math.max(octave + DOT_GROWTH - 1, 0))) / (1 - DOT_GROWTH);
+}
+
+/** The area of a dot at a place in an octave, as a share of its full one. born: 0 for dots of the octave before. */
+export const grownBy = (octave: number, born: number): number =>
+  born === 0 ? 1 : clamp01((octave - born * (1 - DOT_GROWTH)) / DOT_GROWTH);
+
+/** The area of all discs that together cover a share of the whole, as a share of it. */
+function discArea(covered: number, octave: number): number {
+  const beyond = Math.max(covered - 0.5, 0);
+  const overlap = OVERLAP + OVERLAP_WITHIN * octave * (1 - octave) ** 2;
+  return covered + (overlap * beyond * beyond) / Math.sqrt(Math.max(1 - covered, LEAST_BLANK));
+}
+
+/** The area of a dot that is full-grown, pixels. octave: of the cells. */
+export function dotArea(pixelArea: number, own: number, octave: number): number {
+  const into = octave - Math.floor(octave);
+  const cells = 2 ** (Math.floor(octave) + 1);
+  // A quarter of the cells had their dots before this octave.
+  return discArea(own, into) / (Math.max(pixelArea, 1e-20) * cells * cells * (0.25 + 0.75 * grownShare(into)));
+}

@@ -1,0 +1,84 @@
+/** From light to the tone that is printed, as tone.glsl, toneCurve.glsl, occlude.glsl and localColor.glsl have it. */
+import { CAVITY } from '../../look/cavity.js';
+import { lightness } from '../../look/lightness.js';
+import { TONE_CONSTANTS } from '../../look/constants/toneConstants.js';
+import { clamp01, mix, smoothstep } from '../../look/vectors.js';
+
+const { HOLLOW } = TONE_CONSTANTS;
+
+/** A curve of points as a sum of cubics, one for each span; of `fitToneCurve`. */
+export interface CurveCubics {
+  start: number;
+  /** Per span where it begins, and 1 / its width. */
+  spans: ArrayLike<number>;
+  /** Per span the coefficients of t, t² and t³. */
+  cubics: ArrayLike<number>;
+}
+
+/** From the tone of the light to the tone that is printed; null is the straight line. */
+export function curvedTone(tone: number, curve: 'perceptual' | CurveCubics | null): number {
+  if (curve === null) return tone;
+  if (curve === 'perceptual') return 1 - lightness(1 - tone);
+  const { start, spans, cubics } = curve;
+  let curved = start;
+  for (let i = 0; 2 * i < spans.length; i++) {
+    const t = clamp01((tone - spans[2 * i]) * spans[2 * i + 1]);
+    curved += t * (cubics[3 * i] + t * (cubics[3 * i + 1] + t * cubics[3 * i + 2]));
+  }
+  return curved;
+}
+
+/** How a surface makes tone of radiance. */
+export interface ToneLook {
+  curve: 'perceptual' | CurveCubics | null;
+  /** Number of bands, or 0 for none. */
+  steps: number;
+  /** What radiance is multiplied by, and what is added. */
+  exposure: readonly [number, number];
+  /** The ramp that tone is multiplied by, so that highlights stay blank: its slope, and its height at tone 0. */
+  highlightRamp: readonly [number, number];
+  /** The tones that are printed where all light arrives, and where none does. */
+  toneEnds: readonly [number, number];
+  /** How much occlusion counts, and how dark hollows are. */
+  occlusion: number;
+  hollowTone: number;
+  /** Of the surface's own colour, as far as it becomes tone. */
+  darkness: number;
+}
+
+const highlightKept = (tone: number, [slope, height]: readonly [number, number]): number =>
+  tone * clamp01(slope * tone + height);
+
+/** The tone of a radiance of a white surface, before colour and hollows. */
+export function toneFromRadiance(radiance: number, { curve, steps, highlightRamp }: ToneLook): number {
+  let tone = 1 - clamp01(radiance);
+  if (steps > 0) {
+    const last = Math.max(steps - 1, 1);
+    tone = Math.floor(tone * last + 0.5) / last;
+  }
+  return highlightKept(clamp01(curvedTone(tone, curve)), highlightRamp);
+}
+
+/** The share of light from all around that a place with so much occlusion sees. */
+export const openToSky = (occluded: number, occlusion: number): number => 1 - occlusion * occluded;
+
+/** The share of light with a direction. */
+export const openToLights = (occluded: number, occlusion: number): number =>
+  1 - occlusion * occluded * smoothstep(0, CAVITY, occluded);
+
+/** The tone that is printed for a radiance at a place with so much occlusion, in [0, 1]. */
+export function shadedTone(radiance: number, occluded: number, look: ToneLook): number {
+  const { exposure, toneEnds, darkness, hollowTone, occlusion } = look;
+  const tone = mix(toneFromRadiance(exposure[0] * radiance + exposure[1], look), toneEnds[1], darkness);
+  const hollowness = hollowTone * occlusion * smoothstep(HOLLOW[0], HOLLOW[1], occluded);
+  // Hollows go to the darkest image, or for chalk to bare paper.
+  return mix(tone, toneEnds[1] >= toneEnds[0] ? 1 : 0, hollowness);
+}
+
+/**
+ * How much darker than white a colour looks, as far as that is to become tone.
+ *
+ * @param luminance of the colour, and `emitted` of what the surface gives off, both in linear light
+ */
+export const localDarkness = (luminance: number, emitted: number, localTone: number, colorExposure: number): number =>
+  localTone * (1 - Math.min(colorExposure * lightness(clamp01(luminance)), 1)) * (1 - clamp01(emitted));

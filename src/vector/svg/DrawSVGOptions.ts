@@ -1,0 +1,158 @@
+import { Color, type ColorRepresentation, type Plane } from 'three';
+import { HIDDEN_OUTLINES, type HiddenOutlines } from '../../look/hiddenOutlines.js';
+import { checkNumber } from '../../material/checkNumber.js';
+import { checkColor } from '../../material/checkValues.js';
+import type { DrawingPlan } from '../DrawnScene.js';
+import { checkOptions } from '../../worker/checkOptions.js';
+import type { TaskOptions } from '../../worker/TaskOptions.js';
+import { isSide, lyingSize, SHEET_WORDS, type SheetName, sheetNamed } from './sheetSizes.js';
+
+/** How long a drawing takes to draw itself. */
+const ANIMATION_SECONDS = 12;
+
+/** Options of `drawSVG`. Lengths are in millimetres. A worker of `createWorker` runs `three-hatching/svg.worker`. */
+export interface DrawSVGOptions extends TaskOptions {
+  /**
+   * `'print'`: filled outlines, whose width is the tone. `'pen'`: lines of one width for a plotter, which make the tone by their number.
+   * Default: `'print'`.
+   */
+  kind?: 'print' | 'pen' | undefined;
+  /**
+   * The sheet: a name, which lies as suits the camera's picture unless `portrait` or `landscape` stands after it; or a size, as `'200x150'`
+   * in millimetres or `'8.5x11in'`; or width and height. Sides are from 1 to 5000 mm. Default: `'A4'`.
+   */
+  sheet?: SheetName | (string & {}) | readonly [width: number, height: number] | undefined;
+  /** What stays blank around the picture, 0 or more. Default: 10. */
+  margin?: number | undefined;
+  /** The width of the pen, above 0, with `kind: 'pen'`. Default: 0.3. */
+  penWidth?: number | undefined;
+  /**
+   * The width of the thinnest line that a press holds, 0 or more, with `kind: 'print'`: lines that would be thinner are dashes of it, which
+   * keep the tone. 0 lets them taper to nothing. Default: 0.05.
+   */
+  leastWidth?: number | undefined;
+  /**
+   * CSS pixels to an inch of the sheet, above 0: what the sizes of materials and outlines become on paper. More makes finer lines. Default:
+   * 96, as CSS has it.
+   */
+  dpi?: number | undefined;
+  /**
+   * Whether lights with `castShadow` cast shadows on meshes with `receiveShadow`: `'soft'` or true, as soft as the light's shadow is on
+   * the canvas; `'hard'`, with one ray in the place of some 25; or false. Default: true.
+   */
+  shadows?: boolean | 'hard' | 'soft' | undefined;
+  /** `'travel'`: a short way of the lifted pen. `'drawn'`: the order in which lines were found. Default: `'travel'`. */
+  order?: 'travel' | 'drawn' | undefined;
+  /**
+   * Outlines and creases behind a surface, in a layer of their own: `'none'`, `'dashed'` or `'faint'`. Default: as each
+   * `HatchingOutlineMaterial` has it.
+   */
+  hidden?: HiddenOutlines | undefined;
+  /**
+   * Seconds, above 0, in which the drawing draws itself on a web page, path by path; true for 12. Whoever asks for less motion sees the
+   * whole at once. Default: false.
+   */
+  animate?: number | boolean | undefined;
+  /** The colour of a rectangle below the drawing; a pen would draw its border. Default: none. */
+  paper?: ColorRepresentation | null | undefined;
+  /**
+   * A picture that lies below the lines, in a layer of its own, as large as what the camera sees: a data URL of a PNG or JPEG, such as of the
+   * canvas, for strokes that cannot leave as lines. Only with `kind: 'print'`. Default: none.
+   */
+  picture?: string | null | undefined;
+  /** Planes that clip everything, as those of a renderer do; those of materials clip by themselves. World space. Default: none. */
+  clippingPlanes?: readonly Plane[] | undefined;
+}
+
+const NAMES = {
+  kind: true,
+  sheet: true,
+  margin: true,
+  penWidth: true,
+  leastWidth: true,
+  dpi: true,
+  shadows: true,
+  order: true,
+  paper: true,
+  hidden: true,
+  animate: true,
+  picture: true,
+  clippingPlanes: true,
+} satisfies Record<Exclude<keyof DrawSVGOptions, keyof TaskOptions>, true>;
+
+/**
+ * Checks options.
+ *
+ * @param isWide whether the camera's picture is wider than high
+ * @throws TypeError or RangeError that names the wrong one
+ */
+export function planOf(options: DrawSVGOptions, isWide = false): DrawingPlan {
+  checkOptions('drawSVG', options, NAMES);
+  const { kind = 'print', sheet = 'A4', order = 'travel', shadows = true, paper = null, picture = null } = options;
+  checkChoice('kind', kind, ['print', 'pen']);
+  checkChoice('order', order, ['travel', 'drawn']);
+  if (options.hidden !== undefined) checkChoice('hidden', options.hidden, HIDDEN_OUTLINES);
+  if (typeof shadows !== 'boolean' && shadows !== 'hard' && shadows !== 'soft')
+    throw new TypeError("drawSVG: shadows must be true, 'soft', 'hard' or false, or left out.");
+  checkPlanes(options.clippingPlanes ?? []);
+  const isPen = kind === 'pen';
+  if (!isPen && options.penWidth !== undefined)
+    throw new TypeError("drawSVG: penWidth is only for kind: 'pen'. Leave it out, or draw with a pen.");
+  if (isPen && options.leastWidth !== undefined)
+    throw new TypeError("drawSVG: leastWidth is only for kind: 'print'. A pen has one width.");
+  if (isPen && paper !== null)
+    throw new TypeError("drawSVG: paper is only for kind: 'print'. A pen would draw the border of the sheet.");
+  if (picture !== null) checkPicture(picture, isPen);
+  if (paper !== null) checkColor('drawSVG: paper', paper);
+  const [width, height] = sizeOf(sheet, isWide);
+  const margin = checkNumber('margin', options.margin ?? 10, { from: 0 }, 'drawSVG');
+  if (2 * margin >= Math.min(width, height))
+    throw new RangeError(`drawSVG: a margin of ${margin} mm leaves nothing of a sheet of ${width} × ${height} mm.`);
+  return {
+    ...{ width, height, margin, order },
+    pen: isPen ? checkNumber('penWidth', options.penWidth ?? 0.3, { above: 0 }, 'drawSVG') : null,
+    leastWidth: checkNumber('leastWidth', options.leastWidth ?? 0.05, { from: 0 }, 'drawSVG'),
+    dpi: checkNumber('dpi', options.dpi ?? 96, { above: 0 }, 'drawSVG'),
+    animate: secondsOf(options.animate ?? false),
+    paper: paper === null ? null : `#${new Color(paper).getHexString()}`,
+    picture,
+  };
+}
+
+function secondsOf(animate: number | boolean): number | null {
+  if (typeof animate === 'boolean') return animate ? ANIMATION_SECONDS : null;
+  return checkNumber('animate', animate, { above: 0 }, 'drawSVG');
+}
+
+/** A data URL has no character that would have to be written otherwise in a document. */
+const PICTURE = /^data:image\/(png|jpeg);base64,[A-Za-z0-9+/]+=*$/;
+
+function checkPicture(picture: unknown, isPen: boolean): void {
+  if (isPen) throw new TypeError("drawSVG: picture is only for kind: 'print'. A pen draws no pictures.");
+  if (typeof picture === 'string' && PICTURE.test(picture)) return;
+  throw new TypeError(
+    'drawSVG: picture must be a data URL of a PNG or a JPEG in base64, such as canvas.toDataURL() gives.',
+  );
+}
+
+function checkPlanes(planes: unknown): void {
+  if (Array.isArray(planes) && planes.every((plane) => plane?.normal?.isVector3)) return;
+  throw new TypeError('drawSVG: clippingPlanes must be a list of Planes of three.js, or left out.');
+}
+
+function checkChoice(name: string, value: unknown, choices: readonly string[]): void {
+  if (choices.includes(value as string)) return;
+  throw new TypeError(
+    `drawSVG: ${name} is ${String(value)}, but must be ${choices.map((one) => `'${one}'`).join(' or ')}.`,
+  );
+}
+
+function sizeOf(sheet: unknown, isWide: boolean): readonly [number, number] {
+  const named = typeof sheet === 'string' ? sheetNamed(sheet) : undefined;
+  if (named) return lyingSize(named, isWide);
+  const isSize = Array.isArray(sheet) && sheet.length === 2 && sheet.every(isSide);
+  if (isSize) return sheet as unknown as readonly [number, number];
+  throw new RangeError(
+    `drawSVG: sheet is ${JSON.stringify(sheet)}, but must be ${SHEET_WORDS}, or [width, height] in millimetres.`,
+  );
+}

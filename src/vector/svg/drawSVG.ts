@@ -1,0 +1,67 @@
+import type { Camera, Object3D } from 'three';
+import { runSliced } from '../../mesh/timeSlicing/runSliced.js';
+import { runTaskOf } from '../../worker/runTask.js';
+import { type DrawSVGOptions, planOf } from './DrawSVGOptions.js';
+import type { LeftOut } from './leftOut.js';
+import { lineDrawing } from './lineDrawing.js';
+import { readScene } from './readScene.js';
+
+/** The share of the progress in which the scene is read. */
+const READING = 0.12;
+
+/** A drawing as lines. Lengths are in millimetres. */
+export interface SVGDrawing {
+  /** The document. */
+  svg: string;
+  /** Paths in it, and points of their middle lines. */
+  paths: number;
+  points: number;
+  /** Pieces of lines that were traced on surfaces, before any was hidden or left out. */
+  segments: number;
+  /** How far the pen goes lifted: in the order in which paths were found, and as they are ordered. */
+  travelBefore: number;
+  travelAfter: number;
+  /** How long all paths are together. */
+  drawn: number;
+  /** How long it took, by the clock. */
+  seconds: number;
+  /** What the drawing does not show as the canvas does. */
+  leftOut: readonly LeftOut[];
+}
+
+/**
+ * Draws a hatched scene as lines of a vector file, as a camera sees it: engraved lines and outlines are curves on the surfaces, so they
+ * can leave as they are. It needs neither a renderer nor a page, and gives the same bytes in both. The scene is read at once, in slices,
+ * and drawn in a worker; where there is none, in slices too.
+ *
+ * Meshes are drawn that have a `HatchingMaterial` of the technique `engraved`, and `HatchingOutlines`. What cannot leave as lines is
+ * named in `leftOut`.
+ *
+ *     await applyHatching(scene, 'engraving');
+ *     const { svg } = await drawSVG(scene, camera, { sheet: 'A4', margin: 12 });
+ *
+ * @throws TypeError or RangeError, as the reason of the rejected promise, for wrong options
+ */
+export async function drawSVG(scene: Object3D, camera: Camera, options: DrawSVGOptions = {}): Promise<SVGDrawing> {
+  if (!scene?.isObject3D) throw new TypeError('drawSVG: scene must be an Object3D, such as a Scene.');
+  if (!('isCamera' in (camera ?? {})))
+    throw new TypeError('drawSVG: camera must be a PerspectiveCamera or an OrthographicCamera.');
+  const { elements } = camera.projectionMatrix;
+  const plan = planOf(options, elements[5] > elements[0]);
+  const { signal, onProgress, createWorker, shadows = true, clippingPlanes = [] } = options;
+  const start = performance.now();
+  const read = async (onRead?: (progress: number) => void) => {
+    const found = await runSliced(readScene(scene, camera, shadows, clippingPlanes), { signal, onProgress: onRead });
+    for (const { look } of found.drawn.outlines) look.hidden = options.hidden ?? look.hidden;
+    return found;
+  };
+  const { drawn, leftOut } = await read((progress) => onProgress?.(READING * progress));
+  const drawing = await runTaskOf(
+    lineDrawing,
+    'drawLines',
+    { scene: drawn, plan },
+    { signal, createWorker, onProgress: (progress) => onProgress?.(READING + (1 - READING) * progress) },
+    async () => ({ scene: (await read()).drawn, plan }),
+  );
+  return { ...drawing, leftOut, seconds: (performance.now() - start) / 1000 };
+}

@@ -1,0 +1,11 @@
+import type { DrawingPlan, DrawnScene } from '../DrawnScene.js';
+import { drawLines, type LineDrawing } from '../drawLines.js';
+import type { Task } from '../../worker/TaskSet.js';
+
+const drawing: Task<{ scene: DrawnScene; plan: DrawingPlan }, LineDrawing> = {
+  run: ({ scene, plan }) => drawLines(scene, plan),
+  resultBuffers: () => [],
+};
+
+/** All tasks of the worker that draws lines. */
+export const lineTasks = { drawLines: drawing };

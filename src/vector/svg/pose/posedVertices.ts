@@ -1,0 +1,156 @@
+import {
+  type BufferAttribute,
+  type InstancedMesh,
+  Matrix3,
+  Matrix4,
+  type Mesh,
+  type SkinnedMesh,
+  Vector3,
+} from 'three';
+import { asPhase } from '../../../mesh/timeSlicing/asPhase.js';
+import { rotationBetween } from './rotationBetween.js';
+
+/** The vertices of a mesh as the canvas poses them, object space. */
+export interface PosedVertices {
+  /** Three numbers per vertex. */
+  positions: Float64Array;
+  /** The same, of any length; null where the geometry has none. */
+  normals: Float64Array | null;
+  /**
+   * Of a mesh that deforms, nine numbers per vertex, column by column: the linear map from the pose back to rest, as the shader knows it
+   * (shaders/perFragment/vertex.glsl). Null for a mesh at rest.
+   */
+  toRest: Float64Array | null;
+}
+
+type Attribute = BufferAttribute;
+
+/** Vertices are posed so many at a time. */
+const CHUNK = 4096;
+
+/**
+ * Poses the vertices of a mesh by its morph targets and its skin. Yields its progress.
+ *
+ * @param instance whose morph targets count, of a mesh whose instances have their own; −1 for others
+ */
+export function* posedVertices(mesh: Mesh, instance = -1): Generator<number, PosedVertices, void> {
+  const { position, normal } = mesh.geometry.attributes;
+  const posed: PosedVertices = {
+    positions: yield* asPhase(numbersOf(position as Attribute), 0, 0.25),
+    normals: normal ? yield* asPhase(numbersOf(normal as Attribute), 0.25, 0.5) : null,
+    toRest: null,
+  };
+  const influences = influencesOf(mesh, instance);
+  const isMorphed = influences.some((influence) => influence !== 0);
+  const isSkinned = 'isSkinnedMesh' in mesh && (mesh as SkinnedMesh).skeleton !== undefined;
+  if (!isMorphed && !isSkinned) return posed;
+  posed.toRest = new Float64Array(9 * position.count);
+  for (let v = 0; v < position.count; v++) new Matrix3().toArray(posed.toRest as unknown as number[], 9 * v);
+  if (isMorphed) yield* asPhase(morph(mesh, influences, posed), 0.5, 0.75);
+  if (isSkinned) yield* asPhase(skin(mesh as SkinnedMesh, posed), 0.75, 1);
+  return posed;
+}
+
+/** The matrix that poses what is bound to the first bone, which stands for the whole skin; null if it has none or flattens. */
+export function firstBoneOf(mesh: Mesh): Matrix4 | null {
+  if (!('isSkinnedMesh' in mesh)) return null;
+  const { skeleton, bindMatrix, bindMatrixInverse } = mesh as SkinnedMesh;
+  if (!skeleton?.bones.length) return null;
+  skeleton.update();
+  const matrix = new Matrix4().fromArray(skeleton.boneMatrices!).premultiply(bindMatrixInverse).multiply(bindMatrix);
+  return matrix.determinant() === 0 ? null : matrix;
+}
+
+function* numbersOf(attribute: Attribute): Generator<number, Float64Array, void> {
+  const numbers = new Float64Array(3 * attribute.count);
+  for (let v = 0; v < attribute.count; v++) {
+    if (v % CHUNK === CHUNK - 1) yield v / attribute.count;
+    for (let k = 0; k < 3; k++) numbers[3 * v + k] = attribute.getComponent(v, k);
+  }
+  return numbers;
+}
+
+/** How much each morph target counts. */
+export function influencesOf(mesh: Mesh, instance: number): number[] {
+  const texture = instance < 0 ? null : (mesh as InstancedMesh).morphTexture;
+  if (!texture) return mesh.morphTargetInfluences ?? [];
+  // A row is an instance. Its first number is what is left of the vertex itself.
+  const { data, width } = texture.image as unknown as { data: Float32Array; width: number };
+  return Array.from(data.subarray(width * instance + 1, width * (instance + 1)));
+}
+
+/** Moves numbers of a vertex by those of its morph targets, as three.js does. */
+export function addMorphs(
+  numbers: Float64Array,
+  targets: readonly Attribute[] | undefined,
+  influences: readonly number[],
+  isRelative: boolean,
+): void {
+  if (!targets) return;
+  const rest = isRelative ? 1 : 1 - influences.reduce((sum, influence) => sum + influence, 0);
+  const size = numbers.length / targets[0].count;
+  for (let i = 0; i < numbers.length; i++) {
+    const [vertex, k] = [Math.floor(i / size), i % size];
+    let sum = rest * numbers[i];
+    for (const [t, influence] of influences.entries()) {
+      if (influence !== 0 && k < targets[t].itemSize) sum += influence * targets[t].getComponent(vertex, k);
+    }
+    numbers[i] = sum;
+  }
+}
+
+function* morph(
+  { geometry }: Mesh,
+  influences: readonly number[],
+  { positions, normals, toRest }: PosedVertices,
+): Generator<number, void, void> {
+  const { morphAttributes, morphTargetsRelative } = geometry;
+  addMorphs(positions, morphAttributes.position as Attribute[] | undefined, influences, morphTargetsRelative);
+  yield 0.4;
+  if (!normals || !morphAttributes.normal) return;
+  const before = normals.slice();
+  addMorphs(normals, morphAttributes.normal as Attribute[], influences, morphTargetsRelative);
+  const [from, to] = [new Vector3(), new Vector3()];
+  for (let v = 0; 3 * v < normals.length; v++) {
+    if (v % CHUNK === 0) yield 0.8 + (0.6 * v) / normals.length;
+    rotationBetween(from.fromArray(normals, 3 * v), to.fromArray(before, 3 * v)).toArray(
+      toRest as unknown as number[],
+      9 * v,
+    );
+  }
+}
+
+function* skin(mesh: SkinnedMesh, { positions, normals, toRest }: PosedVertices): Generator<number, void, void> {
+  const { skinIndex, skinWeight } = mesh.geometry.attributes;
+  const { skeleton, bindMatrix, bindMatrixInverse } = mesh;
+  if (!skinIndex || !skinWeight) return;
+  skeleton.update();
+  const bones = skeleton.boneMatrices!;
+  const [matrix, linear, back] = [new Matrix4(), new Matrix3(), new Matrix3()];
+  const vector = new Vector3();
+  for (let v = 0; 3 * v < positions.length; v++) {
+    if (v % CHUNK === CHUNK - 1) yield (3 * v) / positions.length;
+    const { elements } = matrix;
+    elements.fill(0);
+    for (let i = 0; i < 4; i++) {
+      const weight = skinWeight.getComponent(v, i);
+      const bone = 16 * skinIndex.getComponent(v, i);
+      if (weight !== 0) for (let k = 0; k < 16; k++) elements[k] += weight * bones[bone + k];
+    }
+    matrix.premultiply(bindMatrixInverse).multiply(bindMatrix);
+    vector
+      .fromArray(positions, 3 * v)
+      .applyMatrix4(matrix)
+      .toArray(positions as unknown as number[], 3 * v);
+    linear.setFromMatrix4(matrix);
+    if (normals)
+      vector
+        .fromArray(normals, 3 * v)
+        .applyMatrix3(linear)
+        .toArray(normals as unknown as number[], 3 * v);
+    if (linear.determinant() === 0) continue;
+    // What morph targets did came first, so it is undone last.
+    back.fromArray(toRest!, 9 * v).multiply(linear.invert());
+    back.toArray(toRest as unknown as number[], 9 * v);
+  }
+}

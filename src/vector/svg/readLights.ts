@@ -1,0 +1,69 @@
+import {
+  type Camera,
+  type DirectionalLight,
+  type Light,
+  type Object3D,
+  type PointLight,
+  type SpotLight,
+  Vector3,
+} from 'three';
+import type { Lamp } from '../shading/radiance.js';
+import type { Surroundings } from '../../look/surroundings.js';
+import type { Vec3 } from '../../look/vectors.js';
+import { LightsAround } from '../../material/exposure/LightsAround.js';
+import { luminanceOf } from '../../look/luminanceOf.js';
+import type { LampShadow } from '../ShadowRays.js';
+import { readLampShadow } from './readLampShadow.js';
+
+const placeOf = ({ matrixWorld }: Object3D): Vec3 => new Vector3().setFromMatrixPosition(matrixWorld).toArray();
+
+/** The unit vector from one object to another. */
+const wayBetween = (from: Object3D, to: Object3D): Vec3 =>
+  new Vector3(...placeOf(to))
+    .sub(new Vector3(...placeOf(from)))
+    .normalize()
+    .toArray();
+
+/** The lights of a scene that a camera sees, as numbers. */
+export interface SceneLights {
+  lamps: Lamp[];
+  /** The shadow of each lamp. */
+  shadows: (LampShadow | null)[];
+  around: Surroundings;
+}
+
+/** @param shadows whether lights that cast shadows do so */
+export function readLights(scene: Object3D, camera: Camera, shadows: boolean): SceneLights {
+  const lamps: Lamp[] = [];
+  const castShadows: (LampShadow | null)[] = [];
+  const others: Light[] = [];
+  scene.traverseVisible((object) => {
+    if (!('isLight' in object) || !object.layers.test(camera.layers)) return;
+    const lamp = lampOf(object as Light, shadows);
+    if (lamp) {
+      lamps.push(lamp);
+      castShadows.push(readLampShadow(object as Light));
+    } else others.push(object as Light);
+  });
+  return { lamps, shadows: castShadows, around: new LightsAround({ lights: others, scene }).surroundings };
+}
+
+/** The light as one with a direction; undefined for others. */
+function lampOf(light: Light, shadows: boolean): Lamp | undefined {
+  const sent = light.intensity * luminanceOf(light.color);
+  const castsShadow = shadows && light.castShadow;
+  const lamp = { luminance: sent, at: placeOf(light), castsShadow, distance: 0, decay: 0, cone: null };
+  if ('isDirectionalLight' in light) {
+    return { ...lamp, at: wayBetween((light as DirectionalLight).target, light), isFar: true };
+  }
+  if (!('isPointLight' in light || 'isSpotLight' in light)) return undefined;
+  const { distance, decay } = light as PointLight;
+  if (!('isSpotLight' in light)) return { ...lamp, isFar: false, distance, decay };
+  const { angle, penumbra, target } = light as unknown as SpotLight;
+  const cone = {
+    axis: wayBetween(target, light as unknown as SpotLight),
+    outer: Math.cos(angle),
+    inner: Math.cos(angle * (1 - penumbra)),
+  };
+  return { ...lamp, isFar: false, distance, decay, cone };
+}

@@ -1,0 +1,153 @@
+import {
+  type BufferGeometry,
+  type Camera,
+  DataUtils,
+  type Material,
+  Matrix3,
+  Matrix4,
+  type Mesh,
+  Vector3,
+} from 'three';
+import { POINT_BITS, POINT_MASK, POINT_WORDS, PRIMITIVE_WORDS } from '../../mesh/bake/outlineLayout.js';
+import { unpackPoints } from '../../mesh/bake/unpackPoints.js';
+import type { Emphasis } from '../shading/emphasis.js';
+import { BORDER, CONTRARY, CORNER_AT_END, CORNER_AT_START, CREASE, MATERIAL_BORDER } from '../../mesh/features/edgeFlags.js';
+import type { OutlineData } from '../../material/geometry/OutlineData.js';
+import type { HatchingOutlineMaterial } from '../../material/outlines/HatchingOutlineMaterial.js';
+import { opacityOf } from '../../material/outlines/surfaceRules.js';
+import { asPhase } from '../../mesh/timeSlicing/asPhase.js';
+import type { FeatureEdge, OutlineLook, OutlineMesh } from '../outlines/OutlineMesh.js';
+import { bothPlaces } from './bothPlaces.js';
+import { alphaTestOf } from './PaintReader.js';
+import { placesOf } from './placesOf.js';
+import type { PosedVertices } from './pose/posedVertices.js';
+import { posePoints } from './pose/posePoints.js';
+import { rowsOf } from './rowsOf.js';
+import { leftBehind } from './seenThrough.js';
+
+/** Triangles, edges and points are read so many at a time. */
+const CHUNK = 4096;
+
+/**
+ * How outlines look. Lines do not fade: half transparent ones are half as wide, which is the same ink.
+ *
+ * @param surface what draws the surface
+ * @param geometry of the surface
+ * @param hasMaterials whether the mesh has several, whose borders are drawn
+ * @param emphasis of the mesh
+ */
+export function outlineLookOf(
+  material: HatchingOutlineMaterial,
+  surface: Material,
+  geometry: BufferGeometry,
+  hasMaterials: boolean,
+  emphasis: Emphasis | null,
+): OutlineLook {
+  const { outlineWidth, contours, innerContours, borders, creases, materialBorders, suggestiveContours } = material;
+  const { taper, lostEdges, accents, overshoot, wobble, hidden } = material;
+  return {
+    width: outlineWidth * opacityOf(material) * opacityOf(surface, geometry),
+    materialBorders: hasMaterials ? materialBorders : 0,
+    shadeWeights: material.shadeWeights.toArray() as [number, number],
+    ...{ contours, innerContours, borders, creases, suggestiveContours, taper, lostEdges },
+    ...{ accents, overshoot, wobble, emphasis, hidden },
+    isCutOut: alphaTestOf(surface) > 0 && surface.depthWrite && leftBehind(surface, geometry) === 0,
+  };
+}
+
+/** One of the places that a mesh stands in, as it is posed there. */
+export interface OutlinedCopy {
+  toWorld: Matrix4;
+  posed: PosedVertices;
+}
+
+/** Reads what the outlines of a mesh are found on. Yields its progress. */
+export function* readOutlines(
+  mesh: Mesh,
+  data: OutlineData,
+  { toWorld, posed }: OutlinedCopy,
+  camera: Camera,
+): Generator<number, OutlineMesh, void> {
+  const points = data.points.image.data as Uint32Array<ArrayBuffer>;
+  const primitives = data.primitives.image.data as Uint32Array;
+  const { triangleCount, edgeCount } = data;
+  const triangles = new Uint32Array(3 * triangleCount);
+  for (let t = 0; t < triangleCount; t++) {
+    if (t % CHUNK === CHUNK - 1) yield (0.2 * t) / triangleCount;
+    for (let k = 0; k < 3; k++) triangles[3 * t + k] = primitives[PRIMITIVE_WORDS * t + k];
+  }
+  const first = PRIMITIVE_WORDS * triangleCount;
+  const edges: FeatureEdge[] = [];
+  for (let i = 0; i < edgeCount; i++) {
+    if (i % CHUNK === CHUNK - 1) yield 0.2;
+    edges.push(edgeAt(primitives, first + PRIMITIVE_WORDS * i));
+  }
+  yield 0.2;
+  const pointCount = pointCountOf(triangles, edges);
+  yield 0.25;
+  const atRest = unpackPoints(points, pointCount);
+  const curvatures = yield* asPhase(curvaturesOf(points, pointCount), 0.3, 0.5);
+  const { positions, normals } = posePoints(mesh, points, { ...atRest, curvatures }, posed);
+  const anchors = atRest.positions;
+  const placesAlong = (of: ArrayLike<number>) => placesOf(of.length / 3, (point, axis) => of[3 * point + axis]);
+  yield 0.5;
+  const places = yield* asPhase(placesAlong(anchors), 0.5, 1);
+  return {
+    ...{ positions, normals, anchors, curvatures, triangles, edges },
+    placeOf: positions === anchors ? places : bothPlaces(places, yield* placesAlong(positions)),
+    radius: data.radius || 1,
+    toWorld: [...toWorld.elements],
+    normalToWorld: rowsOf(new Matrix3().getNormalMatrix(toWorld)),
+    scale: Math.cbrt(Math.abs(toWorld.determinant())) || 1,
+    eye: eyeIn(toWorld, camera),
+  };
+}
+
+/** Textures are padded to whole rows, so that only what refers to points says how many there are. */
+function pointCountOf(triangles: Uint32Array, edges: readonly FeatureEdge[]): number {
+  let most = -1;
+  for (let i = 0; i < triangles.length; i++) most = Math.max(most, triangles[i]);
+  for (const { leftStart, leftEnd, rightStart, rightEnd } of edges)
+    most = Math.max(most, leftStart, leftEnd, rightStart, rightEnd);
+  return most + 1;
+}
+
+function edgeAt(words: Uint32Array, o: number): FeatureEdge {
+  const flags = (words[o] >>> POINT_BITS) | ((words[o + 1] >>> POINT_BITS) << 4);
+  return {
+    leftStart: words[o] & POINT_MASK,
+    leftEnd: words[o + 1] & POINT_MASK,
+    rightStart: words[o + 2] & POINT_MASK,
+    rightEnd: words[o + 3] & POINT_MASK,
+    isBorder: (flags & BORDER) !== 0,
+    isCrease: (flags & CREASE) !== 0,
+    isMaterialBorder: (flags & MATERIAL_BORDER) !== 0,
+    isContrary: (flags & CONTRARY) !== 0,
+    isCornerAtStart: (flags & CORNER_AT_START) !== 0,
+    isCornerAtEnd: (flags & CORNER_AT_END) !== 0,
+  };
+}
+
+function* curvaturesOf(words: Uint32Array, count: number): Generator<number, Float32Array, void> {
+  const curvatures = new Float32Array(6 * count);
+  for (let p = 0; p < count; p++) {
+    if (p % CHUNK === CHUNK - 1) yield p / count;
+    for (let pair = 0; pair < 3; pair++) {
+      const word = words[POINT_WORDS * p + 4 + pair];
+      curvatures[6 * p + 2 * pair] = DataUtils.fromHalfFloat(word & 0xffff);
+      curvatures[6 * p + 2 * pair + 1] = DataUtils.fromHalfFloat(word >>> 16);
+    }
+  }
+  return curvatures;
+}
+
+/** The eye in the space of a mesh: a place and 1, or a direction and 0. */
+function eyeIn(toWorld: Matrix4, camera: Camera): OutlineMesh['eye'] {
+  const toObject = new Matrix4().copy(toWorld).invert();
+  if (camera.projectionMatrix.elements[15] === 1) {
+    const { x, y, z } = new Vector3().setFromMatrixColumn(camera.matrixWorld, 2).transformDirection(toObject);
+    return [x, y, z, 0];
+  }
+  const { x, y, z } = new Vector3().setFromMatrixPosition(camera.matrixWorld).applyMatrix4(toObject);
+  return [x, y, z, 1];
+}

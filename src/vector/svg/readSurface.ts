@@ -1,0 +1,144 @@
+import { type BufferAttribute, type BufferGeometry, Matrix3, Vector3 } from 'three';
+import { formLayout } from '../../mesh/bake/formLayout.js';
+import { hatchNormal } from '../../mesh/bake/hatchNormal.js';
+import { formVarying } from '../shading/readForm.js';
+import type { Vec3 } from '../../look/vectors.js';
+import { asPhase } from '../../mesh/timeSlicing/asPhase.js';
+import { SEEN_BACK, SEEN_FRONT } from '../Bvh.js';
+import {
+  FIELD,
+  FIELD_NORMAL,
+  FORM,
+  type LineSurface,
+  OCCLUSION,
+  STRIDE,
+  TONE_NORMAL,
+  VIEW,
+  WORLD,
+} from '../LineSurface.js';
+import { bothPlaces } from './bothPlaces.js';
+import { placesOf } from './placesOf.js';
+import type { PosedVertices } from './pose/posedVertices.js';
+import { type DetailSource, readDetails } from './readDetails.js';
+import { rowsOf } from './rowsOf.js';
+import type { SurfaceFrame } from './surfaceFrame.js';
+import type { TriangleRange } from './TriangleRange.js';
+
+/** Vertices are read so many at a time. */
+const CHUNK = 4096;
+
+/** Reads the part of a mesh that a material draws. seen: bits of the sides that are. Yields its progress. */
+export function* readSurface(
+  source: DetailSource,
+  { corners, firstTriangle }: TriangleRange,
+  frame: SurfaceFrame,
+  seen: number,
+): Generator<number, LineSurface, void> {
+  const { mesh, posed } = source;
+  const { geometry } = mesh;
+  const vertexCount = geometry.attributes.position.count;
+  const places = yield* asPhase(placesOfPose(geometry, posed), 0, 0.3);
+  const vertices = new Float64Array(STRIDE * vertexCount);
+  const writer = new VertexWriter(geometry, posed, frame, vertices);
+  for (let v = 0; v < vertexCount; v++) {
+    if (v % CHUNK === 0) yield 0.3 + (0.7 * v) / vertexCount;
+    writer.write(v, places[v]);
+  }
+  const parents = new Int32Array(corners.length / 3);
+  for (let t = 0; t < parents.length; t++) parents[t] = firstTriangle + t;
+  yield 1;
+  const viewToObject = new Matrix3().setFromMatrix4(frame.toView).invert();
+  return {
+    vertices,
+    placeOf: new Int32Array(places),
+    triangles: new Int32Array(corners),
+    parents,
+    drawsFront: (seen & SEEN_FRONT) !== 0,
+    drawsBack: (seen & SEEN_BACK) !== 0,
+    viewToField: rowsOf(new Matrix3().multiplyMatrices(frame.toField, viewToObject)),
+    details: readDetails(source, { corners, firstTriangle }, frame),
+  };
+}
+
+/** Vertices at one place at rest may be parted by a pose, and may meet in it: one place is where both agree. */
+function* placesOfPose(
+  geometry: BufferGeometry,
+  { positions, toRest }: PosedVertices,
+): Generator<number, Uint32Array, void> {
+  const { position } = geometry.attributes;
+  const atRest = yield* placesOf(position.count, (vertex, axis) => position.getComponent(vertex, axis));
+  if (!toRest) return atRest;
+  const asPosed = yield* placesOf(position.count, (vertex, axis) => positions[3 * vertex + axis]);
+  return bothPlaces(atRest, asPosed);
+}
+
+const transposed = /* @__PURE__ */ new Matrix3();
+
+/** What takes the normal of a vertex at rest to the pose: the transpose of the map back. */
+const transposedAt = (toRest: Float64Array, vertex: number): Matrix3 =>
+  transposed.fromArray(toRest, 9 * vertex).transpose();
+
+/** Writes the numbers of vertices. */
+class VertexWriter {
+  private readonly vector = new Vector3();
+
+  constructor(
+    private readonly geometry: BufferGeometry,
+    private readonly posed: PosedVertices,
+    private readonly frame: SurfaceFrame,
+    private readonly vertices: Float64Array,
+  ) {}
+
+  /** @param place the vertex whose position stands for all at the same place */
+  write(vertex: number, place: number): void {
+    const { frame, posed, vector, vertices } = this;
+    const { position, normal } = this.geometry.attributes;
+    const o = STRIDE * vertex;
+    const put = (offset: number) => vector.toArray(vertices, o + offset);
+    const at = () => vector.fromArray(posed.positions, 3 * place);
+    at().applyMatrix4(frame.toWorld);
+    put(WORLD);
+    at().applyMatrix4(frame.toView);
+    put(VIEW);
+    vector
+      .fromBufferAttribute(position as BufferAttribute, place)
+      .sub(frame.fieldOrigin)
+      .applyMatrix3(frame.toField);
+    const atRest = vector.toArray() as Vec3;
+    if (frame.isCutAsPosed) at().sub(frame.fieldOrigin).applyMatrix3(frame.toField);
+    put(FIELD);
+    vector
+      .fromArray(posed.normals!, 3 * vertex)
+      .applyMatrix3(frame.normalToWorld)
+      .normalize();
+    put(TONE_NORMAL);
+    const strokes = this.geometry.attributes[hatchNormal.name];
+    if (strokes) {
+      vertices[o + OCCLUSION] = frame.hasOcclusion ? Math.max(-strokes.getW(vertex), 0) : 0;
+      vector.fromBufferAttribute(strokes as BufferAttribute, vertex);
+    }
+    // Geometry that was never prepared still has its own normals.
+    if (!strokes || vector.lengthSq() <= 0.25) vector.fromBufferAttribute(normal as BufferAttribute, vertex);
+    if (frame.isCutAsPosed && posed.toRest) vector.applyMatrix3(transposedAt(posed.toRest, vertex));
+    vector.applyMatrix3(frame.normalToField).normalize();
+    put(FIELD_NORMAL);
+    this.writeForm(vertex, atRest);
+  }
+
+  /** What follows the form is fixed to the surface at rest. */
+  private writeForm(vertex: number, field: Vec3): void {
+    const { attributes } = this.geometry;
+    const value = attributes[formLayout.value.name];
+    if (!value) return;
+    for (const [i, layout] of [formLayout.slope, formLayout.crossing].entries()) {
+      const slope = attributes[layout.name];
+      const scale = 2 ** Math.round(32767 * slope.getW(vertex));
+      this.vector.fromBufferAttribute(slope as BufferAttribute, vertex).applyMatrix3(this.frame.normalToField);
+      const gradient = this.vector.multiplyScalar(scale).toArray() as Vec3;
+      const { rest } = formVarying(gradient, value.getComponent(vertex, i), field);
+      const o = STRIDE * vertex + FORM + 4 * i;
+      for (let k = 0; k < 3; k++) this.vertices[o + k] = gradient[k];
+      this.vertices[o + 3] = rest;
+    }
+  }
+}

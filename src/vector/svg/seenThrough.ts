@@ -1,0 +1,53 @@
+import type { BufferAttribute, BufferGeometry, Material } from 'three';
+import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
+
+/** Opacities that differ by less are one. */
+const SAME = 0.005;
+
+/** Whether what lies behind a material may be seen through all of it. three.js draws others opaque, whatever their opacity is. */
+const isFaded = (material: Material): boolean =>
+  material.transparent || (material.alphaHash && material.alphaTest === 0);
+
+/** The least, the greatest and the mean alpha of vertices, by their colours. */
+const alphas = new WeakMap<object, { least: number; most: number; mean: number }>();
+
+function alphaOf(
+  { attributes }: BufferGeometry,
+  { vertexColors }: Material,
+): { least: number; most: number; mean: number } {
+  const color = attributes.color as BufferAttribute | undefined;
+  if (!vertexColors || color?.itemSize !== 4 || color.count === 0) return { least: 1, most: 1, mean: 1 };
+  let known = alphas.get(color);
+  if (!known) {
+    let [least, most, sum] = [Infinity, -Infinity, 0];
+    for (let vertex = 0; vertex < color.count; vertex++) {
+      const alpha = color.getW(vertex);
+      least = Math.min(least, alpha);
+      most = Math.max(most, alpha);
+      sum += alpha;
+    }
+    known = { least, most, mean: sum / color.count };
+    alphas.set(color, known);
+  }
+  return known;
+}
+
+/** Whether the vertices of a surface differ in how far it is seen through. */
+export function variesInOpacity(geometry: BufferGeometry, material: Material): boolean {
+  const { least, most } = alphaOf(geometry, material);
+  return isFaded(material) && most - least > SAME;
+}
+
+/** The share of its tone with which a surface is drawn. */
+export function opacityOf(material: Material, geometry: BufferGeometry): number {
+  if (!isFaded(material)) return 1;
+  const opacity = material.opacity * alphaOf(geometry, material).mean;
+  return opacity > 1 - SAME ? 1 : opacity;
+}
+
+/** The share that a material leaves of what lies behind it: 0 of those that hide it. */
+export function leftBehind(material: Material, geometry: BufferGeometry): number {
+  if (!isFaded(material)) return 0;
+  const paper = 'isHatchingMaterial' in material ? (material as HatchingMaterial).paperOpacity : 1;
+  return 1 - opacityOf(material, geometry) * paper;
+}

@@ -1,0 +1,69 @@
+import { Matrix3, Matrix4, type Mesh, Vector3 } from 'three';
+import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
+import { writeFieldFrame } from '../../material/parts/fieldFrame.js';
+import type { EngravedLook } from '../Engraver.js';
+import { firstBoneOf } from './pose/posedVertices.js';
+
+/** Matrices between a mesh, the world, a view and the space that lines are cut in. */
+export interface SurfaceFrame {
+  toWorld: Matrix4;
+  toView: Matrix4;
+  normalToWorld: Matrix3;
+  fieldOrigin: Vector3;
+  toField: Matrix3;
+  normalToField: Matrix3;
+  /** Brings lines that are fixed to the surface at rest to the world, as the whole mesh has them. */
+  restToWorld: Matrix4;
+  /** Whether lines lie on the mesh as it is posed, not as it is at rest. */
+  isCutAsPosed: boolean;
+  hasOcclusion: boolean;
+}
+
+/** Instances stand in many places, so no occlusion is baked for them. */
+const hasOcclusion = (mesh: Mesh): boolean => !('isInstancedMesh' in mesh || 'isBatchedMesh' in mesh);
+
+/** @param worldToView of the camera */
+export function surfaceFrame(
+  mesh: Mesh,
+  toWorld: Matrix4,
+  { tilesPerUnit, strokeAnchor }: HatchingMaterial,
+  { lineField }: EngravedLook,
+  worldToView: Matrix4,
+): SurfaceFrame {
+  const fieldOrigin = { value: new Vector3() };
+  const objectToField = { value: new Matrix3() };
+  const objectToFieldNormal = { value: new Matrix3() };
+  writeFieldFrame({ fieldOrigin, objectToField, objectToFieldNormal }, tilesPerUnit, mesh.geometry, mesh);
+  // Lines that follow the form are fixed to the surface, whatever strokes are.
+  const isCutAsPosed = strokeAnchor === 'deformed' && !followsForm(lineField);
+  const firstBone = isCutAsPosed ? null : firstBoneOf(mesh);
+  return {
+    toWorld,
+    toView: new Matrix4().multiplyMatrices(worldToView, toWorld),
+    normalToWorld: new Matrix3().getNormalMatrix(toWorld),
+    restToWorld: firstBone ? firstBone.premultiply(toWorld) : toWorld,
+    isCutAsPosed,
+    hasOcclusion: hasOcclusion(mesh),
+    fieldOrigin: fieldOrigin.value,
+    toField: objectToField.value,
+    normalToField: objectToFieldNormal.value,
+  };
+}
+
+const followsForm = (lineField: EngravedLook['lineField']): boolean =>
+  lineField === 'form' || lineField === 'acrossForm';
+
+/** The same where the space is that of the object, as of dots. */
+export function objectFrame(mesh: Mesh, toWorld: Matrix4, worldToView: Matrix4): SurfaceFrame {
+  return {
+    toWorld,
+    toView: new Matrix4().multiplyMatrices(worldToView, toWorld),
+    normalToWorld: new Matrix3().getNormalMatrix(toWorld),
+    restToWorld: toWorld,
+    isCutAsPosed: false,
+    hasOcclusion: hasOcclusion(mesh),
+    fieldOrigin: new Vector3(),
+    toField: new Matrix3(),
+    normalToField: new Matrix3(),
+  };
+}

@@ -1,0 +1,4 @@
+import { serveTasks } from '../../worker/serveTasks.js';
+import { lineTasks } from './lineTasks.js';
+
+serveTasks(lineTasks);

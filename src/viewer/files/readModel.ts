@@ -1,0 +1,313 @@
+import { Matrix4, type Mesh, type MeshPhongMaterial, type Object3D } from 'three';
+import type { BundledDrawing } from './archives/bundle.js';
+import { gunzip } from './archives/gunzip.js';
+import { readArchive } from './archives/readArchive.js';
+import { BITMAPS } from './common/bitmaps.js';
+import { counted } from './common/counted.js';
+import type { FindFile } from './common/FindFile.js';
+import { baseName, extensionOf, withoutGz } from './common/fileName.js';
+import { ModelError, toModelError } from './common/ModelError.js';
+import { type ModelExtras, movedExtras } from './common/ModelExtras.js';
+import type { ModelFile } from './common/ModelFile.js';
+import { MAX_BYTES } from './common/modelLimits.js';
+import type { Surroundings } from './common/Surroundings.js';
+import { shownName } from './common/shownText.js';
+import { toUtf8 } from './common/toUtf8.js';
+import { COMPANION_EXTENSIONS, FORMATS, type FormatFile, MODEL_EXTENSIONS, type ModelFormat } from './formats.js';
+import type { GltfParts } from './gltf/parseGltf.js';
+import type { ReadGltf } from './gltf/readGltf.js';
+import { findUpAxis, type UpAxis, type UsualUp } from './mesh/findUpAxis.js';
+import { fitModel } from './mesh/fitModel.js';
+import { isClosed } from './mesh/isClosed.js';
+import type { NotedMesh, PlainMesh } from './mesh/PlainMesh.js';
+import { plainNormals } from './mesh/plainNormals.js';
+import { thinNote } from './mesh/thinNote.js';
+import { readMoving } from './moving/readMoving.js';
+import { type MeshPicture, missingDetail, missingNote, readMeshPictures } from './pictures/meshPictures.js';
+import type { WantedPicture } from './pictures/WantedPicture.js';
+import { cleanMesh } from './repair/cleanMesh.js';
+import { dropDuplicates } from './repair/dropDuplicates.js';
+import { DISPLACEMENT_NOTE, type LoadedScene } from './scenes/LoadedScene.js';
+import { mergeScene } from './scenes/mergeScene.js';
+import { sniffFormat } from './sniffFormat.js';
+
+export type { ModelFile };
+
+/** Is told what is being done, in a few words, and how many bytes it is done with, if they are more than those of the files. */
+export type OnStage = (stage: string, bytes?: number) => void;
+
+/** A model that was read: one mesh, or the checked parts of a file that one mesh cannot show. */
+export type ReadModel = ReadMesh | ReadParts;
+
+interface Read {
+  /** The name of the main file. */
+  name: string;
+  /** The up axis that is usual for the format. */
+  upAxis: 'y' | 'z';
+  /** Notes for the caption: what is missing, chosen or left out, and why. The most important one comes first. */
+  notes: string[];
+  /** Facts for the longer text that opens on request. */
+  details: string[];
+  /** The names of files that the model refers to and that were not dropped along. */
+  missing: string[];
+  /** How many pictures are there but could not be read. */
+  lostPictures?: number | undefined;
+  /** The files from the archive that was read, with those that were dropped along. Undefined if no archive was read. */
+  unpacked?: readonly ModelFile[];
+  /** How the model is drawn, if the archive has a description of it. */
+  drawing?: BundledDrawing | undefined;
+  /** What the file offers beside its model: in the space of the mesh, or of the parts as they are. */
+  extras?: ModelExtras | undefined;
+}
+
+export interface ReadMesh extends Read {
+  kind: 'mesh';
+  mesh: PlainMesh;
+  /** The pictures of the mesh's ranges; undefined for missing ones. */
+  pictures: (MeshPicture | undefined)[];
+  /** Normals for a stand-in that is drawn until the mesh is baked; null if it needs none, or another mesh stands in for it. */
+  plainNormals: Float32Array | null;
+  /** Whether the stand-in encloses something, so that the backs of its triangles are not seen. False if there are no `plainNormals`. */
+  isClosed: boolean;
+  /** The axis that points up by the model's flat side, if that is not the usual one of its format. */
+  stands: UpAxis | undefined;
+  /** How it was simplified, if it was: the triangles of the file, and how far those that are left lie from them at most, in radii. */
+  simplified?: { triangles: number; error: number } | undefined;
+  /** The ambient occlusion, as `writeOcclusion` of src/viewer/drawing takes it, if it was baked already. */
+  occlusion?: Uint8Array<ArrayBuffer> | undefined;
+}
+
+export interface ReadParts extends Read {
+  kind: 'parts';
+  /** What the format usually means for the axes, to find the one that points up; undefined if the file says it. */
+  usual: UsualUp | undefined;
+  parts: GltfParts;
+}
+
+/**
+ * Reads a model from one or several files: unpacks, detects the format, checks the header, parses, merges, removes
+ * broken triangles and fits the rest into a unit sphere. A glTF file that is drawn as a scene is only checked and left
+ * in its parts.
+ *
+ * @param surroundings what decodes pictures and Draco; by default those of a browser, without Draco
+ * @param variant of the materials of a glTF file: its index, or its name or its number from 1 on as text
+ * @throws ModelError with one sentence for the user
+ */
+export async function readModel(
+  files: readonly ModelFile[],
+  onStage: OnStage,
+  surroundings: Surroundings = BITMAPS,
+  variant?: string | number,
+): Promise<ReadModel> {
+  const size = files.reduce((sum, file) => sum + file.content.size, 0);
+  if (size > MAX_BYTES) {
+    throw new ModelError(
+      `The files have ${Math.round(size / 2 ** 20)} MB together; this page takes up to ${MAX_BYTES / 2 ** 20} MB.`,
+    );
+  }
+  const main = chooseMain(files);
+  onStage(`reading ${shownName(main.name)}`);
+  try {
+    const read = await readMain(main, files, onStage, { ...surroundings, variant });
+    return { ...read, notes: [...read.notes, ...otherModelsNote(main, files)] };
+  } catch (error) {
+    throw toModelError(main.name, error);
+  }
+}
+
+/** What a file is read with. */
+interface Circumstances extends Surroundings {
+  variant: string | number | undefined;
+}
+
+async function readMain(
+  main: ModelFile,
+  files: readonly ModelFile[],
+  onStage: OnStage,
+  surroundings: Circumstances,
+  isUnpacked = false,
+): Promise<ReadModel> {
+  const { loadDraco, decodePicture, variant } = surroundings;
+  const name = withoutGz(main.name);
+  const shown = shownName(main.name);
+  const bytes = toUtf8(await gunzip(new Uint8Array(await main.content.arrayBuffer()), shown, MAX_BYTES));
+  onStage(`reading ${shown}`, bytes.length);
+  let format = sniffFormat(withoutGz(shown), bytes, main.format);
+  if (format === 'zip') {
+    const archive = await readArchive(bytes, shown, {
+      formats: FORMATS,
+      modelExtensions: MODEL_EXTENSIONS,
+      companionExtensions: COMPANION_EXTENSIONS,
+    });
+    if ('files' in archive) {
+      // An archive can be made that contains itself.
+      if (isUnpacked) throw new ModelError(`${shown} is an archive in an archive, which this page does not unpack.`);
+      const along = files.filter((file) => file !== main);
+      return { ...(await readArchived(archive.files, name, along, onStage, surroundings)), drawing: archive.drawing };
+    }
+    ({ format } = archive);
+  }
+  const findFile: FindFile = async (uri) => {
+    const wanted = comparedName(safeDecode(uri));
+    const file = files.find((one) => comparedName(one.name) === wanted);
+    return file ? new Uint8Array(await file.content.arrayBuffer()) : surroundings.findFile?.(uri);
+  };
+  const { content, extras, ...parsed } = await parse(format, { bytes, name: shown, findFile, loadDraco, variant });
+  const other = otherFormatNote(main, format);
+  const usual = usualUp(format);
+  const upAxis = format.up;
+  if ('arrays' in content) {
+    const { missing, lostPictures } = parsed;
+    const notes = [...missingNote(missing), ...parsed.notes];
+    const details = [...missingDetail(missing), ...other, ...brokenNote(parsed.broken), ...parsed.details];
+    return { kind: 'parts', name, upAxis, usual, notes, details, missing, lostPictures, parts: content, extras };
+  }
+  onStage('looking over the triangles');
+  const wanted: WantedPicture[] = [];
+  const merged = 'isObject3D' in content ? mergeScene(content, wanted) : content;
+  const { mesh: distinct, duplicates } = dropDuplicates(merged);
+  const { mesh, broken } = cleanMesh(distinct);
+  const { centre, radius } = fitModel(mesh);
+  const normals = plainNormals(mesh);
+  const { pictures, clear, notes, lostPictures, ...lacks } = await readMeshPictures(
+    wanted,
+    findFile,
+    decodePicture,
+    (number, count) => onStage(`decoding picture ${number} of ${count}`),
+  );
+  const missing = [...parsed.missing, ...lacks.missing];
+  return {
+    kind: 'mesh',
+    name,
+    upAxis,
+    mesh: withClearRanges(mesh, clear),
+    pictures,
+    plainNormals: normals,
+    isClosed: normals !== null && isClosed(mesh),
+    stands: usual && findUpAxis(mesh.positions, mesh.indices, usual),
+    extras: extras && movedExtras(extras, fitOf(centre, radius)),
+    missing,
+    lostPictures: (parsed.lostPictures ?? 0) + lostPictures,
+    notes: [...missingNote(missing), ...thinNote(mesh.positions, mesh.indices), ...parsed.notes, ...notes],
+    details: [
+      ...missingDetail(missing),
+      ...other,
+      ...brokenNote(parsed.broken + broken),
+      ...duplicateNote(duplicates),
+      ...parsed.details,
+    ],
+  };
+}
+
+/** A mesh in which some pictures are of something seen through: their ranges are glass, without them. */
+function withClearRanges(mesh: PlainMesh, clear: ReadonlySet<number>): PlainMesh {
+  if (clear.size === 0) return mesh;
+  const ranges = mesh.ranges?.map((range) =>
+    clear.has(range.picture) ? { ...range, picture: -1, isSeeThrough: true } : range,
+  );
+  return { ...mesh, ...(ranges && { ranges }) };
+}
+
+/** The matrix that moves a centre to the origin and scales a radius to 1. */
+const fitOf = ([x, y, z]: readonly [number, number, number], radius: number): Matrix4 =>
+  new Matrix4().makeScale(1 / radius, 1 / radius, 1 / radius).multiply(new Matrix4().makeTranslation(-x, -y, -z));
+
+/** Reads the model in an archive, whose files are `archived`, with those that were dropped along. */
+async function readArchived(
+  archived: readonly ModelFile[],
+  name: string,
+  dropped: readonly ModelFile[],
+  onStage: OnStage,
+  surroundings: Circumstances,
+): Promise<ReadModel> {
+  const main = chooseMain(archived);
+  onStage(`reading ${shownName(main.name)}`);
+  const unpacked = [...archived, ...dropped];
+  const read = { ...(await readMain(main, unpacked, onStage, surroundings, true)), unpacked };
+  const count = archived.filter((file) => rankOf(file) < MODEL_EXTENSIONS.length).length;
+  return count === 1 ? read : { ...read, notes: [`one of ${count} models in ${shownName(name)}`, ...read.notes] };
+}
+
+/** Says that a file is not of the format that it was said to be. A ZIP holds what it is read as. */
+function otherFormatNote({ format: said }: ModelFile, { name, extensions }: ModelFormat): string[] {
+  if (said === undefined || said === 'zip' || extensions.includes(said)) return [];
+  return [`read as ${name}, which its content is, and not as ${said.toUpperCase()}`];
+}
+
+/** Says that models were dropped together, of which only one is shown. */
+function otherModelsNote(main: ModelFile, files: readonly ModelFile[]): string[] {
+  const others = files.filter((file) => file !== main && rankOf(file) < MODEL_EXTENSIONS.length);
+  if (others.length === 0) return [];
+  const which = others.length === 1 ? shownName(others[0].name) : 'another';
+  return [`one of ${others.length + 1} models: drop ${which} by itself to see it`];
+}
+
+const brokenNote = (triangles: number): string[] =>
+  triangles === 0 ? [] : [counted(triangles, 'triangle', 'without three valid corners left out')];
+
+const duplicateNote = (triangles: number): string[] =>
+  triangles === 0 ? [] : [counted(triangles, 'duplicate triangle', 'left out')];
+
+/** Which axis a format usually has point up; undefined where files say it. */
+const usualUp = ({ up, isUpCertain, liesFlat = false }: ModelFormat): UsualUp | undefined =>
+  isUpCertain ? undefined : { up, liesFlat };
+
+/** What the reader of a format makes of a file. */
+interface Parsed extends Omit<ReadGltf, 'content'> {
+  content: PlainMesh | GltfParts | Object3D;
+}
+
+async function parse(format: ModelFormat, file: FormatFile): Promise<Parsed> {
+  const read = await format.read(file);
+  if ('content' in read) return read;
+  if (!('root' in read) || read.root.animations.length === 0) return parsedOf(read);
+  const notes = notesOn(read);
+  const moving = await readMoving(read.root, file.name, file.findFile);
+  if (moving) return { ...moving, notes: [...new Set([...moving.notes, ...notes])] };
+  // It is read again, because the first scene was used up.
+  const again = (await format.read(file)) as LoadedScene;
+  return parsedOf({ ...again, notes: ['shown without its motion'] });
+}
+
+/** Completes what a reader returned: nothing is missing and there is nothing to note unless it says so. */
+function parsedOf(read: NotedMesh | LoadedScene): Parsed {
+  const isScene = 'root' in read;
+  const { missing = [] }: Partial<LoadedScene> = isScene ? read : {};
+  const content = isScene ? read.root : read.mesh;
+  return { content, broken: 0, notes: isScene ? notesOn(read) : read.notes, details: [], missing };
+}
+
+/** What the caption is to say of a scene: what its reader says, and what is in it and not drawn. */
+function notesOn({ root, notes = [] }: LoadedScene): string[] {
+  const all = new Set(notes);
+  root.traverseVisible((object) => {
+    const { isMesh, material } = object as Partial<Mesh>;
+    if ('isLine' in object || 'isPoints' in object) all.add('points and lines left out');
+    if (isMesh && [material ?? []].flat().some((one) => (one as MeshPhongMaterial).displacementMap))
+      all.add(DISPLACEMENT_NOTE);
+  });
+  return [...all];
+}
+
+/** A name as files are found by: readers may join blanks in it. */
+const comparedName = (path: string): string => baseName(path).toLowerCase().replace(/\s+/g, ' ');
+
+function safeDecode(uri: string): string {
+  try {
+    return decodeURIComponent(uri);
+  } catch {
+    return uri;
+  }
+}
+
+function chooseMain(files: readonly ModelFile[]): ModelFile {
+  const [main] = [...files].sort((a, b) => rankOf(a) - rankOf(b));
+  if (!main) throw new ModelError('There was no file in what was dropped.');
+  return main;
+}
+
+/** The index of a file's extension in the order of preference; files that are no models come last. */
+function rankOf({ name }: ModelFile): number {
+  const at = MODEL_EXTENSIONS.indexOf(extensionOf(withoutGz(name)) ?? '');
+  return at === -1 ? MODEL_EXTENSIONS.length : at;
+}

@@ -1,0 +1,99 @@
+import type { SimplifiableMesh } from '../../../mesh/detail/SimplifiableMesh.js';
+import type { Simplifier } from '../../../mesh/detail/Simplifier.js';
+import { simplifyTriangles } from '../../../mesh/detail/simplifyTriangles.js';
+import type { PlainMesh } from '../mesh/PlainMesh.js';
+
+/** A mesh of more triangles is simplified. A sheet shows no more of them. */
+const MOST_TRIANGLES = 1_500_000;
+/** How far a simpler mesh lies from the file's at most, in radii, if that is simple enough: half a pixel on a sheet of 1,000. */
+const FIRST_ERROR = 2 ** -10;
+/** Two passes: the second simplifies where cells met in the first. The first leaves twice what is wanted, so that both do their part. */
+const PASSES = [
+  { shift: 0, leaves: 2 },
+  { shift: 0.5, leaves: 1 },
+];
+/** How far a vertex may move for a whole colour. */
+const COLOR_WEIGHT = 0.05;
+
+/** A mesh with fewer triangles, and how far they lie from those of the file, in radii. */
+export interface SimplifiedMesh {
+  mesh: PlainMesh;
+  error: number;
+}
+
+/**
+ * Simplifies a mesh of radius 1 until it has no more triangles than a sheet shows, each of its ranges for itself. It has no pictures.
+ *
+ * @param onProgress called with rising numbers in [0, 1]
+ * @param most triangles of the result
+ */
+export function simplifyMesh(
+  mesh: PlainMesh,
+  simplifier: Simplifier,
+  onProgress: (progress: number) => void,
+  most = MOST_TRIANGLES,
+): SimplifiedMesh {
+  const { positions, colors } = mesh;
+  const source: SimplifiableMesh = {
+    positions,
+    attributes: colors ?? new Float32Array(),
+    weights: colors ? new Array<number>(3).fill(COLOR_WEIGHT) : [],
+  };
+  const indices = mesh.indices ?? Uint32Array.from({ length: positions.length / 3 }, (_, i) => i);
+  const ranges = mesh.ranges ?? [{ start: 0, count: indices.length, picture: -1 }];
+  let parts = ranges.map(({ start, count }) => indices.slice(start, start + count));
+  const count = (): number => parts.reduce((sum, { length }) => sum + length, 0);
+  let error = 0;
+  let progress = 0;
+  for (let allowed = FIRST_ERROR; allowed < 0.1 && count() > 3 * most; allowed *= 2) {
+    for (const { shift, leaves } of PASSES) {
+      const share = Math.min(1, (3 * leaves * most) / count());
+      let farthest = 0;
+      parts = parts.map((part, i) => {
+        const task = simplifyTriangles(source, part, allowed / 2, simplifier, shift, share);
+        let step = task.next();
+        // Nobody knows how many passes it takes; each is shorter than the one before.
+        for (; !step.done; step = task.next())
+          onProgress(progress + (0.5 * (1 - progress) * (i + step.value)) / parts.length);
+        farthest = Math.max(farthest, step.value.error);
+        return step.value.indices;
+      });
+      progress += 0.5 * (1 - progress);
+      error += farthest;
+    }
+  }
+  return { mesh: joined(mesh, parts), error };
+}
+
+/** A mesh of the triangles that are left of each range of another. */
+function joined(mesh: PlainMesh, parts: readonly Uint32Array[]): PlainMesh {
+  const indices = new Uint32Array(parts.reduce((sum, { length }) => sum + length, 0));
+  let start = 0;
+  const ranges = parts.map(({ length: count }, i) => {
+    indices.set(parts[i], start);
+    start += count;
+    return { ...mesh.ranges?.[i], start: start - count, count, picture: -1 };
+  });
+  return { ...compacted(mesh, indices), ...(mesh.ranges && { ranges }) };
+}
+
+/** A mesh of some triangles of another, with their vertices alone. */
+function compacted({ positions, normals, colors }: PlainMesh, indices: Uint32Array): PlainMesh {
+  const numbers = new Uint32Array(positions.length / 3);
+  let count = 0;
+  for (const vertex of indices) if (numbers[vertex] === 0) numbers[vertex] = ++count;
+  const pick = (values: Float32Array): Float32Array => {
+    const picked = new Float32Array(3 * count);
+    for (let i = 0; i < numbers.length; i++) {
+      const to = 3 * (numbers[i] - 1);
+      if (to >= 0) for (let k = 0; k < 3; k++) picked[to + k] = values[3 * i + k];
+    }
+    return picked;
+  };
+  return {
+    positions: pick(positions),
+    normals: normals && pick(normals),
+    colors: colors && pick(colors),
+    indices: indices.map((vertex) => numbers[vertex] - 1),
+  };
+}

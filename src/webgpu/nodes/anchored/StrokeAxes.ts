@@ -1,0 +1,10 @@
+import type { Value } from '../base/values.js';
+
+/** How strokes lie in the surface. */
+export interface StrokeAxes {
+  /** The strokes' u and v in the surface, object space. */
+  uAxis: Value;
+  vAxis: Value;
+  /** How far the lights disagree. */
+  crossing: Value;
+}

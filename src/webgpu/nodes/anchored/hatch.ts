@@ -1,0 +1,43 @@
+/** The twin of shaders/chunks/hatch.glsl: the darkness of the hatch, of its layers printed over one another. */
+import { TONE_CONSTANTS } from '../../../look/constants/toneConstants.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
+import { leftOf, takenOf } from '../chunks/crossedTones.js';
+import { crossingOf, turnedLayer } from './layers.js';
+import type { HatchingParameters } from './read.js';
+
+const { float, max, pow } = tsl;
+
+/** The tone above which a second layer crosses the first. */
+const crossFrom = /* @__PURE__ */ hatchingUniform('crossFrom', 'float');
+/** Cosine and sine of the angle from the first layer to the second, and to the third. */
+const layerTurns = /* @__PURE__ */ hatchingUniform('layerTurns', 'vec4');
+
+const oneMinus = (x: Value): Value => float(1).sub(x).toVar();
+
+/** The darkness of one layer: of strokes or of dots. */
+export type HatchLayer = (h: HatchingParameters, tone: Value) => Value;
+
+/** @param layers the choice `strokeLayers`; with one light there is nothing that layers by lights could disagree about */
+export function hatch(h: HatchingParameters, tone: Value, layers: string, hatchLayer: HatchLayer): Value {
+  if (layers === 'lights') {
+    // A second layer along the other direction of the tensor takes over as much of the tone as the lights disagree. Where nothing stays blank,
+    // any share of the tone would fill both layers.
+    const blank = max(oneMinus(tone), 1e-3).toVar();
+    const share = crossingOf(h).mul(0.5).toVar();
+    const first = hatchLayer(h, oneMinus(pow(blank, oneMinus(share))));
+    const second = hatchLayer(turnedLayer(h, 1, [0, 1]), oneMinus(pow(blank, share)));
+    return oneMinus(oneMinus(first).mul(oneMinus(second)));
+  }
+  if (layers !== 'tone') return hatchLayer(h, tone);
+  const first = takenOf(tone, crossFrom).toVar();
+  const others = leftOf(tone, first).toVar();
+  const second = takenOf(others, float(TONE_CONSTANTS.THIRD_FROM)).toVar();
+  const third = leftOf(others, second).toVar();
+  const { x, y, z, w } = layerTurns;
+  return oneMinus(
+    oneMinus(hatchLayer(h, first))
+      .mul(oneMinus(hatchLayer(turnedLayer(h, 1, [x, y]), second)))
+      .mul(oneMinus(hatchLayer(turnedLayer(h, 2, [z, w]), third))),
+  );
+}

@@ -1,0 +1,65 @@
+/** The twin of shaders/techniques/engraved/emit.glsl. */
+import type { Light, SkinnedMesh } from 'three';
+import type { NodeBuilder } from 'three/webgpu';
+import { followsForm } from '../base/followsForm.js';
+import { inverseOf, linearPart } from '../base/matrices.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
+import { bonesOf, inObjectSpace } from '../chunks/deformVertex.js';
+import type { Anchor } from '../perFragment/emit.js';
+import { firstField, isByVertex, type LineCut, turnsWithLight } from './fieldAxis.js';
+import { formCrossing, formSlope, formValue, formVarying } from './formAttributes.js';
+import { fieldLight } from './lightField.js';
+import { vField, vFieldLight, vFieldNormal, vFieldPoint, vForm, vFormCrossing } from './varyings.js';
+
+const { determinant, If, vec4 } = tsl;
+
+/** Object space. */
+const fieldOrigin = /* @__PURE__ */ hatchingUniform('fieldOrigin', 'vec3');
+/** Linear part. */
+export const objectToField: Value = /* @__PURE__ */ hatchingUniform('objectToField', 'mat3');
+/** Its inverse transpose. */
+const objectToFieldNormal = /* @__PURE__ */ hatchingUniform('objectToFieldNormal', 'mat3');
+
+/** @param cut what cuts lines out of the object */
+export function emitEngraved(
+  builder: NodeBuilder,
+  anchor: Anchor,
+  { cut, isAtRest, lights }: { cut: LineCut; isAtRest: boolean; lights: readonly Light[] },
+): void {
+  const { lineField } = cut;
+  vFieldPoint.assign(objectToField.mul(anchor.position.sub(fieldOrigin)));
+  vFieldNormal.assign(objectToFieldNormal.mul(anchor.strokeNormal));
+  if (followsForm(lineField)) {
+    const along = formVarying(formSlope(), formValue().x, objectToFieldNormal, vFieldPoint);
+    const across = formVarying(formCrossing(), formValue().y, objectToFieldNormal, vFieldPoint);
+    const isAcross = lineField === 'acrossForm';
+    vForm.assign(isAcross ? across : along);
+    vFormCrossing.assign(isAcross ? along : across);
+    return;
+  }
+  const light = turnsWithLight(cut) ? lightOfField(builder, anchor, isAtRest, lights) : vec4(0, 1, 0, 0);
+  if (isByVertex(cut)) vField.assign(firstField(light, cut));
+  else vFieldLight.assign(light);
+}
+
+function lightOfField(
+  { object }: NodeBuilder,
+  { objectToView, viewToObject }: Anchor,
+  isAtRest: boolean,
+  lights: readonly Light[],
+): Value {
+  let restToView = objectToView;
+  let viewToRest = viewToObject;
+  if (isAtRest && (object as SkinnedMesh).isSkinnedMesh) {
+    // The light as the whole mesh sees it, not each of its bones: lines would break at joints. The first bone stands for the mesh.
+    const firstBone = inObjectSpace(bonesOf(object as SkinnedMesh).element(0));
+    restToView = objectToView.toVar();
+    viewToRest = viewToObject.toVar();
+    If(determinant(linearPart(firstBone)).notEqual(0), () => {
+      restToView.assign(objectToView.mul(firstBone));
+      viewToRest.assign(inverseOf(linearPart(restToView)));
+    });
+  }
+  return fieldLight(objectToField.mul(viewToRest).toVar(), restToView.mul(vec4(fieldOrigin, 1)).xyz.toVar(), lights);
+}

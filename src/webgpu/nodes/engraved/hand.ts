@@ -1,0 +1,65 @@
+/** The twin of shaders/techniques/engraved/hand.glsl: the unsteadiness of a hand. */
+import { HAND_CONSTANTS } from '../../../look/constants/handConstants.js';
+import { LOT_FACTORS } from '../../../look/constants/lotConstants.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { type Input, tsl, type Value } from '../base/values.js';
+
+const { abs, float, floatBitsToUint, fract, select, uint, vec3 } = tsl;
+const { BEND_PHASES, BENDS, BENT_BY, PRESSURE, SLOW_WAVES, STRAY, WAVE_PHASES, WIDTHS } = HAND_CONSTANTS;
+
+/** 0: a ruling machine. */
+export const handmade: Value = /* @__PURE__ */ hatchingUniform('handmade', 'float');
+
+const halfOf = (numbers: readonly number[]): Value => {
+  const [x, y, z] = numbers.map((number) => 0.5 * number);
+  return vec3(x, y, z);
+};
+
+function wave(halfX: Value): Value {
+  const t = fract(halfX).mul(2).sub(1).toVar();
+  return t.mul(abs(t).mul(4).sub(4));
+}
+
+/** Slow waves, each within [−1, 1], without a visible period. */
+export function slowWaves(p: Value): Value {
+  const bends = wave(
+    vec3(p.y, p.z, p.x)
+      .mul(0.5 * BENDS)
+      .add(halfOf(BEND_PHASES)),
+  );
+  const bent = p.add(bends.mul(BENT_BY)).toVar();
+  return wave(
+    vec3(bent.z, bent.x, bent.y)
+      .mul(0.5 * SLOW_WAVES)
+      .add(halfOf(WAVE_PHASES)),
+  );
+}
+
+export const handPoint = (point: Value, waves: Value): Value => point.add(waves.mul(handmade.mul(STRAY)));
+
+export const handPressure = (waves: Value): Value => handmade.mul(PRESSURE).mul(waves.x).mul(waves.y);
+
+export const handTone = (pressure: Value, tone: Value): Value => tone.add(pressure.mul(tone).mul(float(1).sub(tone)));
+
+/** A number in [0, 1) that belongs to a line. @param line its value, a multiple of a power of two */
+function lotBy(digits: number, line: Value): Value {
+  const bits = floatBitsToUint(line).toVar();
+  const exponent = bits.shiftRight(uint(23)).bitAnd(uint(31)).toVar();
+  const rest = uint(32).sub(exponent).bitAnd(uint(31));
+  const factor = uint(digits).shiftLeft(exponent).bitOr(uint(digits).shiftRight(rest));
+  const significand = bits.bitAnd(uint(0x7fffff)).bitOr(uint(0x800000));
+  const spread = significand.mul(factor).bitXor(bits.bitAnd(uint(0x80000000)));
+  return float(spread.shiftRight(uint(8) as Input)).mul(1 / 16777216);
+}
+
+/** One that is far from those of its neighbours. */
+export const lotOf = (line: Value): Value => lotBy(LOT_FACTORS.THUE_MORSE, line);
+
+/** One by which three neighbours take turns: 0, a third and two thirds. */
+export const turnOf = (line: Value): Value => select(line.equal(0), 0, lotBy(LOT_FACTORS.ONE_THIRD, line)).toVar();
+
+/** A factor on the width of a line, the same all along it; 1 in the mean. */
+export function handWidth(line: Value): Value {
+  const most = handmade.mul(WIDTHS);
+  return most.mul(lotOf(line)).add(float(1).sub(most.mul(0.5)));
+}

@@ -1,0 +1,65 @@
+/** The twin of shaders/techniques/engraved/hatchLayer.glsl: engraved lines, and other families that cross them in the darks. */
+import { LINE_CONSTANTS } from '../../../look/constants/lineConstants.js';
+import { TONE_CONSTANTS } from '../../../look/constants/toneConstants.js';
+import type { Medium } from '../../../look/hatchingProperties.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
+import { leftOf, takenOf } from '../chunks/crossedTones.js';
+import type { Family, HatchingParameters } from './Hatching.js';
+import { handTone } from './hand.js';
+import { ruledLines } from './ruledLines.js';
+
+const { float, If, max, mix, select } = tsl;
+
+/** The tone above which lines cross. */
+const crossFrom = /* @__PURE__ */ hatchingUniform('crossFrom', 'float');
+/** Cosine and sine of the angle between a family and what crosses it, and of the middle of the wider angle between them. */
+const layerTurns = /* @__PURE__ */ hatchingUniform('layerTurns', 'vec4');
+/** 0: an even grey of the same tone, while lines give way to others; 1: lines. */
+const lineContrast = /* @__PURE__ */ hatchingUniform('lineContrast', 'float');
+
+/** The darkness of three families printed over one another. */
+export function families(
+  h: HatchingParameters,
+  first: Value | null,
+  crossing: Value,
+  { medium, isOther }: { medium: Medium; isOther: boolean },
+): Value {
+  const { x, y, z, w } = layerTurns;
+  const lean = isOther ? ([z.negate(), w.negate()] as const) : ([x, y] as const);
+  // Where the first has no lines, one side is left to the families that lean either way: they would lie along one another.
+  const shareB = isOther ? h.shareB.add(h.has).sub(1) : h.shareB;
+  const blankB = mix(1, float(1).sub(crossing), shareB).toVar();
+  const blankC = float(1).sub(crossing).div(max(blankB, 1e-4)).toVar();
+  const blank = float(1).toVar();
+  const print = (tone: Value, least: number, family: () => Family): void => {
+    If(tone.greaterThan(least), () => {
+      blank.mulAssign(float(1).sub(ruledLines(h, family(), handTone(h.pressure, tone).toVar(), medium)));
+    });
+  };
+  if (first) print(first, 0, () => h.firstFamily());
+  // Families without ink cost nothing.
+  print(float(1).sub(blankB).toVar(), LINE_CONSTANTS.LEAST_TONE, () => h.crossingFamily(true, lean, isOther));
+  print(float(1).sub(blankC).toVar(), LINE_CONSTANTS.LEAST_TONE, () => h.crossingFamily(false, lean, isOther));
+  return float(1).sub(blank);
+}
+
+/** Lines give way to an even grey of their tone where they would shimmer. */
+export const contrasted = (tone: Value, darkness: Value): Value =>
+  select(tone.greaterThanEqual(1), 1, mix(tone, darkness, lineContrast));
+
+/** Any number of families leaves as much blank as the tone does. */
+export function hatchLayer(h: HatchingParameters, tone: Value, medium: Medium): Value {
+  const kept = medium === 'pen' ? TONE_CONSTANTS.KEPT_BY_PEN : TONE_CONSTANTS.KEPT_SHARE;
+  const first = h.has.mul(takenOf(tone, crossFrom, kept)).toVar();
+  const others = leftOf(tone, first).toVar();
+  let darkness: Value;
+  if (medium === 'pen') {
+    // Strokes cross at a slant, which alone would leave rows of rhombs open in the darks: others lean the other way there.
+    const second = takenOf(others, float(TONE_CONSTANTS.THIRD_FROM), kept).toVar();
+    const third = leftOf(others, second).toVar();
+    const those = float(1).sub(families(h, first, second, { medium, isOther: false }));
+    darkness = float(1).sub(those.mul(float(1).sub(families(h, null, third, { medium, isOther: true }))));
+  } else darkness = families(h, first, others, { medium, isOther: false });
+  return contrasted(tone, darkness);
+}

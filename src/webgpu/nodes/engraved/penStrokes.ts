@@ -1,0 +1,215 @@
+/** The twin of shaders/techniques/engraved/penStrokes.glsl: lines that a pen draws in strokes. */
+import { LOT_FACTORS } from '../../../look/constants/lotConstants.js';
+import { PEN_CONSTANTS } from '../../../look/constants/penConstants.js';
+import { tsl, type Value } from '../base/values.js';
+import { lineCoverage } from '../chunks/lineCoverage.js';
+import type { Family, HatchingParameters } from './Hatching.js';
+import { handmade, lotOf, turnOf } from './hand.js';
+import { FRINGE } from './lineFringe.js';
+import { type Along, alongLines, differing, numberOf } from './strokeLengths.js';
+
+const {
+  abs,
+  clamp,
+  float,
+  floatBitsToUint,
+  floor,
+  fract,
+  If,
+  int,
+  Loop,
+  max,
+  min,
+  mix,
+  select,
+  sign,
+  sqrt,
+  uint,
+  vec2,
+} = tsl;
+const { ALL_FROM, AXIS_LOT, AXIS_TURN, BENDING, BIRTH, BIRTH_LOT, CLOSED_FROM, GAP_LOT, LATE_LOT, LATENESS } =
+  PEN_CONSTANTS;
+const { LEANING, NIB } = PEN_CONSTANTS;
+const { SHORTENING, SHORTENING_OF_INK, STROKE_GAP, STROKE_GROWTH, TAPER, WIDTH_LOT, WIDTH_SPREAD } = PEN_CONSTANTS;
+
+/** What a line loses to the gaps and the ends of its strokes where they are farthest apart. */
+const LOST = 0.5 * STROKE_GAP + TAPER / 3;
+
+export interface Pen {
+  family: Family;
+  along: Along;
+  tone: Value;
+  /** How far strokes are apart at their ends. */
+  open: Value;
+  /** The tone from which on all strokes are there. */
+  allFrom: Value;
+  /** Of a stroke in its middle, as a share of the room of a line. */
+  width: Value;
+}
+
+const oneMinus = (x: Value): Value => float(1).sub(x);
+
+/** The integral of the ink of a stroke that grows: a ramp from 0 to 1, and less where it is short. */
+function rampSum(x: Value): Value {
+  const grown = min(x.div(STROKE_GROWTH), 1).toVar();
+  const lessShort = float(0.5).sub(float(0.5).sub(grown.div(3)).mul(SHORTENING_OF_INK));
+  return grown
+    .mul(grown)
+    .mul(lessShort)
+    .mul(STROKE_GROWTH)
+    .add(max(x.sub(STROKE_GROWTH), 0));
+}
+
+export function penFor(h: HatchingParameters, family: Family, tone: Value, octave: Value): Pen {
+  const allFrom = differing(family, octave).mul(ALL_FROM).toVar();
+  const light = max(oneMinus(tone.div(CLOSED_FROM)), 0).toVar();
+  const open = light.mul(light).toVar();
+  const above = max(tone.sub(allFrom), 0).toVar();
+  const there = rampSum(tone).sub(rampSum(above)).div(allFrom);
+  const width = tone.div(max(there.mul(oneMinus(open.mul(LOST))), 1e-4)).toVar();
+  const drawn = select(tone.lessThan(allFrom), min(width, NIB), width).toVar();
+  return { family, along: alongLines(h, family), tone, open, allFrom, width: drawn };
+}
+
+/** The lot below which strokes have been born where so large a share of them is, each over a part BIRTH of all lots. */
+function bornBelow(share: Value): Value {
+  const grown = select(
+    share.lessThan(1 - 0.5 * BIRTH),
+    share.add(0.5 * BIRTH),
+    float(1 + BIRTH).sub(sqrt(max(oneMinus(share).mul(2 * BIRTH), 0))),
+  );
+  return select(share.lessThan(0.5 * BIRTH), sqrt(share.mul(2 * BIRTH)), grown).toVar();
+}
+
+/** Random bits that the lots of the strokes on a line begin with. */
+function bitsOfLine(line: Value): Value {
+  const { GOLDEN_RATIO, THIRD_FACTOR } = LOT_FACTORS;
+  const word = floatBitsToUint(line).toVar();
+  const spread = word
+    .bitXor(word.shiftRight(uint(12)))
+    .mul(uint(GOLDEN_RATIO))
+    .toVar();
+  return spread
+    .bitXor(spread.shiftRight(uint(13)))
+    .mul(uint(THIRD_FACTOR))
+    .toVar();
+}
+
+/** A number in [0, 1) that belongs to a stroke, and is far from those of its neighbours on the line. */
+const lotOfStroke = (bits: Value, stroke: Value): Value =>
+  float(bits.add(uint(int(stroke)).mul(uint(LOT_FACTORS.THUE_MORSE))).shiftRight(uint(8)))
+    .div(16777216)
+    .toVar();
+
+/** How late a stroke begins, as a share of the mean length. */
+const latenessOf = (chance: Value): Value => fract(chance.mul(LATE_LOT)).mul(LATENESS).toVar();
+
+/**
+ * The strokes of a line by one axis and of one length: their width at this place, as a share of its room, and how far they stray from it, in
+ * distances between lines.
+ *
+ * @param place in lengths of strokes
+ * @param lot of the line, as are its turn and the bits that its strokes have by chance
+ */
+function strokeOn(
+  pen: Pen,
+  born: Value,
+  place: Value,
+  { lot, turn, bits }: Record<'lot' | 'turn' | 'bits', Value>,
+): Value {
+  const along = place.add(lot).toVar();
+  // Strokes begin late by chance, and so differ in length: the ends of neighbours would otherwise lie in rows across the lines.
+  const stroke = floor(along).toVar();
+  const begin = stroke.add(latenessOf(lotOfStroke(bits, stroke)));
+  stroke.assign(stroke.sub(select(along.lessThan(begin), 1, 0)));
+  const chance = lotOfStroke(bits, stroke);
+  const late = latenessOf(chance);
+  const size = latenessOf(lotOfStroke(bits, stroke.add(1)))
+    .sub(late)
+    .add(1);
+  // From −1 at one end to 1 at the other.
+  const way = along.sub(stroke).sub(late).mul(2).div(size).sub(1).toVar();
+  // What differs from stroke to stroke is spread evenly over a surface. Of three neighbouring lines the first strokes lie on one.
+  const even = lotOfStroke(uint(lot.mul(16777216)).shiftLeft(uint(8)), stroke);
+  const order = fract(turn.add(even.div(3)));
+  const grown = clamp(pen.tone.sub(pen.allFrom.mul(order)).div(STROKE_GROWTH), 0, 1).toVar();
+  const gap = fract(even.mul(GAP_LOT)).toVar();
+  const inside = oneMinus(abs(way)).sub(pen.open.mul(STROKE_GAP).mul(gap)).sub(oneMinus(grown).mul(SHORTENING));
+  const taper = pen.open.mul(TAPER).toVar();
+  const rest = clamp(taper.sub(inside).div(max(taper, 1e-3)), 0, 1).toVar();
+  const there = grown.mul(clamp(born.sub(fract(even.mul(BIRTH_LOT))).div(BIRTH), 0, 1));
+  const spread = handmade
+    .mul(WIDTH_SPREAD)
+    .mul(pen.open)
+    .mul(fract(even.mul(WIDTH_LOT)).sub(0.5))
+    .add(1);
+  const leaning = gap.sub(0.5).mul(LEANING).mul(way);
+  const astray = leaning.add(
+    chance
+      .sub(0.5)
+      .mul(BENDING)
+      .mul(float(0.5).sub(way.mul(way))),
+  );
+  return vec2(
+    pen.width
+      .mul(there)
+      .mul(spread)
+      .mul(oneMinus(rest.mul(rest))),
+    handmade.mul(pen.open).mul(astray),
+  ).toVar();
+}
+
+/** The share of the first axis on a line: lines go over from one to the other one after another. */
+const firstOnLine = (along: Along, lot: Value): Value =>
+  clamp(
+    along.share
+      .mul(1 + AXIS_TURN)
+      .sub(fract(lot.mul(AXIS_LOT)))
+      .div(AXIS_TURN),
+    0,
+    1,
+  ).toVar();
+
+/** Most places lie along one axis and at one length of strokes; others share theirs. */
+function strokesOn(pen: Pen, born: Value, line: Value): Value {
+  const { along } = pen;
+  const number = numberOf(line, pen.family).toVar();
+  const size = abs(number).toVar();
+  const lot = lotOf(size).toVar();
+  const turn = turnOf(size);
+  const bits = bitsOfLine(size);
+  const first = firstOnLine(along, lot);
+  const isFirst = first.greaterThanEqual(0.5).toVar();
+  const other = min(first, oneMinus(first)).toVar();
+  const strokes = vec2(0).toVar();
+  Loop({ start: int(0), end: int(4), type: 'int', condition: '<' }, ({ i }) => {
+    const isOther = i.greaterThanEqual(int(2)).toVar();
+    const isLonger = i
+      .equal(int(1))
+      .or(i.equal(int(3)))
+      .toVar();
+    const ofAxis = select(isOther, other, oneMinus(other));
+    const share = ofAxis.mul(select(isLonger, along.longer, oneMinus(along.longer))).toVar();
+    If(share.greaterThan(0), () => {
+      const place = select(isFirst.equal(isOther), along.places.y, along.places.x).toVar();
+      const period = select(isLonger, along.period.mul(2), along.period).toVar();
+      strokes.addAssign(strokeOn(pen, born, place.div(period), { lot, turn, bits }).mul(share));
+    });
+  });
+  return vec2(strokes.x, sign(number).mul(strokes.y)).toVar();
+}
+
+/**
+ * @param away from the line, signed, in pixels
+ * @param share of the room of old lines that the line has
+ * @param spacing of old lines, pixels
+ */
+export function penCoverage(pen: Pen, away: Value, share: Value, spacing: Value, line: Value): Value {
+  // Young strokes are fewer and thinner at once: as wide as the old ones, they would fill the room between them. In the dark they are thinner
+  // alone, since a stroke that is not there would be a hole.
+  const there = mix(1, sqrt(max(share, 0)), sqrt(pen.open)).toVar();
+  const stroke = strokesOn(pen, bornBelow(there), line);
+  const width = share.div(max(there, 1e-4)).mul(stroke.x);
+  const halfWidth = spacing.mul(0.5).mul(width).toVar();
+  return lineCoverage(abs(away.sub(spacing.mul(stroke.y))), halfWidth, FRINGE);
+}

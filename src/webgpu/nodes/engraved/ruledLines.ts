@@ -1,0 +1,97 @@
+/** The twin of shaders/techniques/engraved/ruledLines.glsl: one family of lines. */
+import { GROUND_CONSTANTS } from '../../../look/constants/groundConstants.js';
+import { LINE_CONSTANTS } from '../../../look/constants/lineConstants.js';
+import type { Medium } from '../../../look/hatchingProperties.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
+import { lineCoverage } from '../chunks/lineCoverage.js';
+import { cutFor, cutWidth, rowOctaves } from './carving.js';
+import type { Family, HatchingParameters } from './Hatching.js';
+import { handWidth, lotOf } from './hand.js';
+import { FRINGE } from './lineFringe.js';
+import { octaves, powerOf2 } from './octaves.js';
+import { penCoverage, penFor } from './penStrokes.js';
+import { sizedOnScreen } from './sizedOnScreen.js';
+
+const { abs, ceil, clamp, float, floor, fract, int, Loop, max, min, mix, select } = tsl;
+
+/** Pixels between lines, or 256ths of a tile. */
+const lineSpacing = /* @__PURE__ */ hatchingUniform('lineSpacing', 'float');
+/** How many times as far apart lines of a shadow lie. */
+const shadowSpacing = /* @__PURE__ */ hatchingUniform('shadowSpacing', 'float');
+/** The tones that are printed where all light arrives, and where none does, and of a full shadow alone. */
+const toneEnds = /* @__PURE__ */ hatchingUniform('toneEnds', 'vec2');
+const shadowTone = /* @__PURE__ */ hatchingUniform('shadowTone', 'float');
+/** Pixels: where lines would lie closer, every other one is left out. */
+const finestSpacing = /* @__PURE__ */ hatchingUniform('finestSpacing', 'float');
+
+/**
+ * Where a shadow dissolves its lines end one by one: the width of a line as a factor on what it would be if all thinned out together. The mean
+ * over all lines is 1, so that the tone is the same.
+ */
+function lineLeft(line: Value, shadowLeft: Value): Value {
+  const { ENDING, LEAST_LEFT, MOST_ENDING } = GROUND_CONSTANTS;
+  const gone = min(float(1).sub(shadowLeft).mul(ENDING).div(max(shadowLeft, LEAST_LEFT)), MOST_ENDING).toVar();
+  const kept = select(gone.lessThan(1), float(1).sub(gone.mul(0.5)), float(0.5).div(gone));
+  // Half a turn from the lot by which widths differ: those that stay are neither the wide ones nor the thin ones.
+  return max(float(1).sub(gone.mul(fract(lotOf(line).add(0.5)))), 0).div(kept);
+}
+
+/** The tone by which rows of cuts lie apart: they keep their places at the edges of a shadow, where their cuts widen. */
+const rowTone = ({ shadowLeft }: HatchingParameters, tone: Value): Value =>
+  shadowLeft ? max(tone, toneEnds.y.mul(shadowTone).mul(shadowLeft)).toVar() : tone;
+
+/** The share of a pixel that a line covers. @param away from the line, signed, pixels @param room half of what the line has, pixels */
+type Covering = (away: Value, room: Value, line: Value) => Value;
+
+function coveringBy(
+  medium: Medium,
+  h: HatchingParameters,
+  family: Family,
+  tone: Value,
+  { octave, oldRoom, spacing }: Record<'octave' | 'oldRoom' | 'spacing', Value>,
+): Covering {
+  if (medium === 'pen') {
+    const pen = penFor(h, family, tone, octave);
+    return (away, room, line) => penCoverage(pen, away, room.div(oldRoom), spacing, line);
+  }
+  if (medium === 'woodcut') {
+    const cut = cutFor(h, family, tone, octave);
+    return (away, room, line) => lineCoverage(abs(away), room.mul(cutWidth(cut, line)).toVar(), FRINGE);
+  }
+  return (away, room, line) => {
+    const ofHand = family.isOfForm ? tone : tone.mul(handWidth(line));
+    const width = h.shadowLeft && !family.isOfForm ? ofHand.mul(lineLeft(line, h.shadowLeft)) : ofHand;
+    return lineCoverage(abs(away), room.mul(width).toVar(), FRINGE);
+  };
+}
+
+/** The darkness of a family. */
+export function ruledLines(h: HatchingParameters, family: Family, tone: Value, medium: Medium): Value {
+  const { LEAST_OF_SMOOTH, MOST_OFF_TRIANGLE, PARTS_OF_TILE } = LINE_CONSTANTS;
+  const seen = max(family.seen, max(family.perPixel.mul(LEAST_OF_SMOOTH), 1e-12)).toVar();
+  const perPixel = clamp(family.perPixel, seen.div(MOST_OFF_TRIANGLE), seen.mul(MOST_OFF_TRIANGLE)).toVar();
+  const wanted = h.shadowLeft ? lineSpacing.mul(shadowSpacing).toVar() : lineSpacing;
+  const onObject = octaves(wanted.div(PARTS_OF_TILE).mul(family.rise).toVar());
+  const onScreen = octaves(wanted.mul(perPixel).toVar());
+  const octave = max(mix(onObject, onScreen, sizedOnScreen), octaves(finestSpacing.mul(perPixel).toVar())).toVar();
+  if (medium === 'woodcut') octave.addAssign(rowOctaves(rowTone(h, tone)));
+  octave.assign(min(octave, family.coarsest));
+  const period = powerOf2(ceil(octave)).toVar();
+  const pixels = period.div(seen).toVar();
+  const spacing = powerOf2(octave).div(seen).toVar();
+  const x = family.value.div(period).toVar();
+  const below = floor(x).toVar();
+  const oldRoom = spacing.mul(0.5).toVar();
+  const youngRoom = pixels.sub(spacing).mul(0.5).toVar();
+  const covering = coveringBy(medium, h, family, tone, { octave, oldRoom, spacing });
+  const covered = float(0).toVar();
+  // All that a pixel may lie on: their shares of it add up.
+  Loop({ start: int(0), end: int(3), type: 'int', condition: '<' }, ({ i }) => {
+    const line = below.add(float(i).mul(0.5)).toVar();
+    const room = select(i.equal(int(1)), youngRoom, oldRoom).toVar();
+    covered.addAssign(covering(x.sub(line).mul(pixels).toVar(), room, line.mul(period).toVar()));
+  });
+  covered.assign(min(covered, 1));
+  return medium === 'woodcut' ? float(1).sub(covered) : covered;
+}

@@ -1,0 +1,66 @@
+/** The twin of shaders/techniques/engraved/strokeLengths.glsl: strokes that the lines of a family are drawn in. */
+import { LINE_CONSTANTS } from '../../../look/constants/lineConstants.js';
+import { STROKE_LENGTH_CONSTANTS } from '../../../look/constants/strokeLengthConstants.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
+import { screenGradient } from '../perFragment/screenGradient.js';
+import type { Family, HatchingParameters } from './Hatching.js';
+import { octaves, powerOf2 } from './octaves.js';
+import { sizedOnScreen } from './sizedOnScreen.js';
+import { vFieldNormal, vFieldPoint } from './varyings.js';
+
+const { abs, ceil, clamp, cross, dot, float, floor, max, min, mix, normalize, select, smoothstep, vec2, vec3 } = tsl;
+const { AXES_FADE, DIFFERING_OCTAVES, LEAST_DIFFERING, LENGTHS_FADE } = STROKE_LENGTH_CONSTANTS;
+
+/** Pixels, or 256ths of a tile. */
+const strokeLength = /* @__PURE__ */ hatchingUniform('strokeLength', 'float');
+
+/** Where a fragment lies along the lines of a family: by two axes of the field, those along which the lines run most. */
+export interface Along {
+  places: Value;
+  /** Of the first. */
+  share: Value;
+  /** From the beginning of a stroke to the next. */
+  period: Value;
+  /** The share of strokes twice as long. */
+  longer: Value;
+}
+
+const crossed = (a: Value, b: Value): Value => abs(a.x.mul(b.y).sub(a.y.mul(b.x)));
+
+export function alongLines(h: HatchingParameters, family: Family): Along {
+  const direction = cross(vFieldNormal, family.gradient).toVar();
+  const squares = direction.mul(direction).toVar();
+  squares.assign(squares.div(max(squares.x.add(squares.y).add(squares.z), 1e-20)));
+  // The axis along which the lines run least is left out.
+  const isLeastX = squares.x.lessThan(min(squares.y, squares.z)).toVar();
+  const isLeastY = squares.y.lessThan(squares.z);
+  const first = select(isLeastX, vec3(0, 0, 1), vec3(1, 0, 0)).toVar();
+  const second = select(isLeastX.not().and(isLeastY), vec3(0, 0, 1), vec3(0, 1, 0)).toVar();
+  const share = smoothstep(-AXES_FADE, AXES_FADE, dot(squares, first.sub(second))).toVar();
+  const value = normalize(screenGradient(family.gradient, h.onScreen)).toVar();
+  const acrossFirst = crossed(screenGradient(first, h.onScreen).toVar(), value);
+  const acrossSecond = crossed(screenGradient(second, h.onScreen).toVar(), value);
+  const perPixel = mix(acrossSecond, acrossFirst, share);
+  const onObject = octaves(strokeLength.div(LINE_CONSTANTS.PARTS_OF_TILE).toVar());
+  const onScreen = octaves(strokeLength.mul(max(perPixel, 1e-12)).toVar());
+  const octave = mix(onObject, onScreen, sizedOnScreen).toVar();
+  const whole = ceil(octave.sub(0.5)).toVar();
+  return {
+    places: vec2(dot(first, vFieldPoint), dot(second, vFieldPoint)).toVar(),
+    share,
+    period: powerOf2(whole).toVar(),
+    longer: smoothstep(1 - LENGTHS_FADE, 1, octave.sub(whole).add(0.5)).toVar(),
+  };
+}
+
+/** How far lines differ, as a share of the most: less where few lie between the repeats of their numbers. @param octave of their distance */
+export const differing = ({ coarsest }: Family, octave: Value): Value =>
+  clamp(float(coarsest).sub(octave).div(DIFFERING_OCTAVES), LEAST_DIFFERING, 1).toVar();
+
+/** The number of a line: the same on both sides of a seam but for its sign. */
+export function numberOf(line: Value, { isOfForm, coarsest }: Family): Value {
+  if (!isOfForm) return line;
+  const repeat = powerOf2(float(coarsest).toVar()).toVar();
+  return line.sub(repeat.mul(floor(line.div(repeat).add(0.5)))).toVar();
+}

@@ -1,0 +1,4 @@
+import { serveTasks } from './serveTasks.js';
+import { handTasks } from './handTasks.js';
+
+serveTasks(handTasks);

@@ -1,0 +1,12 @@
+import type { TaskSet } from './TaskSet.js';
+import type { handTasks } from './handTasks.js';
+
+/** The tasks for hands, for `runTaskOf`. */
+export const handTaskSet: TaskSet<typeof handTasks> = {
+  fetchTasks: async () => (await import('./handTasks.js')).handTasks,
+  requestBuffers: {
+    learnHand: () => [],
+    traceStrokes: ({ image }) => [image.data.buffer as ArrayBuffer],
+  },
+  fetchWorker: async () => (await import('./inlineHandWorker.js')).createInlineHandWorker,
+};

@@ -1,0 +1,17 @@
+import type { Hand, HandStroke } from '../strokes/hand/Hand.js';
+import { type LearnHandRequest, learnHandSteps } from '../strokes/hand/learnHand.js';
+import { type TraceRequest, traceStrokesSteps } from '../strokes/strokeTracing/traceStrokesSteps.js';
+import type { Task } from './TaskSet.js';
+
+const learning: Task<LearnHandRequest, Hand> = {
+  run: learnHandSteps,
+  resultBuffers: () => [],
+};
+
+const tracing: Task<TraceRequest, HandStroke[]> = {
+  run: traceStrokesSteps,
+  resultBuffers: () => [],
+};
+
+/** All tasks of the worker for hands. It lies apart from that of bakes and maps, which every page loads. */
+export const handTasks = { learnHand: learning, traceStrokes: tracing };

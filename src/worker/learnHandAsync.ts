@@ -1,0 +1,32 @@
+import type { Hand, HandStroke } from '../strokes/hand/Hand.js';
+import type { LearnHandOptions } from '../strokes/hand/learnHand.js';
+import { checkOptions } from './checkOptions.js';
+import { runTaskOf } from './runTask.js';
+import type { TaskOptions } from './TaskOptions.js';
+import { handTaskSet } from './handTaskSet.js';
+
+/**
+ * Options of `learnHandAsync`: those of `learnHand`, and those of the task. A worker of `createWorker` runs `three-hatching/hand.worker`.
+ */
+export interface LearnHandAsyncOptions extends LearnHandOptions, TaskOptions {}
+
+const LEARN_HAND_OPTIONS = { name: true, maxStrokes: true, maxPoints: true } satisfies Record<
+  keyof LearnHandOptions,
+  true
+>;
+
+/**
+ * Does what `learnHand` does, in a worker if possible: for thousands of strokes, which would hold up the page otherwise.
+ *
+ * @throws TypeError or RangeError (as a rejection) that says in a sentence what is wrong with the strokes or the options; the signal's
+ *   reason when aborted
+ */
+export async function learnHandAsync(
+  strokes: readonly HandStroke[],
+  options: LearnHandAsyncOptions = {},
+): Promise<Hand> {
+  checkOptions('learnHandAsync', options, LEARN_HAND_OPTIONS);
+  const { name, maxStrokes, maxPoints, ...task } = options;
+  const request = () => ({ strokes, options: { name, maxStrokes, maxPoints } });
+  return runTaskOf(handTaskSet, 'learnHand', request(), task, request);
+}

@@ -1,0 +1,45 @@
+import type { HandStroke } from '../strokes/hand/Hand.js';
+import { checkScannedImage, type ScannedImage } from '../strokes/strokeTracing/ScannedImage.js';
+import type { TraceOptions } from '../strokes/strokeTracing/traceStrokesSteps.js';
+import { checkOptions } from './checkOptions.js';
+import { runTaskOf } from './runTask.js';
+import type { TaskOptions } from './TaskOptions.js';
+import { handTaskSet } from './handTaskSet.js';
+
+/**
+ * Options of `traceStrokes`: what is known of the picture, and those of the task. A worker of `createWorker` runs
+ * `three-hatching/hand.worker`.
+ */
+export interface TraceStrokesOptions extends TraceOptions, TaskOptions {}
+
+const OPTIONS = { millimetresPerPixel: true, swatch: true } satisfies Record<keyof TraceOptions, true>;
+
+/**
+ * Finds the strokes in a photograph or a scan of a swatch, in a worker if possible: parts ink from paper in uneven light, thins it to lines,
+ * lets lines that cross go straight on, and measures the width along each. `learnHand` makes a hand of them.
+ *
+ * Strokes should be three pixels wide or more, and apart from each other by as much; those that touch side by side become one. A stroke's
+ * ends are where a round pen would have stood. Ink does not tell which way it was drawn: most strokes go to the right.
+ *
+ * ```ts
+ * const bitmap = await createImageBitmap(file);
+ * const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
+ * context.drawImage(bitmap, 0, 0);
+ * const strokes = await traceStrokes(context.getImageData(0, 0, bitmap.width, bitmap.height), { swatch: 'middle' });
+ * const hand = learnHand(strokes);
+ * ```
+ *
+ * @param image the picture, such as an `ImageData`, with at most 16 million pixels; it is copied
+ * @throws TypeError or RangeError (as a rejection) if the picture or an option is out of its range; Error if there are no strokes in it, or
+ *   more than 1000; the signal's reason when aborted
+ */
+export async function traceStrokes(image: ScannedImage, options: TraceStrokesOptions = {}): Promise<HandStroke[]> {
+  checkOptions('traceStrokes', options, OPTIONS);
+  const { millimetresPerPixel, swatch, ...task } = options;
+  checkScannedImage(image);
+  const request = () => {
+    const { width, height, data } = image;
+    return { image: { width, height, data: data.slice() }, millimetresPerPixel, swatch };
+  };
+  return runTaskOf(handTaskSet, 'traceStrokes', request(), task, request);
+}

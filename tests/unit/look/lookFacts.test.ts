@@ -1,0 +1,225 @@
+import { describe, expect, test } from 'vitest';
+import type { HatchingPropertyName, Medium } from '../../../src/look/hatchingProperties.js';
+import {
+  followsForm,
+  formOf,
+  type HatchingLook,
+  needsAdjacency,
+  needsMap,
+  usesThresholds,
+} from '../../../src/look/lookFacts.js';
+import { counts, measureOf, pixelPower, scaledSizes } from '../../../src/look/measuredFacts.js';
+import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
+import type { PropertyRow } from '../../../tools/properties/PropertyRow.js';
+import { PROPERTIES } from '../../../tools/properties/table.js';
+import { TECHNIQUES } from '../../../tools/properties/techniques.js';
+
+describe('what follows from a look', () => {
+  test.each([
+    [{}, true, false],
+    [{ technique: 'triangle' }, true, true],
+    [{ technique: 'adjacency', medium: 'stipple' }, true, true],
+    [{ technique: 'adjacency', crisp: true }, true, true],
+    [{ technique: 'anchored' }, true, false],
+    [{ technique: 'anchored', medium: 'dry' }, true, false],
+    [{ technique: 'anchored', medium: 'stipple' }, false, false],
+    [{ medium: 'stipple' }, false, false],
+    [{ technique: 'engraved' }, false, false],
+    [{ technique: 'engraved', medium: 'dry' }, false, false],
+    [{ preset: 'pen' }, false, false],
+    [{ preset: 'pencil' }, true, false],
+    [{ preset: 'stipple' }, false, false],
+    [{ preset: 'engraving' }, false, false],
+    [{ preset: 'engraving', technique: 'adjacency' }, true, true],
+  ] as const)('%j: a map is needed: %s, adjacency: %s', (look, map, adjacency) => {
+    expect([needsMap(look), needsAdjacency(look)]).toEqual([map, adjacency]);
+    const material = new HatchingMaterial(look as { medium?: Medium });
+    expect([needsMap(material), needsAdjacency(material)]).toEqual([map, adjacency]);
+  });
+
+  test.each([
+    [{}, true],
+    [{ technique: 'adjacency' }, false],
+    [{ technique: 'adjacency', crisp: true }, true],
+    [{ technique: 'anchored' }, true],
+    [{ technique: 'anchored', medium: 'stipple' }, true],
+    // The crispness of another technique.
+    [{ technique: 'engraved', crisp: true }, false],
+  ] as const)('%j decides ink from thresholds: %s', (look, expected) => {
+    expect(usesThresholds(look)).toBe(expected);
+  });
+
+  test.each([
+    [{}, false],
+    [{ technique: 'engraved' }, false],
+    [{ technique: 'engraved', lineField: 'x' }, false],
+    [{ technique: 'engraved', lineField: 'acrossForm' }, true],
+    [{ technique: 'engraved', lineField: 'auto' }, 'auto'],
+    [{ preset: 'banknote' }, true],
+    [{ preset: 'engraving' }, 'auto'],
+    [{ preset: 'pen' }, 'auto'],
+    [{ preset: 'pencil', strokeField: 'light' }, false],
+    [{ preset: 'pencil', strokeField: 'form' }, true],
+    [{ strokeField: 'acrossForm', medium: 'dry' }, true],
+    // A medium of another technique, with which this one draws in ink.
+    [{ strokeField: 'form', medium: 'woodcut' }, true],
+    // Dots have no direction.
+    [{ strokeField: 'form', medium: 'stipple' }, false],
+    // What another technique reads.
+    [{ technique: 'engraved', strokeField: 'form' }, false],
+    [{ lineField: 'form' }, false],
+    [{ technique: 'adjacency', strokeField: 'form', lineField: 'form' }, false],
+  ] as const)('%j asks of geometries for the form: %s', (look, form) => {
+    expect([formOf(look), followsForm(look)]).toEqual([form, form !== false]);
+    const material = new HatchingMaterial();
+    material.setValues(look);
+    expect(formOf(material)).toBe(form);
+  });
+
+  test.each([
+    ['strokeRotation', {}, true],
+    ['strokeRotation', { strokeField: 'form' }, false],
+    ['strokeRotation', { strokeField: 'form', technique: 'engraved' }, true],
+    ['strokeField', { medium: 'dry' }, true],
+    ['strokeField', { medium: 'stipple' }, false],
+    ['tooth', { technique: 'anchored', medium: 'dry' }, true],
+    ['tooth', { technique: 'anchored' }, false],
+    // The medium of another technique.
+    ['tooth', { technique: 'engraved', medium: 'dry' }, false],
+    ['edgePixels', { technique: 'anchored' }, true],
+    ['edgePixels', { technique: 'anchored', medium: 'dry' }, false],
+    ['edgePixels', { technique: 'adjacency' }, false],
+    ['edgePixels', { technique: 'adjacency', crisp: true, medium: 'dry' }, true],
+    ['crossFrom', { technique: 'anchored' }, true],
+    ['crossFrom', { technique: 'anchored', strokeLayers: 'single' }, false],
+    ['crossFrom', { technique: 'adjacency' }, false],
+    ['crossFrom', { technique: 'anchored', strokeLayers: 'tone' }, true],
+    // Engraved lines cross whatever the layers of strokes.
+    ['crossFrom', { technique: 'engraved' }, true],
+    ['toneSteps', { toneModel: 'toon' }, true],
+    ['toneSteps', {}, false],
+    ['shininess', { toneModel: 'phong' }, true],
+    ['ink', {}, true],
+    ['lineSpacing', { technique: 'engraved' }, true],
+    ['lineSpacing', {}, false],
+    // Greys whose level follows from derivatives have the width that the map draws.
+    ['strokeWidth', { technique: 'adjacency' }, false],
+    ['strokeWidth', { technique: 'adjacency', levelRule: 'depth' }, true],
+    ['strokeWidth', { technique: 'adjacency', crisp: true }, true],
+    ['strokeWidth', { technique: 'anchored' }, true],
+    ['strokeWidth', { technique: 'engraved', levelRule: 'depth' }, false],
+    ['anchorSpacing', { technique: 'anchored', medium: 'stipple' }, false],
+    ['strokeRotation', { technique: 'anchored', medium: 'stipple' }, false],
+    ['strokeRotation', { technique: 'engraved', medium: 'stipple' }, true],
+    ['strokeRotation', { technique: 'engraved', medium: 'woodcut' }, true],
+    // Of a medium that it does not know, anchored draws in ink.
+    ['anchorSpacing', { technique: 'anchored', medium: 'woodcut' }, true],
+    ['tilesPerUnit', { technique: 'anchored', sizedOnScreen: 0.9 }, true],
+    ['tilesPerUnit', { technique: 'anchored', sizedOnScreen: 1 }, false],
+    // Strokes of triangles are sized on the object, whatever the others are.
+    ['tilesPerUnit', { technique: 'triangle', sizedOnScreen: 1 }, true],
+    ['bumpScale', {}, false],
+    ['bumpScale', { bumpMap: {}, toneNormal: 'smooth' }, true],
+    ['bumpScale', { bumpMap: {} }, true],
+    ['bumpScale', { technique: 'adjacency', bumpMap: {} }, false],
+    ['bumpMap', { bumpMap: {}, normalMap: {}, toneNormal: 'smooth' }, false],
+    ['normalMap', { technique: 'anchored', toneNormal: 'auto' }, true],
+    ['normalMap', { technique: 'anchored', toneNormal: 'face' }, false],
+    ['highlightSoftness', { highlightTone: 0 }, false],
+    ['highlightSoftness', { highlightTone: 0.2 }, true],
+    ['exposureCompensation', {}, false],
+    ['exposureCompensation', { exposure: 2 }, false],
+    ['exposureCompensation', { exposure: 'auto' }, true],
+    ['exposureCompensation', { preset: 'pen' }, true],
+    ['depthFar', { depthFade: 'auto' }, true],
+  ] as const)('%s under %j counts: %s', (name, look, expected) => {
+    expect(counts(look, name)).toBe(expected);
+  });
+
+  test('what a property depends on is there, with these values', () => {
+    const rows: Record<string, PropertyRow> = PROPERTIES;
+    for (const [name, { when = {} }] of Object.entries(rows)) {
+      for (const condition of [when].flat()) {
+        for (const [other, values] of Object.entries(condition)) {
+          const row = rows[other];
+          const named = 'not' in values ? [values.not] : values;
+          if (row.kind === 'choice') expect(Object.keys(row.choices), name).toEqual(expect.arrayContaining([...named]));
+          else
+            expect(named, name).toEqual([
+              row.kind === 'number' && row.isAuto
+                ? 'auto'
+                : row.kind === 'switch'
+                  ? true
+                  : row.kind === 'texture' || row.kind === 'point'
+                    ? null
+                    : expect.any(Number),
+            ]);
+        }
+      }
+    }
+  });
+});
+
+test.each([
+  ['strokeWidth', {}, 'pixels'],
+  ['edgePixels', {}, 'gridPixels'],
+  ['handmade', {}, 'share'],
+  ['lineSpacing', {}, 'pixels'],
+  ['lineSpacing', { sizedOnScreen: 0 }, 'tileParts'],
+  ['lineSpacing', { sizedOnScreen: 1 }, 'pixels'],
+  // A mean of the two.
+  ['lineSpacing', { sizedOnScreen: 0.5 }, undefined],
+  ['ink', {}, undefined],
+] as const)('%s of %j measures %s', (name, look, expected) => {
+  expect(measureOf(look, name)).toBe(expected);
+});
+
+describe('sizes for a picture of more pixels', () => {
+  test.each([
+    ['strokeWidth', {}, 1],
+    ['toothSize', { sizedOnScreen: 0 }, 1],
+    ['lineSpacing', {}, 1],
+    ['lineSpacing', { sizedOnScreen: 0 }, 0],
+    ['lineSpacing', { sizedOnScreen: 0.25 }, 0.25],
+    ['lineSpacing', { sizedOnScreen: 1 }, 1],
+    ['edgePixels', {}, 0],
+    ['tilesPerUnit', {}, 0],
+    ['ink', {}, 0],
+  ] as const)('%s of %j goes with the power %d', (name, look, power) => {
+    expect(pixelPower(look, name)).toBe(power);
+  });
+
+  test('are those that are given and measured in pixels', () => {
+    const look = {
+      sizedOnScreen: 0,
+      strokeWidth: 2,
+      tilesPerUnit: 3,
+      edgePixels: 1,
+      anchorSpacing: 0.4,
+      ink: 'navy',
+      lineSpacing: 4,
+    };
+    expect(scaledSizes(look, 4)).toEqual({ strokeWidth: 8 });
+    expect(scaledSizes({ ...look, sizedOnScreen: 1 }, 4)).toEqual({ strokeWidth: 8, lineSpacing: 16 });
+    expect(scaledSizes({ ...look, sizedOnScreen: 0.5 }, 4)).toEqual({ strokeWidth: 8, lineSpacing: 8 });
+    expect(scaledSizes({ strokeWidth: null, toothSize: 2 }, 0.5)).toEqual({ toothSize: 1 });
+    // Never below its range: lines of less than two pixels cannot be told apart.
+    expect(scaledSizes({ finestSpacing: 3 }, 0.5)).toEqual({ finestSpacing: 2 });
+  });
+
+  test('are those of the preset too, unless the look has its own', () => {
+    expect(scaledSizes({ preset: 'pen' }, 2)).toMatchObject({ strokeLength: 144 });
+    expect(scaledSizes({ preset: 'pen', strokeLength: 50 }, 2)).toMatchObject({ strokeLength: 100 });
+    expect(scaledSizes({ preset: 'engraving' }, 2)).toMatchObject({ lineSpacing: 9 });
+  });
+
+  test('a material has every one of them, whatever its technique', () => {
+    const sizes: HatchingPropertyName[] = ['lineSpacing', 'strokeLength', 'finestSpacing', 'toothSize'];
+    for (const technique of Object.keys(TECHNIQUES) as (keyof typeof TECHNIQUES)[]) {
+      const look: HatchingLook = new HatchingMaterial({ technique, sizedOnScreen: technique === 'engraved' ? 1 : 0 });
+      const expected = technique === 'engraved' ? sizes : sizes.slice(2);
+      if (technique === 'anchored') expected.push('strokeWidth');
+      expect(Object.keys(scaledSizes(look, 2)).sort()).toEqual([...expected].sort());
+    }
+  });
+});

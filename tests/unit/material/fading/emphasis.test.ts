@@ -1,0 +1,122 @@
+import { Box3, Group, PerspectiveCamera, Vector3, Vector4, type WebGLRenderer } from 'three';
+import { expect, test } from 'vitest';
+import {
+  createEmphasisUniforms,
+  takesWeight,
+  writeEmphasis,
+  writeImportance,
+} from '../../../../src/material/fading/emphasis.js';
+import { SceneExtent } from '../../../../src/material/fading/SceneExtent.js';
+import { writeSheet } from '../../../../src/material/fading/writeSheet.js';
+import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
+import type { HatchingMaterialParameters } from '../../../../src/material/HatchingMaterialParameters.js';
+
+const renderer = { info: { render: { frame: 0 } } } as unknown as WebGLRenderer;
+
+/** A scene between depths of 2 and 12, which is deep. */
+const frame = new Group();
+const extent = new SceneExtent(frame, new Box3(new Vector3(-0.5, -0.5, -12), new Vector3(0.5, 0.5, -2)));
+const camera = new PerspectiveCamera(40);
+
+function fading(parameters: HatchingMaterialParameters): number[] {
+  const uniforms = createEmphasisUniforms();
+  renderer.info.render.frame++;
+  writeEmphasis(new HatchingMaterial(parameters), uniforms, renderer, camera);
+  return (uniforms.depthFading.value as Vector3).toArray();
+}
+
+test('depth is measured by the scene where it is known, and by the world elsewhere', () => {
+  const look = { technique: 'engraved', depthFade: 0.5, depthNear: 0.25, depthFar: 2 } as const;
+  expect(fading({ ...look, extent })).toEqual([4.5, 22, 0.5]);
+  expect(fading(look)).toEqual([0.25, 2, 0.5]);
+});
+
+test('the measure goes with the object that the extent is of', () => {
+  frame.position.z = -3;
+  frame.updateMatrixWorld();
+  expect(fading({ technique: 'engraved', depthFade: 1, extent })).toEqual([5, 15, 1]);
+  frame.position.z = 0;
+  frame.updateMatrixWorld();
+});
+
+test('left to itself, only a deep scene fades', () => {
+  expect(fading({ technique: 'anchored', extent })).toEqual([2, 12, 0.7]);
+  expect(fading({ technique: 'anchored' })[2]).toBe(0);
+  const ball = new SceneExtent(frame, new Box3(new Vector3(-1, -1, -6), new Vector3(1, 1, -4)));
+  expect(fading({ technique: 'anchored', extent: ball })[2]).toBe(0);
+});
+
+test('a fade whose end lies before its start is an edge', () => {
+  const [near, far] = fading({ technique: 'engraved', depthFade: 1, depthNear: 3, depthFar: 1 });
+  expect(near).toBe(3);
+  expect(far).toBeGreaterThan(near);
+});
+
+test.each(['triangle', 'adjacency'] as const)('%s never fades, nor do its outlines', (technique) => {
+  const material = new HatchingMaterial({ technique, extent });
+  material.depthFade = 1;
+  const uniforms = createEmphasisUniforms();
+  writeEmphasis(material, uniforms, renderer, camera);
+  expect((uniforms.depthFading.value as Vector3).z).toBe(0);
+});
+
+test('a copy fades as its original, and JSON keeps what is not at its default', () => {
+  const material = new HatchingMaterial({ technique: 'engraved', depthFade: 0.4, extent });
+  expect(material.clone()).toMatchObject({ depthFade: 0.4, extent });
+  expect(material.toJSON()).toMatchObject({ depthFade: 0.4 });
+  material.depthFade = 'auto';
+  expect(material.toJSON()).not.toHaveProperty('depthFade');
+  expect(() => Object.assign(material, { depthFade: 'deep' })).toThrow(RangeError);
+});
+
+test('the focus is handed over as the camera sees it, and none without a point', () => {
+  const uniforms = createEmphasisUniforms();
+  const eye = new PerspectiveCamera();
+  eye.position.set(0, 0, 5);
+  eye.updateMatrixWorld();
+  const material = new HatchingMaterial({ technique: 'engraved', focus: [1, 2, 3], focusRadius: 0.5 });
+  writeEmphasis(material, uniforms, renderer, eye);
+  expect(uniforms.focusing.value.toArray()).toEqual([1, 2, -2, 0.5]);
+  material.focus = null;
+  writeEmphasis(material, uniforms, renderer, eye);
+  expect(uniforms.focusing.value.w).toBe(0);
+});
+
+test.each([[1, 2], [1, Number.NaN, 3], 'centre', { x: 1, y: 2, z: 3 }])('%j is no point', (focus) => {
+  expect(() => new HatchingMaterial({ focus: focus as never })).toThrow(
+    /HatchingMaterial.focus: expected null, a THREE.Vector3/,
+  );
+  expect(() => Object.assign(new HatchingMaterial(), { focus })).toThrow(TypeError);
+});
+
+test('a copy has a point of its own', () => {
+  const material = new HatchingMaterial({ focus: new Vector3(1, 2, 3) });
+  const copy = material.clone();
+  material.focus!.x = 7;
+  expect(copy.focus!.toArray()).toEqual([1, 2, 3]);
+});
+
+test('the sheet of a picture in tiles is the whole picture', () => {
+  const uniforms = createEmphasisUniforms();
+  const eye = new PerspectiveCamera();
+  writeSheet(uniforms.sheet.value, eye, new Vector4(10, 20, 300, 200));
+  expect(uniforms.sheet.value.toArray()).toEqual([10, 20, 300, 200]);
+  // The tile at the lower right of four by two, drawn at twice its size.
+  eye.setViewOffset(400, 200, 300, 100, 100, 100);
+  writeSheet(uniforms.sheet.value, eye, new Vector4(0, 0, 200, 200));
+  expect(uniforms.sheet.value.toArray()).toEqual([-600, 0, 800, 400]);
+});
+
+test('three.js is told to upload another importance, and not the same again', () => {
+  const uniforms = createEmphasisUniforms();
+  const object = new Group();
+  const isOther = (technique: HatchingMaterial['technique']) =>
+    writeImportance(object, takesWeight(new HatchingMaterial({ technique })), uniforms);
+  expect(isOther('engraved')).toBe(false);
+  object.userData.hatching = { importance: 0.25 };
+  expect(isOther('engraved')).toBe(true);
+  expect(isOther('engraved')).toBe(false);
+  expect(uniforms.importance.value).toBe(0.25);
+  expect(isOther('triangle')).toBe(true);
+  expect(uniforms.importance.value).toBe(1);
+});

@@ -1,0 +1,69 @@
+import { BufferAttribute, type BufferGeometry, SphereGeometry } from 'three';
+import { mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
+import { describe, expect, test } from 'vitest';
+import { prepareHatchingGeometry } from '../../../../src/material/geometry/prepareHatchingGeometry.js';
+import { isStale } from '../../../../src/material/geometry/staleGeometry.js';
+import { reactive } from './reactive.js';
+
+const prepare = (layout: 'corner' | 'pull' | 'indexed') => prepareHatchingGeometry(new SphereGeometry(), { layout });
+
+/** Puts other positions in the place of those of a geometry. */
+function exchangePositions(geometry: BufferGeometry, change: (x: number, i: number) => number): void {
+  const { array } = geometry.attributes.position;
+  geometry.setAttribute('position', new BufferAttribute(Float32Array.from(array, change), 3));
+}
+
+describe.each(['corner', 'pull', 'indexed'] as const)('positions of the layout %s', (layout) => {
+  test('are those of the bake, in clones, behind a proxy and in another array of the same numbers too', async () => {
+    const geometry = await prepare(layout);
+    for (const same of [geometry, geometry.clone(), reactive(geometry), reactive(geometry.clone())]) {
+      expect(isStale(same)).toBe(false);
+      exchangePositions(same, (x) => x);
+      expect(isStale(same)).toBe(false);
+    }
+  });
+
+  test('are others once they are exchanged, in a clone before it is first seen too', async () => {
+    const geometry = await prepare(layout);
+    for (const other of [geometry.clone(), geometry, geometry.clone()]) {
+      exchangePositions(other, (x, i) => (i === 4 ? x + 0.01 : x));
+      expect(isStale(other)).toBe(true);
+      expect(isStale(other)).toBe(true);
+    }
+  });
+
+  test('are others in a clone of what has moved', async () => {
+    const geometry = await prepare(layout);
+    expect(isStale(geometry.translate(0, 1, 0).clone())).toBe(true);
+  });
+
+  test('are others where there are fewer or more', async () => {
+    const geometry = await prepare(layout);
+    const { array } = geometry.attributes.position;
+    for (const other of [array.slice(0, 30), Float32Array.of(...array, 0, 0, 0)]) {
+      const clone = geometry.clone();
+      clone.setAttribute('position', new BufferAttribute(other, 3));
+      expect(isStale(clone)).toBe(true);
+    }
+  });
+});
+
+test('vertices that were put in another order take their stroke normals along', async () => {
+  const merged = mergeVertices(await prepare('indexed'));
+  expect(isStale(merged)).toBe(false);
+});
+
+test('a geometry whose bake is not known is taken as it is first seen', async () => {
+  const loaded = (await prepare('corner')).clone();
+  loaded.userData = structuredClone(loaded.userData);
+  exchangePositions(loaded, (x) => x + 1);
+  expect(isStale(loaded)).toBe(false);
+  exchangePositions(loaded, (x) => x + 1);
+  expect(isStale(loaded)).toBe(true);
+});
+
+test.each([undefined, null, 5, 'none'])('a geometry with %s for statistics is not judged', async (hatching) => {
+  const geometry = (await prepare('corner')).translate(1, 0, 0);
+  geometry.userData = { hatching };
+  expect(isStale(geometry)).toBe(false);
+});

@@ -1,0 +1,256 @@
+import { Color, DoubleSide, FrontSide, Plane, Texture, Vector2, Vector3 } from 'three';
+import { afterEach, describe, expect, test, vi } from 'vitest';
+import {
+  HatchingOutlineMaterial,
+  type HatchingOutlineParameters,
+} from '../../../../src/material/outlines/HatchingOutlineMaterial.js';
+import {
+  HATCHING_OUTLINE_DEFAULTS,
+  OUTLINE_NUMBER_NAMES,
+  OUTLINE_NUMBERS,
+} from '../../../../src/material/outlines/outlineProperties.js';
+
+afterEach(() => vi.restoreAllMocks());
+
+/** Something else than the default for everything. */
+const changed = {
+  outlineWidth: 3,
+  contours: 0.5,
+  borders: 0.25,
+  creases: 2,
+  materialBorders: 0.1,
+  suggestiveContours: 0.7,
+  innerContours: 0.8,
+  lostEdges: 0.9,
+  accents: 1.5,
+  taper: 0,
+  wobble: 1.5,
+  overshoot: 4,
+  tooth: 0.5,
+  toothSize: 3,
+  ink: '#123456',
+  shadeWeights: [0.1, 3],
+  hidden: 'dashed',
+  opacity: 0.5,
+  fog: false,
+  clipping: false,
+  side: FrontSide,
+  depthTest: false,
+  name: 'pen',
+  toneMapped: false,
+} as const satisfies HatchingOutlineParameters;
+
+describe('HatchingOutlineMaterial', () => {
+  test('can be made without parameters, with the documented defaults', () => {
+    const material = new HatchingOutlineMaterial();
+    const { ink, shadeWeights, ...numbers } = HATCHING_OUTLINE_DEFAULTS;
+    expect(material).toMatchObject(numbers);
+    expect(material).toMatchObject({
+      isHatchingOutlineMaterial: true,
+      type: 'HatchingOutlineMaterial',
+      lights: true,
+      fog: true,
+      clipping: true,
+      transparent: true,
+      depthWrite: false,
+      side: DoubleSide,
+    });
+    expect(material.ink.getHex()).toBe(ink);
+    expect(material.shadeWeights.toArray()).toEqual(shadeWeights);
+    expect(numbers).toEqual({
+      outlineWidth: 1.8,
+      contours: 1,
+      innerContours: 0.5,
+      borders: 1,
+      creases: 0.35,
+      materialBorders: 0.35,
+      suggestiveContours: 0,
+      lostEdges: 0.2,
+      accents: 0.5,
+      taper: 0.8,
+      wobble: 0,
+      overshoot: 0,
+      tooth: 0,
+      toothSize: 2.5,
+      hidden: 'none',
+    });
+  });
+
+  test('the parameters of the tests below differ from every default', () => {
+    expect(Object.keys(changed)).toEqual(expect.arrayContaining(Object.keys(HATCHING_OUTLINE_DEFAULTS)));
+    for (const name of OUTLINE_NUMBER_NAMES) expect(changed[name]).not.toBe(HATCHING_OUTLINE_DEFAULTS[name]);
+  });
+
+  test('takes parameters the way three does', () => {
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
+    const material = new HatchingOutlineMaterial(changed);
+    const { ink, shadeWeights, ...others } = changed;
+    expect(material).toMatchObject(others);
+    expect(material.ink.equals(new Color(ink))).toBe(true);
+    expect(material.shadeWeights.toArray()).toEqual(shadeWeights);
+    expect(warn).not.toHaveBeenCalled();
+  });
+
+  test('warns of a parameter it does not know', () => {
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
+    new HatchingOutlineMaterial({ linewidths: 2 } as HatchingOutlineParameters);
+    expect(warn.mock.calls.flat().join(' ')).toContain('linewidths');
+  });
+
+  test('refuses an ink that is no colour, before anything is set', () => {
+    const material = new HatchingOutlineMaterial();
+    expect(() => material.setValues({ outlineWidth: 5, ink: 'nonsense' })).toThrow(
+      'HatchingOutlineMaterial.ink: expected a THREE.Color',
+    );
+    expect(material.outlineWidth).toBe(HATCHING_OUTLINE_DEFAULTS.outlineWidth);
+  });
+
+  test('setValues takes shadeWeights as an array or a vector, which it copies', () => {
+    const material = new HatchingOutlineMaterial();
+    const own = material.shadeWeights;
+    material.setValues({ shadeWeights: [0.2, 0.9] });
+    expect(own.toArray()).toEqual([0.2, 0.9]);
+    const vector = new Vector2(0.3, 1.1);
+    material.setValues({ shadeWeights: vector, outlineWidth: 5 });
+    expect(material.shadeWeights).toBe(own);
+    expect(own.toArray()).toEqual([0.3, 1.1]);
+    vector.set(9, 9);
+    expect(own.toArray()).toEqual([0.3, 1.1]);
+    expect(material.outlineWidth).toBe(5);
+    material.setValues({ shadeWeights: undefined });
+    material.setValues(undefined);
+    expect(own.toArray()).toEqual([0.3, 1.1]);
+  });
+
+  test('each has an ink and weights of its own', () => {
+    const [a, b] = [new HatchingOutlineMaterial(), new HatchingOutlineMaterial()];
+    a.ink.set('red');
+    a.shadeWeights.set(7, 7);
+    expect(b.ink.getHex()).toBe(HATCHING_OUTLINE_DEFAULTS.ink);
+    expect(b.shadeWeights.toArray()).toEqual(HATCHING_OUTLINE_DEFAULTS.shadeWeights);
+    expect(a.uniforms).not.toBe(b.uniforms);
+  });
+});
+
+describe.each(OUTLINE_NUMBER_NAMES)('%s', (name) => {
+  const bad = [-0.001, -Infinity, Infinity, Number.NaN, '1', null, ...('above' in OUTLINE_NUMBERS[name] ? [0] : [])];
+
+  test.each(bad)('refuses %s and keeps what it has', (value) => {
+    const material = new HatchingOutlineMaterial({ [name]: 0.75 });
+    const act = () => {
+      (material as unknown as Record<string, unknown>)[name] = value;
+    };
+    expect(act).toThrow(RangeError);
+    expect(act).toThrow(`HatchingOutlineMaterial.${name}: ${value} is not a number in `);
+    expect(material[name]).toBe(0.75);
+    expect(() => new HatchingOutlineMaterial({ [name]: value } as HatchingOutlineParameters)).toThrow(RangeError);
+  });
+
+  test('reaches its uniform when drawn', () => {
+    const material = new HatchingOutlineMaterial();
+    material[name] = 0.75;
+    material.writeUniforms(false, true);
+    expect(material.uniforms[name].value).toBe(0.75);
+  });
+});
+
+test('only sizes may not be 0', () => {
+  for (const name of OUTLINE_NUMBER_NAMES) {
+    if (name === 'outlineWidth' || name === 'toothSize') continue;
+    expect(new HatchingOutlineMaterial({ [name]: 0 })[name]).toBe(0);
+  }
+});
+
+describe('copy and clone', () => {
+  /** Everything that can be set, as plain values. */
+  const valuesOf = (material: HatchingOutlineMaterial) => ({
+    ...Object.fromEntries(Object.keys(changed).map((name) => [name, Reflect.get(material, name)])),
+    ink: material.ink.getHex(),
+    shadeWeights: material.shadeWeights.toArray(),
+    userData: material.userData,
+    planes: material.clippingPlanes?.map(({ constant }) => constant),
+  });
+
+  const full = () => {
+    const material = new HatchingOutlineMaterial(changed);
+    material.userData = { mine: 1 };
+    material.clippingPlanes = [new Plane(new Vector3(0, 1, 0), 3)];
+    return material;
+  };
+
+  test('keep everything', () => {
+    const source = full();
+    const clone = source.clone();
+    expect(clone).toBeInstanceOf(HatchingOutlineMaterial);
+    expect(valuesOf(clone)).toEqual(valuesOf(source));
+    expect(valuesOf(new HatchingOutlineMaterial().copy(source))).toEqual(valuesOf(source));
+    expect(valuesOf(clone)).not.toEqual(valuesOf(new HatchingOutlineMaterial()));
+    expect(clone.vertexShader).toBe(source.vertexShader);
+    expect(clone.lights).toBe(true);
+  });
+
+  test('share neither colours nor uniforms, and clone no textures', () => {
+    const source = full();
+    const texture = new Texture();
+    const cloneTexture = vi.spyOn(texture, 'clone');
+    source.uniforms.outlinePoints.value = texture;
+    const clone = source.clone();
+    clone.ink.set('red');
+    clone.shadeWeights.set(7, 7);
+    clone.outlineWidth = 9;
+    expect(source.ink.equals(new Color(changed.ink))).toBe(true);
+    expect(source.shadeWeights.toArray()).toEqual(changed.shadeWeights);
+    expect(source.outlineWidth).toBe(changed.outlineWidth);
+    expect(clone.uniforms.eye.value).not.toBe(source.uniforms.eye.value);
+    expect(cloneTexture).not.toHaveBeenCalled();
+  });
+});
+
+test('another program is asked for only where wobble or deformation begin or end', () => {
+  const material = new HatchingOutlineMaterial();
+  material.writeUniforms(false, true);
+  const { version } = material;
+  const step = (isDeformed: boolean, values: HatchingOutlineParameters) => {
+    material.setValues(values);
+    material.writeUniforms(isDeformed, true);
+    return [material.version - version, 'WOBBLE' in material.defines, 'DEFORMED' in material.defines];
+  };
+  expect(step(false, { outlineWidth: 3, ink: 'red', creases: 0 })).toEqual([0, false, false]);
+  expect(step(false, { wobble: 1 })).toEqual([1, true, false]);
+  expect(step(false, { wobble: 2 })).toEqual([1, true, false]);
+  expect(step(true, {})).toEqual([2, true, true]);
+  expect(step(true, { wobble: 0 })).toEqual([3, false, true]);
+  expect(step(false, {})).toEqual([4, false, false]);
+});
+
+test('its shaders have no include of ours left, and one place for each name they share with the bake', () => {
+  const { vertexShader, fragmentShader } = new HatchingOutlineMaterial();
+  expect(`${vertexShader}${fragmentShader}`).not.toMatch(/#include\s*"/);
+  expect(vertexShader).toContain('#define EDGE_CORNER_AT_END 32u');
+  expect(vertexShader).toContain('#define POINT_BITS 28');
+});
+
+test.each([2, 0.5])('sizes are in CSS pixels, %d pixels of the renderer each, and nothing else is', (pixelRatio) => {
+  const look = { outlineWidth: 2, wobble: 1, overshoot: 3, toothSize: 4, taper: 5, contours: 6 };
+  const material = new HatchingOutlineMaterial(look);
+  material.writeUniforms(false, false, pixelRatio);
+  for (const [name, value] of Object.entries(look)) {
+    const factor = name === 'taper' || name === 'contours' ? 1 : pixelRatio;
+    expect([name, material.uniforms[name].value]).toEqual([name, factor * value]);
+    expect(material[name as keyof typeof look]).toBe(value);
+  }
+});
+
+test('groups count on meshes with several materials alone', () => {
+  const material = new HatchingOutlineMaterial({ materialBorders: 0.5 });
+  material.writeUniforms(false, false);
+  expect(material.uniforms.materialBorders.value).toBe(0);
+  material.writeUniforms(false, true);
+  expect(material.uniforms.materialBorders.value).toBe(0.5);
+});
+
+test.each([[[1]], [[1, Number.NaN]], [[-1, 1]], [7]])('shade weights %j are refused', (shadeWeights) => {
+  expect(() => new HatchingOutlineMaterial({ shadeWeights } as unknown as HatchingOutlineParameters)).toThrow(
+    RangeError,
+  );
+});

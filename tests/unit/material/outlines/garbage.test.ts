@@ -1,0 +1,83 @@
+import {
+  BoxGeometry,
+  IcosahedronGeometry,
+  Matrix4,
+  Mesh,
+  MeshBasicMaterial,
+  PerspectiveCamera,
+  Scene,
+  Vector4,
+  type WebGLRenderer,
+} from 'three';
+import { expect, test } from 'vitest';
+import { prepareHatchingGeometry } from '../../../../src/material/geometry/prepareHatchingGeometry.js';
+import { HatchingOutlineMaterial } from '../../../../src/material/outlines/HatchingOutlineMaterial.js';
+import { HatchingOutlines } from '../../../../src/material/outlines/HatchingOutlines.js';
+import { leastPerFrame } from '../../allocated.js';
+
+/** Enough for the compiler of V8 to have done with what is drawn: before that, every computed number is allocated. */
+const WARM_UP_FRAMES = 4000;
+const FRAMES = 1000;
+const MESHES = 50;
+/** Numbers that a material takes of a surface are left: so few meshes have some. */
+const FEW = 5;
+/** What a frame may leave, in bytes. A number that is left for each mesh has 12. */
+const MOST = 400;
+
+const target = new Vector4(0, 0, 100, 100);
+const kept = { uniformsList: [{ id: 'ink' }, { id: 'eye' }] };
+const renderer = {
+  info: { render: { frame: 0 } },
+  properties: { get: () => kept },
+  // The depth of what virtual reality draws into cannot be copied.
+  xr: { isPresenting: true },
+  getPixelRatio: () => 2,
+  getCurrentViewport: (viewport: Vector4) => viewport.copy(target),
+  renderBufferDirect: () => {},
+} as unknown as WebGLRenderer;
+
+/** Draws outlines of meshes frame by frame, until the compiler has done with it, and looks for what is left then. */
+function expectNoGarbage(make: (i: number, material: HatchingOutlineMaterial) => Mesh, meshes: number): void {
+  const scene = new Scene();
+  const camera = new PerspectiveCamera(120);
+  camera.position.z = 40;
+  const material = new HatchingOutlineMaterial();
+  const drawn = Array.from({ length: meshes }, (_, i) => {
+    const mesh = make(i, material);
+    mesh.applyMatrix4(new Matrix4().makeTranslation(0.1 * i, 0.5, 0.25));
+    const outlines = new HatchingOutlines(mesh, material);
+    scene.add(mesh.add(outlines));
+    return outlines;
+  });
+  scene.updateMatrixWorld();
+  camera.updateMatrixWorld();
+  const drawFrames = (count: number): void => {
+    for (let i = 0; i < count; i++) {
+      renderer.info.render.frame++;
+      for (const outlines of drawn) {
+        outlines.onBeforeRender(renderer, scene, camera);
+        if (material.uniformsNeedUpdate) material.uniformsNeedUpdate = false;
+        outlines.onAfterRender(renderer, scene, camera);
+      }
+    }
+  };
+  drawFrames(WARM_UP_FRAMES);
+  const drawnVertices = drawn.map((one) => one.geometry.drawRange.count);
+  expect(Math.min(...drawnVertices)).toBeGreaterThan(0);
+  const { sum, places } = leastPerFrame(drawFrames, FRAMES, MOST);
+  expect(sum, places).toBeLessThan(MOST);
+}
+
+test('frames of outlines leave no garbage', async () => {
+  const geometry = await prepareHatchingGeometry(new IcosahedronGeometry(0.4), { layout: 'indexed', outlines: true });
+  geometry.computeBoundingSphere();
+  expectNoGarbage(() => new Mesh(geometry, new MeshBasicMaterial()), MESHES);
+});
+
+test('nor do those of meshes whose groups look different', async () => {
+  const geometry = await prepareHatchingGeometry(new BoxGeometry(), { layout: 'indexed', outlines: true });
+  geometry.computeBoundingSphere();
+  const looks = [{}, { transparent: true, opacity: 0.5 }, { depthTest: false }, { visible: false }];
+  const materials = Array.from({ length: 6 }, (_, i) => new MeshBasicMaterial(looks[i % looks.length]));
+  expectNoGarbage(() => new Mesh(geometry, materials) as unknown as Mesh, FEW);
+});

@@ -1,0 +1,222 @@
+import { BoxGeometry, type BufferGeometry, Matrix4, PlaneGeometry, SphereGeometry } from 'three';
+import { describe, expect, test } from 'vitest';
+import { addDirections } from '../../../../src/mesh/occlusion/addDirections.js';
+import type { OcclusionMesh, OcclusionScene } from '../../../../src/mesh/occlusion/OcclusionScene.js';
+import { startOcclusion } from '../../../../src/mesh/occlusion/startOcclusion.js';
+import { finish } from '../meshes.js';
+
+/** As many as `bakeOcclusion` looks along by default. */
+const PAIRS = 192;
+
+function meshOf(geometry: BufferGeometry, options: Partial<OcclusionMesh> = {}): OcclusionMesh {
+  const { position, normal } = geometry.attributes;
+  return {
+    positions: Float32Array.from(position.array),
+    indices: geometry.index
+      ? Uint32Array.from(geometry.index.array)
+      : Uint32Array.from({ length: position.count }, (_, i) => i),
+    normals: Float32Array.from(normal.array),
+    toWorld: new Matrix4().toArray(),
+    isInsideOut: false,
+    occludes: true,
+    ...options,
+  };
+}
+
+/** The numbers of so many pairs of directions. */
+const pairsFrom = (first: number, count: number): number[] => Array.from({ length: count }, (_, i) => first + i);
+
+/** The occlusion of each vertex of each mesh with normals, and the state afterwards. */
+function bakeOf(meshes: OcclusionMesh[], pairs = PAIRS): { occlusions: number[][]; scene: OcclusionScene } {
+  const { scene, occlusions } = finish(
+    addDirections({ scene: finish(startOcclusion({ meshes })), pairs: pairsFrom(0, pairs) }),
+  );
+  return { scene, occlusions: occlusions.map((values) => Array.from(values, (value) => value / 32767)) };
+}
+
+const bake = (...meshes: OcclusionMesh[]): number[][] => bakeOf(meshes).occlusions;
+
+const largest = (values: readonly number[]): number => Math.max(...values);
+const mean = (values: readonly number[]): number => values.reduce((sum, value) => sum + value, 0) / values.length;
+
+/** A floor from x = 0 to 2 and a wall of height 1 over its edge, both 4 wide and of cells of 1/32. */
+function corner(): [floor: BufferGeometry, wall: BufferGeometry] {
+  const floor = new PlaneGeometry(2, 4, 64, 128).rotateX(-Math.PI / 2).translate(1, 0, 0);
+  const wall = new PlaneGeometry(4, 1, 128, 32).rotateY(Math.PI / 2).translate(0, 0.5, 0);
+  return [floor, wall];
+}
+
+/** How much of the sky, weighted by cosine, the wall of `corner` hides at a place on the floor: its form factor. */
+function hiddenByWall(x: number, z: number): number {
+  const beyond = Math.hypot(x, 1);
+  const to = (end: number) => Math.atan2(end, x) - (x / beyond) * Math.atan2(end, beyond);
+  return (to(2 - z) - to(-2 - z)) / (2 * Math.PI);
+}
+
+describe('against what is known exactly', () => {
+  test('two planes at 90°: the form factor of the wall, right up to the edge', () => {
+    const [floor, wall] = corner();
+    const [values] = bake(meshOf(floor), meshOf(wall));
+    const { position } = floor.attributes;
+    // At the very ends of the edge it jumps.
+    const errors = values
+      .map((value, i) => Math.abs(value - hiddenByWall(position.getX(i), position.getZ(i))))
+      .filter((_, i) => Math.abs(position.getZ(i)) < 1.85);
+    expect(mean(errors)).toBeLessThan(0.01);
+    expect(largest(errors)).toBeLessThan(0.05);
+    expect(mean(values.filter((_, i) => position.getX(i) < 0.001 && Math.abs(position.getZ(i)) < 1.85))).toBeCloseTo(
+      0.5,
+      1,
+    );
+  });
+
+  // Inside a sphere every piece of it has the same form factor, seen from anywhere on it: its share of the area.
+  test.each([90, 60, 30])('a round pit that opens by %d° to each side: every place in it sees as much', (degrees) => {
+    const opening = (degrees * Math.PI) / 180;
+    const pit = new SphereGeometry(1, 64, 64, 0, 2 * Math.PI, opening, Math.PI - opening);
+    const [values] = bake(meshOf(pit, { isInsideOut: true }));
+    const closed = (1 + Math.cos(opening)) / 2;
+    const errors = values.map((value) => Math.abs(value - closed));
+    const { position } = pit.attributes;
+    const bottom = values.filter((_, i) => position.getY(i) < -0.999);
+    expect(bottom.length).toBeGreaterThan(0);
+    expect(largest(bottom.map((value) => Math.abs(value - closed)))).toBeLessThan(0.03);
+    expect(mean(errors)).toBeLessThan(0.012);
+    expect(largest(errors)).toBeLessThan(0.06);
+  });
+
+  test('a ball over a plane: its form factor; and the plane hides what is below the ball', () => {
+    const plane = meshOf(new PlaneGeometry(6, 6, 64, 64));
+    const ball = meshOf(new SphereGeometry(0.5, 48, 32), { toWorld: new Matrix4().makeTranslation(0, 0, 1).toArray() });
+    const [onPlane, onBall] = bake(plane, ball);
+    const errors = onPlane.map((value, i) => {
+      const [x, y] = plane.positions.subarray(3 * i);
+      return Math.abs(value - 0.25 / (x * x + y * y + 1) ** 1.5);
+    });
+    expect(mean(errors)).toBeLessThan(0.01);
+    expect(largest(errors)).toBeLessThan(0.06);
+    const lowest = onBall.filter((_, i) => ball.positions[3 * i + 2] < -0.499);
+    const highest = onBall.filter((_, i) => ball.positions[3 * i + 2] > 0.499);
+    // A square of side 6 hides nearly all of the lower sky.
+    expect(mean(lowest)).toBeGreaterThan(0.95);
+    expect(largest(highest)).toBe(0);
+  });
+
+  test('the more directions, the nearer', () => {
+    const [floor, wall] = corner();
+    const { position } = floor.attributes;
+    const errors = [8, 32, 128].map((pairs) =>
+      mean(
+        bakeOf([meshOf(floor), meshOf(wall)], pairs).occlusions[0].map((value, i) =>
+          Math.abs(value - hiddenByWall(position.getX(i), position.getZ(i))),
+        ),
+      ),
+    );
+    expect(errors[1]).toBeLessThan(0.6 * errors[0]);
+    expect(errors[2]).toBeLessThan(0.6 * errors[1]);
+  });
+});
+
+describe('what must not darken', () => {
+  test.each([
+    ['a box of 12 triangles', new BoxGeometry()],
+    ['a coarse ball', new SphereGeometry(1, 8, 6)],
+    ['a fine ball', new SphereGeometry(1, 96, 64)],
+    ['an open plane', new PlaneGeometry(1, 1, 7, 7)],
+    ['an open plane of two triangles', new PlaneGeometry(1, 1)],
+  ])('%s alone', (_, geometry) => {
+    expect(largest(bakeOf([meshOf(geometry)], 64).occlusions[0])).toBe(0);
+  });
+
+  test('a plane below one that hides nothing', () => {
+    const roof = meshOf(new PlaneGeometry(3, 3).translate(0, 0, 0.5), { occludes: false });
+    const [ground, above] = bakeOf([meshOf(new PlaneGeometry(1, 1, 4, 4)), roof], 32).occlusions;
+    expect(largest(ground)).toBe(0);
+    expect(largest(above)).toBe(0);
+  });
+
+  test('vertices that no triangle uses', () => {
+    const roof = meshOf(new PlaneGeometry(3, 3).rotateX(Math.PI).translate(0, 0, 0.5));
+    const plane = meshOf(new PlaneGeometry(1, 1, 2, 2));
+    plane.positions = Float32Array.from([...plane.positions, NaN, NaN, NaN]);
+    plane.normals = Float32Array.from([...plane.normals!, 0, 0, 1]);
+    const [values] = bakeOf([plane, roof], 16).occlusions;
+    expect(Math.min(...values.slice(0, 9))).toBeGreaterThan(0.7);
+    expect(values[9]).toBe(0);
+  });
+});
+
+describe('meshes', () => {
+  const below = () => meshOf(new PlaneGeometry(1, 1, 2, 2));
+  const roof = (options: Partial<OcclusionMesh> = {}) => meshOf(new PlaneGeometry(9, 9).translate(0, 0, 0.5), options);
+
+  test('hide with their backs as with their fronts, and without normals of their own', () => {
+    const [front, back, mute] = [
+      roof(),
+      meshOf(new PlaneGeometry(9, 9).rotateX(Math.PI).translate(0, 0, 0.5)),
+      roof({ normals: null }),
+    ].map((one) => bakeOf([below(), one], 32).occlusions);
+    expect(mean(front[0])).toBeGreaterThan(0.9);
+    expect(back[0]).toEqual(front[0]);
+    expect(mute).toEqual([front[0]]);
+  });
+
+  test('turned inside out show their backs', () => {
+    const [values] = bakeOf([meshOf(new BoxGeometry(1, 1, 1, 4, 4, 4), { isInsideOut: true })], 32).occlusions;
+    expect(Math.min(...values)).toBeGreaterThan(0.98);
+  });
+
+  test('are where their matrices put them, normals too, also where they are mirrored or squeezed', () => {
+    const matrix = new Matrix4().makeScale(-1, 2, 0.5).premultiply(new Matrix4().makeRotationX(1)).setPosition(3, 4, 5);
+    const moved = matrix.toArray();
+    const stays = [below(), roof()];
+    const made = stays.map((mesh) => ({
+      ...mesh,
+      positions: Float32Array.from(mesh.positions, (_, i) =>
+        [0, 4, 8].reduce(
+          (sum, column, k) => sum + moved[column + (i % 3)] * mesh.positions[i - (i % 3) + k],
+          moved[12 + (i % 3)],
+        ),
+      ),
+      normals: Float32Array.from(mesh.normals!, (_, i) => [0, -Math.sin(1), Math.cos(1)][i % 3]),
+    }));
+    const expected = bakeOf(made, 32).occlusions;
+    const values = bakeOf(
+      stays.map((mesh) => ({ ...mesh, toWorld: moved })),
+      32,
+    ).occlusions;
+    expect(mean(values[0])).toBeGreaterThan(0.9);
+    for (const [i, value] of values[0].entries()) expect(value).toBeCloseTo(expected[0][i], 2);
+  });
+
+  test('a wide ground does not blur what stands on it', () => {
+    const [floor, wall] = corner();
+    const ground = meshOf(new PlaneGeometry(400, 400).rotateX(-Math.PI / 2).translate(0, -0.01, 0));
+    const { occlusions, scene } = bakeOf([meshOf(floor), meshOf(wall), ground], 64);
+    expect(scene.views.map(({ samples }) => samples.length)).toEqual([65 * 129 + 129 * 33, 4]);
+    const [alone] = bakeOf([meshOf(floor), meshOf(wall)], 64).occlusions;
+    expect(mean(occlusions[0].map((value, i) => Math.abs(value - alone[i])))).toBeLessThan(0.01);
+    expect(largest(occlusions[2])).toBe(0);
+  });
+});
+
+test('goes on where it has stopped: so many directions give the same at once and in parts', () => {
+  const [floor, wall] = corner();
+  const whole = bakeOf([meshOf(floor), meshOf(wall)], 24);
+  const part = bakeOf([meshOf(floor), meshOf(wall)], 8);
+  const { occlusions } = finish(addDirections({ scene: part.scene, pairs: pairsFrom(8, 16) }));
+  expect(occlusions.map((values) => Array.from(values, (value) => value / 32767))).toEqual(whole.occlusions);
+});
+
+test('sums of another copy of the scene count as if its directions had been added here', () => {
+  const meshes = () => corner().map((geometry) => meshOf(geometry));
+  const whole = bakeOf(meshes(), 24);
+  const { scene } = bakeOf(meshes(), 8);
+  const other = finish(startOcclusion({ meshes: meshes() }));
+  const { sums } = finish(addDirections({ scene: other, pairs: pairsFrom(8, 16) })).scene;
+  const { occlusions } = finish(addDirections({ scene, pairs: [], sums: [sums] }));
+  const errors = occlusions.flatMap((values, mesh) =>
+    Array.from(values, (value, i) => Math.abs(value / 32767 - whole.occlusions[mesh][i])),
+  );
+  expect(largest(errors)).toBeLessThan(1e-4);
+});

@@ -1,0 +1,53 @@
+import { drawSVG } from 'three-hatching/svg';
+import { beforeEach, expect, test, vi } from 'vitest';
+import { download } from '../../../../src/playground/export/download.js';
+import { saveSvg } from '../../../../src/playground/export/saveSvg.js';
+import { planPrint } from '../../../../src/playground/print/print.js';
+import { defaultSettings, type Settings } from '../../../../src/viewer/settings/settings.js';
+
+vi.mock('three-hatching/svg', () => ({ drawSVG: vi.fn() }));
+vi.mock('../../../../src/playground/export/download.js', () => ({ download: vi.fn() }));
+vi.mock('../../../../src/playground/export/behindCurtain.js', () => ({
+  behindCurtain: (_stage: unknown, settings: Settings, _signal: AbortSignal, draw: CallableFunction) =>
+    draw({ restoreScene: () => {} }, planPrint(settings, { width: 600, height: 400, isWide: true })),
+}));
+
+const drawn = vi.mocked(drawSVG);
+
+beforeEach(() => {
+  vi.clearAllMocks();
+  drawn.mockResolvedValue({ svg: '<svg/>', paths: 1200, leftOut: [] } as never);
+});
+
+const camera = { clone: () => ({ setViewOffset: () => {} }) };
+const stage = { camera, scenery: { scene: 'the scene' } };
+
+/** Saves a drawing of lines, and returns what is asked of it, with what is said in the end. */
+async function saved(settings: Partial<Settings>) {
+  const look = { ...defaultSettings(), technique: 'engraved', pictureSize: 'a5', ...settings } as Settings;
+  const said = await saveSvg(stage as never, look, 'cube', () => {}, new AbortController().signal);
+  return { said, asked: drawn.mock.lastCall![2]! };
+}
+
+test('a print has filled paths on its paper, and a pen has lines of its width on none', async () => {
+  const print = await saved({ pictureSvg: 'print', paper: '#f4ead6' });
+  expect(print.asked).toMatchObject({ kind: 'print', paper: '#f4ead6' });
+  expect(print.asked).not.toHaveProperty('penWidth');
+  expect(print.said).toBe('Saved as SVG: 210 × 148 mm, 1,200 paths.');
+  expect(vi.mocked(download).mock.lastCall![1]).toBe('cube.svg');
+  const pen = await saved({ pictureSvg: 'pen', picturePen: 0.5 });
+  expect(pen.asked).toMatchObject({ kind: 'pen', penWidth: 0.5 });
+  expect(pen.asked).not.toHaveProperty('paper');
+});
+
+test('strokes of a map are left out for a pen, in so many words; if there is nothing else, nothing is saved', async () => {
+  const { said, asked } = await saved({ technique: 'anchored', pictureSvg: 'pen' });
+  expect(said).toMatch(/^Saved as SVG without its strokes, which a pen cannot draw: /);
+  expect(asked.picture).toBeUndefined();
+  drawn.mockResolvedValue({ svg: '<svg/>', paths: 0, leftOut: [] } as never);
+  vi.mocked(download).mockClear();
+  await expect(saved({ technique: 'anchored', pictureSvg: 'pen' })).rejects.toThrow(
+    'there are no lines: the strokes come from a map, which a pen cannot draw.',
+  );
+  expect(download).not.toHaveBeenCalled();
+});

@@ -1,0 +1,148 @@
+import { Group } from 'three';
+import { expect, test, vi } from 'vitest';
+import { ShownModel } from '../../../../src/playground/viewport/ShownModel.js';
+import type { HatchedModel } from '../../../../src/viewer/drawing/HatchedModel.js';
+import { lookOf } from '../../../../src/viewer/settings/lookOf.js';
+import { defaultSettings } from '../../../../src/viewer/settings/settings.js';
+import { DEFAULT_VIEW } from '../../../../src/viewer/sceneSetup/createCamera.js';
+
+/** A model without meshes, and what was done to it. */
+function fakeModel(name: string) {
+  const root = Object.assign(new Group(), { name });
+  const maps: unknown[] = [];
+  return {
+    ...{ root, maps, dispose: vi.fn(), releaseGraphics: vi.fn(), apply: vi.fn() },
+    *applying() {
+      yield;
+      yield;
+    },
+    set tonalArtMap(map: unknown) {
+      maps.push(map);
+    },
+  };
+}
+
+type FakeModel = ReturnType<typeof fakeModel>;
+const asModel = (model: FakeModel) => model as unknown as HatchedModel;
+
+function stageOf(...names: string[]) {
+  const holder = new Group();
+  const onChange = vi.fn();
+  const shown = new ShownModel(holder, onChange);
+  const models = names.map(fakeModel);
+  const disposed = (): string[] => models.filter(({ dispose }) => dispose.mock.calls.length > 0).map(nameOf);
+  const seen = (): string[] => holder.children.map(({ name }) => name);
+  return { shown, models, onChange, seen, disposed };
+}
+
+const nameOf = ({ root }: FakeModel): string => root.name;
+
+test('a model stays until the one in its place has been drawn', () => {
+  const { shown, models, onChange, seen, disposed } = stageOf('first', 'second', 'third');
+  const [first, second, third] = models.map(asModel);
+  shown.set(first);
+  expect(onChange).toHaveBeenLastCalledWith('another', DEFAULT_VIEW);
+  shown.set(second, [0, 0, 1]);
+  expect(onChange).toHaveBeenLastCalledWith('another', [0, 0, 1]);
+  expect(seen()).toEqual(['second']);
+  expect(disposed()).toEqual([]);
+  // One that was not drawn meanwhile does not keep those before it.
+  shown.set(third);
+  expect(disposed()).toEqual(['first']);
+  shown.disposePrevious();
+  expect(disposed()).toEqual(['first', 'second']);
+  expect(shown.model).toBe(third);
+});
+
+test('the model that was waited for takes the place of its stand-in, and of the model before', () => {
+  const { shown, models, onChange, seen, disposed } = stageOf('before', 'stand-in', 'other stand-in', 'model');
+  const [before, standIn, other, model] = models.map(asModel);
+  shown.set(before);
+  shown.setStandIn(standIn);
+  expect(onChange).toHaveBeenLastCalledWith('another', DEFAULT_VIEW);
+  shown.disposePrevious();
+  shown.setStandIn(other);
+  expect(onChange).toHaveBeenCalledTimes(3);
+  expect(onChange).toHaveBeenLastCalledWith('another', DEFAULT_VIEW);
+  expect(shown.isStandIn).toBe(true);
+  shown.disposePrevious();
+  expect(disposed()).toEqual(['stand-in']);
+  shown.set(model);
+  expect(onChange).toHaveBeenLastCalledWith('completed', DEFAULT_VIEW);
+  expect(shown.isStandIn).toBe(false);
+  expect(seen()).toEqual(['model']);
+  shown.disposePrevious();
+  expect(disposed()).toEqual(['before', 'stand-in', 'other stand-in']);
+});
+
+test('another model than the one whose stand-in is shown does not complete it', () => {
+  const { shown, models, onChange, disposed } = stageOf('stand-in', 'other');
+  shown.setStandIn(asModel(models[0]));
+  shown.set(asModel(models[1]), DEFAULT_VIEW, false);
+  expect(onChange).toHaveBeenLastCalledWith('another', DEFAULT_VIEW);
+  expect(shown.isStandIn).toBe(false);
+  shown.disposePrevious();
+  expect(disposed()).toEqual(['stand-in']);
+});
+
+test('without the model that was waited for, the one before is back as it was framed, and has the map that came meanwhile', () => {
+  const { shown, models, onChange, seen, disposed } = stageOf('before', 'stand-in');
+  const [before, standIn] = models.map(asModel);
+  shown.removeStandIn();
+  expect(onChange).not.toHaveBeenCalled();
+  shown.set(before, [1, 0, 0]);
+  shown.setStandIn(standIn, [0, 1, 0]);
+  const map = {} as never;
+  shown.tonalArtMap = map;
+  expect(models[0].maps).toEqual([]);
+  shown.releaseGraphics();
+  expect(models.map(({ releaseGraphics }) => releaseGraphics.mock.calls.length)).toEqual([1, 1]);
+  shown.removeStandIn();
+  expect(onChange).toHaveBeenLastCalledWith('back', [1, 0, 0]);
+  expect(models[0].maps).toEqual([map]);
+  expect(seen()).toEqual(['before']);
+  shown.disposePrevious();
+  expect(disposed()).toEqual(['stand-in']);
+});
+
+test('a stand-in for the first model leaves nothing behind', () => {
+  const { shown, models, seen, disposed } = stageOf('stand-in');
+  shown.setStandIn(asModel(models[0]));
+  shown.removeStandIn();
+  expect(seen()).toEqual([]);
+  expect(shown.model).toBeUndefined();
+  shown.disposePrevious();
+  expect(disposed()).toEqual(['stand-in']);
+});
+
+test('a model is dressed before it is shown, until that is cancelled', async () => {
+  const { shown, models } = stageOf('first', 'second');
+  const [first, second] = models;
+  const map = {} as never;
+  const look = lookOf(defaultSettings());
+  shown.apply(look);
+  shown.tonalArtMap = map;
+  const applying = vi.spyOn(first, 'applying');
+  await shown.dress(asModel(first), new AbortController().signal);
+  expect(applying).toHaveBeenCalledWith(look);
+  expect(first.maps).toEqual([map]);
+  expect(shown.model).toBeUndefined();
+  await expect(shown.dress(asModel(second), AbortSignal.abort(new Error('enough')))).rejects.toThrow('enough');
+});
+
+test('what is drawn before the first model goes when that is there, and is kept until it has been drawn', () => {
+  const { shown, models, seen, disposed } = stageOf('forerunner', 'first', 'second');
+  const [forerunner, first, second] = models.map(asModel);
+  shown.setForerunner(forerunner);
+  const look = lookOf(defaultSettings());
+  shown.apply(look);
+  expect(models[0].apply).toHaveBeenCalledWith(look);
+  expect([shown.model, shown.drawn, seen()]).toEqual([undefined, forerunner, ['forerunner']]);
+  shown.setStandIn(first);
+  expect([shown.model, shown.drawn, seen(), disposed()]).toEqual([first, first, ['first'], []]);
+  // The stand-in was not drawn: it does not keep what was drawn before it.
+  shown.set(second);
+  expect([seen(), disposed()]).toEqual([['second'], ['forerunner']]);
+  shown.disposePrevious();
+  expect(disposed()).toEqual(['forerunner', 'first']);
+});

@@ -1,0 +1,106 @@
+import { readdirSync, readFileSync } from 'node:fs';
+import { describe, expect, test } from 'vitest';
+import { backgroundShaders } from '../../../../src/material/backgroundShaders.js';
+import { FORM_CONSTANTS } from '../../../../src/look/constants/formConstants.js';
+import { MULTIPLES } from '../../../../src/mesh/form/phase/roundJumps.js';
+import {
+  HATCHING_PROPERTIES,
+  HATCHING_TECHNIQUES,
+  type HatchingTechnique,
+} from '../../../../src/look/hatchingProperties.js';
+import { fetchPart, partNameOf } from '../../../../src/material/parts/parts.js';
+import { hatchingShaders } from '../../../../src/material/shaders/hatchingShaders.js';
+import { outlineShaders } from '../../../../src/material/outlines/outlineShaders.js';
+
+/** Every number that both shaders and the processor draw by stands in one of these tables, and nowhere else. */
+type Value = number | readonly number[];
+const tables = import.meta.glob<Record<string, Record<string, Value>>>('../../../../src/look/constants/*.ts', {
+  eager: true,
+});
+const constants = Object.entries(tables).flatMap(([path, exported]) =>
+  Object.values(exported).flatMap((table) =>
+    Object.entries(table).map(([name, value]) => ({ name, value, file: path.replace(/.*\//, '') })),
+  ),
+);
+
+const textsIn = (folders: readonly string[], ending: RegExp): Record<string, string> =>
+  Object.fromEntries(
+    folders
+      .flatMap((folder) =>
+        readdirSync(folder, { recursive: true, encoding: 'utf8' }).map((path) => `${folder}/${path}`),
+      )
+      .filter((path) => ending.test(path) && !path.startsWith('src/look/constants'))
+      .map((path) => [path, readFileSync(path, 'utf8').replace(/\/\*[\s\S]*?\*\/|\/\/.*/g, '')]),
+  );
+
+const shaders = textsIn(['shaders'], /\.(glsl|vert|frag)$/);
+const processor = textsIn(['src/vector/shading', 'src/vector', 'src/vector/svg'], /\.ts$/);
+
+/** What stands as `#define NAME value` or as `const float NAME = value;`, and in TypeScript as `const NAME = value;`. */
+const definitionsIn = (texts: Record<string, string>) =>
+  Object.entries(texts).flatMap(([path, text]) =>
+    [
+      ...text.matchAll(/^\s*(?:#define|(?:export )?const(?: \w+)?) ([A-Z][A-Z0-9_]+)(?::[^=]*)?(?: =)? +(.+?);?$/gm),
+    ].map(([, name, value]) => ({ name, value, path })),
+  );
+
+/** The numbers of a value in either language: vec2(0.1, 0.6) and [0.1, 0.6] as const have the same. */
+const numbersOf = (value: string): string =>
+  (value.replace(/\bvec\d/g, '').match(/(?<!\w)[\d.]+(?:e-?\d+)?/g) ?? []).map(Number).join();
+
+const isNumber = (value: string): boolean => /^(vec\d *\(|\[)?[-\d.,e ]+(\)|\])?( as const)?$/.test(value);
+
+const isUsed = (name: string, texts: Record<string, string>): boolean =>
+  Object.values(texts).some((text) => new RegExp(`\\b${name}\\b`).test(text));
+
+describe('numbers that shaders and the processor share', () => {
+  test('have a name of their own', () => {
+    const names = constants.map(({ name }) => name);
+    expect(names.filter((name, i) => names.indexOf(name) < i)).toEqual([]);
+    expect(names.length).toBeGreaterThan(90);
+  });
+
+  test.each(constants)('$name of $file is used by both, and written by neither', ({ name, value }) => {
+    expect(isUsed(name, shaders), 'in shaders').toBe(true);
+    expect(isUsed(name, processor), 'on the processor').toBe(true);
+    expect(definitionsIn(shaders).filter((one) => one.name === name)).toEqual([]);
+    const numbers = numbersOf(JSON.stringify(value));
+    const again = definitionsIn(processor).filter((one) => one.name === name && numbersOf(one.value) === numbers);
+    expect(again).toEqual([]);
+  });
+
+  test('stand in the tables if they have a name in both languages', () => {
+    const onProcessor = definitionsIn(processor);
+    const twice = definitionsIn(shaders).filter(
+      ({ name, value }) =>
+        isNumber(value) &&
+        onProcessor.some((other) => other.name === name && numbersOf(other.value) === numbersOf(value)),
+    );
+    expect(twice).toEqual([]);
+  });
+
+  test('are known to every program that asks for them, once', async () => {
+    const programs = [outlineShaders(), backgroundShaders()];
+    for (const technique of Object.keys(HATCHING_TECHNIQUES) as HatchingTechnique[]) {
+      for (const medium of HATCHING_PROPERTIES.medium.choices) {
+        const part = partNameOf(technique, medium);
+        programs.push(hatchingShaders(technique, part ? (await fetchPart(part)).files : undefined));
+      }
+    }
+    for (const text of new Set(
+      programs.flatMap(({ vertexShader, fragmentShader }) => [vertexShader, fragmentShader]),
+    )) {
+      const defined = [...text.matchAll(/^\s*#define (\w+) /gm)].map(([, name]) => name);
+      const used = new Set(text.replace(/\/\/.*|^\s*#define \w+/gm, '').match(/\b[A-Z][A-Z0-9_]+\b/g));
+      for (const { name } of constants) {
+        const count = defined.filter((one) => one === name).length;
+        expect(count, name).toBeLessThanOrEqual(1);
+        if (used.has(name)) expect(count, name).toBe(1);
+      }
+    }
+  });
+
+  test('of the form are those that its bake cuts it by', () => {
+    expect(FORM_CONSTANTS.COARSEST_OCTAVES).toEqual(MULTIPLES.map(Math.log2));
+  });
+});

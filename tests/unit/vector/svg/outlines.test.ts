@@ -1,0 +1,157 @@
+import {
+  BoxGeometry,
+  BufferAttribute,
+  BufferGeometry,
+  DoubleSide,
+  IcosahedronGeometry,
+  PlaneGeometry,
+  SphereGeometry,
+} from 'three';
+import { mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
+import { describe, expect, test } from 'vitest';
+import type { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
+import type { HatchingOutlineParameters } from '../../../../src/material/outlines/HatchingOutlineMaterial.js';
+import { drawSVG } from '../../../../src/vector/svg/drawSVG.js';
+import { cameraAt, hatchedMesh, sceneOf } from '../hatchedScene.js';
+import { coverageOf, pathsOf, ringsOf } from '../paths.js';
+
+/** Outlines alone, all as heavy. */
+const ALIKE = { innerContours: 1, creases: 1, lostEdges: 0, accents: 0, shadeWeights: [1, 1] as [number, number] };
+const BLANK = {
+  toneCurve: [
+    [0, 0],
+    [1, 0],
+  ] as [number, number][],
+  hollowTone: 0,
+};
+const PIXEL = 25.4 / 96;
+
+describe('accents', () => {
+  /** A ball before the straight border of a sheet, and how wide its contour is left of it, at a height. */
+  async function ballBeforeBorder(outlines: HatchingOutlineParameters): Promise<number[]> {
+    const ball = await hatchedMesh(new SphereGeometry(0.6, 192, 128), {
+      outlines: { ...ALIKE, outlineWidth: 4, ...outlines },
+      material: BLANK,
+    });
+    const sheet = await hatchedMesh(new PlaneGeometry(4, 4), { outlines: false, material: BLANK });
+    // Its upper border lies at the height of the middle of the ball, far behind it.
+    sheet.position.set(0, -2, -1);
+    const { svg } = await drawSVG(sceneOf(ball, sheet), cameraAt(0, 0, 1, true), { sheet: [105, 105], margin: 0 });
+    // The picture is 2.1 high: 50 mm a unit. The ball's left side lies at x = 22.5.
+    return [0, 4, 8, 16].map((below) => coverageOf(pathsOf(svg), [17, 52.5 + below, 15, 0.2]) * 15);
+  }
+
+  test('make a contour heavier where another outline ends behind it, and nowhere else', async () => {
+    const plain = await ballBeforeBorder({});
+    const accented = await ballBeforeBorder({ accents: 0.5 });
+    // Where the border lies, within half a step of it, three quarters and more of the accent are left.
+    expect(accented[0] / plain[0]).toBeGreaterThan(1.35);
+    expect(accented[0] / plain[0]).toBeLessThan(1.5);
+    expect(accented[1]).toBeLessThan(accented[0]);
+    expect(accented[1]).toBeGreaterThan(1.05 * plain[1]);
+    // 8 widths of 4 pixels are 8.5 mm.
+    expect(accented[3]).toBeCloseTo(plain[3], 3);
+    // There it is cut at a slant.
+    expect(plain[3]).toBeCloseTo((4 * PIXEL * 30) / Math.sqrt(30 ** 2 - 16 ** 2), 1);
+  });
+});
+
+test('outlines run on beyond corners by the overshoot, and end there', async () => {
+  const draw = async (overshoot: number) => {
+    const mesh = await hatchedMesh(new BoxGeometry(1.2, 1.2, 1.2), {
+      outlines: { ...ALIKE, overshoot },
+      material: BLANK,
+    });
+    return drawSVG(sceneOf(mesh), cameraAt(2.2, 1.7, 2.9), { kind: 'pen', dpi: 25.4 });
+  };
+  const [plain, beyond] = [await draw(0), await draw(5)];
+  expect(beyond.leftOut).toEqual([]);
+  expect(plain.paths).toBe(9);
+  expect(beyond.paths).toBe(9);
+  // A pixel is a millimetre. Both ends of nine edges run on, but for those that run on before or behind a face of the cube.
+  const more = beyond.drawn - plain.drawn;
+  expect(more).toBeGreaterThan(0.7 * 18 * 5);
+  expect(more).toBeLessThan(1.01 * 18 * 5);
+});
+
+test('suggestive contours are drawn where they are asked for', async () => {
+  const draw = async (suggestiveContours: number) => {
+    // Waves that are seen at a slant, from where none hides another.
+    const waves = new PlaneGeometry(2, 2, 128, 32);
+    const { position } = waves.attributes;
+    for (let v = 0; v < position.count; v++) position.setZ(v, 0.06 * Math.sin(9 * position.getX(v)));
+    waves.computeVertexNormals();
+    const mesh = await hatchedMesh(waves, { outlines: { ...ALIKE, borders: 0, suggestiveContours }, material: BLANK });
+    return drawSVG(sceneOf(mesh), cameraAt(1, 0, 1.4), { kind: 'pen' });
+  };
+  expect((await draw(0)).paths).toBe(0);
+  const { leftOut, paths, svg } = await draw(0.8);
+  expect(leftOut).toEqual([]);
+  // One a wave, from top to bottom: a line where the bend is 0, along the crest.
+  expect(paths).toBeGreaterThanOrEqual(2);
+  expect(paths).toBeLessThanOrEqual(4);
+  for (const data of pathsOf(svg, 'outlines')) {
+    const [points] = ringsOf(data);
+    const ys = points.filter((_, i) => i % 2 === 1);
+    expect(Math.max(...ys) - Math.min(...ys)).toBeGreaterThan(100);
+  }
+});
+
+test('a contour of coarse triangles is hidden by what stands close before it', async () => {
+  // Its triangles are deep, so that its contour is lifted far towards the eye.
+  const coarse = mergeVertices(new IcosahedronGeometry(0.9, 2).deleteAttribute('normal').deleteAttribute('uv'));
+  const ball = await hatchedMesh(coarse, { outlines: { ...ALIKE, outlineWidth: 6 }, material: BLANK });
+  const sheet = await hatchedMesh(new PlaneGeometry(4, 2), { outlines: false, material: BLANK });
+  sheet.position.set(0, -1, 0.2);
+  const camera = cameraAt(0, 0, 1, true);
+  const { svg } = await drawSVG(sceneOf(ball, sheet), camera, { sheet: [105, 105], margin: 0 });
+  const paths = pathsOf(svg, 'outlines');
+  // The upper border of the sheet lies in the middle.
+  expect(coverageOf(paths, [0, 0, 105, 52])).toBeGreaterThan(0.005);
+  expect(coverageOf(paths, [0, 53, 105, 52])).toBe(0);
+});
+
+describe('a Möbius strip', async () => {
+  const RADIUS = 0.75;
+  const HALF = 0.2;
+  const STEPS = 192;
+  const ACROSS = 4;
+  const around = (turn: number, across: number) => {
+    const r = RADIUS + across * Math.cos(turn / 2);
+    return [r * Math.cos(turn), r * Math.sin(turn), across * Math.sin(turn / 2)] as const;
+  };
+  /** The last row joins the first upside down. */
+  const strip = (): BufferGeometry => {
+    const positions: number[] = [];
+    const index: number[] = [];
+    for (let i = 0; i < STEPS; i++) {
+      for (let k = 0; k <= ACROSS; k++)
+        positions.push(...around((2 * Math.PI * i) / STEPS, HALF * ((2 * k) / ACROSS - 1)));
+    }
+    const at = (i: number, k: number): number => (i < STEPS ? i * (ACROSS + 1) + k : ACROSS - k);
+    for (let i = 0; i < STEPS; i++) {
+      for (let k = 0; k < ACROSS; k++)
+        index.push(at(i, k), at(i + 1, k), at(i + 1, k + 1), at(i, k), at(i + 1, k + 1), at(i, k + 1));
+    }
+    const geometry = new BufferGeometry().setIndex(index);
+    geometry.setAttribute('position', new BufferAttribute(Float32Array.from(positions), 3));
+    geometry.computeVertexNormals();
+    return geometry;
+  };
+
+  test('has one border, a path that goes round twice and is cut only where it passes behind itself', async () => {
+    const mesh = await hatchedMesh(strip(), { outlines: { ...ALIKE, creases: 0, outlineWidth: 1 }, material: BLANK });
+    (mesh.material as HatchingMaterial).side = DoubleSide;
+    const sheet = { kind: 'pen', sheet: [105, 105], margin: 0 } as const;
+    const { drawn, paths } = await drawSVG(sceneOf(mesh), cameraAt(0, 0, 1, true), sheet);
+    expect(paths).toBe(1);
+    let length = 0;
+    for (let i = 0; i < 2 * STEPS; i++) {
+      const [x, y] = around((2 * Math.PI * i) / STEPS, HALF);
+      const [nextX, nextY] = around((2 * Math.PI * (i + 1)) / STEPS, HALF);
+      length += 50 * Math.hypot(nextX - x, nextY - y);
+    }
+    // A tenth of a millimetre is hidden there.
+    expect(Math.abs(drawn / length - 1)).toBeLessThan(0.005);
+  });
+});

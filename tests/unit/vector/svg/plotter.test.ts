@@ -1,0 +1,84 @@
+import { spawnSync } from 'node:child_process';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { TorusKnotGeometry } from 'three';
+import { afterAll, beforeAll, describe, expect, test } from 'vitest';
+import { drawSVG, type SVGDrawing } from '../../../../src/vector/svg/drawSVG.js';
+import { cameraAt, hatchedMesh, sceneOf } from '../hatchedScene.js';
+
+/** What others make of the files: programs of plotters, and parsers. They are tests only where these are installed. */
+
+const runs = (command: string): boolean => spawnSync(command, ['--version']).status === 0;
+const hasVpype = runs('vpype');
+const hasPython = runs('python3');
+if (!hasVpype)
+  console.log('vpype is not installed (pip install vpype): nothing reads the files of pens as plotters do.');
+if (!hasPython) console.log('python3 is not installed: no parser of XML reads the files.');
+
+const folder = mkdtempSync(join(tmpdir(), 'hatching-'));
+const drawings: Partial<Record<'travel' | 'drawn' | 'print', SVGDrawing>> = {};
+const fileOf = (name: keyof typeof drawings): string => join(folder, `${name}.svg`);
+
+beforeAll(async () => {
+  const knot = await hatchedMesh(new TorusKnotGeometry(0.6, 0.22, 160, 32));
+  // The file in the order in which lines are found is for vpype alone.
+  for (const name of ['travel', 'print', ...(hasVpype ? (['drawn'] as const) : [])] as const) {
+    const order = name === 'drawn' ? name : 'travel';
+    const pen = name === 'print' ? {} : ({ kind: 'pen', penWidth: 0.2 } as const);
+    // No more is asked of the file of a press than that it can be read.
+    const sheet = name === 'print' ? ([60, 50] as const) : ([210, 190] as const);
+    drawings[name] = await drawSVG(sceneOf(knot), cameraAt(0.4, 0.3, 1), { ...pen, order, sheet });
+    writeFileSync(fileOf(name), drawings[name].svg);
+  }
+});
+
+afterAll(() => rmSync(folder, { recursive: true }));
+
+function vpype(...args: string[]): string {
+  const { status, stdout, stderr } = spawnSync('vpype', args, { encoding: 'utf8' });
+  expect([status, stderr]).toEqual([0, '']);
+  return stdout;
+}
+
+/** The way of the lifted pen in all layers, after commands. */
+function travelOf(name: keyof typeof drawings, ...commands: string[]): number {
+  const told = vpype('read', fileOf(name), ...commands, 'stat');
+  return Number(/^ {2}Pen-up length: ([\d.]+)$/m.exec(told.slice(told.indexOf('Totals')))![1]);
+}
+
+test('the lifted pen goes less than 15 % of the way that it goes in the order in which lines are found', () => {
+  const { paths, travelBefore, travelAfter } = drawings.travel!;
+  expect(paths).toBeGreaterThan(800);
+  expect(travelAfter / travelBefore).toBeLessThan(0.15);
+});
+
+describe.skipIf(!hasVpype)('vpype', () => {
+  test('reads the size of the sheet, the width of the pen and the layers by their names', () => {
+    const read = vpype('read', fileOf('travel'), 'proplist', '-g', 'proplist', '-l', 'all');
+    const pixels = (millimetres: number) => (millimetres * 96) / 25.4;
+    const [width, height] = /vp_page_size: \(tuple\) \(([\d.]+), ([\d.]+)\)/.exec(read)!.slice(1).map(Number);
+    expect(width).toBeCloseTo(pixels(210), 3);
+    expect(height).toBeCloseTo(pixels(190), 3);
+    const widths = [...read.matchAll(/vp_pen_width: \(float\) ([\d.]+)/g)].map(([, text]) => Number(text));
+    expect(widths.length).toBe(3);
+    for (const one of widths) expect(one).toBeCloseTo(pixels(0.2), 5);
+    expect([...read.matchAll(/vp_name: \(str\) (.*)/g)].map(([, name]) => name)).toEqual([
+      '1 outlines',
+      '2 engraved',
+      '3 crossing',
+    ]);
+  });
+
+  test('sorts lines by no more than a fifth shorter way', () => {
+    const ours = travelOf('travel');
+    const theirs = Math.min(travelOf('drawn', 'linesort', '--two-opt'), travelOf('travel', 'linesort', '--two-opt'));
+    expect(ours / theirs).toBeLessThan(1.25);
+  });
+});
+
+test.skipIf(!hasPython).each(['travel', 'print'] as const)('a parser of XML says nothing: %s', (name) => {
+  const parse = 'import sys, xml.dom.minidom; print(xml.dom.minidom.parse(sys.argv[1]).documentElement.tagName)';
+  const { status, stdout, stderr } = spawnSync('python3', ['-c', parse, fileOf(name)], { encoding: 'utf8' });
+  expect([status, stdout.trim(), stderr]).toEqual([0, 'svg', '']);
+});

@@ -1,0 +1,104 @@
+import { DataTexture, Float32BufferAttribute, Mesh, MeshBasicMaterial, PlaneGeometry } from 'three';
+import { describe, expect, test } from 'vitest';
+import type { HatchingMaterialParameters } from '../../../../src/material/HatchingMaterialParameters.js';
+import { drawSVG } from '../../../../src/vector/svg/drawSVG.js';
+import { cameraAt, planeOfTone, sceneOf } from '../hatchedScene.js';
+import { coverageOf, pathsOf } from '../paths.js';
+
+const SIDE = 40;
+/** 40 mm show 2.1 units: the middle third lies behind a pane of 0.8 units that is nearer, the rest beside it. */
+const BEHIND = [17, 17, 6, 6] as const;
+const BESIDE = [2, 2, 6, 36] as const;
+
+const draw = async (...meshes: Mesh[]) => {
+  const { svg, leftOut } = await drawSVG(sceneOf(...meshes), cameraAt(0, 0, 1, true), {
+    ...{ sheet: [SIDE, SIDE], margin: 0, leastWidth: 0, order: 'drawn' },
+  });
+  expect(leftOut.filter(({ reason }) => !reason.includes('no HatchingMaterial'))).toEqual([]);
+  const paths = pathsOf(svg);
+  return { behind: coverageOf(paths, BEHIND, 200), beside: coverageOf(paths, BESIDE, 200), paths };
+};
+
+/** A pane before the others that prints nothing itself. */
+function pane(material: ConstructorParameters<typeof MeshBasicMaterial>[0]): Mesh {
+  const mesh = new Mesh(new PlaneGeometry(0.8, 0.8), new MeshBasicMaterial(material));
+  mesh.position.z = 0.5;
+  return mesh;
+}
+
+describe('surfaces that are seen through', () => {
+  test.each([
+    [{ transparent: true, opacity: 0.5 }, 0.5],
+    [{ transparent: true, opacity: 0.25 }, 0.25],
+    [{ alphaHash: true, opacity: 0.5 }, 0.5],
+    // Opaque, whatever their opacity.
+    [{ opacity: 0.5 }, 1],
+  ] as const)('%s print so much of their tone', async (material: HatchingMaterialParameters, share) => {
+    const { beside } = await draw(await planeOfTone(0.4, material));
+    expect(Math.abs(beside - 0.4 * share)).toBeLessThan(0.015);
+  });
+
+  test.each([
+    [{ transparent: true, opacity: 0.5 }, 0.5],
+    [{ transparent: true, opacity: 0.8 }, 0.2],
+    [{ transparent: true, opacity: 1 }, 0],
+    [{ opacity: 0.5 }, 0],
+  ] as const)('%s leave so much of what is behind them', async (material, left) => {
+    const { behind, beside } = await draw(await planeOfTone(0.4), pane(material));
+    expect(Math.abs(beside - 0.4)).toBeLessThan(0.015);
+    expect(Math.abs(behind - 0.4 * left)).toBeLessThan(0.015);
+  });
+
+  test('a pane with a picture leaves as much as one without, where the picture is', async () => {
+    const data = Uint8Array.of(255, 255, 255, 255, 255, 255, 255, 0);
+    const map = Object.assign(new DataTexture(data, 2, 1), { needsUpdate: true });
+    const { behind } = await draw(await planeOfTone(0.4), pane({ transparent: true, opacity: 0.25, map }));
+    // Half of it is cut out.
+    expect(Math.abs(behind - (0.4 * (0.75 + 1)) / 2)).toBeLessThan(0.03);
+  });
+
+  test('a pane whose vertices are seen through leaves as much as they do', async () => {
+    const withAlphas = (...alphas: number[]): Mesh => {
+      const glass = pane({ transparent: true, opacity: 0.5, vertexColors: true });
+      const colors = alphas.flatMap((alpha) => [1, 1, 1, alpha]);
+      glass.geometry.setAttribute('color', new Float32BufferAttribute(colors, 4));
+      return glass;
+    };
+    const { behind } = await draw(await planeOfTone(0.4), withAlphas(0.5, 0.5, 0.5, 0.5));
+    expect(Math.abs(behind - 0.4 * 0.75)).toBeLessThan(0.015);
+    const scene = sceneOf(await planeOfTone(0.4), withAlphas(1, 0, 1, 0));
+    const { leftOut } = await drawSVG(scene, cameraAt(0, 0, 1, true), { sheet: [SIDE, SIDE] });
+    expect(leftOut.map(({ reason }) => reason)).toContainEqual(expect.stringContaining('drawn with one opacity'));
+  });
+
+  test('two panes leave what both leave, and one without paper all', async () => {
+    const second = pane({ transparent: true, opacity: 0.5 });
+    second.position.z = 0.7;
+    const { behind } = await draw(await planeOfTone(0.6), pane({ transparent: true, opacity: 0.5 }), second);
+    expect(Math.abs(behind - 0.15)).toBeLessThan(0.015);
+    const film = await planeOfTone(0, { transparent: true, opacity: 0.5, paperOpacity: 0 });
+    film.position.z = 0.5;
+    expect(Math.abs((await draw(await planeOfTone(0.6), film)).behind - 0.6)).toBeLessThan(0.015);
+  });
+
+  test('with what is behind them they print as much as on the canvas, where inks are added', async () => {
+    const front = await planeOfTone(0.6, { transparent: true, opacity: 0.5, lineField: 'y' });
+    front.position.z = 0.5;
+    const { paths } = await draw(await planeOfTone(0.6, { lineField: 'x' }), front);
+    // One upon another they would cover 0.51.
+    expect(Math.abs(coverageOf(paths, [2, 2, 36, 36], 300) - 0.6)).toBeLessThan(0.025);
+  });
+
+  test('a pen draws dashes behind them', async () => {
+    const drawnBehind = async (...panes: Mesh[]) =>
+      (
+        await drawSVG(sceneOf(await planeOfTone(0.4), ...panes), cameraAt(0, 0, 1, true), {
+          ...{ kind: 'pen', sheet: [SIDE, SIDE], margin: 0 },
+        })
+      ).drawn;
+    const all = await drawnBehind();
+    const hidden = all - (await drawnBehind(pane({})));
+    const faded = all - (await drawnBehind(pane({ transparent: true, opacity: 0.6 })));
+    expect(Math.abs(faded / hidden - 0.6)).toBeLessThan(0.1);
+  });
+});

@@ -1,0 +1,45 @@
+import { describe, expect, test } from 'vitest';
+import { colouredBoxObj, read } from '../../../../tools/modelFiles/modelWriters.js';
+
+describe('what the caption says', () => {
+  const box = colouredBoxObj.replace('mtllib box.mtl\n', '');
+
+  test('models that were dropped together are counted, and there is a way to see the others', async () => {
+    expect((await read(['a.obj', box], ['wood.png', ''], ['notes.txt', ''])).notes).toEqual([]);
+    const two = await read(['b.ply', 'ply'], ['a.obj', box]);
+    expect([two.name, two.notes]).toEqual(['a.obj', ['one of 2 models: drop b.ply by itself to see it']]);
+    const three = await read(['b.ply', 'ply'], ['a.obj', box], ['b.obj', box]);
+    expect([three.name, three.notes]).toEqual(['a.obj', ['one of 3 models: drop another by itself to see it']]);
+  });
+
+  test('what is missing comes first, and all of its names are to be found', async () => {
+    const faces = box.slice(box.indexOf('usemtl'));
+    const libraries = ['a', 'b', 'c'].map((name) => `mtllib ${name}.mtl`);
+    const { notes, details } = await read(
+      ['a.obj', [...libraries, box, faces.replace(/^f /m, 'f 99 ')].join('\n')],
+      ['b.obj', box],
+    );
+    expect(notes).toEqual([
+      'a.mtl, b.mtl and 1 more are missing: drop them along',
+      'one of 2 models: drop b.obj by itself to see it',
+    ]);
+    expect(details[0]).toBe('missing: a.mtl, b.mtl, c.mtl');
+    expect(details.slice(1)).toEqual([
+      expect.stringMatching(/without three valid corners left out$/),
+      expect.stringMatching(/duplicate triangles left out$/),
+    ]);
+  });
+
+  test.each([
+    ['slivers', 1e-5, 2, true],
+    ['thin strips that can be seen', 1e-2, 2, false],
+    ['dust', 1e-4, 1e-4, true],
+  ])('%s: whether triangles are too thin to be hatched', async (_, height, width, isThin) => {
+    const triangles = Array.from({ length: 20 }, (_, i) => {
+      const [x, y] = [Math.cos(i), i / 10];
+      return `v ${x} ${y} 0\nv ${x + width} ${y} 0\nv ${x} ${y + height} 0\nf -3 -2 -1`;
+    });
+    const { notes } = await read(['a.obj', triangles.join('\n')]);
+    expect(notes).toEqual(isThin ? ['its triangles are too thin to be hatched'] : []);
+  });
+});

@@ -1,0 +1,27 @@
+import { expect, test } from 'vitest';
+import { drawnSettings } from '../../../../src/viewer/settings/drawnSettings.js';
+import { defaultSettings, SETTING_KEYS } from '../../../../src/viewer/settings/settings.js';
+
+const changedBy = (look: Parameters<typeof drawnSettings>[0]): Record<string, number> => {
+  const drawn = drawnSettings(look);
+  return Object.fromEntries(
+    SETTING_KEYS.filter((key) => drawn[key] !== look[key]).map((key) => [key, Number(drawn[key]) / Number(look[key])]),
+  );
+};
+
+test('bold strokes are wider and farther apart, all alike; nothing else changes', () => {
+  expect(changedBy({ ...defaultSettings(), boldness: 200 })).toEqual({
+    strokeWidth: 2,
+    lineSpacing: 2,
+    outlineWidth: 2,
+    tilesPerUnit: 0.5,
+  });
+});
+
+test('dense strokes cover more, as in less light; nothing else changes', () => {
+  expect(changedBy({ ...defaultSettings(), density: 200 })).toEqual({ lightStrength: 0.5, secondStrength: 0.5 });
+});
+
+test('in the middle, settings are drawn as they are', () => {
+  expect(changedBy(defaultSettings())).toEqual({});
+});

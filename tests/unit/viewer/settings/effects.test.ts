@@ -1,0 +1,143 @@
+import { describe, expect, test } from 'vitest';
+import { choosesMap, hasEffect, isChoiceKnown, presentUnit } from '../../../../src/viewer/settings/effects.js';
+import {
+  defaultSettings,
+  SETTING_KEYS,
+  SETTINGS,
+  type SettingKey,
+  type Settings,
+} from '../../../../src/viewer/settings/settings.js';
+import { looksOf } from '../../../../src/viewer/settings/settingValues.js';
+import type { Setting } from '../../../../src/viewer/settings/table/Setting.js';
+
+const used = (key: SettingKey, changes: Partial<Settings>): boolean =>
+  hasEffect(key, { ...defaultSettings(), ...changes });
+
+describe('a setting has an effect', () => {
+  test.each<[SettingKey, Partial<Settings>, boolean]>([
+    ['anchorSpacing', { technique: 'anchored' }, true],
+    ['anchorSpacing', { technique: 'adjacency' }, false],
+    ['anchorSpacing', { technique: 'adjacency', compare: 'anchored' }, true],
+    // Dots beside strokes of triangles: those have a map, and the dots still no anchors.
+    ['anchorSpacing', { technique: 'anchored', medium: 'stipple', compare: 'adjacency' }, false],
+    ['mapStyle', { technique: 'engraved' }, false],
+    ['mapSize', { technique: 'engraved' }, false],
+    ['mapStyle', { technique: 'engraved', compare: 'triangle' }, true],
+    ['strokeDirection', { technique: 'engraved' }, false],
+    ['strokeDirection', { technique: 'anchored', medium: 'stipple' }, false],
+    ['strokeDirection', { technique: 'triangle' }, true],
+    ['strokeDirection', { strokeField: 'form' }, false],
+    ['strokeDirection', { technique: 'triangle', strokeField: 'form' }, true],
+    ['strokeField', { technique: 'anchored' }, true],
+    ['strokeField', { technique: 'anchored', medium: 'stipple' }, false],
+    ['strokeField', { technique: 'adjacency' }, false],
+    ['strokeAngle', { strokeDirection: 'towards' }, false],
+    ['strokeAngle', { strokeDirection: 'angle' }, true],
+    ['crossFrom', { technique: 'engraved' }, true],
+    ['crossFrom', { technique: 'anchored', strokeLayers: 'lights' }, false],
+    ['crossFrom', { technique: 'anchored', strokeLayers: 'tone' }, true],
+    ['edge', { technique: 'anchored' }, true],
+    ['edge', { technique: 'anchored', medium: 'dry' }, false],
+    ['edge', { technique: 'adjacencyCrisp', medium: 'dry' }, true],
+    ['strokeWidth', { technique: 'adjacency' }, false],
+    ['strokeWidth', { technique: 'adjacency', levelRule: 'depth' }, true],
+    ['strokeWidth', { technique: 'engraved', levelRule: 'depth' }, false],
+    ['tilesPerUnit', { technique: 'anchored', sizedOnScreen: 100 }, false],
+    ['tilesPerUnit', { technique: 'anchored', sizedOnScreen: 99 }, true],
+    ['tilesPerUnit', { technique: 'anchored', sizedOnScreen: 100, compare: 'triangle' }, true],
+    ['shininess', { toneModel: 'phong' }, true],
+    ['shininess', {}, false],
+    ['outlineWidth', { outlines: 'off' }, false],
+    ['outlineWidth', {}, true],
+    ['ground', { shadows: 'off' }, false],
+    ['shadowStrokes', { shadows: 'on' }, true],
+    ['shadowTone', { shadows: 'on', ground: 'floor' }, false],
+    ['shadowFade', { shadows: 'on', ground: 'shadow' }, true],
+    ['lightDistance', {}, false],
+    ['lightDistance', { lightKind: 'spot' }, true],
+    ['spotAngle', { lightKind: 'point' }, false],
+    ['secondAzimuth', { secondLight: 'left' }, false],
+    ['secondStrength', { secondLight: 'left' }, true],
+    ['pictureWidth', { pictureSize: 'a4' }, false],
+    ['pictureTurn', { pictureSize: 'a4' }, true],
+    ['pictureTurn', { pictureSize: 'own' }, false],
+    ['pictureDpi', { pictureSize: 'own' }, true],
+    ['pictureDpi', { pictureSize: '2' }, false],
+    ['pictureGround', { pictureLayers: 'apart' }, false],
+    ['pictureMargin', { pictureSize: '2' }, false],
+    ['pictureMargin', { pictureSize: 'a5' }, true],
+    ['pictureMargin', { pictureSize: 'a5', pictureCrop: 'drawing' }, false],
+    ['depthStrength', { technique: 'engraved' }, false],
+    ['depthStrength', { technique: 'engraved', depth: 'on' }, true],
+    ['depth', { technique: 'triangle' }, false],
+    ['model', {}, true],
+  ])('%s with %j: %s', (key, changes, expected) => {
+    expect(used(key, changes)).toBe(expected);
+  });
+
+  test('each with some others at least', () => {
+    const some: Partial<Settings>[] = [
+      {
+        depth: 'on',
+        focus: 'on',
+        background: 'on',
+        shadows: 'on',
+        secondLight: 'free',
+        lightKind: 'spot',
+        strokeDirection: 'angle',
+        pictureSize: 'own',
+      },
+      { technique: 'anchored', medium: 'dry', toneModel: 'phong', pictureSize: 'a4' },
+      { pictureSize: 'inches' },
+      {
+        technique: 'engraved',
+        medium: 'pen',
+        toneModel: 'toon',
+        shadows: 'on',
+        ground: 'shadow',
+        occlusion: 50,
+      },
+      { technique: 'adjacencyCrisp', pictureSvg: 'pen' },
+    ];
+    const unused = SETTING_KEYS.filter((key) => !some.some((changes) => used(key, changes)));
+    expect(unused).toEqual([]);
+  });
+
+  test('by settings and values that there are', () => {
+    for (const key of SETTING_KEYS) {
+      const { when = {} }: Setting = SETTINGS[key];
+      for (const [other, values] of Object.entries(when)) {
+        const setting: Setting = SETTINGS[other as SettingKey];
+        expect(Object.keys('choices' in setting ? setting.choices : {}), key).toEqual(
+          expect.arrayContaining([...values]),
+        );
+      }
+    }
+  });
+});
+
+test.each([
+  [100, 'px'],
+  [0, '/256 tile'],
+  // A mean of the two has no name.
+  [50, ''],
+])('the distance between outlines, %d %% on the screen, has the unit %j', (sizedOnScreen, unit) => {
+  const settings: Settings = { ...defaultSettings(), technique: 'engraved', sizedOnScreen };
+  expect(presentUnit('lineSpacing', looksOf(settings))).toBe(unit);
+  expect(presentUnit('strokeWidth', looksOf(settings))).toBe('px');
+  expect(presentUnit('handmade', looksOf(settings))).toBe('%');
+});
+
+test('the map is chosen again with what says which it is, or whether there is one', () => {
+  expect(SETTING_KEYS.filter(choosesMap).sort()).toEqual(
+    ['technique', 'compare', 'medium', 'mapStyle', 'mapSize', 'mapTones', 'mapSeed'].sort(),
+  );
+});
+
+test('a medium is offered to the techniques that know it', () => {
+  const offered = (technique: string) =>
+    Object.keys(SETTINGS.medium.choices).filter((medium) => isChoiceKnown('medium', medium, [{ technique }]));
+  expect(offered('anchored')).toEqual(['ink', 'dry', 'stipple']);
+  expect(offered('engraved')).toEqual(['ink', 'pen', 'woodcut']);
+  expect(isChoiceKnown('toneModel', 'toon', [{ technique: 'engraved' }])).toBe(true);
+});

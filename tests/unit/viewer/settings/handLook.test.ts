@@ -1,0 +1,31 @@
+import { expect, test } from 'vitest';
+import { learnHand } from '../../../../src/strokes/hand/learnHand.js';
+import { drawSwatches } from '../../../../src/strokes/hands/drawSwatch.js';
+import { exampleHabits } from '../../../../src/strokes/hands/exampleHabits.js';
+import { acceptSetting } from '../../../../src/viewer/settings/acceptSetting.js';
+import { handLook, linesOfHand, lookWithoutHand } from '../../../../src/viewer/settings/handLook.js';
+import { firstView } from '../../../../src/viewer/settings/presets.js';
+import { defaultSettings, type SettingKey } from '../../../../src/viewer/settings/settings.js';
+import { drawsWithMap } from '../../../../src/viewer/settings/settingValues.js';
+
+const hands = Object.values(exampleHabits).map((habits) => learnHand(drawSwatches(habits, 1)));
+
+test('a hand is drawn with a map, also where there were lines before; a technique with strokes stays', () => {
+  const engraved = { ...firstView(), ...handLook(firstView(), hands[0]) };
+  expect([engraved.technique, engraved.mapStyle, drawsWithMap(engraved)]).toEqual(['anchored', 'ownHand', true]);
+  const settings = { ...defaultSettings(), technique: 'triangle' } as const;
+  expect({ ...settings, ...handLook(settings, hands[0]) }.technique).toBe('triangle');
+  expect({ ...engraved, ...lookWithoutHand(engraved) }.mapStyle).toBe('hatching');
+  expect(lookWithoutHand({ ...settings, mapStyle: 'ruled' })).toEqual({});
+});
+
+test('lines follow the hand, within the ranges of their controls: a ruler is steadier than a scribble', () => {
+  const [, , , scribble, ruled] = hands.map((hand) => linesOfHand(defaultSettings(), hand));
+  expect(ruled.handmade).toBeLessThan(scribble.handmade!);
+  expect(ruled.outlineHand).toBeLessThanOrEqual(scribble.outlineHand!);
+  for (const hand of hands) {
+    for (const [key, value] of Object.entries(linesOfHand(defaultSettings(), hand))) {
+      expect(acceptSetting(key as SettingKey, value), key).toBe(value);
+    }
+  }
+});

@@ -1,0 +1,171 @@
+import { describe, expect, test } from 'vitest';
+import { parameterSetter } from '../../../../src/viewer/drawing/parameterSetter.js';
+import { materialSizesIn } from '../../../../src/viewer/drawing/picturedSizes.js';
+import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../../../../src/look/hatchingProperties.js';
+import { counts } from '../../../../src/look/measuredFacts.js';
+import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
+import { HatchingOutlineMaterial } from '../../../../src/material/outlines/HatchingOutlineMaterial.js';
+import { OUTLINE_NUMBER_NAMES } from '../../../../src/material/outlines/outlineProperties.js';
+import { presets } from '../../../../src/scene/presets.js';
+import { acceptSetting } from '../../../../src/viewer/settings/acceptSetting.js';
+import { lookOf } from '../../../../src/viewer/settings/lookOf.js';
+import { outlineLook } from '../../../../src/viewer/settings/outlineLook.js';
+import { PRESET_NAMES } from '../../../../src/viewer/settings/presetLabels.js';
+import { firstView, presetLook, presetOf, wholeLook } from '../../../../src/viewer/settings/presets.js';
+import {
+  defaultSettings,
+  SETTING_KEYS,
+  SETTINGS,
+  type SettingKey,
+  type Settings,
+} from '../../../../src/viewer/settings/settings.js';
+import { readLink, writeLink } from '../../../../src/viewer/settings/shareLink.js';
+import type { Setting } from '../../../../src/viewer/settings/table/Setting.js';
+
+const settingsOf = (name: (typeof PRESET_NAMES)[number]): Settings => ({ ...defaultSettings(), ...presetLook(name) });
+
+test('sizes go with a picture and a small sheet as far as they are measured on them', () => {
+  const settings = { ...defaultSettings(), strokeWidth: 2, lineSpacing: 4, strokeLength: 40, toothSize: 3 };
+  const sizesAt = (sizedOnScreen: number, ...of: [number, number?]) =>
+    materialSizesIn(lookOf({ ...settings, sizedOnScreen }), ...of);
+  expect(sizesAt(100, 1, 4)).toEqual({
+    strokeWidth: 8,
+    lineSpacing: 16,
+    strokeLength: 160,
+    toothSize: 12,
+    finestSpacing: 12,
+  });
+  expect(sizesAt(50, 1, 4)).toEqual({
+    strokeWidth: 8,
+    lineSpacing: 8,
+    strokeLength: 80,
+    toothSize: 12,
+    finestSpacing: 12,
+  });
+  expect(sizesAt(0, 1, 4)).toEqual({
+    strokeWidth: 8,
+    lineSpacing: 4,
+    strokeLength: 40,
+    toothSize: 12,
+    finestSpacing: 12,
+  });
+  expect(sizesAt(100, 0.5)).toEqual({
+    strokeWidth: 1,
+    lineSpacing: 2,
+    strokeLength: 20,
+    toothSize: 1.5,
+    finestSpacing: 3,
+  });
+});
+
+describe('the presets of the page', () => {
+  test('are those of the library, in its order', () => {
+    expect(PRESET_NAMES).toEqual(Object.keys(presets));
+  });
+
+  test.each(PRESET_NAMES)('%s gives the material and the outlines of the library', (name) => {
+    const settings = settingsOf(name);
+    const expected = new HatchingMaterial(presets[name].material);
+    const made = new HatchingMaterial();
+    parameterSetter(lookOf(settings).drawn)(made);
+    Object.assign(made, materialSizesIn(lookOf(settings), 1));
+    for (const property of Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[]) {
+      // The size of strokes on the object follows from the size of the model.
+      if (property === 'tilesPerUnit' || property === 'tonalArtMap') continue;
+      // Belongs to the light of the page, which bakes it only when asked.
+      if (property === 'occlusion') continue;
+      if (!counts(expected, property)) continue;
+      const [got, want] = [made[property], expected[property]] as unknown[];
+      if (typeof want === 'number') expect(got, property).toBeCloseTo(want, 6);
+      else expect(got, property).toEqual(want);
+    }
+    expect(settings.mapStyle).toBe(presets[name].tonalArtMap?.style ?? defaultSettings().mapStyle);
+
+    const outlines = new HatchingOutlineMaterial(presets[name].outlines);
+    const drawn = new HatchingOutlineMaterial(outlineLook(settings));
+    for (const number of OUTLINE_NUMBER_NAMES) expect(drawn[number], number).toBeCloseTo(outlines[number], 6);
+    expect(drawn.shadeWeights.distanceTo(outlines.shadeWeights)).toBeCloseTo(0, 6);
+    expect(drawn.ink.equals(outlines.ink)).toBe(true);
+    expect(settings.outlines).toBe('on');
+  });
+
+  test.each(PRESET_NAMES)('%s is recognised, survives a link, and fits the controls', (name) => {
+    const settings = settingsOf(name);
+    expect(presetOf(settings)).toBe(name);
+    expect(readLink(writeLink(settings, undefined)).settings).toEqual(settings);
+    for (const key of SETTING_KEYS) expect(acceptSetting(key, settings[key]), key).toBe(settings[key]);
+    expect(presetOf({ ...settings, outlineWidth: settings.outlineWidth + 1 })).toBeUndefined();
+  });
+
+  test('engraving leaves it to the shape what lines follow, and links that say so keep the light', () => {
+    expect(settingsOf('engraving').lineField).toBe('auto');
+    expect(readLink('preset=engraving').settings.lineField).toBe('auto');
+    expect(readLink('preset=engraving&lineField=light').settings.lineField).toBe('light');
+    // Links of the page spell out what is not at its default, which was and is the light.
+    expect(readLink('technique=engraved&lineSpacing=4.5&handmade=40').settings.lineField).toBe('light');
+  });
+
+  test('leave nothing of the look before, and the model, the place of the light and the camera alone', () => {
+    const before = {
+      ...defaultSettings(),
+      model: 'bunny',
+      lightAzimuth: 12,
+      shadows: 'on',
+      offsetU: 0.5,
+      crossAngle: 20,
+      blendAngle: 30,
+    };
+    const after = { ...before, ...presetLook('stipple') };
+    expect(after).toMatchObject({
+      model: 'bunny',
+      lightAzimuth: 12,
+      shadows: 'on',
+      offsetU: 0,
+      crossAngle: 60,
+      blendAngle: 90,
+    });
+  });
+});
+
+describe('the button of a preset', () => {
+  test('gives the same picture whatever was chosen before, but for the model, the lights, the renderer and the export', () => {
+    const others: Partial<Settings> = Object.fromEntries(SETTING_KEYS.map((key) => [key, otherValue(key)] as const));
+    for (const name of PRESET_NAMES) {
+      const fresh = { ...defaultSettings(), ...wholeLook(name) };
+      const later = { ...defaultSettings(), ...others, ...wholeLook(name) };
+      const kept = SETTING_KEYS.filter((key) => fresh[key] !== later[key]);
+      expect(kept).toEqual(
+        SETTING_KEYS.filter(
+          (key) =>
+            /^(model|compare|renderer|surfaceColors|upAxis|lightKind|lightAzimuth|lightElevation|lightFollows|lightDistance)$/.test(
+              key,
+            ) || /^(spot|second|picture|video|focus)/.test(key),
+        ),
+      );
+      expect(presetOf(later)).toBe(name);
+    }
+  });
+});
+
+/** A value that is not the default. */
+function otherValue(key: SettingKey): string | number {
+  const setting: Setting = SETTINGS[key];
+  if (setting.kind === 'number') return setting.default === setting.max ? setting.min : setting.max;
+  if (setting.kind === 'color') return '#123456';
+  return Object.keys(setting.choices).find((choice) => choice !== setting.default)!;
+}
+
+describe('the first view', () => {
+  test('is an engraving with shadows of its own, for a page without a link', () => {
+    expect(presetOf(firstView())).toBe('engraving');
+    expect(firstView()).toEqual({ ...defaultSettings(), ...wholeLook('engraving') });
+    expect(firstView().shadows).toBe('on');
+    for (const hash of ['', '#']) expect(readLink(hash).settings).toEqual(firstView());
+  });
+
+  test('does not stand in for a link at its defaults, nor for an older link', () => {
+    const link = writeLink(defaultSettings(), undefined);
+    expect(readLink(link).settings).toEqual(defaultSettings());
+    expect(readLink('#model=bunny').settings).toEqual({ ...defaultSettings(), model: 'bunny' });
+  });
+});

@@ -1,0 +1,128 @@
+import { describe, expect, test } from 'vitest';
+import type { CameraView } from '../../../../src/viewer/settings/CameraView.js';
+import { NO_CHOICE } from '../../../../src/viewer/settings/ModelChoice.js';
+import { Random } from '../../../../src/viewer/settings/Random.js';
+import { defaultSettings, SETTING_KEYS, SETTINGS } from '../../../../src/viewer/settings/settings.js';
+import { readLink, writeLink } from '../../../../src/viewer/settings/shareLink.js';
+
+describe('a link', () => {
+  test('of nothing but defaults is not the first view', () => {
+    const link = writeLink(defaultSettings(), undefined);
+    expect(readLink(link).settings).toEqual(defaultSettings());
+    expect(readLink('').settings).not.toEqual(defaultSettings());
+  });
+
+  test('keeps layers and how they cross', () => {
+    const settings = { ...defaultSettings(), strokeLayers: 'tone', crossFrom: 30, crossAngle: 90 } as const;
+    expect(readLink(`#${writeLink(settings, undefined)}`).settings).toEqual(settings);
+  });
+
+  test('has numbers as short as the steps of their fields, whatever the settings were computed from', () => {
+    const settings = defaultSettings();
+    for (const key of SETTING_KEYS) {
+      const { kind, ...setting } = SETTINGS[key];
+      if (kind === 'number') Object.assign(settings, { [key]: (setting.default as number) + 1 / 3 });
+    }
+    const link = new URLSearchParams(writeLink(settings, undefined));
+    for (const text of link.values()) {
+      if (!Number.isNaN(Number(text))) expect(text).toMatch(/^-?\d{1,3}(\.\d{1,3})?$/);
+    }
+    expect(writeLink(readLink(link.toString()).settings, undefined)).toBe(writeLink(settings, undefined));
+  });
+
+  test('gives back a view to the last bit of single precision, in as few digits as that takes', () => {
+    const random = new Random(22);
+    for (let i = 0; i < 500; i++) {
+      const numbers = Array.from({ length: 6 }, () =>
+        Math.fround((random.next() - 0.5) * 10 ** (2 - 6 * random.next())),
+      );
+      const camera = { position: numbers.slice(0, 3), target: numbers.slice(3) } as unknown as CameraView;
+      const link = writeLink(defaultSettings(), camera);
+      expect(readLink(link).camera).toEqual(camera);
+      const text = new URLSearchParams(link).get('camera')!;
+      for (const number of text.split(','))
+        expect(number.replace(/^-?[0.]*|\.|e.*$/g, '').length).toBeLessThanOrEqual(9);
+    }
+    const plain: CameraView = { position: [Math.fround(0.1), -2, 3.5], target: [0, 0, Math.fround(1 / 3)] };
+    expect(new URLSearchParams(writeLink(defaultSettings(), plain)).get('camera')).toBe('0.1,-2,3.5,0,0,0.33333334');
+    // As links had them before.
+    expect(readLink('camera=1.234,0.5,-6.001,0,0.04,0').camera?.position).toEqual(
+      [1.234, 0.5, -6.001].map(Math.fround),
+    );
+  });
+
+  test('carries the variant and the clip of a file, by numbers from 1 on', () => {
+    const choice = { variant: 0, clip: 11 };
+    const link = writeLink(defaultSettings(), undefined, undefined, [], undefined, choice);
+    expect(link).toContain('variant=1&clip=12');
+    expect(readLink(link).choice).toEqual(choice);
+    for (const other of ['', '0', '-1', '1.5', 'red', '1e3', '99999', '١']) {
+      expect(readLink(`variant=${other}&clip=${other}`).choice).toEqual(NO_CHOICE);
+    }
+  });
+
+  test('carries a model by its address, over HTTPS alone', () => {
+    const address = 'https://models.test/a%20b/bust.glb?v=1&x=2';
+    const link = writeLink({ ...defaultSettings(), model: 'file', inkBlend: 'multiply' }, undefined, address);
+    expect(readLink(link)).toMatchObject({ address, settings: { inkBlend: 'multiply', model: 'dragon3' } });
+    expect(writeLink(defaultSettings(), undefined, address)).not.toContain('https');
+    for (const other of ['http://models.test/bust.glb', 'javascript:alert(1)', 'data:,x', '//models.test/x', 'cube']) {
+      expect(readLink(`model=${encodeURIComponent(other)}`).address).toBeUndefined();
+    }
+  });
+
+  test('names its model, also the first of all, unless that is a file of the user', () => {
+    for (const model of ['dragon3', 'cube'] as const) {
+      const link = writeLink({ ...defaultSettings(), model }, undefined);
+      expect(readLink(link)).toMatchObject({ namesModel: true, settings: { model } });
+    }
+    expect(readLink('model=https%3A%2F%2Fmodels.test%2Fbust.glb').namesModel).toBe(true);
+    const ofFile = writeLink({ ...defaultSettings(), model: 'file' }, undefined);
+    for (const link of ['', ofFile, 'preset=engraving', 'model=file', 'model=none']) {
+      expect(readLink(link).namesModel, link).toBe(false);
+    }
+  });
+
+  test('carries no name and password, which may look like a site, and no host that is none', () => {
+    const read = (address: string) => readLink(`model=${encodeURIComponent(address)}`).address;
+    expect(read('https://trusted.test:x@evil.test:8443/a.glb')).toBe('https://evil.test:8443/a.glb');
+    expect(read('https://trusted.test\\@evil.test/a.glb')).toBe('https://trusted.test/@evil.test/a.glb');
+    expect(read(`https://${'a.'.repeat(126)}t/a.glb`)).toBeDefined();
+    expect(read(`https://${'a.'.repeat(127)}t/a.glb`)).toBeUndefined();
+  });
+
+  test.each([
+    ['1', 'single'],
+    ['2', 'lights'],
+    ['tone', 'tone'],
+    ['3', 'lights'],
+  ])('from before there were layers by tone is understood: strokeLayers=%s is %s', (written, meant) => {
+    expect(readLink(`#strokeLayers=${written}`).settings.strokeLayers).toBe(meant);
+  });
+
+  test('is understood by the names that settings had before', () => {
+    const { settings } = readLink(
+      '#technique=engraved&screenConstancy=40&strokeScale=3.5&lines=off&lineWidth=3&lineHand=2',
+    );
+    expect(settings).toMatchObject({
+      sizedOnScreen: 40,
+      tilesPerUnit: 3.5,
+      outlines: 'off',
+      outlineWidth: 3,
+      outlineHand: 2,
+    });
+    expect(readLink('#technique=engraved&carved=yes').settings.medium).toBe('woodcut');
+    expect(readLink('#technique=anchored&medium=dry&carved=no').settings.medium).toBe('dry');
+    expect(readLink('#screenConstancy=40&sizedOnScreen=50').settings.sizedOnScreen).toBe(50);
+  });
+});
+
+test('a hand goes along in a link that draws with it, and a link without one never asks for it', () => {
+  const settings = { ...defaultSettings(), mapStyle: 'ownHand' } as const;
+  const link = writeLink(settings, undefined, undefined, [], 'aZ09-_');
+  expect(readLink(link)).toMatchObject({ settings: { mapStyle: 'ownHand' }, handText: 'aZ09-_' });
+  expect(writeLink(settings, undefined)).not.toContain('ownHand');
+  expect(writeLink(defaultSettings(), undefined, undefined, [], 'aZ09-_')).not.toContain('hand=');
+  expect(readLink('mapStyle=ownHand')).toMatchObject({ settings: { mapStyle: 'hatching' }, handText: undefined });
+  expect(readLink('mapStyle=ruled&hand=abc').handText).toBeUndefined();
+});
