@@ -95,7 +95,7 @@ test.describe('the tarball', () => {
   test('holds the library and its declarations, and nothing else', () => {
     const declared = files.filter((file) => file.endsWith('.d.ts'));
     for (const file of declared) expect(existsSync(sourceOf(file)), file).toBe(true);
-    expect(declared.filter((file) => /demo|command/.test(file))).toEqual([]);
+    expect(declared.filter((file) => /playground|viewer|command/.test(file))).toEqual([]);
     const scripts = [...new Set(ENTRIES.flatMap((name) => withImports(name)))].map((name) => `dist/${name}`);
     expect(files.filter((file) => !file.endsWith('.d.ts'))).toEqual(
       ['LICENSE', 'README.md', 'package.json', ...scripts].sort(),

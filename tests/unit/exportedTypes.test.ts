@@ -9,7 +9,7 @@ const folder = join(root, 'tests/output/declarations');
 const ENTRIES = [
   'index',
   'facts',
-  'svg/index',
+  'vector/svg/index',
   'webgpu/index',
   'react/index',
   'element/element',

@@ -6,7 +6,7 @@ const NAME = 'parts.json';
 /** Packages that are imported for their data, models, and not for code. */
 const MODELS = /\/node_modules\/(?!three\/)/;
 /** What draws with WebGPURenderer is as large as all the rest, and fetched by those who choose it. */
-const CHOSEN = /\/src\/demo\/stage\/nodes\//;
+const CHOSEN = /\/src\/playground\/viewport\/(?:NodeScreen|nodeScreen)\.ts$/;
 
 let root = '';
 

@@ -4,14 +4,14 @@ import { fileURLToPath } from 'node:url';
 const ENTRIES: readonly [name: RegExp, source: string, built: string][] = [
   [/^three-hatching$/, 'index', 'index'],
   [/^three-hatching\/facts$/, 'facts', 'facts'],
-  [/^three-hatching\/hands$/, 'hands/index', 'hands'],
+  [/^three-hatching\/hands$/, 'strokes/hands/index', 'hands'],
   [/^three-hatching\/react$/, 'react/index', 'react'],
-  [/^three-hatching\/svg$/, 'svg/index', 'svg'],
+  [/^three-hatching\/svg$/, 'vector/svg/index', 'svg'],
   [/^three-hatching\/webgpu$/, 'webgpu/index', 'webgpu'],
   [/^three-hatching\/element$/, 'element/element', 'element'],
   // A query tells Vite how to load the file.
-  [/^three-hatching\/svg\.worker(?=$|\?)/, 'svg/svg.worker', 'svg.worker'],
-  [/^three-hatching\/hand\.worker(?=$|\?)/, 'handTasks/hand.worker', 'hand.worker'],
+  [/^three-hatching\/svg\.worker(?=$|\?)/, 'vector/svg/svg.worker', 'svg.worker'],
+  [/^three-hatching\/hand\.worker(?=$|\?)/, 'worker/hand.worker', 'hand.worker'],
   [/^three-hatching\/bake\.worker(?=$|\?)/, 'worker/bake.worker', 'bake.worker'],
 ];
 

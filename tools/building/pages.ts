@@ -2,13 +2,15 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Connect, Plugin } from 'vite';
 
-/** The pages beside the playground. The address of each is the name of its room in src/playground. */
-const ROOMS = ['figures', 'fetch'];
-
-const sourceOf = (room: string): string => `src/playground/${room}/index.html`;
+/** The sources of the pages beside the playground, by the folder of their address. */
+const SOURCES: Readonly<Record<string, string>> = {
+  figures: 'tools/figures/index.html',
+  fetch: 'src/playground/fetch/index.html',
+};
+const PAGES = Object.keys(SOURCES);
 
 /** What the build starts from, as paths below the root: the playground's page, and one in a folder for each other page. */
-export const pageInputs = ['index.html', ...ROOMS.map((room) => `${room}/index.html`)];
+export const pageInputs = ['index.html', ...PAGES.map((page) => `${page}/index.html`)];
 
 /**
  * Gives the pages their short addresses: the source of `/figures/` is `tools/figures/index.html`. `/figures` is sent on to the folder, as
@@ -19,7 +21,7 @@ export function pages(): Plugin {
   return {
     name: 'pages',
     configResolved({ root }) {
-      sources = new Map(ROOMS.map((room) => [join(root, room, 'index.html'), join(root, sourceOf(room))]));
+      sources = new Map(PAGES.map((page) => [join(root, page, 'index.html'), join(root, SOURCES[page])]));
     },
     resolveId: (id) => (sources.has(id) ? id : undefined),
     load(id) {
@@ -32,13 +34,13 @@ export function pages(): Plugin {
 }
 
 const toFolder: Connect.NextHandleFunction = ({ url }, response, next) => {
-  if (ROOMS.some((room) => url === `/${room}`)) response.writeHead(301, { Location: `${url}/` }).end();
+  if (PAGES.some((page) => url === `/${page}`)) response.writeHead(301, { Location: `${url}/` }).end();
   else next();
 };
 
 const toSource: Connect.NextHandleFunction = (request, _response, next) => {
   const [path, ...query] = request.url?.split('?') ?? [];
-  const room = ROOMS.find((name) => path === `/${name}/` || path === `/${name}/index.html`);
-  if (room) request.url = [`/${sourceOf(room)}`, ...query].join('?');
+  const page = PAGES.find((name) => path === `/${name}/` || path === `/${name}/index.html`);
+  if (page) request.url = [`/${SOURCES[page]}`, ...query].join('?');
   next();
 };

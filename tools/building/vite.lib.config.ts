@@ -23,28 +23,28 @@ const modules = (...paths: readonly string[]): RegExp => new RegExp(`/src/(?:${p
 const SEPARATE = [
   { name: 'HatchingMaterial', test: modules('material/HatchingMaterial') },
   // What materials and bakes share is not in the files of bakes, which come later.
-  { name: 'layouts', test: modules('bake/(?:formLayout|hatchNormal)') },
+  { name: 'layouts', test: modules('mesh/bake/(?:formLayout|hatchNormal)') },
   // What is checked at once, for work that comes later.
   {
     name: 'checks',
     test: modules(
       ...[
-        'geometry/PrepareHatchingGeometryOptions',
-        'mistakes/(?:assertGeometry|mustBeAwaited)',
-        'tam/checkHatchImageOptions',
+        'material/geometry/PrepareHatchingGeometryOptions',
+        'material/diagnostics/(?:assertGeometry|mustBeAwaited)',
+        'material/tam/checkHatchImageOptions',
       ],
       'worker/runTask',
     ),
   },
-  { name: 'describeObject', test: modules('mistakes/describeObject') },
+  { name: 'describeObject', test: modules('material/diagnostics/describeObject') },
   // Of vertices, which are read later.
-  { name: 'checkGeometry', test: modules('geometry/checkGeometry') },
-  { name: 'prepareHatchingGeometry', test: modules('geometry/prepareHatchingGeometry') },
-  { name: 'toothMap', test: modules('tam/toothMap') },
-  { name: 'TonalArtMap', test: modules('tam/TonalArtMap') },
+  { name: 'checkGeometry', test: modules('material/geometry/checkGeometry') },
+  { name: 'prepareHatchingGeometry', test: modules('material/geometry/prepareHatchingGeometry') },
+  { name: 'toothMap', test: modules('material/tam/toothMap') },
+  { name: 'TonalArtMap', test: modules('material/tam/TonalArtMap') },
   { name: 'hatchScene', test: modules('scene/hatchScene') },
   { name: 'applyHatching', test: modules('scene/applyHatching') },
-  { name: 'outlineProperties', test: modules('outlines/outlineProperties') },
+  { name: 'outlineProperties', test: modules('material/outlines/outlineProperties') },
 ].map((group, i, all) => ({ ...group, priority: 10 + all.length - i }));
 
 /**
@@ -56,17 +56,17 @@ const OF_NODES = [
     name: 'linesShared',
     test: modules(
       ...[
-        'engraving/constants/\\w+',
-        'geometry/(?:formAngles|lineFades)',
+        'look/constants/\\w+',
+        'material/geometry/(?:formAngles|lineFades)',
         'material/(?:fieldFrameName|parts/fieldFrame)',
       ],
-      'bake/pullLayout',
+      'mesh/bake/pullLayout',
     ),
     priority: 5,
   },
   {
     name: 'outlinesShared',
-    test: modules('outlines/(?:MeshOutlines|outlineUniforms|outlineValues)', 'geometry/OutlineData'),
+    test: modules('material/outlines/(?:MeshOutlines|outlineUniforms|outlineValues)', 'material/geometry/OutlineData'),
     priority: 3,
   },
   { name: 'deformations', test: modules('material/deformation/Deformations'), priority: 3 },

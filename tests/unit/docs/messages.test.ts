@@ -11,7 +11,7 @@ const [firstDraw, others] = guide.split('## Nothing is hatched');
 const MESSAGES = messagesOf(others);
 
 const source = readdirSync(`${root}src`, { recursive: true, encoding: 'utf8' })
-  .filter((path) => path.endsWith('.ts') && !path.startsWith('demo'))
+  .filter((path) => /\.tsx?$/.test(path) && !path.startsWith('playground'))
   .map((path) => readFileSync(`${root}src/${path}`, 'utf8'))
   .join('\n');
 

@@ -37,7 +37,7 @@ test('what draws with WebGPURenderer needs no GLSL, and no material that is writ
   expect([...packages].filter((name) => !/^three($|\/webgpu$|\/tsl$)/.test(name))).toEqual([]);
 });
 
-test.each(['index', 'facts', 'svg/index', 'hands/index', 'react/index', 'element/element'])(
+test.each(['index', 'facts', 'vector/svg/index', 'strokes/hands/index', 'react/index', 'element/element'])(
   '%s loads with versions of three.js that have no WebGPURenderer',
   (entry) => {
     const { packages } = closureOf(`src/${entry}.ts`);

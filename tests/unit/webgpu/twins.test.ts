@@ -9,7 +9,8 @@ const chunks = readdirSync('shaders', { recursive: true, encoding: 'utf8' })
   .filter((path) => /\.(glsl|vert|frag)$/.test(path))
   .sort();
 
-const twinOf = (chunk: string): string => `${NODES}/${chunk.replace(/\.\w+$/, '.ts')}`;
+const twinOf = (chunk: string): string =>
+  `${NODES}/${chunk.replace(/^techniques\//, '').replace(/\.\w+$/, '.ts')}`;
 const hasTwin = (chunk: string): boolean => existsSync(twinOf(chunk));
 
 /** Why chunks have no twin: because node materials need none, or because what they draw is drawn by WebGLRenderer alone. */
@@ -25,11 +26,11 @@ const REASONS: readonly [chunks: RegExp, reason: string][] = [
   [/^(chunks\/environment|environment\/\w+)\.glsl$/, "three's nodes light by environments"],
   [
     /^chunks\/turnedShadowLayer\.glsl$/,
-    'its function is in techniques/anchored/shadowStrokes.ts, since no other nodes ask for it',
+    'its function is in anchored/shadowStrokes.ts, since no other nodes ask for it',
   ],
   [
     /^chunks\/(radiance|hatch|strokeLayers|toneNormals)\.glsl$/,
-    'its nodes are HatchingLightingModel.ts, hatchSurface.ts and techniques/anchored/hatch.ts',
+    'its nodes are HatchingLightingModel.ts, hatchSurface.ts and anchored/hatch.ts',
   ],
   [
     /^(perFragment|techniques\/(anchored|engraved))\/(emphasised|faceNormals|varyings|vertex|hatchLayer|layers)\.glsl$/,

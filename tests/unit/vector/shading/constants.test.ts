@@ -34,7 +34,7 @@ const textsIn = (folders: readonly string[], ending: RegExp): Record<string, str
   );
 
 const shaders = textsIn(['shaders'], /\.(glsl|vert|frag)$/);
-const processor = textsIn(['src/vector/shading', 'src/vector', 'src/vector/svg'], /\.ts$/);
+const processor = textsIn(['src/vector', 'src/look'], /\.ts$/);
 
 /** What stands as `#define NAME value` or as `const float NAME = value;`, and in TypeScript as `const NAME = value;`. */
 const definitionsIn = (texts: Record<string, string>) =>
