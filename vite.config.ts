@@ -44,7 +44,14 @@ export default defineConfig(
     assetsInclude: ['**/*.ply.gz'],
     worker: { format: 'es', plugins: () => [noticeCheck()] },
     optimizeDeps: {
-      entries: ['index.html', 'src/playground/fetch/index.html', 'tools/figures/index.html', 'examples/**/*.html', 'tests/**/*.html', '!tests/output/**'],
+      entries: [
+        'index.html',
+        'src/playground/fetch/index.html',
+        'tools/figures/index.html',
+        'examples/**/*.html',
+        'tests/**/*.html',
+        '!tests/output/**',
+      ],
       // Named, because a dependency that is first met while a page runs makes the server reload that page.
       include: [
         'three',

@@ -4,7 +4,7 @@
  *
  * @module three-hatching/facts
  */
-export { HATCHING_BACKGROUND_DEFAULTS } from './material/backgroundProperties.js';
+
 export { defaultOf } from './look/defaultOf.js';
 export { GLASS } from './look/glass.js';
 export type {
@@ -34,5 +34,6 @@ export {
   needsMap,
 } from './look/lookFacts.js';
 export { counts, measureOf, pixelPower, scaledSizes } from './look/measuredFacts.js';
+export { HATCHING_BACKGROUND_DEFAULTS } from './material/backgroundProperties.js';
 export { HATCHING_OUTLINE_DEFAULTS } from './material/outlines/outlineProperties.js';
 export { leftAlone } from './scene/leftAlone.js';

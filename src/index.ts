@@ -4,64 +4,70 @@
  * @module three-hatching
  */
 
-export type { EdgeCounts } from './mesh/adjacency/EdgeCounts.js';
-export type { BackgroundNumberName } from './material/backgroundProperties.js';
-export { HatchingBackground, type HatchingBackgroundParameters } from './material/HatchingBackground.js';
-export type { HiddenOutlines } from './look/hiddenOutlines.js';
-export type { HatchingFormOptions } from './material/geometry/HatchingFormOptions.js';
-export type { HatchingStatistics } from './material/geometry/HatchingStatistics.js';
-export type { OutlineOptions, PrepareHatchingGeometryOptions } from './material/geometry/PrepareHatchingGeometryOptions.js';
-export { prepareHatchingGeometry } from './material/geometry/prepareHatchingGeometry.js';
-export type { Repairs } from './material/geometry/repairValues.js';
-export { type EngravedHand, type EngravedHandOptions, engravedHand } from './strokes/hand/engravedHand.js';
-export type { Hand, HandNumbers, HandStroke, SwatchTone } from './strokes/hand/Hand.js';
-export { type LearnHandOptions, learnHand } from './strokes/hand/learnHand.js';
-export { type LearnHandAsyncOptions, learnHandAsync } from './worker/learnHandAsync.js';
-export { type TraceStrokesOptions, traceStrokes } from './worker/traceStrokes.js';
-export type { HatchImageReport } from './strokes/tamImages/checkHatchImages.js';
-export type { HatchImages } from './strokes/tamImages/HatchImages.js';
-export type { MapDrawing } from './strokes/tamImages/hatchImageOptions.js';
-export type { TonalArtMapSource } from './strokes/mapFiles/readSource.js';
-export type { HatchingMap } from './material/checkTonalArtMap.js';
-export { SceneExtent } from './material/fading/SceneExtent.js';
-export type { ToneFit } from './material/exposure/ToneFit.js';
 // The types of all choices.
 export type * from './look/hatchingProperties.js';
+export type { HiddenOutlines } from './look/hiddenOutlines.js';
+export type { BackgroundNumberName } from './material/backgroundProperties.js';
+export type { HatchingMap } from './material/checkTonalArtMap.js';
+export type { ToneFit } from './material/exposure/ToneFit.js';
+export { SceneExtent } from './material/fading/SceneExtent.js';
 export type { ToneCurve, ToneCurvePoint } from './material/fitToneCurve.js';
+export type { HatchingFormOptions } from './material/geometry/HatchingFormOptions.js';
+export type { HatchingStatistics } from './material/geometry/HatchingStatistics.js';
+export type {
+  OutlineOptions,
+  PrepareHatchingGeometryOptions,
+} from './material/geometry/PrepareHatchingGeometryOptions.js';
+export { prepareHatchingGeometry } from './material/geometry/prepareHatchingGeometry.js';
+export type { Repairs } from './material/geometry/repairValues.js';
+export { HatchingBackground, type HatchingBackgroundParameters } from './material/HatchingBackground.js';
 export { HatchingMaterial } from './material/HatchingMaterial.js';
 export type { HatchingMaterialParameters } from './material/HatchingMaterialParameters.js';
 export type { HatchingMaterialOptions, HatchingMaterialProperties } from './material/HatchingMaterialProperties.js';
 export type { HatchingMaterialJSON } from './material/hatchingJSON.js';
-export type { PropertyFields } from './material/PropertyFields.js';
-export type { Vector2Like, Vector3Like } from './material/vectorValues.js';
-export { HatchingOutlineMaterial, type HatchingOutlineParameters } from './material/outlines/HatchingOutlineMaterial.js';
+export {
+  HatchingOutlineMaterial,
+  type HatchingOutlineParameters,
+} from './material/outlines/HatchingOutlineMaterial.js';
 export { HatchingOutlines } from './material/outlines/HatchingOutlines.js';
 export type { MeshOutlines } from './material/outlines/MeshOutlines.js';
 export { millimetresToPixels } from './material/outlines/millimetresToPixels.js';
 export type { OutlineNumberName } from './material/outlines/outlineProperties.js';
-export type { ScannedImage } from './strokes/strokeTracing/ScannedImage.js';
-export type { TraceOptions } from './strokes/strokeTracing/traceStrokesSteps.js';
+export type { PropertyFields } from './material/PropertyFields.js';
+export type { ThresholdMoments } from './material/tam/measureThresholdMoments.js';
+export type { ThresholdTexture } from './material/tam/ThresholdTexture.js';
+export type { TonalArtMapOptions } from './material/tam/TonalArtMap.js';
+export { TonalArtMap } from './material/tam/TonalArtMap.js';
+export type { TonalArtMapTexture } from './material/tam/TonalArtMapTexture.js';
+export type { Vector2Like, Vector3Like } from './material/vectorValues.js';
+export type { EdgeCounts } from './mesh/adjacency/EdgeCounts.js';
 export { AdaptiveResolution, type AdaptiveResolutionOptions } from './scene/AdaptiveResolution.js';
 export type { ApplyHatchingOptions } from './scene/ApplyHatchingOptions.js';
 export { applyHatching } from './scene/applyHatching.js';
 export { type BakeOcclusionOptions, bakeOcclusion } from './scene/bakeOcclusion.js';
 export type { DetailOptions } from './scene/detail/DetailOptions.js';
 export { fitExposure } from './scene/fitExposure.js';
+export type { HatchedScene, SkippedMesh } from './scene/HatchedScene.js';
 export {
   type FlatteringLight,
   type FlatteringLightOptions,
   flatteringLight,
 } from './scene/lighting/flatteringLight.js';
-export type { HatchedScene, SkippedMesh } from './scene/HatchedScene.js';
 export type { OcclusionBake } from './scene/OcclusionBake.js';
 export { type HatchingPreset, type PresetName, presets } from './scene/presets.js';
 export { scalePreset } from './scene/scalePreset.js';
 export { withPreset } from './scene/withPreset.js';
+export { type EngravedHand, type EngravedHandOptions, engravedHand } from './strokes/hand/engravedHand.js';
+export type { Hand, HandNumbers, HandStroke, SwatchTone } from './strokes/hand/Hand.js';
+export { type LearnHandOptions, learnHand } from './strokes/hand/learnHand.js';
+export type { TonalArtMapSource } from './strokes/mapFiles/readSource.js';
 export type { StrokeStyleName } from './strokes/strokeStyleNames.js';
-export type { ThresholdMoments } from './material/tam/measureThresholdMoments.js';
-export type { ThresholdTexture } from './material/tam/ThresholdTexture.js';
-export type { TonalArtMapOptions } from './material/tam/TonalArtMap.js';
-export { TonalArtMap } from './material/tam/TonalArtMap.js';
-export type { TonalArtMapTexture } from './material/tam/TonalArtMapTexture.js';
+export type { ScannedImage } from './strokes/strokeTracing/ScannedImage.js';
+export type { TraceOptions } from './strokes/strokeTracing/traceStrokesSteps.js';
+export type { HatchImageReport } from './strokes/tamImages/checkHatchImages.js';
+export type { HatchImages } from './strokes/tamImages/HatchImages.js';
+export type { MapDrawing } from './strokes/tamImages/hatchImageOptions.js';
+export { type LearnHandAsyncOptions, learnHandAsync } from './worker/learnHandAsync.js';
 export { disposeHatchingWorkers } from './worker/runTask.js';
 export type { TaskOptions } from './worker/TaskOptions.js';
+export { type TraceStrokesOptions, traceStrokes } from './worker/traceStrokes.js';

@@ -1,7 +1,7 @@
-import { type MapDrawing, resolveMapDrawing } from '../strokes/tamImages/hatchImageOptions.js';
 import { type HatchingPreset, presets } from '../scene/presets.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
 import { strokeStyles } from '../strokes/strokeStyles.js';
+import { type MapDrawing, resolveMapDrawing } from '../strokes/tamImages/hatchImageOptions.js';
 import { readHand } from './readHand.js';
 import { readOptions } from './readOptions.js';
 import { UsageError } from './UsageError.js';

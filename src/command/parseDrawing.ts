@@ -1,11 +1,45 @@
 import { type HatchingPreset, presets } from '../scene/presets.js';
-import { SHEET_SIZES } from '../vector/svg/sheetSizes.js';
-import type { DrawingOptions } from './DrawingOptions.js';
-import { directionOf } from './directionOf.js';
+import { SHEET_SIZES, SHEET_WORDS, type Sheet, sheetNamed } from '../vector/svg/sheetSizes.js';
+import type { DirectionInDegrees, DrawingOptions } from './DrawingOptions.js';
 import { readOptions } from './readOptions.js';
-import { sheetOf } from './sheetOf.js';
 import { UsageError } from './UsageError.js';
-import { numberOf, shown } from './values.js';
+
+/** A number in decimal notation; not a number for anything else, also where JavaScript reads one, as of `0x10` or of blanks. */
+const numberOf = (text: string): number =>
+  /^\s*[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?\s*$/i.test(text) ? Number(text) : Number.NaN;
+
+/** A value of the command line in a sentence: in quotes where it would not be seen to begin and to end. */
+const shown = (value = ''): string => (/^\S+$/.test(value) ? value : `"${value}"`);
+
+/** Directions by name. From the direction of the view `iso`, all three axes of the model are equally long. */
+const NAMED: Readonly<Record<string, DirectionInDegrees>> = {
+  front: { azimuth: 0, elevation: 0 },
+  back: { azimuth: 180, elevation: 0 },
+  left: { azimuth: -90, elevation: 0 },
+  right: { azimuth: 90, elevation: 0 },
+  top: { azimuth: 0, elevation: 90 },
+  bottom: { azimuth: 0, elevation: -90 },
+  iso: { azimuth: 45, elevation: (180 / Math.PI) * Math.atan(Math.SQRT1_2) },
+};
+
+const NAMES = Object.keys(NAMED);
+
+/**
+ * A direction after an option: a name, or degrees around the model and above it.
+ *
+ * @throws UsageError if it is neither
+ */
+function directionOf(option: string, text: string | undefined): DirectionInDegrees | undefined {
+  if (text === undefined) return undefined;
+  const plain = text.trim().toLowerCase();
+  if (NAMES.includes(plain)) return NAMED[plain];
+  const [azimuth, elevation, ...rest] = plain.split(/[\s,]+/).map(numberOf);
+  const isThere = rest.length === 0 && Math.abs(azimuth) <= 360 && Math.abs(elevation) <= 90;
+  if (isThere) return { azimuth, elevation };
+  throw new UsageError(
+    `--${option} is "${text}", but must be two numbers in quotes, as "25 8": degrees around the model, from -360 to 360, and degrees above it, from -90 to 90; or ${NAMES.slice(0, -1).join(', ')} or ${NAMES.at(-1)}.`,
+  );
+}
 
 /** The task of the command `draw`. */
 export type DrawRequest =
@@ -236,4 +270,15 @@ function choice<Choice extends string>(
 function colour(text: string | undefined): string | undefined {
   if (text === undefined || /^#[0-9a-f]{6}$/i.test(text)) return text?.toLowerCase();
   throw new UsageError(`--paper is ${shown(text)}, but must be a colour as "#f4f1e6", in quotes.`);
+}
+
+/**
+ * The sheet after `--sheet`.
+ *
+ * @throws UsageError if there is none of that name
+ */
+export function sheetOf(text: string): Sheet {
+  const sheet = sheetNamed(text);
+  if (sheet) return sheet;
+  throw new UsageError(`--sheet is ${shown(text)}, but must be ${SHEET_WORDS}.`);
 }

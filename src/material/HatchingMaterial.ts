@@ -16,25 +16,24 @@ import {
   type WebGLProgramParametersWithUniforms,
   type WebGLRenderer,
 } from 'three';
-import { isFormed } from './geometry/formGeometry.js';
-import { silence } from './diagnostics/silence.js';
-import type { TonalArtMap } from './tam/TonalArtMap.js';
-import { bindEnvironment } from './bindEnvironment.js';
-import { blurredEnvironment } from './blurredEnvironment.js';
-import { checkChoice, checkValues } from './checkValues.js';
-import { vertexLayoutOf } from './deformation/vertexLayoutOf.js';
-import { takesWeight, writeEmphasis, writeImportance } from './fading/emphasis.js';
-import { environmentAround } from './environmentAround.js';
-import { FrameStamp } from './FrameStamp.js';
 import { defaultOf } from '../look/defaultOf.js';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
 import { followsForm, needsMap, usesThresholds } from '../look/lookFacts.js';
 import type { PresetName } from '../look/presetMaterials.js';
 import { spelledOut } from '../look/presetParameters.js';
+import { bindEnvironment } from './bindEnvironment.js';
+import { blurredEnvironment } from './blurredEnvironment.js';
+import { checkChoice, checkValues } from './checkValues.js';
+import { vertexLayoutOf } from './deformation/vertexLayoutOf.js';
+import { silence } from './diagnostics/silence.js';
+import { environmentAround } from './environmentAround.js';
+import { FrameStamp } from './FrameStamp.js';
+import { takesWeight, writeEmphasis, writeImportance } from './fading/emphasis.js';
 import { DrawnMeshes } from './firstDraw/DrawnMeshes.js';
 import type { ToneCurve } from './fitToneCurve.js';
 import { fittingMap } from './fittingMap.js';
+import { isFormed } from './geometry/formGeometry.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
 import { type HatchingMaterialJSON, propertiesToJSON, setFromJSON } from './hatchingJSON.js';
 import {
@@ -58,6 +57,7 @@ import { defineRigid } from './programParameters.js';
 import { programSwitches } from './programSwitches.js';
 import { hatchingShaders, plainShaders, type Shaders } from './shaders/hatchingShaders.js';
 import { mapIsReady, sharedMap } from './sharedMaps.js';
+import type { TonalArtMap } from './tam/TonalArtMap.js';
 import { tellOfRenderer } from './tellOfRenderer.js';
 import { warnOfUnused } from './unusedProperties.js';
 import { withVectors } from './vectorValues.js';

@@ -1,6 +1,6 @@
 import type { MaterialParameters, NormalMapTypes } from 'three';
-import type { SceneExtent } from './fading/SceneExtent.js';
 import type { PresetName } from '../look/presetMaterials.js';
+import type { SceneExtent } from './fading/SceneExtent.js';
 import type { HatchingMaterialOptions } from './HatchingMaterialProperties.js';
 
 /** What `new HatchingMaterial()` and `setValues()` take. */

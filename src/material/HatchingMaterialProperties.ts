@@ -1,6 +1,5 @@
 // Written by `npm run properties` from tools/properties/table.ts. Change that, not this.
 import type { Color, ColorRepresentation, ShaderMaterial, Texture, Vector2, Vector3 } from 'three';
-import type { HatchingMap } from './checkTonalArtMap.js';
 import type {
   DebugView,
   HatchingTechnique,
@@ -16,6 +15,7 @@ import type {
   ToneModel,
   ToneNormal,
 } from '../look/hatchingProperties.js';
+import type { HatchingMap } from './checkTonalArtMap.js';
 import type { ToneCurve } from './fitToneCurve.js';
 import type { Vector2Like, Vector3Like } from './vectorValues.js';
 

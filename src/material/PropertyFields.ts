@@ -1,7 +1,7 @@
 import { ShaderMaterial, type Vector3 } from 'three';
+import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
 import type { HatchingMap } from './checkTonalArtMap.js';
 import type { SceneExtent } from './fading/SceneExtent.js';
-import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 import { accessorOf, fieldOf } from './propertyAccessors.js';
 

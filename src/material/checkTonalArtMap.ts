@@ -1,5 +1,5 @@
-import { isPromise } from './diagnostics/isPromise.js';
 import { STROKE_STYLE_NAMES, type StrokeStyleName } from '../strokes/strokeStyleNames.js';
+import { isPromise } from './diagnostics/isPromise.js';
 import type { TonalArtMap } from './tam/TonalArtMap.js';
 
 /** Whether a value is a TonalArtMap, also one from another copy of the library. */

@@ -1,8 +1,8 @@
 import { Color, type Texture } from 'three';
-import { checkNumber } from './checkNumber.js';
-import { checkHatchingMap, type HatchingMap } from './checkTonalArtMap.js';
 import type { HatchingNumber, HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
+import { checkNumber } from './checkNumber.js';
+import { checkHatchingMap, type HatchingMap } from './checkTonalArtMap.js';
 import { fittedCurve, type ToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
 import { isVector2Like, isVector3Like } from './vectorValues.js';

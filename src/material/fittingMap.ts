@@ -1,5 +1,5 @@
-import { identityOf } from './geometry/identityOf.js';
 import { tell } from './diagnostics/tell.js';
+import { identityOf } from './geometry/identityOf.js';
 import type { TonalArtMap } from './tam/TonalArtMap.js';
 
 /** Identities of maps that were reported as too large. */

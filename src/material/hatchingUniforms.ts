@@ -1,14 +1,34 @@
-import { type IUniform, Matrix3, type Texture, UniformsLib, UniformsUtils, Vector2, Vector3, Vector4 } from 'three';
-import type { TonalArtMap } from './tam/TonalArtMap.js';
-import { blankThresholdMap } from './blankThresholdMap.js';
-import { blankTonalArtMap } from './blankTonalArtMap.js';
-import { createEmphasisUniforms } from './fading/emphasis.js';
-import { isFitted } from './exposure/isFitted.js';
+import {
+  DataArrayTexture,
+  type IUniform,
+  Matrix3,
+  type Texture,
+  UniformsLib,
+  UniformsUtils,
+  Vector2,
+  Vector3,
+  Vector4,
+} from 'three';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
 import { runsAway } from '../look/lookFacts.js';
+import { blankThresholdMap } from './blankThresholdMap.js';
+import { isFitted } from './exposure/isFitted.js';
+import { createEmphasisUniforms } from './fading/emphasis.js';
 import { curveEnds, fittedCurve, type ToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
+import type { TonalArtMap } from './tam/TonalArtMap.js';
+
+let blank: DataArrayTexture | undefined;
+
+/** One texel for materials without a tonal art map, which print nothing of it. Shared and never disposed of. */
+function blankTonalArtMap(): DataArrayTexture {
+  if (blank === undefined) {
+    blank = new DataArrayTexture(new Uint8Array([255, 255, 255, 255]), 1, 1, 1);
+    blank.needsUpdate = true;
+  }
+  return blank;
+}
 
 type Uniforms = Record<string, IUniform>;
 

@@ -1,7 +1,4 @@
 import { Color, Vector2, type Vector3 } from 'three';
-import { checkNumber } from './checkNumber.js';
-import { checkHatchingMap, type HatchingMap } from './checkTonalArtMap.js';
-import { checkPoint, isWord } from './checkValues.js';
 import { defaultOf } from '../look/defaultOf.js';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
 import {
@@ -10,6 +7,9 @@ import {
   type HatchingPropertyName,
   type HatchingTechnique,
 } from '../look/hatchingProperties.js';
+import { checkNumber } from './checkNumber.js';
+import { checkHatchingMap, type HatchingMap } from './checkTonalArtMap.js';
+import { checkPoint, isWord } from './checkValues.js';
 import { toPoint } from './vectorValues.js';
 
 /** What a material keeps of its properties, in GLSL or of nodes. */

@@ -1,6 +1,6 @@
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
-import type { TonalArtMap } from './tam/TonalArtMap.js';
 import type { HatchingMap } from './checkTonalArtMap.js';
+import type { TonalArtMap } from './tam/TonalArtMap.js';
 
 /** The shared map of each style that was drawn with; null until the code of maps is there, and after a failure. */
 const maps = /* @__PURE__ */ new Map<StrokeStyleName, TonalArtMap | null>();

@@ -1,8 +1,8 @@
-import { tell } from './diagnostics/tell.js';
 import { isDefault } from '../look/defaultOf.js';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName, type HatchingTechnique } from '../look/hatchingProperties.js';
 import { isUsedBy } from '../look/lookFacts.js';
+import { tell } from './diagnostics/tell.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
 
 const warned = new Set<string>();

@@ -1,7 +1,7 @@
-import { asPhase } from './timeSlicing/asPhase.js';
-import { forEachChunk } from './timeSlicing/forEachChunk.js';
 import { disjointSets, join, rootOf } from './disjointSets.js';
 import { hashWords } from './hashWords.js';
+import { asPhase } from './timeSlicing/asPhase.js';
+import { forEachChunk } from './timeSlicing/forEachChunk.js';
 
 /** What `clusterPositions` returns. */
 export interface Clusters {

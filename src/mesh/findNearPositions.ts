@@ -1,5 +1,5 @@
-import { forEachChunk } from './timeSlicing/forEachChunk.js';
 import { hashWords } from './hashWords.js';
+import { forEachChunk } from './timeSlicing/forEachChunk.js';
 
 /** What `findNearPositions` returns. */
 export interface NearPositions {

@@ -1,5 +1,5 @@
-import { forEachChunk } from './timeSlicing/forEachChunk.js';
 import type { TriangleMesh } from './TriangleMesh.js';
+import { forEachChunk } from './timeSlicing/forEachChunk.js';
 
 /**
  * Throws a RangeError that says what is wrong with `mesh` and what to do about it. Vertices that no triangle uses are not

@@ -1,6 +1,6 @@
+import { hashWords } from './hashWords.js';
 import { forEachChunk } from './timeSlicing/forEachChunk.js';
 import { release } from './timeSlicing/release.js';
-import { hashWords } from './hashWords.js';
 
 /** What `weldPositions` returns. */
 export interface Weld {

@@ -2,16 +2,14 @@ import type { Settings } from '../viewer/settings/settings.js';
 import { savedFormat } from '../viewer/settings/settingValues.js';
 import { type LinkedDrawing, readLink } from '../viewer/settings/shareLink.js';
 import type { SettingGroup } from '../viewer/settings/table/Setting.js';
-import { linkedHand } from './maps/OwnHand.js';
-import type { FrameQuality } from './viewport/FrameQuality.js';
-import { Stage } from './viewport/Stage.js';
 import { connectPage } from './connectPage.js';
 import { Dialogs } from './dialogs/Dialogs.js';
 import { page } from './elements/page.js';
 import { pageForm } from './elements/pageForm.js';
-import { toggleFullScreen } from './fullScreen.js';
+import { TakeAway } from './export/TakeAway.js';
 import { GeometryLoader } from './loading/GeometryLoader.js';
 import { OcclusionLoader } from './loading/OcclusionLoader.js';
+import { linkedHand } from './maps/OwnHand.js';
 import { Overlays } from './overlay/Overlays.js';
 import { PageState } from './PageState.js';
 import { Card } from './panel/Card.js';
@@ -21,10 +19,11 @@ import { Keeper } from './session/Keeper.js';
 import { PageAddress } from './session/PageAddress.js';
 import { RendererChoice } from './session/RendererChoice.js';
 import { Session } from './session/Session.js';
-import { TakeAway } from './export/TakeAway.js';
 import { LaterParts } from './tasks/LaterParts.js';
 import type { Status } from './tasks/Status.js';
 import { TaskRunner } from './tasks/TaskRunner.js';
+import type { FrameQuality } from './viewport/FrameQuality.js';
+import { Stage } from './viewport/Stage.js';
 
 declare global {
   interface Window {
@@ -188,4 +187,10 @@ function showToTests(stage: Stage, isIdle: () => boolean): void {
       },
     },
   });
+}
+
+/** Lets an element fill the screen, or takes it back. Rejects where the browser does not allow it. */
+async function toggleFullScreen(element: HTMLElement): Promise<void> {
+  if (document.fullscreenElement) await document.exitFullscreen();
+  else await element.requestFullscreen();
 }

@@ -1,11 +1,11 @@
 import { HatchingMaterial } from 'three-hatching';
 import { errorMessage } from '../viewer/files/common/errorMessage.js';
-import { setPageState } from './page/setPageState.js';
-import { drawsInSoftware } from './viewport/drawsInSoftware.js';
-import { rendererAhead } from './viewport/rendererAhead.js';
 import { createPlayground } from './createPlayground.js';
 import { page } from './elements/page.js';
+import { setPageState } from './page/setPageState.js';
 import { Status } from './tasks/Status.js';
+import { drawsInSoftware } from './viewport/drawsInSoftware.js';
+import { rendererAhead } from './viewport/rendererAhead.js';
 
 // What a developer would do by mistake visitors choose: a weak light, strokes as wide as the model. And paper is shown until a map is drawn.
 HatchingMaterial.silent = true;

@@ -1,10 +1,10 @@
 import { LIGHT_LOOKS } from '../viewer/settings/lightLooks.js';
 import { savedFormat } from '../viewer/settings/settingValues.js';
-import { findElement } from './page/findElement.js';
 import type { Dialogs } from './dialogs/Dialogs.js';
+import type { TakeAway } from './export/TakeAway.js';
+import { findElement } from './page/findElement.js';
 import type { PanelAction } from './panel/SettingsPanel.js';
 import type { Session } from './session/Session.js';
-import type { TakeAway } from './export/TakeAway.js';
 import type { LaterParts } from './tasks/LaterParts.js';
 
 /** The buttons of the panel, by the group of settings that they stand in. */

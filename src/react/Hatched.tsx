@@ -1,9 +1,21 @@
 import { useFrame, useThree } from '@react-three/fiber';
-import { type ReactElement, useEffect, useRef, useState } from 'react';
-import type { Group } from 'three';
+import { Children, type ReactElement, type ReactNode, useEffect, useRef, useState } from 'react';
+import type { Group, Object3D } from 'three';
+import { HatchingMaterial } from 'three-hatching';
 import { type HatchedProps, splitProps } from './HatchedProps.js';
 import { Hatcher, type HatcherEvents } from './Hatcher.js';
-import { warnIfEmpty } from './warnIfEmpty.js';
+
+let hasWarned = false;
+
+/** Warns once of a `<Hatched>` that was given nothing to hatch: most likely a name that the loaded file does not have. */
+export function warnIfEmpty(object: Object3D | null | undefined, children: ReactNode): void {
+  if (hasWarned || object !== undefined || Children.count(children) > 0) return;
+  hasWarned = true;
+  if (HatchingMaterial.silent) return;
+  console.warn(
+    'three-hatching: <Hatched> has no children, and its object is undefined, so there is nothing to hatch. Pass gltf.scene or a node that the file has; pass null while it is being loaded.',
+  );
+}
 
 /**
  * Hatches its children, or a loaded scene, with `applyHatching`, and keeps them hatched while children are added, removed and changed.

@@ -1,9 +1,12 @@
 import type { Camera, Material, Mesh, WebGLRenderer } from 'three';
-import type { OutlineOptions, PrepareHatchingGeometryOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
-import type { MapDrawing } from '../strokes/tamImages/hatchImageOptions.js';
+import type {
+  OutlineOptions,
+  PrepareHatchingGeometryOptions,
+} from '../material/geometry/PrepareHatchingGeometryOptions.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 import type { HatchingOutlineParameters } from '../material/outlines/HatchingOutlineMaterial.js';
 import type { TonalArtMap } from '../material/tam/TonalArtMap.js';
+import type { MapDrawing } from '../strokes/tamImages/hatchImageOptions.js';
 import type { DetailOptions } from './detail/DetailOptions.js';
 import type { HatchedScene } from './HatchedScene.js';
 import type { HatchingPreset, PresetName } from './presets.js';

@@ -1,6 +1,6 @@
 import type { Mesh } from 'three';
-import { identityOf } from '../material/geometry/identityOf.js';
 import { FIELD_FRAME } from '../material/fieldFrameName.js';
+import { identityOf } from '../material/geometry/identityOf.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingOutlines } from '../material/outlines/HatchingOutlines.js';
 import type { LaterForms } from './LaterForms.js';

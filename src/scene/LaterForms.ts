@@ -1,22 +1,25 @@
 import type { BufferAttribute, BufferGeometry, Mesh } from 'three';
-import { hatchNormal } from '../mesh/bake/hatchNormal.js';
+import { tell } from '../material/diagnostics/tell.js';
 import { watchFormAngle } from '../material/geometry/formAngles.js';
 import { expectForm, isFormed } from '../material/geometry/formGeometry.js';
 import { crossAngleOf, type HatchingFormOptions } from '../material/geometry/HatchingFormOptions.js';
 import { identityOf } from '../material/geometry/identityOf.js';
 import { fadeIn, fadeOut, showLines } from '../material/geometry/lineFades.js';
-import { MANY_TRIANGLES, type PrepareHatchingGeometryOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
+import {
+  MANY_TRIANGLES,
+  type PrepareHatchingGeometryOptions,
+} from '../material/geometry/PrepareHatchingGeometryOptions.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
-import { tell } from '../material/diagnostics/tell.js';
+import { hatchNormal } from '../mesh/bake/hatchNormal.js';
 import { runSliced } from '../mesh/timeSlicing/runSliced.js';
 import type { MakeLevels } from './detail/levelMaker.js';
 import type { FirstFrame } from './FirstFrame.js';
+import { askingMaterials, crossingOf, type PlannedMesh } from './geometryPlans.js';
 import { cornerCount } from './jointForms/cornerCount.js';
 import type { GeometryPlan } from './jointForms/FormGroup.js';
 import type { MeshLook } from './MeshLook.js';
 import { bakeGeometries } from './making/bakeGeometries.js';
-
-export { crossingMaterials } from './crossingMaterials.js';
+import { isBatched } from './surfaceMeshes.js';
 
 /** How long the angle of crossing lines stays as it is before lines are baked at it, in milliseconds: a slider moves on. */
 const REST = 150;
@@ -270,4 +273,20 @@ function copyOcclusion(from: BufferGeometry, to: BufferGeometry): void {
   for (let corner = 0, count = cornerCount(to); corner < count; corner++)
     target[4 * (newVertices ? newVertices[corner] : corner) + 3] =
       source[4 * (vertices ? vertices[corner] : corner) + 3];
+}
+
+/** For each geometry the material that says at which angle lines that follow the form cross on it, if there is one and no option does. */
+export function crossingMaterials(
+  planned: readonly PlannedMesh[],
+  { form }: PrepareHatchingGeometryOptions,
+): Map<BufferGeometry, HatchingMaterial> {
+  const materials = new Map<BufferGeometry, HatchingMaterial>();
+  if (typeof form === 'object' && form.crossAngle !== undefined) return materials;
+  for (const plan of planned) {
+    const asking = isBatched(plan.mesh) ? [] : askingMaterials(plan);
+    // What draws strokes now may draw lines later.
+    const crossing = crossingOf(asking) ?? asking[0];
+    if (crossing && !materials.has(plan.geometry)) materials.set(plan.geometry, crossing);
+  }
+  return materials;
 }

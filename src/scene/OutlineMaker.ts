@@ -1,9 +1,12 @@
 import type { Material, Mesh } from 'three';
-import type { OutlineOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
 import { deforms } from '../material/deformation/canDeform.js';
 import { describeObject } from '../material/diagnostics/describeObject.js';
 import { tell } from '../material/diagnostics/tell.js';
-import type { HatchingOutlineMaterial, HatchingOutlineParameters } from '../material/outlines/HatchingOutlineMaterial.js';
+import type { OutlineOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
+import type {
+  HatchingOutlineMaterial,
+  HatchingOutlineParameters,
+} from '../material/outlines/HatchingOutlineMaterial.js';
 import type { HatchingOutlines } from '../material/outlines/HatchingOutlines.js';
 import type { MeshOutlines } from '../material/outlines/MeshOutlines.js';
 import { isCutOut } from '../material/outlines/surfaceRules.js';

@@ -1,7 +1,7 @@
 import type { Object3D } from 'three';
+import { mustBeAwaited } from '../material/diagnostics/mustBeAwaited.js';
 import { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { fetchPartsOf } from '../material/parts/parts.js';
-import { mustBeAwaited } from '../material/diagnostics/mustBeAwaited.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import type { HatchedScene } from './HatchedScene.js';
 import { hatchScene, type LookMakers } from './hatchScene.js';

@@ -1,8 +1,8 @@
+import { checkTonalArtMap } from '../material/checkTonalArtMap.js';
 import {
   checkPrepareOptions,
   type PrepareHatchingGeometryOptions,
 } from '../material/geometry/PrepareHatchingGeometryOptions.js';
-import { checkTonalArtMap } from '../material/checkTonalArtMap.js';
 import { checkHatchImageOptions } from '../material/tam/checkHatchImageOptions.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import type { PresetName } from './presets.js';

@@ -1,8 +1,8 @@
 import { BackSide, type Mesh, type Object3D, type Vector3 } from 'three';
+import { assertGeometry } from '../material/diagnostics/assertGeometry.js';
 import { checkGeometry } from '../material/geometry/checkGeometry.js';
 import { cornerRange } from '../material/geometry/cornerRange.js';
 import { copyVectors, extractMesh } from '../material/geometry/extractMesh.js';
-import { assertGeometry } from '../material/diagnostics/assertGeometry.js';
 import type { OcclusionMesh, OcclusionScene } from '../mesh/occlusion/OcclusionScene.js';
 import { checkOptions } from '../worker/checkOptions.js';
 import { maxWorkers } from '../worker/maxWorkers.js';

@@ -1,6 +1,6 @@
 import type { BufferGeometry, Material, Mesh } from 'three';
-import type { PrepareHatchingGeometryOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
 import { followsForm, formFieldOf, formOf, needsAdjacency } from '../look/lookFacts.js';
+import type { PrepareHatchingGeometryOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { GeometryPlan } from './jointForms/FormGroup.js';
 import { isBatched, isHatching, materialsOf } from './surfaceMeshes.js';

@@ -1,11 +1,14 @@
 import type { BufferGeometry, Material, Mesh, Object3D } from 'three';
-import type { OutlineOptions, PrepareHatchingGeometryOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
 import { needsMap } from '../look/lookFacts.js';
-import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { assertGeometry } from '../material/diagnostics/assertGeometry.js';
 import { describeObject } from '../material/diagnostics/describeObject.js';
 import { isPromise } from '../material/diagnostics/isPromise.js';
 import { tell } from '../material/diagnostics/tell.js';
+import type {
+  OutlineOptions,
+  PrepareHatchingGeometryOptions,
+} from '../material/geometry/PrepareHatchingGeometryOptions.js';
+import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingOutlineParameters } from '../material/outlines/HatchingOutlineMaterial.js';
 import type { HatchingOutlines } from '../material/outlines/HatchingOutlines.js';
 import { runSliced } from '../mesh/timeSlicing/runSliced.js';

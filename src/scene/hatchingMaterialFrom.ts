@@ -1,11 +1,7 @@
 import { type Color, Material, type NormalMapTypes, type Texture, type Vector2 } from 'three';
 import { GLASS } from '../look/glass.js';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
-import {
-  HATCHING_DEFAULTS,
-  HATCHING_PROPERTIES,
-  type HatchingPropertyName,
-} from '../look/hatchingProperties.js';
+import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 

@@ -1,5 +1,8 @@
 import type { OutlineOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
-import { HatchingOutlineMaterial, type HatchingOutlineParameters } from '../material/outlines/HatchingOutlineMaterial.js';
+import {
+  HatchingOutlineMaterial,
+  type HatchingOutlineParameters,
+} from '../material/outlines/HatchingOutlineMaterial.js';
 import { HatchingOutlines } from '../material/outlines/HatchingOutlines.js';
 import { type OutlineKind, OutlineMaker } from './OutlineMaker.js';
 

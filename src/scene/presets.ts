@@ -1,11 +1,11 @@
-import type { OutlineOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
-import type { MapDrawing } from '../strokes/tamImages/hatchImageOptions.js';
 import { HATCHING_DEFAULTS } from '../look/hatchingProperties.js';
 import { needsMap } from '../look/lookFacts.js';
 import { frozen, PRESET_MATERIALS, type PresetName } from '../look/presetMaterials.js';
+import type { OutlineOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 import type { HatchingOutlineParameters } from '../material/outlines/HatchingOutlineMaterial.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
+import type { MapDrawing } from '../strokes/tamImages/hatchImageOptions.js';
 
 export type { PresetName };
 

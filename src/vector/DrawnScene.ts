@@ -1,5 +1,3 @@
-import type { Field } from './shading/fieldAxis.js';
-import type { DotLayers, DotSize } from './shading/stipple.js';
 import type { DotSet } from './dots/placeDots.js';
 import type { EngravedLook } from './Engraver.js';
 import type { LineSurface } from './LineSurface.js';
@@ -8,6 +6,8 @@ import type { CameraMatrices } from './Projection.js';
 import type { Clip } from './paint/Clip.js';
 import type { Veil } from './paint/Fading.js';
 import type { Cutout, PaintLook } from './paint/PaintLook.js';
+import type { Field } from './shading/fieldAxis.js';
+import type { DotLayers, DotSize } from './shading/stipple.js';
 import type { Illumination, SurfaceLook } from './Toner.js';
 
 /** The lines of a surface where shadows of some lights turn them. */

@@ -1,10 +1,13 @@
-import { rowOctaves } from './shading/carving.js';
 import { FIELD_CONSTANTS } from '../look/constants/fieldConstants.js';
 import { LINE_CONSTANTS } from '../look/constants/lineConstants.js';
+import { combined, lengthOf, type Vec3 } from '../look/vectors.js';
+import type { SurfacePlace } from './LineSurface.js';
+import type { FamilyMeasure, LineMedium, StrokePlace } from './marks/lineMarks.js';
+import type { Projection } from './Projection.js';
+import { rowOctaves } from './shading/carving.js';
 import { KEPT_BY_PEN, leftOf, otherShare, sharedByTwo, THIRD_FROM, takenOf } from './shading/crossedTones.js';
 import type { CutField, Field } from './shading/fieldAxis.js';
 import { handTone } from './shading/hand.js';
-
 import {
   type CutFamilies,
   type CutReading,
@@ -15,7 +18,6 @@ import {
   readCut,
 } from './shading/readCut.js';
 import { COARSEST_OCTAVES, readForm } from './shading/readForm.js';
-
 import { type LineSpacing, octaveOf, powerOf2, riseOf, spacedBy } from './shading/ruledLines.js';
 import {
   changePerPixel,
@@ -26,11 +28,6 @@ import {
   uphillOnPicture,
 } from './shading/screenGradient.js';
 import { alongLines } from './shading/strokeLengths.js';
-import { combined, lengthOf, type Vec3 } from '../look/vectors.js';
-
-import type { SurfacePlace } from './LineSurface.js';
-import type { FamilyMeasure, LineMedium, StrokePlace } from './marks/lineMarks.js';
-import type { Projection } from './Projection.js';
 import type { Tones } from './Toner.js';
 
 /** How the lines of a surface are laid. */

@@ -1,8 +1,8 @@
-import type { FormAt } from './shading/readForm.js';
-import type { Mat3 } from './shading/screenGradient.js';
 import { combined, cross, normalize, type Vec3 } from '../look/vectors.js';
 import type { Paint } from './paint/Painter.js';
 import type { PosedMaps, SurfaceDetails } from './paint/SurfaceDetails.js';
+import type { FormAt } from './shading/readForm.js';
+import type { Mat3 } from './shading/screenGradient.js';
 
 /** Where the numbers of a vertex lie among its `STRIDE` ones. */
 export const WORLD = 0;

@@ -1,8 +1,8 @@
 import { SHADOW_CONSTANTS, SHADOW_SAMPLES } from '../look/constants/shadowConstants.js';
-import type { GroundLook } from './shading/groundShadow.js';
-import type { Lamp } from './shading/radiance.js';
 import { combined, cross, dot, normalize, type Vec3 } from '../look/vectors.js';
 import type { Bvh } from './Bvh.js';
+import type { GroundLook } from './shading/groundShadow.js';
+import type { Lamp } from './shading/radiance.js';
 
 /** The map that the canvas reads the shadow of a light from. */
 export interface LampShadow {

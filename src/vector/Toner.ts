@@ -1,15 +1,15 @@
 import { TONE_CONSTANTS } from '../look/constants/toneConstants.js';
-import { type Emphasis, emphasisAt } from './shading/emphasis.js';
-import { type GroundLook, groundTone } from './shading/groundShadow.js';
-import { arriving, type Lamp, reflectedTo, responseTo, type ToneModel } from './shading/radiance.js';
 import { radianceAround, type Surroundings } from '../look/surroundings.js';
-import { openToLights, openToSky, shadedTone, type ToneLook } from './shading/tone.js';
 import { combined, dot, normalize, type Vec3 } from '../look/vectors.js';
 import type { Bvh } from './Bvh.js';
 import type { SurfacePlace } from './LineSurface.js';
 import { emphasisedPlace } from './marks/emphasisedPlace.js';
 import type { Projection } from './Projection.js';
 import { type LampShadow, ShadowRays, type ToldShadow } from './ShadowRays.js';
+import { type Emphasis, emphasisAt } from './shading/emphasis.js';
+import { type GroundLook, groundTone } from './shading/groundShadow.js';
+import { arriving, type Lamp, reflectedTo, responseTo, type ToneModel } from './shading/radiance.js';
+import { openToLights, openToSky, shadedTone, type ToneLook } from './shading/tone.js';
 
 /** How a surface shows the light. */
 export interface SurfaceLook extends ToneLook {

@@ -1,8 +1,8 @@
-import { type BackgroundField, lineAt, lineWidth, placeOnLine } from './shading/background.js';
 import type { Bvh } from './Bvh.js';
 import type { DrawnBackground } from './DrawnScene.js';
 import type { Projection } from './Projection.js';
 import { type LinePath, PATH_STRIDE } from './paths/LinePath.js';
+import { type BackgroundField, lineAt, lineWidth, placeOnLine } from './shading/background.js';
 
 /** Lines are looked at so far apart, and where they end is found in so many halvings. Pixels. */
 const STEP = 2;

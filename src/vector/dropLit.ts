@@ -1,8 +1,8 @@
-import type { GroundLook } from './shading/groundShadow.js';
-import { arriving } from './shading/radiance.js';
 import { combined, dot, lengthOf, type Vec3 } from '../look/vectors.js';
 import { CASTS_BACK, CASTS_FRONT } from './Bvh.js';
 import { type LineSurface, STRIDE, WORLD } from './LineSurface.js';
+import type { GroundLook } from './shading/groundShadow.js';
+import { arriving } from './shading/radiance.js';
 import type { Illumination } from './Toner.js';
 
 /** More than maps soften edges, as a share of the distance. */

@@ -1,9 +1,9 @@
-import type { Emphasis } from './shading/emphasis.js';
 import { dot, type Vec3 } from '../look/vectors.js';
 import type { DrawnScene } from './DrawnScene.js';
 import { type LineSurface, STRIDE, WORLD } from './LineSurface.js';
 import type { Matrix } from './Projection.js';
 import type { Clip, ClipPlane } from './paint/Clip.js';
+import type { Emphasis } from './shading/emphasis.js';
 
 /** A scene that lies so many times its size away from the origin is moved there. */
 const FAR = 100;

@@ -1,10 +1,10 @@
-import { asideOf } from './shading/penLines.js';
 import { smoothstep } from '../look/vectors.js';
 import { asPhase } from '../mesh/timeSlicing/asPhase.js';
 import type { FamilyName } from './Engraver.js';
 import { placeFrom, readTriangle, STRIDE, VIEW } from './LineSurface.js';
 import { type LinesAside, NO_RANK } from './levelSegments.js';
 import { penDistance } from './marks/lineMarks.js';
+import { asideOf } from './shading/penLines.js';
 import type { Tracing } from './Tracing.js';
 import type { VertexTones } from './VertexTones.js';
 

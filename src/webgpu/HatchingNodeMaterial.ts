@@ -20,25 +20,21 @@ import {
   NodeMaterial,
   type WebGPURenderer,
 } from 'three/webgpu';
-import { hasOtherFormAngle, noteFormAngle } from '../material/geometry/formAngles.js';
-import { lineContrast } from '../material/geometry/lineFades.js';
-import type { HatchingMap } from '../material/checkTonalArtMap.js';
-import { checkChoice, checkValues } from '../material/checkValues.js';
-import { takesWeight, writeEmphasis, writeImportance } from '../material/fading/emphasis.js';
-import type { SceneExtent } from '../material/fading/SceneExtent.js';
-import { FrameStamp } from '../material/FrameStamp.js';
 import { defaultOf } from '../look/defaultOf.js';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
-import {
-  HATCHING_DEFAULTS,
-  HATCHING_PROPERTIES,
-  type HatchingPropertyName,
-} from '../look/hatchingProperties.js';
+import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
 import { formOf, needsMap, usesThresholds } from '../look/lookFacts.js';
 import type { PresetName } from '../look/presetMaterials.js';
 import { spelledOut } from '../look/presetParameters.js';
+import type { HatchingMap } from '../material/checkTonalArtMap.js';
+import { checkChoice, checkValues } from '../material/checkValues.js';
+import { FrameStamp } from '../material/FrameStamp.js';
+import { takesWeight, writeEmphasis, writeImportance } from '../material/fading/emphasis.js';
+import type { SceneExtent } from '../material/fading/SceneExtent.js';
 import { fittedCurve, type ToneCurve } from '../material/fitToneCurve.js';
 import { fittingMap } from '../material/fittingMap.js';
+import { hasOtherFormAngle, noteFormAngle } from '../material/geometry/formAngles.js';
+import { lineContrast } from '../material/geometry/lineFades.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 import type { HatchingMaterialProperties } from '../material/HatchingMaterialProperties.js';
 import { propertiesToJSON } from '../material/hatchingJSON.js';
@@ -55,8 +51,8 @@ import { writePartUniforms } from '../material/partUniforms.js';
 import { accessorOf, fieldOf } from '../material/propertyAccessors.js';
 import { TONE_CURVES } from '../material/shaders/shaderConventions.js';
 import { mapIsReady, sharedMap } from '../material/sharedMaps.js';
-import { withVectors } from '../material/vectorValues.js';
 import type { TonalArtMap } from '../material/tam/TonalArtMap.js';
+import { withVectors } from '../material/vectorValues.js';
 import { exposureReady, writeExposure } from './fittedExposure.js';
 import { HatchingLightingModel, type LitSurface, unlitSurface } from './HatchingLightingModel.js';
 import { darknessOf, drawnChoice, emitVertex, pixelFromBelow } from './hatchSurface.js';

@@ -1,6 +1,6 @@
 import type { Object3D } from 'three';
-import type { OutlineOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
 import { mustBeAwaited } from '../material/diagnostics/mustBeAwaited.js';
+import type { OutlineOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
 import type { HatchingOutlineParameters } from '../material/outlines/HatchingOutlineMaterial.js';
 import type { ApplyHatchingOptions } from '../scene/ApplyHatchingOptions.js';
 import type { HatchedScene } from '../scene/HatchedScene.js';

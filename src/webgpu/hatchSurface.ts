@@ -1,11 +1,16 @@
 import type { BufferGeometry, Light } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
-import { isFormed } from '../material/geometry/formGeometry.js';
 import { formOf, runsAway } from '../look/lookFacts.js';
+import { isFormed } from '../material/geometry/formGeometry.js';
 import type { HatchingMaterialProperties } from '../material/HatchingMaterialProperties.js';
 import { AWAY, withoutForm } from '../material/programDefines.js';
 import { hasRoomForForm } from './hasRoomForForm.js';
 import { dotLayerOf } from './mediumPattern.js';
+import { emitAnchored } from './nodes/anchored/emit.js';
+import { hatch } from './nodes/anchored/hatch.js';
+import { type HatchingParameters, readHatchingParameters } from './nodes/anchored/read.js';
+import { shadowLayer } from './nodes/anchored/shadowStrokes.js';
+import { type StrokeDefines, hatchLayer as strokeLayer } from './nodes/anchored/strokes.js';
 import { directedLights } from './nodes/base/directedLights.js';
 import { followsForm } from './nodes/base/followsForm.js';
 import type { HatchingSurface } from './nodes/base/HatchingSurface.js';
@@ -16,17 +21,12 @@ import { emitOcclusion } from './nodes/chunks/emitOcclusion.js';
 import { placeInstance } from './nodes/chunks/objectToView.js';
 import { hatchInShadow } from './nodes/chunks/shadowStrokes.js';
 import { hasShadows } from './nodes/chunks/shadows.js';
-import { emitAnchor } from './nodes/perFragment/emit.js';
-import { emitAnchored } from './nodes/anchored/emit.js';
-import { hatch } from './nodes/anchored/hatch.js';
-import { type HatchingParameters, readHatchingParameters } from './nodes/anchored/read.js';
-import { shadowLayer } from './nodes/anchored/shadowStrokes.js';
-import { type StrokeDefines, hatchLayer as strokeLayer } from './nodes/anchored/strokes.js';
 import { emitEngraved } from './nodes/engraved/emit.js';
 import { type LineCut, turnsWithLight } from './nodes/engraved/fieldAxis.js';
 import { hatchLayer } from './nodes/engraved/hatchLayer.js';
 import { read } from './nodes/engraved/read.js';
 import { shadowLayer as shadowFamilies } from './nodes/engraved/shadowStrokes.js';
+import { emitAnchor } from './nodes/perFragment/emit.js';
 
 type Look = HatchingMaterialProperties;
 

@@ -1,4 +1,4 @@
-import { serveTasks } from './serveTasks.js';
 import { handTasks } from './handTasks.js';
+import { serveTasks } from './serveTasks.js';
 
 serveTasks(handTasks);

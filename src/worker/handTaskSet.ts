@@ -1,5 +1,5 @@
-import type { TaskSet } from './TaskSet.js';
 import type { handTasks } from './handTasks.js';
+import type { TaskSet } from './TaskSet.js';
 
 /** The tasks for hands, for `runTaskOf`. */
 export const handTaskSet: TaskSet<typeof handTasks> = {

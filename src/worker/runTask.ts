@@ -1,9 +1,35 @@
-import { bakingTasks } from './bakingTasks.js';
+import { bakeRequestBuffers, jointRequestBuffers } from '../mesh/bake/bakeRequestBuffers.js';
+import { detailRequestBuffers } from '../mesh/detail/DetailRequest.js';
+import { contourSearchBuffers } from '../mesh/features/contourSearchBuffers.js';
+import { occlusionMeshBuffers, occlusionSceneBuffers } from '../mesh/occlusion/occlusionBuffers.js';
+import { imageBuffers } from '../strokes/tamImages/imageBuffers.js';
 import type { MakeAgain } from './TaskClient.js';
 import type { TaskOptions } from './TaskOptions.js';
 import type { NameIn, RequestOf, ResultOf, TaskSet, Tasks } from './TaskSet.js';
 import type { BakingTasks } from './tasks.js';
 import type { CreateWorker, PoolsOf, WorkerPool } from './WorkerPool.js';
+
+/** The buffers that are transferred with a request, so that the sender loses them. */
+const requestBuffers: TaskSet<BakingTasks>['requestBuffers'] = {
+  bakeCorners: bakeRequestBuffers,
+  bakeIndexed: bakeRequestBuffers,
+  bakeJointForms: jointRequestBuffers,
+  bakePull: bakeRequestBuffers,
+  searchContours: contourSearchBuffers,
+  generateHatchImages: () => [],
+  generateThresholds: () => [],
+  completeHatchImages: imageBuffers,
+  simplifyHatched: detailRequestBuffers,
+  startOcclusion: occlusionMeshBuffers,
+  addDirections: ({ scene, sums = [] }) => [...occlusionSceneBuffers(scene), ...sums.map(({ buffer }) => buffer)],
+};
+
+/** The tasks that bake geometry and draw the images of maps. */
+export const bakingTasks: TaskSet<BakingTasks> = {
+  fetchTasks: async () => (await import('./tasks.js')).tasks,
+  requestBuffers,
+  fetchWorker: async () => (await import('./inlineWorker.js')).createInlineWorker,
+};
 
 const createNoWorker: CreateWorker = () => null;
 

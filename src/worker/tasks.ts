@@ -7,14 +7,14 @@ import type { DetailLevels } from '../mesh/detail/makeLevels.js';
 import { simplifyHatched } from '../mesh/detail/simplifyHatched.js';
 import { type ContourSearchResult, searchContours } from '../mesh/features/contourCandidates.js';
 import { contourSearchBuffers } from '../mesh/features/contourSearchBuffers.js';
+import { addDirections } from '../mesh/occlusion/addDirections.js';
+import { occlusionSceneBuffers } from '../mesh/occlusion/occlusionBuffers.js';
+import { startOcclusion } from '../mesh/occlusion/startOcclusion.js';
 import { completeHatchImages } from '../strokes/tamImages/completeHatchImages.js';
 import type { ThresholdLevel } from '../strokes/tamImages/encodeThresholds.js';
 import { generateHatchImages } from '../strokes/tamImages/generateHatchImages.js';
 import { generateThresholds } from '../strokes/tamImages/generateThresholds.js';
 import { imageBuffers } from '../strokes/tamImages/imageBuffers.js';
-import { addDirections } from '../mesh/occlusion/addDirections.js';
-import { occlusionSceneBuffers } from '../mesh/occlusion/occlusionBuffers.js';
-import { startOcclusion } from '../mesh/occlusion/startOcclusion.js';
 import type { Task } from './TaskSet.js';
 
 const task = <Request, Result>(definition: Task<Request, Result>): Task<Request, Result> => definition;

@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
-import { FIGURES, type Figure } from '../../tools/figures/figures.js';
 import { openPlayground, ready, refreshes } from '../../tools/browser/playground.js';
+import { FIGURES, type Figure } from '../../tools/figures/figures.js';
 import { expect, test } from '../browser/test.js';
 import { angleBetween, changedShare, strokeDirection } from './pictures.js';
 

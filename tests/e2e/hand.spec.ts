@@ -1,6 +1,6 @@
 import { readFile } from 'node:fs/promises';
 import type { Locator, Page } from '@playwright/test';
-import { encodePng } from '../../src/strokes/mapFiles/encodePng.js';
+import { encodePng } from '../../src/strokes/mapFiles/writeMapFiles.js';
 import { drop, openPlayground, readDrawing, ready, writtenHash } from '../../tools/browser/playground.js';
 import { expect, test } from '../browser/test.js';
 

@@ -1,6 +1,6 @@
 import { readFile } from 'node:fs/promises';
 import { unzipSync } from 'three/addons/libs/fflate.module.js';
-import { encodePng } from '../../src/strokes/mapFiles/encodePng.js';
+import { encodePng } from '../../src/strokes/mapFiles/writeMapFiles.js';
 import { drop, openPlayground, readDrawing, ready } from '../../tools/browser/playground.js';
 import { expect, test } from '../browser/test.js';
 

@@ -21,8 +21,8 @@ import {
   prepareHatchingGeometry,
   traceStrokes,
 } from 'three-hatching';
-import HandWorker from '../../src/worker/hand.worker.js?worker';
 import BakeWorker from '../../src/worker/bake.worker.js?worker';
+import HandWorker from '../../src/worker/hand.worker.js?worker';
 import { disposeHatchingWorkers, runTask } from '../../src/worker/runTask.js';
 import ClosingWorker from './workerClosing.js?worker';
 import DyingWorker from './workerDying.js?worker';

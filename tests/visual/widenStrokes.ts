@@ -1,8 +1,8 @@
+import { placeStrokes } from '../../src/strokes/placeStrokes.js';
+import { rasterizeStroke } from '../../src/strokes/rasterizeStroke.js';
 import type { HatchImages } from '../../src/strokes/tamImages/HatchImages.js';
 import type { MapRequest } from '../../src/strokes/tamImages/hatchImageRequest.js';
 import { resolveHatchImageOptions } from '../../src/strokes/tamImages/hatchImageRequest.js';
-import { placeStrokes } from '../../src/strokes/placeStrokes.js';
-import { rasterizeStroke } from '../../src/strokes/rasterizeStroke.js';
 
 /**
  * The hatch images of `options` with every stroke `factor` times as wide and otherwise the same. The generator itself

@@ -1,9 +1,9 @@
-import { bakePull } from '../../src/mesh/bake/bakePull.js';
-import { type ModelFile, readModel } from '../../src/viewer/files/readModel.js';
 import { DEFAULT_CREASE_ANGLE } from '../../src/material/geometry/PrepareHatchingGeometryOptions.js';
+import { bakePull } from '../../src/mesh/bake/bakePull.js';
 import { addDirections } from '../../src/mesh/occlusion/addDirections.js';
 import type { OcclusionScene } from '../../src/mesh/occlusion/OcclusionScene.js';
 import { startOcclusion } from '../../src/mesh/occlusion/startOcclusion.js';
+import { type ModelFile, readModel } from '../../src/viewer/files/readModel.js';
 
 /** As many as `bakeOcclusion` looks in by default, and as it counts them: two by two. */
 const PAIRS = 192;

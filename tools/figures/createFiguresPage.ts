@@ -1,5 +1,5 @@
 import { setPageState } from '../../src/playground/page/setPageState.js';
-import { FrameScheduler } from '../../src/playground/viewport/FrameScheduler.js';
+import { FrameScheduler } from '../../src/playground/viewport/Frames.js';
 import type { TechniqueChoice } from './FigureDrawing.js';
 import { FigurePainter } from './FigurePainter.js';
 import { FigurePanel } from './FigurePanel.js';

@@ -1,16 +1,16 @@
 /** Measures how much of a model is paper, half tone and dark in every preset. */
 import { type PerspectiveCamera, Scene, Vector3, type WebGLRenderer, WebGLRenderTarget } from 'three';
 import { flatteringLight, type HatchingMaterial, type PresetName, presets } from 'three-hatching';
-import { loadModelFiles } from '../../src/playground/reading/loadModelFiles.js';
 import { BUILT_IN_MODELS, type BuiltInModel } from '../../src/playground/models/models.js';
+import { loadModelFiles } from '../../src/playground/reading/loadModelFiles.js';
 import { buildModel } from '../../src/viewer/drawing/buildModel.js';
 import type { HatchedModel } from '../../src/viewer/drawing/HatchedModel.js';
 import { meshesOf } from '../../src/viewer/drawing/meshesOf.js';
+import { createCamera, DEFAULT_VIEW } from '../../src/viewer/sceneSetup/createCamera.js';
+import { LightRig } from '../../src/viewer/sceneSetup/LightRig.js';
 import { lookOf } from '../../src/viewer/settings/lookOf.js';
 import { presetLook } from '../../src/viewer/settings/presets.js';
 import { defaultSettings } from '../../src/viewer/settings/settings.js';
-import { createCamera, DEFAULT_VIEW } from '../../src/viewer/sceneSetup/createCamera.js';
-import { LightRig } from '../../src/viewer/sceneSetup/LightRig.js';
 
 /** Shares of what is seen of a model. The three make 1. */
 export interface ValueShares {

@@ -1,6 +1,6 @@
 import { inflateSync } from 'node:zlib';
-import type { PixelPicture } from '../../viewer/files/common/Surroundings.js';
 import { LAST_PNG_FILTER, PNG_SAMPLES as SAMPLES, unfilter } from '../../strokes/mapFiles/pngRows.js';
+import type { PixelPicture } from '../../viewer/files/common/Surroundings.js';
 
 const PALETTE = 3;
 /** The passes of interlaced pictures (Adam7): where each begins, and its steps. */

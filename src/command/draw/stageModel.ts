@@ -1,12 +1,11 @@
 import { Group, MathUtils, PerspectiveCamera, Scene, Spherical, Vector3 } from 'three';
 import { bakeOcclusion, flatteringLight } from 'three-hatching';
+import { lyingSize } from '../../vector/svg/sheetSizes.js';
 import { bakeFurther } from '../../viewer/drawing/bakeFurther.js';
 import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
 import { meshesOf } from '../../viewer/drawing/meshesOf.js';
 import { indexOfName } from '../../viewer/files/common/indexOfName.js';
 import { type FileCamera, movedExtras } from '../../viewer/files/common/ModelExtras.js';
-import { lookOf } from '../../viewer/settings/lookOf.js';
-import { formDrawn } from '../../viewer/settings/settingValues.js';
 import { Backdrop } from '../../viewer/sceneSetup/Backdrop.js';
 import { castersOf } from '../../viewer/sceneSetup/castersOf.js';
 import { DEFAULT_VIEW } from '../../viewer/sceneSetup/createCamera.js';
@@ -26,7 +25,8 @@ import {
   roomiestView,
 } from '../../viewer/sceneSetup/placeCamera.js';
 import { strokeShare } from '../../viewer/sceneSetup/strokeShare.js';
-import { lyingSize } from '../../vector/svg/sheetSizes.js';
+import { lookOf } from '../../viewer/settings/lookOf.js';
+import { formDrawn } from '../../viewer/settings/settingValues.js';
 import type { DrawingOptions } from '../DrawingOptions.js';
 import type { DrawnWith } from './settingsFor.js';
 

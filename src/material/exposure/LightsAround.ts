@@ -9,8 +9,8 @@ import {
   type SpotLight,
   Vector3,
 } from 'three';
-import { radianceAround, type Surroundings } from '../../look/surroundings.js';
 import { luminanceOf } from '../../look/luminanceOf.js';
+import { radianceAround, type Surroundings } from '../../look/surroundings.js';
 import { harmonicsOf } from './environmentHarmonics.js';
 import type { SceneContents } from './SceneContents.js';
 

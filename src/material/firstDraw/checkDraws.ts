@@ -1,14 +1,35 @@
-import { identityOf } from '../geometry/identityOf.js';
+import { NoToneMapping } from 'three';
+import { formFieldOf, formOf, needsAdjacency, needsMap } from '../../look/lookFacts.js';
+import { cornerLayout } from '../../mesh/bake/cornerLayout.js';
+import { hatchNormal } from '../../mesh/bake/hatchNormal.js';
+import { deforms, hasFloatTargets, morphsEachInstance } from '../deformation/canDeform.js';
 import { describeObject } from '../diagnostics/describeObject.js';
 import { tell } from '../diagnostics/tell.js';
-import type { FirstDraw } from './FirstDraw.js';
+import { isFormExpected, isFormed } from '../geometry/formGeometry.js';
+import { identityOf } from '../geometry/identityOf.js';
+import { pulledVerticesOf } from '../geometry/pulledVerticesOf.js';
+import { isStale } from '../geometry/staleGeometry.js';
+import type { DrawnMaterial, FirstDraw } from './FirstDraw.js';
 import { findLightMistake } from './findLightMistake.js';
 import { findStrokeMistakes } from './findStrokeMistakes.js';
-import { findSurfaceMistakes } from './findSurfaceMistakes.js';
-import { isOnlyFrame } from './isOnlyFrame.js';
 import type { NoteMistake } from './NoteMistake.js';
-import { printsNothing } from './printsNothing.js';
 import { type Mistake, SENTENCES, type Sentence } from './sentences.js';
+
+/** Whether a material is blank paper on purpose: by a tone curve that is 0 everywhere, as a surface has that only hides lines behind it. */
+const printsNothing = ({ toneCurve }: DrawnMaterial): boolean =>
+  Array.isArray(toneCurve) && toneCurve.every(([, ink]: readonly number[]) => ink === 0);
+
+/** Milliseconds in which a page draws again that means to, from when everything is there. */
+const PATIENCE = 3000;
+
+/** Whether a renderer has drawn nothing since a mesh that lacked something, though what it lacked has come. */
+async function isOnlyFrame({ material, renderer, frame }: FirstDraw): Promise<boolean> {
+  await material.ready;
+  await new Promise((resolve) => setTimeout(resolve, PATIENCE));
+  // A page in the background draws when it is shown again, and asks for that earlier than this.
+  await new Promise((resolve) => requestAnimationFrame(resolve));
+  return renderer.info.render.frame === frame && !renderer.getContext().isContextLost();
+}
 
 export { isStale } from '../geometry/staleGeometry.js';
 
@@ -74,4 +95,31 @@ function groupBy<Item>(items: readonly Item[], keyOf: (item: Item) => unknown): 
     else groups.set(key, [item]);
   }
   return groups.values();
+}
+
+/** Finds what is wrong with the material and the geometry of a mesh. */
+function findSurfaceMistakes(draw: FirstDraw, note: NoteMistake): void {
+  const { material, geometry, renderer, isOnScreen } = draw;
+  if (material.tonalArtMap === null && needsMap(material) && !printsNothing(material)) note('noMap', draw, material);
+  const mistake = needsAdjacency(material) ? adjacencyMistake(draw) : undefined;
+  if (mistake) note(mistake, draw, geometry);
+  else if (!geometry.attributes.normal && !geometry.attributes[hatchNormal.name]) note('noNormals', draw, geometry);
+  const hasNoForm = formOf(material) === true && !isFormed(geometry) && !isFormExpected(geometry);
+  if (hasNoForm) note('noForm', draw, geometry, formFieldOf(material)!);
+  if (isStale(geometry))
+    note(geometry.userData.hatching.layout === 'indexed' ? 'movedIndexed' : 'moved', draw, geometry);
+  if (isOnScreen && material.toneMapped && renderer.toneMapping !== NoToneMapping) note('toneMapped', draw, renderer);
+}
+
+/** What keeps a geometry from being hatched by the strokes of its triangles and their neighbours, in its present pose. */
+function adjacencyMistake({ geometry, mesh, renderer }: FirstDraw): Mistake | undefined {
+  const { attributes, userData } = geometry;
+  if (!pulledVerticesOf(geometry)) {
+    if (attributes[cornerLayout[0].name]) return deforms(geometry, mesh) ? 'cornerAtRest' : undefined;
+    if (!attributes[hatchNormal.name]) return 'noAdjacency';
+    return userData.hatching?.layout === 'indexed' ? 'noneAsked' : 'lostAdjacency';
+  }
+  if (!deforms(geometry, mesh)) return undefined;
+  if (!hasFloatTargets(renderer)) return 'deviceAtRest';
+  return morphsEachInstance(mesh) ? 'instancesAtRest' : undefined;
 }

@@ -1,7 +1,7 @@
 import type { BufferAttribute, Color, Object3D } from 'three';
 import { hatchNormal } from '../../mesh/bake/hatchNormal.js';
-import { identityOf } from '../geometry/identityOf.js';
 import { isFitted } from '../exposure/isFitted.js';
+import { identityOf } from '../geometry/identityOf.js';
 import type { FirstDraw } from './FirstDraw.js';
 import { lightOn, luminance } from './lightOn.js';
 import type { NoteMistake } from './NoteMistake.js';

@@ -1,6 +1,6 @@
 import type { Object3D, Sphere } from 'three';
-import type { TonalArtMap } from '../tam/TonalArtMap.js';
 import { counts } from '../../look/measuredFacts.js';
+import type { TonalArtMap } from '../tam/TonalArtMap.js';
 import type { FirstDraw } from './FirstDraw.js';
 import type { NoteMistake } from './NoteMistake.js';
 import { rounded } from './rounded.js';

@@ -1,14 +1,14 @@
 import type { BufferGeometry } from 'three';
+import { HATCHING_TECHNIQUES } from '../../look/hatchingProperties.js';
 import type { BakeRequest } from '../../mesh/bake/bakeCorners.js';
 import type { OutlineRequest } from '../../mesh/bake/bakeOutlines.js';
 import type { FormRequest } from '../../mesh/bake/bakeSurface.js';
 import type { VertexWords } from '../../mesh/bake/expandPerCorner.js';
 import type { FormField } from '../../mesh/form/FormField.js';
-import { HATCHING_TECHNIQUES } from '../../look/hatchingProperties.js';
 import type { TriangleMesh } from '../../mesh/TriangleMesh.js';
-import { mustBeAwaited } from '../diagnostics/mustBeAwaited.js';
 import { checkNames } from '../../worker/checkOptions.js';
 import { runTask } from '../../worker/runTask.js';
+import { mustBeAwaited } from '../diagnostics/mustBeAwaited.js';
 import { checkGeometry } from './checkGeometry.js';
 import { type CornerRange, cornerRange } from './cornerRange.js';
 import { extractMesh } from './extractMesh.js';
@@ -23,10 +23,26 @@ import {
 } from './PrepareHatchingGeometryOptions.js';
 import type { NotBaked } from './preparedGeometry.js';
 import { countUnusableNormals, type Repairs, zeroBadValues } from './repairValues.js';
-import { rememberSource } from './sourceState.js';
 import { startGeometry } from './startGeometry.js';
-import { triangleGroups } from './triangleGroups.js';
-import { extractWords, type KeptAttribute, keptAttributes } from './vertexAttributes.js';
+import { extractWords, type KeptAttribute, keptAttributes, type VertexAttribute } from './vertexAttributes.js';
+
+/** Remembers the data of a geometry. Returns a function that tells whether the data is still the same. */
+function rememberSource(geometry: BufferGeometry): () => boolean {
+  const before = stateOf(geometry);
+  return () => {
+    const now = stateOf(geometry);
+    return now.length === before.length && now.every((entry, i) => entry === before[i]);
+  };
+}
+
+/** All arrays that a bake reads, each followed by its version. */
+const stateOf = (geometry: BufferGeometry): unknown[] =>
+  [geometry.attributes.position, geometry.index, ...keptAttributes(geometry).map(({ attribute }) => attribute)].flatMap(
+    (attribute) => (attribute ? [attribute.array, versionOf(attribute)] : [null]),
+  );
+
+const versionOf = (attribute: VertexAttribute): number =>
+  'data' in attribute ? attribute.data.version : attribute.version;
 
 /** What three.js asks of a geometry first, and users. */
 const ASKED_OF_GEOMETRIES = ['morphAttributes', 'boundingSphere', 'attributes', 'userData'] as const;
@@ -228,4 +244,17 @@ function checkAngle(name: string, angle = 0): void {
 function checkSize(name: string, size = 0, wanted = 'a length in object units, 0 or more'): void {
   if (size >= 0 && size < Infinity) return;
   throw new RangeError(`prepareHatchingGeometry: ${name} is ${String(size)}. Pass ${wanted}, or leave the option out.`);
+}
+
+/**
+ * For each triangle the material index of its group plus 1, or 0 outside of all groups. Returns null if there are no groups, or if
+ * one group holds all triangles.
+ */
+export function triangleGroups({ count, groups }: CornerRange): Uint16Array<ArrayBuffer> | null {
+  if (groups.length === 0 || (groups.length === 1 && groups[0].count === count)) return null;
+  const ofTriangle = new Uint16Array(count / 3);
+  for (const { start, count: length, materialIndex = 0 } of groups) {
+    ofTriangle.fill(1 + materialIndex, start / 3, (start + length) / 3);
+  }
+  return ofTriangle;
 }

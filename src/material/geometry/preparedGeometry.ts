@@ -5,8 +5,9 @@ import { isFormed } from './formGeometry.js';
 import type { HatchingStatistics } from './HatchingStatistics.js';
 import { OutlineData, setOutlineData } from './OutlineData.js';
 import type { Repairs } from './repairValues.js';
-import { replaceUnusableNormals } from './replaceUnusableNormals.js';
+import { isUsableNormal } from './repairValues.js';
 import { rememberPositions } from './staleGeometry.js';
+import type { VertexAttribute } from './vertexAttributes.js';
 
 /** What a prepared geometry needs beside what was baked. */
 export interface NotBaked extends Repairs, Pick<TaskOptions, 'createWorker'> {}
@@ -67,4 +68,12 @@ function bytesOf(geometry: BufferGeometry): number {
   let bytes = 0;
   for (const { byteLength } of arrays) bytes += byteLength;
   return bytes;
+}
+
+/** Replaces the normals that cannot be used by computed ones. */
+function replaceUnusableNormals(normal: VertexAttribute, computed: Float32Array): void {
+  for (let vertex = 0; vertex < normal.count; vertex++) {
+    if (isUsableNormal(normal, vertex)) continue;
+    normal.setXYZ(vertex, computed[3 * vertex], computed[3 * vertex + 1], computed[3 * vertex + 2]);
+  }
 }

@@ -1,8 +1,8 @@
 import { DataTexture, RGBAIntegerFormat, type Sphere, UnsignedIntType, type Vector4 } from 'three';
 import { pullTextureSize } from '../../mesh/bake/pullLayout.js';
 import { type ContourSearch, findCandidates } from '../../mesh/features/contourCandidates.js';
-import type { OutlineData } from '../geometry/OutlineData.js';
 import { runTask } from '../../worker/runTask.js';
+import type { OutlineData } from '../geometry/OutlineData.js';
 
 /**
  * The sine of the angle that the direction to the eye may turn by before a new list is needed. A smaller angle makes shorter

@@ -12,20 +12,78 @@ import {
   type Vector4,
   type WebGLRenderer,
 } from 'three';
+import { ACCENT_STEPS, OUTLINE_CONSTANTS } from '../../look/constants/outlineConstants.js';
 import type { HiddenOutlines } from '../../look/hiddenOutlines.js';
+import { POINT_BITS, POINT_MASK } from '../../mesh/bake/outlineLayout.js';
+import {
+  BORDER,
+  CONTRARY,
+  CORNER_AT_END,
+  CORNER_AT_START,
+  CREASE,
+  IS_EDGE,
+  MATERIAL_BORDER,
+} from '../../mesh/features/edgeFlags.js';
 import { checkColor } from '../checkValues.js';
+import { FrameStamp } from '../FrameStamp.js';
 import { type EmphasisLook, takesWeight, writeEmphasis, writeImportance } from '../fading/emphasis.js';
 import { writeSheet } from '../fading/writeSheet.js';
-import { FrameStamp } from '../FrameStamp.js';
 import { MeshUniforms } from '../MeshUniforms.js';
 import { writePictureOffset } from '../pictureOffset.js';
-import type { Vector2Like } from '../vectorValues.js';
+import { definesOf } from '../shaders/definesOf.js';
+import type { Shaders } from '../shaders/hatchingShaders.js';
+import { lightChunks } from '../shaders/lightKinds.js';
+import { resolveIncludes } from '../shaders/resolveIncludes.js';
+import { conventionsChunk } from '../shaders/shaderConventions.js';
+import { toothConstantsChunk } from '../shaders/toothConstants.js';
 import { toothMap } from '../tam/toothMap.js';
+import type { Vector2Like } from '../vectorValues.js';
 import { HATCHING_OUTLINE_DEFAULTS, OUTLINE_NUMBER_NAMES, type OutlineNumberName } from './outlineProperties.js';
-import { outlineShaders } from './outlineShaders.js';
 import { createOutlineUniforms, OUTLINE_MESH_UNIFORMS } from './outlineUniforms.js';
 import { checkHidden, checkShadeWeights, defineOutlineNumbers, writeOutlineLook } from './outlineValues.js';
 import { writeDrawState } from './surfaceRules.js';
+
+const flags = { BORDER, CREASE, MATERIAL_BORDER, CONTRARY, CORNER_AT_START, CORNER_AT_END, IS_EDGE };
+
+/** The constants that the bake, the drawing as lines and the shaders of outlines share, as defines. */
+const outlineConventionsChunk = (): string =>
+  [
+    ...Object.entries(flags).map(([name, bit]) => `#define EDGE_${name} ${bit}u`),
+    definesOf(OUTLINE_CONSTANTS),
+    definesOf({ ACCENT_STEPS, POINT_BITS }, ''),
+    definesOf({ POINT_MASK }, 'u'),
+  ].join('\n');
+
+/** The shader files of outlines, and the chunks that they share with `HatchingMaterial`, as text. */
+const files: Readonly<Record<string, string>> = import.meta.glob(
+  [
+    '../../../shaders/outlines/*',
+    '../../../shaders/chunks/{emphasis,lightLuminance,lineCoverage,meanLight,normalDistribution,tooth}.glsl',
+    '../../../shaders/perTriangle/turns.glsl',
+  ],
+  { query: '?raw', import: 'default', eager: true },
+);
+
+let made: Shaders | undefined;
+
+/** The shaders of outlines. Their includes are resolved by the first call. */
+export function outlineShaders(): Shaders {
+  if (made) return made;
+  const chunks: Record<string, string> = {
+    conventions: conventionsChunk(),
+    'outlines/conventions': outlineConventionsChunk(),
+    toothConstants: toothConstantsChunk(),
+    ...lightChunks(),
+  };
+  for (const [path, text] of Object.entries(files)) {
+    chunks[path.replace('../../../shaders/', '').replace('chunks/', '').replace('.glsl', '')] = text;
+  }
+  made = {
+    vertexShader: resolveIncludes(chunks['outlines/outlines.vert'], chunks),
+    fragmentShader: resolveIncludes(chunks['outlines/outlines.frag'], chunks),
+  };
+  return made;
+}
 
 /** Stands for the id of a material where there is none. */
 const NO_LOOK = -1;

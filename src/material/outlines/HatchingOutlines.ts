@@ -7,9 +7,9 @@ import {
   Vector4,
   type WebGLRenderer,
 } from 'three';
-import { outlineDataOf } from '../geometry/OutlineData.js';
 import { hasFloatTargets } from '../deformation/canDeform.js';
 import { glslDeformations } from '../deformation/glslDeformations.js';
+import { outlineDataOf } from '../geometry/OutlineData.js';
 import { tellOfRenderer } from '../tellOfRenderer.js';
 import { HatchingOutlineMaterial, type HatchingOutlineParameters } from './HatchingOutlineMaterial.js';
 import { HiddenPass } from './HiddenPass.js';

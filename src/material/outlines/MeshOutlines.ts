@@ -4,6 +4,7 @@ import {
   type Camera,
   Frustum,
   type InstancedMesh,
+  Layers,
   type Material,
   Matrix4,
   type Mesh,
@@ -13,21 +14,46 @@ import {
   type Vector4,
   type WebGLRenderer,
 } from 'three';
-import type { OutlineData } from '../geometry/OutlineData.js';
-import { pulledVerticesOf } from '../geometry/pulledVerticesOf.js';
 import { deforms, morphsEachInstance } from '../deformation/canDeform.js';
 import type { Deformation } from '../deformation/Deformation.js';
 import type { Deformations } from '../deformation/Deformations.js';
-import type { EmphasisLook } from '../fading/emphasis.js';
-import { FrameStamp } from '../FrameStamp.js';
 import { describeObject } from '../diagnostics/describeObject.js';
 import { tell } from '../diagnostics/tell.js';
+import { FrameStamp } from '../FrameStamp.js';
+import type { EmphasisLook } from '../fading/emphasis.js';
+import type { OutlineData } from '../geometry/OutlineData.js';
+import { pulledVerticesOf } from '../geometry/pulledVerticesOf.js';
 import { ContourList } from './ContourList.js';
 import { InstanceList } from './InstanceList.js';
 import { isScaledToNothing } from './isScaledToNothing.js';
-import { MeshLayers } from './MeshLayers.js';
 import { type OutlinePart, OutlineParts } from './OutlineParts.js';
 import { copyDrawState, type DrawState, takeDrawState } from './surfaceRules.js';
+
+/** The layers of outlines: those of their mesh, also when these change later, unless others were set for the outlines themselves. */
+class MeshLayers extends Layers {
+  declare mask: number;
+  /** What was set for the outlines themselves; null while they follow the mesh. */
+  private own: number | null = null;
+
+  constructor(private readonly outlines: { readonly mesh: Mesh | null }) {
+    super();
+    const standard = this.mask;
+    const followed = (): number => this.outlines.mesh?.layers.mask ?? standard;
+    Object.defineProperty(this, 'mask', {
+      get: () => this.own ?? followed(),
+      set: (mask: number) => {
+        // Whoever moves all objects of a scene to a layer moves the mesh too.
+        this.own = mask === followed() ? null : mask;
+      },
+      enumerable: true,
+    });
+  }
+
+  /** Follows a mesh, or has layers of its own, as others do. */
+  copy(source: MeshLayers): void {
+    this.own = source.own;
+  }
+}
 
 /** What the camera of `frustumFrame` sees in that frame. */
 const frustum = /* @__PURE__ */ new Frustum();

@@ -1,5 +1,5 @@
-import { toothMap } from '../tam/toothMap.js';
 import { toothConstantsChunk } from '../shaders/toothConstants.js';
+import { toothMap } from '../tam/toothMap.js';
 import type { MaterialPart } from './MaterialPart.js';
 
 /** The medium `dry`. */

@@ -1,9 +1,28 @@
+import { CARVING_CONSTANTS } from '../../look/constants/carvingConstants.js';
+import { FIELD_CONSTANTS } from '../../look/constants/fieldConstants.js';
+import { FORM_CONSTANTS } from '../../look/constants/formConstants.js';
+import { GROUND_CONSTANTS } from '../../look/constants/groundConstants.js';
+import { HAND_CONSTANTS } from '../../look/constants/handConstants.js';
+import { LINE_CONSTANTS } from '../../look/constants/lineConstants.js';
+import { LOT_FACTORS } from '../../look/constants/lotConstants.js';
+import { PEN_CONSTANTS } from '../../look/constants/penConstants.js';
+import { SCREEN_CONSTANTS } from '../../look/constants/screenConstants.js';
+import { STROKE_LENGTH_CONSTANTS } from '../../look/constants/strokeLengthConstants.js';
+import { followsForm } from '../../look/lookFacts.js';
 import { hasOtherFormAngle, noteFormAngle } from '../geometry/formAngles.js';
 import { lineContrast } from '../geometry/lineFades.js';
-import { followsForm } from '../../look/lookFacts.js';
-import { engravedConstantsChunk } from './engravedConstants.js';
+import { definesOf } from '../shaders/definesOf.js';
 import { writeFieldFrame } from './fieldFrame.js';
 import type { MaterialPart } from './MaterialPart.js';
+
+const TABLES = [
+  ...[LINE_CONSTANTS, SCREEN_CONSTANTS, FIELD_CONSTANTS, FORM_CONSTANTS, GROUND_CONSTANTS],
+  ...[HAND_CONSTANTS, STROKE_LENGTH_CONSTANTS, PEN_CONSTANTS, CARVING_CONSTANTS],
+];
+
+/** The numbers that engraved lines are drawn by, which the drawing as lines knows too. */
+const engravedConstantsChunk = (): string =>
+  [...TABLES.map((table) => definesOf(table)), definesOf(LOT_FACTORS, 'u')].join('\n');
 
 /** The technique `engraved`. */
 export const part: MaterialPart = {

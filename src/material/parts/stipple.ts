@@ -1,8 +1,8 @@
 import { SCREEN_CONSTANTS } from '../../look/constants/screenConstants.js';
 import { STIPPLE_CONSTANTS } from '../../look/constants/stippleConstants.js';
+import { definesOf } from '../shaders/definesOf.js';
 import { STIPPLE_MAP_SIZE } from '../tam/patternSizes.js';
 import { stippleMap } from '../tam/stippleMap.js';
-import { definesOf } from '../shaders/definesOf.js';
 import type { MaterialPart } from './MaterialPart.js';
 
 /** The medium `stipple`. */

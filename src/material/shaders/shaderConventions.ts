@@ -1,12 +1,12 @@
 import { ShaderChunk } from 'three';
-import { cornerLayout } from '../../mesh/bake/cornerLayout.js';
+import { CAVITY } from '../../look/cavity.js';
+import { constantCase } from '../../look/constantCase.js';
 import { EMPHASIS_CONSTANTS } from '../../look/constants/emphasisConstants.js';
 import { SHADOW_CONSTANTS, SHADOW_SAMPLES } from '../../look/constants/shadowConstants.js';
 import { TONE_CONSTANTS } from '../../look/constants/toneConstants.js';
-import { CAVITY } from '../../look/cavity.js';
-import { constantCase } from '../../look/constantCase.js';
 import type { HatchingProperty, HatchingTexture } from '../../look/HatchingProperty.js';
 import { HATCHING_PROPERTIES } from '../../look/hatchingProperties.js';
+import { cornerLayout } from '../../mesh/bake/cornerLayout.js';
 import { definesOf } from './definesOf.js';
 import { lightCountDefines } from './lightKinds.js';
 

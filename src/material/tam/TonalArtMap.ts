@@ -1,20 +1,46 @@
-import { assertHatchImages, checkHatchImages, type HatchImageReport } from '../../strokes/tamImages/checkHatchImages.js';
+import type { TonalArtMapSource } from '../../strokes/mapFiles/readSource.js';
+import type { StrokeStyleName } from '../../strokes/strokeStyleNames.js';
+import {
+  assertHatchImages,
+  checkHatchImages,
+  type HatchImageReport,
+} from '../../strokes/tamImages/checkHatchImages.js';
 import { deriveThresholds } from '../../strokes/tamImages/deriveThresholds.js';
 import { encodeThresholds, type ThresholdLevel } from '../../strokes/tamImages/encodeThresholds.js';
 import { DEFAULT_STROKE_TEXELS, type HatchImages } from '../../strokes/tamImages/HatchImages.js';
 import { type MapDrawing, resolveMapDrawing } from '../../strokes/tamImages/hatchImageOptions.js';
-import type { TonalArtMapSource } from '../../strokes/mapFiles/readSource.js';
-import type { StrokeStyleName } from '../../strokes/strokeStyleNames.js';
+import type { MapRequest } from '../../strokes/tamImages/hatchImageRequest.js';
 import { checkNames, checkOptions } from '../../worker/checkOptions.js';
 import { runTask } from '../../worker/runTask.js';
 import type { TaskOptions } from '../../worker/TaskOptions.js';
 import { HATCH_IMAGE_OPTIONS } from './checkHatchImageOptions.js';
-import { drawHatchImages } from './drawHatchImages.js';
 import { measureThresholdMoments, type ThresholdMoments } from './measureThresholdMoments.js';
 import { type PackedLevel, packHatchImages, unpackHatchImage } from './packHatchImages.js';
 import { pairThresholdLevels, type ThresholdPair } from './pairThresholdLevels.js';
 import { ThresholdTexture } from './ThresholdTexture.js';
 import { TonalArtMapTexture } from './TonalArtMapTexture.js';
+
+/** The share of the progress for drawing the images; the rest is for the thresholds. */
+const IMAGES_SHARE = 0.7;
+
+/** Draws the images and thresholds of a map, in a worker if possible. */
+async function drawHatchImages(
+  drawing: MapDrawing,
+  { onProgress, ...options }: TaskOptions,
+): Promise<{ images: HatchImages; thresholds: ThresholdLevel[] }> {
+  // What prepares hands is fetched with the first of them.
+  const request = drawing.hand
+    ? await (await import('./prepareInSlices.js')).prepareInSlices(drawing, options.signal)
+    : (drawing as MapRequest);
+  const again = (): MapRequest => request;
+  const partOf = (from: number, share: number): TaskOptions => ({
+    ...options,
+    onProgress: onProgress && ((progress) => onProgress(from + share * progress)),
+  });
+  const images = await runTask('generateHatchImages', request, partOf(0, IMAGES_SHARE), again);
+  const thresholds = await runTask('generateThresholds', request, partOf(IMAGES_SHARE, 1 - IMAGES_SHARE), again);
+  return { images, thresholds };
+}
 
 /** The share of the progress of `load` for reading the files. */
 const READING_SHARE = 0.5;

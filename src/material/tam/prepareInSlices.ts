@@ -1,7 +1,7 @@
+import { runSliced } from '../../mesh/timeSlicing/runSliced.js';
 import type { MapDrawing } from '../../strokes/tamImages/hatchImageOptions.js';
 import type { MapRequest } from '../../strokes/tamImages/hatchImageRequest.js';
 import { requestOfHand } from '../../strokes/tamImages/requestOfHand.js';
-import { runSliced } from '../../mesh/timeSlicing/runSliced.js';
 
 /** Prepares a map of a hand for the worker, in slices. */
 export const prepareInSlices = (drawing: MapDrawing, signal: AbortSignal | undefined): Promise<MapRequest> =>

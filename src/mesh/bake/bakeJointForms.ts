@@ -1,13 +1,13 @@
 import { buildTriangleAdjacency, type TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
 import { consistentTwins } from '../adjacency/consistentTwins.js';
-import { bakeChosenForm, bakeForm } from '../form/bakeForm.js';
-import type { FormField } from '../form/FormField.js';
 import { triangleOf } from '../corners.js';
 import { disjointSets, join, rootOf } from '../disjointSets.js';
+import { bakeChosenForm, bakeForm } from '../form/bakeForm.js';
+import type { FormField } from '../form/FormField.js';
 import { measureBounds } from '../measureBounds.js';
-import { validateTriangleMesh } from '../validateTriangleMesh.js';
 import { cutCreases } from '../normals/cutCreases.js';
 import { asPhase } from '../timeSlicing/asPhase.js';
+import { validateTriangleMesh } from '../validateTriangleMesh.js';
 import { type FormRequest, nearnessOf } from './bakeSurface.js';
 import { fieldOfPart, type JoinedParts, joinParts, type Part, partOfTriangles } from './joinParts.js';
 

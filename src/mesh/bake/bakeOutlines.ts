@@ -1,14 +1,14 @@
+import { doubleArea } from '../computeAreaNormals.js';
 import { IS_EDGE } from '../features/edgeFlags.js';
 import { fanCurvatures, TENSOR_FLOATS } from '../features/fanCurvatures.js';
 import { type FeatureEdges, findFeatureEdges } from '../features/findFeatureEdges.js';
 import { turnFlaps } from '../features/turnFlaps.js';
-import { doubleArea } from '../computeAreaNormals.js';
-import type { TriangleMesh } from '../TriangleMesh.js';
 import { absorbSmallPatches } from '../normals/absorbSmallPatches.js';
 import type { FanSurface } from '../normals/assembleHeatEquation.js';
 import type { Fans } from '../normals/buildFans.js';
 import { fanDirections } from '../normals/fanDirections.js';
 import type { Patches } from '../normals/findPatches.js';
+import type { TriangleMesh } from '../TriangleMesh.js';
 import { asPhase } from '../timeSlicing/asPhase.js';
 
 /** What the bake of outlines needs to know. Plain data: it is posted to the worker. */

@@ -1,5 +1,5 @@
-import type { FormField } from '../form/FormField.js';
 import { triangleOf } from '../corners.js';
+import type { FormField } from '../form/FormField.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
 import { asPhase } from '../timeSlicing/asPhase.js';
 import { forEachChunk } from '../timeSlicing/forEachChunk.js';

@@ -1,7 +1,7 @@
 import { isDegenerate } from '../computeAreaNormals.js';
 import { hashWords } from '../hashWords.js';
-import type { TriangleMesh } from '../TriangleMesh.js';
 import type { Fans } from '../normals/buildFans.js';
+import type { TriangleMesh } from '../TriangleMesh.js';
 import { asPhase } from '../timeSlicing/asPhase.js';
 import { forEachChunk } from '../timeSlicing/forEachChunk.js';
 

@@ -1,6 +1,6 @@
 import { doubleArea } from '../computeAreaNormals.js';
-import type { TriangleMesh } from '../TriangleMesh.js';
 import type { Fans } from '../normals/buildFans.js';
+import type { TriangleMesh } from '../TriangleMesh.js';
 import { asPhase } from '../timeSlicing/asPhase.js';
 import { forEachChunk } from '../timeSlicing/forEachChunk.js';
 

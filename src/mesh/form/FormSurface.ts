@@ -1,12 +1,12 @@
 import type { TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
-import { fanCurvatures } from '../features/fanCurvatures.js';
 import { triangleOf } from '../corners.js';
-import type { TriangleMesh } from '../TriangleMesh.js';
+import { fanCurvatures } from '../features/fanCurvatures.js';
 import { assembleHeatEquation, type FanSurface, type HeatEquation } from '../normals/assembleHeatEquation.js';
 import { buildFans, type Fans } from '../normals/buildFans.js';
 import { fanDirections } from '../normals/fanDirections.js';
 import { meanNormals } from '../normals/meanNormals.js';
 import { fansInOrder } from '../normals/sortFans.js';
+import type { TriangleMesh } from '../TriangleMesh.js';
 import { asPhase } from '../timeSlicing/asPhase.js';
 import { forEachChunk } from '../timeSlicing/forEachChunk.js';
 import type { FormOptions } from './FormOptions.js';

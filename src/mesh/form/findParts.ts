@@ -1,5 +1,5 @@
-import type { TriangleMesh } from '../TriangleMesh.js';
 import { findPatches } from '../normals/findPatches.js';
+import type { TriangleMesh } from '../TriangleMesh.js';
 import { asPhase } from '../timeSlicing/asPhase.js';
 import { forEachChunk } from '../timeSlicing/forEachChunk.js';
 

@@ -1,7 +1,6 @@
 import { asPhase } from '../timeSlicing/asPhase.js';
 import { forEachChunk } from '../timeSlicing/forEachChunk.js';
 import type { Fans } from './buildFans.js';
-import { writeNormalized } from './writeNormalized.js';
 
 /**
  * Normalises the vector of each fan. A zero vector is replaced by the normal of the fan's first triangle or, if that triangle
@@ -57,4 +56,17 @@ function replaceRange(
     if (directions[fan] !== 0 || directions[fan + 1] !== 0 || directions[fan + 2] !== 0) continue;
     if (!writeNormalized(areaNormals, corner - (corner % 3), directions, fan)) directions[fan + 2] = 1;
   }
+}
+
+/** Normalises the vector at `from` and writes it to `to`. If it is zero, it writes nothing and returns false. */
+function writeNormalized(source: Float32Array | Float64Array, from: number, target: Float32Array, to: number): boolean {
+  const x = source[from];
+  const y = source[from + 1];
+  const z = source[from + 2];
+  const length = Math.sqrt(x * x + y * y + z * z);
+  if (length === 0) return false;
+  target[to] = x / length;
+  target[to + 1] = y / length;
+  target[to + 2] = z / length;
+  return true;
 }

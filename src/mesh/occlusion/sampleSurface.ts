@@ -1,6 +1,6 @@
-import { weldPositions } from '../weldPositions.js';
 import { asPhase } from '../timeSlicing/asPhase.js';
 import { forEachChunk } from '../timeSlicing/forEachChunk.js';
+import { weldPositions } from '../weldPositions.js';
 import { NO_SAMPLE, type OcclusionMesh } from './OcclusionScene.js';
 import { toWorldNormals, toWorldPoints } from './worldSpace.js';
 

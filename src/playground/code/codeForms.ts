@@ -1,6 +1,7 @@
+import { shownName } from '../../viewer/files/common/shownText.js';
 import type { CodeDrawing } from './CodeModel.js';
 import { codeSample } from './codeSample.js';
-import { embedSample } from './embedSample.js';
+import { escapeHtml } from './escapeHtml.js';
 import { moduleSample, pageSample } from './pageSample.js';
 
 /** Code that draws what the page shows, and what it is for, in one sentence. */
@@ -42,3 +43,17 @@ export const codeForms = {
     extension: 'html',
   }),
 } as const satisfies Record<string, (drawing: CodeDrawing, embed: Embed) => CodeForm>;
+
+/** HTML that shows the playground, without its panel, in another page. */
+function embedSample(address: string, title: string): string {
+  return `<iframe
+  src="${escapeHtml(address)}"
+  title="Hatched drawing: ${escapeHtml(shownName(title))}"
+  width="800"
+  height="600"
+  style="max-width: 100%; border: 0"
+  loading="lazy"
+  allow="fullscreen"
+></iframe>
+`;
+}

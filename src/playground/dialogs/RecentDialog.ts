@@ -1,8 +1,8 @@
 import { shownName } from '../../viewer/files/common/shownText.js';
-import type { KeptDrawing } from '../storage/KeptDrawings.js';
-import { findElement } from '../page/findElement.js';
 import { textButton } from '../elements/textButton.js';
+import { findElement } from '../page/findElement.js';
 import type { Keeper } from '../session/Keeper.js';
+import type { KeptDrawing } from '../storage/KeptDrawings.js';
 
 /** Lists the kept drawings, each of which can be opened or forgotten. */
 export class RecentDialog {

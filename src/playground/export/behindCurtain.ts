@@ -1,9 +1,9 @@
 import type { Settings } from '../../viewer/settings/settings.js';
+import { drawnView } from '../elements/viewSize.js';
 import { cutToDrawing, type PrintPlan, planPrint, sheetOnView } from '../print/print.js';
 import { LostContextError } from '../viewport/LostContextError.js';
 import { PictureSession } from '../viewport/PictureSession.js';
 import type { Stage } from '../viewport/Stage.js';
-import { drawnView } from '../elements/viewSize.js';
 import { raiseCurtain } from './raiseCurtain.js';
 
 const LOST =

@@ -1,8 +1,8 @@
 import { meshesOf } from '../../viewer/drawing/meshesOf.js';
 import { writeLink } from '../../viewer/settings/shareLink.js';
 import { VERSIONS } from '../code/versions.js';
-import { rendererName } from '../viewport/rendererName.js';
 import type { Session } from '../session/Session.js';
+import { rendererName } from '../viewport/rendererName.js';
 import { describeFacts } from './describeFacts.js';
 
 /** What a report of a bug should say about the page, the machine and the drawing of a session. */

@@ -1,5 +1,5 @@
-import type { Stage } from '../viewport/Stage.js';
 import { page } from '../elements/page.js';
+import type { Stage } from '../viewport/Stage.js';
 
 /** A copy of the drawing that covers it while it is saved. */
 interface Curtain {

@@ -1,6 +1,6 @@
 import type { Report } from '../../viewer/drawing/Report.js';
-import type { Settings } from '../../viewer/settings/settings.js';
 import { LAYERS } from '../../viewer/sceneSetup/layers.js';
+import type { Settings } from '../../viewer/settings/settings.js';
 import { describePrint, drawPicture, nearestRadius, type PrintPlan, ZipWriter } from '../print/print.js';
 import type { PictureSession } from '../viewport/PictureSession.js';
 import { behindCurtain } from './behindCurtain.js';

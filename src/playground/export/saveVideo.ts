@@ -1,6 +1,6 @@
-import { PictureSession } from '../viewport/PictureSession.js';
-import { recordVideo } from '../video/recordVideo.js';
 import { viewSize } from '../elements/viewSize.js';
+import { recordVideo } from '../video/recordVideo.js';
+import { PictureSession } from '../viewport/PictureSession.js';
 import { download } from './download.js';
 import { raiseCurtain } from './raiseCurtain.js';
 import type { SaveDrawing } from './SaveDrawing.js';

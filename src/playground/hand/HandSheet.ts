@@ -2,15 +2,14 @@ import type { HandNumbers, HandStroke } from 'three-hatching';
 import { type ExampleHandName, exampleHand, exampleHandNames } from 'three-hatching/hands';
 import { handLook, linesOfHand, lookWithoutHand } from '../../viewer/settings/handLook.js';
 import { drawsWithMap } from '../../viewer/settings/settingValues.js';
-import { ownHandOf } from '../maps/linkedHand.js';
-import type { OwnHand } from '../maps/OwnHand.js';
 import { page } from '../elements/page.js';
 import { textButton } from '../elements/textButton.js';
 import { type SliderValue, ValueSlider } from '../elements/ValueSlider.js';
-import type { Session } from '../session/Session.js';
 import { download } from '../export/download.js';
+import { ownHandOf } from '../maps/linkedHand.js';
+import type { OwnHand } from '../maps/OwnHand.js';
+import type { Session } from '../session/Session.js';
 import { element } from './element.js';
-import { eraseStrokes } from './eraseStrokes.js';
 import { HAND_NUMBER_NAMES, HAND_SLIDERS, inUnit, numberOfShown, shownNumber } from './handSliders.js';
 import { layOut } from './layOut.js';
 import { changedNumbers, LEAST_STROKES, learnOwnHand, withNumbers } from './learnOwnHand.js';
@@ -293,4 +292,28 @@ function sentenceAbout({ strokes, hand }: OwnHand): string {
     return `${had}${strokes.length === 0 ? `${LEAST_STROKES} strokes are enough` : `${missing} more`} to begin with.`;
   }
   return 'These are dots: draw strokes that are longer than wide.';
+}
+
+/** The strokes without those that a rubber at a point touches; the same array if it touches none. Lengths are in millimetres. */
+export function eraseStrokes(
+  strokes: readonly HandStroke[],
+  x: number,
+  y: number,
+  radius: number,
+): readonly HandStroke[] {
+  const left = strokes.filter((stroke) => !touches(stroke, x, y, radius));
+  return left.length === strokes.length ? strokes : left;
+}
+
+function touches({ points, widths }: HandStroke, x: number, y: number, radius: number): boolean {
+  for (let i = 0; i + 1 < widths.length; i++) {
+    const [fromX, fromY, toX, toY] = [points[2 * i], points[2 * i + 1], points[2 * i + 2], points[2 * i + 3]];
+    const [dx, dy] = [toX - fromX, toY - fromY];
+    const square = dx * dx + dy * dy;
+    const along = square > 0 ? ((x - fromX) * dx + (y - fromY) * dy) / square : 0;
+    const share = Math.min(1, Math.max(0, along));
+    const width = widths[i] + share * (widths[i + 1] - widths[i]);
+    if (Math.hypot(fromX + share * dx - x, fromY + share * dy - y) <= radius + width / 2) return true;
+  }
+  return false;
 }

@@ -1,9 +1,9 @@
 import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
 import { counted } from '../../viewer/files/common/counted.js';
-import { isLitBy, lightOf, type SavedView } from '../../viewer/settings/savedViews.js';
-import type { Settings } from '../../viewer/settings/settings.js';
 import { lightsOfFile } from '../../viewer/sceneSetup/lightsOfFile.js';
 import { viewsOfFile } from '../../viewer/sceneSetup/viewsOfFile.js';
+import { isLitBy, lightOf, type SavedView } from '../../viewer/settings/savedViews.js';
+import type { Settings } from '../../viewer/settings/settings.js';
 import { extrasInWorld } from '../maps/extrasInWorld.js';
 import type { Stage } from '../viewport/Stage.js';
 import type { lightModel } from './lightModel.js';

@@ -2,8 +2,8 @@ import { type BufferGeometry, MathUtils } from 'three';
 import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import { drawsWithAdjacency, formDrawn } from '../../viewer/settings/settingValues.js';
-import type { Stage } from '../viewport/Stage.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
+import type { Stage } from '../viewport/Stage.js';
 
 /** How long settings stay as they are before a form is baked anew, in milliseconds: a slider moves on. */
 const REST = 150;

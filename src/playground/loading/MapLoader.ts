@@ -4,8 +4,8 @@ import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';
 import { drawsWithMap } from '../../viewer/settings/settingValues.js';
 import type { OwnHand } from '../maps/OwnHand.js';
 import type { MapSettings, TonalArtMapCache } from '../maps/TonalArtMapCache.js';
-import type { Stage } from '../viewport/Stage.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
+import type { Stage } from '../viewport/Stage.js';
 
 /** Loads tonal art maps and draws with them. A map is generated from the settings or read from the user's files. */
 export class MapLoader {

@@ -2,8 +2,8 @@ import type { OcclusionBake } from 'three-hatching';
 import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
 import { meshesOf } from '../../viewer/drawing/meshesOf.js';
 import type { Settings } from '../../viewer/settings/settings.js';
-import type { Stage } from '../viewport/Stage.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
+import type { Stage } from '../viewport/Stage.js';
 
 const STAGE = 'darkening hollows';
 

@@ -1,10 +1,10 @@
 import { MathUtils, Spherical } from 'three';
 import { flatteringLight } from 'three-hatching';
+import { lightsOfFile } from '../../viewer/sceneSetup/lightsOfFile.js';
 import { acceptSetting } from '../../viewer/settings/acceptSetting.js';
 import { lookOf } from '../../viewer/settings/lookOf.js';
 import { lightOf, type SavedView } from '../../viewer/settings/savedViews.js';
 import type { Settings } from '../../viewer/settings/settings.js';
-import { lightsOfFile } from '../../viewer/sceneSetup/lightsOfFile.js';
 import { extrasInWorld } from '../maps/extrasInWorld.js';
 import type { Stage } from '../viewport/Stage.js';
 

@@ -1,7 +1,7 @@
+import { checkHand } from '../../strokes/hand/checkHand.js';
 import { ModelError } from '../../viewer/files/common/ModelError.js';
 import type { ModelFile } from '../../viewer/files/common/ModelFile.js';
 import { shownName } from '../../viewer/files/common/shownText.js';
-import { checkHand } from '../../strokes/hand/checkHand.js';
 import { ownHandOf } from './linkedHand.js';
 import type { OwnHand } from './OwnHand.js';
 

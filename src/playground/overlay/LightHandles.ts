@@ -1,9 +1,9 @@
 import { acceptSetting } from '../../viewer/settings/acceptSetting.js';
 import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';
 import { placeOfLight, placeOfSecondLight } from '../../viewer/settings/settingValues.js';
+import { page } from '../elements/page.js';
 import { LightHandle } from '../viewport/light/LightHandle.js';
 import type { Stage } from '../viewport/Stage.js';
-import { page } from '../elements/page.js';
 
 /** The handles of the light and of the second light. Dragging them changes the settings. */
 export class LightHandles {

@@ -1,8 +1,8 @@
 import type { Settings } from '../../viewer/settings/settings.js';
-import { sheetOnView } from '../print/printPlan.js';
-import type { Stage } from '../viewport/Stage.js';
 import { page } from '../elements/page.js';
 import { drawnView } from '../elements/viewSize.js';
+import { sheetOnView } from '../print/printPlan.js';
+import type { Stage } from '../viewport/Stage.js';
 
 /**
  * A frame over the drawing that shows the sheet on which a picture will be saved, and dims what lies outside of it. While the frame is

@@ -1,16 +1,44 @@
+import type { PresetName } from 'three-hatching';
 import { errorMessage } from '../../viewer/files/common/errorMessage.js';
-import { wholeLook } from '../../viewer/settings/presets.js';
+import { PRESET_LABELS, PRESET_NAMES } from '../../viewer/settings/presetLabels.js';
+import { presetOf, wholeLook } from '../../viewer/settings/presets.js';
+import type { Settings } from '../../viewer/settings/settings.js';
 import type { SettingGroup } from '../../viewer/settings/table/Setting.js';
 import { page } from '../elements/page.js';
 import { drawnView } from '../elements/viewSize.js';
+import type { Shelf } from '../savedLooks/Shelf.js';
 import type { RendererChoice } from '../session/RendererChoice.js';
 import type { Session } from '../session/Session.js';
-import type { Shelf } from '../savedLooks/Shelf.js';
 import type { LaterPart, LaterParts } from '../tasks/LaterParts.js';
 import type { Status } from '../tasks/Status.js';
 import type { MotionPanel } from './MotionPanel.js';
-import { PresetBar } from './PresetBar.js';
 import type { PanelAction, SettingsPanel } from './SettingsPanel.js';
+
+/** A row of buttons, one per preset. The one that the settings match is pressed. */
+class PresetBar {
+  private readonly buttons: readonly (readonly [PresetName, HTMLButtonElement])[];
+
+  constructor(
+    container: HTMLElement,
+    private readonly settings: Settings,
+    onChoose: (name: PresetName) => void,
+  ) {
+    this.buttons = PRESET_NAMES.map((name) => {
+      const button = Object.assign(document.createElement('button'), { type: 'button' });
+      const picture = Object.assign(document.createElement('img'), { alt: '', src: `gallery/preset-${name}.webp` });
+      button.append(picture, PRESET_LABELS[name]);
+      button.addEventListener('click', () => onChoose(name));
+      return [name, button] as const;
+    });
+    container.append(...this.buttons.map(([, button]) => button));
+    this.refresh();
+  }
+
+  refresh(): void {
+    const chosen = presetOf(this.settings);
+    for (const [name, button] of this.buttons) button.setAttribute('aria-pressed', String(name === chosen));
+  }
+}
 
 /** The card beside the drawing: presets, the user's own looks and views, the controls of the settings and those of a model that moves. */
 export class Card {

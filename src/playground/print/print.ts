@@ -1,8 +1,8 @@
+import { type PerspectiveCamera, Vector3 } from 'three';
 import { type PrintPlan, toMillimetres } from './printPlan.js';
 
 /** Everything that drawing a picture needs. It is fetched when the first picture is saved. */
 export { cutToDrawing, drawPicture } from './drawPicture.js';
-export { nearestRadius } from './nearestRadius.js';
 export { type PrintPlan, planPrint, sheetOnView } from './printPlan.js';
 export { planSvg, printablePlan, type SvgPlan } from './svgPlan.js';
 export { ZipWriter } from './ZipWriter.js';
@@ -11,4 +11,16 @@ export { ZipWriter } from './ZipWriter.js';
 export function describePrint({ width, height, dpi }: PrintPlan): string {
   const [wide, high] = [width, height].map((pixels) => Math.round(toMillimetres(pixels, dpi)));
   return `${width.toLocaleString('en')} × ${height.toLocaleString('en')} px, ${wide} × ${high} mm, ${dpi.toLocaleString('en')} dpi`;
+}
+
+/**
+ * How many pixels of a picture a radius of the model is where it is nearest.
+ *
+ * @param camera of the whole view, turned to a model that lies about the origin, with a radius of 1
+ */
+export function nearestRadius(camera: PerspectiveCamera, { viewHeight }: Pick<PrintPlan, 'viewHeight'>): number {
+  const scale = 0.5 * viewHeight * camera.projectionMatrix.elements[5];
+  if ('isOrthographicCamera' in camera) return scale;
+  const depth = -camera.position.dot(camera.getWorldDirection(new Vector3()));
+  return scale / Math.max(depth - 1, camera.near);
 }

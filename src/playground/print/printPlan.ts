@@ -1,6 +1,6 @@
-import type { Settings } from '../../viewer/settings/settings.js';
-import { strokeShare } from '../../viewer/sceneSetup/strokeShare.js';
 import { MILLIMETRES_PER_INCH, SHEET_SIZES, type SheetName } from '../../vector/svg/sheetSizes.js';
+import { strokeShare } from '../../viewer/sceneSetup/strokeShare.js';
+import type { Settings } from '../../viewer/settings/settings.js';
 
 /** Dots per inch of pictures in the size of the page. The panel measures strokes in print with it. */
 const PAGE_DPI = 300;

@@ -3,7 +3,13 @@ import { withPictures } from '../../viewer/files/decodePictures.js';
 import { checkTriangleCount } from '../../viewer/files/mesh/checkTriangleCount.js';
 import { meshBuffers, triangleCount } from '../../viewer/files/mesh/PlainMesh.js';
 import { needsCoarse } from '../../viewer/files/mesh/plainNormals.js';
-import { type ModelFile, type OnStage, type ReadMesh, type ReadModel, readModel } from '../../viewer/files/readModel.js';
+import {
+  type ModelFile,
+  type OnStage,
+  type ReadMesh,
+  type ReadModel,
+  readModel,
+} from '../../viewer/files/readModel.js';
 import { PAGE_SURROUNDINGS } from './pageSurroundings.js';
 import { coarseModel, isTooFine, simplified, withoutHeavyPictures } from './readLarge.js';
 

@@ -1,6 +1,6 @@
 import { shownName } from '../../viewer/files/common/shownText.js';
-import { findElement } from '../page/findElement.js';
 import { textButton } from '../elements/textButton.js';
+import { findElement } from '../page/findElement.js';
 import type { NamedItem, NamedList } from './NamedList.js';
 
 /** The words of the dialog for a list. */

@@ -1,7 +1,7 @@
 import type { OwnLook } from '../../viewer/settings/ownLook.js';
 import type { Settings } from '../../viewer/settings/settings.js';
-import { thumbnailOf } from '../storage/thumbnailOf.js';
 import { findElement } from '../page/findElement.js';
+import { thumbnailOf } from '../storage/thumbnailOf.js';
 import type { Stage } from '../viewport/Stage.js';
 import { type BarItems, NamedBar } from './NamedBar.js';
 import { type ListWords, NamedListDialog } from './NamedListDialog.js';

@@ -4,9 +4,35 @@ import { SETTINGS } from '../../viewer/settings/settings.js';
 import { askToFetch } from '../loading/ask.js';
 import type { DrawingState } from './DrawingState.js';
 import type { Keeper } from './Keeper.js';
-import { LatestRequest } from './LatestRequest.js';
 import type { PageAddress } from './PageAddress.js';
 import type { Session } from './Session.js';
+
+/** Runs one request at a time. A later request replaces the one before, whose signal is aborted. */
+export class LatestRequest {
+  private controller: AbortController | undefined;
+
+  /** @returns the result, or undefined if the request was replaced. @throws the error of the request, unless it was replaced */
+  async run<Result>(task: (signal: AbortSignal) => Promise<Result>): Promise<Result | undefined> {
+    this.drop();
+    const controller = new AbortController();
+    this.controller = controller;
+    try {
+      const result = await task(controller.signal);
+      return controller.signal.aborted ? undefined : result;
+    } catch (error) {
+      if (controller.signal.aborted) return undefined;
+      throw error;
+    } finally {
+      if (this.controller === controller) this.controller = undefined;
+    }
+  }
+
+  /** Aborts the request, if there is one. */
+  drop(): void {
+    this.controller?.abort();
+    this.controller = undefined;
+  }
+}
 
 /**
  * Shows drawings that take a while, because the user is asked first or the browser has to read them. The latest one is shown: what was

@@ -1,6 +1,6 @@
-import type { Screen } from '../viewport/Screen.js';
 import type { LaterParts } from '../tasks/LaterParts.js';
 import type { Status } from '../tasks/Status.js';
+import type { Screen } from '../viewport/Screen.js';
 import type { Session } from './Session.js';
 
 /** Has frames drawn by WebGPURenderer while the settings ask for it, and goes back to WebGL where that fails. */

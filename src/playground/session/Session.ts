@@ -4,12 +4,12 @@ import { choosesMap } from '../../viewer/settings/effects.js';
 import { type Look, lookOf } from '../../viewer/settings/lookOf.js';
 import type { SettingKey, Settings } from '../../viewer/settings/settings.js';
 import { type LinkedDrawing, readLink, writeLink } from '../../viewer/settings/shareLink.js';
-import { linkedHand, type OwnHand } from '../maps/OwnHand.js';
-import type { Stage } from '../viewport/Stage.js';
 import { MapLoader } from '../loading/MapLoader.js';
 import { type ModelEnd, ModelLoader, type OpenedModel } from '../loading/ModelLoader.js';
+import { linkedHand, type OwnHand } from '../maps/OwnHand.js';
 import { SavedViews } from '../savedLooks/SavedViews.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
+import type { Stage } from '../viewport/Stage.js';
 import { type DrawingState, isSameState, type LookState } from './DrawingState.js';
 import { watchPresses } from './watchPresses.js';
 

@@ -1,10 +1,52 @@
 import { CrossFade } from './CrossFade.js';
 import type { FrameQuality } from './FrameQuality.js';
-import { FrameScheduler } from './FrameScheduler.js';
-import { fullPixelRatio } from './fullPixelRatio.js';
 import type { Painter } from './Painter.js';
 import type { Scenery } from './Scenery.js';
 import type { Screen } from './Screen.js';
+
+const MAX_PIXEL_RATIO = 2;
+/** On very large screens the pixel ratio is lowered to stay below this. */
+const MAX_PIXELS = 8_000_000;
+
+/** How many pixels are drawn per CSS pixel of a viewport while nothing moves. `width` and `height` are its size in CSS pixels. */
+const fullPixelRatio = (width: number, height: number): number =>
+  Math.min(devicePixelRatio, MAX_PIXEL_RATIO, Math.sqrt(MAX_PIXELS / Math.max(1, width * height)));
+
+/** Calls for frames on demand, at most once per refresh of the screen. An idle page draws no frames. */
+export class FrameScheduler {
+  /** Number of frames drawn so far. */
+  frames = 0;
+  private request = 0;
+
+  /**
+   * @param draw draws a frame
+   * @param mustWait whether a frame that was requested has to wait: it is asked for anew with the next refresh
+   */
+  constructor(
+    private readonly draw: () => void,
+    private readonly mustWait: () => boolean = () => false,
+  ) {}
+
+  /** Requests one frame. Further requests before it is drawn have no effect. */
+  invalidate(): void {
+    this.request ||= requestAnimationFrame(this.onFrame);
+  }
+
+  /** Whether a frame was requested and is not drawn yet. */
+  get isWaiting(): boolean {
+    return this.request !== 0;
+  }
+
+  private readonly onFrame = (): void => {
+    if (this.mustWait()) {
+      this.request = requestAnimationFrame(this.onFrame);
+      return;
+    }
+    this.request = 0;
+    this.frames++;
+    this.draw();
+  };
+}
 
 /** Draws frames into the viewport: on demand, and one after the other while the model moves by itself. */
 export class Frames {

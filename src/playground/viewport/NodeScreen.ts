@@ -1,18 +1,42 @@
-import { Color, Scene } from 'three';
-import { WebGPURenderer } from 'three/webgpu';
-import { HatchingNodeMaterial } from 'three-hatching/webgpu';
+import { Color, LinearSRGBColorSpace, Material, NoToneMapping, Scene, SRGBColorSpace, type Vector2 } from 'three';
+import { type Node, type NodeBuilder, TSL, WebGPURenderer } from 'three/webgpu';
+import type { HatchingMaterial, HatchingPropertyName } from 'three-hatching';
+import { HATCHING_PROPERTIES } from 'three-hatching/facts';
+import { HatchingNodeMaterial, HatchingOutlineNodeMaterial, HatchingOutlines } from 'three-hatching/webgpu';
 import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
-import type { Look } from '../../viewer/settings/lookOf.js';
+import type { NodeMakers } from '../../viewer/drawing/NodeMakers.js';
 import { createCamera } from '../../viewer/sceneSetup/createCamera.js';
 import { Ground } from '../../viewer/sceneSetup/Ground.js';
 import type { LensCamera } from '../../viewer/sceneSetup/LensCamera.js';
 import { LightRig } from '../../viewer/sceneSetup/LightRig.js';
 import { strokeShare } from '../../viewer/sceneSetup/strokeShare.js';
+import type { Look } from '../../viewer/settings/lookOf.js';
 import type { Painter } from './Painter.js';
 import type { Scenery } from './Scenery.js';
 import type { FrameSize, Screen } from './Screen.js';
-import { encodeInMaterials } from './encodeInMaterials.js';
-import { nodeMakers } from './nodeMakers.js';
+
+const NAMES = Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
+
+/** A material of nodes with the properties of another one. What equals a default of the technique stays one, and changes with the technique. */
+function nodesLike(drawn: HatchingMaterial): HatchingNodeMaterial {
+  const nodes = new HatchingNodeMaterial();
+  Material.prototype.copy.call(nodes, drawn);
+  nodes.technique = drawn.technique;
+  for (const name of NAMES) {
+    const { kind } = HATCHING_PROPERTIES[name];
+    if (kind === 'color') (nodes[name] as Color).copy(drawn[name] as Color);
+    else if (kind === 'vector2') (nodes[name] as Vector2).copy(drawn[name] as Vector2);
+    else if (nodes[name] !== drawn[name]) Object.assign(nodes, { [name]: drawn[name] });
+  }
+  nodes.extent = drawn.extent;
+  return nodes;
+}
+
+const nodeMakers: NodeMakers = {
+  material: nodesLike,
+  outlineMaterial: () => new HatchingOutlineNodeMaterial(),
+  outlines: (mesh, material) => new HatchingOutlines(mesh, material),
+};
 
 /** What a {@link NodeScreen} needs to know of the page, and whom it tells. */
 interface NodeScreenHost {
@@ -213,4 +237,15 @@ function placeLike(camera: LensCamera, other: LensCamera): void {
   camera.position.copy(position);
   camera.quaternion.copy(quaternion);
   if (camera.aspect !== aspect || camera.lens !== lens || camera.sheet !== sheet) camera.takeLens(other);
+}
+
+/**
+ * Makes a renderer draw straight to its canvas, in sRGB colours that every material writes itself, as WebGLRenderer does. By itself WebGPURenderer
+ * blends in a linear picture and encodes it afterwards, which makes half-covered pixels lighter. The renderer's clear color is not encoded.
+ */
+function encodeInMaterials(renderer: WebGPURenderer): void {
+  renderer.outputColorSpace = LinearSRGBColorSpace;
+  const getOutput = (color: Node<'vec4'>, builder: NodeBuilder): Node =>
+    builder.renderer.isOutputTarget ? TSL.renderOutput(color, NoToneMapping, SRGBColorSpace) : color;
+  renderer.contextNode = TSL.context({ getOutput });
 }

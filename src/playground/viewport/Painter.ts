@@ -1,9 +1,9 @@
 import { WebGLRenderer } from 'three';
-import type { Look } from '../../viewer/settings/lookOf.js';
 import { createCamera } from '../../viewer/sceneSetup/createCamera.js';
 import { type SheetPart, WHOLE_SHEET } from '../../viewer/sceneSetup/fadeOnSheet.js';
 import type { ShadowQuality } from '../../viewer/sceneSetup/LightRig.js';
 import { strokeShare } from '../../viewer/sceneSetup/strokeShare.js';
+import type { Look } from '../../viewer/settings/lookOf.js';
 import { ProgramBuilder } from './ProgramBuilder.js';
 import type { Scenery } from './Scenery.js';
 import { SideBySide, sidesOf, type Tile } from './SideBySide.js';

@@ -2,14 +2,14 @@ import { Group, type Matrix4, type PerspectiveCamera, Scene, Vector3 } from 'thr
 import type { TonalArtMap } from 'three-hatching';
 import type { NodeMakers } from '../../viewer/drawing/NodeMakers.js';
 import { releaseGraphics } from '../../viewer/drawing/releaseGraphics.js';
-import type { Look } from '../../viewer/settings/lookOf.js';
-import { UPRIGHT } from '../../viewer/settings/settingValues.js';
 import { Backdrop } from '../../viewer/sceneSetup/Backdrop.js';
 import { castersOf } from '../../viewer/sceneSetup/castersOf.js';
 import type { SheetPart } from '../../viewer/sceneSetup/fadeOnSheet.js';
 import { Ground } from '../../viewer/sceneSetup/Ground.js';
 import { LightRig } from '../../viewer/sceneSetup/LightRig.js';
 import type { Layer } from '../../viewer/sceneSetup/layers.js';
+import type { Look } from '../../viewer/settings/lookOf.js';
+import { UPRIGHT } from '../../viewer/settings/settingValues.js';
 import { ShownModel } from './ShownModel.js';
 
 /** What is drawn: the model, turned so that its up axis is y, the ground that it stands on, and the lights. */

@@ -1,9 +1,9 @@
 import type { BufferGeometry } from 'three';
 import type { TonalArtMap } from 'three-hatching';
 import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
-import type { Look } from '../../viewer/settings/lookOf.js';
 import { WHOLE_SHEET } from '../../viewer/sceneSetup/fadeOnSheet.js';
 import type { LensCamera } from '../../viewer/sceneSetup/LensCamera.js';
+import type { Look } from '../../viewer/settings/lookOf.js';
 import { ContextLoss } from './ContextLoss.js';
 import { FrameQuality } from './FrameQuality.js';
 import { Frames } from './Frames.js';

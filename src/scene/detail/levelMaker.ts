@@ -1,10 +1,10 @@
 /** What draws large meshes with no more triangles than can be seen. It is fetched where the option `detail` is set. */
 import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from 'three';
+import { tell } from '../../material/diagnostics/tell.js';
+import { isFormExpected } from '../../material/geometry/formGeometry.js';
 import { formLayout } from '../../mesh/bake/formLayout.js';
 import { hatchNormal } from '../../mesh/bake/hatchNormal.js';
 import type { DetailRequest } from '../../mesh/detail/DetailRequest.js';
-import { isFormExpected } from '../../material/geometry/formGeometry.js';
-import { tell } from '../../material/diagnostics/tell.js';
 import { runSliced } from '../../mesh/timeSlicing/runSliced.js';
 import { runTask } from '../../worker/runTask.js';
 import type { TaskOptions } from '../../worker/TaskOptions.js';

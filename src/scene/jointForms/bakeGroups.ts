@@ -1,8 +1,8 @@
 import type { BufferGeometry } from 'three';
-import type { JointForm } from '../../mesh/bake/bakeJointForms.js';
 import type { HatchingFormOptions } from '../../material/geometry/HatchingFormOptions.js';
 import { bakeJointForms } from '../../material/geometry/jointForms.js';
 import type { PrepareHatchingGeometryOptions } from '../../material/geometry/PrepareHatchingGeometryOptions.js';
+import type { JointForm } from '../../mesh/bake/bakeJointForms.js';
 import { cornerCount } from './cornerCount.js';
 import type { FormGroup, GeometryPlan } from './FormGroup.js';
 

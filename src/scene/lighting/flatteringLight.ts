@@ -1,10 +1,10 @@
 import { type Camera, Matrix4, type Object3D, Vector3 } from 'three';
-import { chooseLight } from './chooseLight.js';
-import { OuterPoints } from './OuterPoints.js';
-import { seenSurface } from './seenSurface.js';
 import { checkNames } from '../../worker/checkOptions.js';
 import { assertTree } from '../assertTree.js';
+import { chooseLight } from './chooseLight.js';
+import { OuterPoints } from './OuterPoints.js';
 import { readTriangles } from './readTriangles.js';
+import { seenSurface } from './seenSurface.js';
 
 /** A light that suits a view of an object. */
 export interface FlatteringLight {

@@ -8,11 +8,11 @@ import {
   type Object3D,
   Vector3,
 } from 'three';
+import { openToLamps } from '../../material/exposure/openToLamps.js';
 import { hatchNormal } from '../../mesh/bake/hatchNormal.js';
+import { isBatched, isHatching, isSurfaceMesh, materialsOf } from '../surfaceMeshes.js';
 import type { OuterPoints } from './OuterPoints.js';
 import { createProjectedTriangles, type ProjectedTriangles } from './ProjectedTriangles.js';
-import { openToLamps } from '../../material/exposure/openToLamps.js';
-import { isBatched, isHatching, isSurfaceMesh, materialsOf } from '../surfaceMeshes.js';
 
 /** At most this many triangles are read. Of larger scenes, each stands for some of its neighbours. */
 const MOST_TRIANGLES = 30_000;

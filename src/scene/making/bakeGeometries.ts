@@ -1,7 +1,7 @@
 import type { BufferGeometry } from 'three';
-import type { JointForm } from '../../mesh/bake/bakeJointForms.js';
 import type { PrepareHatchingGeometryOptions } from '../../material/geometry/PrepareHatchingGeometryOptions.js';
 import { prepareWithForm } from '../../material/geometry/prepareHatchingGeometry.js';
+import type { JointForm } from '../../mesh/bake/bakeJointForms.js';
 import { maxWorkers } from '../../worker/maxWorkers.js';
 import { cornerCount } from '../jointForms/cornerCount.js';
 import type { GeometryPlan } from '../jointForms/FormGroup.js';

@@ -1,8 +1,9 @@
 /** What gives meshes their new looks once they are baked. It is fetched while they are. */
-import { type BufferGeometry, type Mesh, type Object3D, Sphere } from 'three';
-import { cornerLayout } from '../../mesh/bake/cornerLayout.js';
+import { Box3, type BufferGeometry, Matrix4, type Mesh, type Object3D, Sphere, type Vector3 } from 'three';
 import { describeObject } from '../../material/diagnostics/describeObject.js';
+import { SceneExtent } from '../../material/fading/SceneExtent.js';
 import type { HatchingOutlines } from '../../material/outlines/HatchingOutlines.js';
+import { cornerLayout } from '../../mesh/bake/cornerLayout.js';
 import { sentencesOf } from '../chooseMeshes.js';
 import { failure } from '../failure.js';
 import { needsNoAdjacency, type OldLook, type PlannedMesh } from '../geometryPlans.js';
@@ -11,9 +12,7 @@ import type { MaterialReplacer } from '../MaterialReplacer.js';
 import type { MeshLook } from '../MeshLook.js';
 import type { OutlineMaker } from '../OutlineMaker.js';
 import { isBatched } from '../surfaceMeshes.js';
-import { worldMatrices } from '../worldMatrices.js';
-import { extentOf } from './extentOf.js';
-import { fieldFrames } from './fieldFrames.js';
+import { worldMatrices, worldScale } from '../worldMatrices.js';
 
 export { HatchedScene } from '../HatchedScene.js';
 
@@ -101,4 +100,50 @@ function* sphereAround(looks: readonly (MeshLook | Mesh)[]): Generator<number, S
 export function assertNoFailure(skipped: readonly SkippedMesh[]): void {
   if (skipped.length === 0) return;
   throw new TypeError(`applyHatching: no mesh could be hatched. ${sentencesOf(skipped)}`, { cause: skipped[0].error });
+}
+
+/** How far all meshes reach, in the space of `root`. It yields after each of them. */
+function* extentOf(root: Object3D, looks: readonly (MeshLook | Mesh)[]): Generator<number, SceneExtent, void> {
+  const extent = new SceneExtent(root);
+  const toRoot = root.matrixWorld.clone().invert();
+  for (const look of looks) {
+    const { mesh, geometry } = 'isMesh' in look ? { mesh: look, geometry: look.geometry } : look;
+    const bounds = boundsOf(mesh, geometry);
+    for (const matrix of worldMatrices(mesh))
+      extent.box.union(bounds.clone().applyMatrix4(matrix.clone().premultiply(toRoot)));
+    yield 0;
+  }
+  return extent;
+}
+
+function boundsOf(mesh: Mesh, { boundingBox, boundingSphere }: Mesh['geometry']): Box3 {
+  if (isBatched(mesh)) return mesh.boundingSphere!.getBoundingBox(new Box3());
+  return boundingBox ?? boundingSphere!.getBoundingBox(new Box3());
+}
+
+/**
+ * Returns a function that computes the matrix from the object space of a mesh to a coordinate frame that all meshes share: the
+ * frame of `root`, with its origin in a common centre. Engraved lines in this frame continue from mesh to mesh. Its unit is that
+ * of the mesh's object space, because `tilesPerUnit` refers to that. Instanced and batched meshes, and meshes with a singular
+ * matrix, have no such frame.
+ *
+ * @param centre the centre of all meshes, in world space
+ */
+function fieldFrames(root: Object3D, centre: Vector3): (mesh: Mesh) => number[] | undefined {
+  const rootScale = worldScale([root.matrixWorld]);
+  const worldToRoot = root.matrixWorld.clone().invert();
+  const origin = centre.clone().applyMatrix4(worldToRoot);
+  const isRootFlat = root.matrixWorld.determinant() === 0;
+  return (mesh) => {
+    if (isRootFlat || 'isInstancedMesh' in mesh || isBatched(mesh)) return undefined;
+    const matrices = worldMatrices(mesh);
+    if (matrices[0].determinant() === 0) return undefined;
+    const scale = rootScale / worldScale(matrices);
+    return new Matrix4()
+      .makeScale(scale, scale, scale)
+      .multiply(new Matrix4().makeTranslation(-origin.x, -origin.y, -origin.z))
+      .multiply(worldToRoot)
+      .multiply(matrices[0])
+      .toArray();
+  };
 }

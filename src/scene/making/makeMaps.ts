@@ -1,7 +1,7 @@
-import type { MapDrawing } from '../../strokes/tamImages/hatchImageOptions.js';
 import { checkTonalArtMap } from '../../material/checkTonalArtMap.js';
-import type { StrokeStyleName } from '../../strokes/strokeStyleNames.js';
 import type { TonalArtMap } from '../../material/tam/TonalArtMap.js';
+import type { StrokeStyleName } from '../../strokes/strokeStyleNames.js';
+import type { MapDrawing } from '../../strokes/tamImages/hatchImageOptions.js';
 import type { TaskOptions } from '../../worker/TaskOptions.js';
 import { isToBeMade, type WantedMap } from '../wantedMap.js';
 import { progressParts } from './progressParts.js';

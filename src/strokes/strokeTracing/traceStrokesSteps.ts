@@ -1,8 +1,7 @@
-import type { HandStroke, SwatchTone } from '../hand/Hand.js';
 import { asPhase } from '../../mesh/timeSlicing/asPhase.js';
 import { forEachChunk } from '../../mesh/timeSlicing/forEachChunk.js';
+import type { HandStroke, SwatchTone } from '../hand/Hand.js';
 import { directStrokes } from './directStrokes.js';
-import { dropBlots } from './dropBlots.js';
 import { depthOfLines, findInk, type Ink } from './findInk.js';
 import { measureChain, type TracedStroke } from './measureChain.js';
 import { measureDistances } from './measureDistances.js';
@@ -176,3 +175,26 @@ function handStroke(stroke: TracedStroke, scale: number, swatch: SwatchTone | un
 
 /** Thousandths of a millimetre are enough, and make short files. */
 const rounded = (value: number): number => Number(value.toPrecision(value < 1 ? 3 : 5));
+
+/**
+ * Takes whole pieces of ink away that are too wide for strokes: blots, the dark around a sheet of paper.
+ *
+ * @param mask 1 for ink; changed in place
+ * @param distances the distance of every pixel to paper
+ * @param widest the greatest distance to paper that a stroke may have, in pixels
+ */
+function dropBlots(mask: Uint8Array, distances: Float32Array, width: number, widest: number): void {
+  const piece: number[] = [];
+  for (let i = 0; i < distances.length; i++) {
+    if (!mask[i] || distances[i] <= widest) continue;
+    piece.push(i);
+    mask[i] = 0;
+    for (let pixel = piece.pop(); pixel !== undefined; pixel = piece.pop()) {
+      for (const next of [pixel - 1, pixel + 1, pixel - width, pixel + width]) {
+        if (!mask[next]) continue;
+        mask[next] = 0;
+        piece.push(next);
+      }
+    }
+  }
+}

@@ -1,4 +1,11 @@
 import { STIPPLE_CONSTANTS } from '../../look/constants/stippleConstants.js';
+import { combined, dot, normalize, timesVector, type Vec3 } from '../../look/vectors.js';
+import type { Bvh } from '../Bvh.js';
+import { between, type LineSurface, STRIDE, type SurfacePlace } from '../LineSurface.js';
+import type { Projection } from '../Projection.js';
+import { type Clip, isClipped } from '../paint/Clip.js';
+import type { Fading } from '../paint/Fading.js';
+import type { PlaceReader } from '../paint/PlaceReader.js';
 import { type ScreenMap, screenGradient, screenMap } from '../shading/screenGradient.js';
 import {
   coverOf,
@@ -16,13 +23,6 @@ import {
   roundScreenMap,
   setShift,
 } from '../shading/stipple.js';
-import { combined, dot, normalize, timesVector, type Vec3 } from '../../look/vectors.js';
-import type { Bvh } from '../Bvh.js';
-import { between, type LineSurface, STRIDE, type SurfacePlace } from '../LineSurface.js';
-import type { Projection } from '../Projection.js';
-import { type Clip, isClipped } from '../paint/Clip.js';
-import type { Fading } from '../paint/Fading.js';
-import type { PlaceReader } from '../paint/PlaceReader.js';
 import type { Toner } from '../Toner.js';
 
 /** The set of points that dots lie at: per cell the place within it, 255 for 1, and when in an octave it is born; four numbers. */

@@ -1,6 +1,6 @@
-import type { EmphasisedPlace } from '../shading/emphasis.js';
 import type { Vec3 } from '../../look/vectors.js';
 import type { Projection } from '../Projection.js';
+import type { EmphasisedPlace } from '../shading/emphasis.js';
 
 /** A place of a drawing, as far as its weight depends on it. */
 export function emphasisedPlace(world: Vec3, projection: Projection): EmphasisedPlace {

@@ -1,3 +1,4 @@
+import { smoothstep } from '../../look/vectors.js';
 import { cutFor, cutWidth } from '../shading/carving.js';
 import { lineLeft } from '../shading/groundShadow.js';
 import { handWidth } from '../shading/hand.js';
@@ -5,7 +6,6 @@ import { penMargin } from '../shading/penLines.js';
 import { drawnShare, type Pen, penFor, strokeAt } from '../shading/penStrokes.js';
 import { powerOf2, roomOf } from '../shading/ruledLines.js';
 import type { Along } from '../shading/strokeLengths.js';
-import { smoothstep } from '../../look/vectors.js';
 
 /** What draws the lines: ink in one go, a pen in strokes, or a gouge that cuts them white. */
 export type LineMedium = 'ink' | 'pen' | 'woodcut';

@@ -1,8 +1,7 @@
-import type { Emphasis } from '../shading/emphasis.js';
 import type { HiddenOutlines } from '../../look/hiddenOutlines.js';
-
 import type { Vec3 } from '../../look/vectors.js';
 import type { Matrix } from '../Projection.js';
+import type { Emphasis } from '../shading/emphasis.js';
 
 /** What outlines are found on. */
 export interface OutlineMesh {

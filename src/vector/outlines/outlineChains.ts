@@ -1,12 +1,11 @@
-import { outlineEmphasisAt } from '../shading/emphasis.js';
-import { meanLightAt } from '../shading/meanLight.js';
-
-import { type LiftedPiece, shadeWeight, wobbleAt } from '../shading/outlines.js';
 import { combined, dot, normalize, type Vec3 } from '../../look/vectors.js';
 import { asPhase } from '../../mesh/timeSlicing/asPhase.js';
 import { type Chain, ChainBuilder } from '../Chain.js';
 import { emphasisedPlace } from '../marks/emphasisedPlace.js';
 import { type Projection, transformed } from '../Projection.js';
+import { outlineEmphasisAt } from '../shading/emphasis.js';
+import { meanLightAt } from '../shading/meanLight.js';
+import { type LiftedPiece, shadeWeight, wobbleAt } from '../shading/outlines.js';
 import type { Illumination } from '../Toner.js';
 import type { OutlineLook, OutlineMesh, OutlinePiece, PieceEnd } from './OutlineMesh.js';
 

@@ -1,7 +1,7 @@
-import { contourAlong, depthAcross, looksAway, taperAt } from '../shading/outlines.js';
-import { suggestiveShare } from '../shading/suggestiveContour.js';
 import { combined, cross, dot, mix, type Vec3 } from '../../look/vectors.js';
 import { asPhase } from '../../mesh/timeSlicing/asPhase.js';
+import { contourAlong, depthAcross, looksAway, taperAt } from '../shading/outlines.js';
+import { suggestiveShare } from '../shading/suggestiveContour.js';
 import type { FeatureEdge, OutlineLook, OutlineMesh, OutlinePiece, PieceEnd } from './OutlineMesh.js';
 
 /**

@@ -1,9 +1,9 @@
 import { OUTLINE_CONSTANTS } from '../../look/constants/outlineConstants.js';
-import { liftOf, toleranceOf } from '../shading/outlines.js';
 import { combined, type Vec3 } from '../../look/vectors.js';
 import type { Bvh } from '../Bvh.js';
 import type { Chain } from '../Chain.js';
 import type { Projection } from '../Projection.js';
+import { liftOf, toleranceOf } from '../shading/outlines.js';
 import type { ChainPlace, SeenTest } from '../visibleRuns.js';
 
 const { BESIDE, CUT_SLOPE } = OUTLINE_CONSTANTS;

@@ -1,8 +1,8 @@
 import { OUTLINE_CONSTANTS } from '../../look/constants/outlineConstants.js';
-import { standingAt, strideOf } from '../shading/outlineStanding.js';
 import type { Bvh } from '../Bvh.js';
 import type { Chain } from '../Chain.js';
 import type { Projection } from '../Projection.js';
+import { standingAt, strideOf } from '../shading/outlineStanding.js';
 import { type ChainPlace, placeOn } from '../visibleRuns.js';
 
 /**

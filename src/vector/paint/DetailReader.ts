@@ -1,6 +1,6 @@
-import type { Mat3 } from '../shading/screenGradient.js';
 import { combined, cross, dot, type Vec3 } from '../../look/vectors.js';
 import { FIELD, type LineSurface, STRIDE, VIEW, WORLD } from '../LineSurface.js';
+import type { Mat3 } from '../shading/screenGradient.js';
 import { type EdgeProducts, PlaceInTriangle } from './PlaceInTriangle.js';
 import type { PosedMaps, SurfaceDetails } from './SurfaceDetails.js';
 

@@ -1,5 +1,5 @@
-import type { Mat3 } from '../shading/screenGradient.js';
 import type { Vec3 } from '../../look/vectors.js';
+import type { Mat3 } from '../shading/screenGradient.js';
 import type { Clip } from './Clip.js';
 import type { SurfaceDetails } from './SurfaceDetails.js';
 

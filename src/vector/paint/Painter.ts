@@ -1,10 +1,9 @@
-import { localDarkness } from '../shading/tone.js';
-import { combined, cross, type Vec3 } from '../../look/vectors.js';
+import { combined, cross, dot, type Vec3 } from '../../look/vectors.js';
 import type { Projection } from '../Projection.js';
+import { localDarkness } from '../shading/tone.js';
 import { MapSampler, type Rgba } from './MapSampler.js';
 import type { MapLook, PaintLook } from './PaintLook.js';
 import { type EdgeProducts, PlaceInTriangle } from './PlaceInTriangle.js';
-import { pixelSteps } from './pixelSteps.js';
 import { bentAlongCoordinates, bentByHeights, bentInObject, unpacked } from './Reliefs.js';
 import type { SurfaceDetails } from './SurfaceDetails.js';
 
@@ -199,3 +198,15 @@ function densityOf({ bb, bc, cc }: EdgeProducts, ab: readonly [number, number], 
 const WHITE: Rgba = [1, 1, 1, 1];
 const NO_LIGHT: Rgba = [0, 0, 0, 0];
 const NOWHERE: Vec3 = [0, 0, 0];
+
+/** The ways in the plane through a place that lead one pixel to the right and one up on the picture; null where it is seen edge-on. */
+function pixelSteps(world: Vec3, normal: Vec3, projection: Projection): readonly [Vec3, Vec3] | null {
+  const [x, y] = projection.project(...projection.toView(world));
+  const wayTo = (px: number, py: number): Vec3 | null => {
+    const { origin, direction } = projection.rayThrough(px, py);
+    const t = dot(combined(1, world, -1, origin), normal) / dot(direction, normal);
+    return Number.isFinite(t) ? combined(1, combined(1, origin, t, direction), -1, world) : null;
+  };
+  const [right, up] = [wayTo(x + 1, y), wayTo(x, y - 1)];
+  return right && up && [right, up];
+}

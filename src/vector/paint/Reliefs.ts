@@ -1,5 +1,5 @@
-import type { Mat3 } from '../shading/screenGradient.js';
 import { combined, cross, dot, normalize, timesVector, type Vec3 } from '../../look/vectors.js';
+import type { Mat3 } from '../shading/screenGradient.js';
 import type { Rgba } from './MapSampler.js';
 
 /** Normals that textures bend, as three.js bends them. All is in the world. */

@@ -3,10 +3,10 @@
  * out again: each line is a row of wedges. What they leave between them is black, and ends in points too.
  */
 import { CARVING_CONSTANTS } from '../../look/constants/carvingConstants.js';
+import { clamp01, mix } from '../../look/vectors.js';
 import { turnOf } from './hand.js';
 import { octaves } from './ruledLines.js';
 import { type Along, differing, numberOf } from './strokeLengths.js';
-import { clamp01, mix } from '../../look/vectors.js';
 
 const { SWELL, SWELL_SHARE, RARE, WIDENING } = CARVING_CONSTANTS;
 

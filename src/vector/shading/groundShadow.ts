@@ -3,10 +3,10 @@
 import { FIELD_CONSTANTS } from '../../look/constants/fieldConstants.js';
 import { GROUND_CONSTANTS } from '../../look/constants/groundConstants.js';
 import { TONE_CONSTANTS } from '../../look/constants/toneConstants.js';
+import { combined, cross, lengthOf, type Vec3 } from '../../look/vectors.js';
 import { across, type Field } from './fieldAxis.js';
 import { lotOf } from './hand.js';
 import { type ToneLook, toneFromRadiance } from './tone.js';
-import { combined, cross, lengthOf, type Vec3 } from '../../look/vectors.js';
 
 const { NO_LIGHT } = TONE_CONSTANTS;
 const { ENDING, MOST_ENDING, LEAST_LEFT } = GROUND_CONSTANTS;

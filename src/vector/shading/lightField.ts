@@ -1,8 +1,8 @@
 /** One light for a whole object, so that lines run on, as shaders/techniques/engraved/lightField.glsl has it. */
 
 import { FIELD_CONSTANTS } from '../../look/constants/fieldConstants.js';
-import type { Field } from './fieldAxis.js';
 import { combined, dot, lengthOf, normalize, type Vec3 } from '../../look/vectors.js';
+import type { Field } from './fieldAxis.js';
 
 /** A light with a direction, as seen from the origin of the field. */
 export interface FieldLamp {

@@ -1,6 +1,6 @@
-import { arriving, type Lamp } from './radiance.js';
 import type { Sky } from '../../look/surroundings.js';
 import { combined, type Vec3 } from '../../look/vectors.js';
+import { arriving, type Lamp } from './radiance.js';
 
 /** The direction that the light comes from at a place in the world, as outlines are shaded by it: the mean of all lights, of any length. */
 export function meanLightAt(place: Vec3, lamps: readonly Lamp[], skies: readonly Sky[]): Vec3 {

@@ -1,7 +1,7 @@
 /** How an outline stands before what lies behind it, as shaders/outlines/hierarchy.glsl has it: how much of that is paper, and of an accent. */
 import { ACCENT_STEPS, OUTLINE_CONSTANTS } from '../../look/constants/outlineConstants.js';
-import { paperness } from './outlines.js';
 import { smoothstep } from '../../look/vectors.js';
+import { paperness } from './outlines.js';
 
 const { ACCENT_REACH, LEAST_JUMP, FULL_JUMP } = OUTLINE_CONSTANTS;
 

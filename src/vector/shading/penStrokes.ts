@@ -5,9 +5,9 @@
 
 import { LOT_FACTORS } from '../../look/constants/lotConstants.js';
 import { PEN_CONSTANTS } from '../../look/constants/penConstants.js';
+import { clamp01, mix } from '../../look/vectors.js';
 import { bitsOf, lotOf, turnOf } from './hand.js';
 import { type Along, differing, numberOf } from './strokeLengths.js';
-import { clamp01, mix } from '../../look/vectors.js';
 
 const {
   ALL_FROM,

@@ -1,7 +1,7 @@
 /** Lines that follow the form, at a place, as readForm.glsl has them: level sets of two functions that were baked into the vertices. */
 import { FORM_CONSTANTS } from '../../look/constants/formConstants.js';
-import { handPoint, handPressure, slowWaves } from './hand.js';
 import { combined, dot, type Vec3 } from '../../look/vectors.js';
+import { handPoint, handPressure, slowWaves } from './hand.js';
 
 const { WIDTH_WAVE } = FORM_CONSTANTS;
 export const { COARSEST_OCTAVES } = FORM_CONSTANTS;

@@ -2,9 +2,9 @@
 
 import { STIPPLE_CONSTANTS } from '../../look/constants/stippleConstants.js';
 import { TONE_CONSTANTS } from '../../look/constants/toneConstants.js';
+import { clamp01, combined, cross, dot, lengthOf, normalize, type Vec3 } from '../../look/vectors.js';
 import { leftOf, THIRD_FROM, takenOf } from './crossedTones.js';
 import type { ScreenMap } from './screenGradient.js';
-import { clamp01, combined, cross, dot, lengthOf, normalize, type Vec3 } from '../../look/vectors.js';
 
 const { LEAST_PULL, PLANE_FADE, LEAST_SHARE, LEAST_ROUND, CLOSING, SET_SHIFT } = STIPPLE_CONSTANTS;
 const { DOTS_PER_TILE, DOT_SHARE, CROWDING, LEAST_DENSE_SHARE } = STIPPLE_CONSTANTS;

@@ -4,9 +4,9 @@
  */
 import { LINE_CONSTANTS } from '../../look/constants/lineConstants.js';
 import { STROKE_LENGTH_CONSTANTS } from '../../look/constants/strokeLengthConstants.js';
+import { cross, dot, mix, smoothstep, type Vec3 } from '../../look/vectors.js';
 import { octaves, powerOf2 } from './ruledLines.js';
 import { type ScreenMap, screenGradient } from './screenGradient.js';
-import { cross, dot, mix, smoothstep, type Vec3 } from '../../look/vectors.js';
 
 const { PARTS_OF_TILE } = LINE_CONSTANTS;
 const { LENGTHS_FADE, AXES_FADE, DIFFERING_OCTAVES, LEAST_DIFFERING } = STROKE_LENGTH_CONSTANTS;

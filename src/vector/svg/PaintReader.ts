@@ -9,14 +9,14 @@ import {
   RepeatWrapping,
   type Texture,
 } from 'three';
-import type { Mat3 } from '../shading/screenGradient.js';
+import { luminanceOf } from '../../look/luminanceOf.js';
 import type { Vec3 } from '../../look/vectors.js';
 import { isFitted } from '../../material/exposure/isFitted.js';
 import type { ToneFit } from '../../material/exposure/ToneFit.js';
-import { luminanceOf } from '../../look/luminanceOf.js';
 import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
 import { isSharp, readImage } from '../../material/readImage.js';
 import type { MapLook, PaintLook, ToneImage, Wrapping } from '../paint/PaintLook.js';
+import type { Mat3 } from '../shading/screenGradient.js';
 import type { MeshCopy } from './pose/meshCopies.js';
 import { rowsOf } from './rowsOf.js';
 

@@ -1,10 +1,33 @@
 import type { Camera, Object3D } from 'three';
 import { runSliced } from '../../mesh/timeSlicing/runSliced.js';
 import { runTaskOf } from '../../worker/runTask.js';
+import type { TaskSet } from '../../worker/TaskSet.js';
+import type { DrawnScene } from '../DrawnScene.js';
 import { type DrawSVGOptions, planOf } from './DrawSVGOptions.js';
 import type { LeftOut } from './leftOut.js';
-import { lineDrawing } from './lineDrawing.js';
+import type { lineTasks } from './lineTasks.js';
 import { readScene } from './readScene.js';
+
+/** The drawing of lines, for `runTaskOf`. */
+const lineDrawing: TaskSet<typeof lineTasks> = {
+  fetchTasks: async () => (await import('./lineTasks.js')).lineTasks,
+  requestBuffers: { drawLines: ({ scene }) => buffersOf(scene) },
+  fetchWorker: async () => (await import('./inlineSvgWorker.js')).createInlineSvgWorker,
+};
+
+/** The large arrays of a scene, which are its own. */
+function buffersOf({ corners, sides, surfaces, stippled, outlines }: DrawnScene): ArrayBuffer[] {
+  const arrays = [
+    ...[corners, sides],
+    ...[...surfaces, ...stippled].flatMap(({ surface: { vertices, placeOf, triangles, parents } }) => [
+      ...[vertices, placeOf, triangles, parents],
+    ]),
+    ...outlines.flatMap(({ mesh: { positions, normals, anchors, curvatures, triangles, placeOf } }) => [
+      ...[positions, normals, anchors, curvatures, triangles, placeOf],
+    ]),
+  ];
+  return [...new Set(arrays.map(({ buffer }) => buffer as ArrayBuffer))];
+}
 
 /** The share of the progress in which the scene is read. */
 const READING = 0.12;

@@ -1,7 +1,7 @@
 import { LessDepth, LessEqualDepth, type Material, type Mesh, type Object3D } from 'three';
+import { describeObject } from '../../material/diagnostics/describeObject.js';
 import { checkGeometry } from '../../material/geometry/checkGeometry.js';
 import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
-import { describeObject } from '../../material/diagnostics/describeObject.js';
 import { isBlended } from './PaintReader.js';
 
 /** Something that a drawing does not show as the canvas does. */

@@ -1,6 +1,6 @@
+import type { Task } from '../../worker/TaskSet.js';
 import type { DrawingPlan, DrawnScene } from '../DrawnScene.js';
 import { drawLines, type LineDrawing } from '../drawLines.js';
-import type { Task } from '../../worker/TaskSet.js';
 
 const drawing: Task<{ scene: DrawnScene; plan: DrawingPlan }, LineDrawing> = {
   run: ({ scene, plan }) => drawLines(scene, plan),

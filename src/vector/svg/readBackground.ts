@@ -1,9 +1,9 @@
 import { type Camera, Vector3, Vector4 } from 'three';
-import type { HatchingBackground } from '../../material/HatchingBackground.js';
-import { meanLightAt } from '../shading/meanLight.js';
 import { type SeenBox, seenBox } from '../../material/fading/seenDepths.js';
 import { writeSheet } from '../../material/fading/writeSheet.js';
+import type { HatchingBackground } from '../../material/HatchingBackground.js';
 import type { DrawnBackground } from '../DrawnScene.js';
+import { meanLightAt } from '../shading/meanLight.js';
 import type { SceneLights } from './readLights.js';
 
 /** Reads the field of lines behind a subject; undefined where nothing of the subject is seen. */

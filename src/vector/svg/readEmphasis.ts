@@ -1,9 +1,9 @@
 import { type Camera, type Material, type Mesh, type Object3D, Vector3, Vector4 } from 'three';
-import type { Emphasis } from '../shading/emphasis.js';
 import { type EmphasisLook, takesWeight, writeDepthFading } from '../../material/fading/emphasis.js';
 import { importanceOf } from '../../material/fading/importanceOf.js';
 import { type SeenBox, seenBox } from '../../material/fading/seenDepths.js';
 import { writeSheet } from '../../material/fading/writeSheet.js';
+import type { Emphasis } from '../shading/emphasis.js';
 
 /** What takes weight away from the drawing of an object; null where all has its full weight. */
 export function readEmphasis(object: Object3D, look: EmphasisLook | null, camera: Camera): Emphasis | null {

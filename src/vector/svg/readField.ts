@@ -1,14 +1,14 @@
 import { Matrix4, Vector3 } from 'three';
-import { across, type Field, firstField } from '../shading/fieldAxis.js';
-import { awayField } from '../shading/groundShadow.js';
-import { type FieldLamp, fieldLight } from '../shading/lightField.js';
-import type { Lamp } from '../shading/radiance.js';
-import type { Vec3 } from '../../look/vectors.js';
 import { runsAway } from '../../look/lookFacts.js';
+import type { Vec3 } from '../../look/vectors.js';
 import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
 import type { TurnedLines } from '../DrawnScene.js';
 import type { EngravedLook } from '../Engraver.js';
 import { FIELD_NORMAL, type LineSurface, STRIDE } from '../LineSurface.js';
+import { across, type Field, firstField } from '../shading/fieldAxis.js';
+import { awayField } from '../shading/groundShadow.js';
+import { type FieldLamp, fieldLight } from '../shading/lightField.js';
+import type { Lamp } from '../shading/radiance.js';
 import type { SurfaceFrame } from './surfaceFrame.js';
 
 /** A surface whose lines are laid, and how. */

@@ -2,18 +2,21 @@ import {
   type Camera,
   type DirectionalLight,
   type Light,
+  type LightShadow,
+  MathUtils,
   type Object3D,
+  type OrthographicCamera,
+  type PerspectiveCamera,
   type PointLight,
   type SpotLight,
   Vector3,
 } from 'three';
-import type { Lamp } from '../shading/radiance.js';
+import { luminanceOf } from '../../look/luminanceOf.js';
 import type { Surroundings } from '../../look/surroundings.js';
 import type { Vec3 } from '../../look/vectors.js';
 import { LightsAround } from '../../material/exposure/LightsAround.js';
-import { luminanceOf } from '../../look/luminanceOf.js';
 import type { LampShadow } from '../ShadowRays.js';
-import { readLampShadow } from './readLampShadow.js';
+import type { Lamp } from '../shading/radiance.js';
 
 const placeOf = ({ matrixWorld }: Object3D): Vec3 => new Vector3().setFromMatrixPosition(matrixWorld).toArray();
 
@@ -66,4 +69,26 @@ function lampOf(light: Light, shadows: boolean): Lamp | undefined {
     inner: Math.cos(angle * (1 - penumbra)),
   };
   return { ...lamp, isFar: false, distance, decay, cone };
+}
+
+/** What the shadow of a light is read from on the canvas; null for lights that cast none. */
+function readLampShadow(light: Light): LampShadow | null {
+  const { shadow } = light as { shadow?: LightShadow };
+  if (!shadow?.camera) return null;
+  const { mapSize, radius } = shadow;
+  return {
+    texels: Math.max(mapSize.x, 1),
+    radius: Math.max(radius, 0),
+    intensity: shadow.intensity ?? 1,
+    isCube: 'isPointLight' in light,
+    width: widthOf(light, shadow.camera as OrthographicCamera | PerspectiveCamera),
+  };
+}
+
+function widthOf(light: Light, camera: OrthographicCamera | PerspectiveCamera): number {
+  if ('isOrthographicCamera' in camera) return (camera.right - camera.left) / (camera.zoom || 1);
+  if (!('isSpotLight' in light)) return 2;
+  const { angle, shadow } = light as SpotLight;
+  // Renderers set the camera of a spot by its angle.
+  return 2 * Math.tan(Math.min(angle * shadow.focus, MathUtils.degToRad(89)));
 }

@@ -1,20 +1,18 @@
 import type { IUniform, Mesh, Vector2 } from 'three';
-
-import type { Emphasis } from '../shading/emphasis.js';
-import type { CutField } from '../shading/fieldAxis.js';
-import type { GroundLook } from '../shading/groundShadow.js';
-
-import type { CurveCubics } from '../shading/tone.js';
-import { localDarkness } from '../shading/tone.js';
-import { isFitted } from '../../material/exposure/isFitted.js';
-import type { ToneFit } from '../../material/exposure/ToneFit.js';
 import { runsAway } from '../../look/lookFacts.js';
 import { luminanceOf } from '../../look/luminanceOf.js';
+import { isFitted } from '../../material/exposure/isFitted.js';
+import type { ToneFit } from '../../material/exposure/ToneFit.js';
 import { fittedCurve } from '../../material/fitToneCurve.js';
 import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
 import { createHatchingUniforms, writeComputedUniforms, writeSizeUniforms } from '../../material/hatchingUniforms.js';
 import { withoutForm } from '../../material/programDefines.js';
 import type { EngravedLook } from '../Engraver.js';
+import type { Emphasis } from '../shading/emphasis.js';
+import type { CutField } from '../shading/fieldAxis.js';
+import type { GroundLook } from '../shading/groundShadow.js';
+import type { CurveCubics } from '../shading/tone.js';
+import { localDarkness } from '../shading/tone.js';
 import type { SurfaceLook } from '../Toner.js';
 import { opacityOf } from './seenThrough.js';
 

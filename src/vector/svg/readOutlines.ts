@@ -8,15 +8,22 @@ import {
   type Mesh,
   Vector3,
 } from 'three';
-import { POINT_BITS, POINT_MASK, POINT_WORDS, PRIMITIVE_WORDS } from '../../mesh/bake/outlineLayout.js';
-import { unpackPoints } from '../../mesh/bake/unpackPoints.js';
-import type { Emphasis } from '../shading/emphasis.js';
-import { BORDER, CONTRARY, CORNER_AT_END, CORNER_AT_START, CREASE, MATERIAL_BORDER } from '../../mesh/features/edgeFlags.js';
 import type { OutlineData } from '../../material/geometry/OutlineData.js';
 import type { HatchingOutlineMaterial } from '../../material/outlines/HatchingOutlineMaterial.js';
 import { opacityOf } from '../../material/outlines/surfaceRules.js';
+import { POINT_BITS, POINT_MASK, POINT_WORDS, PRIMITIVE_WORDS } from '../../mesh/bake/outlineLayout.js';
+import { unpackPoints } from '../../mesh/bake/unpackPoints.js';
+import {
+  BORDER,
+  CONTRARY,
+  CORNER_AT_END,
+  CORNER_AT_START,
+  CREASE,
+  MATERIAL_BORDER,
+} from '../../mesh/features/edgeFlags.js';
 import { asPhase } from '../../mesh/timeSlicing/asPhase.js';
 import type { FeatureEdge, OutlineLook, OutlineMesh } from '../outlines/OutlineMesh.js';
+import type { Emphasis } from '../shading/emphasis.js';
 import { bothPlaces } from './bothPlaces.js';
 import { alphaTestOf } from './PaintReader.js';
 import { placesOf } from './placesOf.js';

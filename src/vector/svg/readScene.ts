@@ -10,12 +10,12 @@ import {
   type PerspectiveCamera,
   type Plane,
 } from 'three';
-import type { HatchingBackground } from '../../material/HatchingBackground.js';
 import type { Vec3 } from '../../look/vectors.js';
-import { isFormed } from '../../material/geometry/formGeometry.js';
-import { outlineDataOf } from '../../material/geometry/OutlineData.js';
 import { ExposureFit } from '../../material/exposure/ExposureFit.js';
 import type { ToneFit } from '../../material/exposure/ToneFit.js';
+import { isFormed } from '../../material/geometry/formGeometry.js';
+import { outlineDataOf } from '../../material/geometry/OutlineData.js';
+import type { HatchingBackground } from '../../material/HatchingBackground.js';
 import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
 import type { HatchingOutlineMaterial } from '../../material/outlines/HatchingOutlineMaterial.js';
 import type { HatchingOutlines } from '../../material/outlines/HatchingOutlines.js';
@@ -24,13 +24,7 @@ import { type SurfacePart, surfaceParts } from '../../material/outlines/surfaceP
 import { isClipped } from '../../material/outlines/surfaceRules.js';
 import { asPhase } from '../../mesh/timeSlicing/asPhase.js';
 import { CASTS_BACK, CASTS_FRONT, FADES_FRONT, MAY_HAVE_HOLES, SEEN_BACK, SEEN_FRONT } from '../Bvh.js';
-import type {
-  DrawnBackground,
-  DrawnScene,
-  EngravedSurface,
-  OutlinedMesh,
-  StippledSurface,
-} from '../DrawnScene.js';
+import type { DrawnBackground, DrawnScene, EngravedSurface, OutlinedMesh, StippledSurface } from '../DrawnScene.js';
 import { GrowingArray } from '../GrowingArray.js';
 import { moveToOrigin } from '../moveToOrigin.js';
 import type { Veil } from '../paint/Fading.js';

@@ -1,8 +1,7 @@
 import { type BufferAttribute, type BufferGeometry, Matrix3, Vector3 } from 'three';
+import type { Vec3 } from '../../look/vectors.js';
 import { formLayout } from '../../mesh/bake/formLayout.js';
 import { hatchNormal } from '../../mesh/bake/hatchNormal.js';
-import { formVarying } from '../shading/readForm.js';
-import type { Vec3 } from '../../look/vectors.js';
 import { asPhase } from '../../mesh/timeSlicing/asPhase.js';
 import { SEEN_BACK, SEEN_FRONT } from '../Bvh.js';
 import {
@@ -16,6 +15,7 @@ import {
   VIEW,
   WORLD,
 } from '../LineSurface.js';
+import { formVarying } from '../shading/readForm.js';
 import { bothPlaces } from './bothPlaces.js';
 import { placesOf } from './placesOf.js';
 import type { PosedVertices } from './pose/posedVertices.js';

@@ -1,10 +1,10 @@
 import type { FindFile } from './common/FindFile.js';
 import type { Surroundings } from './common/Surroundings.js';
+import { binaryStlLength } from './formats/binaryStlLength.js';
 import type { ReadGltf } from './gltf/readGltf.js';
 import type { NotedMesh } from './mesh/PlainMesh.js';
 import { is3ds } from './scenes/is3ds.js';
 import type { LoadedScene } from './scenes/LoadedScene.js';
-import { binaryStlLength } from './formats/binaryStlLength.js';
 
 /** The beginning of a file, by which its format is recognised. */
 export interface FileStart {

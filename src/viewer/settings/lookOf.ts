@@ -3,12 +3,24 @@ import { needsMap } from 'three-hatching/facts';
 import { backgroundLook } from './compositionLook.js';
 import { drawnSettings } from './drawnSettings.js';
 import { type SHADOW_NUMBERS, shadowNumbers } from './groundShadow.js';
-import { lackOfNodes } from './lackOfNodes.js';
 import { type Lighting, lightingOf } from './lighting.js';
 import { materialLook, materialSizes } from './materialLook.js';
 import { type OutlineLook, outlineLook } from './outlineLook.js';
 import { SETTING_KEYS, SETTINGS, type Settings } from './settings.js';
 import { UPRIGHT } from './settingValues.js';
+
+/** Values of settings that materials of nodes do not draw, and what that is in words. */
+const LACKS: readonly { [Key in keyof Settings]: [Key, readonly Settings[Key][], string] }[keyof Settings][] = [
+  ['technique', ['adjacency', 'adjacencyCrisp', 'triangle'], 'this technique'],
+  ['debugView', ['blendFactors', 'tone', 'frames'], 'views for checking'],
+  ['background', ['on'], 'a hatched background'],
+];
+
+/** What of a drawing materials of nodes do not draw yet, in words; undefined if they draw all of it. */
+export function lackOfNodes(settings: Settings): string | undefined {
+  if (settings.compare !== 'none') return 'a comparison';
+  return LACKS.find(([key, values]) => values.some((value) => value === settings[key]))?.[2];
+}
 
 /** What settings say of a drawing, in the units of the library and of three.js. It is worked out once for each change. */
 export interface Look {

@@ -15,9 +15,9 @@ import {
   Vector2,
 } from 'three';
 import { NodeMaterial, type WebGPURenderer } from 'three/webgpu';
-import { pullTextureSize } from '../../mesh/bake/pullLayout.js';
-import type { PulledVertices } from '../../material/geometry/PulledVertices.js';
 import type { PosePass } from '../../material/deformation/PosePass.js';
+import type { PulledVertices } from '../../material/geometry/PulledVertices.js';
+import { pullTextureSize } from '../../mesh/bake/pullLayout.js';
 import { OF_CORNERS, OF_VERTICES } from './poseNodes.js';
 
 /** The corners of meshes as points, or their vertices if they have an index. three.js poses them as it does the meshes. */

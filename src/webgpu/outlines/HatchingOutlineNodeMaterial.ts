@@ -16,8 +16,10 @@ import type { HiddenOutlines } from '../../look/hiddenOutlines.js';
 import { checkColor } from '../../material/checkValues.js';
 import { type EmphasisLook, takesWeight, writeEmphasis, writeImportance } from '../../material/fading/emphasis.js';
 import { writeSheet } from '../../material/fading/writeSheet.js';
-import { writePictureOffset } from '../../material/pictureOffset.js';
-import type { HatchingOutlineMaterial, HatchingOutlineParameters } from '../../material/outlines/HatchingOutlineMaterial.js';
+import type {
+  HatchingOutlineMaterial,
+  HatchingOutlineParameters,
+} from '../../material/outlines/HatchingOutlineMaterial.js';
 import {
   HATCHING_OUTLINE_DEFAULTS,
   OUTLINE_NUMBER_NAMES,
@@ -31,6 +33,7 @@ import {
   writeOutlineLook,
 } from '../../material/outlines/outlineValues.js';
 import { copyDrawState, writeDrawState } from '../../material/outlines/surfaceRules.js';
+import { writePictureOffset } from '../../material/pictureOffset.js';
 import { toothMap } from '../../material/tam/toothMap.js';
 import { clipSpine } from '../nodes/outlines/clipping.js';
 import { type OutlineNodes, outlineNodes } from '../nodes/outlines/outlineNodes.js';

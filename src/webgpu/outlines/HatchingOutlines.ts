@@ -1,3 +1,4 @@
+import type { Object3D } from 'three';
 import {
   type BufferGeometry,
   type Camera,
@@ -9,18 +10,35 @@ import {
   Vector4,
   type WebGLRenderer,
 } from 'three';
-import type { WebGPURenderer } from 'three/webgpu';
-import { outlineDataOf } from '../../material/geometry/OutlineData.js';
+import type { ClippingGroup, Renderer, WebGPURenderer } from 'three/webgpu';
 import { tell } from '../../material/diagnostics/tell.js';
+import { outlineDataOf } from '../../material/geometry/OutlineData.js';
 import type { HatchingOutlineParameters } from '../../material/outlines/HatchingOutlineMaterial.js';
 import { emphasisOf, isInFrustum, MeshOutlines, meanScale } from '../../material/outlines/MeshOutlines.js';
 import type { OutlinePart } from '../../material/outlines/OutlineParts.js';
 import { isCutOut, isDrawnBefore } from '../../material/outlines/surfaceRules.js';
 import { hasFloatTargets, nodeDeformations } from '../deformation/nodeDeformations.js';
 import { placesOf } from '../nodes/base/InstancePlaces.js';
-import { clippingOf } from './clippingOf.js';
 import { HatchingOutlineNodeMaterial } from './HatchingOutlineNodeMaterial.js';
-import { readWhereDrawn } from './readWhereDrawn.js';
+
+type Clipping = Parameters<Renderer['renderObject']>[7];
+
+/** The planes that clip what a group holds, within those of what holds the group. */
+function clippingIn(group: Object3D | null, ofScene: Clipping): Clipping {
+  if (!group || !ofScene) return ofScene;
+  const outer = clippingIn(group.parent, ofScene);
+  const isClipping = 'isClippingGroup' in group && (group as ClippingGroup).enabled;
+  return outer && isClipping ? outer.getGroupContext(group as ClippingGroup) : outer;
+}
+
+/** What clips an object in the frame that is being drawn: three.js tells nobody who draws an object once more. */
+function clippingOf(object: Object3D, renderer: WebGPURenderer): Clipping {
+  // The name is three's own, and no part of its documented interface. Without it nothing is clipped.
+  const { _currentRenderContext: frame } = renderer as unknown as {
+    _currentRenderContext?: { clippingContext: Clipping };
+  };
+  return clippingIn(object.parent, frame?.clippingContext ?? null);
+}
 
 const drawnInto = /* @__PURE__ */ new Vector4();
 const size = /* @__PURE__ */ new Vector2();
@@ -207,4 +225,15 @@ function tellOfWebGLRenderer(): void {
     "HatchingOutlines of 'three-hatching/webgpu' are drawn by WebGPURenderer alone. Under WebGLRenderer take those of 'three-hatching'.",
     'error',
   );
+}
+
+/**
+ * Has WebGL read from what is drawn to. three.js copies the depth of a scene from what is bound for reading, and that is the canvas after an
+ * application has read pixels of the same render target (seen in 0.187).
+ */
+function readWhereDrawn(renderer: WebGPURenderer): void {
+  if (!('isWebGLBackend' in renderer.backend)) return;
+  const gl = renderer.getContext() as WebGL2RenderingContext;
+  const drawn: WebGLFramebuffer | null = gl.getParameter(gl.DRAW_FRAMEBUFFER_BINDING);
+  if (gl.getParameter(gl.READ_FRAMEBUFFER_BINDING) !== drawn) gl.bindFramebuffer(gl.READ_FRAMEBUFFER, drawn);
 }

@@ -6,7 +6,11 @@ export const adjacency: readonly Mutation[] = [
     file: 'src/mesh/adjacency/pairEdges.ts',
     find: 'twins[corner] = other;\n      twins[other] = corner;',
     replace: 'twins[corner] = other + 1;\n      twins[other] = corner;',
-    caughtBy: { layer: 'unit', file: 'tests/unit/mesh/adjacency/buildTriangleAdjacency.test.ts', title: "'T-junction'" },
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/mesh/adjacency/buildTriangleAdjacency.test.ts',
+      title: "'T-junction'",
+    },
   },
   {
     name: '−0 and 0 are two positions',

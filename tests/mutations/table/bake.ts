@@ -10,7 +10,7 @@ export const bake: readonly Mutation[] = [
   },
   {
     name: 'half floats are cut, not rounded',
-    file: 'src/mesh/bake/halfFloat.ts',
+    file: 'src/mesh/bake/packOutlines.ts',
     find: ' + 0x1000',
     replace: '',
     caughtBy: {

@@ -25,7 +25,7 @@ export const element: readonly Mutation[] = [
   },
   {
     name: 'a resource is freed with its first user',
-    file: 'src/element/SharedResources.ts',
+    file: 'src/element/decoders.ts',
     find: '--entry.users > 0',
     replace: '--entry.users > 1',
     caughtBy: {

@@ -58,7 +58,7 @@ export const exports: readonly Mutation[] = [
   },
   {
     name: 'a near model is as far as its middle',
-    file: 'src/playground/print/nearestRadius.ts',
+    file: 'src/playground/print/print.ts',
     find: 'depth - 1',
     replace: 'depth',
     caughtBy: {

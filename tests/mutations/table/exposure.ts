@@ -3,7 +3,7 @@ import type { Mutation } from '../Mutation.js';
 export const exposure: readonly Mutation[] = [
   {
     name: 'the least contrast is the most',
-    file: 'src/material/exposure/fitTones.ts',
+    file: 'src/material/exposure/ExposureFit.ts',
     find: 'Math.min(contrast, MOST_CONTRAST)',
     replace: 'Math.max(contrast, MOST_CONTRAST)',
     caughtBy: {
@@ -14,7 +14,7 @@ export const exposure: readonly Mutation[] = [
   },
   {
     name: 'darks are lifted',
-    file: 'src/material/exposure/fitTones.ts',
+    file: 'src/material/exposure/ExposureFit.ts',
     find: 'if (!(contrast > 1))',
     replace: 'if (!(contrast > 0))',
     caughtBy: {
@@ -25,7 +25,7 @@ export const exposure: readonly Mutation[] = [
   },
   {
     name: 'what is nearly black becomes white',
-    file: 'src/material/exposure/fitTones.ts',
+    file: 'src/material/exposure/ExposureFit.ts',
     find: 'Math.max(LEAST_WHITE, lightness.quantile(WHITE))',
     replace: 'lightness.quantile(WHITE)',
     caughtBy: {

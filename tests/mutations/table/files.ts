@@ -6,7 +6,11 @@ export const files: readonly Mutation[] = [
     file: 'src/viewer/files/formats/plyBlocks.ts',
     find: 'let offset = numbers.at;',
     replace: 'let offset = numbers.at + rowBytes;',
-    caughtBy: { layer: 'unit', file: 'tests/unit/viewer/files/formats/readPly.test.ts', title: 'data that begin as a line does' },
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/viewer/files/formats/readPly.test.ts',
+      title: 'data that begin as a line does',
+    },
   },
   {
     name: 'a PLY list of shorts counts in bytes',
@@ -24,7 +28,11 @@ export const files: readonly Mutation[] = [
     file: 'src/viewer/files/formats/readAsciiStl.ts',
     find: 'triangulatePolygon(loop)',
     replace: 'triangulatePolygon(loop.slice(0, 9))',
-    caughtBy: { layer: 'unit', file: 'tests/unit/viewer/files/formats/readStl.test.ts', title: 'ASCII faces keep their notches' },
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/viewer/files/formats/readStl.test.ts',
+      title: 'ASCII faces keep their notches',
+    },
   },
   {
     name: 'bytes after a binary STL make it text',
@@ -42,7 +50,11 @@ export const files: readonly Mutation[] = [
     file: 'src/viewer/files/scenes/read3ds.ts',
     find: 'root?.traverse((object) => setNormals(object, loader));',
     replace: '',
-    caughtBy: { layer: 'unit', file: 'tests/unit/viewer/files/scenes/readScene.test.ts', title: 'edges of 3DS stay sharp' },
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/viewer/files/scenes/readScene.test.ts',
+      title: 'edges of 3DS stay sharp',
+    },
   },
   {
     name: 'FBX 6 as text is let through',
@@ -64,7 +76,7 @@ export const files: readonly Mutation[] = [
   },
   {
     name: 'the sky of VRML is part of the model',
-    file: 'src/viewer/files/scenes/withoutBackground.ts',
+    file: 'src/viewer/files/scenes/LoadedScene.ts',
     find: 'object.visible = false',
     replace: 'object.visible = true',
     caughtBy: {
@@ -78,7 +90,11 @@ export const files: readonly Mutation[] = [
     file: 'src/viewer/files/mesh/findUpAxis.ts',
     find: 'above > 1.1 * below',
     replace: 'below > 1.1 * above',
-    caughtBy: { layer: 'unit', file: 'tests/unit/viewer/files/mesh/findUpAxis.test.ts', title: 'by the flat side below' },
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/viewer/files/mesh/findUpAxis.test.ts',
+      title: 'by the flat side below',
+    },
   },
   {
     name: 'edges in one direction close a mesh',
@@ -129,7 +145,11 @@ export const files: readonly Mutation[] = [
     file: 'src/viewer/files/formats/plyBlocks.ts',
     find: 'target[to] = view.getFloat32(at, isLittle)',
     replace: 'target[to] = view.getFloat32(at, true)',
-    caughtBy: { layer: 'unit', file: 'tests/unit/viewer/files/formats/readPly.test.ts', title: 'data that begin as a line does' },
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/viewer/files/formats/readPly.test.ts',
+      title: 'data that begin as a line does',
+    },
   },
   {
     name: 'a VRML file is read without decoding',
@@ -213,7 +233,11 @@ export const files: readonly Mutation[] = [
     file: 'src/viewer/files/scenes/check3ds.ts',
     find: 'nameEnd + 1;',
     replace: 'nameEnd;',
-    caughtBy: { layer: 'unit', file: 'tests/unit/viewer/files/scenes/readScene.test.ts', title: 'edges of 3DS stay sharp' },
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/viewer/files/scenes/readScene.test.ts',
+      title: 'edges of 3DS stay sharp',
+    },
   },
   {
     name: 'mirrored parts keep their winding',

@@ -6,7 +6,11 @@ export const form: readonly Mutation[] = [
     file: 'src/mesh/form/chooseLineField.ts',
     find: "flatShare < FLAT_FACED_SHARE ? 'form' : 'light'",
     replace: "flatShare > FLAT_FACED_SHARE ? 'form' : 'light'",
-    caughtBy: { layer: 'unit', file: 'tests/unit/mesh/form/chooseLineField.test.ts', title: 'nothing … has flat faces' },
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/mesh/form/chooseLineField.test.ts',
+      title: 'nothing … has flat faces',
+    },
   },
   {
     name: 'jumps of both families have one multiple',

@@ -28,6 +28,10 @@ export const hand: readonly Mutation[] = [
     file: 'src/strokes/hand/learnHand.ts',
     find: 'light: 0.125, middle: 0.375, dark: 0.625',
     replace: 'light: 0.125, middle: 0.125, dark: 0.375',
-    caughtBy: { layer: 'unit', file: 'tests/unit/strokes/hand/learnHand.test.ts', title: 'learns a second layer at … degrees' },
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/strokes/hand/learnHand.test.ts',
+      title: 'learns a second layer at … degrees',
+    },
   },
 ];

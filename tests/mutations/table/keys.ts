@@ -7,21 +7,21 @@ const steps = 'Undo and Redo have the keys of every system, but not in text fiel
 export const keys: readonly Mutation[] = [
   {
     name: 'shortcuts of the browser are those of the page',
-    file: 'src/playground/isShortcut.ts',
+    file: 'src/playground/pageKeys.ts',
     find: 'ctrlKey || metaKey || altKey ||',
     replace: 'altKey ||',
     caughtBy: { layer: 'unit', file, title: isShortcut },
   },
   {
     name: 'letters in lists are shortcuts',
-    file: 'src/playground/isShortcut.ts',
+    file: 'src/playground/pageKeys.ts',
     find: ', select, textarea',
     replace: ', textarea',
     caughtBy: { layer: 'unit', file, title: isShortcut },
   },
   {
     name: 'a page has shortcuts under an open dialog',
-    file: 'src/playground/isShortcut.ts',
+    file: 'src/playground/pageKeys.ts',
     find: '!takesLetters && !isDialogOpen()',
     replace: '!takesLetters',
     caughtBy: { layer: 'unit', file, title: isShortcut },

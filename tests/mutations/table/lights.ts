@@ -6,7 +6,11 @@ export const lights: readonly Mutation[] = [
     file: 'src/vector/shading/radiance.ts',
     find: '(cosine - outer) / (inner - outer)',
     replace: '(cosine - inner) / (outer - inner)',
-    caughtBy: { layer: 'unit', file: 'tests/unit/vector/shading/tone.test.ts', title: 'halfLambert … , with every curve' },
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/vector/shading/tone.test.ts',
+      title: 'halfLambert … , with every curve',
+    },
   },
   {
     name: 'light falls off without an end',
@@ -20,7 +24,11 @@ export const lights: readonly Mutation[] = [
     file: 'src/vector/shading/radiance.ts',
     find: 'Math.max(dot(normal, side), 0)',
     replace: 'Math.abs(dot(normal, side))',
-    caughtBy: { layer: 'unit', file: 'tests/unit/vector/shading/tone.test.ts', title: 'halfLambert … , with every curve' },
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/vector/shading/tone.test.ts',
+      title: 'halfLambert … , with every curve',
+    },
   },
   {
     name: 'round bodies get reflected light beside a light, as planes do',
@@ -34,11 +42,15 @@ export const lights: readonly Mutation[] = [
     file: 'src/vector/shading/radiance.ts',
     find: '(0.5 * cosine + 0.5) ** 2',
     replace: '0.5 * cosine + 0.5',
-    caughtBy: { layer: 'unit', file: 'tests/unit/vector/shading/tone.test.ts', title: 'halfLambert … , with every curve' },
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/vector/shading/tone.test.ts',
+      title: 'halfLambert … , with every curve',
+    },
   },
   {
     name: 'shade is told from what faces away',
-    file: 'src/scene/lighting/shareOfShade.ts',
+    file: 'src/scene/lighting/chooseLight.ts',
     find: 'facing * openness[part] < LOOKS_HALF_AS_BRIGHT',
     replace: 'facing < LOOKS_HALF_AS_BRIGHT',
     caughtBy: {

@@ -133,7 +133,7 @@ export const links: readonly Mutation[] = [
   },
   {
     name: 'a background of hatching is asked of nodes',
-    file: 'src/viewer/settings/lackOfNodes.ts',
+    file: 'src/viewer/settings/lookOf.ts',
     find: "  ['background', ['on'], 'a hatched background'],\n",
     replace: '',
     caughtBy: {

@@ -54,7 +54,7 @@ export const maps: readonly Mutation[] = [
   },
   {
     name: 'lost ink comes back in its own tone alone',
-    file: 'src/strokes/tamImages/enforceLevelNesting.ts',
+    file: 'src/strokes/tamImages/generateHatchImages.ts',
     find: 'darker < images.length; darker++',
     replace: 'darker < tone + 1; darker++',
     caughtBy: {
@@ -87,7 +87,7 @@ export const maps: readonly Mutation[] = [
   },
   {
     name: 'the margin of thresholds repeats the near side',
-    file: 'src/material/tam/packThresholds.ts',
+    file: 'src/material/tam/ThresholdTexture.ts',
     find: '((column - MARGIN) & mask)',
     replace: '(Math.min(Math.max(column - MARGIN, 0), mask))',
     caughtBy: {

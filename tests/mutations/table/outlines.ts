@@ -6,7 +6,11 @@ export const outlines: readonly Mutation[] = [
     file: 'src/mesh/features/findFeatureEdges.ts',
     find: '<= creaseCosine',
     replace: '>= creaseCosine',
-    caughtBy: { layer: 'unit', file: 'tests/unit/mesh/features/findFeatureEdges.test.ts', title: 'with a featureAngle of' },
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/mesh/features/findFeatureEdges.test.ts',
+      title: 'with a featureAngle of',
+    },
   },
   {
     name: 'borders between materials are missed',

@@ -3,7 +3,7 @@ import type { Mutation } from '../Mutation.js';
 export const react: readonly Mutation[] = [
   {
     name: 'a veiled mesh comes back in all layers',
-    file: 'src/react/Veil.ts',
+    file: 'src/react/Hatcher.ts',
     find: 'object.layers.mask = mask;',
     replace: 'object.layers.mask = -1;',
     caughtBy: {

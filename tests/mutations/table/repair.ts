@@ -50,7 +50,11 @@ export const repair: readonly Mutation[] = [
     file: 'src/viewer/files/repair/cleanMesh.ts',
     find: 'Number.isFinite(positions[3 * vertex + 2]);',
     replace: 'true;',
-    caughtBy: { layer: 'unit', file: 'tests/unit/viewer/files/repair/cleanMesh.test.ts', title: 'a vertex of no depth' },
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/viewer/files/repair/cleanMesh.test.ts',
+      title: 'a vertex of no depth',
+    },
   },
   {
     name: 'a few duplicates are left out, too',

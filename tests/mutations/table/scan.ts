@@ -6,7 +6,11 @@ export const scan: readonly Mutation[] = [
     file: 'src/strokes/strokeTracing/thin.ts',
     find: 'halves[1][bits] = Number(isBorder && !(above && right && left) && !(above && below && left))',
     replace: 'halves[1][bits] = halves[0][bits]',
-    caughtBy: { layer: 'unit', file: 'tests/unit/strokes/strokeTracing/thin.test.ts', title: 'a bar becomes a line along its middle' },
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/strokes/strokeTracing/thin.test.ts',
+      title: 'a bar becomes a line along its middle',
+    },
   },
   {
     name: 'corners stay in thin lines',

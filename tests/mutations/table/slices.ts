@@ -28,6 +28,10 @@ export const slices: readonly Mutation[] = [
     file: 'src/mesh/timeSlicing/asPhase.ts',
     find: 'yield from + (to - from) * step.value',
     replace: 'yield to * step.value',
-    caughtBy: { layer: 'unit', file: 'tests/unit/mesh/bake/bakeIndexed.test.ts', title: 'progress rises and ends at 1' },
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/mesh/bake/bakeIndexed.test.ts',
+      title: 'progress rises and ends at 1',
+    },
   },
 ];

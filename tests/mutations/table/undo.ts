@@ -48,7 +48,7 @@ export const undo: readonly Mutation[] = [
   },
   {
     name: 'an answer that was replaced is taken',
-    file: 'src/playground/session/LatestRequest.ts',
+    file: 'src/playground/session/LinkFollower.ts',
     find: 'controller.signal.aborted ? undefined : result',
     replace: 'result',
     caughtBy: {

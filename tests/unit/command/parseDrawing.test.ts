@@ -1,6 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { DRAW_HELP, FORMAT_ENDINGS, parseDrawing } from '../../../src/command/parseDrawing.js';
-import { sheetOf } from '../../../src/command/sheetOf.js';
+import { DRAW_HELP, FORMAT_ENDINGS, parseDrawing, sheetOf } from '../../../src/command/parseDrawing.js';
 import { UsageError } from '../../../src/command/UsageError.js';
 import { FORMATS, MODEL_EXTENSIONS } from '../../../src/viewer/files/formats.js';
 

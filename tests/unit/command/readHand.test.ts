@@ -7,10 +7,10 @@ import { parseArguments } from '../../../src/command/parseArguments.js';
 import { tam } from '../../../src/command/tam.js';
 import { UsageError } from '../../../src/command/UsageError.js';
 import { learnHand } from '../../../src/strokes/hand/learnHand.js';
-import { generateHatchImages } from '../../../src/strokes/tamImages/generateHatchImages.js';
 import { readMap } from '../../../src/strokes/mapFiles/readMapFiles.js';
-import { drawSwatch } from '../strokes/hand/drawSwatch.js';
+import { generateHatchImages } from '../../../src/strokes/tamImages/generateHatchImages.js';
 import { finish, requestOf } from '../strokes/draw.js';
+import { drawSwatch } from '../strokes/hand/drawSwatch.js';
 
 const hand = learnHand(drawSwatch({ rows: 8, taperEnd: 0.3, curvature: 0.05 }));
 let work: string;

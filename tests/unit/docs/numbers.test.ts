@@ -1,11 +1,11 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
 import { EXAMPLES } from '../../../examples/examples.js';
+import { MANY_TRIANGLES } from '../../../src/material/geometry/PrepareHatchingGeometryOptions.js';
+import { MAX_SEARCHED } from '../../../src/material/outlines/InstanceList.js';
 import { CORNER_STRIDE } from '../../../src/mesh/bake/cornerLayout.js';
 import { hatchNormal } from '../../../src/mesh/bake/hatchNormal.js';
 import { TRIANGLE_WORDS, VERTEX_WORDS } from '../../../src/mesh/bake/pullLayout.js';
-import { MANY_TRIANGLES } from '../../../src/material/geometry/PrepareHatchingGeometryOptions.js';
-import { MAX_SEARCHED } from '../../../src/material/outlines/InstanceList.js';
 import { presets } from '../../../src/scene/presets.js';
 import { strokeStyles } from '../../../src/strokes/strokeStyles.js';
 import { DOCUMENTS, root } from './documents.js';

@@ -1,5 +1,5 @@
 import { expect, test, vi } from 'vitest';
-import { SharedResources } from '../../../src/element/SharedResources.js';
+import { SharedResources } from '../../../src/element/decoders.js';
 import { eventually } from '../patience.js';
 
 const resource = () => ({ dispose: vi.fn() });

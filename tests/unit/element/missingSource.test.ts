@@ -1,5 +1,5 @@
 import { expect, test, vi } from 'vitest';
-import { warnOfMissingSource } from '../../../src/element/missingSource.js';
+import { warnOfMissingSource } from '../../../src/element/HatchedModelElement.js';
 
 test('an element that never had a src says so, once on a page; one that was emptied says nothing', () => {
   const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});

@@ -1,7 +1,7 @@
 import { Box3, Camera, Group, Mesh, Raycaster, Scene, SphereGeometry, Vector3 } from 'three';
 import { expect, test, vi } from 'vitest';
-import { HatchingBackground } from '../../../src/material/HatchingBackground.js';
 import { SceneExtent } from '../../../src/material/fading/SceneExtent.js';
+import { HatchingBackground } from '../../../src/material/HatchingBackground.js';
 
 test('its subject is an extent, or an object that is measured in its own space', () => {
   const extent = new SceneExtent(new Group());

@@ -1,6 +1,5 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
-import { isShortcut } from '../../../src/playground/isShortcut.js';
-import { listenToKeys, type PageKeys } from '../../../src/playground/pageKeys.js';
+import { isShortcut, listenToKeys, type PageKeys } from '../../../src/playground/pageKeys.js';
 
 let isDialogOpen: boolean;
 let press: (event: object) => void;

@@ -1,6 +1,6 @@
 import { expect, test, vi } from 'vitest';
-import { FollowedMaterial } from '../../../src/react/FollowedMaterial.js';
 import { TonalArtMap } from '../../../src/material/tam/TonalArtMap.js';
+import { FollowedMaterial } from '../../../src/react/FollowedMaterial.js';
 import { eventually } from '../patience.js';
 
 const invalidate = vi.hoisted(() => vi.fn());

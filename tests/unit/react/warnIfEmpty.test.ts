@@ -1,7 +1,7 @@
 import { createElement } from 'react';
 import { Group } from 'three';
 import { expect, test, vi } from 'vitest';
-import { warnIfEmpty } from '../../../src/react/warnIfEmpty.js';
+import { warnIfEmpty } from '../../../src/react/Hatched.js';
 
 test('<Hatched> without children and with an undefined object says so, once; null and children say nothing', () => {
   const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});

@@ -43,9 +43,9 @@ import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import { describe, expect, test, vi } from 'vitest';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
+import { TonalArtMap } from '../../../src/material/tam/TonalArtMap.js';
 import type { ApplyHatchingOptions } from '../../../src/scene/ApplyHatchingOptions.js';
 import { applyHatching } from '../../../src/scene/applyHatching.js';
-import { TonalArtMap } from '../../../src/material/tam/TonalArtMap.js';
 import { reactive } from '../material/geometry/reactive.js';
 
 const tonalArtMap = TonalArtMap.fromHatchImages({

@@ -15,8 +15,8 @@ import {
   SkinnedMesh,
 } from 'three';
 import { describe, expect, test, vi } from 'vitest';
-import { isStale } from '../../../src/material/geometry/staleGeometry.js';
 import { bakeOcclusion, type OcclusionBake, prepareHatchingGeometry } from '../../../src/index.js';
+import { isStale } from '../../../src/material/geometry/staleGeometry.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import { eventually } from '../patience.js';
 

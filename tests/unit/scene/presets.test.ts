@@ -3,10 +3,10 @@ import { afterEach, describe, expect, test, vi } from 'vitest';
 import { type FittedToneCurve, fittedCurve } from '../../../src/material/fitToneCurve.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import { HatchingOutlineMaterial } from '../../../src/material/outlines/HatchingOutlineMaterial.js';
+import { TonalArtMap } from '../../../src/material/tam/TonalArtMap.js';
 import { applyHatching } from '../../../src/scene/applyHatching.js';
 import { type PresetName, presets } from '../../../src/scene/presets.js';
 import { scalePreset } from '../../../src/scene/scalePreset.js';
-import { TonalArtMap } from '../../../src/material/tam/TonalArtMap.js';
 
 const names = Object.keys(presets) as PresetName[];
 

@@ -3,8 +3,8 @@ import { BoxGeometry, Group, Mesh, MeshBasicMaterial, SphereGeometry } from 'thr
 import { expect, test } from 'vitest';
 import { prepareHatchingGeometry } from '../../../src/material/geometry/prepareHatchingGeometry.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
-import { applyHatching } from '../../../src/scene/applyHatching.js';
 import { TonalArtMap } from '../../../src/material/tam/TonalArtMap.js';
+import { applyHatching } from '../../../src/scene/applyHatching.js';
 import { reactive as asInTheTests } from '../material/geometry/reactive.js';
 
 /** With Vue itself; the other tests use a proxy like Vue's. */

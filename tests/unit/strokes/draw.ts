@@ -1,12 +1,12 @@
+import { rasterizeStroke } from '../../../src/strokes/rasterizeStroke.js';
+import type { Stroke } from '../../../src/strokes/Stroke.js';
+import type { StrokeStyleName } from '../../../src/strokes/strokeStyleNames.js';
+import { strokeStyles } from '../../../src/strokes/strokeStyles.js';
 import { generateHatchImages } from '../../../src/strokes/tamImages/generateHatchImages.js';
 import type { HatchImages } from '../../../src/strokes/tamImages/HatchImages.js';
 import type { MapDrawing } from '../../../src/strokes/tamImages/hatchImageOptions.js';
 import type { MapRequest } from '../../../src/strokes/tamImages/hatchImageRequest.js';
 import { requestOfHand } from '../../../src/strokes/tamImages/requestOfHand.js';
-import { rasterizeStroke } from '../../../src/strokes/rasterizeStroke.js';
-import type { Stroke } from '../../../src/strokes/Stroke.js';
-import type { StrokeStyleName } from '../../../src/strokes/strokeStyleNames.js';
-import { strokeStyles } from '../../../src/strokes/strokeStyles.js';
 
 /** The styles, for test matrices. */
 export const styleNames = Object.keys(strokeStyles) as StrokeStyleName[];

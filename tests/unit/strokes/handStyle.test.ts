@@ -1,19 +1,19 @@
 import { describe, expect, it } from 'vitest';
+import { blurToroidal } from '../../../src/strokes/blurToroidal.js';
 import type { Hand, HandNumbers, HandStroke } from '../../../src/strokes/hand/Hand.js';
 import { learnHand } from '../../../src/strokes/hand/learnHand.js';
+import { placeStrokes } from '../../../src/strokes/placeStrokes.js';
+import { halfTurn } from '../../../src/strokes/proposeStroke.js';
+import { type Stroke, strokeOffset } from '../../../src/strokes/Stroke.js';
+import { profileAt } from '../../../src/strokes/StrokeProfile.js';
 import { checkHatchImages } from '../../../src/strokes/tamImages/checkHatchImages.js';
 import { generateHatchImages } from '../../../src/strokes/tamImages/generateHatchImages.js';
 import { generateThresholds } from '../../../src/strokes/tamImages/generateThresholds.js';
 import { type MapDrawing, resolveMapDrawing } from '../../../src/strokes/tamImages/hatchImageOptions.js';
 import { resolveHatchImageOptions } from '../../../src/strokes/tamImages/hatchImageRequest.js';
-import { blurToroidal } from '../../../src/strokes/blurToroidal.js';
-import { placeStrokes } from '../../../src/strokes/placeStrokes.js';
-import { halfTurn } from '../../../src/strokes/proposeStroke.js';
-import { type Stroke, strokeOffset } from '../../../src/strokes/Stroke.js';
-import { profileAt } from '../../../src/strokes/StrokeProfile.js';
 import { cases } from '../../selection.mjs';
-import { drawSwatch, type SwatchDrawing } from './hand/drawSwatch.js';
 import { drawStrokes, finish, hatchImages, requestOf } from './draw.js';
+import { drawSwatch, type SwatchDrawing } from './hand/drawSwatch.js';
 
 const hand = (...drawings: Partial<SwatchDrawing>[]): Hand => learnHand(drawings.flatMap(drawSwatch));
 

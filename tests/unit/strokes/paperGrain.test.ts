@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { resolveHatchImageOptions } from '../../../src/strokes/tamImages/hatchImageRequest.js';
 import { paperGrain } from '../../../src/strokes/paperGrain.js';
 import { rasterizeStroke } from '../../../src/strokes/rasterizeStroke.js';
 import type { Stroke } from '../../../src/strokes/Stroke.js';
+import { resolveHatchImageOptions } from '../../../src/strokes/tamImages/hatchImageRequest.js';
 
 const charcoal = resolveHatchImageOptions({ style: 'charcoal', size: 64 });
 

@@ -1,8 +1,8 @@
 import type { Camera, Scene } from 'three';
-import { readScene } from '../../../src/vector/svg/readScene.js';
 import { Bvh } from '../../../src/vector/Bvh.js';
 import { LineDrawer } from '../../../src/vector/LineDrawer.js';
 import { Projection } from '../../../src/vector/Projection.js';
+import { readScene } from '../../../src/vector/svg/readScene.js';
 import { placeOn, visibleRuns } from '../../../src/vector/visibleRuns.js';
 import { finished } from './finished.js';
 import { randomNumbers } from './randomNumbers.js';

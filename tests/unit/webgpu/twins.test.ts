@@ -9,8 +9,7 @@ const chunks = readdirSync('shaders', { recursive: true, encoding: 'utf8' })
   .filter((path) => /\.(glsl|vert|frag)$/.test(path))
   .sort();
 
-const twinOf = (chunk: string): string =>
-  `${NODES}/${chunk.replace(/^techniques\//, '').replace(/\.\w+$/, '.ts')}`;
+const twinOf = (chunk: string): string => `${NODES}/${chunk.replace(/^techniques\//, '').replace(/\.\w+$/, '.ts')}`;
 const hasTwin = (chunk: string): boolean => existsSync(twinOf(chunk));
 
 /** Why chunks have no twin: because node materials need none, or because what they draw is drawn by WebGLRenderer alone. */

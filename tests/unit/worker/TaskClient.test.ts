@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import type { BakeCornersResult, BakeRequest } from '../../../src/mesh/bake/bakeCorners.js';
-import { bakingTasks } from '../../../src/worker/bakingTasks.js';
+import { bakingTasks } from '../../../src/worker/runTask.js';
 import { TaskClient } from '../../../src/worker/TaskClient.js';
 import type { BakingTasks } from '../../../src/worker/tasks.js';
 import { FakeWorker } from './FakeWorker.js';

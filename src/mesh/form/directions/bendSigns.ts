@@ -1,5 +1,5 @@
-import { TENSOR_FLOATS } from '../../features/fanCurvatures.js';
 import { triangleOf } from '../../corners.js';
+import { TENSOR_FLOATS } from '../../features/fanCurvatures.js';
 import { findPatches } from '../../normals/findPatches.js';
 import { asPhase } from '../../timeSlicing/asPhase.js';
 import { forEachChunk } from '../../timeSlicing/forEachChunk.js';

@@ -2,7 +2,6 @@ import { Box2, MathUtils, type PerspectiveCamera, Spherical, Vector2, Vector3 } 
 import { SETTINGS } from '../../../viewer/settings/settings.js';
 import type { LightPlace } from '../../../viewer/settings/settingValues.js';
 import { ViewportProjection } from '../view/ViewportProjection.js';
-import { createLampIcon } from './createLampIcon.js';
 import { intersectSphere, isBehind, isHidden, nearestOutlinePoint, radiusWithin } from './lightSphere.js';
 import { Silhouette } from './Silhouette.js';
 
@@ -285,4 +284,21 @@ export class LightHandle {
   private reach(event: PointerEvent): number {
     return Math.max(MIN_REACH, this.projection.pointer(event).distanceTo(this.projection.project(new Vector3())));
   }
+}
+
+/** The icon of the light handle: a disc with eight rays, styled by the style sheet. */
+function createLampIcon(): SVGSVGElement {
+  const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+  svg.setAttribute('viewBox', '-24 -24 48 48');
+  svg.setAttribute('aria-hidden', 'true');
+  const rays = Array.from({ length: 8 }, (_, i) => {
+    const [x, y] = [Math.cos((i * Math.PI) / 4), Math.sin((i * Math.PI) / 4)];
+    return `M${(13.5 * x).toFixed(2)} ${(13.5 * y).toFixed(2)}L${(19 * x).toFixed(2)} ${(19 * y).toFixed(2)}`;
+  });
+  const path = document.createElementNS(svg.namespaceURI, 'path');
+  path.setAttribute('d', rays.join(''));
+  const disc = document.createElementNS(svg.namespaceURI, 'circle');
+  disc.setAttribute('r', '8.5');
+  svg.append(path, disc);
+  return svg;
 }

@@ -8,7 +8,6 @@ import {
   Vector3,
 } from 'three';
 import { asPhase } from '../../../mesh/timeSlicing/asPhase.js';
-import { rotationBetween } from './rotationBetween.js';
 
 /** The vertices of a mesh as the canvas poses them, object space. */
 export interface PosedVertices {
@@ -153,4 +152,28 @@ function* skin(mesh: SkinnedMesh, { positions, normals, toRest }: PosedVertices)
     back.fromArray(toRest!, 9 * v).multiply(linear.invert());
     back.toArray(toRest as unknown as number[], 9 * v);
   }
+}
+
+/**
+ * The smallest rotation that takes one direction to another, as shaders/perFragment/rotationBetween.glsl has it; none for vectors without
+ * a direction. Normalises both.
+ */
+function rotationBetween(from: Vector3, to: Vector3): Matrix3 {
+  const rotation = new Matrix3();
+  const cosine = from.normalize().dot(to.normalize());
+  // About turned round, any axis would do and none is right.
+  if (!(cosine > -0.999)) return rotation;
+  const { x, y, z } = from.clone().cross(to);
+  const scale = 1 / (1 + cosine);
+  return rotation.set(
+    1 - scale * (y * y + z * z),
+    scale * x * y - z,
+    scale * x * z + y,
+    scale * x * y + z,
+    1 - scale * (x * x + z * z),
+    scale * y * z - x,
+    scale * x * z - y,
+    scale * y * z + x,
+    1 - scale * (x * x + y * y),
+  );
 }

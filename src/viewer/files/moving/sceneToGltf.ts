@@ -15,8 +15,18 @@ import {
   Uint16BufferAttribute,
 } from 'three';
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
-import { BlobReader } from './BlobReader.js';
 import { GltfPictureWriter } from './GltfPictureWriter.js';
+
+/** What three's exporter of glTF reads blobs with where there is no `FileReader`, as in Node. */
+class BlobReader {
+  result: ArrayBuffer | null = null;
+  onloadend: (() => void) | null = null;
+
+  async readAsArrayBuffer(blob: Blob): Promise<void> {
+    this.result = await blob.arrayBuffer();
+    this.onloadend?.();
+  }
+}
 
 /** Values of each property per key. */
 const VALUES_PER_KEY: Readonly<Record<string, number>> = {

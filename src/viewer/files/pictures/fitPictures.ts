@@ -1,4 +1,10 @@
-import { MAX_DRAWN_PIXELS, MAX_DRAWN_SIDE, MAX_PIXELS, MAX_TOTAL_PIXELS } from './pictureLimits.js';
+/** The most pixels of one picture: a file of 44 kilobytes can decode to a gigabyte. */
+const MAX_PIXELS = 2 ** 26;
+/** The most pixels of all pictures of a model together in their files. They are decoded one after the other. */
+const MAX_TOTAL_PIXELS = 2 ** 28;
+/** The most pixels of all pictures together as they are drawn: eight of 2,048 pixels square take 171 megabytes with their mipmaps. */
+const MAX_DRAWN_PIXELS = 2 ** 25;
+const MAX_DRAWN_SIDE = 4096;
 
 /** The size of a picture: at first that of the file, after {@link fitPictures} the one to draw it in. */
 export interface PictureSize {

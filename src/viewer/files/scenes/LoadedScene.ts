@@ -1,6 +1,17 @@
-import { Loader, type Mesh, type MeshBasicMaterial, type Object3D } from 'three';
+import { BackSide, Loader, type Material, type Mesh, type MeshBasicMaterial, type Object3D } from 'three';
 import { ModelError } from '../common/ModelError.js';
-import { withoutBackground } from './withoutBackground.js';
+
+/** Hides the sky and the ground that three's loader for VRML builds around a scene: the model would be a dot in them. */
+function withoutBackground<Root extends Object3D>(root: Root): Root {
+  root.traverse((object) => {
+    const { material } = object as Partial<Mesh>;
+    if (material && !Array.isArray(material) && isBackground(material)) object.visible = false;
+  });
+  return root;
+}
+
+const isBackground = ({ side, depthTest, depthWrite }: Material): boolean =>
+  side === BackSide && !depthTest && !depthWrite;
 
 /** What one of three's loaders made of a file. Its textures hold links to their pictures. */
 export interface LoadedScene {

@@ -8,13 +8,7 @@ import { tsl, type Value } from '../base/values.js';
 import { inkAt as dryInkAt } from '../chunks/dryMedium.js';
 import { type HatchField, inkAt } from '../chunks/ink.js';
 import { levelByDepth, tilesPerUnit } from '../chunks/levelByDepth.js';
-import {
-  blendedField,
-  chooseLevel,
-  levelFor,
-  type ThresholdLevel,
-  thresholdMapSize,
-} from '../chunks/thresholdMap.js';
+import { blendedField, chooseLevel, levelFor, type ThresholdLevel, thresholdMapSize } from '../chunks/thresholdMap.js';
 import { anchorSpacing } from './layers.js';
 import type { HatchingParameters } from './read.js';
 import { nearestAnchors } from './simplexLattice.js';

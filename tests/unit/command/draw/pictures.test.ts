@@ -3,7 +3,7 @@ import { PNG } from 'pngjs';
 import { describe, expect, test } from 'vitest';
 import { decodePicture, UndecodedError } from '../../../../src/command/draw/decodePicture.js';
 import { decodePng } from '../../../../src/command/draw/decodePng.js';
-import { fitPixels } from '../../../../src/command/draw/fitPixels.js';
+import { fitPixels } from '../../../../src/command/draw/NodeSurroundings.js';
 import { PNG_SIGNATURE, pngChunk } from '../../../../src/strokes/mapFiles/pngChunks.js';
 
 /** A picture in which every value differs from its neighbours. */

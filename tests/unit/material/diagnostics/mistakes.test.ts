@@ -1,6 +1,12 @@
 import { BoxGeometry, Group, Mesh, MeshBasicMaterial } from 'three';
 import { afterEach, beforeEach, describe, expect, type MockInstance, test, vi } from 'vitest';
-import { applyHatching, HatchingMaterial, prepareHatchingGeometry, presets, TonalArtMap } from '../../../../src/index.js';
+import {
+  applyHatching,
+  HatchingMaterial,
+  prepareHatchingGeometry,
+  presets,
+  TonalArtMap,
+} from '../../../../src/index.js';
 
 const tonalArtMap = TonalArtMap.fromHatchImages({ size: 1, images: [[Uint8Array.of(255)], [Uint8Array.of(0)]] });
 const crate = () => new Mesh(new BoxGeometry(), new MeshBasicMaterial());

@@ -1,6 +1,6 @@
 import { Vector2 } from 'three';
 import { expect, test } from 'vitest';
-import { fitTones } from '../../../../src/material/exposure/fitTones.js';
+import { fitTones } from '../../../../src/material/exposure/ExposureFit.js';
 import { WeightedValues } from '../../../../src/material/exposure/WeightedValues.js';
 import { writeFit } from '../../../../src/material/exposure/writeFit.js';
 

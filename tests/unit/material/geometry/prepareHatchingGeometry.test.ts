@@ -14,9 +14,9 @@ import {
   type TypedArray,
 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { CORNER_STRIDE, cornerLayout } from '../../../../src/mesh/bake/cornerLayout.js';
 import type { HatchingStatistics } from '../../../../src/material/geometry/HatchingStatistics.js';
 import { prepareHatchingGeometry } from '../../../../src/material/geometry/prepareHatchingGeometry.js';
+import { CORNER_STRIDE, cornerLayout } from '../../../../src/mesh/bake/cornerLayout.js';
 
 //  2 ── 3
 //  │ ╲  │

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { triangleGroups } from '../../../../src/material/geometry/triangleGroups.js';
+import { triangleGroups } from '../../../../src/material/geometry/prepareHatchingGeometry.js';
 
 const group = (start: number, count: number, materialIndex?: number) => ({ start, count, materialIndex });
 

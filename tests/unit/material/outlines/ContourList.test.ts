@@ -1,10 +1,10 @@
 import { Sphere, Vector3, Vector4 } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
+import { OutlineData } from '../../../../src/material/geometry/OutlineData.js';
+import { ContourList } from '../../../../src/material/outlines/ContourList.js';
 import { bakeCorners } from '../../../../src/mesh/bake/bakeCorners.js';
 import { findCandidates } from '../../../../src/mesh/features/contourCandidates.js';
-import { OutlineData } from '../../../../src/material/geometry/OutlineData.js';
 import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
-import { ContourList } from '../../../../src/material/outlines/ContourList.js';
 import { disposeHatchingWorkers } from '../../../../src/worker/runTask.js';
 import { finish } from '../../mesh/meshes.js';
 import { torus } from '../../mesh/shapes.js';

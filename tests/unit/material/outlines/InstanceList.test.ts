@@ -1,9 +1,9 @@
 import { BufferGeometry, InstancedMesh, Matrix4, MeshBasicMaterial, Sphere, Vector3, Vector4 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { bakeCorners } from '../../../../src/mesh/bake/bakeCorners.js';
-import { findCandidates } from '../../../../src/mesh/features/contourCandidates.js';
 import { OutlineData } from '../../../../src/material/geometry/OutlineData.js';
 import { InstanceList } from '../../../../src/material/outlines/InstanceList.js';
+import { bakeCorners } from '../../../../src/mesh/bake/bakeCorners.js';
+import { findCandidates } from '../../../../src/mesh/features/contourCandidates.js';
 import { finish } from '../../mesh/meshes.js';
 import { torus } from '../../mesh/shapes.js';
 

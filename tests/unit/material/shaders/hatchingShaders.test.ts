@@ -1,16 +1,12 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
-import { backgroundShaders } from '../../../../src/material/backgroundShaders.js';
-import { deformationShaders } from '../../../../src/material/deformation/deformationShaders.js';
-import {
-  HATCHING_TECHNIQUES,
-  type HatchingTechnique,
-  type Medium,
-} from '../../../../src/look/hatchingProperties.js';
+import { HATCHING_TECHNIQUES, type HatchingTechnique, type Medium } from '../../../../src/look/hatchingProperties.js';
+import { deformationShaders } from '../../../../src/material/deformation/PrePass.js';
+import { backgroundShaders } from '../../../../src/material/HatchingBackground.js';
+import { outlineShaders } from '../../../../src/material/outlines/HatchingOutlineMaterial.js';
 import { fetchPart, partNameOf } from '../../../../src/material/parts/parts.js';
 import { environmentLayout } from '../../../../src/material/shaders/environmentLayout.js';
 import { hatchingShaders, plainShaders, type Shaders } from '../../../../src/material/shaders/hatchingShaders.js';
-import { outlineShaders } from '../../../../src/material/outlines/outlineShaders.js';
 
 const names = Object.keys(HATCHING_TECHNIQUES) as HatchingTechnique[];
 const media = ['ink', 'dry', 'stipple'] as const;

@@ -8,8 +8,8 @@ import {
   UnsignedByteType,
 } from 'three';
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import { strokeStyles } from '../../../../src/strokes/strokeStyles.js';
 import { TonalArtMap } from '../../../../src/material/tam/TonalArtMap.js';
+import { strokeStyles } from '../../../../src/strokes/strokeStyles.js';
 import { eventually } from '../../patience.js';
 
 /** Images of one byte value each, `size` texels at level 0. */

@@ -1,11 +1,11 @@
 import { describe, expect, it } from 'vitest';
-import { learnHand } from '../../../../src/strokes/hand/learnHand.js';
-import { generateHatchImages } from '../../../../src/strokes/tamImages/generateHatchImages.js';
+import { TonalArtMap } from '../../../../src/material/tam/TonalArtMap.js';
 import { presets } from '../../../../src/scene/presets.js';
 import { withPreset } from '../../../../src/scene/withPreset.js';
-import { TonalArtMap } from '../../../../src/material/tam/TonalArtMap.js';
-import { drawSwatch } from '../../strokes/hand/drawSwatch.js';
+import { learnHand } from '../../../../src/strokes/hand/learnHand.js';
+import { generateHatchImages } from '../../../../src/strokes/tamImages/generateHatchImages.js';
 import { finish, requestOf } from '../../strokes/draw.js';
+import { drawSwatch } from '../../strokes/hand/drawSwatch.js';
 
 const hand = learnHand(drawSwatch({ rows: 8, taperEnd: 0.4, curvature: 0.06 }));
 const size = { size: 64, tones: 4 };

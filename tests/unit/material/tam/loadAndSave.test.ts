@@ -1,7 +1,7 @@
 import { deflateSync } from 'node:zlib';
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import { encodePng } from '../../../../src/strokes/mapFiles/encodePng.js';
 import { TonalArtMap } from '../../../../src/material/tam/TonalArtMap.js';
+import { encodePng } from '../../../../src/strokes/mapFiles/writeMapFiles.js';
 import { hatchImages } from '../../strokes/draw.js';
 
 const png = async (name: string, size: number, image: Uint8Array): Promise<File> => {

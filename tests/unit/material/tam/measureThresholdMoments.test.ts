@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import { encodeThresholds } from '../../../../src/strokes/tamImages/encodeThresholds.js';
-import { generateThresholds } from '../../../../src/strokes/tamImages/generateThresholds.js';
-import { random as seeded } from '../../../../src/strokes/random.js';
 import { measureThresholdMoments } from '../../../../src/material/tam/measureThresholdMoments.js';
 import { pairThresholdLevels } from '../../../../src/material/tam/pairThresholdLevels.js';
+import { random as seeded } from '../../../../src/strokes/random.js';
+import { encodeThresholds } from '../../../../src/strokes/tamImages/encodeThresholds.js';
+import { generateThresholds } from '../../../../src/strokes/tamImages/generateThresholds.js';
 
 /** Thresholds in random places: neighbouring texels know nothing of each other. */
 function noise(size: number, seed: number) {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { generateThresholds } from '../../../../src/strokes/tamImages/generateThresholds.js';
-import { packThresholds } from '../../../../src/material/tam/packThresholds.js';
 import { pairThresholdLevels } from '../../../../src/material/tam/pairThresholdLevels.js';
+import { packThresholds } from '../../../../src/material/tam/ThresholdTexture.js';
+import { generateThresholds } from '../../../../src/strokes/tamImages/generateThresholds.js';
 
 function drawn() {
   const task = generateThresholds({ size: 64, style: 'crossHatching' });

@@ -7,8 +7,8 @@ import { bakeIndexed, bakeIndexedResultBuffers } from '../../../../src/mesh/bake
 import { bakePull, bakePullResultBuffers } from '../../../../src/mesh/bake/bakePull.js';
 import { POINT_MASK } from '../../../../src/mesh/bake/outlineLayout.js';
 import type { PackedOutlines } from '../../../../src/mesh/bake/packOutlines.js';
-import { BORDER, CREASE } from '../../../../src/mesh/features/edgeFlags.js';
 import { computeAreaNormals } from '../../../../src/mesh/computeAreaNormals.js';
+import { BORDER, CREASE } from '../../../../src/mesh/features/edgeFlags.js';
 import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
 import { meshFrom, outlinesOf } from '../features/surfaces.js';
 import { finish, meshOf } from '../meshes.js';

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { DataUtils } from 'three';
 import { expect, test } from 'vitest';
-import { halfFloat } from '../../../../src/mesh/bake/halfFloat.js';
+import { halfFloat } from '../../../../src/mesh/bake/packOutlines.js';
 
 const decode = (bits: number): number => DataUtils.fromHalfFloat(bits);
 

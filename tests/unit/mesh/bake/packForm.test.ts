@@ -1,8 +1,8 @@
 import { describe, expect, test } from 'vitest';
 import { packForm } from '../../../../src/mesh/bake/packForm.js';
 import { NO_CORNER, splitVertices } from '../../../../src/mesh/bake/splitVertices.js';
-import type { FormField } from '../../../../src/mesh/form/FormField.js';
 import { computeAreaNormals } from '../../../../src/mesh/computeAreaNormals.js';
+import type { FormField } from '../../../../src/mesh/form/FormField.js';
 import { finish, meshOf } from '../meshes.js';
 
 /** Form vertices whose values and gradients are told apart by their numbers. */

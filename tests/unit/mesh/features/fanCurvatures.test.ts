@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { fanCurvatures, TENSOR_FLOATS } from '../../../../src/mesh/features/fanCurvatures.js';
-import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
 import { computeSmoothNormals } from '../../../../src/mesh/normals/computeSmoothNormals.js';
+import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
 import { finish, meshOf } from '../meshes.js';
 import { cube, noise, patch, sphere, torus } from '../shapes.js';
 import { cross, dot, fanPositions, outlinesOf, perFan, type Row, scaled, surfaceOf, unit } from './surfaces.js';

@@ -10,7 +10,11 @@ import {
   IS_EDGE,
   MATERIAL_BORDER,
 } from '../../../../src/mesh/features/edgeFlags.js';
-import { type CreaseLimits, type FeatureEdges, findFeatureEdges } from '../../../../src/mesh/features/findFeatureEdges.js';
+import {
+  type CreaseLimits,
+  type FeatureEdges,
+  findFeatureEdges,
+} from '../../../../src/mesh/features/findFeatureEdges.js';
 import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
 import { finish, meshOf } from '../meshes.js';
 import { cube, noise, patch, prism, together } from '../shapes.js';

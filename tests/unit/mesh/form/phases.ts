@@ -1,3 +1,4 @@
+import { nextCorner } from '../../../../src/mesh/corners.js';
 import { bakeForm, LINES_PER_RADIUS } from '../../../../src/mesh/form/bakeForm.js';
 import type { FormField } from '../../../../src/mesh/form/FormField.js';
 import { FORM_DEFAULTS, type FormOptions } from '../../../../src/mesh/form/FormOptions.js';
@@ -7,7 +8,6 @@ import { phaseMatrix } from '../../../../src/mesh/form/phase/phaseMatrix.js';
 import { phaseSource } from '../../../../src/mesh/form/phase/phaseSource.js';
 import { NO_OFFSET, seamRelations } from '../../../../src/mesh/form/phase/seamRelations.js';
 import { solvePhase } from '../../../../src/mesh/form/phase/solvePhase.js';
-import { nextCorner } from '../../../../src/mesh/corners.js';
 import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
 import { cross, dot, unit } from '../features/surfaces.js';
 import { finish } from '../meshes.js';

@@ -3,9 +3,9 @@ import { expect, test } from 'vitest';
 import { buildTriangleAdjacency } from '../../../../src/mesh/adjacency/buildTriangleAdjacency.js';
 import { consistentTwins } from '../../../../src/mesh/adjacency/consistentTwins.js';
 import { NO_TWIN, nextCorner } from '../../../../src/mesh/corners.js';
-import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
 import { buildFans } from '../../../../src/mesh/normals/buildFans.js';
 import { findPatches } from '../../../../src/mesh/normals/findPatches.js';
+import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
 import { finish } from '../meshes.js';
 
 /** Triangles among few vertices: with borders, edges of many triangles and windings that contradict each other. */

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { heatSeries } from '../../../../src/mesh/normals/heatSeries.js';
+import { heatSeries } from '../../../../src/mesh/normals/diffuse.js';
 
 /** Σ cₖ·Tₖ(x), with Tₖ(cos a) = cos(k·a). */
 const valueAt = (coefficients: readonly number[], x: number): number =>

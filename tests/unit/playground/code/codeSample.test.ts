@@ -1,20 +1,20 @@
 import * as THREE from 'three';
 import { beforeAll, describe, expect, test } from 'vitest';
-import { codeSample } from '../../../../src/playground/code/codeSample.js';
-import { materialParameters } from '../../../../src/playground/code/lookSample.js';
-import { parameterSetter } from '../../../../src/viewer/drawing/parameterSetter.js';
 import { counts } from '../../../../src/look/measuredFacts.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import { HatchingOutlineMaterial } from '../../../../src/material/outlines/HatchingOutlineMaterial.js';
 import { HatchingOutlines } from '../../../../src/material/outlines/HatchingOutlines.js';
+import { codeSample } from '../../../../src/playground/code/codeSample.js';
+import { materialParameters } from '../../../../src/playground/code/lookSample.js';
 import { applyHatching } from '../../../../src/scene/applyHatching.js';
 import { presets } from '../../../../src/scene/presets.js';
+import { parameterSetter } from '../../../../src/viewer/drawing/parameterSetter.js';
+import { LightRig } from '../../../../src/viewer/sceneSetup/LightRig.js';
 import { lookOf } from '../../../../src/viewer/settings/lookOf.js';
 import { outlineLook } from '../../../../src/viewer/settings/outlineLook.js';
 import { PRESET_NAMES } from '../../../../src/viewer/settings/presetLabels.js';
 import { presetLook, presetOf } from '../../../../src/viewer/settings/presets.js';
 import { defaultSettings, type Settings } from '../../../../src/viewer/settings/settings.js';
-import { LightRig } from '../../../../src/viewer/sceneSetup/LightRig.js';
 
 /** What samples may import from the library. */
 const OURS = ['HatchingMaterial', 'HatchingOutlines', 'TonalArtMap', 'applyHatching', 'prepareHatchingGeometry'];

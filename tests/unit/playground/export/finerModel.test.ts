@@ -1,8 +1,8 @@
 import { Group, Mesh } from 'three';
 import { HatchingMaterial } from 'three-hatching';
 import { expect, test, vi } from 'vitest';
-import { loadModelFiles } from '../../../../src/playground/reading/loadModelFiles.js';
 import { finerModel } from '../../../../src/playground/export/finerModel.js';
+import { loadModelFiles } from '../../../../src/playground/reading/loadModelFiles.js';
 import type { ReadModel } from '../../../../src/viewer/files/readModel.js';
 import { defaultSettings } from '../../../../src/viewer/settings/settings.js';
 import { scannedTorus } from '../../../../tools/bench/detail/scannedTorus.mjs';

@@ -2,17 +2,17 @@ import { existsSync } from 'node:fs';
 import draco from 'draco3d';
 import { Group, MathUtils, Vector3 } from 'three';
 import { beforeAll, describe, expect, test, vi } from 'vitest';
-import { BUILT_IN_MODELS, type BuiltInModel } from '../../../../src/playground/models/models.js';
 import { lightModel } from '../../../../src/playground/loading/lightModel.js';
+import { BUILT_IN_MODELS, type BuiltInModel } from '../../../../src/playground/models/models.js';
 import { View } from '../../../../src/playground/viewport/view/View.js';
 import type { HatchedModel } from '../../../../src/viewer/drawing/HatchedModel.js';
 import { NO_EXTRAS } from '../../../../src/viewer/files/common/ModelExtras.js';
+import { createCamera, DEFAULT_VIEW } from '../../../../src/viewer/sceneSetup/createCamera.js';
+import { shadowOnGround } from '../../../../src/viewer/sceneSetup/shadowOnGround.js';
 import { GALLERY } from '../../../../src/viewer/settings/gallery.js';
 import { type Look, lookOf } from '../../../../src/viewer/settings/lookOf.js';
 import { defaultSettings } from '../../../../src/viewer/settings/settings.js';
 import { readLink } from '../../../../src/viewer/settings/shareLink.js';
-import { createCamera, DEFAULT_VIEW } from '../../../../src/viewer/sceneSetup/createCamera.js';
-import { shadowOnGround } from '../../../../src/viewer/sceneSetup/shadowOnGround.js';
 import { builtInModel, SHARED, serveFiles, sharedModel } from './subjects.js';
 
 /** The sheets of windows of 1440 × 900, 1024 × 768 and 390 × 844 pixels: what neither panel nor caption covers. */

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { shortNotes } from '../../../../src/playground/loading/shortNotes.js';
+import { shortNotes } from '../../../../src/playground/loading/ModelCaption.js';
 
 const LONG = 'a note of fifty letters, or so, which takes a line…';
 

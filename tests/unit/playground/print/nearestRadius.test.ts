@@ -1,6 +1,6 @@
 import { PerspectiveCamera, Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import { nearestRadius } from '../../../../src/playground/print/nearestRadius.js';
+import { nearestRadius } from '../../../../src/playground/print/print.js';
 
 test('a radius has as many pixels as two points at the near side of the model lie apart', () => {
   const camera = new PerspectiveCamera(30, 1.5, 0.01, 100);

@@ -10,8 +10,8 @@ import {
   strokeScale,
   toMillimetres,
 } from '../../../../src/playground/print/printPlan.js';
-import { defaultSettings, SETTINGS, type Settings } from '../../../../src/viewer/settings/settings.js';
 import { strokeShare } from '../../../../src/viewer/sceneSetup/strokeShare.js';
+import { defaultSettings, SETTINGS, type Settings } from '../../../../src/viewer/settings/settings.js';
 
 const settings = (changes: Partial<Settings>): Settings => ({ ...defaultSettings(), ...changes });
 const wide = { width: 900, height: 500, isWide: true };

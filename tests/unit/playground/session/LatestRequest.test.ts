@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { LatestRequest } from '../../../../src/playground/session/LatestRequest.js';
+import { LatestRequest } from '../../../../src/playground/session/LinkFollower.js';
 
 /** Something that is waited for until the test ends it. */
 function open() {

@@ -1,11 +1,11 @@
 import { Vector3 } from 'three';
 import { describe, expect, test, vi } from 'vitest';
+import { recordVideo } from '../../../../src/playground/video/recordVideo.js';
 import { LostContextError } from '../../../../src/playground/viewport/LostContextError.js';
 import type { PictureSession } from '../../../../src/playground/viewport/PictureSession.js';
 import type { Stage } from '../../../../src/playground/viewport/Stage.js';
-import { recordVideo } from '../../../../src/playground/video/recordVideo.js';
-import { defaultSettings, type Settings } from '../../../../src/viewer/settings/settings.js';
 import { createCamera } from '../../../../src/viewer/sceneSetup/createCamera.js';
+import { defaultSettings, type Settings } from '../../../../src/viewer/settings/settings.js';
 
 /** A stage without a browser. @param drawPart what drawing the nth frame does */
 function fakeStage(drawPart: (frame: number, canvas: EventTarget) => void = () => {}) {

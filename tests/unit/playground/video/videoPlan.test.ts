@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { placeOnFrame, planVideo, poseOf, stampOf } from '../../../../src/playground/video/videoPlan.js';
-import { defaultSettings, SETTINGS, type Settings } from '../../../../src/viewer/settings/settings.js';
 import { strokeShare } from '../../../../src/viewer/sceneSetup/strokeShare.js';
+import { defaultSettings, SETTINGS, type Settings } from '../../../../src/viewer/settings/settings.js';
 
 const settings = (changes: Partial<Settings>): Settings => ({ ...defaultSettings(), ...changes });
 const view = { width: 901, height: 603 };

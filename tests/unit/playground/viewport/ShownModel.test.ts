@@ -2,9 +2,9 @@ import { Group } from 'three';
 import { expect, test, vi } from 'vitest';
 import { ShownModel } from '../../../../src/playground/viewport/ShownModel.js';
 import type { HatchedModel } from '../../../../src/viewer/drawing/HatchedModel.js';
+import { DEFAULT_VIEW } from '../../../../src/viewer/sceneSetup/createCamera.js';
 import { lookOf } from '../../../../src/viewer/settings/lookOf.js';
 import { defaultSettings } from '../../../../src/viewer/settings/settings.js';
-import { DEFAULT_VIEW } from '../../../../src/viewer/sceneSetup/createCamera.js';
 
 /** A model without meshes, and what was done to it. */
 function fakeModel(name: string) {

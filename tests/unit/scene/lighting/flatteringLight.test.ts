@@ -20,10 +20,10 @@ import {
 } from 'three';
 import { describe, expect, test } from 'vitest';
 import { flatteringLight, prepareHatchingGeometry } from '../../../../src/index.js';
-import { seenSurface } from '../../../../src/scene/lighting/seenSurface.js';
-import { shareOfShade } from '../../../../src/scene/lighting/shareOfShade.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
+import { shareOfShade } from '../../../../src/scene/lighting/chooseLight.js';
 import { readTriangles } from '../../../../src/scene/lighting/readTriangles.js';
+import { seenSurface } from '../../../../src/scene/lighting/seenSurface.js';
 
 /** The share of light below which a surface looks less than half as bright as paper, by sRGB. */
 const HALF_AS_BRIGHT = ((0.5 + 0.055) / 1.055) ** 2.4;

@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
+import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
+import { HatchingOutlineMaterial } from '../../../../src/material/outlines/HatchingOutlineMaterial.js';
 import { engravedHand } from '../../../../src/strokes/hand/engravedHand.js';
 import type { Hand, HandNumbers } from '../../../../src/strokes/hand/Hand.js';
 import { HAND_NUMBER_NAMES, HAND_NUMBER_RANGES } from '../../../../src/strokes/hand/handNumberRanges.js';
 import { learnHand } from '../../../../src/strokes/hand/learnHand.js';
-import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
-import { HatchingOutlineMaterial } from '../../../../src/material/outlines/HatchingOutlineMaterial.js';
 import { random } from '../../../../src/strokes/random.js';
 import { drawSwatch } from './drawSwatch.js';
 

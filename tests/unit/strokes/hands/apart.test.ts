@@ -5,8 +5,8 @@ import { learnHand } from '../../../../src/strokes/hand/learnHand.js';
 import { type ExampleHandName, exampleHand, exampleHandNames } from '../../../../src/strokes/hands/exampleHand.js';
 import { meanInk } from '../../../../src/strokes/tamImages/checkHatchImages.js';
 import { generateHatchImages } from '../../../../src/strokes/tamImages/generateHatchImages.js';
-import { trace } from '../strokeTracing/trace.js';
 import { finish, requestOf } from '../draw.js';
+import { trace } from '../strokeTracing/trace.js';
 
 /** Pixels per side of the pictures that hands are told apart by, and how dark they are. */
 const SIDE = 200;

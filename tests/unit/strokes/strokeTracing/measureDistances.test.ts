@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
-import { measureDistances } from '../../../../src/strokes/strokeTracing/measureDistances.js';
 import { random } from '../../../../src/strokes/random.js';
+import { measureDistances } from '../../../../src/strokes/strokeTracing/measureDistances.js';
 
 test('every distance is that to the nearest pixel of paper, as found by looking at them all', () => {
   const [width, height] = [37, 23];

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
+import { random } from '../../../../src/strokes/random.js';
 import type { ScannedImage } from '../../../../src/strokes/strokeTracing/ScannedImage.js';
 import { traceStrokesSteps } from '../../../../src/strokes/strokeTracing/traceStrokesSteps.js';
-import { random } from '../../../../src/strokes/random.js';
 import { gaussian, type InkStroke, type Photograph, photograph, straight } from './paper.js';
 import { type Measured, measure, trace } from './trace.js';
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { checkHatchImages } from '../../../../src/strokes/tamImages/checkHatchImages.js';
 import { TonalArtMap } from '../../../../src/material/tam/TonalArtMap.js';
+import { checkHatchImages } from '../../../../src/strokes/tamImages/checkHatchImages.js';
 
 const paper = (size: number): Uint8Array => new Uint8Array(size * size).fill(255);
 

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { checkHatchImages } from '../../../../src/strokes/tamImages/checkHatchImages.js';
-import { enforceLevelNesting } from '../../../../src/strokes/tamImages/enforceLevelNesting.js';
 import { random } from '../../../../src/strokes/random.js';
+import { checkHatchImages } from '../../../../src/strokes/tamImages/checkHatchImages.js';
+import { enforceLevelNesting } from '../../../../src/strokes/tamImages/generateHatchImages.js';
 
 /** Images nested in tone whose levels know nothing of each other. */
 function unrelatedLevels(): { size: number; images: Uint8Array[][] } {

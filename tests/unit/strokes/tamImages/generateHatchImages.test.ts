@@ -1,11 +1,11 @@
 import { describe, expect, it } from 'vitest';
+import { placeStrokes } from '../../../../src/strokes/placeStrokes.js';
+import type { Stroke } from '../../../../src/strokes/Stroke.js';
+import { strokeStyles } from '../../../../src/strokes/strokeStyles.js';
 import { checkHatchImages } from '../../../../src/strokes/tamImages/checkHatchImages.js';
 import { generateHatchImages } from '../../../../src/strokes/tamImages/generateHatchImages.js';
 import type { MapRequest } from '../../../../src/strokes/tamImages/hatchImageRequest.js';
 import { resolveHatchImageOptions } from '../../../../src/strokes/tamImages/hatchImageRequest.js';
-import { placeStrokes } from '../../../../src/strokes/placeStrokes.js';
-import type { Stroke } from '../../../../src/strokes/Stroke.js';
-import { strokeStyles } from '../../../../src/strokes/strokeStyles.js';
 import { cases } from '../../../selection.mjs';
 import { drawStrokes, finish, hatchImages, styleNames } from '../draw.js';
 

@@ -1,16 +1,16 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
-import { backgroundShaders } from '../../../../src/material/backgroundShaders.js';
 import { FORM_CONSTANTS } from '../../../../src/look/constants/formConstants.js';
-import { MULTIPLES } from '../../../../src/mesh/form/phase/roundJumps.js';
 import {
   HATCHING_PROPERTIES,
   HATCHING_TECHNIQUES,
   type HatchingTechnique,
 } from '../../../../src/look/hatchingProperties.js';
+import { backgroundShaders } from '../../../../src/material/HatchingBackground.js';
+import { outlineShaders } from '../../../../src/material/outlines/HatchingOutlineMaterial.js';
 import { fetchPart, partNameOf } from '../../../../src/material/parts/parts.js';
 import { hatchingShaders } from '../../../../src/material/shaders/hatchingShaders.js';
-import { outlineShaders } from '../../../../src/material/outlines/outlineShaders.js';
+import { MULTIPLES } from '../../../../src/mesh/form/phase/roundJumps.js';
 
 /** Every number that both shaders and the processor draw by stands in one of these tables, and nowhere else. */
 type Value = number | readonly number[];

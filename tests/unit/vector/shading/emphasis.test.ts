@@ -1,7 +1,7 @@
 import { mat4 } from 'gl-matrix';
 import { describe, expect, test } from 'vitest';
-import { type Emphasis, emphasisAt, outlineEmphasisAt } from '../../../../src/vector/shading/emphasis.js';
 import type { Vec3 } from '../../../../src/look/vectors.js';
+import { type Emphasis, emphasisAt, outlineEmphasisAt } from '../../../../src/vector/shading/emphasis.js';
 import { HatchingReference, type ReferenceMaterial } from '../../../reference/hatchingReference.js';
 import { randomNumbers } from '../randomNumbers.js';
 

@@ -1,10 +1,10 @@
+import type { Vec3 } from '../../../../src/look/vectors.js';
 import { cutFor, cutWidth, rowOctaves } from '../../../../src/vector/shading/carving.js';
 import { handWidth } from '../../../../src/vector/shading/hand.js';
 import { penFor, strokeAt } from '../../../../src/vector/shading/penStrokes.js';
 import { octaveOf, powerOf2, roomOf } from '../../../../src/vector/shading/ruledLines.js';
 import { changePerPixel, type ScreenMap } from '../../../../src/vector/shading/screenGradient.js';
 import { alongLines } from '../../../../src/vector/shading/strokeLengths.js';
-import type { Vec3 } from '../../../../src/look/vectors.js';
 import type { EngravedSettings } from '../../../reference/engravedReference.js';
 
 /** A family of lines at a fragment. */

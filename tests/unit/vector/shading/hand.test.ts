@@ -1,8 +1,8 @@
 import { describe, expect, test } from 'vitest';
+import type { Vec3 } from '../../../../src/look/vectors.js';
 import { handWidth, lotOf, turnOf } from '../../../../src/vector/shading/hand.js';
 import { fieldLight } from '../../../../src/vector/shading/lightField.js';
 import { octaves, powerOf2, roomOf } from '../../../../src/vector/shading/ruledLines.js';
-import type { Vec3 } from '../../../../src/look/vectors.js';
 import { principalAxis } from '../../../reference/engravedReference.js';
 import { lineFactor, lotOf as referenceLot } from '../../../reference/engravedStrokes.js';
 import { randomNumbers } from '../randomNumbers.js';

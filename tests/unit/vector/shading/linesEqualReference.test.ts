@@ -1,5 +1,6 @@
 import { mat4, vec3 } from 'gl-matrix';
 import { expect, test } from 'vitest';
+import { combined, type Vec3 } from '../../../../src/look/vectors.js';
 import {
   KEPT_BY_PEN,
   leftOf,
@@ -11,10 +12,15 @@ import {
 import { across, type CutField, type Field, firstField } from '../../../../src/vector/shading/fieldAxis.js';
 import { handTone } from '../../../../src/vector/shading/hand.js';
 import { fieldLight } from '../../../../src/vector/shading/lightField.js';
-import { cutFamilies, familyGradient, familyValue, type Lean, readCut } from '../../../../src/vector/shading/readCut.js';
+import {
+  cutFamilies,
+  familyGradient,
+  familyValue,
+  type Lean,
+  readCut,
+} from '../../../../src/vector/shading/readCut.js';
 import { riseOf } from '../../../../src/vector/shading/ruledLines.js';
 import { screenMap } from '../../../../src/vector/shading/screenGradient.js';
-import { combined, type Vec3 } from '../../../../src/look/vectors.js';
 import { EngravedReference, type EngravedSettings } from '../../../reference/engravedReference.js';
 import type { HatchingReference, ReferenceLight } from '../../../reference/hatchingReference.js';
 import { randomNumbers } from '../randomNumbers.js';

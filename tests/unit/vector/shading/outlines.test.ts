@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
+import { normalize, type Vec3 } from '../../../../src/look/vectors.js';
 import { standingAt, strideOf } from '../../../../src/vector/shading/outlineStanding.js';
 import { suggestiveShare } from '../../../../src/vector/shading/suggestiveContour.js';
-import { normalize, type Vec3 } from '../../../../src/look/vectors.js';
 
 describe('the standing of an outline', () => {
   test('before the paper alone it is all paper, and has no accent', () => {

@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest';
 import { hiddenWeight } from '../../../../src/look/hiddenOutlines.js';
+import { combined, normalize, type Vec3 } from '../../../../src/look/vectors.js';
 import {
   contourAlong,
   depthAcross,
@@ -11,7 +12,6 @@ import {
   wobbleAt,
 } from '../../../../src/vector/shading/outlines.js';
 import { suggestiveShare } from '../../../../src/vector/shading/suggestiveContour.js';
-import { combined, normalize, type Vec3 } from '../../../../src/look/vectors.js';
 import {
   behindSurface,
   depthBeside,

@@ -1,9 +1,9 @@
 import { describe, expect, test } from 'vitest';
+import { normalize } from '../../../../src/look/vectors.js';
 import { type BackgroundField, lineAt, lineWidth, placeOnLine } from '../../../../src/vector/shading/background.js';
 import { across } from '../../../../src/vector/shading/fieldAxis.js';
 import { awayField, groundTone, lineLeft } from '../../../../src/vector/shading/groundShadow.js';
 import { type ToneLook, toneFromRadiance } from '../../../../src/vector/shading/tone.js';
-import { normalize } from '../../../../src/look/vectors.js';
 import { type ReferenceBackground, ruledAt } from '../../../reference/backgroundReference.js';
 import { axisAway, leftOfLine, shadowedTone } from '../../../reference/groundReference.js';
 import type { Vec3 } from '../../../reference/referenceAdjacency.js';

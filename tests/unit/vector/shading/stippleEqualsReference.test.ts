@@ -1,5 +1,8 @@
 import { mat4, vec3 } from 'gl-matrix';
 import { expect, test } from 'vitest';
+import { dot, type Vec3 } from '../../../../src/look/vectors.js';
+import { STIPPLE_MAP_SIZE } from '../../../../src/material/tam/patternSizes.js';
+import { stippleMap } from '../../../../src/material/tam/stippleMap.js';
 import { screenGradient, screenMap } from '../../../../src/vector/shading/screenGradient.js';
 import {
   coverOf,
@@ -12,9 +15,6 @@ import {
   roundScreenMap,
   setShift,
 } from '../../../../src/vector/shading/stipple.js';
-import { dot, type Vec3 } from '../../../../src/look/vectors.js';
-import { STIPPLE_MAP_SIZE } from '../../../../src/material/tam/patternSizes.js';
-import { stippleMap } from '../../../../src/material/tam/stippleMap.js';
 import type { HatchingReference } from '../../../reference/hatchingReference.js';
 import { StippleReference } from '../../../reference/stippleReference.js';
 import { randomNumbers } from '../randomNumbers.js';

@@ -1,10 +1,10 @@
 import { mat4, vec3 } from 'gl-matrix';
 import { expect, test } from 'vitest';
+import { combined, lengthOf, type Vec3 } from '../../../../src/look/vectors.js';
 import { KEPT_BY_PEN, leftOf, THIRD_FROM, takenOf } from '../../../../src/vector/shading/crossedTones.js';
 import { handTone } from '../../../../src/vector/shading/hand.js';
 import { COARSEST_OCTAVES, formVarying, readForm } from '../../../../src/vector/shading/readForm.js';
 import { screenMap } from '../../../../src/vector/shading/screenGradient.js';
-import { combined, lengthOf, type Vec3 } from '../../../../src/look/vectors.js';
 import {
   EngravedReference,
   type EngravedSettings,

@@ -1,6 +1,14 @@
 import { describe, expect, test } from 'vitest';
-import { arriving, type Lamp, reflectedTo, responseTo, type ToneModel } from '../../../../src/vector/shading/radiance.js';
 import { radianceAround } from '../../../../src/look/surroundings.js';
+import { combined, normalize, type Vec3 } from '../../../../src/look/vectors.js';
+import { fitToneCurve } from '../../../../src/material/fitToneCurve.js';
+import {
+  arriving,
+  type Lamp,
+  reflectedTo,
+  responseTo,
+  type ToneModel,
+} from '../../../../src/vector/shading/radiance.js';
 import {
   localDarkness,
   openToLights,
@@ -9,8 +17,6 @@ import {
   type ToneLook,
   toneFromRadiance,
 } from '../../../../src/vector/shading/tone.js';
-import { combined, normalize, type Vec3 } from '../../../../src/look/vectors.js';
-import { fitToneCurve } from '../../../../src/material/fitToneCurve.js';
 import { defaults } from '../../../gpu/referenceScenes.js';
 import { HatchingReference, type ReferenceLight } from '../../../reference/hatchingReference.js';
 import { randomNumbers } from '../randomNumbers.js';

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
-import { type Mat3, screenMap, uphillOnPicture } from '../../../../src/vector/shading/screenGradient.js';
 import { dot, normalize, type Vec3 } from '../../../../src/look/vectors.js';
+import { type Mat3, screenMap, uphillOnPicture } from '../../../../src/vector/shading/screenGradient.js';
 import { randomNumbers } from '../randomNumbers.js';
 
 const SAME: Mat3 = [

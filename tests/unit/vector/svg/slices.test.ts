@@ -1,10 +1,10 @@
 import { TorusGeometry } from 'three';
 import { beforeAll, describe, expect, test } from 'vitest';
+import { Bvh } from '../../../../src/vector/Bvh.js';
+import { drawLines } from '../../../../src/vector/drawLines.js';
 import { planOf } from '../../../../src/vector/svg/DrawSVGOptions.js';
 import { drawSVG } from '../../../../src/vector/svg/drawSVG.js';
 import { readScene } from '../../../../src/vector/svg/readScene.js';
-import { Bvh } from '../../../../src/vector/Bvh.js';
-import { drawLines } from '../../../../src/vector/drawLines.js';
 import { TriangleSplitter } from '../../../../src/vector/TriangleSplitter.js';
 import { cameraAt, hatchedMesh, sceneOf } from '../hatchedScene.js';
 

@@ -5,8 +5,8 @@ import { drawSVG } from '../../../../src/vector/svg/drawSVG.js';
 import { lineTasks } from '../../../../src/vector/svg/lineTasks.js';
 import type { ToWorker } from '../../../../src/worker/protocol.js';
 import { disposeHatchingWorkers } from '../../../../src/worker/runTask.js';
-import { cameraAt, hatchedMesh, sceneOf } from '../hatchedScene.js';
 import { FakeWorker } from '../../worker/FakeWorker.js';
+import { cameraAt, hatchedMesh, sceneOf } from '../hatchedScene.js';
 
 /** Draws what it is asked for, from a copy as a real worker gets it. */
 class DrawingWorker extends FakeWorker {

@@ -1,13 +1,13 @@
 import { Box3, DirectionalLight, type Material, type Mesh, OrthographicCamera, Scene } from 'three';
 import { describe, expect, test } from 'vitest';
+import type { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
+import { drawSVG } from '../../../../src/vector/svg/drawSVG.js';
 import { buildModel } from '../../../../src/viewer/drawing/buildModel.js';
 import type { HatchedModel } from '../../../../src/viewer/drawing/HatchedModel.js';
 import { meshesOf } from '../../../../src/viewer/drawing/meshesOf.js';
 import { readModel } from '../../../../src/viewer/files/readModel.js';
-import type { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import { lookOf } from '../../../../src/viewer/settings/lookOf.js';
 import { defaultSettings } from '../../../../src/viewer/settings/settings.js';
-import { drawSVG } from '../../../../src/vector/svg/drawSVG.js';
 import { BOX_CORNERS, BOX_FACES } from '../../../../tools/modelFiles/box.js';
 import { addTrack, type GltfBuilder, tetrahedron } from '../../../../tools/modelFiles/GltfBuilder.js';
 

@@ -10,9 +10,9 @@ import {
   Texture,
 } from 'three';
 import { describe, expect, test } from 'vitest';
+import { HatchingOutlines } from '../../../../src/material/outlines/HatchingOutlines.js';
 import { modelOfMesh } from '../../../../src/viewer/drawing/modelOfMesh.js';
 import { modelOfScene } from '../../../../src/viewer/drawing/modelOfScene.js';
-import { HatchingOutlines } from '../../../../src/material/outlines/HatchingOutlines.js';
 import { type Look, lookOf } from '../../../../src/viewer/settings/lookOf.js';
 import { defaultSettings, type Settings } from '../../../../src/viewer/settings/settings.js';
 

@@ -1,11 +1,11 @@
 import { Color } from 'three';
 import { afterEach, expect, test, vi } from 'vitest';
+import type { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import { buildModel } from '../../../../src/viewer/drawing/buildModel.js';
 import type { HatchedModel } from '../../../../src/viewer/drawing/HatchedModel.js';
 import { type GltfParts, parseGltf } from '../../../../src/viewer/files/gltf/parseGltf.js';
 import { readGltf } from '../../../../src/viewer/files/gltf/readGltf.js';
 import { readModel } from '../../../../src/viewer/files/readModel.js';
-import type { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import { lookOf } from '../../../../src/viewer/settings/lookOf.js';
 import { defaultSettings } from '../../../../src/viewer/settings/settings.js';
 import { tetrahedron } from '../../../../tools/modelFiles/GltfBuilder.js';

@@ -9,7 +9,7 @@ import {
   Mesh,
 } from 'three';
 import { expect, test } from 'vitest';
-import { widenIntegers } from '../../../../src/viewer/drawing/widenIntegers.js';
+import { widenIntegers } from '../../../../src/viewer/drawing/modelOfScene.js';
 
 const VERTICES = 24;
 

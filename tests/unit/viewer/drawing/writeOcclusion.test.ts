@@ -3,8 +3,7 @@ import { mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
 import { expect, test } from 'vitest';
 import { bakeMesh } from '../../../../src/viewer/drawing/bakeMesh.js';
 import { meshesOf } from '../../../../src/viewer/drawing/meshesOf.js';
-import { modelOfMesh } from '../../../../src/viewer/drawing/modelOfMesh.js';
-import { writeOcclusion } from '../../../../src/viewer/drawing/writeOcclusion.js';
+import { modelOfMesh, writeOcclusion } from '../../../../src/viewer/drawing/modelOfMesh.js';
 import type { PlainMesh } from '../../../../src/viewer/files/mesh/PlainMesh.js';
 
 const OPTIONS = { signal: new AbortController().signal, onProgress: () => {} };

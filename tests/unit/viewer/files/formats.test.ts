@@ -1,6 +1,12 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { expect, test } from 'vitest';
-import { COMPANION_EXTENSIONS, FORMATS, formatNames, formatOf, MODEL_EXTENSIONS } from '../../../../src/viewer/files/formats.js';
+import {
+  COMPANION_EXTENSIONS,
+  FORMATS,
+  formatNames,
+  formatOf,
+  MODEL_EXTENSIONS,
+} from '../../../../src/viewer/files/formats.js';
 
 test.each(FORMATS.map((format) => [format.name, format] as const))(
   '%s can be recognised, and three.js has the loader that it is said to have',

@@ -1,8 +1,8 @@
 import { OrthographicCamera, PerspectiveCamera, Raycaster, Vector2, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
-import type { CameraLens, CameraView } from '../../../../src/viewer/settings/CameraView.js';
 import { LENS, LensCamera } from '../../../../src/viewer/sceneSetup/LensCamera.js';
 import { linkedCamera } from '../../../../src/viewer/sceneSetup/placeCamera.js';
+import type { CameraLens, CameraView } from '../../../../src/viewer/settings/CameraView.js';
 
 const wide: CameraLens = { isOrthographic: false, high: 0.5, aspect: 2, up: [0, 1, 0] };
 const flat: CameraLens = { isOrthographic: true, high: 1.25, aspect: 0, up: [0, 1, 0] };

@@ -1,6 +1,5 @@
 import { expect, test } from 'vitest';
-import { lackOfNodes } from '../../../../src/viewer/settings/lackOfNodes.js';
-import { lookOf } from '../../../../src/viewer/settings/lookOf.js';
+import { lackOfNodes, lookOf } from '../../../../src/viewer/settings/lookOf.js';
 import { PRESET_NAMES } from '../../../../src/viewer/settings/presetLabels.js';
 import { presetLook } from '../../../../src/viewer/settings/presets.js';
 import { defaultSettings, type Settings } from '../../../../src/viewer/settings/settings.js';

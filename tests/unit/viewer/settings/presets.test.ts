@@ -1,12 +1,12 @@
 import { describe, expect, test } from 'vitest';
-import { parameterSetter } from '../../../../src/viewer/drawing/parameterSetter.js';
-import { materialSizesIn } from '../../../../src/viewer/drawing/picturedSizes.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../../../../src/look/hatchingProperties.js';
 import { counts } from '../../../../src/look/measuredFacts.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import { HatchingOutlineMaterial } from '../../../../src/material/outlines/HatchingOutlineMaterial.js';
 import { OUTLINE_NUMBER_NAMES } from '../../../../src/material/outlines/outlineProperties.js';
 import { presets } from '../../../../src/scene/presets.js';
+import { parameterSetter } from '../../../../src/viewer/drawing/parameterSetter.js';
+import { materialSizesIn } from '../../../../src/viewer/drawing/picturedSizes.js';
 import { acceptSetting } from '../../../../src/viewer/settings/acceptSetting.js';
 import { lookOf } from '../../../../src/viewer/settings/lookOf.js';
 import { outlineLook } from '../../../../src/viewer/settings/outlineLook.js';

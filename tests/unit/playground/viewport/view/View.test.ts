@@ -1,10 +1,10 @@
 import { BoxGeometry, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
 import { View } from '../../../../../src/playground/viewport/view/View.js';
+import { createCamera } from '../../../../../src/viewer/sceneSetup/createCamera.js';
 import type { CameraLens, CameraView } from '../../../../../src/viewer/settings/CameraView.js';
 import { defaultSettings } from '../../../../../src/viewer/settings/settings.js';
 import { readLink, writeLink } from '../../../../../src/viewer/settings/shareLink.js';
-import { createCamera } from '../../../../../src/viewer/sceneSetup/createCamera.js';
 
 const outline = new BoxGeometry(1.2, 1, 0.8).getAttribute('position').array as Float32Array;
 
