@@ -25,6 +25,7 @@ export type {
 } from './look/HatchingProperty.js';
 export { HATCHING_FACTS } from './look/hatchingFacts.js';
 export { HATCHING_DEFAULTS, HATCHING_PROPERTIES } from './look/hatchingProperties.js';
+export { counts, measureOf, pixelPower, scaledSizes } from './look/measuredFacts.js';
 export {
   followsForm,
   formOf,
@@ -32,8 +33,7 @@ export {
   knowsChoice,
   needsAdjacency,
   needsMap,
-} from './look/lookFacts.js';
-export { counts, measureOf, pixelPower, scaledSizes } from './look/measuredFacts.js';
+} from './look/queries.js';
 export { HATCHING_BACKGROUND_DEFAULTS } from './material/backgroundProperties.js';
 export { HATCHING_OUTLINE_DEFAULTS } from './material/outlines/outlineProperties.js';
 export { leftAlone } from './scene/leftAlone.js';

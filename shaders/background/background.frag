@@ -18,7 +18,7 @@ varying vec2 vLit;
 #include "background/constants"
 
 // A random number in [0, 1) of an end of a line.
-float lotOf(const in float line, const in float end) {
+float hash01(const in float line, const in float end) {
   uint spread = uint(int(2.0 * line + end)) * GOLDEN_RATIO;
   spread ^= spread >> 15u;
   return float((spread * SECOND_FACTOR) >> 8u) / 16777216.0;
@@ -35,7 +35,7 @@ void main() {
   float way = max(length(bySize) / extent, max(bySheet.x, bySheet.y) / RIM);
   // The two ends of a line have nothing in common, so in its middle neither counts.
   float ragged = RAGGED * min(2.0 * abs(along) / (extent * max(subject.z, subject.w)), 1.0);
-  float left = 1.0 - smoothstep(1.0 - THINNING, 1.0, way + ragged * (lotOf(line, step(0.0, along)) - 0.5));
+  float left = 1.0 - smoothstep(1.0 - THINNING, 1.0, way + ragged * (hash01(line, step(0.0, along)) - 0.5));
   float side = clamp(dot(vLit, bySize), -1.0, 1.0);
   float width = spacing * left * min(tone * (1.0 + contrast * side), 1.0);
   float coverage = width > 0.0 ? lineCoverage(abs(across - line - 0.5) * spacing, 0.5 * width, 0.5) : 0.0;

@@ -1,7 +1,6 @@
 import type { HatchingPreset } from 'three-hatching';
 import { Drawing } from './Drawing.js';
 import { elementStyle } from './elementStyle.js';
-import { Painter } from './Painter.js';
 import {
   type Direction,
   LOOK_NUMBERS,
@@ -11,6 +10,7 @@ import {
   readLookNumber,
   readPreset,
 } from './readAttributes.js';
+import { SharedRenderer } from './SharedRenderer.js';
 import { type Arrangement, ViewControls } from './ViewControls.js';
 
 let hasWarned = false;
@@ -114,7 +114,7 @@ export class HatchedModelElement extends Base {
   private firstEye = EYE;
   private readonly arrangement: Arrangement = this.home;
   private viewControls: ViewControls | undefined;
-  private painter: Painter | undefined;
+  private painter: SharedRenderer | undefined;
   private drawing: Drawing | undefined;
   private loading: AbortController | undefined;
   private near: IntersectionObserver | undefined;
@@ -215,7 +215,7 @@ export class HatchedModelElement extends Base {
       this.hadSource = true;
       const preset = this.readLook();
       readLight(this.getAttribute('light'));
-      this.painter ??= Painter.acquire(this.onRestored);
+      this.painter ??= SharedRenderer.acquire(this.onRestored);
       const drawing = await Drawing.load(
         {
           address: resolve(this.src),

@@ -1,8 +1,8 @@
 import type { HatchingFacts, HatchingMeasure } from './HatchingProperty.js';
 import { HATCHING_FACTS } from './hatchingFacts.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from './hatchingProperties.js';
-import { type HatchingLook, holds, isUsedBy, propertyOf, techniqueOf, valueIn } from './lookFacts.js';
 import { spelledOut } from './presetParameters.js';
+import { type HatchingLook, holds, isUsedBy, propertyOf, techniqueOf, valueIn } from './queries.js';
 
 const NAMES = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
 const factsOf = (name: HatchingPropertyName): HatchingFacts => HATCHING_FACTS[name] ?? {};

@@ -17,7 +17,7 @@ import {
   type WebGLRenderer,
 } from 'three';
 import { BACKGROUND_CONSTANTS } from '../look/constants/backgroundConstants.js';
-import { LOT_FACTORS } from '../look/constants/lotConstants.js';
+import { HASH_FACTORS } from '../look/constants/hashConstants.js';
 import {
   BACKGROUND_NUMBER_NAMES,
   BACKGROUND_NUMBERS,
@@ -33,7 +33,7 @@ import type { Shaders } from './shaders/hatchingShaders.js';
 import { lightChunks } from './shaders/lightKinds.js';
 import { resolveIncludes } from './shaders/resolveIncludes.js';
 import { conventionsChunk } from './shaders/shaderConventions.js';
-import { tellOfRenderer } from './tellOfRenderer.js';
+import { warnOfRenderer } from './warnOfRenderer.js';
 
 /** The shader files of backgrounds, and the chunks that they share with materials, as text. */
 const files: Readonly<Record<string, string>> = import.meta.glob(
@@ -48,7 +48,7 @@ export function backgroundShaders(): Shaders {
   if (made) return made;
   const chunks: Record<string, string> = {
     conventions: conventionsChunk(),
-    'background/constants': [definesOf(BACKGROUND_CONSTANTS), definesOf(LOT_FACTORS, 'u')].join('\n'),
+    'background/constants': [definesOf(BACKGROUND_CONSTANTS), definesOf(HASH_FACTORS, 'u')].join('\n'),
     ...lightChunks(),
   };
   for (const [path, text] of Object.entries(files)) {
@@ -130,7 +130,7 @@ export class HatchingBackground extends Mesh<BufferGeometry, ShaderMaterial> {
     const { geometry, subject, material } = this;
     if ('isWebGPURenderer' in renderer) {
       geometry.setDrawRange(0, -1);
-      tellOfRenderer('HatchingBackground', false);
+      warnOfRenderer('HatchingBackground', false);
       return;
     }
     const seen = subject?.seenFrom(renderer, camera);

@@ -19,9 +19,9 @@ import {
 import { defaultOf } from '../look/defaultOf.js';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
-import { followsForm, needsMap, usesThresholds } from '../look/lookFacts.js';
 import type { PresetName } from '../look/presetMaterials.js';
 import { spelledOut } from '../look/presetParameters.js';
+import { followsForm, needsMap, usesThresholds } from '../look/queries.js';
 import { bindEnvironment } from './bindEnvironment.js';
 import { blurredEnvironment } from './blurredEnvironment.js';
 import { checkChoice, checkValues } from './checkValues.js';
@@ -58,9 +58,9 @@ import { programSwitches } from './programSwitches.js';
 import { hatchingShaders, plainShaders, type Shaders } from './shaders/hatchingShaders.js';
 import { mapIsReady, sharedMap } from './sharedMaps.js';
 import type { TonalArtMap } from './tam/TonalArtMap.js';
-import { tellOfRenderer } from './tellOfRenderer.js';
 import { warnOfUnused } from './unusedProperties.js';
 import { withVectors } from './vectorValues.js';
+import { warnOfRenderer } from './warnOfRenderer.js';
 
 const propertyNames = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
 const propertyOf = (name: HatchingPropertyName): HatchingProperty => HATCHING_PROPERTIES[name];
@@ -235,7 +235,7 @@ export class HatchingMaterial extends PropertyFields {
   private askForRenderer(): void {
     if (this.isWithWebGL) return;
     queueMicrotask(() => {
-      if (!this.isWithWebGL) tellOfRenderer('HatchingMaterial');
+      if (!this.isWithWebGL) warnOfRenderer('HatchingMaterial');
     });
   }
 

@@ -1,4 +1,4 @@
-import { tell } from './diagnostics/tell.js';
+import { warn } from './diagnostics/warn.js';
 import { identityOf } from './geometry/identityOf.js';
 import type { TonalArtMap } from './tam/TonalArtMap.js';
 
@@ -23,7 +23,7 @@ export function fittingMap(
   const identity = identityOf(map);
   if (!refused.has(identity)) {
     refused.add(identity);
-    tell(
+    warn(
       `HatchingMaterial.tonalArtMap: a map of ${map.size} texels per side needs a texture ${width} texels wide, but this device allows ${maxTextureSize}. The surface stays blank paper; give it a smaller map.`,
       'error',
     );

@@ -11,7 +11,7 @@ import {
 } from 'three';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
-import { runsAway } from '../look/lookFacts.js';
+import { runsAway } from '../look/queries.js';
 import { blankThresholdMap } from './blankThresholdMap.js';
 import { isFitted } from './exposure/isFitted.js';
 import { createEmphasisUniforms } from './fading/emphasis.js';

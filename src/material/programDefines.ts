@@ -7,7 +7,7 @@ import {
   type HatchingPropertyName,
   type LineField,
 } from '../look/hatchingProperties.js';
-import { formFieldOf, formOf, isUsedBy, knowsChoice, needsAdjacency, runsAway } from '../look/lookFacts.js';
+import { formFieldOf, formOf, isUsedBy, knowsChoice, needsAdjacency, runsAway } from '../look/queries.js';
 import type { ToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 import {

@@ -1,8 +1,8 @@
 import { isDefault } from '../look/defaultOf.js';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName, type HatchingTechnique } from '../look/hatchingProperties.js';
-import { isUsedBy } from '../look/lookFacts.js';
-import { tell } from './diagnostics/tell.js';
+import { isUsedBy } from '../look/queries.js';
+import { warn } from './diagnostics/warn.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
 
 const warned = new Set<string>();
@@ -18,7 +18,7 @@ export function warnOfUnused(parameters: HatchingMaterialParameters, technique: 
     if (isUsedBy(technique, property) || warned.has(key)) continue;
     if (isDefault(name as HatchingPropertyName, parameters[name as HatchingPropertyName], technique)) continue;
     warned.add(key);
-    tell(
+    warn(
       `HatchingMaterial: "${name}" is not used by the technique "${technique}", only by ${property.techniques?.join(' and ')}.`,
     );
   }

@@ -22,9 +22,9 @@ export class PageState {
     hasLights: () => boolean,
     private readonly isAwaited: () => boolean,
   ) {
-    const { stage } = session;
-    stage.frames.onFrame(() => {
-      if (!tasks.isIdle || !stage.isComplete || stage.frames.isBuilding) return;
+    const { viewport } = session;
+    viewport.frames.onFrame(() => {
+      if (!tasks.isIdle || !viewport.isComplete || viewport.frames.isBuilding) return;
       if (hasLights()) setPageState('ready');
       this.fetchRest();
     });
@@ -35,13 +35,13 @@ export class PageState {
   /** To be called when the last task has ended. */
   tasksEnded(): void {
     this.showIfFailed();
-    this.session.stage.frames.refine();
+    this.session.viewport.frames.refine();
   }
 
   /** Shows it if there is nothing to draw, and nothing is being loaded that could be drawn. */
   showIfFailed(): void {
-    const { stage } = this.session;
-    if (this.tasks.isIdle && !this.opener.isOpening && !stage.isComplete && !stage.isLost) setPageState('failed');
+    const { viewport } = this.session;
+    if (this.tasks.isIdle && !this.opener.isOpening && !viewport.isComplete && !viewport.isLost) setPageState('failed');
   }
 
   /** Fetches the parts of the page that nobody has opened yet, once: when the first drawing is complete, which they would delay. */
@@ -54,12 +54,12 @@ export class PageState {
   }
 
   private lose(): void {
-    const { stage, mapLoader } = this.session;
+    const { viewport, mapLoader } = this.session;
     setPageState('lost');
     mapLoader.releaseGraphics();
     this.status.addProblem(
       'context',
-      stage.showsLastPicture
+      viewport.showsLastPicture
         ? 'The graphics card has let go of the drawing again. This is its last picture; reload the page to go on if it stays.'
         : 'The graphics card has let go of the drawing. It should come back by itself; if not, reload the page.',
     );
@@ -69,6 +69,6 @@ export class PageState {
     this.status.solveProblem('context', 'The drawing is back.');
     setPageState('loading');
     this.showIfFailed();
-    this.session.stage.frames.invalidate();
+    this.session.viewport.frames.invalidate();
   }
 }

@@ -2,7 +2,7 @@ import { errorMessage } from '../viewer/files/common/errorMessage.js';
 import type { Dialogs } from './dialogs/Dialogs.js';
 import { page } from './elements/page.js';
 import { pageForm } from './elements/pageForm.js';
-import type { TakeAway } from './export/TakeAway.js';
+import type { Exports } from './export/Exports.js';
 import { dropFiles } from './loading/dropFiles.js';
 import { listenToKeys } from './pageKeys.js';
 import type { Card } from './panel/Card.js';
@@ -16,7 +16,7 @@ export interface PageHandlers {
   session: Session;
   card: Card;
   dialogs: Dialogs;
-  takeAway: TakeAway;
+  exports: Exports;
   parts: LaterParts;
   status: Status;
   fillScreen: () => void;
@@ -30,10 +30,10 @@ export function connectPage(handlers: PageHandlers): void {
   if (pageForm === 'playground') connectDrops(handlers);
 }
 
-function connectButtons({ session, card, dialogs, takeAway, parts }: PageHandlers): void {
+function connectButtons({ session, card, dialogs, exports, parts }: PageHandlers): void {
   const onClick = (button: HTMLElement, run: () => void): void => button.addEventListener('click', run);
-  onClick(page.savePng, () => takeAway.run('savePng'));
-  onClick(page.saveMap, () => takeAway.run('saveMap'));
+  onClick(page.savePng, () => exports.run('savePng'));
+  onClick(page.saveMap, () => exports.run('saveMap'));
   onClick(page.openKeys, () => dialogs.openKeys());
   onClick(page.recent, () => dialogs.openRecent());
   onClick(page.openGallery, () => {
@@ -41,7 +41,7 @@ function connectButtons({ session, card, dialogs, takeAway, parts }: PageHandler
     dialogs.openGallery();
   });
   for (const which of ['looks', 'views'] as const) {
-    onClick(page.shelf[which], () => card.shelf.use((shelf) => shelf.open(which)));
+    onClick(page.savedLooks[which], () => card.savedLooks.use((savedLooks) => savedLooks.open(which)));
   }
   let seed = Date.now();
   onClick(page.surprise, () =>

@@ -6,7 +6,7 @@ import { connectPage } from './connectPage.js';
 import { Dialogs } from './dialogs/Dialogs.js';
 import { page } from './elements/page.js';
 import { pageForm } from './elements/pageForm.js';
-import { TakeAway } from './export/TakeAway.js';
+import { Exports } from './export/Exports.js';
 import { GeometryLoader } from './loading/GeometryLoader.js';
 import { OcclusionLoader } from './loading/OcclusionLoader.js';
 import { linkedHand } from './maps/OwnHand.js';
@@ -15,7 +15,7 @@ import { PageState } from './PageState.js';
 import { Card } from './panel/Card.js';
 import { AddressWriter } from './session/AddressWriter.js';
 import { DrawingOpener } from './session/DrawingOpener.js';
-import { Keeper } from './session/Keeper.js';
+import { DrawingStore } from './session/DrawingStore.js';
 import { PageAddress } from './session/PageAddress.js';
 import { RendererChoice } from './session/RendererChoice.js';
 import { Session } from './session/Session.js';
@@ -23,7 +23,7 @@ import { LaterParts } from './tasks/LaterParts.js';
 import type { Status } from './tasks/Status.js';
 import { TaskRunner } from './tasks/TaskRunner.js';
 import type { FrameQuality } from './viewport/FrameQuality.js';
-import { Stage } from './viewport/Stage.js';
+import { Viewport } from './viewport/Viewport.js';
 
 declare global {
   interface Window {
@@ -39,19 +39,19 @@ declare global {
 export function createPlayground(context: WebGL2RenderingContext, status: Status): void {
   const address = new PageAddress();
   const linked = readLink(address.read());
-  const stage = new Stage(page.canvas, context, page.viewport);
+  const viewport = new Viewport(page.canvas, context, page.viewport);
   const parts = new LaterParts(status);
   const tasks = new TaskRunner(status, {
-    hasDrawing: () => stage.isComplete,
+    hasDrawing: () => viewport.isComplete,
     onIdle: () => state.tasksEnded(),
   });
-  const session = new Session(stage, linked.settings, tasks);
+  const session = new Session(viewport, linked.settings, tasks);
   session.views.list = linked.views;
   session.mapLoader.hand = linkedHand(linked.handText);
-  const keeper = new Keeper(address, status, () => void showRecent(keeper));
+  const keeper = new DrawingStore(address, status, () => void showRecent(keeper));
   const opener = new DrawingOpener(session, address, keeper, status);
-  const occlusion = new OcclusionLoader(stage, session.settings, tasks);
-  const geometries = new GeometryLoader(stage, session.settings, tasks);
+  const occlusion = new OcclusionLoader(viewport, session.settings, tasks);
+  const geometries = new GeometryLoader(viewport, session.settings, tasks);
   const update = (): void => {
     geometries.update();
     occlusion.update();
@@ -61,12 +61,12 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   // What the page shows.
   const overlays = new Overlays(session, parts);
   const dialogs = new Dialogs(session, keeper, opener, parts);
-  const takeAway = new TakeAway(session, address, status, tasks, geometries, parts);
+  const exports = new Exports(session, address, status, tasks, geometries, parts);
   const fillScreen = (): void => {
     toggleFullScreen(page.sheet).catch(() => status.fail('The browser does not let the drawing fill the screen.'));
   };
   const createActions = async () =>
-    (await import('./panelActions.js')).panelActions(session, takeAway, dialogs, parts, fillScreen);
+    (await import('./panelActions.js')).panelActions(session, exports, dialogs, parts, fillScreen);
   const renderers = new RendererChoice(session, parts, status);
   const onFold = (group: SettingGroup, isOpen: boolean): void => {
     if (group === 'Picture') overlays.showSheet(isOpen);
@@ -75,12 +75,12 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   session.listen({ applied: () => showSettings(session.settings) });
   const isAwaited = (): boolean => geometries.isAwaited || occlusion.isAwaited || session.mapLoader.isAwaited;
   const state = new PageState(session, tasks, opener, status, () => overlays.hasLights, isAwaited);
-  stage.quality.onMeasured(() => {
+  viewport.quality.onMeasured(() => {
     update();
-    showFrameTime(stage.quality);
+    showFrameTime(viewport.quality);
   });
 
-  connectPage({ session, card, dialogs, takeAway, parts, status, fillScreen });
+  connectPage({ session, card, dialogs, exports, parts, status, fillScreen });
   addEventListener('hashchange', opener.follow);
   const writer =
     pageForm === 'playground' ? keepDrawing({ session, address, keeper, opener, tasks, parts }) : undefined;
@@ -90,10 +90,10 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   };
   if (pageForm === 'kiosk') parts.whenFetched(import('./Kiosk.js'), ({ Kiosk }) => new Kiosk(opener.follow));
   // The wheel scrolls the page around the frame until the drawing has the focus.
-  if (pageForm === 'embed') stage.view.zoomsWhenFocused(page.canvas);
+  if (pageForm === 'embed') viewport.view.zoomsWhenFocused(page.canvas);
   const isIdle = (): boolean =>
-    tasks.isIdle && stage.frames.isSettled && !isAwaited() && !parts.isFetching && !opener.isOpening;
-  showToTests(stage, isIdle);
+    tasks.isIdle && viewport.frames.isSettled && !isAwaited() && !parts.isFetching && !opener.isOpening;
+  showToTests(viewport, isIdle);
   if (pageForm === 'playground') void showRecent(keeper);
   openFirst(linked, session, opener, pageForm === 'playground' ? address.drawing : undefined);
 }
@@ -112,18 +112,18 @@ function keepDrawing({
 }: {
   session: Session;
   address: PageAddress;
-  keeper: Keeper;
+  keeper: DrawingStore;
   opener: DrawingOpener;
   tasks: TaskRunner;
   parts: LaterParts;
 }): AddressWriter {
-  const { stage } = session;
+  const { viewport } = session;
   const keptPicture = parts.later(async () => {
     const { KeptPicture } = await import('./session/KeptPicture.js');
     const isSettled = (): boolean => tasks.isIdle && !opener.isOpening;
-    return new KeptPicture(stage, isSettled, (picture) => keeper.pictured(picture));
+    return new KeptPicture(viewport, isSettled, (picture) => keeper.pictured(picture));
   });
-  stage.frames.onFrame(() => keptPicture.present?.frameDrawn());
+  viewport.frames.onFrame(() => keptPicture.present?.frameDrawn());
   // A drawing is kept without a thumbnail if the script cannot be fetched.
   const wantPicture = (): void =>
     parts.whenFetched(
@@ -140,8 +140,8 @@ function openFirst(
   opener: DrawingOpener,
   kept: string | undefined,
 ): void {
-  const { stage, modelLoader, mapLoader } = session;
-  if (camera) stage.view.place = camera;
+  const { viewport, modelLoader, mapLoader } = session;
+  if (camera) viewport.view.place = camera;
   session.start();
   if (kept !== undefined) {
     void opener.openKept(kept).then(() => session.forgetSteps());
@@ -172,15 +172,15 @@ function showFrameTime({ milliseconds, isCoarse }: FrameQuality): void {
 }
 
 /** Shows the button that lists the kept drawings, if there are any. */
-async function showRecent(keeper: Keeper): Promise<void> {
+async function showRecent(keeper: DrawingStore): Promise<void> {
   page.recent.hidden = (await keeper.list()).length === 0;
 }
 
-function showToTests(stage: Stage, isIdle: () => boolean): void {
+function showToTests(viewport: Viewport, isIdle: () => boolean): void {
   Object.defineProperty(window, '__playground', {
     value: {
       get framesDrawn() {
-        return stage.frames.count;
+        return viewport.frames.count;
       },
       get isIdle() {
         return isIdle();

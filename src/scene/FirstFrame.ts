@@ -12,7 +12,7 @@ import {
   WebGLRenderTarget,
 } from 'three';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
-import { needsAdjacency, usesThresholds } from '../look/lookFacts.js';
+import { needsAdjacency, usesThresholds } from '../look/queries.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingOutlines } from '../material/outlines/HatchingOutlines.js';
 import { isHatching, materialsOf } from './surfaceMeshes.js';

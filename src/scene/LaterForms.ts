@@ -1,5 +1,5 @@
 import type { BufferAttribute, BufferGeometry, Mesh } from 'three';
-import { tell } from '../material/diagnostics/tell.js';
+import { warn } from '../material/diagnostics/warn.js';
 import { watchFormAngle } from '../material/geometry/formAngles.js';
 import { expectForm, isFormed } from '../material/geometry/formGeometry.js';
 import { crossAngleOf, type HatchingFormOptions } from '../material/geometry/HatchingFormOptions.js';
@@ -159,7 +159,7 @@ export class LaterForms {
   private async replace(plans: Plans, signal: AbortSignal, otherwise: string): Promise<void> {
     const made = new Set<BufferGeometry>();
     const sayFailed = ({ message }: Error): void =>
-      tell(`applyHatching: ${otherwise}, because their form could not be baked. ${message}`);
+      warn(`applyHatching: ${otherwise}, because their form could not be baked. ${message}`);
     try {
       const options = { ...this.options, onProgress: this.listeners.onFormProgress, signal };
       const baked = await bakeGeometries(plans, options, { onBaked: (geometry) => made.add(geometry) });

@@ -1,7 +1,7 @@
 import type { Material, Mesh } from 'three';
 import { deforms } from '../material/deformation/canDeform.js';
 import { describeObject } from '../material/diagnostics/describeObject.js';
-import { tell } from '../material/diagnostics/tell.js';
+import { warn } from '../material/diagnostics/warn.js';
 import type { OutlineOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
 import type {
   HatchingOutlineMaterial,
@@ -26,7 +26,7 @@ let hasWarned = false;
 function warnOfBatch(mesh: Mesh): void {
   if (hasWarned) return;
   hasWarned = true;
-  tell(
+  warn(
     `applyHatching: the ${describeObject(mesh)} is hatched without outlines, since a BatchedMesh has none. Use an InstancedMesh or single meshes where outlines are needed.`,
   );
 }

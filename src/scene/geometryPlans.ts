@@ -1,5 +1,5 @@
 import type { BufferGeometry, Material, Mesh } from 'three';
-import { followsForm, formFieldOf, formOf, needsAdjacency } from '../look/lookFacts.js';
+import { followsForm, formFieldOf, formOf, needsAdjacency } from '../look/queries.js';
 import type { PrepareHatchingGeometryOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { GeometryPlan } from './jointForms/FormGroup.js';

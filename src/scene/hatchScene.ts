@@ -1,9 +1,9 @@
 import type { BufferGeometry, Material, Mesh, Object3D } from 'three';
-import { needsMap } from '../look/lookFacts.js';
+import { needsMap } from '../look/queries.js';
 import { assertGeometry } from '../material/diagnostics/assertGeometry.js';
 import { describeObject } from '../material/diagnostics/describeObject.js';
 import { isPromise } from '../material/diagnostics/isPromise.js';
-import { tell } from '../material/diagnostics/tell.js';
+import { warn } from '../material/diagnostics/warn.js';
 import type {
   OutlineOptions,
   PrepareHatchingGeometryOptions,
@@ -102,7 +102,7 @@ export async function hatchScene(
   const meshes = surfaceMeshes(root).filter(options.filter ?? (() => true));
   // Whoever says what to replace, even if it is nothing, follows a scene that may be empty at first.
   if (meshes.length === 0 && !('replaces' in options)) {
-    tell(
+    warn(
       `applyHatching: there is no mesh to hatch in the ${describeObject(root)}. Call it once the model is loaded and added.`,
     );
   }

@@ -1,6 +1,6 @@
 import { HATCHING_DEFAULTS } from '../look/hatchingProperties.js';
-import { needsMap } from '../look/lookFacts.js';
 import { frozen, PRESET_MATERIALS, type PresetName } from '../look/presetMaterials.js';
+import { needsMap } from '../look/queries.js';
 import type { OutlineOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 import type { HatchingOutlineParameters } from '../material/outlines/HatchingOutlineMaterial.js';

@@ -19,7 +19,7 @@ export interface Chain {
   /** Field space: three numbers per point of a line on a surface; null for others. */
   field: Float64Array | null;
   /** A number in [0, 1) that belongs to the line. */
-  lot: number;
+  hash: number;
   /** Of outlines. */
   outline: ChainOutline | null;
 }
@@ -88,8 +88,8 @@ export class ChainBuilder {
     this.triangles[last] = triangle;
   }
 
-  /** @param lot a number in [0, 1) that belongs to the line */
-  finish(isClosed: boolean, lot = 0): Chain {
+  /** @param hash a number in [0, 1) that belongs to the line */
+  finish(isClosed: boolean, hash = 0): Chain {
     return {
       count: this.count,
       screen: Float64Array.from(this.screen),
@@ -100,7 +100,7 @@ export class ChainBuilder {
       shifts: this.shifts.length > 0 ? Float64Array.from(this.shifts) : null,
       isClosed,
       field: this.field.length > 0 ? Float64Array.from(this.field) : null,
-      lot,
+      hash,
       outline: null,
     };
   }

@@ -76,14 +76,14 @@ export function dashed(chain: Chain, width: number): Chain {
 }
 
 /** Where a place on a piece lies among the dashes of its line: whole numbers and a half in their middles; no number where it has no length. */
-function phases({ field, screen, lot }: Chain, piece: number): readonly [number, number] {
+function phases({ field, screen, hash }: Chain, piece: number): readonly [number, number] {
   const [i, j] = [3 * piece, 3 * piece + 3];
   const steps = [0, 1, 2].map((k) => Math.abs(field![j + k] - field![i + k]));
   const most = Math.max(...steps);
   const axis = steps.indexOf(most);
   const length = Math.hypot(screen[2 * piece + 2] - screen[2 * piece], screen[2 * piece + 3] - screen[2 * piece + 1]);
   const period = 2 ** Math.round(Math.log2((PERIOD * most) / length));
-  return [field![i + axis] / period + lot, field![j + axis] / period + lot];
+  return [field![i + axis] / period + hash, field![j + axis] / period + hash];
 }
 
 /** Where a piece may begin or end to be a dash: rising shares of it, the last of which is 1. */

@@ -8,7 +8,7 @@ import { type Line, plottedMark, printedMark } from './marks/lineMarks.js';
 import type { Projection } from './Projection.js';
 import { penAside } from './penAside.js';
 import { type FamilyVertices, ranksOfTriangles } from './readVertices.js';
-import { lotOf } from './shading/hand.js';
+import { hash01 } from './shading/hand.js';
 import type { Shadowing, Tones } from './Toner.js';
 import type { Tracing } from './Tracing.js';
 import type { VertexTones } from './VertexTones.js';
@@ -112,7 +112,7 @@ class LineTracer {
       pen.to(node, triangle);
       before = triangle;
     }
-    return builder.hasLine ? builder.finish(isClosed, lotOf(line.value)) : undefined;
+    return builder.hasLine ? builder.finish(isClosed, hash01(line.value)) : undefined;
   }
 
   /** The value of the line through a node, and the power of two in it. */

@@ -23,9 +23,9 @@ import {
 import { defaultOf } from '../look/defaultOf.js';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
-import { formOf, needsMap, usesThresholds } from '../look/lookFacts.js';
 import type { PresetName } from '../look/presetMaterials.js';
 import { spelledOut } from '../look/presetParameters.js';
+import { formOf, needsMap, usesThresholds } from '../look/queries.js';
 import type { HatchingMap } from '../material/checkTonalArtMap.js';
 import { checkChoice, checkValues } from '../material/checkValues.js';
 import { FrameStamp } from '../material/FrameStamp.js';
@@ -65,7 +65,7 @@ import { filledColor, localDarkness } from './nodes/chunks/localColor.js';
 import { paper, printedColor } from './nodes/chunks/printedColor.js';
 import { shadedTone, unshadowedTone } from './nodes/chunks/tone.js';
 import { readFaceNormals } from './nodes/perFragment/faceNormals.js';
-import { tellOnce } from './tellOnce.js';
+import { warnOnce } from './warnOnce.js';
 
 const NAME = 'HatchingNodeMaterial';
 const propertyNames = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
@@ -215,7 +215,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
   /** Tells of a renderer that draws no nodes. @internal */
   override onBeforeRender(renderer: WebGLRenderer | WebGPURenderer): void {
     if (!('isWebGLRenderer' in renderer)) return;
-    tellOnce(
+    warnOnce(
       "WebGLRenderer draws no materials of nodes. Draw the scene with WebGPURenderer, from 'three/webgpu', or take HatchingMaterial of 'three-hatching'.",
     );
   }
@@ -341,7 +341,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
   /** @internal */
   choose(name: HatchingPropertyName, value: string | boolean): void {
     checkChoice(name, value);
-    if (name === 'debugView' && value !== 'none') tellOnce('there are no nodes of debugView; the hatching is drawn.');
+    if (name === 'debugView' && value !== 'none') warnOnce('there are no nodes of debugView; the hatching is drawn.');
     const property = propertyOf(name);
     const chosen = value === 'auto' && property.kind === 'choice' && property.defaultFor ? undefined : value;
     if (chosen === this.chosen[name]) return;
@@ -364,7 +364,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
   private tellOfLacks(): void {
     const { technique } = this;
     if (technique !== 'engraved' && technique !== 'anchored')
-      tellOnce(`there are no nodes of the technique "${technique}" yet; "engraved" is drawn.`);
+      warnOnce(`there are no nodes of the technique "${technique}" yet; "engraved" is drawn.`);
   }
 
   private print(lit: LitSurface, builder: NodeBuilder): Value {

@@ -2,7 +2,7 @@ import { type BufferGeometry, type InstancedMesh, Material, type SkinnedMesh, Te
 import type { NodeBuilder } from 'three/webgpu';
 import { formLayout } from '../mesh/bake/formLayout.js';
 import { hatchNormal } from '../mesh/bake/hatchNormal.js';
-import { tellOnce } from './tellOnce.js';
+import { warnOnce } from './warnOnce.js';
 
 /**
  * Whether lines that follow the form have room beside what else a mesh is drawn with. Devices of WebGPU have few vertex buffers, often
@@ -16,7 +16,7 @@ export function hasRoomForForm(builder: NodeBuilder, isAnchored: boolean): boole
   const { maxVertexBuffers } = device.limits;
   const count = countBuffers(builder, isAnchored);
   if (count <= maxVertexBuffers) return true;
-  tellOnce(
+  warnOnce(
     `a mesh that follows its form takes ${count} vertex buffers, and the device has ${maxVertexBuffers}: it is drawn without its form. Leave out vertex colors or a second set of texture coordinates, or ask for more buffers, which some devices have: new WebGPURenderer({ requiredLimits: { maxVertexBuffers: ${count} } }).`,
   );
   return false;

@@ -1,6 +1,6 @@
 import type { BufferGeometry, Light } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
-import { formOf, runsAway } from '../look/lookFacts.js';
+import { formOf, runsAway } from '../look/queries.js';
 import { isFormed } from '../material/geometry/formGeometry.js';
 import type { HatchingMaterialProperties } from '../material/HatchingMaterialProperties.js';
 import { AWAY, withoutForm } from '../material/programDefines.js';

@@ -20,7 +20,7 @@ export interface ReferenceBackground {
 }
 
 /** A number in [0, 1) for either end of a line. */
-function lotOf(line: number, end: 0 | 1): number {
+function hash01(line: number, end: 0 | 1): number {
   const first = BigInt.asUintN(32, BigInt(2 * line + end) * 0x9e3779b9n);
   const second = BigInt.asUintN(32, (first ^ (first >> 15n)) * 0x85ebca6bn);
   return Number(second >> 8n) / 2 ** 24;
@@ -38,7 +38,7 @@ export function ruledAt(field: ReferenceBackground, place: Pair): { line: number
   const way = Math.max(Math.hypot(x, y) / extent, toRim / 0.95);
   // Ends lie up to 0.2 of the way farther or nearer, and less so near the middle; lines thin out over the last half of it.
   const inMiddle = clamp01(Math.abs(along) / ((extent * Math.max(...half)) / 2));
-  const end = 1 - 0.4 * inMiddle * (lotOf(line, along < 0 ? 0 : 1) - 0.5);
+  const end = 1 - 0.4 * inMiddle * (hash01(line, along < 0 ? 0 : 1) - 0.5);
   const left = 1 - smoothly(end - 0.5, end, way);
   const side = Math.max(-1, Math.min(1, lit[0] * x + lit[1] * y));
   return { line, width: spacing * left * Math.min(1, tone + tone * contrast * side) };

@@ -14,7 +14,7 @@ const digitsFrom = (place: number, digits: readonly number[] = THUE_MORSE): bigi
   BigInt(`0b${Array.from({ length: 32 }, (_, i) => digits[(place + i) % 32]).join('')}`);
 
 /** A number in [0, 1) of the line at a value: 24 bits of the fraction of its size times that number; half a turn farther on below 0. */
-export function lotOf(value: number, digits: readonly number[] = THUE_MORSE): number {
+export function hash01(value: number, digits: readonly number[] = THUE_MORSE): number {
   const size = Math.abs(Math.fround(value));
   const exponent = size === 0 ? -127 : Math.floor(Math.log2(size));
   const significand = size === 0 ? 1n << 23n : BigInt(size * 2 ** (23 - exponent));
@@ -23,10 +23,10 @@ export function lotOf(value: number, digits: readonly number[] = THUE_MORSE): nu
 }
 
 /** Another, in turn for three neighbours, the same below 0. */
-export const turnOf = (value: number): number => (value === 0 ? 0 : lotOf(Math.abs(value), THIRD));
+export const turnOf = (value: number): number => (value === 0 ? 0 : hash01(Math.abs(value), THIRD));
 
 /** A factor on the width of the line at a value. */
-export const lineFactor = (value: number, handmade: number): number => 1 + handmade * (0.5 * lotOf(value) - 0.25);
+export const lineFactor = (value: number, handmade: number): number => 1 + handmade * (0.5 * hash01(value) - 0.25);
 
 /**
  * The position along the lines: two coordinates, in tiles, and the weight of the first; the length of strokes, and the share of those
@@ -95,7 +95,7 @@ export interface PenState {
   octave: number;
 }
 
-/** The mean over lots from 0 to `all` of a ramp that begins at the lot and ends a `growth` later. */
+/** The mean over hashes from 0 to `all` of a ramp that begins at the hash and ends a `growth` later. */
 const grown = (tone: number, all: number, growth: number): number => {
   // The integral of g (1 − 0.58 (1 − g)), where g rises from 0 to 1.
   const rising = (g: number) => 0.42 * (g ** 2 / 2) + 0.58 * (g ** 3 / 3);
@@ -105,7 +105,7 @@ const grown = (tone: number, all: number, growth: number): number => {
 };
 
 /** A number in [0, 1) of a stroke: one of its line, by chance, and evenly spread ones from stroke to stroke. */
-function lotOfStroke(line: number, stroke: number): number {
+function strokeHash01(line: number, stroke: number): number {
   const [bits] = new Uint32Array(Float32Array.of(Math.abs(line)).buffer);
   const spread = Math.imul(bits ^ (bits >>> 12), 0x9e3779b9) >>> 0;
   const ofLine = BigInt(Math.imul(spread ^ (spread >>> 13), 0x2c1b3c6d));
@@ -113,8 +113,8 @@ function lotOfStroke(line: number, stroke: number): number {
   return Number(word >> 8n) / 2 ** 24;
 }
 
-/** The same for what is spread evenly: it goes on from the lot of its line. */
-const evenLot = (ofLine: number, stroke: number): number =>
+/** The same for what is spread evenly: it goes on from the hash of its line. */
+const evenHash = (ofLine: number, stroke: number): number =>
   Number(BigInt.asUintN(32, (BigInt(ofLine * 2 ** 24) << 8n) + BigInt(stroke) * digitsFrom(0)) >> 8n) / 2 ** 24;
 
 /** The width of the strokes on a line, as a share of the room of an old one, and how far they stray, in distances between lines. */
@@ -135,16 +135,16 @@ export function penStroke(
   const born =
     there < 0.04 ? Math.sqrt(0.16 * there) : last > 0.04 ? there + 0.04 : 1.08 - Math.sqrt(Math.max(0.16 * last, 0));
   const fract = (x: number) => x - Math.floor(x);
-  const lot = lotOf(Math.abs(number));
+  const hash = hash01(Math.abs(number));
   const turn = turnOf(number);
-  const beginOf = (stroke: number) => stroke + 0.4 * fract(16 * lotOfStroke(number, stroke));
+  const beginOf = (stroke: number) => stroke + 0.4 * fract(16 * strokeHash01(number, stroke));
   const one = (place: number, period: number): [number, number] => {
-    const at = place / period + lot;
+    const at = place / period + hash;
     let stroke = Math.floor(at);
     while (beginOf(stroke) > at) stroke--;
     while (beginOf(stroke + 1) <= at) stroke++;
-    const chance = lotOfStroke(number, stroke);
-    const even = evenLot(lot, stroke);
+    const chance = strokeHash01(number, stroke);
+    const even = evenHash(hash, stroke);
     const [begin, end] = [beginOf(stroke), beginOf(stroke + 1)];
     const way = (at - begin - (end - at)) / (end - begin);
     const sized = clamp01((tone - all * fract(turn + even / 3)) / 0.05);
@@ -166,8 +166,8 @@ export function penStroke(
   const [first, second] = along.places.map((place) =>
     mix(one(place, along.period), one(place, 2 * along.period), along.longer),
   );
-  // A fifth of the way from one axis to the other is that of one line; it begins by its lot.
-  return mix(second, first, clamp01((1.2 * along.share - fract(8 * lot)) / 0.2));
+  // A fifth of the way from one axis to the other is that of one line; it begins by its hash.
+  return mix(second, first, clamp01((1.2 * along.share - fract(8 * hash)) / 0.2));
 }
 
 /** A row of wedges of length 1: each rises from −1 to 1 over 0.7 of its length, and falls over the rest. */
@@ -186,12 +186,12 @@ export function cutShare(
 ): number {
   const rarer = Math.min(white, 1 - white);
   const swell = Math.min(0.42, 1.3 * rarer) * differing(repeat, octave);
-  const lot = turnOf(numberOf(line, repeat));
+  const hash = turnOf(numberOf(line, repeat));
   const mixed = (a: number, b: number, t: number) => (1 - t) * a + t * b;
   const flattened = (t: number) => Math.hypot(t, 1 - t);
   const waves = places.map((place) => {
     const wedges = place / period;
-    return mixed(gouge(wedges + lot), gouge(wedges / 2 + lot), longer);
+    return mixed(gouge(wedges + hash), gouge(wedges / 2 + hash), longer);
   });
   const wave = mixed(waves[1], waves[0], share) / (flattened(longer) * flattened(share));
   // This makes the mean over all waves the wanted one.

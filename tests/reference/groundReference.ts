@@ -1,5 +1,5 @@
 /** A ground that shows shadows alone, in double precision, as documented. It shares no code with the shader. */
-import { lotOf } from './engravedStrokes.js';
+import { hash01 } from './engravedStrokes.js';
 import type { Vec3 } from './referenceAdjacency.js';
 import { clamp01, cross, unit } from './vectors.js';
 
@@ -23,13 +23,13 @@ export function shadowedTone(
 }
 
 /**
- * A line in a shadow of which so much is left, as a factor on its width there. Its turn to end is its lot, half of all later. When a share of the
+ * A line in a shadow of which so much is left, as a factor on its width there. Its turn to end is its hash, half of all later. When a share of the
  * turns has come it narrows, by 0.4 of that share for each part of what is left that has dissolved; the wider others are the whole in the mean.
  * The later half of the turns never comes. What is left counts as a thousandth at least.
  */
 export function leftOfLine(value: number, left: number): number {
-  const lot = lotOf(value);
-  const turn = lot < 0.5 ? lot + 0.5 : lot - 0.5;
+  const hash = hash01(value);
+  const turn = hash < 0.5 ? hash + 0.5 : hash - 0.5;
   const least = Math.max(left, 1e-3);
   const steep = Math.min(0.4 * ((1 - left) / least), 2);
   const narrowed = (at: number) => clamp01(1 - at * steep);

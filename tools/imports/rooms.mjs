@@ -226,8 +226,8 @@ export const ROOMS = {
   'demo/playground/overlay': ['elements', 'tasks', 'session'],
   'demo/playground/panel': ['elements', 'tasks', 'shelf', 'session'],
   'demo/playground/dialogs': ['elements', 'tasks', 'session'],
-  'demo/playground/takeAway': ['elements', 'tasks', 'loading', 'session'],
-  'demo/playground/hand': ['elements', 'tasks', 'loading', 'session', 'takeAway'],
+  'demo/playground/exports': ['elements', 'tasks', 'loading', 'session'],
+  'demo/playground/hand': ['elements', 'tasks', 'loading', 'session', 'exports'],
 };
 
 /** Rooms that know no three.js. */

@@ -28,8 +28,8 @@ float handTone(const in float pressure, const in float tone) {
 }
 
 // A number in [0, 1) that belongs to a line. line: its value, a multiple of a power of two. It is multiplied by a number whose binary digits
-// repeat those that are given on both sides of its point, and the fraction is the lot.
-float lotBy(const in uint digits, const in float line) {
+// repeat those that are given on both sides of its point, and the fraction is the hash.
+float hashBy(const in uint digits, const in float line) {
   uint bits = floatBitsToUint(line);
   uint exponent = (bits >> 23u) & 31u;
   uint factor = (digits << exponent) | (digits >> ((32u - exponent) & 31u));
@@ -38,17 +38,17 @@ float lotBy(const in uint digits, const in float line) {
 }
 
 // One that is far from those of its neighbours.
-float lotOf(const in float line) {
-  return lotBy(THUE_MORSE, line);
+float hash01(const in float line) {
+  return hashBy(THUE_MORSE, line);
 }
 
 // One by which three neighbours take turns: 0, a third and two thirds.
 float turnOf(const in float line) {
-  return line == 0.0 ? 0.0 : lotBy(ONE_THIRD, line);
+  return line == 0.0 ? 0.0 : hashBy(ONE_THIRD, line);
 }
 
 // A factor on the width of a line, the same all along it; 1 in the mean.
 float handWidth(const in float line) {
   float most = handmade * WIDTHS;
-  return most * lotOf(line) + (1.0 - 0.5 * most);
+  return most * hash01(line) + (1.0 - 0.5 * most);
 }

@@ -30,7 +30,7 @@ Pen penFor(const in HatchingParameters h, const in Family family, const in float
   return Pen(family, alongLines(h, family), tone, open, allFrom, tone < allFrom ? min(width, NIB) : width);
 }
 
-// The lot below which strokes have been born where so large a share of them is, each over a part BIRTH of all lots.
+// The hash below which strokes have been born where so large a share of them is, each over a part BIRTH of all hashes.
 float bornBelow(const in float share) {
   if (share < 0.5 * BIRTH) return sqrt(2.0 * BIRTH * share);
   return share < 1.0 - 0.5 * BIRTH ? share + 0.5 * BIRTH : 1.0 + BIRTH - sqrt(2.0 * BIRTH * (1.0 - share));
@@ -44,44 +44,44 @@ uint bitsOfLine(const in float line) {
 }
 
 // A number in [0, 1) that belongs to a stroke, and is far from those of its neighbours on the line.
-float lotOfStroke(const in uint bits, const in float stroke) {
+float strokeHash01(const in uint bits, const in float stroke) {
   return float(bits + uint(int(stroke)) * THUE_MORSE >> 8u) / 16777216.0;
 }
 
 // How late a stroke begins, as a share of the mean length.
 float latenessOf(const in float chance) {
-  return LATENESS * fract(LATE_LOT * chance);
+  return LATENESS * fract(LATE_HASH * chance);
 }
 
 // The strokes of a line by one axis and of one length: their width at this place, as a share of its room, and how far they stray from it,
-// in distances between lines. place: in lengths of strokes. lot, turn, ofLine: of the line.
+// in distances between lines. place: in lengths of strokes. hash, turn, ofLine: of the line.
 vec2 strokeOn(
-  const in Pen pen, const in float born, const in float place, const in float lot, const in float turn, const in uint ofLine
+  const in Pen pen, const in float born, const in float place, const in float hash, const in float turn, const in uint ofLine
 ) {
-  float along = place + lot;
+  float along = place + hash;
   // Strokes begin late by chance, and so differ in length: the ends of neighbours would otherwise lie in rows across the lines.
   float stroke = floor(along);
-  if (along < stroke + latenessOf(lotOfStroke(ofLine, stroke))) stroke -= 1.0;
-  float chance = lotOfStroke(ofLine, stroke);
+  if (along < stroke + latenessOf(strokeHash01(ofLine, stroke))) stroke -= 1.0;
+  float chance = strokeHash01(ofLine, stroke);
   float late = latenessOf(chance);
-  float size = 1.0 + latenessOf(lotOfStroke(ofLine, stroke + 1.0)) - late;
+  float size = 1.0 + latenessOf(strokeHash01(ofLine, stroke + 1.0)) - late;
   float way = 2.0 * (along - stroke - late) / size - 1.0; // from −1 at one end to 1 at the other
   // What differs from stroke to stroke is spread evenly over a surface. Of three neighbouring lines the first strokes lie on one.
-  float even = lotOfStroke(uint(lot * 16777216.0) << 8u, stroke);
+  float even = strokeHash01(uint(hash * 16777216.0) << 8u, stroke);
   float there = clamp((pen.tone - pen.allFrom * fract(turn + even / 3.0)) / STROKE_GROWTH, 0.0, 1.0);
-  float gap = fract(GAP_LOT * even);
+  float gap = fract(GAP_HASH * even);
   float inside = 1.0 - abs(way) - pen.open * STROKE_GAP * gap - SHORTENING * (1.0 - there);
   float taper = pen.open * TAPER;
   float rest = clamp((taper - inside) / max(taper, 1e-3), 0.0, 1.0);
-  there *= clamp((born - fract(BIRTH_LOT * even)) / BIRTH, 0.0, 1.0);
-  float spread = 1.0 + handmade * WIDTH_SPREAD * pen.open * (fract(WIDTH_LOT * even) - 0.5);
+  there *= clamp((born - fract(BIRTH_HASH * even)) / BIRTH, 0.0, 1.0);
+  float spread = 1.0 + handmade * WIDTH_SPREAD * pen.open * (fract(WIDTH_HASH * even) - 0.5);
   float astray = LEANING * (gap - 0.5) * way + BENDING * (chance - 0.5) * (0.5 - way * way);
   return vec2(pen.width * there * spread * (1.0 - rest * rest), handmade * pen.open * astray);
 }
 
 // The share of the first axis on a line: lines go over from one to the other one after another.
-float firstOnLine(const in Along along, const in float lot) {
-  return clamp(((1.0 + AXIS_TURN) * along.share - fract(AXIS_LOT * lot)) / AXIS_TURN, 0.0, 1.0);
+float firstOnLine(const in Along along, const in float hash) {
+  return clamp(((1.0 + AXIS_TURN) * along.share - fract(AXIS_HASH * hash)) / AXIS_TURN, 0.0, 1.0);
 }
 
 // Most places lie along one axis and at one length of strokes; others share theirs. A loop that stands here once, not four times: as it
@@ -89,10 +89,10 @@ float firstOnLine(const in Along along, const in float lot) {
 vec2 strokesOn(const in Pen pen, const in float born, const in float line) {
   Along along = pen.along;
   float number = numberOf(line, pen.family);
-  float lot = lotOf(abs(number));
+  float hash = hash01(abs(number));
   float turn = turnOf(abs(number));
   uint ofLine = bitsOfLine(abs(number));
-  float first = firstOnLine(along, lot);
+  float first = firstOnLine(along, hash);
   bool isFirst = first >= 0.5;
   float other = min(first, 1.0 - first);
   int lengths = along.longer > 0.0 ? 2 : 1;
@@ -103,7 +103,7 @@ vec2 strokesOn(const in Pen pen, const in float born, const in float line) {
     bool isLonger = i == 1 ? !isOther : i == 3;
     float share = (isOther ? other : 1.0 - other) * (isLonger ? along.longer : 1.0 - along.longer);
     float place = isFirst == isOther ? along.places.y : along.places.x;
-    strokes += share * strokeOn(pen, born, place / (isLonger ? 2.0 * along.period : along.period), lot, turn, ofLine);
+    strokes += share * strokeOn(pen, born, place / (isLonger ? 2.0 * along.period : along.period), hash, turn, ofLine);
   }
   return vec2(strokes.x, sign(number) * strokes.y);
 }

@@ -31,8 +31,8 @@ float powerOf2(const in float octave) {
   float lineLeft(const in float line) {
     float gone = min(ENDING * (1.0 - shadowLeft()) / max(shadowLeft(), LEAST_LEFT), MOST_ENDING);
     float kept = gone < 1.0 ? 1.0 - 0.5 * gone : 0.5 / gone;
-    // Half a turn from the lot by which widths differ: those that stay are neither the wide ones nor the thin ones.
-    return max(1.0 - gone * fract(lotOf(line) + 0.5), 0.0) / kept;
+    // Half a turn from the hash by which widths differ: those that stay are neither the wide ones nor the thin ones.
+    return max(1.0 - gone * fract(hash01(line) + 0.5), 0.0) / kept;
   }
 #else
   #define lineLeft(line) 1.0

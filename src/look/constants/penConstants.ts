@@ -13,8 +13,8 @@ export const PEN_CONSTANTS = {
   /** The tone from which on strokes follow each other without gaps, and the most that one begins late, as a share of the mean length. */
   CLOSED_FROM: 0.8,
   LATENESS: 0.4,
-  /** From which of its bits on the lot of a stroke that it has by chance decides how late it begins. */
-  LATE_LOT: 16,
+  /** From which of its bits on the hash of a stroke that it has by chance decides how late it begins. */
+  LATE_HASH: 16,
   /** The longest gap between two strokes and the part over which both ends of one narrow, as shares of its length; both close with the tone. */
   STROKE_GAP: 0.3,
   TAPER: 0.9,
@@ -22,11 +22,11 @@ export const PEN_CONSTANTS = {
   LEANING: 0.22,
   BENDING: 0.16,
   WIDTH_SPREAD: 0.5,
-  /** From which of its bits on the even lot of a stroke decides on the gap before it, on its birth and on its width. */
-  GAP_LOT: 64,
-  BIRTH_LOT: 512,
-  WIDTH_LOT: 4096,
-  /** From which of its bits on the lot of a line decides when it goes over to another axis, and over how large a part of the way it does so. */
-  AXIS_LOT: 8,
+  /** From which of its bits on the even hash of a stroke decides on the gap before it, on its birth and on its width. */
+  GAP_HASH: 64,
+  BIRTH_HASH: 512,
+  WIDTH_HASH: 4096,
+  /** From which of its bits on the hash of a line decides when it goes over to another axis, and over how large a part of the way it does so. */
+  AXIS_HASH: 8,
   AXIS_TURN: 0.2,
 } as const;

@@ -1,4 +1,4 @@
-import { tell } from './tell.js';
+import { warn } from './warn.js';
 
 /**
  * Lets a promise say, once, that an `await` is missing, when a member of its result is asked of the promise itself.
@@ -15,7 +15,7 @@ export function mustBeAwaited<Result>(
   for (const member of members) {
     Object.defineProperty(promise, member, {
       get() {
-        if (!wasTold) tell(`${call} returns a promise, which has no "${member}". Write await before the call.`);
+        if (!wasTold) warn(`${call} returns a promise, which has no "${member}". Write await before the call.`);
         wasTold = true;
       },
     });

@@ -1,5 +1,5 @@
-import type { HatchingLook } from '../../look/lookFacts.js';
 import { PRESET_MATERIALS } from '../../look/presetMaterials.js';
+import type { HatchingLook } from '../../look/queries.js';
 import type { ToneCurve } from '../fitToneCurve.js';
 
 /** Curves that were asked about, and whether they are of a preset. */

@@ -1,5 +1,5 @@
 import { type Camera, type IUniform, type Object3D, Vector3, Vector4, type WebGLRenderer } from 'three';
-import { isUsedBy, propertyOf } from '../../look/lookFacts.js';
+import { isUsedBy, propertyOf } from '../../look/queries.js';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
 import { importanceOf } from './importanceOf.js';
 import type { SceneExtent } from './SceneExtent.js';

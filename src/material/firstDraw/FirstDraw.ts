@@ -1,6 +1,6 @@
 import type { BufferGeometry, Camera, IUniform, Material, Object3D, WebGLRenderer } from 'three';
 import type { HatchingTechnique, Medium } from '../../look/hatchingProperties.js';
-import type { HatchingLook } from '../../look/lookFacts.js';
+import type { HatchingLook } from '../../look/queries.js';
 
 /** A hatching material, as far as the checks look at it. */
 export interface DrawnMaterial extends Material, HatchingLook {

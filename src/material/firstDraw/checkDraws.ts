@@ -1,10 +1,10 @@
 import { NoToneMapping } from 'three';
-import { formFieldOf, formOf, needsAdjacency, needsMap } from '../../look/lookFacts.js';
+import { formFieldOf, formOf, needsAdjacency, needsMap } from '../../look/queries.js';
 import { cornerLayout } from '../../mesh/bake/cornerLayout.js';
 import { hatchNormal } from '../../mesh/bake/hatchNormal.js';
 import { deforms, hasFloatTargets, morphsEachInstance } from '../deformation/canDeform.js';
 import { describeObject } from '../diagnostics/describeObject.js';
-import { tell } from '../diagnostics/tell.js';
+import { warn } from '../diagnostics/warn.js';
 import { isFormExpected, isFormed } from '../geometry/formGeometry.js';
 import { identityOf } from '../geometry/identityOf.js';
 import { pulledVerticesOf } from '../geometry/pulledVerticesOf.js';
@@ -55,7 +55,7 @@ export function checkDraws(given: readonly FirstDraw[]): void {
   for (const [mistake, { mesh, details, others }] of found) {
     const sentence: Sentence = SENTENCES[mistake];
     const name = `the ${describeObject(mesh)}${others > 0 ? ` and ${others} more` : ''}`;
-    tell(`HatchingMaterial: ${sentence(name, ...details)}`, mistake === 'noAdjacency' ? 'error' : 'warn');
+    warn(`HatchingMaterial: ${sentence(name, ...details)}`, mistake === 'noAdjacency' ? 'error' : 'warn');
   }
   const early = draws.find(({ isWhole }) => !isWhole);
   // What cannot be fetched or drawn is told of where that fails.
@@ -66,7 +66,7 @@ export function checkDraws(given: readonly FirstDraw[]): void {
 async function awaitSecondFrame(draw: FirstDraw): Promise<void> {
   const isMissing = await isOnlyFrame(draw);
   if (isMissing && isStillThere(draw) && isNews('onlyFrame', draw.renderer))
-    tell(`HatchingMaterial: ${SENTENCES.onlyFrame(`the ${describeObject(draw.mesh)}`)}`);
+    warn(`HatchingMaterial: ${SENTENCES.onlyFrame(`the ${describeObject(draw.mesh)}`)}`);
 }
 
 /** While the checks were loaded a scene may have been taken apart, and then lacks more than it did. */

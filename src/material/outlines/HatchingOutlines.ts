@@ -10,7 +10,7 @@ import {
 import { hasFloatTargets } from '../deformation/canDeform.js';
 import { glslDeformations } from '../deformation/glslDeformations.js';
 import { outlineDataOf } from '../geometry/OutlineData.js';
-import { tellOfRenderer } from '../tellOfRenderer.js';
+import { warnOfRenderer } from '../warnOfRenderer.js';
 import { HatchingOutlineMaterial, type HatchingOutlineParameters } from './HatchingOutlineMaterial.js';
 import { HiddenPass } from './HiddenPass.js';
 import { InstanceList } from './InstanceList.js';
@@ -81,7 +81,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
     const parts = data ? this.partsOf(mesh, data) : NONE;
     if (data && parts.length === 0) return;
     if ('isWebGPURenderer' in renderer) {
-      tellOfRenderer('HatchingOutlines');
+      warnOfRenderer('HatchingOutlines');
       return;
     }
     this.matrixWorld.copy(mesh.matrixWorld);

@@ -18,7 +18,7 @@ import { deforms, morphsEachInstance } from '../deformation/canDeform.js';
 import type { Deformation } from '../deformation/Deformation.js';
 import type { Deformations } from '../deformation/Deformations.js';
 import { describeObject } from '../diagnostics/describeObject.js';
-import { tell } from '../diagnostics/tell.js';
+import { warn } from '../diagnostics/warn.js';
 import { FrameStamp } from '../FrameStamp.js';
 import type { EmphasisLook } from '../fading/emphasis.js';
 import type { OutlineData } from '../geometry/OutlineData.js';
@@ -190,7 +190,7 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Obj
   protected report(mesh: Mesh, problem: string): void {
     if (this.hasReported) return;
     this.hasReported = true;
-    tell(`HatchingOutlines: the ${describeObject(mesh)} ${problem}`, 'error');
+    warn(`HatchingOutlines: the ${describeObject(mesh)} ${problem}`, 'error');
   }
 
   /** Writes where the camera is, in the space of the mesh. Allocates nothing. */

@@ -3,12 +3,12 @@ import { FIELD_CONSTANTS } from '../../look/constants/fieldConstants.js';
 import { FORM_CONSTANTS } from '../../look/constants/formConstants.js';
 import { GROUND_CONSTANTS } from '../../look/constants/groundConstants.js';
 import { HAND_CONSTANTS } from '../../look/constants/handConstants.js';
+import { HASH_FACTORS } from '../../look/constants/hashConstants.js';
 import { LINE_CONSTANTS } from '../../look/constants/lineConstants.js';
-import { LOT_FACTORS } from '../../look/constants/lotConstants.js';
 import { PEN_CONSTANTS } from '../../look/constants/penConstants.js';
 import { SCREEN_CONSTANTS } from '../../look/constants/screenConstants.js';
 import { STROKE_LENGTH_CONSTANTS } from '../../look/constants/strokeLengthConstants.js';
-import { followsForm } from '../../look/lookFacts.js';
+import { followsForm } from '../../look/queries.js';
 import { hasOtherFormAngle, noteFormAngle } from '../geometry/formAngles.js';
 import { lineContrast } from '../geometry/lineFades.js';
 import { definesOf } from '../shaders/definesOf.js';
@@ -22,7 +22,7 @@ const TABLES = [
 
 /** The numbers that engraved lines are drawn by, which the drawing as lines knows too. */
 const engravedConstantsChunk = (): string =>
-  [...TABLES.map((table) => definesOf(table)), definesOf(LOT_FACTORS, 'u')].join('\n');
+  [...TABLES.map((table) => definesOf(table)), definesOf(HASH_FACTORS, 'u')].join('\n');
 
 /** The technique `engraved`. */
 export const part: MaterialPart = {

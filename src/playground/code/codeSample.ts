@@ -1,6 +1,6 @@
-import { drawnSettings } from '../../viewer/settings/drawnSettings.js';
 import { presetOf } from '../../viewer/settings/presets.js';
 import type { Settings } from '../../viewer/settings/settings.js';
+import { withBoldnessAndDensity } from '../../viewer/settings/withBoldnessAndDensity.js';
 import { lightSample } from './lightSample.js';
 import {
   compositionParameters,
@@ -25,7 +25,7 @@ export function codeSample(settings: Settings, sceneRadius: number | undefined, 
   const preset = presetOf(settings);
   return preset
     ? presetSample(preset, settings, sceneRadius, name)
-    : wholeSample(drawnSettings(settings), sceneRadius, name);
+    : wholeSample(withBoldnessAndDensity(settings), sceneRadius, name);
 }
 
 /** Code with every setting that has an effect. */

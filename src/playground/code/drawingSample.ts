@@ -3,11 +3,11 @@ import { LENS } from '../../viewer/sceneSetup/LensCamera.js';
 import { SHADOWS, SUN_DISTANCE } from '../../viewer/sceneSetup/LightRig.js';
 import { FULL_SHEET, LEAST_STROKE_SHARE } from '../../viewer/sceneSetup/strokeShare.js';
 import { backgroundLook } from '../../viewer/settings/compositionLook.js';
-import { drawnSettings } from '../../viewer/settings/drawnSettings.js';
 import { shadowNumbers } from '../../viewer/settings/groundShadow.js';
 import { presetOf } from '../../viewer/settings/presets.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import { type LightPlace, placeOfLight, placeOfSecondLight, UPRIGHT } from '../../viewer/settings/settingValues.js';
+import { withBoldnessAndDensity } from '../../viewer/settings/withBoldnessAndDensity.js';
 import type { CodeDrawing } from './CodeModel.js';
 import { intensityOf, mainLight, positionOf } from './lightSource.js';
 import {
@@ -44,7 +44,7 @@ const SHARE = 'share';
 
 /** The code of a drawing. */
 export function drawingSample(shown: CodeDrawing): DrawingSample {
-  const drawing = { ...shown, settings: drawnSettings(shown.settings) };
+  const drawing = { ...shown, settings: withBoldnessAndDensity(shown.settings) };
   const source = modelSource(drawing.model);
   const parts: Part[] = [
     stagePart(drawing),

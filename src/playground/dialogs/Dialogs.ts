@@ -1,6 +1,6 @@
 import { page } from '../elements/page.js';
 import type { DrawingOpener } from '../session/DrawingOpener.js';
-import type { Keeper } from '../session/Keeper.js';
+import type { DrawingStore } from '../session/DrawingStore.js';
 import type { Session } from '../session/Session.js';
 import type { LaterPart, LaterParts } from '../tasks/LaterParts.js';
 import type { ContactSheet } from './ContactSheet.js';
@@ -17,7 +17,7 @@ export class Dialogs {
 
   constructor(
     private readonly session: Session,
-    keeper: Keeper,
+    keeper: DrawingStore,
     opener: DrawingOpener,
     parts: LaterParts,
   ) {
@@ -66,7 +66,7 @@ export class Dialogs {
   }
 
   private fill(sheet: ContactSheet): void {
-    const { stage, mapLoader } = this.session;
-    if (stage.tonalArtMap) sheet.show(stage.tonalArtMap, mapLoader.shownStyle);
+    const { viewport, mapLoader } = this.session;
+    if (viewport.tonalArtMap) sheet.show(viewport.tonalArtMap, mapLoader.shownStyle);
   }
 }

@@ -1,7 +1,7 @@
 import { shownName } from '../../viewer/files/common/shownText.js';
 import { textButton } from '../elements/textButton.js';
 import { findElement } from '../page/findElement.js';
-import type { Keeper } from '../session/Keeper.js';
+import type { DrawingStore } from '../session/DrawingStore.js';
 import type { KeptDrawing } from '../storage/KeptDrawings.js';
 
 /** Lists the kept drawings, each of which can be opened or forgotten. */
@@ -11,7 +11,7 @@ export class RecentDialog {
   private readonly forgetAll = findElement('recent-forget');
 
   constructor(
-    private readonly keeper: Keeper,
+    private readonly keeper: DrawingStore,
     private readonly onOpen: (id: string) => void,
   ) {
     findElement('recent-close').addEventListener('click', () => this.dialog.close());

@@ -39,7 +39,7 @@ export const page = {
   openGallery: findElement('open-gallery'),
   surprise: findElement('surprise'),
   openKeys: findElement('open-keys'),
-  shelf: { looks: findElement('open-looks'), views: findElement('open-views') },
+  savedLooks: { looks: findElement('open-looks'), views: findElement('open-views') },
   redo: findElement('redo') as HTMLButtonElement,
   recent: findElement('open-recent'),
   contactSheet: {

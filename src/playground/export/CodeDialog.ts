@@ -36,13 +36,13 @@ export class CodeDialog {
   }
 
   private get drawing(): CodeDrawing {
-    const { stage, settings, modelLoader } = this.session;
+    const { viewport, settings, modelLoader } = this.session;
     return {
       model: modelLoader.codeModel,
       settings: { ...settings },
-      camera: stage.view.place,
-      groundHeight: stage.scenery.ground.height,
-      aspect: stage.camera.aspect,
+      camera: viewport.view.place,
+      groundHeight: viewport.scenery.ground.height,
+      aspect: viewport.camera.aspect,
     };
   }
 

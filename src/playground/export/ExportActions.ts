@@ -76,10 +76,10 @@ export class ExportActions {
     again?: Remedy,
   ): Promise<Result | undefined> {
     const { status } = this;
-    const { stage, modelLoader } = this.session;
+    const { viewport, modelLoader } = this.session;
     if (this.tasks.isRunning('picture')) return undefined;
-    if (stage.isLost) status.fail('There is nothing to save until the graphics card draws again.');
-    else if (!stage.isComplete) status.fail('There is no drawing to save yet.');
+    if (viewport.isLost) status.fail('There is nothing to save until the graphics card draws again.');
+    else if (!viewport.isComplete) status.fail('There is no drawing to save yet.');
     else {
       let result: Result | undefined;
       const end = await this.tasks.run(
@@ -87,7 +87,7 @@ export class ExportActions {
         async (report, signal) => {
           const [draw] = await Promise.all([fetchDraw(), this.geometries.settled(signal)]);
           signal.throwIfAborted();
-          result = await draw(stage, { ...this.session.settings }, fileStem(modelLoader.title), report, signal);
+          result = await draw(viewport, { ...this.session.settings }, fileStem(modelLoader.title), report, signal);
         },
         again,
       );
@@ -125,8 +125,8 @@ export class ExportActions {
   };
 
   readonly saveMap = async (): Promise<void> => {
-    const { stage, settings } = this.session;
-    const map = stage.tonalArtMap;
+    const { viewport, settings } = this.session;
+    const map = viewport.tonalArtMap;
     if (!map) return;
     const { mapStyle } = settings;
     try {

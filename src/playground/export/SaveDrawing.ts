@@ -1,6 +1,6 @@
 import type { Report } from '../../viewer/drawing/Report.js';
 import type { Settings } from '../../viewer/settings/settings.js';
-import type { Stage } from '../viewport/Stage.js';
+import type { Viewport } from '../viewport/Viewport.js';
 
 /**
  * Draws a picture or a video, and has the browser download it unless the caller takes the result.
@@ -10,7 +10,7 @@ import type { Stage } from '../viewport/Stage.js';
  * @throws Error with a sentence for the user
  */
 export type SaveDrawing<Result = string> = (
-  stage: Stage,
+  viewport: Viewport,
   settings: Settings,
   name: string,
   report: Report,

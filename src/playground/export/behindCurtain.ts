@@ -3,7 +3,7 @@ import { drawnView } from '../elements/viewSize.js';
 import { cutToDrawing, type PrintPlan, planPrint, sheetOnView } from '../print/print.js';
 import { LostContextError } from '../viewport/LostContextError.js';
 import { PictureSession } from '../viewport/PictureSession.js';
-import type { Stage } from '../viewport/Stage.js';
+import type { Viewport } from '../viewport/Viewport.js';
 import { raiseCurtain } from './raiseCurtain.js';
 
 const LOST =
@@ -11,16 +11,16 @@ const LOST =
 
 /** Holds frames behind a curtain while a picture is drawn. @param draw gets the plan of the picture: its part of the view and its size */
 export async function behindCurtain<Result>(
-  stage: Stage,
+  viewport: Viewport,
   settings: Settings,
   signal: AbortSignal,
   draw: (session: PictureSession, plan: PrintPlan) => Promise<Result>,
 ): Promise<Result> {
-  const curtain = raiseCurtain(stage, settings.paper);
-  const session = new PictureSession(stage);
-  const goBack = stage.view.composeFor(sheetOnView(settings, drawnView(stage)));
+  const curtain = raiseCurtain(viewport, settings.paper);
+  const session = new PictureSession(viewport);
+  const goBack = viewport.view.composeFor(sheetOnView(settings, drawnView(viewport)));
   try {
-    const whole = planPrint(settings, drawnView(stage));
+    const whole = planPrint(settings, drawnView(viewport));
     session.hold(Math.max(whole.width, whole.height));
     const plan = settings.pictureCrop === 'drawing' ? await cutToDrawing(session, whole, signal) : whole;
     return await draw(session, plan);

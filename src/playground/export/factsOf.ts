@@ -6,8 +6,8 @@ import { rendererName } from '../viewport/rendererName.js';
 import { describeFacts } from './describeFacts.js';
 
 /** What a report of a bug should say about the page, the machine and the drawing of a session. */
-export function factsOf({ stage, settings, modelLoader }: Session): string {
-  const { canvas, context, view, model } = stage;
+export function factsOf({ viewport, settings, modelLoader }: Session): string {
+  const { canvas, context, view, model } = viewport;
   const meshes = model ? meshesOf(model.root) : [];
   const formed = meshes.filter(({ geometry }) => geometry.userData.hatching?.lineField === 'form');
   return describeFacts({

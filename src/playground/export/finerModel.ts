@@ -8,7 +8,7 @@ import { lookOf } from '../../viewer/settings/lookOf.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import { drawsWithAdjacency, formDrawn } from '../../viewer/settings/settingValues.js';
 import { loadModelFiles } from '../reading/loadModelFiles.js';
-import type { Stage } from '../viewport/Stage.js';
+import type { Viewport } from '../viewport/Viewport.js';
 
 /** The most triangles of a model that is read again for a picture: the page holds those of its frames beside them. */
 const MOST_TRIANGLES = 4_000_000;
@@ -28,7 +28,7 @@ export interface FinerModel extends Pick<ReadMesh, 'simplified'> {
  */
 export async function finerModel(
   files: readonly ModelFile[],
-  stage: Stage,
+  viewport: Viewport,
   settings: Settings,
   report: Report,
   signal: AbortSignal,
@@ -49,7 +49,7 @@ export async function finerModel(
     onProgress,
     outlines: true,
   });
-  const [shown] = meshesOf(stage.model!.root);
+  const [shown] = meshesOf(viewport.model!.root);
   const drawn = new Mesh(geometry, shown.material);
   try {
     await bakeLook(drawn, settings, report, signal);

@@ -1,5 +1,5 @@
 import { page } from '../elements/page.js';
-import type { Stage } from '../viewport/Stage.js';
+import type { Viewport } from '../viewport/Viewport.js';
 
 /** A copy of the drawing that covers it while it is saved. */
 interface Curtain {
@@ -13,20 +13,20 @@ interface Curtain {
  * Covers the drawing with a copy of it and disables everything but Cancel, while a picture is drawn in tiles on the same canvas, or a
  * video frame by frame.
  */
-export function raiseCurtain(stage: Stage, paper: string): Curtain {
-  const { viewport, card, bar } = page;
+export function raiseCurtain(viewport: Viewport, paper: string): Curtain {
+  const { card, bar } = page;
   const copy = document.createElement('canvas');
   copy.className = 'curtain';
   copy.setAttribute('aria-hidden', 'true');
   // The drawing is copied in the same task, because the canvas does not keep its content for longer.
-  stage.frames.draw();
-  const { canvas } = stage.frames;
+  viewport.frames.draw();
+  const { canvas } = viewport.frames;
   const { width, height } = Object.assign(copy, { width: canvas.width, height: canvas.height });
   const context = copy.getContext('2d');
   context?.drawImage(canvas, 0, 0);
   canvas.after(copy);
   const focused = document.activeElement;
-  for (const part of [viewport, card, bar]) part.inert = true;
+  for (const part of [page.viewport, card, bar]) part.inert = true;
   return {
     show(picture) {
       if (!context) return;
@@ -37,7 +37,7 @@ export function raiseCurtain(stage: Stage, paper: string): Curtain {
       context.drawImage(picture, (width - wide) / 2, (height - high) / 2, wide, high);
     },
     lower() {
-      for (const part of [viewport, card, bar]) part.inert = false;
+      for (const part of [page.viewport, card, bar]) part.inert = false;
       if (focused instanceof HTMLElement) focused.focus({ preventScroll: true });
       copy.remove();
     },

@@ -12,13 +12,13 @@ import { savePicture } from './savePicture.js';
  */
 export const saveFiner =
   (files: readonly ModelFile[], variant?: number): SaveDrawing =>
-  async (stage, settings, name, report, signal) => {
-    const { model } = stage;
-    const { geometry, triangles, simplified } = await finerModel(files, stage, settings, report, signal, variant);
+  async (viewport, settings, name, report, signal) => {
+    const { model } = viewport;
+    const { geometry, triangles, simplified } = await finerModel(files, viewport, settings, report, signal, variant);
     try {
-      if (stage.model !== model) throw new Error('another model was opened meanwhile.');
-      stage.finer = geometry;
-      const { kind, size, pixelsPerRadius } = await savePicture(stage, settings, name, report, signal);
+      if (viewport.model !== model) throw new Error('another model was opened meanwhile.');
+      viewport.finer = geometry;
+      const { kind, size, pixelsPerRadius } = await savePicture(viewport, settings, name, report, signal);
       // The form of a finer mesh has singular points of its own.
       const anew = formDrawn(settings) ? ', lines laid anew' : '';
       if (!simplified) return `Saved as ${kind} from all triangles${anew}: ${size}.`;
@@ -26,7 +26,7 @@ export const saveFiner =
       const pixels = (pixelsPerRadius * simplified.error).toFixed(1);
       return `Saved as ${kind} from ${millions} million triangles${anew}: up to ${pixels} px off.`;
     } finally {
-      stage.finer = undefined;
+      viewport.finer = undefined;
       geometry.dispose();
     }
   };

@@ -20,9 +20,9 @@ export interface SavedPicture {
 }
 
 /** Saves the picture that the settings ask for: one PNG, or its layers in an archive. */
-export const savePicture: SaveDrawing<SavedPicture> = (stage, settings, name, report, signal) =>
-  behindCurtain(stage, settings, signal, async (session, plan) => {
-    const saved = { size: describePrint(plan), pixelsPerRadius: nearestRadius(stage.camera, plan) };
+export const savePicture: SaveDrawing<SavedPicture> = (viewport, settings, name, report, signal) =>
+  behindCurtain(viewport, settings, signal, async (session, plan) => {
+    const saved = { size: describePrint(plan), pixelsPerRadius: nearestRadius(viewport.camera, plan) };
     if (settings.pictureLayers === 'one') {
       download(await drawWhole(session, settings, plan, report, signal), `${name}.png`);
       return { kind: 'PNG', ...saved };
@@ -38,8 +38,8 @@ export const savePicture: SaveDrawing<SavedPicture> = (stage, settings, name, re
   });
 
 /** Draws the picture that the settings ask for as one PNG, for the clipboard. */
-export const drawForClipboard: SaveDrawing<Blob> = (stage, settings, _name, report, signal) =>
-  behindCurtain(stage, settings, signal, (session, plan) => {
+export const drawForClipboard: SaveDrawing<Blob> = (viewport, settings, _name, report, signal) =>
+  behindCurtain(viewport, settings, signal, (session, plan) => {
     if (plan.width * plan.height > MOST_COPIED_PIXELS)
       throw new Error('the picture is too large for a clipboard. Save it, or choose a smaller size.');
     return drawWhole(session, settings, plan, report, signal);

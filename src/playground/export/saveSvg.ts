@@ -18,8 +18,8 @@ type Strokes = 'lines' | 'picture' | 'nowhere';
  * Saves the drawing as lines: an SVG file of the size that the settings ask for, filled for print or for one pen. Strokes that come from a
  * map are no lines: in a print they lie below the others as a picture.
  */
-export const saveSvg: SaveDrawing = (stage, settings, name, report, signal) =>
-  behindCurtain(stage, settings, signal, async (session, plan) => {
+export const saveSvg: SaveDrawing = (viewport, settings, name, report, signal) =>
+  behindCurtain(viewport, settings, signal, async (session, plan) => {
     const { sheet, margin, within } = planSvg(settings, plan);
     const isPen = settings.pictureSvg === 'pen';
     const strokes = strokesOf(settings);
@@ -27,9 +27,9 @@ export const saveSvg: SaveDrawing = (stage, settings, name, report, signal) =>
     const onDrawn = (progress: number): void => report('drawing the strokes', from * progress);
     const picture = printed && (await dataUrlOf(await drawStrokes(session, settings, printed, onDrawn, signal)));
     session.restoreScene();
-    const camera = stage.camera.clone();
+    const camera = viewport.camera.clone();
     camera.setViewOffset(within.viewWidth, within.viewHeight, within.left, within.top, within.width, within.height);
-    const drawing = await drawSVG(stage.scenery.scene, camera, {
+    const drawing = await drawSVG(viewport.scenery.scene, camera, {
       kind: settings.pictureSvg,
       ...(isPen && { penWidth: settings.picturePen }),
       // A pen would draw the border of the paper.

@@ -6,11 +6,11 @@ import { raiseCurtain } from './raiseCurtain.js';
 import type { SaveDrawing } from './SaveDrawing.js';
 
 /** Records the video that the settings ask for, and shows its frames meanwhile. */
-export const saveVideo: SaveDrawing = async (stage, settings, name, report, signal) => {
+export const saveVideo: SaveDrawing = async (viewport, settings, name, report, signal) => {
   const view = viewSize();
-  const curtain = raiseCurtain(stage, settings.paper);
+  const curtain = raiseCurtain(viewport, settings.paper);
   try {
-    const { content, extension, sentence } = await recordVideo(stage, new PictureSession(stage), settings, {
+    const { content, extension, sentence } = await recordVideo(viewport, new PictureSession(viewport), settings, {
       ...{ view, name, signal },
       onProgress: (progress) => report('recording the video', progress),
       onFrame: curtain.show,

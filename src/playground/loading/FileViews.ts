@@ -5,7 +5,7 @@ import { viewsOfFile } from '../../viewer/sceneSetup/viewsOfFile.js';
 import { isLitBy, lightOf, type SavedView } from '../../viewer/settings/savedViews.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import { extrasInWorld } from '../maps/extrasInWorld.js';
-import type { Stage } from '../viewport/Stage.js';
+import type { Viewport } from '../viewport/Viewport.js';
 import type { lightModel } from './lightModel.js';
 
 /** Lights models, and makes views of the cameras and the lights of their files. */
@@ -14,16 +14,16 @@ export class FileViews {
   private lit: Record<'before' | 'given' | 'found', SavedView['light']> | undefined;
 
   constructor(
-    private readonly stage: Stage,
+    private readonly viewport: Viewport,
     private readonly settings: Settings,
   ) {}
 
   /** Lights the shown model. The lights of the file before it were those of its model alone. */
   light(light: typeof lightModel): void {
-    const { settings, stage, lit } = this;
+    const { settings, viewport, lit } = this;
     if (lit && isLitBy(settings, lit.given)) Object.assign(settings, lit.before);
     const before = lightOf(settings);
-    const found = light(stage, settings);
+    const found = light(viewport, settings);
     this.lit = found && { before, given: lightOf(settings), found };
   }
 

@@ -3,7 +3,7 @@ import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import { drawsWithAdjacency, formDrawn } from '../../viewer/settings/settingValues.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
-import type { Stage } from '../viewport/Stage.js';
+import type { Viewport } from '../viewport/Viewport.js';
 
 /** How long settings stay as they are before a form is baked anew, in milliseconds: a slider moves on. */
 const REST = 150;
@@ -30,31 +30,31 @@ export class GeometryLoader {
   private readonly made = new Set<BufferGeometry>();
 
   constructor(
-    private readonly stage: Stage,
+    private readonly viewport: Viewport,
     private readonly settings: Settings,
     private readonly tasks: TaskRunner,
   ) {}
 
   /** Whether a bake will start as soon as the model has been drawn without it. */
   get isAwaited(): boolean {
-    const { model, shown, isLost } = this.stage;
+    const { model, shown, isLost } = this.viewport;
     if (model === undefined || shown.isStandIn || isLost) return false;
     return this.isFormAwaited || this.isAdjacencyAwaited(model);
   }
 
   /** Starts a bake if one is needed. To be called when the model or the settings have changed, and when a picture is on the page. */
   update(): void {
-    if (this.model && this.stage.model !== this.model) this.letGo();
+    if (this.model && this.viewport.model !== this.model) this.letGo();
     // Who asks for it again after it was cancelled, gets it.
     if (!drawsWithAdjacency(this.settings)) this.adjacency = false;
-    if (this.isAwaited && this.stage.quality.isOnPage) this.start();
+    if (this.isAwaited && this.viewport.quality.isOnPage) this.start();
   }
 
   private get isFormAwaited(): boolean {
     const { settings, form } = this;
     const drawn = formDrawn(settings);
     if (!drawn) return false;
-    const isBaked = this.stage.model === this.model && form?.upAxis === settings.upAxis && form.auto === drawn.auto;
+    const isBaked = this.viewport.model === this.model && form?.upAxis === settings.upAxis && form.auto === drawn.auto;
     // Strokes cross by turning.
     return !isBaked || (drawn.hasLines && form.crossAngle !== settings.crossAngle);
   }
@@ -74,8 +74,8 @@ export class GeometryLoader {
   }
 
   private start(): void {
-    const { stage, settings } = this;
-    const model = stage.model!;
+    const { viewport, settings } = this;
+    const model = viewport.model!;
     const isAnew = this.model === model;
     const adjacency = drawsWithAdjacency(settings) && model.lacksAdjacency;
     const drawn = formDrawn(settings);
@@ -94,7 +94,7 @@ export class GeometryLoader {
       const { bakeFurther } = await import('../../viewer/drawing/bakeFurther.js');
       signal.throwIfAborted();
       const onProgress = (progress: number): void => report(what, progress);
-      stage.frames.keepPictures();
+      viewport.frames.keepPictures();
       try {
         await bakeFurther(
           model.root,
@@ -102,18 +102,18 @@ export class GeometryLoader {
           { signal, onProgress },
           (former, made) => this.exchange(former, made),
           // Lines along the form have programs of their own, for which a frame would wait.
-          () => this.stage.rebuildPrograms(),
+          () => this.viewport.rebuildPrograms(),
         );
-        if (adjacency) stage.reapply();
+        if (adjacency) viewport.reapply();
       } finally {
-        stage.frames.leavePictures();
+        viewport.frames.leavePictures();
       }
     });
   }
 
   /** Draws with another geometry in the next frame, or with the same one that has other lines. */
   private exchange(former: BufferGeometry, made: BufferGeometry): void {
-    this.stage.frames.fadeIntoNext();
+    this.viewport.frames.fadeIntoNext();
     if (made === former) return;
     this.made.add(made);
     if (this.made.delete(former)) former.dispose();

@@ -5,7 +5,7 @@ import { drawsWithMap } from '../../viewer/settings/settingValues.js';
 import type { OwnHand } from '../maps/OwnHand.js';
 import type { MapSettings, TonalArtMapCache } from '../maps/TonalArtMapCache.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
-import type { Stage } from '../viewport/Stage.js';
+import type { Viewport } from '../viewport/Viewport.js';
 
 /** Loads tonal art maps and draws with them. A map is generated from the settings or read from the user's files. */
 export class MapLoader {
@@ -22,7 +22,7 @@ export class MapLoader {
   private timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(
-    private readonly stage: Stage,
+    private readonly viewport: Viewport,
     readonly settings: Settings,
     readonly tasks: TaskRunner,
     /** Called when another map is in use. */
@@ -112,7 +112,7 @@ export class MapLoader {
 
   /** The map in use. */
   get map(): TonalArtMap | undefined {
-    return this.stage.tonalArtMap;
+    return this.viewport.tonalArtMap;
   }
 
   /**
@@ -122,7 +122,7 @@ export class MapLoader {
   use(map: TonalArtMap, { mapStyle, mapSize, mapTones, mapSeed }: MapSettings = this.settings, tileScale = 1): void {
     this.shown = { mapStyle, mapSize, mapTones, mapSeed };
     this.tileScale = tileScale;
-    this.stage.tonalArtMap = map;
+    this.viewport.tonalArtMap = map;
     this.onMap();
   }
 }

@@ -19,7 +19,7 @@ import { BUILT_IN_MODELS, type BuiltInModel } from '../models/models.js';
 import { setPageState } from '../page/setPageState.js';
 import { loadModelFiles } from '../reading/loadModelFiles.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
-import type { Stage } from '../viewport/Stage.js';
+import type { Viewport } from '../viewport/Viewport.js';
 import { whenDrawn } from '../viewport/whenDrawn.js';
 import { FileViews } from './FileViews.js';
 import type { lightModel } from './lightModel.js';
@@ -103,14 +103,14 @@ export class ModelLoader {
   private readonly addresses = new WeakMap<readonly ModelFile[], string>();
 
   constructor(
-    private readonly stage: Stage,
+    private readonly viewport: Viewport,
     private readonly settings: Settings,
     private readonly tasks: TaskRunner,
     /** Called when loading has changed the settings. */
     private readonly onChange: (end: ModelEnd, opened?: OpenedModel) => void,
   ) {
     this.shownModel = settings.model;
-    this.fileViews = new FileViews(stage, settings);
+    this.fileViews = new FileViews(viewport, settings);
   }
 
   /** Shows the built-in model that the settings ask for. */
@@ -122,7 +122,7 @@ export class ModelLoader {
 
   /** As {@link showChosen}, if nothing is shown or being loaded, so that the page is not left empty. */
   showSomething(): void {
-    if (!this.stage.model && !this.isLoading) this.showChosen();
+    if (!this.viewport.model && !this.isLoading) this.showChosen();
   }
 
   /**
@@ -164,7 +164,7 @@ export class ModelLoader {
   /** The shown model as the code that draws it elsewhere needs it. */
   get codeModel(): CodeModel {
     const { shownModel: model, title, sceneRadius, isOpen } = this;
-    const { root, motion } = this.stage.model ?? {};
+    const { root, motion } = this.viewport.model ?? {};
     const { clip: index = -1, time = 0, isPlaying = false } = motion ?? {};
     return {
       model,
@@ -181,9 +181,9 @@ export class ModelLoader {
     const wanted: WantedModel = { model: 'file', choice };
     void this.show(wanted, { isFramed, isRestored: true }, async (report, signal) => {
       const { describeAddress, fetchModel } = await import('./fetchModel.js');
-      const stage = `fetching ${shownName(describeAddress(address).name)}`;
-      report(stage);
-      const files = [await fetchModel(address, { signal, onProgress: (progress) => report(stage, progress) })];
+      const viewport = `fetching ${shownName(describeAddress(address).name)}`;
+      report(viewport);
+      const files = [await fetchModel(address, { signal, onProgress: (progress) => report(viewport, progress) })];
       wanted.files = files;
       this.addresses.set(files, address);
       const onCoarse = (read: ReadModel): void => {
@@ -208,7 +208,7 @@ export class ModelLoader {
 
   /** The names of the variants of the shown model's materials. */
   get variants(): readonly string[] {
-    return this.shownModel === 'file' ? (this.stage.model?.extras.variants ?? []) : [];
+    return this.shownModel === 'file' ? (this.viewport.model?.extras.variants ?? []) : [];
   }
 
   /** Shows the user's own model with a variant of its materials, by its index, or with those that it has without one. */
@@ -232,15 +232,15 @@ export class ModelLoader {
 
   /** The variant and the clip of the file of the shown model. */
   get choice(): ModelChoice {
-    const { clip = 0 } = this.stage.model?.motion ?? {};
+    const { clip = 0 } = this.viewport.model?.motion ?? {};
     return { variant: this.shownVariant, clip: clip > 0 ? clip : undefined };
   }
 
   private poseClip({ clip = 0 }: ModelChoice): void {
-    const { motion } = this.stage.model ?? {};
+    const { motion } = this.viewport.model ?? {};
     if (!motion || motion.clip === clip) return;
     motion.clip = clip;
-    this.stage.frames.invalidate();
+    this.viewport.frames.invalidate();
   }
 
   /** Shows a model of the user's own. */
@@ -304,20 +304,20 @@ export class ModelLoader {
     way: WayToShow,
     load: (report: Report, signal: AbortSignal) => Promise<LoadedModel>,
   ): Promise<void> {
-    const { settings, stage } = this;
+    const { settings, viewport } = this;
     this.wanted = wanted;
-    if (!stage.isLost) setPageState('loading');
+    if (!viewport.isLost) setPageState('loading');
     const end = await this.tasks.run('model', async (report, signal) => {
       // Every technique draws from here on in the very frame in which it is chosen.
       const techniques = HatchingMaterial.preload();
-      if (!stage.shown.drawn) void techniques.then(() => stage.buildAhead());
+      if (!viewport.shown.drawn) void techniques.then(() => viewport.buildAhead());
       const [loaded] = await Promise.all([load(report, signal), techniques]);
       this.showStandIn(loaded, way);
-      if (this.hasStandIn) await afterFrame(stage.context);
+      if (this.hasStandIn) await afterFrame(viewport.context);
       signal.throwIfAborted();
       const built = await buildModel(loaded.read, report, signal, drawsWithAdjacency(settings));
       try {
-        await stage.shown.dress(built.model, signal);
+        await viewport.shown.dress(built.model, signal);
       } catch (error) {
         built.model.dispose();
         throw error;
@@ -340,7 +340,7 @@ export class ModelLoader {
     { model: next, notes }: { model: HatchedModel; notes: readonly string[] },
     { isFramed, isRestored, isChosen = false }: WayToShow,
   ): void {
-    const { settings, stage } = this;
+    const { settings, viewport } = this;
     const { title, read, view, drawing, light } = loaded;
     const { hasStandIn } = this;
     this.beforeStandIn = undefined;
@@ -355,10 +355,10 @@ export class ModelLoader {
     this.isOpen = read.kind === 'mesh' && isOpen(statistics);
     settings.model = model;
     if (!isRestored && !hasStandIn) settings.upAxis = read.upAxis;
-    if (stage.shown.isStandIn) stage.frames.fadeIntoNext();
-    stage.shown.set(next, view, hasStandIn);
+    if (viewport.shown.isStandIn) viewport.frames.fadeIntoNext();
+    viewport.shown.set(next, view, hasStandIn);
     // The user may have moved the camera while the stand-in was shown.
-    if (isFramed && !hasStandIn) stage.view.frame();
+    if (isFramed && !hasStandIn) viewport.view.frame();
     if (!hasStandIn) this.light(light);
     const ofFile = isRestored ? { views: [], notes: [] } : this.fileViews.of(next);
     // Notes on what was left out matter for the user's own models only.
@@ -372,7 +372,7 @@ export class ModelLoader {
 
   /** Draws a large mesh at once, as well as it can be drawn before it is prepared, or a coarse copy of it. */
   private showStandIn({ read, title, view, light }: LoadedModel, { isFramed, isRestored }: WayToShow): void {
-    const { stage, settings } = this;
+    const { viewport, settings } = this;
     const standIn = standInOf(read, settings);
     if (!standIn) return;
     const { upAxis, lightAzimuth, lightElevation } = settings;
@@ -382,20 +382,20 @@ export class ModelLoader {
       settings: { upAxis, lightAzimuth, lightElevation },
       title: document.title,
       caption: this.caption.content,
-      place: stage.view.ownPlace,
+      place: viewport.view.ownPlace,
     };
     this.stoodInFor = this.wanted;
     if (!isRestored) settings.upAxis = read.upAxis;
     this.name({ title, statistics: standIn.statistics, notes: [], details: [] });
-    if (stage.shown.isStandIn) stage.frames.fadeIntoNext();
-    stage.shown.setStandIn(standIn, view);
-    if (isFramed) stage.view.frame();
+    if (viewport.shown.isStandIn) viewport.frames.fadeIntoNext();
+    viewport.shown.setStandIn(standIn, view);
+    if (isFramed) viewport.view.frame();
     this.light(light);
   }
 
   /** Whether a stand-in for the model that is being loaded is shown. */
   private get hasStandIn(): boolean {
-    return this.stage.shown.isStandIn && this.stoodInFor === this.wanted;
+    return this.viewport.shown.isStandIn && this.stoodInFor === this.wanted;
   }
 
   private light(light: LoadedModel['light']): void {
@@ -407,15 +407,15 @@ export class ModelLoader {
 
   /** Restores the page to how it was before the stand-in, because its model could not be loaded. */
   private takeStandInAway(): void {
-    const { stage, settings, beforeStandIn: before } = this;
+    const { viewport, settings, beforeStandIn: before } = this;
     if (!before) return;
     this.beforeStandIn = undefined;
     Object.assign(settings, before.settings);
-    stage.shown.removeStandIn();
+    viewport.shown.removeStandIn();
     document.title = before.title;
     this.caption.show(before.caption);
-    if (before.place) stage.view.place = before.place;
-    else stage.view.frame();
+    if (before.place) viewport.view.place = before.place;
+    else viewport.view.frame();
   }
 
   private name(content: CaptionContent): void {

@@ -3,7 +3,7 @@ import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
 import { meshesOf } from '../../viewer/drawing/meshesOf.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
-import type { Stage } from '../viewport/Stage.js';
+import type { Viewport } from '../viewport/Viewport.js';
 
 const STAGE = 'darkening hollows';
 
@@ -14,14 +14,14 @@ export class OcclusionLoader {
   private bake: OcclusionBake | undefined;
 
   constructor(
-    private readonly stage: Stage,
+    private readonly viewport: Viewport,
     private readonly settings: Settings,
     private readonly tasks: TaskRunner,
   ) {}
 
   /** Whether a bake will start as soon as the model has been drawn without occlusion. */
   get isAwaited(): boolean {
-    const { model, isLost } = this.stage;
+    const { model, isLost } = this.viewport;
     return model !== undefined && model !== this.model && !model.isOccluded && this.settings.occlusion > 0 && !isLost;
   }
 
@@ -31,9 +31,9 @@ export class OcclusionLoader {
    */
   update(): void {
     // A stand-in is replaced before a bake of it could end.
-    const model = this.stage.shown.isStandIn ? undefined : this.stage.model;
+    const model = this.viewport.shown.isStandIn ? undefined : this.viewport.model;
     if (model !== this.model) this.letGo();
-    if (!model || !this.isAwaited || !this.stage.quality.isOnPage) return;
+    if (!model || !this.isAwaited || !this.viewport.quality.isOnPage) return;
     this.model = model;
     // Occlusion is stored per vertex, and all instances share their vertices.
     if (meshesOf(model.root).every((mesh) => 'isInstancedMesh' in mesh)) return;
@@ -45,14 +45,14 @@ export class OcclusionLoader {
         signal,
         onProgress: (progress) => report(STAGE, progress),
         onPass: () => {
-          if (!this.stage.quality.isSlow) this.stage.frames.refine();
+          if (!this.viewport.quality.isSlow) this.viewport.frames.refine();
         },
         // Other tasks are more urgent, and a picture that is being saved must not change.
         pause: () => this.tasks.others('occlusion', signal),
       });
       if (signal.aborted) bake.dispose();
       else this.bake = bake;
-      this.stage.frames.refine();
+      this.viewport.frames.refine();
     });
   }
 

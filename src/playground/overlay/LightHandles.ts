@@ -3,7 +3,7 @@ import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';
 import { placeOfLight, placeOfSecondLight } from '../../viewer/settings/settingValues.js';
 import { page } from '../elements/page.js';
 import { LightHandle } from '../viewport/light/LightHandle.js';
-import type { Stage } from '../viewport/Stage.js';
+import type { Viewport } from '../viewport/Viewport.js';
 
 /** The handles of the light and of the second light. Dragging them changes the settings. */
 export class LightHandles {
@@ -12,7 +12,7 @@ export class LightHandles {
 
   /** @param onChange called after each change, with the name of the handle */
   constructor(
-    stage: Stage,
+    viewport: Viewport,
     private readonly settings: Settings,
     onChange: (source: string) => void,
   ) {
@@ -24,19 +24,19 @@ export class LightHandles {
     };
     const common = {
       viewport: page.viewport,
-      camera: stage.camera,
-      outline: () => stage.view.modelOutline,
-      framedCount: () => stage.view.framedCount,
+      camera: viewport.camera,
+      outline: () => viewport.view.modelOutline,
+      framedCount: () => viewport.view.framedCount,
       isWithViewer: () => settings.lightFollows === 'viewer',
       onDrag: (dragging: boolean) => {
-        stage.view.controls.enabled = !dragging;
+        viewport.view.controls.enabled = !dragging;
         if (dragging) page.lamp.classList.add('is-known');
       },
     };
     this.first = new LightHandle(page.lamp, {
       ...common,
       name: 'Light',
-      lightPosition: stage.scenery.lights.position,
+      lightPosition: viewport.scenery.lights.position,
       place: () => placeOfLight(settings),
       home: () => ({
         azimuth: SETTINGS.lightAzimuth.default,
@@ -53,7 +53,7 @@ export class LightHandles {
     this.second = new LightHandle(page.secondLamp, {
       ...common,
       name: 'Second light',
-      lightPosition: stage.scenery.lights.secondPosition,
+      lightPosition: viewport.scenery.lights.secondPosition,
       place: secondPlace,
       home: () => ({ azimuth: SETTINGS.secondAzimuth.default, elevation: SETTINGS.secondElevation.default }),
       // Once the user moves it, the second light no longer follows the first.

@@ -3,7 +3,7 @@ import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';
 import { page } from '../elements/page.js';
 import type { Session } from '../session/Session.js';
 import type { LaterPart, LaterParts } from '../tasks/LaterParts.js';
-import type { Stage } from '../viewport/Stage.js';
+import type { Viewport } from '../viewport/Viewport.js';
 import type { CompareDivider } from './CompareDivider.js';
 import type { LightHandles } from './LightHandles.js';
 import type { SheetFrame } from './SheetFrame.js';
@@ -42,22 +42,22 @@ class Comparison {
   private readonly divider: LaterPart<CompareDivider>;
 
   constructor(
-    private readonly stage: Stage,
+    private readonly viewport: Viewport,
     private readonly settings: Settings,
     parts: LaterParts,
   ) {
     this.divider = parts.later(async () => {
       const { CompareDivider } = await import('./CompareDivider.js');
-      return new CompareDivider(page.divider, page.viewport, () => stage.frames.invalidate());
+      return new CompareDivider(page.divider, page.viewport, () => viewport.frames.invalidate());
     });
   }
 
   /** To be called when the settings have changed. */
   refresh(): void {
-    const { stage, divider } = this;
+    const { viewport, divider } = this;
     const { compare, technique } = this.settings;
     const isCompared = compare !== 'none';
-    stage.compareWith(isCompared ? () => divider.present?.share ?? 0.5 : undefined);
+    viewport.compareWith(isCompared ? () => divider.present?.share ?? 0.5 : undefined);
     if (isCompared && !divider.present) {
       divider.use(() => this.refresh());
       return;
@@ -81,16 +81,16 @@ export class Overlays {
   private readonly sheetFrame: LaterPart<SheetFrame>;
 
   constructor(session: Session, parts: LaterParts) {
-    const { stage, settings } = session;
+    const { viewport, settings } = session;
     this.lights = parts.later(async () => {
       const { LightHandles } = await import('./LightHandles.js');
-      return new LightHandles(stage, settings, (source) => session.recordChange(source));
+      return new LightHandles(viewport, settings, (source) => session.recordChange(source));
     });
     this.sheetFrame = parts.later(async () => {
       const { SheetFrame } = await import('./SheetFrame.js');
-      return new SheetFrame(stage, settings);
+      return new SheetFrame(viewport, settings);
     });
-    const comparison = new Comparison(stage, settings, parts);
+    const comparison = new Comparison(viewport, settings, parts);
     const turnHint = new TurnHint(page.turnHint, settings, () => session.recordChange());
     session.listen({
       applied: () => {
@@ -98,15 +98,15 @@ export class Overlays {
         turnHint.refresh();
         this.sheetFrame.present?.refresh();
       },
-      modelShown: () => turnHint.about(settings.model === 'file' ? stage.model?.stands : undefined),
+      modelShown: () => turnHint.about(settings.model === 'file' ? viewport.model?.stands : undefined),
     });
     const follow = (): void => {
       this.lights.present?.update();
       comparison.place();
     };
-    stage.frames.onFrame(follow);
-    stage.frames.onWait(follow);
-    this.lights.use(() => stage.frames.invalidate());
+    viewport.frames.onFrame(follow);
+    viewport.frames.onWait(follow);
+    this.lights.use(() => viewport.frames.invalidate());
   }
 
   /** Whether the lights have their handles. */

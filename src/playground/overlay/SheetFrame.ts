@@ -2,7 +2,7 @@ import type { Settings } from '../../viewer/settings/settings.js';
 import { page } from '../elements/page.js';
 import { drawnView } from '../elements/viewSize.js';
 import { sheetOnView } from '../print/printPlan.js';
-import type { Stage } from '../viewport/Stage.js';
+import type { Viewport } from '../viewport/Viewport.js';
 
 /**
  * A frame over the drawing that shows the sheet on which a picture will be saved, and dims what lies outside of it. While the frame is
@@ -13,7 +13,7 @@ export class SheetFrame {
   private isWanted = false;
 
   constructor(
-    private readonly stage: Stage,
+    private readonly viewport: Viewport,
     private readonly settings: Settings,
   ) {
     this.element.setAttribute('aria-hidden', 'true');
@@ -29,9 +29,9 @@ export class SheetFrame {
 
   /** To be called when the settings have changed. */
   refresh(): void {
-    const { element, stage } = this;
-    const sheet = this.isWanted ? sheetOnView(this.settings, drawnView(stage)) : undefined;
-    stage.view.sheet = sheet;
+    const { element, viewport } = this;
+    const sheet = this.isWanted ? sheetOnView(this.settings, drawnView(viewport)) : undefined;
+    viewport.view.sheet = sheet;
     element.hidden = !sheet;
     if (!sheet) return;
     const [width, height] = sheet.map((share) => `${(100 * share).toFixed(3)}%`);

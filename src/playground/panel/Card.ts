@@ -6,7 +6,7 @@ import type { Settings } from '../../viewer/settings/settings.js';
 import type { SettingGroup } from '../../viewer/settings/table/Setting.js';
 import { page } from '../elements/page.js';
 import { drawnView } from '../elements/viewSize.js';
-import type { Shelf } from '../savedLooks/Shelf.js';
+import type { SavedLooks } from '../savedLooks/SavedLooks.js';
 import type { RendererChoice } from '../session/RendererChoice.js';
 import type { Session } from '../session/Session.js';
 import type { LaterPart, LaterParts } from '../tasks/LaterParts.js';
@@ -42,7 +42,7 @@ class PresetBar {
 
 /** The card beside the drawing: presets, the user's own looks and views, the controls of the settings and those of a model that moves. */
 export class Card {
-  readonly shelf: LaterPart<Shelf>;
+  readonly savedLooks: LaterPart<SavedLooks>;
   private readonly motion: LaterPart<MotionPanel>;
   private panel: SettingsPanel | undefined;
 
@@ -58,23 +58,23 @@ export class Card {
     onFold: (group: SettingGroup, isOpen: boolean) => void,
     renderers: RendererChoice,
   ) {
-    const { stage, settings } = session;
+    const { viewport, settings } = session;
     const presets = new PresetBar(page.presets, settings, (name) => session.useLook(wholeLook(name)));
-    this.shelf = parts.later(async () => {
-      const [{ Shelf }, { ModelVariants }] = await Promise.all([
-        import('../savedLooks/Shelf.js'),
+    this.savedLooks = parts.later(async () => {
+      const [{ SavedLooks }, { ModelVariants }] = await Promise.all([
+        import('../savedLooks/SavedLooks.js'),
         import('../savedLooks/ModelVariants.js'),
       ]);
       const variants = new ModelVariants(session.modelLoader);
-      return new Shelf(stage, settings, session.views, variants, (look) => session.useLook(look));
+      return new SavedLooks(viewport, settings, session.views, variants, (look) => session.useLook(look));
     });
     this.motion = parts.later(async () => {
       const { MotionPanel } = await import('./MotionPanel.js');
-      const invalidate = (): void => stage.frames.invalidate();
+      const invalidate = (): void => viewport.frames.invalidate();
       return new MotionPanel(page.motion, page.canvas, invalidate, (clip) => session.chooseClip(clip));
     });
-    // The panel is fetched later, because it would delay the first drawing. The shelf lies above it and comes first, so that nothing moves.
-    void Promise.all([import('./SettingsPanel.js'), createActions(), this.shelf.fetch()])
+    // The panel is fetched later, because it would delay the first drawing. The savedLooks lies above it and comes first, so that nothing moves.
+    void Promise.all([import('./SettingsPanel.js'), createActions(), this.savedLooks.fetch()])
       .then(
         ([{ SettingsPanel }, actions]) => {
           const onChange = session.settingChanged.bind(session);
@@ -85,13 +85,22 @@ export class Card {
             if (group === 'More' && isOpen) void renderers.ask().then(() => this.panel?.refresh());
           };
           this.panel = new SettingsPanel(
-            ...([page.panel, settings, actions, onChange, () => drawnView(stage), folded, hasOwn, renderers] as const),
+            ...([
+              page.panel,
+              settings,
+              actions,
+              onChange,
+              () => drawnView(viewport),
+              folded,
+              hasOwn,
+              renderers,
+            ] as const),
           );
         },
         (error) => status.fail(`The settings could not be fetched: ${errorMessage(error)}.`),
       )
       .finally(() => page.panel.removeAttribute('aria-busy'));
-    const refreshShelf = (): void => this.shelf.present?.refresh();
+    const refreshShelf = (): void => this.savedLooks.present?.refresh();
     session.listen({
       applied: () => {
         this.panel?.refresh();
@@ -101,16 +110,16 @@ export class Card {
       moved: refreshShelf,
       modelShown: () => this.showMotion(),
     });
-    stage.frames.onFrame(() => this.motion.present?.update());
+    viewport.frames.onFrame(() => this.motion.present?.update());
   }
 
   /** Shows the controls of the model if it is animated. */
   private showMotion(): void {
-    const { stage } = this.session;
-    if (!this.motion.present && !stage.model?.motion) return;
+    const { viewport } = this.session;
+    if (!this.motion.present && !viewport.model?.motion) return;
     this.motion.use((panel) => {
-      panel.show(stage.model?.motion);
-      stage.frames.invalidate();
+      panel.show(viewport.model?.motion);
+      viewport.frames.invalidate();
     });
   }
 }

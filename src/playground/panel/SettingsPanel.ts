@@ -1,5 +1,4 @@
 import { type Controller, GUI } from 'lil-gui';
-import { drawnSettings } from '../../viewer/settings/drawnSettings.js';
 import { hasEffect, isChoiceKnown, presentUnit } from '../../viewer/settings/effects.js';
 import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from '../../viewer/settings/settings.js';
 import { looksOf } from '../../viewer/settings/settingValues.js';
@@ -9,6 +8,7 @@ import {
   type Setting,
   type SettingGroup,
 } from '../../viewer/settings/table/Setting.js';
+import { withBoldnessAndDensity } from '../../viewer/settings/withBoldnessAndDensity.js';
 import { type DrawnView, millimetresPerPixel } from '../print/printPlan.js';
 
 /** Choices that stand for something of the user's own. */
@@ -125,7 +125,7 @@ export class SettingsPanel {
   private notePrintedWidths(): void {
     const { settings } = this;
     const millimetres = millimetresPerPixel(settings, this.drawnView());
-    const drawn = drawnSettings(settings);
+    const drawn = withBoldnessAndDensity(settings);
     const where = hasEffect('pictureDpi', settings) ? 'on the sheet' : 'in print, 300 dpi';
     for (const key of PRINTED) {
       this.printNotes[key].textContent = `${(drawn[key] * millimetres).toFixed(2)} mm ${where}`;

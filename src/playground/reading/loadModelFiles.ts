@@ -9,7 +9,7 @@ export interface LoadOptions {
   /** Aborting terminates the worker at once and rejects with the signal's reason. */
   signal: AbortSignal;
   /** Called with a few words on what is being done. */
-  onStage: (stage: string) => void;
+  onStage: (viewport: string) => void;
   /** Called with a coarse copy of a large model, before that is ready. */
   onCoarse?: ((model: ReadModel) => void) | undefined;
   /** The most triangles of a model whose triangles are simplified, if it is not to have those that a sheet shows. */
@@ -106,7 +106,7 @@ async function readInWorker(
         if (data.kind === 'stage') {
           bytes = Math.max(bytes, data.bytes ?? 0);
           restartTimer();
-          onStage(data.stage);
+          onStage(data.viewport);
         } else if (data.kind === 'coarse') {
           restartTimer();
           onCoarse?.(data.model);

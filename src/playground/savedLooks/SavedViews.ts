@@ -2,7 +2,7 @@ import { lookOf } from '../../viewer/settings/lookOf.js';
 import { plainName } from '../../viewer/settings/plainName.js';
 import { isLitBy, lightOf, MAX_VIEWS, type SavedView } from '../../viewer/settings/savedViews.js';
 import type { Settings } from '../../viewer/settings/settings.js';
-import type { Stage } from '../viewport/Stage.js';
+import type { Viewport } from '../viewport/Viewport.js';
 import { freeName, type NamedItem, type NamedList } from './NamedList.js';
 
 /** The views that belong to the drawing, each with a camera and lights. */
@@ -11,7 +11,7 @@ export class SavedViews implements NamedList {
   list: readonly SavedView[] = [];
 
   constructor(
-    private readonly stage: Stage,
+    private readonly viewport: Viewport,
     private readonly settings: Settings,
     /** Called when the user has changed the list, or has chosen a view. */
     private readonly onChange: () => void,
@@ -30,19 +30,19 @@ export class SavedViews implements NamedList {
   }
 
   add(name: string): undefined {
-    const { ownPlace: camera } = this.stage.view;
+    const { ownPlace: camera } = this.viewport.view;
     this.change([...this.list, { name: plainName(name) || this.freeName, camera, light: lightOf(this.settings) }]);
   }
 
   choose(index: number): void {
     const view = this.list[index];
     if (!view) return;
-    const { stage, settings } = this;
+    const { viewport, settings } = this;
     Object.assign(settings, view.light);
     // The settings are applied first, because a model is framed together with its shadow, which depends on the lights.
-    stage.apply(lookOf(settings));
-    if (view.camera) stage.view.place = view.camera;
-    else stage.view.frame();
+    viewport.apply(lookOf(settings));
+    if (view.camera) viewport.view.place = view.camera;
+    else viewport.view.frame();
     this.onChange();
   }
 
@@ -56,7 +56,7 @@ export class SavedViews implements NamedList {
 
   isShown(index: number): boolean {
     const { camera, light } = this.list[index];
-    return isLitBy(this.settings, light) && JSON.stringify(camera) === JSON.stringify(this.stage.view.ownPlace);
+    return isLitBy(this.settings, light) && JSON.stringify(camera) === JSON.stringify(this.viewport.view.ownPlace);
   }
 
   private change(list: readonly SavedView[]): void {

@@ -1,4 +1,4 @@
-import type { Keeper } from './Keeper.js';
+import type { DrawingStore } from './DrawingStore.js';
 import type { PageAddress } from './PageAddress.js';
 import type { Session } from './Session.js';
 
@@ -14,7 +14,7 @@ export class AddressWriter {
   constructor(
     private readonly session: Session,
     private readonly address: PageAddress,
-    private readonly keeper: Keeper,
+    private readonly keeper: DrawingStore,
     /** Asks for a thumbnail of the drawing. */
     private readonly wantPicture: () => void,
     /** Whether another drawing is being opened. */
@@ -45,7 +45,7 @@ export class AddressWriter {
       model: session.settings.model === 'file' ? modelLoader.ownFiles : undefined,
       map: session.ownStrokes,
     };
-    this.keeper.shown(files, modelLoader.title, session.link, session.stage.view.ownPlace);
+    this.keeper.shown(files, modelLoader.title, session.link, session.viewport.view.ownPlace);
     if (files.model || files.map) this.wantPicture();
   }
 }

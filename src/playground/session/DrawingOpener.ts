@@ -1,7 +1,7 @@
 import type { ModelChoice } from '../../viewer/settings/ModelChoice.js';
 import type { Status } from '../tasks/Status.js';
 import { sentenceFor } from '../tasks/sentenceFor.js';
-import type { Keeper } from './Keeper.js';
+import type { DrawingStore } from './DrawingStore.js';
 import type { LinkFollower } from './LinkFollower.js';
 import type { PageAddress } from './PageAddress.js';
 import type { Session } from './Session.js';
@@ -17,7 +17,7 @@ export class DrawingOpener {
   constructor(
     private readonly session: Session,
     private readonly address: PageAddress,
-    private readonly keeper: Keeper,
+    private readonly keeper: DrawingStore,
     private readonly status: Status,
   ) {}
 

@@ -1,5 +1,5 @@
 import { thumbnailWhen } from '../storage/thumbnailOf.js';
-import type { Stage } from '../viewport/Stage.js';
+import type { Viewport } from '../viewport/Viewport.js';
 import { whenDrawn } from '../viewport/whenDrawn.js';
 
 /** Takes a thumbnail of the drawing when nothing moves any more and the drawing is complete. */
@@ -7,7 +7,7 @@ export class KeptPicture {
   private isWanted = false;
 
   constructor(
-    private readonly stage: Stage,
+    private readonly viewport: Viewport,
     /** Whether no task is running that will change the drawing. */
     private readonly isSettled: () => boolean,
     /** Called in the task of a frame, with the thumbnail that will be read of it later. */
@@ -16,19 +16,19 @@ export class KeptPicture {
 
   want(): void {
     this.isWanted = true;
-    if (this.isAtRest && this.stage.frames.redraw()) this.frameDrawn();
+    if (this.isAtRest && this.viewport.frames.redraw()) this.frameDrawn();
   }
 
   /** To be called after each frame, in the same task. */
   frameDrawn(): void {
     if (!this.isWanted || !this.isAtRest) return;
     this.isWanted = false;
-    this.take(thumbnailWhen(this.whenStill(), this.stage.frames.canvas));
+    this.take(thumbnailWhen(this.whenStill(), this.viewport.frames.canvas));
   }
 
   /** Resolves when the graphics card has nothing to draw: reading the copy waits for later frames too. */
   private async whenStill(): Promise<void> {
-    const { context, frames } = this.stage;
+    const { context, frames } = this.viewport;
     let count: number;
     do {
       count = frames.count;
@@ -38,12 +38,12 @@ export class KeptPicture {
 
   /** Whether the drawing is final. If not, another frame follows: after a sketch, after a coarse frame, or with the result of a task. */
   private get isAtRest(): boolean {
-    const { stage } = this;
+    const { viewport } = this;
     return (
-      stage.isComplete &&
-      !stage.frames.isWaiting &&
-      !stage.quality.isCoarse &&
-      !stage.shown.isStandIn &&
+      viewport.isComplete &&
+      !viewport.frames.isWaiting &&
+      !viewport.quality.isCoarse &&
+      !viewport.shown.isStandIn &&
       this.isSettled()
     );
   }

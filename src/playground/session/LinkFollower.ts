@@ -3,7 +3,7 @@ import type { ModelChoice } from '../../viewer/settings/ModelChoice.js';
 import { SETTINGS } from '../../viewer/settings/settings.js';
 import { askToFetch } from '../loading/ask.js';
 import type { DrawingState } from './DrawingState.js';
-import type { Keeper } from './Keeper.js';
+import type { DrawingStore } from './DrawingStore.js';
 import type { PageAddress } from './PageAddress.js';
 import type { Session } from './Session.js';
 
@@ -44,7 +44,7 @@ export class LinkFollower {
   constructor(
     private readonly session: Session,
     private readonly address: PageAddress,
-    private readonly keeper: Keeper,
+    private readonly keeper: DrawingStore,
   ) {}
 
   /** Shows what the page's address asks for. Resolves when loading has begun. */

@@ -25,9 +25,9 @@ export class RendererChoice {
 
   /** What WebGL draws although WebGPU is chosen, in a sentence; empty if it is not chosen. */
   get note(): string {
-    const { settings, stage } = this.session;
+    const { settings, viewport } = this.session;
     if (settings.renderer !== 'webgpu') return '';
-    const lack = stage.scenery.look?.lackOfNodes;
+    const lack = viewport.scenery.look?.lackOfNodes;
     if (lack === undefined) return 'Pictures, prints, videos and vector files are drawn by WebGL.';
     return `WebGL draws this, because WebGPU lacks ${lack}.`;
   }
@@ -42,12 +42,12 @@ export class RendererChoice {
     const isWanted = this.session.settings.renderer === 'webgpu';
     if (isWanted === this.isWanted) return;
     this.isWanted = isWanted;
-    if (isWanted) this.parts.whenFetched(this.start(), () => this.session.stage.frames.refine());
+    if (isWanted) this.parts.whenFetched(this.start(), () => this.session.viewport.frames.refine());
     else this.stop();
   }
 
   private async start(): Promise<void> {
-    const { stage } = this.session;
+    const { viewport } = this.session;
     if (!(await this.ask())) {
       this.leave('This browser has no WebGPU for the page; WebGL draws on.');
       return;
@@ -55,9 +55,9 @@ export class RendererChoice {
     try {
       const { NodeScreen } = await import('../viewport/NodeScreen.js');
       const screen = await NodeScreen.create({
-        painter: stage.painter,
-        scenery: stage.scenery,
-        refine: () => stage.frames.refine(),
+        painter: viewport.painter,
+        scenery: viewport.scenery,
+        refine: () => viewport.frames.refine(),
         onLost: () => this.leave('The graphics card has let go of WebGPU; WebGL draws on.'),
       });
       // It may have been left meanwhile, or chosen once more.
@@ -69,7 +69,7 @@ export class RendererChoice {
   }
 
   private use(screen: Screen | undefined): void {
-    const { frames } = this.session.stage;
+    const { frames } = this.session.viewport;
     this.screen = screen;
     frames.drawOn(screen);
   }
@@ -78,7 +78,7 @@ export class RendererChoice {
     if (!this.screen) return;
     this.use(undefined);
     // The painter has freed its own.
-    this.session.stage.rebuildPrograms();
+    this.session.viewport.rebuildPrograms();
   }
 
   /** Goes back to WebGL, which is no step of the user. */

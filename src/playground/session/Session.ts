@@ -9,13 +9,13 @@ import { type ModelEnd, ModelLoader, type OpenedModel } from '../loading/ModelLo
 import { linkedHand, type OwnHand } from '../maps/OwnHand.js';
 import { SavedViews } from '../savedLooks/SavedViews.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
-import type { Stage } from '../viewport/Stage.js';
+import type { Viewport } from '../viewport/Viewport.js';
 import { type DrawingState, isSameState, type LookState } from './DrawingState.js';
 import { watchPresses } from './watchPresses.js';
 
 /** The events of a session that a part of the page listens to. */
 export interface SessionListener {
-  /** Called when the settings have been applied to the stage. */
+  /** Called when the settings have been applied to the viewport. */
   applied?(): void;
   /** Called when the user has moved the camera. */
   moved?(): void;
@@ -38,22 +38,22 @@ export class Session {
   private readonly listeners: SessionListener[] = [];
 
   constructor(
-    readonly stage: Stage,
+    readonly viewport: Viewport,
     readonly settings: Settings,
     tasks: TaskRunner,
   ) {
     this.mapLoader = new MapLoader(
-      stage,
+      viewport,
       settings,
       tasks,
       () => this.mapShown(),
       (isRestored) => (isRestored ? this.apply() : this.recordChange()),
       () => this.adopt(),
     );
-    this.modelLoader = new ModelLoader(stage, settings, tasks, (end, opened) => this.modelLoaded(end, opened));
-    this.views = new SavedViews(stage, settings, () => this.recordChange());
+    this.modelLoader = new ModelLoader(viewport, settings, tasks, (end, opened) => this.modelLoaded(end, opened));
+    this.views = new SavedViews(viewport, settings, () => this.recordChange());
     this.history = new EditHistory(() => this.state, isSameState, watchPresses());
-    stage.view.onMoved = () => {
+    viewport.view.onMoved = () => {
       this.history.changed('camera');
       this.tell('stepped');
       this.tell('moved');
@@ -160,10 +160,10 @@ export class Session {
   // ── States ──
 
   private get state(): DrawingState {
-    const { settings, stage, views } = this;
+    const { settings, viewport, views } = this;
     return {
       settings: { ...settings },
-      camera: stage.view.state,
+      camera: viewport.view.state,
       files: settings.model === 'file' ? this.modelLoader.ownFiles : undefined,
       views: views.list,
       hand: this.mapLoader.hand,
@@ -175,7 +175,7 @@ export class Session {
   get link(): string {
     const { modelLoader, mapLoader, views } = this;
     const { address, choice } = modelLoader;
-    return writeLink(this.settings, this.stage.view.ownPlace, address, views.list, mapLoader.hand?.link, choice);
+    return writeLink(this.settings, this.viewport.view.ownPlace, address, views.list, mapLoader.hand?.link, choice);
   }
 
   /** Whether a link to the drawing brings back its model. */
@@ -213,15 +213,15 @@ export class Session {
 
   /** Takes over settings, camera and views, and loads the map that they ask for. */
   showLook({ settings: next, camera: place, views: kept, hand }: LookState): void {
-    const { stage, settings } = this;
+    const { viewport, settings } = this;
     Object.assign(settings, next);
     this.views.list = kept;
     this.mapLoader.hand = hand;
     void this.mapLoader.showChosen();
     // Applied first: the model is framed together with its shadow, which depends on the lights.
-    stage.apply(this.look);
-    if (place) stage.view.state = place;
-    else stage.view.frame();
+    viewport.apply(this.look);
+    if (place) viewport.view.state = place;
+    else viewport.view.frame();
   }
 
   private get look(): Look {
@@ -231,12 +231,12 @@ export class Session {
 
   private mapShown(): void {
     // Its tiles may be smaller than those of the map before.
-    this.stage.apply(this.look);
+    this.viewport.apply(this.look);
     this.tell('mapShown');
   }
 
   private apply(): void {
-    this.stage.apply(this.look);
+    this.viewport.apply(this.look);
     this.tell('applied');
   }
 

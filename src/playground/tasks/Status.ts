@@ -15,7 +15,7 @@ interface Problem {
 /** The status line, with a progress bar, a button that cancels the task, and one that solves a problem. */
 export class Status {
   private cancelTask: (() => void) | undefined;
-  /** The task whose stage was shown last, by the function that cancels it. */
+  /** The task whose viewport was shown last, by the function that cancels it. */
   private shownTask: (() => void) | undefined;
   private clearTimer: ReturnType<typeof setTimeout> | undefined;
   /** Whether a message is shown that only a task which the user starts, a problem or another message may replace. */
@@ -38,17 +38,18 @@ export class Status {
   }
 
   /**
-   * Shows the stage of a task, or a problem that is not solved. A message that was said during the task stays for its seconds.
+   * Shows the viewport of a task, or a problem that is not solved. A message that was said during the task stays for its seconds.
    *
    * @param progress in [0, 1], or undefined if it is unknown
    * @param cancel the same function as long as it is the same task
    * @param isByItself whether the page has started the task without being asked: then messages said before it stay too
    */
-  working(stage: string, progress: number | undefined, cancel: () => void, isByItself = false): void {
+  working(viewport: string, progress: number | undefined, cancel: () => void, isByItself = false): void {
     const isSameTask = cancel === this.shownTask;
     this.shownTask = cancel;
     this.cancelTask = cancel;
-    if (!this.isSaying || !(isSameTask || isByItself)) this.rest(`${stage.charAt(0).toUpperCase()}${stage.slice(1)}…`);
+    if (!this.isSaying || !(isSameTask || isByItself))
+      this.rest(`${viewport.charAt(0).toUpperCase()}${viewport.slice(1)}…`);
     const { progress: bar, progressLine, cancel: button } = this.elements;
     bar.hidden = false;
     button.hidden = false;

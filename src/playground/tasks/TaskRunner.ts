@@ -13,7 +13,7 @@ type TaskEnd = 'done' | 'failed' | 'replaced';
 export class TaskRunner {
   private readonly running = new Map<
     Slot,
-    { controller: AbortController; stage: string; progress: number | undefined; cancel: () => void }
+    { controller: AbortController; viewport: string; progress: number | undefined; cancel: () => void }
   >();
   /** Functions that are called when a task has ended. */
   private readonly waiting = new Set<() => void>();
@@ -69,14 +69,14 @@ export class TaskRunner {
     const controller = new AbortController();
     const entry = {
       controller,
-      stage: 'starting',
+      viewport: 'starting',
       progress: undefined as number | undefined,
       cancel: () => this.cancel(),
     };
     this.running.set(slot, entry);
-    const report: Report = (stage, progress) => {
+    const report: Report = (viewport, progress) => {
       if (controller.signal.aborted) return;
-      Object.assign(entry, { stage, progress });
+      Object.assign(entry, { viewport, progress });
       this.show();
     };
     let failure: unknown;
@@ -132,7 +132,7 @@ export class TaskRunner {
     const slot = SLOTS.find((candidate) => this.running.has(candidate));
     const entry = slot && this.running.get(slot);
     if (!entry) this.status.idle();
-    else this.status.working(entry.stage, entry.progress, entry.cancel, slot === 'occlusion');
+    else this.status.working(entry.viewport, entry.progress, entry.cancel, slot === 'occlusion');
   }
 
   private cancel(): void {

@@ -2,7 +2,7 @@ import { MathUtils, type PerspectiveCamera, Quaternion, Vector3 } from 'three';
 import { fitCamera } from '../../viewer/sceneSetup/framing.js';
 import { lookOf } from '../../viewer/settings/lookOf.js';
 import type { Settings } from '../../viewer/settings/settings.js';
-import type { Stage } from '../viewport/Stage.js';
+import type { Viewport } from '../viewport/Viewport.js';
 
 /** The number of turns: with so many, a model is hardly wider between two of them than in one. */
 const TURNS = 24;
@@ -49,24 +49,24 @@ export class FramePoser {
    * @param turns whether the model will turn
    */
   constructor(
-    private readonly stage: Stage,
+    private readonly viewport: Viewport,
     private readonly settings: Settings,
     aspect: number,
     turns: boolean,
   ) {
-    const { camera, view, model } = stage;
+    const { camera, view, model } = viewport;
     this.clipTime = model?.motion?.time;
     this.position.copy(camera.position);
     this.quaternion.copy(camera.quaternion);
     this.up.copy(camera.up);
-    this.target = view.isFramed ? frame(stage, camera, aspect, turns) : view.controls.target.clone();
+    this.target = view.isFramed ? frame(viewport, camera, aspect, turns) : view.controls.target.clone();
     this.first.copy(camera.position);
   }
 
   pose({ turn, light, clipTime }: FramePose): void {
-    const { stage, settings } = this;
-    const { camera, model } = stage;
-    const { lights } = stage.scenery;
+    const { viewport, settings } = this;
+    const { camera, model } = viewport;
+    const { lights } = viewport.scenery;
     const around = MathUtils.degToRad(-turn);
     camera.position.copy(this.first).applyAxisAngle(UP, around);
     camera.up.copy(this.up).applyAxisAngle(UP, around);
@@ -74,23 +74,23 @@ export class FramePoser {
     lights.apply(lookOf({ ...settings, lightAzimuth: settings.lightAzimuth + light }).lights);
     lights.place(camera);
     if (model?.motion && clipTime !== undefined) model.motion.time = clipTime;
-    stage.outdateShadows();
+    viewport.outdateShadows();
   }
 
-  /** Puts everything back that was moved. The stage itself sets the camera's aspect when frames go on. */
+  /** Puts everything back that was moved. The viewport itself sets the camera's aspect when frames go on. */
   restore(): void {
-    const { camera, model, scenery } = this.stage;
+    const { camera, model, scenery } = this.viewport;
     camera.position.copy(this.position);
     camera.up.copy(this.up);
     camera.quaternion.copy(this.quaternion);
     scenery.lights.apply(lookOf(this.settings).lights);
     if (model?.motion && this.clipTime !== undefined) model.motion.time = this.clipTime;
-    this.stage.outdateShadows();
+    this.viewport.outdateShadows();
   }
 }
 
 /** @returns what the camera looks at */
-function frame({ view }: Stage, camera: PerspectiveCamera, aspect: number, turns: boolean): Vector3 {
+function frame({ view }: Viewport, camera: PerspectiveCamera, aspect: number, turns: boolean): Vector3 {
   const { outline, first, fill, shadow } = view.framing;
   camera.aspect = aspect;
   camera.updateProjectionMatrix();

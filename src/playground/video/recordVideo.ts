@@ -3,7 +3,7 @@ import type { Size } from '../print/printPlan.js';
 import { ZipWriter } from '../print/ZipWriter.js';
 import { LostContextError } from '../viewport/LostContextError.js';
 import type { PictureSession } from '../viewport/PictureSession.js';
-import type { Stage } from '../viewport/Stage.js';
+import type { Viewport } from '../viewport/Viewport.js';
 import { FramePoser } from './FramePoser.js';
 import type { FrameSink } from './FrameSink.js';
 import { MovieSink } from './MovieSink.js';
@@ -61,21 +61,21 @@ export interface Recording {
  * @throws Error with a sentence for the user
  */
 export async function recordVideo(
-  stage: Stage,
+  viewport: Viewport,
   session: PictureSession,
   settings: Settings,
   { view, name, signal, onProgress, onFrame }: RecordOptions,
 ): Promise<Recording> {
   const { videoMotion } = settings;
-  const motion = stage.model?.motion;
+  const motion = viewport.model?.motion;
   const clip = motion?.isPlaying && motion.duration > 0 ? motion : undefined;
   if (videoMotion === 'clip' && !clip)
     throw new Error('This model does not move by itself just now; choose another motion for the video.');
   const plan = planVideo(settings, view);
   const start = clip && { duration: clip.duration, time: clip.time, speed: clip.speed };
-  const { canvas } = stage;
+  const { canvas } = viewport;
   const { width, height } = plan;
-  const place = placeOnFrame(plan, view, stage.view.isFramed);
+  const place = placeOnFrame(plan, view, viewport.view.isFramed);
   let drawn = 0;
   // The graphics context may be lost and restored between two checks, and leave a blank frame.
   let wasLost = false;
@@ -85,7 +85,7 @@ export async function recordVideo(
   canvas.addEventListener('webglcontextlost', onLost);
   session.hold(Math.max(width, height));
   session.begin({ ground: 'paper' });
-  const poser = new FramePoser(stage, settings, width / height, videoMotion === 'turn');
+  const poser = new FramePoser(viewport, settings, width / height, videoMotion === 'turn');
   let sink: FrameSink | undefined;
   try {
     const movie = settings.videoForm === 'video' ? await MovieSink.begin(plan, canvas) : undefined;
@@ -108,7 +108,7 @@ export async function recordVideo(
   } catch (error) {
     await sink?.abort();
     // An encoder may fail because the graphics context was lost, and be the first to report it.
-    const isLoss = error instanceof LostContextError || wasLost || stage.isLost;
+    const isLoss = error instanceof LostContextError || wasLost || viewport.isLost;
     throw isLoss ? new LostContextError(lossAfter(drawn, plan)) : error;
   } finally {
     canvas.removeEventListener('webglcontextlost', onLost);

@@ -4,7 +4,7 @@ import type { Layer } from '../../viewer/sceneSetup/layers.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import { LostContextError } from './LostContextError.js';
 import { MARGIN } from './SideBySide.js';
-import type { Stage } from './Stage.js';
+import type { Viewport } from './Viewport.js';
 
 /** Pixels of the longer side of a picture that is larger than a screen. */
 const LARGE = 2048;
@@ -38,14 +38,14 @@ export interface PictureLook {
 
 /** Draws pictures in tiles, or videos frame by frame, on the canvas of the page. The frames of the page are held meanwhile. */
 export class PictureSession {
-  /** The changes of the stage when its frames were held: after another change, further tiles would not fit the earlier ones. */
+  /** The changes of the viewport when its frames were held: after another change, further tiles would not fit the earlier ones. */
   private changes = 0;
   /** Whether a comparison is left out. */
   private isUndivided = false;
   /** Gives the model the geometry back that frames show. */
   private leaveFiner: () => void = () => {};
 
-  constructor(private readonly stage: Stage) {}
+  constructor(private readonly viewport: Viewport) {}
 
   /**
    * Stops frames and animation, so that a picture can be drawn in tiles, until {@link release}.
@@ -53,25 +53,25 @@ export class PictureSession {
    * @param size pixels of the longer side of the picture
    */
   hold(size: number): void {
-    const { quality, frames, painter, scenery } = this.stage;
+    const { quality, frames, painter, scenery } = this.viewport;
     quality.finishSketch();
     frames.isHeld = true;
     scenery.takeBack();
     this.showFiner();
-    this.changes = this.stage.changes;
+    this.changes = this.viewport.changes;
     painter.setShadowQuality(size > LARGE ? 'fine' : 'usual', true);
   }
 
   /** Goes on with frames. One is drawn at once, so that the page never shows a tile. */
   release(): void {
     this.leaveFiner();
-    this.stage.frames.isHeld = false;
-    this.stage.resize();
+    this.viewport.frames.isHeld = false;
+    this.viewport.resize();
   }
 
   /** Shows what the picture is to hold, until {@link end}. Frames must be held. */
   begin({ ground, layer, isUnderLines = false }: PictureLook): void {
-    const { painter, scenery } = this.stage;
+    const { painter, scenery } = this.viewport;
     // Tiles are measured in pixels.
     painter.pixelRatio = 1;
     if (ground !== 'paper' || layer) painter.renderer.setClearAlpha(0);
@@ -82,14 +82,14 @@ export class PictureSession {
   }
 
   end(): void {
-    const { painter, scenery } = this.stage;
+    const { painter, scenery } = this.viewport;
     scenery.showLayer(undefined);
     painter.renderer.setClearAlpha(1);
   }
 
   /** Gives the scene the sizes, shadows and technique of the page, for whoever reads it: tiles and small pictures had those of their own. */
   restoreScene(): void {
-    const { painter, scenery } = this.stage;
+    const { painter, scenery } = this.viewport;
     painter.setWidths();
     painter.setShadowQuality('usual', true);
     scenery.shown.model?.useMaterials('drawn');
@@ -102,9 +102,9 @@ export class PictureSession {
    * @throws Error with a sentence for the user
    */
   drawPart({ viewWidth, viewHeight, left, top, scale }: TiledPicture, { x, y, width, height }: Part): void {
-    if (this.stage.changes !== this.changes)
+    if (this.viewport.changes !== this.changes)
       throw new Error('The drawing was changed while it was being saved; save it again.');
-    const { painter } = this.stage;
+    const { painter } = this.viewport;
     const { canvas, camera } = painter;
     // Setting the size gives the canvas new memory, even if it is the same.
     if (canvas.width !== width || canvas.height !== height) painter.renderer.setSize(width, height, false);
@@ -122,7 +122,7 @@ export class PictureSession {
    * @throws Error with a sentence for the user
    */
   readTile(picture: TiledPicture, tile: Part, pixels: Uint8Array): void {
-    const { context } = this.stage;
+    const { context } = this.viewport;
     const [x, columns] = widened(tile.x, tile.width, picture.left, picture.viewWidth);
     const [y, rows] = widened(tile.y, tile.height, picture.top, picture.viewHeight);
     this.drawPart(picture, { x, y, width: columns, height: rows });
@@ -132,20 +132,20 @@ export class PictureSession {
   }
 
   private showFiner(): void {
-    const { finer, model } = this.stage;
+    const { finer, model } = this.viewport;
     if (!finer || !model) return;
     const [mesh] = meshesOf(model.root);
     const { geometry } = mesh;
     const exchange = (other: BufferGeometry): void => {
       mesh.geometry = other;
-      this.stage.outdateShadows();
+      this.viewport.outdateShadows();
     };
     exchange(finer);
     this.leaveFiner = () => exchange(geometry);
   }
 
   private throwIfLost(): void {
-    if (this.stage.isLost) throw new LostContextError();
+    if (this.viewport.isLost) throw new LostContextError();
   }
 }
 

@@ -1,6 +1,6 @@
 /** What draws large meshes with no more triangles than can be seen. It is fetched where the option `detail` is set. */
 import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from 'three';
-import { tell } from '../../material/diagnostics/tell.js';
+import { warn } from '../../material/diagnostics/warn.js';
 import { isFormExpected } from '../../material/geometry/formGeometry.js';
 import { formLayout } from '../../mesh/bake/formLayout.js';
 import { hatchNormal } from '../../mesh/bake/hatchNormal.js';
@@ -80,7 +80,7 @@ async function drawLevels(
     }
   } catch (error) {
     options.signal?.throwIfAborted();
-    tell(`applyHatching: meshes are drawn without levels of detail. ${(error as Error).message}`);
+    warn(`applyHatching: meshes are drawn without levels of detail. ${(error as Error).message}`);
   }
   options.onProgress?.(1);
   return () => {

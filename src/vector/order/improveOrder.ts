@@ -70,9 +70,9 @@ class Search {
   tryExchange(): void {
     const count = this.begun.length;
     const longest = Math.min(LONGEST_EXCHANGED, count >> 1);
-    const a = this.lot(count - 1);
-    const b = Math.min(a + this.lot(longest), count - 2);
-    const c = Math.min(b + 1 + this.lot(longest), count - 1);
+    const a = this.hash(count - 1);
+    const b = Math.min(a + this.hash(longest), count - 2);
+    const c = Math.min(b + 1 + this.hash(longest), count - 1);
     const [before, after] = [this.to(a - 1), this.from(c + 1)];
     let gain =
       this.way(before, this.from(a)) +
@@ -88,7 +88,7 @@ class Search {
   }
 
   /** A whole number below a limit, by chance (Lehmer, 1951). */
-  private lot(below: number): number {
+  private hash(below: number): number {
     this.chance = (48271 * this.chance) % 0x7fffffff;
     return this.chance % below;
   }

@@ -1,15 +1,15 @@
 import type { Vec3 } from '../../look/vectors.js';
 import { isClipped } from './Clip.js';
-import { Painter } from './Painter.js';
+import { ColourReader } from './ColourReader.js';
 import type { Cutout } from './PaintLook.js';
 
 /** Knows where triangles of a scene have holes, because their alpha is too low or they are clipped. */
 export class Holes {
   /** Of the cutouts that have holes by alpha. */
-  private readonly painters: (Painter | null)[];
+  private readonly painters: (ColourReader | null)[];
 
   constructor(private readonly cutouts: readonly Cutout[]) {
-    this.painters = cutouts.map(({ painted }) => painted && new Painter(painted.paint, painted.details));
+    this.painters = cutouts.map(({ painted }) => painted && new ColourReader(painted.paint, painted.details));
   }
 
   /**

@@ -1,7 +1,7 @@
 import { type LineSurface, placeFrom, placeOfVertex, readTriangle, type SurfacePlace } from '../LineSurface.js';
 import type { Projection } from '../Projection.js';
+import { ColourReader, type Paint } from './ColourReader.js';
 import { DetailReader } from './DetailReader.js';
-import { type Paint, Painter } from './Painter.js';
 import type { PaintLook } from './PaintLook.js';
 
 /** Textures are taken together over so much of the picture, or lines would become crumbs. Pixels. */
@@ -12,7 +12,7 @@ export class PlaceReader {
   /** Null where the surface has no details. */
   private readonly details: DetailReader | null;
   /** Null where neither textures nor colours of vertices count. */
-  private readonly painter: Painter | null;
+  private readonly painter: ColourReader | null;
 
   /** @param sides per triangle 1 where its front is seen, −1 where its back is */
   constructor(
@@ -23,7 +23,7 @@ export class PlaceReader {
   ) {
     const { details } = surface;
     this.details = details && new DetailReader(surface, details);
-    this.painter = paint && details && new Painter(paint, details);
+    this.painter = paint && details && new ColourReader(paint, details);
   }
 
   /** Whether places differ in more than where they are. */

@@ -1,10 +1,10 @@
 /** The field of ruled lines behind a subject, as shaders/background/background.frag has it. On the sheet, from its lower left corner, y up. */
 import { BACKGROUND_CONSTANTS } from '../../look/constants/backgroundConstants.js';
-import { LOT_FACTORS } from '../../look/constants/lotConstants.js';
+import { HASH_FACTORS } from '../../look/constants/hashConstants.js';
 import { smoothstep } from '../../look/vectors.js';
 
 const { RAGGED, THINNING, RIM } = BACKGROUND_CONSTANTS;
-const { GOLDEN_RATIO, SECOND_FACTOR } = LOT_FACTORS;
+const { GOLDEN_RATIO, SECOND_FACTOR } = HASH_FACTORS;
 
 type Pair = readonly [number, number];
 
@@ -28,7 +28,7 @@ export interface BackgroundField {
 }
 
 /** A random number in [0, 1) of an end of a line. */
-function lotOf(line: number, end: number): number {
+function hash01(line: number, end: number): number {
   let spread = Math.imul(2 * line + end, GOLDEN_RATIO);
   spread ^= spread >>> 15;
   return (Math.imul(spread, SECOND_FACTOR) >>> 8) / 16777216;
@@ -59,7 +59,7 @@ export function lineWidth(field: BackgroundField, line: number, [x, y]: Pair): n
   const way = Math.max(Math.hypot(...bySize) / extent, rim);
   // The two ends of a line have nothing in common, so in its middle neither counts.
   const ragged = RAGGED * Math.min((2 * Math.abs(along)) / (extent * Math.max(...half)), 1);
-  const end = ragged * (lotOf(line, along >= 0 ? 1 : 0) - 0.5);
+  const end = ragged * (hash01(line, along >= 0 ? 1 : 0) - 0.5);
   const left = 1 - smoothstep(1 - THINNING, 1, way + end);
   const side = Math.min(Math.max(lit[0] * bySize[0] + lit[1] * bySize[1], -1), 1);
   return spacing * left * Math.min(tone * (1 + contrast * side), 1);

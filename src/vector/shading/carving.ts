@@ -48,10 +48,10 @@ function gouge(x: number): number {
 
 /** The share of its room that is cut away of a line, from 0 to 1. */
 export function cutWidth({ middle, swell, along, repeat }: Cut, line: number): number {
-  const lot = turnOf(Math.abs(numberOf(line, repeat)));
+  const hash = turnOf(Math.abs(numberOf(line, repeat)));
   const [first, second] = along.places.map((place) => {
     const wedges = place / along.period;
-    return mix(gouge(wedges + lot), gouge(0.5 * wedges + lot), along.longer);
+    return mix(gouge(wedges + hash), gouge(0.5 * wedges + hash), along.longer);
   });
   return clamp01(middle + swell * mix(second, first, along.share));
 }

@@ -5,7 +5,7 @@ import { GROUND_CONSTANTS } from '../../look/constants/groundConstants.js';
 import { TONE_CONSTANTS } from '../../look/constants/toneConstants.js';
 import { combined, cross, lengthOf, type Vec3 } from '../../look/vectors.js';
 import { across, type Field } from './fieldAxis.js';
-import { lotOf } from './hand.js';
+import { hash01 } from './hand.js';
 import { type ToneLook, toneFromRadiance } from './tone.js';
 
 const { NO_LIGHT } = TONE_CONSTANTS;
@@ -53,8 +53,8 @@ export function lineLeft(line: number, left: number): number {
   if (left >= 1) return 1;
   const gone = Math.min((ENDING * (1 - left)) / Math.max(left, LEAST_LEFT), MOST_ENDING);
   const kept = gone < 1 ? 1 - 0.5 * gone : 0.5 / gone;
-  // Half a turn from the lot by which widths differ: those that stay are neither the wide ones nor the thin ones.
-  return Math.max(1 - gone * ((lotOf(line) + 0.5) % 1), 0) / kept;
+  // Half a turn from the hash by which widths differ: those that stay are neither the wide ones nor the thin ones.
+  return Math.max(1 - gone * ((hash01(line) + 0.5) % 1), 0) / kept;
 }
 
 /**

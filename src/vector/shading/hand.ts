@@ -1,6 +1,6 @@
 /** The unsteadiness of a hand, as shaders/techniques/engraved/hand.glsl has it. It belongs to the place on the object. */
 import { HAND_CONSTANTS } from '../../look/constants/handConstants.js';
-import { LOT_FACTORS } from '../../look/constants/lotConstants.js';
+import { HASH_FACTORS } from '../../look/constants/hashConstants.js';
 import type { Vec3 } from '../../look/vectors.js';
 
 const { HAND_WAVES, BENT_BY, BENDS, BEND_PHASES, SLOW_WAVES, WAVE_PHASES, STRAY, PRESSURE, WIDTHS } = HAND_CONSTANTS;
@@ -49,9 +49,9 @@ export function bitsOf(value: number): number {
 /**
  * A number in [0, 1) that belongs to a line. line: its value, a multiple of a power of two.
  *
- * The value is multiplied by a number whose binary digits repeat those that are given on both sides of its point, and the fraction is the lot.
+ * The value is multiplied by a number whose binary digits repeat those that are given on both sides of its point, and the fraction is the hash.
  */
-function lotBy(digits: number, line: number): number {
+function hashBy(digits: number, line: number): number {
   const word = bitsOf(line);
   const exponent = (word >>> 23) & 31;
   const factor = (digits << exponent) | (digits >>> (-exponent & 31));
@@ -60,11 +60,11 @@ function lotBy(digits: number, line: number): number {
 }
 
 /** One that is far from those of its neighbours: at any power of two they are at least 0.17 apart, and so is the next but one. */
-export const lotOf = (line: number): number => lotBy(LOT_FACTORS.THUE_MORSE, line);
+export const hash01 = (line: number): number => hashBy(HASH_FACTORS.THUE_MORSE, line);
 
 /** One by which three neighbours take turns: 0, a third and two thirds. */
-export const turnOf = (line: number): number => (line === 0 ? 0 : lotBy(LOT_FACTORS.ONE_THIRD, line));
+export const turnOf = (line: number): number => (line === 0 ? 0 : hashBy(HASH_FACTORS.ONE_THIRD, line));
 
 /** A factor on the width of a line, the same all along it; 1 in the mean. */
 export const handWidth = (line: number, handmade: number): number =>
-  1 + handmade * (WIDTHS * lotOf(line) - 0.5 * WIDTHS);
+  1 + handmade * (WIDTHS * hash01(line) - 0.5 * WIDTHS);

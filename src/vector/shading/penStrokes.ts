@@ -3,10 +3,10 @@
  * tones have fewer strokes, of the width of the nib.
  */
 
-import { LOT_FACTORS } from '../../look/constants/lotConstants.js';
+import { HASH_FACTORS } from '../../look/constants/hashConstants.js';
 import { PEN_CONSTANTS } from '../../look/constants/penConstants.js';
 import { clamp01, mix } from '../../look/vectors.js';
-import { bitsOf, lotOf, turnOf } from './hand.js';
+import { bitsOf, hash01, turnOf } from './hand.js';
 import { type Along, differing, numberOf } from './strokeLengths.js';
 
 const {
@@ -17,7 +17,7 @@ const {
   NIB,
   CLOSED_FROM,
   LATENESS,
-  LATE_LOT,
+  LATE_HASH,
   BIRTH,
   STROKE_GAP,
   TAPER,
@@ -25,8 +25,8 @@ const {
   BENDING,
   WIDTH_SPREAD,
 } = PEN_CONSTANTS;
-const { GAP_LOT, BIRTH_LOT, WIDTH_LOT, AXIS_LOT, AXIS_TURN } = PEN_CONSTANTS;
-const { GOLDEN_RATIO, THIRD_FACTOR, THUE_MORSE } = LOT_FACTORS;
+const { GAP_HASH, BIRTH_HASH, WIDTH_HASH, AXIS_HASH, AXIS_TURN } = PEN_CONSTANTS;
+const { GOLDEN_RATIO, THIRD_FACTOR, THUE_MORSE } = HASH_FACTORS;
 
 /** What a line loses to the gaps and the ends of its strokes where they are farthest apart. */
 const LOST = 0.5 * STROKE_GAP + TAPER / 3;
@@ -70,7 +70,7 @@ export function penFor(tone: number, along: Along, handmade: number, repeat: num
 export const drawnShare = ({ tone, open, allFrom }: Pen): number =>
   Math.max(thereAt(tone, allFrom) * (1 - 0.5 * STROKE_GAP * open), 1e-4);
 
-/** The lot below which strokes have been born where so large a share of them is, each over a part BIRTH of all lots. */
+/** The hash below which strokes have been born where so large a share of them is, each over a part BIRTH of all hashes. */
 function bornBelow(share: number): number {
   if (share < 0.5 * BIRTH) return Math.sqrt(2 * BIRTH * share);
   return share < 1 - 0.5 * BIRTH ? share + 0.5 * BIRTH : 1 + BIRTH - Math.sqrt(2 * BIRTH * Math.max(1 - share, 0));
@@ -84,7 +84,8 @@ function bitsOfLine(line: number): number {
 }
 
 /** A number in [0, 1) that belongs to a stroke, and is far from those of its neighbours on the line. */
-const lotOfStroke = (bits: number, stroke: number): number => ((bits + Math.imul(stroke, THUE_MORSE)) >>> 8) / 16777216;
+const strokeHash01 = (bits: number, stroke: number): number =>
+  ((bits + Math.imul(stroke, THUE_MORSE)) >>> 8) / 16777216;
 
 const fract = (x: number): number => x - Math.floor(x);
 
@@ -99,7 +100,7 @@ export interface Stroke {
 
 /** A line where its strokes are looked for. */
 interface PennedLine {
-  lot: number;
+  hash: number;
   /** 0, a third or two thirds, in turn. */
   turn: number;
   bits: number;
@@ -108,33 +109,33 @@ interface PennedLine {
 }
 
 /** How late a stroke begins, as a share of the mean length. */
-const latenessOf = (chance: number): number => LATENESS * fract(LATE_LOT * chance);
+const latenessOf = (chance: number): number => LATENESS * fract(LATE_HASH * chance);
 
-/** place: in lengths of strokes. born: the lot below which strokes are born. */
+/** place: in lengths of strokes. born: the hash below which strokes are born. */
 function strokeOn(
   { tone, open, allFrom, width, handmade }: Pen,
   born: number,
   place: number,
   line: PennedLine,
 ): Stroke {
-  const along = place + line.lot;
+  const along = place + line.hash;
   // Strokes begin late by chance, and so differ in length: the ends of neighbours would otherwise lie in rows across the lines.
   let stroke = Math.floor(along);
-  if (along < stroke + latenessOf(lotOfStroke(line.bits, stroke))) stroke--;
-  const chance = lotOfStroke(line.bits, stroke);
+  if (along < stroke + latenessOf(strokeHash01(line.bits, stroke))) stroke--;
+  const chance = strokeHash01(line.bits, stroke);
   const late = latenessOf(chance);
-  const size = 1 + latenessOf(lotOfStroke(line.bits, stroke + 1)) - late;
+  const size = 1 + latenessOf(strokeHash01(line.bits, stroke + 1)) - late;
   // From −1 at one end to 1 at the other.
   const way = (2 * (along - stroke - late)) / size - 1;
   // What differs from stroke to stroke is spread evenly over a surface. Of three neighbouring lines the first strokes lie on one.
-  const even = lotOfStroke(line.lot * 2 ** 32, stroke);
+  const even = strokeHash01(line.hash * 2 ** 32, stroke);
   let there = clamp01((tone - allFrom * fract(line.turn + even / 3)) / STROKE_GROWTH);
-  const gap = fract(GAP_LOT * even);
+  const gap = fract(GAP_HASH * even);
   const inside = 1 - Math.abs(way) - open * STROKE_GAP * gap - SHORTENING * (1 - there);
   const taper = open * TAPER;
   const rest = clamp01((taper - inside) / Math.max(taper, 1e-3));
-  there *= clamp01((born - fract(BIRTH_LOT * even)) / BIRTH);
-  const spread = 1 + handmade * WIDTH_SPREAD * open * (fract(WIDTH_LOT * even) - 0.5);
+  there *= clamp01((born - fract(BIRTH_HASH * even)) / BIRTH);
+  const spread = 1 + handmade * WIDTH_SPREAD * open * (fract(WIDTH_HASH * even) - 0.5);
   const astray = LEANING * (gap - 0.5) * way + BENDING * (chance - 0.5) * (0.5 - way * way);
   return {
     width: width * there * spread * (1 - rest * rest),
@@ -161,9 +162,14 @@ export function strokeAt(pen: Pen, share: number, line: number): Stroke {
   const { places, period, longer, share: firstOfAll } = pen.along;
   const number = numberOf(line, pen.repeat);
   const size = Math.abs(number);
-  const penned: PennedLine = { lot: lotOf(size), turn: turnOf(size), bits: bitsOfLine(size), sign: Math.sign(number) };
+  const penned: PennedLine = {
+    hash: hash01(size),
+    turn: turnOf(size),
+    bits: bitsOfLine(size),
+    sign: Math.sign(number),
+  };
   // Lines go over from one axis to the other one after another.
-  const first = clamp01(((1 + AXIS_TURN) * firstOfAll - fract(AXIS_LOT * penned.lot)) / AXIS_TURN);
+  const first = clamp01(((1 + AXIS_TURN) * firstOfAll - fract(AXIS_HASH * penned.hash)) / AXIS_TURN);
   const alongAxis = (place: number): Stroke => {
     const stroke = strokeOn(pen, born, place / period, penned);
     return longer > 0 ? mixed(stroke, strokeOn(pen, born, place / (2 * period), penned), longer) : stroke;

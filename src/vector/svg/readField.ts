@@ -1,5 +1,5 @@
 import { Matrix4, Vector3 } from 'three';
-import { runsAway } from '../../look/lookFacts.js';
+import { runsAway } from '../../look/queries.js';
 import type { Vec3 } from '../../look/vectors.js';
 import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
 import type { TurnedLines } from '../DrawnScene.js';

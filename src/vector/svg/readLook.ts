@@ -1,6 +1,6 @@
 import type { IUniform, Mesh, Vector2 } from 'three';
-import { runsAway } from '../../look/lookFacts.js';
 import { luminanceOf } from '../../look/luminanceOf.js';
+import { runsAway } from '../../look/queries.js';
 import { isFitted } from '../../material/exposure/isFitted.js';
 import type { ToneFit } from '../../material/exposure/ToneFit.js';
 import { fittedCurve } from '../../material/fitToneCurve.js';

@@ -1,13 +1,13 @@
 import type { HatchingMaterialParameters } from 'three-hatching';
 import { needsMap } from 'three-hatching/facts';
 import { backgroundLook } from './compositionLook.js';
-import { drawnSettings } from './drawnSettings.js';
 import { type SHADOW_NUMBERS, shadowNumbers } from './groundShadow.js';
 import { type Lighting, lightingOf } from './lighting.js';
 import { materialLook, materialSizes } from './materialLook.js';
 import { type OutlineLook, outlineLook } from './outlineLook.js';
 import { SETTING_KEYS, SETTINGS, type Settings } from './settings.js';
 import { UPRIGHT } from './settingValues.js';
+import { withBoldnessAndDensity } from './withBoldnessAndDensity.js';
 
 /** Values of settings that materials of nodes do not draw, and what that is in words. */
 const LACKS: readonly { [Key in keyof Settings]: [Key, readonly Settings[Key][], string] }[keyof Settings][] = [
@@ -61,7 +61,7 @@ const CHOICES = SETTING_KEYS.filter((name) => SETTINGS[name].kind === 'choice');
 
 /** The look that settings ask for. */
 export function lookOf(settings: Settings): Look {
-  const shown = drawnSettings(settings);
+  const shown = withBoldnessAndDensity(settings);
   const { compare, ground, paper, upAxis } = shown;
   const isDebugView = shown.debugView !== 'none';
   const drawn = materialLook(shown);

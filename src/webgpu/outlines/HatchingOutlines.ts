@@ -11,7 +11,7 @@ import {
   type WebGLRenderer,
 } from 'three';
 import type { ClippingGroup, Renderer, WebGPURenderer } from 'three/webgpu';
-import { tell } from '../../material/diagnostics/tell.js';
+import { warn } from '../../material/diagnostics/warn.js';
 import { outlineDataOf } from '../../material/geometry/OutlineData.js';
 import type { HatchingOutlineParameters } from '../../material/outlines/HatchingOutlineMaterial.js';
 import { emphasisOf, isInFrustum, MeshOutlines, meanScale } from '../../material/outlines/MeshOutlines.js';
@@ -221,7 +221,7 @@ function writeViewport(renderer: WebGPURenderer, viewport: Vector4): void {
 function tellOfWebGLRenderer(): void {
   if (wasToldOfRenderer) return;
   wasToldOfRenderer = true;
-  tell(
+  warn(
     "HatchingOutlines of 'three-hatching/webgpu' are drawn by WebGPURenderer alone. Under WebGLRenderer take those of 'three-hatching'.",
     'error',
   );

@@ -111,23 +111,23 @@ export const links: readonly Mutation[] = [
   },
   {
     name: 'boldness narrows lines',
-    file: 'src/viewer/settings/drawnSettings.ts',
+    file: 'src/viewer/settings/withBoldnessAndDensity.ts',
     find: 'settings.strokeWidth * size',
     replace: 'settings.strokeWidth / size',
     caughtBy: {
       layer: 'unit',
-      file: 'tests/unit/viewer/settings/drawnSettings.test.ts',
+      file: 'tests/unit/viewer/settings/withBoldnessAndDensity.test.ts',
       title: 'bold strokes are wider and farther apart, all alike; nothing else changes',
     },
   },
   {
     name: 'density brightens',
-    file: 'src/viewer/settings/drawnSettings.ts',
+    file: 'src/viewer/settings/withBoldnessAndDensity.ts',
     find: 'settings.lightStrength / cover',
     replace: 'settings.lightStrength * cover',
     caughtBy: {
       layer: 'unit',
-      file: 'tests/unit/viewer/settings/drawnSettings.test.ts',
+      file: 'tests/unit/viewer/settings/withBoldnessAndDensity.test.ts',
       title: 'dense strokes cover more, as in less light; nothing else changes',
     },
   },

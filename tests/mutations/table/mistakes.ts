@@ -14,7 +14,7 @@ export const mistakes: readonly Mutation[] = [
   },
   {
     name: 'a silent library speaks',
-    file: 'src/material/diagnostics/tell.ts',
+    file: 'src/material/diagnostics/warn.ts',
     find: 'if (!silence.isOn) console',
     replace: 'console',
     caughtBy: {

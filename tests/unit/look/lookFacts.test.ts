@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import type { HatchingPropertyName, Medium } from '../../../src/look/hatchingProperties.js';
+import { counts, measureOf, pixelPower, scaledSizes } from '../../../src/look/measuredFacts.js';
 import {
   followsForm,
   formOf,
@@ -7,8 +8,7 @@ import {
   needsAdjacency,
   needsMap,
   usesThresholds,
-} from '../../../src/look/lookFacts.js';
-import { counts, measureOf, pixelPower, scaledSizes } from '../../../src/look/measuredFacts.js';
+} from '../../../src/look/queries.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import type { PropertyRow } from '../../../tools/properties/PropertyRow.js';
 import { PROPERTIES } from '../../../tools/properties/table.js';

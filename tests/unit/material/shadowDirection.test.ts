@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { formFieldOf, runsAway } from '../../../src/look/lookFacts.js';
+import { formFieldOf, runsAway } from '../../../src/look/queries.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import type { HatchingMaterialParameters } from '../../../src/material/HatchingMaterialParameters.js';
 

@@ -69,8 +69,8 @@ function gouge(x: Value): Value {
 }
 
 export function cutWidth(cut: Cut, line: Value): Value {
-  const lot = turnOf(abs(numberOf(line, cut.family)).toVar());
-  const waves = gouge(cut.waves.add(lot)).toVar();
+  const hash = turnOf(abs(numberOf(line, cut.family)).toVar());
+  const waves = gouge(cut.waves.add(hash)).toVar();
   const lengths = mix(waves.xy, waves.zw, cut.shares.x).toVar();
   return clamp(cut.middle.add(cut.swell.mul(mix(lengths.y, lengths.x, cut.shares.y))), 0, 1);
 }

@@ -1,6 +1,6 @@
 /** The twin of shaders/techniques/engraved/hand.glsl: the unsteadiness of a hand. */
 import { HAND_CONSTANTS } from '../../../look/constants/handConstants.js';
-import { LOT_FACTORS } from '../../../look/constants/lotConstants.js';
+import { HASH_FACTORS } from '../../../look/constants/hashConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { type Input, tsl, type Value } from '../base/values.js';
 
@@ -42,7 +42,7 @@ export const handPressure = (waves: Value): Value => handmade.mul(PRESSURE).mul(
 export const handTone = (pressure: Value, tone: Value): Value => tone.add(pressure.mul(tone).mul(float(1).sub(tone)));
 
 /** A number in [0, 1) that belongs to a line. @param line its value, a multiple of a power of two */
-function lotBy(digits: number, line: Value): Value {
+function hashBy(digits: number, line: Value): Value {
   const bits = floatBitsToUint(line).toVar();
   const exponent = bits.shiftRight(uint(23)).bitAnd(uint(31)).toVar();
   const rest = uint(32).sub(exponent).bitAnd(uint(31));
@@ -53,13 +53,13 @@ function lotBy(digits: number, line: Value): Value {
 }
 
 /** One that is far from those of its neighbours. */
-export const lotOf = (line: Value): Value => lotBy(LOT_FACTORS.THUE_MORSE, line);
+export const hash01 = (line: Value): Value => hashBy(HASH_FACTORS.THUE_MORSE, line);
 
 /** One by which three neighbours take turns: 0, a third and two thirds. */
-export const turnOf = (line: Value): Value => select(line.equal(0), 0, lotBy(LOT_FACTORS.ONE_THIRD, line)).toVar();
+export const turnOf = (line: Value): Value => select(line.equal(0), 0, hashBy(HASH_FACTORS.ONE_THIRD, line)).toVar();
 
 /** A factor on the width of a line, the same all along it; 1 in the mean. */
 export function handWidth(line: Value): Value {
   const most = handmade.mul(WIDTHS);
-  return most.mul(lotOf(line)).add(float(1).sub(most.mul(0.5)));
+  return most.mul(hash01(line)).add(float(1).sub(most.mul(0.5)));
 }

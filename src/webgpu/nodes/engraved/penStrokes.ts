@@ -1,10 +1,10 @@
 /** The twin of shaders/techniques/engraved/penStrokes.glsl: lines that a pen draws in strokes. */
-import { LOT_FACTORS } from '../../../look/constants/lotConstants.js';
+import { HASH_FACTORS } from '../../../look/constants/hashConstants.js';
 import { PEN_CONSTANTS } from '../../../look/constants/penConstants.js';
 import { tsl, type Value } from '../base/values.js';
 import { lineCoverage } from '../chunks/lineCoverage.js';
 import type { Family, HatchingParameters } from './Hatching.js';
-import { handmade, lotOf, turnOf } from './hand.js';
+import { handmade, hash01, turnOf } from './hand.js';
 import { FRINGE } from './lineFringe.js';
 import { type Along, alongLines, differing, numberOf } from './strokeLengths.js';
 
@@ -27,10 +27,10 @@ const {
   uint,
   vec2,
 } = tsl;
-const { ALL_FROM, AXIS_LOT, AXIS_TURN, BENDING, BIRTH, BIRTH_LOT, CLOSED_FROM, GAP_LOT, LATE_LOT, LATENESS } =
+const { ALL_FROM, AXIS_HASH, AXIS_TURN, BENDING, BIRTH, BIRTH_HASH, CLOSED_FROM, GAP_HASH, LATE_HASH, LATENESS } =
   PEN_CONSTANTS;
 const { LEANING, NIB } = PEN_CONSTANTS;
-const { SHORTENING, SHORTENING_OF_INK, STROKE_GAP, STROKE_GROWTH, TAPER, WIDTH_LOT, WIDTH_SPREAD } = PEN_CONSTANTS;
+const { SHORTENING, SHORTENING_OF_INK, STROKE_GAP, STROKE_GROWTH, TAPER, WIDTH_HASH, WIDTH_SPREAD } = PEN_CONSTANTS;
 
 /** What a line loses to the gaps and the ends of its strokes where they are farthest apart. */
 const LOST = 0.5 * STROKE_GAP + TAPER / 3;
@@ -71,7 +71,7 @@ export function penFor(h: HatchingParameters, family: Family, tone: Value, octav
   return { family, along: alongLines(h, family), tone, open, allFrom, width: drawn };
 }
 
-/** The lot below which strokes have been born where so large a share of them is, each over a part BIRTH of all lots. */
+/** The hash below which strokes have been born where so large a share of them is, each over a part BIRTH of all hashes. */
 function bornBelow(share: Value): Value {
   const grown = select(
     share.lessThan(1 - 0.5 * BIRTH),
@@ -83,7 +83,7 @@ function bornBelow(share: Value): Value {
 
 /** Random bits that the lots of the strokes on a line begin with. */
 function bitsOfLine(line: Value): Value {
-  const { GOLDEN_RATIO, THIRD_FACTOR } = LOT_FACTORS;
+  const { GOLDEN_RATIO, THIRD_FACTOR } = HASH_FACTORS;
   const word = floatBitsToUint(line).toVar();
   const spread = word
     .bitXor(word.shiftRight(uint(12)))
@@ -96,52 +96,52 @@ function bitsOfLine(line: Value): Value {
 }
 
 /** A number in [0, 1) that belongs to a stroke, and is far from those of its neighbours on the line. */
-const lotOfStroke = (bits: Value, stroke: Value): Value =>
-  float(bits.add(uint(int(stroke)).mul(uint(LOT_FACTORS.THUE_MORSE))).shiftRight(uint(8)))
+const strokeHash01 = (bits: Value, stroke: Value): Value =>
+  float(bits.add(uint(int(stroke)).mul(uint(HASH_FACTORS.THUE_MORSE))).shiftRight(uint(8)))
     .div(16777216)
     .toVar();
 
 /** How late a stroke begins, as a share of the mean length. */
-const latenessOf = (chance: Value): Value => fract(chance.mul(LATE_LOT)).mul(LATENESS).toVar();
+const latenessOf = (chance: Value): Value => fract(chance.mul(LATE_HASH)).mul(LATENESS).toVar();
 
 /**
  * The strokes of a line by one axis and of one length: their width at this place, as a share of its room, and how far they stray from it, in
  * distances between lines.
  *
  * @param place in lengths of strokes
- * @param lot of the line, as are its turn and the bits that its strokes have by chance
+ * @param hash of the line, as are its turn and the bits that its strokes have by chance
  */
 function strokeOn(
   pen: Pen,
   born: Value,
   place: Value,
-  { lot, turn, bits }: Record<'lot' | 'turn' | 'bits', Value>,
+  { hash, turn, bits }: Record<'hash' | 'turn' | 'bits', Value>,
 ): Value {
-  const along = place.add(lot).toVar();
+  const along = place.add(hash).toVar();
   // Strokes begin late by chance, and so differ in length: the ends of neighbours would otherwise lie in rows across the lines.
   const stroke = floor(along).toVar();
-  const begin = stroke.add(latenessOf(lotOfStroke(bits, stroke)));
+  const begin = stroke.add(latenessOf(strokeHash01(bits, stroke)));
   stroke.assign(stroke.sub(select(along.lessThan(begin), 1, 0)));
-  const chance = lotOfStroke(bits, stroke);
+  const chance = strokeHash01(bits, stroke);
   const late = latenessOf(chance);
-  const size = latenessOf(lotOfStroke(bits, stroke.add(1)))
+  const size = latenessOf(strokeHash01(bits, stroke.add(1)))
     .sub(late)
     .add(1);
   // From −1 at one end to 1 at the other.
   const way = along.sub(stroke).sub(late).mul(2).div(size).sub(1).toVar();
   // What differs from stroke to stroke is spread evenly over a surface. Of three neighbouring lines the first strokes lie on one.
-  const even = lotOfStroke(uint(lot.mul(16777216)).shiftLeft(uint(8)), stroke);
+  const even = strokeHash01(uint(hash.mul(16777216)).shiftLeft(uint(8)), stroke);
   const order = fract(turn.add(even.div(3)));
   const grown = clamp(pen.tone.sub(pen.allFrom.mul(order)).div(STROKE_GROWTH), 0, 1).toVar();
-  const gap = fract(even.mul(GAP_LOT)).toVar();
+  const gap = fract(even.mul(GAP_HASH)).toVar();
   const inside = oneMinus(abs(way)).sub(pen.open.mul(STROKE_GAP).mul(gap)).sub(oneMinus(grown).mul(SHORTENING));
   const taper = pen.open.mul(TAPER).toVar();
   const rest = clamp(taper.sub(inside).div(max(taper, 1e-3)), 0, 1).toVar();
-  const there = grown.mul(clamp(born.sub(fract(even.mul(BIRTH_LOT))).div(BIRTH), 0, 1));
+  const there = grown.mul(clamp(born.sub(fract(even.mul(BIRTH_HASH))).div(BIRTH), 0, 1));
   const spread = handmade
     .mul(WIDTH_SPREAD)
     .mul(pen.open)
-    .mul(fract(even.mul(WIDTH_LOT)).sub(0.5))
+    .mul(fract(even.mul(WIDTH_HASH)).sub(0.5))
     .add(1);
   const leaning = gap.sub(0.5).mul(LEANING).mul(way);
   const astray = leaning.add(
@@ -160,11 +160,11 @@ function strokeOn(
 }
 
 /** The share of the first axis on a line: lines go over from one to the other one after another. */
-const firstOnLine = (along: Along, lot: Value): Value =>
+const firstOnLine = (along: Along, hash: Value): Value =>
   clamp(
     along.share
       .mul(1 + AXIS_TURN)
-      .sub(fract(lot.mul(AXIS_LOT)))
+      .sub(fract(hash.mul(AXIS_HASH)))
       .div(AXIS_TURN),
     0,
     1,
@@ -175,10 +175,10 @@ function strokesOn(pen: Pen, born: Value, line: Value): Value {
   const { along } = pen;
   const number = numberOf(line, pen.family).toVar();
   const size = abs(number).toVar();
-  const lot = lotOf(size).toVar();
+  const hash = hash01(size).toVar();
   const turn = turnOf(size);
   const bits = bitsOfLine(size);
-  const first = firstOnLine(along, lot);
+  const first = firstOnLine(along, hash);
   const isFirst = first.greaterThanEqual(0.5).toVar();
   const other = min(first, oneMinus(first)).toVar();
   const strokes = vec2(0).toVar();
@@ -193,7 +193,7 @@ function strokesOn(pen: Pen, born: Value, line: Value): Value {
     If(share.greaterThan(0), () => {
       const place = select(isFirst.equal(isOther), along.places.y, along.places.x).toVar();
       const period = select(isLonger, along.period.mul(2), along.period).toVar();
-      strokes.addAssign(strokeOn(pen, born, place.div(period), { lot, turn, bits }).mul(share));
+      strokes.addAssign(strokeOn(pen, born, place.div(period), { hash, turn, bits }).mul(share));
     });
   });
   return vec2(strokes.x, sign(number).mul(strokes.y)).toVar();

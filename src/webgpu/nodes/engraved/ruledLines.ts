@@ -7,7 +7,7 @@ import { tsl, type Value } from '../base/values.js';
 import { lineCoverage } from '../chunks/lineCoverage.js';
 import { cutFor, cutWidth, rowOctaves } from './carving.js';
 import type { Family, HatchingParameters } from './Hatching.js';
-import { handWidth, lotOf } from './hand.js';
+import { handWidth, hash01 } from './hand.js';
 import { FRINGE } from './lineFringe.js';
 import { octaves, powerOf2 } from './octaves.js';
 import { penCoverage, penFor } from './penStrokes.js';
@@ -33,8 +33,8 @@ function lineLeft(line: Value, shadowLeft: Value): Value {
   const { ENDING, LEAST_LEFT, MOST_ENDING } = GROUND_CONSTANTS;
   const gone = min(float(1).sub(shadowLeft).mul(ENDING).div(max(shadowLeft, LEAST_LEFT)), MOST_ENDING).toVar();
   const kept = select(gone.lessThan(1), float(1).sub(gone.mul(0.5)), float(0.5).div(gone));
-  // Half a turn from the lot by which widths differ: those that stay are neither the wide ones nor the thin ones.
-  return max(float(1).sub(gone.mul(fract(lotOf(line).add(0.5)))), 0).div(kept);
+  // Half a turn from the hash by which widths differ: those that stay are neither the wide ones nor the thin ones.
+  return max(float(1).sub(gone.mul(fract(hash01(line).add(0.5)))), 0).div(kept);
 }
 
 /** The tone by which rows of cuts lie apart: they keep their places at the edges of a shadow, where their cuts widen. */

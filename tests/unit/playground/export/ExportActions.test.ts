@@ -47,12 +47,12 @@ function makePage(
   const model = { root: new Group() };
   const quality = { isOnPage };
   const frames = { invalidate: () => {}, keepPictures: () => {}, leavePictures: () => {} };
-  const stage = { model, shown: { isStandIn: false }, quality, isComplete: true, frames };
+  const viewport = { model, shown: { isStandIn: false }, quality, isComplete: true, frames };
   const settings = { ...defaultSettings(), technique: 'engraved' as const, lineField };
-  const session = { stage, settings, modelLoader: { title: 'A model', simplified, shownFiles: { files: FILES } } };
-  const form = new GeometryLoader(stage as never, settings, tasks);
+  const session = { viewport, settings, modelLoader: { title: 'A model', simplified, shownFiles: { files: FILES } } };
+  const form = new GeometryLoader(viewport as never, settings, tasks);
   const actions = new ExportActions(session as never, {} as never, line.status, tasks, form);
-  return { line, stage, settings, form, actions };
+  return { line, viewport, settings, form, actions };
 }
 
 const drawn = vi.mocked(drawForClipboard);
@@ -86,11 +86,11 @@ test('a picture begins the bake if the first frame has not, and one of lines aro
 });
 
 test('a picture for which another model was opened waits for the lines of that one', async () => {
-  const { stage, form, actions } = makePage();
+  const { viewport, form, actions } = makePage();
   form.update();
   const picture = actions.drawPicture();
   await eventually(() => expect(bakes).toHaveLength(1));
-  stage.model = { root: new Group() };
+  viewport.model = { root: new Group() };
   form.update();
   await eventually(() => expect(bakes).toHaveLength(2));
   expect(drawn).not.toHaveBeenCalled();

@@ -13,11 +13,11 @@ vi.mock('../../../../src/playground/reading/loadModelFiles.js', () => ({ loadMod
 async function finer(settings: object) {
   const mesh = { ...scannedTorus(60), normals: null, colors: null };
   vi.mocked(loadModelFiles).mockResolvedValue({ kind: 'mesh', mesh } as unknown as ReadModel);
-  const stage = { model: { root: new Group().add(new Mesh(undefined, new HatchingMaterial())) } };
+  const viewport = { model: { root: new Group().add(new Mesh(undefined, new HatchingMaterial())) } };
   const stages = new Set<string>();
   const model = await finerModel(
     [],
-    stage as never,
+    viewport as never,
     { ...defaultSettings(), ...settings },
     (name) => stages.add(name),
     new AbortController().signal,

@@ -11,11 +11,11 @@ vi.mock('../../../../src/playground/export/savePicture.js', () => ({ savePicture
 
 const SAVED = { kind: 'PNG', size: '10 × 20 px', pixelsPerRadius: 1000 };
 
-/** A stage with a simplified model, of which a finer geometry is read. */
+/** A viewport with a simplified model, of which a finer geometry is read. */
 function makeStage(simplified?: { triangles: number; error: number }) {
   const mesh = new Mesh();
   const frames = { isHeld: false };
-  const stage = {
+  const viewport = {
     model: { root: new Group().add(mesh) },
     finer: undefined as BufferGeometry | undefined,
     quality: { finishSketch: () => {} },
@@ -31,8 +31,8 @@ function makeStage(simplified?: { triangles: number; error: number }) {
   vi.mocked(finerModel).mockResolvedValue({ geometry, triangles: 3_960_000, simplified });
   const { signal } = new AbortController();
   const save = (settings = {}) =>
-    saveFiner([])(stage as never, { ...defaultSettings(), ...settings }, 'scan', () => {}, signal);
-  return { stage, mesh, geometry, dispose, save };
+    saveFiner([])(viewport as never, { ...defaultSettings(), ...settings }, 'scan', () => {}, signal);
+  return { viewport, mesh, geometry, dispose, save };
 }
 
 beforeEach(() => {
@@ -41,25 +41,25 @@ beforeEach(() => {
 });
 
 test('a picture is drawn of the finer geometry, which is let go when frames go on', async () => {
-  const { stage, mesh, geometry, dispose, save } = makeStage({ triangles: 10_000_000, error: 0.0006 });
+  const { viewport, mesh, geometry, dispose, save } = makeStage({ triangles: 10_000_000, error: 0.0006 });
   const shown = mesh.geometry;
   vi.mocked(savePicture).mockImplementation(async () => {
-    const session = new PictureSession(stage as never);
+    const session = new PictureSession(viewport as never);
     expect(mesh.geometry).toBe(shown);
     session.hold(1000);
-    expect([mesh.geometry, stage.frames.isHeld]).toEqual([geometry, true]);
+    expect([mesh.geometry, viewport.frames.isHeld]).toEqual([geometry, true]);
     // Nodes may have drawn the frames.
-    expect(stage.scenery.takeBack).toHaveBeenCalledOnce();
+    expect(viewport.scenery.takeBack).toHaveBeenCalledOnce();
     session.release();
-    expect([mesh.geometry, stage.frames.isHeld]).toEqual([shown, false]);
+    expect([mesh.geometry, viewport.frames.isHeld]).toEqual([shown, false]);
     // Shadows are those of the geometry, both times.
-    expect(stage.outdateShadows).toHaveBeenCalledTimes(2);
+    expect(viewport.outdateShadows).toHaveBeenCalledTimes(2);
     expect(dispose).not.toHaveBeenCalled();
     return SAVED;
   });
   expect(await save()).toBe('Saved as PNG from 4.0 million triangles: up to 0.6 px off.');
   expect(dispose).toHaveBeenCalledOnce();
-  expect(stage.finer).toBeUndefined();
+  expect(viewport.finer).toBeUndefined();
 });
 
 test('a picture of all triangles says so', async () => {
@@ -71,23 +71,23 @@ test('a picture of all triangles says so', async () => {
 });
 
 test('without a finer geometry, pictures are drawn of the one that frames show', () => {
-  const { stage, mesh } = makeStage();
+  const { viewport, mesh } = makeStage();
   const shown = mesh.geometry;
-  const session = new PictureSession(stage as never);
+  const session = new PictureSession(viewport as never);
   session.hold(1000);
   expect(mesh.geometry).toBe(shown);
   session.release();
-  expect(stage.outdateShadows).not.toHaveBeenCalled();
+  expect(viewport.outdateShadows).not.toHaveBeenCalled();
 });
 
 test('the finer geometry is let go if there is no picture, and if another model was opened meanwhile', async () => {
   const failing = makeStage();
   vi.mocked(savePicture).mockRejectedValueOnce(new Error('lost'));
   await expect(failing.save()).rejects.toThrow('lost');
-  expect([failing.dispose.mock.calls.length, failing.stage.finer]).toEqual([1, undefined]);
+  expect([failing.dispose.mock.calls.length, failing.viewport.finer]).toEqual([1, undefined]);
   const other = makeStage();
   const saving = other.save();
-  other.stage.model = { root: new Group() };
+  other.viewport.model = { root: new Group() };
   await expect(saving).rejects.toThrow('another model was opened meanwhile');
   expect(other.dispose).toHaveBeenCalledOnce();
   expect(savePicture).toHaveBeenCalledOnce();

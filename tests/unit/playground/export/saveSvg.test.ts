@@ -20,12 +20,12 @@ beforeEach(() => {
 });
 
 const camera = { clone: () => ({ setViewOffset: () => {} }) };
-const stage = { camera, scenery: { scene: 'the scene' } };
+const viewport = { camera, scenery: { scene: 'the scene' } };
 
 /** Saves a drawing of lines, and returns what is asked of it, with what is said in the end. */
 async function saved(settings: Partial<Settings>) {
   const look = { ...defaultSettings(), technique: 'engraved', pictureSize: 'a5', ...settings } as Settings;
-  const said = await saveSvg(stage as never, look, 'cube', () => {}, new AbortController().signal);
+  const said = await saveSvg(viewport as never, look, 'cube', () => {}, new AbortController().signal);
   return { said, asked: drawn.mock.lastCall![2]! };
 }
 

@@ -20,7 +20,7 @@ function makePage(changes: Partial<Settings>) {
   const settings: Settings = { ...defaultSettings(), ...changes };
   const { status } = fakeStatus();
   const frames = { fadeIntoNext: vi.fn(), invalidate: vi.fn(), keepPictures: vi.fn(), leavePictures: vi.fn() };
-  const stage = {
+  const viewport = {
     model: { root: new Group(), lacksAdjacency: false },
     shown: { isStandIn: false },
     quality: { isOnPage: true },
@@ -29,14 +29,14 @@ function makePage(changes: Partial<Settings>) {
     reapply: vi.fn(),
   };
   const tasks = new TaskRunner(status, { hasDrawing: () => true, onIdle: () => {} });
-  const form = new GeometryLoader(stage as never, settings, tasks);
+  const form = new GeometryLoader(viewport as never, settings, tasks);
   const change = async (changed: Partial<Settings>): Promise<number> => {
     Object.assign(settings, changed);
     form.update();
     await form.settled(new AbortController().signal);
     return begun.mock.calls.length;
   };
-  return { change, stage, form };
+  return { change, viewport, form };
 }
 
 test('strokes that follow the form have it baked whatever the shape is, and those that go by the light do not', async () => {
@@ -68,7 +68,7 @@ test('beside lines that leave it to the shape, strokes have the form baked for a
 });
 
 test('each geometry fades into the next one, which frees what was made before it and nothing else', async () => {
-  const { change, stage, form } = makePage({ technique: 'engraved', lineField: 'form', crossAngle: 60 });
+  const { change, viewport, form } = makePage({ technique: 'engraved', lineField: 'form', crossAngle: 60 });
   const geometries = [0, 1, 2, 3].map(() => new BufferGeometry());
   const freed: number[] = [];
   for (const [i, geometry] of geometries.entries()) geometry.addEventListener('dispose', () => freed.push(i));
@@ -84,49 +84,49 @@ test('each geometry fades into the next one, which frees what was made before it
   await change({ crossAngle: 70 });
   await change({ crossAngle: 80 });
   expect(freed).toEqual([1, 2]);
-  expect(stage.frames.fadeIntoNext).toHaveBeenCalledTimes(6);
+  expect(viewport.frames.fadeIntoNext).toHaveBeenCalledTimes(6);
   // Programs that the next geometry asks for are built before it is drawn, not in its frame.
-  expect(stage.rebuildPrograms).toHaveBeenCalledTimes(6);
-  stage.model = { root: new Group(), lacksAdjacency: false };
+  expect(viewport.rebuildPrograms).toHaveBeenCalledTimes(6);
+  viewport.model = { root: new Group(), lacksAdjacency: false };
   form.update();
   expect(freed).toEqual([1, 2, 3]);
 });
 
 test('while a slider moves nothing is baked, and then once', async () => {
-  const { change, form, stage } = makePage({ technique: 'engraved', lineField: 'form', crossAngle: 60 });
+  const { change, form, viewport } = makePage({ technique: 'engraved', lineField: 'form', crossAngle: 60 });
   expect(await change({})).toBe(1);
   const changes = [70, 75, 80].map((crossAngle) => change({ crossAngle }));
   await Promise.all(changes);
   expect(begun.mock.calls.map(([, { form }]) => Math.round((form!.crossAngle / Math.PI) * 180))).toEqual([60, 80]);
-  expect([form.isAwaited, stage.rebuildPrograms.mock.calls.length]).toEqual([false, 0]);
+  expect([form.isAwaited, viewport.rebuildPrograms.mock.calls.length]).toEqual([false, 0]);
 });
 
 describe('adjacency', () => {
   /** A page whose model gets adjacency when it is baked, if that is asked for. */
   function pageWithout(changes: Partial<Settings>) {
     const made = makePage(changes);
-    const { stage } = made;
-    stage.model.lacksAdjacency = true;
+    const { viewport } = made;
+    viewport.model.lacksAdjacency = true;
     begun.mockImplementation(async (_root, { adjacency }) => {
-      if (adjacency) stage.model.lacksAdjacency = false;
+      if (adjacency) viewport.model.lacksAdjacency = false;
     });
     return made;
   }
 
   test('is baked once a technique asks for it, also for a comparison, and then the look is applied again', async () => {
-    const { change, stage } = pageWithout({ technique: 'anchored' });
+    const { change, viewport } = pageWithout({ technique: 'anchored' });
     expect(await change({})).toBe(0);
     expect(await change({ compare: 'adjacencyCrisp' })).toBe(1);
     expect(begun.mock.lastCall![1]).toEqual({ form: undefined, adjacency: true });
-    expect(stage.reapply).toHaveBeenCalledTimes(1);
+    expect(viewport.reapply).toHaveBeenCalledTimes(1);
     expect(await change({ technique: 'triangle', compare: 'none' })).toBe(1);
   });
 
   test('keeps the form that was baked before, which is not baked again', async () => {
-    const { change, stage } = pageWithout({ technique: 'engraved', lineField: 'form', crossAngle: 60 });
+    const { change, viewport } = pageWithout({ technique: 'engraved', lineField: 'form', crossAngle: 60 });
     expect(await change({})).toBe(1);
     expect(begun.mock.lastCall![1].adjacency).toBe(false);
-    expect(stage.reapply).not.toHaveBeenCalled();
+    expect(viewport.reapply).not.toHaveBeenCalled();
     expect(await change({ technique: 'adjacency', crossAngle: 70 })).toBe(2);
     expect(begun.mock.lastCall![1].adjacency).toBe(true);
     expect(begun.mock.lastCall![1].form?.crossAngle).toBeCloseTo(Math.PI / 3);

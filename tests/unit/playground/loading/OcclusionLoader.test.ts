@@ -14,8 +14,8 @@ vi.mock('../../../../src/viewer/drawing/bakeOcclusion.js', () => ({
 function bakesOf(...meshes: Mesh[]): number {
   const run = vi.fn();
   const quality = { isOnPage: false };
-  const stage = { model: { root: new Group().add(...meshes) }, shown: { isStandIn: false }, quality };
-  const loader = new OcclusionLoader(stage as never, { occlusion: 50 } as never, { run, stop: vi.fn() } as never);
+  const viewport = { model: { root: new Group().add(...meshes) }, shown: { isStandIn: false }, quality };
+  const loader = new OcclusionLoader(viewport as never, { occlusion: 50 } as never, { run, stop: vi.fn() } as never);
   loader.update();
   expect(run, 'before the model was drawn').not.toHaveBeenCalled();
   quality.isOnPage = true;
@@ -35,8 +35,8 @@ test('occlusion is baked once, and not for models of instances alone, which have
 test('hollows wait for what was wished for later', async () => {
   const tasks = new TaskRunner(fakeStatus().status, { hasDrawing: () => true, onIdle: () => {} });
   const model = { root: new Group().add(new Mesh(box)) };
-  const stage = { model, shown: { isStandIn: false }, quality: { isOnPage: true } };
-  new OcclusionLoader(stage as never, { occlusion: 50 } as never, tasks).update();
+  const viewport = { model, shown: { isStandIn: false }, quality: { isOnPage: true } };
+  new OcclusionLoader(viewport as never, { occlusion: 50 } as never, tasks).update();
   await eventually(() => expect(bakeOcclusion).toHaveBeenCalled());
   const { pause } = vi.mocked(bakeOcclusion).mock.lastCall![1]!;
   expect(pause!()).toBeUndefined();
@@ -51,7 +51,7 @@ test('hollows wait for what was wished for later', async () => {
 test('finer hollows are drawn as they come where frames are quick, and once at the end where they are slow', async () => {
   const framesOf = async (isSlow: boolean): Promise<number[]> => {
     const refine = vi.fn();
-    const stage = {
+    const viewport = {
       model: { root: new Group().add(new Mesh(box)) },
       shown: { isStandIn: false },
       quality: { isOnPage: true, isSlow },
@@ -66,7 +66,7 @@ test('finer hollows are drawn as they come where frames are quick, and once at t
       return { dispose: vi.fn() } as never;
     });
     const tasks = new TaskRunner(fakeStatus().status, { hasDrawing: () => true, onIdle: () => {} });
-    new OcclusionLoader(stage as never, { occlusion: 50 } as never, tasks).update();
+    new OcclusionLoader(viewport as never, { occlusion: 50 } as never, tasks).update();
     await eventually(() => expect(tasks.isIdle).toBe(true));
     return [...drawn, refine.mock.calls.length];
   };

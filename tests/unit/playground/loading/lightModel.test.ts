@@ -5,7 +5,7 @@ import { type ModelExtras, NO_EXTRAS } from '../../../../src/viewer/files/common
 import type { Look } from '../../../../src/viewer/settings/lookOf.js';
 import { defaultSettings, type Settings } from '../../../../src/viewer/settings/settings.js';
 
-/** A stage with a ball that its looks turn upright, and a camera that looks at it from the right. */
+/** A viewport with a ball that its looks turn upright, and a camera that looks at it from the right. */
 function createStage(isFramed = true, extras = NO_EXTRAS) {
   const root = new Mesh(new SphereGeometry(1, 48, 32));
   const upright = new Group().add(root);
@@ -19,8 +19,8 @@ function createStage(isFramed = true, extras = NO_EXTRAS) {
   };
   const modelOutline = root.geometry.attributes.position.array;
   const view = { isFramed, frame: vi.fn(), roomiest: camera, modelOutline };
-  const stage = { model: { root, extras }, camera, apply, view };
-  return { stage, applied, root, light: (settings: Settings) => lightModel(stage as never, settings) };
+  const viewport = { model: { root, extras }, camera, apply, view };
+  return { viewport, applied, root, light: (settings: Settings) => lightModel(viewport as never, settings) };
 }
 
 /** The direction to the light of settings, if it goes with the model. */
@@ -28,7 +28,7 @@ const directionOf = ({ lightAzimuth, lightElevation }: Settings): Vector3 =>
   new Vector3().setFromSphericalCoords(1, MathUtils.degToRad(90 - lightElevation), MathUtils.degToRad(lightAzimuth));
 
 test('the settings get a light from the upper front of the view, in steps of their controls, and it is applied and framed', () => {
-  const { stage, applied, light } = createStage();
+  const { viewport, applied, light } = createStage();
   const settings = { ...defaultSettings(), lightAzimuth: -170, lightElevation: -60 };
   light(settings);
   const direction = directionOf(settings);
@@ -41,14 +41,14 @@ test('the settings get a light from the upper front of the view, in steps of the
     settings.lightElevation,
   ]);
   expect(applied.at(-1)?.lights.place).toEqual({ azimuth: settings.lightAzimuth, elevation: settings.lightElevation });
-  expect(stage.view.frame).toHaveBeenCalledTimes(1);
+  expect(viewport.view.frame).toHaveBeenCalledTimes(1);
 });
 
 test('a model is lit by its file, as it stands; the light that suits the view is told', () => {
   // From in front, before the model is turned upright.
   const sun = { kind: 'directional', intensity: 2, position: [0, 0, 0], forwards: [0, 0, -1], angle: 0 } as const;
   const lamp = { ...sun, kind: 'point', position: [-2, 0, 0], intensity: 4 } as const;
-  const { stage, light } = createStage(true, { ...NO_EXTRAS, lights: [lamp, sun] } as unknown as ModelExtras);
+  const { viewport, light } = createStage(true, { ...NO_EXTRAS, lights: [lamp, sun] } as unknown as ModelExtras);
   const settings: Settings = { ...defaultSettings(), upAxis: 'z', lightFollows: 'viewer' };
   const found = light(settings);
   expect([settings.lightKind, settings.secondLight, settings.lightFollows]).toEqual(['directional', 'free', 'model']);
@@ -56,7 +56,7 @@ test('a model is lit by its file, as it stands; the light that suits the view is
   expect([settings.secondAzimuth, settings.secondElevation, settings.secondStrength]).toEqual([-90, 0, 50]);
   expect(found?.lightKind).toBe('directional');
   expect(found?.lightElevation).not.toBe(settings.lightElevation);
-  expect(stage.view.frame).toHaveBeenCalledTimes(1);
+  expect(viewport.view.frame).toHaveBeenCalledTimes(1);
   expect(createStage().light(defaultSettings())).toBe(undefined);
 });
 
@@ -64,13 +64,13 @@ test('a light that goes with the viewer gets the same place', () => {
   const withModel = defaultSettings();
   const withViewer: Settings = { ...defaultSettings(), lightFollows: 'viewer', lightKind: 'point', lightDistance: 3 };
   createStage().light(withModel);
-  const { stage, light } = createStage(false);
+  const { viewport, light } = createStage(false);
   light(withViewer);
-  const seen = directionOf(withViewer).applyQuaternion(stage.camera.quaternion);
+  const seen = directionOf(withViewer).applyQuaternion(viewport.camera.quaternion);
   expect(seen.distanceTo(directionOf(withModel))).toBeLessThan(0.005);
   expect([withViewer.lightKind, withViewer.lightDistance]).toEqual(['point', 3]);
   // The user has placed the camera.
-  expect(stage.view.frame).not.toHaveBeenCalled();
+  expect(viewport.view.frame).not.toHaveBeenCalled();
 });
 
 test('the model is lit as it stands, not as its file has it', () => {

@@ -67,8 +67,8 @@ function framed(model: HatchedModel, first: Direction, turn: number, [width, hei
   };
   view.resized(width / height);
   view.setOutline(outline, first);
-  const stage = { model: { root: holder, extras: NO_EXTRAS }, camera, view, apply };
-  return { stage, camera, place: () => placeOf(camera, outline, shadow()), light };
+  const viewport = { model: { root: holder, extras: NO_EXTRAS }, camera, view, apply };
+  return { viewport, camera, place: () => placeOf(camera, outline, shadow()), light };
 }
 
 /** Where the subject and its shadow are: shares of the sheet. */
@@ -113,7 +113,7 @@ function expectWellPlacedAnywhere(model: HatchedModel, first: Direction): void {
   for (const [sheet, size] of Object.entries(SHEETS)) {
     for (const turn of [0, 90]) {
       const whole = framed(model, first, turn, size);
-      lightModel(whole.stage as never, { ...defaultSettings(), shadows: 'on', ground: 'shadow' });
+      lightModel(whole.viewport as never, { ...defaultSettings(), shadows: 'on', ground: 'shadow' });
       expectWellPlaced(whole.place(), sheet, `${sheet}, turned by ${turn}°`);
       const { x, y, z } = whole.light.clone().transformDirection(whole.camera.matrixWorldInverse);
       expect(z, 'from the front').toBeGreaterThan(0.1);
@@ -140,9 +140,9 @@ describe('a drawing of the gallery stands in the middle, with its shadow on the 
     const model = await builtInModel(name);
     const castsShadow = settings.shadows === 'on' && settings.ground !== 'none';
     for (const [sheet, size] of Object.entries(SHEETS)) {
-      const { stage, place, light, camera } = framed(model, BUILT_IN_MODELS[name].view ?? DEFAULT_VIEW, 0, size);
-      stage.apply(lookOf(settings));
-      if (castsShadow) stage.view.frame();
+      const { viewport, place, light, camera } = framed(model, BUILT_IN_MODELS[name].view ?? DEFAULT_VIEW, 0, size);
+      viewport.apply(lookOf(settings));
+      if (castsShadow) viewport.view.frame();
       const { shadow, ...subject } = place();
       expectWellPlaced({ shadow: castsShadow ? shadow : 0, ...subject }, sheet, sheet);
       expect(light.clone().transformDirection(camera.matrixWorldInverse).z).toBeGreaterThan(0.1);

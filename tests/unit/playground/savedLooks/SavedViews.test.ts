@@ -8,7 +8,7 @@ import { defaultSettings } from '../../../../src/viewer/settings/settings.js';
 
 const NEAR: CameraView = { position: [0, 0, 2], target: [0, 0, 0] };
 
-/** The views of a drawing, on a stage that notes what is done to it and in which light. */
+/** The views of a drawing, on a viewport that notes what is done to it and in which light. */
 function onStage() {
   const settings = { ...defaultSettings(), lightAzimuth: 10 };
   const done: [what: string, lightAzimuth: number][] = [];

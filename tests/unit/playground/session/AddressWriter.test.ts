@@ -22,7 +22,7 @@ function createWriter() {
   const session = {
     ...{ modelLoader, link: 'technique=engraved', ownStrokes: undefined },
     settings: { model: 'bunny' },
-    stage: { view: { ownPlace: undefined } },
+    viewport: { view: { ownPlace: undefined } },
     listen: (listener: SessionListener) => void listeners.push(listener),
   };
   const address = { isFollowed: false };

@@ -16,7 +16,7 @@ function createPicture() {
   const toDataURL = vi.fn(() => PICTURE);
   const drawImage = vi.fn();
   vi.stubGlobal('document', { createElement: () => ({ toDataURL, getContext: () => ({ drawImage }) }) });
-  const stage = {
+  const viewport = {
     isComplete: true,
     frames: { isWaiting: false, redraw: () => true, canvas: { width: 300, height: 200 }, count: 0 },
     quality: { isCoarse: false },
@@ -25,11 +25,11 @@ function createPicture() {
   };
   const taken: string[] = [];
   const picture = new KeptPicture(
-    stage as never,
+    viewport as never,
     () => true,
     (pending) => void pending.then((address) => taken.push(address)),
   );
-  return { gl, stage, toDataURL, drawImage, taken, picture };
+  return { gl, viewport, toDataURL, drawImage, taken, picture };
 }
 
 test('the drawing is copied in the task of its frame, and read only when the graphics card has drawn it', async () => {
@@ -44,17 +44,17 @@ test('the drawing is copied in the task of its frame, and read only when the gra
 });
 
 test('what is not at rest yet waits for a later frame, and is read once', async () => {
-  const { gl, stage, drawImage, taken, picture } = createPicture();
+  const { gl, viewport, drawImage, taken, picture } = createPicture();
   gl.finish();
-  stage.quality.isCoarse = true;
+  viewport.quality.isCoarse = true;
   picture.want();
   picture.frameDrawn();
   expect(drawImage).not.toHaveBeenCalled();
-  stage.quality.isCoarse = false;
-  stage.shown.isStandIn = true;
+  viewport.quality.isCoarse = false;
+  viewport.shown.isStandIn = true;
   picture.frameDrawn();
   expect(drawImage).not.toHaveBeenCalled();
-  stage.shown.isStandIn = false;
+  viewport.shown.isStandIn = false;
   picture.frameDrawn();
   picture.frameDrawn();
   await vi.advanceTimersByTimeAsync(1000);
@@ -62,11 +62,11 @@ test('what is not at rest yet waits for a later frame, and is read once', async 
 });
 
 test('is not read while later frames are drawn, for which reading would wait', async () => {
-  const { gl, stage, toDataURL, picture } = createPicture();
+  const { gl, viewport, toDataURL, picture } = createPicture();
   gl.finish();
   picture.want();
   for (let i = 0; i < 5; i++) {
-    stage.frames.count++;
+    viewport.frames.count++;
     await vi.advanceTimersByTimeAsync(10);
   }
   expect(toDataURL).not.toHaveBeenCalled();

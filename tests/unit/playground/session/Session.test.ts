@@ -38,7 +38,7 @@ vi.mock('../../../../src/playground/session/watchPresses.js', () => ({ watchPres
 
 beforeEach(() => void vi.clearAllMocks());
 
-/** A session on a stage that only remembers what was applied, and the events that the session has told. */
+/** A session on a viewport that only remembers what was applied, and the events that the session has told. */
 function createSession() {
   const place = { position: [0, 0, 5], target: [0, 0, 0] };
   const view = {
@@ -48,8 +48,8 @@ function createSession() {
     onMoved: () => {},
   };
   const applied: string[] = [];
-  const stage = { view, apply: ({ drawn }: Look) => void applied.push(drawn.ink as string), isComplete: true };
-  const session = new Session(stage as never, defaultSettings(), {} as never);
+  const viewport = { view, apply: ({ drawn }: Look) => void applied.push(drawn.ink as string), isComplete: true };
+  const session = new Session(viewport as never, defaultSettings(), {} as never);
   const events: string[] = [];
   session.listen({
     applied: () => void events.push('applied'),

@@ -46,7 +46,7 @@ describe('the status line', () => {
 
   test('leaves a message its seconds: the task that runs and one that nobody asked for do not take its place, the next wish does', async () => {
     const { line, tasks } = makePage({ hasDrawing: true });
-    const reports: ((stage: string) => void)[] = [];
+    const reports: ((viewport: string) => void)[] = [];
     const begin = (slot: 'map' | 'occlusion') => {
       const { task, end } = openTask();
       const run = tasks.run(slot, (report) => {

@@ -3,11 +3,11 @@ import { describe, expect, test, vi } from 'vitest';
 import { recordVideo } from '../../../../src/playground/video/recordVideo.js';
 import { LostContextError } from '../../../../src/playground/viewport/LostContextError.js';
 import type { PictureSession } from '../../../../src/playground/viewport/PictureSession.js';
-import type { Stage } from '../../../../src/playground/viewport/Stage.js';
+import type { Viewport } from '../../../../src/playground/viewport/Viewport.js';
 import { createCamera } from '../../../../src/viewer/sceneSetup/createCamera.js';
 import { defaultSettings, type Settings } from '../../../../src/viewer/settings/settings.js';
 
-/** A stage without a browser. @param drawPart what drawing the nth frame does */
+/** A viewport without a browser. @param drawPart what drawing the nth frame does */
 function fakeStage(drawPart: (frame: number, canvas: EventTarget) => void = () => {}) {
   const canvas = Object.assign(new EventTarget(), {
     toBlob: (take: (blob: Blob) => void) => take(new Blob(['frame'])),
@@ -19,14 +19,14 @@ function fakeStage(drawPart: (frame: number, canvas: EventTarget) => void = () =
     ...{ hold: vi.fn(), release: vi.fn(), begin: vi.fn(), end: vi.fn() },
     drawPart: vi.fn(() => drawPart(frames++, canvas)),
   };
-  const stage = {
+  const viewport = {
     ...{ canvas, camera, model: undefined, isLost: false, outdateShadows: vi.fn() },
     view: { isFramed: false, controls: { target: new Vector3() } },
     scenery: { lights: { apply: vi.fn(), place: vi.fn() } },
   };
   const record = (changes: Partial<Settings> = {}) =>
     recordVideo(
-      stage as unknown as Stage,
+      viewport as unknown as Viewport,
       picture as unknown as PictureSession,
       { ...defaultSettings(), videoForm: 'frames', videoSeconds: 1, videoRate: '12', ...changes },
       {
@@ -34,17 +34,17 @@ function fakeStage(drawPart: (frame: number, canvas: EventTarget) => void = () =
         ...{ onProgress: () => {}, onFrame: () => {} },
       },
     );
-  return { stage, picture, canvas, record };
+  return { viewport, picture, canvas, record };
 }
 
 describe('recordVideo', () => {
   test('holds the frames of the page for a video of a size, which shadows are as fine as', async () => {
-    const { stage, picture, record } = fakeStage();
+    const { viewport, picture, record } = fakeStage();
     expect((await record({ videoSize: '3840x2160' })).sentence).toMatch(/^Saved: 3,840 × 2,160 px/);
     expect(picture.hold.mock.calls).toEqual([[3840]]);
     expect(picture.drawPart).toHaveBeenCalledTimes(12);
     expect(picture.release).toHaveBeenCalledTimes(1);
-    expect(stage.camera.position.toArray()).toEqual([0, 1, 4]);
+    expect(viewport.camera.position.toArray()).toEqual([0, 1, 4]);
   });
 
   test.each<[string, (frame: number, canvas: EventTarget) => void]>([
@@ -73,15 +73,15 @@ describe('recordVideo', () => {
   );
 
   test('an encoder that goes with the graphics card is not taken for the cause; another failure stays what it is', async () => {
-    const { stage, canvas, record } = fakeStage();
+    const { viewport, canvas, record } = fakeStage();
     Object.assign(canvas, {
       toBlob: (take: (blob: null) => void) => {
-        stage.isLost = true;
+        viewport.isLost = true;
         take(null);
       },
     });
     await expect(record()).rejects.toThrow(/let go of the drawing after 0 of 12 frames/);
-    stage.isLost = false;
+    viewport.isLost = false;
     Object.assign(canvas, { toBlob: (take: (blob: null) => void) => take(null) });
     await expect(record()).rejects.toThrow('The browser could not pack a frame as PNG; choose smaller frames.');
   });

@@ -32,7 +32,7 @@ beforeEach(() => {
 
 afterEach(() => void vi.unstubAllGlobals());
 
-/** Frames of a stage, and a way to put another model on it. */
+/** Frames of a viewport, and a way to put another model on it. */
 function makeFrames() {
   const shown = { isStandIn: false, name: '', disposePrevious: () => {}, model: {} };
   const canvas = { width: 100, height: 100, shows: '', after: () => {} };

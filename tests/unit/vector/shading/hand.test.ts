@@ -1,15 +1,15 @@
 import { describe, expect, test } from 'vitest';
 import type { Vec3 } from '../../../../src/look/vectors.js';
-import { handWidth, lotOf, turnOf } from '../../../../src/vector/shading/hand.js';
+import { handWidth, hash01, turnOf } from '../../../../src/vector/shading/hand.js';
 import { fieldLight } from '../../../../src/vector/shading/lightField.js';
 import { octaves, powerOf2, roomOf } from '../../../../src/vector/shading/ruledLines.js';
 import { principalAxis } from '../../../reference/engravedReference.js';
-import { lineFactor, lotOf as referenceLot } from '../../../reference/engravedStrokes.js';
+import { lineFactor, hash01 as referenceHash } from '../../../reference/engravedStrokes.js';
 import { randomNumbers } from '../randomNumbers.js';
 
-test('a line has the lot and the width of the reference', () => {
+test('a line has the hash and the width of the reference', () => {
   for (let i = -300; i < 300; i++) {
-    expect(lotOf(i / 64)).toBe(referenceLot(i / 64));
+    expect(hash01(i / 64)).toBe(referenceHash(i / 64));
     expect(handWidth(i / 64, 0.7)).toBeCloseTo(lineFactor(i / 64, 0.7), 12);
   }
 });
@@ -26,8 +26,8 @@ test('three neighbouring lines take turns at every octave', () => {
 describe('lots of lines', () => {
   const OCTAVES = Array.from({ length: 40 }, (_, i) => i - 25);
   const STARTS = [1, 300, 5000, 70_000];
-  const lots = (start: number, octave: number) =>
-    Array.from({ length: 1000 }, (_, i) => lotOf((start + i) * 2 ** octave));
+  const hashes = (start: number, octave: number) =>
+    Array.from({ length: 1000 }, (_, i) => hash01((start + i) * 2 ** octave));
   /** How far a number is from the nearest whole one. */
   const fromWhole = (x: number) => Math.abs(x - Math.round(x));
 
@@ -35,7 +35,7 @@ describe('lots of lines', () => {
     let nearest = 1;
     for (const octave of OCTAVES) {
       for (const start of STARTS) {
-        const found = lots(start, octave);
+        const found = hashes(start, octave);
         for (let i = 1; i < found.length; i++) nearest = Math.min(nearest, fromWhole(found[i]! - found[i - 1]!));
         for (let i = 2; i < found.length; i++) nearest = Math.min(nearest, fromWhole(found[i]! - found[i - 2]!));
       }
@@ -46,16 +46,16 @@ describe('lots of lines', () => {
   test('they are evenly spread', () => {
     for (const octave of OCTAVES) {
       for (const start of STARTS) {
-        const sorted = lots(start, octave).sort((a, b) => a - b);
-        // The largest difference between the share of lots below a number and that number.
-        const uneven = Math.max(...sorted.map((lot, i) => Math.abs(lot - (i + 0.5) / sorted.length)));
+        const sorted = hashes(start, octave).sort((a, b) => a - b);
+        // The largest difference between the share of hashes below a number and that number.
+        const uneven = Math.max(...sorted.map((hash, i) => Math.abs(hash - (i + 0.5) / sorted.length)));
         expect(uneven, `from ${start} at octave ${octave}`).toBeLessThan(0.08);
       }
     }
   });
 
   test('those below 0 are not those above it', () => {
-    for (let i = 1; i < 100; i++) expect(fromWhole(lotOf(-i / 8) - lotOf(i / 8))).toBe(0.5);
+    for (let i = 1; i < 100; i++) expect(fromWhole(hash01(-i / 8) - hash01(i / 8))).toBe(0.5);
   });
 });
 

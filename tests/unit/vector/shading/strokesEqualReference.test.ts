@@ -18,7 +18,7 @@ import { familyDarkness, type SeenFamily } from './familyDarkness.js';
 
 /**
  * The darkness of a fragment of lines that follow the form, in every medium, put together from the functions of the processor and compared with
- * the reference: values and gradients of the form, strokes of the pen, cuts of the gouge, their lengths, widths and lots must all be right for it.
+ * the reference: values and gradients of the form, strokes of the pen, cuts of the gouge, their lengths, widths and hashes must all be right for it.
  */
 
 const SIZE = 480;

@@ -1,9 +1,9 @@
 import { expect, test } from 'vitest';
-import { drawnSettings } from '../../../../src/viewer/settings/drawnSettings.js';
 import { defaultSettings, SETTING_KEYS } from '../../../../src/viewer/settings/settings.js';
+import { withBoldnessAndDensity } from '../../../../src/viewer/settings/withBoldnessAndDensity.js';
 
-const changedBy = (look: Parameters<typeof drawnSettings>[0]): Record<string, number> => {
-  const drawn = drawnSettings(look);
+const changedBy = (look: Parameters<typeof withBoldnessAndDensity>[0]): Record<string, number> => {
+  const drawn = withBoldnessAndDensity(look);
   return Object.fromEntries(
     SETTING_KEYS.filter((key) => drawn[key] !== look[key]).map((key) => [key, Number(drawn[key]) / Number(look[key])]),
   );

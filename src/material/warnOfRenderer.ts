@@ -1,4 +1,4 @@
-import { tell } from './diagnostics/tell.js';
+import { warn } from './diagnostics/warn.js';
 
 let wasTold = false;
 
@@ -9,10 +9,10 @@ let wasTold = false;
  * @param what the class that cannot be drawn
  * @param hasTwin whether there is one for WebGPURenderer
  */
-export function tellOfRenderer(what: string, hasTwin = true): void {
+export function warnOfRenderer(what: string, hasTwin = true): void {
   if (wasTold) return;
   wasTold = true;
-  tell(
+  warn(
     `${what}: WebGPURenderer draws no materials that are written in GLSL, with its WebGL 2 backend neither. Draw the scene with WebGLRenderer, from 'three'${hasTwin ? ", or take what has the same name in 'three-hatching/webgpu'" : ''}.`,
     'error',
   );

@@ -13,7 +13,7 @@ import type { ModelChange, ShownModel } from './ShownModel.js';
 import { View } from './view/View.js';
 
 /** The drawing on the page: what is drawn, where the camera is, and the frames and pictures that are drawn of it. */
-export class Stage {
+export class Viewport {
   readonly scenery: Scenery;
   readonly camera: LensCamera;
   readonly view: View;
@@ -26,7 +26,7 @@ export class Stage {
   finer: BufferGeometry | undefined;
   private readonly contextLoss: ContextLoss;
 
-  /** Sets up the stage. A frame is drawn when one was requested, and when the viewport changes its size. */
+  /** Sets up the viewport. A frame is drawn when one was requested, and when the viewport changes its size. */
   constructor(
     readonly canvas: HTMLCanvasElement,
     readonly context: WebGL2RenderingContext,

@@ -2,7 +2,7 @@ import type { OwnLook } from '../../viewer/settings/ownLook.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import { findElement } from '../page/findElement.js';
 import { thumbnailOf } from '../storage/thumbnailOf.js';
-import type { Stage } from '../viewport/Stage.js';
+import type { Viewport } from '../viewport/Viewport.js';
 import { type BarItems, NamedBar } from './NamedBar.js';
 import { type ListWords, NamedListDialog } from './NamedListDialog.js';
 import { OwnLooks } from './OwnLooks.js';
@@ -25,19 +25,20 @@ const WORDS = {
 } as const satisfies Record<string, ListWords>;
 
 /** The user's own looks and views, as buttons beside the presets and in a dialog, and the variants of the model. */
-export class Shelf {
+export class SavedLooks {
   private readonly looks: OwnLooks;
   private readonly bars: readonly NamedBar[];
   private readonly dialog = new NamedListDialog();
 
   constructor(
-    stage: Stage,
+    viewport: Viewport,
     settings: Settings,
     private readonly views: SavedViews,
     variants: BarItems,
     onLook: (look: OwnLook) => void,
   ) {
-    const picture = () => (stage.isComplete && stage.frames.redraw() ? thumbnailOf(stage.frames.canvas) : undefined);
+    const picture = () =>
+      viewport.isComplete && viewport.frames.redraw() ? thumbnailOf(viewport.frames.canvas) : undefined;
     this.looks = new OwnLooks(settings, picture, onLook, () => this.refresh());
     this.bars = [
       new NamedBar(findElement('own-looks'), this.looks),

@@ -5,6 +5,6 @@ import { silence } from './silence.js';
  *
  * @param level `error` where something is not drawn at all
  */
-export function tell(sentence: string, level: 'warn' | 'error' = 'warn'): void {
+export function warn(sentence: string, level: 'warn' | 'error' = 'warn'): void {
   if (!silence.isOn) console[level](sentence);
 }

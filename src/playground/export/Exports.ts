@@ -35,7 +35,7 @@ const write = async (picture: Promise<Blob>): Promise<void> =>
 type Action = 'savePng' | 'saveSvg' | 'saveDrawing' | 'saveVideo' | 'saveMap' | 'share' | 'copyLink' | 'copyFacts';
 
 /** The ways in which the user takes the drawing away. The scripts for them are fetched when they are first used. */
-export class TakeAway {
+export class Exports {
   private readonly actions: LaterPart<ExportActions>;
   private readonly codeDialog: LaterPart<CodeDialog>;
 

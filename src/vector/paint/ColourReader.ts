@@ -35,7 +35,7 @@ type Reading = 'here' | 'least' | 'most';
 const luminance = (r: number, g: number, b: number): number => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 
 /** Reads textures and colours of a surface. */
-export class Painter {
+export class ColourReader {
   private readonly samplers = new Map<MapLook, MapSampler>();
   private triangle = -1;
   private corners: readonly [Vec3, Vec3, Vec3] = [NOWHERE, NOWHERE, NOWHERE];

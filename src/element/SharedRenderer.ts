@@ -5,8 +5,8 @@ import type { Drawing } from './Drawing.js';
  * Draws all elements of a page in one WebGL context, because browsers allow only about sixteen, and copies each frame to the canvas of
  * its element. It exists as long as there are users.
  */
-export class Painter {
-  private static shared: Painter | undefined;
+export class SharedRenderer {
+  private static shared: SharedRenderer | undefined;
   private readonly users = new Set<() => void>();
   private readonly buffer: HTMLCanvasElement;
   private readonly context: WebGL2RenderingContext;
@@ -18,10 +18,10 @@ export class Painter {
    * @param onRestored called when the context is restored after it was lost
    * @throws Error if the browser has no WebGL 2
    */
-  static acquire(onRestored: () => void): Painter {
-    Painter.shared ??= new Painter();
-    Painter.shared.users.add(onRestored);
-    return Painter.shared;
+  static acquire(onRestored: () => void): SharedRenderer {
+    SharedRenderer.shared ??= new SharedRenderer();
+    SharedRenderer.shared.users.add(onRestored);
+    return SharedRenderer.shared;
   }
 
   private constructor() {
@@ -39,7 +39,7 @@ export class Painter {
   release(onRestored: () => void): void {
     this.users.delete(onRestored);
     if (this.users.size > 0) return;
-    Painter.shared = undefined;
+    SharedRenderer.shared = undefined;
     this.buffer.removeEventListener('webglcontextrestored', this.onRestored);
     this.renderer.dispose();
     this.renderer.forceContextLoss();

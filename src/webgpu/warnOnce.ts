@@ -1,10 +1,10 @@
-import { tell } from '../material/diagnostics/tell.js';
+import { warn } from '../material/diagnostics/warn.js';
 
 const told = new Set<string>();
 
 /** Says a sentence of the material of nodes on the console, unless it was said before. */
-export function tellOnce(sentence: string): void {
+export function warnOnce(sentence: string): void {
   if (told.has(sentence)) return;
   told.add(sentence);
-  tell(`HatchingNodeMaterial: ${sentence}`);
+  warn(`HatchingNodeMaterial: ${sentence}`);
 }

@@ -12,7 +12,7 @@ const sizeOf = (files: readonly ModelFile[] = []): number => files.reduce((sum, 
  * Has the browser keep drawings that need files of the user's own, so that they survive a reload, the Back button and a crash. The entry
  * of the browser's history says which of them the page shows.
  */
-export class Keeper {
+export class DrawingStore {
   private fetched: Promise<KeptDrawings> | undefined;
   /** The files of the drawing that is shown. */
   private files: KeptFiles = {};

@@ -4,7 +4,7 @@ import type { Settings } from './settings.js';
  * The settings as they are drawn: with the pair of controls, fine to bold and sparse to dense, worked into those that it scales.
  * Bold strokes are wider and farther apart, so that they cover as much; dense ones cover more, as in less light.
  */
-export function drawnSettings(settings: Settings): Settings {
+export function withBoldnessAndDensity(settings: Settings): Settings {
   const size = settings.boldness / 100;
   const cover = settings.density / 100;
   if (size === 1 && cover === 1) return settings;
