@@ -1,9 +1,16 @@
-import type { Color, Vector2, Vector3 } from 'three';
+/** A colour or vector of three.js, by what it is known by. */
+interface ThreeValue {
+  isColor?: boolean;
+  isVector2?: boolean;
+  isVector3?: boolean;
+  getHex(): number;
+  toArray(): number[];
+}
 
 /** The value of a property as its default is written: colours as numbers, vectors as arrays. */
 export function plainValue(value: unknown): unknown {
-  if ((value as Color | null)?.isColor) return (value as Color).getHex();
-  if ((value as Vector2 | null)?.isVector2) return (value as Vector2).toArray();
-  if ((value as Vector3 | null)?.isVector3) return (value as Vector3).toArray();
+  const known = value as ThreeValue | null | undefined;
+  if (known?.isColor) return known.getHex();
+  if (known?.isVector2 || known?.isVector3) return known.toArray();
   return value;
 }
