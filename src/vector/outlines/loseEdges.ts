@@ -25,7 +25,7 @@ const SHORTEST_GAP = 0.25;
 /** The share of all that lies before the paper that gaps take at most. */
 const MOST_LOST = 1 / 3;
 /** Beside a gap a line becomes thinner over so much of the longest gap. */
-const THINNING = 0.5;
+const EDGE_THINNING = 0.5;
 
 /** A gap in a run, pixels along it. */
 interface Gap {
@@ -55,7 +55,7 @@ export function loseEdges(outlines: readonly SeenOutline[], limits: LostLimits):
     left -= length;
   }
   for (const [i, outline] of outlines.entries()) {
-    for (const run of runs[i]) run.thin(THINNING * longest, limits.leastHalf);
+    for (const run of runs[i]) run.thin(EDGE_THINNING * longest, limits.leastHalf);
     outline.runs = runs[i].flatMap((run) => run.parts());
   }
 }

@@ -59,7 +59,7 @@ export const kept: readonly Mutation[] = [
   {
     name: 'a picture is taken while a model stands in',
     file: 'src/playground/session/KeptPicture.ts',
-    find: '!stage.shown.isStandIn &&',
+    find: '!viewport.shown.isStandIn &&',
     replace: '',
     caughtBy: {
       layer: 'unit',
@@ -70,7 +70,7 @@ export const kept: readonly Mutation[] = [
   {
     name: 'a view is framed before it is lit',
     file: 'src/playground/savedLooks/SavedViews.ts',
-    find: '    stage.apply(lookOf(settings));\n',
+    find: '    viewport.apply(lookOf(settings));\n',
     replace: '',
     caughtBy: {
       layer: 'unit',

@@ -4,8 +4,8 @@ export const mistakes: readonly Mutation[] = [
   {
     name: 'a missing await is told each time',
     file: 'src/material/diagnostics/mustBeAwaited.ts',
-    find: 'if (!wasTold) tell',
-    replace: 'tell',
+    find: 'if (!wasTold) warn',
+    replace: 'warn',
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/material/diagnostics/mistakes.test.ts',

@@ -115,8 +115,8 @@ export const undo: readonly Mutation[] = [
   {
     name: 'Undo of a look frames the model',
     file: 'src/playground/session/Session.ts',
-    find: 'if (place) stage.view.state = place;\n    else stage.view.frame();',
-    replace: 'stage.view.frame();',
+    find: 'if (place) viewport.view.state = place;\n    else viewport.view.frame();',
+    replace: 'viewport.view.frame();',
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/playground/session/Session.test.ts',
@@ -137,7 +137,7 @@ export const undo: readonly Mutation[] = [
   {
     name: 'a look is framed before it is applied',
     file: 'src/playground/session/Session.ts',
-    find: '    stage.apply(this.look);\n    if (place)',
+    find: '    viewport.apply(this.look);\n    if (place)',
     replace: '    if (place)',
     caughtBy: {
       layer: 'unit',
