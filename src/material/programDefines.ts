@@ -1,13 +1,8 @@
 import type { Texture } from 'three';
-import { defaultOf } from '../look/defaultOf.js';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
-import {
-  HATCHING_PROPERTIES,
-  HATCHING_TECHNIQUES,
-  type HatchingPropertyName,
-  type LineField,
-} from '../look/hatchingProperties.js';
-import { formFieldOf, formOf, isUsedBy, knowsChoice, needsAdjacency, runsAway } from '../look/queries.js';
+import { HATCHING_PROPERTIES, HATCHING_TECHNIQUES, type HatchingPropertyName } from '../look/hatchingProperties.js';
+import { needsAdjacency } from '../look/queries.js';
+import { drawnValue } from '../look/resolveLook.js';
 import type { ToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 import {
@@ -29,20 +24,6 @@ export interface ProgramFacts {
   hasForm: boolean;
 }
 
-/** How strokes of shadows that run away from the light are drawn, whatever the look says of those of the model. */
-export const AWAY: Partial<Record<HatchingPropertyName, string>> = {
-  lineField: 'light',
-  shadowStrokes: 'tone',
-  strokeField: 'light',
-  strokeLayers: 'single',
-};
-
-/** What lines that would follow a form are cut by on shapes that have none. */
-export function withoutForm({ medium }: Pick<HatchingMaterialProperties, 'medium'>): LineField {
-  if (medium === 'pen') return 'slant';
-  return medium === 'woodcut' ? 'towards' : 'light';
-}
-
 /** How the shader knows a curve. */
 const curveKind = (curve: ToneCurve): (typeof TONE_CURVES)[number] =>
   curve === 'linear' || curve === 'perceptual' ? curve : 'points';
@@ -57,7 +38,6 @@ export function programDefines(
 ): Record<string, number | string | undefined> {
   const { technique, toneCurve, sizedOnScreen } = material;
   const defines: Record<string, number | string | undefined> = {};
-  const isAway = runsAway(material);
   let usesFirstChannel = false;
   for (const name of propertyNames) {
     const property: HatchingProperty = HATCHING_PROPERTIES[name];
@@ -67,18 +47,9 @@ export function programDefines(
       usesFirstChannel ||= texture?.channel === 0;
     }
     if (!('define' in property) || property.define === undefined) continue;
-    const wanted = material[name];
-    const isUsed = isUsedBy(technique, property) && knowsChoice(technique, property, wanted);
-    const value = (isAway && AWAY[name]) || (isUsed ? wanted : defaultOf(name, technique));
+    const value = drawnValue(material, name, hasForm);
     if (property.kind === 'choice') defines[property.define] = property.choices.indexOf(value as string);
     else defines[property.define] = value ? '' : undefined;
-  }
-  const field = formFieldOf(material);
-  const form = formOf(material);
-  if (field && form && (form === 'auto' || !hasForm)) {
-    const { define, choices } = HATCHING_PROPERTIES[field];
-    const otherwise = form === 'auto' ? withoutForm(material) : 'light';
-    defines[define] = (choices as readonly string[]).indexOf(hasForm ? 'form' : otherwise);
   }
   defines.ENVIRONMENT = hasEnvironment ? '' : undefined;
   defines.VERTEX_LAYOUT = VERTEX_LAYOUTS.indexOf(needsAdjacency(material) ? vertexLayout : 'corner');

@@ -26,6 +26,7 @@ import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } fro
 import type { PresetName } from '../look/presetMaterials.js';
 import { spelledOut } from '../look/presetParameters.js';
 import { formOf, needsMap, usesThresholds } from '../look/queries.js';
+import { resolveLook } from '../look/resolveLook.js';
 import type { HatchingMap } from '../material/checkTonalArtMap.js';
 import { checkChoice, checkValues } from '../material/checkValues.js';
 import { FrameStamp } from '../material/FrameStamp.js';
@@ -55,7 +56,7 @@ import type { TonalArtMap } from '../material/tam/TonalArtMap.js';
 import { withVectors } from '../material/vectorValues.js';
 import { exposureReady, writeExposure } from './fittedExposure.js';
 import { HatchingLightingModel, type LitSurface, unlitSurface } from './HatchingLightingModel.js';
-import { darknessOf, drawnChoice, emitVertex, pixelFromBelow } from './hatchSurface.js';
+import { darknessOf, emitVertex, pixelFromBelow } from './hatchSurface.js';
 import { maxTextureSize } from './maxTextureSize.js';
 import { dotLayerOf, patternReady, writePattern } from './mediumPattern.js';
 import { tsl, type Value } from './nodes/base/values.js';
@@ -323,7 +324,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const built = builder as NodeBuilder & { lightsNode: { getLights(): Light[] } };
     const lights = built.lightsNode.getLights();
     const { look, toneModel } = this;
-    const choices = { toneModel, shadowStrokes: drawnChoice(look, 'shadowStrokes') };
+    const choices = { toneModel, shadowStrokes: resolveLook(look, false).shadowStrokes };
     return new HatchingLightingModel(choices, lights, (surface) => this.print(surface, built));
   }
 
@@ -377,7 +378,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const emphasis = emphasisAt(positionView, pixelFromBelow()).toVar();
     const tone = shadedTone(surface, rules).mul(emphasis).toVar();
     // Dots cannot cross one another, and two sets of them would clot.
-    const crosses = lit.shadowed && drawnChoice(look, 'shadowStrokes') === 'cross' && medium !== 'stipple';
+    const crosses = lit.shadowed && resolveLook(look, false).shadowStrokes === 'cross' && medium !== 'stipple';
     const unshadowed = crosses ? unshadowedTone(surface, rules).mul(emphasis).toVar() : null;
     const color = mix(vec3(1), filledColor(diffuseColor.xyz), emphasis);
     const isOpaque = !(material as Material).transparent;

@@ -1,9 +1,8 @@
 import type { BufferGeometry, Light } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
-import { formOf, runsAway } from '../look/queries.js';
+import { type ResolvedLook, resolveLook } from '../look/resolveLook.js';
 import { isFormed } from '../material/geometry/formGeometry.js';
 import type { HatchingMaterialProperties } from '../material/HatchingMaterialProperties.js';
-import { AWAY, withoutForm } from '../material/programDefines.js';
 import { hasRoomForForm } from './hasRoomForForm.js';
 import { dotLayerOf } from './mediumPattern.js';
 import { emitAnchored } from './nodes/anchored/emit.js';
@@ -45,34 +44,20 @@ export const lightsOf = (builder: NodeBuilder): readonly Light[] =>
 /** Whether strokes are anchored; the other techniques are engraved. */
 const isAnchored = ({ technique }: Look): boolean => technique === 'anchored';
 
-/** A choice as it is drawn: that of shadows whose strokes run away from the light, or else that of the look. */
-export const drawnChoice = (look: Look, name: 'lineField' | 'shadowStrokes' | 'strokeField' | 'strokeLayers'): string =>
-  (runsAway(look) && AWAY[name]) || look[name];
+/** How a look is drawn on the mesh for which nodes are built. */
+const resolvedFor = (look: Look, builder: NodeBuilder): ResolvedLook =>
+  resolveLook(look, isFormed(builder.geometry as BufferGeometry) && hasRoomForForm(builder, isAnchored(look)));
 
-/** What the lines or strokes of a mesh run by. Only geometries that were prepared with `form` have some that follow it. */
-function fieldFor(look: Look, builder: NodeBuilder): string {
-  const form = formOf(look);
-  const chosen = drawnChoice(look, isAnchored(look) ? 'strokeField' : 'lineField');
-  if (!form) return chosen;
-  const hasForm = isFormed(builder.geometry as BufferGeometry) && hasRoomForForm(builder, isAnchored(look));
-  if (!hasForm) return form === 'auto' ? withoutForm(look) : 'light';
-  return form === 'auto' ? 'form' : chosen;
-}
-
-function cutFor(look: Look, builder: NodeBuilder): LineCut {
-  const cut = {
-    lineField: fieldFor(look, builder),
-    runsAway: runsAway(look),
-    reorients: false,
-  };
-  const reorients = drawnChoice(look, 'shadowStrokes') === 'reorient' && hasShadows(builder, lightsOf(builder));
+function cutOf({ lineField, shadowStrokes, runsAway }: ResolvedLook, builder: NodeBuilder): LineCut {
+  const cut = { lineField, runsAway, reorients: false };
+  const reorients = shadowStrokes === 'reorient' && hasShadows(builder, lightsOf(builder));
   return { ...cut, reorients: reorients && turnsWithLight(cut) };
 }
 
 /** Puts the vertex where three's own materials do, and its strokes with it. */
 export function emitVertex(look: Look, builder: NodeBuilder): void {
-  const field = fieldFor(look, builder);
-  const isOfForm = followsForm(field);
+  const resolved = resolvedFor(look, builder);
+  const isOfForm = followsForm(isAnchored(look) ? resolved.strokeField : resolved.lineField);
   // Lines that follow the form are fixed to the surface, whatever strokes are.
   const isAtRest = look.strokeAnchor === 'rest' || (isOfForm && !isAnchored(look));
   const deformed = deformVertex(builder);
@@ -80,7 +65,7 @@ export function emitVertex(look: Look, builder: NodeBuilder): void {
   emitOcclusion(builder);
   const anchor = emitAnchor(builder, deformed, place, isAtRest);
   if (isAnchored(look)) emitAnchored(anchor, { isOfForm, isAtRest });
-  else emitEngraved(builder, anchor, { cut: cutFor(look, builder), isAtRest, lights: lightsOf(builder) });
+  else emitEngraved(builder, anchor, { cut: cutOf(resolved, builder), isAtRest, lights: lightsOf(builder) });
 }
 
 /** The tones of a surface. */
@@ -100,8 +85,9 @@ export function darknessOf(look: Look, surface: HatchingSurface, tones: Tones, b
 type Printing = Record<'hatch' | 'shadowLayer', (tone: Value) => Value>;
 
 function engravedIn(look: Look, { told, shadowLeft }: HatchingSurface, builder: NodeBuilder): Printing {
-  const { medium } = look;
-  const h = read(builder, cutFor(look, builder), medium, { told, shadowLeft, lights: lightsOf(builder) });
+  const resolved = resolvedFor(look, builder);
+  const { medium } = resolved;
+  const h = read(builder, cutOf(resolved, builder), medium, { told, shadowLeft, lights: lightsOf(builder) });
   return {
     hatch: (tone) => hatchLayer(h, tone, medium),
     shadowLayer: (tone) => shadowFamilies(h, tone, medium),
@@ -112,15 +98,13 @@ function engravedIn(look: Look, { told, shadowLeft }: HatchingSurface, builder: 
 const noLayer = (): Value => float(0);
 
 function anchoredIn(look: Look, { told }: HatchingSurface, builder: NodeBuilder): Printing {
-  const { medium, sizedOnScreen } = look;
-  const field = fieldFor(look, builder);
-  const strokeLayers = drawnChoice(look, 'strokeLayers');
+  const { medium, strokeField: field, strokeLayers } = resolvedFor(look, builder);
   const lights = lightsOf(builder);
   const several = directedLights(lights).length > 1;
   const parameters = readHatchingParameters(builder, lights, field, told);
   const layers = strokeLayers === 'lights' && !several ? 'single' : strokeLayers;
   const defines: StrokeDefines = {
-    isSizedOnScreen: sizedOnScreen > 0,
+    isSizedOnScreen: look.sizedOnScreen > 0,
     isUpToSign: several || followsForm(field),
     medium,
     pixel: pixelFromBelow(),

@@ -65,9 +65,9 @@ export function writePropertyTypes(table: Table): string {
   const rows = Object.entries(table);
   const types = rows.flatMap(([, row]) => (row.kind === 'choice' ? [row.type] : [])).sort();
   return `${HEADER}import type { Color, ColorRepresentation, ShaderMaterial, Texture, Vector2, Vector3 } from 'three';
+import type { ${types.join(', ')} } from '../look/hatchingProperties.js';
 import type { HatchingMap } from './checkTonalArtMap.js';
 import type { ToneCurve } from './fitToneCurve.js';
-import type { ${types.join(', ')} } from './facts/hatchingProperties.js';
 import type { Vector2Like, Vector3Like } from './vectorValues.js';
 
 /** What a HatchingMaterial can be told, beside everything three's own \`Material\` accepts. */

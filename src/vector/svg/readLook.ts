@@ -1,15 +1,13 @@
 import type { IUniform, Mesh, Vector2 } from 'three';
 import { luminanceOf } from '../../look/luminanceOf.js';
-import { runsAway } from '../../look/queries.js';
+import { resolveLook } from '../../look/resolveLook.js';
 import { isFitted } from '../../material/exposure/isFitted.js';
 import type { ToneFit } from '../../material/exposure/ToneFit.js';
 import { fittedCurve } from '../../material/fitToneCurve.js';
 import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
 import { createHatchingUniforms, writeComputedUniforms, writeSizeUniforms } from '../../material/hatchingUniforms.js';
-import { withoutForm } from '../../material/programDefines.js';
 import type { EngravedLook } from '../Engraver.js';
 import type { Emphasis } from '../shading/emphasis.js';
-import type { CutField } from '../shading/fieldAxis.js';
 import type { GroundLook } from '../shading/groundShadow.js';
 import type { CurveCubics } from '../shading/tone.js';
 import { localDarkness } from '../shading/tone.js';
@@ -31,16 +29,10 @@ function uniformsOf(material: HatchingMaterial): Record<string, IUniform> {
  */
 export function engravedLookOf(material: HatchingMaterial, hasForm: boolean): EngravedLook {
   const { lineSpacing, finestSpacing, crossFrom } = uniformsOf(material);
-  const isAway = runsAway(material);
-  const { medium, strokeLength, crossAngle, handmade, sizedOnScreen, shadowStrokes, shadowSpacing, toneModel } =
-    material;
-  // Lines that run away from the light cut the ground and nothing else, whatever those of the body do.
-  const lineField = isAway ? 'light' : material.lineField;
-  const followsForm = lineField === 'auto' || lineField === 'form' || lineField === 'acrossForm';
-  // As the material draws them until a geometry has its form.
-  const withForm = lineField === 'acrossForm' ? lineField : 'form';
+  const { medium, lineField, shadowStrokes } = resolveLook(material, hasForm);
+  const { strokeLength, crossAngle, handmade, sizedOnScreen, shadowSpacing, toneModel } = material;
   return {
-    lineField: !followsForm ? lineField : hasForm ? withForm : (withoutForm(material) as CutField),
+    lineField,
     medium: medium === 'pen' || medium === 'woodcut' ? medium : 'ink',
     strokeLength,
     spacing: {
@@ -51,7 +43,7 @@ export function engravedLookOf(material: HatchingMaterial, hasForm: boolean): En
     crossFrom: crossFrom.value,
     crossAngle,
     handmade,
-    crossesInShadows: shadowStrokes === 'cross' && !isAway,
+    crossesInShadows: shadowStrokes === 'cross',
   };
 }
 

@@ -21,8 +21,10 @@ const FRAMES = 1000;
 const MESHES = 50;
 /** Numbers that a material takes of a surface are left: so few meshes have some. */
 const FEW = 5;
-/** What a frame may leave, in bytes. A number that is left for each mesh has 12. */
+/** The bytes that a frame may leave: less than a number of 12 bytes for each mesh. */
 const MOST = 400;
+/** The same for meshes whose groups look different: two numbers for each of their 30 groups and some. A list of parts for each mesh takes 36,000. */
+const MOST_OF_GROUPS = 1000;
 
 const target = new Vector4(0, 0, 100, 100);
 const kept = { uniformsList: [{ id: 'ink' }, { id: 'eye' }] };
@@ -37,7 +39,11 @@ const renderer = {
 } as unknown as WebGLRenderer;
 
 /** Draws outlines of meshes frame by frame, until the compiler has done with it, and looks for what is left then. */
-function expectNoGarbage(make: (i: number, material: HatchingOutlineMaterial) => Mesh, meshes: number): void {
+function expectNoGarbage(
+  make: (i: number, material: HatchingOutlineMaterial) => Mesh,
+  meshes: number,
+  most: number,
+): void {
   const scene = new Scene();
   const camera = new PerspectiveCamera(120);
   camera.position.z = 40;
@@ -64,14 +70,14 @@ function expectNoGarbage(make: (i: number, material: HatchingOutlineMaterial) =>
   drawFrames(WARM_UP_FRAMES);
   const drawnVertices = drawn.map((one) => one.geometry.drawRange.count);
   expect(Math.min(...drawnVertices)).toBeGreaterThan(0);
-  const { sum, places } = leastPerFrame(drawFrames, FRAMES, MOST);
-  expect(sum, places).toBeLessThan(MOST);
+  const { sum, places } = leastPerFrame(drawFrames, FRAMES, most);
+  expect(sum, places).toBeLessThan(most);
 }
 
 test('frames of outlines leave no garbage', async () => {
   const geometry = await prepareHatchingGeometry(new IcosahedronGeometry(0.4), { layout: 'indexed', outlines: true });
   geometry.computeBoundingSphere();
-  expectNoGarbage(() => new Mesh(geometry, new MeshBasicMaterial()), MESHES);
+  expectNoGarbage(() => new Mesh(geometry, new MeshBasicMaterial()), MESHES, MOST);
 });
 
 test('nor do those of meshes whose groups look different', async () => {
@@ -79,5 +85,5 @@ test('nor do those of meshes whose groups look different', async () => {
   geometry.computeBoundingSphere();
   const looks = [{}, { transparent: true, opacity: 0.5 }, { depthTest: false }, { visible: false }];
   const materials = Array.from({ length: 6 }, (_, i) => new MeshBasicMaterial(looks[i % looks.length]));
-  expectNoGarbage(() => new Mesh(geometry, materials) as unknown as Mesh, FEW);
+  expectNoGarbage(() => new Mesh(geometry, materials) as unknown as Mesh, FEW, MOST_OF_GROUPS);
 });
