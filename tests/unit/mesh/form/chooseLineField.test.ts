@@ -50,7 +50,7 @@ test('the measure is the share of the area that is flat, at any size', () => {
 });
 
 describe('scans have a form', () => {
-  const folder = new URL('../../../../shared/models/', import.meta.url);
+  const folder = new URL('../../../../../shared/models/', import.meta.url);
   test.each(['spot.obj', 'hand_lowres.obj', 'nefertiti_lowres.obj'])('%s', (name) => {
     const file = new URL(name, folder);
     if (!existsSync(file)) return console.log(`skipped: ../shared/models/${name} is not there`);

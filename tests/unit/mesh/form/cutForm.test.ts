@@ -63,7 +63,7 @@ describe('the indices of singular points sum to the Euler characteristic', () =>
     expect(index + borderTurns(front)).toBeCloseTo(euler, 5);
   });
 
-  const folder = new URL('../../../../shared/models/', import.meta.url);
+  const folder = new URL('../../../../../shared/models/', import.meta.url);
   test.each(['spot.obj', 'nefertiti_lowres.obj'])('of the scan %s', (name) => {
     const file = new URL(name, folder);
     if (!existsSync(file)) return console.log(`skipped: ../shared/models/${name} is not there`);

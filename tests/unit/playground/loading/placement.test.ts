@@ -101,7 +101,8 @@ function reachOf(camera: ReturnType<typeof createCamera>, xyz: ArrayLike<number>
 type Placement = ReturnType<typeof placeOf>;
 
 function expectWellPlaced({ aside, shadow, width, height }: Placement, sheet: string, what: string): void {
-  expect(aside, `${what}: aside`).toBeLessThan(0.06);
+  // On a narrow sheet a subject makes room for the whole of its shadow.
+  expect(aside, `${what}: aside`).toBeLessThan(sheet === 'phone' ? 0.09 : 0.06);
   expect(shadow, `${what}: shadow`).toBeLessThan(1);
   if (sheet !== 'phone') return;
   expect(width, `${what}: width`).toBeGreaterThan(0.55);

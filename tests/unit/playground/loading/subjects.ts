@@ -6,7 +6,7 @@ import { buildModel } from '../../../../src/viewer/drawing/buildModel.js';
 import type { HatchedModel } from '../../../../src/viewer/drawing/HatchedModel.js';
 import { type ModelFile, readModel } from '../../../../src/viewer/files/readModel.js';
 
-const root = fileURLToPath(new URL('../../../../..', import.meta.url));
+const root = fileURLToPath(new URL('../../../..', import.meta.url));
 const { signal } = new AbortController();
 
 /** Where models lie that are no part of this repository. */
