@@ -1,5 +1,4 @@
 import { acceptSetting } from './acceptSetting.js';
-import { storedValue } from './formerNames.js';
 import { SETTINGS, type Settings, settingsOf } from './settings.js';
 
 /** The settings that a look of one's own sets: more than a preset does, shadows and what the model stands on among them. */
@@ -13,7 +12,7 @@ export type OwnLook = Partial<Settings>;
  */
 export function acceptLook(known: Readonly<Record<string, unknown>>): OwnLook {
   const entries = LOOK_KEYS.map((key) => {
-    const value = storedValue(key, (name) => (Object.hasOwn(known, name) ? known[name] : undefined));
+    const value = Object.hasOwn(known, key) ? known[key] : undefined;
     const isPlain = typeof value === 'string' || typeof value === 'number';
     const accepted = isPlain && value !== 'file' && value !== 'ownHand' ? acceptSetting(key, value) : undefined;
     return [key, accepted ?? SETTINGS[key].default];

@@ -1,7 +1,6 @@
 import { acceptSetting } from './acceptSetting.js';
 import type { CameraView } from './CameraView.js';
 import { cameraParts, inSingle, takeCamera } from './cameraNumbers.js';
-import { storedValue } from './formerNames.js';
 import { type ModelChoice, NO_CHOICE } from './ModelChoice.js';
 import { PRESET_NAMES } from './presetLabels.js';
 import { firstView, presetLook } from './presets.js';
@@ -83,8 +82,8 @@ export function readLink(hash: string): LinkedDrawing {
   const address = addressOf(parameters.get('model') ?? '');
   let namesModel = address !== undefined;
   for (const key of SETTING_KEYS) {
-    const text = storedValue(key, (name) => parameters.get(name) ?? undefined);
-    const value = text === undefined ? undefined : acceptSetting(key, text);
+    const text = parameters.get(key);
+    const value = text === null ? undefined : acceptSetting(key, text);
     if (value === undefined || value === 'file') continue;
     Object.assign(settings, { [key]: value });
     namesModel ||= key === 'model';

@@ -163,7 +163,7 @@ describe('the first view', () => {
     for (const hash of ['', '#']) expect(readLink(hash).settings).toEqual(firstView());
   });
 
-  test('does not stand in for a link at its defaults, nor for an older link', () => {
+  test('does not stand in for a link at its defaults, nor for one that names a model alone', () => {
     const link = writeLink(defaultSettings(), undefined);
     expect(readLink(link).settings).toEqual(defaultSettings());
     expect(readLink('#model=bunny').settings).toEqual({ ...defaultSettings(), model: 'bunny' });

@@ -90,31 +90,6 @@ describe('a link', () => {
     expect(read(`https://${'a.'.repeat(126)}t/a.glb`)).toBeDefined();
     expect(read(`https://${'a.'.repeat(127)}t/a.glb`)).toBeUndefined();
   });
-
-  test.each([
-    ['1', 'single'],
-    ['2', 'lights'],
-    ['tone', 'tone'],
-    ['3', 'lights'],
-  ])('from before there were layers by tone is understood: strokeLayers=%s is %s', (written, meant) => {
-    expect(readLink(`#strokeLayers=${written}`).settings.strokeLayers).toBe(meant);
-  });
-
-  test('is understood by the names that settings had before', () => {
-    const { settings } = readLink(
-      '#technique=engraved&screenConstancy=40&strokeScale=3.5&lines=off&lineWidth=3&lineHand=2',
-    );
-    expect(settings).toMatchObject({
-      sizedOnScreen: 40,
-      tilesPerUnit: 3.5,
-      outlines: 'off',
-      outlineWidth: 3,
-      outlineHand: 2,
-    });
-    expect(readLink('#technique=engraved&carved=yes').settings.medium).toBe('woodcut');
-    expect(readLink('#technique=anchored&medium=dry&carved=no').settings.medium).toBe('dry');
-    expect(readLink('#screenConstancy=40&sizedOnScreen=50').settings.sizedOnScreen).toBe(50);
-  });
 });
 
 test('a hand goes along in a link that draws with it, and a link without one never asks for it', () => {
