@@ -77,7 +77,7 @@ largest memory of the page's process, with its workers, as Linux reports it. Whe
 are to be relied on.`,
 };
 
-/** Writes docs/benchmarks.md from the files in tools/bench/results. */
+/** Writes docs/research/benchmarks.md from the files in tools/bench/results. */
 export function describeBenchmarks() {
   const sections = benchmarks.flatMap((benchmark) => {
     const runs = ['', ...RASTERISERS.map((rasteriser) => `.${rasteriser}`)].flatMap(
@@ -100,7 +100,7 @@ ${benchmark.describe(result)}`;
   writeFileSync(docs('benchmarks.svg'), drawFrameTimes(charts));
 }
 
-const docs = (name) => fileURLToPath(new URL(`../../docs/${name}`, import.meta.url));
+const docs = (name) => fileURLToPath(new URL(`../../docs/research/${name}`, import.meta.url));
 
 const introduction = `# Benchmarks
 

@@ -17,7 +17,7 @@ export async function describeEnvironment() {
       `bench: ${wanted} was asked for, but ${renderer} draws. For llvmpipe, Debian needs libegl1 and libgl1-mesa-dri; --rasteriser=swiftshader does without.`,
     );
   }
-  const changes = git('status', '--porcelain', '--', '.', ':!tools/bench/results', ':!docs/benchmarks.md');
+  const changes = git('status', '--porcelain', '--', '.', ':!tools/bench/results', ':!docs/research/benchmarks.md');
   return {
     commit: `${git('rev-parse', '--short', 'HEAD')}${changes ? ' with changes' : ''}`,
     renderer,

@@ -1,6 +1,6 @@
 /**
  * `npm run bench`: runs every benchmark, those that draw once per rasteriser, each in a browser of its own; prints tables,
- * keeps the figures in tools/bench/results and writes docs/benchmarks.md from them.
+ * keeps the figures in tools/bench/results and writes docs/research/benchmarks.md from them.
  *
  * `npm run bench -- bake frame` runs some of them, `--rasteriser=llvmpipe` draws with one rasteriser alone. `--quick` runs a
  * small version of everything, in one browser, and writes to tests/output/bench.

@@ -1,9 +1,9 @@
 /**
- * `npm run metrics`: measures the strokes of every technique on every model, writes tests/output/metrics.json, docs/metrics.md and
- * docs/metrics.svg, and fails if a technique misses a figure that is required of it. `npm run metrics -- bunny cube` measures some models
+ * `npm run metrics`: measures the strokes of every technique on every model, writes tests/output/metrics.json, docs/research/metrics.md and
+ * docs/research/metrics.svg, and fails if a technique misses a figure that is required of it. `npm run metrics -- bunny cube` measures some models
  * and writes tests/output/metrics.json alone; `npm run metrics -- values` so measures shares of paper, half tone and dark, and `strokes` printed strokes.
  * `npm run metrics -- walls` measures how even a plain wall is in every look, and `walls pen woodcut` in some.
- * `npm run metrics -- lines` compares drawings as lines with the canvas, and writes their part of docs/metrics.md anew; `lines bunny pen` draws some.
+ * `npm run metrics -- lines` compares drawings as lines with the canvas, and writes their part of docs/research/metrics.md anew; `lines bunny pen` draws some.
  */
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -120,12 +120,12 @@ const report = { renderer, models: measured, flatTones, printedStrokes, walls, v
 mkdirSync(join(root, 'tests/output'), { recursive: true });
 writeFileSync(join(root, 'tests/output/metrics.json'), `${JSON.stringify(report, null, 2)}\n`);
 if (wanted.length === 0) {
-  writeFileSync(join(root, 'docs/metrics.md'), withLines(describeMetrics(report), lines));
-  writeFileSync(join(root, 'docs/metrics.svg'), drawMetrics(measured));
+  writeFileSync(join(root, 'docs/research/metrics.md'), withLines(describeMetrics(report), lines));
+  writeFileSync(join(root, 'docs/research/metrics.svg'), drawMetrics(measured));
 }
 
 if (onlyLines && wanted.length === 1) {
-  const file = join(root, 'docs/metrics.md');
+  const file = join(root, 'docs/research/metrics.md');
   writeFileSync(file, withLines(readFileSync(file, 'utf8'), lines));
 }
 

@@ -1,5 +1,5 @@
 /**
- * `npm run figures`: writes docs/figures/*.png and docs/figures.md from the figures page. `npm run figures -- 4 D`
+ * `npm run figures`: writes docs/research/figures/*.png and docs/research/figures.md from the figures page. `npm run figures -- 4 D`
  * writes only the images of some figures.
  */
 import { mkdirSync, writeFileSync } from 'node:fs';
@@ -29,14 +29,14 @@ try {
     document.querySelector('.lamp-bar').style.visibility = 'hidden';
     for (const figure of document.querySelectorAll('figure')) figure.style.boxShadow = 'none';
   });
-  mkdirSync(`${root}docs/figures`, { recursive: true });
+  mkdirSync(`${root}docs/research/figures`, { recursive: true });
   for (const { number } of chosen) {
     const plates = page.locator(`#figure-${number} .plates`);
     await plates.evaluate((element) => element.scrollIntoView());
     await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
     await page.waitForFunction(() => window.__figures?.isIdle, null, { timeout: 300_000 });
     const file = writePalettePng(PNG.sync.read(await plates.screenshot()));
-    writeFileSync(`${root}docs/figures/figure-${number}.png`, file);
+    writeFileSync(`${root}docs/research/figures/figure-${number}.png`, file);
     bytes += file.length;
     console.log(`figure ${number}: ${Math.round(file.length / 1000)} kB`);
   }
@@ -59,12 +59,15 @@ if (wanted.length === 0) {
 
 Written by \`npm run figures\` from the page \`/figures\` of the playground, where all of them are live and the light can be
 turned. Figures 1 and 2 show a tonal art map: \`npx three-hatching tam\` writes out every image of one. Figures 3, 5, 6 and
-7 explain the construction, which [paper.md](paper.md) goes through. Figure 15 compares frame rates: [anchored.md](anchored.md#cost) has
+7 explain the construction, which [paper.md](paper.md) goes through. Figure 15 compares frame rates: [anchored.md](../anchored.md#cost) has
 ours, and \`npm run bench\` measures yours.
 `;
   const turn = `# Beyond the paper
 
-What the paper does not have: strokes anchored to the object ([anchored.md](anchored.md)), engraved lines ([engraved.md](engraved.md)),
-contours and creases ([outlines.md](outlines.md)), and presets that join all of them ([presets.md](presets.md)).`;
-  writeFileSync(`${root}docs/figures.md`, `${[introduction.trimEnd(), ...again, turn, ...beyond].join('\n\n')}\n`);
+What the paper does not have: strokes anchored to the object ([anchored.md](../anchored.md)), engraved lines ([engraved.md](../engraved.md)),
+contours and creases ([outlines.md](../outlines.md)), and presets that join all of them ([presets.md](../presets.md)).`;
+  writeFileSync(
+    `${root}docs/research/figures.md`,
+    `${[introduction.trimEnd(), ...again, turn, ...beyond].join('\n\n')}\n`,
+  );
 }

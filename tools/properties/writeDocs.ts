@@ -8,7 +8,7 @@ const END = '<!-- end of the properties -->';
 /** What stands above the table of what only the paper's techniques read. */
 const PAPER = `## Properties of \`triangle\` and \`adjacency\`
 
-Only the techniques of [the paper by Suarez et al.](paper.md) read these. The others draw as if they were not there.`;
+Only the techniques of [the paper by Suarez et al.](research/paper.md) read these. The others draw as if they were not there.`;
 
 /**
  * docs/material.md with the tables of properties as they are now.

@@ -72,10 +72,18 @@ function gatherPages() {
     if (from !== 'README.md')
       writeFileSync(join(pages, to), readFileSync(join(root, from), 'utf8').replaceAll('](docs/', ']('));
   }
-  for (const name of readdirSync(pages).filter((file) => file.endsWith('.md'))) {
-    const path = join(pages, name);
-    writeFileSync(path, withSiteLinks(readFileSync(path, 'utf8')));
+  for (const folder of [pages, join(pages, 'research')]) {
+    for (const name of readdirSync(folder).filter((file) => file.endsWith('.md'))) {
+      const path = join(folder, name);
+      const text = readFileSync(path, 'utf8');
+      writeFileSync(path, folder === pages ? withSiteLinks(text) : withResearchLinks(text));
+    }
   }
+}
+
+/** The links of a page in the folder `research`: those one folder up lead to guides. */
+function withResearchLinks(text) {
+  return text.replace(/\[([^\]]*)\]\(\.\.\/\.\.\/[^)]*\)/g, '$1');
 }
 
 /** Turns links between files of the project into links between pages. A link to a file that is no page becomes plain text. */

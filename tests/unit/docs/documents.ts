@@ -9,8 +9,8 @@ export const DOCUMENTS: Readonly<Record<string, string>> = Object.fromEntries(
     'README.md',
     'CONTRIBUTING.md',
     'CHANGELOG.md',
-    ...readdirSync(`${root}docs`)
+    ...readdirSync(`${root}docs`, { recursive: true, encoding: 'utf8' })
       .filter((name) => name.endsWith('.md'))
-      .map((name) => `docs/${name}`),
+      .map((name) => `docs/${name.replaceAll('\\', '/')}`),
   ].map((path) => [path, readFileSync(`${root}${path}`, 'utf8')]),
 );

@@ -27,7 +27,7 @@ const resultOf = (benchmark: string) =>
 const rounded = (value: number, digits: number): number => Number(value.toFixed(digits));
 
 test('every benchmark says what its numbers mean', () => {
-  expect(DOCUMENTS['docs/benchmarks.md']).not.toMatch(/\b(undefined|NaN|null)\b/);
+  expect(DOCUMENTS['docs/research/benchmarks.md']).not.toMatch(/\b(undefined|NaN|null)\b/);
 });
 
 const WORDS = [
@@ -116,7 +116,7 @@ describe('times are those of the benchmarks', () => {
 
   test('of pixels that flip while the light turns', () => {
     const flips = /Flips under a 0\.5° turn of the light.*?\|.*?\| ([\d.]+) \(\w+\) \| ([\d.]+) \(\w+\)/;
-    const [anchored, engraved] = numbersIn('docs/metrics.md', flips);
+    const [anchored, engraved] = numbersIn('docs/research/metrics.md', flips);
     expect(numbersIn('docs/anchored.md', /worst case is ([\d.]+) times the flips/)).toEqual([anchored]);
     expect(numbersIn('docs/engraved.md', /up to ([\d.]+) times as many pixels change/)).toEqual([rounded(engraved, 1)]);
   });

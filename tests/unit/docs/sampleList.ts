@@ -11,6 +11,13 @@ export interface Sample {
   code: string;
 }
 
+/** The name of a document in those of its samples, which are files. */
+const nameOf = (path: string): string =>
+  path
+    .replace(/^docs\//, '')
+    .replaceAll('/', '-')
+    .replace('.md', '');
+
 const WORD = /\b[A-Za-z]\w*\b/g;
 /** What the library exports, types included. */
 const EXPORTED = [...readFileSync(`${root}src/index.ts`, 'utf8').matchAll(/^export (?:type )?\{([^}]*)\}/gm)].flatMap(
@@ -46,7 +53,7 @@ function completed(sample: string): string {
 /** Every sample in TypeScript, and of HTML the elements that draw. */
 export const SAMPLES: readonly Sample[] = Object.entries(DOCUMENTS).flatMap(([path, text]) =>
   [...text.matchAll(/^```(tsx?|html)\n([\s\S]*?)^```/gm)].flatMap(([, fence, sample], i): Sample[] => {
-    const name = `${path.replace(/^docs\//, '').replace('.md', '')}-${i + 1}`;
+    const name = `${nameOf(path)}-${i + 1}`;
     if (fence !== 'html') return [{ name, kind: fence as 'ts' | 'tsx', code: completed(sample) }];
     return sample.includes('<hatched-model') ? [{ name, kind: 'html', code: sample }] : [];
   }),
@@ -57,7 +64,7 @@ export const NODE_SAMPLES: readonly { name: string; code: string }[] = Object.en
   ([path, text]) =>
     [...text.matchAll(/^```js\n([\s\S]*?)^```/gm)]
       .filter(([, code]) => code.includes("from 'node:"))
-      .map(([, code], i) => ({ name: `${path.replace(/^docs\//, '').replace('.md', '')}-node-${i + 1}`, code })),
+      .map(([, code], i) => ({ name: `${nameOf(path)}-node-${i + 1}`, code })),
 );
 
 /** A call of the command in a guide: its arguments, what is piped into it and what its output is written to. */

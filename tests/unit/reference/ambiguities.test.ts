@@ -4,7 +4,7 @@ import type { Triangle, Vec3 } from '../../reference/referenceAdjacency.js';
 
 /**
  * Where the paper by Suarez et al. says too little or promises too much: what its algorithms do, in numbers. These tests use
- * the reference, which the shader equals. docs/paper.md explains the same in words.
+ * the reference, which the shader equals. docs/research/paper.md explains the same in words.
  */
 
 const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
