@@ -59,12 +59,12 @@ if (wanted.length === 0) {
 
 Written by \`npm run figures\` from the page \`/figures\` of the playground, where all of them are live and the light can be
 turned. Figures 1 and 2 show a tonal art map: \`npx three-hatching tam\` writes out every image of one. Figures 3, 5, 6 and
-7 explain the construction, which [paper.md](paper.md) goes through. Figure 15 compares frame rates: [anchored.md](../anchored.md#cost) has
+7 explain the construction, which [paper.md](paper.md) goes through. Figure 15 compares frame rates: [methods.md](methods.md#cost) has
 ours, and \`npm run bench\` measures yours.
 `;
   const turn = `# Beyond the paper
 
-What the paper does not have: strokes anchored to the object ([anchored.md](../anchored.md)), engraved lines ([engraved.md](../engraved.md)),
+What the paper does not have: strokes anchored to the object ([media.md](../media.md#anchored-strokes)), engraved lines ([engraved.md](../engraved.md)),
 contours and creases ([outlines.md](../outlines.md)), and presets that join all of them ([presets.md](../presets.md)).`;
   writeFileSync(
     `${root}docs/research/figures.md`,

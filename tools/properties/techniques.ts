@@ -30,7 +30,7 @@ export const TECHNIQUES = {
   },
   anchored: {
     sentence:
-      'goes beyond the paper by Suarez et al. Strokes are anchored to a lattice fixed on the object instead of to triangles, and ink is decided per pixel, after blending: continuous, crisp and independent of the mesh ([anchored.md](anchored.md)).',
+      'goes beyond the paper by Suarez et al. Strokes are anchored to a lattice fixed on the object instead of to triangles, and ink is decided per pixel, after blending: continuous, crisp and independent of the mesh ([media.md](media.md#anchored-strokes)).',
     vertexData: 'hatchNormal',
     map: 'thresholdMap',
     hasProgramForObject: true,

@@ -64,7 +64,7 @@ describe('times are those of the benchmarks', () => {
     const measured = ['triangle corner', 'adjacency corner', 'anchored indexed', 'engraved indexed'].map((drawn) =>
       rounded(ratio(model, drawn, 'phong indexed'), 1),
     );
-    expect(numbersIn('docs/choosing.md', row)).toEqual(measured);
+    expect(numbersIn('docs/presets.md', row)).toEqual(measured);
   });
 
   test.each(['11', '48', '202', '871'])('of anchored strokes beside adjacency, %s k triangles', (thousands) => {
@@ -72,7 +72,7 @@ describe('times are those of the benchmarks', () => {
       rounded(ratio(`dragon${thousands}k`, 'anchored indexed', 'adjacency corner', rasteriser), 2),
     );
     const row = new RegExp(`\\| ${thousands} k triangles \\| ([\\d.]+) \\| ([\\d.]+) \\| ([\\d.]+) \\|`);
-    expect(numbersIn('docs/anchored.md', row)).toEqual(measured);
+    expect(numbersIn('docs/research/methods.md', row)).toEqual(measured);
   });
 
   test('of a frame, a map and a bake', () => {
@@ -105,7 +105,7 @@ describe('times are those of the benchmarks', () => {
     for (const model of ['dragon202k', 'torus500k', 'dragon871k']) {
       expect(ratio(model, 'adjacency pull', 'adjacency corner')).toBeCloseTo(0.75, 1);
     }
-    expect(page('docs/choosing.md')).toContain('adds about a fifth to a frame of `anchored`');
+    expect(page('docs/presets.md')).toContain('adds about a fifth to a frame of `anchored`');
     const shadows = Object.values<{ drawn: Record<string, { ratio: number[] }> }>(resultOf('shadows.gpu').models);
     for (const { drawn } of shadows) expect(drawn['anchored cross'].ratio[0]).toBeCloseTo(1.2, 1);
     const lists = Object.values<{ listed: number; primitives: number }>(resultOf('lines.gpu').models);
@@ -117,7 +117,7 @@ describe('times are those of the benchmarks', () => {
   test('of pixels that flip while the light turns', () => {
     const flips = /Flips under a 0\.5° turn of the light.*?\|.*?\| ([\d.]+) \(\w+\) \| ([\d.]+) \(\w+\)/;
     const [anchored, engraved] = numbersIn('docs/research/metrics.md', flips);
-    expect(numbersIn('docs/anchored.md', /worst case is ([\d.]+) times the flips/)).toEqual([anchored]);
+    expect(numbersIn('docs/research/methods.md', /worst case is ([\d.]+) times the flips/)).toEqual([anchored]);
     expect(numbersIn('docs/engraved.md', /up to ([\d.]+) times as many pixels change/)).toEqual([rounded(engraved, 1)]);
   });
 
@@ -177,7 +177,7 @@ describe('counts are those of the code', () => {
       '`technical`',
       '`woodcut`',
     ]);
-    expect(page('docs/choosing.md')).toContain(`${list} are \`engraved\`, all others are \`anchored\``);
+    expect(page('docs/presets.md')).toContain(`${list} are \`engraved\`, all others are \`anchored\``);
   });
 
   test('bytes of layouts', () => {
@@ -188,7 +188,7 @@ describe('counts are those of the code', () => {
       4 * VERTEX_WORDS,
     ]);
     expect(numbersIn('docs/geometry.md', /none, but (\d+) bytes per vertex/)).toEqual([2 * hatchNormal.itemSize]);
-    expect(numbersIn('docs/choosing.md', /bytes per triangle \| (\d+), or (\d+) with/)).toEqual([
+    expect(numbersIn('docs/presets.md', /bytes per triangle \| (\d+), or (\d+) with/)).toEqual([
       corner,
       4 * TRIANGLE_WORDS,
     ]);

@@ -139,7 +139,7 @@ export const STROKES = {
     typeSentence: 'What the strokes of `anchored` take their direction from.',
     choices: {
       light: 'the light, with which they turn; the way of the paper by Suarez et al.',
-      form: 'a function baked into the geometry: strokes lie along its level lines, around fingers, limbs and cheeks, and turn with no light. `applyHatching` bakes it; for a geometry of your own pass `{ form: true }` to `prepareHatchingGeometry` ([form.md](form.md)).',
+      form: 'a function baked into the geometry: strokes lie along its level lines, around fingers, limbs and cheeks, and turn with no light. `applyHatching` bakes it; for a geometry of your own pass `{ form: true }` to `prepareHatchingGeometry` ([engraved.md](engraved.md#lines-along-the-form)).',
       acrossForm: 'the same function: strokes lie across its level lines at a right angle, along limbs.',
       sheet:
         'the sheet: strokes lie one way on it, as one hand draws them, at the angle `strokeRotation` to the horizontal. They turn with the camera, and with no light.',
@@ -162,7 +162,7 @@ export const STROKES = {
       z: 'the same across its z axis.',
       slant:
         'planes across an axis that is aslant to x, y and z: lines stay where they are, and run diagonally on walls, lids and floors.',
-      form: 'functions baked into the geometry: lines follow the form, around fingers, limbs and cheeks, and turn with no light. `applyHatching` bakes them; for a geometry of your own pass `{ form: true }` to `prepareHatchingGeometry` ([form.md](form.md)).',
+      form: 'functions baked into the geometry: lines follow the form, around fingers, limbs and cheeks, and turn with no light. `applyHatching` bakes them; for a geometry of your own pass `{ form: true }` to `prepareHatchingGeometry` ([engraved.md](engraved.md#lines-along-the-form)).',
       acrossForm:
         'the same, with the lines that cross in the place of the first: along limbs instead of around them. Bake them with a `crossAngle` of π/2.',
       auto: "the form of a geometry that was prepared for it, and elsewhere `'light'`, with a pen `'slant'`, with a woodcut `'towards'`. `applyHatching` prepares shapes that have a form, and not machine parts and other meshes of flat faces.",

@@ -156,7 +156,7 @@ export const TONE = {
     measure: 'share',
     range: { from: 0, to: 1 },
     sentence:
-      'How much ambient occlusion counts that `bakeOcclusion` has baked ([occlusion.md](occlusion.md)): cavities, folds and contacts are darker under any light. Without such a bake it does nothing.',
+      'How much ambient occlusion counts that `bakeOcclusion` has baked ([composition.md](composition.md#ambient-occlusion)): cavities, folds and contacts are darker under any light. Without such a bake it does nothing.',
   },
   hollowTone: {
     kind: 'number',
