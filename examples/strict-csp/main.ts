@@ -11,7 +11,7 @@ import {
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { applyHatching } from 'three-hatching';
 // The policy of this page forbids workers from blob: URLs, so the worker is a file from the same server.
-// This is the import for Vite; docs/csp.md says more.
+// This is the import for Vite; docs/recipes.md says more.
 import BakeWorker from 'three-hatching/bake.worker?worker';
 
 /** One function for all calls: the library knows its workers by it. */

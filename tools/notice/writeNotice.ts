@@ -22,7 +22,7 @@ export function writeNotice(): string {
   return `${sections.join('\n')}\n`;
 }
 
-/** The same, as the table of docs/licences.md. */
+/** The same, as the table of docs/versions.md. */
 export function licenceTable(): string {
   const rows = PARTS.map(
     ({ name, use, by, address, licence }) => `| [${name}](${address}) | ${use} | ${by} | ${licence} |`,

@@ -62,7 +62,8 @@ export const STROKES = {
       deformed: 'object space, through which the surface moves; the paper by Suarez et al. to the letter.',
     },
     default: 'rest',
-    sentence: 'What the strokes of a mesh that deforms are fixed to ([deformation.md](deformation.md)).',
+    sentence:
+      'What the strokes of a mesh that deforms are fixed to ([geometry.md](geometry.md#skins-and-morph-targets)).',
   },
   crisp: {
     kind: 'switch',

@@ -61,12 +61,10 @@ export default defineConfig({
         'draw',
         'media',
         'engraved',
-        'deformation',
         'gltf',
-        'csp',
         'performance',
       ),
-      group('Help', 'troubleshooting', 'migrating', 'support', 'versions', 'changelog', 'security', 'licences'),
+      group('Help', 'troubleshooting', 'support', 'versions', 'changelog', 'security'),
       group(
         'How it is made',
         'research/paper',

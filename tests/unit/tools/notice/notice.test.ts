@@ -33,7 +33,7 @@ describe('NOTICE.txt', () => {
   });
 
   test('is a table in the docs too', () => {
-    expect(readFileSync(`${root}docs/licences.md`, 'utf8')).toContain(licenceTable());
+    expect(readFileSync(`${root}docs/versions.md`, 'utf8')).toContain(licenceTable());
   });
 
   test('speaks of every package that the pages import', () => {
