@@ -47,20 +47,8 @@ export default defineConfig({
     ],
     sidebar: [
       group('Start', 'first-picture', 'examples', 'presets', 'lights-and-tone', 'recipes', 'troubleshooting'),
-      group(
-        'Drawing',
-        'material',
-        'media',
-        'engraved',
-        'maps',
-        'hand',
-        'outlines',
-        'shadows',
-        'composition',
-        'svg',
-        'draw',
-      ),
-      group('Embedding', 'scene', 'gltf', 'react', 'element', 'geometry', 'performance', 'support', 'versions'),
+      group('Drawing', 'material', 'media', 'engraved', 'maps', 'hand', 'outlines', 'shadows', 'composition', 'svg'),
+      group('Embedding', 'scene', 'react', 'element', 'geometry', 'performance', 'support', 'versions'),
       group(
         'How it is made',
         'research/paper',
