@@ -21,7 +21,7 @@ export type HatchingTechnique = 'triangle' | 'adjacency' | 'anchored' | 'engrave
 export type StrokeAnchor = 'rest' | 'deformed';
 
 /**
- * What the level of the tonal art map is chosen by.
+ * What chooses the level of the tonal art map.
  * - `derivatives`: how fast texture coordinates change on the screen, foreshortening included. Strokes are never finer
  *   than drawn, and wider where the surface is seen at a slant.
  * - `depth`: the depth of the fragment alone (section 3.4). Strokes are as wide as drawn where the surface is seen face
@@ -31,31 +31,30 @@ export type LevelRule = 'derivatives' | 'depth';
 
 /**
  * What the strokes of `anchored` take their direction from.
- * - `light`: the light, with which they turn; the way of the paper by Suarez et al.
+ * - `light`: the light: strokes turn with it, as in the paper by Suarez et al.
  * - `form`: a function baked into the geometry: strokes lie along its level lines, around fingers, limbs and cheeks,
- *   and turn with no light. `applyHatching` bakes it; for a geometry of your own pass `{ form: true }` to
+ *   whatever the light. `applyHatching` bakes it; for a geometry of your own pass `{ form: true }` to
  *   `prepareHatchingGeometry`.
  * - `acrossForm`: the same function: strokes lie across its level lines at a right angle, along limbs.
  * - `sheet`: the sheet: strokes lie one way on it, as one hand draws them, at the angle `strokeRotation` to the
- *   horizontal. They turn with the camera, and with no light.
+ *   horizontal. They turn with the camera, and not with the light.
  */
 export type StrokeField = 'light' | 'form' | 'acrossForm' | 'sheet';
 
 /**
- * What the lines of `engraved` are cut by.
+ * What cuts the surface into the lines of `engraved`.
  * - `light`: planes across the light, or spheres around a lamp: lines run around it, tangent to it.
  * - `towards`: planes that hold the direction of the light: lines run towards it.
- * - `x`: planes across the x axis of the object, or of the scene that `applyHatching` dressed: lines stay where they
+ * - `x`: planes across the x axis of the object, or of the scene that `applyHatching` hatched: lines stay where they
  *   are while the light moves.
  * - `y`: the same across its y axis.
  * - `z`: the same across its z axis.
  * - `slant`: planes across an axis that is aslant to x, y and z: lines stay where they are, and run diagonally on
  *   walls, lids and floors.
- * - `form`: functions baked into the geometry: lines follow the form, around fingers, limbs and cheeks, and turn with
- *   no light. `applyHatching` bakes them; for a geometry of your own pass `{ form: true }` to
- *   `prepareHatchingGeometry`.
- * - `acrossForm`: the same, with the lines that cross in the place of the first: along limbs instead of around them.
- *   Bake them with a `crossAngle` of π/2.
+ * - `form`: functions baked into the geometry: lines follow the form, around fingers, limbs and cheeks, whatever the
+ *   light. `applyHatching` bakes them; for a geometry of your own pass `{ form: true }` to `prepareHatchingGeometry`.
+ * - `acrossForm`: the same, with the crossing lines as the first: along limbs instead of around them, if they were
+ *   baked with a `crossAngle` of π/2.
  * - `auto`: the form of a geometry that was prepared for it, and elsewhere `'light'`, with a pen `'slant'`, with a
  *   woodcut `'towards'`. `applyHatching` prepares shapes that have a form, and not machine parts and other meshes of
  *   flat faces.
@@ -75,7 +74,7 @@ export type StrokeLayers = 'single' | 'lights' | 'tone';
 /**
  * What cast shadows do to the strokes.
  * - `tone`: darken them.
- * - `cross`: lie over them as a layer of its own, across theirs, with a clean edge. The strokes of the light run on
+ * - `cross`: are a layer of strokes of their own, across the others, with a clean edge. The strokes of the light run on
  *   below it.
  * - `reorient`: turn them to the lights that still arrive, hard where half of a light is shadowed; where none arrives,
  *   across the light. `triangle` and `adjacency`, whose frames are made before shadows are known, turn them by a right
@@ -89,7 +88,7 @@ export type ShadowStrokes = 'tone' | 'cross' | 'reorient';
  * - `dry`: pencil, charcoal or chalk: a grey that grows with the pressure and catches on the tooth of the paper, which
  *   lies on the screen.
  * - `stipple`: dots in the place of strokes, fixed on the surface and round on the screen. `strokeWidth` is the
- *   diameter of a dot at half tone; from a tone of 0.85 on they leave no paper. Draws without a map.
+ *   diameter of a dot at half tone; from a tone of 0.95 on they leave no paper. Draws without a map.
  * - `pen`: lines in strokes, which begin and end thin, and are fewer in the lights.
  * - `woodcut`: lines that are cut white out of black: wedges that widen with the light and end in points.
  */

@@ -48,20 +48,20 @@ export interface HatchingMaterialOptions {
   /** What the strokes of a mesh that deforms are fixed to. Default `'rest'`. Another value builds another program. */
   strokeAnchor: StrokeAnchor;
   /**
-   * Blends the thresholds that ink is decided from instead of the greys of the strokes, so that strokes stay black and
-   * white. Off is the way of the paper by Suarez et al. Default `false`. Only `'triangle'`, `'adjacency'`. Another
-   * value builds another program.
+   * Blends thresholds of ink instead of the greys of strokes, so that strokes stay black and white. `false` is the way
+   * of the paper by Suarez et al. Default `false`. Only `'triangle'`, `'adjacency'`. Another value builds another
+   * program.
    */
   crisp: boolean;
   /**
-   * What the level of the map is chosen by. `anchored` always goes by depth. Default `'derivatives'`. Only
-   * `'triangle'`, `'adjacency'`. Another value builds another program.
+   * What chooses the level of the map. `anchored` always goes by depth. Default `'derivatives'`. Only `'triangle'`,
+   * `'adjacency'`. Another value builds another program.
    */
   levelRule: LevelRule;
   /**
    * What strokes are sized on: 0 the object, by `tilesPerUnit`; 1 the screen, by `strokeWidth`, without popping. In
-   * between, strokes grow less than the object does as it comes nearer. `anchored` has a program of its own for 0,
-   * which is cheaper. Share in [0, 1]. Default `1`. Only `'anchored'`, `'engraved'`.
+   * between, strokes grow less than the object does as the camera comes nearer. `anchored` has a program of its own for
+   * 0, which is cheaper. Share in [0, 1]. Default `1`. Only `'anchored'`, `'engraved'`.
    */
   sizedOnScreen: number;
   /**
@@ -87,24 +87,24 @@ export interface HatchingMaterialOptions {
    * Another value builds another program.
    */
   strokeField: StrokeField;
-  /** What the lines are cut by. Default `'light'`. Only `'engraved'`. Another value builds another program. */
+  /** What cuts the surface into lines. Default `'light'`. Only `'engraved'`. Another value builds another program. */
   lineField: LineField;
   /**
-   * Distance between lines. Where that is less than `finestSpacing`, every other line is left out. As one comes nearer
-   * new ones are born between them, thin at first. CSS pixels at a `sizedOnScreen` of 1, 256ths of a tile at 0 in (0,
-   * ∞). Default `4.5`. Only `'engraved'`.
+   * Distance between lines. Where that is less than `finestSpacing`, every other line is left out. As the camera comes
+   * nearer new lines appear between them, thin at first. CSS pixels at a `sizedOnScreen` of 1, 256ths of a tile at 0 in
+   * (0, ∞). Default `4.5`. Only `'engraved'`.
    */
   lineSpacing: number;
   /**
-   * Least distance between lines, which is never less than two pixels of the drawing buffer. Where they would lie
-   * closer every other one is left out; fewer than three pixels from one to the next flicker in motion. CSS pixels in
-   * [2, ∞). Default `3`. Only `'engraved'`.
+   * Least distance between lines; never less than two pixels of the drawing buffer. Where lines would lie closer, every
+   * other one is left out. Below three pixels lines flicker in motion. CSS pixels in [2, ∞). Default `3`. Only
+   * `'engraved'`.
    */
   finestSpacing: number;
   /**
-   * Length of a stroke with `medium: 'pen'`, and of a wedge with `'woodcut'`: from 0.7 to 1.4 times as much, as strokes
-   * give way to others half as long while one comes nearer. CSS pixels at a `sizedOnScreen` of 1, 256ths of a tile at 0
-   * in (0, ∞). Default `72`. Only `'engraved'`, with `medium` `'pen'` or `'woodcut'`.
+   * Length of a stroke with `medium: 'pen'`, and of a wedge with `'woodcut'`: from 0.7 to 1.4 times as much, since
+   * strokes give way to others half as long as the camera comes nearer. CSS pixels at a `sizedOnScreen` of 1, 256ths of
+   * a tile at 0 in (0, ∞). Default `72`. Only `'engraved'`, with `medium` `'pen'` or `'woodcut'`.
    */
   strokeLength: number;
   /**
@@ -126,8 +126,8 @@ export interface HatchingMaterialOptions {
    */
   crossAngle: number;
   /**
-   * How unsteady the hand is: widths that differ, lines that stray, gaps in the lights. 0 is a ruling machine. Share in
-   * [0, 1]. Default `0.4`. Only `'engraved'`.
+   * How unsteady the hand is: lines differ in width, stray, and have gaps in the lights. 0 is a ruling machine. Share
+   * in [0, 1]. Default `0.4`. Only `'engraved'`.
    */
   handmade: number;
   /**
@@ -148,14 +148,14 @@ export interface HatchingMaterialOptions {
    */
   medium: Medium;
   /**
-   * How much the tooth of the paper counts against the stroke in where a dry medium lies: at 0 strokes are smooth, at 1
-   * there is nothing but grain. Share in [0, 1]. Default `0.4`. Only `'anchored'`, with `medium` `'dry'`.
+   * How strongly the tooth of the paper breaks up the strokes of a dry medium: at 0 strokes are smooth, at 1 only grain
+   * is left. Share in [0, 1]. Default `0.4`. Only `'anchored'`, with `medium` `'dry'`.
    */
   tooth: number;
-  /** Size of the bumps of that tooth. CSS pixels in (0, ∞). Default `2.5`. Only `'anchored'`, with `medium` `'dry'`. */
+  /** Size of the bumps of the paper. CSS pixels in (0, ∞). Default `2.5`. Only `'anchored'`, with `medium` `'dry'`. */
   toothSize: number;
   /**
-   * How gradually a dry medium covers: near 0 it covers or does not, as charcoal pressed hard; at 1 every tone is a
+   * How gradually a dry medium covers: near 0 it is black or white, as charcoal pressed hard; at 1 every tone is a
    * grey. Share in [0, 1]. Default `0.6`. Only `'anchored'`, with `medium` `'dry'`.
    */
   softness: number;
@@ -180,10 +180,10 @@ export interface HatchingMaterialOptions {
    */
   shadowFade: number;
   /**
-   * How wide the edges of shadows of the tone model `'shadow'` are, as a share of the distance to what casts them, as
-   * if the light came from a lamp that is so wide, as a share of its own distance. At 0 all edges are as wide as the
-   * light's `shadow.radius` says. Factor in [0, ∞). Default `0`, for `'anchored'` `0.12`, for `'engraved'` `0.12`. Only
-   * with `toneModel` `'shadow'`.
+   * How wide the edges of shadows of the tone model `'shadow'` are, as a share of the distance to what casts them: the
+   * width of a round lamp as a share of its own distance. At 0 all edges are as wide as the light's `shadow.radius`
+   * says. Factor in [0, ∞). Default `0`, for `'anchored'` `0.12`, for `'engraved'` `0.12`. Only with `toneModel`
+   * `'shadow'`.
    */
   shadowSoftness: number;
   /**
@@ -205,8 +205,8 @@ export interface HatchingMaterialOptions {
    */
   shininess: number;
   /**
-   * The normal that tone is computed from. Reads as the one in use; `'auto'` leaves it to the technique again. Default
-   * `'face'`, for `'anchored'` `'smooth'`, for `'engraved'` `'smooth'`. Another value builds another program.
+   * The normal that tone is computed from. The value in use is read back; `'auto'` leaves it to the technique again.
+   * Default `'face'`, for `'anchored'` `'smooth'`, for `'engraved'` `'smooth'`. Another value builds another program.
    */
   toneNormal: ToneNormal | 'auto';
   /**
@@ -230,22 +230,20 @@ export interface HatchingMaterialOptions {
    */
   toneCurve: ToneCurve;
   /**
-   * How much of each light the surroundings throw back: the side turned away is lit by so much from behind, so that
-   * shade is darkest at the terminator, as engravers draw it. Planes in shade get more of it on one side of the light,
-   * so that two walls that turn from the light by one angle differ. Share in [0, 1]. Default `0`, for `'anchored'`
-   * `0.35`, for `'engraved'` `0.4`.
+   * Share of each light that the surroundings throw back from behind: shade is darkest at the terminator, as engravers
+   * draw it. Planes in shade get more of it on one side of the light, so that two walls at one angle to the light
+   * differ. Share in [0, 1]. Default `0`, for `'anchored'` `0.35`, for `'engraved'` `0.4`.
    */
   reflectedLight: number;
   /**
-   * How much ambient occlusion counts that `bakeOcclusion` has baked: cavities, folds and contacts are darker under any
+   * Strength of the ambient occlusion that `bakeOcclusion` has baked: cavities, folds and contacts are darker under any
    * light. Without such a bake it does nothing. Share in [0, 1]. Default `1`.
    */
   occlusion: number;
   /**
-   * How far the depths of hollows that `occlusion` knows of are brought to the darkest tone, whatever light falls into
-   * them: sockets, nostrils, the parting of lips, undercuts and contacts are then the darkest places of the picture. 0:
-   * they lose light and nothing else. Share in [0, 1]. Default `0`, for `'anchored'` `1`, for `'engraved'` `1`. Only
-   * with `occlusion` other than `0`.
+   * How far hollows that `occlusion` knows of are brought to the darkest tone, under any light: sockets, nostrils, the
+   * parting of lips, undercuts and contacts. At 0 they only lose light. Share in [0, 1]. Default `0`, for `'anchored'`
+   * `1`, for `'engraved'` `1`. Only with `occlusion` other than `0`.
    */
   hollowTone: number;
   /**
@@ -267,25 +265,25 @@ export interface HatchingMaterialOptions {
   /**
    * How much lines, strokes, outlines and colours fade towards the paper with their distance, as in air: those behind
    * are thinner and lighter, and outlines in front heavier than without. At 1 nothing is left at `depthFar`. `'auto'`:
-   * 0.7 in scenes that `applyHatching` dressed, where what is seen is more than three times as deep as the sheet's
+   * 0.7 in scenes that `applyHatching` hatched, where what is seen is more than three times as deep as the sheet's
    * shorter side at its middle, such as streets and interiors; 0 elsewhere. Share in [0, 1]. Default `'auto'`. Only
    * `'anchored'`, `'engraved'`.
    */
   depthFade: number | 'auto';
   /**
-   * Where it begins to fade: 0 is the nearest place of the scene that is seen, 1 the farthest. Depths of the scene.
-   * Default `0`. Only `'anchored'`, `'engraved'`, with `depthFade` other than `0`.
+   * Where fading begins: 0 is the nearest place of the scene that is seen, 1 the farthest. Depths of the scene. Default
+   * `0`. Only `'anchored'`, `'engraved'`, with `depthFade` other than `0`.
    */
   depthNear: number;
   /**
-   * Where it has faded as much as it does, in the same units. Depths of the scene. Default `1`. Only `'anchored'`,
-   * `'engraved'`, with `depthFade` other than `0`.
+   * Where fading ends, in the same units. Depths of the scene. Default `1`. Only `'anchored'`, `'engraved'`, with
+   * `depthFade` other than `0`.
    */
   depthFar: number;
   /**
-   * Where the picture is worked out: around this point of the scene all is drawn, and beyond `focusRadius` tone, lines
-   * and outlines fall off until only paper is left, with an uneven edge. `null`: everywhere. Units of the world.
-   * Default `null`. Only `'anchored'`, `'engraved'`.
+   * Point of the scene around which all is drawn. Beyond `focusRadius` tone, lines and outlines fall off, with an
+   * uneven edge, until only paper is left. `null`: all is drawn everywhere. Units of the world. Default `null`. Only
+   * `'anchored'`, `'engraved'`.
    */
   focus: Vector3Like | null;
   /**
@@ -325,11 +323,11 @@ export interface HatchingMaterialOptions {
   flatShading: boolean;
   /** Ambient occlusion (red channel): dims light without a direction, the environment and the light map. Default `null`. */
   aoMap: Texture | null;
-  /** How much the ambient occlusion counts. Factor in [0, ∞). Default `1`. Only with `aoMap` other than `null`. */
+  /** Strength of the ambient occlusion. Factor in [0, ∞). Default `1`. Only with `aoMap` other than `null`. */
   aoMapIntensity: number;
   /** Light baked into a map, added to that of the scene; coloured light counts by its luminance. Default `null`. */
   lightMap: Texture | null;
-  /** How much the light map counts. Factor in [0, ∞). Default `1`. Only with `lightMap` other than `null`. */
+  /** Strength of the light map. Factor in [0, ∞). Default `1`. Only with `lightMap` other than `null`. */
   lightMapIntensity: number;
   /** Light that the surface gives off; its luminance lowers the tone. Default black. */
   emissive: ColorRepresentation;
@@ -351,8 +349,9 @@ export interface HatchingMaterialOptions {
   /** What ink does to the colour below it. Default `'cover'`. Another value builds another program. */
   inkBlend: InkBlend;
   /**
-   * Below 1 one sees through the paper; at 0 there are strokes and nothing else. Needs `transparent`, `alphaTest` or
-   * `alphaHash`: a material that is drawn opaque keeps its paper. Share in [0, 1]. Default `1`.
+   * Opacity of the paper between strokes: below 1 what is behind shows through, at 0 only strokes are drawn. Needs
+   * `transparent`, `alphaTest` or `alphaHash`: a material that is drawn opaque keeps its paper. Share in [0, 1].
+   * Default `1`.
    */
   paperOpacity: number;
   /** Surface colour map, multiplied by `color`. Default `null`. */
@@ -395,20 +394,20 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
   /** What the strokes of a mesh that deforms are fixed to. Default `'rest'`. Another value builds another program. */
   strokeAnchor: StrokeAnchor;
   /**
-   * Blends the thresholds that ink is decided from instead of the greys of the strokes, so that strokes stay black and
-   * white. Off is the way of the paper by Suarez et al. Default `false`. Only `'triangle'`, `'adjacency'`. Another
-   * value builds another program.
+   * Blends thresholds of ink instead of the greys of strokes, so that strokes stay black and white. `false` is the way
+   * of the paper by Suarez et al. Default `false`. Only `'triangle'`, `'adjacency'`. Another value builds another
+   * program.
    */
   crisp: boolean;
   /**
-   * What the level of the map is chosen by. `anchored` always goes by depth. Default `'derivatives'`. Only
-   * `'triangle'`, `'adjacency'`. Another value builds another program.
+   * What chooses the level of the map. `anchored` always goes by depth. Default `'derivatives'`. Only `'triangle'`,
+   * `'adjacency'`. Another value builds another program.
    */
   levelRule: LevelRule;
   /**
    * What strokes are sized on: 0 the object, by `tilesPerUnit`; 1 the screen, by `strokeWidth`, without popping. In
-   * between, strokes grow less than the object does as it comes nearer. `anchored` has a program of its own for 0,
-   * which is cheaper. Share in [0, 1]. Default `1`. Only `'anchored'`, `'engraved'`.
+   * between, strokes grow less than the object does as the camera comes nearer. `anchored` has a program of its own for
+   * 0, which is cheaper. Share in [0, 1]. Default `1`. Only `'anchored'`, `'engraved'`.
    */
   sizedOnScreen: number;
   /**
@@ -434,24 +433,24 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    * Another value builds another program.
    */
   strokeField: StrokeField;
-  /** What the lines are cut by. Default `'light'`. Only `'engraved'`. Another value builds another program. */
+  /** What cuts the surface into lines. Default `'light'`. Only `'engraved'`. Another value builds another program. */
   lineField: LineField;
   /**
-   * Distance between lines. Where that is less than `finestSpacing`, every other line is left out. As one comes nearer
-   * new ones are born between them, thin at first. CSS pixels at a `sizedOnScreen` of 1, 256ths of a tile at 0 in (0,
-   * ∞). Default `4.5`. Only `'engraved'`.
+   * Distance between lines. Where that is less than `finestSpacing`, every other line is left out. As the camera comes
+   * nearer new lines appear between them, thin at first. CSS pixels at a `sizedOnScreen` of 1, 256ths of a tile at 0 in
+   * (0, ∞). Default `4.5`. Only `'engraved'`.
    */
   lineSpacing: number;
   /**
-   * Least distance between lines, which is never less than two pixels of the drawing buffer. Where they would lie
-   * closer every other one is left out; fewer than three pixels from one to the next flicker in motion. CSS pixels in
-   * [2, ∞). Default `3`. Only `'engraved'`.
+   * Least distance between lines; never less than two pixels of the drawing buffer. Where lines would lie closer, every
+   * other one is left out. Below three pixels lines flicker in motion. CSS pixels in [2, ∞). Default `3`. Only
+   * `'engraved'`.
    */
   finestSpacing: number;
   /**
-   * Length of a stroke with `medium: 'pen'`, and of a wedge with `'woodcut'`: from 0.7 to 1.4 times as much, as strokes
-   * give way to others half as long while one comes nearer. CSS pixels at a `sizedOnScreen` of 1, 256ths of a tile at 0
-   * in (0, ∞). Default `72`. Only `'engraved'`, with `medium` `'pen'` or `'woodcut'`.
+   * Length of a stroke with `medium: 'pen'`, and of a wedge with `'woodcut'`: from 0.7 to 1.4 times as much, since
+   * strokes give way to others half as long as the camera comes nearer. CSS pixels at a `sizedOnScreen` of 1, 256ths of
+   * a tile at 0 in (0, ∞). Default `72`. Only `'engraved'`, with `medium` `'pen'` or `'woodcut'`.
    */
   strokeLength: number;
   /**
@@ -474,8 +473,8 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    */
   crossAngle: number;
   /**
-   * How unsteady the hand is: widths that differ, lines that stray, gaps in the lights. 0 is a ruling machine. Share in
-   * [0, 1]. Default `0.4`. Only `'engraved'`.
+   * How unsteady the hand is: lines differ in width, stray, and have gaps in the lights. 0 is a ruling machine. Share
+   * in [0, 1]. Default `0.4`. Only `'engraved'`.
    */
   handmade: number;
   /**
@@ -496,14 +495,14 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    */
   medium: Medium;
   /**
-   * How much the tooth of the paper counts against the stroke in where a dry medium lies: at 0 strokes are smooth, at 1
-   * there is nothing but grain. Share in [0, 1]. Default `0.4`. Only `'anchored'`, with `medium` `'dry'`.
+   * How strongly the tooth of the paper breaks up the strokes of a dry medium: at 0 strokes are smooth, at 1 only grain
+   * is left. Share in [0, 1]. Default `0.4`. Only `'anchored'`, with `medium` `'dry'`.
    */
   tooth: number;
-  /** Size of the bumps of that tooth. CSS pixels in (0, ∞). Default `2.5`. Only `'anchored'`, with `medium` `'dry'`. */
+  /** Size of the bumps of the paper. CSS pixels in (0, ∞). Default `2.5`. Only `'anchored'`, with `medium` `'dry'`. */
   toothSize: number;
   /**
-   * How gradually a dry medium covers: near 0 it covers or does not, as charcoal pressed hard; at 1 every tone is a
+   * How gradually a dry medium covers: near 0 it is black or white, as charcoal pressed hard; at 1 every tone is a
    * grey. Share in [0, 1]. Default `0.6`. Only `'anchored'`, with `medium` `'dry'`.
    */
   softness: number;
@@ -528,10 +527,10 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    */
   shadowFade: number;
   /**
-   * How wide the edges of shadows of the tone model `'shadow'` are, as a share of the distance to what casts them, as
-   * if the light came from a lamp that is so wide, as a share of its own distance. At 0 all edges are as wide as the
-   * light's `shadow.radius` says. Factor in [0, ∞). Default `0`, for `'anchored'` `0.12`, for `'engraved'` `0.12`. Only
-   * with `toneModel` `'shadow'`.
+   * How wide the edges of shadows of the tone model `'shadow'` are, as a share of the distance to what casts them: the
+   * width of a round lamp as a share of its own distance. At 0 all edges are as wide as the light's `shadow.radius`
+   * says. Factor in [0, ∞). Default `0`, for `'anchored'` `0.12`, for `'engraved'` `0.12`. Only with `toneModel`
+   * `'shadow'`.
    */
   shadowSoftness: number;
   /**
@@ -554,8 +553,8 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    */
   shininess: number;
   /**
-   * The normal that tone is computed from. Reads as the one in use; `'auto'` leaves it to the technique again. Default
-   * `'face'`, for `'anchored'` `'smooth'`, for `'engraved'` `'smooth'`. Another value builds another program.
+   * The normal that tone is computed from. The value in use is read back; `'auto'` leaves it to the technique again.
+   * Default `'face'`, for `'anchored'` `'smooth'`, for `'engraved'` `'smooth'`. Another value builds another program.
    */
   get toneNormal(): ToneNormal;
   set toneNormal(value: ToneNormal | 'auto');
@@ -580,22 +579,20 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    */
   toneCurve: ToneCurve;
   /**
-   * How much of each light the surroundings throw back: the side turned away is lit by so much from behind, so that
-   * shade is darkest at the terminator, as engravers draw it. Planes in shade get more of it on one side of the light,
-   * so that two walls that turn from the light by one angle differ. Share in [0, 1]. Default `0`, for `'anchored'`
-   * `0.35`, for `'engraved'` `0.4`.
+   * Share of each light that the surroundings throw back from behind: shade is darkest at the terminator, as engravers
+   * draw it. Planes in shade get more of it on one side of the light, so that two walls at one angle to the light
+   * differ. Share in [0, 1]. Default `0`, for `'anchored'` `0.35`, for `'engraved'` `0.4`.
    */
   reflectedLight: number;
   /**
-   * How much ambient occlusion counts that `bakeOcclusion` has baked: cavities, folds and contacts are darker under any
+   * Strength of the ambient occlusion that `bakeOcclusion` has baked: cavities, folds and contacts are darker under any
    * light. Without such a bake it does nothing. Share in [0, 1]. Default `1`.
    */
   occlusion: number;
   /**
-   * How far the depths of hollows that `occlusion` knows of are brought to the darkest tone, whatever light falls into
-   * them: sockets, nostrils, the parting of lips, undercuts and contacts are then the darkest places of the picture. 0:
-   * they lose light and nothing else. Share in [0, 1]. Default `0`, for `'anchored'` `1`, for `'engraved'` `1`. Only
-   * with `occlusion` other than `0`.
+   * How far hollows that `occlusion` knows of are brought to the darkest tone, under any light: sockets, nostrils, the
+   * parting of lips, undercuts and contacts. At 0 they only lose light. Share in [0, 1]. Default `0`, for `'anchored'`
+   * `1`, for `'engraved'` `1`. Only with `occlusion` other than `0`.
    */
   hollowTone: number;
   /**
@@ -617,25 +614,25 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
   /**
    * How much lines, strokes, outlines and colours fade towards the paper with their distance, as in air: those behind
    * are thinner and lighter, and outlines in front heavier than without. At 1 nothing is left at `depthFar`. `'auto'`:
-   * 0.7 in scenes that `applyHatching` dressed, where what is seen is more than three times as deep as the sheet's
+   * 0.7 in scenes that `applyHatching` hatched, where what is seen is more than three times as deep as the sheet's
    * shorter side at its middle, such as streets and interiors; 0 elsewhere. Share in [0, 1]. Default `'auto'`. Only
    * `'anchored'`, `'engraved'`.
    */
   depthFade: number | 'auto';
   /**
-   * Where it begins to fade: 0 is the nearest place of the scene that is seen, 1 the farthest. Depths of the scene.
-   * Default `0`. Only `'anchored'`, `'engraved'`, with `depthFade` other than `0`.
+   * Where fading begins: 0 is the nearest place of the scene that is seen, 1 the farthest. Depths of the scene. Default
+   * `0`. Only `'anchored'`, `'engraved'`, with `depthFade` other than `0`.
    */
   depthNear: number;
   /**
-   * Where it has faded as much as it does, in the same units. Depths of the scene. Default `1`. Only `'anchored'`,
-   * `'engraved'`, with `depthFade` other than `0`.
+   * Where fading ends, in the same units. Depths of the scene. Default `1`. Only `'anchored'`, `'engraved'`, with
+   * `depthFade` other than `0`.
    */
   depthFar: number;
   /**
-   * Where the picture is worked out: around this point of the scene all is drawn, and beyond `focusRadius` tone, lines
-   * and outlines fall off until only paper is left, with an uneven edge. `null`: everywhere. Units of the world.
-   * Default `null`. Only `'anchored'`, `'engraved'`.
+   * Point of the scene around which all is drawn. Beyond `focusRadius` tone, lines and outlines fall off, with an
+   * uneven edge, until only paper is left. `null`: all is drawn everywhere. Units of the world. Default `null`. Only
+   * `'anchored'`, `'engraved'`.
    */
   get focus(): Vector3 | null;
   set focus(value: Vector3Like | null);
@@ -676,11 +673,11 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
   flatShading: boolean;
   /** Ambient occlusion (red channel): dims light without a direction, the environment and the light map. Default `null`. */
   aoMap: Texture | null;
-  /** How much the ambient occlusion counts. Factor in [0, ∞). Default `1`. Only with `aoMap` other than `null`. */
+  /** Strength of the ambient occlusion. Factor in [0, ∞). Default `1`. Only with `aoMap` other than `null`. */
   aoMapIntensity: number;
   /** Light baked into a map, added to that of the scene; coloured light counts by its luminance. Default `null`. */
   lightMap: Texture | null;
-  /** How much the light map counts. Factor in [0, ∞). Default `1`. Only with `lightMap` other than `null`. */
+  /** Strength of the light map. Factor in [0, ∞). Default `1`. Only with `lightMap` other than `null`. */
   lightMapIntensity: number;
   /** Light that the surface gives off; its luminance lowers the tone. Default black. */
   readonly emissive: Color;
@@ -702,8 +699,9 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
   /** What ink does to the colour below it. Default `'cover'`. Another value builds another program. */
   inkBlend: InkBlend;
   /**
-   * Below 1 one sees through the paper; at 0 there are strokes and nothing else. Needs `transparent`, `alphaTest` or
-   * `alphaHash`: a material that is drawn opaque keeps its paper. Share in [0, 1]. Default `1`.
+   * Opacity of the paper between strokes: below 1 what is behind shows through, at 0 only strokes are drawn. Needs
+   * `transparent`, `alphaTest` or `alphaHash`: a material that is drawn opaque keeps its paper. Share in [0, 1].
+   * Default `1`.
    */
   paperOpacity: number;
   /** Surface colour map, multiplied by `color`. Default `null`. */

@@ -52,7 +52,7 @@ export const COLOUR = {
     measure: 'share',
     range: { from: 0, to: 1 },
     sentence:
-      'Below 1 one sees through the paper; at 0 there are strokes and nothing else. Needs `transparent`, `alphaTest` or `alphaHash`: a material that is drawn opaque keeps its paper.',
+      'Opacity of the paper between strokes: below 1 what is behind shows through, at 0 only strokes are drawn. Needs `transparent`, `alphaTest` or `alphaHash`: a material that is drawn opaque keeps its paper.',
   },
   map: {
     kind: 'texture',

@@ -14,7 +14,7 @@ export const COMPOSITION = {
     uniform: false,
     techniques,
     sentence:
-      "How much lines, strokes, outlines and colours fade towards the paper with their distance, as in air: those behind are thinner and lighter, and outlines in front heavier than without. At 1 nothing is left at `depthFar`. `'auto'`: 0.7 in scenes that `applyHatching` dressed, where what is seen is more than three times as deep as the sheet's shorter side at its middle, such as streets and interiors; 0 elsewhere ([composition.md](composition.md)).",
+      "How much lines, strokes, outlines and colours fade towards the paper with their distance, as in air: those behind are thinner and lighter, and outlines in front heavier than without. At 1 nothing is left at `depthFar`. `'auto'`: 0.7 in scenes that `applyHatching` hatched, where what is seen is more than three times as deep as the sheet's shorter side at its middle, such as streets and interiors; 0 elsewhere ([composition.md](composition.md)).",
   },
   depthNear: {
     kind: 'number',
@@ -24,7 +24,7 @@ export const COMPOSITION = {
     uniform: false,
     techniques,
     when: { depthFade: { not: 0 } },
-    sentence: 'Where it begins to fade: 0 is the nearest place of the scene that is seen, 1 the farthest.',
+    sentence: 'Where fading begins: 0 is the nearest place of the scene that is seen, 1 the farthest.',
   },
   depthFar: {
     kind: 'number',
@@ -34,7 +34,7 @@ export const COMPOSITION = {
     uniform: false,
     techniques,
     when: { depthFade: { not: 0 } },
-    sentence: 'Where it has faded as much as it does, in the same units.',
+    sentence: 'Where fading ends, in the same units.',
   },
   focus: {
     kind: 'point',
@@ -43,7 +43,7 @@ export const COMPOSITION = {
     measure: 'worldUnits',
     techniques,
     sentence:
-      'Where the picture is worked out: around this point of the scene all is drawn, and beyond `focusRadius` tone, lines and outlines fall off until only paper is left, with an uneven edge. `null`: everywhere.',
+      'Point of the scene around which all is drawn. Beyond `focusRadius` tone, lines and outlines fall off, with an uneven edge, until only paper is left. `null`: all is drawn everywhere.',
   },
   focusRadius: {
     kind: 'number',

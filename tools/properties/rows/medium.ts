@@ -11,7 +11,7 @@ export const MEDIUM = {
       ink: 'ink or paper, and nothing between.',
       dry: 'pencil, charcoal or chalk: a grey that grows with the pressure and catches on the tooth of the paper, which lies on the screen.',
       stipple:
-        'dots in the place of strokes, fixed on the surface and round on the screen. `strokeWidth` is the diameter of a dot at half tone; from a tone of 0.85 on they leave no paper. Draws without a map.',
+        'dots in the place of strokes, fixed on the surface and round on the screen. `strokeWidth` is the diameter of a dot at half tone; from a tone of 0.95 on they leave no paper. Draws without a map.',
       pen: 'lines in strokes, which begin and end thin, and are fewer in the lights.',
       woodcut: 'lines that are cut white out of black: wedges that widen with the light and end in points.',
     },
@@ -30,7 +30,7 @@ export const MEDIUM = {
     techniques: ['anchored'],
     when: { medium: ['dry'] },
     sentence:
-      'How much the tooth of the paper counts against the stroke in where a dry medium lies: at 0 strokes are smooth, at 1 there is nothing but grain.',
+      'How strongly the tooth of the paper breaks up the strokes of a dry medium: at 0 strokes are smooth, at 1 only grain is left.',
   },
   toothSize: {
     kind: 'number',
@@ -40,7 +40,7 @@ export const MEDIUM = {
     range: { above: 0 },
     techniques: ['anchored'],
     when: { medium: ['dry'] },
-    sentence: 'Size of the bumps of that tooth.',
+    sentence: 'Size of the bumps of the paper.',
   },
   softness: {
     kind: 'number',
@@ -51,7 +51,7 @@ export const MEDIUM = {
     techniques: ['anchored'],
     when: { medium: ['dry'] },
     sentence:
-      'How gradually a dry medium covers: near 0 it covers or does not, as charcoal pressed hard; at 1 every tone is a grey.',
+      'How gradually a dry medium covers: near 0 it is black or white, as charcoal pressed hard; at 1 every tone is a grey.',
   },
   smudge: {
     kind: 'number',

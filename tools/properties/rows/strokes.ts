@@ -71,13 +71,13 @@ export const STROKES = {
     default: false,
     techniques: ['triangle', 'adjacency'],
     sentence:
-      'Blends the thresholds that ink is decided from instead of the greys of the strokes, so that strokes stay black and white. Off is the way of the paper by Suarez et al.',
+      'Blends thresholds of ink instead of the greys of strokes, so that strokes stay black and white. `false` is the way of the paper by Suarez et al.',
   },
   levelRule: {
     kind: 'choice',
     group: 'Strokes',
     type: 'LevelRule',
-    typeSentence: 'What the level of the tonal art map is chosen by.',
+    typeSentence: 'What chooses the level of the tonal art map.',
     choices: {
       derivatives:
         'how fast texture coordinates change on the screen, foreshortening included. Strokes are never finer than drawn, and wider where the surface is seen at a slant.',
@@ -86,7 +86,7 @@ export const STROKES = {
     },
     default: 'derivatives',
     techniques: ['triangle', 'adjacency'],
-    sentence: 'What the level of the map is chosen by. `anchored` always goes by depth.',
+    sentence: 'What chooses the level of the map. `anchored` always goes by depth.',
   },
   sizedOnScreen: {
     kind: 'number',
@@ -96,7 +96,7 @@ export const STROKES = {
     range: { from: 0, to: 1 },
     techniques: ['anchored', 'engraved'],
     sentence:
-      'What strokes are sized on: 0 the object, by `tilesPerUnit`; 1 the screen, by `strokeWidth`, without popping. In between, strokes grow less than the object does as it comes nearer. `anchored` has a program of its own for 0, which is cheaper.',
+      'What strokes are sized on: 0 the object, by `tilesPerUnit`; 1 the screen, by `strokeWidth`, without popping. In between, strokes grow less than the object does as the camera comes nearer. `anchored` has a program of its own for 0, which is cheaper.',
   },
   strokeWidth: {
     kind: 'number',
@@ -139,11 +139,11 @@ export const STROKES = {
     type: 'StrokeField',
     typeSentence: 'What the strokes of `anchored` take their direction from.',
     choices: {
-      light: 'the light, with which they turn; the way of the paper by Suarez et al.',
-      form: 'a function baked into the geometry: strokes lie along its level lines, around fingers, limbs and cheeks, and turn with no light. `applyHatching` bakes it; for a geometry of your own pass `{ form: true }` to `prepareHatchingGeometry` ([engraved.md](engraved.md#lines-along-the-form)).',
+      light: 'the light: strokes turn with it, as in the paper by Suarez et al.',
+      form: 'a function baked into the geometry: strokes lie along its level lines, around fingers, limbs and cheeks, whatever the light. `applyHatching` bakes it; for a geometry of your own pass `{ form: true }` to `prepareHatchingGeometry` ([engraved.md](engraved.md#lines-along-the-form)).',
       acrossForm: 'the same function: strokes lie across its level lines at a right angle, along limbs.',
       sheet:
-        'the sheet: strokes lie one way on it, as one hand draws them, at the angle `strokeRotation` to the horizontal. They turn with the camera, and with no light.',
+        'the sheet: strokes lie one way on it, as one hand draws them, at the angle `strokeRotation` to the horizontal. They turn with the camera, and not with the light.',
     },
     default: 'light',
     techniques: ['anchored'],
@@ -154,23 +154,23 @@ export const STROKES = {
     kind: 'choice',
     group: 'Strokes',
     type: 'LineField',
-    typeSentence: 'What the lines of `engraved` are cut by.',
+    typeSentence: 'What cuts the surface into the lines of `engraved`.',
     choices: {
       light: 'planes across the light, or spheres around a lamp: lines run around it, tangent to it.',
       towards: 'planes that hold the direction of the light: lines run towards it.',
-      x: 'planes across the x axis of the object, or of the scene that `applyHatching` dressed: lines stay where they are while the light moves.',
+      x: 'planes across the x axis of the object, or of the scene that `applyHatching` hatched: lines stay where they are while the light moves.',
       y: 'the same across its y axis.',
       z: 'the same across its z axis.',
       slant:
         'planes across an axis that is aslant to x, y and z: lines stay where they are, and run diagonally on walls, lids and floors.',
-      form: 'functions baked into the geometry: lines follow the form, around fingers, limbs and cheeks, and turn with no light. `applyHatching` bakes them; for a geometry of your own pass `{ form: true }` to `prepareHatchingGeometry` ([engraved.md](engraved.md#lines-along-the-form)).',
+      form: 'functions baked into the geometry: lines follow the form, around fingers, limbs and cheeks, whatever the light. `applyHatching` bakes them; for a geometry of your own pass `{ form: true }` to `prepareHatchingGeometry` ([engraved.md](engraved.md#lines-along-the-form)).',
       acrossForm:
-        'the same, with the lines that cross in the place of the first: along limbs instead of around them. Bake them with a `crossAngle` of π/2.',
+        'the same, with the crossing lines as the first: along limbs instead of around them, if they were baked with a `crossAngle` of π/2.',
       auto: "the form of a geometry that was prepared for it, and elsewhere `'light'`, with a pen `'slant'`, with a woodcut `'towards'`. `applyHatching` prepares shapes that have a form, and not machine parts and other meshes of flat faces.",
     },
     default: 'light',
     techniques: ['engraved'],
-    sentence: 'What the lines are cut by.',
+    sentence: 'What cuts the surface into lines.',
   },
   lineSpacing: {
     kind: 'number',
@@ -181,7 +181,7 @@ export const STROKES = {
     range: { above: 0 },
     techniques: ['engraved'],
     sentence:
-      'Distance between lines. Where that is less than `finestSpacing`, every other line is left out. As one comes nearer new ones are born between them, thin at first.',
+      'Distance between lines. Where that is less than `finestSpacing`, every other line is left out. As the camera comes nearer new lines appear between them, thin at first.',
   },
   finestSpacing: {
     kind: 'number',
@@ -191,7 +191,7 @@ export const STROKES = {
     range: { from: 2 },
     techniques: ['engraved'],
     sentence:
-      'Least distance between lines, which is never less than two pixels of the drawing buffer. Where they would lie closer every other one is left out; fewer than three pixels from one to the next flicker in motion.',
+      'Least distance between lines; never less than two pixels of the drawing buffer. Where lines would lie closer, every other one is left out. Below three pixels lines flicker in motion.',
   },
   strokeLength: {
     kind: 'number',
@@ -203,7 +203,7 @@ export const STROKES = {
     techniques: ['engraved'],
     when: { medium: ['pen', 'woodcut'] },
     sentence:
-      "Length of a stroke with `medium: 'pen'`, and of a wedge with `'woodcut'`: from 0.7 to 1.4 times as much, as strokes give way to others half as long while one comes nearer.",
+      "Length of a stroke with `medium: 'pen'`, and of a wedge with `'woodcut'`: from 0.7 to 1.4 times as much, since strokes give way to others half as long as the camera comes nearer.",
   },
   strokeLayers: {
     kind: 'choice',
@@ -254,7 +254,7 @@ export const STROKES = {
     range: { from: 0, to: 1 },
     techniques: ['engraved'],
     sentence:
-      'How unsteady the hand is: widths that differ, lines that stray, gaps in the lights. 0 is a ruling machine.',
+      'How unsteady the hand is: lines differ in width, stray, and have gaps in the lights. 0 is a ruling machine.',
   },
   blendAngle: {
     kind: 'number',
@@ -276,7 +276,7 @@ export const STROKES = {
     choices: {
       tone: 'darken them.',
       cross:
-        'lie over them as a layer of its own, across theirs, with a clean edge. The strokes of the light run on below it.',
+        'are a layer of strokes of their own, across the others, with a clean edge. The strokes of the light run on below it.',
       reorient:
         'turn them to the lights that still arrive, hard where half of a light is shadowed; where none arrives, across the light. `triangle` and `adjacency`, whose frames are made before shadows are known, turn them by a right angle where shadows take most of the light.',
     },

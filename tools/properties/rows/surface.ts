@@ -54,7 +54,7 @@ export const SURFACE = {
     measure: 'factor',
     range: { from: 0 },
     when: { aoMap: { not: null } },
-    sentence: 'How much the ambient occlusion counts.',
+    sentence: 'Strength of the ambient occlusion.',
   },
   lightMap: {
     kind: 'texture',
@@ -69,7 +69,7 @@ export const SURFACE = {
     measure: 'factor',
     range: { from: 0 },
     when: { lightMap: { not: null } },
-    sentence: 'How much the light map counts.',
+    sentence: 'Strength of the light map.',
   },
   emissive: {
     kind: 'color',

@@ -50,7 +50,7 @@ export const TONE = {
     range: { from: 0 },
     when: { toneModel: ['shadow'] },
     sentence:
-      "How wide the edges of shadows of the tone model `'shadow'` are, as a share of the distance to what casts them, as if the light came from a lamp that is so wide, as a share of its own distance. At 0 all edges are as wide as the light's `shadow.radius` says.",
+      "How wide the edges of shadows of the tone model `'shadow'` are, as a share of the distance to what casts them: the width of a round lamp as a share of its own distance. At 0 all edges are as wide as the light's `shadow.radius` says.",
   },
   shadowDirection: {
     kind: 'choice',
@@ -107,7 +107,7 @@ export const TONE = {
     default: 'face',
     defaultFor: ofTechniques(({ toneNormal }) => toneNormal),
     sentence:
-      "The normal that tone is computed from. Reads as the one in use; `'auto'` leaves it to the technique again.",
+      "The normal that tone is computed from. The value in use is read back; `'auto'` leaves it to the technique again.",
   },
   exposure: {
     kind: 'number',
@@ -147,7 +147,7 @@ export const TONE = {
     measure: 'share',
     range: { from: 0, to: 1 },
     sentence:
-      'How much of each light the surroundings throw back: the side turned away is lit by so much from behind, so that shade is darkest at the terminator, as engravers draw it. Planes in shade get more of it on one side of the light, so that two walls that turn from the light by one angle differ.',
+      'Share of each light that the surroundings throw back from behind: shade is darkest at the terminator, as engravers draw it. Planes in shade get more of it on one side of the light, so that two walls at one angle to the light differ.',
   },
   occlusion: {
     kind: 'number',
@@ -156,7 +156,7 @@ export const TONE = {
     measure: 'share',
     range: { from: 0, to: 1 },
     sentence:
-      'How much ambient occlusion counts that `bakeOcclusion` has baked ([composition.md](composition.md#ambient-occlusion)): cavities, folds and contacts are darker under any light. Without such a bake it does nothing.',
+      'Strength of the ambient occlusion that `bakeOcclusion` has baked ([composition.md](composition.md#ambient-occlusion)): cavities, folds and contacts are darker under any light. Without such a bake it does nothing.',
   },
   hollowTone: {
     kind: 'number',
@@ -167,7 +167,7 @@ export const TONE = {
     range: { from: 0, to: 1 },
     when: { occlusion: { not: 0 } },
     sentence:
-      'How far the depths of hollows that `occlusion` knows of are brought to the darkest tone, whatever light falls into them: sockets, nostrils, the parting of lips, undercuts and contacts are then the darkest places of the picture. 0: they lose light and nothing else.',
+      'How far hollows that `occlusion` knows of are brought to the darkest tone, under any light: sockets, nostrils, the parting of lips, undercuts and contacts. At 0 they only lose light.',
   },
   localTone: {
     kind: 'number',
