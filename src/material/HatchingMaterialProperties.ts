@@ -247,9 +247,9 @@ export interface HatchingMaterialOptions {
    */
   hollowTone: number;
   /**
-   * How much of the darkness of the surface's own colour, be it of `color`, `map` or the vertices, is hatched: at 1 a
-   * colour that looks half as light as white (CIE lightness) brings the tone half way to the darkest. White is left as
-   * it is. Presets draw colours by it in ink alone, with a `colorFill` of 0. Share in [0, 1]. Default `0`.
+   * How much of the darkness of the surface's own colour (`color`, `map` and vertices) is hatched: at 1 a colour that
+   * looks half as light as white (CIE lightness) brings the tone half way to the darkest. White is left as it is.
+   * Presets draw colours by it in ink alone, with a `colorFill` of 0. Share in [0, 1]. Default `0`.
    */
   localTone: number;
   /**
@@ -342,8 +342,8 @@ export interface HatchingMaterialOptions {
   /** Surface colour. Default white. */
   color: ColorRepresentation;
   /**
-   * How much of the surface's own colour, be it of `color`, `map` or the vertices, is printed on the paper: nothing at
-   * 0, and in between a tint of it, on which strokes are easier to read. Share in [0, 1]. Default `1`.
+   * How much of the surface's own colour (`color`, `map` and vertices) is printed on the paper: nothing at 0, and in
+   * between a tint of it, on which strokes are easier to read. Share in [0, 1]. Default `1`.
    */
   colorFill: number;
   /** What ink does to the colour below it. Default `'cover'`. Another value builds another program. */
@@ -596,9 +596,9 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    */
   hollowTone: number;
   /**
-   * How much of the darkness of the surface's own colour, be it of `color`, `map` or the vertices, is hatched: at 1 a
-   * colour that looks half as light as white (CIE lightness) brings the tone half way to the darkest. White is left as
-   * it is. Presets draw colours by it in ink alone, with a `colorFill` of 0. Share in [0, 1]. Default `0`.
+   * How much of the darkness of the surface's own colour (`color`, `map` and vertices) is hatched: at 1 a colour that
+   * looks half as light as white (CIE lightness) brings the tone half way to the darkest. White is left as it is.
+   * Presets draw colours by it in ink alone, with a `colorFill` of 0. Share in [0, 1]. Default `0`.
    */
   localTone: number;
   /**
@@ -692,8 +692,8 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
   /** Surface colour. Default white. */
   readonly color: Color;
   /**
-   * How much of the surface's own colour, be it of `color`, `map` or the vertices, is printed on the paper: nothing at
-   * 0, and in between a tint of it, on which strokes are easier to read. Share in [0, 1]. Default `1`.
+   * How much of the surface's own colour (`color`, `map` and vertices) is printed on the paper: nothing at 0, and in
+   * between a tint of it, on which strokes are easier to read. Share in [0, 1]. Default `1`.
    */
   colorFill: number;
   /** What ink does to the colour below it. Default `'cover'`. Another value builds another program. */

@@ -31,7 +31,7 @@ export const COLOUR = {
     measure: 'share',
     range: { from: 0, to: 1 },
     sentence:
-      "How much of the surface's own colour, be it of `color`, `map` or the vertices, is printed on the paper: nothing at 0, and in between a tint of it, on which strokes are easier to read.",
+      "How much of the surface's own colour (`color`, `map` and vertices) is printed on the paper: nothing at 0, and in between a tint of it, on which strokes are easier to read.",
   },
   inkBlend: {
     kind: 'choice',

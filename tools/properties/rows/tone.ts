@@ -176,7 +176,7 @@ export const TONE = {
     measure: 'share',
     range: { from: 0, to: 1 },
     sentence:
-      "How much of the darkness of the surface's own colour, be it of `color`, `map` or the vertices, is hatched: at 1 a colour that looks half as light as white (CIE lightness) brings the tone half way to the darkest. White is left as it is. Presets draw colours by it in ink alone, with a `colorFill` of 0.",
+      "How much of the darkness of the surface's own colour (`color`, `map` and vertices) is hatched: at 1 a colour that looks half as light as white (CIE lightness) brings the tone half way to the darkest. White is left as it is. Presets draw colours by it in ink alone, with a `colorFill` of 0.",
   },
   highlightTone: {
     kind: 'number',
