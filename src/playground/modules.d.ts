@@ -23,7 +23,7 @@ declare module 'virtual:form-sources' {
   }
   const sources: Readonly<
     Record<
-      | ('shell' | 'vase' | 'column' | 'gears' | 'landscape' | 'knot')
+      | ('teapot' | 'sphere' | 'shell' | 'vase' | 'column' | 'gears' | 'landscape' | 'knot')
       | ('makeFish' | 'makeHouse' | 'makeDrapery' | 'makeStairs' | 'makeRoom' | 'makeStreet' | 'makeFox'),
       FormSource
     >

@@ -9,6 +9,8 @@ const pathOf = (file: string): string => fileURLToPath(new URL(`../../src/playgr
 
 /** The functions that make models by code, and where they lie. */
 const FORMS = {
+  teapot: 'forms.ts',
+  sphere: 'forms.ts',
   shell: 'forms.ts',
   vase: 'forms.ts',
   column: 'forms.ts',

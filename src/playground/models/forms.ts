@@ -2,12 +2,14 @@
 import {
   BufferAttribute,
   BufferGeometry,
+  IcosahedronGeometry,
   LatheGeometry,
   MathUtils,
   SplineCurve,
   TorusKnotGeometry,
   Vector2,
 } from 'three';
+import { TeapotGeometry } from 'three/addons/geometries/TeapotGeometry.js';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import { gearWheel } from './gearWheel.js';
 
@@ -31,6 +33,10 @@ function grid(columns: number, rows: number, surface: Surface): BufferGeometry {
   }
   return new BufferGeometry().setAttribute('position', new BufferAttribute(positions, 3)).setIndex(indices);
 }
+
+export const teapot = (): BufferGeometry => new TeapotGeometry(1, 12);
+
+export const sphere = (): BufferGeometry => new IcosahedronGeometry(1, 12);
 
 export const knot = (): BufferGeometry => new TorusKnotGeometry(0.7, 0.24, 320, 40, 2, 3);
 

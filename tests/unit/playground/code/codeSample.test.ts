@@ -1,11 +1,11 @@
 import * as THREE from 'three';
-import { beforeAll, describe, expect, test } from 'vitest';
+import { beforeAll, describe, expect, test, vi } from 'vitest';
 import { counts } from '../../../../src/look/measuredFacts.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import { HatchingOutlineMaterial } from '../../../../src/material/outlines/HatchingOutlineMaterial.js';
 import { HatchingOutlines } from '../../../../src/material/outlines/HatchingOutlines.js';
-import { codeSample } from '../../../../src/playground/code/codeSample.js';
-import { materialParameters } from '../../../../src/playground/code/lookSample.js';
+import { codeForms } from '../../../../src/playground/code/codeForms.js';
+import { lookSample } from '../../../../src/playground/code/lookSample.js';
 import { applyHatching } from '../../../../src/scene/applyHatching.js';
 import { presets } from '../../../../src/scene/presets.js';
 import { parameterSetter } from '../../../../src/viewer/drawing/parameterSetter.js';
@@ -13,44 +13,55 @@ import { LightRig } from '../../../../src/viewer/sceneSetup/LightRig.js';
 import { lookOf } from '../../../../src/viewer/settings/lookOf.js';
 import { outlineLook } from '../../../../src/viewer/settings/outlineLook.js';
 import { PRESET_NAMES } from '../../../../src/viewer/settings/presetLabels.js';
-import { presetLook, presetOf } from '../../../../src/viewer/settings/presets.js';
+import { presetLook } from '../../../../src/viewer/settings/presets.js';
 import { defaultSettings, type Settings } from '../../../../src/viewer/settings/settings.js';
 
 /** What samples may import from the library. */
-const OURS = ['HatchingMaterial', 'HatchingOutlines', 'TonalArtMap', 'applyHatching', 'prepareHatchingGeometry'];
+const OURS = ['TonalArtMap', 'applyHatching', 'bakeOcclusion', 'presets'];
 
-/** Runs a sample in a project that has a scene, and returns the scene. */
-async function run(sample: string, loaded?: THREE.Object3D): Promise<THREE.Scene> {
+const codeSample = (settings: Settings, sceneRadius?: number): string =>
+  codeForms.look({
+    model: { model: 'file', title: 'model.glb', sceneRadius, isOpen: false },
+    settings,
+    camera: { position: [0, 0, 4], target: [0, 0, 0] },
+    groundHeight: -1,
+    aspect: 1,
+  }).code;
+
+/** Runs a sample in a project that has a scene with a model, and returns the scene. */
+async function run(sample: string, model: THREE.Mesh = plainMesh()): Promise<THREE.Scene> {
   const names = [...sample.matchAll(/^import \{ (.*) \} from '(.*)';$/gm)];
-  const loader = loaded ? ['three/addons/loaders/GLTFLoader.js'] : [];
-  expect(names.map(([, , from]) => from)).toEqual(['three', ...loader, 'three-hatching']);
+  expect(names.map(([, , from]) => from)).toEqual(['three', 'three-hatching']);
   const given: Record<string, unknown> = {
-    HatchingOutlines,
-    HatchingMaterial,
     applyHatching,
     presets,
-    GLTFLoader: class {
-      loadAsync = async () => ({ scene: loaded });
-    },
-    prepareHatchingGeometry: async (geometry: unknown) => geometry,
-    TonalArtMap: { generate: async () => null },
-    scene: new THREE.Scene(),
+    bakeOcclusion: async () => {},
+    TonalArtMap: { load: async () => null },
+    scene: new THREE.Scene().add(model),
+    model,
     camera: viewer,
-    geometry: new THREE.IcosahedronGeometry(1, 2),
     renderer: { shadowMap: {} },
   };
   for (const name of names[0][1].split(', ')) given[name] = (THREE as Record<string, unknown>)[name];
   const body = sample.replace(/^import .*$/gm, '');
-  const imported = names.at(-1)![1].split(', ');
+  const imported = names[1][1].split(', ');
   for (const name of [...OURS, ...imported])
     expect(imported.includes(name), name).toBe(new RegExp(`\\b${name}\\b`).test(body));
   const program = new Function(
     'given',
     `const { ${Object.keys(given).join(', ')} } = given; return (async () => { ${body} })();`,
   );
+  const warn = vi.spyOn(console, 'warn');
   await program(given);
-  return given.scene as THREE.Scene;
+  expect(warn).not.toHaveBeenCalled();
+  warn.mockRestore();
+  const scene = given.scene as THREE.Scene;
+  scene.updateMatrixWorld(true);
+  return scene;
 }
+
+const plainMesh = (): THREE.Mesh =>
+  new THREE.Mesh(new THREE.IcosahedronGeometry(1, 2), new THREE.MeshStandardMaterial({ color: 'white' }));
 
 /** Seen from the side, so that what stays with the viewer is told from what stays with the model. */
 const viewer = new THREE.PerspectiveCamera();
@@ -127,20 +138,19 @@ beforeAll(() => HatchingMaterial.preload());
 describe('codeSample', () => {
   test.each(Object.entries(looks))('makes the material and the lights of the page: %s', async (_name, look) => {
     const settings = { ...defaultSettings(), ...look };
-    const scene = await run(codeSample(settings, undefined));
+    const mesh = plainMesh();
+    const scene = await run(codeSample(settings), mesh);
 
     const expected = new HatchingMaterial();
-    parameterSetter(lookOf(settings).drawn)(expected);
-    const mesh = scene.children.find((child) => child instanceof THREE.Mesh) as THREE.Mesh;
+    const shown = lookOf(settings);
+    parameterSetter({ ...shown.drawn, ...shown.sizes })(expected);
     const { material } = mesh;
     expectLines(outlinesIn(mesh), settings);
     const made = material as HatchingMaterial;
-    // Unless it names a preset, the sample leaves out a second layer for lights that disagree if there is one light.
-    if (!presetOf(settings) && settings.secondLight === 'none' && settings.strokeLayers === 'lights')
-      expected.strokeLayers = 'single';
     expect(made.defines).toEqual(expected.defines);
     for (const key of [
-      'tilesPerUnit',
+      'lineSpacing',
+      'strokeWidth',
       'strokeRotation',
       'reflectedLight',
       'blendAngle',
@@ -149,7 +159,7 @@ describe('codeSample', () => {
       'crossFrom',
     ] as const) {
       if (!counts(expected, key)) continue;
-      expect(made[key], key).toBeCloseTo(expected[key], 3);
+      expect(made[key], key).toBeCloseTo(Number(expected[key]), 3);
     }
     if (look.toneModel === 'toon') expect(made.toneSteps).toBe(expected.toneSteps);
     if (look.toneModel === 'phong') expect(made.shininess).toBe(expected.shininess);
@@ -159,10 +169,10 @@ describe('codeSample', () => {
 
     const drawn = new THREE.Scene();
     const rig = new LightRig(drawn);
-    rig.apply(lookOf(settings).lights);
+    rig.apply(shown.lights);
     rig.place(viewer);
     const describeLight = (light: THREE.Object3D) => {
-      const direction = light.position.clone();
+      const direction = light.getWorldPosition(new THREE.Vector3());
       if (light instanceof THREE.DirectionalLight) direction.normalize();
       return [
         light.type,
@@ -170,7 +180,7 @@ describe('codeSample', () => {
       ].join();
     };
     const lights = (of: THREE.Scene) =>
-      of.children
+      [...of.children, ...of.children.flatMap(({ children }) => children)]
         .filter((child) => child instanceof THREE.Light && child.visible)
         .map(describeLight)
         .sort();
@@ -188,8 +198,7 @@ describe('codeSample', () => {
       const settings: Settings = { ...defaultSettings(), ...look, surfaceColors };
       const paint = new THREE.MeshStandardMaterial({ color: 'tomato', map: new THREE.Texture() });
       const model = new THREE.Mesh(new THREE.IcosahedronGeometry(5, 8), paint);
-      const scene = await run(codeSample(settings, 5), model);
-      expect(scene.children).toContain(model);
+      await run(codeSample(settings, 5), model);
       const made = model.material as unknown as HatchingMaterial;
       expect(made).toBeInstanceOf(HatchingMaterial);
       expect(made.technique).toBe(settings.technique);
@@ -206,15 +215,19 @@ describe('codeSample', () => {
     const settings: Settings = { ...defaultSettings(), ...look, lightKind: 'point', lightDistance: 2 };
     const model = new THREE.Mesh(new THREE.IcosahedronGeometry(5, 2), new THREE.MeshStandardMaterial());
     const scene = await run(codeSample(settings, 5), model);
-    const lamp = scene.children.find((child) => child instanceof THREE.PointLight)!;
+    const lamp = scene.children.at(-1)!.children[0];
+    expect(lamp).toBeInstanceOf(THREE.PointLight);
     expect(lamp.position.length()).toBeCloseTo(10, 2);
   });
 
   test.each(PRESET_NAMES)('names the preset that the page shows: %s', (name) => {
     const settings: Settings = { ...defaultSettings(), ...presetLook(name) };
-    expect(codeSample(settings, undefined)).toContain(`...presets.${name},`);
-    expect(codeSample({ ...settings, ink: '#203080' }, undefined)).not.toContain('presets');
-    expect(codeSample({ ...settings, reflectedLight: settings.reflectedLight + 1 }, 5)).not.toContain('presets');
+    expect(codeSample(settings)).toContain(`...presets.${name},`);
+    expect(codeSample(settings)).not.toContain('material:');
+    // With another ink it is that preset, and the ink.
+    const inked = codeSample({ ...settings, ink: '#203080' });
+    expect(inked).toContain(`material: {\n    ...presets.${name}.material,\n    ink: '#203080',\n  },`);
+    expect(inked).toContain(`outlines: {\n    ...presets.${name}.outlines,\n    ink: '#203080',\n  },`);
   });
 
   test.each<[Partial<Settings>, boolean]>([
@@ -227,47 +240,40 @@ describe('codeSample', () => {
   ])('loads a map only for what is drawn with one: %j', async (look, isMapped) => {
     for (const mapStyle of ['file', 'ruled'] as const) {
       const settings: Settings = { ...defaultSettings(), ...look, mapStyle };
-      for (const sample of [codeSample(settings, undefined), codeSample(settings, 5)]) {
-        expect(/tonalArtMap/i.test(sample)).toBe(isMapped);
+      for (const sample of [codeSample(settings), codeSample(settings, 5)]) {
+        expect(/tonalArtMap/i.test(sample.replace('presets.pencil', ''))).toBe(isMapped);
         expect(sample.includes('map.json')).toBe(isMapped && mapStyle === 'file');
       }
-      await run(codeSample(settings, undefined).replace("load('map.json')", 'generate()'));
+      await run(codeSample(settings));
     }
   });
 
-  test.each([
-    [100, 'lineSpacing: 4 * share,'],
-    [50, 'lineSpacing: 4 * share ** 0.5,'],
-    [0, 'lineSpacing: 4,'],
-  ])('spaces lines on a small sheet as far as they are on the screen: %d %%', (sizedOnScreen, expected) => {
-    const settings: Settings = { ...defaultSettings(), technique: 'engraved', lineSpacing: 4, sizedOnScreen };
-    expect(materialParameters(settings, true, 'share').join(',\n')).toContain(expected);
-    expect(codeSample(settings, undefined)).toContain('lineSpacing: 4,');
-  });
+  test.each([100, 50, 0])(
+    'names sizes that shrink on a small sheet, also at their defaults, and leaves that to the library: sizedOnScreen %d',
+    (sizedOnScreen) => {
+      const settings: Settings = { ...defaultSettings(), technique: 'anchored', strokeWidth: 1.5, sizedOnScreen };
+      const placed = lookSample(settings, 'root', { share: 'share' });
+      expect(placed).toContain('preset: scalePreset(look, share),');
+      expect(placed).toMatch(/strokeWidth: 1\.5,/);
+      expect(lookSample(settings, 'root', {})).toContain('preset: look,');
+    },
+  );
 
   test('has lines follow the form where the page does', () => {
     const engraved: Settings = { ...defaultSettings(), technique: 'engraved', crossAngle: 30 };
-    expect(codeSample(engraved, undefined)).not.toContain('form:');
-    for (const [lineField, option] of [
-      ['form', 'form: { crossAngle: (30 / 180) * Math.PI }'],
-      ['auto', 'form: { auto: true, crossAngle: (30 / 180) * Math.PI }'],
-    ] as const) {
+    for (const lineField of ['form', 'x'] as const) {
       const settings: Settings = { ...engraved, lineField };
-      for (const sample of [codeSample(settings, undefined), codeSample(settings, 5)])
+      for (const sample of [codeSample(settings), codeSample(settings, 5)])
         expect(sample).toContain(`lineField: '${lineField}'`);
-      expect(codeSample(settings, undefined)).toContain(option);
     }
     const strokes: Settings = { ...defaultSettings(), strokeField: 'acrossForm' };
-    for (const sample of [codeSample(strokes, undefined), codeSample(strokes, 5)])
+    for (const sample of [codeSample(strokes), codeSample(strokes, 5)])
       expect(sample).toContain("strokeField: 'acrossForm'");
-    expect(codeSample(strokes, undefined)).toContain('form: true');
   });
 
   test('draws no outlines if the page draws none', async () => {
     const settings: Settings = { ...defaultSettings(), outlines: 'off' };
-    expect(codeSample(settings, undefined)).not.toMatch(/outlines/i);
-    const scene = await run(codeSample(settings, undefined));
-    expect(scene.children.find((child) => child instanceof THREE.Mesh)!.children).toEqual([]);
+    expect(codeSample(settings)).toContain('outlines: false');
     const model = new THREE.Mesh(new THREE.IcosahedronGeometry(5, 2), new THREE.MeshStandardMaterial());
     await run(codeSample(settings, 5), model);
     expect(model.children).toEqual([]);

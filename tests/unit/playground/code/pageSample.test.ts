@@ -1,16 +1,20 @@
 import { readFileSync } from 'node:fs';
 import type { AnimationClip, BufferGeometry, Group } from 'three';
 import * as three from 'three';
+import { TeapotGeometry } from 'three/addons/geometries/TeapotGeometry.js';
 import { mergeGeometries, mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
 import { describe, expect, test } from 'vitest';
 import type { CodeDrawing, CodeModel } from '../../../../src/playground/code/CodeModel.js';
 import { codeForms } from '../../../../src/playground/code/codeForms.js';
 import { modelSource } from '../../../../src/playground/code/modelSource.js';
-import { IMPORT_MAP, moduleSample, pageSample } from '../../../../src/playground/code/pageSample.js';
+import { IMPORT_MAP } from '../../../../src/playground/code/versions.js';
 import * as forms from '../../../../src/playground/models/forms.js';
 import { BUILT_IN_MODELS, BUST_FOOT, type BuiltInModel } from '../../../../src/playground/models/models.js';
 import { presetLook } from '../../../../src/viewer/settings/presets.js';
 import { defaultSettings, type Settings } from '../../../../src/viewer/settings/settings.js';
+
+const pageSample = (drawing: CodeDrawing): string => codeForms.page(drawing).code;
+const moduleSample = (drawing: CodeDrawing): string => codeForms.module(drawing).code;
 
 const drawing = (model: Partial<CodeDrawing['model']>, settings: Partial<Settings> = {}): CodeDrawing => ({
   model: { model: 'file', title: 'bust.glb', sceneRadius: undefined, isOpen: false, ...model },
@@ -25,14 +29,14 @@ function parse(text: string): void {
   new Function(`return async () => { ${text.replace(/^import .*$/gm, '').replace('export async', 'async')} }`);
 }
 
-const EVERYTHING: Record<string, unknown> = { ...three, mergeGeometries, mergeVertices };
+const EVERYTHING: Record<string, unknown> = { ...three, TeapotGeometry, mergeGeometries, mergeVertices };
 
 /** Runs the code that makes a model. @returns the value of `result` after it */
 function run(model: Pick<CodeModel, 'model' | 'title'>, result: string, imported: object = {}): unknown {
-  const { code, classes, functions = '' } = modelSource({ sceneRadius: undefined, isOpen: false, ...model });
+  const { code, functions = '' } = modelSource(model);
   const names = {
     ...imported,
-    ...Object.fromEntries([...classes, 'mergeGeometries', 'mergeVertices'].map((name) => [name, EVERYTHING[name]])),
+    ...EVERYTHING,
   };
   return new Function(...Object.keys(names), `${functions}\n${code}\nreturn ${result};`)(...Object.values(names));
 }
@@ -46,6 +50,7 @@ describe('copied code', () => {
       shadows: 'on',
       shadowStrokes: 'reorient',
       ground: 'shadow',
+      background: 'on',
       occlusion: 50,
       secondLight: 'left',
       lightKind: 'spot',
@@ -104,9 +109,9 @@ describe('copied code', () => {
       const text = moduleSample(drawing({ model: 'teapot' }, { ...look, mapStyle }));
       parse(text);
       expect(text.includes('map.json')).toBe(isMapped && mapStyle === 'file');
-      expect(text.includes('playground saves your map')).toBe(isMapped && mapStyle === 'file');
-      expect(/import \{[^}]*TonalArtMap/.test(text)).toBe(isMapped);
-      expect(text.includes('await TonalArtMap.')).toBe(isMapped);
+      expect(text.includes('playground saves in a ZIP')).toBe(isMapped && mapStyle === 'file');
+      expect(/import \{[^}]*TonalArtMap/.test(text)).toBe(isMapped && mapStyle === 'file');
+      expect(text.includes("tonalArtMap: { style: 'ruled' }")).toBe(isMapped && mapStyle === 'ruled');
     }
   });
 
@@ -146,15 +151,20 @@ describe('copied code', () => {
     );
   });
 
-  test('makes the fish with its bones and clips, and the bust without its stray triangles', async () => {
+  test('makes the fish with its bones and clips, the bust without its stray triangles, and the whole bunny', async () => {
     const [fish, clips] = run({ model: 'fish', title: 'Fish' }, '[model, animations]') as [Group, AnimationClip[]];
     expect(clips.map(({ name }) => name)).toEqual(['Swim', 'Dart']);
     expect(fish.getObjectByName('spine9')).toBeDefined();
 
-    const bust = run({ model: 'bust', title: 'Bust' }, 'geometry', { bust: await import('snowden/lo.js') });
+    const bust = run({ model: 'bust', title: 'Bust' }, 'geometry', { scan: await import('snowden/lo.js') });
     const { attributes } = bust as BufferGeometry;
     expect(Math.min(...attributes.position.array.filter((_, i) => i % 3 === 1))).toBeGreaterThanOrEqual(BUST_FOOT);
     expect(attributes.position.count).toBeGreaterThan(1000);
+
+    const scan = await import('bunny');
+    const bunny = run({ model: 'bunny', title: 'Bunny' }, 'geometry', { scan }) as BufferGeometry;
+    expect(bunny.index!.count).toBe(3 * scan.cells.length);
+    expect(bunny.attributes.position.count).toBe(scan.positions.length);
   });
 
   test('keeps names of files to themselves', () => {
