@@ -16,8 +16,7 @@ import {
   Vector4,
   type WebGLRenderer,
 } from 'three';
-import { BACKGROUND_CONSTANTS } from '../look/constants/backgroundConstants.js';
-import { HASH_FACTORS } from '../look/constants/hashConstants.js';
+import { BACKGROUND_CONSTANTS, HASH_FACTORS } from '../look/constants/patternConstants.js';
 import {
   BACKGROUND_NUMBER_NAMES,
   BACKGROUND_NUMBERS,

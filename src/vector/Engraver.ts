@@ -1,5 +1,4 @@
-import { FIELD_CONSTANTS } from '../look/constants/fieldConstants.js';
-import { LINE_CONSTANTS } from '../look/constants/lineConstants.js';
+import { FIELD_CONSTANTS, LINE_CONSTANTS } from '../look/constants/engravedConstants.js';
 import { combined, lengthOf, type Vec3 } from '../look/vectors.js';
 import type { SurfacePlace } from './LineSurface.js';
 import type { FamilyMeasure, LineMedium, StrokePlace } from './marks/lineMarks.js';

@@ -1,4 +1,4 @@
-import { SHADOW_CONSTANTS, SHADOW_SAMPLES } from '../look/constants/shadowConstants.js';
+import { SHADOW_CONSTANTS, SHADOW_SAMPLES } from '../look/constants/shadingConstants.js';
 import { combined, cross, dot, normalize, type Vec3 } from '../look/vectors.js';
 import type { Bvh } from './Bvh.js';
 import type { GroundLook } from './shading/groundShadow.js';

@@ -1,4 +1,4 @@
-import { TONE_CONSTANTS } from '../look/constants/toneConstants.js';
+import { TONE_CONSTANTS } from '../look/constants/shadingConstants.js';
 import { radianceAround, type Surroundings } from '../look/surroundings.js';
 import { combined, dot, normalize, type Vec3 } from '../look/vectors.js';
 import type { Bvh } from './Bvh.js';

@@ -1,4 +1,4 @@
-import { LINE_CONSTANTS } from '../look/constants/lineConstants.js';
+import { LINE_CONSTANTS } from '../look/constants/engravedConstants.js';
 import type { FamilyName } from './Engraver.js';
 import { NO_RANK } from './levelSegments.js';
 import { finestRank, LEAST_PEN_TONE, plottedOctave, printedOctave } from './marks/lineMarks.js';

@@ -1,6 +1,6 @@
 import type { Light } from 'three';
 import { LightingModel, type NodeBuilder } from 'three/webgpu';
-import { TONE_CONSTANTS } from '../look/constants/toneConstants.js';
+import { TONE_CONSTANTS } from '../look/constants/shadingConstants.js';
 import { directedLights, hasPlace } from './nodes/base/directedLights.js';
 import type { HatchingSurface } from './nodes/base/HatchingSurface.js';
 import type { ToldLight } from './nodes/base/ToldLight.js';

@@ -1,13 +1,14 @@
-import { CARVING_CONSTANTS } from '../../look/constants/carvingConstants.js';
-import { FIELD_CONSTANTS } from '../../look/constants/fieldConstants.js';
-import { FORM_CONSTANTS } from '../../look/constants/formConstants.js';
-import { GROUND_CONSTANTS } from '../../look/constants/groundConstants.js';
-import { HAND_CONSTANTS } from '../../look/constants/handConstants.js';
-import { HASH_FACTORS } from '../../look/constants/hashConstants.js';
-import { LINE_CONSTANTS } from '../../look/constants/lineConstants.js';
-import { PEN_CONSTANTS } from '../../look/constants/penConstants.js';
-import { SCREEN_CONSTANTS } from '../../look/constants/screenConstants.js';
-import { STROKE_LENGTH_CONSTANTS } from '../../look/constants/strokeLengthConstants.js';
+import {
+  CARVING_CONSTANTS,
+  FIELD_CONSTANTS,
+  FORM_CONSTANTS,
+  GROUND_CONSTANTS,
+  HAND_CONSTANTS,
+  LINE_CONSTANTS,
+  PEN_CONSTANTS,
+  STROKE_LENGTH_CONSTANTS,
+} from '../../look/constants/engravedConstants.js';
+import { HASH_FACTORS, SCREEN_CONSTANTS } from '../../look/constants/patternConstants.js';
 import { followsForm } from '../../look/queries.js';
 import { hasOtherFormAngle, noteFormAngle } from '../geometry/formAngles.js';
 import { lineContrast } from '../geometry/lineFades.js';

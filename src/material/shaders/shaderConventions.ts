@@ -1,9 +1,12 @@
 import { ShaderChunk } from 'three';
 import { CAVITY } from '../../look/cavity.js';
 import { constantCase } from '../../look/constantCase.js';
-import { EMPHASIS_CONSTANTS } from '../../look/constants/emphasisConstants.js';
-import { SHADOW_CONSTANTS, SHADOW_SAMPLES } from '../../look/constants/shadowConstants.js';
-import { TONE_CONSTANTS } from '../../look/constants/toneConstants.js';
+import {
+  EMPHASIS_CONSTANTS,
+  SHADOW_CONSTANTS,
+  SHADOW_SAMPLES,
+  TONE_CONSTANTS,
+} from '../../look/constants/shadingConstants.js';
 import type { HatchingProperty, HatchingTexture } from '../../look/HatchingProperty.js';
 import { HATCHING_PROPERTIES } from '../../look/hatchingProperties.js';
 import { cornerLayout } from '../../mesh/bake/cornerLayout.js';

@@ -1,6 +1,5 @@
 /** The field of ruled lines behind a subject, as shaders/background/background.frag has it. On the sheet, from its lower left corner, y up. */
-import { BACKGROUND_CONSTANTS } from '../../look/constants/backgroundConstants.js';
-import { HASH_FACTORS } from '../../look/constants/hashConstants.js';
+import { BACKGROUND_CONSTANTS, HASH_FACTORS } from '../../look/constants/patternConstants.js';
 import { smoothstep } from '../../look/vectors.js';
 
 const { RAGGED, THINNING, RIM } = BACKGROUND_CONSTANTS;

@@ -2,7 +2,7 @@
  * Lines that are cut white out of the block, as shaders/techniques/engraved/carving.glsl has it. A gouge goes in at a point, widens and comes
  * out again: each line is a row of wedges. What they leave between them is black, and ends in points too.
  */
-import { CARVING_CONSTANTS } from '../../look/constants/carvingConstants.js';
+import { CARVING_CONSTANTS } from '../../look/constants/engravedConstants.js';
 import { clamp01, mix } from '../../look/vectors.js';
 import { turnOf } from './hand.js';
 import { octaves } from './ruledLines.js';

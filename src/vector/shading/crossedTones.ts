@@ -1,5 +1,5 @@
 /** Shares a tone among families of lines that cross, as crossedTones.glsl and hatchLayer.glsl have it. Printed over one another they give it again. */
-import { TONE_CONSTANTS } from '../../look/constants/toneConstants.js';
+import { TONE_CONSTANTS } from '../../look/constants/shadingConstants.js';
 
 const { KEPT_SHARE } = TONE_CONSTANTS;
 export const { KEPT_BY_PEN, THIRD_FROM } = TONE_CONSTANTS;

@@ -1,5 +1,5 @@
 /** How much weight a drawing has where, as emphasis.glsl has it: 1 as usual, 0 none. */
-import { EMPHASIS_CONSTANTS } from '../../look/constants/emphasisConstants.js';
+import { EMPHASIS_CONSTANTS } from '../../look/constants/shadingConstants.js';
 import { clamp01, combined, dot, lengthOf, smoothstep, type Vec3 } from '../../look/vectors.js';
 
 const { AIR, FRONT_GAIN, FOCUS_END, VIGNETTE_START, UNEVEN } = EMPHASIS_CONSTANTS;

@@ -1,5 +1,5 @@
 /** The function that lines are level sets of, as shaders/techniques/engraved/fieldAxis.glsl has it. */
-import { FIELD_CONSTANTS } from '../../look/constants/fieldConstants.js';
+import { FIELD_CONSTANTS } from '../../look/constants/engravedConstants.js';
 import { combined, cross, dot, lengthOf, normalize, type Vec3 } from '../../look/vectors.js';
 
 /** The distance along an axis, or from a lamp. */

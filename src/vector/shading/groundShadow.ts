@@ -1,8 +1,7 @@
 /** A ground that shows shadows alone, as tone.glsl, ruledLines.glsl and fieldAxis.glsl have it. */
 
-import { FIELD_CONSTANTS } from '../../look/constants/fieldConstants.js';
-import { GROUND_CONSTANTS } from '../../look/constants/groundConstants.js';
-import { TONE_CONSTANTS } from '../../look/constants/toneConstants.js';
+import { FIELD_CONSTANTS, GROUND_CONSTANTS } from '../../look/constants/engravedConstants.js';
+import { TONE_CONSTANTS } from '../../look/constants/shadingConstants.js';
 import { combined, cross, lengthOf, type Vec3 } from '../../look/vectors.js';
 import { across, type Field } from './fieldAxis.js';
 import { hash01 } from './hand.js';

@@ -1,6 +1,6 @@
 /** The unsteadiness of a hand, as shaders/techniques/engraved/hand.glsl has it. It belongs to the place on the object. */
-import { HAND_CONSTANTS } from '../../look/constants/handConstants.js';
-import { HASH_FACTORS } from '../../look/constants/hashConstants.js';
+import { HAND_CONSTANTS } from '../../look/constants/engravedConstants.js';
+import { HASH_FACTORS } from '../../look/constants/patternConstants.js';
 import type { Vec3 } from '../../look/vectors.js';
 
 const { HAND_WAVES, BENT_BY, BENDS, BEND_PHASES, SLOW_WAVES, WAVE_PHASES, STRAY, PRESSURE, WIDTHS } = HAND_CONSTANTS;

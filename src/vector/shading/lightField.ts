@@ -1,6 +1,6 @@
 /** One light for a whole object, so that lines run on, as shaders/techniques/engraved/lightField.glsl has it. */
 
-import { FIELD_CONSTANTS } from '../../look/constants/fieldConstants.js';
+import { FIELD_CONSTANTS } from '../../look/constants/engravedConstants.js';
 import { combined, dot, lengthOf, normalize, type Vec3 } from '../../look/vectors.js';
 import type { Field } from './fieldAxis.js';
 

@@ -3,8 +3,8 @@
  * tones have fewer strokes, of the width of the nib.
  */
 
-import { HASH_FACTORS } from '../../look/constants/hashConstants.js';
-import { PEN_CONSTANTS } from '../../look/constants/penConstants.js';
+import { PEN_CONSTANTS } from '../../look/constants/engravedConstants.js';
+import { HASH_FACTORS } from '../../look/constants/patternConstants.js';
 import { clamp01, mix } from '../../look/vectors.js';
 import { bitsOf, hash01, turnOf } from './hand.js';
 import { type Along, differing, numberOf } from './strokeLengths.js';

@@ -1,5 +1,5 @@
 /** What arrives of lamps at a surface, as radiance.glsl and three's own chunks have it. All in world space. */
-import { TONE_CONSTANTS } from '../../look/constants/toneConstants.js';
+import { TONE_CONSTANTS } from '../../look/constants/shadingConstants.js';
 import { cross, dot, lengthOf, type Vec3 } from '../../look/vectors.js';
 
 /** A light with a direction. */

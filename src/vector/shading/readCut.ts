@@ -1,6 +1,6 @@
 /** The families of lines that a field cuts out of an object, at a place, as readCut.glsl has them. */
 
-import { FIELD_CONSTANTS } from '../../look/constants/fieldConstants.js';
+import { FIELD_CONSTANTS } from '../../look/constants/engravedConstants.js';
 import { combined, cross, dot, lengthOf, smoothstep, type Vec3 } from '../../look/vectors.js';
 import { across, type Field, fieldAt } from './fieldAxis.js';
 import { handPoint, handPressure, slowWaves } from './hand.js';

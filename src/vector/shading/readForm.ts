@@ -1,5 +1,5 @@
 /** Lines that follow the form, at a place, as readForm.glsl has them: level sets of two functions that were baked into the vertices. */
-import { FORM_CONSTANTS } from '../../look/constants/formConstants.js';
+import { FORM_CONSTANTS } from '../../look/constants/engravedConstants.js';
 import { combined, dot, type Vec3 } from '../../look/vectors.js';
 import { handPoint, handPressure, slowWaves } from './hand.js';
 

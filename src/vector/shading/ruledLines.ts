@@ -3,8 +3,7 @@
  * the tone. A fragment asks which lines are near; here a line asks how much room it has.
  */
 
-import { FIELD_CONSTANTS } from '../../look/constants/fieldConstants.js';
-import { LINE_CONSTANTS } from '../../look/constants/lineConstants.js';
+import { FIELD_CONSTANTS, LINE_CONSTANTS } from '../../look/constants/engravedConstants.js';
 
 const { SPARSEST_SLOPE } = FIELD_CONSTANTS;
 const { LEAST_OF_SMOOTH, MOST_OFF_TRIANGLE, PARTS_OF_TILE } = LINE_CONSTANTS;

@@ -1,5 +1,5 @@
 /** How fast a function of the place on the object changes on the screen, as shaders/perFragment/screenGradient.glsl has it. */
-import { SCREEN_CONSTANTS } from '../../look/constants/screenConstants.js';
+import { SCREEN_CONSTANTS } from '../../look/constants/patternConstants.js';
 import { cross, dot, lengthOf, type Vec3 } from '../../look/vectors.js';
 
 const { LEAST_FACING } = SCREEN_CONSTANTS;

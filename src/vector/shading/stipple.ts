@@ -1,7 +1,7 @@
 /** Dots that lie in the surface and are round on the screen, as shaders/techniques/anchored/stipple.glsl and dots.glsl have it. */
 
+import { TONE_CONSTANTS } from '../../look/constants/shadingConstants.js';
 import { STIPPLE_CONSTANTS } from '../../look/constants/stippleConstants.js';
-import { TONE_CONSTANTS } from '../../look/constants/toneConstants.js';
 import { clamp01, combined, cross, dot, lengthOf, normalize, type Vec3 } from '../../look/vectors.js';
 import { leftOf, THIRD_FROM, takenOf } from './crossedTones.js';
 import type { ScreenMap } from './screenGradient.js';

@@ -2,8 +2,7 @@
  * Strokes that the lines of a family are drawn in, as shaders/techniques/engraved/strokeLengths.glsl has it. They begin and end at places on the
  * object, a power of two apart: as one comes nearer, strokes give way to others half as long.
  */
-import { LINE_CONSTANTS } from '../../look/constants/lineConstants.js';
-import { STROKE_LENGTH_CONSTANTS } from '../../look/constants/strokeLengthConstants.js';
+import { LINE_CONSTANTS, STROKE_LENGTH_CONSTANTS } from '../../look/constants/engravedConstants.js';
 import { cross, dot, mix, smoothstep, type Vec3 } from '../../look/vectors.js';
 import { octaves, powerOf2 } from './ruledLines.js';
 import { type ScreenMap, screenGradient } from './screenGradient.js';

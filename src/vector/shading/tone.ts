@@ -1,6 +1,6 @@
 /** From light to the tone that is printed, as tone.glsl, toneCurve.glsl, occlude.glsl and localColor.glsl have it. */
 import { CAVITY } from '../../look/cavity.js';
-import { TONE_CONSTANTS } from '../../look/constants/toneConstants.js';
+import { TONE_CONSTANTS } from '../../look/constants/shadingConstants.js';
 import { lightness } from '../../look/lightness.js';
 import { clamp01, mix, smoothstep } from '../../look/vectors.js';
 

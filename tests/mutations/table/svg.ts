@@ -32,7 +32,7 @@ export const svg: readonly Mutation[] = [
   },
   {
     name: 'hollows become deep at once',
-    file: 'src/look/constants/toneConstants.ts',
+    file: 'src/look/constants/shadingConstants.ts',
     find: 'HOLLOW: [0.1, 0.8]',
     replace: 'HOLLOW: [0.3, 0.45]',
     caughtBy: {

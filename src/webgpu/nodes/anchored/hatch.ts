@@ -1,5 +1,5 @@
 /** The twin of shaders/chunks/hatch.glsl: the darkness of the hatch, of its layers printed over one another. */
-import { TONE_CONSTANTS } from '../../../look/constants/toneConstants.js';
+import { TONE_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 import { leftOf, takenOf } from '../chunks/crossedTones.js';

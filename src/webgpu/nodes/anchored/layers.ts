@@ -1,5 +1,5 @@
 /** The twin of shaders/techniques/anchored/layers.glsl. */
-import { TONE_CONSTANTS } from '../../../look/constants/toneConstants.js';
+import { TONE_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { type Input, tsl, type Value } from '../base/values.js';
 import { tilesPerUnit } from '../chunks/levelByDepth.js';

@@ -1,5 +1,5 @@
 /** The twin of shaders/chunks/crossedTones.glsl: shares a tone among layers that cross one another from some tone on. */
-import { TONE_CONSTANTS } from '../../../look/constants/toneConstants.js';
+import { TONE_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import { tsl, type Value } from '../base/values.js';
 
 const { float, max, min } = tsl;

@@ -1,5 +1,5 @@
 /** The twin of shaders/chunks/emphasis.glsl: how much weight the drawing has at a place, 1 as usual, 0 none. */
-import { EMPHASIS_CONSTANTS } from '../../../look/constants/emphasisConstants.js';
+import { EMPHASIS_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 

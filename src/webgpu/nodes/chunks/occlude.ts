@@ -1,7 +1,7 @@
 /** The twin of shaders/chunks/occlude.glsl: what ambient occlusion takes of the light. */
 
 import { CAVITY } from '../../../look/cavity.js';
-import { TONE_CONSTANTS } from '../../../look/constants/toneConstants.js';
+import { TONE_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 import { vOcclusion } from './occlusion.js';

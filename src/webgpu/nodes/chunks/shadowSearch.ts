@@ -3,7 +3,7 @@
  * compares only tells whether something lies before a depth. So it is asked at rings around the point, within a cone to the lamp; where one of
  * them is dark, the distance of what casts the shadow is found by halving. As wide as the cone is there, so wide is the soft edge.
  */
-import { SHADOW_CONSTANTS, SHADOW_SAMPLES } from '../../../look/constants/shadowConstants.js';
+import { SHADOW_CONSTANTS, SHADOW_SAMPLES } from '../../../look/constants/shadingConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 import type { ShadowValues } from '../shadowMaps/ShadowValues.js';

@@ -1,6 +1,6 @@
 /** The twin of shaders/chunks/softShadows.glsl: shadows alone, whose edges widen, and whose tone dissolves, with the distance from what casts them. */
 import type { Light, LightShadow } from 'three';
-import { SHADOW_CONSTANTS } from '../../../look/constants/shadowConstants.js';
+import { SHADOW_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import { hasPlace } from '../base/directedLights.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { threeNodes, tsl, type Value } from '../base/values.js';

@@ -1,5 +1,5 @@
 /** The twin of shaders/chunks/tone.glsl: tone in [0, 1], where 0 is paper. */
-import { TONE_CONSTANTS } from '../../../look/constants/toneConstants.js';
+import { TONE_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import type { HatchingSurface } from '../base/HatchingSurface.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';

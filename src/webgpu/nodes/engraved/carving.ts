@@ -1,5 +1,5 @@
 /** The twin of shaders/techniques/engraved/carving.glsl: lines that are cut white out of the block, as in a woodcut. */
-import { CARVING_CONSTANTS } from '../../../look/constants/carvingConstants.js';
+import { CARVING_CONSTANTS } from '../../../look/constants/engravedConstants.js';
 import { tsl, type Value } from '../base/values.js';
 import type { Family, HatchingParameters } from './Hatching.js';
 import { turnOf } from './hand.js';

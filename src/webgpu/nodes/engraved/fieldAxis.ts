@@ -1,5 +1,5 @@
 /** The twin of shaders/techniques/engraved/fieldAxis.glsl: the function that lines are level sets of. */
-import { FIELD_CONSTANTS } from '../../../look/constants/fieldConstants.js';
+import { FIELD_CONSTANTS } from '../../../look/constants/engravedConstants.js';
 import { strokeDirection } from '../base/strokeDirection.js';
 import { tsl, type Value } from '../base/values.js';
 import { vFieldNormal } from './varyings.js';

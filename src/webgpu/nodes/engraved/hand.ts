@@ -1,6 +1,6 @@
 /** The twin of shaders/techniques/engraved/hand.glsl: the unsteadiness of a hand. */
-import { HAND_CONSTANTS } from '../../../look/constants/handConstants.js';
-import { HASH_FACTORS } from '../../../look/constants/hashConstants.js';
+import { HAND_CONSTANTS } from '../../../look/constants/engravedConstants.js';
+import { HASH_FACTORS } from '../../../look/constants/patternConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { type Input, tsl, type Value } from '../base/values.js';
 

@@ -1,6 +1,6 @@
 /** The twin of shaders/techniques/engraved/hatchLayer.glsl: engraved lines, and other families that cross them in the darks. */
-import { LINE_CONSTANTS } from '../../../look/constants/lineConstants.js';
-import { TONE_CONSTANTS } from '../../../look/constants/toneConstants.js';
+import { LINE_CONSTANTS } from '../../../look/constants/engravedConstants.js';
+import { TONE_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import type { Medium } from '../../../look/hatchingProperties.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';

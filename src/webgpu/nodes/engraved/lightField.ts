@@ -1,6 +1,6 @@
 /** The twin of shaders/techniques/engraved/lightField.glsl: one light for the whole object, so that lines run on. */
 import type { Light } from 'three';
-import { FIELD_CONSTANTS } from '../../../look/constants/fieldConstants.js';
+import { FIELD_CONSTANTS } from '../../../look/constants/engravedConstants.js';
 import { directedLights, hasPlace } from '../base/directedLights.js';
 import type { ToldLight } from '../base/ToldLight.js';
 import { tsl, type Value } from '../base/values.js';

@@ -1,6 +1,7 @@
 /** The twin of shaders/techniques/engraved/penStrokes.glsl: lines that a pen draws in strokes. */
-import { HASH_FACTORS } from '../../../look/constants/hashConstants.js';
-import { PEN_CONSTANTS } from '../../../look/constants/penConstants.js';
+
+import { PEN_CONSTANTS } from '../../../look/constants/engravedConstants.js';
+import { HASH_FACTORS } from '../../../look/constants/patternConstants.js';
 import { tsl, type Value } from '../base/values.js';
 import { lineCoverage } from '../chunks/lineCoverage.js';
 import type { Family, HatchingParameters } from './Hatching.js';

@@ -1,7 +1,6 @@
 /** The twin of shaders/techniques/engraved/readCut.glsl: lines that a field cuts out of the object. */
 import type { NodeBuilder } from 'three/webgpu';
-import { FIELD_CONSTANTS } from '../../../look/constants/fieldConstants.js';
-import { HAND_CONSTANTS } from '../../../look/constants/handConstants.js';
+import { FIELD_CONSTANTS, HAND_CONSTANTS } from '../../../look/constants/engravedConstants.js';
 import { tsl } from '../base/values.js';
 import { screenGradient, screenMap, triangleOnScreen } from '../perFragment/screenGradient.js';
 import { readViewToAnchor } from '../perFragment/viewToAnchor.js';

@@ -1,7 +1,6 @@
 /** The twin of shaders/techniques/engraved/readForm.glsl: lines that follow the form, level sets of two functions that were baked into the vertices. */
 import type { NodeBuilder } from 'three/webgpu';
-import { FORM_CONSTANTS } from '../../../look/constants/formConstants.js';
-import { HAND_CONSTANTS } from '../../../look/constants/handConstants.js';
+import { FORM_CONSTANTS, HAND_CONSTANTS } from '../../../look/constants/engravedConstants.js';
 import type { Medium } from '../../../look/hatchingProperties.js';
 import { tsl, type Value } from '../base/values.js';
 import { isInFullShadow } from '../perFragment/fullShadow.js';

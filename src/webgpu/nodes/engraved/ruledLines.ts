@@ -1,6 +1,5 @@
 /** The twin of shaders/techniques/engraved/ruledLines.glsl: one family of lines. */
-import { GROUND_CONSTANTS } from '../../../look/constants/groundConstants.js';
-import { LINE_CONSTANTS } from '../../../look/constants/lineConstants.js';
+import { GROUND_CONSTANTS, LINE_CONSTANTS } from '../../../look/constants/engravedConstants.js';
 import type { Medium } from '../../../look/hatchingProperties.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';

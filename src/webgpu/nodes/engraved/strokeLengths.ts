@@ -1,6 +1,5 @@
 /** The twin of shaders/techniques/engraved/strokeLengths.glsl: strokes that the lines of a family are drawn in. */
-import { LINE_CONSTANTS } from '../../../look/constants/lineConstants.js';
-import { STROKE_LENGTH_CONSTANTS } from '../../../look/constants/strokeLengthConstants.js';
+import { LINE_CONSTANTS, STROKE_LENGTH_CONSTANTS } from '../../../look/constants/engravedConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 import { screenGradient } from '../perFragment/screenGradient.js';

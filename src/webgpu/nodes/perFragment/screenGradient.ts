@@ -1,5 +1,5 @@
 /** The twin of shaders/perFragment/screenGradient.glsl: how fast a function of the place on the object changes on the screen. */
-import { SCREEN_CONSTANTS } from '../../../look/constants/screenConstants.js';
+import { SCREEN_CONSTANTS } from '../../../look/constants/patternConstants.js';
 import { isOrthographic } from '../base/isOrthographic.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';

@@ -1,5 +1,5 @@
 /** The twin of shaders/shadowMaps/steadyKernel.glsl: samples no more than a texel apart, weighted as a tent. */
-import { SHADOW_CONSTANTS } from '../../../look/constants/shadowConstants.js';
+import { SHADOW_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import { tsl, type Value } from '../base/values.js';
 
 const { abs, ceil, clamp, float, int, Loop, max } = tsl;

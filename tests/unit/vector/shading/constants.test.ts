@@ -1,6 +1,6 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
-import { FORM_CONSTANTS } from '../../../../src/look/constants/formConstants.js';
+import { FORM_CONSTANTS } from '../../../../src/look/constants/engravedConstants.js';
 import {
   HATCHING_PROPERTIES,
   HATCHING_TECHNIQUES,
