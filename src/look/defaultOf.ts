@@ -5,7 +5,23 @@ import {
   type HatchingPropertyName,
   type HatchingTechnique,
 } from './hatchingProperties.js';
-import { plainValue } from './plainValue.js';
+
+/** A colour or vector of three.js, by what it is known by. */
+interface ThreeValue {
+  isColor?: boolean;
+  isVector2?: boolean;
+  isVector3?: boolean;
+  getHex(): number;
+  toArray(): number[];
+}
+
+/** The value of a property as its default is written: colours as numbers, vectors as arrays. */
+export function plainValue(value: unknown): unknown {
+  const known = value as ThreeValue | null | undefined;
+  if (known?.isColor) return known.getHex();
+  if (known?.isVector2 || known?.isVector3) return known.toArray();
+  return value;
+}
 
 /** The default of a property; some techniques have one of their own. Colours are numbers, vectors arrays. */
 export function defaultOf(name: HatchingPropertyName, technique: HatchingTechnique): unknown {

@@ -1,5 +1,4 @@
 import { runSliced, type SlicedOptions } from '../mesh/timeSlicing/runSliced.js';
-import { disposedError } from './disposedError.js';
 import { awaitEnd } from './lifeLock.js';
 import { type FromWorker, type ToWorker, unpackError } from './protocol.js';
 import { SILENCE_SECONDS, SilenceWatch } from './SilenceWatch.js';
@@ -344,3 +343,7 @@ export class TaskClient<All extends Tasks> {
     if (this.state === 'ready') this.worker?.postMessage(message, transfer);
   }
 }
+
+/** The error of a request that was pending when its worker was disposed of. */
+export const disposedError = (): Error =>
+  new Error('The hatching worker was disposed of before this request was finished. Ask again if you still need it.');

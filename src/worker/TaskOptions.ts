@@ -17,3 +17,57 @@ export interface TaskOptions {
    */
   createWorker?: (() => Worker) | undefined;
 }
+
+/** The names of the options of every long task. */
+const TASK_OPTIONS = { signal: true, onProgress: true, createWorker: true } satisfies Record<keyof TaskOptions, true>;
+
+/**
+ * Checks that `options` is an object that has no other names than those in `known`.
+ *
+ * @throws TypeError that names the caller, the fault and the known names
+ */
+export function checkNames(
+  caller: string,
+  what: string,
+  options: unknown,
+  known: Readonly<Record<string, true>>,
+): void {
+  const names = Object.keys(known).join(', ');
+  if (typeof options !== 'object' || options === null) {
+    throw new TypeError(`${caller}: the ${what} are ${String(options)}. Pass an object with some of ${names}.`);
+  }
+  for (const name of Object.keys(options)) {
+    if (Object.hasOwn(known, name)) continue;
+    throw new TypeError(`${caller}: unknown option "${name}". The known ones are ${names}.`);
+  }
+}
+
+/**
+ * Checks the names of all options, and the values of those that every long task has (`TaskOptions`).
+ *
+ * @param own the names of the options that the caller has beside those of `TaskOptions`
+ * @throws TypeError that names the caller, the option and the values it may have
+ */
+export function checkOptions(caller: string, options: TaskOptions, own: Readonly<Record<string, true>> = {}): void {
+  checkNames(caller, 'options', options, { ...own, ...TASK_OPTIONS });
+  const { signal, onProgress, createWorker } = options;
+  if (isGiven(signal) && !isSignal(signal)) {
+    throw new TypeError(
+      `${caller}: signal is ${describe(signal)}, but must be an AbortSignal, such as the signal of an AbortController.`,
+    );
+  }
+  for (const [name, value] of Object.entries({ onProgress, createWorker })) {
+    if (!isGiven(value) || typeof value === 'function') continue;
+    throw new TypeError(`${caller}: ${name} is ${describe(value)}, but must be a function, or left out.`);
+  }
+}
+
+/** null counts as left out, as it does for `fetch`. */
+const isGiven = <Value>(value: Value | null | undefined): value is Value => value !== undefined && value !== null;
+
+/** `instanceof` would refuse a signal that comes from another frame. */
+const isSignal = (signal: Partial<AbortSignal>): boolean =>
+  typeof signal.aborted === 'boolean' && typeof signal.throwIfAborted === 'function';
+
+const describe = (value: unknown): string =>
+  typeof value === 'object' && value !== null ? `an object (${value.constructor?.name ?? 'Object'})` : String(value);

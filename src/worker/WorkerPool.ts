@@ -3,7 +3,7 @@ import { maxWorkers } from './maxWorkers.js';
 import { type MakeAgain, TaskClient } from './TaskClient.js';
 import type { NameIn, RequestOf, ResultOf, TaskSet, Tasks } from './TaskSet.js';
 
-export { disposedError } from './disposedError.js';
+export { disposedError } from './TaskClient.js';
 
 /** Creates a worker, or returns null if there is none; may throw. */
 export type CreateWorker = () => Worker | null;

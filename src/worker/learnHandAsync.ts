@@ -1,9 +1,8 @@
 import type { Hand, HandStroke } from '../strokes/hand/Hand.js';
 import type { LearnHandOptions } from '../strokes/hand/learnHand.js';
-import { checkOptions } from './checkOptions.js';
 import { handTaskSet } from './handTaskSet.js';
 import { runTaskOf } from './runTask.js';
-import type { TaskOptions } from './TaskOptions.js';
+import { checkOptions, type TaskOptions } from './TaskOptions.js';
 
 /**
  * Options of `learnHandAsync`: those of `learnHand`, and those of the task. A worker of `createWorker` runs `three-hatching/hand.worker`.

@@ -1,10 +1,9 @@
 import type { HandStroke } from '../strokes/hand/Hand.js';
 import { checkScannedImage, type ScannedImage } from '../strokes/strokeTracing/ScannedImage.js';
 import type { TraceOptions } from '../strokes/strokeTracing/traceStrokesSteps.js';
-import { checkOptions } from './checkOptions.js';
 import { handTaskSet } from './handTaskSet.js';
 import { runTaskOf } from './runTask.js';
-import type { TaskOptions } from './TaskOptions.js';
+import { checkOptions, type TaskOptions } from './TaskOptions.js';
 
 /**
  * Options of `traceStrokes`: what is known of the picture, and those of the task. A worker of `createWorker` runs

@@ -1,5 +1,4 @@
-import { constantCase } from '../../src/look/constantCase.js';
-import type { NumberRange } from '../../src/look/HatchingProperty.js';
+import { constantCase, type NumberRange } from '../../src/look/HatchingProperty.js';
 import { describe } from './describe.js';
 import type { PropertyRow } from './PropertyRow.js';
 import type { TechniqueRow } from './techniques.js';

@@ -21,6 +21,8 @@ export const TONE_CONSTANTS = {
 
   /** The occlusion from which on a place is a hollow, which is that of eyelids and lips, and from which on it is a deep one. */
   HOLLOW: [0.1, 0.8],
+  /** From this occlusion on, directional light loses as much as light from all around. */
+  CAVITY: 0.4,
 
   /** Where a surface hardly sees a light, whether it lies in shadow is a matter of rounding. */
   LEAST_RESPONSE: 0.05,

@@ -9,7 +9,7 @@ import {
   type SpotLight,
   Vector3,
 } from 'three';
-import { luminanceOf } from '../../look/luminanceOf.js';
+import { luminanceOf } from '../../look/luminance.js';
 import { radianceAround, type Surroundings } from '../../look/surroundings.js';
 import { harmonicsOf } from './environmentHarmonics.js';
 import type { SceneContents } from './SceneContents.js';

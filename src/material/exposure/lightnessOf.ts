@@ -1,6 +1,5 @@
 import type { Texture } from 'three';
-import { lightness } from '../../look/lightness.js';
-import { luminanceOf } from '../../look/luminanceOf.js';
+import { lightness, luminanceOf } from '../../look/luminance.js';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
 import { type Luminances, luminances } from './luminances.js';
 import type { SurfaceSamples } from './surfaceSamples.js';

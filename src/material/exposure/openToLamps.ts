@@ -1,4 +1,4 @@
-import { CAVITY } from '../../look/cavity.js';
+import { TONE_CONSTANTS } from '../../look/constants/shadingConstants.js';
 
 /**
  * The share of a light with a direction that hollows leave a surface, as `occlude.glsl` has it.
@@ -7,6 +7,6 @@ import { CAVITY } from '../../look/cavity.js';
  * @param strength how much of it counts
  */
 export function openToLamps(occlusion: number, strength: number): number {
-  const t = Math.min(1, occlusion / CAVITY);
+  const t = Math.min(1, occlusion / TONE_CONSTANTS.CAVITY);
   return 1 - strength * occlusion * t * t * (3 - 2 * t);
 }

@@ -1,6 +1,6 @@
 import type { FormRequest } from '../../mesh/bake/bakeSurface.js';
 import { FORM_DEFAULTS } from '../../mesh/form/FormOptions.js';
-import { checkNames } from '../../worker/checkOptions.js';
+import { checkNames } from '../../worker/TaskOptions.js';
 
 /** How lines follow the form of a geometry; what is left out has its default. */
 export interface HatchingFormOptions {

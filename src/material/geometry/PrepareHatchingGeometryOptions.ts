@@ -1,6 +1,5 @@
 import type { HatchingTechnique } from '../../look/hatchingProperties.js';
-import { checkOptions } from '../../worker/checkOptions.js';
-import type { TaskOptions } from '../../worker/TaskOptions.js';
+import { checkOptions, type TaskOptions } from '../../worker/TaskOptions.js';
 import type { HatchingFormOptions } from './HatchingFormOptions.js';
 
 /** Options of `prepareHatchingGeometry`. */

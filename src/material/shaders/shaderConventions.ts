@@ -1,13 +1,11 @@
 import { ShaderChunk } from 'three';
-import { CAVITY } from '../../look/cavity.js';
-import { constantCase } from '../../look/constantCase.js';
 import {
   EMPHASIS_CONSTANTS,
   SHADOW_CONSTANTS,
   SHADOW_SAMPLES,
   TONE_CONSTANTS,
 } from '../../look/constants/shadingConstants.js';
-import type { HatchingProperty, HatchingTexture } from '../../look/HatchingProperty.js';
+import { constantCase, type HatchingProperty, type HatchingTexture } from '../../look/HatchingProperty.js';
 import { HATCHING_PROPERTIES } from '../../look/hatchingProperties.js';
 import { cornerLayout } from '../../mesh/bake/cornerLayout.js';
 import { definesOf } from './definesOf.js';
@@ -32,7 +30,7 @@ export const conventionsChunk = (): string =>
     ),
     ...numbered('TONE_CURVE', TONE_CURVES),
     ...numbered('VERTEX_LAYOUT', VERTEX_LAYOUTS),
-    definesOf({ CAVITY, ...TONE_CONSTANTS, ...SHADOW_CONSTANTS, ...EMPHASIS_CONSTANTS }),
+    definesOf({ ...TONE_CONSTANTS, ...SHADOW_CONSTANTS, ...EMPHASIS_CONSTANTS }),
     definesOf({ TONE_CURVE_SPANS, ...SHADOW_SAMPLES }, ''),
     lightCountDefines(),
   ].join('\n');

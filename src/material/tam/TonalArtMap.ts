@@ -10,9 +10,8 @@ import { encodeThresholds, type ThresholdLevel } from '../../strokes/tamImages/e
 import { DEFAULT_STROKE_TEXELS, type HatchImages } from '../../strokes/tamImages/HatchImages.js';
 import { type MapDrawing, resolveMapDrawing } from '../../strokes/tamImages/hatchImageOptions.js';
 import type { MapRequest } from '../../strokes/tamImages/hatchImageRequest.js';
-import { checkNames, checkOptions } from '../../worker/checkOptions.js';
 import { runTask } from '../../worker/runTask.js';
-import type { TaskOptions } from '../../worker/TaskOptions.js';
+import { checkNames, checkOptions, type TaskOptions } from '../../worker/TaskOptions.js';
 import { HATCH_IMAGE_OPTIONS } from './checkHatchImageOptions.js';
 import { measureThresholdMoments, type ThresholdMoments } from './measureThresholdMoments.js';
 import { type PackedLevel, packHatchImages, unpackHatchImage } from './packHatchImages.js';

@@ -1,5 +1,5 @@
 import { type MapDrawing, resolveMapDrawing } from '../../strokes/tamImages/hatchImageOptions.js';
-import { checkNames } from '../../worker/checkOptions.js';
+import { checkNames } from '../../worker/TaskOptions.js';
 
 /** The names of the options that determine a generated map. */
 export const HATCH_IMAGE_OPTIONS = {

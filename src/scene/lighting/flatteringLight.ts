@@ -1,5 +1,5 @@
 import { type Camera, Matrix4, type Object3D, Vector3 } from 'three';
-import { checkNames } from '../../worker/checkOptions.js';
+import { checkNames } from '../../worker/TaskOptions.js';
 import { assertTree } from '../assertTree.js';
 import { chooseLight } from './chooseLight.js';
 import { OuterPoints } from './OuterPoints.js';

@@ -1,10 +1,9 @@
 /** From light to the tone that is printed, as tone.glsl, toneCurve.glsl, occlude.glsl and localColor.glsl have it. */
-import { CAVITY } from '../../look/cavity.js';
 import { TONE_CONSTANTS } from '../../look/constants/shadingConstants.js';
-import { lightness } from '../../look/lightness.js';
+import { lightness } from '../../look/luminance.js';
 import { clamp01, mix, smoothstep } from '../../look/vectors.js';
 
-const { HOLLOW } = TONE_CONSTANTS;
+const { CAVITY, HOLLOW } = TONE_CONSTANTS;
 
 /** A curve of points as a sum of cubics, one for each span; of `fitToneCurve`. */
 export interface CurveCubics {

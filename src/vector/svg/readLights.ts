@@ -11,7 +11,7 @@ import {
   type SpotLight,
   Vector3,
 } from 'three';
-import { luminanceOf } from '../../look/luminanceOf.js';
+import { luminanceOf } from '../../look/luminance.js';
 import type { Surroundings } from '../../look/surroundings.js';
 import type { Vec3 } from '../../look/vectors.js';
 import { LightsAround } from '../../material/exposure/LightsAround.js';

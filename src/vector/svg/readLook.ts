@@ -1,5 +1,5 @@
 import type { IUniform, Mesh, Vector2 } from 'three';
-import { luminanceOf } from '../../look/luminanceOf.js';
+import { luminanceOf } from '../../look/luminance.js';
 import { resolveLook } from '../../look/resolveLook.js';
 import { isFitted } from '../../material/exposure/isFitted.js';
 import type { ToneFit } from '../../material/exposure/ToneFit.js';
@@ -9,8 +9,7 @@ import { createHatchingUniforms, writeComputedUniforms, writeSizeUniforms } from
 import type { EngravedLook } from '../Engraver.js';
 import type { Emphasis } from '../shading/emphasis.js';
 import type { GroundLook } from '../shading/groundShadow.js';
-import type { CurveCubics } from '../shading/tone.js';
-import { localDarkness } from '../shading/tone.js';
+import { type CurveCubics, localDarkness } from '../shading/tone.js';
 import type { SurfaceLook } from '../Toner.js';
 import { opacityOf } from './seenThrough.js';
 

@@ -1,13 +1,12 @@
 /** The twin of shaders/chunks/occlude.glsl: what ambient occlusion takes of the light. */
 
-import { CAVITY } from '../../../look/cavity.js';
 import { TONE_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 import { vOcclusion } from './occlusion.js';
 
 const { float, smoothstep } = tsl;
-const { HOLLOW } = TONE_CONSTANTS;
+const { CAVITY, HOLLOW } = TONE_CONSTANTS;
 
 /** How much of it counts. */
 const occlusion = /* @__PURE__ */ hatchingUniform('occlusion', 'float');
