@@ -40,7 +40,7 @@ export type { TonalArtMapOptions } from './material/tam/TonalArtMap.js';
 export { TonalArtMap } from './material/tam/TonalArtMap.js';
 export type { TonalArtMapTexture } from './material/tam/TonalArtMapTexture.js';
 export type { Vector2Like, Vector3Like } from './material/vectorValues.js';
-export type { EdgeCounts } from './mesh/adjacency/EdgeCounts.js';
+export type { EdgeCounts } from './mesh/adjacency/pairEdges.js';
 export { AdaptiveResolution, type AdaptiveResolutionOptions } from './scene/AdaptiveResolution.js';
 export type { ApplyHatchingOptions } from './scene/ApplyHatchingOptions.js';
 export { applyHatching } from './scene/applyHatching.js';

@@ -1,4 +1,4 @@
-// The layout `corner`: the vertices lie in attributes, which src/mesh/bake/cornerLayout.ts declares.
+// The layout `corner`: the vertices lie in attributes, which src/mesh/bake/attributeLayouts.ts declares.
 #include "cornerAttributes"
 
 AdjacencyPrimitive readDrawnPrimitive() {

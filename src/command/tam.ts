@@ -1,6 +1,6 @@
 import process from 'node:process';
 import { version } from '../../package.json';
-import { runSliced } from '../mesh/timeSlicing/runSliced.js';
+import { runSliced } from '../mesh/runSliced.js';
 import type { MapFile } from '../strokes/mapFiles/mapFiles.js';
 import { writeMapFiles } from '../strokes/mapFiles/writeMapFiles.js';
 import { generateHatchImages } from '../strokes/tamImages/generateHatchImages.js';

@@ -1,7 +1,6 @@
 import { disjointSets, join, rootOf } from './disjointSets.js';
 import { hashWords } from './hashWords.js';
-import { asPhase } from './timeSlicing/asPhase.js';
-import { forEachChunk } from './timeSlicing/forEachChunk.js';
+import { asPhase, forEachChunk } from './phases.js';
 
 /** What `clusterPositions` returns. */
 export interface Clusters {

@@ -1,5 +1,5 @@
+import { forEachChunk } from './phases.js';
 import type { TriangleMesh } from './TriangleMesh.js';
-import { forEachChunk } from './timeSlicing/forEachChunk.js';
 
 /**
  * Computes the area normal of each triangle, (V1 − V0) × (V2 − V0), in double precision. Its direction is the normal, its

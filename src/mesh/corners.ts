@@ -24,3 +24,12 @@ export const nextCorner = (corner: number): number => (corner % 3 === 2 ? corner
 
 /** The corner before `corner` in its own triangle: the one opposite to the edge that starts at `corner`. */
 export const previousCorner = (corner: number): number => (corner % 3 === 0 ? corner + 2 : corner - 1);
+
+/**
+ * The opposite vertex of the neighbour across the edge that starts at `corner`. Without a neighbour it is the opposite vertex
+ * of the corner's own triangle.
+ */
+export function vertexAcross(indices: Uint32Array, twins: Int32Array, corner: number): number {
+  const twin = twins[corner];
+  return indices[previousCorner(twin === NO_TWIN ? corner : twin)];
+}

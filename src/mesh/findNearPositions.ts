@@ -1,5 +1,5 @@
 import { hashWords } from './hashWords.js';
-import { forEachChunk } from './timeSlicing/forEachChunk.js';
+import { forEachChunk } from './phases.js';
 
 /** What `findNearPositions` returns. */
 export interface NearPositions {

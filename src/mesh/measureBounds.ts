@@ -1,6 +1,5 @@
+import { asPhase, forEachChunk } from './phases.js';
 import type { TriangleMesh } from './TriangleMesh.js';
-import { asPhase } from './timeSlicing/asPhase.js';
-import { forEachChunk } from './timeSlicing/forEachChunk.js';
 
 /** The bounding box of a mesh, and the radius of its bounding sphere about the middle of the box. */
 export interface Bounds {

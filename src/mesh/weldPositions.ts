@@ -1,6 +1,5 @@
 import { hashWords } from './hashWords.js';
-import { forEachChunk } from './timeSlicing/forEachChunk.js';
-import { release } from './timeSlicing/release.js';
+import { forEachChunk, release } from './phases.js';
 
 /** What `weldPositions` returns. */
 export interface Weld {

@@ -10,8 +10,8 @@ import {
   type PrepareHatchingGeometryOptions,
 } from '../material/geometry/PrepareHatchingGeometryOptions.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
-import { hatchNormal } from '../mesh/bake/hatchNormal.js';
-import { runSliced } from '../mesh/timeSlicing/runSliced.js';
+import { hatchNormal } from '../mesh/bake/attributeLayouts.js';
+import { runSliced } from '../mesh/runSliced.js';
 import type { MakeLevels } from './detail/levelMaker.js';
 import type { FirstFrame } from './FirstFrame.js';
 import { askingMaterials, crossingOf, type PlannedMesh } from './geometryPlans.js';

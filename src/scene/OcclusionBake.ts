@@ -1,6 +1,6 @@
 import type { BufferAttribute, BufferGeometry, Mesh } from 'three';
 import { disposeSharingClone, sharingClone } from '../material/geometry/sharingClone.js';
-import { hatchNormal } from '../mesh/bake/hatchNormal.js';
+import { hatchNormal } from '../mesh/bake/attributeLayouts.js';
 import type { SkippedMesh } from './HatchedScene.js';
 
 /** A mesh that gets occlusion. */

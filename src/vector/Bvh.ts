@@ -1,6 +1,5 @@
 import type { Vec3 } from '../look/vectors.js';
-import { asPhase } from '../mesh/timeSlicing/asPhase.js';
-import { forEachChunk } from '../mesh/timeSlicing/forEachChunk.js';
+import { asPhase, forEachChunk } from '../mesh/phases.js';
 import { type BvhNodes, buildBvh } from './buildBvh.js';
 import { Holes } from './paint/Holes.js';
 import type { Cutout } from './paint/PaintLook.js';

@@ -1,5 +1,5 @@
 import { OUTLINE_CONSTANTS } from '../look/constants/outlineConstants.js';
-import { asPhase } from '../mesh/timeSlicing/asPhase.js';
+import { asPhase } from '../mesh/phases.js';
 import type { Bvh } from './Bvh.js';
 import { backgroundPaths } from './backgroundPaths.js';
 import type { Chain } from './Chain.js';

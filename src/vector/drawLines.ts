@@ -1,4 +1,4 @@
-import { asPhase } from '../mesh/timeSlicing/asPhase.js';
+import { asPhase } from '../mesh/phases.js';
 import { Bvh } from './Bvh.js';
 import type { DrawingPlan, DrawnScene } from './DrawnScene.js';
 import { drawDots } from './dots/drawDots.js';

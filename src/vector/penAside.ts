@@ -1,5 +1,5 @@
 import { smoothstep } from '../look/vectors.js';
-import { asPhase } from '../mesh/timeSlicing/asPhase.js';
+import { asPhase } from '../mesh/phases.js';
 import type { FamilyName } from './Engraver.js';
 import { placeFrom, readTriangle, STRIDE, VIEW } from './LineSurface.js';
 import { type LinesAside, NO_RANK } from './levelSegments.js';

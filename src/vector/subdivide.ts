@@ -1,4 +1,4 @@
-import { asPhase } from '../mesh/timeSlicing/asPhase.js';
+import { asPhase } from '../mesh/phases.js';
 import { GrowingArray } from './GrowingArray.js';
 import { FIELD, type LineSurface, STRIDE, VIEW, WORLD } from './LineSurface.js';
 import type { Projection } from './Projection.js';

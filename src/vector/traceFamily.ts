@@ -1,5 +1,5 @@
 import type { Vec3 } from '../look/vectors.js';
-import { asPhase } from '../mesh/timeSlicing/asPhase.js';
+import { asPhase } from '../mesh/phases.js';
 import { type Chain, ChainBuilder } from './Chain.js';
 import type { EngravedPlace, FamilyName } from './Engraver.js';
 import { between, type LineSurface, STRIDE, type SurfacePlace, VIEW } from './LineSurface.js';

@@ -1,7 +1,6 @@
 import { type BufferGeometry, type InstancedMesh, Material, type SkinnedMesh, Texture } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
-import { formLayout } from '../mesh/bake/formLayout.js';
-import { hatchNormal } from '../mesh/bake/hatchNormal.js';
+import { formLayout, hatchNormal } from '../mesh/bake/attributeLayouts.js';
 import { warnOnce } from './warnOnce.js';
 
 /**

@@ -1,4 +1,4 @@
-import type { SlicedOptions } from '../mesh/timeSlicing/runSliced.js';
+import type { SlicedOptions } from '../mesh/runSliced.js';
 import { maxWorkers } from './maxWorkers.js';
 import { type MakeAgain, TaskClient } from './TaskClient.js';
 import type { NameIn, RequestOf, ResultOf, TaskSet, Tasks } from './TaskSet.js';

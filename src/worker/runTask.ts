@@ -1,7 +1,11 @@
-import { bakeRequestBuffers, jointRequestBuffers } from '../mesh/bake/bakeRequestBuffers.js';
 import { detailRequestBuffers } from '../mesh/detail/DetailRequest.js';
-import { contourSearchBuffers } from '../mesh/features/contourSearchBuffers.js';
-import { occlusionMeshBuffers, occlusionSceneBuffers } from '../mesh/occlusion/occlusionBuffers.js';
+import {
+  bakeRequestBuffers,
+  contourSearchBuffers,
+  jointRequestBuffers,
+  occlusionMeshBuffers,
+  occlusionSceneBuffers,
+} from '../mesh/requestBuffers.js';
 import { imageBuffers } from '../strokes/tamImages/imageBuffers.js';
 import type { MakeAgain } from './TaskClient.js';
 import type { TaskOptions } from './TaskOptions.js';

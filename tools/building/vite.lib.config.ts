@@ -23,7 +23,7 @@ const modules = (...paths: readonly string[]): RegExp => new RegExp(`/src/(?:${p
 const SEPARATE = [
   { name: 'HatchingMaterial', test: modules('material/HatchingMaterial') },
   // What materials and bakes share is not in the files of bakes, which come later.
-  { name: 'layouts', test: modules('mesh/bake/(?:formLayout|hatchNormal)') },
+  { name: 'layouts', test: modules('mesh/bake/attributeLayouts') },
   // What is checked at once, for work that comes later.
   {
     name: 'checks',

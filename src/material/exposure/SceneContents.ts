@@ -15,7 +15,7 @@ import type {
   SpotLight,
   Texture,
 } from 'three';
-import { hatchNormal } from '../../mesh/bake/hatchNormal.js';
+import { hatchNormal } from '../../mesh/bake/attributeLayouts.js';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
 import { isFitted } from './isFitted.js';
 import { versionOf } from './surfaceSamples.js';

@@ -1,5 +1,5 @@
 import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from 'three';
-import { hatchNormal } from '../../mesh/bake/hatchNormal.js';
+import { hatchNormal } from '../../mesh/bake/attributeLayouts.js';
 
 /**
  * Points spread evenly over the surface of a geometry, in its own space and at rest. The first few of them are spread as evenly as all.

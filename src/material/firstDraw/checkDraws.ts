@@ -1,7 +1,6 @@
 import { NoToneMapping } from 'three';
 import { formFieldOf, formOf, needsAdjacency, needsMap } from '../../look/queries.js';
-import { cornerLayout } from '../../mesh/bake/cornerLayout.js';
-import { hatchNormal } from '../../mesh/bake/hatchNormal.js';
+import { cornerLayout, hatchNormal } from '../../mesh/bake/attributeLayouts.js';
 import { deforms, hasFloatTargets, morphsEachInstance } from '../deformation/canDeform.js';
 import { describeObject } from '../diagnostics/describeObject.js';
 import { warn } from '../diagnostics/warn.js';

@@ -1,5 +1,5 @@
 import type { BufferAttribute, Color, Object3D } from 'three';
-import { hatchNormal } from '../../mesh/bake/hatchNormal.js';
+import { hatchNormal } from '../../mesh/bake/attributeLayouts.js';
 import { isFitted } from '../exposure/isFitted.js';
 import { identityOf } from '../geometry/identityOf.js';
 import type { FirstDraw } from './FirstDraw.js';

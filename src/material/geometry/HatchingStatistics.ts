@@ -1,4 +1,4 @@
-import type { EdgeCounts } from '../../mesh/adjacency/EdgeCounts.js';
+import type { EdgeCounts } from '../../mesh/adjacency/pairEdges.js';
 import type { Repairs } from './repairValues.js';
 
 /** The content of `userData.hatching` of a prepared geometry. */

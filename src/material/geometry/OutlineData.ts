@@ -1,8 +1,7 @@
 import { type BufferGeometry, DataTexture, RGBAIntegerFormat, UnsignedIntType } from 'three';
-import { POINT_BITS, POINT_MASK, SEARCHED_IN_WORKER } from '../../mesh/bake/outlineLayout.js';
+import { POINT_BITS, POINT_MASK, SEARCHED_IN_WORKER, unpackPoints } from '../../mesh/bake/outlineLayout.js';
 import type { PackedOutlines } from '../../mesh/bake/packOutlines.js';
 import { pullTextureSize } from '../../mesh/bake/pullLayout.js';
-import { unpackPoints } from '../../mesh/bake/unpackPoints.js';
 import type { ContourSearch } from '../../mesh/features/contourCandidates.js';
 import { identityOf } from './identityOf.js';
 

@@ -5,15 +5,18 @@ import {
   InterleavedBuffer,
   InterleavedBufferAttribute,
 } from 'three';
-import { appendVertices } from '../../mesh/bake/appendVertices.js';
+import {
+  CORNER_STRIDE,
+  cornerLayout,
+  formLayout,
+  GRADIENTS_STRIDE,
+  hatchNormal,
+} from '../../mesh/bake/attributeLayouts.js';
 import type { BakeCornersResult } from '../../mesh/bake/bakeCorners.js';
 import type { BakeIndexedResult } from '../../mesh/bake/bakeIndexed.js';
 import type { BakePullResult } from '../../mesh/bake/bakePull.js';
-import { CORNER_STRIDE, cornerLayout } from '../../mesh/bake/cornerLayout.js';
-import type { VertexWords, Words } from '../../mesh/bake/expandPerCorner.js';
-import { formLayout, GRADIENTS_STRIDE } from '../../mesh/bake/formLayout.js';
-import { hatchNormal } from '../../mesh/bake/hatchNormal.js';
 import type { PackedForm } from '../../mesh/bake/packForm.js';
+import { appendVertices, type VertexWords, type Words } from '../../mesh/bake/vertexWords.js';
 import { PulledVertices } from './PulledVertices.js';
 import { finishGeometry, type NotBaked, setNormals } from './preparedGeometry.js';
 import { setPulledVertices } from './pulledVerticesOf.js';

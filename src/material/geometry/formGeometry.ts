@@ -1,5 +1,5 @@
 import type { BufferGeometry } from 'three';
-import { formLayout } from '../../mesh/bake/formLayout.js';
+import { formLayout } from '../../mesh/bake/attributeLayouts.js';
 import { identityOf } from './identityOf.js';
 
 /** Whether a geometry was prepared with `form`. Allocates nothing. */

@@ -3,7 +3,7 @@ import { HATCHING_TECHNIQUES } from '../../look/hatchingProperties.js';
 import type { BakeRequest } from '../../mesh/bake/bakeCorners.js';
 import type { OutlineRequest } from '../../mesh/bake/bakeOutlines.js';
 import type { FormRequest } from '../../mesh/bake/bakeSurface.js';
-import type { VertexWords } from '../../mesh/bake/expandPerCorner.js';
+import type { VertexWords } from '../../mesh/bake/vertexWords.js';
 import type { FormField } from '../../mesh/form/FormField.js';
 import type { TriangleMesh } from '../../mesh/TriangleMesh.js';
 import { runTask } from '../../worker/runTask.js';
@@ -52,7 +52,7 @@ const ASKED_OF_GEOMETRIES = ['morphAttributes', 'boundingSphere', 'attributes', 
  * normal at the scale of a stroke, as four normalised 16-bit integers. The last of them is 0 until `bakeOcclusion` writes to it.
  *
  * - Layout `'corner'` stores, for each corner, the positions of the six adjacency vertices of its triangle (Suarez et al.,
- *   section 3.2, figure 5; see `cornerLayout.ts`). The geometry has no index; positions become 32-bit floats. With normal, uv,
+ *   section 3.2, figure 5; see `attributeLayouts.ts`). The geometry has no index; positions become 32-bit floats. With normal, uv,
  *   colour, instance matrix and instance colour it takes 15 of WebGL's 16 vertex attributes.
  * - Layout `'pull'` has no index either. The indices and positions of the adjacency vertices lie in two textures that belong to
  *   the geometry and its clones. They do not survive `toJSON`, and a `BatchedMesh` cannot draw them.

@@ -1,5 +1,5 @@
 import { type BufferGeometry, DataUtils } from 'three';
-import type { VertexWords } from '../../mesh/bake/expandPerCorner.js';
+import type { VertexWords } from '../../mesh/bake/vertexWords.js';
 import type { KeptAttribute, VertexAttribute } from './vertexAttributes.js';
 
 /** Counts the repairs of the source. Part of `HatchingStatistics`. */

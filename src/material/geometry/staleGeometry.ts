@@ -1,5 +1,5 @@
 import type { BufferGeometry } from 'three';
-import { hatchNormal } from '../../mesh/bake/hatchNormal.js';
+import { hatchNormal } from '../../mesh/bake/attributeLayouts.js';
 import { identityOf } from './identityOf.js';
 
 /** Checksums of a geometry, taken when it was baked or first seen. They show whether its attributes were replaced since. */

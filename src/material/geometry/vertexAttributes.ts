@@ -1,8 +1,6 @@
 import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from 'three';
-import { cornerLayout } from '../../mesh/bake/cornerLayout.js';
-import type { VertexWords, Words } from '../../mesh/bake/expandPerCorner.js';
-import { formLayout } from '../../mesh/bake/formLayout.js';
-import { hatchNormal } from '../../mesh/bake/hatchNormal.js';
+import { cornerLayout, formLayout, hatchNormal } from '../../mesh/bake/attributeLayouts.js';
+import type { VertexWords, Words } from '../../mesh/bake/vertexWords.js';
 
 /** A vertex attribute of a geometry. */
 export type VertexAttribute = BufferAttribute | InterleavedBufferAttribute;

@@ -1,6 +1,11 @@
-import { POINT_BITS, POINT_MASK, PRIMITIVE_WORDS, SEARCHED_IN_WORKER } from '../../mesh/bake/outlineLayout.js';
+import {
+  POINT_BITS,
+  POINT_MASK,
+  PRIMITIVE_WORDS,
+  SEARCHED_IN_WORKER,
+  unpackPoints,
+} from '../../mesh/bake/outlineLayout.js';
 import { paddedWords } from '../../mesh/bake/packPull.js';
-import { unpackPoints } from '../../mesh/bake/unpackPoints.js';
 import { nextCorner, triangleOf } from '../../mesh/corners.js';
 import { BORDER, CONTRARY, CREASE, IS_EDGE, LOW_FLAGS, MATERIAL_BORDER } from '../../mesh/features/edgeFlags.js';
 import type { OutlineData } from '../geometry/OutlineData.js';

@@ -7,7 +7,7 @@ import {
 } from '../../look/constants/shadingConstants.js';
 import { constantCase, type HatchingProperty, type HatchingTexture } from '../../look/HatchingProperty.js';
 import { HATCHING_PROPERTIES } from '../../look/hatchingProperties.js';
-import { cornerLayout } from '../../mesh/bake/cornerLayout.js';
+import { cornerLayout } from '../../mesh/bake/attributeLayouts.js';
 import { definesOf } from './definesOf.js';
 import { lightCountDefines } from './lightKinds.js';
 

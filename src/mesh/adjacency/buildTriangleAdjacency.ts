@@ -1,12 +1,9 @@
 import { computeAreaNormals } from '../computeAreaNormals.js';
+import { asPhase, forEachChunk, release } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
-import { release } from '../timeSlicing/release.js';
 import { weldPositions } from '../weldPositions.js';
-import type { EdgeCounts } from './EdgeCounts.js';
 import { joinBorders, type Nearness } from './joinBorders.js';
-import { pairEdges } from './pairEdges.js';
+import { type EdgeCounts, pairEdges } from './pairEdges.js';
 
 /** Which triangle lies across which edge. */
 export interface TriangleAdjacency extends EdgeCounts {

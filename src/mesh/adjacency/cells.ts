@@ -1,6 +1,4 @@
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
-import { release } from '../timeSlicing/release.js';
+import { asPhase, forEachChunk, release } from '../phases.js';
 
 /** A graph: the neighbours of node i lie in entries starts[i] … starts[i + 1] − 1. Each edge has two entries, one for each end. */
 export interface Graph {

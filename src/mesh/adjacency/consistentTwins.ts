@@ -1,5 +1,5 @@
 import { NO_TWIN } from '../corners.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
+import { forEachChunk } from '../phases.js';
 import type { TriangleAdjacency } from './buildTriangleAdjacency.js';
 
 /**

@@ -2,8 +2,7 @@ import { clusterPositions } from '../clusterPositions.js';
 import { isDegenerate } from '../computeAreaNormals.js';
 import { NO_TWIN, nextCorner, triangleOf } from '../corners.js';
 import { findNearPositions } from '../findNearPositions.js';
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
+import { asPhase, forEachChunk } from '../phases.js';
 import { comparePositions, matchNonManifoldEdge } from './matchNonManifoldEdge.js';
 import type { Pairing } from './pairEdges.js';
 

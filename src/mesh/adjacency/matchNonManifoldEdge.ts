@@ -1,6 +1,5 @@
 import { nextCorner, previousCorner } from '../corners.js';
 import { EdgeAxes } from './EdgeAxes.js';
-import type { EdgeCounts } from './EdgeCounts.js';
 
 /** A half-edge of a non-manifold edge. */
 interface HalfEdge {
@@ -21,9 +20,11 @@ interface Candidate {
   right: number;
 }
 
-/** What the pairing of a non-manifold edge is added to. */
-interface EdgePairing extends Pick<EdgeCounts, 'nonManifoldEdges' | 'unpairedEdges'> {
+/** The results that the pairing of a non-manifold edge is added to. See `EdgeCounts`. */
+interface EdgePairing {
   twins: Int32Array;
+  nonManifoldEdges: number;
+  unpairedEdges: number;
   /** The number of steps taken. */
   steps: number;
 }

@@ -1,10 +1,21 @@
 import { isDegenerate } from '../computeAreaNormals.js';
 import { NO_TWIN, nextCorner } from '../corners.js';
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
-import { release } from '../timeSlicing/release.js';
-import type { EdgeCounts } from './EdgeCounts.js';
+import { asPhase, forEachChunk, release } from '../phases.js';
 import { matchNonManifoldEdge } from './matchNonManifoldEdge.js';
+
+/** How the edges of a mesh were paired. Edges are undirected and counted after welding. */
+export interface EdgeCounts {
+  /** Edges with one triangle. */
+  borderEdges: number;
+  /** Edges with more than two triangles. */
+  nonManifoldEdges: number;
+  /** Those of them where not all triangles go in pairs: a triangle ends there, as at a border. */
+  unpairedEdges: number;
+  /** Edges that both their triangles run along in the same direction: the windings contradict each other. */
+  inconsistentEdges: number;
+  /** Triangles without area. They have no neighbours, are no triangle's neighbour, and their edges are not counted. */
+  degenerateTriangles: number;
+}
 
 /** What `pairEdges` returns. See `TriangleAdjacency`. */
 export interface Pairing extends Omit<EdgeCounts, 'borderEdges'> {

@@ -1,9 +1,9 @@
-import { asPhase } from '../timeSlicing/asPhase.js';
+import { asPhase } from '../phases.js';
 import { type BakeReport, bakeSurface, reportOf, type SurfaceRequest } from './bakeSurface.js';
-import type { VertexWords } from './expandPerCorner.js';
 import { type CornerAttributes, cornerAttributeBuffers, packCornerAttributes } from './packCornerAttributes.js';
 import { type PackedCorners, packCorners } from './packCorners.js';
 import { outlineBuffers } from './packOutlines.js';
+import type { VertexWords } from './vertexWords.js';
 
 /** The input of the bakes that give each corner a vertex of its own. Plain data: it is posted to the worker. */
 export interface BakeRequest extends SurfaceRequest {
@@ -15,7 +15,7 @@ export interface BakeRequest extends SurfaceRequest {
 export interface BakeCornersResult extends PackedCorners, CornerAttributes, BakeReport {}
 
 /**
- * Bakes triangle adjacency into the `corner` layout (`cornerLayout.ts`): welds the vertices, pairs the edges, cuts the
+ * Bakes triangle adjacency into the `corner` layout (`attributeLayouts.ts`): welds the vertices, pairs the edges, cuts the
  * creases, smooths the normals and packs the attributes. Throws a RangeError for a mesh that cannot be baked; see
  * `validateTriangleMesh`. It is pure: the same request gives the same bytes on every machine.
  */

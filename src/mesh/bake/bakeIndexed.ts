@@ -1,8 +1,7 @@
-import { asPhase } from '../timeSlicing/asPhase.js';
+import { asPhase } from '../phases.js';
 import { type BakeReport, bakeSurface, reportOf, type SurfaceRequest } from './bakeSurface.js';
 import { formBuffers, type PackedForm, packForm } from './packForm.js';
-import { packHatchNormals } from './packHatchNormals.js';
-import { packNormals } from './packNormals.js';
+import { packHatchNormals, packNormals } from './packNormals.js';
 import { outlineBuffers } from './packOutlines.js';
 import { splitVertices } from './splitVertices.js';
 

@@ -6,8 +6,8 @@ import { bakeChosenForm, bakeForm } from '../form/bakeForm.js';
 import type { FormField } from '../form/FormField.js';
 import { measureBounds } from '../measureBounds.js';
 import { cutCreases } from '../normals/cutCreases.js';
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { validateTriangleMesh } from '../validateTriangleMesh.js';
+import { asPhase } from '../phases.js';
+import { validateTriangleMesh } from '../TriangleMesh.js';
 import { type FormRequest, nearnessOf } from './bakeSurface.js';
 import { fieldOfPart, type JoinedParts, joinParts, type Part, partOfTriangles } from './joinParts.js';
 

@@ -6,10 +6,10 @@ import { turnFlaps } from '../features/turnFlaps.js';
 import { absorbSmallPatches } from '../normals/absorbSmallPatches.js';
 import type { FanSurface } from '../normals/assembleHeatEquation.js';
 import type { Fans } from '../normals/buildFans.js';
-import { fanDirections } from '../normals/fanDirections.js';
+import { fanDirections } from '../normals/fanNormals.js';
 import type { Patches } from '../normals/findPatches.js';
+import { asPhase } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
-import { asPhase } from '../timeSlicing/asPhase.js';
 
 /** What the bake of outlines needs to know. Plain data: it is posted to the worker. */
 export interface OutlineRequest {

@@ -1,13 +1,17 @@
+import { asPhase } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { appendVertices } from './appendVertices.js';
 import type { BakeRequest } from './bakeCorners.js';
 import { type BakeReport, bakeSurface, reportOf } from './bakeSurface.js';
-import { expandPerCorner } from './expandPerCorner.js';
-import { type CornerAttributes, cornerAttributeBuffers, packCornerAttributes } from './packCornerAttributes.js';
+import {
+  type CornerAttributes,
+  cornerAttributeBuffers,
+  expandPerCorner,
+  packCornerAttributes,
+} from './packCornerAttributes.js';
 import { outlineBuffers } from './packOutlines.js';
 import { type PackedPull, packPull } from './packPull.js';
 import { splitVertices } from './splitVertices.js';
+import { appendVertices } from './vertexWords.js';
 
 /** What `bakePull` returns. Plain data: the worker posts it back. */
 export interface BakePullResult extends PackedPull, CornerAttributes, BakeReport {

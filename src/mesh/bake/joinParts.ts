@@ -1,8 +1,7 @@
 import { triangleOf } from '../corners.js';
 import type { FormField } from '../form/FormField.js';
+import { asPhase, forEachChunk } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
 
 /** A mesh that is a part of something larger. Plain data: it is posted to the worker. */
 export interface Part {

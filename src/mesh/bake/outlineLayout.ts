@@ -1,3 +1,5 @@
+import { readOctahedral } from './octahedral.js';
+
 /**
  * The layout of the two textures that contours and feature edges are drawn from. Both hold unsigned integers (RGBA, 32 bits
  * each).
@@ -32,3 +34,21 @@ export const POINT_MASK: number = 2 ** POINT_BITS - 1;
 
 /** With this many triangles, a search for contours takes more than about a millisecond. Then it runs in the worker, on arrays of its own. */
 export const SEARCHED_IN_WORKER = 100_000;
+
+/** Unpacks the positions and unit normals of the first `count` points that `packOutlines` has written. */
+export function unpackPoints(
+  words: Uint32Array<ArrayBuffer>,
+  count: number,
+): { positions: Float32Array<ArrayBuffer>; normals: Float32Array<ArrayBuffer> } {
+  const floats = new Float32Array(words.buffer);
+  const positions = new Float32Array(3 * count);
+  const normals = new Float32Array(3 * count);
+  for (let point = 0; point < count; point++) {
+    const source = POINT_WORDS * point;
+    positions[3 * point] = floats[source];
+    positions[3 * point + 1] = floats[source + 1];
+    positions[3 * point + 2] = floats[source + 2];
+    readOctahedral(words[source + 3], normals, 3 * point);
+  }
+  return { positions, normals };
+}

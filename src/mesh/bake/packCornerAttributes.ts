@@ -1,9 +1,8 @@
-import { asPhase } from '../timeSlicing/asPhase.js';
+import { asPhase, forEachChunk } from '../phases.js';
 import type { Surface } from './bakeSurface.js';
-import { expandPerCorner, type VertexWords, type Words } from './expandPerCorner.js';
 import { formBuffers, type PackedForm, packForm } from './packForm.js';
-import { packHatchNormals } from './packHatchNormals.js';
-import { packNormals } from './packNormals.js';
+import { packHatchNormals, packNormals } from './packNormals.js';
+import type { VertexWords, Words } from './vertexWords.js';
 
 /** The vertex attributes of the layouts that give each corner a vertex of its own. */
 export interface CornerAttributes {
@@ -47,3 +46,25 @@ export const cornerAttributeBuffers = ({
   ...formBuffers(form),
   ...attributes.map((words) => words.buffer),
 ];
+
+/** Copies the words of each corner's vertex to the corner. */
+export function* expandPerCorner(source: VertexWords, indices: Uint32Array): Generator<number, Words, void> {
+  const { words, wordsPerVertex } = source;
+  const expanded = new (words.constructor as new (length: number) => Words)(indices.length * wordsPerVertex);
+  yield* forEachChunk(indices.length, (start, end) => expandRange(source, indices, expanded, start, end));
+  return expanded;
+}
+
+function expandRange(
+  { words, wordsPerVertex }: VertexWords,
+  indices: Uint32Array,
+  expanded: Words,
+  start: number,
+  end: number,
+): void {
+  for (let corner = start; corner < end; corner++) {
+    const from = indices[corner] * wordsPerVertex;
+    const to = corner * wordsPerVertex;
+    for (let i = 0; i < wordsPerVertex; i++) expanded[to + i] = words[from + i];
+  }
+}

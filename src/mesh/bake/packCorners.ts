@@ -1,7 +1,7 @@
-import { vertexAcross } from '../adjacency/vertexAcross.js';
+import { vertexAcross } from '../corners.js';
+import { forEachChunk } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
-import { CORNER_STRIDE } from './cornerLayout.js';
+import { CORNER_STRIDE } from './attributeLayouts.js';
 
 /** The vertex buffers of the `corner` layout. */
 export interface PackedCorners {

@@ -1,7 +1,6 @@
 import type { FormField } from '../form/FormField.js';
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
-import { formLayout, GRADIENTS_STRIDE } from './formLayout.js';
+import { asPhase, forEachChunk } from '../phases.js';
+import { formLayout, GRADIENTS_STRIDE } from './attributeLayouts.js';
 import { NO_CORNER } from './splitVertices.js';
 
 /** The normalised 16-bit integer that stands for 1. */

@@ -1,7 +1,6 @@
 import { LOW_FLAGS } from '../features/edgeFlags.js';
 import { TENSOR_FLOATS } from '../features/fanCurvatures.js';
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
+import { asPhase, forEachChunk } from '../phases.js';
 import type { OutlineSurface } from './bakeOutlines.js';
 import { octahedral } from './octahedral.js';
 import { POINT_BITS, POINT_WORDS, PRIMITIVE_WORDS, SEARCHED_IN_WORKER } from './outlineLayout.js';

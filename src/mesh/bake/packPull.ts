@@ -1,6 +1,5 @@
-import { vertexAcross } from '../adjacency/vertexAcross.js';
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
+import { vertexAcross } from '../corners.js';
+import { asPhase, forEachChunk } from '../phases.js';
 import { pullColumns, pullTextureSize, TRIANGLE_WORDS, VERTEX_WORDS } from './pullLayout.js';
 
 /** The textures of the `pull` layout, padded to whole rows (`pullTextureSize`). */

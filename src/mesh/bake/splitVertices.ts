@@ -1,9 +1,8 @@
 import { isDegenerate } from '../computeAreaNormals.js';
 import { hashWords } from '../hashWords.js';
 import type { Fans } from '../normals/buildFans.js';
+import { asPhase, forEachChunk } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
 
 /** Stands for the corner of a vertex that no triangle uses. */
 export const NO_CORNER = 0xffffffff;

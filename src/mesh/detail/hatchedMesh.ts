@@ -1,5 +1,5 @@
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
-import type { SimplifiableMesh } from './SimplifiableMesh.js';
+import { forEachChunk } from '../phases.js';
+import type { SimplifiableMesh } from './simplifyTriangles.js';
 
 /**
  * How far a vertex may move, in radii of the mesh, for a turn of its strokes by one radian, by the whole of a map, by a whole colour, and

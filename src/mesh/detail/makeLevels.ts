@@ -1,7 +1,6 @@
-import { asPhase } from '../timeSlicing/asPhase.js';
-import type { SimplifiableMesh } from './SimplifiableMesh.js';
-import type { Simplifier } from './Simplifier.js';
-import { simplifyTriangles } from './simplifyTriangles.js';
+import { asPhase } from '../phases.js';
+import type { Simplifier } from './loadSimplifier.js';
+import { type SimplifiableMesh, simplifyTriangles } from './simplifyTriangles.js';
 
 /** The error of the first level, in radii: a quarter of a pixel where the mesh is a thousand pixels high. */
 const FIRST_ERROR = 2 ** -11;

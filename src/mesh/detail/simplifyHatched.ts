@@ -1,4 +1,4 @@
-import { asPhase } from '../timeSlicing/asPhase.js';
+import { asPhase } from '../phases.js';
 import type { DetailRequest } from './DetailRequest.js';
 import { hatchedMesh } from './hatchedMesh.js';
 import { simplifierOf } from './loadSimplifier.js';

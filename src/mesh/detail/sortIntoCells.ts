@@ -1,5 +1,4 @@
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
+import { asPhase, forEachChunk } from '../phases.js';
 
 /** The most cells along an axis, so that their list stays small. */
 const MOST_ALONG = 64;

@@ -1,5 +1,4 @@
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
+import { asPhase, forEachChunk } from '../phases.js';
 import { BORDER, CONTRARY } from './edgeFlags.js';
 
 /** The data that the search for contours needs. Plain data: it is posted to the worker and back. */

@@ -1,8 +1,7 @@
 import { doubleArea } from '../computeAreaNormals.js';
 import type { Fans } from '../normals/buildFans.js';
+import { asPhase, forEachChunk } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
 
 /** Floats per fan: xx, xy, xz, yy, yz, zz of a symmetric matrix. */
 export const TENSOR_FLOATS = 6;

@@ -1,9 +1,8 @@
 import { cosineBetween, isDegenerate } from '../computeAreaNormals.js';
 import { NO_TWIN, nextCorner, triangleOf } from '../corners.js';
 import { disjointSets, join, rootOf } from '../disjointSets.js';
+import { asPhase, forEachChunk } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
 import { BORDER, CONTRARY, CORNER_AT_END, CORNER_AT_START, CREASE, DRAWN_WHOLE, MATERIAL_BORDER } from './edgeFlags.js';
 
 /** The mesh that is searched for feature edges. */

@@ -1,8 +1,7 @@
 import { cosineBetween } from '../computeAreaNormals.js';
 import { nextCorner, triangleOf } from '../corners.js';
+import { asPhase, forEachChunk } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
 
 /** A mesh may be coarse if the mean length of its edges is above this, as a share of the bounding radius. */
 const LONG_EDGE = 0.1;

@@ -1,6 +1,5 @@
 import type { Fans } from '../normals/buildFans.js';
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
+import { asPhase, forEachChunk } from '../phases.js';
 
 /** The cosine of the widest angle that is allowed between a normal and the mean of the normals around it. */
 const WIDEST = Math.cos((70 * Math.PI) / 180);

@@ -1,7 +1,6 @@
 import type { TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
+import { asPhase, release } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { release } from '../timeSlicing/release.js';
 import { chooseLineField } from './chooseLineField.js';
 import { cutForm, type FormSeam } from './cutForm.js';
 import { directionField } from './directions/directionField.js';

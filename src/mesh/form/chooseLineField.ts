@@ -1,5 +1,5 @@
 import { TENSOR_FLOATS } from '../features/fanCurvatures.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
+import { forEachChunk } from '../phases.js';
 import type { FormSurface } from './FormSurface.js';
 
 /** What `lineField: 'auto'` draws a mesh with, and by which measure. */

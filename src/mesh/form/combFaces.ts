@@ -1,7 +1,6 @@
 import { NO_TWIN, triangleOf } from '../corners.js';
 import { disjointSets, join, rootOf } from '../disjointSets.js';
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
+import { asPhase, forEachChunk } from '../phases.js';
 import type { FormSurface } from './FormSurface.js';
 
 /** A sign for each face, 1 or −1, and for each edge 1 where the surface is cut. */

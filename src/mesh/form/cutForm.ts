@@ -1,7 +1,6 @@
 import { NO_TWIN, nextCorner, previousCorner, triangleOf } from '../corners.js';
 import { buildFans, type Fans } from '../normals/buildFans.js';
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
+import { asPhase, forEachChunk } from '../phases.js';
 import { combFaces } from './combFaces.js';
 import type { FaceDirections } from './directions/faceDirections.js';
 import type { FormSurface } from './FormSurface.js';

@@ -1,5 +1,5 @@
 import { nextCorner } from '../corners.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
+import { forEachChunk } from '../phases.js';
 import type { FormSeam } from './cutForm.js';
 import type { FormSurface } from './FormSurface.js';
 

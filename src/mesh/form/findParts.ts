@@ -1,7 +1,6 @@
 import { findPatches } from '../normals/findPatches.js';
+import { asPhase, forEachChunk } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
 
 /** The connected parts of a mesh. Each is a shape by itself: what is small on it is small beside the part, not beside the whole. */
 export interface Parts {

@@ -1,8 +1,7 @@
 import { NO_TWIN, triangleOf } from '../corners.js';
 import { cutSharpEdges } from '../normals/cutSharpEdges.js';
 import { findPatches } from '../normals/findPatches.js';
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
+import { asPhase, forEachChunk } from '../phases.js';
 import type { Parts } from './findParts.js';
 
 /** A patch smaller than a disc of this radius has no lines of its own. A share of the bounding radius of its part. */

@@ -1,6 +1,5 @@
 import { doubleArea } from '../computeAreaNormals.js';
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
+import { asPhase, forEachChunk } from '../phases.js';
 import type { FormSeam } from './cutForm.js';
 import type { FormField } from './FormField.js';
 import type { FormSurface } from './FormSurface.js';

@@ -1,7 +1,6 @@
 import type { FanSurface } from '../normals/assembleHeatEquation.js';
 import { smoothFanNormals } from '../normals/smoothFanNormals.js';
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
+import { asPhase, forEachChunk } from '../phases.js';
 
 /**
  * Where normals that were smoothed over twice the radius are shorter than this share of the others, more of them cancel than relief

@@ -1,7 +1,6 @@
 import { doubleArea } from '../computeAreaNormals.js';
 import { triangleOf } from '../corners.js';
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
+import { asPhase, forEachChunk } from '../phases.js';
 import type { FanSurface } from './assembleHeatEquation.js';
 import { type Fans, NO_FAN } from './buildFans.js';
 import type { Patches } from './findPatches.js';

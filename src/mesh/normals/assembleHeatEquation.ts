@@ -1,9 +1,7 @@
 import { doubleArea } from '../computeAreaNormals.js';
 import { NO_TWIN } from '../corners.js';
+import { asPhase, forEachChunk, release } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
-import { release } from '../timeSlicing/release.js';
 import type { Fans } from './buildFans.js';
 import type { SortedFans } from './sortFans.js';
 
@@ -142,4 +140,13 @@ function scatterRange(
       from = to;
     }
   }
+}
+
+/** The heat equation on a surface, or on a coarser copy of it. */
+export interface HeatLevel {
+  heat: HeatEquation;
+  /** Where each node lies, three coordinates each. Undefined where heat spreads over few nodes only: a coarser copy is not needed then. */
+  places: Float32Array | undefined;
+  /** For each node the share of the radius over which heat spreads there, at most 1. Undefined stands for 1 everywhere. */
+  shares: Float32Array | undefined;
 }

@@ -1,5 +1,5 @@
 import { NO_TWIN, nextCorner, previousCorner } from '../corners.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
+import { forEachChunk } from '../phases.js';
 
 /**
  * A fan is a set of corners around a vertex that are connected across edges with twins. The surface is smooth within a fan: a

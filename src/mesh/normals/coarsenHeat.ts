@@ -1,10 +1,7 @@
 import { type Cells, type CoarseGraph, clusterNodes, coarsen, NONE } from '../adjacency/cells.js';
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
-import { release } from '../timeSlicing/release.js';
-import type { HeatEquation } from './assembleHeatEquation.js';
-import type { HeatLevel } from './HeatLevel.js';
-import { orderBySize } from './orderBySize.js';
+import { asPhase, forEachChunk, release } from '../phases.js';
+import type { HeatEquation, HeatLevel } from './assembleHeatEquation.js';
+import { orderBySize } from './sortFans.js';
 
 /** Seeds of cells lie more than so many edges apart: a cell has about eight nodes. */
 const RINGS = 2;

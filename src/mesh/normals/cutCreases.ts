@@ -1,7 +1,7 @@
 import type { TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
 import { cosineBetween } from '../computeAreaNormals.js';
 import { NO_TWIN, triangleOf } from '../corners.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
+import { forEachChunk } from '../phases.js';
 
 type Adjacency = Pick<TriangleAdjacency, 'twins' | 'canonicalCorners' | 'areaNormals'>;
 

@@ -1,8 +1,6 @@
 import { doubleArea } from '../computeAreaNormals.js';
 import { NO_TWIN, triangleOf } from '../corners.js';
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
-import { release } from '../timeSlicing/release.js';
+import { asPhase, forEachChunk, release } from '../phases.js';
 
 /**
  * An edge is sharp if the filtered normals of its triangles differ by more than this. It is below 60°, so that the edges of a

@@ -1,7 +1,6 @@
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { release } from '../timeSlicing/release.js';
+import { asPhase, release } from '../phases.js';
+import type { HeatLevel } from './assembleHeatEquation.js';
 import { type CoarseHeat, coarsenHeat } from './coarsenHeat.js';
-import type { HeatLevel } from './HeatLevel.js';
 import { flow, highestRate, limitRate, twiceP } from './heatFlow.js';
 
 /**

@@ -2,9 +2,7 @@ import type { TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
 import { doubleArea } from '../computeAreaNormals.js';
 import { triangleOf } from '../corners.js';
 import { disjointSets, join, rootOf } from '../disjointSets.js';
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
-import { release } from '../timeSlicing/release.js';
+import { asPhase, forEachChunk, release } from '../phases.js';
 
 /** The patches of a mesh: sets of triangles that are connected across edges with twins. */
 export interface Patches {

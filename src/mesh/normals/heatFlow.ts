@@ -1,4 +1,4 @@
-import { release } from '../timeSlicing/release.js';
+import { release } from '../phases.js';
 import type { HeatEquation } from './assembleHeatEquation.js';
 
 /** The largest rate of mixing, as a multiple of the mean rate. Nodes of very small triangles are slowed down to it. */

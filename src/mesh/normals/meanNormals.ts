@@ -1,6 +1,4 @@
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
-import { release } from '../timeSlicing/release.js';
+import { asPhase, forEachChunk, release } from '../phases.js';
 import type { FanSurface } from './assembleHeatEquation.js';
 import type { SortedFans } from './sortFans.js';
 

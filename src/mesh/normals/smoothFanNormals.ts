@@ -1,6 +1,4 @@
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
-import { release } from '../timeSlicing/release.js';
+import { asPhase, forEachChunk, release } from '../phases.js';
 import { assembleHeatEquation, type FanSurface, type HeatEquation } from './assembleHeatEquation.js';
 import { diffuse, isFar } from './diffuse.js';
 import { highestRate } from './heatFlow.js';

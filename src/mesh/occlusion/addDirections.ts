@@ -1,7 +1,5 @@
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
-import { createDepthMaps, type DepthMaps, drawDepths, type Projection, projectionOf } from './depthMaps.js';
-import { mapAxes } from './directions.js';
+import { asPhase, forEachChunk } from '../phases.js';
+import { createDepthMaps, type DepthMaps, drawDepths, mapAxes, type Projection, projectionOf } from './depthMaps.js';
 import { MAP_SIZE, NO_SAMPLE, type OcclusionScene, type OcclusionView } from './OcclusionScene.js';
 
 /** What `addDirections` returns. */

@@ -1,5 +1,4 @@
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
+import { asPhase, forEachChunk } from '../phases.js';
 import { weldPositions } from '../weldPositions.js';
 import { NO_SAMPLE, type OcclusionMesh } from './OcclusionScene.js';
 import { toWorldNormals, toWorldPoints } from './worldSpace.js';

@@ -1,4 +1,4 @@
-import { asPhase } from '../timeSlicing/asPhase.js';
+import { asPhase } from '../phases.js';
 import { chooseViews } from './chooseViews.js';
 import { MAP_SIZE, NO_SAMPLE, type OcclusionMesh, type OcclusionScene } from './OcclusionScene.js';
 import { type OcclusionSurface, sampleSurface } from './sampleSurface.js';

@@ -2,10 +2,9 @@
 import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from 'three';
 import { warn } from '../../material/diagnostics/warn.js';
 import { isFormExpected } from '../../material/geometry/formGeometry.js';
-import { formLayout } from '../../mesh/bake/formLayout.js';
-import { hatchNormal } from '../../mesh/bake/hatchNormal.js';
+import { formLayout, hatchNormal } from '../../mesh/bake/attributeLayouts.js';
 import type { DetailRequest } from '../../mesh/detail/DetailRequest.js';
-import { runSliced } from '../../mesh/timeSlicing/runSliced.js';
+import { runSliced } from '../../mesh/runSliced.js';
 import { runTask } from '../../worker/runTask.js';
 import type { TaskOptions } from '../../worker/TaskOptions.js';
 import type { MeshLook } from '../MeshLook.js';

@@ -9,7 +9,7 @@ import {
   Vector3,
 } from 'three';
 import { openToLamps } from '../../material/exposure/openToLamps.js';
-import { hatchNormal } from '../../mesh/bake/hatchNormal.js';
+import { hatchNormal } from '../../mesh/bake/attributeLayouts.js';
 import { isBatched, isHatching, isSurfaceMesh, materialsOf } from '../surfaceMeshes.js';
 import type { OuterPoints } from './OuterPoints.js';
 import { createProjectedTriangles, type ProjectedTriangles } from './ProjectedTriangles.js';

@@ -3,7 +3,7 @@ import { Box3, type BufferGeometry, Matrix4, type Mesh, type Object3D, Sphere, t
 import { describeObject } from '../../material/diagnostics/describeObject.js';
 import { SceneExtent } from '../../material/fading/SceneExtent.js';
 import type { HatchingOutlines } from '../../material/outlines/HatchingOutlines.js';
-import { cornerLayout } from '../../mesh/bake/cornerLayout.js';
+import { cornerLayout } from '../../mesh/bake/attributeLayouts.js';
 import { sentencesOf } from '../chooseMeshes.js';
 import { failure } from '../failure.js';
 import { needsNoAdjacency, type OldLook, type PlannedMesh } from '../geometryPlans.js';

@@ -1,4 +1,4 @@
-import { forEachChunk } from '../../mesh/timeSlicing/forEachChunk.js';
+import { forEachChunk } from '../../mesh/phases.js';
 import type { GreyImage } from './readGrey.js';
 
 /** Cells of the grid, about. */

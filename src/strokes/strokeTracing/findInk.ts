@@ -1,5 +1,4 @@
-import { asPhase } from '../../mesh/timeSlicing/asPhase.js';
-import { forEachChunk } from '../../mesh/timeSlicing/forEachChunk.js';
+import { asPhase, forEachChunk } from '../../mesh/phases.js';
 import { gridValue, otsuThreshold, type PaperGrid } from './PaperGrid.js';
 import type { GreyImage } from './readGrey.js';
 

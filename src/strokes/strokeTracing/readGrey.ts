@@ -1,4 +1,4 @@
-import { forEachChunk } from '../../mesh/timeSlicing/forEachChunk.js';
+import { forEachChunk } from '../../mesh/phases.js';
 import type { ScannedImage } from './ScannedImage.js';
 
 /** The brightness of every pixel, from 0 (black) to 255. */

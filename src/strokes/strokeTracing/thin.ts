@@ -1,4 +1,4 @@
-import { forEachChunk } from '../../mesh/timeSlicing/forEachChunk.js';
+import { forEachChunk } from '../../mesh/phases.js';
 
 /** Pixels that are looked at between two reports of progress. */
 const PIXELS_PER_SLICE = 1 << 16;

@@ -1,5 +1,4 @@
-import { asPhase } from '../../mesh/timeSlicing/asPhase.js';
-import { forEachChunk } from '../../mesh/timeSlicing/forEachChunk.js';
+import { asPhase, forEachChunk } from '../../mesh/phases.js';
 import type { HandStroke, SwatchTone } from '../hand/Hand.js';
 import { directStrokes } from './directStrokes.js';
 import { depthOfLines, findInk, type Ink } from './findInk.js';

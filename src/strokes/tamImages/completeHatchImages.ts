@@ -1,4 +1,4 @@
-import { asPhase } from '../../mesh/timeSlicing/asPhase.js';
+import { asPhase } from '../../mesh/phases.js';
 import { deriveThresholds } from './deriveThresholds.js';
 import type { ThresholdLevel } from './encodeThresholds.js';
 import type { HatchImages } from './HatchImages.js';

@@ -1,4 +1,4 @@
-import { asPhase } from '../../mesh/timeSlicing/asPhase.js';
+import { asPhase } from '../../mesh/phases.js';
 import { blurToroidal } from '../blurToroidal.js';
 import { drawThresholdField } from '../drawThresholdField.js';
 import { equalize } from '../equalize.js';

@@ -1,4 +1,4 @@
-import { asPhase } from '../../mesh/timeSlicing/asPhase.js';
+import { asPhase } from '../../mesh/phases.js';
 import type { Bvh } from '../Bvh.js';
 import type { DrawnScene, StippledSurface } from '../DrawnScene.js';
 import type { Projection } from '../Projection.js';

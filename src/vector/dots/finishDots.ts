@@ -1,4 +1,4 @@
-import { asPhase } from '../../mesh/timeSlicing/asPhase.js';
+import { asPhase } from '../../mesh/phases.js';
 import type { DrawingPlan } from '../DrawnScene.js';
 import type { PathCounts, WrittenPath } from '../file/finishPaths.js';
 import { asDrawn, orderPaths, travelOf } from '../order/orderPaths.js';

@@ -1,4 +1,4 @@
-import { asPhase } from '../../mesh/timeSlicing/asPhase.js';
+import { asPhase } from '../../mesh/phases.js';
 import type { DrawingPlan } from '../DrawnScene.js';
 import { asDrawn, type OrderedPath, orderPaths, type PathEnds, travelOf } from '../order/orderPaths.js';
 import type { Projection } from '../Projection.js';

@@ -1,4 +1,4 @@
-import { asPhase } from '../../mesh/timeSlicing/asPhase.js';
+import { asPhase } from '../../mesh/phases.js';
 import { improveOrder } from './improveOrder.js';
 import type { OrderedPath, PathEnds } from './PathEnds.js';
 

@@ -1,5 +1,5 @@
 import { combined, dot, normalize, type Vec3 } from '../../look/vectors.js';
-import { asPhase } from '../../mesh/timeSlicing/asPhase.js';
+import { asPhase } from '../../mesh/phases.js';
 import { type Chain, ChainBuilder } from '../Chain.js';
 import { emphasisedPlace } from '../marks/emphasisedPlace.js';
 import { type Projection, transformed } from '../Projection.js';

@@ -1,5 +1,5 @@
 import { combined, cross, dot, mix, type Vec3 } from '../../look/vectors.js';
-import { asPhase } from '../../mesh/timeSlicing/asPhase.js';
+import { asPhase } from '../../mesh/phases.js';
 import { contourAlong, depthAcross, looksAway, taperAt } from '../shading/outlines.js';
 import { suggestiveShare } from '../shading/suggestiveContour.js';
 import type { FeatureEdge, OutlineLook, OutlineMesh, OutlinePiece, PieceEnd } from './OutlineMesh.js';

@@ -11,8 +11,7 @@ import {
 import type { OutlineData } from '../../material/geometry/OutlineData.js';
 import type { HatchingOutlineMaterial } from '../../material/outlines/HatchingOutlineMaterial.js';
 import { opacityOf } from '../../material/outlines/surfaceRules.js';
-import { POINT_BITS, POINT_MASK, POINT_WORDS, PRIMITIVE_WORDS } from '../../mesh/bake/outlineLayout.js';
-import { unpackPoints } from '../../mesh/bake/unpackPoints.js';
+import { POINT_BITS, POINT_MASK, POINT_WORDS, PRIMITIVE_WORDS, unpackPoints } from '../../mesh/bake/outlineLayout.js';
 import {
   BORDER,
   CONTRARY,
@@ -21,7 +20,7 @@ import {
   CREASE,
   MATERIAL_BORDER,
 } from '../../mesh/features/edgeFlags.js';
-import { asPhase } from '../../mesh/timeSlicing/asPhase.js';
+import { asPhase } from '../../mesh/phases.js';
 import type { FeatureEdge, OutlineLook, OutlineMesh } from '../outlines/OutlineMesh.js';
 import type { Emphasis } from '../shading/emphasis.js';
 import { bothPlaces } from './bothPlaces.js';

@@ -22,7 +22,7 @@ import type { HatchingOutlines } from '../../material/outlines/HatchingOutlines.
 import { OutlineParts } from '../../material/outlines/OutlineParts.js';
 import { type SurfacePart, surfaceParts } from '../../material/outlines/surfaceParts.js';
 import { isClipped } from '../../material/outlines/surfaceRules.js';
-import { asPhase } from '../../mesh/timeSlicing/asPhase.js';
+import { asPhase } from '../../mesh/phases.js';
 import { CASTS_BACK, CASTS_FRONT, FADES_FRONT, MAY_HAVE_HOLES, SEEN_BACK, SEEN_FRONT } from '../Bvh.js';
 import type { DrawnBackground, DrawnScene, EngravedSurface, OutlinedMesh, StippledSurface } from '../DrawnScene.js';
 import { GrowingArray } from '../GrowingArray.js';

@@ -1,8 +1,7 @@
 import { type BufferAttribute, type BufferGeometry, Matrix3, Vector3 } from 'three';
 import type { Vec3 } from '../../look/vectors.js';
-import { formLayout } from '../../mesh/bake/formLayout.js';
-import { hatchNormal } from '../../mesh/bake/hatchNormal.js';
-import { asPhase } from '../../mesh/timeSlicing/asPhase.js';
+import { formLayout, hatchNormal } from '../../mesh/bake/attributeLayouts.js';
+import { asPhase } from '../../mesh/phases.js';
 import { SEEN_BACK, SEEN_FRONT } from '../Bvh.js';
 import {
   FIELD,

@@ -1,6 +1,5 @@
 import { expect, test } from 'vitest';
-import type { TriangleMesh } from '../../../src/mesh/TriangleMesh.js';
-import { validateTriangleMesh } from '../../../src/mesh/validateTriangleMesh.js';
+import { type TriangleMesh, validateTriangleMesh } from '../../../src/mesh/TriangleMesh.js';
 import { finish } from './meshes.js';
 
 const validate = (positions: number[], indices: number[]) => {

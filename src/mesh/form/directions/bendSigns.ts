@@ -1,8 +1,7 @@
 import { triangleOf } from '../../corners.js';
 import { TENSOR_FLOATS } from '../../features/fanCurvatures.js';
 import { findPatches } from '../../normals/findPatches.js';
-import { asPhase } from '../../timeSlicing/asPhase.js';
-import { forEachChunk } from '../../timeSlicing/forEachChunk.js';
+import { asPhase, forEachChunk } from '../../phases.js';
 import type { FormSurface } from '../FormSurface.js';
 import { facesOutwards } from './facesOutwards.js';
 

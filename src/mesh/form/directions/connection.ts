@@ -1,6 +1,6 @@
 import type { Cells, CoarseGraph, Graph } from '../../adjacency/cells.js';
 import type { HeatEquation } from '../../normals/assembleHeatEquation.js';
-import { forEachChunk } from '../../timeSlicing/forEachChunk.js';
+import { forEachChunk } from '../../phases.js';
 import { FRAME_FLOATS } from './tangentFrames.js';
 
 /**

@@ -1,5 +1,5 @@
 import { TENSOR_FLOATS } from '../../features/fanCurvatures.js';
-import { forEachChunk } from '../../timeSlicing/forEachChunk.js';
+import { forEachChunk } from '../../phases.js';
 import type { FormOptions } from '../FormOptions.js';
 import type { FormSurface } from '../FormSurface.js';
 import { cross, normalized, type Vector, viewedFrom } from './axes.js';

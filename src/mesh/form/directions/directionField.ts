@@ -1,7 +1,5 @@
 import { type Cells, type CoarseGraph, clusterNodes, coarsen } from '../../adjacency/cells.js';
-import { asPhase } from '../../timeSlicing/asPhase.js';
-import { forEachChunk } from '../../timeSlicing/forEachChunk.js';
-import { release } from '../../timeSlicing/release.js';
+import { asPhase, forEachChunk, release } from '../../phases.js';
 import type { FormOptions } from '../FormOptions.js';
 import type { FormSurface } from '../FormSurface.js';
 import { bendSigns } from './bendSigns.js';

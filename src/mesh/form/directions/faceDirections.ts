@@ -1,4 +1,4 @@
-import { forEachChunk } from '../../timeSlicing/forEachChunk.js';
+import { forEachChunk } from '../../phases.js';
 import type { FormSurface } from '../FormSurface.js';
 import type { DirectionField } from './directionField.js';
 import { FRAME_FLOATS } from './tangentFrames.js';

@@ -1,5 +1,5 @@
+import { forEachChunk } from '../../phases.js';
 import type { TriangleMesh } from '../../TriangleMesh.js';
-import { forEachChunk } from '../../timeSlicing/forEachChunk.js';
 
 /** What is summed over the triangles, about the first vertex, so that an object far from its origin loses nothing to rounding. */
 interface Sums {

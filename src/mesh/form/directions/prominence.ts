@@ -1,4 +1,4 @@
-import { forEachChunk } from '../../timeSlicing/forEachChunk.js';
+import { forEachChunk } from '../../phases.js';
 import type { FormOptions } from '../FormOptions.js';
 import type { FormSurface } from '../FormSurface.js';
 import { normalized, type Vector, viewedFrom } from './axes.js';

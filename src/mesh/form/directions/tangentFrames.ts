@@ -1,4 +1,4 @@
-import { forEachChunk } from '../../timeSlicing/forEachChunk.js';
+import { forEachChunk } from '../../phases.js';
 
 /** Floats per fan: two unit tangents e₁ and e₂, with e₁ × e₂ the normal. */
 export const FRAME_FLOATS = 6;

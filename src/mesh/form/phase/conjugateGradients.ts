@@ -1,5 +1,5 @@
-import { forEachChunk } from '../../timeSlicing/forEachChunk.js';
-import { applySystem, type PhaseSystem, type PhaseVector } from './PhaseSystem.js';
+import { forEachChunk } from '../../phases.js';
+import { applySystem, gatherJumps, type PhaseSystem, type PhaseVector } from './PhaseSystem.js';
 import { precondition } from './precondition.js';
 
 /** When a solution is good enough. */
@@ -129,4 +129,23 @@ function stepRange(
     r[i] -= alpha * q[i];
     r[i + 1] -= alpha2 * q[i + 1];
   }
+}
+
+/** What drives the nodes and the offsets of a level. */
+export interface FreeForces {
+  nodes: Float64Array;
+  offsets: Float64Array;
+}
+
+/** Solves for nodes and jumps, except for jumps that are held. */
+export function* solveFree(
+  system: PhaseSystem,
+  forces: FreeForces,
+  x: PhaseVector,
+  patience: Patience,
+): Generator<number, void, void> {
+  const jumps = new Float64Array(x.jumps.length);
+  system.seamBuffers.pulls.set(forces.offsets);
+  gatherJumps(system, jumps);
+  yield* conjugateGradients(system, { nodes: forces.nodes, jumps }, x, patience);
 }

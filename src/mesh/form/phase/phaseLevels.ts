@@ -1,6 +1,5 @@
 import { type Cells, type CoarseGraph, clusterNodes, coarsen } from '../../adjacency/cells.js';
-import { asPhase } from '../../timeSlicing/asPhase.js';
-import { forEachChunk } from '../../timeSlicing/forEachChunk.js';
+import { asPhase, forEachChunk } from '../../phases.js';
 import { coarsenSeam } from './coarsenSeam.js';
 import type { PhaseMatrix } from './phaseMatrix.js';
 

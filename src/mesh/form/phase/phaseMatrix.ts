@@ -1,8 +1,7 @@
 import type { Graph } from '../../adjacency/cells.js';
 import { doubleArea } from '../../computeAreaNormals.js';
 import { nextCorner, previousCorner } from '../../corners.js';
-import { asPhase } from '../../timeSlicing/asPhase.js';
-import { forEachChunk } from '../../timeSlicing/forEachChunk.js';
+import { asPhase, forEachChunk } from '../../phases.js';
 import type { FormSeam } from '../cutForm.js';
 import type { FormSurface } from '../FormSurface.js';
 import { NO_OFFSET, type SeamRelations } from './seamRelations.js';

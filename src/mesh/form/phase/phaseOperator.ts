@@ -1,4 +1,4 @@
-import { forEachChunk } from '../../timeSlicing/forEachChunk.js';
+import { forEachChunk } from '../../phases.js';
 import type { PhaseMatrix, SeamEdges } from './phaseMatrix.js';
 
 /** Multiplies the matrix with a vector. Vectors have two values per node, one per family of lines, side by side. */

@@ -1,5 +1,5 @@
 import type { Cells } from '../../adjacency/cells.js';
-import { forEachChunk } from '../../timeSlicing/forEachChunk.js';
+import { forEachChunk } from '../../phases.js';
 import { solveLastPart } from './lastLevel.js';
 import { gatherJumps, type PhaseSystem, spreadJumps } from './PhaseSystem.js';
 import { pullNodes, pullOffsets, residual, sweep } from './phaseOperator.js';

@@ -1,5 +1,5 @@
+import { type FreeForces, solveFree } from './conjugateGradients.js';
 import type { LastPart, PhaseSystem, PhaseVector } from './PhaseSystem.js';
-import { type FreeForces, solveFree } from './solveFree.js';
 
 /**
  * Jumps of φ are multiples of four, those of φ₂ of two, so that every fourth line runs on across the cut, and every second one of those

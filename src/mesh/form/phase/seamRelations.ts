@@ -1,6 +1,5 @@
 import { nextCorner } from '../../corners.js';
-import { asPhase } from '../../timeSlicing/asPhase.js';
-import { forEachChunk } from '../../timeSlicing/forEachChunk.js';
+import { asPhase, forEachChunk } from '../../phases.js';
 import type { FormSeam } from '../cutForm.js';
 import { type CutSegments, cutSegments } from '../cutSegments.js';
 import type { FormSurface } from '../FormSurface.js';

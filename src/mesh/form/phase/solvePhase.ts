@@ -1,9 +1,8 @@
 import type { Cells } from '../../adjacency/cells.js';
-import { asPhase } from '../../timeSlicing/asPhase.js';
-import { release } from '../../timeSlicing/release.js';
+import { asPhase, release } from '../../phases.js';
 import type { FormSeam } from '../cutForm.js';
 import type { FormSurface } from '../FormSurface.js';
-import { conjugateGradients, type Patience } from './conjugateGradients.js';
+import { conjugateGradients, type FreeForces, type Patience, solveFree } from './conjugateGradients.js';
 import { factoriseLastLevel } from './lastLevel.js';
 import { type PhaseSystem, type PhaseVector, phaseSystem, spreadJumps } from './PhaseSystem.js';
 import type { PhaseLevel } from './phaseLevels.js';
@@ -13,7 +12,6 @@ import { restrict } from './precondition.js';
 import { riseInCells } from './riseInCells.js';
 import { roundJumps } from './roundJumps.js';
 import type { SeamRelations } from './seamRelations.js';
-import { type FreeForces, solveFree } from './solveFree.js';
 
 /** Jumps are rounded on the finest level that has at most so many nodes. Finer ones would hardly change what they are rounded to. */
 const MOST_NODES_TO_ROUND = 12_000;

@@ -7,7 +7,7 @@ import {
   type SkinnedMesh,
   Vector3,
 } from 'three';
-import { asPhase } from '../../../mesh/timeSlicing/asPhase.js';
+import { asPhase } from '../../../mesh/phases.js';
 
 /** The vertices of a mesh as the canvas poses them, object space. */
 export interface PosedVertices {

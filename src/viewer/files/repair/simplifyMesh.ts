@@ -1,6 +1,5 @@
-import type { SimplifiableMesh } from '../../../mesh/detail/SimplifiableMesh.js';
-import type { Simplifier } from '../../../mesh/detail/Simplifier.js';
-import { simplifyTriangles } from '../../../mesh/detail/simplifyTriangles.js';
+import type { Simplifier } from '../../../mesh/detail/loadSimplifier.js';
+import { type SimplifiableMesh, simplifyTriangles } from '../../../mesh/detail/simplifyTriangles.js';
 import type { PlainMesh } from '../mesh/PlainMesh.js';
 
 /** A mesh of more triangles is simplified. A sheet shows no more of them. */

@@ -1,5 +1,5 @@
 /** The twin of shaders/techniques/anchored/emit.glsl. */
-import { formLayout } from '../../../mesh/bake/formLayout.js';
+import { formLayout } from '../../../mesh/bake/attributeLayouts.js';
 import { isOrthographic } from '../base/isOrthographic.js';
 import { tsl } from '../base/values.js';
 import { unitsPerPixel } from '../chunks/unitsPerPixel.js';

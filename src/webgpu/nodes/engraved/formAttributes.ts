@@ -1,5 +1,5 @@
 /** The twin of shaders/techniques/engraved/formAttributes.glsl: what lines that follow the form are baked into. */
-import { formLayout } from '../../../mesh/bake/formLayout.js';
+import { formLayout } from '../../../mesh/bake/attributeLayouts.js';
 import { tsl, type Value } from '../base/values.js';
 
 const { attribute, dot, exp2, round, vec4 } = tsl;

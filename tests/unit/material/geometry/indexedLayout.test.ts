@@ -15,7 +15,7 @@ import {
 import { describe, expect, test } from 'vitest';
 import type { HatchingStatistics } from '../../../../src/material/geometry/HatchingStatistics.js';
 import { prepareHatchingGeometry } from '../../../../src/material/geometry/prepareHatchingGeometry.js';
-import { cornerLayout } from '../../../../src/mesh/bake/cornerLayout.js';
+import { cornerLayout } from '../../../../src/mesh/bake/attributeLayouts.js';
 
 //  2 ── 3
 //  │ ╲  │      the right half stands upright on the diagonal, so that its vertices 2 and 1 have two normals

@@ -16,7 +16,7 @@ import {
 import { describe, expect, test } from 'vitest';
 import type { HatchingStatistics } from '../../../../src/material/geometry/HatchingStatistics.js';
 import { prepareHatchingGeometry } from '../../../../src/material/geometry/prepareHatchingGeometry.js';
-import { CORNER_STRIDE, cornerLayout } from '../../../../src/mesh/bake/cornerLayout.js';
+import { CORNER_STRIDE, cornerLayout } from '../../../../src/mesh/bake/attributeLayouts.js';
 
 //  2 ── 3
 //  │ ╲  │

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { buildTriangleAdjacency } from '../../../../src/mesh/adjacency/buildTriangleAdjacency.js';
-import type { EdgeCounts } from '../../../../src/mesh/adjacency/EdgeCounts.js';
+import type { EdgeCounts } from '../../../../src/mesh/adjacency/pairEdges.js';
 import { book, byTriangle, fan, finish, meshOf } from '../meshes.js';
 
 const manifold: EdgeCounts = {

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
+import { CORNER_STRIDE, cornerLayout } from '../../../../src/mesh/bake/attributeLayouts.js';
 import { type BakeRequest, bakeCorners } from '../../../../src/mesh/bake/bakeCorners.js';
-import { CORNER_STRIDE, cornerLayout } from '../../../../src/mesh/bake/cornerLayout.js';
 import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
 import { finish, meshOf } from '../meshes.js';
 

@@ -1,9 +1,9 @@
 import { describe, expect, test } from 'vitest';
+import { CORNER_STRIDE } from '../../../../src/mesh/bake/attributeLayouts.js';
 import { type BakeRequest, bakeCorners } from '../../../../src/mesh/bake/bakeCorners.js';
 import { bakePull, bakePullResultBuffers } from '../../../../src/mesh/bake/bakePull.js';
-import { bakeRequestBuffers } from '../../../../src/mesh/bake/bakeRequestBuffers.js';
-import { CORNER_STRIDE } from '../../../../src/mesh/bake/cornerLayout.js';
 import { pullTextureSize } from '../../../../src/mesh/bake/pullLayout.js';
+import { bakeRequestBuffers } from '../../../../src/mesh/requestBuffers.js';
 import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
 import { finish } from '../meshes.js';
 import { cube, patch } from '../shapes.js';

@@ -3,8 +3,7 @@ import { PlaneGeometry, SphereGeometry } from 'three';
 import { mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
 import { beforeAll, expect, test } from 'vitest';
 import { type DetailLevels, makeLevels } from '../../../../src/mesh/detail/makeLevels.js';
-import type { SimplifiableMesh } from '../../../../src/mesh/detail/SimplifiableMesh.js';
-import { simplifyTriangles } from '../../../../src/mesh/detail/simplifyTriangles.js';
+import { type SimplifiableMesh, simplifyTriangles } from '../../../../src/mesh/detail/simplifyTriangles.js';
 import { finish } from '../meshes.js';
 
 beforeAll(() => MeshoptSimplifier.ready);

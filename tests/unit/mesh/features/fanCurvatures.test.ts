@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { fanCurvatures, TENSOR_FLOATS } from '../../../../src/mesh/features/fanCurvatures.js';
-import { computeSmoothNormals } from '../../../../src/mesh/normals/computeSmoothNormals.js';
+import { computeSmoothNormals } from '../../../../src/mesh/normals/fanNormals.js';
 import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
 import { finish, meshOf } from '../meshes.js';
 import { cube, noise, patch, sphere, torus } from '../shapes.js';

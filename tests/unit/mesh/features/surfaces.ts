@@ -4,8 +4,8 @@ import { consistentTwins } from '../../../../src/mesh/adjacency/consistentTwins.
 import { bakeSurface, type SurfaceRequest } from '../../../../src/mesh/bake/bakeSurface.js';
 import type { FeatureSurface } from '../../../../src/mesh/features/findFeatureEdges.js';
 import { buildFans, type Fans } from '../../../../src/mesh/normals/buildFans.js';
-import { computeSmoothNormals } from '../../../../src/mesh/normals/computeSmoothNormals.js';
 import { cutSharpEdges } from '../../../../src/mesh/normals/cutSharpEdges.js';
+import { computeSmoothNormals } from '../../../../src/mesh/normals/fanNormals.js';
 import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
 import { finish, meshOf } from '../meshes.js';
 

@@ -1,10 +1,9 @@
 import { BufferAttribute, BufferGeometry, IcosahedronGeometry, PlaneGeometry } from 'three';
 import { mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
 import { describe, expect, test } from 'vitest';
-import { assembleHeatEquation } from '../../../../src/mesh/normals/assembleHeatEquation.js';
+import { assembleHeatEquation, type HeatLevel } from '../../../../src/mesh/normals/assembleHeatEquation.js';
 import { coarsenHeat } from '../../../../src/mesh/normals/coarsenHeat.js';
 import { diffuse, isFar } from '../../../../src/mesh/normals/diffuse.js';
-import type { HeatLevel } from '../../../../src/mesh/normals/HeatLevel.js';
 import { highestRate } from '../../../../src/mesh/normals/heatFlow.js';
 import { meanNormals } from '../../../../src/mesh/normals/meanNormals.js';
 import { sortFans } from '../../../../src/mesh/normals/sortFans.js';

@@ -1,4 +1,5 @@
 import { describe, expect, test } from 'vitest';
+import type { FreeForces } from '../../../../../src/mesh/form/phase/conjugateGradients.js';
 import {
   type LastPart,
   type PhaseSystem,
@@ -10,7 +11,6 @@ import type { SeamEdges } from '../../../../../src/mesh/form/phase/phaseMatrix.j
 import { pullOffsets } from '../../../../../src/mesh/form/phase/phaseOperator.js';
 import { roundJumps, roundParts } from '../../../../../src/mesh/form/phase/roundJumps.js';
 import { NO_OFFSET, type SeamRelations } from '../../../../../src/mesh/form/phase/seamRelations.js';
-import type { FreeForces } from '../../../../../src/mesh/form/phase/solveFree.js';
 import { finish } from '../../meshes.js';
 import { partOf } from './parts.js';
 

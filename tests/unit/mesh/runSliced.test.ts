@@ -1,5 +1,5 @@
 import { afterEach, describe, expect, test, vi } from 'vitest';
-import { runSliced } from '../../../../src/mesh/timeSlicing/runSliced.js';
+import { runSliced } from '../../../src/mesh/runSliced.js';
 
 /** A clock that only the tasks below move. */
 let now = 0;

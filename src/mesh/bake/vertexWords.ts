@@ -1,4 +1,11 @@
-import type { VertexWords, Words } from './expandPerCorner.js';
+/** Vertex data as unsigned integers, so that one function can copy values of every type bit by bit. */
+export type Words = Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer> | Uint32Array<ArrayBuffer>;
+
+/** An attribute whose values are copied from vertices to corners unchanged. */
+export interface VertexWords {
+  words: Words;
+  wordsPerVertex: number;
+}
 
 /** Returns the words of an attribute, followed by copies of the entries of `vertices`. */
 export function appendVertices({ words, wordsPerVertex }: VertexWords, vertices: Uint32Array): Words {

@@ -1,6 +1,41 @@
-import { asPhase } from '../timeSlicing/asPhase.js';
-import { forEachChunk } from '../timeSlicing/forEachChunk.js';
+import { asPhase, forEachChunk } from '../phases.js';
 import type { Fans } from './buildFans.js';
+
+/** Unit normals, one per fan: x, y, z in the order of the fans' numbers. */
+export interface FanNormals {
+  fans: Fans;
+  normals: Float32Array<ArrayBuffer>;
+}
+
+/** Computes a unit normal per fan (x, y, z): the normalised sum of the area normals of its triangles. */
+export function* computeSmoothNormals(
+  areaNormals: Float64Array,
+  fans: Fans,
+): Generator<number, Float32Array<ArrayBuffer>, void> {
+  const sums = new Float64Array(3 * fans.count);
+  yield* asPhase(
+    forEachChunk(fans.ofCorner.length, (start, end) => sumRange(areaNormals, fans.ofCorner, sums, start, end)),
+    0,
+    0.6,
+  );
+  return yield* asPhase(fanDirections(sums, areaNormals, fans), 0.6, 1);
+}
+
+function sumRange(
+  areaNormals: Float64Array,
+  ofCorner: Uint32Array,
+  sums: Float64Array,
+  start: number,
+  end: number,
+): void {
+  for (let corner = start; corner < end; corner++) {
+    const fan = 3 * ofCorner[corner];
+    const own = corner - (corner % 3);
+    sums[fan] += areaNormals[own];
+    sums[fan + 1] += areaNormals[own + 1];
+    sums[fan + 2] += areaNormals[own + 2];
+  }
+}
 
 /**
  * Normalises the vector of each fan. A zero vector is replaced by the normal of the fan's first triangle or, if that triangle

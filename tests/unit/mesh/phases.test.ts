@@ -1,5 +1,5 @@
 import { afterEach, expect, test, vi } from 'vitest';
-import { release } from '../../../../src/mesh/timeSlicing/release.js';
+import { release } from '../../../src/mesh/phases.js';
 
 const { prototype } = ArrayBuffer as unknown as { prototype: { transfer?: (length: number) => ArrayBuffer } };
 const own = Object.getOwnPropertyDescriptor(prototype, 'transfer');
