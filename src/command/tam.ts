@@ -1,12 +1,12 @@
 import process from 'node:process';
 import { version } from '../../package.json';
 import { runSliced } from '../mesh/runSliced.js';
+import { requestOfHand } from '../strokes/handStyle.js';
 import type { MapFile } from '../strokes/mapFiles/mapFiles.js';
 import { writeMapFiles } from '../strokes/mapFiles/writeMapFiles.js';
 import { generateHatchImages } from '../strokes/tamImages/generateHatchImages.js';
 import { generateThresholds } from '../strokes/tamImages/generateThresholds.js';
 import { type MapDrawing, resolveMapDrawing } from '../strokes/tamImages/hatchImageOptions.js';
-import { requestOfHand } from '../strokes/tamImages/requestOfHand.js';
 import { OutputFolder } from './OutputFolder.js';
 import type { ProgressBar } from './ProgressBar.js';
 import { HELP, parseArguments, styleList } from './parseArguments.js';

@@ -1,6 +1,7 @@
 import type { JointFormsRequest } from './bake/bakeJointForms.js';
 import type { SurfaceRequest } from './bake/bakeSurface.js';
 import type { VertexWords } from './bake/vertexWords.js';
+import type { DetailRequest } from './detail/simplifyHatched.js';
 import type { ContourSearch } from './features/contourCandidates.js';
 import type { OcclusionMesh, OcclusionScene } from './occlusion/OcclusionScene.js';
 
@@ -48,3 +49,14 @@ export const occlusionSceneBuffers = (scene: OcclusionScene): ArrayBuffer[] => [
   ...scene.views.map(({ samples }) => samples.buffer),
   ...scene.sampleOf.map(({ buffer }) => buffer),
 ];
+
+/** The buffers that a request for levels of detail transfers. */
+export const detailRequestBuffers = ({
+  positions,
+  hatchNormals,
+  uvs,
+  colors,
+  forms,
+  indices,
+}: DetailRequest): ArrayBuffer[] =>
+  [positions, hatchNormals, uvs, colors, forms, indices].flatMap((array) => (array ? [array.buffer] : []));

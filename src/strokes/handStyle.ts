@@ -1,9 +1,11 @@
 import type { HandNumbers } from './hand/Hand.js';
-import type { PreparedHand } from './prepareHand.js';
+import { type PreparedHand, prepareHand } from './prepareHand.js';
 import type { PlacingHabit } from './StrokeDensityField.js';
 import { makeProfile } from './StrokeProfile.js';
 import type { StrokeLayer, StrokeStyle } from './StrokeStyle.js';
 import { STROKE_WIDTHS } from './strokeWidths.js';
+import { type MapDrawing, resolveMapDrawing } from './tamImages/hatchImageOptions.js';
+import type { MapRequest } from './tamImages/hatchImageRequest.js';
 
 /** The longest stroke of a map, in tiles: a longer one would lie beside itself too often. */
 const LONGEST = 1.5;
@@ -118,4 +120,16 @@ function tangent(degrees: number): number {
   const x = (degrees * Math.PI) / 180;
   const x2 = x * x;
   return (x * (945 - 105 * x2 + x2 * x2)) / (945 - 420 * x2 + 15 * x2 * x2);
+}
+
+/**
+ * Makes the request for a map, with the style of its hand if it has one. It takes a few milliseconds, and lies apart from what draws, so
+ * that the worker, which every page loads, need not hold it.
+ *
+ * @throws TypeError or RangeError if the hand is none; yields progress in [0, 1]
+ */
+export function* requestOfHand({ hand, ...drawing }: MapDrawing): Generator<number, MapRequest, void> {
+  if (!hand) return drawing;
+  const { strokeTexels, size } = resolveMapDrawing(drawing);
+  return { ...drawing, hand: handStyle(yield* prepareHand(hand), strokeTexels, size) };
 }

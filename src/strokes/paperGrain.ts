@@ -1,7 +1,7 @@
 import { blurToroidal } from './blurToroidal.js';
 import { random } from './random.js';
+import { sortedIndices } from './ranking.js';
 import type { StrokeStyle } from './StrokeStyle.js';
-import { sortedIndices } from './sortedIndices.js';
 
 /** The grain of the paper under one level: pencil and charcoal mark its peaks first. */
 export interface PaperGrain {

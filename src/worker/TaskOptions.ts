@@ -71,3 +71,12 @@ const isSignal = (signal: Partial<AbortSignal>): boolean =>
 
 const describe = (value: unknown): string =>
   typeof value === 'object' && value !== null ? `an object (${value.constructor?.name ?? 'Object'})` : String(value);
+
+/** The largest number of workers at once. More of them would cost more memory than they save time. */
+const MAX_WORKERS = 4;
+
+/** The largest number of workers that a page uses: one per core, up to four. */
+export function maxWorkers(): number {
+  const cores = typeof navigator === 'undefined' ? 1 : navigator.hardwareConcurrency || 1;
+  return Math.min(cores, MAX_WORKERS);
+}

@@ -1,6 +1,6 @@
 import type { SlicedOptions } from '../mesh/runSliced.js';
-import { maxWorkers } from './maxWorkers.js';
 import { type MakeAgain, TaskClient } from './TaskClient.js';
+import { maxWorkers } from './TaskOptions.js';
 import type { NameIn, RequestOf, ResultOf, TaskSet, Tasks } from './TaskSet.js';
 
 export { disposedError } from './TaskClient.js';

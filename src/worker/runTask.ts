@@ -1,12 +1,12 @@
-import { detailRequestBuffers } from '../mesh/detail/DetailRequest.js';
 import {
   bakeRequestBuffers,
   contourSearchBuffers,
+  detailRequestBuffers,
   jointRequestBuffers,
   occlusionMeshBuffers,
   occlusionSceneBuffers,
 } from '../mesh/requestBuffers.js';
-import { imageBuffers } from '../strokes/tamImages/imageBuffers.js';
+import { imageBuffers } from '../strokes/tamImages/HatchImages.js';
 import type { MakeAgain } from './TaskClient.js';
 import type { TaskOptions } from './TaskOptions.js';
 import type { NameIn, RequestOf, ResultOf, TaskSet, Tasks } from './TaskSet.js';

@@ -9,11 +9,11 @@ import { type ContourSearchResult, searchContours } from '../mesh/features/conto
 import { addDirections } from '../mesh/occlusion/addDirections.js';
 import { startOcclusion } from '../mesh/occlusion/startOcclusion.js';
 import { contourSearchBuffers, occlusionSceneBuffers } from '../mesh/requestBuffers.js';
-import { completeHatchImages } from '../strokes/tamImages/completeHatchImages.js';
 import type { ThresholdLevel } from '../strokes/tamImages/encodeThresholds.js';
 import { generateHatchImages } from '../strokes/tamImages/generateHatchImages.js';
 import { generateThresholds } from '../strokes/tamImages/generateThresholds.js';
-import { imageBuffers } from '../strokes/tamImages/imageBuffers.js';
+import { imageBuffers } from '../strokes/tamImages/HatchImages.js';
+import { completeHatchImages } from '../strokes/tamImages/makeLevels.js';
 import type { Task } from './TaskSet.js';
 
 const task = <Request, Result>(definition: Task<Request, Result>): Task<Request, Result> => definition;

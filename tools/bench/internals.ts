@@ -18,7 +18,7 @@ export { combedField } from '../../src/mesh/form/bakeForm.js';
 export { cutForm } from '../../src/mesh/form/cutForm.js';
 export { directionField } from '../../src/mesh/form/directions/directionField.js';
 export { faceDirections } from '../../src/mesh/form/directions/faceDirections.js';
-export { FORM_DEFAULTS } from '../../src/mesh/form/FormOptions.js';
+export { FORM_DEFAULTS } from '../../src/mesh/form/FormField.js';
 export { formSurface } from '../../src/mesh/form/FormSurface.js';
 export { measureBounds } from '../../src/mesh/measureBounds.js';
 export { absorbSmallPatches } from '../../src/mesh/normals/absorbSmallPatches.js';

@@ -1,5 +1,5 @@
 import { deflateSync } from 'node:zlib';
-import { PNG_COLOR_TYPE, PNG_SIGNATURE, pngChunk, pngHeader } from '../../src/strokes/mapFiles/pngChunks.js';
+import { PNG_COLOR_TYPE, PNG_SIGNATURE, pngChunk, pngHeader } from '../../src/strokes/mapFiles/pngFormat.js';
 
 /** Levels per channel to which colours are rounded before the most frequent are chosen. */
 const LEVELS = 64;

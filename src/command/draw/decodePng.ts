@@ -1,5 +1,5 @@
 import { inflateSync } from 'node:zlib';
-import { LAST_PNG_FILTER, PNG_SAMPLES as SAMPLES, unfilter } from '../../strokes/mapFiles/pngRows.js';
+import { LAST_PNG_FILTER, PNG_SAMPLES as SAMPLES, unfilter } from '../../strokes/mapFiles/pngFormat.js';
 import type { PixelPicture } from '../../viewer/files/common/Surroundings.js';
 
 const PALETTE = 3;

@@ -1,5 +1,5 @@
 import type { FormRequest } from '../../mesh/bake/bakeSurface.js';
-import { FORM_DEFAULTS } from '../../mesh/form/FormOptions.js';
+import { FORM_DEFAULTS } from '../../mesh/form/FormField.js';
 import { checkNames } from '../../worker/TaskOptions.js';
 
 /** How lines follow the form of a geometry; what is left out has its default. */

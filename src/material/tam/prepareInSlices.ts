@@ -1,7 +1,7 @@
 import { runSliced } from '../../mesh/runSliced.js';
+import { requestOfHand } from '../../strokes/handStyle.js';
 import type { MapDrawing } from '../../strokes/tamImages/hatchImageOptions.js';
 import type { MapRequest } from '../../strokes/tamImages/hatchImageRequest.js';
-import { requestOfHand } from '../../strokes/tamImages/requestOfHand.js';
 
 /** Prepares a map of a hand for the worker, in slices. */
 export const prepareInSlices = (drawing: MapDrawing, signal: AbortSignal | undefined): Promise<MapRequest> =>

@@ -1,8 +1,16 @@
 import { asPhase } from '../phases.js';
-import type { DetailRequest } from './DetailRequest.js';
-import { hatchedMesh } from './hatchedMesh.js';
+import { type HatchedVertices, hatchedMesh } from './hatchedMesh.js';
 import { simplifierOf } from './loadSimplifier.js';
 import { type DetailLevels, makeLevels } from './makeLevels.js';
+
+/** A baked mesh of which levels are to be made. */
+export interface DetailRequest extends HatchedVertices {
+  indices: Uint32Array<ArrayBuffer>;
+  /** Radius of the bounding sphere, in object units. */
+  radius: number;
+  /** The address of meshoptimizer's simplifier. */
+  simplifier: string;
+}
 
 /** Makes the levels of a baked mesh. The simplifier must be loaded. */
 export function* simplifyHatched(request: DetailRequest): Generator<number, DetailLevels, void> {

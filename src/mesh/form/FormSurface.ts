@@ -8,7 +8,7 @@ import { meanNormals } from '../normals/meanNormals.js';
 import { fansInOrder } from '../normals/sortFans.js';
 import { asPhase, forEachChunk } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
-import type { FormOptions } from './FormOptions.js';
+import type { FormOptions } from './FormField.js';
 import { findParts, type Parts } from './findParts.js';
 import { formTwins } from './formTwins.js';
 import { strokeNormals } from './strokeNormals.js';

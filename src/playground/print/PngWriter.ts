@@ -1,4 +1,4 @@
-import { PNG_COLOR_TYPE, PNG_SIGNATURE, pngChunk, pngHeader } from '../../strokes/mapFiles/pngChunks.js';
+import { PNG_COLOR_TYPE, PNG_SIGNATURE, pngChunk, pngHeader } from '../../strokes/mapFiles/pngFormat.js';
 
 const INCHES_PER_METRE = 1 / 0.0254;
 /** The filter of a row stores differences to the row above. Rows of plain paper become zeros. */

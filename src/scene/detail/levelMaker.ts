@@ -3,7 +3,7 @@ import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from
 import { warn } from '../../material/diagnostics/warn.js';
 import { isFormExpected } from '../../material/geometry/formGeometry.js';
 import { formLayout, hatchNormal } from '../../mesh/bake/attributeLayouts.js';
-import type { DetailRequest } from '../../mesh/detail/DetailRequest.js';
+import type { DetailRequest } from '../../mesh/detail/simplifyHatched.js';
 import { runSliced } from '../../mesh/runSliced.js';
 import { runTask } from '../../worker/runTask.js';
 import type { TaskOptions } from '../../worker/TaskOptions.js';

@@ -2,7 +2,7 @@ import type { BufferGeometry } from 'three';
 import type { PrepareHatchingGeometryOptions } from '../../material/geometry/PrepareHatchingGeometryOptions.js';
 import { prepareWithForm } from '../../material/geometry/prepareHatchingGeometry.js';
 import type { JointForm } from '../../mesh/bake/bakeJointForms.js';
-import { maxWorkers } from '../../worker/maxWorkers.js';
+import { maxWorkers } from '../../worker/TaskOptions.js';
 import { cornerCount } from '../jointForms/cornerCount.js';
 import type { GeometryPlan } from '../jointForms/FormGroup.js';
 import { progressParts } from './progressParts.js';

@@ -1,5 +1,5 @@
-import { checkHandNumbers } from './checkHandNumbers.js';
 import type { Hand } from './Hand.js';
+import { checkHandNumbers } from './handNumbers.js';
 
 /** By what a hand is scaled to lines and outlines. */
 export interface EngravedHandOptions {

@@ -1,6 +1,6 @@
-import { checkStrokes } from './checkStrokes.js';
+import { checkStrokes } from './checkHand.js';
 import type { Hand, HandNumbers, HandStroke, SwatchTone } from './Hand.js';
-import { HAND_NUMBER_NAMES, HAND_NUMBER_RANGES } from './handNumberRanges.js';
+import { HAND_NUMBER_NAMES, HAND_NUMBER_RANGES } from './handNumbers.js';
 import { measureSpacing, type SwatchSpacing } from './measureSpacing.js';
 import { measureStroke, type StrokeMeasure } from './measureStroke.js';
 import { type Polyline, polylineOf, resample } from './Polyline.js';

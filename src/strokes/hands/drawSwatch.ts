@@ -1,6 +1,6 @@
 import type { HandStroke, SwatchTone } from 'three-hatching';
 import { type Random, random } from '../random.js';
-import type { PenHabits } from './PenHabits.js';
+import type { PenHabits } from './exampleHabits.js';
 
 /** The side of a swatch and the distance from one to the next, in millimetres. */
 const SIDE = 15.5;

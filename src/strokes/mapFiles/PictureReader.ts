@@ -1,7 +1,5 @@
 import { MAX_SIDE } from '../tamImages/mapLimits.js';
-import { decodePng } from './decodePng.js';
-import { withFileName } from './fileFaults.js';
-import type { Pixels } from './Pixels.js';
+import { decodePng, type Pixels } from './decodePng.js';
 
 /** Reads a file by its name. Error messages continue a sentence that begins with the name. */
 export type ReadFile = (name: string) => Promise<Uint8Array>;
@@ -75,4 +73,18 @@ function greyOf({ width, height, channels, data }: Pixels): GreyPicture {
     image[i] = Math.round(0.2126 * data[3 * i] + 0.7152 * data[3 * i + 1] + 0.0722 * data[3 * i + 2]);
   }
   return { width, height, image };
+}
+
+/** @throws Error that names a file, its fault and the remedy */
+export function fail(name: string, fault: string): never {
+  throw new Error(`TonalArtMap.load: ${name} ${fault}.`);
+}
+
+/** Waits for work on a file. If it fails, the name of the file is put before the message of the error. */
+export async function withFileName<Result>(name: string, work: Promise<Result>): Promise<Result> {
+  try {
+    return await work;
+  } catch (error) {
+    fail(name, error instanceof Error ? error.message : String(error));
+  }
 }

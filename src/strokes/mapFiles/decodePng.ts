@@ -1,6 +1,14 @@
-import type { Pixels } from './Pixels.js';
-import { PNG_SIGNATURE } from './pngChunks.js';
-import { LAST_PNG_FILTER, PNG_SAMPLES as SAMPLES, unfilter } from './pngRows.js';
+import { LAST_PNG_FILTER, PNG_SIGNATURE, PNG_SAMPLES as SAMPLES, unfilter } from './pngFormat.js';
+
+/** An image in memory. */
+export interface Pixels {
+  width: number;
+  height: number;
+  /** 1 for grey, 3 for RGB. */
+  channels: 1 | 3;
+  /** width·height·channels bytes, top row first. */
+  data: Uint8Array;
+}
 
 const PALETTE = 3;
 

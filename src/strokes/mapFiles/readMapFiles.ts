@@ -1,9 +1,8 @@
 import { meanInk } from '../tamImages/checkHatchImages.js';
 import { DEFAULT_STROKE_TEXELS, type HatchImages } from '../tamImages/HatchImages.js';
 import { excessOf, excessOfTones, MAX_SIDE } from '../tamImages/mapLimits.js';
-import { fail, withFileName } from './fileFaults.js';
 import { MAP_FORMAT, MAP_VERSION, type MapDescription, THRESHOLD_STEP } from './mapFiles.js';
-import { PictureReader, type ReadFile } from './PictureReader.js';
+import { fail, PictureReader, type ReadFile, withFileName } from './PictureReader.js';
 
 /** An image with at most this mean ink counts as the blank paper of tone 0. */
 const BLANK = 0.002;

@@ -1,7 +1,7 @@
 import type { HatchImages } from '../tamImages/HatchImages.js';
+import type { Pixels } from './decodePng.js';
 import { MAP_FILE, MAP_FORMAT, MAP_VERSION, type MapDescription, type MapFile, THRESHOLD_STEP } from './mapFiles.js';
-import type { Pixels } from './Pixels.js';
-import { PNG_COLOR_TYPE, PNG_SIGNATURE, pngChunk, pngHeader } from './pngChunks.js';
+import { PNG_COLOR_TYPE, PNG_SIGNATURE, pngChunk, pngHeader } from './pngFormat.js';
 
 /**
  * Writes the files of a map: a JSON file that names the others, a grey PNG image for each tone and level and, with thresholds, an

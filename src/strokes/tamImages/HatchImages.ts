@@ -13,3 +13,8 @@ export interface HatchImages {
 
 /** The width of strokes in texels, for images that come without it. */
 export const DEFAULT_STROKE_TEXELS = 2;
+
+/** The buffers of hatch images, which are transferred with them. Each is listed once, even if tones share an image. */
+export const imageBuffers = ({ images }: HatchImages): ArrayBuffer[] => [
+  ...new Set(images.flatMap((levels) => levels.map(({ buffer }) => buffer as ArrayBuffer))),
+];

@@ -1,5 +1,5 @@
 import { blurToroidal } from '../blurToroidal.js';
-import { equalize } from '../equalize.js';
+import { equalize } from '../ranking.js';
 import { encodeThresholds, type ThresholdLevel } from './encodeThresholds.js';
 import type { HatchImages } from './HatchImages.js';
 

@@ -2,7 +2,7 @@ import { type PaperGrain, paperGrain } from '../paperGrain.js';
 import { placeStrokes } from '../placeStrokes.js';
 import { rasterizeStroke } from '../rasterizeStroke.js';
 import type { Stroke } from '../Stroke.js';
-import { findLostInk, HALF_INK } from './findLostInk.js';
+import { findLostInk, HALF_INK } from './checkHatchImages.js';
 import type { HatchImages } from './HatchImages.js';
 import { type HatchImageRequest, type MapRequest, resolveHatchImageOptions } from './hatchImageRequest.js';
 

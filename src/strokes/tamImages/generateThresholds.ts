@@ -1,9 +1,9 @@
 import { asPhase } from '../../mesh/phases.js';
 import { blurToroidal } from '../blurToroidal.js';
 import { drawThresholdField } from '../drawThresholdField.js';
-import { equalize } from '../equalize.js';
 import { paperGrain } from '../paperGrain.js';
 import { placeStrokes } from '../placeStrokes.js';
+import { equalize } from '../ranking.js';
 import { rasterizeStroke } from '../rasterizeStroke.js';
 import type { Stroke } from '../Stroke.js';
 import { encodeThresholds, type ThresholdLevel } from './encodeThresholds.js';

@@ -1,7 +1,9 @@
 import type { Hand } from '../hand/Hand.js';
 import type { StrokeStyleName } from '../strokeStyleNames.js';
 import { STROKE_WIDTHS } from '../strokeWidths.js';
-import { COARSEST_SIZE } from './coarsestSize.js';
+
+/** Texels per side of the coarsest level of a map. On a smaller level, strokes would be as wide as long. */
+export const COARSEST_SIZE = 16;
 
 /** The options that determine a generated map. */
 export interface MapDrawing {

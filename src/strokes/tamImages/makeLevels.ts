@@ -1,8 +1,10 @@
-import { equalize } from '../equalize.js';
+import { asPhase } from '../../mesh/phases.js';
+import { equalize } from '../ranking.js';
 import { meanInk } from './checkHatchImages.js';
-import { COARSEST_SIZE } from './coarsestSize.js';
 import { deriveThresholds } from './deriveThresholds.js';
+import type { ThresholdLevel } from './encodeThresholds.js';
 import type { HatchImages } from './HatchImages.js';
+import { COARSEST_SIZE } from './hatchImageOptions.js';
 
 /**
  * Makes the missing levels of images that have only one, each with half the texels per side, down to 16.
@@ -84,4 +86,19 @@ function drawMean(thresholds: Float32Array, steepness: Float32Array, mean: numbe
     image[i] = 255 - Math.round(255 * Math.max(0, Math.min(1, ink)));
   }
   return image;
+}
+
+/** Hatch images with all levels, and the thresholds. */
+export interface CompleteHatchImages extends HatchImages {
+  thresholds: ThresholdLevel[];
+}
+
+/** Makes the levels of images that lack them, and derives the thresholds. Yields progress in [0, 1]. */
+export function* completeHatchImages({
+  lacksLevels,
+  ...given
+}: HatchImages & { lacksLevels: boolean }): Generator<number, CompleteHatchImages, void> {
+  const { size, images } = lacksLevels ? yield* asPhase(makeLevels(given), 0, 0.5) : given;
+  const thresholds = yield* asPhase(deriveThresholds({ size, images }), lacksLevels ? 0.5 : 0, 1);
+  return { size, images, thresholds };
 }

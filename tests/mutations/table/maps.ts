@@ -3,7 +3,7 @@ import type { Mutation } from '../Mutation.js';
 export const maps: readonly Mutation[] = [
   {
     name: 'the mean filter rounds up',
-    file: 'src/strokes/mapFiles/pngRows.ts',
+    file: 'src/strokes/mapFiles/pngFormat.ts',
     find: '(left + up) >> 1',
     replace: '(left + up + 1) >> 1',
     caughtBy: {
@@ -14,7 +14,7 @@ export const maps: readonly Mutation[] = [
   },
   {
     name: 'the checksum leaves out the type',
-    file: 'src/strokes/mapFiles/pngChunks.ts',
+    file: 'src/strokes/mapFiles/pngFormat.ts',
     find: 'bytes.subarray(4, content.length + 8)',
     replace: 'bytes.subarray(8, content.length + 8)',
     caughtBy: {

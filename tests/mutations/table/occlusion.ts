@@ -41,7 +41,7 @@ export const occlusion: readonly Mutation[] = [
     replace: '0',
     caughtBy: {
       layer: 'unit',
-      file: 'tests/unit/mesh/occlusion/directions.test.ts',
+      file: 'tests/unit/mesh/occlusion/mapAxes.test.ts',
       title: 'maps are turned about their directions, each by another angle, evenly',
     },
   },
@@ -52,7 +52,7 @@ export const occlusion: readonly Mutation[] = [
     replace: 'const height = fraction(0.5 + (index + 1) / RATIO) ** 2;',
     caughtBy: {
       layer: 'unit',
-      file: 'tests/unit/mesh/occlusion/directions.test.ts',
+      file: 'tests/unit/mesh/occlusion/mapAxes.test.ts',
       title: 'directions are evenly spread over the upper half of the sphere',
     },
   },

@@ -1,3 +1,4 @@
+import { requestOfHand } from '../../../src/strokes/handStyle.js';
 import { rasterizeStroke } from '../../../src/strokes/rasterizeStroke.js';
 import type { Stroke } from '../../../src/strokes/Stroke.js';
 import type { StrokeStyleName } from '../../../src/strokes/strokeStyleNames.js';
@@ -6,7 +7,6 @@ import { generateHatchImages } from '../../../src/strokes/tamImages/generateHatc
 import type { HatchImages } from '../../../src/strokes/tamImages/HatchImages.js';
 import type { MapDrawing } from '../../../src/strokes/tamImages/hatchImageOptions.js';
 import type { MapRequest } from '../../../src/strokes/tamImages/hatchImageRequest.js';
-import { requestOfHand } from '../../../src/strokes/tamImages/requestOfHand.js';
 
 /** The styles, for test matrices. */
 export const styleNames = Object.keys(strokeStyles) as StrokeStyleName[];

@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import type { MapRequest } from '../../../src/strokes/tamImages/hatchImageRequest.js';
-import { maxWorkers } from '../../../src/worker/maxWorkers.js';
 import { bakingTasks } from '../../../src/worker/runTask.js';
+import { maxWorkers } from '../../../src/worker/TaskOptions.js';
 import type { BakingTasks } from '../../../src/worker/tasks.js';
 import { WorkerPool } from '../../../src/worker/WorkerPool.js';
 import { FakeWorker } from './FakeWorker.js';

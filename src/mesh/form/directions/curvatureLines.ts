@@ -1,6 +1,6 @@
 import { TENSOR_FLOATS } from '../../features/fanCurvatures.js';
 import { forEachChunk } from '../../phases.js';
-import type { FormOptions } from '../FormOptions.js';
+import type { FormOptions } from '../FormField.js';
 import type { FormSurface } from '../FormSurface.js';
 import { cross, normalized, type Vector, viewedFrom } from './axes.js';
 import { FRAME_FLOATS } from './tangentFrames.js';

@@ -1,6 +1,6 @@
 import { type Cells, type CoarseGraph, clusterNodes, coarsen } from '../../adjacency/cells.js';
 import { asPhase, forEachChunk, release } from '../../phases.js';
-import type { FormOptions } from '../FormOptions.js';
+import type { FormOptions } from '../FormField.js';
 import type { FormSurface } from '../FormSurface.js';
 import { bendSigns } from './bendSigns.js';
 import {

@@ -1,5 +1,5 @@
 import { forEachChunk } from '../../phases.js';
-import type { FormOptions } from '../FormOptions.js';
+import type { FormOptions } from '../FormField.js';
 import type { FormSurface } from '../FormSurface.js';
 import { normalized, type Vector, viewedFrom } from './axes.js';
 

@@ -4,7 +4,7 @@ import { describe, expect, test } from 'vitest';
 import { decodePicture, UndecodedError } from '../../../../src/command/draw/decodePicture.js';
 import { decodePng } from '../../../../src/command/draw/decodePng.js';
 import { fitPixels } from '../../../../src/command/draw/NodeSurroundings.js';
-import { PNG_SIGNATURE, pngChunk } from '../../../../src/strokes/mapFiles/pngChunks.js';
+import { PNG_SIGNATURE, pngChunk } from '../../../../src/strokes/mapFiles/pngFormat.js';
 
 /** A picture in which every value differs from its neighbours. */
 const picture = (width: number, height: number): Uint8ClampedArray =>

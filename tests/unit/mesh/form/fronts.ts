@@ -6,7 +6,7 @@ import { disjointSets, join, rootOf } from '../../../../src/mesh/disjointSets.js
 import { cutForm, type FormSeam } from '../../../../src/mesh/form/cutForm.js';
 import { directionField } from '../../../../src/mesh/form/directions/directionField.js';
 import { faceDirections } from '../../../../src/mesh/form/directions/faceDirections.js';
-import { FORM_DEFAULTS, type FormOptions } from '../../../../src/mesh/form/FormOptions.js';
+import { FORM_DEFAULTS, type FormOptions } from '../../../../src/mesh/form/FormField.js';
 import { type FormSurface, formSurface, surfaceWithin } from '../../../../src/mesh/form/FormSurface.js';
 import { findParts } from '../../../../src/mesh/form/findParts.js';
 import { formTwins } from '../../../../src/mesh/form/formTwins.js';

@@ -1,7 +1,6 @@
 import { nextCorner } from '../../../../src/mesh/corners.js';
 import { bakeForm, LINES_PER_RADIUS } from '../../../../src/mesh/form/bakeForm.js';
-import type { FormField } from '../../../../src/mesh/form/FormField.js';
-import { FORM_DEFAULTS, type FormOptions } from '../../../../src/mesh/form/FormOptions.js';
+import { FORM_DEFAULTS, type FormField, type FormOptions } from '../../../../src/mesh/form/FormField.js';
 import { formVertices } from '../../../../src/mesh/form/formVertices.js';
 import { phaseLevels } from '../../../../src/mesh/form/phase/phaseLevels.js';
 import { phaseMatrix } from '../../../../src/mesh/form/phase/phaseMatrix.js';

@@ -3,7 +3,7 @@ import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import { HatchingOutlineMaterial } from '../../../../src/material/outlines/HatchingOutlineMaterial.js';
 import { engravedHand } from '../../../../src/strokes/hand/engravedHand.js';
 import type { Hand, HandNumbers } from '../../../../src/strokes/hand/Hand.js';
-import { HAND_NUMBER_NAMES, HAND_NUMBER_RANGES } from '../../../../src/strokes/hand/handNumberRanges.js';
+import { HAND_NUMBER_NAMES, HAND_NUMBER_RANGES } from '../../../../src/strokes/hand/handNumbers.js';
 import { learnHand } from '../../../../src/strokes/hand/learnHand.js';
 import { random } from '../../../../src/strokes/random.js';
 import { drawSwatch } from './drawSwatch.js';

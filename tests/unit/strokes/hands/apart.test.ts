@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import type { HandNumbers } from '../../../../src/strokes/hand/Hand.js';
-import { HAND_NUMBER_NAMES } from '../../../../src/strokes/hand/handNumberRanges.js';
+import { HAND_NUMBER_NAMES } from '../../../../src/strokes/hand/handNumbers.js';
 import { learnHand } from '../../../../src/strokes/hand/learnHand.js';
 import { type ExampleHandName, exampleHand, exampleHandNames } from '../../../../src/strokes/hands/exampleHand.js';
 import { meanInk } from '../../../../src/strokes/tamImages/checkHatchImages.js';

@@ -2,7 +2,7 @@ import { deflateSync } from 'node:zlib';
 import { PNG } from 'pngjs';
 import { describe, expect, it, vi } from 'vitest';
 import { decodePng } from '../../../../src/strokes/mapFiles/decodePng.js';
-import { PNG_COLOR_TYPE, PNG_SIGNATURE, pngChunk, pngHeader } from '../../../../src/strokes/mapFiles/pngChunks.js';
+import { PNG_COLOR_TYPE, PNG_SIGNATURE, pngChunk, pngHeader } from '../../../../src/strokes/mapFiles/pngFormat.js';
 import { encodePng } from '../../../../src/strokes/mapFiles/writeMapFiles.js';
 import { random } from '../../../../src/strokes/random.js';
 

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { imageBuffers } from '../../../../src/strokes/tamImages/imageBuffers.js';
+import { imageBuffers } from '../../../../src/strokes/tamImages/HatchImages.js';
 
 it('an image that two tones share is transferred once, and arrives as one', () => {
   const [paper, ink] = [255, 0].map((byte) => new Uint8Array(4).fill(byte));

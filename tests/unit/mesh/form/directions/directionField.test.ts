@@ -1,6 +1,6 @@
 import { CapsuleGeometry, CylinderGeometry, LatheGeometry, Vector2 } from 'three';
 import { describe, expect, test } from 'vitest';
-import type { FormOptions } from '../../../../../src/mesh/form/FormOptions.js';
+import type { FormOptions } from '../../../../../src/mesh/form/FormField.js';
 import type { TriangleMesh } from '../../../../../src/mesh/TriangleMesh.js';
 import { dot, meshFrom, moebius, scaled, turned, unit } from '../../features/surfaces.js';
 import { book, fan, meshOf } from '../../meshes.js';

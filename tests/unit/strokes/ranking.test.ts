@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { sortedIndices } from '../../../src/strokes/sortedIndices.js';
+import { sortedIndices } from '../../../src/strokes/ranking.js';
 
 describe('sortedIndices', () => {
   it('lists indices by value, equal ones by index', () => {

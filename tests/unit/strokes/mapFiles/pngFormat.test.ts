@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { crc32, pngChunk } from '../../../../src/strokes/mapFiles/pngChunks.js';
+import { crc32, pngChunk } from '../../../../src/strokes/mapFiles/pngFormat.js';
 
 test('the checksum is that of the standard', () => {
   expect(crc32(Buffer.from('123456789'))).toBe(0xcbf43926);
