@@ -1,4 +1,4 @@
-/** What the material needs to know of a property at run time. */
+/** A property as the material needs it at run time. */
 export type HatchingProperty =
   | HatchingNumber
   | HatchingValue
@@ -7,20 +7,20 @@ export type HatchingProperty =
   | HatchingSwitch
   | HatchingOther;
 
-/** What the material brings to the shader in a way of its own. */
+/** A property that the material passes to the shader in a way of its own. */
 export interface HatchingOther extends UsedByTechniques {
   kind: 'tonalArtMap' | 'curve' | 'point';
-  /** What the tonal art map counts with, as in `HatchingFacts`: without the map there is nothing to draw. */
+  /** The conditions under which the property counts. One that holds is enough. */
   when?: HatchingCondition;
   /** The default under a technique that has another. */
   defaultFor?: Readonly<Record<string, string>>;
 }
 
-/** What every property has. */
+/** Members of every property. */
 export interface UsedByTechniques {
   /** Colours as 0xrrggbb, vectors as arrays. */
   default: unknown;
-  /** The techniques that read it. Left out: all. */
+  /** The techniques that read it. Default: all. */
   techniques?: readonly string[];
 }
 
@@ -36,13 +36,13 @@ export interface HatchingNumber extends UsedByTechniques {
   kind: 'number';
   uniform?: string;
   range?: NumberRange;
-  /** Whether `'auto'` may be in its place beside a default that is a number. */
+  /** Whether `'auto'` is allowed beside a default that is a number. */
   isAuto?: true;
   /** The default under a technique that has another. */
   defaultFor?: Readonly<Record<string, number>>;
 }
 
-/** Above a bound or from it on, and up to another. */
+/** A lower bound, included or not, and an optional upper one. */
 export interface NumberRange {
   above?: number;
   from?: number;
@@ -56,54 +56,54 @@ export interface HatchingTexture extends UsedByTechniques {
   transform: string;
 }
 
-/** One of several names. The shader knows it as a define whose value is the name's place in `choices`. */
+/** One of several names. In the shader it is a define whose value is the index of the name in `choices`. */
 export interface HatchingChoice extends UsedByTechniques {
   kind: 'choice';
   /** Left out for the technique: it chooses the shaders themselves. */
   define?: string;
   choices: readonly string[];
-  /** The choices that a technique knows, where these are not all; another one counts as the default. */
+  /** The choices that a technique knows, where these are not all. Any other counts as the default. */
   choicesFor?: Readonly<Record<string, readonly string[]>>;
   /** The default under each technique, where it depends on that; `'auto'` asks for it again. */
   defaultFor?: Readonly<Record<string, string>>;
 }
 
-/** On or off. The shader knows it as a define that is there or not. */
+/** On or off. In the shader it is a define that is set or not. */
 export interface HatchingSwitch extends UsedByTechniques {
   kind: 'switch';
   define: string;
 }
 
-/** What the material needs to know of a technique; all else lies in its folder of chunks, shaders/techniques/<name>. */
+/** A technique as the material needs it. The rest lies in its folder of chunks, shaders/techniques/<name>. */
 export interface HatchingTechniqueData {
-  /** What it asks of a geometry's vertices: the primitive of six, or a normal at the scale of a stroke. */
+  /** The vertex data it needs: triangle adjacency, or a normal at the scale of a stroke. */
   vertexData: 'adjacency' | 'hatchNormal';
-  /** The texture it reads, unless the material is crisp: that takes thresholds. */
+  /** The texture it reads. A crisp material reads the threshold map instead. */
   map: 'tonalArtMap' | 'thresholdMap' | 'none';
-  /** Whether strokes that are sized on the object alone have a program of their own, which is cheaper. */
+  /** Whether strokes sized on the object alone have a cheaper program of their own. */
   hasProgramForObject: boolean;
 }
 
-/** What a property means beside what the shader reads. What is left out does not apply. */
+/** Facts about a property that the shader does not need. Those left out do not apply. */
 export interface HatchingFacts {
-  /** Of a number or a vector. */
+  /** The measure of a number or a vector. */
   measure?: HatchingMeasure;
-  /** What it measures at a `sizedOnScreen` of 1, where that is something else. In between it is a mean of the two. */
+  /** The measure at a `sizedOnScreen` of 1, if it differs. In between the value is a mean of the two. */
   measureOnScreen?: HatchingMeasure;
   /** What other properties must be for it to count. Several conditions: it is enough that one holds. */
   when?: HatchingCondition | readonly HatchingCondition[];
 }
 
 /**
- * Other properties, with the values of theirs that something counts with, or the one that it does not count with. All must
- * hold. A property that the technique does not read is not asked.
+ * Conditions on other properties: the values with which something counts, or the one with which it does not. All must hold. Properties that
+ * the technique does not read are ignored.
  */
 export type HatchingCondition = Readonly<Record<string, readonly PlainValue[] | { readonly not: PlainValue }>>;
 
-/** A value of a property as data has it. */
+/** A value of a property as plain data. */
 export type PlainValue = string | number | boolean | null;
 
-/** What a number measures. */
+/** The unit of a number. */
 export type HatchingMeasure =
   | 'pixels'
   | 'gridPixels'
@@ -119,5 +119,5 @@ export type HatchingMeasure =
   | 'count'
   | 'exponent';
 
-/** `toneModel` as `TONE_MODEL`. */
+/** Converts `toneModel` to `TONE_MODEL`. */
 export const constantCase = (name: string): string => name.replace(/([A-Z])/g, '_$1').toUpperCase();

@@ -6,7 +6,7 @@ import {
   type HatchingTechnique,
 } from './hatchingProperties.js';
 
-/** A colour or vector of three.js, by what it is known by. */
+/** The members of three.js colours and vectors that are used here. */
 interface ThreeValue {
   isColor?: boolean;
   isVector2?: boolean;
@@ -15,7 +15,7 @@ interface ThreeValue {
   toArray(): number[];
 }
 
-/** The value of a property as its default is written: colours as numbers, vectors as arrays. */
+/** A value in the form of its default: colours as numbers, vectors as arrays. */
 export function plainValue(value: unknown): unknown {
   const known = value as ThreeValue | null | undefined;
   if (known?.isColor) return known.getHex();
@@ -23,7 +23,7 @@ export function plainValue(value: unknown): unknown {
   return value;
 }
 
-/** The default of a property; some techniques have one of their own. Colours are numbers, vectors arrays. */
+/** The default of a property under a technique. Colours are numbers, vectors arrays. */
 export function defaultOf(name: HatchingPropertyName, technique: HatchingTechnique): unknown {
   const property: HatchingProperty = HATCHING_PROPERTIES[name];
   const ofTechnique = 'defaultFor' in property ? property.defaultFor?.[technique] : undefined;

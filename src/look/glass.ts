@@ -1,4 +1,4 @@
-/** How glass is drawn: a few light strokes at a slant where light turns to shade, and nothing that hides what is behind it. */
+/** Parameters of glass: a few light strokes at a slant where light turns to shade, and nothing that hides what is behind it. */
 export const GLASS = {
   transparent: true,
   opacity: 1,

@@ -1,10 +1,10 @@
-/** Outlines behind a surface that are drawn all the same, as shaders/outlines/hidden.glsl has them. */
+/** Outlines that are drawn behind surfaces, as in shaders/outlines/hidden.glsl. */
 import { OUTLINE_CONSTANTS } from './constants/outlineConstants.js';
 import { smoothstep } from './vectors.js';
 
 const { HIDDEN_WEIGHT, WHOLE_FROM } = OUTLINE_CONSTANTS;
 
-/** How they are drawn. */
+/** The ways to draw them. */
 export const HIDDEN_OUTLINES = ['none', 'dashed', 'faint'] as const;
 export type HiddenOutlines = (typeof HIDDEN_OUTLINES)[number];
 

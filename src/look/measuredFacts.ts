@@ -7,7 +7,7 @@ import { type HatchingLook, holds, isUsedBy, propertyOf, techniqueOf, valueIn } 
 const NAMES = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
 const factsOf = (name: HatchingPropertyName): HatchingFacts => HATCHING_FACTS[name] ?? {};
 
-/** Whether a property counts for a look: its technique reads it, and so do its medium and what else it depends on. */
+/** Whether a property has an effect in a look: its technique and medium read it, and the properties it depends on allow it. */
 export function counts(given: HatchingLook, name: HatchingPropertyName): boolean {
   const look = spelledOut(given);
   if (!isUsedBy(techniqueOf(look), propertyOf(name))) return false;
@@ -15,10 +15,7 @@ export function counts(given: HatchingLook, name: HatchingPropertyName): boolean
   return [when].flat().some((condition) => holds(look, condition));
 }
 
-/**
- * What a number or a vector measures in a look; undefined for other properties, and for one that is a mean of two measures, as far as
- * `sizedOnScreen` says.
- */
+/** The measure of a number or a vector in a look. Undefined for other properties, and where `sizedOnScreen` mixes two measures. */
 export function measureOf(look: HatchingLook, name: HatchingPropertyName): HatchingMeasure | undefined {
   const { measure, measureOnScreen = measure } = factsOf(name);
   const onScreen = Number(valueIn(spelledOut(look), 'sizedOnScreen'));
@@ -27,8 +24,8 @@ export function measureOf(look: HatchingLook, name: HatchingPropertyName): Hatch
 }
 
 /**
- * How a property goes with the size of a picture: 1 if it is measured in CSS pixels, 0 if it is not, and for one that is as far as
- * `sizedOnScreen` says, that. In a picture twice as wide it is 2 to this power as large.
+ * The exponent by which a property scales with the width of the picture: 1 if it is measured in CSS pixels, 0 if it is not, and
+ * `sizedOnScreen` where that mixes both.
  */
 export function pixelPower(look: HatchingLook, name: HatchingPropertyName): number {
   const { measure, measureOnScreen } = factsOf(name);
@@ -37,10 +34,10 @@ export function pixelPower(look: HatchingLook, name: HatchingPropertyName): numb
 }
 
 /**
- * The sizes that are numbers in a look, and measured in CSS pixels, for a larger or smaller picture that shows the same. Another pixel
- * ratio of the renderer needs none of this.
+ * The sizes of a look that are measured in CSS pixels, scaled for a larger or smaller picture of the same scene. A different pixel ratio of
+ * the renderer needs no scaling.
  *
- * @param factor the width of that picture, divided by that of the one that the sizes are for, both at the same pixel ratio
+ * @param factor the width of that picture divided by the width that the sizes are meant for, at the same pixel ratio
  */
 export function scaledSizes<Look extends HatchingLook>(given: Look, factor: number): Partial<Look> {
   const look = spelledOut(given);

@@ -1,4 +1,4 @@
-/** The material part of the presets: plain data, which the material takes by a preset's name. */
+/** The materials of the presets, as plain data. */
 
 /** The tone curve of a woodcut: blank paper or solid ink, and little in between. */
 const CUT = [
@@ -31,8 +31,8 @@ const CHALKED = [
 ] as const;
 
 /**
- * How values are laid out in ink alone: the colours of surfaces are hatched as tones, and the darkest of them still show their form; only
- * hollows are darker. The light is exposed so that there are lights, half tones and darks.
+ * Values in ink alone: the colours of surfaces are hatched as tones, and the darkest still show their form; only hollows are darker.
+ * Automatic exposure gives lights, half tones and darks.
  */
 const VALUES = { exposure: 'auto', localTone: 0.8, colorFill: 0, hollowTone: 1 } as const;
 
@@ -209,13 +209,13 @@ const makeMaterials = () =>
     },
   }) as const;
 
-/** The parameters of the material of every preset, ink and paper among them. */
+/** The material parameters of every preset, with ink and paper. */
 export const PRESET_MATERIALS = /* @__PURE__ */ frozen(/* @__PURE__ */ makeMaterials());
 
 /** The names of the presets. */
 export type PresetName = keyof typeof PRESET_MATERIALS;
 
-/** A value that cannot be changed, nor anything in it. */
+/** Freezes a value and everything in it. */
 export function frozen<Value>(value: Value): Value {
   if (typeof value === 'object' && value !== null) for (const part of Object.values(value)) frozen(part);
   return Object.freeze(value);

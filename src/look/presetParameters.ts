@@ -5,12 +5,11 @@ import { PRESET_MATERIALS, type PresetName } from './presetMaterials.js';
 /** Values of properties, by name. */
 type Values = Readonly<Partial<Record<HatchingPropertyName, unknown>>>;
 
-/** What was worked out for the first material of each preset. */
+/** The parameters of each preset, computed for its first material. */
 const resolved = /* @__PURE__ */ new Map<PresetName, Values>();
 
 /**
- * Parameters with those that their preset stands for; what they name themselves overrides it. Allocates nothing for what has no preset,
- * such as a material.
+ * Expands the preset of parameters; parameters given beside it override it. Allocates nothing where there is no preset, as in a material.
  *
  * @throws RangeError if there is no preset of this name
  */
@@ -23,8 +22,7 @@ export function spelledOut<Parameters extends { readonly preset?: PresetName | u
 }
 
 /**
- * The parameters that a preset stands for: its own, and the defaults of those that only other presets name, so that nothing remains
- * of a preset that was set before.
+ * The parameters of a preset: its own, and the defaults of those that only other presets set, so that nothing remains of an earlier preset.
  *
  * @throws RangeError if there is no preset of this name
  */

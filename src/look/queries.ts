@@ -11,27 +11,25 @@ import type { PresetName } from './presetMaterials.js';
 import { spelledOut } from './presetParameters.js';
 
 /**
- * What follows from the properties of a look, by the tables of properties and techniques. Whoever has to know asks here, and of what
- * properties measure and count with in `measuredFacts.ts`.
- *
- * A look is a `HatchingMaterial` or parameters of one; what is left out is as in the preset that they name, or at its default.
+ * A `HatchingMaterial` or parameters of one. Members left out have the value of the named preset, or their default. The functions of this
+ * file derive facts about a look from the tables of properties and techniques; `measuredFacts.ts` has those about measures.
  */
 export type HatchingLook = { readonly [Name in HatchingPropertyName]?: unknown } & {
   readonly preset?: PresetName | undefined;
 };
 
-/** What the material knows of a property. */
+/** The entry of a property in the table. */
 export const propertyOf = (name: HatchingPropertyName): HatchingProperty => HATCHING_PROPERTIES[name];
 
-/** The technique that a look is drawn by. */
+/** The technique of a look. */
 export const techniqueOf = ({ technique = HATCHING_DEFAULTS.technique }: HatchingLook) =>
   technique as HatchingTechnique;
 
-/** Whether a property is one of those that the technique of a look reads. Allocates nothing. */
+/** Whether a technique reads a property. Allocates nothing. */
 export const isUsedBy = (technique: HatchingTechnique, { techniques }: HatchingProperty): boolean =>
   techniques?.includes(technique) ?? true;
 
-/** Whether a choice is one of those that a technique knows. Allocates nothing. */
+/** Whether a technique knows a choice. Allocates nothing. */
 export const knowsChoice = (technique: HatchingTechnique, property: HatchingProperty, value: unknown): boolean =>
   property.kind !== 'choice' || (property.choicesFor?.[technique]?.includes(value as string) ?? true);
 
@@ -44,14 +42,14 @@ export const holds = (look: HatchingLook, condition: HatchingCondition): boolean
     return 'not' in values ? value !== values.not : (values as readonly unknown[]).includes(value);
   });
 
-/** Whether a look is drawn with a tonal art map. Without one it would be blank paper. */
+/** Whether a look is drawn with a tonal art map, without which it would be blank paper. */
 export function needsMap(given: HatchingLook): boolean {
   const look = spelledOut(given);
   const { tonalArtMap } = HATCHING_PROPERTIES;
   return isUsedBy(techniqueOf(look), tonalArtMap) && holds(look, tonalArtMap.when);
 }
 
-/** Whether a look decides ink from the thresholds of its map, and not from the greys of its strokes. Allocates nothing. */
+/** Whether a look decides ink by the thresholds of its map instead of the greys of its strokes. Allocates nothing. */
 export function usesThresholds(given: HatchingLook): boolean {
   const look = spelledOut(given);
   const technique = techniqueOf(look);
@@ -59,7 +57,7 @@ export function usesThresholds(given: HatchingLook): boolean {
   return look.crisp === true && isUsedBy(technique, HATCHING_PROPERTIES.crisp);
 }
 
-/** Whether a look draws only geometries that were prepared with triangle adjacency. */
+/** Whether a look needs geometries prepared with triangle adjacency. */
 export const needsAdjacency = (look: HatchingLook): boolean =>
   HATCHING_TECHNIQUES[techniqueOf(spelledOut(look))].vertexData === 'adjacency';
 
@@ -69,7 +67,7 @@ export function runsAway(given: HatchingLook): boolean {
   return look.toneModel === 'shadow' && valueIn(look, 'shadowDirection') === 'away';
 }
 
-/** The property by which the lines or strokes of a look may follow the form; undefined if they cannot. Allocates nothing. */
+/** The property by which the lines or strokes of a look may follow the form, or undefined. Allocates nothing. */
 export function formFieldOf(given: HatchingLook): 'lineField' | 'strokeField' | undefined {
   const look = spelledOut(given);
   if (runsAway(look)) return undefined;
@@ -80,7 +78,7 @@ export function formFieldOf(given: HatchingLook): 'lineField' | 'strokeField' | 
   return hasStrokes ? 'strokeField' : undefined;
 }
 
-/** What a look asks of geometries: `form` of `prepareHatchingGeometry`. Allocates nothing. */
+/** The option `form` of `prepareHatchingGeometry` that a look needs. Allocates nothing. */
 export function formOf(given: HatchingLook): boolean | 'auto' {
   const look = spelledOut(given);
   const name = formFieldOf(look);
@@ -88,10 +86,10 @@ export function formOf(given: HatchingLook): boolean | 'auto' {
   return field === 'auto' ? field : field === 'form' || field === 'acrossForm';
 }
 
-/** Whether lines or strokes of a look follow the form, which only geometries show that were prepared with `form`. Allocates nothing. */
+/** Whether lines or strokes of a look follow the form, which needs geometries prepared with `form`. Allocates nothing. */
 export const followsForm = (look: HatchingLook): boolean => formOf(look) !== false;
 
-/** The value in force of a property of a look. */
+/** The effective value of a property in a look. */
 export function valueIn(look: HatchingLook, name: HatchingPropertyName): unknown {
   const value = look[name];
   const technique = techniqueOf(look);

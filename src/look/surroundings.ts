@@ -1,7 +1,7 @@
-/** The light that comes from all around, as three's own shader chunks have it. All in world space. */
+/** Light from all around (ambient, hemisphere, probes, environment), as in three's shader chunks. All in world space. */
 import type { Vec3 } from './vectors.js';
 
-/** Nine coefficients of spherical harmonics, as three's `SphericalHarmonics3` orders them; of luminance. */
+/** Nine coefficients of spherical harmonics of the luminance, in the order of three's `SphericalHarmonics3`. */
 export type Harmonics = Float64Array;
 
 /** A hemisphere light: the direction to its sky, the mean of its two luminances and half their difference. */
@@ -16,7 +16,7 @@ export interface Surroundings {
   ambient: number;
   skies: Sky[];
   probes: Harmonics;
-  /** `into`: three rows that turn directions of the world into those of the environment. */
+  /** `into` has three rows, which rotate world directions into the space of the environment. */
   environment: { harmonics: Harmonics; intensity: number; into: readonly [Vec3, Vec3, Vec3] } | null;
 }
 
@@ -31,7 +31,7 @@ function irradianceFrom(c: Harmonics, x: number, y: number, z: number): number {
   );
 }
 
-/** The radiance of a white surface with a unit normal (x, y, z) under them. Allocates nothing. */
+/** The radiance of a white surface with the unit normal (x, y, z) under this light. Allocates nothing. */
 export function radianceAround(
   { ambient, skies, probes, environment }: Surroundings,
   x: number,

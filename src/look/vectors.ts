@@ -1,4 +1,4 @@
-/** Vectors as lists of numbers, and what GLSL has as functions. */
+/** Vectors as tuples, with functions named as in GLSL. */
 export type Vec3 = readonly [x: number, y: number, z: number];
 
 export const dot = (a: Vec3, b: Vec3): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -18,10 +18,10 @@ export const combined = (s: number, a: Vec3, t: number, b: Vec3): Vec3 => [
 
 export const lengthOf = (a: Vec3): number => Math.sqrt(dot(a, a));
 
-/** The rows of a linear map times a vector. */
+/** A matrix, given by its rows, times a vector. */
 export const timesVector = ([a, b, c]: readonly [Vec3, Vec3, Vec3], v: Vec3): Vec3 => [dot(a, v), dot(b, v), dot(c, v)];
 
-/** Of length 1; a vector without a length stays as it is. */
+/** The unit vector in the direction of a vector; a zero vector stays zero. */
 export function normalize(a: Vec3): Vec3 {
   const length = lengthOf(a) || 1;
   return [a[0] / length, a[1] / length, a[2] / length];

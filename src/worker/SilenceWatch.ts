@@ -27,7 +27,7 @@ export class SilenceWatch {
     private readonly onSilence: () => void,
   ) {}
 
-  /** Starts to watch, unless it does already. */
+  /** Starts to watch, unless it already does. */
   start(): void {
     if (this.timer !== undefined) return;
     this.silentTicks = 0;

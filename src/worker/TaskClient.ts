@@ -82,7 +82,7 @@ export class TaskClient<All extends Tasks> {
     return this.pending.size;
   }
 
-  /** Whether there can be no worker, so that tasks run on the main thread. */
+  /** Whether no worker can be started, so that tasks run on the main thread. */
   get isUnavailable(): boolean {
     return this.state === 'unavailable';
   }
@@ -180,7 +180,7 @@ export class TaskClient<All extends Tasks> {
       this.beginAll();
       this.startIdleTimer();
     } else if (message.type === 'alive') {
-      // The watch has heard it, and that is all it is for.
+      // The watch has already registered it.
     } else if (message.type === 'progress') {
       this.report(message.id, message.progress);
     } else if (message.type === 'done') {
@@ -281,7 +281,7 @@ export class TaskClient<All extends Tasks> {
     );
   }
 
-  /** Makes a request again that was lost with a worker, and runs it: in a new worker after one death, else on the main thread. */
+  /** Makes a request again that was lost with a worker, and runs it: in a new worker after the first death, else on the main thread. */
   private async startAgain(entry: Pending, death: Error): Promise<void> {
     entry.place = 'lost';
     entry.deaths++;

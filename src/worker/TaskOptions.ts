@@ -22,7 +22,7 @@ export interface TaskOptions {
 const TASK_OPTIONS = { signal: true, onProgress: true, createWorker: true } satisfies Record<keyof TaskOptions, true>;
 
 /**
- * Checks that `options` is an object that has no other names than those in `known`.
+ * Checks that `options` is an object with no names but those in `known`.
  *
  * @throws TypeError that names the caller, the fault and the known names
  */
@@ -43,10 +43,10 @@ export function checkNames(
 }
 
 /**
- * Checks the names of all options, and the values of those that every long task has (`TaskOptions`).
+ * Checks the names of all options, and the values of those in `TaskOptions`.
  *
- * @param own the names of the options that the caller has beside those of `TaskOptions`
- * @throws TypeError that names the caller, the option and the values it may have
+ * @param own the names of the options that the caller adds to those of `TaskOptions`
+ * @throws TypeError that names the caller, the option and its allowed values
  */
 export function checkOptions(caller: string, options: TaskOptions, own: Readonly<Record<string, true>> = {}): void {
   checkNames(caller, 'options', options, { ...own, ...TASK_OPTIONS });
@@ -72,7 +72,7 @@ const isSignal = (signal: Partial<AbortSignal>): boolean =>
 const describe = (value: unknown): string =>
   typeof value === 'object' && value !== null ? `an object (${value.constructor?.name ?? 'Object'})` : String(value);
 
-/** The largest number of workers at once. More of them would cost more memory than they save time. */
+/** The largest number of workers at once. More would cost more memory than they save time. */
 const MAX_WORKERS = 4;
 
 /** The largest number of workers that a page uses: one per core, up to four. */

@@ -1,6 +1,6 @@
 /** A long computation that a worker can run. Requests and results are plain data. */
 export interface Task<Request, Result> {
-  /** Loads what the task needs before it runs, such as code of others. */
+  /** Loads what the task needs before it runs, such as third-party code. */
   prepare?(request: Request): Promise<void>;
   /** Yields its progress in [0, 1] every few milliseconds of work. */
   run(request: Request): Generator<number, Result, void>;
@@ -23,15 +23,15 @@ export type NameIn<All extends Tasks> = keyof All & string;
 export type RequestOf<All extends Tasks, Name extends keyof All> = Parameters<All[Name]['run']>[0];
 export type ResultOf<All extends Tasks, Name extends keyof All> = Parameters<All[Name]['resultBuffers']>[0];
 
-/** A task without its types, which whoever asks for it has checked. */
+/** A task without its types, which the caller has checked. */
 export type AnyTask = Task<unknown, unknown>;
 
-/** All that workers of one kind can run. */
+/** The tasks that workers of one kind can run. */
 export interface TaskSet<All extends Tasks> {
-  /** Fetches the tasks, for a thread without workers: their scripts contain them, and most pages need them only there. */
+  /** Loads the tasks for the main thread, where there are no workers. Worker scripts contain them, so most pages never load them. */
   fetchTasks(): Promise<All>;
   /** The buffers that are transferred with a request, so that the sender loses them. */
   requestBuffers: { [Name in keyof All]: (request: RequestOf<All, Name>) => ArrayBuffer[] };
-  /** Fetches the function that creates the worker which is inlined in the library. */
+  /** Loads the function that creates the inlined worker. */
   fetchWorker(): Promise<() => Worker>;
 }

@@ -8,7 +8,7 @@ export { disposedError } from './TaskClient.js';
 /** Creates a worker, or returns null if there is none; may throw. */
 export type CreateWorker = () => Worker | null;
 
-/** For each set of tasks the pool of each `createWorker` function, as long as it has a worker. */
+/** The pools with a worker, by set of tasks and by `createWorker` function. */
 export type PoolsOf = Map<object, Map<CreateWorker, WorkerPool<Tasks>>>;
 
 /**
@@ -40,7 +40,7 @@ export class WorkerPool<All extends Tasks> {
     return this.choose().run(task, request, options, makeAgain);
   }
 
-  /** Starts a worker if there is none, for a request that is about to come. @throws TypeError when `createWorker` returns no Worker */
+  /** Starts a worker, if there is none, for a request about to come. @throws TypeError when `createWorker` returns no Worker */
   start(): void {
     if (this.clients.length === 0) this.choose().start();
   }
@@ -78,7 +78,7 @@ export class WorkerPool<All extends Tasks> {
   }
 }
 
-/** The pool that runs these tasks in workers of this function, made if there is none yet. */
+/** The pool for these tasks and this function, created if needed. */
 export function poolIn<All extends Tasks>(
   poolsOf: PoolsOf,
   set: TaskSet<All>,

@@ -13,5 +13,5 @@ const tracing: Task<TraceRequest, HandStroke[]> = {
   resultBuffers: () => [],
 };
 
-/** All tasks of the worker for hands. It lies apart from that of bakes and maps, which every page loads. */
+/** The tasks of the worker for hands. It is separate from the worker for bakes and maps, which every page loads. */
 export const handTasks = { learnHand: learning, traceStrokes: tracing };

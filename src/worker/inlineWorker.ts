@@ -1,5 +1,5 @@
 import bakeWorker from './bake.worker.js?bundled';
 import { workerFrom } from './workerFrom.js';
 
-/** Creates the worker that is inlined in the library. It has a file of its own, which is loaded with the first task. */
+/** Creates the inlined worker. This file is loaded with the first task. */
 export const createInlineWorker = (): Worker => workerFrom(bakeWorker);

@@ -37,10 +37,10 @@ export const bakingTasks: TaskSet<BakingTasks> = {
 
 const createNoWorker: CreateWorker = () => null;
 
-/** For each set of tasks the pool of each `createWorker` function, as long as it has a worker. */
+/** The pools with a worker, by set of tasks and by `createWorker` function. */
 const poolsOf: PoolsOf = /* @__PURE__ */ new Map();
 
-/** How often everything was disposed of. */
+/** The number of calls of `disposeHatchingWorkers`. */
 let disposals = 0;
 
 /**
@@ -56,7 +56,7 @@ export const runTask = <Name extends NameIn<BakingTasks>>(
   makeAgain?: MakeAgain<RequestOf<BakingTasks, Name>>,
 ): Promise<ResultOf<BakingTasks, Name>> => runTaskOf(bakingTasks, name, request, options, makeAgain);
 
-/** The same for the tasks of any set. */
+/** Like `runTask`, for the tasks of any set. */
 export async function runTaskOf<All extends Tasks, Name extends NameIn<All>>(
   set: TaskSet<All>,
   name: Name,
@@ -67,7 +67,7 @@ export async function runTaskOf<All extends Tasks, Name extends NameIn<All>>(
   return (await poolFor(set, options)).run(name, request, options, makeAgain);
 }
 
-/** Starts a worker for tasks that are about to come, so that they need not wait for it. What goes wrong, the first of them says. */
+/** Starts a worker ahead of tasks, so that they need not wait for it. Its errors are left to the first of these tasks. */
 export async function startWorker(options: TaskOptions): Promise<void> {
   try {
     (await poolFor(bakingTasks, options)).start();
@@ -76,7 +76,7 @@ export async function startWorker(options: TaskOptions): Promise<void> {
 
 async function poolFor<All extends Tasks>(set: TaskSet<All>, options: TaskOptions): Promise<WorkerPool<All>> {
   const disposalsBefore = disposals;
-  // What runs tasks is fetched with the first of them, and so is the worker.
+  // The pool and the worker are loaded with the first task.
   const [{ disposedError, poolIn }, createWorker] = await Promise.all([
     import('./WorkerPool.js'),
     options.createWorker ?? fetchInlineWorker(set),

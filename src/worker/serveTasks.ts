@@ -3,17 +3,17 @@ import { holdLifeLock } from './lifeLock.js';
 import { type FromWorker, packError, type ToWorker } from './protocol.js';
 import type { AnyTask, Tasks } from './TaskSet.js';
 
-/** How often a task says how far it is, in milliseconds. A message after each slice was measured to take a twentieth of the time. */
+/** Milliseconds between two progress messages. A message after every slice took a twentieth of the time. */
 const PROGRESS_MS = 40;
 
-/** The members of a worker's global scope that are used here. TypeScript's DOM types only describe a window. */
+/** The members of a worker's global scope that are used here; TypeScript's DOM types describe only a window. */
 interface WorkerScope {
   onmessage: ((event: MessageEvent<ToWorker>) => void) | null;
   postMessage(message: FromWorker, transfer?: Transferable[]): void;
 }
 
 /**
- * Makes this thread a worker that runs tasks. It runs requests in slices, so that several can take turns and abort messages can arrive in
+ * Makes this thread a worker that runs tasks. Requests run in slices, so that several can take turns and abort messages can arrive in
  * between.
  */
 export function serveTasks(tasks: Tasks): void {

@@ -6,15 +6,14 @@ import { runTaskOf } from './runTask.js';
 import { checkOptions, type TaskOptions } from './TaskOptions.js';
 
 /**
- * Options of `traceStrokes`: what is known of the picture, and those of the task. A worker of `createWorker` runs
- * `three-hatching/hand.worker`.
+ * Options of `traceStrokes`: facts about the picture, and those of the task. A worker of `createWorker` runs `three-hatching/hand.worker`.
  */
 export interface TraceStrokesOptions extends TraceOptions, TaskOptions {}
 
 const OPTIONS = { millimetresPerPixel: true, swatch: true } satisfies Record<keyof TraceOptions, true>;
 
 /**
- * Finds the strokes in a photograph or a scan of a swatch, in a worker if possible: parts ink from paper in uneven light, thins it to lines,
+ * Finds the strokes in a photograph or a scan of a swatch, in a worker if possible: separates ink from paper in uneven light, thins it to lines,
  * lets lines that cross go straight on, and measures the width along each. `learnHand` makes a hand of them.
  *
  * Strokes should be three pixels wide or more, and apart from each other by as much; those that touch side by side become one. A stroke's

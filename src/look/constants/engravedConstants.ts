@@ -1,141 +1,154 @@
-/** The numbers that engraved lines of any field are laid by, for the processor and, as defines, for the shaders. */
+/** Constants of engraved lines of any field, for the processor and, as defines, for the shaders. */
 export const LINE_CONSTANTS = {
-  /** Lengths that are measured on the object are given in parts of a tile: so many. */
+  /** Lengths on the object are given in 1/256 of a tile. */
   PARTS_OF_TILE: 256,
-  /** Families that cross the first have no lines where their tone is no more than this: nobody could tell. */
+  /** Crossing families of a tone up to this are left out: they would be invisible. */
   LEAST_TONE: 1e-4,
-  /** Lines are spaced by the smooth normal, and at most so many times as far apart or as close as that asks on the flat triangle. */
+  /** Lines are spaced by the smooth normal. Their distance differs from that on the flat triangle by at most this factor. */
   MOST_OFF_TRIANGLE: 1.5,
-  /** A triangle along which a function hardly changes shows at least this share of the change by the smooth normal: lines cannot be any closer. */
+  /**
+   * On a triangle along which a function hardly changes, at least this share of the change by the smooth normal is used, which limits how
+   * close lines lie.
+   */
   LEAST_OF_SMOOTH: 0.0625,
 } as const;
 
-/** The numbers by which a field cuts lines out of an object, for the processor and, as defines, for the shaders. */
+/** Constants of the fields that cut lines out of an object, for the processor and, as defines, for the shaders. */
 export const FIELD_CONSTANTS = {
-  /** A light that is switched off still has a direction: its weight. */
+  /** Weight of a light that is switched off, so that its direction remains. */
   LEAST_WEIGHT: 1e-6,
-  /** What the search for the axis of several lights starts from: every axis has a part of it. */
+  /** Start of the search for the axis of several lights. It has a component along every axis. */
   FIRST_AXIS: [0.51, 0.64, 0.57],
-  /** Aslant to all axes, so that no face of a box lies across it. Unit. */
+  /** Unit vector that is parallel to no axis, so that no face of a box lies across it. */
   SLANT: [0.48, 0.64, 0.6],
-  /** An axis with a larger part of the world's up than this is near to it: what lies across is not found by it. */
+  /** An axis whose component along the world's up is larger counts as vertical, so another axis is used to find what lies across it. */
   UPRIGHT: 0.8,
-  /** A light nearer to the vertical than this has no side: the sine of the angle. */
+  /** Sine of the angle to the vertical below which a light has no side. */
   LEAST_SINE: 1e-3,
 
   /**
-   * Where the surface leans less than this across the gradient of the first family, sines of the angle, it has no lines left, and those that
-   * cross it take its tone.
+   * Sines of the angle between the surface and the level sets of the first family: below the first, that family has no lines, and the
+   * crossing family takes its tone; from the second on it is whole.
    */
   BARE_SLOPE: [0.06, 0.18],
-  /** Where a function rises less than so much along the surface, new lines are born on the object too. */
+  /** Where a function rises by less than this along the surface, new lines are inserted on the object too. */
   SPARSEST_SLOPE: 0.4,
-  /** How far from evenly matched the two crossing families share a place: the difference of their squared sines. */
+  /** Range over which two crossing families share a place, as a difference of their squared sines. */
   SIDE_FADE: 0.35,
-  /** The octave of the lines that lie farthest apart: as far as they like. */
+  /** Octave of lines whose distance is not limited. */
   ANY_OCTAVE: 100,
 } as const;
 
-/** The numbers that lines which follow the form are drawn by, for the processor and, as defines, for the shaders. */
+/** Constants of lines that follow the form, for the processor and, as defines, for the shaders. */
 export const FORM_CONSTANTS = {
   /**
-   * The octaves of the powers of two by which the function, and the one that crosses it, change across the seams of the bake
-   * (src/mesh/form/phase/lastLevel.ts): lines that lie farther apart would not run on.
+   * log₂ of the multiples by which φ and φ₂ jump across the seams of the bake (src/mesh/form/phase/roundJumps.ts). Lines farther apart than
+   * these octaves would break at a seam.
    */
   COARSEST_OCTAVES: [2, 1],
-  /** How much the widths of lines differ, slowly along each of them: a number of a line would change across a seam. */
+  /** Amplitude of the slow variation of width along each line. A random number per line would change across a seam. */
   WIDTH_WAVE: 0.25,
 } as const;
 
-/** The numbers that the lengths of strokes are found by, for the processor and, as defines, for the shaders. */
+/** Constants of the lengths of strokes, for the processor and, as defines, for the shaders. */
 export const STROKE_LENGTH_CONSTANTS = {
-  /** The last part of an octave, in which strokes give way to others half as long. */
+  /** Last part of an octave, in which strokes give way to strokes of half the length. */
   LENGTHS_FADE: 0.12,
-  /** How evenly a line must run along two axes for both to count: the difference of the squares of its direction. */
+  /** Range in which two axes count for a line, as a difference of the squares of its direction. */
   AXES_FADE: 0.16,
   /**
-   * Lines of a form differ in full where they lie so many octaves closer than the seams repeat their numbers, and at least by this share of that:
-   * of few lines that repeat, the same ones would show again and again.
+   * Lines of a form differ in full where they lie this many octaves closer than the numbers of the seams repeat, and by at least
+   * LEAST_DIFFERING of that: of few lines that repeat, the repetition would be visible.
    */
   DIFFERING_OCTAVES: 5,
   LEAST_DIFFERING: 0.01,
 } as const;
 
-/** The numbers by which a hand is unsteady, for the processor and, as defines, for the shaders. */
+/** Constants of an unsteady hand, for the processor and, as defines, for the shaders. */
 export const HAND_CONSTANTS = {
-  /** Units of the slow waves of a hand to a tile. */
+  /** Units of the slow waves of a hand per tile. */
   HAND_WAVES: 3.5,
-  /** Other waves bend the slow ones: how far, how many there are to a unit and their phases. The numbers are without a pattern. */
+  /** Amplitude, frequency per unit and phases of the waves that bend the slow ones. Arbitrary numbers without a pattern. */
   BENT_BY: 0.7,
   BENDS: 0.54,
   BEND_PHASES: [0.1, 0.67, 1.4],
-  /** How many slow waves there are to a unit, and their phases. */
+  /** Frequency per unit and phases of the slow waves. */
   SLOW_WAVES: 0.73,
   WAVE_PHASES: [0.35, 1.18, 1.66],
 
   /** How far lines stray, in tiles. */
   STRAY: 0.012,
-  /** How much the pressure of a hand changes at most, and how much the widths of lines differ. */
+  /** Largest change of the pressure, and the spread of the widths of lines. */
   PRESSURE: 0.3,
   WIDTHS: 0.5,
 } as const;
 
-/** The numbers that a pen draws lines in strokes by, for the processor and, as defines, for the shaders. */
+/** Constants of pen strokes, for the processor and, as defines, for the shaders. */
 export const PEN_CONSTANTS = {
-  /** The tone from which on all strokes are there, and over how much of the tone each grows to its width and length. */
+  /** Tone from which on all strokes are there, and the range of tone over which a stroke grows to its width and length. */
   ALL_FROM: 0.15,
   STROKE_GROWTH: 0.05,
-  /** How much shorter a stroke is that begins to grow, and the same of its ink, whose ends are thin, both as shares of its length. */
+  /** How much shorter a stroke is when it begins to grow, and how much shorter its ink is, whose ends are thin; shares of its length. */
   SHORTENING: 0.35,
   SHORTENING_OF_INK: 0.58,
-  /** The widest stroke of a light tone, as a share of the room of a line: a nib draws no heavier where strokes are few. */
+  /** Widest stroke of a light tone, as a share of the distance between lines: a nib does not draw heavier where strokes are few. */
   NIB: 0.6,
-  /** Over how much of the share of strokes that are there each of those between older lines grows to its width. */
+  /** Range of the share of visible strokes over which a stroke between older ones grows to its width. */
   BIRTH: 0.08,
-  /** The tone from which on strokes follow each other without gaps, and the most that one begins late, as a share of the mean length. */
+  /** Tone from which on strokes follow each other without gaps, and the largest delay of a start, as a share of the mean length. */
   CLOSED_FROM: 0.8,
   LATENESS: 0.4,
-  /** From which of its bits on the hash of a stroke that it has by chance decides how late it begins. */
+  /** First bit, as a power of two, of the random hash of a stroke that decides how late it begins. */
   LATE_HASH: 16,
-  /** The longest gap between two strokes and the part over which both ends of one narrow, as shares of its length; both close with the tone. */
+  /**
+   * Longest gap between two strokes, and the part of a stroke over which its two ends narrow, as shares of its length. Both shrink with the
+   * tone.
+   */
   STROKE_GAP: 0.3,
   TAPER: 0.9,
-  /** How far strokes lean and bend, in distances between lines, and how much their widths differ. */
+  /** How far strokes lean and bend, in distances between lines, and the spread of their widths. */
   LEANING: 0.22,
   BENDING: 0.16,
   WIDTH_SPREAD: 0.5,
-  /** From which of its bits on the even hash of a stroke decides on the gap before it, on its birth and on its width. */
+  /** First bits, as powers of two, of the even hash of a stroke that decide on the gap before it, on its birth and on its width. */
   GAP_HASH: 64,
   BIRTH_HASH: 512,
   WIDTH_HASH: 4096,
-  /** From which of its bits on the hash of a line decides when it goes over to another axis, and over how large a part of the way it does so. */
+  /**
+   * First bit, as a power of two, of the hash of a line that decides where it changes to another axis, and the part of the way over which
+   * it does.
+   */
   AXIS_HASH: 8,
   AXIS_TURN: 0.2,
 } as const;
 
-/** The numbers that lines are cut out of a block by, for the processor and, as defines, for the shaders. */
+/** Constants of woodcut lines, for the processor and, as defines, for the shaders. */
 export const CARVING_CONSTANTS = {
   /**
-   * How far a cut swells and narrows from its mean, as a share of its room, and of the mean: where white is rare, and where black is, wedges
-   * are thinner, and not shorter.
+   * How far a cut swells and narrows from its mean width, as a share of the room of a line, and of the mean. Where white or black is rare,
+   * wedges are thinner, not shorter.
    */
   SWELL: 0.42,
   SWELL_SHARE: 1.3,
-  /** Where either is rarer than this, rows end, so that those that stay do not become hairs; at a quarter of it three of four have. */
+  /**
+   * Where white or black is rarer than this, rows end, so that the rest do not become hairlines; at a quarter of it three of four have
+   * ended.
+   */
   RARE: 0.24,
-  /** The share of a wedge in which it widens. */
+  /** The share of a wedge over which it widens. */
   WIDENING: 0.7,
 } as const;
 
-/** The numbers by which lines end where a shadow on a ground dissolves, for the processor and, as defines, for the shaders. */
+/** Constants of lines that end where the shadow on a ground dissolves, for the processor and, as defines, for the shaders. */
 export const GROUND_CONSTANTS = {
   /**
-   * Where a shadow dissolves its lines end one by one: of a line whose turn it is at a share of all turns, a part of its width is gone that is
-   * so many times that share, times what is dissolved over what is left.
+   * Lines end one by one where a shadow dissolves. A line of rank r in [0, 1] loses the part ENDING · r · dissolved / left of its width.
    */
   ENDING: 0.4,
-  /** No more than that: half of all lines end so, and the others thin out together, or one would stand alone at the end. */
+  /**
+   * Upper bound of dissolved / left: half of the lines end that way, and the rest thin out together, so that none stands alone at the end.
+   */
   MOST_ENDING: 2,
-  /** What is left counts as at least this. */
+  /** Lower bound of what is left. */
   LEAST_LEFT: 1e-3,
 } as const;

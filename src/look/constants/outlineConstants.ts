@@ -1,59 +1,70 @@
-/** The numbers that outlines are drawn by, for the processor and, as defines, for the shaders (src/material/outlines/outlineConventions.ts). */
+/** Constants of outlines, for the processor and, as defines, for the shaders (src/material/outlines/outlineConventions.ts). */
 export const OUTLINE_CONSTANTS = {
-  /** Up to the first of these, of (1 − N·L) / 2, an outline is as heavy as on the lit side, from the second on as in the shade. */
+  /** Bounds of (1 − N·L) / 2: up to the first, an outline has the weight of the lit side, from the second on that of the shade. */
   LIT: 0.15,
   SHADED: 0.85,
-  /** How far the surface just inside of a contour leans towards the eye: the share of that direction in its normal. */
+  /** How far the surface just inside a contour leans towards the eye: the share of that direction in its normal. */
   INSIDE: 0.5,
   /**
-   * The N·L just inside above which a contour is lost falls from 1 by as much as this. Over the second of N·L it loses the third, a share of
-   * its weight, and never all: where a line ended, an outline would be in pieces. Each of the two is so much where no edges are lost, and
-   * grows by as much as the number after it where all are.
+   * Lost edges: a contour is lost above a threshold of the N·L just inside it. The threshold falls from 1 by the first number; over a range
+   * of the second it loses the share of its weight given by the third, never all, or outlines would break. Each of the two numbers is
+   * followed by what is added to it where all edges are lost.
    */
   LOST_RANGE: 0.7,
   LOST_TAPER: [0.05, 0.35],
   LOST_WEIGHT: [0.53, 0.35],
 
-  /** The lift as a share of the bounding radius, for rounding and for what smooth normals and flat triangles differ by. */
+  /**
+   * Lift of an outline off its surface as a share of the bounding radius, against rounding and the difference between smooth normals and
+   * flat triangles.
+   */
   LIFT_SHARE: 0.004,
-  /** The most lift for the bend of the surface, as a share of the bounding radius. */
+  /** Largest lift for the curvature of the surface, as a share of the bounding radius. */
   MOST_RISE: 0.11,
-  /** How steeply the faces beside an edge may rise towards the eye. */
+  /** Largest slope towards the eye of the faces beside an edge. */
   EDGE_SLOPE: 3,
 
-  /** Depths are compared so many pixels beside an outline: on one of its two sides nothing of its own surface lies before it. */
+  /** Depths are compared this many pixels beside an outline, where on one side nothing of its own surface lies before it. */
   BESIDE: 1,
-  /** By how much a surface may lie there before its own outline, as a share of the bounding radius, for rounding. */
+  /** How far a surface may lie before its own outline there, as a share of the bounding radius. */
   ROUNDING: 0.0005,
-  /** How far beside the middle of an outline that is seen where it lies between two sides that rise from it, pixels. */
+  /** Pixels beside the middle of an outline between two rising sides at which its visibility is tested. */
   LOOKED_BESIDE: 2,
-  /** How steeply the parts of a cut-out surface may lie that have outlines. */
+  /** Largest slope of the parts of a cut-out surface that have outlines. */
   CUT_SLOPE: 9,
 
-  /** From where on beyond its side an outline looks for what lies behind it, pixels. */
+  /** Pixels beyond its side at which an outline begins to search for what lies behind it. */
   BEYOND: 1.5,
-  /** A surface that lies as far behind an outline as these shares of the height of the view begins to count as paper, and does. */
+  /**
+   * A surface that lies this far behind an outline, as a share of the height of the view, begins to count as paper; from the next share on
+   * it does.
+   */
   BEGINS_AS_PAPER: 0.25,
   IS_PAPER: 0.75,
   /** How far an accent reaches to either side, in widths of an outline. */
   ACCENT_REACH: 8,
   /**
-   * From one step to the next, the depth behind an outline changes by these shares of the height of the view where another outline begins to
-   * count, and does. What lies behind by less than the first is the outline's own surface.
+   * Jumps of the depth behind an outline, as shares of the height of the view, from which on another outline begins to count, and counts in
+   * full. Smaller differences are the outline's own surface.
    */
   LEAST_JUMP: 0.02,
   FULL_JUMP: 0.06,
 
-  /** How fast the bend must grow along the surface, times the radius, for a suggestive contour to begin, and to be as wide as asked. */
+  /**
+   * Growth of the curvature along the surface, times the radius, at which a suggestive contour begins, and at which it has its full width.
+   */
   LEAST_GROWTH: 20,
   FULL_GROWTH: 60,
-  /** Seen face on, such an outline says nothing: how far the normal must lean away for one to begin, and to be as wide as asked. */
+  /**
+   * Lean of the normal away from the viewer at which a suggestive contour begins, and at which it has its full width. Face on it would show
+   * nothing.
+   */
   LEAST_LEAN: 0.1,
   FULL_LEAN: 0.35,
 
   /**
-   * The waves by which outlines stray: of about a third of the radius in two directions, and shorter ones, whose phases others bend. The
-   * numbers mean nothing: they are directions and phases without a pattern.
+   * Waves by which outlines stray: long ones of about a third of the radius in two directions, and shorter ones, whose phases other waves
+   * bend. Arbitrary directions and phases without a pattern.
    */
   STRAY_ACROSS: [11.3, 7.1, -5.9],
   ACROSS_BENT: [-4.3, 6.7, 9.1],
@@ -64,18 +75,20 @@ export const OUTLINE_CONSTANTS = {
   UP_PHASE: 2,
   STRAY_FINELY: [23, -19, 17],
   FINE_PHASE: 4,
-  /** The share of the long waves, and of the short ones. */
+  /** The shares of the long and of the short waves. */
   STRAY_SHARES: [0.8, 0.2],
 
-  /** The weight of what is hidden, whatever it would weigh where it is seen; what weighs less than the second there is hidden in part. */
+  /**
+   * Weight of hidden outlines, whatever they weigh where they are visible. Those that weigh less than WHOLE_FROM there are hidden in part.
+   */
   HIDDEN_WEIGHT: 0.5,
   WHOLE_FROM: 0.2,
-  /** The share of the ink that is left of faint lines. */
+  /** The share of the ink that faint lines keep. */
   FAINT: 0.4,
-  /** Lengths of a dash and of the gap after it, in widths of an outline. */
+  /** Length of a dash and of the gap after it, in widths of an outline. */
   DASH: 3.5,
   GAP: 2,
 } as const;
 
-/** In how many steps an outline looks for accents, to either side. */
+/** Samples to either side in the search for accents. */
 export const ACCENT_STEPS = 4;
