@@ -10,7 +10,7 @@ export type HatchingProperty =
 /** A property that the material passes to the shader in a way of its own. */
 export interface HatchingOther extends UsedByTechniques {
   kind: 'tonalArtMap' | 'curve' | 'point';
-  /** The conditions under which the property counts. One that holds is enough. */
+  /** The conditions under which the tonal art map is read, as in `HatchingFacts`. Without the map nothing is drawn then. */
   when?: HatchingCondition;
   /** The default under a technique that has another. */
   defaultFor?: Readonly<Record<string, string>>;
@@ -90,7 +90,7 @@ export interface HatchingFacts {
   measure?: HatchingMeasure;
   /** The measure at a `sizedOnScreen` of 1, if it differs. In between the value is a mean of the two. */
   measureOnScreen?: HatchingMeasure;
-  /** What other properties must be for it to count. Several conditions: it is enough that one holds. */
+  /** The conditions under which the property counts. One that holds is enough. */
   when?: HatchingCondition | readonly HatchingCondition[];
 }
 

@@ -14,10 +14,9 @@ export interface TriangleMesh {
 }
 
 /**
- * Throws a RangeError that says what is wrong with `mesh` and what to do about it. Vertices that no triangle uses are not
- * checked.
+ * Throws a RangeError with the fault of `mesh` and its remedy. Vertices that no triangle uses are not checked.
  *
- * @param label the beginning of the message: the function that was called and the geometry that was passed
+ * @param label start of the message: the function that was called and the geometry that was passed
  */
 export function* validateTriangleMesh(mesh: TriangleMesh, label: string): Generator<number, void, void> {
   const { positions, indices } = mesh;

@@ -2,7 +2,7 @@ import { disjointSets, join, rootOf } from './disjointSets.js';
 import { hashWords } from './hashWords.js';
 import { asPhase, forEachChunk } from './phases.js';
 
-/** What `clusterPositions` returns. */
+/** The result of `clusterPositions`. */
 export interface Clusters {
   /** For each entry of `vertices` the first entry of its cluster. */
   first: Uint32Array<ArrayBuffer>;
@@ -27,7 +27,7 @@ interface Cells {
   steps: number;
 }
 
-/** Half of the 26 neighbours of a cell. The other half finds this one. */
+/** Half of the 26 neighbours of a cell. The other half is covered from the other side. */
 const NEIGHBOURS = Array.from({ length: 27 }, (_, i) => [
   (i % 3) - 1,
   (Math.floor(i / 3) % 3) - 1,

@@ -13,7 +13,7 @@
  *         α
  */
 
-/** Stands for the twin of an edge that has none, because it is a border. */
+/** The twin of an edge without one, at a border. */
 export const NO_TWIN = -1;
 
 /** The triangle that owns `corner`. */

@@ -1,7 +1,7 @@
 import { hashWords } from './hashWords.js';
 import { forEachChunk } from './phases.js';
 
-/** What `findNearPositions` returns. */
+/** The result of `findNearPositions`. */
 export interface NearPositions {
   /** The entries of `vertices` that may be near another position, in the same order. */
   near: Uint32Array<ArrayBuffer>;
@@ -9,7 +9,7 @@ export interface NearPositions {
   steps: number;
 }
 
-/** Side of a cell of the grid, in tolerances. At this size most boxes lie in one cell, and few cells hold more than one box. */
+/** Side of a grid cell, in tolerances. At this size most boxes lie in one cell, and few cells hold two. */
 const CELL = 16;
 
 /** Half a side of the box around a position, in tolerances. Above 0.5, so that rounding cannot separate boxes that touch. */

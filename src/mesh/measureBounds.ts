@@ -40,7 +40,7 @@ function markRange(indices: Uint32Array, isUsed: Uint8Array, start: number, end:
   for (let corner = start; corner < end; corner++) isUsed[indices[corner]] = 1;
 }
 
-/** Widens the box so that it holds those of a range of vertices that are used. */
+/** Extends the box to the used vertices of a range. */
 function enclose(positions: Float32Array, isUsed: Uint8Array, { min, max }: Bounds, start: number, end: number): void {
   let [minX, minY, minZ] = min;
   let [maxX, maxY, maxZ] = max;
@@ -61,7 +61,7 @@ function enclose(positions: Float32Array, isUsed: Uint8Array, { min, max }: Boun
   max.splice(0, 3, maxX, maxY, maxZ);
 }
 
-/** The greatest distance from the centre among those of a range of vertices that are used. */
+/** The greatest distance from the centre among the used vertices of a range. */
 function farthest(
   positions: Float32Array,
   isUsed: Uint8Array,

@@ -1,3 +1,7 @@
+/**
+ * Helpers of the generators that do long computations: each yields its progress in [0, 1] every few milliseconds.
+ */
+
 /** Runs `task` as one phase of a longer task: its progress in [0, 1] becomes progress in [from, to]. */
 export function* asPhase<Result>(
   task: Generator<number, Result, void>,
@@ -20,8 +24,8 @@ const CHUNK_SIZE = 1 << 14;
 /**
  * Calls `body(start, end)` for consecutive ranges that cover [0, count). Yields the finished part in (0, 1] after each.
  *
- * `body` should only pass what it has to a module-level function. An engine keeps its optimised code of such a function from
- * one bake to the next, whereas a closure is made anew in each bake: that was measured to be half as fast.
+ * `body` should only pass its variables to a module-level function. Engines keep the optimised code of such a function from one bake to the
+ * next; a closure, made anew in each bake, was measured to be half as fast.
  */
 export function* forEachChunk(
   count: number,
@@ -34,13 +38,12 @@ export function* forEachChunk(
   }
 }
 
-/** TypeScript's library for this target does not know `transfer` yet. */
+/** `ArrayBuffer.prototype.transfer` is missing in TypeScript's library for this target. */
 type Releasable = ArrayBufferLike & { transfer?(length: number): ArrayBuffer };
 
 /**
- * Frees the memory of arrays at once, which are empty from then on. Otherwise it would be kept until the next garbage collection, which
- * comes late for memory outside of the heap: a bake then holds twice of what it uses. Does nothing in engines without
- * `ArrayBuffer.prototype.transfer`.
+ * Frees the memory of arrays at once and leaves them empty. Garbage collection comes late for memory outside the heap: without this, a bake
+ * holds twice what it uses. Does nothing in engines without `ArrayBuffer.prototype.transfer`.
  */
 export function release(...arrays: ArrayBufferView[]): void {
   for (const { buffer } of arrays as { buffer: Releasable }[]) if (buffer.byteLength > 0) buffer.transfer?.(0);

@@ -6,9 +6,10 @@ import type { ContourSearch } from './features/contourCandidates.js';
 import type { OcclusionMesh, OcclusionScene } from './occlusion/OcclusionScene.js';
 
 /**
- * The buffers of a request, which are transferred with it. This function has a file of its own because the page needs it even
- * where only the worker loads the code of the bakes.
+ * The buffers that requests to the worker transfer. They are apart from the bakes, since pages need them without the code of the bakes.
  */
+
+/** The buffers that a request for a bake transfers. */
 export const bakeRequestBuffers = ({
   mesh,
   attributes = [],
@@ -18,11 +19,11 @@ export const bakeRequestBuffers = ({
   ...attributes.map(({ words }) => words.buffer),
 ];
 
-/** The buffers of a request for joint forms, which are transferred with it. */
+/** The buffers that a request for joint forms transfers. */
 export const jointRequestBuffers = ({ parts }: JointFormsRequest): ArrayBuffer[] =>
   parts.flatMap(({ mesh }) => [mesh.positions.buffer, mesh.indices.buffer]);
 
-/** The buffers of a search, which are transferred to the worker and back. */
+/** The buffers of a search for contours, which are transferred to the worker and back. */
 export const contourSearchBuffers = ({ search }: { search: ContourSearch }): ArrayBuffer[] => [
   search.positions.buffer,
   search.normals.buffer,
@@ -31,7 +32,7 @@ export const contourSearchBuffers = ({ search }: { search: ContourSearch }): Arr
   search.list.buffer,
 ];
 
-/** The buffers of the meshes that a bake starts with, which are transferred. */
+/** The buffers that a bake of occlusion transfers at its start. */
 export const occlusionMeshBuffers = ({ meshes }: { meshes: OcclusionMesh[] }): ArrayBuffer[] =>
   meshes.flatMap(({ positions, indices, normals }) => [
     positions.buffer,
@@ -39,7 +40,7 @@ export const occlusionMeshBuffers = ({ meshes }: { meshes: OcclusionMesh[] }): A
     ...(normals ? [normals.buffer] : []),
   ]);
 
-/** The buffers of the state of a bake, which are transferred. */
+/** The buffers of the state of a bake of occlusion, which are transferred in both directions. */
 export const occlusionSceneBuffers = (scene: OcclusionScene): ArrayBuffer[] => [
   scene.positions.buffer,
   scene.indices.buffer,

@@ -1,11 +1,11 @@
-/** Milliseconds that a slice may take: less than a frame. */
+/** Milliseconds per slice: less than a frame. */
 const SLICE_MS = 8;
 
-/** How to follow and stop a task that runs in slices. */
+/** Options of `runSliced`. */
 export interface SlicedOptions {
   signal?: AbortSignal | undefined;
   onProgress?: ((progress: number) => void) | undefined;
-  /** Called once per slice, to do something before and after it. It must call `slice` exactly once. */
+  /** Wraps each slice. It must call `slice` exactly once. */
   around?: ((slice: () => void) => void) | undefined;
 }
 

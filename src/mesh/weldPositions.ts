@@ -1,7 +1,7 @@
 import { hashWords } from './hashWords.js';
 import { forEachChunk, release } from './phases.js';
 
-/** What `weldPositions` returns. */
+/** The result of `weldPositions`. */
 export interface Weld {
   /** For each vertex the first vertex at exactly the same position: its canonical vertex. */
   canonical: Uint32Array<ArrayBuffer>;
@@ -16,7 +16,7 @@ const fold = (bits: number): number => (bits === NEGATIVE_ZERO_BITS ? 0 : bits);
 
 /**
  * Finds the vertices that lie at exactly the same position. Vertices are split along the seams of uvs, normals and colours,
- * but the surface continues across them. This function knows no tolerance; `joinBorders` does.
+ * but the surface continues across them. There is no tolerance here; see `joinBorders`.
  *
  * The hash table uses open addressing with linear probing, at a load of at most one half. The expected time is O(V).
  */

@@ -5,7 +5,7 @@ import { weldPositions } from '../weldPositions.js';
 import { joinBorders, type Nearness } from './joinBorders.js';
 import { type EdgeCounts, pairEdges } from './pairEdges.js';
 
-/** Which triangle lies across which edge. */
+/** For each edge, the triangle across it. */
 export interface TriangleAdjacency extends EdgeCounts {
   /** For each corner the corner that starts the same edge in the neighbouring triangle, or NO_TWIN. Symmetric. */
   twins: Int32Array<ArrayBuffer>;
@@ -51,7 +51,7 @@ export function* buildTriangleAdjacency(
   };
 }
 
-/** The canonical vertex of each corner. Most scans have no two vertices at one position: then it is the index of the mesh itself. */
+/** The canonical vertex of each corner. If no two vertices share a position, as in most scans, it is the index of the mesh itself. */
 function* weldCorners({
   positions,
   indices,

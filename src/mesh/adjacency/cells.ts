@@ -6,7 +6,7 @@ export interface Graph {
   neighbours: Uint32Array;
 }
 
-/** Stands for the parent of a seed, which has none, and for the coarse entry of an entry that stays within its cell. */
+/** The parent of a seed, and the coarse entry of an entry within a cell: none. */
 export const NONE = -1;
 
 /** A division of the nodes of a graph into connected cells, each grown around a seed. */
@@ -73,10 +73,10 @@ export function* clusterNodes(graph: Graph, rings: number, isWall?: Uint8Array):
   return cells;
 }
 
-/** Stands for the cell of a node that no cell has reached yet. */
+/** The cell of a node that none has reached yet. */
 const UNREACHED = 0xffffffff;
 
-/** What the search for seeds keeps between ranges. */
+/** State of the search for seeds between ranges. */
 interface SeedSearch {
   isWall: Uint8Array | undefined;
   rings: number;
@@ -114,7 +114,7 @@ function seedRange({ starts, neighbours }: Graph, search: SeedSearch, start: num
   search.seedCount = seedCount;
 }
 
-/** Lets the nodes of a range of `order` reach their neighbours. Returns how many nodes are reached then. */
+/** Extends the cells of a range of `order` to its neighbours. Returns the number of nodes reached so far. */
 function growRange(
   { starts, neighbours }: Graph,
   isWall: Uint8Array | undefined,
@@ -140,11 +140,11 @@ function growRange(
 
 /** A graph whose nodes are the cells of a finer one. */
 export interface CoarseGraph extends Graph {
-  /** For each entry of the finer graph the entry between the two cells, or NONE within a cell: where values are summed. */
+  /** For each entry of the finer graph, the coarse entry to which its value adds, or NONE within a cell. */
   ofEntry: Int32Array;
 }
 
-/** Joins the nodes of each cell to one. Cells are neighbours where nodes of theirs are. It takes linear time. */
+/** Merges the nodes of each cell into one. Cells are neighbours if nodes of theirs are. It takes linear time. */
 export function* coarsen(graph: Graph, { ofNode, count }: Cells): Generator<number, CoarseGraph, void> {
   const nodeCount = ofNode.length;
   const ends = new Uint32Array(count + 1);

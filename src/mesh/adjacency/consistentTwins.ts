@@ -3,9 +3,9 @@ import { forEachChunk } from '../phases.js';
 import type { TriangleAdjacency } from './buildTriangleAdjacency.js';
 
 /**
- * Returns the twins with NO_TWIN also where the windings of the two triangles contradict each other.
+ * Returns the twins, with NO_TWIN also where the windings of the two triangles contradict each other.
  *
- * @param consistent the twins of the adjacency, which are changed: a copy, unless nothing else needs them
+ * @param consistent the twins of the adjacency, which are changed; by default a copy
  */
 export function* consistentTwins(
   {
@@ -20,7 +20,7 @@ export function* consistentTwins(
   return consistent;
 }
 
-/** Each half-edge is judged by itself. The two halves of an edge always get the same result. */
+/** Half-edges are judged one by one; both halves of an edge get the same result. */
 function dropRange(canonicalCorners: Uint32Array, twins: Int32Array, start: number, end: number): void {
   for (let corner = start; corner < end; corner++) {
     const twin = twins[corner];

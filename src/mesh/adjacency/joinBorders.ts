@@ -6,7 +6,7 @@ import { asPhase, forEachChunk } from '../phases.js';
 import { comparePositions, matchNonManifoldEdge } from './matchNonManifoldEdge.js';
 import type { Pairing } from './pairEdges.js';
 
-/** How near positions are joined, in object units. */
+/** The tolerances within which positions are joined, in object units. */
 export interface Nearness {
   /** Positions may be joined if they differ by at most this much along each axis. 0 joins none. */
   tolerance: number;
@@ -43,7 +43,7 @@ export function* joinBorders(mesh: PairedMesh, { tolerance, rounding }: Nearness
   pairing.steps += steps + clusterSteps;
   const joined = joinedVertices(positions, near, first, tolerance);
   if (joined === null) return;
-  // They may be the indices of the mesh, which are not ours to change.
+  // They may be the indices of the mesh, which must not change.
   const canonicalCorners = mesh.canonicalCorners.slice();
   mesh.canonicalCorners = canonicalCorners;
   const corners: number[] = [];
@@ -122,7 +122,7 @@ function findRange(
   for (let corner = start; corner < end; corner++) if (joined[canonicalCorners[corner]] !== 0) corners.push(corner);
 }
 
-/** Leaves out every cluster that would collapse a triangle whose side is longer than a rounding error. */
+/** Removes every cluster that would collapse a triangle whose side is longer than a rounding error. */
 function keepTriangles(
   { positions, canonicalCorners, areaNormals }: PairedMesh,
   joined: Uint32Array,
@@ -144,7 +144,7 @@ function keepTriangles(
   }
 }
 
-/** Makes those triangles degenerate that have two corners joined with each other. */
+/** Makes triangles degenerate if two of their corners are joined. */
 function collapseTriangles(mesh: PairedMesh, joined: Uint32Array, corners: readonly number[]): void {
   const { canonicalCorners, areaNormals } = mesh;
   for (const corner of corners) {

@@ -9,15 +9,15 @@ export interface EdgeCounts {
   borderEdges: number;
   /** Edges with more than two triangles. */
   nonManifoldEdges: number;
-  /** Those of them where not all triangles go in pairs: a triangle ends there, as at a border. */
+  /** Non-manifold edges whose triangles do not all go in pairs: a triangle ends there, as at a border. */
   unpairedEdges: number;
-  /** Edges that both their triangles run along in the same direction: the windings contradict each other. */
+  /** Edges along which both triangles run in the same direction: their windings contradict each other. */
   inconsistentEdges: number;
-  /** Triangles without area. They have no neighbours, are no triangle's neighbour, and their edges are not counted. */
+  /** Triangles without area. They have no twins, are no twins, and their edges are not counted. */
   degenerateTriangles: number;
 }
 
-/** What `pairEdges` returns. See `TriangleAdjacency`. */
+/** The result of `pairEdges`. See `TriangleAdjacency`. */
 export interface Pairing extends Omit<EdgeCounts, 'borderEdges'> {
   twins: Int32Array<ArrayBuffer>;
   /** The half-edges that belong to only one triangle, each named by the corner that it starts from. */
@@ -146,7 +146,7 @@ function scatterRange(
   }
 }
 
-/** What buckets are paired with. */
+/** The input and the scratch memory of the pairing. */
 interface Pairs {
   positions: Float32Array;
   canonicalCorners: Uint32Array;
@@ -189,7 +189,7 @@ function pairBucket(pairs: Pairs, { corners, highs }: Buckets, first: number, en
       if (canonicalCorners[corner] === canonicalCorners[other]) pairing.inconsistentEdges++;
       continue;
     }
-    // More than two triangles share the edge.
+    // A non-manifold edge.
     crowded ??= new Map();
     const group = crowded.get(high);
     if (group) group.push(corner);

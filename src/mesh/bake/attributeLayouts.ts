@@ -1,6 +1,10 @@
 /**
- * The attribute that orients strokes, in every layout: the unit normal at the scale of a stroke, in object space. x, y, z are
- * normalised 16-bit integers. w is 0, unless `bakeOcclusion` has written minus the ambient occlusion to it.
+ * Names and sizes of the vertex attributes that the bakes write, for geometry, shaders and tests.
+ */
+
+/**
+ * The attribute that orients strokes, in every layout: the unit normal at the scale of a stroke, in object space. x, y, z are normalised
+ * 16-bit integers. w is 0, or minus the ambient occlusion once `bakeOcclusion` has written it.
  */
 export const hatchNormal = { name: 'hatchNormal', itemSize: 4 } as const;
 

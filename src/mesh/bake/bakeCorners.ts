@@ -11,7 +11,7 @@ export interface BakeRequest extends SurfaceRequest {
   attributes: VertexWords[];
 }
 
-/** What `bakeCorners` returns. Plain data: the worker posts it back. */
+/** The result of `bakeCorners`. Plain data: the worker posts it back. */
 export interface BakeCornersResult extends PackedCorners, CornerAttributes, BakeReport {}
 
 /**

@@ -5,11 +5,11 @@ import { packHatchNormals, packNormals } from './packNormals.js';
 import { outlineBuffers } from './packOutlines.js';
 import { splitVertices } from './splitVertices.js';
 
-/** What `bakeIndexed` returns. Plain data: the worker posts it back. */
+/** The result of `bakeIndexed`. Plain data: the worker posts it back. */
 export interface BakeIndexedResult extends BakeReport {
-  /** The vertex of each corner, added vertices included. Each index has 16 bits if that is enough. */
+  /** The vertex of each corner, added vertices included, in 16 bits if they suffice. */
   indices: Uint16Array<ArrayBuffer> | Uint32Array<ArrayBuffer>;
-  /** For each added vertex, the vertex that it is a copy of. Added vertices follow those of the mesh. */
+  /** For each added vertex, the vertex it copies. Added vertices follow those of the mesh. */
   addedVertices: Uint32Array<ArrayBuffer>;
   /** Each vertex's `hatchNormal`. */
   hatchNormals: Int16Array<ArrayBuffer>;
@@ -23,8 +23,8 @@ export interface BakeIndexedResult extends BakeReport {
 const MAX_SHORT_VERTICES = 0xffff;
 
 /**
- * Bakes the `indexed` layout: the vertices as they are, a `hatchNormal` for each, form values where they are asked for, and copies of those vertices that need more
- * than one. Other attributes are not part of the request: the caller appends copies of the entries that `addedVertices`
+ * Bakes the `indexed` layout: the vertices as they are, a `hatchNormal` and, on request, form values for each, and copies of the vertices
+ * that need more than one. Other attributes are not part of the request: the caller appends copies of the entries that `addedVertices`
  * names. It is pure, and throws as `bakeCorners` does.
  */
 export function* bakeIndexed(request: SurfaceRequest): Generator<number, BakeIndexedResult, void> {

@@ -21,15 +21,15 @@ export interface JointFormsRequest {
   form: FormRequest;
 }
 
-/** What a part follows: its share of a field, the light where the parts together have no form, or what it is baked for by itself. */
+/** The form of a part: its share of a field, `'light'` if the parts together have no form, or `'alone'` if the part meets no other. */
 export type JointForm = FormField | 'light' | 'alone';
 
-/** Vertices of different parts went through different matrices, which costs some digits. */
+/** Vertices of different parts are transformed by different matrices, which costs some digits. */
 const LEAST_TOLERANCE = 1e-5;
 
 /**
- * Bakes form fields of parts whose borders meet, as if they were one mesh, so that lines run on from part to part. Parts that meet no
- * other are left alone. It throws a RangeError where a mesh is not valid.
+ * Bakes form fields of parts whose borders meet as if they were one mesh, so that lines continue from part to part. Parts that meet no
+ * other are skipped. Throws a RangeError for an invalid mesh.
  */
 export function* bakeJointForms(request: JointFormsRequest): Generator<number, JointForm[], void> {
   const { parts } = request;
@@ -52,7 +52,7 @@ export function* bakeJointForms(request: JointFormsRequest): Generator<number, J
   return forms;
 }
 
-/** Parts as one surface. */
+/** All parts as one surface. */
 interface JointSurface {
   joined: JoinedParts;
   radius: number;

@@ -11,7 +11,7 @@ import type { Patches } from '../normals/findPatches.js';
 import { asPhase } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
 
-/** What the bake of outlines needs to know. Plain data: it is posted to the worker. */
+/** Options of the bake of outlines. Plain data: it is posted to the worker. */
 export interface OutlineRequest {
   /** Edges where the surface turns by at least this angle, in radians, are creases. See `CreaseLimits`. */
   featureAngle?: number | undefined;
@@ -35,13 +35,15 @@ export interface OutlineSurface {
   radius: number;
 }
 
-/** Smoothing radius of the normals for contours, as a share of the bounding radius. Larger would leave the outline. */
+/**
+ * Smoothing radius of the normals for contours, as a share of the bounding radius. With a larger one, contours would leave the silhouette.
+ */
 const CONTOUR_SHARE = 0.01;
 
 /** Smoothing radius of the normals for curvatures, as a share of the bounding radius. */
 const CURVATURE_SHARE = 0.015;
 
-/** A mesh with fewer triangles is not a scan: its small patches are faces that someone has modelled. */
+/** A mesh with fewer triangles is no scan: its small patches are modelled faces. */
 const MIN_SCAN_TRIANGLES = 5000;
 
 /** The largest number of triangles in a speck. */
@@ -50,7 +52,7 @@ const MAX_SPECK_TRIANGLES = 2;
 /** The largest area of a speck, as a multiple of the mean area of a triangle. */
 const MAX_SPECK_AREA = 1.5;
 
-/** Where specks hold a larger share of the triangles, they are the sides of boxes that someone has modelled. */
+/** If specks hold a larger share of the triangles, they are the sides of modelled boxes. */
 const MAX_SPECKS_SHARE = 0.1;
 
 /** Connected creases are drawn if they are at least this long in total, as a share of the bounding radius. */

@@ -13,7 +13,7 @@ import { type PackedPull, packPull } from './packPull.js';
 import { splitVertices } from './splitVertices.js';
 import { appendVertices } from './vertexWords.js';
 
-/** What `bakePull` returns. Plain data: the worker posts it back. */
+/** The result of `bakePull`. Plain data: the worker posts it back. */
 export interface BakePullResult extends PackedPull, CornerAttributes, BakeReport {
   /** x, y, z of each corner. */
   positions: Float32Array<ArrayBuffer>;

@@ -21,7 +21,7 @@ import { type PackedOutlines, packOutlines } from './packOutlines.js';
 
 /** The input of the bake for every layout. Plain data: it is posted to the worker. */
 export interface SurfaceRequest {
-  /** The beginning of every error message: the function that was called and the geometry that was passed. */
+  /** Start of every error message: the function that was called and the geometry that was passed. */
   label: string;
   mesh: TriangleMesh;
   /** Triangles whose normals differ by this angle or more, in radians, are not neighbours. */
@@ -34,15 +34,15 @@ export interface SurfaceRequest {
   wantsNormals: boolean;
   /** The outlines to bake, if any. */
   outlines?: OutlineRequest | null | undefined;
-  /** How lines follow the form, if they are to. */
+  /** Options of the form field, if requested. */
   form?: FormRequest | null | undefined;
-  /** The form field, if it was baked before, together with other meshes. */
+  /** The form field, if it was baked before together with other meshes. */
   bakedForm?: FormField | null | undefined;
 }
 
-/** What the bake of a form field needs to know. Plain data: it is posted to the worker. */
+/** Options of the bake of a form field. Plain data: it is posted to the worker. */
 export interface FormRequest extends FormOptions {
-  /** Whether the field is baked only for a shape that has a form (`chooseLineField`). */
+  /** Whether the field is baked only for shapes that have a form (`chooseLineField`). */
   isChosen: boolean;
 }
 
@@ -56,7 +56,7 @@ export interface Surface {
   smoothNormals: FanNormals | null;
   /** The surface that outlines are drawn from, if requested. */
   outlines: OutlineSurface | null;
-  /** What lines that follow the form are level sets of, if requested, and if the shape has a form where that was asked. */
+  /** The form field, if requested, and if the shape has a form where that was a condition. */
   form: FormField | null;
 }
 
@@ -69,7 +69,7 @@ export const DEFAULT_SMOOTHING_SHARE = 0.03;
 /** The default weld tolerance, as a share of the bounding radius: a few rounding errors of single precision. */
 export const DEFAULT_WELD_TOLERANCE = 1e-6;
 
-/** A smaller weld tolerance counts as 0, because it is far below what single precision resolves. */
+/** Smaller weld tolerances count as 0: they are far below the resolution of single precision. */
 const MIN_WELD_TOLERANCE = 2 ** -40;
 
 /** The relative rounding error of single precision. */
@@ -130,7 +130,7 @@ export function* bakeSurface(request: SurfaceRequest, keepsTwins: boolean): Gene
       share,
       total,
     ));
-  // What the field does not need is free while it is baked. With `keepsTwins` these twins are a copy of the layout's.
+  // Frees what the form field does not need. With `keepsTwins` these twins are a copy of the layout's.
   release(...smoothed, patches.ofTriangle, twins);
   if (joinedTwins) release(joinedTwins);
   const bakeField = formToBake?.isChosen ? bakeChosenForm : bakeForm;
@@ -145,7 +145,7 @@ function* bakeSmoothNormals(twins: Int32Array, areaNormals: Float64Array): Gener
   return { fans, normals: yield* asPhase(computeSmoothNormals(areaNormals, fans), 0.5, 1) };
 }
 
-/** Cuts the surface at sharp edges and finds the fans that this leaves. `twins` is changed in place. */
+/** Cuts the surface at sharp edges and finds the remaining fans. `twins` is changed in place. */
 function* separateFans(
   mesh: TriangleMesh,
   { canonicalCorners, areaNormals }: TriangleAdjacency,
@@ -168,7 +168,7 @@ function* directHatchNormals(
 ): Generator<number, FanNormals, void> {
   const { areaNormals, fans } = surface;
   const smallest = Math.PI * (radius / 2) ** 2;
-  // Negated, so that areas that are not numbers are small too.
+  // Negated, so that NaN counts as small.
   yield* asPhase(
     absorbSmallPatches(surface, patches, fans, (area) => !(area >= smallest)),
     0,
@@ -177,7 +177,7 @@ function* directHatchNormals(
   return { fans, normals: yield* asPhase(fanDirections(smoothed, areaNormals, fans), 0.6, 1) };
 }
 
-/** What a bake reports about the mesh, whatever the layout. */
+/** The report of a bake on the mesh, the same for all layouts. */
 export interface BakeReport extends EdgeCounts {
   bounds: Bounds;
   /** The packed outlines, if requested. */

@@ -3,14 +3,14 @@ import type { FormField } from '../form/FormField.js';
 import { asPhase, forEachChunk } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
 
-/** A mesh that is a part of something larger. Plain data: it is posted to the worker. */
+/** A mesh that is part of a larger object. Plain data: it is posted to the worker. */
 export interface Part {
   mesh: TriangleMesh;
   /** From its object space to the space that all parts share: a 4×4 matrix, column by column. */
   matrix: readonly number[];
 }
 
-/** Parts as one mesh. */
+/** All parts as one mesh. */
 export interface JoinedParts {
   mesh: TriangleMesh;
   /** Part i has the corners from firstCorners[i] to firstCorners[i + 1] − 1. */
@@ -22,7 +22,7 @@ function mirrors([a, b, c, , d, e, f, , g, h, i]: readonly number[]): boolean {
   return a * (e * i - f * h) - d * (b * i - c * h) + g * (b * f - c * e) < 0;
 }
 
-/** Lays parts side by side in the space that they share. Triangles of mirrored ones are turned, so that their outside stays outside. */
+/** Joins parts into one mesh in their shared space. Triangles of mirrored parts are reversed, so that their outside stays outside. */
 export function* joinParts(parts: readonly Part[]): Generator<number, JoinedParts, void> {
   const firstVertices = [0];
   const firstCorners = [0];
@@ -46,7 +46,7 @@ export function* joinParts(parts: readonly Part[]): Generator<number, JoinedPart
     yield* asPhase(
       forEachChunk(mesh.indices.length, (start, end) => {
         for (let corner = start; corner < end; corner++) {
-          // An index that names no vertex of its part shall name none of another.
+          // An index out of range must not name a vertex of another part.
           const vertex = mesh.indices[cornerIn(corner, isMirrored)];
           indices[firstCorners[i] + corner] = vertex < vertexCount ? firstVertices[i] + vertex : NO_VERTEX;
         }
@@ -60,13 +60,13 @@ export function* joinParts(parts: readonly Part[]): Generator<number, JoinedPart
 
 const NO_VERTEX = 0xffffffff;
 
-/** The corner of a part for a corner of its place among all: the last two corners of a turned triangle are exchanged. */
+/** The corner of a part at a place among all: reversed triangles exchange their last two corners. */
 const cornerIn = (corner: number, isMirrored: boolean): number => {
   const place = isMirrored ? corner % 3 : 0;
   return place === 1 ? corner + 1 : place === 2 ? corner - 1 : corner;
 };
 
-/** Writes the vertices of a range of a part into those of all. */
+/** Transforms the vertices of a range of a part and writes them to the whole. */
 function placeRange(
   source: Float32Array,
   m: readonly number[],
@@ -94,7 +94,7 @@ export function partOfTriangles({ mesh, firstCorners }: JoinedParts): Uint32Arra
   return parts;
 }
 
-/** Takes the field of part `i` out of that of all parts, in the object space of the part. */
+/** Extracts the field of part `i` from that of the whole, in the object space of the part. */
 export function* fieldOfPart(
   { firstCorners }: JoinedParts,
   i: number,
@@ -138,7 +138,7 @@ export function* fieldOfPart(
 const largestScale = (m: readonly number[]): number =>
   Math.max(...[0, 4, 8].map((column) => Math.hypot(m[column], m[column + 1], m[column + 2])));
 
-/** Writes a gradient in the space of all parts as one in that of a part: the transpose of its matrix times the gradient. */
+/** Transforms a gradient to the space of a part: the transpose of its matrix times the gradient. */
 function pullBack(m: readonly number[], from: Float32Array, source: number, to: Float32Array, vertex: number): void {
   const x = from[3 * source];
   const y = from[3 * source + 1];

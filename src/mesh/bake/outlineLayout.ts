@@ -26,16 +26,16 @@ export const POINT_WORDS = 8;
 /** Words of `outlinePrimitives` per primitive. */
 export const PRIMITIVE_WORDS = 4;
 
-/** The number of a point takes this many bits of a word; the others hold flags. */
+/** Bits of a word that hold the number of a point; the others hold flags. */
 export const POINT_BITS = 28;
 
-/** The bits of a word that hold the number of a point. */
+/** Mask of the number of a point in a word. */
 export const POINT_MASK: number = 2 ** POINT_BITS - 1;
 
-/** With this many triangles, a search for contours takes more than about a millisecond. Then it runs in the worker, on arrays of its own. */
+/** From this many triangles on, a search for contours takes more than about a millisecond, and runs in the worker on arrays of its own. */
 export const SEARCHED_IN_WORKER = 100_000;
 
-/** Unpacks the positions and unit normals of the first `count` points that `packOutlines` has written. */
+/** Unpacks the positions and unit normals of the first `count` points written by `packOutlines`. */
 export function unpackPoints(
   words: Uint32Array<ArrayBuffer>,
   count: number,

@@ -4,7 +4,7 @@ import { formBuffers, type PackedForm, packForm } from './packForm.js';
 import { packHatchNormals, packNormals } from './packNormals.js';
 import type { VertexWords, Words } from './vertexWords.js';
 
-/** The vertex attributes of the layouts that give each corner a vertex of its own. */
+/** The vertex attributes of layouts with three vertices per triangle. */
 export interface CornerAttributes {
   /** Each corner's `hatchNormal`. */
   hatchNormals: Int16Array<ArrayBuffer>;
@@ -34,7 +34,7 @@ export function* packCornerAttributes(
   return { hatchNormals: packedHatchNormals, normals, form: packedForm, attributes: expanded };
 }
 
-/** The buffers of the attributes, which are transferred with them. */
+/** The buffers that are transferred with the attributes. */
 export const cornerAttributeBuffers = ({
   hatchNormals,
   normals,

@@ -6,7 +6,7 @@ import { NO_CORNER } from './splitVertices.js';
 /** The normalised 16-bit integer that stands for 1. */
 const ONE = 0x7fff;
 
-/** Longer gradients are cut short: four times as long as they are in the mean. Times the bounding radius. */
+/** Gradients are cut to four times their mean length. Times the bounding radius. */
 const LONGEST_GRADIENT = 64;
 
 /** The attributes of `formLayout`. */

@@ -31,7 +31,7 @@ export interface PackedOutlines {
   points: Uint32Array<ArrayBuffer>;
   /** `PRIMITIVE_WORDS` words per primitive, all triangles before all edges, padded to whole rows. */
   primitives: Uint32Array<ArrayBuffer>;
-  /** A copy of them for a search in the worker, which takes it away; null if there is none. */
+  /** A copy of `primitives` for a search in the worker, which takes ownership; null if there is none. */
   searched: Uint32Array<ArrayBuffer> | null;
   triangleCount: number;
   edgeCount: number;

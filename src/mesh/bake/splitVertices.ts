@@ -4,10 +4,10 @@ import type { Fans } from '../normals/buildFans.js';
 import { asPhase, forEachChunk } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
 
-/** Stands for the corner of a vertex that no triangle uses. */
+/** The corner of a vertex that no triangle uses. */
 export const NO_CORNER = 0xffffffff;
 
-/** What `splitVertices` returns. */
+/** The result of `splitVertices`. */
 export interface VertexSplit {
   /** The vertex of each corner. Added vertices follow those of the mesh. */
   indices: Uint32Array<ArrayBuffer>;
@@ -18,12 +18,12 @@ export interface VertexSplit {
 }
 
 /**
- * Copies the vertices that lie in several fans, or in several parts of another division: one copy for each pair of a fan and a part
- * but the first. Degenerate triangles draw nothing, so they keep their vertices and do not count.
+ * Copies the vertices that lie in several fans, or in several parts of a second division: one copy for each pair of fan and part but the
+ * first. Degenerate triangles draw nothing, so they keep their vertices and do not count.
  *
- * Few vertices lie in several, so the copies are kept in a hash table (open addressing, load of at most one half).
+ * Few vertices need copies, which are kept in a hash table (open addressing, load of at most one half).
  *
- * @param partOf the part of each corner in the other division; by default there is none
+ * @param partOf the part of each corner in the second division; by default there is none
  */
 export function* splitVertices(
   mesh: TriangleMesh,

@@ -7,7 +7,7 @@ export interface VertexWords {
   wordsPerVertex: number;
 }
 
-/** Returns the words of an attribute, followed by copies of the entries of `vertices`. */
+/** The words of an attribute, followed by copies of the entries of `vertices`. */
 export function appendVertices({ words, wordsPerVertex }: VertexWords, vertices: Uint32Array): Words {
   if (vertices.length === 0) return words;
   const appended = new (words.constructor as new (length: number) => Words)(

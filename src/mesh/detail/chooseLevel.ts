@@ -1,15 +1,15 @@
-/** How far a level may lie from the whole mesh, in pixels: less than a pixel's samples are apart. */
+/** Largest distance of a level from the whole mesh, in pixels: less than the distance of the samples in a pixel. */
 export const MOST_PIXELS = 1 / 3;
 
-/** A simpler level than the one that is drawn must be this much better than it needs to be, so that nothing flickers between the two. */
+/** Hysteresis: a simpler level than the current one must be this much better than needed, so that levels do not flicker. */
 const CALM = 0.8;
 
 /**
- * The simplest level that cannot be told from the whole mesh.
+ * The simplest level that looks like the whole mesh.
  *
- * @param levels from the whole mesh on, in order of their errors
- * @param pixelsPerUnit the size of an object unit in the picture, where the mesh is nearest
- * @param before the level that was drawn before
+ * @param levels the levels by growing error, the whole mesh first
+ * @param pixelsPerUnit pixels per object unit where the mesh is nearest
+ * @param before the current level
  */
 export function chooseLevel(
   levels: readonly { readonly error: number }[],

@@ -2,15 +2,15 @@ import { forEachChunk } from '../phases.js';
 import type { SimplifiableMesh } from './simplifyTriangles.js';
 
 /**
- * How far a vertex may move, in radii of the mesh, for a turn of its strokes by one radian, by the whole of a map, by a whole colour, and
- * by a line along the form, which is as far as two of those lines lie apart in the mean.
+ * How far a vertex may move, in radii of the mesh, for a turn of its strokes by one radian, for the whole of a map, for a whole colour, and
+ * for one line along the form, which is the mean distance of two lines.
  */
 const WEIGHTS = { normal: 0.02, uv: 0.5, color: 0.05, form: 1 / 16 };
 
 /** The vertices of a baked mesh, as arrays. */
 export interface HatchedVertices {
   positions: Float32Array<ArrayBuffer>;
-  /** Four 16-bit integers per vertex, of which the first three are the normal that orients strokes. */
+  /** Four 16-bit integers per vertex: the normal that orients strokes, then w. */
   hatchNormals: Int16Array<ArrayBuffer>;
   /** Two per vertex, if the mesh has a map. */
   uvs: Float32Array<ArrayBuffer> | null;
@@ -20,7 +20,7 @@ export interface HatchedVertices {
   forms: Float32Array<ArrayBuffer> | null;
 }
 
-/** Gathers what strokes depend on, so that a simpler mesh has it in the same places. */
+/** Collects the attributes that strokes depend on, so that simplified meshes keep them. */
 export function* hatchedMesh(
   { positions, hatchNormals, uvs, colors, forms }: HatchedVertices,
   radius: number,

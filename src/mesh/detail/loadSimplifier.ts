@@ -1,4 +1,4 @@
-/** What is used of meshoptimizer's `MeshoptSimplifier`. */
+/** The part of meshoptimizer's `MeshoptSimplifier` used here. */
 export interface Simplifier {
   /** Resolves when its code is compiled. */
   ready: Promise<void>;
@@ -19,10 +19,10 @@ export interface Simplifier {
 const loaded = /* @__PURE__ */ new Map<string, Simplifier>();
 
 /**
- * Loads meshoptimizer's simplifier in this thread, once. It is no part of this library: whoever wants levels of detail brings it along.
+ * Loads meshoptimizer's simplifier in this thread, once. It is not part of this library: users of levels of detail install it.
  *
- * @param address of its module, absolute in a browser
- * @throws Error that says what to do, if there is none
+ * @param address the URL of its module, absolute in a browser
+ * @throws Error with the remedy, if there is none
  */
 export async function loadSimplifier(address: string): Promise<void> {
   if (loaded.has(address)) return;
@@ -42,7 +42,7 @@ export async function loadSimplifier(address: string): Promise<void> {
   loaded.set(address, simplifier);
 }
 
-/** The simplifier that was loaded from an address. @throws Error if none was */
+/** The simplifier loaded from a URL. @throws Error if none was */
 export function simplifierOf(address: string): Simplifier {
   const simplifier = loaded.get(address);
   if (!simplifier) throw new Error(`The simplifier of ${address} is not loaded.`);

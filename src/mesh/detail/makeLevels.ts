@@ -4,14 +4,14 @@ import { type SimplifiableMesh, simplifyTriangles } from './simplifyTriangles.js
 
 /** The error of the first level, in radii: a quarter of a pixel where the mesh is a thousand pixels high. */
 const FIRST_ERROR = 2 ** -11;
-/** How many errors there are, each twice the one before: the last is for a mesh of some twenty pixels. */
+/** Number of errors, each twice the one before. The last suits a mesh of some twenty pixels. */
 const ERRORS = 7;
 /** A level is kept if it has at most this share of the triangles of the level before it. */
 const WORTH_KEEPING = 0.7;
-/** Meshes of fewer triangles cost no more than a draw call. */
+/** Meshes of fewer triangles cost no more than their draw call. */
 const FEWEST_TRIANGLES = 500;
 
-/** One level: a range of corners, and how far its triangles lie from those of the whole mesh. */
+/** A level: a range of corners, and its distance from the whole mesh. */
 export interface DetailLevel {
   start: number;
   count: number;
@@ -27,7 +27,7 @@ export interface DetailLevels {
 }
 
 /**
- * Makes simpler and simpler meshes of one, by halves of its triangles or less. Every level uses vertices of the level before it.
+ * Simplifies a mesh repeatedly, each time to half of its triangles or fewer. Every level uses vertices of the level before it.
  *
  * @param radius of the mesh, in object units
  */

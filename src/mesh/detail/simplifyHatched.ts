@@ -3,12 +3,12 @@ import { type HatchedVertices, hatchedMesh } from './hatchedMesh.js';
 import { simplifierOf } from './loadSimplifier.js';
 import { type DetailLevels, makeLevels } from './makeLevels.js';
 
-/** A baked mesh of which levels are to be made. */
+/** A baked mesh to simplify. */
 export interface DetailRequest extends HatchedVertices {
   indices: Uint32Array<ArrayBuffer>;
   /** Radius of the bounding sphere, in object units. */
   radius: number;
-  /** The address of meshoptimizer's simplifier. */
+  /** The URL of meshoptimizer's simplifier. */
   simplifier: string;
 }
 

@@ -2,17 +2,17 @@ import { asPhase } from '../phases.js';
 import type { Simplifier } from './loadSimplifier.js';
 import { sortIntoCells } from './sortIntoCells.js';
 
-/** A mesh that can be simplified: vertices stay as they are, and fewer triangles are drawn between some of them. */
+/** A mesh to simplify: its vertices stay, and fewer triangles connect some of them. */
 export interface SimplifiableMesh {
   /** xyz of every vertex. */
   positions: Float32Array;
-  /** Values that a simpler mesh shall have in the same places, `weights.length` per vertex. */
+  /** Values that a simpler mesh must keep in place, `weights.length` per vertex. */
   attributes: Float32Array;
-  /** How far, in object units, a vertex may move for a difference of 1 in each of them. */
+  /** For each attribute the distance, in object units, that a vertex may move for a difference of 1. */
   weights: number[];
 }
 
-/** Triangles of a mesh, and how far they lie from those of the whole mesh. */
+/** A subset of vertices connected by fewer triangles, and its distance from the whole mesh. */
 export interface Simplified {
   indices: Uint32Array<ArrayBuffer>;
   /** In object units. */
@@ -20,22 +20,21 @@ export interface Simplified {
 }
 
 /**
- * The errors that count in a mesh, in its extents: the simplifier calculates with numbers of 32 bits from a corner of the mesh, so that in a
- * mesh that is larger it allows more than it says. This was measured on spheres.
+ * Smallest errors that the simplifier resolves, in extents of a mesh, measured on spheres: it calculates in 32 bits from a corner of the
+ * mesh.
  */
 const PRECISION = 1e-3;
 
-/** How much farther a place may lie than the simplifier says, which measures a mean over what it has taken away. */
+/** Ratio of the largest distance to the error that the simplifier reports, which is a mean over the removed triangles. */
 const FARTHEST = 2.5;
 
 /**
- * Simplifies triangles as far as the error allows, cell by cell, since errors are known the better the smaller a mesh is, and a million
- * triangles at once would take a quarter of a gigabyte. Where two cells meet, edges stay as they are: another call with a shifted grid
- * simplifies them there.
+ * Simplifies triangles as far as the error allows, cell by cell: errors are more exact in small meshes, and a million triangles at once
+ * would take a quarter of a gigabyte. Edges between two cells stay; another call with a shifted grid simplifies them.
  *
- * @param error how far the result may lie from `indices`, in object units
- * @param shift by which share of a cell the grid is shifted, in [0, 1)
- * @param share in [0, 1] of the triangles of each cell that is enough: no more are taken away, whatever the error allows
+ * @param error the largest distance of the result from `indices`, in object units
+ * @param shift shift of the grid in [0, 1), as a share of a cell
+ * @param share the share in [0, 1] of the triangles of each cell at which simplification stops
  */
 export function* simplifyTriangles(
   mesh: SimplifiableMesh,
@@ -75,9 +74,9 @@ export function* simplifyTriangles(
 }
 
 /**
- * Simplifies some triangles of a mesh, of which only their own vertices are handed over.
+ * Simplifies some triangles of a mesh; only their own vertices are passed on.
  *
- * @param numbers one per vertex of the mesh, all 0, as they are again afterwards
+ * @param numbers zeros, one per vertex of the mesh; zeros again afterwards
  */
 function simplifyPart(
   { positions, attributes, weights }: SimplifiableMesh,
@@ -103,7 +102,7 @@ function simplifyPart(
     3,
     ownAttributes,
     stride,
-    // The library measures lengths in extents of the mesh, and these weights with them.
+    // meshoptimizer measures lengths, and so these weights, in extents of the mesh.
     weights.map((weight) => weight / (extent || 1)),
     null,
     3 * Math.floor((share * indices.length) / 3),
@@ -115,7 +114,7 @@ function simplifyPart(
   return { indices: simplified, error: farthest };
 }
 
-/** The vertices of triangles in the order in which they are met, and the triangles by these. */
+/** The vertices of triangles in order of their first use, and the triangles in terms of these. */
 function ownVertices(indices: Uint32Array, numbers: Uint32Array): { vertices: Uint32Array; indices: Uint32Array } {
   const vertices = new Uint32Array(indices.length);
   const own = new Uint32Array(indices.length);

@@ -1,13 +1,13 @@
 import { asPhase, forEachChunk } from '../phases.js';
 
-/** The most cells along an axis, so that their list stays small. */
+/** Largest number of cells along an axis. */
 const MOST_ALONG = 64;
 
-/** Triangles in the order of the cubic cells that they lie in. */
+/** Triangles in the order of their cubic cells. */
 export interface SortedTriangles {
   /** The corners of all triangles, cell by cell. */
   indices: Uint32Array<ArrayBuffer>;
-  /** Where each cell starts in `indices`, and at last where the last of them ends. Cells may be empty. */
+  /** The start of each cell in `indices`, then the end of the last one. Cells may be empty. */
   starts: Uint32Array;
 }
 
@@ -20,11 +20,11 @@ interface Grid {
 }
 
 /**
- * Sorts triangles into cubic cells by their centres, so that each cell can be worked on alone: what lies together in space need not lie
- * together in a file.
+ * Sorts triangles into cubic cells by their centres, so that each cell can be simplified alone: triangles near each other in space may be
+ * far apart in a file.
  *
- * @param size of a cell, in object units. Cells are larger where there would be more than 64 along an axis
- * @param shift in [0, 1), by which share of a cell the grid is shifted
+ * @param size of a cell, in object units; larger where there would be more than 64 along an axis
+ * @param shift shift of the grid in [0, 1), as a share of a cell
  */
 export function* sortIntoCells(
   positions: Float32Array,

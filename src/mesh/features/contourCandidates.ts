@@ -1,7 +1,7 @@
 import { asPhase, forEachChunk } from '../phases.js';
 import { BORDER, CONTRARY } from './edgeFlags.js';
 
-/** The data that the search for contours needs. Plain data: it is posted to the worker and back. */
+/** The data of a search for contours. Plain data: it is posted to the worker and back. */
 export interface ContourSearch {
   /** x, y, z of each point. */
   positions: Float32Array<ArrayBuffer>;
@@ -14,9 +14,9 @@ export interface ContourSearch {
   pointBits: number;
   triangleCount: number;
   edgeCount: number;
-  /** Scratch memory, a value per point: 1 surely faces the eye, 2 surely faces away, 3 may do either. */
+  /** Scratch memory, a value per point: 1 certainly faces the eye, 2 certainly faces away, 3 is uncertain. */
   sides: Uint8Array<ArrayBuffer>;
-  /** The numbers of the candidates. It has room for every primitive. */
+  /** The numbers of the candidates, with room for every primitive. */
   list: Uint32Array<ArrayBuffer>;
 }
 
@@ -60,7 +60,7 @@ export function* contourCandidates(search: ContourSearch, eye: Eye, sine: number
   return count;
 }
 
-/** Does the same as `contourCandidates`, in one go. */
+/** Runs `contourCandidates` without yielding. */
 export function findCandidates(search: ContourSearch, eye: Eye, sine: number): number {
   const { triangleCount, edgeCount } = search;
   judgePoints(search, eye, sine, 0, search.positions.length / 3);
@@ -120,7 +120,7 @@ export interface ContourSearchRequest {
   sine: number;
 }
 
-/** What `searchContours` returns: the arrays of the search come back, with the number of candidates in `list`. */
+/** The result of `searchContours`: the arrays of the search, and the number of candidates in `list`. */
 export interface ContourSearchResult {
   search: ContourSearch;
   count: number;

@@ -1,4 +1,4 @@
-// The flags of feature edges, as bits. An edge may have several; one without a kind is drawn only where the contour runs along it.
+// Bit flags of feature edges. An edge may have several; without a kind (`DRAWN_WHOLE`) it is drawn only where the contour runs along it.
 
 /** The edge belongs to one triangle only. */
 export const BORDER = 1;

@@ -9,7 +9,7 @@ export const TENSOR_FLOATS = 6;
 /** A triangle is too thin to measure its curvature if the determinant of the system is below this share of its scale. */
 const MIN_DETERMINANT = 1e-6;
 
-/** The arrays that the loops over triangles and fans read and write. */
+/** The arrays of the loops over triangles and fans. */
 interface Curvatures {
   positions: Float32Array;
   indices: Uint32Array;

@@ -45,10 +45,10 @@ export interface FeatureEdges {
   flags: Uint8Array<ArrayBuffer>;
 }
 
-/** On a mesh built with exactly the crease angle, rounding must not drop some edges and keep others. */
+/** Keeps rounding from treating equal edges differently on a mesh built with exactly the crease angle. */
 const COSINE_TOLERANCE = 1e-6;
 
-/** The cosine of 30°. Cut edges with a smaller angle are no creases: they were cut because of a `creaseAngle` of 0, for example. */
+/** The cosine of 30°. Cut edges with a smaller angle are no creases; a `creaseAngle` of 0 cuts such edges. */
 const FLATTEST_CREASE = Math.cos(Math.PI / 6);
 
 /** A line turns at a vertex if its two edges deviate from a straight line by more than 40°. This is |d₁ + d₂|² at that angle. */
@@ -73,7 +73,7 @@ export function* findFeatureEdges(
   );
   yield* asPhase(dropShortCreases(surface, corners, kinds, limits.creaseLength), 0.7, 0.85);
 
-  // An edge that has lost its kind is kept only if the fans on its two sides differ, since the contour may run along it.
+  // An edge without a kind is kept only if the fans on its two sides differ: the contour may run along it.
   const kept: number[] = [];
   for (let i = 0; i < corners.length; i++) if (kinds[i] !== 0 || separatesFans(surface, corners[i])) kept.push(i);
   const numbers = Uint32Array.from(kept);
@@ -195,9 +195,8 @@ function distance(positions: Float32Array, a: number, b: number): number {
 }
 
 /**
- * Marks the ends of edges at which a line ends, branches or turns, if the line has been straight for at least `shortest` before.
- * A hand draws a little beyond such a corner, but not beyond each of the many corners in a scan. Only edges that are drawn over
- * their whole length count.
+ * Marks the ends of edges at which a line ends, branches or turns after a straight run of at least `shortest`. Lines are drawn a little
+ * beyond such corners, as by hand, but not beyond the many corners of a scan. Only edges drawn over their whole length count.
  */
 function markCorners(
   { mesh, canonicalCorners }: FeatureSurface,

@@ -3,16 +3,16 @@ import { nextCorner, triangleOf } from '../corners.js';
 import { asPhase, forEachChunk } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
 
-/** A mesh may be coarse if the mean length of its edges is above this, as a share of the bounding radius. */
+/** Least mean length of the edges of a coarse mesh, as a share of the bounding radius. */
 const LONG_EDGE = 0.1;
-/** Such a mesh is coarse if the mean angle between neighbouring triangles is above this too, in radians. */
+/** Least mean angle between neighbouring triangles of a coarse mesh, in radians. */
 const WIDE_ANGLE = (9 * Math.PI) / 180;
 
 /**
- * Whether a mesh has so few triangles that they show in its outline, as in a sphere of 320 triangles, but not of 1,280. A contour
- * from smooth normals would run well inside that outline.
+ * Whether the triangles of a mesh show in its outline, as in a sphere of 320 triangles, but not of 1,280. A contour from smooth normals
+ * would run well inside that outline.
  *
- * @param twins twins with NO_TWIN at sharp edges and where windings contradict each other: such edges do not count
+ * @param twins twins with NO_TWIN at sharp edges and where windings contradict each other; such edges do not count
  */
 export function* isCoarse(
   mesh: TriangleMesh,
@@ -26,7 +26,7 @@ export function* isCoarse(
     0,
     0.5,
   );
-  // Most meshes have short edges, and their angles need not be measured.
+  // Angles are not measured on meshes with short edges, which most are.
   if (!(sums.length > LONG_EDGE * radius * sums.count)) return false;
   yield* asPhase(
     forEachChunk(twins.length, (start, end) => addAngles(mesh, twins, areaNormals, sums, start, end)),

@@ -1,7 +1,7 @@
 import type { Fans } from '../normals/buildFans.js';
 import { asPhase, forEachChunk } from '../phases.js';
 
-/** The cosine of the widest angle that is allowed between a normal and the mean of the normals around it. */
+/** The cosine of 70°, the widest angle allowed between a normal and the mean of those around it. */
 const WIDEST = Math.cos((70 * Math.PI) / 180);
 
 /**
