@@ -1,7 +1,7 @@
 /**
- * What lines that follow the form are level sets of: φ, and φ₂ for the family that crosses it. Where φ is whole there is a line. φ
- * has one value per form vertex and is smooth over edges whose corners share their form vertices. Across the cut it becomes
- * ±φ + j with a j that is a multiple of four, and of two for φ₂, so that lines go on, and at a distance every fourth and every second.
+ * A field whose level sets are the lines that follow the form: φ, and φ₂ for the family that crosses it. Lines lie where φ is whole. φ has
+ * one value per form vertex and is smooth over edges whose corners share their form vertices. Across the cut φ′ = ±φ + j, where j is a
+ * multiple of four (of two for φ₂), so that lines continue, and of lines farther apart every fourth (second) one.
  */
 export interface FormField {
   /** The number of form vertices. */
@@ -14,37 +14,37 @@ export interface FormField {
   slopes: Float32Array<ArrayBuffer>;
   /** Three floats per form vertex: the gradient of φ₂. */
   crossings: Float32Array<ArrayBuffer>;
-  /** The bounding radius of what it was baked for, in object units. */
+  /** The bounding radius of the baked mesh, in object units. */
   radius: number;
   statistics: FormStatistics;
 }
 
-/** What the bake reports about a form field. */
+/** The report of the bake on a form field. */
 export interface FormStatistics {
-  /** Points around which lines turn by half a turn or more: all that the shape demands, and no more. */
+  /** Points around which lines turn by half a turn or more, as few as the topology of the shape allows. */
   singularPoints: number;
   /** Form vertices beyond one per fan: along the cut and around singular points. */
   addedVertices: number;
 }
 
-/** How lines follow the form. Lengths are shares of the bounding radius, so that a scaled mesh is drawn alike. */
+/** Options of the form field. Lengths are shares of the bounding radius, so that a scaled mesh is drawn alike. */
 export interface FormOptions {
-  /** The axis that lines run across where nothing else decides, in object space, of any length. Zero asks for no axis. */
+  /** The axis that lines cross where nothing else decides, in object space, of any length. Zero: none. */
   up: readonly [x: number, y: number, z: number];
   /**
-   * The direction in object space from which the object is mostly seen, of any length. Singular points leave it, and lids are ruled
-   * across it. Without one it is z, or −y where up is z. Zero asks for none.
+   * The direction in object space from which the object is mostly seen, of any length. Singular points avoid this side, and lids are ruled
+   * across it. Default: z, or −y where up is z. Zero: none.
    */
   front?: readonly [x: number, y: number, z: number] | undefined;
   /** The angle between the two families of lines, in radians in (0, π). */
   crossAngle: number;
   /** Relief finer than this share of the bounding radius does not turn lines. */
   smoothing: number;
-  /** How far directions reach where curvature does not say any, as a share of the bounding radius. */
+  /** How far directions spread over surface whose curvature shows none, as a share of the bounding radius. */
   reach: number;
 }
 
-/** What is used for options that are not given. */
+/** The defaults. */
 export const FORM_DEFAULTS: FormOptions = {
   up: [0, 1, 0],
   crossAngle: Math.PI / 3,

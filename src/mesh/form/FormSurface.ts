@@ -13,7 +13,7 @@ import { findParts, type Parts } from './findParts.js';
 import { formTwins } from './formTwins.js';
 import { strokeNormals } from './strokeNormals.js';
 
-/** The surface that a form field is computed on. Creases are borders here: lines on one side know nothing of the other. */
+/** The surface on which a form field is computed. Creases are borders: lines on one side do not depend on the other. */
 export interface FormSurface {
   mesh: TriangleMesh;
   /** Twins with NO_TWIN at borders, at creases and where windings contradict each other. */
@@ -38,7 +38,7 @@ export interface FormSurface {
 type Adjacency = Pick<TriangleAdjacency, 'canonicalCorners' | 'areaNormals'>;
 
 /**
- * Prepares the surface of a mesh for a form field, with the creases as borders that `formTwins` chooses.
+ * Prepares the surface of a mesh for a form field. `formTwins` chooses the creases that are borders.
  *
  * @param twins with NO_TWIN where windings contradict each other (`consistentTwins`)
  * @param radius the bounding radius of the mesh
@@ -55,7 +55,7 @@ export function* formSurface(
   return yield* asPhase(surfaceWithin(mesh, adjacency, cut, radius, parts, options), 0.2, 1);
 }
 
-/** Prepares the surface with no borders but those of `twins`. `parts` are connected across creases too. */
+/** Prepares the surface with the borders of `twins` only. `parts` are connected across creases too. */
 export function* surfaceWithin(
   mesh: TriangleMesh,
   { canonicalCorners, areaNormals }: Adjacency,

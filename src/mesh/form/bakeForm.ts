@@ -14,14 +14,14 @@ import { phaseSource } from './phase/phaseSource.js';
 import { type SeamRelations, seamRelations } from './phase/seamRelations.js';
 import { type Phase, solvePhase } from './phase/solvePhase.js';
 
-/** Lines per bounding radius where φ rises as it shall. More lines come from octaves of φ, in powers of two. */
+/** Lines per bounding radius at the nominal slope of φ. Denser lines come from octaves of φ, in powers of two. */
 export const LINES_PER_RADIUS = 16;
 
 /**
- * Bakes the field of lines that follow the form. It depends on the shape alone: on no scale, no place, no chance. φ does not depend
- * on `crossAngle`, to the last bit.
+ * Bakes the field of lines that follow the form. It depends on the shape alone, not on scale, position or chance. φ does not depend on
+ * `crossAngle`, to the last bit.
  *
- * @param twins with NO_TWIN where windings contradict each other (`consistentTwins`). They are lost
+ * @param twins with NO_TWIN where windings contradict each other (`consistentTwins`); freed
  * @param radius the bounding radius of the mesh
  */
 export function* bakeForm(
@@ -36,7 +36,7 @@ export function* bakeForm(
   return yield* asPhase(fieldOn(surface, options), 0.3, 1);
 }
 
-/** As `bakeForm`, for a shape that has a form: null for one of flat faces (`chooseLineField`). */
+/** Like `bakeForm`, but returns null for a shape of flat faces, which has no form (`chooseLineField`). */
 export function* bakeChosenForm(
   mesh: TriangleMesh,
   adjacency: Pick<TriangleAdjacency, 'canonicalCorners' | 'areaNormals'>,
@@ -50,7 +50,7 @@ export function* bakeChosenForm(
   return lineField === 'form' ? yield* asPhase(fieldOn(surface, options), 0.31, 1) : null;
 }
 
-/** The field on a surface that was prepared for it, which is lost: its arrays are freed one by one, as they are no longer needed. */
+/** The field on a prepared surface, whose arrays are freed one by one as soon as they are no longer needed. */
 function* fieldOn(surface: FormSurface, options: FormOptions): Generator<number, FormField, void> {
   const directions = yield* asPhase(formDirections(surface, options), 0, 0.5);
   const { heat, normals, partShares } = surface;
@@ -60,13 +60,13 @@ function* fieldOn(surface: FormSurface, options: FormOptions): Generator<number,
   return yield* asPhase(combedField(surface, directions, seam, options.crossAngle), 0.6, 1);
 }
 
-/** The directions of the faces. The field that they come from is free when they are found. */
+/** The directions of the faces. The field that they come from is freed on return. */
 function* formDirections(surface: FormSurface, options: FormOptions): Generator<number, FaceDirections, void> {
   const field = yield* asPhase(directionField(surface, options), 0, 0.92);
   return yield* asPhase(faceDirections(surface, field), 0.92, 1);
 }
 
-/** Finds φ and φ₂ on a surface that is cut so that directions can be combed. The directions are lost. */
+/** Finds φ and φ₂ on a surface that is cut so that directions can be combed. The directions are freed. */
 export function* combedField(
   surface: FormSurface,
   directions: FaceDirections,
@@ -77,7 +77,7 @@ export function* combedField(
   return yield* asPhase(formVertices(surface, seam, relations, phase), 0.85, 1);
 }
 
-/** Solves for φ and φ₂. What is needed only for that is free when the vertices are made. */
+/** Solves for φ and φ₂. Temporary data is freed before the vertices are made. */
 function* combedPhase(
   surface: FormSurface,
   directions: FaceDirections,

@@ -2,25 +2,25 @@ import { TENSOR_FLOATS } from '../features/fanCurvatures.js';
 import { forEachChunk } from '../phases.js';
 import type { FormSurface } from './FormSurface.js';
 
-/** What `lineField: 'auto'` draws a mesh with, and by which measure. */
+/** The field chosen for `lineField: 'auto'`, and the measure behind it. */
 export interface LineFieldChoice {
   lineField: 'form' | 'light';
   /** The share of the surface that is flat, from 0 to 1. */
   flatShare: number;
 }
 
-/** Fans that bend less than this, times the bounding radius, are flat: curvature tells lines nothing there. */
+/** Fans of a smaller curvature, times the bounding radius, are flat: they give lines no direction. */
 const FLAT_CURVATURE = 0.3;
 
 /**
- * From this share on, a mesh is one of flat faces. Shares are either high or low: of the models that come with the playground, a
- * column with its lids comes to 0.17 as the highest of those with a form, and gears to 0.69 as the lowest of the others.
+ * From this share on, a mesh consists of flat faces. Shares are clearly high or low: of the models of the playground, a column with its
+ * lids has 0.17, the highest with a form, and gears 0.69, the lowest without.
  */
 const FLAT_FACED_SHARE = 0.4;
 
 /**
- * Chooses between lines that follow the form, for organic shapes, and those that follow the light, for machine parts and other
- * meshes of flat faces, on which form says nothing. The measure is the share of the area that is flat between the creases.
+ * Chooses between lines that follow the form, for organic shapes, and lines that follow the light, for machine parts and other meshes of
+ * flat faces, which have no form. The measure is the share of the area that is flat between the creases.
  */
 export function* chooseLineField({
   masses,

@@ -10,10 +10,10 @@ export interface Combing {
 }
 
 /**
- * Gives each face a sign, along trees over the faces, one for each connected piece. All edges that no tree crosses are cut.
+ * Gives each face a sign, along spanning trees over the faces, one per connected piece. All edges that no tree crosses are cut.
  *
- * The trees cross the edges farthest from `isEnd` first. What they leave is a tree over the vertices whose paths to the ends are
- * shortest: the cut joins ends to each other by short ways once its blind ends are trimmed.
+ * The trees cross the edges farthest from `isEnd` first. The edges they leave form trees over the vertices with shortest paths to the ends,
+ * so the cut joins ends to each other by short ways once its blind ends are trimmed.
  *
  * @param signs for each edge whether the directions beside it agree
  * @param isEnd for each fan whether the cut may end there
@@ -72,7 +72,7 @@ function* distancesFromEnds(
 
 const UNREACHED = -1;
 
-/** All edges between two faces, each by its later half, those whose ends are farthest from the ends of the cut first. */
+/** All edges between two faces, each by its later half, sorted by distance of their ends from the ends of the cut, farthest first. */
 function* nearestLast(
   twins: Int32Array,
   ofCorner: Uint32Array,
@@ -131,7 +131,7 @@ function sortRange(
   }
 }
 
-/** Lets the trees cross the edges of a range that join two of them, and cuts the others. */
+/** Extends the trees across the edges of a range that join two of them, and cuts the others. */
 function crossRange(
   twins: Int32Array,
   edges: Uint32Array,
@@ -149,7 +149,7 @@ function crossRange(
   }
 }
 
-/** Gives signs to the faces, so that they agree across all edges that are not cut. */
+/** Gives signs to the faces that agree across all uncut edges. */
 function* spreadSigns(
   twins: Int32Array,
   signs: Int8Array,
@@ -173,7 +173,7 @@ function* spreadSigns(
   return flip;
 }
 
-/** Gives signs to the neighbours of a face. Returns how many faces are reached then. */
+/** Gives signs to the neighbours of a face. Returns the number of faces reached so far. */
 function reachNeighbours(
   twins: Int32Array,
   signs: Int8Array,

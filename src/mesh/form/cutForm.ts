@@ -35,8 +35,8 @@ export interface FormSeam {
 }
 
 /**
- * Combs the directions of the faces, finds the singular points around which that is impossible, and cuts the surface: along as
- * much of a tree's complement as joins singular points, borders and handles to each other. What is left can be combed.
+ * Combs the directions of the faces, finds the singular points around which that is impossible, and cuts the surface along the part of the
+ * complement of a tree that joins singular points, borders and handles. The rest can be combed.
  */
 export function* cutForm(
   surface: Pick<FormSurface, 'twins' | 'fans' | 'heat'>,
@@ -67,7 +67,7 @@ export function* cutForm(
   return { flip, cut, cutSign, cutTwins, wedges, degree, ...points };
 }
 
-/** Normals that are opposite to each other have no shortest rotation; this keeps it finite. */
+/** Bound on the denominator for opposite normals, between which no rotation is the shortest. */
 const LEAST_ROTATION = 1e-3;
 
 /**
@@ -85,7 +85,7 @@ function turnRange(
 ): void {
   for (let corner = start; corner < end; corner++) {
     const twin = twins[corner];
-    // Each edge is measured once, from its later half.
+    // Each edge is measured once, from its later half-edge.
     if (twin === NO_TWIN || twin > corner) continue;
     const f = corner - (corner % 3);
     const g = twin - (twin % 3);
@@ -116,7 +116,7 @@ function turnRange(
   }
 }
 
-/** What `FormSeam` says of fans before the surface is cut. */
+/** The members of `FormSeam` that describe fans before the surface is cut. */
 type FanPoints = Pick<FormSeam, 'halfTurns' | 'isSingular' | 'isPuncture' | 'isOpen' | 'cornerOf'>;
 
 /** Finds singular points. The product of the signs around a fan says whether its half turns are even or odd, the angles how many. */

@@ -3,7 +3,7 @@ import { forEachChunk } from '../phases.js';
 import type { FormSeam } from './cutForm.js';
 import type { FormSurface } from './FormSurface.js';
 
-/** Stands for the segment of an edge that is not cut. */
+/** The segment of an edge that is not cut. */
 export const NO_SEGMENT = -1;
 
 /**
@@ -34,7 +34,7 @@ export function* cutSegments(
   yield* forEachChunk(fanCount, (start, end) => {
     for (let fan = start; fan < end; fan++) if (degree[fan] > 0 && endsSegments(seam, fan)) beginSegments(walk, fan);
   });
-  // What is left are closed segments without an end.
+  // The remaining segments are closed.
   yield* forEachChunk(fanCount, (start, end) => {
     for (let fan = start; fan < end; fan++) if (degree[fan] > 0) beginSegments(walk, fan);
   });
@@ -48,11 +48,11 @@ interface SegmentWalk {
   segments: CutSegments;
 }
 
-/** Whether segments end at a fan of the cut. Where they do not, what jumps into the fan jumps out of it. */
+/** Whether segments end at a fan of the cut. Elsewhere the jumps into and out of a fan cancel. */
 const endsSegments = ({ degree, isSingular, isPuncture, isOpen }: FormSeam, fan: number): boolean =>
   degree[fan] !== 2 || isSingular[fan] === 1 || isPuncture[fan] === 1 || isOpen[fan] === 1;
 
-/** Begins a segment at each cut edge of a fan that has none. */
+/** Starts a segment at each cut edge of a fan that has none. */
 function beginSegments(walk: SegmentWalk, fan: number): void {
   const { twins, seam, segments } = walk;
   const first = seam.cornerOf[fan];
@@ -76,7 +76,7 @@ function walkSegment({ twins, ofCorner, seam, segments }: SegmentWalk, first: nu
     signs[twin] = -cutSign[edge] * sign;
     const fan = ofCorner[nextCorner(edge)];
     if (endsSegments(seam, fan)) return;
-    // Around the fan, φ crosses the twin into one wedge and the next edge back out of it: −s of the one jump is the other.
+    // A walk around the fan crosses the twin into one wedge and the next edge back out of it, so one jump is −s times the other.
     const next = otherCutEdge(twins, seam, fan, twin);
     if (ofEdge[next] !== NO_SEGMENT) return;
     sign = -cutSign[next] * signs[twin];

@@ -2,7 +2,7 @@ import { findPatches } from '../normals/findPatches.js';
 import { asPhase, forEachChunk } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
 
-/** The connected parts of a mesh. Each is a shape by itself: what is small on it is small beside the part, not beside the whole. */
+/** The connected parts of a mesh. Each is a shape of its own: sizes on it are relative to the part, not to the whole. */
 export interface Parts {
   /** For each triangle its part. */
   ofTriangle: Uint32Array;
@@ -10,7 +10,7 @@ export interface Parts {
   shares: Float32Array<ArrayBuffer>;
 }
 
-/** A part smaller than this share of the mesh is treated as if it were so large: lines are coarser than its form. */
+/** Smaller parts count as having this share of the mesh: lines are coarser than their form. */
 const SMALLEST_SHARE = 0.01;
 
 /** Floats per part in boxes: the least x, y, z, then the largest. */

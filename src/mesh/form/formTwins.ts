@@ -8,9 +8,8 @@ import type { Parts } from './findParts.js';
 const SMALLEST_RADIUS = 0.04;
 
 /**
- * Chooses the creases that are borders of the field: the sharp edges that divide two patches, both large enough for lines of
- * their own. Lines run on across all others: creases that end within a patch, such as the corner of a mouth, and the small patches
- * of scans.
+ * Chooses the creases that are borders of the field: the sharp edges between two patches that are both large enough for lines of their own.
+ * Lines continue across all others: creases that end within a patch, such as the corner of a mouth, and the small patches of scans.
  *
  * @param twins with NO_TWIN where windings contradict each other (`consistentTwins`)
  * @param radius the bounding radius of the mesh

@@ -6,10 +6,10 @@ import type { FormSurface } from './FormSurface.js';
 import { NO_OFFSET, type SeamRelations } from './phase/seamRelations.js';
 import type { Phase } from './phase/solvePhase.js';
 
-/** Where the mean gradient is shorter than this share of the mean length of gradients, they turn around the vertex. */
+/** Gradients turn around a vertex if their mean is shorter than this share of their mean length. */
 const TURNING_SHARE = 0.7;
 
-/** What the loops over triangles read and write. */
+/** The arrays of the loops over triangles. */
 interface Gradients {
   surface: FormSurface;
   seam: FormSeam;
@@ -26,8 +26,8 @@ interface Gradients {
 }
 
 /**
- * Makes form vertices of the wedges, with their gradients: the means, by area, of those of their triangles. Where gradients turn
- * around a wedge, as they do at singular points, each of its corners becomes a vertex with the gradient of its own triangle.
+ * Turns wedges into form vertices with gradients, the area-weighted means of those of their triangles. Where gradients turn around a wedge,
+ * as at singular points, each of its corners becomes a vertex with the gradient of its own triangle.
  */
 export function* formVertices(
   surface: FormSurface,
@@ -107,7 +107,7 @@ function valueRange(
 }
 
 /**
- * Writes φ and φ₂ of the corners of a triangle into `corners`. φ has no value at a puncture: there each triangle goes on from its
+ * Writes φ and φ₂ of the corners of a triangle into `corners`. φ has no value at a puncture, where each triangle extrapolates from its
  * other two corners.
  */
 function readTriangle({ surface, seam, values, corners }: Gradients, first: number): void {
@@ -208,11 +208,11 @@ function meanRange({ slopes, crossings, weights }: Gradients, turns: Uint8Array,
 const isShort = (sums: Float32Array, i: number, length: number): boolean =>
   sums[i] * sums[i] + sums[i + 1] * sums[i + 1] + sums[i + 2] * sums[i + 2] < (TURNING_SHARE * length) ** 2;
 
-/** Stands for a wedge around which gradients turn, and then for one whose number its first corner has kept. */
+/** Marks a wedge around which gradients turn, and then one whose number its first corner has kept. */
 const TURNING = 1;
 const KEPT = 2;
 
-/** Gives each corner of a range a vertex of its own if gradients turn around its wedge. Returns how many vertices there are then. */
+/** Gives each corner of a range a vertex of its own if gradients turn around its wedge. Returns the number of vertices so far. */
 function separateRange(
   { surface, seam }: Gradients,
   turns: Uint8Array,
@@ -258,7 +258,7 @@ function writeRange(
   }
 }
 
-/** A longer array that begins with `floats`. */
+/** A longer array that starts with `floats`. */
 function lengthened(floats: Float32Array, length: number): Float32Array<ArrayBuffer> {
   const longer = new Float32Array(length);
   longer.set(floats);

@@ -3,15 +3,15 @@ import { smoothFanNormals } from '../normals/smoothFanNormals.js';
 import { asPhase, forEachChunk } from '../phases.js';
 
 /**
- * Where normals that were smoothed over twice the radius are shorter than this share of the others, more of them cancel than relief
- * explains: the part is thinner than the larger radius. From the second share on, it is not.
+ * A part is thinner than the larger radius if its normals, smoothed over twice the radius, are shorter than this share of the others: more
+ * of them cancel than relief explains. From the second share on, it is not thin.
  */
 const THIN = 0.3;
 const THICK = 0.6;
 
 /**
- * Smooths normals at the scale of a stroke. On parts that are thinner than that, such as claws and ears, normals from all around would
- * cancel each other and be drowned by those of the body; such parts take half the radius, or a quarter.
+ * Smooths normals at the scale of a stroke. On thinner parts, such as claws and ears, normals from all around would cancel and be drowned
+ * by those of the body; such parts take half the radius, or a quarter.
  *
  * @param shares see `smoothFanNormals`
  * @returns a vector per fan, not of unit length

@@ -29,7 +29,7 @@ export function* absorbSmallPatches(
     0,
     0.3,
   );
-  // Small patches are few. All that follows looks at their vertices alone.
+  // Small patches are few; the rest visits their vertices only.
   const corners: number[] = [];
   yield* asPhase(
     forEachChunk(cornerCount, (start, end) => collectRange(canonicalCorners, isBeside, corners, start, end)),
@@ -94,7 +94,7 @@ function addRange(
   for (let i = start; i < end; i++) fanAreas[ofCorner[corners[i]]] += doubleArea(areaNormals, triangleOf(corners[i]));
 }
 
-/** What small patches are moved by. */
+/** The state of the search for the fans that absorb small patches. */
 interface FanSearch {
   canonicalCorners: Uint32Array;
   ofCorner: Uint32Array;

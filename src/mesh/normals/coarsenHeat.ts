@@ -3,10 +3,10 @@ import { asPhase, forEachChunk, release } from '../phases.js';
 import type { HeatEquation, HeatLevel } from './assembleHeatEquation.js';
 import { orderBySize } from './sortFans.js';
 
-/** Seeds of cells lie more than so many edges apart: a cell has about eight nodes. */
+/** Seeds of cells lie more than this many edges apart: a cell has about eight nodes. */
 const RINGS = 2;
 
-/** A level whose places are known. */
+/** A level with known places. */
 type PlacedHeat = HeatLevel & { places: Float32Array };
 
 /** A coarser copy of a heat equation. */
@@ -16,9 +16,9 @@ export interface CoarseHeat extends PlacedHeat {
 }
 
 /**
- * Makes a coarser copy of a heat equation, of which each cell of neighbouring nodes is one node. Between two cells as much heat flows as
- * between their nodes where temperature rises evenly (finite volumes, with a flux approximated from two points). With nothing but the
- * sums of the nodes' weights, heat would spread as many times too fast as a cell is nodes wide.
+ * Makes a coarser copy of a heat equation, in which each cell of neighbouring nodes is one node. Between two cells as much heat flows as
+ * between their nodes where temperature rises evenly (finite volumes with a two-point flux). With the sums of the nodes' weights alone,
+ * heat would spread too fast by a factor of the width of a cell in nodes.
  */
 export function* coarsenHeat({ heat, places, shares }: PlacedHeat): Generator<number, CoarseHeat, void> {
   const cells = yield* asPhase(clusterNodes(heat, RINGS), 0, 0.4);
@@ -62,7 +62,7 @@ function centresOf(
   return { masses: sums, centres };
 }
 
-/** Adds, for each entry between two cells, what flows there where temperature is a coordinate: three numbers. */
+/** Adds up, for each entry between two cells, the flux for temperatures equal to each of the three coordinates. */
 function sumFluxes(
   { starts, neighbours, weights }: HeatEquation,
   places: Float32Array,
@@ -84,10 +84,7 @@ function sumFluxes(
   }
 }
 
-/**
- * The weight of each entry between two cells: what flows between them for each unit of their distance. It is 0 where heat would flow from
- * cold to warm.
- */
+/** The weight of each entry between two cells: the flux per unit of their distance, or 0 where heat would flow from cold to warm. */
 function weightsOf({ starts, neighbours }: CoarseGraph, centres: Float64Array, fluxes: Float64Array): Float32Array {
   const weights = new Float32Array(neighbours.length);
   for (let cell = 0; cell < starts.length - 1; cell++) {
@@ -109,7 +106,7 @@ function weightsOf({ starts, neighbours }: CoarseGraph, centres: Float64Array, f
   return weights;
 }
 
-/** A coarse heat equation whose cells have the order in which they were found. */
+/** A coarse heat equation whose cells are in the order of their discovery. */
 interface FoundCells {
   cells: Cells;
   coarse: CoarseGraph;

@@ -5,7 +5,7 @@ import { forEachChunk } from '../phases.js';
 
 type Adjacency = Pick<TriangleAdjacency, 'twins' | 'canonicalCorners' | 'areaNormals'>;
 
-/** On a mesh built with exactly the crease angle, rounding must not cut some edges and keep others. */
+/** Keeps rounding from treating equal edges differently on a mesh built with exactly the crease angle. */
 const COSINE_TOLERANCE = 1e-6;
 
 /**

@@ -11,10 +11,10 @@ const CREASE_DEGREES = 50;
 /** The crease angle as the squared distance between the tips of two unit normals. */
 const CREASE_DISTANCE_SQUARED = 2 - 2 * Math.cos((CREASE_DEGREES * Math.PI) / 180);
 
-/** Dividing by it would take several times as long as multiplying. */
+/** Its inverse: divisions would take several times as long as multiplications. */
 const PER_CREASE_DISTANCE_SQUARED = 1 / CREASE_DISTANCE_SQUARED;
 
-/** This many passes remove all edges from a plane whose triangles are tilted at random by up to 40°. */
+/** Number of passes; four remove all edges from a plane whose triangles are tilted at random by up to 40°. */
 const PASSES = 4;
 
 /**

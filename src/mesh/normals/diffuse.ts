@@ -34,23 +34,23 @@ const sum = (values: readonly number[]): number => values.reduce((total, value) 
 /** The share of the finest noise that may remain. */
 const TOLERANCE = 0.02;
 
-/** Heat that spreads for more steps does most of them on a coarser copy. So many take some 50 passes. */
+/** Heat that spreads for more steps takes most of them on a coarser copy. This many take some 50 passes. */
 const MOST_STEPS = 320;
 
 /**
- * The steps before a coarser copy, after which it shows what is left, and those after it, which leave nothing of its cells: enough for a
- * radius of two or three edges, in nine passes each.
+ * Steps before a coarser copy, so that it resolves what is left, and after it, to remove the pattern of its cells: enough for a radius of
+ * two or three edges, in nine passes each.
  */
 const OVERLAP_STEPS = 10;
 
-/** Whether heat that spreads for so many steps spreads over many nodes. */
+/** Whether heat that spreads for this many steps spreads over many nodes. */
 export const isFar = (steps: number): boolean => steps > MOST_STEPS;
 
 /**
- * Lets vectors diffuse like heat, for each of some times. Times that need many passes pass most of them on a coarser copy of the surface,
- * and on a copy of that, so all take a time in proportion to the number of nodes (multigrid).
+ * Diffuses vectors like heat, for each of several times. Long times are mostly computed on a coarser copy of the surface, and on a copy of
+ * that, so that the cost is proportional to the number of nodes (multigrid).
  *
- * Weights and degrees of the equation are lost, and the values.
+ * Weights and degrees of the equation are overwritten, and so are the values.
  *
  * @param values three for each node
  * @returns the values after each time
@@ -71,7 +71,7 @@ export function* diffuse(
   const matrix = twiceP(level.heat, rate, level.shares);
   const overlap = heatSeries(OVERLAP_STEPS, TOLERANCE);
   const series = near.map((i) => heatSeries(times[i] * rate, TOLERANCE));
-  // Where a time is too short for a step, the values are a result themselves.
+  // The result for a time too short for a step is the values themselves.
   const start = flowing.length === times.length ? values : values.slice();
   const [from, to] = coarse ? [0.2, 0.5] : [0, 1];
   const flowed = yield* asPhase(flow(matrix, start, coarse ? [...series, overlap] : series), from, to);
@@ -88,7 +88,7 @@ export function* diffuse(
   return results;
 }
 
-/** The mean of the values over each cell, by the masses of the nodes. */
+/** The means of the values over each cell, weighted by the masses of the nodes. */
 function meansOf(values: Float32Array, masses: Float64Array, { ofNode, heat }: CoarseHeat): Float32Array<ArrayBuffer> {
   const sums = new Float64Array(3 * heat.masses.length);
   for (let node = 0; node < ofNode.length; node++) {

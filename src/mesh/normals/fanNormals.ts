@@ -1,7 +1,7 @@
 import { asPhase, forEachChunk } from '../phases.js';
 import type { Fans } from './buildFans.js';
 
-/** Unit normals, one per fan: x, y, z in the order of the fans' numbers. */
+/** A unit normal per fan: x, y, z in the order of the fans. */
 export interface FanNormals {
   fans: Fans;
   normals: Float32Array<ArrayBuffer>;
@@ -55,7 +55,7 @@ export function* fanDirections(
     0,
     0.5,
   );
-  // Few fans have no direction of their own, mostly none.
+  // Few fans, and mostly none, have no direction.
   if (zeros > 0) {
     yield* asPhase(
       forEachChunk(ofCorner.length, (start, end) => replaceRange(areaNormals, ofCorner, directions, start, end)),

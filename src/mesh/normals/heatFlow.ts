@@ -1,13 +1,13 @@
 import { release } from '../phases.js';
 import type { HeatEquation } from './assembleHeatEquation.js';
 
-/** The largest rate of mixing, as a multiple of the mean rate. Nodes of very small triangles are slowed down to it. */
+/** Largest rate of mixing, as a multiple of the mean rate. Nodes of very small triangles are slowed down to it. */
 const LARGEST_RATE = 2;
 
-/** The largest number of nodes that a pass takes at once. */
+/** Largest number of nodes per run of a pass. */
 const LONGEST_RUN = 1 << 13;
 
-/** How many of those are taken between two yields. */
+/** Runs between two yields. */
 const RUNS_PER_YIELD = 4;
 
 /** The highest rate at which a node mixes with its neighbours, limited by LARGEST_RATE. */
@@ -31,7 +31,7 @@ export interface Mixing extends Pick<HeatEquation, 'starts' | 'neighbours'> {
   weights: Float32Array;
 }
 
-/** Makes nodes larger, in place, that have so little mass that they would mix faster than the rate. */
+/** Increases, in place, the mass of nodes that would mix faster than the rate. */
 export function limitRate({ masses, degrees }: HeatEquation, rate: number): void {
   for (let node = 0; node < masses.length; node++) masses[node] = Math.max(masses[node], degrees[node] / rate);
 }
@@ -79,7 +79,7 @@ export function* flow(
     const share = k === 1 ? 0.5 : 1;
     for (let run = 0, start = 0; run < runs.length; run++) {
       const end = runs[run];
-      // The longest series comes with the pass itself: it was measured to take a fifth less than a walk of its own.
+      // The longest series is added within the pass, which was measured to take a fifth less than a separate loop.
       stepRun(matrix, current, previous, share * series[longest][k], results[longest], start, end);
       for (let i = 0; i < series.length; i++) {
         if (i === longest || k >= lengths[i]) continue;
@@ -95,7 +95,7 @@ export function* flow(
   return results;
 }
 
-/** Multiplies values by a factor. `map` would call a function for each value, which was measured to be ten times as slow. */
+/** Multiplies values by a factor. `map` calls a function for each value, which was measured to be ten times as slow. */
 function scaled(values: Float32Array, factor: number): Float32Array<ArrayBuffer> {
   const result = new Float32Array(values.length);
   for (let i = 0; i < values.length; i++) result[i] = factor * values[i];
@@ -108,8 +108,8 @@ function addRange(term: Float32Array, coefficient: number, result: Float32Array,
 }
 
 /**
- * The ends of the runs of nodes that have equally many edges. A processor guesses well how often a loop is repeated if it is always
- * the same number, so a pass takes runs one by one: that was measured to save a third of its time.
+ * The ends of the runs of nodes with equally many edges. Branch prediction works best on loops of constant length: taking runs one by one
+ * was measured to save a third of the time of a pass.
  */
 function findRuns(starts: Uint32Array): Uint32Array {
   const ends: number[] = [];
@@ -155,7 +155,7 @@ function stepRun(
     previous[i] = x;
     previous[i + 1] = y;
     previous[i + 2] = z;
-    // Rounded, as `addRange` would find it.
+    // Rounded to single precision, as in `addRange`.
     result[i] += coefficient * Math.fround(x);
     result[i + 1] += coefficient * Math.fround(y);
     result[i + 2] += coefficient * Math.fround(z);

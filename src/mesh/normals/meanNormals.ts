@@ -2,7 +2,7 @@ import { asPhase, forEachChunk, release } from '../phases.js';
 import type { FanSurface } from './assembleHeatEquation.js';
 import type { SortedFans } from './sortFans.js';
 
-/** What `meanNormals` returns. */
+/** The result of `meanNormals`. */
 export interface MeanNormals {
   /** For each fan the mean of the normals of its triangles, weighted by area: three floats. Not of unit length. */
   normals: Float32Array<ArrayBuffer>;

@@ -32,13 +32,13 @@ export function* smoothFanNormals(
   return yield* asPhase(inOrderOfFans(results, order), 0.98, 1);
 }
 
-/** The mean normal of each fan, three floats, and the equation by which they diffuse. */
+/** The mean normal of each fan, three floats, and the heat equation that smooths them. */
 interface NormalFlow {
   normals: Float32Array<ArrayBuffer>;
   heat: HeatEquation;
 }
 
-/** Prepares the flow. What is needed only for that is free when the normals diffuse. `order` is that of `sortFans`. */
+/** Prepares the flow; temporary data is freed on return. `order` is that of `sortFans`. */
 function* startFlow(surface: FanSurface): Generator<number, NormalFlow & { order: Uint32Array<ArrayBuffer> }, void> {
   const sorted = yield* asPhase(sortFans(surface), 0, 0.2);
   const { normals, masses } = yield* asPhase(meanNormals(surface, sorted), 0.2, 0.4);
@@ -47,7 +47,7 @@ function* startFlow(surface: FanSurface): Generator<number, NormalFlow & { order
   return { order: sorted.order, normals, heat };
 }
 
-/** Where each of the sorted fans lies: its vertex. */
+/** The position of each of the sorted fans. */
 function placesOf({ mesh: { positions, indices }, fans }: FanSurface, order: Uint32Array): Float32Array {
   const vertices = new Uint32Array(fans.count);
   for (let corner = 0; corner < indices.length; corner++) vertices[fans.ofCorner[corner]] = indices[corner];
@@ -65,7 +65,7 @@ const gathered = (values: Float32Array, order: Uint32Array): Float32Array<ArrayB
   return result;
 };
 
-/** Puts vectors back into the order that fans had before they were sorted. Radii that share a result go on sharing it. */
+/** Puts vectors back into the order of the fans before sorting. Radii that share a result still share it. */
 function* inOrderOfFans(
   results: readonly Float32Array[],
   order: Uint32Array,

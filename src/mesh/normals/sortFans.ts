@@ -2,7 +2,7 @@ import { NO_TWIN, nextCorner } from '../corners.js';
 import { asPhase, forEachChunk, release } from '../phases.js';
 import type { Fans } from './buildFans.js';
 
-/** Fans, and the twins that they were built from. */
+/** Fans, and the twins they were built from. */
 interface CutSurface {
   twins: Int32Array;
   fans: Fans;
@@ -10,11 +10,11 @@ interface CutSurface {
 
 /** Fans in another order. */
 export interface SortedFans {
-  /** For each of the sorted fans its number before. */
+  /** For each of the sorted fans its number before sorting. */
   order: Uint32Array<ArrayBuffer>;
-  /** For each fan, by its number before, its number now. */
+  /** For each fan, by its number before sorting, its number now. */
   numbers: Uint32Array<ArrayBuffer>;
-  /** The number of edges of each of the sorted fans, and a 0. */
+  /** The number of edges of each of the sorted fans, followed by a 0. */
   sizes: Uint32Array<ArrayBuffer>;
 }
 
@@ -33,7 +33,7 @@ export function* sortFans(surface: CutSurface): Generator<number, SortedFans, vo
   return { order, numbers, sizes };
 }
 
-/** The fans in the order that they have. */
+/** The fans in their given order. */
 export function* fansInOrder(surface: CutSurface): Generator<number, SortedFans, void> {
   const order = new Uint32Array(surface.fans.count);
   for (let fan = 0; fan < order.length; fan++) order[fan] = fan;
@@ -55,17 +55,16 @@ function countRange({ twins, fans: { ofCorner } }: CutSurface, sizes: Uint32Arra
   }
 }
 
-/** Nodes are sorted in blocks of as many, so that those which lie near each other stay near each other in memory. */
+/** Number of nodes per sorted block, so that nodes near each other stay near each other in memory. */
 const BLOCK = 1 << 14;
 
-/** A node with more edges counts as having as many: such nodes are few. */
+/** Nodes with more edges, which are few, count as having this many. */
 const MOST_EDGES = 31;
 
 /**
- * Sorts the nodes of each block by their number of edges, and else by their numbers (counting sort). It takes linear time, and yields its
- * progress.
+ * Sorts the nodes of each block by their number of edges, then by their numbers (counting sort), in linear time. Yields its progress.
  *
- * @param sizes the number of edges of each node; entries beyond `count` do not matter
+ * @param sizes the number of edges of each node; entries beyond `count` are ignored
  * @returns the numbers of the nodes in their new order
  */
 export function* orderBySize(sizes: Uint32Array, count: number): Generator<number, Uint32Array<ArrayBuffer>, void> {

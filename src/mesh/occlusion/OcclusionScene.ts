@@ -8,13 +8,13 @@ export interface OcclusionMesh {
   normals: Float32Array<ArrayBuffer> | null;
   /** The matrix from object space to world space, by columns. */
   toWorld: number[];
-  /** Whether the mesh is seen from its back, so that its normals must be reversed. */
+  /** Whether the mesh is seen from its back, so that its normals are reversed. */
   isInsideOut: boolean;
   /** Whether the mesh occludes others. */
   occludes: boolean;
 }
 
-/** A sphere that depth maps are drawn of, and the samples that are looked up in these maps. */
+/** A sphere covered by depth maps, and the samples that are tested in these maps. */
 export interface OcclusionView {
   center: [x: number, y: number, z: number];
   radius: number;
@@ -37,7 +37,7 @@ export interface OcclusionScene {
   sampleOf: Uint32Array<ArrayBuffer>[];
 }
 
-/** Stands for the sample of a vertex that no triangle uses. */
+/** The sample of a vertex that no triangle uses. */
 export const NO_SAMPLE = 0xffffffff;
 
 /** The width and height of a depth map, in pixels. */

@@ -2,7 +2,7 @@ import { asPhase, forEachChunk } from '../phases.js';
 import { createDepthMaps, type DepthMaps, drawDepths, mapAxes, type Projection, projectionOf } from './depthMaps.js';
 import { MAP_SIZE, NO_SAMPLE, type OcclusionScene, type OcclusionView } from './OcclusionScene.js';
 
-/** What `addDirections` returns. */
+/** The result of `addDirections`. */
 export interface OcclusionResult {
   scene: OcclusionScene;
   /** For each mesh with normals, the occlusion of each vertex, from 0 (sees the whole sky) to 32767 (sees nothing of it). */
@@ -12,18 +12,18 @@ export interface OcclusionResult {
 /** The normalised 16-bit integer that stands for 1. */
 const ONE = 0x7fff;
 
-/** What `addDirections` works on. */
+/** The input of `addDirections`. */
 export interface DirectionRequest {
   scene: OcclusionScene;
-  /** The numbers of the pairs of opposite directions that are added. */
+  /** The numbers of the pairs of opposite directions to add. */
   pairs: readonly number[];
-  /** Sums of other copies of the scene, with directions of their own, which are added too. */
+  /** Sums of other copies of the scene, for other directions, which are added too. */
   sums?: readonly Float32Array<ArrayBuffer>[];
 }
 
 /**
- * Adds further pairs of opposite directions to a bake: for each sample it adds up the directions in which nothing hides the sky.
- * The scene is rasterized once per pair and view, for both directions and all samples.
+ * Adds pairs of opposite directions to a bake: for each sample it sums the directions in which the sky is visible. The scene is rasterized
+ * once per pair and view, for both directions and all samples.
  */
 export function* addDirections({
   scene,

@@ -20,7 +20,7 @@ export function chooseViews(positions: Float32Array): OcclusionView[] {
     for (let i = 0; i < count; i++) along[i] = positions[3 * i + axis];
     along.sort();
     const end = count - 1;
-    // The middle of the bulk, which a few samples far out do not move.
+    // The middle of the bulk, regardless of a few samples far out.
     return (along[Math.round((1 - BULK) * end)] + along[Math.round(BULK * end)]) / 2;
   }) as OcclusionView['center'];
   const distances = new Float32Array(count);

@@ -54,7 +54,7 @@ export const createDepthMaps = (vertices: number): DepthMaps => ({
   projected: new Float32Array(3 * vertices),
 });
 
-/** A matrix with three rows of four, which takes points to pixels and depth. */
+/** A matrix with three rows of four, which maps points to pixels and depth. */
 export type Projection = Float64Array;
 
 /** The projection of a view along an axis, with x, y in pixels and depth in world units. */

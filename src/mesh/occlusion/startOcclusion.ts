@@ -4,14 +4,14 @@ import { MAP_SIZE, NO_SAMPLE, type OcclusionMesh, type OcclusionScene } from './
 import { type OcclusionSurface, sampleSurface } from './sampleSurface.js';
 
 /**
- * How far samples are lifted off their surface along the normal, in pixels. A map holds the depth at the middle of a pixel, which
- * is at most 0.71 pixels from the sample. There a plane of any slope is at most that far above the sample, along the normal.
+ * Lift of samples off their surface along the normal, in pixels. A map holds the depth at the middle of a pixel, which is at most 0.71
+ * pixels from the sample. There a plane of any slope is at most that far above the sample, along the normal.
  */
 const LIFT = 1;
-/** How far samples at a border are moved away from it, in pixels: they must not lie inside a wall that meets the surface there. */
+/** Distance in pixels by which samples at a border are moved inwards, out of walls that meet the surface there. */
 const INWARD = 1.5;
 
-/** Brings all meshes into world space and chooses the samples and views. At least one of the meshes must have normals. */
+/** Transforms all meshes to world space and chooses the samples and views. At least one mesh must have normals. */
 export function* startOcclusion({ meshes }: { meshes: OcclusionMesh[] }): Generator<number, OcclusionScene, void> {
   const surfaces: OcclusionSurface[] = [];
   for (const [i, mesh] of meshes.entries()) {

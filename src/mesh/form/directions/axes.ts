@@ -12,6 +12,6 @@ export const cross = (a: Vector, b: Vector): Vector => [
   a[0] * b[1] - a[1] * b[0],
 ];
 
-/** Where an object is seen from that says nothing of it: from z, and from −y where up is z, as files and programs have it. */
+/** The front of an object without one of its own: z, or −y where up is z, as is usual in files and programs. */
 export const viewedFrom = (up: Vector, front?: Vector): Vector =>
   front ?? (Math.abs(up[2]) < 0.9 ? [0, 0, 1] : [0, -1, 0]);

@@ -9,8 +9,8 @@ import { facesOutwards } from './facesOutwards.js';
 const DECIDED_SHARE = 0.5;
 
 /**
- * For each fan 1 if its piece of the surface bulges and −1 if it is hollow: the inside of a vase, or a mesh that is wound inside
- * out. A piece that bends both ways is judged by the winding of the mesh.
+ * For each fan 1 if its piece of the surface is convex and −1 if it is hollow, such as the inside of a vase or a mesh wound inside out. A
+ * piece that is both is judged by the winding of the mesh.
  */
 export function* bendSigns(surface: FormSurface): Generator<number, Int8Array<ArrayBuffer>, void> {
   const { fans, mesh, areaNormals } = surface;

@@ -14,10 +14,10 @@ export interface Connection extends Graph {
   degrees: Float64Array;
 }
 
-/** The least weight of an edge. Cotangents of obtuse angles are negative; then a field would rather turn than stay. */
+/** Least weight of an edge. Cotangents of obtuse angles are negative, which would make a field turn. */
 const LEAST_WEIGHT = 0.02;
 
-/** Normals that are opposite to each other have no shortest rotation; this keeps it finite. */
+/** Bound on the denominator for opposite normals, between which no rotation is the shortest. */
 const LEAST_ROTATION = 1e-3;
 
 /** Assembles the connection Laplacian from the cotangents of the heat equation. A line is carried by the shortest rotation of its normal. */
@@ -77,7 +77,7 @@ function assembleRange(
   }
 }
 
-/** Lets each edge count as much more as its two fans count in the mean. */
+/** Multiplies the weight of each edge by the mean prominence of its two fans. */
 export function* weighConnection(connection: Connection, prominences: Float32Array): Generator<number, void, void> {
   yield* forEachChunk(prominences.length, (start, end) => weighRange(connection, prominences, start, end));
 }

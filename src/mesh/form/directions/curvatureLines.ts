@@ -5,37 +5,37 @@ import type { FormSurface } from '../FormSurface.js';
 import { cross, normalized, type Vector, viewedFrom } from './axes.js';
 import { FRAME_FLOATS } from './tangentFrames.js';
 
-/** What a field of lines is drawn towards, before it is smoothed. Complex numbers are two floats per fan; see `Connection`. */
+/** The targets of a field of lines before it is smoothed. Complex numbers are two floats per fan; see `Connection`. */
 export interface LineTargets {
-  /** For each fan how much it insists on its target. */
+  /** For each fan the weight of its target. */
   weights: Float64Array<ArrayBuffer>;
   /** The weighted targets. */
   right: Float64Array<ArrayBuffer>;
-  /** The part of `right` that curvature asks for: the direction that is the most convex. */
+  /** The part of `right` due to curvature: the most convex direction. */
   curved: Float64Array<ArrayBuffer>;
-  /** For each fan how far its two principal curvatures lie apart: half their difference, times the bounding radius of its part. */
+  /** For each fan half the difference of its two principal curvatures, times the bounding radius of its part. */
   anisotropy: Float32Array<ArrayBuffer>;
 }
 
-/** The anisotropy at which curvature counts half. */
+/** The anisotropy at which curvature has half of its weight. */
 const HALF_ANISOTROPY = 1;
 
-/** From this anisotropy on, that of a limb of a thirtieth of the radius, directions reach the less far the thinner the limb is. */
+/** From this anisotropy on, that of a limb of a thirtieth of the radius, directions spread the less far the thinner the limb is. */
 const THIN_ANISOTROPY = 15;
 
-/** How much `up` counts, beside curvature that is decided. */
+/** Weight of `up` beside decided curvature. */
 const UP_WEIGHT = 0.2;
 
-/** How much the level axis counts on what is flat and faces up or down, such as lids. */
+/** Weight of the level axis on flat surfaces that face up or down, such as lids. */
 const LEVEL_WEIGHT = 0.5;
 
 /** The curvature, times the bounding radius, at which a surface is no longer flat. */
 const FLAT_CURVATURE = 0.3;
 
 /**
- * Measures where lines should run: along the most convex direction, the more decidedly the further the principal curvatures lie
- * apart, and weakly across `up`. Ridges and grooves cancel each other, so that noise says nothing. Flat lids, on which neither
- * says anything, are ruled along one axis, the horizontal one in the picture as seen from the front.
+ * Measures where lines should run: along the most convex direction, with a weight that grows with the difference of the principal
+ * curvatures, and weakly across `up`. Ridges and grooves cancel each other, so noise has no effect. Flat lids, which have neither, are
+ * ruled along one axis, the horizontal one seen from the front.
  *
  * @param signs see `bendSigns`
  */
@@ -120,7 +120,7 @@ function measureRange(
   }
 }
 
-/** Lets each fan insist as much more on its target as it counts. */
+/** Multiplies the weight of each target by the prominence of its fan. */
 export function* weighTargets(
   { weights, right }: LineTargets,
   prominences: Float32Array,

@@ -17,7 +17,7 @@ import { tangentFrames } from './tangentFrames.js';
 
 /** A field of lines on the fans of a surface. */
 export interface DirectionField {
-  /** Two floats per fan: r·e^(2iθ), θ the angle of the line in the fan's frame, r how decided it is. */
+  /** Two floats per fan: r·e^(2iθ), where θ is the angle of the line in the fan's frame and r its certainty. */
   lines: Float64Array<ArrayBuffer>;
   /** See `tangentFrames`. */
   frames: Float32Array<ArrayBuffer>;
@@ -25,28 +25,28 @@ export interface DirectionField {
   anisotropy: Float32Array<ArrayBuffer>;
 }
 
-/** How many cells the surface is divided into, about, before the field is computed on its fans. */
+/** Approximate number of cells on which the field is computed before the fans. */
 const CELLS = 5000;
 
-/** On cells the field is computed to the end; on fans it only has to become smooth. */
+/** On cells the field converges; on fans it only has to become smooth. */
 const ON_CELLS: Precision = { tolerance: 1e-4, passes: 1500 };
 const ON_FANS: Precision = { tolerance: 1e-2, passes: 40 };
 
-/** How far directions reach where it is decided which of the two principal directions lines take, as a share of the bounding radius. */
+/** Reach of the field that decides which of the two principal directions lines take, as a share of the bounding radius. */
 const FAR_REACH = 0.5;
 
 /** Fans of a higher anisotropy always keep the most convex direction. */
 const LARGEST_TURNED_ANISOTROPY = 4;
 
-/** How often the field of far reach is solved, and targets are turned that are opposed to it: each time, it is clearer what they should be. */
+/** Number of times the field of far reach is solved and the targets opposed to it are turned. Each round makes the targets clearer. */
 const ROUNDS = 2;
 
 /**
- * Computes the field of lines along the form: the smoothest one that keeps to curvature where curvature says something. Which of
- * the two principal directions lines take is decided at large, so that they do not change from rings to meridians where a body
- * of revolution bends more along than around. Then all counts as much as it shows.
+ * Computes the field of lines along the form: the smoothest one that keeps to curvature where that is decided. Which of the two principal
+ * directions lines take is decided at large scale, so that they do not change from rings to meridians where a body of revolution bends more
+ * along than around. Then weights are multiplied by prominence.
  *
- * @param surface its tensors are lost, and the weights of its heat equation
+ * @param surface its tensors are freed, and the weights of its heat equation
  */
 export function* directionField(surface: FormSurface, options: FormOptions): Generator<number, DirectionField, void> {
   const frames = yield* asPhase(tangentFrames(surface.normals), 0, 0.03);
@@ -64,7 +64,7 @@ export function* directionField(surface: FormSurface, options: FormOptions): Gen
   return { lines, frames, anisotropy: targets.anisotropy };
 }
 
-/** How the surface is divided into cells, before the field is computed on its fans. */
+/** The division of the surface into cells, on which the field is computed first. */
 interface Division {
   cells: Cells;
   graph: CoarseGraph;
@@ -81,7 +81,7 @@ function* divideIntoCells(connection: Connection): Generator<number, Division, v
   return { cells, graph, carried };
 }
 
-/** Turns those targets by 90°, in place, that are opposed to the field of far reach. */
+/** Turns by 90°, in place, the targets that are opposed to the field of far reach. */
 function* turnAtLarge(
   connection: Connection,
   { cells, graph, carried }: Division,

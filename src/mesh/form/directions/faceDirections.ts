@@ -11,10 +11,10 @@ export interface FaceDirections {
   normals: Float32Array<ArrayBuffer>;
 }
 
-/** Normals whose sum is shorter cancel each other: the face takes that of its first fan. */
+/** Normals whose sum is shorter cancel each other; the face then takes the normal of its first fan. */
 const LEAST_SUM = 1e-6;
 
-/** A tangent that comes nearer to the normal of the face is a bad start for its frame; the other one of its fan then is a good one. */
+/** Largest cosine between a fan's tangent and the normal of the face; beyond it the other tangent starts the frame. */
 const LARGEST_COSINE = 0.8;
 
 /** Carries a field of lines from the fans to the faces: the mean of the lines of each face's fans, turned by 90°. */
@@ -32,7 +32,7 @@ export function* faceDirections(
   return directions;
 }
 
-/** Writes for each fan a tangent along its line. The square of its length is how decided the line is. */
+/** Writes for each fan a tangent along its line. The square of its length is the certainty of the line. */
 function tangentRange(
   lines: Float64Array,
   frames: Float32Array,
@@ -44,7 +44,7 @@ function tangentRange(
     const x = lines[2 * fan];
     const y = lines[2 * fan + 1];
     const length = Math.sqrt(x * x + y * y);
-    // The half of the angle, without an angle.
+    // Half of the angle, by the half-angle formulas.
     const cosine = Math.sqrt(Math.max(0, 0.5 * (length + x)));
     const sine = Math.sqrt(Math.max(0, 0.5 * (length - x))) * (y < 0 ? -1 : 1);
     const i = FRAME_FLOATS * fan;
@@ -106,7 +106,7 @@ function directRange(
       x += along * along - beside * beside;
       y += 2 * along * beside;
     }
-    // Half the angle, and a quarter turn more: across the line.
+    // Half of the angle, plus a quarter turn: across the line.
     const length = Math.sqrt(x * x + y * y) || 1;
     const cosine = -Math.sqrt(Math.max(0, 0.5 * (1 - x / length))) * (y < 0 ? -1 : 1);
     const sine = Math.sqrt(Math.max(0, 0.5 * (1 + x / length)));

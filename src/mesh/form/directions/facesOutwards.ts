@@ -1,7 +1,7 @@
 import { forEachChunk } from '../../phases.js';
 import type { TriangleMesh } from '../../TriangleMesh.js';
 
-/** What is summed over the triangles, about the first vertex, so that an object far from its origin loses nothing to rounding. */
+/** Sums over the triangles, relative to the first vertex, so that an object far from its origin loses nothing to rounding. */
 interface Sums {
   area: number;
   /** Area normals. */
@@ -13,8 +13,8 @@ interface Sums {
 }
 
 /**
- * Whether normals point outwards in the mean. It is told by the sign of the volume that the triangles span with their centre,
- * which has one for open surfaces too. Curvature would not tell: a vase with a wall is as hollow as it is round.
+ * Whether normals point outwards on average: the sign of the volume between the triangles and their centre, which open surfaces have too.
+ * Curvature would not tell: a vase with a wall is as hollow as it is round.
  */
 export function* facesOutwards(mesh: TriangleMesh, areaNormals: Float64Array): Generator<number, boolean, void> {
   const sums: Sums = { area: 0, normal: [0, 0, 0], moment: [0, 0, 0], volume: 0 };

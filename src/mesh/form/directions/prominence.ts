@@ -3,16 +3,16 @@ import type { FormOptions } from '../FormField.js';
 import type { FormSurface } from '../FormSurface.js';
 import { normalized, type Vector, viewedFrom } from './axes.js';
 
-/** The natural logarithm of how much more counts what faces the front than what faces the sides. */
+/** Natural logarithm of the ratio between the prominence of the front and that of the sides. */
 const FRONT_EXPONENT = 1;
 
-/** The same for what faces up: objects are seen from above rather than from below, and their shadows lie there. */
+/** The same for surfaces that face up: objects are seen from above rather than below, where their shadows lie. */
 const UP_EXPONENT = 1.2;
 
 /**
- * How much each fan shows: what faces the front counts seven times as much as the back, and what faces up eleven times as much as what
- * faces down. Where a field of lines turns costs as much as it shows. Singular points, around which it turns most, so leave the front
- * for the sides, the back and below.
+ * The visual weight of each fan: the front weighs seven times as much as the back, and what faces up eleven times as much as what faces
+ * down. Turns of the field cost as much as they are visible, so singular points, around which it turns most, move to the sides, the back
+ * and below.
  *
  * @param signs see `bendSigns`
  */

@@ -1,15 +1,15 @@
 import { forEachChunk } from '../../phases.js';
 import type { Connection } from './connection.js';
 
-/** When conjugate gradients end. */
+/** Stopping criteria of conjugate gradients. */
 export interface Precision {
-  /** The share of the right side that may be left. */
+  /** The share of the right side that may remain as residual. */
   tolerance: number;
-  /** The largest number of passes. */
+  /** The largest number of iterations. */
   passes: number;
 }
 
-/** What conjugate gradients keep: complex numbers, two floats per node. */
+/** State of conjugate gradients: complex numbers, two floats per node. */
 interface Search {
   /** For each node the sum of its degree and its weight; one float. */
   diagonal: Float64Array;
@@ -121,7 +121,7 @@ function squareRange({ diagonal, residuals }: Search, start: number, end: number
   return square;
 }
 
-/** The next direction: the preconditioned residual, and a share of the direction before. */
+/** The next direction: the preconditioned residual plus a share of the previous direction. */
 function turnRange({ diagonal, residuals, directions }: Search, share: number, start: number, end: number): void {
   for (let node = start; node < end; node++) {
     const inverse = 1 / diagonal[node];

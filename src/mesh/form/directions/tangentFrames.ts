@@ -6,7 +6,7 @@ export const FRAME_FLOATS = 6;
 /** An axis that leans at least this much away from a normal gives a good tangent. */
 const LARGEST_COSINE = 0.6;
 
-/** Gives each unit normal (three floats) a frame of its tangent plane: any, but always the same. */
+/** Gives each unit normal (three floats) a deterministic frame of its tangent plane. */
 export function* tangentFrames(normals: Float32Array): Generator<number, Float32Array<ArrayBuffer>, void> {
   const frames = new Float32Array(2 * normals.length);
   yield* forEachChunk(normals.length / 3, (start, end) => frameRange(normals, frames, start, end));

@@ -3,33 +3,33 @@ import type { SeamEdges } from './phaseMatrix.js';
 import { multiply, pullNodes, pullOffsets } from './phaseOperator.js';
 import { jumpPulls, offsetsOf, type SeamRelations } from './seamRelations.js';
 
-/** The unknowns of both families of lines, or what pulls at them: two values for each node and for each free jump. */
+/** The unknowns of both families of lines, or the forces on them: two values for each node and for each free jump. */
 export interface PhaseVector {
   nodes: Float64Array;
   jumps: Float64Array;
 }
 
-/** The equations of φ, and what they are solved with. */
+/** The equations of φ, and the scratch memory of their solvers. */
 export interface PhaseSystem {
   levels: readonly PhaseLevel[];
   buffers: readonly LevelBuffers[];
   relations: SeamRelations;
   seamBuffers: SeamBuffers;
-  /** For each free jump how strongly it is held. */
+  /** For each free jump the bound of its diagonal entry. */
   jumpDiagonal: Float64Array;
-  /** Parts of the last level that can be solved at once. */
+  /** Parts of the last level that a direct solver takes. */
   lastParts: readonly LastPart[];
   /** The level whose equations are solved. */
   level: number;
-  /** Whether jumps are unknowns too, or given. */
+  /** Whether jumps are unknowns too, instead of given. */
   isFree: boolean;
-  /** For each value of a free jump, two for each, 1 if it is given all the same; null while none is. Once some are, all of `lastParts` are. */
+  /** For each value of a free jump, two for each, 1 if it is fixed; null while none is. Once some are, `lastParts` are fixed entirely. */
   held: Uint8Array | null;
 }
 
 /**
- * A part of the last level whose unknowns depend on no others, such as a part of an assembly. Its matrix is L·Lᵀ, by Cholesky;
- * nodes come before jumps, so that the first rows of L are the factor for given jumps.
+ * A part of the last level whose unknowns depend on no others, such as a part of an assembly. Its matrix is L·Lᵀ, by Cholesky; nodes come
+ * before jumps, so that the first rows of L are the factor for given jumps.
  */
 export interface LastPart {
   /** The numbers of its nodes and free jumps. */
@@ -37,7 +37,7 @@ export interface LastPart {
   jumps: readonly number[];
   /** L, row by row. */
   factor: Float64Array;
-  /** For each unknown 1 over its diagonal in L, or 0 where nothing holds the unknown, which is 0 then. */
+  /** For each unknown 1 over its diagonal in L, or 0 for an undetermined unknown, which stays 0. */
   inverses: Float64Array;
 }
 
@@ -105,7 +105,7 @@ export function spreadJumps({ relations, seamBuffers: { segments, offsets } }: P
   offsetsOf(relations, segments, offsets);
 }
 
-/** Sums up what pulls at the offsets to what pulls at the free jumps: nothing where they are held. Overwrites what pulls. */
+/** Adds up the forces on the offsets to forces on the free jumps; zero where they are fixed. Overwrites the forces on the offsets. */
 export function gatherJumps(
   { relations, seamBuffers: { segments, pulls }, held }: PhaseSystem,
   jumps: Float64Array,

@@ -2,20 +2,20 @@ import { forEachChunk } from '../../phases.js';
 import { applySystem, gatherJumps, type PhaseSystem, type PhaseVector } from './PhaseSystem.js';
 import { precondition } from './precondition.js';
 
-/** When a solution is good enough. */
+/** Stopping criteria of a solver. */
 export interface Patience {
-  /** The share of its first length, in the norm of the preconditioner, to which the residual must sink. */
+  /** The residual at the end relative to that at the start, in the norm of the preconditioner. */
   tolerance: number;
   /** The largest number of steps. */
   steps: number;
 }
 
 /**
- * Solves a system by conjugate gradients, preconditioned by a V-cycle. The two families of lines take steps of lengths of their
- * own, and each stops by itself: neither changes a bit of the other.
+ * Solves a system by conjugate gradients, preconditioned by a V-cycle. The two families of lines have step lengths of their own and stop
+ * independently: neither changes a bit of the other.
  *
- * @param forces what drives the unknowns
- * @param x the unknowns: a first guess, and then the solution
+ * @param forces the right side
+ * @param x the unknowns: a first guess, then the solution
  * @returns the number of steps taken
  */
 export function* conjugateGradients(
@@ -45,21 +45,21 @@ export function* conjugateGradients(
   }
 }
 
-/** What conjugate gradients know of one family of lines. */
+/** State of conjugate gradients for one family of lines. */
 interface Family {
   /** The scalar product that was computed last. */
   product: number;
   /** The squared length of the residual, now and at the beginning. */
   length: number;
   firstLength: number;
-  /** How much of the direction before the next one takes along. */
+  /** The share of the previous direction in the next one. */
   beta: number;
   isDone: boolean;
 }
 
 const newFamily = (): Family => ({ product: 0, length: 0, firstLength: 0, beta: 0, isDone: false });
 
-/** Takes the product of the residual with itself: the next direction follows from it, unless the residual is short enough. */
+/** Takes the scalar product of the residual with itself, from which the next direction follows, unless the residual is short enough. */
 function turn(family: Family, step: number, tolerance: number): void {
   const { product } = family;
   if (step === 0) family.firstLength = product;
@@ -131,13 +131,13 @@ function stepRange(
   }
 }
 
-/** What drives the nodes and the offsets of a level. */
+/** The right side of a level: forces on the nodes and the offsets. */
 export interface FreeForces {
   nodes: Float64Array;
   offsets: Float64Array;
 }
 
-/** Solves for nodes and jumps, except for jumps that are held. */
+/** Solves for nodes and jumps, except for fixed jumps. */
 export function* solveFree(
   system: PhaseSystem,
   forces: FreeForces,

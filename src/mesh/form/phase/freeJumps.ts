@@ -11,11 +11,11 @@ export interface JumpEquations {
   signs: number[];
 }
 
-/** Which jumps are free, and how the others follow from them: each by whole multiples, so that whole jumps stay whole. */
+/** Which jumps are free, and how the others depend on them: by whole multiples, so that whole jumps stay whole. */
 export interface FreeJumps {
   /** The segments whose jumps are free, in rising order. */
   free: Uint32Array;
-  /** The segments whose jumps follow, each after those it follows from. */
+  /** The segments whose jumps depend on others, each after those it depends on. */
   bound: Uint32Array;
   /** The terms that bound jump i is the sum of are starts[i] … starts[i + 1] − 1. */
   starts: Uint32Array;
@@ -23,7 +23,7 @@ export interface FreeJumps {
   factors: Int8Array;
 }
 
-/** Stands for an equation or segment where there is none. */
+/** Stands for a missing equation or segment. */
 const NONE = -1;
 
 /** Equations as nodes of a graph whose edges are the segments, and a spanning forest of it. */
@@ -94,7 +94,7 @@ export function freeJumps(equations: JumpEquations, segmentCount: number): FreeJ
   };
 }
 
-/** The graph without any tree. */
+/** The graph without trees. */
 function plant({ starts, segments }: JumpEquations, segmentCount: number): EquationForest {
   const equationCount = starts.length - 1;
   const ends = new Int32Array(2 * segmentCount).fill(NONE);
@@ -115,7 +115,7 @@ function plant({ starts, segments }: JumpEquations, segmentCount: number): Equat
   };
 }
 
-/** Reaches all that can be reached from the equations of `order` that stand at `first` and after, breadth first. */
+/** Reaches everything connected to the equations of `order` from `first` on, breadth first. */
 function grow({ starts, segments }: JumpEquations, forest: EquationForest, first: number): void {
   const { ends, equationOf, order, parentTerms, isReached } = forest;
   for (let i = first; i < order.length; i++) {
@@ -130,10 +130,7 @@ function grow({ starts, segments }: JumpEquations, forest: EquationForest, first
   }
 }
 
-/**
- * What the equations of a tree without free end leave, when those of its tree segments have taken each other away: half of its
- * terms ±2j.
- */
+/** The sum of the equations of a tree without free end, in which its tree segments cancel: half of its terms ±2j. */
 function remainder(
   { starts, segments, signs }: JumpEquations,
   { ends, equationOf, order, parentTerms }: EquationForest,
@@ -155,7 +152,7 @@ function remainder(
   return [...sums].filter(([, sum]) => sum !== 0).map(([segment, sum]) => [segment, sum / 2]);
 }
 
-/** Writes the bound jumps of `jumps`, two values per segment, whose free ones are there. */
+/** Computes the bound jumps of `jumps`, two values per segment, from the free ones. */
 export function bindJumps({ bound, starts, segments, factors }: FreeJumps, jumps: Float64Array): void {
   for (let i = 0; i < bound.length; i++) {
     let sum = 0;
@@ -170,7 +167,7 @@ export function bindJumps({ bound, starts, segments, factors }: FreeJumps, jumps
   }
 }
 
-/** The transpose of `bindJumps`: moves what pulls at bound jumps to the free ones that they follow from. */
+/** The transpose of `bindJumps`: moves forces on bound jumps to the free ones that they depend on. */
 export function releaseJumps({ bound, starts, segments, factors }: FreeJumps, pulls: Float64Array): void {
   for (let i = bound.length - 1; i >= 0; i--) {
     const pull = pulls[2 * bound[i]];

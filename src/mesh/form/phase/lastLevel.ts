@@ -1,13 +1,13 @@
 import { disjointSets, join, rootOf } from '../../disjointSets.js';
 import { applySystem, type LastPart, type PhaseSystem, type PhaseVector } from './PhaseSystem.js';
 
-/** A part with more unknowns than these is not solved at once: its dense matrix would take longer than all else. */
+/** Largest number of unknowns of a part that is solved directly: a larger dense matrix would take longer than all else. */
 const MOST_UNKNOWNS = 600;
 
-/** A pivot below this share of its diagonal belongs to an unknown that nothing holds. */
+/** A pivot below this share of its diagonal belongs to an undetermined unknown. */
 const SMALLEST_PIVOT = 1e-9;
 
-/** Factorises the parts of the last level. Those that are too large for that are left out. */
+/** Factorises the parts of the last level, except for those that are too large. */
 export function* factoriseLastLevel(system: PhaseSystem): Generator<number, LastPart[], void> {
   const parts = partsOf(system).filter((part) => sizeOf(part) <= MOST_UNKNOWNS);
   const unit: PhaseVector = {
@@ -16,7 +16,7 @@ export function* factoriseLastLevel(system: PhaseSystem): Generator<number, Last
   };
   const column: PhaseVector = { nodes: unit.nodes.slice(), jumps: unit.jumps.slice() };
   const most = parts.reduce((size, part) => Math.max(size, sizeOf(part)), 0);
-  // Parts do not touch each other: one product gives a column of each.
+  // Parts are independent, so one product gives a column of each.
   for (let i = 0; i < most; i++) {
     const reached = parts.filter((part) => sizeOf(part) > i);
     for (const part of reached) setUnknown(part, unit, i, 1);

@@ -12,13 +12,13 @@ export interface PhaseLevel {
   cells: Cells | null;
 }
 
-/** A level of so few nodes that have neighbours is the last one. */
+/** A level with at most this many nodes that have neighbours is the last one. */
 const FEWEST_NODES = 60;
 
-/** A level that keeps a larger share of these is not worth it. */
+/** A level that keeps a larger share of these nodes is not built. */
 const LARGEST_SHARE = 0.7;
 
-/** Builds the hierarchy: each level unites the nodes of the one before with their neighbours. No cell reaches across the cut. */
+/** Builds the hierarchy: each level merges the nodes of the one before with their neighbours. No cell crosses the cut. */
 export function* phaseLevels(matrix: PhaseMatrix): Generator<number, PhaseLevel[], void> {
   const fans = new Uint32Array(matrix.diagonal.length);
   for (let fan = 0; fan < fans.length; fan++) fans[fan] = fan;
@@ -35,7 +35,7 @@ export function* phaseLevels(matrix: PhaseMatrix): Generator<number, PhaseLevel[
   }
 }
 
-/** How many nodes have neighbours. The others are parts of the mesh by themselves. */
+/** The number of nodes with neighbours. The others are parts of their own. */
 function linkedNodes({ starts }: PhaseMatrix): number {
   let count = 0;
   for (let node = 0; node < starts.length - 1; node++) if (starts[node + 1] > starts[node]) count++;
@@ -65,8 +65,8 @@ function* coarsenMatrix(matrix: PhaseMatrix, cells: Cells): Generator<number, Ph
 }
 
 /**
- * Adds the rows of a range of nodes to those of their cells. What leads from node to node in a cell belongs to its diagonal. Each
- * entry votes for whether its cells are divided by the cut.
+ * Adds the rows of a range of nodes to those of their cells. Entries within a cell add to its diagonal. Each entry votes on whether the cut
+ * divides its cells.
  */
 function sumRange(
   { starts, values, diagonal, walls }: PhaseMatrix,

@@ -14,15 +14,15 @@ const LARGEST_COTANGENT = 10;
  * and on coarser levels of each cell.
  */
 export interface PhaseMatrix extends Graph {
-  /** For each entry the value of the matrix there. */
+  /** For each entry its value in the matrix. */
   values: Float64Array;
   diagonal: Float64Array;
-  /** For each entry 1 if it leads across the cut, so that values on its two sides differ by more than what φ rises. */
+  /** For each entry 1 if it crosses the cut, so that the values on its two sides differ by more than the rise of φ. */
   walls: Uint8Array;
   seam: SeamEdges;
 }
 
-/** The edges of which an end has an offset. */
+/** The edges with an offset at one end or both. */
 export interface SeamEdges {
   /** The nodes of the two ends: those of edge i are 2i and 2i + 1, here and below. */
   nodes: Uint32Array;
@@ -34,10 +34,10 @@ export interface SeamEdges {
   weights: Float64Array;
 }
 
-/** The matrix of the fans, and what divides the triangles. */
+/** The matrix of the fans, and the weights of the triangles. */
 export interface FinePhase {
   matrix: PhaseMatrix;
-  /** For each triangle how much it counts: 1, less in slivers, 0 in degenerate ones and around punctures, where φ is open. */
+  /** For each triangle its weight: 1, less in slivers, 0 in degenerate ones and around punctures, where φ is undefined. */
   shares: Float32Array;
 }
 

@@ -45,7 +45,7 @@ function subtractRange(forces: Float64Array, rest: Float64Array, start: number, 
   for (let i = start; i < end; i++) rest[i] = forces[i] - rest[i];
 }
 
-/** One sweep of Gauss-Seidel through all nodes, in their order or against it: each takes the value that suits its neighbours. */
+/** One Gauss-Seidel sweep through all nodes, forwards or backwards. */
 export function* sweep(
   matrix: PhaseMatrix,
   forces: Float64Array,
@@ -81,7 +81,7 @@ function sweepRange(
   }
 }
 
-/** Adds `factor` times what offsets do to the nodes: the part of the matrix between them. */
+/** Adds `factor` times the product of the offsets with the matrix block that couples them to the nodes. */
 export function pullNodes(seam: SeamEdges, offsets: Float64Array, factor: 1 | -1, product: Float64Array): void {
   const { nodes, signs, offsets: ofEnd, weights } = seam;
   for (let edge = 0; edge < weights.length; edge++) {
@@ -99,7 +99,7 @@ export function pullNodes(seam: SeamEdges, offsets: Float64Array, factor: 1 | -1
   }
 }
 
-/** Writes what nodes and offsets do to the offsets. */
+/** Writes the forces of nodes and offsets on the offsets. */
 export function pullOffsets(seam: SeamEdges, x: Float64Array, offsets: Float64Array, pulls: Float64Array): void {
   const { nodes, signs, offsets: ofEnd, weights } = seam;
   pulls.fill(0);

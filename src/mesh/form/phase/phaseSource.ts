@@ -5,20 +5,20 @@ import type { FaceDirections } from '../directions/faceDirections.js';
 import type { FormSurface } from '../FormSurface.js';
 import { NO_OFFSET, type SeamRelations } from './seamRelations.js';
 
-/** What φ and φ₂ shall rise by: combed directions, times the slope. Two values each, one per family of lines. */
+/** The right side of the equations: the gradients that φ and φ₂ should have. Two values each, one per family of lines. */
 export interface PhaseSource {
-  /** For each fan what drives its value: the divergence of the directions around it. */
+  /** For each fan the divergence of the directions around it. */
   forces: Float64Array;
-  /** For each offset what drives it. */
+  /** For each offset the force on it. */
   offsetForces: Float64Array;
-  /** For each fan the mean of the slopes that its first wedge shall have: x, y, z of φ, then of φ₂. */
+  /** For each fan the mean of the gradients that its first wedge should have: x, y, z of φ, then of φ₂. */
   slopes: Float32Array;
 }
 
 /** Floats per fan in `slopes`. */
 export const SLOPE_FLOATS = 6;
 
-/** The two families: how steep they are, and by which angle the second is turned against the first. */
+/** The slope of the two families, and the angle from the first to the second. */
 export interface PhaseSlope {
   /** Lines per object unit. */
   slope: number;
@@ -27,7 +27,7 @@ export interface PhaseSlope {
 }
 
 /**
- * Computes what drives φ. It is projected into the triangles rather than into the smooth surface, so that relief bends lines.
+ * Computes the right side. Directions are projected into the triangles instead of the smooth surface, so that relief bends lines.
  *
  * @param shares see `FinePhase`
  */

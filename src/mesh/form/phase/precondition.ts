@@ -5,12 +5,12 @@ import { gatherJumps, type PhaseSystem, spreadJumps } from './PhaseSystem.js';
 import { pullNodes, pullOffsets, residual, sweep } from './phaseOperator.js';
 
 /**
- * What each coarse correction is multiplied by. Values that are constant in each cell make the coarse matrix too stiff, by about
- * the number of edges across a cell.
+ * Factor on coarse corrections. Values that are constant in each cell make the coarse matrix too stiff, by about the number of edges across
+ * a cell.
  */
 const OVERCORRECTION = 1.6;
 
-/** Sweeps in each direction on the last level, for parts that are too large to be solved at once. */
+/** Sweeps in each direction on the last level, for parts that are too large for a direct solver. */
 const LAST_SWEEPS = 2;
 
 /**
@@ -53,7 +53,7 @@ export function* precondition(system: PhaseSystem): Generator<number, void, void
   yield* sweep(matrix, rest.nodes, values.nodes, -1);
 }
 
-/** Solves the last level roughly, by sweeps over the nodes; jumps are taken by themselves. */
+/** Solves the last level approximately, by sweeps over the nodes; jumps are solved one by one. */
 function* sweepLastLevel({ levels, buffers, level, jumpDiagonal }: PhaseSystem): Generator<number, void, void> {
   const { matrix } = levels[level];
   const { forces, values } = buffers[level];

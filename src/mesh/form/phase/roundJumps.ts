@@ -2,26 +2,26 @@ import { type FreeForces, solveFree } from './conjugateGradients.js';
 import type { LastPart, PhaseSystem, PhaseVector } from './PhaseSystem.js';
 
 /**
- * Jumps of φ are multiples of four, those of φ₂ of two, so that every fourth line runs on across the cut, and every second one of those
- * that cross: all that is left of them where an object is small. More would bend lines, above all those along thin limbs, around
- * which φ₂ rises by little.
+ * Jumps of φ are multiples of four, those of φ₂ of two, so that every fourth line, and every second of those that cross, continues across
+ * the cut: no more are left where an object is small. Larger multiples would bend lines, most of all along thin limbs, around which φ₂
+ * rises by little.
  */
 export const MULTIPLES = [4, 2] as const;
 
-/** The largest share of its energy that rounding may add to a part, unless it is rounded to whole numbers. */
+/** Largest share of its energy that rounding may add to a part; otherwise its jumps are rounded to smaller multiples. */
 const MOST_MOVED = 0.2;
 
-/** The share of the jumps that are rounded in each turn. The last few are rounded together. */
+/** The share of the jumps rounded in each turn. The last few are rounded together. */
 const SHARE_OF_TURN = 0.5;
 const LAST_TURN = 16;
 
-/** What the others do to follow them: they need not move far. */
+/** Stopping criteria for the unknowns that follow rounded jumps: they need not move far. */
 const FOLLOWING = { tolerance: 1e-2, steps: 20 };
 
 /**
- * Rounds the jumps of a solution to multiples of the whole number of their family, in place. Those of parts that can be solved at once
- * are rounded there. All others take turns: the half of them that is nearest to its multiples is rounded, and what is left follows
- * before the next half is. It does not matter to one family how the other is rounded.
+ * Rounds the jumps of a solution to the multiples of their family, in place. Parts with a direct solver are rounded there. All other jumps
+ * take turns: the half nearest to its multiples is rounded, and the rest is solved again before the next half is. The families are
+ * independent.
  */
 export function* roundJumps(system: PhaseSystem, forces: FreeForces, x: PhaseVector): Generator<number, void, void> {
   const held = new Uint8Array(x.jumps.length);
@@ -29,7 +29,7 @@ export function* roundJumps(system: PhaseSystem, forces: FreeForces, x: PhaseVec
   while (roundNearest(x.jumps, held) > 0) yield* solveFree({ ...system, held }, forces, x, FOLLOWING);
 }
 
-/** Rounds those jumps of each family that are nearest to their multiples. Returns how many are left. */
+/** Rounds the jumps of each family that are nearest to their multiples. Returns the number of those left. */
 function roundNearest(jumps: Float64Array, held: Uint8Array): number {
   let left = 0;
   for (const [family, multiple] of MULTIPLES.entries()) {
@@ -47,10 +47,9 @@ function roundNearest(jumps: Float64Array, held: Uint8Array): number {
 }
 
 /**
- * Rounds the jumps of parts to multiples of the whole number of their family, in place; those of a part too small for that to smaller
- * multiples.
+ * Rounds the jumps of parts to the multiples of their family, in place; those of a part that is too small for that to smaller multiples.
  *
- * @param held for each value of a jump 1 if it is rounded; those of the parts are entered
+ * @param held for each value of a jump 1 if it is rounded; those of the parts are set
  */
 export function roundParts(parts: readonly LastPart[], jumps: Float64Array, held: Uint8Array): void {
   for (const part of parts) {
@@ -67,7 +66,7 @@ export function roundParts(parts: readonly LastPart[], jumps: Float64Array, held
 
 const roundTo = (multiple: number, jump: number): number => multiple * Math.round(jump / multiple);
 
-/** The jumps of a part, rounded to `multiple`, or to a smaller power of two where little would be left of them. */
+/** The jumps of a part, rounded to `multiple`, or to a smaller power of two if little would be left of them. */
 function roundedPart(part: LastPart, given: readonly number[], multiple: number): number[] {
   const rounded = nearestPlane(part, given, multiple);
   const moves = rounded.map((value, i) => value - given[i]);
@@ -76,8 +75,8 @@ function roundedPart(part: LastPart, given: readonly number[], multiple: number)
 }
 
 /**
- * Rounds jumps, which depend on each other: where one has been rounded up, the next follows it before it is rounded. That is
- * Babai's nearest plane, for the energy that is left in jumps when all nodes give way (the last rows of L).
+ * Rounds dependent jumps: where one has been rounded up, the next follows it before it is rounded. This is Babai's nearest plane, for the
+ * energy of the jumps after all nodes have been eliminated (the last rows of L).
  */
 function nearestPlane(part: LastPart, given: readonly number[], multiple: number): number[] {
   const rounded = given.slice();

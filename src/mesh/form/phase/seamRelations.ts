@@ -5,7 +5,7 @@ import { type CutSegments, cutSegments } from '../cutSegments.js';
 import type { FormSurface } from '../FormSurface.js';
 import { bindJumps, type FreeJumps, freeJumps, type JumpEquations, releaseJumps } from './freeJumps.js';
 
-/** Stands for the offset of a wedge that has none, and for the origin of an offset that has none. */
+/** The offset of a wedge without one, and the origin of an offset without one. */
 export const NO_OFFSET = -1;
 
 /**
@@ -31,7 +31,7 @@ export interface SeamRelations {
   jumps: FreeJumps;
 }
 
-/** The relations while they are collected. */
+/** The relations while they are being collected. */
 interface Collection {
   surface: FormSurface;
   seam: FormSeam;
@@ -51,7 +51,7 @@ interface Collection {
 /** A jump of a segment, with its factor. */
 type Term = readonly [segment: number, factor: number];
 
-/** Finds the relations, by a walk around each fan of the cut. */
+/** Finds the relations by a walk around each fan of the cut. */
 export function* seamRelations(surface: FormSurface, seam: FormSeam): Generator<number, SeamRelations, void> {
   const cut = yield* asPhase(cutSegments(surface, seam), 0, 0.4);
   const { degree, wedges } = seam;
@@ -91,7 +91,7 @@ export function* seamRelations(surface: FormSurface, seam: FormSeam): Generator<
   };
 }
 
-/** Relates the wedges of a fan, each to the one before. */
+/** Relates each wedge of a fan to the one before. */
 function relateWedges(collection: Collection, fan: number): void {
   const { surface, seam, cut, signs, ofWedge, equations } = collection;
   const { twins } = surface;
@@ -113,7 +113,7 @@ function relateWedges(collection: Collection, fan: number): void {
       }
       equations.starts.push(equations.segments.length);
     }
-    // The last edge leads back to the first wedge.
+    // The last edge returns to the first wedge.
     crossed.pop();
   }
   for (const edge of crossed) {
@@ -176,11 +176,11 @@ function jumpsAround(cut: CutSegments, { cutSign }: FormSeam, crossed: readonly 
   });
 }
 
-/** Whether a segment that only passes takes away with one term what it brings with the other. */
+/** Whether the two terms of a segment that passes through cancel each other. */
 const cancels = (terms: readonly Term[]): boolean =>
   terms.length === 2 && terms[0][0] === terms[1][0] && terms[0][1] === -terms[1][1];
 
-/** Writes the offsets that follow from `jumps`. Both have two values for each, one per family of lines; only free jumps are read. */
+/** Computes the offsets from the jumps. Both have two values for each, one per family of lines; only free jumps are read. */
 export function offsetsOf(relations: SeamRelations, jumps: Float64Array, offsets: Float64Array): void {
   const { origins, originSigns, starts, segments, factors } = relations;
   bindJumps(relations.jumps, jumps);
@@ -198,7 +198,7 @@ export function offsetsOf(relations: SeamRelations, jumps: Float64Array, offsets
   }
 }
 
-/** The transpose of `offsetsOf`: sums up what pulls at the offsets to what pulls at the free jumps. Overwrites `offsetPulls`. */
+/** The transpose of `offsetsOf`: adds up forces on the offsets to forces on the free jumps. Overwrites `offsetPulls`. */
 export function jumpPulls(relations: SeamRelations, offsetPulls: Float64Array, pulls: Float64Array): void {
   const { origins, originSigns, starts, segments, factors } = relations;
   pulls.fill(0);

@@ -13,13 +13,13 @@ import { riseInCells } from './riseInCells.js';
 import { roundJumps } from './roundJumps.js';
 import type { SeamRelations } from './seamRelations.js';
 
-/** Jumps are rounded on the finest level that has at most so many nodes. Finer ones would hardly change what they are rounded to. */
+/** Jumps are rounded on the finest level with at most this many nodes. Finer levels would hardly change the result. */
 const MOST_NODES_TO_ROUND = 12_000;
 
-/** The last level starts from nothing. */
+/** Stopping criteria of the last level, which starts from zero. */
 const LAST_LEVEL: Patience = { tolerance: 1e-3, steps: 200 };
 
-/** The others start from the level before. */
+/** Stopping criteria of the other levels, which start from the level before. */
 const FREE_JUMPS: Patience = { tolerance: 1e-2, steps: 30 };
 const WHOLE_JUMPS: Patience = { tolerance: 0.03, steps: 6 };
 
@@ -31,18 +31,18 @@ export interface Phase {
   offsets: Float64Array;
 }
 
-/** What drives the unknowns of one level, and by how much each node should lie above the seed of its cell. */
+/** The right side of one level, and the height of each node above the seed of its cell. */
 interface LevelForces extends FreeForces {
   rises: Float64Array;
 }
 
 /**
- * Solves for φ and φ₂: first on the last level, then on each finer one from what the level before says. A cell has the value of
- * its seed; its other nodes lie higher by what lines ask for on the way there. Jumps are unknowns at first. Once a level is fine
- * enough they are rounded to multiples of whole numbers, so that lines go on across the cut, and are given from there on.
+ * Solves for φ and φ₂, first on the last level, then on each finer one from the solution of the level before. A cell has the value of its
+ * seed; its other nodes lie higher by the rise of φ on the way there. Jumps are unknowns at first. Once a level is fine enough they are
+ * rounded to multiples of whole numbers, so that lines continue across the cut, and are given from then on.
  *
- * @param levels how cells have grown is lost
- * @param source its slopes are lost
+ * @param levels their cells are freed
+ * @param source its slopes are freed
  */
 export function* solvePhase(
   surface: FormSurface,
@@ -83,7 +83,7 @@ export function* solvePhase(
   return { nodes: x.nodes, offsets: coarsest.seamBuffers.offsets };
 }
 
-/** What drives the next level: what is left to the cells when their nodes rise as they should. */
+/** The right side of the next level: the residual on the cells when their nodes rise as they should. */
 function* restrictForces(
   { levels, buffers, seamBuffers, level }: PhaseSystem,
   { nodes, offsets, rises }: LevelForces,
@@ -106,7 +106,7 @@ function* solveGiven(system: PhaseSystem, { nodes }: LevelForces, x: PhaseVector
   yield* conjugateGradients({ ...system, isFree: false }, { nodes, jumps: x.jumps }, x, WHOLE_JUMPS);
 }
 
-/** The values of nodes: those of the seeds of their cells, and what they should rise by. */
+/** The values of nodes: those of the seeds of their cells, plus their rises. */
 function prolong({ ofNode }: Cells, coarse: Float64Array, rises: Float64Array): Float64Array {
   const values = new Float64Array(rises.length);
   for (let node = 0; node < ofNode.length; node++) {
