@@ -5,7 +5,7 @@ import { StrokeDensityField } from './StrokeDensityField.js';
 import { StrokeEndField } from './StrokeEndField.js';
 import type { StrokeStyle } from './StrokeStyle.js';
 
-/** One level while its strokes are being placed. */
+/** A level while its strokes are being placed. */
 export interface LevelDrawing {
   /** Texels per side. */
   size: number;
@@ -20,23 +20,23 @@ export interface LevelDrawing {
   ends: StrokeEndField[];
   /** The ink drawn so far, for each layer, with overlaps counted twice. It keeps the layers at equal ink. */
   drawn: number[];
-  /** The stroke that was drawn last for this level itself, of each layer; only for hands that draw in bundles. */
+  /** The last stroke of each layer drawn for this level itself; only for hands that draw in bundles. */
   last: (Stroke | undefined)[];
-  /** The share of the last stroke that fell on blank paper; of one of a hand, the ink in place of what its chord would ink. */
+  /** The share of the last stroke that fell on blank paper; for a stroke of a hand, its ink relative to that of its chord. */
   gain: number;
 }
 
-/** Lines influence each other up to this many times their mean distance. */
+/** Lines influence each other up to this multiple of their mean distance. */
 const LINE_REACH = 6;
-/** The ends of lines influence each other up to this many times the mean distance of the lines. */
+/** Ends of lines influence each other up to this multiple of the mean distance of the lines. */
 const END_REACH = 4;
-/** Dots influence each other up to this many times their mean distance. */
+/** Dots influence each other up to this multiple of their mean distance. */
 const DOT_REACH = 3;
 
-/** A stroke of a hand that wobbles is longer than its chord, and inks up to this many times as much. */
+/** Largest ink of a wobbly stroke of a hand relative to that of its chord. */
 const MOST_GAIN = 3;
 
-/** Strokes shorter than this, in tiles, do not count as lines: it does not matter where they end. */
+/** Shorter strokes, in tiles, do not count as lines: the position of their ends does not matter. */
 const SHORT = 0.15;
 
 /** Creates a blank level of size² texels. */

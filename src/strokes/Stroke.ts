@@ -1,6 +1,6 @@
 import { PROFILE_SAMPLES, profileAt, type StrokeProfile } from './StrokeProfile.js';
 
-/** Slopes are measured over so much of x on each side, which is a step between the samples of a profile. */
+/** Step in x of the slope's difference quotient: one step between samples of a profile. */
 const SLOPE_STEP = 2 / (PROFILE_SAMPLES - 1);
 
 /**
@@ -28,17 +28,17 @@ export interface Stroke {
   bow: number;
   /** Size of the S-bend, in tiles. */
   wave: number;
-  /** The bends and the width of a stroke that a person drew; undefined for one of a style. */
+  /** The bends and the width of a stroke drawn by a person; undefined for a stroke of a style. */
   profile?: StrokeProfile | undefined;
-  /** The width in the middle, in texels; with a profile, the width that its shares are of. */
+  /** The width in the middle, in texels; with a profile, the width that its samples are relative to. */
   width: number;
   /** Each end narrows over this many texels, at most a quarter of the length; 0 leaves it blunt. */
   taper: number;
   /** How deeply the stroke fills the grain of the paper, from 0 (only the peaks) to 1 (all of it). */
   pressure: number;
-  /** The first tone that shows the stroke; every darker one does too. */
+  /** The first tone that shows the stroke; so do all darker ones. */
   tone: number;
-  /** The coarsest level that shows the stroke; every finer one does too. */
+  /** The coarsest level that shows the stroke; so do all finer ones. */
   level: number;
 }
 
@@ -48,7 +48,10 @@ export const strokeOffset = (stroke: Stroke, x: number): number =>
     ? 0.5 * stroke.length * stroke.slope * x + (1 - x * x) * (stroke.bow + stroke.wave * x)
     : profileOffset(stroke, stroke.profile, x);
 
-/** The same for a stroke with a profile. It lies apart, because the other is called millions of times and should stay short. */
+/**
+ * The displacement of a stroke with a profile. It is separate, because the other function is called millions of times and should stay
+ * short.
+ */
 const profileOffset = ({ length, slope }: Stroke, { offset }: StrokeProfile, x: number): number =>
   length * (0.5 * slope * x + (1 + slope * slope) * profileAt(offset, x));
 

@@ -4,13 +4,13 @@ import { profileAt } from './StrokeProfile.js';
 /** Strokes closer than this many widths, centre line to centre line, begin to look merged. */
 export const MERGING_WIDTHS = 2.5;
 
-/** How a hand places strokes, where it does not place them evenly as the styles do. */
+/** How a hand places strokes where it deviates from the even spacing of the styles. */
 export interface PlacingHabit {
-  /** Strokes keep an even distance only beyond this many times the distance of the styles: 1 is evenly, more leaves it to chance. */
+  /** Multiple of the usual distance beyond which strokes keep an even distance: 1 is even, larger values leave more to chance. */
   softness: number;
-  /** How strongly strokes keep from merging, 0 to 1. */
+  /** Strength with which strokes avoid merging, 0 to 1. */
   apart: number;
-  /** The share of its length over which a stroke keeps others away: less lets strokes of a row overlap, more leaves gaps. */
+  /** The share of its length over which a stroke keeps others away: smaller values let strokes of a row overlap, larger ones leave gaps. */
   share: number;
 }
 
@@ -42,7 +42,7 @@ export class StrokeDensityField {
    * @param size texels per side of the level, a power of two
    * @param short whether the strokes are dots or little longer, which need a column per texel
    * @param slope the mean angle of the strokes to their axis, as a tangent
-   * @param habit how a hand places them; evenly by default
+   * @param habit how a hand places strokes; evenly by default
    */
   constructor(
     private readonly size: number,
@@ -83,7 +83,7 @@ export class StrokeDensityField {
       const beyond = (forward - along) * ahead;
       const x = halfLength > 0 ? along / fullLength : 0;
       const middle = base + size * strokeOffset(stroke, x);
-      // Where a stroke of a hand is thin, it leaves room for others.
+      // Thin parts of a stroke of a hand leave room for others.
       const weight = stroke.profile ? profileAt(stroke.profile.width, x) : 1;
       const height = Math.sqrt(Math.max(0, reach * reach - beyond * beyond) / cosine2);
       const start = (column & (columns - 1)) * size;
@@ -119,7 +119,7 @@ export class StrokeDensityField {
     let sum = 0;
     for (let column = first; column <= last; column++) {
       const x = halfLength > 0 ? (column + 0.5 - centre) / fullLength : 0;
-      // This is `strokeOffset`, written out because nothing else is called as often.
+      // `strokeOffset`, inlined: this is the hottest loop.
       const offset = profile === undefined ? tilt * x + (1 - x * x) * (bow + wave * x) : strokeOffset(stroke, x);
       const place = base + size * offset;
       const row = Math.floor(place);

@@ -1,23 +1,23 @@
-/** The number of samples of a profile, at steady steps of x from −1 to 1. */
+/** The number of samples of a profile, evenly spaced in x from −1 to 1. */
 export const PROFILE_SAMPLES = 33;
 
-/** The thinnest and the widest place of a stroke for which levels nest, in texels (see `StrokeStyle.widthRange`). */
+/** The narrowest and the widest place of a stroke for which levels nest, in texels (see `StrokeStyle.widthRange`). */
 const NARROWEST = 1;
 const WIDEST = 2.9;
 
-/** The shape of a stroke that a person drew. It is shared by all strokes drawn after it. */
+/** The shape of a stroke drawn by a person, shared by all strokes that copy it. */
 export interface StrokeProfile {
   /** Displacement of the centre line to the left-hand side, as a share of the chord. It is 0 at both ends. */
   offset: Float32Array;
-  /** The width, as a share of the stroke's. */
+  /** The width, relative to that of the stroke. */
   width: Float32Array;
-  /** The same shape after half a turn. */
+  /** The shape after a half turn. */
   turned: StrokeProfile;
-  /** The same shape mirrored in its chord. */
+  /** The shape mirrored in its chord. */
   mirrored: StrokeProfile;
 }
 
-/** The value between two samples, x ∈ [−1, 1]; beyond, that of the end. */
+/** The value at x ∈ [−1, 1], interpolated between two samples; constant beyond. */
 export function profileAt(samples: Float32Array, x: number): number {
   const place = 0.5 * (PROFILE_SAMPLES - 1) * (Math.max(-1, Math.min(1, x)) + 1);
   const first = Math.min(PROFILE_SAMPLES - 2, Math.floor(place));
@@ -28,7 +28,7 @@ export function profileAt(samples: Float32Array, x: number): number {
 export const profileWidth = (profile: StrokeProfile, width: number, x: number): number =>
   Math.max(NARROWEST, Math.min(WIDEST, width * profileAt(profile.width, x)));
 
-/** Makes a profile with all that it is turned and mirrored into. */
+/** Makes a profile with its turned and mirrored forms. */
 export function makeProfile(offset: Float32Array, width: Float32Array): StrokeProfile {
   const [negative, back, backWidth] = [offset.map((value) => -value), offset.toReversed(), width.toReversed()];
   const one = { offset, width } as StrokeProfile;

@@ -8,8 +8,8 @@ export interface StrokeStyle {
   /** Width in the middle of the stroke. */
   width: number;
   /**
-   * The widths for which levels nest. A thinner stroke (with `widthSpread`) may fall between texels and cover half of none of
-   * them; a wider one reaches texels of a coarse level that it does not reach on the finer level.
+   * The widths for which levels nest. A thinner stroke (with `widthSpread`) may fall between texels and cover half of none; a wider one
+   * reaches texels of a coarse level that it does not reach on the finer level.
    */
   widthRange: readonly [narrowest: number, widest: number];
   /** Largest relative deviation of a stroke's width from `width`. */
@@ -32,24 +32,24 @@ export interface StrokeStyle {
   thresholds: ThresholdStyle;
   /** The grain of the paper, if it shows. */
   grain?: Grain;
-  /** The strokes of a person's hand, which are drawn in place of generic ones; their bends and widths are their own. */
+  /** The strokes of a hand, drawn in place of generic ones, with their own bends and widths. */
   hand?: HandShapes;
 }
 
-/** The strokes of a hand as they are drawn into a map. */
+/** The strokes of a hand, as a map is drawn with them. */
 export interface HandShapes {
-  /** Chord in tiles and shape of each. */
+  /** The chord, in tiles, and the shape of each. */
   shapes: readonly { length: number; profile: StrokeProfile }[];
   /** Standard deviation of their angles within a layer, in radians. */
   angleSpread: number;
-  /** How much longer or shorter a copy of a stroke may be, as a share. */
+  /** Largest relative change of the length of a copy. */
   scaleSpread: number;
-  /** Whether the strokes are arcs rather than straight. */
+  /** Whether the strokes are arcs instead of straight. */
   isCurved: boolean;
   /** Whether copies may be mirrored. */
   mirror: boolean;
   habit: PlacingHabit;
-  /** The share of strokes that stand beside the stroke before them, in a bundle. */
+  /** The share of strokes placed beside the previous one, in a bundle. */
   bundled: number;
   /** The distance of the strokes of a bundle, in texels. */
   bundleSpacing: number;
@@ -68,8 +68,8 @@ export interface StrokeLayer {
 }
 
 /**
- * The parameters for drawing thresholds. In thresholds strokes swell as the tone rises, so their final ink is not known while
- * they are placed. Therefore all inks here are those that the strokes would have in hatch images.
+ * The parameters for drawing thresholds. In thresholds strokes swell as the tone rises, so their final ink is unknown while they are
+ * placed. Therefore all inks here are those of the strokes in hatch images.
  */
 export interface ThresholdStyle {
   /** Strokes are added up to this ink. Beyond it they only swell, so that even gaps remain between them and close. */

@@ -1,8 +1,8 @@
 /**
- * Blurs a toroidal field of size² numbers in both directions, with a tent filter of 2·radius + 1 texels that sums to one.
- * `size` is a power of two. Takes the same time for any radius.
+ * Blurs a toroidal field of size² numbers in both directions, with a tent filter of 2·radius + 1 texels that sums to one. `size` is a power
+ * of two. Takes the same time for any radius.
  *
- * @param alongRows the radius along rows, if it is another
+ * @param alongRows the radius along rows; by default the same
  */
 export function blurToroidal(field: Float32Array, size: number, radius: number, alongRows = radius): Float32Array {
   return blurRows(blurRows(field, size, alongRows), size, radius);

@@ -4,14 +4,14 @@ import { profileAt } from './StrokeProfile.js';
 /** Mean ink added to the image while a stroke grows from its middle to its ends. */
 const GROWTH = 0.2;
 
-/** The same for a stroke of a hand, which is as long from the start but for what its tapers leave thin. */
+/** The same for a stroke of a hand, which has its full length from the start except for its thin tapers. */
 const EVEN_GROWTH = 0.05;
-/** And beyond its ends, where it grows on until all is ink. */
+/** The same beyond its ends, where it grows until all is ink. */
 const GROWTH_BEYOND = 1;
-/** Where a stroke of a hand is wider or thinner than this share, it swells no faster or slower. */
+/** Bounds of the relative width of a stroke of a hand in its swelling. */
 const [THINNEST, THICKEST] = [0.5, 1.5];
 
-/** The number of texels on each side of its centre line that a stroke reaches. At full density no gap is wider. */
+/** Texels on each side of its centre line that a stroke reaches. At full density no gap is wider. */
 const REACH = 8;
 
 /** A line reaches this multiple of its half length, measured from its middle. */
@@ -80,7 +80,7 @@ export function drawThresholdField(
   return visited;
 }
 
-/** The further ink after which a stroke of a hand reaches x along its centre line: where it is thin it appears later. */
+/** The further ink after which a stroke of a hand reaches x along its centre line: thin parts appear later. */
 function growthAt(width: number, x: number): number {
   const thin = Math.max(0, 1 - width);
   const beyond = Math.max(0, Math.abs(x) - 1);

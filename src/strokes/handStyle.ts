@@ -7,26 +7,26 @@ import { STROKE_WIDTHS } from './strokeWidths.js';
 import { type MapDrawing, resolveMapDrawing } from './tamImages/hatchImageOptions.js';
 import type { MapRequest } from './tamImages/hatchImageRequest.js';
 
-/** The longest stroke of a map, in tiles: a longer one would lie beside itself too often. */
+/** The longest stroke of a map, in tiles: a longer one would run beside itself too often. */
 const LONGEST = 1.5;
 
-/** The last stroke of a tone may be as short as this share of the mean, so that the tone has its mean; on coarse levels shorter. */
+/** Least length of the last stroke of a tone, as a share of the mean, so that the tone reaches its mean ink; shorter on coarse levels. */
 const SHORTEST = 0.8;
 
-/** A stroke has at least so many proposals, so that the tile is even as a whole. */
+/** Least number of proposals per stroke, so that the tile is even as a whole. */
 const LEAST_PROPOSALS = 20;
 
-/** Of strokes shorter than this, in tiles, a proposal takes longer, and fewer are enough. */
+/** Strokes shorter than this, in tiles, need fewer proposals, each of which takes longer. */
 const SHORT = 0.15;
 
-/** The largest share of strokes that follow the one before them in a bundle, and how close they come. */
+/** The largest share of strokes placed beside the previous one in a bundle, and their least distance. */
 const MOST_BUNDLED = 0.6;
 const CLOSEST_WIDTHS = 1.4;
 
 /** Copies of a stroke are up to this much longer or shorter. */
 const SCALE_SPREAD = 0.04;
 
-/** Strokes with less of an arc count as straight. */
+/** Strokes with a flatter arc count as straight. */
 const STRAIGHT = 0.02;
 
 /**
@@ -74,10 +74,10 @@ export function handStyle(
   };
 }
 
-/** The ink of the darkest tone: twice that of the middle swatch, as far as lines are still seen. */
+/** The ink of the darkest tone: twice that of the middle swatch, within limits at which lines are visible. */
 const inkOf = ({ width, spacing }: HandNumbers): number => Math.max(0.7, Math.min(0.95, (2 * width) / spacing));
 
-/** How the numbers place strokes. */
+/** The placing habit given by the numbers. */
 function habitOf({ spacingSpread, overlap }: HandNumbers): PlacingHabit {
   const chance = Math.min(1, spacingSpread);
   return {
@@ -87,7 +87,10 @@ function habitOf({ spacingSpread, overlap }: HandNumbers): PlacingHabit {
   };
 }
 
-/** Strokes of a bundle stand closer than the mean of the middle swatch, as the median of its distances does. */
+/**
+ * The bundles given by the numbers. Strokes in a bundle are closer than the mean of the middle swatch by the ratio of the median distance
+ * to it.
+ */
 function bundlesOf({ clustering, spacing, width }: HandNumbers, strokeTexels: number) {
   const texels = ((1 - clustering) * spacing * strokeTexels) / width;
   return {
@@ -96,13 +99,13 @@ function bundlesOf({ clustering, spacing, width }: HandNumbers, strokeTexels: nu
   };
 }
 
-/** How many proposals there are for a stroke: hands that place by chance look less far for the best place. */
+/** The number of proposals per stroke: hands that place strokes at random search less for the best place. */
 function proposalsOf({ spacingSpread }: HandNumbers, isShort: boolean): number {
   const even = 1 - Math.min(1, spacingSpread);
   return Math.round((isShort ? 80 : 400) * even * even) + LEAST_PROPOSALS;
 }
 
-/** The first layer runs along u, the second at its angle to it. On the sheet y goes down, on the map v goes up. */
+/** The layers: the first runs along u, the second at its angle to it. On the sheet y goes down, on the map v goes up. */
 function layersOf({ crossingAngle, crossingFrom }: HandNumbers, maxInk: number, thresholdInk: number): StrokeLayer[] {
   const first = { across: false, slope: 0, from: 0, thresholdsFrom: 0 };
   if (crossingAngle === 0 || crossingFrom >= 1) return [first];
@@ -123,10 +126,10 @@ function tangent(degrees: number): number {
 }
 
 /**
- * Makes the request for a map, with the style of its hand if it has one. It takes a few milliseconds, and lies apart from what draws, so
- * that the worker, which every page loads, need not hold it.
+ * Makes the request for a map, with the style of its hand if it has one. It takes a few milliseconds. It is not part of the worker, which
+ * every page loads.
  *
- * @throws TypeError or RangeError if the hand is none; yields progress in [0, 1]
+ * @throws TypeError or RangeError for an invalid hand; yields progress in [0, 1]
  */
 export function* requestOfHand({ hand, ...drawing }: MapDrawing): Generator<number, MapRequest, void> {
   if (!hand) return drawing;

@@ -3,7 +3,7 @@ import { random } from './random.js';
 import { sortedIndices } from './ranking.js';
 import type { StrokeStyle } from './StrokeStyle.js';
 
-/** The grain of the paper under one level: pencil and charcoal mark its peaks first. */
+/** The grain of the paper under one level. Pencil and charcoal mark its peaks first. */
 export interface PaperGrain {
   /**
    * size² bytes in rows of growing v, evenly distributed: from 0, a peak that every stroke marks, to 255, a valley that only

@@ -14,16 +14,16 @@ export interface PlacementRequest {
   tones: number;
   levels: number;
   /**
-   * Whether every stroke is followed by its copy after a half turn about the middle of the tile. The map then looks the same upside
+   * Whether every stroke is followed by its copy after a half turn about the middle of the tile, so that the map looks the same upside
    * down.
    */
   pairs?: boolean | undefined;
 }
 
-/** The number of cells that are read or written between two reports of progress, which takes about a millisecond. */
+/** Cells read or written between two yields, in about a millisecond. */
 const WORK_PER_SLICE = 100_000;
 
-/** The share of a level's ink that the last stroke of a hand may have: half of it is at most missing. */
+/** Largest ink of the last stroke of a hand, as a share of the ink of the level; at most half of it is missing. */
 const INK_OF_LAST = 0.015;
 
 /** The approximate number of cells that a proposal reads in one level. */
@@ -87,11 +87,11 @@ function levelProgress(level: number, part: number): number {
   return before + (4 * before - before) * Math.min(1, part);
 }
 
-/** The shortest stroke of a level, in tiles. One of a hand is cut only where half of it would be seen in the mean of the tone. */
+/** The shortest stroke of a level, in tiles. A stroke of a hand is shortened only where half of it would show in the mean of the tone. */
 const shortestOf = ({ hand, length, width }: StrokeStyle, size: number): number =>
   hand ? Math.min(length[0], (INK_OF_LAST * size) / width) : length[0];
 
-/** A random length, but not longer than the ink that the level still needs, so that the last stroke hits the target. */
+/** A random length, limited by the ink that the level still needs, so that the last stroke hits the target. */
 function chooseLength(style: StrokeStyle, drawing: LevelDrawing, missing: number, next: Random): number {
   const [shortest, longest] = style.length;
   const length = shortest + (longest - shortest) * next();
@@ -99,7 +99,7 @@ function chooseLength(style: StrokeStyle, drawing: LevelDrawing, missing: number
   return Math.max(shortest, Math.min(length, needed));
 }
 
-/** Chooses one of the strokes of a hand, and how long it becomes. */
+/** Chooses a stroke of a hand, and its length. */
 function chooseShape(
   { shapes, scaleSpread, mirror }: HandShapes,
   style: StrokeStyle,
@@ -113,7 +113,7 @@ function chooseShape(
   const { across, slope } = style.layers[layer];
   const scaled = length * (1 + scaleSpread * (2 * next() - 1));
   const needed = missing / (255 * drawing.gain * style.width * drawing.size);
-  // Along v, sideways is to the right-hand side.
+  // Along v, the sideways axis points to the right.
   const isMirrored = across !== (mirror && next() < 0.5);
   return {
     // The length of a stroke is measured along its axis.
@@ -122,7 +122,7 @@ function chooseShape(
   };
 }
 
-/** Chooses the layer with the least ink so far, among those that have begun at this mean ink. */
+/** Chooses the layer with the least ink among those that have begun at this mean ink. */
 function chooseLayer({ layers }: StrokeStyle, { drawn }: LevelDrawing, target: number): number {
   let chosen = 0;
   for (let i = 1; i < layers.length; i++) if (target > layers[i].from && drawn[i] < drawn[chosen]) chosen = i;

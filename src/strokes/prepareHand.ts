@@ -7,24 +7,24 @@ import { splitAtTurns } from './hand/splitAtTurns.js';
 import { type Random, random } from './random.js';
 import { PROFILE_SAMPLES } from './StrokeProfile.js';
 
-/** Fewer strokes than this are drawn in several variants, where numbers ask for more spread than the strokes have. */
+/** With fewer strokes, several variants of each are drawn where the numbers ask for more spread than the strokes have. */
 const LEAST_SHAPES = 40;
 
-/** A hand has a spread or a wobble of its own if it is at least this share of what is asked for; otherwise chance makes it. */
+/** A hand has a spread or wobble of its own if it is at least this share of the wanted one; otherwise it is random. */
 const OWN_SHARE = 0.25;
 
-/** Waves of a wobble that chance makes, per stroke. */
+/** Waves of a random wobble, per stroke. */
 const WAVES = 7;
 
-/** Beside what it is meant to be, a stroke is at least and at most this long or wide. */
+/** Bounds of the length and the width of a stroke, relative to the intended ones. */
 const [LEAST_FACTOR, MOST_FACTOR] = [0.3, 2.5];
 
-/** Strokes that are drawn with: of more, evenly some of them. */
+/** Largest number of strokes used, evenly selected. */
 const MOST_STROKES = 1000;
 
-/** A hand as maps are drawn with it. */
+/** A hand in the form in which maps are drawn with it. */
 export interface PreparedHand {
-  /** Its strokes, warped to the numbers and as they lie along their layer. */
+  /** Its strokes, warped to the numbers, in the direction of their layer. */
   shapes: readonly {
     /** The chord, in millimetres. */
     length: number;
@@ -38,16 +38,16 @@ export interface PreparedHand {
 
 type Shape = PreparedHand['shapes'][number];
 
-/** Strokes that are measured between two reports of progress, which takes about a millisecond. */
+/** Strokes measured between two yields, in about a millisecond. */
 const STROKES_PER_SLICE = 50;
 
 /**
- * Prepares a hand for maps: measures its strokes, and warps them so that their numbers are those of the hand, which may have been
- * changed since they were learnt.
+ * Prepares a hand for maps: measures its strokes, and warps them to the numbers of the hand, which may have been changed since they were
+ * learnt.
  *
- * It uses only arithmetic that IEEE 754 rounds exactly for what is drawn, so the same hand gives the same map on every machine.
+ * Everything that is drawn uses only arithmetic that IEEE 754 rounds exactly, so the same hand gives the same map on every machine.
  *
- * @throws TypeError or RangeError that says in a sentence what is wrong with the hand, at the first steps; yields progress in [0, 1]
+ * @throws TypeError or RangeError with the fault of the hand, at the first steps; yields progress in [0, 1]
  */
 export function* prepareHand(hand: Hand): Generator<number, PreparedHand, void> {
   checkHand('TonalArtMap', hand);
@@ -76,7 +76,7 @@ export function* prepareHand(hand: Hand): Generator<number, PreparedHand, void> 
     curvature: meanOf(pieces, curvatureOf),
     taperStart: meanOf(pieces, ({ tapers }) => tapers.start),
     taperEnd: meanOf(pieces, ({ tapers }) => tapers.end),
-    // As far as the samples of a profile hold it.
+    // The part that the samples of a profile resolve.
     wobble: Math.sqrt(meanOf(pieces, (piece) => squareOf(sampled.get(piece)!.residual) * chordOf(piece) ** 2)),
     ...widthsOf(pieces),
   };
@@ -90,7 +90,7 @@ export function* prepareHand(hand: Hand): Generator<number, PreparedHand, void> 
       piece,
       {
         curvature: piece.curvature + (backwards.has(piece) ? -turn : turn),
-        // Shares of the chord, which becomes longer or shorter.
+        // As a share of the chord, whose length changes.
         wobble: { own: own.wobble / piece.length, wanted: numbers.wobble / length },
         samples: sampled.get(piece)!,
         width: own.width,
@@ -100,7 +100,7 @@ export function* prepareHand(hand: Hand): Generator<number, PreparedHand, void> 
       },
       next,
     );
-    // As it lies along its layer, a stroke that was drawn backwards is turned.
+    // A stroke that was drawn backwards is turned to the direction of its layer.
     if (backwards.has(piece)) turnAround(shape);
     shapes.push({ length: (length * chordOf(piece)) / piece.length, ...shape });
     if (i % STROKES_PER_SLICE === STROKES_PER_SLICE - 1) yield 0.5 + (0.5 * i) / count;
@@ -133,7 +133,7 @@ function widthsOf(pieces: readonly StrokeMeasure[]): { width: number; widthSprea
   return { width, widthSpread: Math.sqrt(Math.max(0, squares / count - width * width)) / width };
 }
 
-/** A factor whose spread is `own`, brought to the spread that is wanted; by chance if it has hardly any of its own. */
+/** Scales a factor with the spread `own` to the wanted spread; random if it has hardly any of its own. */
 function spreadTo(factor: number, own: number, wanted: number, next: Random): number {
   const deviation =
     own >= OWN_SHARE * wanted
@@ -142,7 +142,7 @@ function spreadTo(factor: number, own: number, wanted: number, next: Random): nu
   return Math.max(LEAST_FACTOR, Math.min(MOST_FACTOR, 1 + deviation));
 }
 
-/** The taper of a stroke if the mean of all is brought to the one that is wanted. */
+/** The taper of a stroke after the mean of all is brought to the wanted one. */
 const taperOf = (taper: number, own: number, wanted: number): number =>
   Math.min(1, own >= OWN_SHARE * wanted && own > 0 ? (taper * wanted) / own : wanted);
 
@@ -188,7 +188,7 @@ function samplesOf(piece: StrokeMeasure): { residual: Float32Array; width: Float
   const width = new Float32Array(PROFILE_SAMPLES);
   let at = 0;
   for (let i = 0; i < PROFILE_SAMPLES; i++) {
-    // From end to end of what was drawn, which may reach a little beyond its smooth arc.
+    // From end to end of the drawn stroke, which may reach a little beyond its smooth arc.
     const x = along[0] + 0.5 * (xOf(i) + 1) * (along[last] - along[0]);
     while (at < last - 1 && along[at + 1] < x) at++;
     const step = along[at + 1] - along[at];
@@ -199,7 +199,7 @@ function samplesOf(piece: StrokeMeasure): { residual: Float32Array; width: Float
   return { residual, width };
 }
 
-/** A wobble of this root mean square, by chance. */
+/** A random wobble of this root mean square. */
 function wavesOf(wanted: number, next: Random): Float32Array {
   const knots = Array.from({ length: WAVES + 2 }, () => 2 * next() - 1);
   const waves = Float32Array.from({ length: PROFILE_SAMPLES }, (_, i) => {
@@ -214,7 +214,7 @@ function wavesOf(wanted: number, next: Random): Float32Array {
   return waves.map((value) => ((value - mean) * wanted) / Math.sqrt(square || 1));
 }
 
-/** The width along a stroke, as a share: its pressure brought to the spread and its tapers to the lengths that are wanted. */
+/** The relative width along a stroke, with the pressure brought to the wanted spread and the tapers to the wanted lengths. */
 function widthsAlong({ tapers }: StrokeMeasure, width: Float32Array, warp: Warp, next: Random): Float32Array {
   const { own, wanted } = warp.widthSpread;
   const byChance = own >= OWN_SHARE * wanted ? 1 : spreadTo(1, 0, wanted, next);
@@ -222,7 +222,7 @@ function widthsAlong({ tapers }: StrokeMeasure, width: Float32Array, warp: Warp,
     const kept = Math.max(tapers.start, Math.min(1 - tapers.end, share));
     return byChance * spreadTo(valueAt(width, kept) / warp.width, own, own >= OWN_SHARE * wanted ? wanted : own, next);
   };
-  // Ends keep the form in which they narrow.
+  // The shape of the tapers stays.
   const endAt = (fromTip: number, taper: number, ownTaper: number, place: (share: number) => number): number => {
     if (taper === 0 || fromTip >= taper) return 1;
     const part = fromTip / taper;

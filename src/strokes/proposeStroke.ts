@@ -11,12 +11,12 @@ const END_WEIGHT = 0.2;
 const OWN_LEVEL_WEIGHT = 3;
 
 /**
- * Returns the best of `style.proposals` random proposals: the one with the lowest density of other strokes around it. All have the
- * same length, because short strokes would have an advantage.
+ * Returns the best of `style.proposals` random proposals: the one with the lowest density of other strokes around it. All have the same
+ * length, since short strokes would have an advantage.
  *
  * @param levels all levels as drawn so far, the finest first
- * @param pairs whether the copy of the stroke after a half turn (`halfTurn`) will be drawn too
- * @param beside the stroke of a bundle that it is to stand beside; otherwise it may be anywhere
+ * @param pairs whether the copy of the stroke after a half turn (`halfTurn`) is drawn too
+ * @param beside the previous stroke of a bundle, beside which it is placed; otherwise its place is free
  */
 export function proposeStroke(
   style: StrokeStyle,
@@ -49,7 +49,7 @@ export function proposeStroke(
     tone,
     level,
   };
-  // Arcs that may go anywhere lie into each other, in columns. A place along them that chance has chosen keeps them from it.
+  // Freely placed arcs would nest in columns; a random place along the arc prevents that.
   const place = style.hand?.isCurved ? next() : undefined;
   const bundleTiles = (style.hand?.bundleSpacing ?? 0) / levels[level].size;
   for (let i = 0; i < style.proposals; i++) {
@@ -87,15 +87,15 @@ export const halfTurn = (stroke: Stroke): Stroke => ({
   profile: stroke.profile?.turned,
 });
 
-/** The unevenness of the distances in a bundle, as a share of them. */
+/** The relative unevenness of the distances in a bundle. */
 const BUNDLE_SPREAD = 0.2;
 
-/** Moves a stroke of a bundle beside the one before it. Where it was by chance decides where and on which side. */
+/** Moves a stroke of a bundle beside the previous one; its random position decides where and on which side. */
 function moveBeside(stroke: Stroke, beside: Stroke, spacing: number): void {
   const [along, across] = stroke.across ? [stroke.v, stroke.u] : [stroke.u, stroke.v];
   const [sideChance, distanceChance] = [Math.floor(2 * across), (2 * across) % 1];
   const distance = spacing * (1 + BUNDLE_SPREAD * (2 * distanceChance - 1));
-  // Neighbours lie across the layer, so that their middles are this far from each other along the other axis.
+  // Neighbours lie across the layer; this is the distance of their middles along the other axis.
   const sideways = distance * Math.sqrt(1 + beside.slope * beside.slope) * (2 * sideChance - 1);
   const newAlong = nearPlace(stroke.across ? beside.v : beside.u, stroke.length, along);
   const moved = newAlong - (stroke.across ? beside.v : beside.u);
@@ -106,10 +106,10 @@ function moveBeside(stroke: Stroke, beside: Stroke, spacing: number): void {
   stroke.v = stroke.across ? newAlong : wrapped;
 }
 
-/** How far a curved stroke may move along itself, as a share of its length. */
+/** Largest move of a curved stroke along itself, as a share of its length. */
 const NEAR = 0.15;
 
-/** A place a little before or behind another, 0 to 1. `chance` is from 0 to 1. */
+/** A place a little before or behind another, both 0 to 1. `chance` is from 0 to 1. */
 function nearPlace(place: number, length: number, chance: number): number {
   return toGrid(place + NEAR * length * (2 * chance - 1));
 }

@@ -32,8 +32,8 @@ export function sortedIndices(values: Float32Array): Uint32Array {
 }
 
 /**
- * Histogram equalization: replaces the numbers of `field`, which must not be negative, by others in the same order that are
- * evenly distributed over (0, 1).
+ * Histogram equalization: replaces the non-negative numbers of `field` by numbers in the same order that are evenly distributed over (0,
+ * 1).
  */
 export function equalize(field: Float32Array): Float32Array {
   const order = sortedIndices(field);

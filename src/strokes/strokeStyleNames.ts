@@ -1,4 +1,4 @@
-/** The names of the stroke styles, for who must know them without being able to draw them. */
+/** The names of the stroke styles, separate from the code that draws them. */
 export const STROKE_STYLE_NAMES = [
   'hatching',
   'crossHatching',

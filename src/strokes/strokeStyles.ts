@@ -4,7 +4,7 @@ import { STROKE_WIDTHS } from './strokeWidths.js';
 
 const along: StrokeLayer = { across: false, slope: 0, from: 0, thresholdsFrom: 0 };
 
-/** A style but for its widths. */
+/** A style without its widths. */
 type StrokeShape = Omit<StrokeStyle, 'width' | 'widthRange'>;
 
 const hatching: StrokeShape = {
@@ -33,7 +33,7 @@ const stippling: StrokeShape = {
   thresholds: { maxInk: 0.5, swell: 0.05, proposals: 48 },
 };
 
-// The styles are made by a function, because a bundler must assume that a spread has side effects, and would never drop a constant.
+// A function makes the styles: bundlers assume that a spread has side effects, and would never drop a constant.
 // biome-ignore lint/complexity/noExcessiveLinesPerFunction: it is a table.
 const makeStyles = () =>
   ({

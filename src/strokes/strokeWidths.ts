@@ -7,7 +7,7 @@ type StrokeWidths = Pick<StrokeStyle, 'width' | 'widthRange'>;
 const PEN = [1.2, 2.6] as const;
 const DOT = [1.65, 2.5] as const;
 
-/** The widths of each style, for who must know them before a map is drawn, without being able to draw it. */
+/** The widths of each style, separate from the code that draws it. */
 export const STROKE_WIDTHS: Readonly<Record<StrokeStyleName, StrokeWidths>> = {
   hatching: { width: 1.9, widthRange: PEN },
   crossHatching: { width: 1.9, widthRange: PEN },

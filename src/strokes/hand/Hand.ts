@@ -1,7 +1,7 @@
-/** The part of a swatch that a person drew: how dark it was meant. */
+/** The intended darkness of a swatch. */
 export type SwatchTone = 'light' | 'middle' | 'dark';
 
-/** A stroke as a person drew it: a polyline with a width at every point. */
+/** A stroke drawn by a person: a polyline with a width at every point. */
 export interface HandStroke {
   /** x0, y0, x1, y1, … in millimetres on the sheet, x to the right and y down, in the order of drawing; two points or more. */
   points: readonly number[];
@@ -11,7 +11,7 @@ export interface HandStroke {
   swatch?: SwatchTone | undefined;
 }
 
-/** What was learnt from the strokes of a hand. Lengths are in millimetres, angles in degrees. */
+/** The numbers learnt from the strokes of a hand. Lengths are in millimetres, angles in degrees. */
 export interface HandNumbers {
   /** Mean length of a stroke. */
   length: number;
@@ -36,22 +36,19 @@ export interface HandNumbers {
   angleSpread: number;
   /** Mean distance between the centre lines of neighbouring strokes of one layer, across them, in the middle swatch. */
   spacing: number;
-  /** Standard deviation of that distance, as a share of `spacing`: 0 is ruled, 1 is by chance. */
+  /** Standard deviation of that distance, as a share of `spacing`: 0 is ruled, 1 is random. */
   spacingSpread: number;
-  /**
-   * How much strokes stand in groups: 1 less the median of the distances between neighbours over their mean. 0 is evenly, towards 1 in
-   * bundles with gaps.
-   */
+  /** How much strokes stand in groups: 1 − median / mean of the distances between neighbours. 0 is even; towards 1, bundles with gaps. */
   clustering: number;
   /** The share of a stroke's length that runs beside the next stroke of its row end to end; negative leaves gaps. */
   overlap: number;
   /** The angle from the first layer to the second, −90 to 90, clockwise on the sheet; 0 where nothing is crossed. */
   crossingAngle: number;
-  /** The tone from 0 (paper) to 1 from which strokes are crossed; 1 for never. */
+  /** The tone from 0 (paper) to 1 from which strokes are crossed; 1: never. */
   crossingFrom: number;
 }
 
-/** A person's hand: strokes and what was learnt from them. It is plain data and survives JSON. */
+/** A person's hand: strokes, and the numbers learnt from them. It is plain data and survives JSON. */
 export interface Hand {
   /** The version of this format: 1. */
   version: 1;
@@ -59,6 +56,6 @@ export interface Hand {
   name?: string | undefined;
   strokes: readonly HandStroke[];
   numbers: HandNumbers;
-  /** Whether maps may also draw the strokes mirrored, which gives more variety; their bends to one side are lost. Default false. */
+  /** Whether maps may also draw the strokes mirrored: more variety, but bends to one side are lost. Default false. */
   mirror?: boolean | undefined;
 }

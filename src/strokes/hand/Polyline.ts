@@ -1,15 +1,15 @@
 import type { HandStroke } from './Hand.js';
 
-/** A stroke with the length of its path up to every point. No two points of it coincide. */
+/** A stroke with the path length at every point. No two successive points coincide. */
 export interface Polyline {
   x: Float64Array;
   y: Float64Array;
   width: Float64Array;
-  /** The path from the first point, in millimetres. */
+  /** The path length from the first point, in millimetres. */
   path: Float64Array;
 }
 
-/** The length of a vector. Unlike `Math.hypot` it is rounded the same on every machine, so that maps of a hand are the same. */
+/** The length of a vector. Unlike `Math.hypot` it is rounded the same on every machine, so that maps of a hand are identical. */
 export const distance = (x: number, y: number): number => Math.sqrt(x * x + y * y);
 
 /** The polyline of a stroke, without points that repeat the one before. */
@@ -23,7 +23,7 @@ export function polylineOf({ points, widths }: HandStroke): Polyline {
   for (let i = 0; i < count; i++) {
     const step = last < 0 ? 0 : distance(points[2 * i] - x[last], points[2 * i + 1] - y[last]);
     if (last >= 0 && step === 0) {
-      // A pen that rests presses on: the widest mark stays.
+      // Repeated points keep the largest width.
       width[last] = Math.max(width[last], widths[i]);
       continue;
     }

@@ -4,8 +4,8 @@ import { checkHandNumbers, checkIsObject } from './handNumbers.js';
 /**
  * Checks that a value, such as one read from JSON, is a hand.
  *
- * @param caller the function that is named in the error
- * @throws TypeError or RangeError that says in a sentence what is wrong
+ * @param caller the function named in the error
+ * @throws TypeError or RangeError with the fault
  */
 export function checkHand(caller: string, hand: unknown): asserts hand is Hand {
   checkIsObject(caller, hand);
@@ -24,16 +24,16 @@ export function checkHand(caller: string, hand: unknown): asserts hand is Hand {
 /** The largest number of points of all strokes together. */
 export const MAX_POINTS = 100_000;
 
-/** The largest coordinate and width, in millimetres: far more than any sheet, and far from where numbers overflow. */
+/** The largest coordinate and width, in millimetres: far more than any sheet, and far below overflow. */
 const MAX_MILLIMETRES = 10_000;
 
 const SWATCHES: readonly SwatchTone[] = ['light', 'middle', 'dark'];
 
 /**
- * Checks that values are strokes as a person may have drawn them.
+ * Checks that values are strokes drawn by a person.
  *
- * @param caller the function that is named in the error
- * @throws TypeError if something is not of its kind; RangeError if there is no stroke, too many points, or a number out of its range
+ * @param caller the function named in the error
+ * @throws TypeError for a wrong type; RangeError for no strokes, too many points, or a number out of range
  */
 export function checkStrokes(caller: string, strokes: unknown): asserts strokes is readonly HandStroke[] {
   if (!Array.isArray(strokes)) {
@@ -62,13 +62,13 @@ function checkStroke(name: string, stroke: Partial<HandStroke> | null): asserts 
       `${name} has ${points.length} coordinates and ${widths.length} widths, but needs x, y and a width for every point.`,
     );
   }
-  // No loop over millions of numbers before the sentence that there are too many.
+  // Checked first, to avoid a loop over millions of numbers.
   if (widths.length > MAX_POINTS) {
     throw new RangeError(`${name} has ${widths.length} points, but all strokes together may have ${MAX_POINTS}.`);
   }
   if (widths.length < 2) throw new RangeError(`${name} has ${widths.length} points, but a stroke needs two or more.`);
   for (let i = 0; i < points.length; i++) {
-    // JSON has null for what is no number, which would count as 0.
+    // JSON stores NaN as null, which would count as 0.
     if (typeof points[i] !== 'number' || !(Math.abs(points[i]) <= MAX_MILLIMETRES)) {
       throw new RangeError(
         `${name}.points[${i}] is ${String(points[i])}, but must be a number from −${MAX_MILLIMETRES} to ${MAX_MILLIMETRES} mm.`,
@@ -89,7 +89,7 @@ function checkStroke(name: string, stroke: Partial<HandStroke> | null): asserts 
   }
 }
 
-/** Arrays of numbers, and typed ones, which whoever records a pen may use. */
+/** Whether a value is an array or typed array; programs that record a pen may use either. */
 const isList = (value: unknown): value is readonly number[] =>
   Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
 

@@ -1,7 +1,7 @@
 import type { Hand } from './Hand.js';
 import { checkHandNumbers } from './handNumbers.js';
 
-/** By what a hand is scaled to lines and outlines. */
+/** The sizes of lines and outlines that a hand is scaled to. */
 export interface EngravedHandOptions {
   /** The `lineSpacing` of the material. Default 4.5. */
   lineSpacing?: number | undefined;
@@ -17,34 +17,37 @@ export interface EngravedHand {
   outlines: { taper: number; accents: number; wobble: number };
 }
 
-/** What makes a hand as unsteady as lines get: a spread of widths, of distances, and a wobble as a share of the distance. */
+/**
+ * Values at which lines are as unsteady as possible: the spread of widths, the spread of distances, and the wobble as a share of the
+ * distance.
+ */
 const MOST_WIDTH_SPREAD = 0.3;
 const MOST_SPACING_SPREAD = 0.8;
 const MOST_WOBBLE = 0.2;
 
-/** Strokes as long as so many distances of lines, at least and at most. */
+/** Bounds of the length of strokes, in distances between lines. */
 const [SHORTEST, LONGEST] = [3, 80];
 
-/** Tapers of a fifth at both ends are those of the outlines' default. */
+/** Factor on tapers: a fifth at both ends gives the outlines' default. */
 const TAPER = 2;
-/** A pressure whose widths spread by a quarter gives the accents of the outlines' default. */
+/** Factor on the pressure: a spread of widths of a quarter gives the accents of the outlines' default. */
 const ACCENTS = 2;
 const MOST_ACCENTS = 1.5;
-/** The wobble of outlines, as a share of their width, is at most this. */
+/** Largest wobble of outlines, as a share of their width. */
 const MOST_OUTLINE_WOBBLE = 2;
 
 const clamp = (value: number, from: number, to: number): number => Math.max(from, Math.min(to, value));
 
 /**
- * The properties by which the lines of `engraved` and outlines, which are not drawn from a map, come from the same hand: how unsteady it
- * is, how long its strokes are, from which tone and at which angle they cross, and how outlines taper, press and wobble.
+ * The properties that make `engraved` lines and outlines, which are not drawn from a map, match a hand: unsteadiness, length of strokes,
+ * tone and angle of crossing, and the taper, pressure and wobble of outlines.
  *
  * ```ts
  * const { material, outlines } = engravedHand(hand);
  * applyHatching(scene, { material: { technique: 'engraved', ...material }, outlines });
  * ```
  *
- * @throws TypeError or RangeError that says in a sentence what is wrong with the hand
+ * @throws TypeError or RangeError with the fault of the hand
  */
 export function engravedHand(
   hand: Pick<Hand, 'numbers'>,

@@ -1,12 +1,12 @@
 import type { Hand, HandNumbers } from './Hand.js';
 
-/** The values that a number of a hand may have. */
+/** The range of a number of a hand. */
 export interface HandNumberRange {
   from: number;
   to: number;
 }
 
-/** The values that each number of a hand may have, in its unit. Lengths in millimetres may be anything that a pen draws. */
+/** The range of each number of a hand, in its unit. Lengths in millimetres may be anything that a pen draws. */
 export const HAND_NUMBER_RANGES: Readonly<Record<keyof HandNumbers, HandNumberRange>> = {
   length: { from: 0.001, to: 10_000 },
   lengthSpread: { from: 0, to: 2 },
@@ -29,10 +29,10 @@ export const HAND_NUMBER_RANGES: Readonly<Record<keyof HandNumbers, HandNumberRa
 export const HAND_NUMBER_NAMES = /* @__PURE__ */ Object.keys(HAND_NUMBER_RANGES) as (keyof HandNumbers)[];
 
 /**
- * Checks that a value has the numbers of a hand. Its strokes are not looked at.
+ * Checks that a value has the numbers of a hand. Its strokes are not checked.
  *
- * @param caller the function that is named in the error
- * @throws TypeError or RangeError that says in a sentence what is wrong
+ * @param caller the function named in the error
+ * @throws TypeError or RangeError with the fault
  */
 export function checkHandNumbers(caller: string, hand: unknown): asserts hand is Pick<Hand, 'numbers'> {
   checkIsObject(caller, hand);

@@ -17,27 +17,27 @@ export interface LearnHandOptions {
   maxPoints?: number | undefined;
 }
 
-/** Swatches by how well spacing is told from them: it is that of the middle one. */
+/** Swatches by their precedence for the spacing, which is defined by the middle one. */
 const BY_SPACING: readonly SwatchTone[] = ['middle', 'dark', 'light'];
 
-/** The tones from which strokes are crossed, by the lightest swatch in which they are. */
+/** The tones from which strokes are crossed, by the lightest crossed swatch. */
 const CROSSED_FROM: Readonly<Record<SwatchTone, number>> = { light: 0.125, middle: 0.375, dark: 0.625 };
 
-/** Of a lone stroke nothing stands beside: the distance of its neighbours, in widths. */
+/** Spacing of a lone stroke, which has no neighbours, in widths. */
 const LONE_SPACING = 3;
-/** And how evenly they stand. */
+/** Spread of the spacing of a lone stroke. */
 const LONE_SPREAD = 0.3;
 
-/** Strokes that are measured between two reports of progress, which takes about a millisecond. */
+/** Strokes measured between two yields, in about a millisecond. */
 const STROKES_PER_SLICE = 50;
 
 /**
- * Learns a hand from strokes: measures what is theirs (`HandNumbers`) and keeps them, resampled to steady steps of at most
- * `maxPoints` points and thousandths of a millimetre. Strokes that turn back are taken apart at their turns; dots are left out. It
- * needs no more than a few strokes: what they do not tell, such as the spacing of a lone stroke, is set to what hands usually do.
+ * Learns a hand from strokes: measures their properties (`HandNumbers`) and keeps them, resampled to even steps of at most `maxPoints`
+ * points, in thousandths of a millimetre. Strokes that turn back are split at their turns; dots are left out. A few strokes are enough:
+ * numbers that they do not show, such as the spacing of a lone stroke, are set to typical values.
  *
- * @param strokes as they were drawn, at most 100,000 points together
- * @throws TypeError or RangeError that says in a sentence what is wrong with the strokes or the options
+ * @param strokes the strokes as drawn, at most 100,000 points in total
+ * @throws TypeError or RangeError with the fault of the strokes or the options
  */
 export function learnHand(strokes: readonly HandStroke[], options: LearnHandOptions = {}): Hand {
   const steps = learnHandSteps({ strokes, options });
@@ -53,7 +53,7 @@ export interface LearnHandRequest {
   options?: LearnHandOptions | undefined;
 }
 
-/** Does what `learnHand` does, in slices of about a millisecond. Yields progress in [0, 1]. */
+/** Like `learnHand`, in slices of about a millisecond. Yields progress in [0, 1]. */
 export function* learnHandSteps({ strokes, options = {} }: LearnHandRequest): Generator<number, Hand, void> {
   const { name, maxStrokes, maxPoints } = checkLearning(options);
   checkStrokes('learnHand', strokes);
@@ -78,7 +78,7 @@ export function* learnHandSteps({ strokes, options = {} }: LearnHandRequest): Ge
   };
 }
 
-/** Pathological strokes, such as one long one among thousands of ticks, may go beyond what a hand can have. */
+/** Clamps numbers to their ranges. Unusual strokes, such as one long one among thousands of ticks, may exceed them. */
 function withinRanges(numbers: HandNumbers): HandNumbers {
   const result = { ...numbers };
   for (const name of HAND_NUMBER_NAMES) {
@@ -148,7 +148,7 @@ function numbersOfLayers(layers: readonly HandLayer[]) {
 const strokesIn = ({ strokes }: HandLayer, swatch: SwatchTone): StrokeMeasure[] =>
   strokes.filter((stroke) => stroke.swatch === swatch);
 
-/** The deviation from the mean of each layer and swatch: a sheet may be turned from swatch to swatch. */
+/** The deviation from the mean of each layer and swatch, since a sheet may be turned from swatch to swatch. */
 function angleSpreadOf(layers: readonly HandLayer[]): number {
   let squares = 0;
   let free = 0;
@@ -193,7 +193,7 @@ function* numbersOfSpacing(
   };
 }
 
-/** At most so many strokes, evenly from all. */
+/** At most `most` strokes, evenly selected. */
 function kept(measures: readonly StrokeMeasure[], most: number): StrokeMeasure[] {
   const count = Math.min(most, measures.length);
   return Array.from({ length: count }, (_, i) => measures[Math.floor((i * measures.length) / count)]);
@@ -201,7 +201,7 @@ function kept(measures: readonly StrokeMeasure[], most: number): StrokeMeasure[]
 
 /** The points of a stroke as plain data. */
 function strokeOf(line: Polyline, swatch: SwatchTone, maxPoints: number): HandStroke {
-  // Adding 0 makes −0 to 0, which JSON would do.
+  // Adding 0 turns −0 into 0, as JSON does.
   const thousandths = (value: number): number => Math.round(1000 * value) / 1000 + 0;
   const { x, y, width } = resample(line, line.path.length > 2 ? maxPoints : 2);
   return {

@@ -2,13 +2,13 @@ import type { SwatchTone } from './Hand.js';
 import { arcAt, type StrokeMeasure } from './measureStroke.js';
 import type { HandLayer } from './separateLayers.js';
 
-/** Lines across a swatch along which neighbours are looked for. */
+/** Scan lines across a swatch along which neighbours are searched. */
 const SCANS = 41;
 
-/** Strokes that are looked at: of more, those in the middle of the swatch. */
+/** Largest number of strokes that are measured: of more, those in the middle of the swatch. */
 const MOST = 1500;
 
-/** Lines count that meet at least this share of the strokes that lines meet at the median: others lie at the border of the swatch. */
+/** Scan lines that meet fewer strokes than this share of the median are ignored: they lie at the border of the swatch. */
 const LEAST_MET = 0.9;
 
 /** The next stroke of a row begins beyond this share of a stroke's length, measured from middle to middle. */
@@ -17,33 +17,33 @@ const NEXT_BEYOND = 0.4;
 const NEXT_WITHIN = 0.7;
 /** It lies at most this share of the distance of neighbours beside the stroke. */
 const NEXT_BESIDE = 0.4;
-/** Strokes beside a stroke's end that are tried as the next of its row. */
+/** Strokes beside a stroke's end that are tested as the next of its row. */
 const TRIED_NEXT = 64;
-/** Rows are only believed if this share of the strokes has a next one. */
+/** Rows are accepted if this share of the strokes has a next one. */
 const ROWS_SHARE = 0.25;
 
-/** How the strokes of one layer stand in one swatch. */
+/** The spacing of the strokes of one layer in one swatch. */
 export interface SwatchSpacing {
   swatch: SwatchTone;
   /** The number of pairs of neighbours that were measured. */
   pairs: number;
   /** Mean distance of neighbours, in millimetres. */
   spacing: number;
-  /** Its standard deviation as a share of it. */
+  /** Its standard deviation, as a share of it. */
   spread: number;
-  /** 1 less the median over the mean. */
+  /** 1 − median / mean of the distances. */
   clustering: number;
-  /** The share of the length that runs beside the next stroke of the row; undefined where there are no rows. */
+  /** The share of the length beside the next stroke of the row; undefined without rows. */
   overlap: number | undefined;
 }
 
-/** A stroke as it is seen along its layer. */
+/** A stroke in the coordinates of its layer. */
 interface Span {
   from: number;
   to: number;
   stroke: StrokeMeasure;
   sign: number;
-  /** From where to where it counts as the only stroke of its row. */
+  /** The range in which it counts as the only stroke of its row. */
   rowFrom: number;
   rowTo: number;
 }
@@ -91,7 +91,7 @@ function spanOf(stroke: StrokeMeasure): Span {
   return { from, to, stroke, sign: b < a ? -1 : 1, rowFrom: from, rowTo: to };
 }
 
-/** Where a stroke lies across its layer; beyond its ends it goes on as it ended. */
+/** The position of a stroke across its layer; beyond its ends it is extrapolated. */
 function acrossAt({ from, to, stroke, sign }: Span, along: number): number {
   const s = Math.max(-1, Math.min(1, (2 * along - from - to) / (to - from || 1)));
   return arcAt(stroke, 1, sign * s);
@@ -105,8 +105,8 @@ interface Pair {
 }
 
 /**
- * The pairs of strokes that lie side by side: every stroke with the one that lies next to it for most of its length. Where that has
- * ended, the one beyond it is no neighbour.
+ * The pairs of strokes side by side: each stroke with the one next to it for most of its length. Where that has ended, the one beyond it is
+ * no neighbour.
  */
 function neighbours(spans: readonly Span[]): Pair[] {
   const first = spans.reduce((least, { from }) => Math.min(least, from), Infinity);
@@ -152,8 +152,8 @@ function quantile(pairs: readonly Pair[], share: number): number {
 }
 
 /**
- * Finds for every stroke the one that follows it end to end in its row. Where two overlap or leave a gap, each counts as the only
- * stroke of the row up to the middle of that, so that neighbours are those of other rows.
+ * Finds for each stroke the one that follows it end to end in its row. Where two overlap or leave a gap, each counts as the only stroke of
+ * the row up to the middle, so that neighbours belong to other rows.
  *
  * @returns the mean overlap as a share of the mean length; undefined if the strokes do not stand in rows
  */
@@ -191,7 +191,7 @@ function followRows(spans: Span[], spacing: number): number | undefined {
   return -links.reduce((sum, { gap }) => sum + gap, 0) / links.length / length;
 }
 
-/** The index of the first span that begins there or later. */
+/** The index of the first span that begins at `from` or later. */
 function firstFrom(byStart: readonly Span[], from: number): number {
   let [low, high] = [0, byStart.length];
   while (low < high) {

@@ -2,13 +2,13 @@ import type { SwatchTone } from './Hand.js';
 import { measureTapers, type Tapers } from './measureTapers.js';
 import { distance, type Polyline, resample } from './Polyline.js';
 
-/** The number of points at which a stroke is measured. */
+/** The number of points at which a stroke is sampled. */
 const SAMPLES = 65;
 
 /** The mean of the squares of −1 to 1 at the samples, which makes the parabola of an arc independent of its straight part. */
 const MEAN_SQUARE = (SAMPLES + 1) / (3 * (SAMPLES - 1));
 
-/** What is measured of one stroke. Lengths are in millimetres; its smooth arc is middle + forward·s + bend·(s² − m), s from −1 to 1. */
+/** The measures of one stroke. Lengths are in millimetres; its smooth arc is middle + forward·s + bend·(s² − m), s from −1 to 1. */
 export interface StrokeMeasure {
   line: Polyline;
   swatch: SwatchTone;
@@ -32,7 +32,7 @@ function placeOf(sample: number): number {
   return (2 * sample) / (SAMPLES - 1) - 1;
 }
 
-/** The place along the smooth arc, and across it, at s from −1 to 1. */
+/** A coordinate of the smooth arc at s from −1 to 1. */
 export const arcAt = ({ middle, forward, bend }: StrokeMeasure, axis: 0 | 1, s: number): number =>
   middle[axis] + forward[axis] * s + bend[axis] * (s * s - MEAN_SQUARE);
 
@@ -53,7 +53,7 @@ export function measureStroke(line: Polyline, swatch: SwatchTone): StrokeMeasure
     middle: [x.middle, y.middle] as const,
     forward,
     bend,
-    // At its middle the arc lies by −bend off the chord. The right-hand side of (cosine, sine) is (−sine, cosine), since y goes down.
+    // In the middle the arc lies −bend off the chord. The right-hand side of (cosine, sine) is (−sine, cosine), since y goes down.
     curvature: (sine * bend[0] - cosine * bend[1]) / (2 * half),
     tapers,
     widths: fullWidths(samples.width, tapers),
@@ -71,7 +71,7 @@ export function measureStroke(line: Polyline, swatch: SwatchTone): StrokeMeasure
   return measure;
 }
 
-/** The least squares of a coordinate as a parabola. */
+/** Fits a parabola to a coordinate by least squares. */
 function fitArc(values: Float64Array): { middle: number; forward: number; bend: number } {
   let sum = 0;
   let forward = 0;

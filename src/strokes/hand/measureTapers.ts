@@ -1,6 +1,6 @@
-/** Steps of the lengths that are tried, as a share of the stroke: 1/STEPS. */
+/** Lengths are tried in steps of 1/STEPS of the stroke. */
 const STEPS = 64;
-/** Every so many steps are tried first. */
+/** The first search uses every COARSE-th step. */
 const COARSE = 4;
 
 /** An end counts as tapered if its tip is thinner than the stroke by more than this share of the full width. */
@@ -17,9 +17,9 @@ export interface Tapers {
 }
 
 /**
- * Fits a width that grows steadily, stays, and shrinks steadily: of all lengths of the two ends, those with the least squares.
+ * Fits a width that grows linearly, stays, and shrinks linearly, by least squares over the lengths of the two ends.
  *
- * @param width the widths at steady steps from start to end
+ * @param width the widths at even steps from start to end
  */
 export function measureTapers(width: Float64Array): Tapers {
   const fit = bestFit(width);
@@ -36,7 +36,7 @@ interface Fit {
   start: number;
   end: number;
   full: number;
-  /** By how much the tips are thinner. */
+  /** How much thinner the tips are. */
   startDrop: number;
   endDrop: number;
   /** The sum of squares that the fit explains. */
@@ -63,7 +63,7 @@ function bestFit(width: Float64Array): Fit {
   return best;
 }
 
-/** How far a place is inside of a tapered end of so many steps: 1 at the tip, 0 from its full width on. */
+/** How far a place is within a tapered end of `steps` steps: 1 at the tip, 0 from its full width on. */
 const inside = (place: number, steps: number): number => (steps > 0 ? Math.max(0, 1 - (place * STEPS) / steps) : 0);
 
 /** The least squares of width = full − startDrop·inside(x) − endDrop·inside(1 − x). */
@@ -95,7 +95,7 @@ function fitTo(
     (sum - shareStart * fromStart - shareEnd * fromEnd) / (last + 1 - shareStart * sumStart - shareEnd * sumEnd);
   const startDrop = squareStart > 0 ? (full * sumStart - fromStart) / squareStart : 0;
   const endDrop = squareEnd > 0 ? (full * sumEnd - fromEnd) / squareEnd : 0;
-  // Ends that grow thicker are no tapers.
+  // Ends that become wider are no tapers.
   if (startDrop < 0 || endDrop < 0 || !Number.isFinite(full)) {
     return { start: 0, end: 0, full: sum / (last + 1), startDrop: 0, endDrop: 0, explained: Number.NEGATIVE_INFINITY };
   }

@@ -1,31 +1,30 @@
 import type { StrokeMeasure } from './measureStroke.js';
 
-/** Strokes of one direction. */
+/** The strokes of one direction. */
 export interface HandLayer {
   strokes: StrokeMeasure[];
   /** The direction in which most of them were drawn, in radians, clockwise from x. */
   angle: number;
 }
 
-/** Steps of half a turn in which directions are looked for. */
+/** Bins of the histogram of directions over half a turn. */
 const BINS = 180;
-/** Directions are blurred by this many degrees. */
+/** Blur of that histogram, in degrees. */
 const BLUR = 6;
-/** Two layers are at least this many degrees apart. */
+/** Least angle between two layers, in degrees. */
 const LEAST_APART = 20;
-/** They are also so many times as far apart as their own directions spread. */
+/** Least angle between two layers, as a multiple of the spread of their directions. */
 const TIMES_SPREAD = 4;
-/** A layer has at least this share of the ink of the largest. */
+/** Least ink of a layer, as a share of that of the largest. */
 const LEAST_SHARE = 0.1;
-/** This share of the strokes of a second layer crosses a stroke of the first. */
+/** Least share of the strokes of a second layer that cross a stroke of the first. */
 const CROSSING_SHARE = 0.3;
-/** Strokes of a layer that are tried for crossings: enough to tell. */
+/** Strokes of a layer that are tested for crossings. */
 const TRIED = 80;
 
 /**
- * Separates strokes into layers of one direction each, which cross. The first is the layer that is there in the lightest swatch; of
- * several, the one with the most ink. Strokes of other directions that cross nothing, such as a swatch that was drawn with the sheet
- * turned, belong to the first.
+ * Separates strokes into crossing layers of one direction each. The first is the layer in the lightest swatch; of several, the one with the
+ * most ink. Strokes of other directions that cross nothing, such as a swatch drawn with the sheet turned, belong to the first.
  */
 export function separateLayers(strokes: readonly StrokeMeasure[]): HandLayer[] {
   const peaks = peaksOf(strokes);
@@ -52,7 +51,7 @@ const degreesOf = ({ angle }: StrokeMeasure): number => (((angle * 180) / Math.P
 
 const apart = (a: number, b: number): number => Math.abs(((a - b + 270) % 180) - 90);
 
-/** The directions that many strokes have, in degrees, the most ink first. */
+/** The most frequent directions of strokes, in degrees, weighted by ink, the largest first. */
 function peaksOf(strokes: readonly StrokeMeasure[]): number[] {
   const ink = new Float64Array(BINS);
   for (const stroke of strokes) ink[Math.floor(degreesOf(stroke)) % BINS] += stroke.length;
@@ -109,7 +108,7 @@ function isApart(first: HandLayer, second: HandLayer): boolean {
   return between >= LEAST_APART && between >= TIMES_SPREAD * spread;
 }
 
-/** Whether enough strokes of the second group cross any of the first. */
+/** Whether enough strokes of the second group cross one of the first. */
 function crosses(second: readonly StrokeMeasure[], first: readonly StrokeMeasure[]): boolean {
   const some = (strokes: readonly StrokeMeasure[]): readonly StrokeMeasure[] => {
     const step = Math.ceil(strokes.length / TRIED);

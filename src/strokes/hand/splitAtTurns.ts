@@ -1,17 +1,17 @@
 import { distance, meanWidth, type Polyline, part } from './Polyline.js';
 
-/** The cosine of the largest angle between a stroke and the way it has gone so far: 80 degrees. */
+/** The cosine of the largest angle between a stroke and its direction so far: 80 degrees. */
 const TURN = 0.17;
 
-/** The tremor of a hand, in millimetres: shorter detours are no turns. */
+/** The tremor of a hand, in millimetres. Shorter detours are no turns. */
 const TREMOR = 0.5;
 
 /** A piece shorter than this many widths is a dot or a hook. */
 const SHORTEST = 1.5;
 
 /**
- * Splits a stroke where it turns back, as a scribble does that is drawn without lifting the pen. Every piece goes forward along its
- * chord, so that its bends can be told by their distance from it. Dots, and hooks at the ends, are left out.
+ * Splits a stroke where it turns back, as in a scribble drawn without lifting the pen. Every piece runs forward along its chord, so that
+ * its bends are distances from the chord. Dots, and hooks at the ends, are left out.
  */
 export function splitAtTurns(line: Polyline): Polyline[] {
   const count = line.path.length;

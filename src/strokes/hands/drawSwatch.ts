@@ -2,16 +2,16 @@ import type { HandStroke, SwatchTone } from 'three-hatching';
 import { type Random, random } from '../random.js';
 import type { PenHabits } from './exampleHabits.js';
 
-/** The side of a swatch and the distance from one to the next, in millimetres. */
+/** The side of a swatch, and the distance between two swatches, in millimetres. */
 const SIDE = 15.5;
 const STEP = 22;
 const TONES: readonly SwatchTone[] = ['light', 'middle', 'dark'];
 /** Millimetres between the points of a stroke, at most. */
 const SPACING = 0.5;
-/** Strokes that a pen makes to and fro before it is lifted. */
+/** Strokes drawn to and fro before the pen is lifted. */
 const ZIGZAG = 9;
 
-/** Strokes as somebody with these habits draws them: swatches of 15.5 mm in a row, light, middle and dark. */
+/** Draws swatches of 15.5 mm in a row, light, middle and dark, with the given habits. */
 export function drawSwatches(habits: PenHabits, seed: number): HandStroke[] {
   return TONES.flatMap((tone, i) => drawSwatch(habits, tone, [STEP * (i + 0.5), 0.5 * STEP], seed * TONES.length + i));
 }
@@ -29,11 +29,11 @@ function drawSwatch(
   return angles.flatMap((angle) => drawLayer(habits, swatch, angle, middle, next));
 }
 
-/** Where a stroke is set down: x along the layer, y across it, from the middle of the swatch. */
+/** The start of a stroke: x along the layer, y across it, from the middle of the swatch. */
 interface Place {
   x: number;
   y: number;
-  /** Which of the rows it belongs to. */
+  /** The index of its row. */
   row: number;
 }
 
@@ -70,7 +70,7 @@ function drawLayer(
   return strokes;
 }
 
-/** Rounds the turns of a pen that goes to and fro: its corners are cut (Chaikin 1974). */
+/** Rounds the turns of a zigzag by cutting its corners (Chaikin 1974). */
 function rounded({ points, widths }: { points: number[]; widths: number[] }): { points: number[]; widths: number[] } {
   const last = widths.length - 1;
   const cut: { points: number[]; widths: number[] } = { points: points.slice(0, 2), widths: [widths[0]] };
@@ -139,7 +139,7 @@ function taperAt({ taperStart, taperEnd, tips }: PenHabits, place: number): numb
   return (tips[0] + (1 - tips[0]) * from) * (tips[1] + (1 - tips[1]) * to);
 }
 
-/** A smooth line by chance around 0, with a deviation of 1, that crosses it about every `wave` of its length. */
+/** A smooth random function around 0, with a deviation of 1, that crosses zero about every `wave` of the length. */
 function strayOf(length: number, wave: number, next: Random): (place: number) => number {
   const knots = Math.max(2, Math.round(length / wave) + 1);
   const values = Array.from({ length: knots + 3 }, () => gaussian(next));
@@ -155,5 +155,5 @@ function strayOf(length: number, wave: number, next: Random): (place: number) =>
 
 const gaussian = (next: Random): number => Math.sqrt(-2 * Math.log(1 - next())) * Math.cos(2 * Math.PI * next());
 
-/** Adding 0 makes −0 to 0, as JSON does. */
+/** Rounds to thousandths. Adding 0 turns −0 into 0, as JSON does. */
 const thousandths = (value: number): number => Math.round(1000 * value) / 1000 + 0;

@@ -1,6 +1,6 @@
 import type { SwatchTone } from 'three-hatching';
 
-/** How somebody draws, in numbers. Lengths are in millimetres, angles in degrees, clockwise on the sheet. */
+/** The parameters of a way to draw. Lengths are in millimetres, angles in degrees, clockwise on the sheet. */
 export interface PenHabits {
   /** Mean length of a stroke, and its deviation as a share of it. */
   length: number;
@@ -34,13 +34,13 @@ export interface PenHabits {
   raggedness: number;
   /** The share of the length that runs beside the next stroke of the row; negative leaves gaps. */
   overlap: number;
-  /** The second layer, and the lightest swatch that has it. */
+  /** The angle of the second layer, and the lightest swatch that has it. */
   crossing?: { angle: number; from: SwatchTone } | undefined;
   /** Whether strokes go to and fro without lifting the pen. */
   isZigzag: boolean;
 }
 
-/** Six people who draw differently. */
+/** Six different ways to draw. */
 export const exampleHabits = {
   /** A steel pen with a fine nib: long even strokes that lift off softly, crossed in the dark. */
   finePen: {

@@ -2,13 +2,13 @@ import { type Hand, learnHand } from 'three-hatching';
 import { drawSwatches } from './drawSwatch.js';
 import { exampleHabits } from './exampleHabits.js';
 
-/** The names of six hands that differ clearly. */
+/** The names of the hands. */
 export type ExampleHandName = keyof typeof exampleHabits;
 
 /** The names of the hands that `exampleHand` draws. */
 export const exampleHandNames = /* @__PURE__ */ Object.keys(exampleHabits) as ExampleHandName[];
 
-/** Names for people. */
+/** The names shown to people. */
 const TITLES: Readonly<Record<ExampleHandName, string>> = {
   finePen: 'Fine pen',
   brush: 'Brush',
@@ -18,7 +18,7 @@ const TITLES: Readonly<Record<ExampleHandName, string>> = {
   stippleFlicks: 'Stipple flicks',
 };
 
-/** All strokes are kept: small ones are many. */
+/** High enough to keep all strokes, of which small ones are many. */
 const MOST_STROKES = 1000;
 
 /** Options of `exampleHand`. */
@@ -28,14 +28,14 @@ export interface ExampleHandOptions {
 }
 
 /**
- * Draws one of six hands: three swatches of strokes, light, middle and dark, and what `learnHand` learns from them. It is data like any
- * other hand, to draw maps with, to look at, or to begin one's own from.
+ * Draws one of six hands: three swatches of strokes, light, middle and dark, and the numbers that `learnHand` learns from them. It is data
+ * like any other hand: draw maps with it, look at it, or start your own from it.
  *
- * @throws RangeError if there is no such hand, or if the seed is no whole number
+ * @throws RangeError for an unknown name, or a seed that is no whole number
  */
 export function exampleHand(name: ExampleHandName, { seed = 1 }: ExampleHandOptions = {}): Hand {
   if (!Object.hasOwn(exampleHabits, name)) {
-    throw new RangeError(`exampleHand: there is no hand ${String(name)}, but ${exampleHandNames.join(', ')}.`);
+    throw new RangeError(`exampleHand: there is no hand "${String(name)}"; use one of ${exampleHandNames.join(', ')}.`);
   }
   if (!Number.isSafeInteger(seed)) {
     throw new RangeError(`exampleHand: seed is ${String(seed)}, but must be a whole number.`);

@@ -1,5 +1,5 @@
 /**
- * Six hands to begin with, drawn by numbers.
+ * Six example hands, generated from parameters.
  *
  * @module three-hatching/hands
  */

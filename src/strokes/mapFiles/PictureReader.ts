@@ -13,8 +13,8 @@ export interface GreyPicture {
 }
 
 /**
- * Reads the pictures of a map. All files are fetched at once. They are decoded one at a time, since each may need 250 MB during
- * that, and only on request: after a picture of a wrong size, no other is requested.
+ * Reads the pictures of a map. All files are fetched at once. They are decoded one at a time, on request, since decoding may take 250 MB:
+ * after a picture of a wrong size, no other is requested.
  */
 export class PictureReader {
   private readonly files = new Map<string, Promise<Uint8Array>>();
@@ -32,7 +32,7 @@ export class PictureReader {
   ) {
     for (const name of new Set(names)) {
       const file = withFileName(name, read(name));
-      // An error is reported when the picture is requested. If another picture has failed before, that never happens.
+      // Errors are reported when the picture is requested, which does not happen after another has failed.
       file.catch(() => {});
       this.files.set(name, file);
     }
@@ -80,7 +80,7 @@ export function fail(name: string, fault: string): never {
   throw new Error(`TonalArtMap.load: ${name} ${fault}.`);
 }
 
-/** Waits for work on a file. If it fails, the name of the file is put before the message of the error. */
+/** Waits for work on a file, and prefixes errors with the name of the file. */
 export async function withFileName<Result>(name: string, work: Promise<Result>): Promise<Result> {
   try {
     return await work;

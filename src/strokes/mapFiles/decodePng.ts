@@ -12,7 +12,7 @@ export interface Pixels {
 
 const PALETTE = 3;
 
-/** The number of compressed bytes that are inflated at once. A byte may become up to a thousand bytes. */
+/** Compressed bytes inflated at once. A byte may expand to a thousand bytes. */
 const PIECE = 1 << 14;
 
 /** The header of a PNG file. */
@@ -27,8 +27,8 @@ interface Header {
 /**
  * Decodes a PNG file of any kind except interlaced ones. Sixteen bits become eight; transparent pixels are blended onto white.
  *
- * An image element and a canvas would convert colours by profiles, round transparent pixels and, in some browsers, add noise
- * against fingerprinting. But a map is data, and must be read exactly as it was saved.
+ * An image element with a canvas would convert colours by profiles, round transparent pixels and, in some browsers, add noise against
+ * fingerprinting; a map is data and must be read exactly.
  *
  * @param maxSide the longest side that is accepted, in pixels
  * @throws Error whose message continues a sentence that begins with the file's name

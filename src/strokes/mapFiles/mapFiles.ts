@@ -7,8 +7,8 @@ export interface MapDescription {
   /** Width of the strokes in texels. Default: 2. */
   strokeTexels?: number;
   /**
-   * The image files, lightest tone first. For each tone there is either one name, and the other levels are made from that image, or
-   * a list of its levels, finest first. All tones have the same form.
+   * The image files, lightest tone first: either one name per tone, from which the other levels are made, or a list of its levels, finest
+   * first. All tones have the same form.
    */
   images: string[] | string[][];
   /** The files of the thresholds, finest level first. Without them, thresholds are derived from the images. */

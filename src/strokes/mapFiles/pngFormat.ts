@@ -1,7 +1,9 @@
+/** The PNG format: chunks, checksums and row filters. */
+
 /** The bytes that every PNG file begins with. */
 export const PNG_SIGNATURE = Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a);
 
-/** What the samples of a pixel mean, by the numbers of the PNG specification. */
+/** The colour types of the PNG specification. */
 export const PNG_COLOR_TYPE = { grey: 0, rgb: 2, palette: 3, rgba: 6 } as const;
 
 /** The header chunk of a PNG file that is not interlaced. */
@@ -30,7 +32,7 @@ export function pngChunk(type: string, content: Uint8Array = new Uint8Array()): 
   return bytes;
 }
 
-/** The remainders of all bytes. It is computed for the first chunk: bundlers would keep a table that is computed at once. */
+/** The CRC of each byte. Computed for the first chunk, since bundlers would keep a table computed at load time. */
 let remainders: Uint32Array | undefined;
 
 /** The checksum of PNG chunks, CRC-32 (ISO 3309). */
@@ -45,12 +47,10 @@ export function crc32(bytes: Uint8Array): number {
   return (crc ^ 0xffffffff) >>> 0;
 }
 
-/** How the rows of PNG files are stored, for all that decodes them. */
-
 /** The number of samples per pixel of each colour type: grey, RGB, palette, grey with alpha, RGB with alpha. */
 export const PNG_SAMPLES: Readonly<Record<number, number>> = { 0: 1, 2: 3, 3: 1, 4: 2, 6: 4 };
 
-/** The number of the last of the five filters of the PNG specification. */
+/** The highest number of the five row filters. */
 export const LAST_PNG_FILTER = 4;
 
 /** Undoes a filter of a row, in place. @param pixelBytes how many bytes lie between a byte and that of the pixel on the left */

@@ -9,7 +9,7 @@ const BLANK = 0.002;
 
 /** The content of the files of a map. */
 export interface ReadMap extends HatchImages {
-  /** Whether there is only one image per tone and the other levels must be made. */
+  /** Whether there is only one image per tone, so that the other levels must be made. */
   lacksLevels: boolean;
   /** The thresholds of every level, if they were saved. */
   thresholds: Float32Array[] | undefined;

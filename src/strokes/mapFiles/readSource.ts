@@ -12,7 +12,7 @@ export async function readSource(
   try {
     return await readFrom(source, signal, onProgress);
   } catch (error) {
-    // If the abort has caused the error, the reason of the signal replaces it.
+    // An error caused by the abort is replaced by the signal's reason.
     signal?.throwIfAborted();
     throw error;
   }
@@ -47,7 +47,7 @@ function readFrom(
   return readImages([...files.keys()], read, true, onProgress);
 }
 
-/** Resolves a relative URL against that of the page, or in a worker against that of its script. */
+/** Resolves a relative URL against that of the page or, in a worker, of its script. */
 function absolute(address: string | URL): string {
   const base = typeof document === 'undefined' ? globalThis.location?.href : document.baseURI;
   try {

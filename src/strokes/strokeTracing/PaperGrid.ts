@@ -1,15 +1,15 @@
 import { forEachChunk } from '../../mesh/phases.js';
 import type { GreyImage } from './readGrey.js';
 
-/** Cells of the grid, about. */
+/** Approximate number of cells. */
 const CELLS = 900;
 const LEAST_CELL = 16;
 /** Ink is darker than its paper by at least this share. */
 const LEAST_DEPTH = 0.12;
-/** And by this many times the deviation of the paper: a ramp of light has 3.5, noise 2.7. */
+/** Least distance of ink from paper in deviations of the paper: a ramp of light has 3.5, noise 2.7. */
 const LEAST_SEPARATION = 4.5;
 
-/** The brightness of the paper and the depth of the ink in the cells of a grid, so that uneven light does not count. */
+/** The brightness of the paper and the depth of the ink in the cells of a grid, which compensates uneven light. */
 export interface PaperGrid {
   /** Pixels per side of a cell. */
   cell: number;
@@ -21,17 +21,17 @@ export interface PaperGrid {
   depth: Float32Array;
 }
 
-/** What the two classes of pixels in a window are, if there are two. */
+/** The two classes of pixels in a window. */
 interface Classes {
   paper: number;
   ink: number;
 }
 
 /**
- * Finds the brightness of the paper from place to place. Around each cell the pixels are parted into paper and ink (Otsu 1979); a cell
- * whose surroundings hold only one of the two takes from the cells nearby what it lacks.
+ * Finds the local brightness of the paper. Around each cell the pixels are separated into paper and ink (Otsu 1979); a cell whose
+ * surroundings hold only one of them takes the other from nearby cells.
  *
- * @returns undefined where no cell holds both paper and ink; yields progress in [0, 1]
+ * @returns undefined if no cell holds both paper and ink; yields progress in [0, 1]
  */
 export function* findPaper(image: GreyImage): Generator<number, PaperGrid | undefined, void> {
   const { width, height } = image;
@@ -115,7 +115,7 @@ function partIntoClasses(histogram: Uint32Array): Classes | undefined {
   return { paper, ink };
 }
 
-/** The last value of the darker class, for which the variance between the classes is largest; undefined for a single value. */
+/** The last value of the darker class, which maximises the variance between the classes; undefined for a single value. */
 export function otsuThreshold(histogram: ArrayLike<number>): number | undefined {
   let total = 0;
   let sum = 0;

@@ -27,7 +27,7 @@ export function resample(points: ArrayLike<number>, spacing: number): Path {
   return path;
 }
 
-/** Smooths values by a Gaussian of `deviation` samples. At the ends they are mirrored in the end itself, which stays where it is. */
+/** Smooths values by a Gaussian of `deviation` samples, with point reflection at the ends, which stay fixed. */
 export function smooth(values: Float64Array, deviation: number): Float64Array {
   const reach = Math.min(values.length - 1, Math.ceil(3 * deviation));
   const weights = Array.from({ length: reach + 1 }, (_, i) => Math.exp((-0.5 * i * i) / (deviation * deviation)));

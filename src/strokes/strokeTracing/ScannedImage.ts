@@ -8,13 +8,13 @@ export interface ScannedImage {
   data: Uint8Array | Uint8ClampedArray;
 }
 
-/** Pixels along each side that a picture must have. */
+/** Least number of pixels along each side. */
 const LEAST_SIDE = 16;
-/** Pixels that a picture may have. */
+/** Largest number of pixels. */
 const MOST_PIXELS = 16_000_000;
 
 /**
- * Checks a picture before it is read.
+ * Checks a picture.
  *
  * @throws TypeError or RangeError that names the fault and the remedy
  */

@@ -1,12 +1,12 @@
-/** A line of pixels between two places where lines meet or end. */
+/** A line of pixels between two junctions or free ends. */
 export interface Branch {
   /** x0, y0, x1, y1, … in pixels, from its start to its end. */
   points: number[];
   /** The distance to paper at each point, in pixels. */
   radii: number[];
-  /** The node where it starts, or −1 for a free end. */
+  /** The junction at its start, or −1 for a free end. */
   from: number;
-  /** The node where it ends, or −1 for a free end. */
+  /** The junction at its end, or −1 for a free end. */
   to: number;
 }
 
@@ -18,15 +18,15 @@ export interface Junction {
   radius: number;
 }
 
-/** Thinned ink as lines and the places where they meet. */
+/** Thinned ink as lines and their junctions. */
 export interface SkeletonGraph {
   branches: Branch[];
   nodes: Junction[];
 }
 
-/** Pixels between two reports of progress. */
+/** Pixels between two yields. */
 const PIXELS_PER_SLICE = 1 << 14;
-/** `owner` of a pixel that belongs to no node. */
+/** Owner of a pixel that belongs to no junction. */
 const NO_NODE = -1;
 
 /**
@@ -80,7 +80,7 @@ function countNeighbours({ skeleton, around }: Tracer, pixel: number): number {
   return count;
 }
 
-/** Pixels with three neighbours or more that touch each other are one node. */
+/** Finds junctions: groups of touching pixels with three neighbours or more. */
 function findNodes(tracer: Tracer, pixels: Int32Array): Junction[] {
   const { owners, distances, width, around } = tracer;
   const meeting = new Set<number>();
@@ -107,7 +107,7 @@ function findNodes(tracer: Tracer, pixels: Int32Array): Junction[] {
   return nodes;
 }
 
-/** Follows a line from a pixel beside a node, or from a free end, and takes its pixels out of the skeleton. */
+/** Follows a line from a pixel beside a junction, or from a free end, and removes its pixels from the skeleton. */
 function follow(tracer: Tracer, start: number, from: number, before: number): void {
   const { skeleton, distances, width, around, owners, branches } = tracer;
   const branch: Branch = { points: [], radii: [], from, to: NO_NODE };

@@ -4,8 +4,8 @@ import type { TracedStroke } from './measureChain.js';
 const BINS = 36;
 
 /**
- * Gives strokes the direction in which they may have been drawn, in place. Ink does not tell it; but a layer of strokes is drawn one way,
- * so the direction turns round at the angle that the fewest strokes have, and most strokes go to the right.
+ * Gives strokes a likely direction of drawing, in place. Ink does not show it, but the strokes of a layer are drawn one way: the direction
+ * reverses at the angle that the fewest strokes have, and most strokes go to the right.
  */
 export function directStrokes(strokes: readonly TracedStroke[]): void {
   const chords = strokes.map(({ xs, ys }) => ({ x: xs[xs.length - 1] - xs[0], y: ys[ys.length - 1] - ys[0] }));

@@ -2,24 +2,24 @@ import { asPhase, forEachChunk } from '../../mesh/phases.js';
 import { gridValue, otsuThreshold, type PaperGrid } from './PaperGrid.js';
 import type { GreyImage } from './readGrey.js';
 
-/** A pixel counts as ink from this share of the ink's depth on. */
+/** Least depth of an ink pixel, as a share of the depth of ink. */
 const INK_SHARE = 0.45;
 /** Steps of the histograms of depth. */
 const BINS = 256;
 
-/** Where ink lies. */
+/** The ink of a picture. */
 export interface Ink {
   width: number;
   height: number;
   /** How much darker each pixel is than its paper, as a share of the paper's brightness; noise makes it negative too. */
   depths: Float32Array;
-  /** The depth of a pixel that is all ink. */
+  /** The depth of a pixel entirely covered by ink. */
   fullDepth: number;
   /** 1 for ink, 0 for paper. The outermost pixels are paper. */
   mask: Uint8Array;
 }
 
-/** Parts ink from paper: a pixel is ink if it is darker than its own paper by about half the depth of the ink around. */
+/** Separates ink from paper: a pixel is ink if it is darker than the local paper by about half the depth of the surrounding ink. */
 export function* findInk(image: GreyImage, grid: PaperGrid): Generator<number, Ink, void> {
   const { width, height } = image;
   const raw = new Float32Array(width * height);
@@ -130,7 +130,7 @@ function countDepths(
 const binOf = (depth: number): number => Math.min(BINS - 1, Math.max(0, Math.floor(BINS * depth)));
 
 /**
- * The depth of full ink: that along the middle of the widest strokes, where blur does not reach.
+ * The depth of full ink: that along the middle of the widest strokes, beyond the reach of blur.
  *
  * @param lines the pixels along the middle of strokes
  * @param distances the distance of every pixel to paper

@@ -7,30 +7,30 @@ export interface TracedStroke extends Path {
   widths: Float64Array;
 }
 
-/** Pixels between the places at which a stroke is measured. */
+/** Pixels between the samples along a stroke. */
 const SPACING = 1;
 /** Pixels between the samples across a stroke. */
 const STEP = 0.5;
-/** Pixels by which the line of pixels is smoothed before it is measured, and the measured line and its widths after. */
+/** Smoothing of the line of pixels before it is measured, and of the measured line and widths after, in pixels. */
 const RAW_SMOOTHING = 2;
 const FINE_SMOOTHING = 1.2;
 /** A stroke ends where its ink falls below this share. */
 const HALF = 0.5;
-/** A point that is thinner than a pixel has less than half, but it goes on for a while: for `POINT_PIXELS` or more. */
+/** The same for pointed ends: a point thinner than a pixel has less than half, but continues for `POINT_PIXELS` or more. */
 const POINT_SHARE = 0.2;
 const POINT_PIXELS = 2;
-/** There is no ink below this share. */
+/** Smaller shares count as no ink. */
 const NOTHING = 0.04;
-/** A stroke swells to no more than this many times the width that it has in four fifths of its length. */
+/** Largest width of a stroke, as a multiple of the width in four fifths of its length. */
 const WIDEST_SWELL = 1.5;
-/** A stroke whose ink has at least this share of the depth of the picture's is thought to be blurred, not paler. */
+/** A stroke whose ink has at least this share of the depth of ink is considered blurred, not paler. */
 const BLURRED = 0.7;
 
 /**
- * Measures a stroke across its line: its width is how much ink lies there, which neither blur nor pixels change. Where strokes cross, the
- * width goes on from before the crossing to after it.
+ * Measures a stroke across its line: its width is the amount of ink there, which neither blur nor pixels change. At crossings, the width is
+ * interpolated.
  *
- * @returns undefined for what is no longer than wide: specks, dots and blots
+ * @returns undefined for marks no longer than wide: specks, dots and blots
  */
 export function measureChain(ink: Ink, chain: Chain): TracedStroke | undefined {
   if (chain.radii.length < 2) return undefined;
@@ -74,7 +74,7 @@ function inkAt({ width, height, depths }: Ink, full: number, x: number, y: numbe
   return (upper + (lower - upper) * (row - top)) / full;
 }
 
-/** Thinning shortens lines and bends their ends into corners. Both ends are taken back and then led on to where the ink ends. */
+/** Thinning shortens lines and bends their ends into corners: both ends are cut back and then extended to the end of the ink. */
 function withEnds(ink: Ink, { points, radii, isClosed }: Chain): number[] {
   if (isClosed) return [...points, points[0], points[1]];
   const head = endOf(ink, points, radii);
@@ -116,7 +116,7 @@ function reversedPoints(points: readonly number[]): number[] {
   return reversed;
 }
 
-/** The distance to paper along the samples of a stroke, from that of its pixels. It only bounds how far a section is followed. */
+/** The distance to paper along the samples of a stroke. It only bounds the length of cross sections. */
 function radiiAlong({ radii }: Chain, count: number): Float64Array {
   const result = new Float64Array(count);
   const typical = Float64Array.from(radii).sort()[Math.floor(0.75 * (radii.length - 1))];
@@ -133,7 +133,7 @@ function depthAlong(ink: Ink, xs: Float64Array, ys: Float64Array): number {
   return own > BLURRED ? ink.fullDepth : Math.max(0.3, own) * ink.fullDepth;
 }
 
-/** How much ink lies across a stroke, and where its middle is; undefined where the ink does not end, as in a crossing. */
+/** The amount of ink across a stroke, and its middle; undefined where the ink does not end, as in a crossing. */
 function crossSection(
   ink: Ink,
   full: number,
@@ -164,14 +164,14 @@ function crossSection(
   return { width: sum * STEP, offset: Math.min(most, Math.max(-most, moment / sum)) };
 }
 
-/** The samples that lie in other strokes: where the line has no pixels of its own, and its ends in them. */
+/** The samples covered by other strokes: gaps between pixels of the line, and its ends in other strokes. */
 function hiddenSamples(line: readonly number[], { startRadius, endRadius }: Chain, count: number): Uint8Array {
   const isHidden = new Uint8Array(count);
   const gaps: [from: number, to: number][] = [];
   let length = 0;
   for (let i = 2; i < line.length; i += 2) {
     const step = Math.hypot(line[i] - line[i - 2], line[i + 1] - line[i - 1]);
-    // What leads on to the ends of the ink are long steps too, but no gaps.
+    // Extensions to the ends of the ink are long steps too, but no gaps.
     if (step > 2 && i > 2 && i < line.length - 2) gaps.push([length, length + step]);
     length += step;
   }
@@ -185,14 +185,14 @@ function hiddenSamples(line: readonly number[], { startRadius, endRadius }: Chai
   return isHidden;
 }
 
-/** The widths without those that are so much larger than the others that another stroke must lie there. */
+/** The widths without those that are much larger than the others, where another stroke must lie. */
 function withoutCrossings(widths: Float64Array): Float64Array {
   const known = widths.filter((width) => !Number.isNaN(width)).sort();
   const most = WIDEST_SWELL * known[Math.floor(0.8 * (known.length - 1))];
   return widths.map((width) => (width > most ? Number.NaN : width));
 }
 
-/** Fills places and widths in, along straight lines, where the width is not known. False where none is known. */
+/** Interpolates places and widths linearly where the width is unknown. False if none is known. */
 function bridge(
   lists: readonly [xs: Float64Array, ys: Float64Array, widths: Float64Array],
   widths: Float64Array,
@@ -206,17 +206,14 @@ function bridge(
       for (let i = a + 1; i < b; i++) values[i] = values[a] + ((values[b] - values[a]) * (i - a)) / (b - a);
     }
   }
-  // A stroke may end in another one: its line is known there, its width is not.
+  // Where a stroke ends in another one, its line is known, but not its width.
   const [first, last] = [known[0], known[known.length - 1]];
   lists[2].fill(widths[first], 0, first);
   lists[2].fill(widths[last], last);
   return true;
 }
 
-/**
- * Takes blunt ends back by half their width, to where a round pen would have stood, which leaves them their width. A pointed end stays at
- * its point.
- */
+/** Cuts blunt ends back by half their width, to the position of a round pen. Pointed ends stay. */
 function withoutCaps(stroke: TracedStroke): TracedStroke | undefined {
   const { xs, ys, widths } = stroke;
   const count = xs.length;
@@ -252,7 +249,7 @@ interface Cap {
   reaches: number;
 }
 
-/** Finds where the stroke is half as wide as its end is away: in a round or straight end, but not in a point. */
+/** Finds where the stroke is half as wide as the distance to its end: in a round or straight end, but not in a point. */
 function capOf(lengths: Float64Array, widths: Float64Array, typical: number): Cap {
   const most = Math.min(0.25 * lengths[lengths.length - 1], typical);
   let length = 0;

@@ -1,4 +1,4 @@
-/** Pixels between two reports of progress. */
+/** Pixels between two yields. */
 const PIXELS_PER_SLICE = 1 << 15;
 
 /**
@@ -41,13 +41,13 @@ export function* measureDistances(
   return distances;
 }
 
-/** What one row or column needs. */
+/** Scratch memory for a row or column. */
 interface Room {
-  /** The squares of distances that are known before. */
+  /** The squared distances from the previous pass. */
   line: Float64Array;
-  /** Those that are found. */
+  /** The resulting squared distances. */
   squares: Float64Array;
-  /** The vertices of the parabolas of the lower envelope, and where each begins to be the lowest. */
+  /** The vertices of the parabolas of the lower envelope, and the start of the range where each is the lowest. */
   places: Int32Array;
   bounds: Float64Array;
 }

@@ -8,10 +8,10 @@ export interface GreyImage {
   values: Float32Array;
 }
 
-/** Larger pictures are made smaller before they are traced: strokes stay wide enough, and the work bounded. */
+/** Larger pictures are reduced before tracing: strokes stay wide enough, and the work is bounded. */
 const MOST_TRACED_PIXELS = 4_000_000;
 
-/** The number of pixels per side of the picture that become one pixel that is traced. */
+/** The number of pixels per side that become one traced pixel. */
 export const reductionOf = ({ width, height }: ScannedImage): number =>
   Math.max(1, Math.ceil(Math.sqrt((width * height) / MOST_TRACED_PIXELS)));
 

@@ -1,6 +1,6 @@
 import type { Branch, Junction, SkeletonGraph } from './SkeletonGraph.js';
 
-/** One end of a branch: twice its index, and one more for its end instead of its start. */
+/** An end of a branch: twice its index, plus one for its end instead of its start. */
 type End = number;
 
 /** A line through one or more branches. */
@@ -9,29 +9,29 @@ export interface Chain {
   points: number[];
   /** The distance to paper at each point, in pixels. */
   radii: number[];
-  /** Whether the chain comes back to where it starts. */
+  /** Whether the chain returns to its start. */
   isClosed: boolean;
-  /** The distance to paper where it starts at a stroke that it does not cross; 0 for a free end. */
+  /** The distance to paper at the start, if that lies in a stroke that the chain does not cross; 0 for a free end. */
   startRadius: number;
   /** The same for its end. */
   endRadius: number;
 }
 
-/** A branch with a free end is a spur up to this many times the distance to paper where it begins, plus `SPUR_PIXELS`. */
+/** A branch with a free end up to this multiple of the distance to paper at its start, plus `SPUR_PIXELS`, is a spur. */
 const SPUR_RADII = 1.3;
 const SPUR_PIXELS = 2;
-/** Two nodes are one crossing if the branch between them is shorter than this many times their distances to paper. */
+/** Two junctions are one crossing if the branch between them is shorter than this multiple of their distances to paper. */
 const BRIDGE_RADII = 0.9;
-/** Strokes that cross at small angles run together for a while: up to this many times the width. */
+/** Strokes that cross at small angles share up to this multiple of their width. */
 const LONGEST_BRIDGE = 6;
-/** Branches that may meet in one crossing: a texture of noise must not become a single one. */
+/** Largest number of branches in one crossing, so that a texture of noise does not become a single one. */
 const MOST_MEETING = 16;
-/** How far from straight on a stroke may go through a crossing, in radians. */
+/** Largest turn of a stroke at a crossing, in radians. */
 const MOST_TURN = 0.8;
 const MOST_TURN_OVER_BRIDGE = 0.45;
 
 /**
- * Turns a graph into strokes: takes away spurs, and lets strokes that cross go straight on.
+ * Turns a graph into strokes: removes spurs, and continues crossing strokes straight.
  *
  * @returns the chains of branches, each of which is one stroke
  */
@@ -50,9 +50,9 @@ class Crossings {
   private readonly isGone: Uint8Array;
   /** The ends of branches at each node. */
   private readonly ends: End[][];
-  /** The end that each end goes on to, or −1. */
+  /** The end that continues each end, or −1. */
   private readonly partners: Int32Array;
-  /** How many spurs were taken away at each node. */
+  /** The number of spurs removed at each node. */
   private readonly dropped: Uint8Array;
 
   constructor({ branches, nodes }: SkeletonGraph) {
@@ -68,7 +68,7 @@ class Crossings {
     });
   }
 
-  /** Thinning leaves short lines towards the corners of a stroke and the bumps of its edge. */
+  /** Removes the short lines that thinning leaves towards the corners of a stroke and the bumps of its edge. */
   dropSpurs(): void {
     for (const [node, { radius }] of this.nodes.entries()) {
       const isSpur = (end: End): boolean =>
@@ -81,7 +81,7 @@ class Crossings {
     }
   }
 
-  /** A crossing of two wide strokes is thinned to two nodes with a short branch between them. */
+  /** Merges the two nodes with a short branch between them that a crossing of two wide strokes is thinned to. */
   mergeNear(): void {
     for (const [i, { from, to }] of this.branches.entries()) {
       if (this.isGone[i] || from < 0 || to < 0) continue;
@@ -91,7 +91,7 @@ class Crossings {
     }
   }
 
-  /** Strokes that cross at a small angle share a longer branch. It is a crossing if all four lines go on beyond it. */
+  /** Merges nodes along a longer branch, shared by strokes that cross at a small angle, if all four lines continue beyond it. */
   mergeAlongBridges(): void {
     for (const [i, { from, to }] of this.branches.entries()) {
       if (this.isGone[i] || from < 0 || to < 0 || from === to) continue;
@@ -109,7 +109,7 @@ class Crossings {
     }
   }
 
-  /** At every node the two ends that are straightest go on into each other, then the next two. */
+  /** At every node pairs the two straightest ends, then the next two. */
   pair(): void {
     for (const [node, ends] of this.ends.entries()) {
       const pairs: { a: End; b: End; turn: number }[] = [];
@@ -117,7 +117,7 @@ class Crossings {
         for (const b of ends.slice(i + 1)) pairs.push({ a, b, turn: this.turn(a, b) });
       });
       pairs.sort((one, other) => one.turn - other.turn);
-      // The edge of a sharp bend has one spur. Where two are gone, two strokes have crossed close to their ends.
+      // A sharp bend has one spur. Where two were removed, two strokes cross close to their ends.
       const most = ends.length === 2 && this.dropped[node] < 2 ? Math.PI : MOST_TURN;
       for (const { a, b, turn } of pairs) {
         if (turn > most || this.partners[a] >= 0 || this.partners[b] >= 0) continue;
@@ -166,7 +166,7 @@ class Crossings {
     return node < 0 ? 0 : this.nodes[node].radius;
   }
 
-  /** Adds the points of a branch from `end` on, without those near crossings, where lines are drawn towards each other. */
+  /** Appends the points of a branch from `end` on, without those near crossings, where lines are drawn towards each other. */
   private append({ points, radii }: Chain, end: End): void {
     const branch = this.branches[end >> 1];
     const isForward = (end & 1) === 0;
@@ -206,7 +206,7 @@ class Crossings {
     }
   }
 
-  /** Makes the two nodes of a branch one, and takes the branch away. */
+  /** Merges the two nodes of a branch, and removes the branch. */
   private merge(i: number): void {
     const { from, to } = this.branches[i];
     this.drop(2 * i);
@@ -228,7 +228,7 @@ class Crossings {
     this.ends[to] = [];
   }
 
-  /** How far from straight on it is from one end to another, in radians, the way between them included. */
+  /** The deviation from straight between two ends, in radians, by way of the line between them. */
   private turn(a: End, b: End): number {
     if (a >> 1 === b >> 1) return Math.PI;
     const [one, other] = [this.heading(a), this.heading(b)];
@@ -243,7 +243,7 @@ class Crossings {
     );
   }
 
-  /** Where a branch leaves its node for good, and which way it goes from there. */
+  /** The point where a branch finally leaves its node, and its direction from there. */
   private heading(end: End): { atX: number; atY: number; x: number; y: number } {
     const { points, radii } = this.branches[end >> 1];
     const node = this.nodes[this.nodeAt(end)];

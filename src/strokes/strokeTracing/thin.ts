@@ -1,21 +1,20 @@
 import { forEachChunk } from '../../mesh/phases.js';
 
-/** Pixels that are looked at between two reports of progress. */
+/** Pixels visited between two yields. */
 const PIXELS_PER_SLICE = 1 << 16;
 
-/** What is known of a pixel from which of its eight neighbours are ink, clockwise from the one above, a bit for each. */
+/** Properties of a pixel by its eight neighbours, clockwise from the one above, one bit each, set for ink. */
 interface Rules {
-  /** Whether the first and the second half of a step of Zhang and Suen take it away. */
+  /** Whether the first and the second half of a Zhang-Suen step remove it. */
   halves: readonly [first: Uint8Array, second: Uint8Array];
-  /** Whether it can go from a line that is one pixel wide but for corners, so that every pixel of a line has two neighbours. */
+  /** Whether it can be removed from a line one pixel wide but for corners, so that every pixel of a line has two neighbours. */
   corner: Uint8Array;
 }
 
 /**
- * Thins ink to lines of one pixel's width, in place (Zhang and Suen 1984, and without the corners that it leaves). The outermost pixels
- * must be paper.
+ * Thins ink to lines one pixel wide, in place (Zhang and Suen 1984, without the remaining corners). The outermost pixels must be paper.
  *
- * @returns the pixels of the lines, by growing index; yields progress in [0, 1], which is estimated
+ * @returns the pixels of the lines, by index; yields estimated progress in [0, 1]
  */
 export function* thin(mask: Uint8Array, width: number, widest: number): Generator<number, Int32Array, void> {
   const rules = makeRules();
@@ -107,7 +106,7 @@ function makeRules(): Rules {
     const isBorder = count >= 2 && count <= 6 && runs === 1;
     halves[0][bits] = Number(isBorder && !(above && right && below) && !(right && below && left));
     halves[1][bits] = Number(isBorder && !(above && right && left) && !(above && below && left));
-    // Neighbours beside it touch each other by their corners even where the one between them is paper.
+    // Neighbours touch at corners even where the one between them is paper.
     const gaps = places.filter((i) => has(i) && !has(i + 1) && !(i % 2 === 0 && has(i + 2))).length;
     corner[bits] = Number(count >= 2 && count < 8 && gaps === 1 && !(above && right && below && left));
   }

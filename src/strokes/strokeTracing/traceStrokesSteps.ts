@@ -12,36 +12,36 @@ import { checkScannedImage, type ScannedImage } from './ScannedImage.js';
 import { type SkeletonGraph, traceGraph } from './SkeletonGraph.js';
 import { thin } from './thin.js';
 
-/** The width that a swatch on paper is taken to have, in millimetres. */
+/** Assumed width of a swatch on paper, in millimetres. */
 export const SWATCH_MILLIMETRES = 60;
-/** More strokes than this are no swatch. */
+/** Largest number of strokes of a swatch. */
 export const MOST_STROKES = 1000;
-/** A picture with more lines than this between crossings is a texture. */
+/** A picture with more branches is a texture. */
 const MOST_BRANCHES = 40_000;
-/** Points that a stroke may have. */
+/** Largest number of points of a stroke. */
 const MOST_POINTS = 96;
-/** Ink wider than this share of the picture's smaller side is no stroke. */
+/** Ink wider than this share of the smaller side of the picture is no stroke. */
 const WIDEST_SHARE = 0.15;
-/** The width in pixels that is told where a stroke has none. */
+/** The width in pixels given to points without width. */
 const LEAST_WIDTH = 0.05;
-/** Strokes between two reports of progress. */
+/** Strokes between two yields. */
 const STROKES_PER_SLICE = 4;
 
-/** What is known of a picture of strokes. */
+/** Facts about a picture of strokes. */
 export interface TraceOptions {
   /** The size of a pixel on the paper. Default: the picture is 60 mm wide. */
   millimetresPerPixel?: number | undefined;
-  /** How dark the swatch was meant. Default: it is not said. */
+  /** The intended darkness of the swatch. Default: unknown. */
   swatch?: SwatchTone | undefined;
 }
 
-/** A picture and what is known of it. */
+/** A picture and facts about it. */
 export interface TraceRequest extends TraceOptions {
   image: ScannedImage;
 }
 
 /**
- * Finds the strokes in a photograph or a scan of a swatch: parts ink from paper in uneven light, thins it to lines, lets lines that cross
+ * Finds the strokes in a photograph or a scan of a swatch: separates ink from paper in uneven light, thins it to lines, lets lines that cross
  * go straight on, and measures the width along each.
  *
  * A stroke's ends are where a round pen would have stood: a blunt end lies half a width before the end of its ink, a pointed one at its
@@ -124,7 +124,7 @@ const tooMany = (count: number): Error =>
     `traceStrokes: the picture seems to have ${count} strokes, but a swatch has at most ${MOST_STROKES}; cut the picture down to one swatch, in even light.`,
   );
 
-/** Takes away what is far shorter and smaller than the strokes: dust and the grain of the paper. */
+/** Removes strokes that are far shorter and smaller than the others: dust and the grain of the paper. */
 function withoutDust(strokes: TracedStroke[]): TracedStroke[] {
   const lengths = strokes.map(lengthOf);
   const areas = strokes.map(({ widths }, i) => lengths[i] * meanOf(widths));
@@ -164,7 +164,7 @@ function handStroke(stroke: TracedStroke, scale: number, swatch: SwatchTone | un
   const result = Array.from({ length: count }, (_, i) => {
     const at = (i / (count - 1)) * (widths.length - 1);
     const before = Math.min(widths.length - 2, Math.floor(at));
-    // A width of a stroke is above 0, at its point too.
+    // Widths are above 0, even at a point.
     return rounded(
       scale * Math.max(LEAST_WIDTH, widths[before] + (at - before) * (widths[before + 1] - widths[before])),
     );
@@ -172,11 +172,11 @@ function handStroke(stroke: TracedStroke, scale: number, swatch: SwatchTone | un
   return { points, widths: result, ...(swatch && { swatch }) };
 }
 
-/** Thousandths of a millimetre are enough, and make short files. */
+/** Rounds to about a thousandth of a millimetre, which makes short files. */
 const rounded = (value: number): number => Number(value.toPrecision(value < 1 ? 3 : 5));
 
 /**
- * Takes whole pieces of ink away that are too wide for strokes: blots, the dark around a sheet of paper.
+ * Removes connected ink that is too wide for strokes: blots, and the dark around a sheet of paper.
  *
  * @param mask 1 for ink; changed in place
  * @param distances the distance of every pixel to paper

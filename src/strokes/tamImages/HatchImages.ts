@@ -11,10 +11,10 @@ export interface HatchImages {
   strokeTexels?: number | undefined;
 }
 
-/** The width of strokes in texels, for images that come without it. */
+/** The width of strokes in texels, for images that do not state it. */
 export const DEFAULT_STROKE_TEXELS = 2;
 
-/** The buffers of hatch images, which are transferred with them. Each is listed once, even if tones share an image. */
+/** The buffers that are transferred with hatch images. An image shared by two tones is listed once. */
 export const imageBuffers = ({ images }: HatchImages): ArrayBuffer[] => [
   ...new Set(images.flatMap((levels) => levels.map(({ buffer }) => buffer as ArrayBuffer))),
 ];

@@ -1,7 +1,7 @@
 import { DEFAULT_STROKE_TEXELS, type HatchImages } from './HatchImages.js';
 import { excessOf, MAX_SIDE } from './mapLimits.js';
 
-/** Tells how well hatch images keep the constraints of Suarez et al., section 3.1. Images that break them can still be drawn. */
+/** How well hatch images keep the constraints of Suarez et al., section 3.1. Images that break them can still be drawn. */
 export interface HatchImageReport {
   /** `means[tone][level]`: mean ink, 0 = paper, 1 = ink. It should be the same on all levels and grow with the tone. */
   means: number[][];

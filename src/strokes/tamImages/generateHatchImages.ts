@@ -24,13 +24,12 @@ export function* generateHatchImages(options: MapRequest = {}): Generator<number
     images.push(drawTone(strokes, tone, request, grains, images.at(-1)));
     yield 1;
   }
-  // Strokes nest because finer levels repeat them. Grain breaks strokes up, and a hand bends them as it likes, so that nesting must be
-  // enforced.
+  // Strokes nest because finer levels repeat them. Grain breaks strokes up and hands bend them, so nesting must be enforced.
   if (request.style.grain || request.style.hand) enforceLevelNesting({ size: request.size, images });
   return { size: request.size, images, strokeTexels: request.style.width };
 }
 
-/** Draws all levels of one tone: the images of the tone before plus its new strokes. */
+/** Draws all levels of one tone: the images of the tone before, plus its new strokes. */
 function drawTone(
   strokes: Stroke[],
   tone: number,

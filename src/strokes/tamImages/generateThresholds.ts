@@ -9,25 +9,25 @@ import type { Stroke } from '../Stroke.js';
 import { encodeThresholds, type ThresholdLevel } from './encodeThresholds.js';
 import { type HatchImageRequest, type MapRequest, resolveHatchImageOptions } from './hatchImageRequest.js';
 
-/** The number of steps of tone in which strokes are placed: enough for an even image at any tone in between. */
+/** The number of steps of tone in which strokes are placed, enough for an even image at any tone in between. */
 const STEPS = 24;
 
 /** Cells of the field per texel and side. */
 const CELLS_PER_TEXEL = 2;
 
-/** The value of the field where no stroke reaches: it is higher than any ink. */
+/** The value of the field beyond the reach of strokes, above any ink. */
 const UNREACHED = 1e6;
 
-/** The weights of four cells in a row, of which the inner two lie in the texel. */
+/** The weights of four cells in a row, the inner two of which lie in the texel. */
 const TENT = [0.125, 0.375, 0.375, 0.125] as const;
 
-/** The number of cells that are visited between two reports of progress, which takes about a millisecond. */
+/** Cells visited between two yields, in about a millisecond. */
 const WORK_PER_SLICE = 300_000;
 
 /** The mean threshold is the same in every neighbourhood of this radius in texels, which holds several strokes side by side. */
 const NEIGHBOURHOOD = 16;
 
-/** The progress after all strokes were placed. */
+/** The progress after the placement of strokes. */
 const PLACED = 0.8;
 
 /**
@@ -39,7 +39,7 @@ const PLACED = 0.8;
  * interpolated, and equalised, so that coverage equals tone. Texel [i][j] equals texel [size−1−i][size−1−j], so a stroke direction
  * and its opposite draw the same. A level has the strokes of the next coarser level, and new ones between them.
  *
- * @throws RangeError if an option is out of its range, at the first step. `tones` does not matter.
+ * @throws RangeError if an option is out of its range, at the first step. `tones` is ignored.
  * @returns the levels, finest first; yields progress in [0, 1]
  */
 export function* generateThresholds(options: MapRequest = {}): Generator<number, ThresholdLevel[], void> {
@@ -98,7 +98,7 @@ function* drawLevel(
   }
   const uneven = withHalfTurn(equalize(half));
   yield progress;
-  // Places where strokes happen to lie closer would be darker at every tone, which would be visible in repeated tiles.
+  // Places with denser strokes would be darker at every tone, which shows in repeated tiles.
   const local = blurToroidal(uneven, size, NEIGHBOURHOOD);
   yield progress;
   for (let i = 0; i < half.length; i++) half[i] = uneven[i] + 1 - local[i];

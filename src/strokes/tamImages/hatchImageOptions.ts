@@ -9,7 +9,7 @@ export const COARSEST_SIZE = 16;
 export interface MapDrawing {
   /** The style of the strokes. Default `'hatching'`. */
   style?: StrokeStyleName | undefined;
-  /** A person's hand, whose strokes are drawn in place of a style. */
+  /** A person's hand, whose strokes replace those of a style. */
   hand?: Hand | undefined;
   /** A whole number. Each seed places the strokes differently; the same seed gives the same bytes. Default 1. */
   seed?: number | undefined;
@@ -40,7 +40,7 @@ export interface FullMapDrawing {
 /**
  * Fills in defaults and checks ranges.
  *
- * @param caller the function that is named in the error
+ * @param caller the function named in the error
  * @throws RangeError that names the option and its range
  */
 export function resolveMapDrawing(
@@ -51,7 +51,7 @@ export function resolveMapDrawing(
     throw new RangeError(`${caller}: ${option} is ${String(value)}, but must be ${allowed}.`);
   };
   const { style = 'hatching', hand, seed = 1, size = 256, tones = 8 } = options;
-  // What a hand holds is checked when its strokes are prepared.
+  // The content of a hand is checked when its strokes are prepared.
   if (hand && options.style) fail('style', style, 'left out beside a hand');
   if (!Object.hasOwn(STROKE_WIDTHS, style)) {
     fail('style', style, `one of ${Object.keys(STROKE_WIDTHS).join(', ')}`);

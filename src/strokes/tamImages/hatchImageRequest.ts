@@ -2,19 +2,19 @@ import type { StrokeStyle } from '../StrokeStyle.js';
 import { strokeStyles } from '../strokeStyles.js';
 import { type FullMapDrawing, type MapDrawing, resolveMapDrawing } from './hatchImageOptions.js';
 
-/** The options that determine a generated map, as the worker gets them: plain data. */
+/** The options of a generated map in the form passed to the worker: plain data. */
 export interface MapRequest extends Omit<MapDrawing, 'hand'> {
-  /** The style in which the hand draws (`handStyle`). */
+  /** The style of the hand (`handStyle`). */
   hand?: StrokeStyle | undefined;
 }
 
-/** The options with the style that they name. */
+/** The options with the named style. */
 export interface HatchImageRequest extends Omit<FullMapDrawing, 'style' | 'strokeTexels'> {
   style: StrokeStyle;
 }
 
 /**
- * Fills in defaults, checks ranges, and looks up how the style is drawn.
+ * Fills in defaults, checks ranges, and resolves the style.
  *
  * @throws RangeError that names the option and its range
  */

@@ -55,8 +55,8 @@ test('ruled strokes are straight, even and blunt; a scribble is none of that', (
 
 test('a wrong name or seed ends in a sentence', () => {
   expect(() => exampleHand('quill' as never)).toThrow(
-    /^exampleHand: there is no hand quill, but finePen, brush, .*\.$/,
+    /^exampleHand: there is no hand "quill"; use one of finePen, brush, .*\.$/,
   );
-  expect(() => exampleHand('toString' as never)).toThrow(/there is no hand toString/);
+  expect(() => exampleHand('toString' as never)).toThrow(/there is no hand "toString"/);
   expect(() => exampleHand('brush', { seed: 0.5 })).toThrow(/seed is 0.5, but must be a whole number/);
 });
