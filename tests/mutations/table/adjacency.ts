@@ -17,7 +17,11 @@ export const adjacency: readonly Mutation[] = [
     file: 'src/mesh/weldPositions.ts',
     find: 'bits === NEGATIVE_ZERO_BITS ? 0 : bits',
     replace: 'bits',
-    caughtBy: { layer: 'unit', file: 'tests/unit/mesh/weldPositions.test.ts', title: 'agrees with a plain search' },
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/mesh/weldPositions.test.ts',
+      title: 'agrees with a brute-force search',
+    },
   },
   {
     name: 'backward half-edges are not turned around',
@@ -60,7 +64,7 @@ export const adjacency: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/mesh/adjacency/consistentTwins.test.ts',
-      title: 'are separated if they are not, and the twins that were passed stay',
+      title: 'are separated if they are not, and the given twins stay unchanged',
     },
   },
 ];

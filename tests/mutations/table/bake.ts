@@ -16,7 +16,7 @@ export const bake: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/mesh/bake/halfFloat.test.ts',
-      title: 'rounds up from the half on, into the next power of two as well',
+      title: 'rounds half up, across powers of two too',
     },
   },
   {

@@ -9,7 +9,7 @@ export const detail: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/mesh/detail/chooseLevel.test.ts',
-      title: 'a view that wavers around a border between two levels does not flicker',
+      title: 'levels do not flicker while the distance varies around the boundary of two levels',
     },
   },
   {
@@ -20,7 +20,7 @@ export const detail: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/mesh/detail/chooseLevel.test.ts',
-      title: 'a view that wavers around a border between two levels does not flicker',
+      title: 'levels do not flicker while the distance varies around the boundary of two levels',
     },
   },
 ];

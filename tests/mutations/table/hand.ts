@@ -9,7 +9,7 @@ export const hand: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/strokes/hand/learnHand.test.ts',
-      title: 'does not care in which direction or order strokes are drawn',
+      title: 'does not depend on the direction or order of strokes',
     },
   },
   {
@@ -20,7 +20,7 @@ export const hand: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/strokes/hand/learnHand.test.ts',
-      title: 'learns spreads, from many strokes as they are by chance',
+      title: 'learns spreads from many random strokes',
     },
   },
   {

@@ -60,7 +60,7 @@ export const maps: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/strokes/tamImages/enforceLevelNesting.test.ts',
-      title: 'mends every break of the nesting of levels and makes none in tone',
+      title: 'repairs the nesting of levels without breaking that of tones',
     },
   },
   {

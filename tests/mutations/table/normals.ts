@@ -9,7 +9,7 @@ export const normals: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/mesh/normals/buildFans.test.ts',
-      title: 'a fan is what edges with twins connect around a vertex',
+      title: 'a fan is the set of corners connected by edges with twins around a vertex',
     },
   },
   {
@@ -20,7 +20,7 @@ export const normals: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/mesh/normals/hatchNormals.test.ts',
-      title: 'a wave is flattened as heat flow says, whatever the triangles',
+      title: 'a wave is flattened as by heat flow, whatever the triangles',
     },
   },
   {
@@ -42,7 +42,7 @@ export const normals: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/mesh/normals/buildFans.test.ts',
-      title: 'a fan is what edges with twins connect around a vertex',
+      title: 'a fan is the set of corners connected by edges with twins around a vertex',
     },
   },
 ];

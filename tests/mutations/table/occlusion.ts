@@ -9,7 +9,7 @@ export const occlusion: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/mesh/occlusion/occlusion.test.ts',
-      title: 'a wide ground does not blur what stands on it',
+      title: 'a wide ground does not blur the objects on it',
     },
   },
   {
@@ -42,7 +42,7 @@ export const occlusion: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/mesh/occlusion/mapAxes.test.ts',
-      title: 'maps are turned about their directions, each by another angle, evenly',
+      title: 'maps are rotated about their directions by evenly distributed angles',
     },
   },
   {

@@ -20,7 +20,7 @@ export const outlines: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/mesh/features/findFeatureEdges.test.ts',
-      title: 'have a border of material between them, on a flat and on a sharp edge',
+      title: 'have a material border between them, on flat and on sharp edges',
     },
   },
   {
@@ -100,7 +100,7 @@ export const outlines: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/mesh/features/contourCandidates.test.ts',
-      title: 'edges are listed that are something, or where one side faces the eye and the other looks away',
+      title: 'feature edges are listed, and edges between a side that faces the eye and one that faces away',
     },
   },
   {

@@ -20,7 +20,7 @@ export const strokes: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/strokes/random.test.ts',
-      title: 'gives the same numbers for ever: saved seeds keep their drawings',
+      title: 'never changes its numbers, since saved seeds must keep their drawings',
     },
   },
   {

@@ -20,7 +20,7 @@ export const worker: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/worker/TaskClient.test.ts',
-      title: 'while it runs: rejects at once, tells the worker, and leaves the others alone',
+      title: 'while it runs: rejects at once, notifies the worker, and does not affect others',
     },
   },
   {
@@ -38,7 +38,7 @@ export const worker: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/worker/WorkerPool.test.ts',
-      title: 'gives a request to the worker with the fewest',
+      title: 'gives a request to the worker with the fewest requests',
     },
   },
   {

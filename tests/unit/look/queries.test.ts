@@ -14,7 +14,7 @@ import type { PropertyRow } from '../../../tools/properties/PropertyRow.js';
 import { PROPERTIES } from '../../../tools/properties/table.js';
 import { TECHNIQUES } from '../../../tools/properties/techniques.js';
 
-describe('what follows from a look', () => {
+describe('queries of a look', () => {
   test.each([
     [{}, true, false],
     [{ technique: 'triangle' }, true, true],
@@ -136,7 +136,7 @@ describe('what follows from a look', () => {
     expect(counts(look, name)).toBe(expected);
   });
 
-  test('what a property depends on is there, with these values', () => {
+  test('conditions name existing properties and values', () => {
     const rows: Record<string, PropertyRow> = PROPERTIES;
     for (const [name, { when = {} }] of Object.entries(rows)) {
       for (const condition of [when].flat()) {
@@ -189,7 +189,7 @@ describe('sizes for a picture of more pixels', () => {
     expect(pixelPower(look, name)).toBe(power);
   });
 
-  test('are those that are given and measured in pixels', () => {
+  test('are those given in the look and measured in pixels', () => {
     const look = {
       sizedOnScreen: 0,
       strokeWidth: 2,
@@ -207,13 +207,13 @@ describe('sizes for a picture of more pixels', () => {
     expect(scaledSizes({ finestSpacing: 3 }, 0.5)).toEqual({ finestSpacing: 2 });
   });
 
-  test('are those of the preset too, unless the look has its own', () => {
+  test('include those of the preset, unless the look has its own', () => {
     expect(scaledSizes({ preset: 'pen' }, 2)).toMatchObject({ strokeLength: 144 });
     expect(scaledSizes({ preset: 'pen', strokeLength: 50 }, 2)).toMatchObject({ strokeLength: 100 });
     expect(scaledSizes({ preset: 'engraving' }, 2)).toMatchObject({ lineSpacing: 9 });
   });
 
-  test('a material has every one of them, whatever its technique', () => {
+  test('of a material include every one, whatever its technique', () => {
     const sizes: HatchingPropertyName[] = ['lineSpacing', 'strokeLength', 'finestSpacing', 'toothSize'];
     for (const technique of Object.keys(TECHNIQUES) as (keyof typeof TECHNIQUES)[]) {
       const look: HatchingLook = new HatchingMaterial({ technique, sizedOnScreen: technique === 'engraved' ? 1 : 0 });

@@ -42,7 +42,7 @@ describe('clusters of positions', () => {
     );
   });
 
-  test('do not depend on the order of the positions, nor on where the cells lie', () => {
+  test('depend neither on the order of the positions nor on the grid', () => {
     fc.assert(
       fc.property(points, fc.infiniteStream(fc.nat(1_000_000)), coordinate, (list, random, corner) => {
         const order = list

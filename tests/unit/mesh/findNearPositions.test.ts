@@ -16,7 +16,7 @@ const step = fc.integer({ min: -8, max: 8 }).map((eighths) => (eighths / 8) * TO
 const coordinate = fc.tuple(fc.integer({ min: -8, max: 8 }), step).map(([place, offset]) => place / 8 + offset);
 
 describe('positions that may be near another one', () => {
-  test('are all that differ from another by no more than the tolerance along each axis', () => {
+  test('include all that differ from another by no more than the tolerance along each axis', () => {
     fc.assert(
       fc.property(fc.tuple(coordinate, coordinate, coordinate), fc.tuple(step, step, step), (first, steps) => {
         const second = first.map((value, axis) => value + steps[axis]);
@@ -34,7 +34,7 @@ describe('positions that may be near another one', () => {
     expect(steps / points.length).toBeLessThan(1.3);
   });
 
-  test('are named by their numbers, in their order', () => {
+  test('are returned as entries of the list, in order', () => {
     const positions = new Float32Array([9, 9, 9, 0, 0, 0, 5, 5, 5, 0, 0, 0]);
     expect([...finish(findNearPositions(positions, Uint32Array.of(3, 2, 1), TOLERANCE)).near]).toEqual([3, 1]);
   });

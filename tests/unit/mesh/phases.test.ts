@@ -9,7 +9,7 @@ afterEach(() => {
   else delete prototype.transfer;
 });
 
-test('gives the memory of each array away, once', () => {
+test('releases the memory of each array once', () => {
   const transfer = vi.fn(function (this: ArrayBuffer) {
     structuredClone(this, { transfer: [this] });
     return new ArrayBuffer(0);
@@ -22,7 +22,7 @@ test('gives the memory of each array away, once', () => {
   expect([first.length, second.length, positions.length]).toEqual([0, 0, 0]);
 });
 
-test('leaves arrays as they are where the engine cannot', () => {
+test('does nothing where the engine cannot transfer buffers', () => {
   delete prototype.transfer;
   const values = Float32Array.of(1, 2);
   release(values);

@@ -33,7 +33,7 @@ test.each([
   expect(run).toThrow(message);
 });
 
-test('good meshes pass, also with bad vertices that no triangle uses', () => {
+test('valid meshes pass, even with bad vertices that no triangle uses', () => {
   expect(validate([...square, Number.NaN, 0, 0], [0, 1, 2, 2, 1, 3])).not.toThrow();
   expect(validate([3e38, 0, 0, -3e38, 0, 0, 0, 3e38, 0], [0, 1, 2])).not.toThrow();
 });

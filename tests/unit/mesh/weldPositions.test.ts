@@ -17,7 +17,7 @@ test('vertices at one position share the first of them, −0 counts as 0, and ne
   expect([...canonical]).toEqual([0, 1, 0, 3, 1, 5]);
 });
 
-test('agrees with a plain search', () => {
+test('agrees with a brute-force search', () => {
   const coordinate = fc.constantFrom(-1, -0, 0, 0.5, 1e-30, 3e38);
   fc.assert(
     fc.property(fc.array(fc.tuple(coordinate, coordinate, coordinate), { maxLength: 60 }), (vertices) => {

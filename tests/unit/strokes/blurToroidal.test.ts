@@ -21,7 +21,7 @@ describe('blurToroidal', () => {
     expect(blurred.subarray(0, 5 * 16).every((value) => value === 0)).toBe(true);
   });
 
-  it('keeps the mean, also where the tent is wider than the field', () => {
+  it('keeps the mean, even where the tent is wider than the field', () => {
     const field = Float32Array.from({ length: 16 }, (_, i) => i);
     const blurred = blurToroidal(field, 4, 20);
     expect(blurred.reduce((a, b) => a + b)).toBeCloseTo(120, 3);

@@ -60,7 +60,7 @@ describe('drawThresholdField', () => {
     expect(Math.min(...field)).toBeLessThan(0.22);
   });
 
-  it('is the same elsewhere on the torus', () => {
+  it('is the same anywhere on the torus', () => {
     const field = fieldOf(line);
     const shifted = fieldOf({ ...line, u: 0.5 + 3 / SIZE, v: 0.5 + 13 / SIZE });
     for (let row = 0; row < 2 * SIZE; row++) {
@@ -71,7 +71,7 @@ describe('drawThresholdField', () => {
     }
   });
 
-  it('draws across what it draws along, transposed', () => {
+  it('draws a stroke across as the transpose of one along', () => {
     const along = fieldOf({ ...line, slope: 0.1, bow: 0.02 });
     const across = fieldOf({ ...line, slope: 0.1, bow: 0.02, across: true });
     for (let i = 0; i < along.length; i++) {

@@ -104,7 +104,7 @@ describe.each(Object.entries(HANDS).slice(0, cases(1, 5)))('the map of a hand: %
     expectNear(drawn, own.numbers, ['lengthSpread', 'angleSpread', 'widthSpread']);
   });
 
-  it('repeats no more visibly than hatching', () => {
+  it('does not repeat more visibly than hatching', () => {
     expect(repetition({ hand: own })).toBeLessThanOrEqual(repetition({ style: 'hatching' }));
   });
 });
@@ -145,7 +145,7 @@ describe('numbers that were changed since they were learnt', () => {
     },
   );
 
-  it('width is the scale of all else', () => {
+  it('width scales everything else', () => {
     const [narrow, wide] = [0.2, 0.8].map(
       (width) => resolveHatchImageOptions(requestOf({ hand: changed({ width }) })).style,
     );
@@ -153,7 +153,7 @@ describe('numbers that were changed since they were learnt', () => {
     expect(narrow.width).toBe(wide.width);
   });
 
-  it('the more by chance the spacing is, the more uneven the strokes stand', () => {
+  it('more random spacing makes strokes more uneven', () => {
     const spreads = [0, 0.5, 1].map(
       (spacingSpread) => numbersOfMap({ hand: changed({ spacingSpread }) }).spacingSpread,
     );
@@ -233,7 +233,7 @@ describe('a stroke with a profile', () => {
   });
 });
 
-describe('bad hands end in a sentence', () => {
+describe('errors for bad hands', () => {
   const { pen } = HANDS;
   it.each<[MapDrawing, string]>([
     [{ hand: pen, style: 'ruled' }, 'style is ruled, but must be left out beside a hand'],

@@ -7,7 +7,7 @@ import { resolveHatchImageOptions } from '../../../src/strokes/tamImages/hatchIm
 const charcoal = resolveHatchImageOptions({ style: 'charcoal', size: 64 });
 
 describe('paperGrain', () => {
-  it('has as many places of every depth, the same after a half turn', () => {
+  it('is evenly distributed over all depths, and unchanged by a half turn', () => {
     const { depths } = paperGrain(charcoal, 0)!;
     const counts = new Array<number>(256).fill(0);
     for (const depth of depths) counts[depth]++;
@@ -25,7 +25,7 @@ describe('paperGrain', () => {
     expect(product / depths.length / (256 ** 2 / 12)).toBeGreaterThan(0.5);
   });
 
-  it('lies in streaks along rows if it is asked to', () => {
+  it('forms streaks along rows on request', () => {
     const { depths } = paperGrain(charcoal, 0, 7)!;
     const likeness = (to: (x: number, y: number) => number): number =>
       depths.reduce((sum, depth, i) => sum + (depth - 127.5) * (depths[to(i & 63, i >> 6)] - 127.5), 0);
@@ -34,14 +34,14 @@ describe('paperGrain', () => {
     );
   });
 
-  it('is another on every level and for every seed, but always the same', () => {
+  it('differs by level and seed, and is reproducible', () => {
     const { depths } = paperGrain(charcoal, 1)!;
     expect(paperGrain(charcoal, 1)!.depths).toEqual(depths);
     expect(paperGrain({ ...charcoal, seed: 2 }, 1)!.depths).not.toEqual(depths);
     expect(paperGrain(charcoal, 0)!.depths.slice(0, depths.length)).not.toEqual(depths);
   });
 
-  it('is not there for a pen', () => {
+  it('is absent for a pen', () => {
     expect(paperGrain(resolveHatchImageOptions({ style: 'hatching' }), 0)).toBeUndefined();
   });
 

@@ -7,12 +7,12 @@ const take = (seed: number, count: number): number[] => {
 };
 
 describe('random', () => {
-  it('repeats itself with the same seed and only then', () => {
+  it('repeats with the same seed only', () => {
     expect(take(7, 50)).toEqual(take(7, 50));
     expect(take(7, 50)).not.toEqual(take(8, 50));
   });
 
-  it('gives the same numbers for ever: saved seeds keep their drawings', () => {
+  it('never changes its numbers, since saved seeds must keep their drawings', () => {
     expect(take(1, 3).map((value) => Math.round(value * 2 ** 32))).toEqual([1580013426, 350525680, 3524174333]);
   });
 

@@ -50,7 +50,7 @@ describe('rasterizeStroke', () => {
     expect(across).toEqual(along[0].map((_, column) => along.map((row) => row[column])));
   });
 
-  it('comes back at the other side', () => {
+  it('wraps around', () => {
     const image = percent(drawStrokes([stroke({ length: 0.5, u: 0, v: 0, width: 1 })], 8), 8);
     expect(image[0]).toEqual([50, 50, 29, 0, 0, 29, 50, 50]);
     expect(image[7]).toEqual(image[0]);
@@ -72,7 +72,7 @@ describe('rasterizeStroke', () => {
     for (let column = 4; column < 16; column++) expect(widths[column + 1]).toBeGreaterThanOrEqual(widths[column]);
   });
 
-  it('returns what it took from the sum of the bytes, and only darkens', () => {
+  it('returns the decrease of the sum of bytes, and only darkens', () => {
     const image = new Uint8Array(32 * 32).fill(255);
     let sum = 255 * image.length;
     for (const width of [1.5, 2.5, 1.5]) {

@@ -20,14 +20,14 @@ afterEach(() => {
 
 const seconds = (count: number) => vi.advanceTimersByTime(1000 * count);
 
-test('asks every second, and says once that nothing was heard for half a minute', () => {
+test('pings every second, and reports once after half a minute of silence', () => {
   seconds(SILENCE_SECONDS - 1);
   expect([ping.mock.calls.length, onSilence.mock.calls.length]).toEqual([SILENCE_SECONDS - 1, 0]);
   seconds(100);
   expect([ping.mock.calls.length, onSilence.mock.calls.length]).toEqual([SILENCE_SECONDS - 1, 1]);
 });
 
-test('a word begins the count anew', () => {
+test('a message restarts the count', () => {
   seconds(SILENCE_SECONDS - 1);
   watch.hear();
   seconds(SILENCE_SECONDS - 1);
@@ -49,7 +49,7 @@ test.each([
   expect(onSilence).toHaveBeenCalledTimes(silences);
 });
 
-test('a watch that is started twice asks once', () => {
+test('a watch that is started twice pings once per second', () => {
   watch.start();
   seconds(1);
   expect(ping).toHaveBeenCalledOnce();

@@ -131,7 +131,7 @@ describe('one worker', () => {
     expect(error.message).toBe('no triangles');
   });
 
-  test('ends when idle, and a new one starts with the next request', async () => {
+  test('terminates when idle, and a new one starts with the next request', async () => {
     const worker = started();
     vi.advanceTimersByTime(9_999);
     expect(worker.isTerminated).toBe(false);
@@ -165,7 +165,7 @@ describe('abort', () => {
     expect(workers[0].received).toEqual([]);
   });
 
-  test('while it runs: rejects at once, tells the worker, and leaves the others alone', async () => {
+  test('while it runs: rejects at once, notifies the worker, and does not affect others', async () => {
     const worker = started();
     const controller = new AbortController();
     const aborted = client.run('bakeCorners', request(), { signal: controller.signal });
@@ -179,7 +179,7 @@ describe('abort', () => {
     expect(await other).toEqual({ id: 2 });
   });
 
-  test('afterwards: nothing happens, and no listener is left on the signal', async () => {
+  test('after the result: does nothing, and no listener is left on the signal', async () => {
     const worker = started();
     const controller = new AbortController();
     const remove = vi.spyOn(controller.signal, 'removeEventListener');
@@ -193,7 +193,7 @@ describe('abort', () => {
 });
 
 describe('dispose', () => {
-  test('rejects what is pending, ends the worker, and leaves no timer; the client can be used again', async () => {
+  test('rejects pending requests, terminates the worker, and leaves no timer; the client can be used again', async () => {
     const worker = started();
     const promises = [client.run('bakeCorners', request()), client.run('bakeCorners', request())];
     client.dispose();
@@ -224,7 +224,7 @@ describe('dispose', () => {
 });
 
 describe('death of the worker', () => {
-  test('rejects what is pending and says so; the next request gets a new worker', async () => {
+  test('rejects pending requests with a warning; the next request gets a new worker', async () => {
     const worker = started();
     const promises = [client.run('bakeCorners', request()), client.run('bakeCorners', request())];
     worker.onerror!({ message: 'out of memory' });
@@ -246,14 +246,14 @@ describe('death of the worker', () => {
     await expect(promise).rejects.toThrow(/a message could not be read/);
   });
 
-  test('when idle it is simply replaced', () => {
+  test('an idle worker is replaced', () => {
     started().onerror!({ message: 'boom' });
     client.run('bakeCorners', request());
     expect(workers).toHaveLength(2);
   });
 });
 
-describe('a request that can be made anew', () => {
+describe('a request that can be made again', () => {
   let warn: ReturnType<typeof vi.spyOn>;
   beforeEach(() => {
     warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
@@ -312,7 +312,7 @@ describe('a request that can be made anew', () => {
     expect([...(await promise).positions]).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0]);
   });
 
-  test('is rejected with the death, and why it could not be made anew, if it could not', async () => {
+  test('is rejected with the death and the cause if it cannot be made again', async () => {
     const worker = started();
     const cause = new Error('changed');
     const promise = client.run('bakeCorners', request(), {}, () => Promise.reject(cause));
@@ -322,7 +322,7 @@ describe('a request that can be made anew', () => {
     expect(error.cause).toBe(cause);
   });
 
-  test('can be aborted while it is made anew, and then needs no worker', async () => {
+  test('can be aborted while it is made again, and then needs no worker', async () => {
     const worker = started();
     const controller = new AbortController();
     let made: (value: BakeRequest) => void = () => {};
@@ -336,7 +336,7 @@ describe('a request that can be made anew', () => {
     expect(workers).toHaveLength(1);
   });
 
-  test('starts again although another one, which cannot be made anew, is rejected', async () => {
+  test('starts again although another one, which cannot be made again, is rejected', async () => {
     const worker = started();
     const both = [client.run('bakeCorners', request(), {}, remake()), client.run('bakeCorners', request())];
     worker.onerror!({ message: 'out of memory' });
@@ -368,7 +368,7 @@ describe('a worker that holds a lock', () => {
   });
   afterEach(() => vi.unstubAllGlobals());
 
-  test('is known to be gone as soon as the lock is free', async () => {
+  test('counts as dead as soon as the lock is free', async () => {
     const promise = client.run('bakeCorners', request());
     workers[0].say({ type: 'ready', lock: 'of worker 0' });
     workers[0].isAlive = false;
@@ -377,7 +377,7 @@ describe('a worker that holds a lock', () => {
     expect(vi.getTimerCount()).toBe(0);
   });
 
-  test('is not waited for once it is ended here', async () => {
+  test('is no longer watched after it was terminated', async () => {
     client.run('bakeCorners', request()).catch(() => {});
     workers[0].say({ type: 'ready', lock: 'of worker 0' });
     expect([...waiting.keys()]).toEqual(['of worker 0']);
@@ -386,7 +386,7 @@ describe('a worker that holds a lock', () => {
   });
 });
 
-describe('a worker that ends without a word', () => {
+describe('a worker that ends without an event', () => {
   const silent = (): FakeWorker => {
     const worker = started();
     worker.isAlive = false;
@@ -395,7 +395,7 @@ describe('a worker that ends without a word', () => {
   const seconds = (count: number) => vi.advanceTimersByTime(1000 * count);
   afterEach(() => vi.unstubAllGlobals());
 
-  test('rejects what is pending after 30 silent seconds; the next request gets a new worker', async () => {
+  test('rejects pending requests after 30 silent seconds; the next request gets a new worker', async () => {
     const worker = silent();
     const promises = [client.run('bakeCorners', request()), client.run('bakeCorners', request())];
     seconds(29);
@@ -412,7 +412,7 @@ describe('a worker that ends without a word', () => {
     expect(await again).toEqual({ id: 3 });
   });
 
-  test('while it answers, or reports progress, work may take as long as it takes', async () => {
+  test('work may take any time while it answers pings or reports progress', async () => {
     const worker = started();
     const promise = client.run('bakeCorners', request());
     seconds(300);
@@ -427,7 +427,7 @@ describe('a worker that ends without a word', () => {
     expect(await promise).toEqual({ id: 1 });
   });
 
-  test('a worker without work is not asked', () => {
+  test('an idle worker is not pinged', () => {
     const worker = silent();
     seconds(9);
     expect(worker.pings).toBe(0);
@@ -438,7 +438,7 @@ describe('a worker that ends without a word', () => {
     expect(worker.pings).toBe(5);
   });
 
-  test('seconds in which the page is hidden do not count, and the count begins anew afterwards', async () => {
+  test('seconds in which the page is hidden do not count, and the count restarts afterwards', async () => {
     const page = { visibilityState: 'visible' };
     vi.stubGlobal('document', page);
     silent();
@@ -454,7 +454,7 @@ describe('a worker that ends without a word', () => {
     expect(await outcomeOf(promise)).toBeInstanceOf(Error);
   });
 
-  test('nor do those in which timers come late: of a page that sleeps, or works hard', async () => {
+  test('seconds with late timers do not count either, as of a page that sleeps or is busy', async () => {
     silent();
     const promise = client.run('bakeCorners', request());
     promise.catch(() => {});
@@ -496,7 +496,7 @@ describe('without a worker the main thread computes', () => {
 
   const isBaked = (value: BakeCornersResult) => expect([...value.positions]).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0]);
 
-  test('when there are none: silently', async () => {
+  test('when there are no workers: silently', async () => {
     client = new TaskClient(bakingTasks, () => null);
     const progress: number[] = [];
     isBaked(await client.run('bakeCorners', request(), { onProgress: (value) => progress.push(value) }));
@@ -504,7 +504,7 @@ describe('without a worker the main thread computes', () => {
     expect(warn).not.toHaveBeenCalled();
   });
 
-  test('when the constructor throws: with one warning, now and from now on', async () => {
+  test('when the constructor throws: with one warning, for all later requests too', async () => {
     const create = vi.fn(() => {
       throw new Error('blocked by the policy');
     });
@@ -525,7 +525,7 @@ describe('without a worker the main thread computes', () => {
     expect(warn.mock.calls[0][0]).toMatch(/its script could not be loaded/);
   });
 
-  test('when the worker does not report in time; a second request does not stop the clock', async () => {
+  test('when the worker does not report in time; a second request does not restart the timer', async () => {
     const promise = client.run('bakeCorners', request());
     vi.advanceTimersByTime(10_000);
     const second = client.run('bakeCorners', request());
@@ -535,7 +535,7 @@ describe('without a worker the main thread computes', () => {
     expect(warn.mock.calls[0][0]).toMatch(/did not report within 15 s/);
   });
 
-  test('errors of the task and aborts come through', async () => {
+  test('errors of the task and aborts reject the request', async () => {
     client = new TaskClient(bakingTasks, () => null);
     await expect(client.run('bakeCorners', request('bad', [Number.NaN, 0, 0, 1, 0, 0, 0, 1, 0]))).rejects.toThrow(
       /^bad: the position/,

@@ -62,7 +62,7 @@ describe('the pool', () => {
     expect(workers.map(({ ids }) => ids.length)).toEqual([4, 3, 3]);
   });
 
-  test('starts a worker ahead of the first request, once, and gives it to that', () => {
+  test('starts a worker ahead of the first request, once, which uses it', () => {
     pool.start();
     pool.start();
     expect(workers).toHaveLength(1);
@@ -74,7 +74,7 @@ describe('the pool', () => {
     expect(workers).toHaveLength(1);
   });
 
-  test('ends a worker that was started for nothing', () => {
+  test('terminates a worker that gets no request', () => {
     pool.start();
     workers[0].say({ type: 'ready' });
     vi.advanceTimersByTime(10_000);
@@ -82,7 +82,7 @@ describe('the pool', () => {
     expect(onIdle).toHaveBeenCalledOnce();
   });
 
-  test('gives a request to the worker with the fewest', () => {
+  test('gives a request to the worker with the fewest requests', () => {
     for (let i = 0; i < 6; i++) run();
     for (const worker of workers) worker.say({ type: 'ready' });
     workers[1].say({ type: 'done', id: 0, result: result(0) });
@@ -91,7 +91,7 @@ describe('the pool', () => {
     expect(workers[1].received.at(-1)).toMatchObject({ type: 'run', request: { seed: 7 } });
   });
 
-  test('tells each promise its own result and stops the right request', async () => {
+  test('resolves each promise with its own result and aborts the right request', async () => {
     const controller = new AbortController();
     const promises = [run(0), run(1, controller.signal), run(2)];
     for (const worker of workers) worker.say({ type: 'ready' });
@@ -103,7 +103,7 @@ describe('the pool', () => {
     expect(await promises[2]).toEqual({ id: 2 });
   });
 
-  test('goes on with the others when one dies', async () => {
+  test('continues with the others when one dies', async () => {
     const promises = [run(), run()];
     for (const worker of workers) worker.say({ type: 'ready' });
     workers[0].onerror!({ message: 'out of memory' });
@@ -112,7 +112,7 @@ describe('the pool', () => {
     expect(await promises[1]).toEqual({ id: 1 });
   });
 
-  test('is idle when the last worker has ended', () => {
+  test('is idle once the last worker has terminated', () => {
     run();
     run();
     for (const worker of workers) worker.say({ type: 'ready' });
@@ -125,14 +125,14 @@ describe('the pool', () => {
     expect(onIdle).toHaveBeenCalledOnce();
   });
 
-  test('ends all workers when disposed of', async () => {
+  test('terminates all workers on dispose', async () => {
     const promises = [run(), run()];
     pool.dispose();
     for (const promise of promises) await expect(promise).rejects.toThrow(/disposed/);
     expect(workers.every(({ isTerminated }) => isTerminated)).toBe(true);
   });
 
-  test('tries no other worker where one could not be started', async () => {
+  test('starts no other worker after one failed to start', async () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
     const failing = vi.fn(() => {
       throw new Error('blocked by the policy');
@@ -145,7 +145,7 @@ describe('the pool', () => {
     expect(warn).toHaveBeenCalledOnce();
   });
 
-  test('warns once of all that were being started when the first was refused', async () => {
+  test('warns once for all workers that were starting when the first was refused', async () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
     const both = [run(1), run(2)];
     expect(workers).toHaveLength(2);
@@ -155,7 +155,7 @@ describe('the pool', () => {
     expect(warn).toHaveBeenCalledOnce();
   });
 
-  test('says once of several workers that they died, and lets each start again', async () => {
+  test('warns once when several workers die, and lets each start again', async () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
     const both = [1, 2].map((seed) => pool.run('generateHatchImages', request(seed), {}, () => request(seed)));
     for (const worker of workers) worker.say({ type: 'ready' });

@@ -111,7 +111,7 @@ describe('triangle adjacency of any mesh', () => {
     );
   });
 
-  test('counts, borders and pairs are those of a plain grouping of half-edges', () => {
+  test('counts, borders and pairs equal those of a brute-force grouping of half-edges', () => {
     fc.assert(
       fc.property(anyMesh, (mesh) => {
         const adjacency = finish(buildTriangleAdjacency(mesh));

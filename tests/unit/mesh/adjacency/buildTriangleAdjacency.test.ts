@@ -328,7 +328,7 @@ describe('buildTriangleAdjacency', () => {
   });
 });
 
-test('a mesh without two vertices at one position lends its indices as canonical corners', () => {
+test('a mesh without duplicate positions uses its indices as canonical corners', () => {
   const mesh = fan(5);
   expect(finish(buildTriangleAdjacency(mesh)).canonicalCorners).toBe(mesh.indices);
 });

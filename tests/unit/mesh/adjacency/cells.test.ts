@@ -70,7 +70,7 @@ describe('clusterNodes', () => {
     }
   });
 
-  test('cells are connected: the entry by which a node was reached leads from its parent, in the same cell, to it', () => {
+  test('cells are connected: the parent entry of each node leads to it from a node of the same cell', () => {
     const graph = strip(16, 20);
     const { ofNode, order, parents, parentEntries, seeds } = finish(clusterNodes(graph, 2));
     expect(order.toSorted()).toEqual(Uint32Array.from(order.keys()));
@@ -106,14 +106,14 @@ describe('clusterNodes', () => {
     expect([...finish(clusterNodes(graphOf(3, []), 3)).ofNode]).toEqual([0, 1, 2]);
   });
 
-  test('a row of 100,000 nodes takes one walk', () => {
+  test('a row of 100,000 nodes takes linear time', () => {
     const { count } = finish(clusterNodes(path(100_000), 99));
     expect(count).toBe(1000);
   });
 });
 
 describe('coarsen', () => {
-  test('cells are neighbours where nodes of theirs are, each once', () => {
+  test('cells are neighbours, once, if nodes of theirs are', () => {
     const graph = strip(12, 20);
     const cells = finish(clusterNodes(graph, 1));
     const coarse = finish(coarsen(graph, cells));
@@ -129,7 +129,7 @@ describe('coarsen', () => {
     }
   });
 
-  test('an entry leads to that between the cells, and to none within a cell', () => {
+  test('each fine entry maps to the coarse entry between its cells, and to NONE within a cell', () => {
     const graph = strip(12, 20);
     const cells = finish(clusterNodes(graph, 1));
     const coarse = finish(coarsen(graph, cells));

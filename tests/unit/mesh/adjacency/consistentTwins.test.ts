@@ -34,7 +34,7 @@ describe('two triangles with a common edge', () => {
     expect([...after]).toEqual([NO_TWIN, NO_TWIN, 3, 2, NO_TWIN, NO_TWIN]);
   });
 
-  test('are separated if they are not, and the twins that were passed stay', () => {
+  test('are separated if they are not, and the given twins stay unchanged', () => {
     const { before, after, twins, inconsistentEdges } = twinsOf(
       meshOf(SQUARE, [
         [0, 1, 2],
@@ -48,7 +48,7 @@ describe('two triangles with a common edge', () => {
   });
 });
 
-test('the result is never the array that was passed', () => {
+test('the result is never the given array', () => {
   for (const mesh of [
     meshOf(SQUARE, [
       [0, 1, 2],
@@ -62,7 +62,7 @@ test('the result is never the array that was passed', () => {
   }
 });
 
-test('of any triangles, exactly the edges that both pass in one direction lose their twins', () => {
+test('exactly the edges that both triangles traverse in one direction lose their twins', () => {
   const soups = fc.array(fc.tuple(fc.nat(7), fc.nat(7), fc.nat(7)), { minLength: 1, maxLength: 30 });
   let dropped = 0;
   fc.assert(

@@ -36,7 +36,7 @@ describe('borders within the tolerance', () => {
     expect(finish(buildTriangleAdjacency(split(gap), NEAR)).borderEdges).toBe(borderEdges);
   });
 
-  test('are joined in a copy: the indices of the mesh stay as they are', () => {
+  test('are joined in a copy: the indices of the mesh stay unchanged', () => {
     const mesh = split(0.5e-3);
     const indices = [...mesh.indices];
     const { canonicalCorners } = finish(buildTriangleAdjacency(mesh, NEAR));

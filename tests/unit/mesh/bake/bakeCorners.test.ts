@@ -79,7 +79,7 @@ describe('bakeCorners', () => {
     expect(oppositeBeta).toEqual([...mesh.positions.subarray(areNeighbours ? 9 : 0, areNeighbours ? 12 : 3)]);
   });
 
-  test('inconsistent winding: the crease angle is measured as if it were mended', () => {
+  test('inconsistent winding: the crease angle is measured as if the winding were consistent', () => {
     const flat = foldedQuad(0);
     flat.indices.set([1, 2, 3], 3);
     expect(cornerOf(bakeOf(flat), 0).oppositeBeta).toEqual([1, 1, 0]);
@@ -149,7 +149,7 @@ describe('bakeCorners', () => {
     ]);
   });
 
-  test('measures the vertices that are used', () => {
+  test('bounds include used vertices only', () => {
     const mesh = meshOf(
       [
         [-1, 0, 0],

@@ -55,7 +55,7 @@ const foldedQuad = (degrees: number) => {
 const up = [0, 0, 32767, 0];
 
 describe('vertices', () => {
-  test('are kept as they are on a smooth surface', () => {
+  test('stay unchanged on a smooth surface', () => {
     const mesh = foldedQuad(0);
     const { indices, addedVertices, hatchNormals, normals } = bakeOf(mesh);
     expect(indices).toEqual(new Uint16Array(mesh.indices));
@@ -64,7 +64,7 @@ describe('vertices', () => {
     expect(normals).toBeNull();
   });
 
-  test('at an edge of the form are copied, and only those', () => {
+  test('are copied at sharp edges, and only there', () => {
     expect([...bakeOf(foldedQuad(40)).addedVertices]).toEqual([]);
     const { indices, addedVertices, hatchNormals } = bakeOf(foldedQuad(60));
     expect([...addedVertices]).toEqual([2, 1]);
@@ -129,7 +129,7 @@ test('smooth normals are added where asked for: split at the crease angle', () =
   expect(smooth[5]).toBeCloseTo(Math.cos(Math.PI / 6), 6);
 });
 
-test('only mesh and normals travel', () => {
+test('only the mesh and its normals are transferred', () => {
   const request = requestFor(foldedQuad(60), { wantsNormals: true });
   expect(bakeRequestBuffers(request)).toEqual([request.mesh.positions.buffer, request.mesh.indices.buffer]);
   const result = finish(bakeIndexed(request));
@@ -144,7 +144,7 @@ test('progress rises and ends at 1', () => {
   expect(progress.length).toBeGreaterThan(20);
 });
 
-test('every corner of any mesh has the normal and position it has in the corner layout, with as few copies as possible', () => {
+test('every corner has the same normal and position as in the corner layout, with as few copies as possible', () => {
   const coordinate = fc.constantFrom(0, -0, 1, -1, 0.5, 1e-30, 1e-45, 3.4e38, -3.4e38);
   const small = fc.integer({ min: -1, max: 1 });
   const vertex = fc.oneof(

@@ -63,7 +63,7 @@ describe('parts whose borders meet', () => {
     }
   });
 
-  test('have it in object spaces of their own, one of them mirrored, turned and of another size', () => {
+  test('have the same field in object spaces of their own, one of them mirrored, rotated and scaled', () => {
     const expected = formOf(whole);
     const [, form] = formsOf([
       { mesh: slice(whole, 0, 1000), matrix: HERE },
@@ -84,7 +84,7 @@ describe('parts whose borders meet', () => {
   });
 });
 
-test('those that meet no other are left alone, and each group is by itself', () => {
+test('parts that meet no other are left alone, and groups are independent', () => {
   const [ball, ring] = [sphere(8), torus(24, 12)];
   const far = new Matrix4().makeTranslation(9, 0, 0).toArray();
   const half = (mesh: TriangleMesh, i: number): TriangleMesh => {
@@ -107,7 +107,7 @@ test('those that meet no other are left alone, and each group is by itself', () 
   ]);
 });
 
-test('parts that have no form together follow the light, where that was asked', () => {
+test('parts without a common form follow the light, if that was requested', () => {
   const box = cube(4);
   const middle = box.indices.length / 6;
   const parts = [slice(box, 0, middle - 4), slice(box, middle - 4, 2 * middle)];
@@ -119,7 +119,7 @@ test('parts that have no form together follow the light, where that was asked', 
   ).toEqual(['light', 'light']);
 });
 
-test('a part that is not valid is an error of them all', () => {
+test('an invalid part is an error for all', () => {
   const broken = sphere(4);
   broken.positions[7] = Number.NaN;
   expect(() =>

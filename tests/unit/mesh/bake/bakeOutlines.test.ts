@@ -40,7 +40,7 @@ const flagsOf = ({ primitives, triangleCount, edgeCount }: PackedOutlines): numb
   });
 
 describe.each(meshes)('%s', (_, mesh) => {
-  test('has the same bytes with outlines as without, apart from the outlines', () => {
+  test('outlines do not change the other bytes of a bake', () => {
     for (const task of [bakeCorners, bakeIndexed, bakePull]) {
       const run = (options: Partial<BakeRequest>) =>
         finish<{ outlines: PackedOutlines | null }>(task(requestFor(mesh, options)));
@@ -111,7 +111,7 @@ describe.each(meshes)('%s', (_, mesh) => {
   });
 });
 
-test('normals of the outlines are those of the shape, of unit length, one on each side of a sharp edge', () => {
+test('outline normals are unit normals of the shape, one on each side of a sharp edge', () => {
   const box = finish(bakeCorners(requestFor(cube(2), { outlines }))).outlines!;
   expect(box.triangleCount).toBe(48);
   for (let i = 0; i < box.normals.length; i += 3) {
@@ -134,7 +134,7 @@ test('triangles of a coarse mesh keep their own normals, and have no curvature',
   }
 });
 
-test('creases are drawn from a fifth of the bounding radius on, and as the options say', () => {
+test('creases are drawn from a fifth of the bounding radius on, or from the given length', () => {
   // A tent on a large plane, whose ridge of 60° is `length` long.
   const tent = (length: number) =>
     meshOf(
@@ -169,7 +169,7 @@ test('creases are drawn from a fifth of the bounding radius on, and as the optio
   expect(creases(2.4, { featureAngle: 1 })).toBe(1);
 });
 
-test('specks of a scan take the normals of what they lie on, in the outlines alone', () => {
+test('specks of a scan take the normals of the surface below them, in outlines only', () => {
   const flat = patch(60, 60, (u, v) => [u, v, 0]);
   const fold = meshOf(
     [
@@ -195,7 +195,7 @@ test('specks of a scan take the normals of what they lie on, in the outlines alo
   expect(isDeepStrictEqual(hatchNormals({ outlines }), hatchNormals({}))).toBe(true);
 });
 
-test('narrow sides of boxes keep their normals, also where one mesh holds many', () => {
+test('narrow sides of boxes keep their normals, even if a mesh has many', () => {
   const boxes = together(
     torus(60, 30),
     ...Array.from({ length: 500 }, (_, i) => {
@@ -214,13 +214,13 @@ test('narrow sides of boxes keep their normals, also where one mesh holds many',
   expect(turned).toEqual([]);
 });
 
-test('the crease angle of the adjacency cuts no borders into the outlines', () => {
+test('the crease angle of the adjacency adds no borders to the outlines', () => {
   const found = finish(bakeCorners(requestFor(cube(2), { creaseAngle: 0, outlines }))).outlines!;
   expect(flagsOf(found).filter((flags) => flags & BORDER)).toEqual([]);
   expect(flagsOf(found).filter((flags) => flags & CREASE)).toHaveLength(24);
 });
 
-test('any mesh has outlines without NaN, that name points at the places of their corners', () => {
+test('outlines have no NaN, and their points lie at the positions of their corners', () => {
   const coordinate = fc.constantFrom(0, -0, 1, -1, 0.5, 1e-30, 1e-45, 3.4e38, -3.4e38);
   const small = fc.integer({ min: -1, max: 1 });
   const vertex = fc.oneof(

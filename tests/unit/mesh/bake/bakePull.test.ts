@@ -74,7 +74,7 @@ test('textures are two texels per triangle and one per vertex, padded to rows', 
   expect(pullTextureSize(20_000_000)).toEqual({ width: 8192, height: 2442 });
 });
 
-test('all buffers travel, and are used once', () => {
+test('all buffers are transferred, each once', () => {
   const request = requestFor(cube(1), { wantsNormals: true });
   expect(new Set(bakeRequestBuffers(request)).size).toBe(3);
   expect(new Set(bakePullResultBuffers(finish(bakePull(request)))).size).toBe(6);

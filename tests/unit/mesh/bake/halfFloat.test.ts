@@ -8,7 +8,7 @@ const decode = (bits: number): number => DataUtils.fromHalfFloat(bits);
 const LARGEST = 65504;
 const LEAST_NORMAL = 2 ** -14;
 
-test('every half float but the subnormal ones is kept to the last bit', () => {
+test('every normal half float is kept to the last bit', () => {
   const changed: number[] = [];
   for (let bits = 0; bits < 2 ** 16; bits++) {
     const exponent = (bits >> 10) & 31;
@@ -18,7 +18,7 @@ test('every half float but the subnormal ones is kept to the last bit', () => {
   expect([halfFloat(0), halfFloat(-0)]).toEqual([0, 0x8000]);
 });
 
-test('any number in range becomes the nearest, as far from that of three.js as the last bit', () => {
+test('numbers in range are rounded to the nearest half float, within one bit of three.js', () => {
   const value = fc
     .tuple(fc.double({ min: -14, max: 15.99, noNaN: true }), fc.boolean())
     .map(([exponent, isNegative]) => Math.min(2 ** exponent, LARGEST) * (isNegative ? -1 : 1));
@@ -33,7 +33,7 @@ test('any number in range becomes the nearest, as far from that of three.js as t
   );
 });
 
-test('rounds up from the half on, into the next power of two as well', () => {
+test('rounds half up, across powers of two too', () => {
   expect(decode(halfFloat(1 + 0.49 * 2 ** -10))).toBe(1);
   expect(decode(halfFloat(1 + 0.51 * 2 ** -10))).toBe(1 + 2 ** -10);
   expect(decode(halfFloat(2 - 0.49 * 2 ** -10))).toBe(2);

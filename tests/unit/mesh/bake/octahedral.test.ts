@@ -61,6 +61,6 @@ describe('a direction', () => {
   });
 });
 
-test('no direction at all is one nevertheless', () => {
+test('a zero vector gives a unit vector', () => {
   expect(decode(octahedral(0, 0, 0))).toEqual([0, 0, 1]);
 });

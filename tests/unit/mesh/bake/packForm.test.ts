@@ -26,7 +26,7 @@ function unpacked(packed: Int16Array, vertex: number, offset = SLOPE): number[] 
 }
 
 describe('packForm', () => {
-  test('gives each corner what its form vertex has', () => {
+  test('gives each corner the values of its form vertex', () => {
     const form = field([0, 1, 2, 2, 1, 3], 4);
     const { values, gradients: packed } = finish(packForm(form, 1, null));
     for (const [corner, vertex] of form.ofCorner.entries()) {
@@ -43,7 +43,7 @@ describe('packForm', () => {
     }
   });
 
-  test('gives each vertex what its corner has, and zeros to one without a corner', () => {
+  test('gives each vertex the values of its corner, and zeros to vertices without a corner', () => {
     const form = field([0, 1, 2, 2, 1, 3], 4);
     const { values, gradients } = finish(packForm(form, 1, Uint32Array.of(5, NO_CORNER, 0)));
     expect([...values]).toEqual([...form.values.subarray(6, 8), 0, 0, ...form.values.subarray(0, 2)]);
@@ -61,7 +61,7 @@ describe('packForm', () => {
     }
   });
 
-  test('keeps to its range where a gradient is out of all bounds, or an object has no extent', () => {
+  test('clamps huge gradients, and allows objects without extent', () => {
     const form = field([0, 1, 2], 3, 1e6);
     expect(Math.max(...finish(packForm(form, 1, null)).gradients.map(Math.abs))).toBe(32767);
     expect(finish(packForm(field([0, 1, 2], 3, 0), 0, null)).gradients.every((slope) => slope === 0)).toBe(true);

@@ -62,7 +62,7 @@ describe('points', () => {
     }
   });
 
-  test('that no corner uses do no harm', () => {
+  test('without a corner are allowed', () => {
     expect([...floats.subarray(32, 35)]).toEqual([0, 0, 0]);
     expect(words(4)[7]).toBe(0);
   });
@@ -83,13 +83,13 @@ describe('primitives', () => {
   });
 });
 
-test('what contours are looked for in is given as it is', () => {
+test('positions and normals for the search for contours are passed on unchanged', () => {
   expect(packed.normals).toEqual(surface().normals);
   expect(packed.positions.subarray(0, 12)).toEqual(new Float32Array(rows.flat()));
   expect(packed.radius).toBe(3);
 });
 
-test('all buffers travel, and there are none without outlines', () => {
+test('all buffers are transferred, and there are none without outlines', () => {
   const arrays = Object.values(packed).flatMap((value) => (ArrayBuffer.isView(value) ? [value.buffer] : []));
   expect(arrays).toHaveLength(4);
   expect(new Set(outlineBuffers(packed))).toEqual(new Set(arrays));

@@ -16,7 +16,7 @@ test('the simplest level within a third of a pixel is drawn', () => {
   expect(chooseLevel(LEVELS, 1, COARSEST)).toBe(4);
 });
 
-test('nearer is never simpler, whatever was drawn before', () => {
+test('a nearer mesh never has a simpler level, whatever the level before', () => {
   fc.assert(
     fc.property(size(1000), size(2), fc.nat(4), (size, factor, before) => {
       expect(chooseLevel(LEVELS, size * factor, before)).toBeLessThanOrEqual(chooseLevel(LEVELS, size, before));
@@ -25,7 +25,7 @@ test('nearer is never simpler, whatever was drawn before', () => {
   );
 });
 
-test('a level is never farther off than a third of a pixel', () => {
+test('a level is never off by more than a third of a pixel', () => {
   fc.assert(
     fc.property(size(1e5), fc.nat(4), (size, before) => {
       expect(LEVELS[chooseLevel(LEVELS, size, before)].error * size).toBeLessThanOrEqual(MOST_PIXELS);
@@ -34,7 +34,7 @@ test('a level is never farther off than a third of a pixel', () => {
   );
 });
 
-test('a view that wavers around a border between two levels does not flicker', () => {
+test('levels do not flicker while the distance varies around the boundary of two levels', () => {
   const border = MOST_PIXELS / 0.002;
   let level = chooseLevel(LEVELS, 1.05 * border, 0);
   const drawn = [];

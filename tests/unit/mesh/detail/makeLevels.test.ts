@@ -76,7 +76,7 @@ test('levels stand one after another, with growing errors, and each uses vertice
   expect(end).toBe(indices.length);
 });
 
-test('cells give a closed surface as near as the error says, and a shifted grid simplifies where they meet', {
+test('cells give a closed surface within the error, and a shifted grid simplifies their borders', {
   tags: ['all'],
 }, () => {
   const { mesh, indices } = sphere(512);
@@ -106,7 +106,7 @@ test('a flat sheet keeps its border and loses what lies within', () => {
   expect(area).toBeCloseTo(4, 3);
 });
 
-test('strokes that turn keep triangles where the shape is flat', () => {
+test('turning strokes keep triangles on flat shapes', () => {
   const plane = new PlaneGeometry(2, 2, 60, 60);
   const positions = new Float32Array(plane.attributes.position.array);
   const turning = new Float32Array(positions.length);

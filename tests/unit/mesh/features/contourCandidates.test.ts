@@ -110,7 +110,7 @@ const scene = fc.record({
 });
 
 describe('nothing is missed', () => {
-  test('wherever the eye moves within its reach, every primitive that holds a contour is listed', () => {
+  test('for every eye within the angle, each primitive with a contour is listed', () => {
     let missedWithout = 0;
     fc.assert(
       fc.property(scene, ({ points, seeds, eye: toEye, distance, degrees, isPlace }) => {
@@ -174,7 +174,7 @@ describe.each<[string, Eye]>([
   ['perspective', [0, 0, 30, 1]],
   ['orthographic', [0, 0, 1, 0]],
 ])('seen in %s', (_, eye) => {
-  test('triangles are left out that face the eye or look away for sure', () => {
+  test('triangles that certainly face the eye or face away are left out', () => {
     const tilted = (degrees: number) => [Math.cos((degrees * Math.PI) / 180), 0, Math.sin((degrees * Math.PI) / 180)];
     const triangles = [
       [0, 0, 0],
@@ -198,7 +198,7 @@ describe.each<[string, Eye]>([
     expect(listed(search, eye, SINE)).toEqual([2, 3, 4, 5, 6, 8]);
   });
 
-  test('edges are listed that are something, or where one side faces the eye and the other looks away', () => {
+  test('feature edges are listed, and edges between a side that faces the eye and one that faces away', () => {
     const edges = [
       { points: [0, 0, 0, 0], flags: 0 },
       { points: [0, 0, 1, 1], flags: 0 },
@@ -225,7 +225,7 @@ describe.each<[string, Eye]>([
   });
 });
 
-test('a point where the eye is, or without a normal, is never sure', () => {
+test('a point at the eye, or without a normal, is uncertain', () => {
   const search = searchOf({
     positions: [
       [0, 0, 5],
@@ -258,7 +258,7 @@ describe('a torus of the bake', () => {
     list: new Uint32Array(mesh.indices.length / 3),
   };
 
-  test('is listed in part, and never too little', () => {
+  test('is listed in part, with all contours', () => {
     const random = noise(6);
     for (let i = 0; i < 4; i++) {
       const toEye = unit([random(), random(), random()]);
@@ -276,7 +276,7 @@ describe('a torus of the bake', () => {
     }
   });
 
-  test('the worker has the same list, with the arrays it was sent', () => {
+  test('the worker returns the same list in the same arrays', () => {
     const eye: Eye = [3, 2, 1, 1];
     const expected = listed(search, eye, SINE);
     const steps = [...searchContours({ search, eye, sine: SINE })];
@@ -286,7 +286,7 @@ describe('a torus of the bake', () => {
     expect([...search.list.subarray(0, result.count)]).toEqual(expected);
   });
 
-  test('all arrays of a search travel', () => {
+  test('all arrays of a search are transferred', () => {
     const arrays = Object.values(search).flatMap((value) => (ArrayBuffer.isView(value) ? [value.buffer] : []));
     expect(arrays).toHaveLength(5);
     expect(new Set(contourSearchBuffers({ search }))).toEqual(new Set(arrays));

@@ -117,7 +117,7 @@ test('a torus is convex outside, a saddle inside, and bent across everywhere', (
   expect(inside.every(({ around, across }) => around < 0 && across > 0)).toBe(true);
 });
 
-test('a plane and the sides of a cube have none', () => {
+test('a plane and the sides of a cube have zero curvature', () => {
   const plane = patch(5, 4, (u, v) => [3 * u, v, 0.5 * u - v]);
   for (const { tensor } of [...fansOf(plane), ...fansOf(cube(3))]) {
     for (const value of tensor) expect(value).toBeCloseTo(0, 6);
@@ -166,7 +166,7 @@ test('triangles count by their area', () => {
   expect(onLeft.map(Math.abs)).toEqual([0, 0, 0, 0, 0, 0]);
 });
 
-describe('triangles that cannot tell', () => {
+describe('triangles without a measurable curvature', () => {
   /** A sphere with one triangle more, whose corners belong to the given fans. */
   function withTriangle(corners: readonly Row[], fansOfCorners: readonly number[]) {
     const mesh = sphere(4);

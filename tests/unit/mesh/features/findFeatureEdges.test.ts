@@ -92,7 +92,7 @@ describe('a cube', () => {
     }
   });
 
-  test('has none of them where its edges go straight on', () => {
+  test('has no corners inside its straight edges', () => {
     const edges = edgesOf(cube(4));
     expect(edges).toHaveLength(48);
     const corners = edges.flatMap(({ ends }) => ends.filter(({ isCorner }) => isCorner));
@@ -111,7 +111,7 @@ describe('a cube', () => {
 });
 
 describe('creases', () => {
-  test('are drawn if all that hang together are long enough; others may still hold the contour', () => {
+  test('are drawn if their connected length suffices; others may still carry the contour', () => {
     const small = scaled(cube(1), 0.25);
     // The edges of the large one add up to 24, those of the small one to 6.
     small.positions.forEach((_, i) => {
@@ -128,7 +128,7 @@ describe('creases', () => {
     expect(counts(24.01)).toEqual([0, 36]);
   });
 
-  test('that are dropped where nothing else is are no edges, and make no corners', () => {
+  test('that are dropped are no edges and make no corners', () => {
     // Of 40°, so that the fans on both sides are the same.
     const limits = { featureAngle: Math.PI / 6, creaseLength: 1.5 };
     expect(countOf(edgesOf(foldedQuad(40), limits), CREASE)).toBe(0);
@@ -171,7 +171,7 @@ describe('creases', () => {
     expect([...edges.flags].filter((flag) => flag & CREASE)).toEqual([]);
   });
 
-  test('are no noise', () => {
+  test('do not arise from noise', () => {
     const random = noise(3);
     const mesh = patch(30, 30, (u, v) => [u, v, 0.01 * random()]);
     expect(countOf(edgesOf(mesh), CREASE)).toBe(0);
@@ -188,7 +188,7 @@ describe('borders', () => {
     for (const { position } of corners) expect(position.every((value) => value === 0 || value === 1)).toBe(true);
   });
 
-  test('have the fans of their one side twice', () => {
+  test('have the fans of their only side twice', () => {
     const surface = featureSurface(patch(2, 2, (u, v) => [u, v, 0]));
     const { fans } = finish(findFeatureEdges(surface, NO_LIMITS));
     for (let i = 0; i < fans.length; i += 4) expect(fans.slice(i, i + 2)).toEqual(fans.slice(i + 2, i + 4));
@@ -218,7 +218,7 @@ describe('borders', () => {
     expect(all.map(({ kinds }) => kinds)).toEqual(Array(5).fill(CONTRARY));
   });
 
-  test('are none of a triangle without area', () => {
+  test('are not made by a triangle without area', () => {
     const mesh = meshOf(
       [
         [0, 0, 0],
@@ -258,7 +258,7 @@ describe('contrary windings', () => {
 });
 
 describe('groups', () => {
-  test('have a border of material between them, on a flat and on a sharp edge', () => {
+  test('have a material border between them, on flat and on sharp edges', () => {
     const groups = new Uint16Array([1, 2]);
     expect(countOf(edgesOf(foldedQuad(0), {}, groups), MATERIAL_BORDER)).toBe(1);
     expect(countOf(edgesOf(foldedQuad(60), {}, groups), MATERIAL_BORDER | CREASE)).toBe(1);
@@ -285,7 +285,7 @@ describe('groups', () => {
     }
   });
 
-  test('reach the bake', () => {
+  test('are passed to the bake', () => {
     const { edges } = outlinesOf(foldedQuad(0), { outlines: { triangleGroups: new Uint16Array([1, 0]) } });
     expect([...edges.flags].filter((flag) => flag & MATERIAL_BORDER)).toHaveLength(1);
   });
@@ -306,7 +306,7 @@ describe('smooth surfaces of three.js have no edges', () => {
   });
 });
 
-test('on a coarse mesh every edge may hold the contour', () => {
+test('on a coarse mesh every edge may carry the contour', () => {
   const { edges } = outlinesOf(meshFrom(new IcosahedronGeometry(1, 3)));
   expect(edges.flags).toEqual(new Uint8Array(480).fill(IS_EDGE));
 });

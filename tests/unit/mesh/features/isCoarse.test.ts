@@ -43,7 +43,7 @@ describe('coarse', () => {
     expect(judged(mesh)).toBe(expected);
   });
 
-  test('fine triangles are not, however rough', () => {
+  test('fine triangles are not coarse, however rough', () => {
     const random = noise(3);
     expect(judged(patch(40, 40, (u, v) => [u, v, 0.01 * random()]))).toBe(false);
   });

@@ -43,7 +43,7 @@ test('the mean is that of all triangles around, and of unit length', () => {
   for (const [axis, value] of expected.entries()) expect(normals[axis]).toBeCloseTo(value, 6);
 });
 
-test('stays where there is nothing to tell, or nothing alike', () => {
+test('normals stay if the others are zero or contradict each other', () => {
   const alone = new Float32Array([0, 0, 1, 1, 0, 0, -1, 0, 0, 0, 1, 0]);
   const before = alone.slice();
   finish(turnFlaps(alone, { ofCorner: new Uint32Array([0, 1, 2]), count: 4 }));

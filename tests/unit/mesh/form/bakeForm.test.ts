@@ -64,7 +64,7 @@ describe('lines go on across the cut', () => {
     },
   );
 
-  test('a torus has no singular point and no line that is not closed: 64 rings around the tube', () => {
+  test('a torus has no singular point, and all its lines are closed: 64 rings around the tube', () => {
     const whole = phaseOf(meshFrom(new TorusGeometry(1, 0.42, 32, 64)), NO_AXIS);
     expect(whole.field.statistics.singularPoints).toBe(0);
     const lengths = lineLengths(whole, 0);
@@ -73,7 +73,7 @@ describe('lines go on across the cut', () => {
   });
 });
 
-test('the parts of an assembly converge by themselves: each torus has the number of rings that suits it, and a small one some', () => {
+test('the parts of an assembly converge independently: each torus has a suitable number of rings', () => {
   const shapes = [1, 0.5, 0.2, 0.05].map((size, i) => {
     const { positions, indices } = torus(48, 24);
     return { positions: positions.map((value, k) => size * value + (k % 3 === 0 ? 4 * i : 0)), indices };
@@ -150,11 +150,11 @@ describe('the field depends on the shape alone', () => {
     expect(worst(a, b)).toBeLessThan(5e-5);
   });
 
-  test('twice: the same bits', () => {
+  test('two bakes give the same bits', () => {
     expect(formOf(knot())).toEqual(formOf(knot()));
   });
 
-  test('φ does not change with the angle between the families, and φ₂ does', () => {
+  test('only φ₂ depends on the angle between the families', () => {
     const [a, b] = [0.5, 1.5].map((crossAngle) => phaseOf(knot(), { crossAngle }));
     const values = ({ mesh, valueAt }: typeof a, family: 0 | 1) =>
       [...mesh.indices.keys()].map((corner) => valueAt(corner, family));

@@ -84,7 +84,7 @@ describe('singular points', () => {
     for (const [, y] of points) expect(Math.abs(y)).toBeGreaterThan(0.7);
   });
 
-  test('are where the signs around a fan multiply to −1, or directions turn by whole turns', () => {
+  test('lie where the signs around a fan multiply to −1, or directions turn by whole turns', () => {
     const { seam } = frontOf(sphere(16));
     for (const [fan, turns] of seam.halfTurns.entries()) {
       expect(seam.isSingular[fan]).toBe(Math.abs(turns) % 2);

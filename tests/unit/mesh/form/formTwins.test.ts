@@ -44,7 +44,7 @@ describe('lines run on', () => {
     expect(twins).toEqual(whole);
   });
 
-  test('across creases around what is too small for lines of its own', () => {
+  test('across creases around patches too small for lines of their own', () => {
     const spiked = patch(120, 120, (u, v) => {
       const inside = Math.max(Math.abs(u - 0.5), Math.abs(v - 0.5)) < 0.009;
       return [u - 0.5, v - 0.5, inside ? 0.02 : 0];

@@ -39,7 +39,7 @@ function twinsOf(mesh: TriangleMesh) {
   return { ...adjacency, consistent: twins, pairs };
 }
 
-test('a fan is what edges with twins connect around a vertex', () => {
+test('a fan is the set of corners connected by edges with twins around a vertex', () => {
   fc.assert(
     fc.property(soups, (mesh) => {
       const { consistent, pairs } = twinsOf(mesh);
@@ -54,7 +54,7 @@ test('a fan is what edges with twins connect around a vertex', () => {
   );
 });
 
-test('a patch is what edges with twins connect', () => {
+test('a patch is the set of triangles connected by edges with twins', () => {
   fc.assert(
     fc.property(soups, (mesh) => {
       const { consistent, pairs, areaNormals } = twinsOf(mesh);
@@ -76,7 +76,7 @@ test('a patch is what edges with twins connect', () => {
   );
 });
 
-test('twins whose windings contradict each other are none, and the others stay', () => {
+test('twins with contradicting windings are removed, and the others stay', () => {
   fc.assert(
     fc.property(soups, (mesh) => {
       const { twins, canonicalCorners, consistent } = twinsOf(mesh);

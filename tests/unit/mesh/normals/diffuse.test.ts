@@ -49,7 +49,7 @@ describe('a coarser copy of the heat equation', () => {
     expect(flows.size).toBe(weights.length);
   });
 
-  test('spreads heat as fast: the Dirichlet energy of x and of y is the area', () => {
+  test('spreads heat equally fast: the Dirichlet energy of x and of y is the area', () => {
     for (const axis of [0, 1]) {
       let energy = 0;
       for (let cell = 0; cell < masses.length; cell++) {
@@ -64,7 +64,7 @@ describe('a coarser copy of the heat equation', () => {
   });
 });
 
-test('what spreads far passes through coarser copies, and arrives as if it had not', { tags: ['all'] }, () => {
+test('heat that spreads far through coarser copies gives the same result', { tags: ['all'] }, () => {
   const geometry = () => new IcosahedronGeometry(1, 60);
   const start = levelOf(geometry());
   const rate = highestRate(start.heat);
@@ -81,7 +81,7 @@ test('what spreads far passes through coarser copies, and arrives as if it had n
   expect(Math.max(...finely)).toBeGreaterThan(0.1);
 });
 
-test('heat within a part of the surface that is joined to no other stays there', { tags: ['all'] }, () => {
+test('heat stays within a disconnected part of the surface', { tags: ['all'] }, () => {
   const one = new IcosahedronGeometry(1, 40);
   const other = one.clone().translate(2.001, 0, 0);
   const both = new BufferGeometry();

@@ -128,7 +128,7 @@ describe('noise', () => {
     expect(rootMeanSquare(errors)).toBeLessThan(1);
   });
 
-  test('folds and doubled triangles too small for a stroke have the normals of what they lie on', () => {
+  test('folds and doubled triangles too small for a stroke take the normals of the surface below them', () => {
     const flat = patch(10, 10, (u, v) => [u, v, 0]);
     const fold = meshOf(
       [
@@ -159,7 +159,7 @@ describe('shape', () => {
     expect(Math.max(...errors)).toBeLessThan(1);
   });
 
-  test('a wave is flattened as heat flow says, whatever the triangles', () => {
+  test('a wave is flattened as by heat flow, whatever the triangles', () => {
     const wave = 2 * Math.PI * 4;
     const radius = 0.06;
     const slope = 0.05;
@@ -193,7 +193,7 @@ describe('shape', () => {
     expect(Math.max(...differences)).toBeLessThan(1.5);
   });
 
-  test('a radius of 0 leaves the mean normals; the default follows the size of the object', () => {
+  test('a radius of 0 gives the mean normals; the default scales with the object', () => {
     const mesh = torus(30, 15);
     const scaled = { positions: mesh.positions.map((value) => 64 * value), indices: mesh.indices };
     const normals = (m: TriangleMesh, radius?: number) => cornersOf(m, radius).map(({ normal }) => normal);

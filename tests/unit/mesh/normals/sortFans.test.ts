@@ -76,7 +76,7 @@ test('fans of more edges than count keep their order among themselves', () => {
   expect(order(MOST_EDGES + 9, MOST_EDGES - 1)).toEqual([MOST_EDGES - 1, MOST_EDGES + 9]);
 });
 
-test('of any triangles', () => {
+test('any triangles', () => {
   const soups = fc.array(fc.tuple(fc.nat(8), fc.nat(8), fc.nat(8)), { minLength: 1, maxLength: 40 });
   fc.assert(
     fc.property(soups, (triangles) =>

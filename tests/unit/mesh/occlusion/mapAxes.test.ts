@@ -5,7 +5,7 @@ const COUNT = 256;
 const axes = Array.from({ length: COUNT }, (_, i) => mapAxes(i));
 const dot = (a: readonly number[], b: readonly number[]): number => a.reduce((sum, value, i) => sum + value * b[i], 0);
 
-test('the axes of a map are unit vectors across each other', () => {
+test('the axes of a map are orthonormal', () => {
   for (const { right, up, towards } of axes) {
     for (const axis of [right, up, towards]) expect(dot(axis, axis)).toBeCloseTo(1, 12);
     for (const [a, b] of [
@@ -24,7 +24,7 @@ test('directions are evenly spread over the upper half of the sphere', () => {
   expect(Math.min(...axes.map(({ towards }) => towards[1]))).toBeGreaterThanOrEqual(0);
 });
 
-test('maps are turned about their directions, each by another angle, evenly', () => {
+test('maps are rotated about their directions by evenly distributed angles', () => {
   // The angle from the horizontal.
   const turns = axes.map(({ right, up }) => Math.atan2(right[1], up[1]));
   const sectors = new Array(8).fill(0);

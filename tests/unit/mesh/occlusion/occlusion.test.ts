@@ -53,7 +53,7 @@ function hiddenByWall(x: number, z: number): number {
   return (to(2 - z) - to(-2 - z)) / (2 * Math.PI);
 }
 
-describe('against what is known exactly', () => {
+describe('compared with exact form factors', () => {
   test('two planes at 90°: the form factor of the wall, right up to the edge', () => {
     const [floor, wall] = corner();
     const [values] = bake(meshOf(floor), meshOf(wall));
@@ -85,7 +85,7 @@ describe('against what is known exactly', () => {
     expect(largest(errors)).toBeLessThan(0.06);
   });
 
-  test('a ball over a plane: its form factor; and the plane hides what is below the ball', () => {
+  test('a ball over a plane: its form factor, and the plane occludes the underside of the ball', () => {
     const plane = meshOf(new PlaneGeometry(6, 6, 64, 64));
     const ball = meshOf(new SphereGeometry(0.5, 48, 32), { toWorld: new Matrix4().makeTranslation(0, 0, 1).toArray() });
     const [onPlane, onBall] = bake(plane, ball);
@@ -102,7 +102,7 @@ describe('against what is known exactly', () => {
     expect(largest(highest)).toBe(0);
   });
 
-  test('the more directions, the nearer', () => {
+  test('more directions give a smaller error', () => {
     const [floor, wall] = corner();
     const { position } = floor.attributes;
     const errors = [8, 32, 128].map((pairs) =>
@@ -128,7 +128,7 @@ describe('what must not darken', () => {
     expect(largest(bakeOf([meshOf(geometry)], 64).occlusions[0])).toBe(0);
   });
 
-  test('a plane below one that hides nothing', () => {
+  test('a plane below a mesh that occludes nothing', () => {
     const roof = meshOf(new PlaneGeometry(3, 3).translate(0, 0, 0.5), { occludes: false });
     const [ground, above] = bakeOf([meshOf(new PlaneGeometry(1, 1, 4, 4)), roof], 32).occlusions;
     expect(largest(ground)).toBe(0);
@@ -150,7 +150,7 @@ describe('meshes', () => {
   const below = () => meshOf(new PlaneGeometry(1, 1, 2, 2));
   const roof = (options: Partial<OcclusionMesh> = {}) => meshOf(new PlaneGeometry(9, 9).translate(0, 0, 0.5), options);
 
-  test('hide with their backs as with their fronts, and without normals of their own', () => {
+  test('occlude from both sides, with or without normals', () => {
     const [front, back, mute] = [
       roof(),
       meshOf(new PlaneGeometry(9, 9).rotateX(Math.PI).translate(0, 0, 0.5)),
@@ -166,7 +166,7 @@ describe('meshes', () => {
     expect(Math.min(...values)).toBeGreaterThan(0.98);
   });
 
-  test('are where their matrices put them, normals too, also where they are mirrored or squeezed', () => {
+  test('are transformed by their matrices, normals too, even mirrored or squeezed ones', () => {
     const matrix = new Matrix4().makeScale(-1, 2, 0.5).premultiply(new Matrix4().makeRotationX(1)).setPosition(3, 4, 5);
     const moved = matrix.toArray();
     const stays = [below(), roof()];
@@ -189,7 +189,7 @@ describe('meshes', () => {
     for (const [i, value] of values[0].entries()) expect(value).toBeCloseTo(expected[0][i], 2);
   });
 
-  test('a wide ground does not blur what stands on it', () => {
+  test('a wide ground does not blur the objects on it', () => {
     const [floor, wall] = corner();
     const ground = meshOf(new PlaneGeometry(400, 400).rotateX(-Math.PI / 2).translate(0, -0.01, 0));
     const { occlusions, scene } = bakeOf([meshOf(floor), meshOf(wall), ground], 64);
@@ -200,7 +200,7 @@ describe('meshes', () => {
   });
 });
 
-test('goes on where it has stopped: so many directions give the same at once and in parts', () => {
+test('continues where it stopped: the same directions give the same result at once and in parts', () => {
   const [floor, wall] = corner();
   const whole = bakeOf([meshOf(floor), meshOf(wall)], 24);
   const part = bakeOf([meshOf(floor), meshOf(wall)], 8);
@@ -208,7 +208,7 @@ test('goes on where it has stopped: so many directions give the same at once and
   expect(occlusions.map((values) => Array.from(values, (value) => value / 32767))).toEqual(whole.occlusions);
 });
 
-test('sums of another copy of the scene count as if its directions had been added here', () => {
+test('sums of another copy of the scene are added like directions', () => {
   const meshes = () => corner().map((geometry) => meshOf(geometry));
   const whole = bakeOf(meshes(), 24);
   const { scene } = bakeOf(meshes(), 8);

@@ -26,7 +26,7 @@ describe('engravedHand', () => {
     for (let i = 1; i < results.length; i++) expect(results[i]).toBeGreaterThan(results[i - 1]);
   });
 
-  it('is a ruling machine without tapers where a hand is one', () => {
+  it('is ruled and without tapers for a ruled hand', () => {
     const ruled = of({ widthSpread: 0, wobble: 0, spacingSpread: 0, taperStart: 0, taperEnd: 0 });
     expect(ruled.material.handmade).toBe(0);
     expect(ruled.outlines).toEqual({ taper: 0, accents: 0, wobble: 0 });
@@ -48,7 +48,7 @@ describe('engravedHand', () => {
     expect(two.material.handmade).toBe(one.material.handmade);
   });
 
-  it('gives what materials and outlines accept, whatever the numbers', () => {
+  it('gives values that materials and outlines accept, whatever the numbers', () => {
     const next = random(3);
     for (let i = 0; i < 60; i++) {
       const any = Object.fromEntries(

@@ -26,12 +26,12 @@ describe('learnHand', () => {
     expectLearnt(learnt({ ...drawing, seed: 3 }), expected);
   });
 
-  it('learns spreads, from many strokes as they are by chance', () => {
+  it('learns spreads from many random strokes', () => {
     const numbers = learnt({ rows: 600, lengthSpread: 0.2, angleSpread: 4, widthSpread: 0.25, spacingSpread: 0.2 });
     expectLearnt(numbers, { lengthSpread: 0.2, angleSpread: 4, widthSpread: 0.25, spacingSpread: 0.2, spacing: 1.2 });
   });
 
-  it('tells ruled strokes from strokes by chance', () => {
+  it('distinguishes ruled strokes from random ones', () => {
     expect(learnt({}).spacingSpread).toBeLessThan(0.02);
     expect(learnt({}).clustering).toBeLessThan(0.02);
     const chance = learnt({ rows: 400, spacingSpread: 0.6 });
@@ -68,7 +68,7 @@ describe('learnHand', () => {
     expectLearnt(dark, { crossingFrom: 0.625 });
   });
 
-  it('sees no second layer where nothing crosses: one swatch turned, or a wide spread', () => {
+  it('finds no second layer where nothing crosses: one swatch turned, or a wide spread', () => {
     const turned = learnHand([
       ...drawSwatch({ swatch: 'light' }),
       ...drawSwatch({ angle: 70, swatch: 'dark', seed: 4 }),
@@ -96,7 +96,7 @@ describe('learnHand', () => {
     expect((highest - lowest) / (Math.max(...all) - Math.min(...all))).toBeGreaterThan(0.8);
   });
 
-  it('takes a scribble apart at its turns', () => {
+  it('splits a scribble at its turns', () => {
     const legs = 20;
     const points = Array.from({ length: legs * 40 + 1 }, (_, i) => {
       const leg = Math.floor(i / 40);
@@ -108,7 +108,7 @@ describe('learnHand', () => {
     expectLearnt(numbers, { length: 10, width: 0.3, spacing: 0.8 });
   });
 
-  it('does not care in which direction or order strokes are drawn', () => {
+  it('does not depend on the direction or order of strokes', () => {
     const strokes = drawSwatch({ angle: 30, curvature: 0.1, taperStart: 0.3, taperEnd: 0.3 });
     const shuffled = strokes.map((stroke, i) => (i % 3 === 1 ? reversed(stroke) : stroke)).reverse();
     const [a, b] = [learnHand(strokes).numbers, learnHand(shuffled).numbers];
@@ -134,7 +134,7 @@ describe('learnHand', () => {
     for (const value of Object.values(numbers)) expect(value).toSatisfy(Number.isFinite);
   });
 
-  it('takes 100,000 points, in any division into strokes', { tags: ['all'] }, () => {
+  it('accepts 100,000 points, however divided into strokes', { tags: ['all'] }, () => {
     for (const perStroke of [2, 100, 50_000]) {
       const strokes = Array.from({ length: 100_000 / perStroke }, (_, row) => ({
         points: Array.from({ length: perStroke }, (_, i) => [(10 * i) / (perStroke - 1), 0.01 * row]).flat(),
@@ -147,7 +147,7 @@ describe('learnHand', () => {
   });
 });
 
-describe('bad strokes end in a sentence', () => {
+describe('errors for bad strokes', () => {
   const line: HandStroke = { points: [0, 0, 5, 0], widths: [0.3, 0.3] };
   it.each<[string, unknown, string]>([
     ['none', [], 'learnHand: there are no strokes; draw at least one.'],

@@ -80,7 +80,7 @@ function differences(one: readonly HandNumbers[], other: readonly HandNumbers[])
   );
 }
 
-test('at 200 px and equal tone every pair of hands differs by a quarter in two numbers or more, as measured in the picture', {
+test('at 200 px and equal tone, every pair of hands differs by a quarter in at least two measured numbers', {
   tags: ['all'],
 }, () => {
   const hands = exampleHandNames.map((name) => ({ name, numbers: [measured(name, 1), measured(name, 2)] }));

@@ -7,7 +7,7 @@ import { exampleHand, exampleHandNames } from '../../../../src/strokes/hands/exa
 describe.each(exampleHandNames)('%s', (name) => {
   const hand = exampleHand(name);
 
-  test('is a hand, and survives JSON', () => {
+  test('is a valid hand, and survives JSON', () => {
     expect(() => checkHand('test', hand)).not.toThrow();
     expect(JSON.parse(JSON.stringify(hand))).toEqual(hand);
   });
@@ -31,7 +31,7 @@ describe.each(exampleHandNames)('%s', (name) => {
     expect(Math.abs(width / hand.numbers.width - 1)).toBeLessThan(0.15);
   });
 
-  test('what is learnt from it is how it was drawn', () => {
+  test('the learnt numbers are those it was drawn with', () => {
     const { length, taperEnd, curvature, crossing } = exampleHabits[name] as (typeof exampleHabits)['finePen'];
     const { numbers } = hand;
     expect(Math.abs(numbers.length / length - 1)).toBeLessThan(0.2);
@@ -44,7 +44,7 @@ describe.each(exampleHandNames)('%s', (name) => {
   });
 });
 
-test('ruled strokes are straight, even and blunt; a scribble is none of that', () => {
+test('ruled strokes are straight, even and blunt, unlike a scribble', () => {
   const numbers = (name: 'ruled' | 'scribble'): HandNumbers => exampleHand(name).numbers;
   const [ruled, scribble] = [numbers('ruled'), numbers('scribble')];
   for (const number of ['wobble', 'angleSpread', 'spacingSpread', 'lengthSpread'] as const) {
@@ -53,7 +53,7 @@ test('ruled strokes are straight, even and blunt; a scribble is none of that', (
   expect([ruled.taperStart, ruled.taperEnd]).toEqual([0, 0]);
 });
 
-test('a wrong name or seed ends in a sentence', () => {
+test('a wrong name or seed throws an error with the remedy', () => {
   expect(() => exampleHand('quill' as never)).toThrow(
     /^exampleHand: there is no hand "quill"; use one of finePen, brush, .*\.$/,
   );

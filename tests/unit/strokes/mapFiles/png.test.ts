@@ -132,7 +132,7 @@ describe('decodePng', () => {
     await expect(decodePng(spoil(rgba(6).file), 100)).rejects.toThrow(message);
   });
 
-  it('stops inflating where the image ends, however much the file holds', async () => {
+  it('stops inflating at the end of the image, however large the file', async () => {
     const sound = Buffer.from(await encodePng({ width: 64, height: 64, channels: 1, data: new Uint8Array(64 * 64) }));
     // 200 MB of zeros in the place of 4 kB, as 200 kB.
     const flood = deflateSync(Buffer.alloc(2e8));

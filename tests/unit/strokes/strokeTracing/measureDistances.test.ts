@@ -2,7 +2,7 @@ import { expect, test } from 'vitest';
 import { random } from '../../../../src/strokes/random.js';
 import { measureDistances } from '../../../../src/strokes/strokeTracing/measureDistances.js';
 
-test('every distance is that to the nearest pixel of paper, as found by looking at them all', () => {
+test('every distance equals the brute-force distance to the nearest pixel of paper', () => {
   const [width, height] = [37, 23];
   for (const share of [0.5, 0.95, 0.995]) {
     const next = random(Math.round(1000 * share));

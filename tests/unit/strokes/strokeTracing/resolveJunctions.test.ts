@@ -13,7 +13,7 @@ const star = (...arms: readonly (readonly [x: number, y: number, length: number]
   }),
 });
 
-describe('what branches off a stroke', () => {
+describe('a branch of a stroke', () => {
   test('is a spur where it is hardly longer than the stroke is wide to one side, and leaves no trace', () => {
     const chains = resolveJunctions(star([-1, 0, 50], [1, 0, 50], [0, 1, 8]));
     expect(chains).toHaveLength(1);

@@ -133,7 +133,7 @@ test('strokes of one layer all run one way, to the right', () => {
 
 const plain = photograph(inkOf(APART), { width: 400, height: 280 });
 
-test('a picture is 60 mm wide, if nothing else is said', () => {
+test('a picture is 60 mm wide by default', () => {
   const [pixels, millimetres] = [trace(plain), trace(plain, { swatch: 'dark' })].map((all) => all.map(measure));
   expect(millimetres.map(({ length }) => length / 60)).toEqual(
     pixels.map(({ length }) => expect.closeTo(length / 400, 4)),
@@ -141,7 +141,7 @@ test('a picture is 60 mm wide, if nothing else is said', () => {
   expect(trace(plain, { swatch: 'dark' }).every(({ swatch }) => swatch === 'dark')).toBe(true);
 });
 
-test('RGBA gives the same as grey, and what is transparent is white', () => {
+test('RGBA gives the same as grey, with transparent pixels on white', () => {
   const data = new Uint8ClampedArray(4 * plain.data.length);
   plain.data.forEach((grey, i) => {
     data.set(grey > 230 ? [0, 0, 0, 0] : [grey, grey, grey, 255], 4 * i);
@@ -150,7 +150,7 @@ test('RGBA gives the same as grey, and what is transparent is white', () => {
   expectStrokes(found, APART);
 });
 
-test('a large picture is made smaller, and its strokes keep their size', () => {
+test('a large picture is reduced, and its strokes keep their size', () => {
   const width = 2400;
   const large: ScannedImage = { width, height: 6 * 280, data: new Uint8Array(width * 6 * 280) };
   for (let i = 0; i < large.data.length; i++) {
@@ -159,7 +159,7 @@ test('a large picture is made smaller, and its strokes keep their size', () => {
   expectStrokes(trace(large, { millimetresPerPixel: 1 / 6 }).map(measure), APART);
 });
 
-test('a blot and the dark around the sheet are no strokes, dust neither', () => {
+test('blots, the dark around the sheet and dust are no strokes', () => {
   const blot = straight(412, 140, 150, 90, 46);
   const dust = Array.from({ length: 30 }, (_, i) => straight(10 + 12.5 * i, 8 + (i % 3), 5, 40 * i, 2.5));
   const image = photograph([...inkOf(APART), blot, ...dust], { width: 480, height: 280 });
@@ -167,7 +167,7 @@ test('a blot and the dark around the sheet are no strokes, dust neither', () => 
   expectStrokes(trace(image).map(measure), APART);
 });
 
-test('the same picture gives the same strokes, and is left as it was', () => {
+test('the same picture gives the same strokes, and stays unchanged', () => {
   const image = photograph(inkOf(CROSSED), { width: 500, height: 310, noise: 8 });
   const before = image.data.slice();
   expect(trace(image)).toEqual(trace(image));
@@ -187,7 +187,7 @@ const flat = (value: (x: number, y: number) => number): ScannedImage => ({
   data: Uint8ClampedArray.from({ length: 200 * 160 }, (_, i) => value(i % 200, Math.floor(i / 200))),
 });
 
-describe('a sentence says what is wrong', () => {
+describe('errors with the fault', () => {
   const next = random(5);
   const cases: [name: string, image: unknown, sentence: RegExp][] = [
     ['white', flat(() => 255), /no strokes were found in the picture: it is the same all over/],

@@ -122,7 +122,7 @@ describe('TonalArtMap.fromHatchImages refuses', () => {
     expect(make).toThrow(/^TonalArtMap\.fromHatchImages: /);
   });
 
-  it('nothing that can be drawn: broken constraints are reported instead', () => {
+  it('no images that can be drawn: broken constraints are reported instead', () => {
     const map = TonalArtMap.fromHatchImages({ size: 1, images: [[Uint8Array.of(0)], [Uint8Array.of(255)]] });
     expect(map.report).toEqual({
       means: [[1], [0]],

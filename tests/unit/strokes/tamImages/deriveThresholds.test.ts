@@ -21,7 +21,7 @@ describe('deriveThresholds', () => {
     }
   });
 
-  it('turns to ink first what is darkest in the images', () => {
+  it('turns the darkest texels to ink first', () => {
     const { images, size } = hatchImages({ size: 128 });
     const [{ thresholds }] = deriveThresholds({ images, size });
     for (const tone of [2, 4, 6]) {
@@ -45,12 +45,12 @@ describe('deriveThresholds', () => {
     expect(distances).toEqual(distances.toSorted((a, b) => a - b));
   });
 
-  it('takes one texel', () => {
+  it('accepts a single texel', () => {
     const images = [[new Uint8Array([255])], [new Uint8Array([0])]];
     expect([...deriveThresholds({ size: 1, images })[0].thresholds]).toEqual([0.5]);
   });
 
-  it('leaves the images as they are', () => {
+  it('leaves the images unchanged', () => {
     const { images } = oneRow(8, 3);
     const before = structuredClone(images);
     deriveThresholds({ size: 8, images });

@@ -19,7 +19,7 @@ describe('normalQuantile', () => {
 });
 
 describe('encodeThresholds', () => {
-  it('stores Φ⁻¹ in bytes from −3 to 3, within half a step, and no further out', () => {
+  it('stores Φ⁻¹ from −3 to 3 in bytes, within half a step, clamped beyond', () => {
     const thresholds = new Float32Array([1e-6, 0.1, 0.3, 0.5, 0.8, 1 - 1e-6]);
     const { size, encoded } = encodeThresholds(2, thresholds);
     expect(size).toBe(2);

@@ -14,7 +14,7 @@ function unrelatedLevels(): { size: number; images: Uint8Array[][] } {
 }
 
 describe('enforceLevelNesting', () => {
-  it('mends every break of the nesting of levels and makes none in tone', () => {
+  it('repairs the nesting of levels without breaking that of tones', () => {
     const map = unrelatedLevels();
     const before = structuredClone(map.images);
     expect(checkHatchImages(map).levelNesting.flat().some(Boolean)).toBe(true);
@@ -29,7 +29,7 @@ describe('enforceLevelNesting', () => {
     });
   });
 
-  it('leaves images that nest as they are', () => {
+  it('leaves nested images unchanged', () => {
     const map = unrelatedLevels();
     enforceLevelNesting(map);
     const before = structuredClone(map.images);

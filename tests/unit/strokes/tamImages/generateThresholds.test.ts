@@ -73,7 +73,7 @@ describe.each(matrix)('generateThresholds(%o)', (options) => {
     for (const level of levels) expect(level.thresholds.length).toBe(level.size ** 2);
   });
 
-  it('is uniformly distributed on every level: as many texels below a tone as it says', () => {
+  it('is uniformly distributed on every level: the share of texels below a tone is the tone', () => {
     for (const { thresholds } of levels) {
       const sorted = thresholds.toSorted();
       // Texels come in pairs; the distance is half a pair.
@@ -95,7 +95,7 @@ describe.each(matrix)('generateThresholds(%o)', (options) => {
     }
   });
 
-  it('rises across the edges of strokes over two texels or more, and nowhere by a jump', () => {
+  it('rises across the edges of strokes over two texels or more, without jumps', () => {
     for (const level of levels.filter((one) => one.size >= 32)) {
       const field = gaussian(level);
       for (const edge of [-1.28, -0.67, 0, 0.67]) {
@@ -115,7 +115,7 @@ describe('generateThresholds', () => {
     expect(draw(3)[0].encoded).not.toEqual(draw(4)[0].encoded);
   });
 
-  it('draws the same whatever the tones of the images', () => {
+  it('does not depend on the number of tones of the images', () => {
     expect(levelsOf({ size: 64, tones: 4 })).toEqual(levelsOf({ size: 64, tones: 16 }));
   });
 

@@ -59,7 +59,7 @@ describe('makeLevels', () => {
     }
   });
 
-  it('makes nothing of tiles of 16 texels or fewer', () => {
+  it('adds no levels to tiles of 16 texels or fewer', () => {
     const images = [[new Uint8Array(64).fill(255)], [new Uint8Array(64)]];
     expect(finish(makeLevels({ size: 8, images }))).toEqual({ size: 8, images });
   });

@@ -129,7 +129,7 @@ describe('lines run', () => {
     for (const { across } of walls) expect(Math.abs(across[1])).toBeGreaterThan(0.98);
   });
 
-  test('alike on a mesh that is wound inside out', () => {
+  test('the same way on a mesh wound inside out', () => {
     const faces = facesOf(frontOf(capsule()));
     const reversed = facesOf(frontOf(insideOut(capsule())));
     for (const [i, { across, middle }] of faces.entries()) {
@@ -139,7 +139,7 @@ describe('lines run', () => {
 });
 
 describe('directions are the same', () => {
-  test('to the bit, a second time', () => {
+  test('to the bit, in a second run', () => {
     const [first, second] = [frontOf(bumpy()), frontOf(bumpy())];
     expect(first.field).toEqual(second.field);
     expect(first.directions).toEqual(second.directions);
@@ -202,7 +202,7 @@ describe('singular points leave the front', () => {
   });
 });
 
-test('no damage makes a direction that is none', () => {
+test('damaged meshes have no NaN directions', () => {
   const flat = meshOf(
     [
       [0, 0, 0],

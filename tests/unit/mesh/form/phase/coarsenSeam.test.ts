@@ -47,7 +47,7 @@ test('an edge whose ends always agree is left out', () => {
   expect(edgesOf(coarsenSeam(seamOf([]), Uint32Array.of(0)))).toEqual([]);
 });
 
-test('what pulls at offsets is the same for values that are constant in each cell', () => {
+test('forces on offsets are the same for values that are constant in each cell', () => {
   const random = noise(5);
   const pick = (count: number) => Math.floor(count * (0.5 + 0.4999 * random()));
   const nodes = 60;

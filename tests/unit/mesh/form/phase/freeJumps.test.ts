@@ -75,7 +75,7 @@ describe('freeJumps', () => {
     expect(sum(rows[0], solve(jumps, 3, [5, 7]))).toBe(0);
   });
 
-  test('a closed segment jumps freely if its sign comes back, and not at all if it does not', () => {
+  test('the jump of a closed segment is free if its sign returns, else zero', () => {
     const loop = (sign: number): Terms[] => [
       [
         [0, 1],

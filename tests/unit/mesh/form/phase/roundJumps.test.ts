@@ -28,7 +28,7 @@ describe('roundParts', () => {
     expect(rounded([part], 21.6, 10.8, 5.8, 2.8)).toEqual([24, 12, 4, 2]);
   });
 
-  test('where little would be left, to 2 or 1', () => {
+  test('to 2 or 1 where 4 would leave too little', () => {
     const part = partOf([0], [0], [[1], [0, 1]]);
     expect(rounded([part], 1.3, 0.8)).toEqual([1, 1]);
     expect(rounded([part], 2.3, 12.9)).toEqual([2, 12]);
@@ -82,7 +82,7 @@ describe('roundJumps', () => {
     return { system: phaseSystem(relations, [level]), forces, x };
   }
 
-  test('those that are nearest to their multiples first, and the others follow them: none is torn from its neighbours', () => {
+  test('those nearest to their multiples are rounded first, and the others follow, so that none is torn from its neighbours', () => {
     const { system, forces, x } = rowOf(Array.from({ length: 40 }, (_, i) => (i % 2 === 0 ? 5.7 : 6.4)));
     finish(roundJumps(system, forces, x));
     expect([...x.jumps]).toEqual(Array.from({ length: 80 }, (_, i) => (i % 2 === 0 ? 8 : 4)));
