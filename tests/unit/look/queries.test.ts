@@ -61,11 +61,11 @@ describe('queries of a look', () => {
     [{ preset: 'pencil', strokeField: 'light' }, false],
     [{ preset: 'pencil', strokeField: 'form' }, true],
     [{ strokeField: 'acrossForm', medium: 'dry' }, true],
-    // A medium of another technique, with which this one draws in ink.
+    // A medium of another technique: this one draws in ink instead.
     [{ strokeField: 'form', medium: 'woodcut' }, true],
     // Dots have no direction.
     [{ strokeField: 'form', medium: 'stipple' }, false],
-    // What another technique reads.
+    // A property of another technique.
     [{ technique: 'engraved', strokeField: 'form' }, false],
     [{ lineField: 'form' }, false],
     [{ technique: 'adjacency', strokeField: 'form', lineField: 'form' }, false],
@@ -112,11 +112,11 @@ describe('queries of a look', () => {
     ['strokeRotation', { technique: 'anchored', medium: 'stipple' }, false],
     ['strokeRotation', { technique: 'engraved', medium: 'stipple' }, true],
     ['strokeRotation', { technique: 'engraved', medium: 'woodcut' }, true],
-    // Of a medium that it does not know, anchored draws in ink.
+    // `anchored` draws an unknown medium in ink.
     ['anchorSpacing', { technique: 'anchored', medium: 'woodcut' }, true],
     ['tilesPerUnit', { technique: 'anchored', sizedOnScreen: 0.9 }, true],
     ['tilesPerUnit', { technique: 'anchored', sizedOnScreen: 1 }, false],
-    // Strokes of triangles are sized on the object, whatever the others are.
+    // Strokes of `triangle` are always sized on the object.
     ['tilesPerUnit', { technique: 'triangle', sizedOnScreen: 1 }, true],
     ['bumpScale', {}, false],
     ['bumpScale', { bumpMap: {}, toneNormal: 'smooth' }, true],

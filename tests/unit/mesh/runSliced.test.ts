@@ -1,14 +1,14 @@
 import { afterEach, describe, expect, test, vi } from 'vitest';
 import { runSliced } from '../../../src/mesh/runSliced.js';
 
-/** A clock that only the tasks below move. */
+/** A clock that only the tasks below advance. */
 let now = 0;
 vi.spyOn(performance, 'now').mockImplementation(() => now);
 afterEach(() => {
   now = 0;
 });
 
-/** Takes `steps` steps of `milliseconds` each, and writes its name down at every one. */
+/** Takes `steps` steps of `milliseconds` each, and logs its name at every step. */
 function* work(name: string, steps: number, milliseconds: number, log: string[] = []): Generator<number, string, void> {
   try {
     for (let step = 1; step <= steps; step++) {

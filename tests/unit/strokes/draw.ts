@@ -26,7 +26,7 @@ export const requestOf = (drawing: MapDrawing): MapRequest => finish(requestOfHa
 
 /** Hatch images with these options, drawn once per test file. */
 export function hatchImages(options: MapRequest): HatchImages {
-  // A profile holds its mirrored self, and so on.
+  // Profiles refer to each other in cycles.
   const key = JSON.stringify(options, (name, value) => (name === 'turned' || name === 'mirrored' ? undefined : value));
   const known = drawn.get(key) ?? finish(generateHatchImages(options));
   drawn.set(key, known);

@@ -243,7 +243,7 @@ describe('errors for bad hands', () => {
     [{ hand: { ...pen, numbers: { ...pen.numbers, length: -1 } } }, 'hand.numbers.length is -1'],
     [{ hand: { ...pen, strokes: [{ points: [0, 0, 0, 0], widths: [1, 1] }] } }, 'all strokes are dots'],
   ])('%#', (options, sentence) => {
-    // What takes time to check is checked when the strokes are prepared.
+    // Slow checks run when the strokes are prepared.
     expect(() => {
       resolveMapDrawing(options);
       requestOf(options);
@@ -251,7 +251,7 @@ describe('errors for bad hands', () => {
   });
 });
 
-/** The strokes of the lightest tones of the finest level as they would be on a sheet, in millimetres of the hand. */
+/** The numbers of the strokes of the lightest tones of the finest level, in millimetres of the hand. */
 function numbersOfMap(drawing: MapDrawing & { hand: Hand }): HandNumbers {
   const request = resolveHatchImageOptions(requestOf(drawing));
   const scale = (request.size * drawing.hand.numbers.width) / request.style.width;

@@ -1,6 +1,6 @@
 import type { FromWorker, ToWorker } from '../../../src/worker/protocol.js';
 
-/** A worker that does what the test tells it, and remembers what it was told. */
+/** A worker controlled by the test, which records its messages. */
 export class FakeWorker {
   onmessage: ((event: { data: FromWorker }) => void) | null = null;
   onmessageerror: (() => void) | null = null;
@@ -9,9 +9,9 @@ export class FakeWorker {
   readonly transferred: Transferable[][] = [];
   isTerminated = false;
 
-  /** Answers questions for a sign of life. */
+  /** Whether it answers pings. */
   isAlive = true;
-  /** How often it was asked for one. */
+  /** The number of pings received. */
   pings = 0;
 
   postMessage(message: ToWorker, transfer: Transferable[]): void {
@@ -28,7 +28,7 @@ export class FakeWorker {
     this.isTerminated = true;
   }
 
-  /** Lets the worker speak. */
+  /** Sends a message from the worker. */
   say(message: FromWorker): void {
     this.onmessage?.({ data: message });
   }

@@ -4,7 +4,7 @@ import type { AnyTask } from '../../../src/worker/TaskSet.js';
 import { type BakingTasks, tasks } from '../../../src/worker/tasks.js';
 import { FakeWorker } from './FakeWorker.js';
 
-/** A worker that does its tasks, but dies of some. */
+/** A worker that runs its tasks, but dies of some. */
 export class MortalWorker extends FakeWorker {
   /** @param isDeadly whether it dies of a task */
   constructor(private readonly isDeadly: (task: keyof BakingTasks) => boolean) {

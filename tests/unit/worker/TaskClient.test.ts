@@ -17,7 +17,7 @@ const request = (label = 'test', positions = [0, 0, 0, 1, 0, 0, 0, 1, 0]): BakeR
 /** Stands for the result of request `id`; the client looks at nothing in it. */
 const result = (id: number) => ({ id }) as unknown as BakeCornersResult;
 
-/** How the promise stands, without waiting for it. */
+/** The state of the promise, without waiting for it. */
 const outcomeOf = async (promise: Promise<unknown>) => {
   let outcome: unknown = 'pending';
   promise.then(
@@ -135,7 +135,7 @@ describe('one worker', () => {
     const worker = started();
     vi.advanceTimersByTime(9_999);
     expect(worker.isTerminated).toBe(false);
-    // A request in between starts the count anew.
+    // A request in between restarts the timer.
     client.run('bakeCorners', request());
     vi.advanceTimersByTime(60_000);
     expect(worker.isTerminated).toBe(false);
@@ -232,7 +232,7 @@ describe('death of the worker', () => {
     expect(worker.isTerminated).toBe(true);
     const again = client.run('bakeCorners', request());
     expect(workers).toHaveLength(2);
-    // What the dead one has sent may still arrive.
+    // Messages of the dead worker may still arrive.
     worker.say({ type: 'done', id: 3, result: result(-1) });
     workers[1].say({ type: 'ready' });
     workers[1].say({ type: 'done', id: 3, result: result(3) });
@@ -349,7 +349,7 @@ describe('a request that can be made again', () => {
 });
 
 describe('a worker that holds a lock', () => {
-  /** The locks of a page: what waits for each. */
+  /** The locks of a page, with the callback that waits for each. */
   let waiting: Map<string, () => void>;
   beforeEach(() => {
     waiting = new Map();

@@ -6,7 +6,7 @@ import type { BakingTasks } from '../../../src/worker/tasks.js';
 import { FakeWorker } from './FakeWorker.js';
 import { MortalWorker } from './MortalWorker.js';
 
-/** What every long task of the library makes of a worker that dies. */
+/** The behaviour of every long task of the library when its worker dies. */
 
 let died: (keyof BakingTasks)[];
 let warn: ReturnType<typeof vi.spyOn>;

@@ -5,7 +5,7 @@ import { NO_TWIN, nextCorner, previousCorner } from '../../../../src/mesh/corner
 import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
 import { finish, meshOf } from '../meshes.js';
 
-/** Few places and many triangles: seams, duplicates, degenerate triangles and crowded edges come about all the time. */
+/** Few positions and many triangles, so that seams, duplicates, degenerate triangles and non-manifold edges are frequent. */
 const crowdedMesh = fc
   .record({
     vertices: fc.array(fc.tuple(...Array.from({ length: 3 }, () => fc.integer({ min: -1, max: 1 }))), {
@@ -78,7 +78,7 @@ function halfEdges(mesh: TriangleMesh): Map<string, number[]> {
   return groups;
 }
 
-/** Who lies across which half-edge, told by places alone: the same for every numbering of the same surface. */
+/** The neighbours across half-edges in terms of positions: the same for every numbering of the same surface. */
 function surfaceOf(mesh: TriangleMesh): string[] {
   const { twins } = finish(buildTriangleAdjacency(mesh));
   const across = [...twins].map((twin, corner) =>

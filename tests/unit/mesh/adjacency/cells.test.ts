@@ -20,10 +20,10 @@ const path = (nodeCount: number) =>
     Array.from({ length: nodeCount - 1 }, (_, i) => [i, i + 1] as const),
   );
 
-/** The edges of a strip of triangles, `width` nodes wide, whose nodes are numbered in an order of chance. */
+/** The edges of a strip of triangles, `width` nodes wide, with nodes numbered in pseudo-random order. */
 function strip(width: number, length: number): Graph {
   const nodeCount = width * length;
-  // 7919 is a prime number that divides no size used here: each node gets a number of its own.
+  // 7919 is a prime that divides no size used here, so numbers are unique.
   const number = (x: number, y: number) => ((x + width * y) * 7919) % nodeCount;
   const edges: [number, number][] = [];
   for (let y = 0; y < length; y++) {

@@ -28,7 +28,7 @@ function searchOf({ positions, normals, triangles, edges }: Rows): ContourSearch
     normals: new Float32Array(normals.flat()),
     primitives: new Uint32Array([
       ...triangles.flatMap((points) => [...points, 0]),
-      // Flags in the second word say nothing of whether an edge is drawn.
+      // Flags in the second word do not affect whether an edge is drawn.
       ...edges.flatMap(({ points: [a, b, c, d], flags }) => [
         a + flags * 2 ** POINT_BITS,
         b + 7 * 2 ** POINT_BITS,
@@ -45,7 +45,7 @@ function searchOf({ positions, normals, triangles, edges }: Rows): ContourSearch
   };
 }
 
-/** What is listed, checked to be the same at once and in chunks. */
+/** The candidates, checked to be the same at once and in chunks. */
 function listed(search: ContourSearch, eye: Eye, sine: number): number[] {
   const count = findCandidates(search, eye, sine);
   const list = [...search.list.subarray(0, count)];
@@ -69,7 +69,7 @@ const facing = ({ positions, normals }: ContourSearch, [x, y, z, isPlace]: Eye):
 const differ = (values: readonly number[]): boolean =>
   values.some((value) => value > 0) && values.some((value) => value < 0);
 
-/** The primitives that hold a piece of contour, as the shader finds them. */
+/** The primitives with a piece of contour, by the rule of the shader. */
 function withContour({ primitives, triangleCount, edgeCount, ...search }: ContourSearch, eye: Eye): number[] {
   const values = facing({ primitives, triangleCount, edgeCount, ...search }, eye);
   const at = (i: number) => values[primitives[i] & POINT_MASK];
@@ -134,7 +134,7 @@ describe('nothing is missed', () => {
         const list = new Set(listed(search, eye, sine));
         const narrow = new Set(listed(search, eye, 0.8 * sine));
         const missed: number[] = [];
-        // Away from each normal turns its point the most.
+        // A move away from a normal turns its point the most.
         for (const normal of [...normals, toEye]) {
           for (const sign of [-1, 0, 1]) {
             const moved = place.map((value, axis) => value + sign * reach * normal[axis]);
@@ -149,7 +149,7 @@ describe('nothing is missed', () => {
       }),
       { seed: 20080, numRuns: 150 },
     );
-    // Less of an angle would not do: the eyes above go where it matters.
+    // A smaller angle would miss some: the eyes above are at critical places.
     expect(missedWithout).toBeGreaterThan(20);
   });
 
@@ -193,7 +193,7 @@ describe.each<[string, Eye]>([
       triangles,
       edges: [],
     });
-    // As seen from 30 away, 0.6 aside turns the direction by 1.1°.
+    // At a distance of 30, a move of 0.6 aside turns the direction by 1.1°.
     search.positions.fill(0);
     expect(listed(search, eye, SINE)).toEqual([2, 3, 4, 5, 6, 8]);
   });

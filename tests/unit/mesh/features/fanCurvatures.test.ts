@@ -18,7 +18,7 @@ const along = (tensor: Row, w: Row): number => dot(w, times(tensor, w));
 const rowsOf = (values: Float32Array, length: number): number[][] =>
   Array.from({ length: values.length / length }, (_, i) => [...values.subarray(length * i, length * (i + 1))]);
 
-/** Position, normal and tensor of each fan, with the normals that are given or else the mean ones. */
+/** Position, normal and tensor of each fan, with the given or the mean normals. */
 function fansOf(mesh: TriangleMesh, direction?: (position: Row) => Row) {
   const { areaNormals, fans } = surfaceOf(mesh);
   const normals = direction ? perFan(mesh, fans, direction) : finish(computeSmoothNormals(areaNormals, fans));
@@ -42,7 +42,7 @@ const tangentsAt = (normal: Row): number[][] =>
 
 const ringOf = ([x, y]: Row) => [x / Math.hypot(x, y), y / Math.hypot(x, y), 0];
 
-/** How far the curvature along tangents of each fan is from what it should be, as a share of that. */
+/** Relative errors of the curvature along tangents of each fan. */
 const errorsOf = (fans: ReturnType<typeof fansOf>, expected: number): number[] =>
   fans.flatMap(({ normal, tensor }) => tangentsAt(normal).map((w) => Math.abs(along(tensor, w) / expected - 1)));
 
@@ -148,7 +148,7 @@ test('triangles count by their area', () => {
     [4, 0, 0],
     [-1, 0, 0],
   ];
-  // Only the vertex on the right looks elsewhere: the triangle on the left, a fifth of the area, is flat.
+  // Only the normal of the right vertex differs: the left triangle, a fifth of the area, is flat.
   const normals = new Float32Array([0, 0, 1, 0, 0, 1, 0.28, 0, 0.96, 0, 0, 1]);
   const tensorsOf = (triangles: Row[]) => {
     const mesh = meshOf(vertices, triangles);

@@ -22,7 +22,7 @@ import { fanPositions, featureSurface, meshFrom, moebius, outlinesOf, scaled, tu
 
 const KINDS = BORDER | CREASE | MATERIAL_BORDER | CONTRARY;
 
-/** Edges by the positions of their ends, with what is a corner of the line. */
+/** Edges by the positions of their ends, with the flags of corners. */
 function described(mesh: TriangleMesh, ofCorner: Uint32Array, { fans, flags }: FeatureEdges) {
   const positions = fanPositions(mesh, ofCorner);
   return Array.from(flags, (flag, edge) => {
@@ -50,7 +50,7 @@ function edgesOf(mesh: TriangleMesh, limits: Partial<CreaseLimits> = {}, triangl
 const countOf = (edges: ReturnType<typeof edgesOf>, kind: number): number =>
   edges.filter(({ kinds }) => kinds === kind).length;
 
-/** The same edges, whatever their order and direction. */
+/** Edges as a set, regardless of order and direction. */
 const asSet = (edges: ReturnType<typeof edgesOf>): string[] =>
   edges
     .map(
@@ -300,7 +300,7 @@ describe('smooth surfaces of three.js have no edges', () => {
   ])('%s', (name, geometry) => {
     const mesh = meshFrom(geometry);
     expect([...outlinesOf(mesh).edges.flags]).toEqual([]);
-    // What is not joined has borders, which shows that the above is no accident.
+    // Without welding there are borders, so the check above is meaningful.
     const torn = outlinesOf(mesh, { weldTolerance: 0 }).edges.flags;
     if (name !== 'icosahedron') expect([...torn].filter((flag) => flag & BORDER).length).toBeGreaterThan(20);
   });

@@ -20,7 +20,7 @@ export function meshFrom({ attributes, index }: BufferGeometry): TriangleMesh {
   };
 }
 
-/** A mesh with its adjacency, cut at sharp edges, and its fans: what `bakeOutlines` starts from. */
+/** A mesh with its adjacency, cut at sharp edges, and its fans: the input of `bakeOutlines`. */
 export function surfaceOf(mesh: TriangleMesh) {
   const adjacency = finish(buildTriangleAdjacency(mesh));
   const sharpTwins = finish(consistentTwins(adjacency));
@@ -29,7 +29,7 @@ export function surfaceOf(mesh: TriangleMesh) {
   return { mesh, ...adjacency, sharpTwins, fans };
 }
 
-/** What `findFeatureEdges` takes. */
+/** The input of `findFeatureEdges`. */
 export function featureSurface(mesh: TriangleMesh, triangleGroups: Uint16Array | null = null): FeatureSurface {
   const { canonicalCorners, areaNormals, twins, sharpTwins, fans } = surfaceOf(mesh);
   const normals = finish(computeSmoothNormals(areaNormals, fans));
@@ -45,7 +45,7 @@ export function featureSurface(mesh: TriangleMesh, triangleGroups: Uint16Array |
   };
 }
 
-/** The outlines of a mesh, by the whole bake. */
+/** The outlines of a mesh from the whole bake. */
 export const outlinesOf = (mesh: TriangleMesh, options: Partial<SurfaceRequest> = {}) =>
   finish(
     bakeSurface(

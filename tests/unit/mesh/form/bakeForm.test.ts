@@ -12,7 +12,7 @@ const knot = () => meshFrom(new TorusKnotGeometry(0.7, 0.24, 160, 24, 2, 3));
 const capsule = () => meshFrom(new CapsuleGeometry(0.4, 1.4, 16, 48, 24));
 const cylinder = () => meshFrom(new CylinderGeometry(0.5, 0.5, 2, 48, 24, true));
 
-/** No axis draws lines aside. */
+/** No axis attracts lines. */
 const NO_AXIS = { up: [0, 0, 0] } as const;
 
 const lying = ({ positions, indices }: TriangleMesh, shift: number): TriangleMesh => ({
@@ -81,7 +81,7 @@ test('the parts of an assembly converge independently: each torus has a suitable
   const whole = phaseOf(together(...shapes), NO_AXIS);
   const corners = shapes[0].indices.length;
   for (const [i, size] of [1, 0.5, 0.2, 0.05].entries()) {
-    // Once around the torus φ rises by the number of rings, which is the jump where it comes back.
+    // Once around the torus φ rises by the number of rings, which is the jump at the cut.
     const ideal = (2 * Math.PI * 16 * size * Math.sqrt(1 - 0.4 ** 2)) / whole.surface.radius;
     const jumps = jumpsOf(whole, 0, i * corners, (i + 1) * corners).map(([jump]) => Math.abs(jump));
     expect(jumps.some((jump) => Math.abs(jump - ideal) <= 2 && jump > 0)).toBe(true);
@@ -94,7 +94,7 @@ describe('φ rises as it should', () => {
     const product = new Float64Array(phase.nodes.length);
     finish(multiply(matrix, phase.nodes, product));
     const lengthOf = (values: Float64Array) => Math.hypot(...values);
-    // The solution has taken what jumps do to the nodes from their forces.
+    // The solver has subtracted the effect of jumps from the forces on the nodes.
     expect(lengthOf(source.forces.map((force, i) => force - product[i]))).toBeLessThan(0.02 * lengthOf(source.forces));
   });
 

@@ -37,7 +37,7 @@ describe('creases are borders of the field', () => {
 
 describe('lines run on', () => {
   test('across a crease that ends within the surface', () => {
-    // A sheet folded along a line that goes out in its middle.
+    // A sheet folded along a line that ends in its middle.
     const sheet = patch(40, 40, (u, v) => [u - 0.5, v - 0.5, Math.max(0, 0.5 - u) * 3 * Math.abs(v - 0.5)]);
     const { whole, sharp, twins } = twinsOf(sheet);
     expect(countOf(sharp)).toBeGreaterThan(countOf(whole));

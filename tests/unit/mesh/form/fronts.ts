@@ -16,7 +16,7 @@ import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
 import { cross, dot } from '../features/surfaces.js';
 import { finish } from '../meshes.js';
 
-/** The twins of a mesh: all of them, those less the sharp edges, and those less the creases that are borders of the field. */
+/** The twins of a mesh: all, those without sharp edges, and those without the creases that are borders of the field. */
 export function twinsOf(mesh: TriangleMesh) {
   const bounds = finish(measureBounds(mesh));
   const adjacency = finish(buildTriangleAdjacency(mesh, nearnessOf(bounds)));
@@ -38,7 +38,7 @@ export function surfaceOf(mesh: TriangleMesh, options: FormOptions = FORM_DEFAUL
   );
 }
 
-/** All of a form field that comes before its phase. Without `creases` the surface is whole. */
+/** The stages of a form field before its phase. Without `creases` the surface is whole. */
 export function frontOf(mesh: TriangleMesh, options: Partial<FormOptions> = {}, creases = true) {
   const all = { ...FORM_DEFAULTS, ...options };
   const surface = surfaceOf(mesh, all, creases);
@@ -57,7 +57,7 @@ interface Piece {
   isClosed: boolean;
 }
 
-/** The pieces of a surface, with the two sides of the theorem of Poincaré and Hopf. */
+/** The pieces of a surface, with both sides of the Poincaré-Hopf theorem. */
 export function piecesOf({ twins, fans }: FormSurface, { halfTurns }: FormSeam): Piece[] {
   const parents = disjointSets(twins.length / 3);
   for (const [corner, twin] of twins.entries()) if (twin > corner) join(parents, triangleOf(corner), triangleOf(twin));

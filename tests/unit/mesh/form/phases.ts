@@ -18,7 +18,7 @@ export function formOf(mesh: TriangleMesh, options: Partial<FormOptions> = {}): 
   return finish(bakeForm(mesh, adjacency, twins, radius, { ...FORM_DEFAULTS, ...options }));
 }
 
-/** The form field of a whole surface with all that it was made from: φ and φ₂ of each corner in double precision. */
+/** The form field of a whole surface with all intermediate results: φ and φ₂ of each corner in double precision. */
 export function phaseOf(mesh: TriangleMesh, options: Partial<FormOptions> = {}, creases = false) {
   const front = frontOf(mesh, options, creases);
   const { surface, directions, seam } = front;
@@ -76,7 +76,7 @@ export function jumpsOf(
     });
 }
 
-/** The lines φ = whole number, followed over the cut: the length of each. */
+/** The lengths of the lines φ = whole number, followed across the cut. */
 export function lineLengths(whole: WholePhase, family: 0 | 1): number[] {
   const { mesh, surface, seam, valueAt } = whole;
   const parents: number[] = [];
@@ -102,7 +102,7 @@ export function lineLengths(whole: WholePhase, family: 0 | 1): number[] {
   };
   const pieces: [line: number, length: number][] = [];
   for (let first = 0; first < mesh.indices.length; first += 3) {
-    // No vertex lies on a line then, and no line is moved to another.
+    // A shift too small to move a line, so that no vertex lies on one.
     const values = [0, 1, 2].map((k) => valueAt(first + k, family) + 1e-7);
     for (let level = Math.ceil(Math.min(...values)); level <= Math.max(...values); level++) {
       const crossed = [0, 1, 2].filter((k) => values[k] < level !== values[(k + 1) % 3] < level);

@@ -16,7 +16,7 @@ const soups = fc.array(fc.tuple(fc.nat(8), fc.nat(8), fc.nat(8)), { minLength: 1
   }),
 );
 
-/** Numbers what `pairs` connect, in the order of the first member of each set. */
+/** Numbers the sets connected by `pairs`, in the order of their first members. */
 function numbered(count: number, pairs: readonly (readonly [number, number])[]): number[] {
   const labels = Array.from({ length: count }, (_, i) => i);
   for (let changed = true; changed; ) {

@@ -57,7 +57,7 @@ describe('a coarser copy of the heat equation', () => {
           energy +=
             (weights[entry] / 2) * (coarse.places[3 * cell + axis] - coarse.places[3 * neighbours[entry] + axis]) ** 2;
       }
-      // Cells whose neighbours lie askew add a little.
+      // Cells with oblique neighbours add a little.
       expect(energy).toBeGreaterThan(3.6);
       expect(energy).toBeLessThan(5.5);
     }
@@ -77,7 +77,7 @@ test('heat that spreads far through coarser copies gives the same result', { tag
     sum(coarsely.map((value, i) => (value - finely[i]) ** 2)) / sum(finely.map((value) => value ** 2)),
   );
   expect(error).toBeLessThan(0.05);
-  // The pattern is not flat: a copy that lost it would not pass.
+  // The pattern is not flat, so a copy that lost it would fail.
   expect(Math.max(...finely)).toBeGreaterThan(0.1);
 });
 

@@ -142,9 +142,9 @@ describe('noise', () => {
       ],
     );
     const corners = cornersOf(together(flat, fold), 0.2);
-    // All but the tip, which only the fold has.
+    // All but the tip, which belongs to the fold alone.
     for (const [i, { normal }] of corners.entries()) if (i < 600 || i % 3 < 2) expect(normal).toEqual([0, 0, 1]);
-    // As large as a stroke, it has its own.
+    // A fold as large as a stroke has normals of its own.
     const own = cornersOf(together(flat, fold), 0.02);
     expect(own[600].normal).toEqual([0, -1, 0]);
   });

@@ -7,10 +7,10 @@ import { surfaceOf } from '../features/surfaces.js';
 import { fan, finish } from '../meshes.js';
 import { patch, together } from '../shapes.js';
 
-/** As many fans lie in a block. */
+/** Fans per block. */
 const BLOCK = 16384;
 
-/** As many edges count at most. */
+/** Largest number of edges that counts. */
 const MOST_EDGES = 31;
 
 /** The fans of a mesh before and after, with the number of edges of each one before. */
@@ -26,7 +26,7 @@ function sorted(mesh: TriangleMesh) {
   return { fans, sizes, after: finish(sortFans({ twins, fans })) };
 }
 
-/** What `sortFans` promises, by an ordinary sort. */
+/** Compares `sortFans` with an ordinary sort. */
 function expectSorted({ fans, sizes, after }: ReturnType<typeof sorted>): void {
   const expected: number[] = [];
   for (let first = 0; first < fans.count; first += BLOCK) {
@@ -76,7 +76,7 @@ test('fans of more edges than count keep their order among themselves', () => {
   expect(order(MOST_EDGES + 9, MOST_EDGES - 1)).toEqual([MOST_EDGES - 1, MOST_EDGES + 9]);
 });
 
-test('any triangles', () => {
+test('the fans of any triangles are sorted', () => {
   const soups = fc.array(fc.tuple(fc.nat(8), fc.nat(8), fc.nat(8)), { minLength: 1, maxLength: 40 });
   fc.assert(
     fc.property(soups, (triangles) =>

@@ -5,7 +5,7 @@ import type { OcclusionMesh, OcclusionScene } from '../../../../src/mesh/occlusi
 import { startOcclusion } from '../../../../src/mesh/occlusion/startOcclusion.js';
 import { finish } from '../meshes.js';
 
-/** As many as `bakeOcclusion` looks along by default. */
+/** The default of `bakeOcclusion`. */
 const PAIRS = 192;
 
 function meshOf(geometry: BufferGeometry, options: Partial<OcclusionMesh> = {}): OcclusionMesh {
@@ -23,7 +23,7 @@ function meshOf(geometry: BufferGeometry, options: Partial<OcclusionMesh> = {}):
   };
 }
 
-/** The numbers of so many pairs of directions. */
+/** The numbers of `count` pairs of directions. */
 const pairsFrom = (first: number, count: number): number[] => Array.from({ length: count }, (_, i) => first + i);
 
 /** The occlusion of each vertex of each mesh with normals, and the state afterwards. */
@@ -46,7 +46,7 @@ function corner(): [floor: BufferGeometry, wall: BufferGeometry] {
   return [floor, wall];
 }
 
-/** How much of the sky, weighted by cosine, the wall of `corner` hides at a place on the floor: its form factor. */
+/** The form factor of the wall of `corner` at a point of the floor: the cosine-weighted share of the sky that it hides. */
 function hiddenByWall(x: number, z: number): number {
   const beyond = Math.hypot(x, 1);
   const to = (end: number) => Math.atan2(end, x) - (x / beyond) * Math.atan2(end, beyond);
@@ -58,7 +58,7 @@ describe('compared with exact form factors', () => {
     const [floor, wall] = corner();
     const [values] = bake(meshOf(floor), meshOf(wall));
     const { position } = floor.attributes;
-    // At the very ends of the edge it jumps.
+    // It jumps at the ends of the edge.
     const errors = values
       .map((value, i) => Math.abs(value - hiddenByWall(position.getX(i), position.getZ(i))))
       .filter((_, i) => Math.abs(position.getZ(i)) < 1.85);

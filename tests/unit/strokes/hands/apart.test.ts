@@ -8,10 +8,10 @@ import { generateHatchImages } from '../../../../src/strokes/tamImages/generateH
 import { finish, requestOf } from '../draw.js';
 import { trace } from '../strokeTracing/trace.js';
 
-/** Pixels per side of the pictures that hands are told apart by, and how dark they are. */
+/** Pixels per side and tone of the pictures that are compared. */
 const SIDE = 200;
 const TONE = 0.2;
-/** A scan has more pixels than a drawing on a screen: so many for each. */
+/** Scanned pixels per pixel of the drawing and side. */
 const SCAN = 3;
 
 /** The map's hatch image nearest to the tone, as 200 × 200 pixels. */
@@ -28,7 +28,7 @@ function pictureOf(name: ExampleHandName, seed: number): Uint8Array {
   return Uint8Array.from({ length: SIDE * SIDE }, (_, i) => images[best][Math.floor(i / SIDE) * 256 + (i % SIDE)]);
 }
 
-/** The picture with more pixels, bilinear, as a scanner sees it. */
+/** The picture enlarged bilinearly, as by a scanner. */
 function scanned(picture: Uint8Array) {
   const width = SCAN * SIDE;
   const at = (x: number, y: number): number =>
@@ -46,7 +46,7 @@ function scanned(picture: Uint8Array) {
 const measured = (name: ExampleHandName, seed: number): HandNumbers =>
   learnHand(trace(scanned(pictureOf(name, seed)), { millimetresPerPixel: 1 / SCAN })).numbers;
 
-/** What must lie between two numbers before the eye could tell them apart, in pixels, degrees and shares. */
+/** Least visible difference of each number, in pixels, degrees and shares. */
 const LEAST: HandNumbers = {
   length: 3,
   lengthSpread: 0.05,
@@ -89,7 +89,7 @@ test('at 200 px and equal tone, every pair of hands differs by a quarter in at l
   );
   expect(pairs).toHaveLength(15);
   expect(pairs.filter(({ by }) => by.length < 2)).toEqual([]);
-  // The measure finds no two people in one.
+  // Two maps of one hand do not differ by this measure.
   const again = [measured('finePen', 3), measured('finePen', 4)];
   expect(differences(again, hands[exampleHandNames.indexOf('finePen')].numbers).length).toBeLessThan(2);
 });

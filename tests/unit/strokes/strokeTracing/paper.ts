@@ -9,7 +9,7 @@ export interface InkStroke {
   isCut?: boolean;
 }
 
-/** How a sheet of paper is photographed. */
+/** The conditions under which a sheet of paper is photographed. */
 export interface Photograph {
   width: number;
   height: number;
@@ -24,7 +24,7 @@ export interface Photograph {
   seed?: number;
 }
 
-/** Draws strokes on paper as a camera sees them: a drawer of the tests' own, which knows nothing of what traces them. */
+/** Draws strokes on paper as a camera sees them. It shares no code with the tracing. */
 export function photograph(
   strokes: readonly InkStroke[],
   { width, height, light = () => 235, depth = 0.85, blur = 0, noise = 0, seed = 1 }: Photograph,

@@ -11,7 +11,7 @@ export function trace(image: ScannedImage, options: TraceOptions = { millimetres
   }
 }
 
-/** What the right answers are told in: pixels and degrees. */
+/** Measures of a stroke, in pixels and degrees. */
 export interface Measured {
   length: number;
   /** The median width. */

@@ -3,7 +3,7 @@ import { random } from '../../../../src/strokes/random.js';
 import { checkHatchImages } from '../../../../src/strokes/tamImages/checkHatchImages.js';
 import { enforceLevelNesting } from '../../../../src/strokes/tamImages/generateHatchImages.js';
 
-/** Images nested in tone whose levels know nothing of each other. */
+/** Images nested in tone whose levels are independent. */
 function unrelatedLevels(): { size: number; images: Uint8Array[][] } {
   const next = random(5);
   const images = [[16, 8, 4].map((size) => new Uint8Array(size * size).fill(255))];

@@ -9,7 +9,7 @@ import { resolveHatchImageOptions } from '../../../../src/strokes/tamImages/hatc
 import { cases } from '../../../selection.mjs';
 import { drawStrokes, finish, hatchImages, styleNames } from '../draw.js';
 
-/** What is told of the map of a request, by the request. */
+/** The report on the map of each request. */
 const reports = new Map<MapRequest, ReturnType<typeof checkHatchImages>>();
 
 function reportOf(request: MapRequest) {
@@ -91,7 +91,7 @@ describe('generateHatchImages', () => {
     (style) => {
       const request = resolveHatchImageOptions({ style });
       const strokes = finish(placeStrokes(request));
-      // In its middle, where a line is as wide as it is meant to be, beyond what the texels' places do to it.
+      // In the middle, where a line has its full width, beyond the effect of the grid of texels.
       const excess = Array.from({ length: request.levels }, (_, level) => {
         const side = request.size >> level;
         const along = strokes.filter((stroke) => stroke.level >= level && stroke.layer === 0 && stroke.tone === 1);

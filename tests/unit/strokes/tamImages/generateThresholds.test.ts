@@ -151,7 +151,7 @@ describe('generateThresholds', () => {
     const levels = levelsOf({ style, size: 128 });
     for (let l = 1; l < 3; l++) {
       const [fine, coarse] = [levels[l - 1], levels[l]];
-      // Where a stroke's heart lies on the coarse level, ink comes early nearby on the finer one too.
+      // Near the middle of a stroke of the coarse level, ink comes early on the finer one too.
       const tone = 0.15;
       let hearts = 0;
       let kept = 0;
@@ -170,7 +170,7 @@ describe('generateThresholds', () => {
         }
       }
       expect(hearts).toBeGreaterThan(20);
-      // Where paper has grain it may hide a heart.
+      // The grain of the paper may hide the middle of a stroke.
       expect(kept / hearts).toBeGreaterThan(resolveHatchImageOptions({ style }).style.grain ? 0.9 : 0.97);
     }
   });
