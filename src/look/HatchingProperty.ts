@@ -64,7 +64,7 @@ export interface HatchingChoice extends UsedByTechniques {
   choices: readonly string[];
   /** The choices that a technique knows, where these are not all. Any other counts as the default. */
   choicesFor?: Readonly<Record<string, readonly string[]>>;
-  /** The default under each technique, where it depends on that; `'auto'` asks for it again. */
+  /** The default under each technique, where it depends on that; `'auto'` restores it. */
   defaultFor?: Readonly<Record<string, string>>;
 }
 

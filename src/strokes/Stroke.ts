@@ -9,7 +9,7 @@ const SLOPE_STEP = 2 / (PROFILE_SAMPLES - 1);
  * not the length.)
  *
  * Seen along the stroke, x from −1 at its start to 1 at its end, the centre line is displaced sideways by
- * slope·length/2·x + bow·(1 − x²) + wave·x·(1 − x²). A stroke of a hand is displaced as its profile says instead of by bow and wave.
+ * slope·length/2·x + bow·(1 − x²) + wave·x·(1 − x²). A stroke of a hand is displaced by its profile instead of bow and wave.
  */
 export interface Stroke {
   /** Centre along the texture's u axis, in tiles. */

@@ -15,10 +15,9 @@ const LEARN_HAND_OPTIONS = { name: true, maxStrokes: true, maxPoints: true } sat
 >;
 
 /**
- * Does what `learnHand` does, in a worker if possible: for thousands of strokes, which would hold up the page otherwise.
+ * Does what `learnHand` does, in a worker if possible, so that thousands of strokes do not block the page.
  *
- * @throws TypeError or RangeError (as a rejection) that says in a sentence what is wrong with the strokes or the options; the signal's
- *   reason when aborted
+ * @throws TypeError or RangeError (as a rejection) with the fault of the strokes or the options; the signal's reason when aborted
  */
 export async function learnHandAsync(
   strokes: readonly HandStroke[],

@@ -149,6 +149,6 @@ export const GROUND_CONSTANTS = {
    * Upper bound of dissolved / left: half of the lines end that way, and the rest thin out together, so that none stands alone at the end.
    */
   MOST_ENDING: 2,
-  /** Lower bound of what is left. */
+  /** Lower bound of the part of the shadow that is left. */
   LEAST_LEFT: 1e-3,
 } as const;

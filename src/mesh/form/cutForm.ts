@@ -119,7 +119,7 @@ function turnRange(
 /** The members of `FormSeam` that describe fans before the surface is cut. */
 type FanPoints = Pick<FormSeam, 'halfTurns' | 'isSingular' | 'isPuncture' | 'isOpen' | 'cornerOf'>;
 
-/** Finds singular points. The product of the signs around a fan says whether its half turns are even or odd, the angles how many. */
+/** Finds singular points. The product of the signs around a fan gives the parity of its half turns, the angles give their number. */
 function* classifyFans(
   twins: Int32Array,
   { ofCorner, count }: Fans,

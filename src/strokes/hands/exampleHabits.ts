@@ -27,7 +27,7 @@ export interface PenHabits {
   spacing: Readonly<Record<SwatchTone, number>>;
   /** The deviation of that distance, as a share of it. */
   spacingSpread: number;
-  /** Strokes are drawn in bundles of this many, with a gap of so many distances between bundles; 1 stroke is no bundle. */
+  /** Strokes per bundle; between bundles the gap is `bundleGap` distances. 1: no bundles. */
   bundle: number;
   bundleGap: number;
   /** How far the ends of neighbours stray along the layer, as a share of the length. */
@@ -89,7 +89,7 @@ export const exampleHabits = {
     overlap: -0.1,
     isZigzag: false,
   },
-  /** A cut reed that takes little ink: short blunt strokes in bundles, broad and narrow by chance, as in drawings from Arles. */
+  /** A cut reed that takes little ink: short blunt strokes in bundles, broad and narrow at random, as in Van Gogh's drawings from Arles. */
   reedPen: {
     length: 6.4,
     lengthSpread: 0.24,
@@ -113,7 +113,7 @@ export const exampleHabits = {
     crossing: { angle: 34, from: 'dark' },
     isZigzag: false,
   },
-  /** A ballpoint that never leaves the paper: to and fro, loose, over what is there. */
+  /** A ballpoint that never leaves the paper: loose, to and fro, over earlier strokes. */
   scribble: {
     length: 7,
     lengthSpread: 0.3,

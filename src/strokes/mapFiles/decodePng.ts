@@ -105,7 +105,7 @@ function readHeader(data: Uint8Array, maxSide: number): Header {
 /** The number of bytes per row, without the byte of its filter. */
 const strideOf = ({ width, depth, colorType }: Header): number => Math.ceil((width * SAMPLES[colorType] * depth) / 8);
 
-/** Inflates as many bytes as the image has, and fails if there are more: a small file can expand to gigabytes. */
+/** Inflates the bytes of the image, and fails if there are more: a small file can expand to gigabytes. */
 async function inflate(parts: Uint8Array<ArrayBuffer>[], header: Header): Promise<Uint8Array> {
   const bytes = new Uint8Array(header.height * (strideOf(header) + 1));
   const pieces = piecesOf(parts);

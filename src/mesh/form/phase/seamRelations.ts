@@ -43,7 +43,7 @@ interface Collection {
   starts: number[];
   segments: number[];
   factors: number[];
-  /** The number of each offset, by what it is the sum of. */
+  /** The number of each offset, by its terms. */
   known: Map<string, number>;
   equations: JumpEquations;
 }
@@ -166,7 +166,7 @@ function crossedEdges({ twins }: FormSurface, { cut }: FormSeam, first: number):
   return crossed;
 }
 
-/** The terms of what φ jumps by on a walk around a closed fan. */
+/** The terms of the jump of φ on a walk around a closed fan. */
 function jumpsAround(cut: CutSegments, { cutSign }: FormSeam, crossed: readonly number[]): Term[] {
   let sign = 1;
   return crossed.toReversed().map((edge) => {
