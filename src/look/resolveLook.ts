@@ -29,7 +29,7 @@ export interface ResolvedLook {
   readonly runsAway: boolean;
 }
 
-/** How strokes of shadows that run away from the light are drawn, whatever the look says of those of the model. */
+/** The settings of strokes of shadows that run away from the light; they override the look of the model's strokes. */
 const AWAY: Partial<Record<HatchingPropertyName, string>> = {
   lineField: 'light',
   shadowStrokes: 'tone',

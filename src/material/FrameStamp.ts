@@ -1,6 +1,6 @@
 import type { Camera, WebGLRenderer } from 'three';
 
-/** A number for each renderer, by its `info`: a renderer itself would be kept from being collected. */
+/** Renderer ids, keyed by `info`: a key that is the renderer itself would keep it from being collected. */
 const numbers = new WeakMap<object, number>();
 let last = 0;
 
@@ -13,10 +13,10 @@ function numberOf({ info }: WebGLRenderer): number {
   return number;
 }
 
-/** The number of a frame. WebGPURenderer has none, and counts what it draws. */
+/** The renderer's frame number. WebGPURenderer has none; its call number stands in. */
 const frameOf = ({ info: { render } }: WebGLRenderer): number => render.frame ?? render.calls;
 
-/** Remembers a frame of a renderer as a camera sees it, and keeps neither of them. Allocates nothing. */
+/** Identifies one frame of one renderer and camera, without keeping either alive. Allocates nothing. */
 export class FrameStamp {
   private renderer = 0;
   private camera = -1;
@@ -28,7 +28,7 @@ export class FrameStamp {
     this.frame = frameOf(renderer);
   }
 
-  /** Whether it is the frame that was noted last. */
+  /** Whether this is the frame that was stored last. */
   isOf(renderer: WebGLRenderer, camera: Camera): boolean {
     return frameOf(renderer) === this.frame && camera.id === this.camera && numberOf(renderer) === this.renderer;
   }

@@ -34,7 +34,7 @@ import { resolveIncludes } from './shaders/resolveIncludes.js';
 import { conventionsChunk } from './shaders/shaderConventions.js';
 import { warnOfRenderer } from './warnOfRenderer.js';
 
-/** The shader files of backgrounds, and the chunks that they share with materials, as text. */
+/** The sources of the background shaders, and the chunks that they share with materials. */
 const files: Readonly<Record<string, string>> = import.meta.glob(
   ['../../shaders/background/*', '../../shaders/chunks/{lightLuminance,lineCoverage,meanLight}.glsl'],
   { query: '?raw', import: 'default', eager: true },
@@ -42,7 +42,7 @@ const files: Readonly<Record<string, string>> = import.meta.glob(
 
 let made: Shaders | undefined;
 
-/** The shaders of backgrounds. Their includes are resolved by the first call. */
+/** The shaders of backgrounds. The first call resolves their includes. */
 export function backgroundShaders(): Shaders {
   if (made) return made;
   const chunks: Record<string, string> = {
@@ -60,21 +60,22 @@ export function backgroundShaders(): Shaders {
   return made;
 }
 
-/** The parameters of `new HatchingBackground()`: its properties. */
+/** The parameters of `new HatchingBackground()`. */
 export type HatchingBackgroundParameters = Partial<Pick<HatchingBackground, BackgroundNumberName>> & {
   ink?: ColorRepresentation | undefined;
 };
 
-/** Before all else that is drawn after the surfaces, such as shadows on the paper. */
+/** The render order: before everything else that follows the opaque surfaces, such as shadows on the paper. */
 const FIRST = -1e6;
-/** The triangle that covers the sheet. */
+/** The vertex count of one triangle that covers the sheet. */
 const VERTICES = 3;
 
 const viewport = /* @__PURE__ */ new Vector4();
 
 /**
- * One calm field of ruled lines on the paper behind a subject: darker behind its lit side and lighter behind its dark one, so that it
- * stands out, and ending in open strokes. Add it to the scene; it stays behind all that is drawn, whatever its place.
+ * A field of parallel ruled lines on the paper behind a subject. It is darker behind the subject's lit side and lighter behind its dark
+ * side, so that the subject stands out, and its rim ends in open strokes. Add it to the scene; it stays behind everything, wherever it
+ * is added.
  *
  *     const { materials } = await applyHatching(model, 'engraving');
  *     scene.add(new HatchingBackground(materials[0].extent, { ink: '#1c1a17' }));
@@ -87,21 +88,21 @@ export class HatchingBackground extends Mesh<BufferGeometry, ShaderMaterial> {
 
   /** The share of the paper that the lines cover in the middle of the field, from 0 to 1. Default 0.25. */
   declare tone: number;
-  /** How much darker it is behind the lit side, and lighter behind the dark one, from 0 to 1. Default 0.75. */
+  /** How much darker the field is behind the lit side, and lighter behind the dark side, from 0 to 1. Default 0.75. */
   declare contrast: number;
   /** Distance between the lines, in CSS pixels, above 0. Default 6. */
   declare spacing: number;
-  /** Angle of the lines with the lower rim of the sheet, in radians; lines of a positive one rise to the right. Default π/5. */
+  /** Angle between the lines and the lower edge of the sheet, in radians; positive angles rise to the right. Default π/5. */
   declare direction: number;
   /** How far the field reaches from the middle of the subject, by half of its width and height on the sheet, above 0. Default 1.4. */
   declare extent: number;
   /** Colour of the lines. Default black. */
   readonly ink = new Color(HATCHING_BACKGROUND_DEFAULTS.ink);
-  /** What it lies behind; null draws nothing. */
+  /** The subject in front of the field; without one nothing is drawn. */
   subject: SceneExtent | null;
 
   /**
-   * @param subject what it lies behind: the extent of a hatched scene, or an object, whose bounds are measured now
+   * @param subject what stands in front of the field: the extent of a hatched scene, or an object, whose bounds are measured now
    * @throws RangeError if a number is out of its range
    */
   constructor(subject: SceneExtent | Object3D | null = null, { ink, ...numbers }: HatchingBackgroundParameters = {}) {
@@ -114,10 +115,10 @@ export class HatchingBackground extends Mesh<BufferGeometry, ShaderMaterial> {
     Object.assign(this, numbers);
   }
 
-  /** Does nothing: rays do not hit it. */
+  /** Does nothing: rays pass through the background. */
   override raycast(): void {}
 
-  /** Frees what it has on the GPU. */
+  /** Frees the GPU memory of the background. */
   override dispose(): void {
     // In older versions of three.js, Object3D has no dispose().
     super.dispose?.();
@@ -170,7 +171,7 @@ export class HatchingBackground extends Mesh<BufferGeometry, ShaderMaterial> {
   }
 }
 
-/** Without attributes: other materials, as those of depth passes, draw nothing of it. */
+/** A geometry without attributes: other materials, such as those of depth passes, draw nothing of it. */
 function emptyGeometry(): BufferGeometry {
   const geometry = new BufferGeometry();
   geometry.boundingBox = new Box3();

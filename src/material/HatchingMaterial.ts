@@ -72,50 +72,50 @@ const propertyOf = (name: HatchingPropertyName): HatchingProperty => HATCHING_PR
  * Takes the scene's lights, shadows and fog. One DirectionalLight of intensity π and no other light gives the paper's
  * N·L. Draws geometry from `prepareHatchingGeometry()`.
  *
- * Every property may be set at any time and counts from the next frame on; those that build another program say so. One
- * that does not count for the technique in use builds none.
+ * Every property may be set at any time and takes effect in the next frame; those that compile another program say so. A property that
+ * the technique does not use compiles none.
  */
 export class HatchingMaterial extends PropertyFields {
   readonly isHatchingMaterial = true;
-  /** @internal Left out of the declarations, because three.js 0.170 declares an accessor, and other versions a property. */
+  /** @internal Left out of the declarations, because three.js 0.170 declares an accessor and other versions a property. */
   override readonly type: string = 'HatchingMaterial';
 
   /** The space of `normalMap`, as in three's own materials: `TangentSpaceNormalMap` or `ObjectSpaceNormalMap`. */
   normalMapType: NormalMapTypes = TangentSpaceNormalMap;
 
-  /** Choices that were made, and the technique, on which the defaults of the others depend. */
+  /** The choices that were set. They include the technique, which decides the defaults of the others. */
   private readonly chosen: Partial<Record<HatchingPropertyName, string | boolean>> = {
     technique: HATCHING_DEFAULTS.technique,
   };
-  /** The curve that was set; undefined leaves it to the technique. */
+  /** The tone curve that was set; undefined means the technique's default. */
   private curve: ToneCurve | undefined;
-  /** The present shaders. They are set only when others are needed, so that a user may replace them. */
+  /** The shaders in use. They are assigned only when they change, so that a user may replace them. */
   private shaders: Shaders | undefined;
-  /** What the technique or the medium of the present shaders needs beside. */
+  /** The part that the technique or the medium of the shaders in use needs. */
   private readonly inUse = new PartInUse(() => this.writeProgram());
   private readonly exposed = new ExposureInUse();
-  /** What the program depends on beside the properties. */
+  /** The facts, beside the properties, that decide the program. */
   private readonly met: ProgramFacts = { hasEnvironment: false, vertexLayout: 'corner', hasForm: true };
-  /** The frame for which the uniforms were last written, and the part of the target, in pixels, that it is drawn to. */
+  /** The frame that the uniforms were last written for, and the part of the render target, in pixels, that it is drawn to. */
   private readonly written = new FrameStamp();
   private readonly writtenTo = new Vector4();
-  /** What the properties say in that frame, and each of its meshes asks. */
+  /** Values of the properties in that frame that are needed again for each of its meshes. */
   private followsForm = false;
   private takesWeight = false;
-  /** The uniforms that are of a mesh. @internal */
+  /** The uniforms that differ between meshes. @internal */
   readonly ofMesh: MeshUniforms;
-  /** The program switches of the last frame. */
+  /** The program switches of the last frame (see `programSwitches`). */
   private drawnSwitches: number | undefined;
-  /** Whether the strokes of the program come from a map. */
+  /** Whether the program reads its strokes from a map. */
   private drawsWithMap = true;
   /** Whether a WebGLRenderer has drawn or compiled this material. */
   private isWithWebGL = false;
-  /** Meshes announced before the first program was built. */
+  /** Meshes that were announced before the first program was built. */
   private announced: Mesh[] = [];
   private readonly drawn = new DrawnMeshes();
   private isSettingValues = false;
 
-  /** Whether the library says nothing on the console of the mistakes that it finds (docs/troubleshooting.md). Default: false. */
+  /** Whether the library's warnings are turned off (docs/troubleshooting.md lists them). Default: false. */
   static get silent(): boolean {
     return silence.isOn;
   }
@@ -125,7 +125,7 @@ export class HatchingMaterial extends PropertyFields {
   }
 
   /** @throws TypeError, RangeError or Error for a value of the wrong kind or out of its range */
-  // React Three Fiber gives an attribute that is taken away its default only if the constructor counts no parameters.
+  // React Three Fiber resets a removed attribute to its default only if the constructor's `length` is 0.
   constructor(parameters: HatchingMaterialParameters | undefined = undefined) {
     super();
     this.uniforms = createHatchingUniforms();
@@ -133,10 +133,10 @@ export class HatchingMaterial extends PropertyFields {
     this.lights = true;
     this.fog = true;
     this.clipping = true;
-    // Ink and paper are the colours that were asked for, whatever the light of a scene is mapped to.
+    // Ink and paper are drawn in the colours that were set, without tone mapping.
     this.toneMapped = false;
     keepHooks(this, HatchingMaterial.prototype);
-    // ShaderMaterial draws transparent double-sided meshes in one pass; three's own surface materials draw the back first.
+    // ShaderMaterial draws transparent double-sided meshes in one pass; three's surface materials draw the back faces first.
     this.forceSinglePass = false;
     this.setValues(parameters);
     this.writeProgram();
@@ -159,7 +159,7 @@ export class HatchingMaterial extends PropertyFields {
   }
 
   /**
-   * Sets properties by name, as three's own. Warns of one that does not count for the technique.
+   * Sets properties by name, as three's own materials do. Warns of each property that the technique does not use.
    *
    * @throws TypeError, RangeError or Error for a value of the wrong kind or out of its range, before anything is set
    */
@@ -175,7 +175,7 @@ export class HatchingMaterial extends PropertyFields {
       this.isSettingValues = false;
     }
     if (this.defines !== defines) {
-      // three.js has replaced the material's own defines by the given ones.
+      // three.js has replaced the material's own defines by the given ones; both are needed.
       this.defines = { ...defines, ...this.defines };
       this.needsUpdate = true;
     }
@@ -183,14 +183,17 @@ export class HatchingMaterial extends PropertyFields {
     warnOfUnused(parameters, this.technique);
   }
 
-  /** Sets all that a preset names, and gives what only other presets name its default. What is set afterwards overrides it. */
+  /**
+   * Sets every property of a preset, and resets the properties that only other presets set. Properties that are set afterwards override
+   * it.
+   */
   set preset(name: PresetName) {
     this.setValues({ preset: name });
   }
 
   /**
-   * Sets the properties that `toJSON` wrote, all but the tonal art map; anything else in the JSON is ignored. Called by
-   * three's own loaders, which find the class after `MaterialLoader.registerMaterial('HatchingMaterial', HatchingMaterial)`.
+   * Sets the properties that `toJSON` wrote, except the tonal art map; unknown properties are ignored. Called by three's own loaders,
+   * which find the class after `MaterialLoader.registerMaterial('HatchingMaterial', HatchingMaterial)`.
    *
    * @param textures by uuid
    * @throws TypeError, RangeError or Error for a value of the wrong kind or out of its range, before anything is set
@@ -200,16 +203,16 @@ export class HatchingMaterial extends PropertyFields {
     return this;
   }
 
-  /** A material from what `toJSON` wrote, with any version of three.js. See the method of the same name. */
+  /** Creates a material from the JSON that `toJSON` wrote, with any version of three.js. See the method of the same name. */
   static fromJSON(json: HatchingMaterialJSON, textures: Readonly<Record<string, Texture>> = {}): HatchingMaterial {
     return new HatchingMaterial().fromJSON(json, textures);
   }
 
   /**
-   * Resolves when all that the material draws with is there: its map, and its code. The code of strokes of ink is there from the start;
-   * that of other techniques and media is fetched when a material first uses it, and until then the surface is plain paper, or looks as
-   * before. For a page that draws only when something changes: `material.ready.then(render)`. Rejects if the map cannot be drawn or the
-   * code cannot be fetched; reading it again tries again.
+   * Resolves when the material's map and code have loaded. The code for strokes of ink is always loaded; that of other techniques and
+   * media is fetched when a material first uses it, and until then the surface is plain paper or looks as before. For pages that render
+   * on demand: `material.ready.then(render)`. Rejects if the map cannot be drawn or the code cannot be fetched; reading the property
+   * again tries again.
    */
   get ready(): Promise<void> {
     this.writeProgram();
@@ -217,7 +220,7 @@ export class HatchingMaterial extends PropertyFields {
   }
 
   /**
-   * Called by the renderer, which is about to choose a program, before a frame or for `compile`: brings the program up to date.
+   * Called by the renderer when it is about to choose a program, before a frame or in `compile`. Brings the program up to date.
    *
    * @returns a key that tells the program apart from those of other hooks
    */
@@ -229,8 +232,8 @@ export class HatchingMaterial extends PropertyFields {
   }
 
   /**
-   * Reports a WebGPURenderer. Every renderer asks for the program's key; a WebGLRenderer then calls another hook at once, a
-   * WebGPURenderer never does.
+   * Detects a WebGPURenderer and warns of it. Every renderer asks for the program's key; a WebGLRenderer then calls another hook at
+   * once, a WebGPURenderer never does.
    */
   private askForRenderer(): void {
     if (this.isWithWebGL) return;
@@ -240,8 +243,8 @@ export class HatchingMaterial extends PropertyFields {
   }
 
   /**
-   * Announces a mesh that the material will draw, so that `renderer.compile` builds the very programs that the first frame
-   * uses. `applyHatching` does so.
+   * Announces a mesh that the material will draw, so that `renderer.compile` builds the programs of the first frame. `applyHatching`
+   * calls it.
    *
    * @internal
    */
@@ -252,8 +255,8 @@ export class HatchingMaterial extends PropertyFields {
   }
 
   /**
-   * Called by the renderer. Defines in both shaders what three defines in the vertex shader alone. Also builds the programs of the
-   * pre-pass and of the environment's blur, which otherwise only drawing would do.
+   * Called by the renderer. Adds to both shaders the defines that three.js adds to the vertex shader alone. Also builds the programs of
+   * the deformation pre-pass and of the environment's blur, which would otherwise be built in the first frame.
    */
   override onBeforeCompile(shader: WebGLProgramParametersWithUniforms, renderer: WebGLRenderer): void {
     this.isWithWebGL = true;
@@ -277,7 +280,8 @@ export class HatchingMaterial extends PropertyFields {
   ): void {
     this.isWithWebGL = true;
     const drawn = drawnPart(renderer, camera);
-    // Once for all the meshes of a frame: three.js, too, uploads the uniforms of a material once, unless it is told otherwise.
+    // The uniforms are written once for all meshes of a frame, because three.js, too, uploads the uniforms of a material once per frame
+    // unless told otherwise.
     if (this.ofMesh.isAllWanted || !this.written.isOf(renderer, camera) || !this.writtenTo.equals(drawn)) {
       this.written.note(renderer, camera);
       this.writtenTo.copy(drawn);
@@ -299,7 +303,7 @@ export class HatchingMaterial extends PropertyFields {
     if (layout) this.use('vertexLayout', layout);
   }
 
-  /** Notes a fact of the scene or the mesh that decides about the program. */
+  /** Stores a fact of the scene or the mesh that decides the program. */
   private use<Fact extends keyof ProgramFacts>(fact: Fact, value: ProgramFacts[Fact]): void {
     if (value === this.met[fact]) return;
     this.met[fact] = value;
@@ -307,7 +311,7 @@ export class HatchingMaterial extends PropertyFields {
   }
 
   override copy(source: this): this {
-    // Not ShaderMaterial's copy: that clones every texture among the uniforms, and each clone would be uploaded again.
+    // ShaderMaterial.copy would clone every texture among the uniforms, and each clone would be uploaded again.
     Material.prototype.copy.call(this, source);
     const { fog, normalMapType, lights, clipping, wireframe, wireframeLinewidth, vertexShader, fragmentShader } =
       source;
@@ -325,11 +329,11 @@ export class HatchingMaterial extends PropertyFields {
     return this;
   }
 
-  /** As three's own materials, with every property that is not at its default. The tonal art map is left out. */
+  /** The JSON of three's own materials, and every property that is not at its default. The tonal art map is left out. */
   override toJSON(meta?: Parameters<Material['toJSON']>[0]): ReturnType<ShaderMaterial['toJSON']> {
-    // Not ShaderMaterial's: that writes the shaders and the uniforms, which follow from the properties.
+    // ShaderMaterial.toJSON would write the shaders and the uniforms, which follow from the properties.
     const json = Material.prototype.toJSON.call(this, meta);
-    // three.js takes true for the default, and leaves it out.
+    // three.js takes `true` for the default and leaves it out.
     const toneMapped = this.toneMapped ? { toneMapped: true } : {};
     return Object.assign(json, toneMapped, propertiesToJSON(this)) as unknown as ReturnType<ShaderMaterial['toJSON']>;
   }
@@ -373,7 +377,7 @@ export class HatchingMaterial extends PropertyFields {
     }
   }
 
-  /** Properties are plain values; only here are they written into uniforms. Allocates nothing. */
+  /** Writes the properties, which are plain values until then, to the uniforms. Allocates nothing. */
   private writeUniforms(renderer?: WebGLRenderer, camera?: Camera): void {
     const u = this.uniforms;
     const isOfThresholds = usesThresholds(this);
@@ -390,19 +394,19 @@ export class HatchingMaterial extends PropertyFields {
     writeEmphasis(this, u, renderer, camera);
   }
 
-  /** The map to draw with, if it is there. That of a style is asked for once a renderer draws or compiles, and not before. */
+  /** The map to draw with, once it is ready. The shared map of a style is requested only when a renderer draws or compiles. */
   private mapInUse(): TonalArtMap | null {
     const { tonalArtMap } = this;
     if (typeof tonalArtMap !== 'string') return tonalArtMap;
     return this.isWithWebGL ? sharedMap(tonalArtMap) : null;
   }
 
-  /** Brings choices to the shaders, those that are set together at once: the technique chooses the chunks, the others are defines. */
+  /** Updates the shaders and the defines after choices were set. Choices that are set together are applied at once. */
   private writeProgram(): void {
     if (this.isSettingValues) return;
     this.exposed.fetch(this);
     if (!this.inUse.take(this)) {
-      // Until the code is there, the surface looks as it did before, or like plain paper.
+      // Until the code has loaded, the surface looks as it did before, or like plain paper.
       if (!this.shaders) Object.assign(this, plainShaders(), { drawsWithMap: needsMap(this) });
       return;
     }

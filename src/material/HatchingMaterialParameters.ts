@@ -3,16 +3,19 @@ import type { PresetName } from '../look/presetMaterials.js';
 import type { SceneExtent } from './fading/SceneExtent.js';
 import type { HatchingMaterialOptions } from './HatchingMaterialProperties.js';
 
-/** What `new HatchingMaterial()` and `setValues()` take. */
+/** The parameters of `new HatchingMaterial()` and `setValues()`. */
 export type HatchingMaterialParameters = MaterialParameters &
   Partial<HatchingMaterialOptions> & {
-    /** The preset to start from, by its name. The other parameters override it one by one, and what it does not name is at its default. */
+    /**
+     * The name of the preset to start from. The other parameters override it one by one; properties that the preset does not set have
+     * their defaults.
+     */
     preset?: PresetName | undefined;
-    /** Defines of your own, beside the material's. */
+    /** Defines of your own, added to those of the material. */
     defines?: Record<string, unknown> | undefined;
     /** The space of `normalMap`: `TangentSpaceNormalMap`, the default, or `ObjectSpaceNormalMap`. */
     normalMapType?: NormalMapTypes | undefined;
-    /** How far the scene reaches, by which `depthFade` measures depth. */
+    /** The extent of the scene, relative to which `depthFade` measures depth. */
     extent?: SceneExtent | null | undefined;
     fog?: boolean | undefined;
     wireframe?: boolean | undefined;

@@ -1,37 +1,40 @@
 import type { Material, WebGLRenderer } from 'three';
 
-/** What three is to upload beside what it uploads anyway, when it goes on to another material, camera or program. */
+/**
+ * Which uniforms three.js uploads again for the next mesh, beside those it uploads anyway after a change of material, camera or
+ * program.
+ */
 type Wanted = 'nothing' | 'mesh' | 'all';
 
-/** A uniform of a program, as three keeps it. */
+/** An entry of three's private list of uniforms of a program. */
 interface ProgramUniform {
   readonly id: string;
 }
 
-/** What three keeps of a material, as far as it counts here. */
+/** The parts of three's private data of a material that are read here. */
 interface KeptByThree {
-  /** The uniforms of the material that its present program has; null after another program was chosen. */
+  /** The uniforms of the material that its program uses; null after the program has changed. */
   uniformsList?: ProgramUniform[] | null;
 }
 
 /**
- * Lets three upload the uniforms that a mesh has for its own without all the others. By itself three uploads those of a material once for
- * all meshes in a row, and where `uniformsNeedUpdate` is set every one of them again, of which a program has about fifty.
+ * Has three.js upload only the uniforms that differ between meshes, instead of all. three.js uploads the uniforms of a material once
+ * for all meshes in a row; with `uniformsNeedUpdate` it uploads all of them again for each mesh, and a program has about fifty.
  *
- * When three goes on to another material it first clears `uniformsNeedUpdate`, and then uploads its list of uniforms. For each mesh after
- * that it asks for `uniformsNeedUpdate`, uploads the list, and clears it. So the list is a short one from when three asks to when it
- * clears. Where three keeps no such list, it uploads all.
+ * When three.js changes to another material, it clears `uniformsNeedUpdate` and then uploads its list of uniforms. For each mesh after
+ * that it reads `uniformsNeedUpdate`, uploads the list, and clears the flag. Between the read and the clear, the list is replaced by a
+ * short one. Where three.js has no such list, all uniforms are uploaded.
  */
 export class MeshUniforms {
   private wanted: Wanted = 'nothing';
   private kept: KeptByThree | undefined;
-  /** The list that three made, and what of it is of the mesh. */
+  /** three's own list, and the part of it that differs between meshes. */
   private whole: ProgramUniform[] | null = null;
   private short: ProgramUniform[] = [];
 
   /**
-   * @param names of the uniforms that are of the mesh. Either no texture is among them or all that the programs of the material have are:
-   *   each takes the unit that comes next.
+   * @param names the uniforms that differ between meshes. They include either no texture or all textures of the material's programs,
+   * because texture units are numbered in the order of uploads.
    */
   constructor(
     private readonly material: Material,
@@ -51,12 +54,12 @@ export class MeshUniforms {
     });
   }
 
-  /** Whether somebody asked for all uniforms of the material. Unlike `uniformsNeedUpdate` it changes nothing. */
+  /** Whether `uniformsNeedUpdate` was set from outside. Unlike that property, reading this changes nothing. */
   get isAllWanted(): boolean {
     return this.wanted === 'all';
   }
 
-  /** Has the uniforms of the mesh uploaded that is about to be drawn. Allocates nothing. */
+  /** Requests an upload of the uniforms that differ between meshes, for the mesh that is about to be drawn. Allocates nothing. */
   want(renderer: WebGLRenderer): void {
     if (this.wanted === 'all') return;
     this.wanted = 'mesh';
@@ -70,14 +73,14 @@ export class MeshUniforms {
     kept.uniformsList = this.short;
   }
 
-  /** A function of its own: what a closure keeps is allocated whenever the function around it is called. */
+  /** A separate function, because variables that a closure captures are allocated at every call of the enclosing function. */
   private take(list: ProgramUniform[]): void {
     this.whole = list;
     this.short = list.filter(({ id }) => this.names.includes(id));
   }
 
   private restore(): void {
-    // Where three has chosen another program meanwhile, the list is of that.
+    // If three.js has changed the program in the meantime, the list is that of the new program.
     if (this.kept?.uniformsList === this.short) this.kept.uniformsList = this.whole;
     this.kept = undefined;
   }

@@ -6,21 +6,21 @@ import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js
 import { accessorOf, fieldOf } from './propertyAccessors.js';
 
 /**
- * The properties of `HatchingMaterial` as fields, after the table: colours, vectors and textures are plain fields, and what is set to the
- * others is checked. What setting a choice does is up to the material.
+ * The properties of `HatchingMaterial` as fields, defined from the property table. Colours, vectors and textures are plain fields; the
+ * values of all others are checked when set. Subclasses define what setting a choice does.
  */
 // biome-ignore lint/suspicious/noUnsafeDeclarationMerging: the constructor defines every property of the table.
 export abstract class PropertyFields extends ShaderMaterial {
   /**
-   * How far the scene reaches, by which `depthFade` measures depth; `applyHatching` sets it. Without one its units are those of the world,
+   * The extent of the scene, relative to which `depthFade` measures depth; `applyHatching` sets it. If null, depths are in world units
    * from the eye. Default: null.
    */
   extent: SceneExtent | null = null;
   protected focused: Vector3 | null = null;
   protected hatchImages: HatchingMap = HATCHING_DEFAULTS.tonalArtMap;
   /**
-   * Numbers that were set. The others follow the technique. In a map, because V8 allocates a number that is read from a field whose name
-   * is not known beforehand, in every frame.
+   * The numbers that were set; the others have the technique's defaults. They are in a Map, because V8 allocates a number whenever it
+   * is read from a field by a computed name, which here would be every frame.
    */
   protected numbers = new Map<HatchingPropertyName, number | 'auto' | null>();
 
@@ -29,13 +29,13 @@ export abstract class PropertyFields extends ShaderMaterial {
     for (const key in HATCHING_PROPERTIES) this.define(key as HatchingPropertyName);
   }
 
-  /** The choice in force. */
+  /** The value of a choice that is in effect. */
   protected abstract choice(name: HatchingPropertyName): string | boolean;
 
   /** @throws Error if `value` is none of the property's choices */
   protected abstract choose(name: HatchingPropertyName, value: string | boolean): void;
 
-  /** Numbers that were never set stay so. The extent is that of the same scene. */
+  /** Copies the numbers that were set, so that the others keep following the technique. The extent is shared. */
   protected copyNumbers({ numbers, focused, extent }: PropertyFields): void {
     this.numbers = new Map(numbers);
     this.focused = focused?.clone() ?? null;
@@ -44,7 +44,7 @@ export abstract class PropertyFields extends ShaderMaterial {
 
   private define(name: HatchingPropertyName): void {
     const field = fieldOf(name);
-    // Accessors are the same for all materials; that of the tone curve is the material's own.
+    // All materials have the same accessors, except that of the tone curve, which the material defines.
     if (field !== undefined) Object.assign(this, { [name]: field });
     else if (!(name in this)) Object.defineProperty(PropertyFields.prototype, name, accessorOf(name));
   }

@@ -5,9 +5,9 @@ import { environmentLayout } from './shaders/environmentLayout.js';
 const rotation = /* @__PURE__ */ new Matrix4();
 
 /**
- * Sets the uniforms of the scene's environment, which three.js gives to its own materials alone.
+ * Sets the uniforms of the scene's environment, which three.js sets on its own materials only.
  *
- * @returns whether there is one to be lit by
+ * @returns whether the scene has an environment that gives light
  */
 export function bindEnvironment(
   renderer: WebGLRenderer,
@@ -19,17 +19,17 @@ export function bindEnvironment(
   uniforms.environment.value = texture;
   uniforms.environmentIntensity.value = scene.environmentIntensity;
   if (!texture) return false;
-  // The transpose of a rotation is its inverse: where the image is turned, directions are turned back.
+  // The inverse of the image's rotation, which is its transpose, turns directions into the space of the image.
   uniforms.environmentRotation.value
     .setFromMatrix4(rotation.makeRotationFromEuler(scene.environmentRotation))
     .transpose();
   if (environmentLayout() === 'atlas') {
-    // As in three's WebGLProgram: the faces of three cubes lie side by side, each at least 112 texels wide.
+    // The layout of three's WebGLProgram: the faces of three cubes lie side by side, each at least 112 texels wide.
     const { height } = texture.image as { height: number };
     const finest = Math.log2(height) - 2;
     uniforms.environmentAtlas.value.set(1 / (3 * Math.max(2 ** finest, 112)), 1 / height, finest);
   }
-  // Blurring sets the viewport to the whole target; each camera of an ArrayCamera has its own part of it.
+  // Blurring the environment has set the viewport to the whole target; each camera of an ArrayCamera has its own part of it.
   const { viewport } = camera as Camera & { viewport?: Vector4 };
   if (viewport) renderer.state.viewport(viewport);
   return true;

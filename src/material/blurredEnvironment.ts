@@ -10,18 +10,21 @@ import {
   type WebGLRenderTarget,
 } from 'three';
 
-/** The environments of one graphics context. */
+/** The blurred environments of one graphics context. */
 interface Environments {
   generator: PMREMGenerator;
   blurred: WeakMap<Texture, ReturnType<PMREMGenerator['fromCubemap']>>;
 }
 
-/** Per `renderer.properties`: three.js makes a new one when a lost context is restored, and what was drawn is lost with it. */
+/**
+ * Keyed by `renderer.properties`, which three.js replaces when a lost context is restored; the textures of that context are lost with
+ * it.
+ */
 const environments = new WeakMap<object, Environments>();
 
 /**
- * An environment as three's PMREMGenerator blurs it, made on first use and freed with the texture; null while the texture is
- * loading. three.js does this for its own materials alone. A texture that is blurred already is returned as it is.
+ * The environment blurred by three's PMREMGenerator, which three.js runs for its own materials only. It is made on first use and freed
+ * with the texture; null while the texture is loading. A texture that is blurred already is returned as it is.
  */
 export function blurredEnvironment(renderer: WebGLRenderer, texture: Texture): Texture | null {
   if (isBlurred(texture)) return texture;
@@ -40,11 +43,11 @@ export function blurredEnvironment(renderer: WebGLRenderer, texture: Texture): T
   return made.texture;
 }
 
-/** Whether a texture has loaded far enough for `blurredEnvironment` to give light. */
+/** Whether a texture has loaded, so that `blurredEnvironment` gives light. */
 export const lightsAlready = (texture: Texture): boolean =>
   isBlurred(texture) || ((isCube(texture) || isEquirectangular(texture)) && isLoaded(texture));
 
-/** `CubeUVReflectionMapping` of three.js before 0.187, which later ones no longer name. */
+/** `CubeUVReflectionMapping`, a constant that three.js exports only before 0.187. */
 const ATLAS_MAPPING = 306;
 
 const isBlurred = ({ mapping, isPMREMTexture }: Texture): boolean =>
@@ -76,7 +79,7 @@ function disposeWith(texture: Texture, target: WebGLRenderTarget, renderer: WebG
   const dispose = (): void => {
     texture.removeEventListener('dispose', dispose);
     environments.get(context)?.blurred.delete(texture);
-    // What belonged to a lost context is gone.
+    // Render targets of a lost context no longer exist.
     if (renderer.properties === context) target.dispose();
   };
   texture.addEventListener('dispose', dispose);

@@ -10,7 +10,7 @@ export function checkNumber(name: string, value: unknown, range: NumberRange = {
   );
 }
 
-/** In mathematical notation, as in `(0, ∞)`. */
+/** The range in mathematical notation, such as `(0, ∞)`. */
 export function describeRange({ above, from, to }: NumberRange): string {
   const start = above !== undefined ? `(${above}` : from !== undefined ? `[${from}` : '(−∞';
   return `${start}, ${to === undefined ? '∞)' : `${to}]`}`;

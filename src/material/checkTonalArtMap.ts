@@ -2,11 +2,11 @@ import { STROKE_STYLE_NAMES, type StrokeStyleName } from '../strokes/strokeStyle
 import { isPromise } from './diagnostics/isPromise.js';
 import type { TonalArtMap } from './tam/TonalArtMap.js';
 
-/** Whether a value is a TonalArtMap, also one from another copy of the library. */
+/** Whether a value is a TonalArtMap, possibly from another copy of the library. */
 export const isTonalArtMap = (value: unknown): value is TonalArtMap =>
   (value as Partial<TonalArtMap> | null | undefined)?.isTonalArtMap === true;
 
-/** A map, the style of the shared map that is drawn with, or null for none. */
+/** A map, the name of a style, whose shared map is used, or null for none. */
 export type HatchingMap = TonalArtMap | StrokeStyleName | null;
 
 /** @throws TypeError unless `value` is a TonalArtMap, the name of a style, or null */

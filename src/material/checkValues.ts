@@ -8,18 +8,18 @@ import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js
 import { isVector2Like, isVector3Like } from './vectorValues.js';
 
 /**
- * Checks parameters before any of them is set, so that a wrong one changes nothing. Those that any material has are left to three.
+ * Checks parameters before any of them is set, so that a wrong one changes nothing. Parameters of three's `Material` are not checked.
  *
- * @throws TypeError, RangeError or Error naming the first property of ours whose value is of the wrong kind or out of its range
+ * @throws TypeError, RangeError or Error naming the first property of the library whose value is of the wrong kind or out of its range
  */
 export function checkValues(parameters: HatchingMaterialParameters): void {
-  // In an object read from JSON this is an own property, and three.js would set it as the prototype of the material.
+  // An object read from JSON may have this as an own property, and three.js would set it as the prototype of the material.
   if (Object.hasOwn(parameters, '__proto__')) throw new TypeError('HatchingMaterial: "__proto__" is no parameter.');
   if (Object.hasOwn(parameters, 'material')) {
     throw new TypeError('HatchingMaterial: this is a whole preset. Pass its parameters, as in presets.pen.material.');
   }
   for (const [name, value] of Object.entries(parameters)) {
-    // three.js itself warns of undefined, and keeps the present value.
+    // three.js itself warns of undefined values, and keeps the present ones.
     if (value !== undefined && Object.hasOwn(HATCHING_PROPERTIES, name))
       checkValue(name as HatchingPropertyName, value);
   }
@@ -59,12 +59,15 @@ function checkValue(name: HatchingPropertyName, value: unknown): void {
 export const checkPoint = (name: HatchingPropertyName, value: unknown): void =>
   check(name, value === null || isVector3Like(value), 'null, a THREE.Vector3 or an array of three finite numbers');
 
-/** Whether a number may be set to this, which is none: `null` or `'auto'`, where that is the default or has a meaning. */
+/**
+ * Whether a property accepts this value, `null` or `'auto'`, instead of a number: because it is the default or has a meaning of its
+ * own.
+ */
 export const isWord = (name: HatchingPropertyName, value: unknown): boolean =>
   (typeof value !== 'number' && value === HATCHING_DEFAULTS[name]) ||
   (value === 'auto' && (HATCHING_PROPERTIES[name] as HatchingNumber).isAuto === true);
 
-/** @throws Error unless `value` is one of the choices of a property; TypeError unless it is a boolean, for a property that is a switch */
+/** @throws Error unless `value` is one of the property's choices; TypeError unless it is a boolean, for a property that is a switch */
 export function checkChoice(name: HatchingPropertyName, value: unknown): void {
   const property: HatchingProperty = HATCHING_PROPERTIES[name];
   if (property.kind === 'switch') check(name, typeof value === 'boolean', 'true or false');
@@ -91,7 +94,7 @@ function check(name: string, isRight: boolean, expected: string): void {
 function isColor(value: unknown): boolean {
   if (typeof value !== 'string') return Number.isFinite(value) || (value as Partial<Color> | null)?.isColor === true;
   if (/^\w+$/.test(value)) return Object.hasOwn(Color.NAMES, value.toLowerCase());
-  // three.js leaves a colour as it is where it cannot read another.
+  // If three.js cannot parse a colour, it leaves the components unchanged, here NaN.
   const { r } = Object.assign(new Color(), { r: Number.NaN }).set(value);
   return Number.isFinite(r);
 }

@@ -1,2 +1,5 @@
-/** The name in `userData` of a mesh for the elements of a matrix from its object space to a frame that it shares with other meshes. */
+/**
+ * The key in a mesh's `userData` for the matrix, as an array, from its object space to the coordinate frame that its lines share with
+ * other meshes.
+ */
 export const FIELD_FRAME = 'hatchingField';

@@ -1,12 +1,12 @@
 import { TONE_CURVE_SPANS } from './shaders/shaderConventions.js';
 
-/** A point of a tone curve: the tone of the light, and the tone to print for it. Both in [0, 1], 0 is paper. */
+/** A point of a tone curve: the tone of the light, and the tone that is printed for it. Both are in [0, 1], where 0 is paper. */
 export type ToneCurvePoint = readonly [light: number, printed: number];
 
-/** See `HatchingMaterial.toneCurve`. */
+/** The values of `HatchingMaterial.toneCurve`. */
 export type ToneCurve = 'linear' | 'perceptual' | 'printed' | readonly ToneCurvePoint[];
 
-/** The curve `'printed'`. */
+/** The points of the curve `'printed'`. */
 const PRINTED: readonly ToneCurvePoint[] = [
   [0, 0],
   [0.15, 0],
@@ -18,7 +18,7 @@ const PRINTED: readonly ToneCurvePoint[] = [
   [1, 0.86],
 ];
 
-/** The points of a curve; none for those that the shader computes. */
+/** The points of a curve; undefined for curves that the shader computes. */
 function pointsOf(curve: ToneCurve): readonly ToneCurvePoint[] | undefined {
   if (curve === 'printed') return PRINTED;
   return curve === 'linear' || curve === 'perceptual' ? undefined : curve;
@@ -26,10 +26,10 @@ function pointsOf(curve: ToneCurve): readonly ToneCurvePoint[] | undefined {
 
 /** The ends of a curve that the shader computes. */
 const WHOLE: readonly [number, number] = [0, 1];
-/** Those of curves through points, which are asked for in every frame. */
+/** A cache of the ends of curves through points, which are needed in every frame. */
 const endsOf = /* @__PURE__ */ new WeakMap<readonly ToneCurvePoint[], readonly [number, number]>();
 
-/** The tones that a curve prints for tone 0, and for tone 1. Allocates nothing for a curve that was asked about before. */
+/** The tones that a curve prints for light tones 0 and 1. Allocates nothing for a curve that is cached. */
 export function curveEnds(curve: ToneCurve): readonly [number, number] {
   const points = pointsOf(curve);
   if (!points) return WHOLE;
@@ -41,12 +41,12 @@ export function curveEnds(curve: ToneCurve): readonly [number, number] {
   return ends;
 }
 
-/** A tone curve as a sum: `start`, and a cubic for each span. Spans that are not in use add nothing. */
+/** A tone curve as a sum of `start` and one cubic per span. Unused spans add nothing. */
 export interface FittedToneCurve {
   start: number;
-  /** Per span, its start and 1 / its width. */
+  /** The start and 1 / width of each span. */
   spans: Float32Array;
-  /** Per span, the coefficients of t, t² and t³, with t from 0 to 1 over the span. */
+  /** The coefficients of t, t² and t³ of each span, where t runs from 0 to 1 over the span. */
   cubics: Float32Array;
 }
 
@@ -76,16 +76,16 @@ export function fitToneCurve(points: readonly ToneCurvePoint[]): FittedToneCurve
 }
 
 /**
- * A curve as the shader takes it; undefined for one that it computes.
+ * The fitted curve for the shader; undefined for a curve that the shader computes.
  *
- * @throws Error if it is none
+ * @throws Error if `curve` is not a tone curve
  */
 export function fittedCurve(curve: ToneCurve): FittedToneCurve | undefined {
   const points = pointsOf(curve);
   return points && fitToneCurve(points);
 }
 
-/** The slope at a point between two spans: a harmonic mean, with which the curve overshoots in neither; 0 at a turning point. */
+/** The slope at a point between two spans: their harmonic mean, with which the curve overshoots in neither; 0 at a turning point. */
 function slopeBetween(before = Number.NaN, after = Number.NaN, widthBefore = 0, widthAfter = 0): number {
   if (Number.isNaN(before)) return after;
   if (Number.isNaN(after)) return before;

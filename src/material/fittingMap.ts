@@ -2,15 +2,15 @@ import { warn } from './diagnostics/warn.js';
 import { identityOf } from './geometry/identityOf.js';
 import type { TonalArtMap } from './tam/TonalArtMap.js';
 
-/** Identities of maps that were reported as too large. */
+/** The identities of maps that were reported as too large. */
 const refused = new WeakSet<object>();
 
 /**
- * The map if it is drawn and the device can hold its textures, otherwise null: a texture that is too large would draw everything black. Reports
- * it once per map.
+ * Returns the map if it is ready and the device can hold its textures, otherwise null: a texture that is too large would draw
+ * everything black. Reports a map that is too large once.
  *
- * @param usesThresholds whether the threshold texture is used too, which is about twice as wide as the map
- * @param maxTextureSize of the device, in texels
+ * @param usesThresholds whether the threshold texture is used too; it is about twice as wide as the map
+ * @param maxTextureSize the device's limit, in texels
  */
 export function fittingMap(
   map: TonalArtMap | null,

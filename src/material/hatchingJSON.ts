@@ -5,12 +5,12 @@ import { isTonalArtMap } from './checkTonalArtMap.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 
-/** What three.js writes of any material, and the properties of ours that are not at their defaults. */
+/** The JSON that three.js writes of any material, and the hatching properties that are not at their defaults. */
 export type HatchingMaterialJSON = ReturnType<Material['toJSON']>;
 
 /**
- * The properties of a material that are not at their defaults, as JSON: colours as numbers, vectors as arrays. Textures are
- * left to three's own `Material.toJSON`; a tonal art map is left out, but not the name of its style.
+ * The properties of a material that are not at their defaults, as JSON: colours as numbers, vectors as arrays. Textures are written by
+ * three's own `Material.toJSON`. A tonal art map is left out, but the name of its style is kept.
  */
 export function propertiesToJSON(material: HatchingMaterialProperties): Record<string, unknown> {
   const json: Record<string, unknown> = {};
@@ -24,9 +24,9 @@ export function propertiesToJSON(material: HatchingMaterialProperties): Record<s
 }
 
 /**
- * Gives a material what `toJSON` wrote. three.js writes every property by its name, so this needs none of its loaders, which
- * differ between versions. Textures are looked up by their uuid; those that are missing are left out. JSON may come from
- * anywhere: unknown properties are ignored, and nothing is set if a value is of the wrong kind.
+ * Sets on a material what `toJSON` wrote. three.js writes every property by its name, so none of its loaders, which differ between
+ * versions, is needed. Textures are looked up by their uuid; missing ones are left out. The JSON may come from anywhere: unknown
+ * properties are ignored, and nothing is set if a value is of the wrong kind.
  */
 export function setFromJSON(
   material: HatchingMaterialProperties,
@@ -57,10 +57,10 @@ export function setFromJSON(
   if (userData !== undefined) material.userData = userData;
 }
 
-/** What identifies a material, and the version that three.js counts up. */
+/** Names of properties that identify a material, and the version that three.js counts up. */
 const FIXED = /^(is[A-Z]|_|uuid$|type$|version$)/;
 
-/** Properties that are not in the table and are plain values in JSON, with an example value each: most are those of any material. */
+/** Properties outside the table whose JSON is a plain value, each with an example value. Most are properties of every material. */
 function plainProperties(): Map<string, unknown> {
   const { blendColor, ...others } = new Material();
   const properties = {

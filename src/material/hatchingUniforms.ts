@@ -21,7 +21,7 @@ import type { TonalArtMap } from './tam/TonalArtMap.js';
 
 let blank: DataArrayTexture | undefined;
 
-/** One texel for materials without a tonal art map, which print nothing of it. Shared and never disposed of. */
+/** One texel of blank paper for materials without a tonal art map. Shared and never disposed of. */
 function blankTonalArtMap(): DataArrayTexture {
   if (blank === undefined) {
     blank = new DataArrayTexture(new Uint8Array([255, 255, 255, 255]), 1, 1, 1);
@@ -32,10 +32,10 @@ function blankTonalArtMap(): DataArrayTexture {
 
 type Uniforms = Record<string, IUniform>;
 
-/** The uniforms of which meshes of one material have different values, but for textures. */
+/** The uniforms that may differ between meshes with the same material, textures excepted. */
 export const MESH_UNIFORMS = ['fieldOrigin', 'importance', 'lineContrast', 'objectToField', 'objectToFieldNormal'];
 
-/** The uniforms of one material: those of its properties, those computed from them, and those of lights, fog and meshes. */
+/** Creates the uniforms of one material: those of its properties, those computed from them, and those of lights, fog and meshes. */
 export function createHatchingUniforms(): Uniforms {
   const uniforms: Uniforms = UniformsUtils.merge([
     UniformsLib.lights,
@@ -58,7 +58,7 @@ export function createHatchingUniforms(): Uniforms {
       toneCurveStart: { value: 0 },
       toneEnds: { value: new Vector2(0, 1) },
       viewportHeight: { value: 1 },
-      // of the tonal art map
+      // Tonal art map.
       thresholdMap: { value: null },
       thresholdMapLevels: { value: 1 },
       thresholdMapSize: { value: 1 },
@@ -67,18 +67,18 @@ export function createHatchingUniforms(): Uniforms {
       tonalArtMap: { value: null },
       tonalArtMapLastLayer: { value: 0 },
       tonalArtMapTones: { value: 2 },
-      // of dots
+      // Dots.
       dotPixels: { value: 1 },
       stippleMap: { value: null },
-      // of the paper
+      // Paper.
       toothMap: { value: null },
       toothOffset: { value: new Vector2() },
-      // of the scene's environment
+      // Environment.
       environment: { value: null },
       environmentAtlas: { value: new Vector3() },
       environmentIntensity: { value: 0 },
       environmentRotation: { value: new Matrix3() },
-      // of the mesh that is drawn
+      // Mesh.
       deformedNormals: { value: null },
       deformedPositions: { value: null },
       deformedTurns: { value: null },
@@ -100,13 +100,13 @@ export function createHatchingUniforms(): Uniforms {
 }
 
 /**
- * Gives uniforms another tag than `Object`, so that Vue does not wrap them in a proxy. The renderer takes a texture behind a proxy for another
- * texture, and would find nothing in one that it has drawn into.
+ * Gives uniforms a `toStringTag` other than `Object`, so that Vue does not wrap them in a proxy. To the renderer, a texture behind a
+ * proxy is another texture than the one that it has drawn into.
  */
 export const keptFromProxies = (uniforms: Uniforms): Uniforms =>
   Object.defineProperty(uniforms, Symbol.toStringTag, { value: 'Uniforms' });
 
-/** Writes the properties that have a uniform of their own into it. Allocates nothing. */
+/** Writes each property that has a uniform of the same name. Allocates nothing. */
 export function writePropertyUniforms(material: HatchingMaterialProperties, uniforms: Uniforms): void {
   for (const key in HATCHING_PROPERTIES) {
     const name = key as HatchingPropertyName;
@@ -117,7 +117,7 @@ export function writePropertyUniforms(material: HatchingMaterialProperties, unif
   }
 }
 
-/** Writes a number that was computed. V8 allocates each such number that is kept, so it is kept only where it is another. */
+/** Writes a computed number if it differs: V8 allocates each such number that is stored. */
 function write(uniform: IUniform, value: number): void {
   if (uniform.value !== value) uniform.value = value;
 }
@@ -128,14 +128,14 @@ function writeTransform(texture: Texture | null, uniform: IUniform<Matrix3>): vo
   uniform.value.copy(texture.matrix);
 }
 
-/** Lines that lie closer, in pixels of what is drawn to, could not be told apart. */
+/** The least distance of lines in pixels of the render target; lines closer than this merge. */
 const LEAST_SPACING = 2;
 
 /**
- * Writes the sizes, which shaders measure in pixels of what is drawn to. Allocates nothing.
+ * Writes sizes in pixels of the render target, the unit of the shaders. Allocates nothing.
  *
- * @param map the one that is drawn with, ready or not
- * @param pixelRatio these pixels to a CSS pixel
+ * @param map the map in use, ready or not
+ * @param pixelRatio pixels of the render target per CSS pixel
  */
 export function writeSizeUniforms(
   material: HatchingMaterialProperties,
@@ -148,7 +148,7 @@ export function writeSizeUniforms(
   write(u.dotPixels, dotPixels);
   write(u.texelPixels, dotPixels / strokeTexels);
   write(u.toothSize, pixelRatio * material.toothSize);
-  // Lines are spaced on the screen as far as `sizedOnScreen` says, and their strokes as long.
+  // `sizedOnScreen` says how far the spacing of lines and the length of their strokes are in screen space.
   const onScreen = pixelRatio ** material.sizedOnScreen;
   write(u.lineSpacing, onScreen * material.lineSpacing);
   write(u.strokeLength, onScreen * material.strokeLength);
@@ -156,15 +156,15 @@ export function writeSizeUniforms(
 }
 
 /**
- * Writes what the shaders know of a tonal art map; null stands for blank paper. Allocates nothing.
+ * Writes the uniforms of a tonal art map; null stands for blank paper. Allocates nothing.
  *
- * @param isOfThresholds whether strokes are drawn from the map's thresholds
+ * @param isOfThresholds whether strokes are drawn from the map's thresholds instead of its images
  */
 export function writeMapUniforms(map: TonalArtMap | null, isOfThresholds: boolean, u: Uniforms): void {
   u.tonalArtMap.value = map?.texture ?? blankTonalArtMap();
   const tones = map?.tones ?? 2;
   u.tonalArtMapTones.value = tones;
-  // A layer begins with the last tone of the one before.
+  // Neighbouring layers share a tone: the last of one is the first of the next.
   u.tonalArtMapLastLayer.value = Math.ceil((tones - 1) / 3) - 1;
   if (map === null) {
     u.thresholdMap.value = blankThresholdMap();
@@ -183,7 +183,7 @@ export function writeMapUniforms(map: TonalArtMap | null, isOfThresholds: boolea
   }
 }
 
-/** As shaders/chunks/tone.glsl leaves highlights blank. */
+/** The tone after highlights were left blank, as in shaders/chunks/tone.glsl. */
 const highlightKept = (tone: number, { x, y }: Vector2): number => tone * Math.min(Math.max(x * tone + y, 0), 1);
 
 /** Writes the uniforms that are computed from several properties, or from one in another unit. Allocates nothing. */
@@ -192,11 +192,11 @@ export function writeComputedUniforms(material: HatchingMaterialProperties, u: U
   // u = s·cos − t·sin, v = s·sin + t·cos, in tiles
   const { tilesPerUnit: scale, strokeOffset: offset } = material;
   const isAway = runsAway(material);
-  // Strokes of a map run towards the light, and away from it, at a right angle.
+  // A rotation by a right angle makes the strokes of a map run along the direction of the light.
   const rotation = isAway ? Math.PI / 2 : material.strokeRotation;
   const cos = Math.cos(rotation);
   const sin = Math.sin(rotation);
-  // Column by column. Nine numbers handed to a function would be allocated one by one.
+  // Matrix3.set with nine arguments would allocate each of them; this writes the elements, column by column.
   const { elements } = u.strokeTransform.value as Matrix3;
   elements[0] = elements[4] = cos * scale;
   elements[1] = sin * scale;
@@ -206,14 +206,14 @@ export function writeComputedUniforms(material: HatchingMaterialProperties, u: U
   u.strokeDirection.value.set(cos, sin);
   u.crossFrom.value = isAway ? 1 : material.crossFrom;
   const highlightReach = Math.max(material.highlightTone * material.highlightSoftness, 1e-6);
-  // What is fitted to a scene follows when that is drawn.
+  // An exposure that is fitted to the scene is written later, when the scene is drawn.
   const { exposure, exposureCompensation } = material;
   u.exposure.value.set(exposure !== 'auto' ? exposure : isFitted(material) ? exposureCompensation : 1, 0);
   u.colorExposure.value = 1;
   const ramp = u.highlightRamp.value.set(0.5 / highlightReach, 0.5 - (0.5 * material.highlightTone) / highlightReach);
   const [blank, full] = curveEnds(material.toneCurve);
   u.toneEnds.value.set(highlightKept(blank, ramp), highlightKept(full, ramp));
-  // The third layer halves the wider angle between the first two: it is turned by (π + crossAngle) / 2.
+  // The third layer bisects the wider angle between the first two: it is turned by (π + crossAngle) / 2.
   const { crossAngle } = material;
   u.layerTurns.value.set(
     Math.cos(crossAngle),
@@ -223,7 +223,7 @@ export function writeComputedUniforms(material: HatchingMaterialProperties, u: U
   );
 }
 
-/** Writes a tone curve that the shader is given as points; one that it computes changes nothing. */
+/** Writes the uniforms of a tone curve through points; a curve that the shader computes changes nothing. */
 export function writeCurveUniforms(curve: ToneCurve, u: Uniforms): void {
   const fitted = fittedCurve(curve);
   if (!fitted) return;

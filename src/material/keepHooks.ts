@@ -1,18 +1,18 @@
 import type { Material } from 'three';
 
 type Hooks = Pick<Material, 'onBeforeRender' | 'onBeforeCompile' | 'customProgramCacheKey'>;
-// Their arguments and results are only passed on, so any type will do.
+// Arguments and results are only passed on, so any type will do.
 type Hook = (this: unknown, ...parameters: unknown[]) => unknown;
 
-/** The hook that a user set, by the function that was made of it. */
+/** The user's hook, keyed by the function that wraps it. */
 const given = /* @__PURE__ */ new WeakMap<object, unknown>();
 
 /**
- * Runs a material's own parts of three's hooks (`onBeforeCompile` and others) even if a user sets hooks in their place. For the user
- * they behave as on three's own materials: the new hook may call the old one, bound to the material or not; a hook that was read can
- * be set again; the source of the new hook tells programs apart; and `delete` removes it.
+ * Runs a material's own parts of three's hooks (`onBeforeCompile` and others) even if a user sets hooks in their place. To the user,
+ * the hooks behave as on three's own materials: a new hook may call the old one, bound to the material or not; a hook that was read can
+ * be set again; the source of the new hook decides the program's key; and `delete` removes it.
  *
- * @param parts the material's own parts, from its prototype. They run before the user's hook, and once more if that calls the old hook.
+ * @param parts the material's own hooks, from its prototype. They run before the user's hook, and again if that calls the old hook.
  */
 export function keepHooks(material: Material, parts: Hooks): void {
   for (const name of ['onBeforeRender', 'onBeforeCompile', 'customProgramCacheKey'] as const) {
@@ -28,8 +28,9 @@ export function keepHooks(material: Material, parts: Hooks): void {
 }
 
 function withPart(material: Material, part: Hook, set: Hook | null | undefined): Hook {
-  // Parameters are named one by one, because rest parameters would allocate an array for every mesh of every frame. The renderer may hold
-  // a proxy of the material; our part is called on the material itself, since textures read from a proxy are other ones to the renderer.
+  // Parameters are named one by one, because rest parameters would allocate an array for every mesh of every frame. The renderer may
+  // hold a proxy of the material; the material's own part runs on the material itself, because to the renderer a texture read from a
+  // proxy is another texture.
   const hook: Hook = function (a, b, c, d, e, f) {
     const result = part.call(material, a, b, c, d, e, f);
     return set === part ? result : set?.call(this, a, b, c, d, e, f);

@@ -1,6 +1,6 @@
 import type { Camera, Vector2, Vector4 } from 'three';
 
-/** What three's cameras have beside the fields of `Camera`. */
+/** Fields of three's cameras beyond those of `Camera`. */
 export type ViewedCamera = Camera & {
   view?: {
     enabled: boolean;
@@ -14,10 +14,10 @@ export type ViewedCamera = Camera & {
 };
 
 /**
- * Where the picture that a camera draws lies within the whole one: the tiles of a large picture are drawn one by one, by
- * `setViewOffset`. In pixels from the lower left. Allocates nothing.
+ * Writes the offset of the drawn picture within the whole picture, in pixels from the lower left: a large picture is drawn tile by
+ * tile, by `setViewOffset`. Allocates nothing.
  *
- * @param viewport of the picture, pixels
+ * @param viewport the viewport of the drawn picture, in pixels
  */
 export function writePictureOffset(target: Vector2, camera: Camera, viewport: Vector4): void {
   const { view } = camera as ViewedCamera;

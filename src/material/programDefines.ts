@@ -15,22 +15,22 @@ import {
 
 const propertyNames = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
 
-/** What a program depends on beside the properties of its material: the scene and the mesh that were drawn last. */
+/** The facts, beside the properties of its material, that decide a program: those of the scene and of the mesh that were drawn last. */
 export interface ProgramFacts {
   hasEnvironment: boolean;
-  /** Where the mesh has its adjacency. */
+  /** The layout in which the mesh stores its adjacency. */
   vertexLayout: VertexLayout;
-  /** Whether it has what lines and strokes that follow the form are drawn from. */
+  /** Whether the mesh has the attributes that lines and strokes along the form are drawn from. */
   hasForm: boolean;
 }
 
-/** How the shader knows a curve. */
+/** The shader's name for the kind of a curve. */
 const curveKind = (curve: ToneCurve): (typeof TONE_CURVES)[number] =>
   curve === 'linear' || curve === 'perceptual' ? curve : 'points';
 
 /**
- * The defines by which the program of a material follows from its properties; those that are undefined are not there. A choice that does
- * not count for the technique is at its default, so that it builds no other program.
+ * The defines of a material's program, derived from its properties; undefined ones are not defined. A choice that the technique does
+ * not use is at its default, so that it compiles no other program.
  */
 export function programDefines(
   material: HatchingMaterialProperties,
@@ -56,16 +56,16 @@ export function programDefines(
   defines.TONE_CURVE = TONE_CURVES.indexOf(curveKind(toneCurve));
   // three.js itself defines USE_UV1 to USE_UV3.
   defines.USE_UV0 = usesFirstChannel ? '' : undefined;
-  // Strokes that are sized on the object alone need one lattice, and no code for a second.
+  // Strokes that are sized on the object alone need one lattice and no code for a second.
   const { hasProgramForObject } = HATCHING_TECHNIQUES[technique];
   defines.SIZED_ON_SCREEN = hasProgramForObject && sizedOnScreen > 0 ? '' : undefined;
   return defines;
 }
 
 /**
- * Brings the defines of a material up to date.
+ * Updates the defines of a material.
  *
- * @param wanted by name; those that are undefined are taken away
+ * @param wanted defines by name; undefined ones are removed
  * @returns whether any has changed
  */
 export function writeDefines(

@@ -3,9 +3,9 @@ import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatching
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 
 /**
- * All that decides which program three.js builds, but that it reads only after `needsUpdate` is set, as one number: which textures
- * there are and their channels, whether strokes are sized on the screen, sides, vertex colours and the like. Another number needs
- * another program. Allocates nothing.
+ * The properties that three.js reads for a program only after `needsUpdate` is set, packed into one number: the textures and their
+ * channels, whether strokes are sized on the screen, sides, vertex colours and the like. If the number changes, the program must be
+ * rebuilt. Allocates nothing.
  */
 export function programSwitches(material: HatchingMaterialProperties & { normalMapType: number }): number {
   let switches: number = material.normalMapType;
@@ -24,7 +24,7 @@ export function programSwitches(material: HatchingMaterialProperties & { normalM
   return switches * 2 + Number(material.vertexColors);
 }
 
-/** In [0, 16). */
+/** The switches of one texture, in [0, 16). */
 function textureSwitches(texture: Texture | null): number {
   if (texture === null) return 0;
   return 1 + 2 * texture.channel + 8 * Number('isVideoTexture' in texture);

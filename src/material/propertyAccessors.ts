@@ -12,7 +12,7 @@ import { checkHatchingMap, type HatchingMap } from './checkTonalArtMap.js';
 import { checkPoint, isWord } from './checkValues.js';
 import { toPoint } from './vectorValues.js';
 
-/** What a material keeps of its properties, in GLSL or of nodes. */
+/** The storage of a material's properties, for GLSL or nodes. */
 interface PropertyHolder {
   readonly technique: HatchingTechnique;
   focused: Vector3 | null;
@@ -22,7 +22,7 @@ interface PropertyHolder {
   choose(name: HatchingPropertyName, value: string | boolean): void;
 }
 
-/** What reads and sets a property that is no plain field, as a material has it on its prototype. What is set is checked. */
+/** The getter and setter of a property that is not a plain field, for a material's prototype. The setter checks the value. */
 export function accessorOf(name: HatchingPropertyName): PropertyDescriptor & ThisType<PropertyHolder> {
   const property: HatchingProperty = HATCHING_PROPERTIES[name];
   if (property.kind === 'tonalArtMap')
@@ -69,7 +69,7 @@ export function accessorOf(name: HatchingPropertyName): PropertyDescriptor & Thi
   };
 }
 
-/** A new value for a plain field; undefined for other properties. */
+/** An initial value for a property that is a plain field; undefined for other properties. */
 export function fieldOf(name: HatchingPropertyName): unknown {
   switch (HATCHING_PROPERTIES[name].kind) {
     case 'color':

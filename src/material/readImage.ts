@@ -1,17 +1,17 @@
 import { DataUtils, HalfFloatType, NearestFilter, SRGBColorSpace, type Texture } from 'three';
 
-/** Larger images are read at a part of their size: a picture shows no more. */
+/** The greatest number of pixels per side that is read; larger images are scaled down. */
 const MOST_PIXELS = 2048;
 
 /** The pixels of a texture. */
 export interface TextureImage {
   width: number;
   height: number;
-  /** Red, green, blue and alpha of each pixel in linear light; the first row lies at v = 0. */
+  /** Red, green, blue and alpha of each pixel in linear light; the first row is at v = 0. */
   data: Float32Array;
 }
 
-/** Reads the pixels of a texture in linear light, the first row at v = 0; null where they cannot be read here. */
+/** Reads the pixels of a texture in linear light, the first row at v = 0; null if this thread cannot read them. */
 export function readImage(texture: Texture): TextureImage | null {
   const pixels = pixelsOf(texture.image);
   if (!pixels) return null;
@@ -42,10 +42,10 @@ export function readImage(texture: Texture): TextureImage | null {
   return { width: columns, height: rows, data: image };
 }
 
-/** Whether pixels of a texture have edges when they are seen large. */
+/** Whether a magnified texture shows the edges of its pixels. */
 export const isSharp = ({ magFilter }: Texture): boolean => magFilter === NearestFilter;
 
-/** Reads one number, of the channel k. Colours that are stored for the eye are brought to linear light; alpha never is. */
+/** Returns a function that reads channel k of a pixel as a number. sRGB colours are converted to linear light; alpha is not. */
 function decoderOf({ type, colorSpace }: Texture, data: ArrayLike<number>): (i: number, k: number) => number {
   const most =
     data instanceof Uint8Array || data instanceof Uint8ClampedArray ? 255 : data instanceof Uint16Array ? 65535 : 1;
@@ -64,7 +64,7 @@ interface Pixels {
   data: ArrayLike<number>;
 }
 
-/** WebGL turns no bitmaps upside down. */
+/** Whether an image is an ImageBitmap, which WebGL never flips. */
 const isBitmap = (image: unknown): boolean => typeof ImageBitmap !== 'undefined' && image instanceof ImageBitmap;
 
 function pixelsOf(given: unknown): Pixels | null {
@@ -82,7 +82,7 @@ function pixelsOf(given: unknown): Pixels | null {
     context.drawImage(source, 0, 0, ...size);
     return context.getImageData(0, 0, ...size);
   } catch {
-    // An image of another site, or one that was closed.
+    // The image is of another origin, or an ImageBitmap that was closed.
     return null;
   }
 }

@@ -2,15 +2,15 @@ import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
 import type { HatchingMap } from './checkTonalArtMap.js';
 import type { TonalArtMap } from './tam/TonalArtMap.js';
 
-/** The shared map of each style that was drawn with; null until the code of maps is there, and after a failure. */
+/** The shared map of each style in use; null until the code of maps has loaded, and after a failure. */
 const maps = /* @__PURE__ */ new Map<StrokeStyleName, TonalArtMap | null>();
 
-/** Whoever draws asks in every frame; so many milliseconds after a failure it is tried again. */
+/** The pause after a failure before the next try, in milliseconds: materials ask in every frame. */
 const PAUSE = 5000;
 
 /**
- * The map of a style that all materials share, or null as long as there is none. The first call for a style fetches the code of maps,
- * which a material needs for nothing else, and has it drawn.
+ * The map of a style that all materials share, or null until it exists. The first call for a style fetches the code of maps and has the
+ * map drawn.
  */
 export function sharedMap(style: StrokeStyleName): TonalArtMap | null {
   const map = maps.get(style);
@@ -26,15 +26,15 @@ export function sharedMap(style: StrokeStyleName): TonalArtMap | null {
   return null;
 }
 
-/** Resolves when a material with this map can be drawn. Rejects if it cannot be drawn. */
+/** Resolves when a material can draw with this map. Rejects if the map cannot be drawn. */
 export async function mapIsReady(map: HatchingMap): Promise<void> {
   const chosen = typeof map === 'string' ? await fetchMap(map) : map;
   await chosen?.ready;
-  // The next frame draws with it.
+  // The next frame draws with the map.
   if (chosen && typeof map === 'string') maps.set(map, chosen);
 }
 
-/** Gives the map to materials as soon as its code is there, and resolves when it is drawn. */
+/** Gives the map to materials as soon as its code has loaded, and resolves when it is drawn. */
 async function draw(style: StrokeStyleName): Promise<void> {
   const map = await fetchMap(style);
   maps.set(style, map);

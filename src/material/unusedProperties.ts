@@ -7,12 +7,12 @@ import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js
 
 const warned = new Set<string>();
 
-/** Warns once of each parameter that is set but does not count for the technique. */
+/** Warns once of each parameter that is set but not used by the technique. */
 export function warnOfUnused(parameters: HatchingMaterialParameters, technique: HatchingTechnique): void {
   for (const name of Object.keys(parameters)) {
     if (!Object.hasOwn(HATCHING_PROPERTIES, name)) continue;
     const property: HatchingProperty = HATCHING_PROPERTIES[name as HatchingPropertyName];
-    // A map is shared by materials of every technique.
+    // A map may be set for any technique: materials share it.
     if (property.kind === 'tonalArtMap') continue;
     const key = `${name} ${technique}`;
     if (isUsedBy(technique, property) || warned.has(key)) continue;

@@ -3,11 +3,11 @@ import { warn } from './diagnostics/warn.js';
 let wasTold = false;
 
 /**
- * Reports once that WebGPURenderer, with any backend, cannot draw materials written in GLSL. three.js only names the material and draws its
- * default material in its place; this message also says what to do.
+ * Warns once that WebGPURenderer, with any backend, cannot draw materials written in GLSL. three.js only names the material and draws
+ * its default material instead; this message also gives the remedy.
  *
- * @param what the class that cannot be drawn
- * @param hasTwin whether there is one for WebGPURenderer
+ * @param what the name of the class
+ * @param hasTwin whether `three-hatching/webgpu` has a class of the same name
  */
 export function warnOfRenderer(what: string, hasTwin = true): void {
   if (wasTold) return;

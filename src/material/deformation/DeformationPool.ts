@@ -3,33 +3,33 @@ import { Deformation } from './Deformation.js';
 import { hashOf } from './Pose.js';
 import type { PosePass } from './PosePass.js';
 
-/** The deformation that a mesh draws with at present. */
+/** The deformation in use by one mesh. */
 export interface Held {
   readonly pool: DeformationPool;
   deformation: Deformation | undefined;
 }
 
-/** The deformations that were drawn with a material, and a function that stops listening for its disposal. */
+/** The deformations that a material has drawn with, and a function that removes the listener for its disposal. */
 interface MaterialUse {
   readonly deformations: Set<Deformation>;
   release(): void;
 }
 
 /**
- * The deformations of one geometry on one graphics context. Each pose is drawn once, however many meshes are in it and however many
- * materials, cameras and frames draw them. Meshes with a skin have a deformation each, since no two are in the same pose.
+ * The deformations of one geometry on one graphics context. Each pose is drawn once, whatever number of meshes, materials, cameras and
+ * frames use it. Every skinned mesh has a deformation of its own, since no two are in the same pose.
  */
 export class DeformationPool {
   isDisposed = false;
   private readonly all = new Set<Deformation>();
-  /** The deformations that meshes without a skin share, by the hash of their pose. */
+  /** The deformations that meshes without a skin share, keyed by the hash of their pose. */
   private readonly byPose = new Map<number, Deformation>();
-  /** A deformation that no mesh holds: meshes that move together exchange theirs for another in every frame. */
+  /** An unused deformation, kept because meshes that move together exchange theirs in every frame. */
   private spare: Deformation | undefined;
   private readonly materials = new Map<Material, MaterialUse>();
   private readonly compiled = new Set<boolean>();
 
-  /** @param canvas is told when its context is lost */
+  /** @param canvas fires an event when its context is lost */
   constructor(
     private readonly pass: PosePass,
     private readonly geometry: BufferGeometry,
@@ -40,8 +40,8 @@ export class DeformationPool {
   }
 
   /**
-   * The deformation of a mesh in its present pose, while the renderer draws it with `material` for `camera`. Draws the pose if no other mesh
-   * has it. Allocates nothing once every pose has its textures.
+   * The deformation of a mesh in its present pose, while the renderer draws it with `material` for `camera`. Draws the pose if no other
+   * mesh has it. Allocates nothing once every pose has textures.
    */
   present(held: Held, camera: Camera, mesh: Mesh, material: Material): Deformation {
     const isShared = mesh.morphTargetInfluences !== undefined && !('isSkinnedMesh' in mesh);
@@ -52,7 +52,7 @@ export class DeformationPool {
     return deformation;
   }
 
-  /** Builds the program that a mesh needs, and draws nothing. */
+  /** Builds the program that a mesh needs, without drawing. */
   compile(mesh: Mesh): void {
     const isSkinned = 'isSkinnedMesh' in mesh;
     if (this.compiled.has(isSkinned)) return;
@@ -61,7 +61,7 @@ export class DeformationPool {
     this.pass.compile?.(this.spare.target, mesh);
   }
 
-  /** A mesh is gone, or draws another geometry. */
+  /** Releases the deformation of a mesh that was collected or has another geometry. */
   release(held: Held): void {
     const { deformation } = held;
     held.deformation = undefined;
@@ -71,8 +71,8 @@ export class DeformationPool {
   }
 
   /**
-   * Frees the graphics memory. Called when the geometry is disposed of, and when the context is lost: in a restored
-   * context the old names of its textures may stand for others. When a material is disposed of, so are the deformations drawn with it.
+   * Frees the GPU memory. Called when the geometry is disposed of, and when the context is lost: in a restored context the old names of
+   * its textures may stand for others. When a material is disposed of, the deformations drawn with it are freed too.
    */
   readonly dispose = (): void => {
     if (this.isDisposed) return;
@@ -99,7 +99,7 @@ export class DeformationPool {
     const hash = hashOf(influences);
     const twin = this.byPose.get(hash);
     if (twin?.pose.isOf(influences)) return this.give(held, twin);
-    // Other meshes may still be in the pose that this one leaves.
+    // Other meshes may still use the pose that this mesh leaves.
     const deformation = before?.holders === 1 ? before : this.give(held, this.spare ?? this.make());
     this.forgetPose(deformation);
     deformation.pose.update(mesh);

@@ -7,22 +7,23 @@ import type { PosePass } from './PosePass.js';
 
 /** The deformations on one graphics context. */
 interface OfContext {
-  /** By the identity of the geometry. */
+  /** The pool of each geometry, keyed by its identity. */
   readonly pools: WeakMap<object, DeformationPool>;
-  /** By the identity of the mesh. */
+  /** The deformation in use by each mesh, keyed by its identity. */
   readonly held: WeakMap<object, Held>;
 }
 
 /** Releases a deformation when its mesh is garbage-collected, because meshes have no `dispose()`. */
 const releaseWithMesh = /* @__PURE__ */ new FinalizationRegistry<Held>((held) => held.pool.release(held));
 
-/** The deformations that one kind of renderer draws. */
+/** The deformations of one kind of renderer. */
 export class Deformations<Renderer extends { readonly domElement: EventTarget }> {
   private readonly contexts = new WeakMap<object, OfContext>();
 
   /**
-   * @param contextOf what stands for the graphics context of a renderer
-   * @param makePass of a geometry. Its vertices are the textures of the `pull` layout; null if it has an index, whose vertices are then deformed
+   * @param contextOf returns the object that identifies the graphics context of a renderer
+   * @param makePass makes the pass of a geometry. `vertices` are the textures of the `pull` layout; null if the geometry has an index,
+   * whose vertices are then deformed
    */
   constructor(
     private readonly contextOf: (renderer: Renderer) => object,

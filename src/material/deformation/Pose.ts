@@ -21,14 +21,14 @@ export class Pose {
     return this.hasChanged || this.length !== length;
   }
 
-  /** Whether this is the pose of a mesh without a skin that has these influences. */
+  /** Whether these influences are the whole pose, as of a mesh without a skin. */
   isOf(influences: ArrayLike<number>): boolean {
     if (this.length !== influences.length) return false;
     for (let i = 0; i < influences.length; i++) if (this.numbers[i] !== Math.fround(influences[i])) return false;
     return true;
   }
 
-  /** The hash of the influences, for the pose of a mesh without a skin. See {@link hashOf}. */
+  /** The hash of the influences: the key of the pose of a mesh without a skin. See {@link hashOf}. */
   get influenceHash(): number {
     return hashOf(this.numbers, Math.max(this.length, 0));
   }
@@ -51,16 +51,16 @@ export class Pose {
   }
 }
 
-/** Reads the bits of a number. A bundler that finds no use for it may leave it out; two arrays on one buffer it would keep. */
+/** Reads the bits of a number. Bundlers can drop an unused DataView, but not two typed arrays on one buffer. */
 const bits = /* @__PURE__ */ new DataView(/* @__PURE__ */ new ArrayBuffer(4));
-/** Engines store integers of up to 30 bits without allocating. */
+/** The largest integers that engines store without allocating have 30 bits. */
 const HASH_BITS = 0x3fffffff;
 
-/** A hash: equal for poses of equal influences, and seldom equal for others. Allocates nothing. */
+/** A hash of influences: equal for equal influences, and rarely equal for others. Allocates nothing. */
 export function hashOf(influences: ArrayLike<number>, length: number = influences.length): number {
   let hash = length;
   for (let i = 0; i < length; i++) {
-    // 0 and −0 are equal.
+    // Adding 0 turns −0 into 0, since the two are equal.
     bits.setFloat32(0, influences[i] + 0);
     hash = Math.imul(hash ^ bits.getInt32(0), 0x01000193);
     hash ^= hash >>> 15;

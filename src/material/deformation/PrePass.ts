@@ -30,7 +30,7 @@ const files: ShaderFiles = import.meta.glob(
 
 let made: Shaders | undefined;
 
-/** The shaders of the pre-pass that deforms vertices. Their includes are resolved by the first call. */
+/** The shaders of the pre-pass that deforms vertices. The first call resolves their includes. */
 export function deformationShaders(): Shaders {
   if (made) return made;
   const chunks = Object.fromEntries(
@@ -46,7 +46,10 @@ export function deformationShaders(): Shaders {
   return made;
 }
 
-/** The corners of a mesh as points, or its vertices if it has an index. three.js uploads its bones and morph targets as it does for the mesh. */
+/**
+ * Draws the corners of a mesh as points, or its vertices if it has an index. three.js uploads bones and morph targets as it does for
+ * the mesh.
+ */
 class CornerPoints extends Points {
   isSkinnedMesh = false;
   skeleton: Skeleton | undefined;
@@ -57,12 +60,12 @@ class CornerPoints extends Points {
 const noScene = /* @__PURE__ */ new Scene();
 const noCamera = /* @__PURE__ */ new Camera();
 const allCorners = { start: 0, count: Infinity };
-/** With this range three.js builds the program, and then neither binds nor draws. */
+/** A draw range with which three.js builds the program, and then neither binds nor draws. */
 const noCorners = { start: 1, count: -2 };
 
-/** Deforms the vertices of a geometry of the `pull` or `indexed` layout into textures, for the poses of its meshes. */
+/** The pre-pass: deforms the vertices of a geometry of the `pull` or `indexed` layout into textures, for the poses of its meshes. */
 export class PrePass implements PosePass {
-  /** Of its render targets, in texels. */
+  /** The size of the render targets, in texels. */
   private readonly size: { readonly width: number; readonly height: number };
   private readonly points: CornerPoints;
   private readonly shader: ShaderMaterial;
@@ -107,7 +110,7 @@ export class PrePass implements PosePass {
     this.drawCorners(target, camera, mesh, allCorners);
   }
 
-  /** The geometry need not be on the graphics card yet. */
+  /** Builds the program, even before the geometry is on the GPU. */
   compile(target: WebGLRenderTarget, mesh: Mesh): void {
     this.drawCorners(target, noCamera, mesh, noCorners);
   }
@@ -133,11 +136,11 @@ export class PrePass implements PosePass {
     const { start, count } = this.geometry.drawRange;
     this.geometry.setDrawRange(0, Infinity);
     renderer.setRenderTarget(into);
-    // Not render(): that would begin a frame of its own, with lights, shadows, background and counters.
+    // render() would begin a frame of its own, with lights, shadows, background and counters.
     renderer.renderBufferDirect(camera, noScene, this.geometry, this.shader, points, corners);
     renderer.setRenderTarget(target, face, level);
     this.geometry.setDrawRange(start, count);
-    // Each camera of an ArrayCamera draws into its own part of the target.
+    // Each camera of an ArrayCamera draws into its own part of the render target.
     const { viewport } = camera as Camera & { viewport?: Vector4 };
     if (viewport) renderer.state.viewport(viewport);
 

@@ -29,7 +29,7 @@ export function bindVertices(
   return 'deforming';
 }
 
-/** Builds the program of the pre-pass that a mesh will need, if any. */
+/** Builds the pre-pass program that a mesh will need, if any. */
 export function compilePrePass(renderer: WebGLRenderer, mesh: Mesh): void {
   const { geometry } = mesh;
   const vertices = pulledVerticesOf(geometry);
@@ -37,7 +37,10 @@ export function compilePrePass(renderer: WebGLRenderer, mesh: Mesh): void {
   glslDeformations.compile(renderer, mesh, geometry, vertices);
 }
 
-/** Sets a uniform that differs between meshes. By default three.js uploads uniforms once for all meshes of a material. */
+/**
+ * Sets a uniform that differs between meshes, and has it uploaded: by default three.js uploads uniforms once for all meshes of a
+ * material.
+ */
 function bind(material: ShaderMaterial, name: string, value: Texture | number): void {
   const uniform = material.uniforms[name];
   if (uniform.value === value) return;

@@ -1,16 +1,16 @@
 import type { BufferGeometry, InstancedMesh, Object3D, WebGLRenderer } from 'three';
 
-/** Whether a skin or morph targets can move the vertices away from the rest pose. */
+/** Whether a skin or morph targets can move vertices away from the rest pose. */
 export const deforms = ({ morphAttributes }: BufferGeometry, object: Object3D): boolean =>
   'isSkinnedMesh' in object || morphAttributes.position !== undefined || morphAttributes.normal !== undefined;
 
-/** Whether the device can draw into float textures, where the pre-pass writes the vertices in their present pose. */
+/** Whether the device can draw into float textures, the render targets of the pre-pass. */
 export const hasFloatTargets = ({ extensions }: WebGLRenderer): boolean => extensions.has('EXT_color_buffer_float');
 
-/** Whether instances have morph targets each of their own, which the pre-pass of their mesh does not know. */
+/** Whether each instance has morph targets of its own, which the pre-pass does not support. */
 export const morphsEachInstance = (object: Object3D): boolean =>
   'isInstancedMesh' in object && (object as InstancedMesh).morphTexture !== null;
 
-/** Whether neighbours of vertices can be known in the present pose; otherwise a mesh is hatched as at rest. */
+/** Whether the pre-pass can deform the vertices of an object; otherwise its mesh is hatched in the rest pose. */
 export const canDeform = (renderer: WebGLRenderer, object: Object3D): boolean =>
   hasFloatTargets(renderer) && !morphsEachInstance(object);

@@ -25,11 +25,11 @@ export function assertGeometry(geometry: BufferGeometry, caller: string): void {
   );
 }
 
-/** The beginning of an error message: the caller and the name of the geometry. */
+/** The beginning of an error message: the caller, and the name of the geometry. */
 export const labelOf = ({ name }: BufferGeometry, caller: string): string =>
   `${caller}: the geometry${name ? ` "${name}"` : ''}`;
 
-/** What a value is, in a word. */
+/** The kind of a value, in one word. */
 export function kindOf(value: unknown): string {
   if (value === null || typeof value !== 'object') return String(value);
   return (value as { type?: string }).type ?? value.constructor?.name ?? 'an object';

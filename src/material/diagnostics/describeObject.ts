@@ -1,8 +1,8 @@
 import type { Object3D } from 'three';
 
 /**
- * Names an object for a message by its type, its name and its path, as in `Mesh "crate" at Scene/Group[0]/crate`. An object without
- * a name stands in the path with its type and its place among the children of its parent.
+ * Names an object for a message by its type, its name and its path, such as `Mesh "crate" at Scene/Group[0]/crate`. In the path, an
+ * object without a name appears as its type and its index among its parent's children.
  */
 export function describeObject(object: Object3D): string {
   const { name } = object;
@@ -10,7 +10,7 @@ export function describeObject(object: Object3D): string {
   const title = name ? `${type} "${name}"` : type;
   const steps: string[] = [];
   const seen = new Set<Object3D>();
-  // The set ends the walk where an object is its own descendant.
+  // The set ends the walk if an object is its own descendant.
   for (let step: Object3D | null = object; step !== null && !seen.has(step); step = step.parent) {
     seen.add(step);
     steps.unshift(stepTo(step));
@@ -23,7 +23,7 @@ function stepTo(object: Object3D): string {
   return `${typeOf(object)}[${object.parent.children.indexOf(object)}]`;
 }
 
-/** three.js calls batches and instances "Mesh", too. */
+/** The type of an object; three.js names batches and instanced meshes "Mesh" too. */
 function typeOf(object: Object3D): string {
   if ('isBatchedMesh' in object) return 'BatchedMesh';
   return 'isInstancedMesh' in object ? 'InstancedMesh' : object.type;

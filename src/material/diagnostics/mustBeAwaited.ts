@@ -1,10 +1,10 @@
 import { warn } from './warn.js';
 
 /**
- * Lets a promise say, once, that an `await` is missing, when a member of its result is asked of the promise itself.
+ * Makes a promise warn, once, that an `await` is missing when a property of its result is read from the promise itself.
  *
  * @param call the function that returns the promise
- * @param members what a caller without `await`, or three.js, would ask for first
+ * @param members properties of the result that a caller without `await`, or three.js, would read first
  */
 export function mustBeAwaited<Result>(
   promise: Promise<Result>,

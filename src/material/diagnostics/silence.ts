@@ -1,2 +1,2 @@
-/** Whether the library says nothing of mistakes; `HatchingMaterial.silent` sets it. */
+/** Whether warnings are turned off; `HatchingMaterial.silent` sets it. */
 export const silence = { isOn: false };

@@ -1,9 +1,9 @@
 import { silence } from './silence.js';
 
 /**
- * Says a sentence about a mistake on the console, unless the library was told to be silent.
+ * Writes a warning to the console, unless the library is silent.
  *
- * @param level `error` where something is not drawn at all
+ * @param level `error` if something is not drawn at all
  */
 export function warn(sentence: string, level: 'warn' | 'error' = 'warn'): void {
   if (!silence.isOn) console[level](sentence);

@@ -18,24 +18,27 @@ import { type SurfaceSamples, surfaceSamples } from './surfaceSamples.js';
 import type { ToneFit } from './ToneFit.js';
 import { WeightedValues } from './WeightedValues.js';
 
-/** Quantiles of the radiance over a surface: what counts as its lights and as its darks. */
+/** Quantiles of the radiance over a surface that count as its bright and its dark parts. */
 const BRIGHT = 0.9;
 const DARK = 0.1;
-/** The quantile of the colours' lightness that counts as white, and the least. What is nearly black does not become white. */
+/**
+ * The quantile of the colours' lightness that counts as white, and the least lightness that does: nearly black colours do not become
+ * white.
+ */
 const WHITE = 0.9;
 const LEAST_WHITE = 0.3;
-/** The dark is not drawn further from the bright than by this factor, so that a faint difference does not become a rough one. */
+/** The greatest factor by which the contrast of dark to bright is raised, so that a faint difference does not become a coarse one. */
 const MOST_CONTRAST = 4;
 
 /**
- * Fits the light that arrives on surfaces to the light that presets are made for, so that bright parts are as bright as there. Light
- * from all around leaves no darks: what is dark there is then brought down to where it would be. Darks are never lifted.
+ * Fits the light that arrives on surfaces to the light that presets are made for, so that bright parts get the same brightness. Light
+ * from all around leaves no dark parts: the darkest are then brought down to the wanted darkness. Dark parts are never lifted.
  *
- * The lightest colours, by area, are left white, so that a scene of middle greys is not all in half tone.
+ * The lightest colours, by area, become white, so that a scene of middle greys is not drawn in half tones alone.
  *
  * @param arriving the radiance of the surfaces, by area
- * @param wanted the radiance to which it is fitted: that of a sphere in a single light of intensity π
- * @param lightness of their colours, as far as they become tone
+ * @param wanted the radiance that it is fitted to: that of a sphere in a single light of intensity π
+ * @param lightness the lightness of the surfaces' colours, as far as it becomes tone
  */
 export function fitTones(arriving: WeightedValues, wanted: WeightedValues, lightness: WeightedValues): ToneFit {
   const white = lightness.isEmpty ? 1 : Math.min(1, Math.max(LEAST_WHITE, lightness.quantile(WHITE)));
@@ -50,32 +53,35 @@ export function fitTones(arriving: WeightedValues, wanted: WeightedValues, light
   return { scale, offset: wantedBright - scale * bright, white };
 }
 
-/** Of all surfaces together about so many samples are lit, and at least one of each mesh, up to so many meshes. */
+/** The number of samples of all surfaces together, of which each mesh has at least one, and the greatest number of meshes. */
 const MOST_SAMPLES = 2048;
 const MOST_MESHES = 512;
-/** The samples of one mesh, where there are few meshes and where there are many, and the triangles from which they are taken. */
+/**
+ * The number of samples of one mesh if there are few meshes and if there are many, and the number of triangles that they are taken
+ * from.
+ */
 const SAMPLES_OF_ONE = { least: 1 << 4, most: 1 << 10 };
 const TRIANGLES_PER_SAMPLE = 1 << 4;
-/** At most this many instances of a mesh are lit. */
+/** The greatest number of instances of a mesh that are sampled. */
 const MOST_INSTANCES = 16;
-/** The directions in which a sphere faces its light, evenly spread. */
+/** The number of directions, evenly spread, in which a sphere is sampled relative to its light. */
 const SPHERE_STEPS = 200;
 
-/** A surface in one place of the world. */
+/** A surface at one place in the world. */
 interface Place {
   samples: SurfaceSamples;
   material: HatchingMaterialProperties;
   toWorld: Matrix4;
-  /** Its share in the surfaces of the scene is that of its area times this. */
+  /** A factor on the area, which together give its share in the surfaces of the scene. */
   weight: number;
   area: number;
 }
 
-/** What a surface gives off; nothing where a map says of which parts. */
+/** The luminance that a surface emits; 0 if it has an emissive map. */
 const luminanceOf = ({ emissive: { r, g, b }, emissiveIntensity, emissiveMap }: HatchingMaterialProperties): number =>
   emissiveMap ? 0 : emissiveIntensity * (0.2126 * r + 0.7152 * g + 0.0722 * b);
 
-/** Fits the exposure of a scene to its lights, and keeps what it has found until something changes. */
+/** The exposure of a scene, fitted to its lights and kept until something changes. */
 export class ExposureFit {
   readonly fit: ToneFit = { scale: 1, offset: 0, white: 1 };
   private readonly contents = new SceneContents();
@@ -85,7 +91,7 @@ export class ExposureFit {
   private isStale = true;
 
   /**
-   * Brings the fit up to date with a scene, whose world matrices must be so.
+   * Updates the fit for a scene whose world matrices are up to date.
    *
    * @param layers the mask of the layers whose lights count
    */
@@ -103,7 +109,10 @@ export class ExposureFit {
   }
 }
 
-/** Where surfaces are; what is flat is left out unless all of it is: a ground or a wall says nothing of the form that stands there. */
+/**
+ * The places of surfaces. Flat surfaces are left out unless all are flat: a ground or a wall says nothing about the form of what stands
+ * there.
+ */
 function placesOf({ meshes, materials }: SceneContents): Place[] {
   const step = Math.max(1, Math.ceil(meshes.length / MOST_MESHES));
   const { least, most } = SAMPLES_OF_ONE;
@@ -127,7 +136,7 @@ function placesOf({ meshes, materials }: SceneContents): Place[] {
 
 const countOf = (mesh: Mesh): number => ('isInstancedMesh' in mesh ? (mesh as InstancedMesh).count : 1);
 
-/** The matrices to world space with which a mesh is drawn: of some of its instances, and of a skin that of its first bone. */
+/** The matrices to world space that a mesh is drawn with: those of some of its instances, and that of a skin's first bone. */
 function matricesOf(mesh: Mesh): Matrix4[] {
   if ('isInstancedMesh' in mesh) {
     const { count } = mesh as InstancedMesh;
@@ -155,7 +164,7 @@ const normal = /* @__PURE__ */ new Vector3();
 const toWorldNormal = /* @__PURE__ */ new Matrix3();
 const light: Arriving = { direct: 0, indirect: 0, reflected: 0 };
 
-/** Adds the radiance of a surface, as its material shows it under the lights, and how light its colours look. */
+/** Adds the radiance of a surface, as its material shows it under the lights, and the lightness of its colours. */
 function addPlace(
   arriving: WeightedValues,
   lightness: WeightedValues,
@@ -180,7 +189,7 @@ function addPlace(
     if (material.side === BackSide) normal.negate();
     const open = openToLamps(occlusion[i], material.occlusion);
     const openToSky = 1 - material.occlusion * occlusion[i];
-    // Of two sides either may be seen, which is up to the camera.
+    // Either side of a double-sided surface may be seen, depending on the camera.
     const sides = material.side === DoubleSide ? 2 : 1;
     const area = (weight * samples.area * determinant * stretched) / count;
     lightness.add(lightnessAt(i), area);
@@ -194,7 +203,7 @@ function addPlace(
   }
 }
 
-/** A material for each way to answer to light, with the area that has it. */
+/** One material per kind of response to light, with the area that has it. */
 function responsesOf(places: readonly Place[]): Iterable<[HatchingMaterialProperties, number]> {
   const responses = new Map<string, [HatchingMaterialProperties, number]>();
   for (const { material, area, weight } of places) {
@@ -206,7 +215,7 @@ function responsesOf(places: readonly Place[]): Iterable<[HatchingMaterialProper
   return responses.values();
 }
 
-/** Adds a sphere of a material in a single light of intensity π. */
+/** Adds a sphere of one material in a single light of intensity π. */
 function addSphere(wanted: WeightedValues, material: HatchingMaterialProperties, weight: number): void {
   for (let i = 0; i < SPHERE_STEPS; i++) {
     const cosine = (2 * i + 1) / SPHERE_STEPS - 1;

@@ -17,34 +17,34 @@ import type { SceneContents } from './SceneContents.js';
 /** A light with a direction, as numbers in world space. */
 interface Lamp {
   luminance: number;
-  /** The unit vector to one that is far away, or where one at a place is. */
+  /** The unit vector to a distant light, or the position of a positional one. */
   at: Vector3;
   isFar: boolean;
   distance: number;
   decay: number;
-  /** Of a spot: from its target to it, of length 1, and the cosines where its cone ends and where it is whole. */
+  /** Of a spot light: the unit vector from its target to it, and the cosines at which its cone ends and at which its light is full. */
   axis: Vector3 | undefined;
   outer: number;
   inner: number;
 }
 
-/** What arrives at a point, as radiances of a white surface. */
+/** The light that arrives at a point, as radiances of a white surface. */
 export interface Arriving {
-  /** From lamps. */
+  /** Light from lamps. */
   direct: number;
-  /** From all around. */
+  /** Light from all around. */
   indirect: number;
-  /** What the surroundings reflect of the lamps, if they reflect all of it. */
+  /** The light of lamps that fully reflecting surroundings would reflect. */
   reflected: number;
 }
 
 const positionOf = (object: { matrixWorld: Matrix4 }): Vector3 =>
   new Vector3().setFromMatrixPosition(object.matrixWorld);
 
-/** The lights of a scene as they arrive at points with normals: what the shaders compute, but for shadows. */
+/** The lights of a scene as they arrive at points with normals, computed as in the shaders, but without shadows. */
 export class LightsAround {
   private readonly lamps: Lamp[] = [];
-  /** What comes from no place. */
+  /** The light without a position: ambient light, skies, probes and the environment. */
   readonly surroundings: Surroundings;
   private readonly toLamp = new Vector3();
 
@@ -91,7 +91,7 @@ export class LightsAround {
     } else if ('isPointLight' in light || 'isSpotLight' in light) this.lamps.push(lampAt(light as PointLight, full));
   }
 
-  /** What arrives at a point with a normal, in world space. Allocates nothing. @param isHalfLambert whether it reaches round the surface */
+  /** Writes the light that arrives at a point with a normal, in world space. Allocates nothing. */
   arriveAt(position: Vector3, normal: Vector3, isHalfLambert: boolean, result: Arriving): void {
     let [direct, reflected] = [0, 0];
     for (const lamp of this.lamps) {
@@ -125,7 +125,7 @@ function lampAt(light: PointLight | SpotLight, full: number): Lamp {
   return { ...lamp, axis, outer, inner: Math.cos(light.angle * (1 - light.penumbra)) };
 }
 
-/** As three.js has it. */
+/** The attenuation of a lamp at a distance, by three's formula. */
 function attenuation(length: number, { distance, decay }: Lamp): number {
   const left = 1 / Math.max(length ** decay, 0.01);
   return distance > 0 ? left * Math.max(0, Math.min(1, 1 - (length / distance) ** 4)) ** 2 : left;

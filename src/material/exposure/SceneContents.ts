@@ -21,15 +21,16 @@ import { isFitted } from './isFitted.js';
 import { versionOf } from './surfaceSamples.js';
 
 /**
- * The lights of a scene and the meshes whose exposure is fitted to them, with all that the fit depends on as numbers, so that it is
- * known when one has changed. Of things with several levels of detail, which go with the camera, it is the first.
+ * The lights of a scene and the meshes whose exposure is fitted to them. Everything that the fit depends on is also kept as an array of
+ * numbers, which shows whether anything has changed. Of objects with several levels of detail, which depend on the camera, the first
+ * level counts.
  */
 export class SceneContents {
   readonly meshes: Mesh[] = [];
-  /** Of each mesh the material whose exposure is fitted: of several, the first. */
+  /** For each mesh, the first material whose exposure is fitted. */
   readonly materials: HatchingMaterialProperties[] = [];
   readonly lights: Light[] = [];
-  /** What the mesh before was given for a material, and the one that is fitted of it: thousands of meshes may have the same. */
+  /** The material or materials of the previous mesh, and the fitted one of them: thousands of meshes may share them. */
   private given: Material | Material[] | undefined;
   private fitted: HatchingMaterialProperties | undefined;
   scene: Object3D | undefined;
@@ -40,10 +41,10 @@ export class SceneContents {
   private hasChanged = false;
 
   /**
-   * Reads a scene whose world matrices are up to date. Allocates nothing while nothing is added.
+   * Reads a scene whose world matrices are up to date. Allocates nothing unless something was added.
    *
    * @param layers the mask of the layers whose lights count
-   * @returns whether anything is other than when it was read before
+   * @returns whether anything has changed since the previous call
    */
   read(scene: Object3D, layers: number): boolean {
     const before = this.count;
@@ -61,7 +62,7 @@ export class SceneContents {
 
   private note(fact: number): void {
     const facts = this.factsFor(1);
-    // What is no number is none every time.
+    // NaN differs from itself; a fact that is NaN is no change.
     if (facts[this.count] !== fact) {
       facts[this.count] = fact;
       this.hasChanged ||= !Number.isNaN(fact);
@@ -69,7 +70,7 @@ export class SceneContents {
     this.count++;
   }
 
-  /** The facts, with room for some more. */
+  /** The array of facts, enlarged if needed. */
   private factsFor(more: number): Float64Array {
     if (this.count + more > this.facts.length) {
       const longer = new Float64Array(2 * this.facts.length);
@@ -174,7 +175,7 @@ export class SceneContents {
     this.noteVector(r, g, b);
   }
 
-  /** Every mesh has one: its fractions are compared here, because each would be allocated if it were handed on. */
+  /** Stores the matrix of a mesh. Its numbers are compared here, because each would be allocated as an argument. */
   private noteMatrix({ elements }: Matrix4): void {
     const facts = this.factsFor(16);
     for (let i = 0; i < 16; i++, this.count++) {
@@ -191,7 +192,7 @@ export class SceneContents {
   }
 }
 
-/** A length that is set, even to what it is, has an array allocate anew what is then added. */
+/** Shortens an array. Setting an unchanged length, too, would make later additions allocate. */
 function shorten(array: unknown[], length: number): void {
   if (array.length !== length) array.length = length;
 }

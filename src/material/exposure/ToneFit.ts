@@ -1,9 +1,9 @@
-/** What makes tone of the light and the colours of a scene. */
+/** The parameters that turn the light and the colours of a scene into tone. */
 export interface ToneFit {
-  /** What the radiance of a white surface is multiplied by. */
+  /** The factor on the radiance of a white surface. */
   scale: number;
-  /** What is added to that. */
+  /** The offset that is added after it. */
   offset: number;
-  /** How light the colours look that are left blank, from 0, black, to 1, white (CIE lightness); lighter ones are so too. */
+  /** The lightness of colours that are left blank, from 0, black, to 1, white (CIE lightness). Lighter colours are left blank too. */
   white: number;
 }

@@ -1,7 +1,7 @@
-/** Finer than any eye tells tones apart. */
+/** The number of bins: finer than differences of tone that are visible. */
 const BINS = 4096;
 
-/** Numbers from 0 on with weights, and their quantiles. Keeps its memory when it is emptied. */
+/** A histogram of weighted numbers from 0 on, and its quantiles. Emptying it keeps its memory. */
 export class WeightedValues {
   private values = new Float64Array(1024);
   private weights = new Float64Array(1024);
@@ -16,7 +16,7 @@ export class WeightedValues {
     return this.count === 0;
   }
 
-  /** Values that are not finite, or have no weight, are left out. */
+  /** Adds a value. Values that are not finite or have no weight are left out. */
   add(value: number, weight: number): void {
     if (!(value >= 0 && value < Infinity && weight > 0 && weight < Infinity)) return;
     if (this.count === this.values.length) this.grow();
@@ -25,7 +25,7 @@ export class WeightedValues {
   }
 
   /**
-   * The value below which a share of the weight lies, to 1/4096 of the greatest; 0 if there are none.
+   * The value below which a share of the weight lies, to 1/4096 of the greatest value; 0 if the histogram is empty.
    *
    * @param share from 0 to 1
    */

@@ -2,14 +2,14 @@ import { type CubeTexture, type Texture, Vector3 } from 'three';
 import type { Harmonics } from '../../look/surroundings.js';
 import { type Luminances, luminances } from './luminances.js';
 
-/** At most so many rows of an image are looked at, and so many columns. */
+/** The greatest number of rows of an image that are sampled, and of columns. */
 const MOST_ROWS = 128;
-/** What an environment is taken for that cannot be read, because it is on the graphics card alone: three's `RoomEnvironment`, as measured. */
+/** The stand-in for an environment that cannot be read, because it is on the GPU only: three's `RoomEnvironment`, as measured. */
 const ROOM = /* @__PURE__ */ Float64Array.of(3.71, 1.7, 1.56, 0.25, 0.1, 0.78, 1.17, -0.32, -0.69);
 
 const known = new WeakMap<Texture, { version: number; harmonics: Harmonics }>();
 
-/** The light of an environment. It is worked out once for each version of its texture. */
+/** The light of an environment as spherical harmonics. It is computed once per version of the texture. */
 export function harmonicsOf(texture: Texture): Harmonics {
   const before = known.get(texture);
   if (before?.version === texture.version) return before.harmonics;
@@ -25,7 +25,7 @@ function project(texture: Texture): Harmonics | undefined {
   if ('isCubeTexture' in texture) {
     const faces: unknown = (texture as CubeTexture).images;
     if (!Array.isArray(faces) || faces.length !== 6) return undefined;
-    // three.js mirrors cubes of images.
+    // three.js mirrors cube textures of images, but not those of render targets.
     const mirror = texture.isRenderTargetTexture ? 1 : -1;
     for (const [face, image] of faces.entries()) {
       const pixels = luminances(image, texture);
@@ -51,7 +51,10 @@ function project(texture: Texture): Harmonics | undefined {
   return sums[9] > 0 ? sums.subarray(0, 9).map((sum) => (4 * Math.PI * sum) / sums[9]) : undefined;
 }
 
-/** Adds an image to the coefficients. @param place writes the direction of a place in it, and returns how large a pixel is there */
+/**
+ * Adds an image to the coefficients. @param place writes the direction of a place in the image, and returns the solid angle of a pixel
+ * there
+ */
 function addImage(
   sums: Float64Array,
   { width, height, at }: Luminances,
@@ -77,7 +80,7 @@ function addImage(
   }
 }
 
-/** A direction to a place of a face of a cube, not of unit length, in the order and with the axes of OpenGL. */
+/** Writes the direction to a place on a face of a cube, not of unit length, in the order and with the axes of OpenGL. */
 function cubeDirection(face: number, s: number, t: number): void {
   switch (face) {
     case 0:

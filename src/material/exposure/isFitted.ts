@@ -2,10 +2,10 @@ import { PRESET_MATERIALS } from '../../look/presetMaterials.js';
 import type { HatchingLook } from '../../look/queries.js';
 import type { ToneCurve } from '../fitToneCurve.js';
 
-/** Curves that were asked about, and whether they are of a preset. */
+/** A cache of whether a tone curve is that of a preset. */
 const ofPresets = new WeakMap<object, boolean>();
 
-/** Whether a tone curve was drawn by hand: points that no preset has. */
+/** Whether a tone curve is the user's own: points that no preset has. */
 function isByHand(curve: ToneCurve): boolean {
   if (typeof curve === 'string') return false;
   let isOfPreset = ofPresets.get(curve);
@@ -18,8 +18,8 @@ function isByHand(curve: ToneCurve): boolean {
 }
 
 /**
- * Whether the exposure of a material is fitted to its scene: where it is `'auto'`. A tone curve that was given by hand says itself which
- * light makes which tone, and shadows alone are a share of the light, whatever it is.
+ * Whether the exposure of a material is fitted to its scene: if it is `'auto'`, except that a user's own tone curve already maps light
+ * to tone, and that shadows alone are a share of the light, whatever its strength.
  */
 export const isFitted = ({ exposure, toneCurve, toneModel }: HatchingLook): boolean =>
   exposure === 'auto' && toneModel !== 'shadow' && !isByHand(toneCurve as ToneCurve);

@@ -6,7 +6,7 @@ import type { SurfaceSamples } from './surfaceSamples.js';
 
 const known = new WeakMap<Texture, { version: number; pixels: Luminances | undefined }>();
 
-/** The pixels of a map. They are read once for each version of it. */
+/** The pixels of a map, read once per version. */
 function pixelsOf(map: Texture): Luminances | undefined {
   const before = known.get(map);
   if (before?.version === map.version) return before.pixels;
@@ -16,8 +16,8 @@ function pixelsOf(map: Texture): Luminances | undefined {
 }
 
 /**
- * How light the colour of a surface looks at its samples, beside white: by its material, its vertices and its map. A map that cannot be
- * read here, or lies by other coordinates than the first, counts as white.
+ * The lightness of a surface's colour at its samples, relative to white: from its material, its vertices and its map. A map that cannot
+ * be read here, or uses texture coordinates other than the first, counts as white.
  */
 export function lightnessOf(
   { color, vertexColors, map }: HatchingMaterialProperties,

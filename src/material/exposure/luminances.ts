@@ -1,17 +1,17 @@
 import { DataUtils, HalfFloatType, SRGBColorSpace, type Texture } from 'three';
 
-/** Pixels of an image: their luminance in linear light, from the first row of the file. */
+/** The luminances of an image's pixels in linear light, from the first row of the file. */
 export interface Luminances {
   width: number;
   height: number;
   at(column: number, row: number): number;
 }
 
-/** Images of the browser are read at this size. */
+/** The width to which images of the browser are scaled before they are read. */
 const WIDTH = 256;
 const HEIGHT = 128;
 
-/** The pixels of an image of a texture, if this thread can read them. */
+/** The luminances of a texture's image, if this thread can read it. */
 export function luminances(image: unknown, texture: Texture): Luminances | undefined {
   const { width, height, data } = pixelsOf(image) ?? {};
   if (!width || !height || !data) return undefined;
@@ -38,7 +38,7 @@ interface Pixels {
 }
 
 function pixelsOf(given: unknown): Pixels | undefined {
-  // A face of a cube may be a texture of data itself.
+  // A face of a cube may itself be a data texture.
   const image = (
     (given as Partial<Texture> | null)?.isTexture ? (given as Texture).image : given
   ) as Partial<Pixels> | null;
@@ -50,7 +50,7 @@ function pixelsOf(given: unknown): Pixels | undefined {
     context.drawImage(image as unknown as CanvasImageSource, 0, 0, WIDTH, HEIGHT);
     return context.getImageData(0, 0, WIDTH, HEIGHT);
   } catch {
-    // An image of another site, or none yet.
+    // The image is of another origin, or has not loaded.
     return undefined;
   }
 }

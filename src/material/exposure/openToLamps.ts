@@ -1,10 +1,10 @@
 import { TONE_CONSTANTS } from '../../look/constants/shadingConstants.js';
 
 /**
- * The share of a light with a direction that hollows leave a surface, as `occlude.glsl` has it.
+ * The share of directional light that reaches an occluded surface, as in `occlude.glsl`.
  *
- * @param occlusion as it was baked, from 0 to 1
- * @param strength how much of it counts
+ * @param occlusion the baked occlusion, from 0 to 1
+ * @param strength the share of the occlusion that counts
  */
 export function openToLamps(occlusion: number, strength: number): number {
   const t = Math.min(1, occlusion / TONE_CONSTANTS.CAVITY);

@@ -5,14 +5,14 @@ import type { ToneFit } from './ToneFit.js';
 
 interface Kept {
   readonly fit: ExposureFit;
-  /** The frame in which it was last brought up to date. */
+  /** The frame of the last update. */
   readonly updated: FrameStamp;
 }
 
-/** By the root of the scene. */
+/** Fits by the root of the scene. */
 const kept = new WeakMap<Object3D, Kept>();
 
-/** The fit of a scene that is being drawn. It is looked for anew once a frame, and only if something has changed. */
+/** The fit of a scene that is being drawn. The scene is compared once per frame, and fitted again only if something has changed. */
 export function sceneExposure(renderer: WebGLRenderer, scene: Scene, camera: Camera): ToneFit {
   let known = kept.get(scene);
   if (!known) {

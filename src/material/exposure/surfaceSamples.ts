@@ -1,25 +1,23 @@
 import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from 'three';
 import { hatchNormal } from '../../mesh/bake/attributeLayouts.js';
 
-/**
- * Points spread evenly over the surface of a geometry, in its own space and at rest. The first few of them are spread as evenly as all.
- */
+/** Points spread evenly over the surface of a geometry, in object space and at rest. Any first few of them are spread evenly too. */
 export interface SurfaceSamples {
   readonly count: number;
   readonly area: number;
-  /** Whether all of it faces the same way. */
+  /** Whether all of the surface faces one direction. */
   readonly isFlat: boolean;
   readonly positions: Float32Array;
-  /** Those of the triangles, of length 1. */
+  /** The unit normals of the triangles. */
   readonly normals: Float32Array;
-  /** Ambient occlusion as it was baked; 0 where none was. */
+  /** The baked ambient occlusion; 0 without a bake. */
   readonly occlusion: Float32Array;
-  /** The luminance of the vertices' colours, and their first texture coordinates, two for each sample, if there are any. */
+  /** The luminance of the vertex colours, and the first texture coordinates, two per sample, if the geometry has them. */
   readonly colors: Float32Array | undefined;
   readonly places: Float32Array | undefined;
 }
 
-/** The least cosine between two normals of what is flat. */
+/** The cosine of the greatest angle between two normals of a flat surface. */
 const FLAT = Math.cos(Math.PI / 180);
 
 interface Kept {
@@ -31,15 +29,15 @@ const known = new WeakMap<BufferGeometry, Kept>();
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
 
-/** How often an attribute was changed; −1 for none. */
+/** The version of an attribute, which counts its changes; −1 without an attribute. */
 export const versionOf = (attribute: Attribute | null | undefined): number =>
   attribute ? ('version' in attribute ? attribute.version : attribute.data.version) : -1;
 
 /**
- * The samples of a geometry. They are taken once, and again when it has changed; the same geometry has the same samples everywhere.
+ * The samples of a geometry. They are taken once, and again when it has changed; the same geometry always has the same samples.
  *
- * @param wanted how many samples; powers of two are spread most evenly
- * @param mostTriangles of larger geometries only so many triangles are looked at, each for its neighbours
+ * @param wanted the number of samples; powers of two are spread most evenly
+ * @param mostTriangles the greatest number of triangles that are read; in larger geometries each stands for its neighbours
  */
 export function surfaceSamples(geometry: BufferGeometry, wanted: number, mostTriangles: number): SurfaceSamples {
   const { attributes, drawRange, index } = geometry;
@@ -97,7 +95,7 @@ class Corners {
 
 const normal = new Float64Array(3);
 
-/** Writes the normal of a triangle, as long as twice its area. @returns that length; 0 where a coordinate is no number */
+/** Writes the normal of a triangle, as long as twice its area. @returns that length; 0 if a coordinate is not finite */
 function writeNormal(xyz: Float64Array): number {
   const [ax, ay, az] = xyz;
   const [ux, uy, uz] = [xyz[3] - ax, xyz[4] - ay, xyz[5] - az];
@@ -127,7 +125,7 @@ function takeSamples(geometry: BufferGeometry, wanted: number, mostTriangles: nu
   const places = uv ? new Float32Array(2 * count) : undefined;
   let isFlat = true;
   for (let i = 0; i < count; i++) {
-    // Halton's points: one coordinate chooses the triangle, two the place in it.
+    // Halton points: one coordinate chooses the triangle, two the place in it.
     const triangle = step * firstAbove(sums, (inverse(i, 2) + 0.5 / count) * sum);
     const root = Math.sqrt(inverse(i + 1, 3));
     const across = inverse(i + 1, 5);
@@ -154,7 +152,7 @@ function takeSamples(geometry: BufferGeometry, wanted: number, mostTriangles: nu
   return { count, area: (step * sum) / 2, isFlat, positions, normals, occlusion, colors, places };
 }
 
-/** The first place in rising sums that lies above a value. */
+/** The index of the first rising sum above a value. */
 function firstAbove(sums: Float64Array, value: number): number {
   let [low, high] = [0, sums.length - 1];
   while (low < high) {
@@ -165,7 +163,7 @@ function firstAbove(sums: Float64Array, value: number): number {
   return low;
 }
 
-/** The digits of a number mirrored at the point (van der Corput): in [0, 1), and evenly spread for all numbers up to any. */
+/** The radical inverse of a number (van der Corput): its digits mirrored at the point, in [0, 1). */
 function inverse(value: number, base: number): number {
   let [rest, digit, sum] = [value, 1 / base, 0];
   while (rest > 0) {

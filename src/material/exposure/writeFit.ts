@@ -2,7 +2,7 @@ import type { IUniform } from 'three';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
 import type { ToneFit } from './ToneFit.js';
 
-/** Writes the exposure that a fit gives a material. Allocates nothing. */
+/** Writes the exposure of a material from a fit. Allocates nothing. */
 export function writeFit(
   fit: ToneFit,
   { exposureCompensation }: HatchingMaterialProperties,

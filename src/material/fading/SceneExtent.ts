@@ -2,7 +2,7 @@ import { Box3, type Camera, type Object3D, type WebGLRenderer } from 'three';
 import { FrameStamp } from '../FrameStamp.js';
 import { type SeenBox, seenBox } from './seenDepths.js';
 
-/** How far a scene reaches: what `depthFade` measures depth by. The materials of a scene share one. */
+/** The extent of a scene, relative to which `depthFade` measures depth. The materials of a scene share one. */
 export class SceneExtent {
   private readonly measured = new FrameStamp();
   private readonly seen: SeenBox = { front: 0, back: 1, left: -1, right: 1, bottom: -1, top: 1 };
@@ -10,14 +10,17 @@ export class SceneExtent {
 
   /**
    * @param frame the object in whose space the box is; the box moves with it
-   * @param box around all that is drawn
+   * @param box the bounding box of everything that is drawn
    */
   constructor(
     readonly frame: Object3D,
     readonly box: Box3 = new Box3(),
   ) {}
 
-  /** How near and how far, and where on the sheet it is seen in the present frame; null if nothing of it is. Measured once a frame; allocates nothing. @internal */
+  /**
+   * The depth range of the box and its place on the sheet in the present frame; null if nothing of it is seen. Measured once per frame;
+   * allocates nothing.
+   */
   seenFrom(renderer: WebGLRenderer, camera: Camera): Readonly<SeenBox> | null {
     if (!this.measured.isOf(renderer, camera)) {
       this.measured.note(renderer, camera);

@@ -7,7 +7,7 @@ import { automaticDepthFade, type SeenDepths } from './seenDepths.js';
 
 type Uniforms = Record<string, IUniform>;
 
-/** What says how much weight the drawing has where: a HatchingMaterial. */
+/** The properties that decide how much weight the drawing has where: those of a HatchingMaterial. */
 export type EmphasisLook = Pick<
   HatchingMaterialProperties,
   'technique' | 'depthFade' | 'depthNear' | 'depthFar' | 'focus' | 'focusRadius' | 'vignette'
@@ -22,15 +22,15 @@ export const createEmphasisUniforms = (): Uniforms => ({
   vignette: { value: 0 },
 });
 
-/** Whether a look takes weight away anywhere, as the techniques of the paper by Suarez et al. do not. */
+/** Whether a look fades anything anywhere, as the techniques of the paper by Suarez et al. do not. */
 export const takesWeight = (look: EmphasisLook | null): look is EmphasisLook =>
   look !== null && isUsedBy(look.technique, propertyOf('depthFade'));
 
 /**
  * Writes the uniforms of a frame. Allocates nothing.
  *
- * @param look null where nothing is said of it: then all has its full weight
- * @param camera left out before the first frame
+ * @param look null for full weight everywhere
+ * @param camera undefined before the first frame
  */
 export function writeEmphasis(look: EmphasisLook | null, u: Uniforms, renderer?: WebGLRenderer, camera?: Camera): void {
   const focusing = u.focusing.value as Vector4;
@@ -40,7 +40,7 @@ export function writeEmphasis(look: EmphasisLook | null, u: Uniforms, renderer?:
     u.vignette.value = 0;
     return;
   }
-  // Most scenes do not fade: they need not be measured.
+  // Most scenes do not fade, and need not be measured.
   const seen = look.depthFade !== 0 && renderer && camera && look.extent?.seenFrom(renderer, camera);
   writeDepthFading(look, seen || null, camera, u.depthFading.value);
   u.vignette.value = look.vignette;
@@ -56,9 +56,9 @@ export function writeEmphasis(look: EmphasisLook | null, u: Uniforms, renderer?:
 }
 
 /**
- * Writes the depths from which and up to which a look fades, and how strongly. Allocates nothing.
+ * Writes the depths between which a look fades, and how strongly. Allocates nothing.
  *
- * @param seen how deep the scene is; null where nobody measured it, and depths are then in view units
+ * @param seen the depth range of the scene; null if it was not measured: depths are then in view units
  */
 export function writeDepthFading(
   { depthFade, depthNear, depthFar }: EmphasisLook,
@@ -70,15 +70,15 @@ export function writeDepthFading(
   const start = seen ? seen.front : 0;
   const unit = seen ? seen.back - seen.front : 1;
   const near = start + unit * depthNear;
-  // A fade without a length is an edge.
+  // A fade of length 0 is a step; the least length avoids a division by 0.
   fading.set(near, Math.max(start + unit * depthFar, near + 1e-6), strength);
 }
 
 /**
- * Writes how much an object matters. Allocates nothing.
+ * Writes the importance of an object. Allocates nothing.
  *
- * @param isWeighed whether its look takes weight away at all
- * @returns whether it matters more or less than the one before
+ * @param isWeighed whether its look fades anything at all
+ * @returns whether the importance differs from that of the previous object
  */
 export function writeImportance(object: Object3D, isWeighed: boolean, u: Uniforms): boolean {
   const importance = isWeighed ? importanceOf(object) : 1;

@@ -1,8 +1,8 @@
 import type { Object3D } from 'three';
 
 /**
- * How much an object matters, from 0 to 1: `userData.hatching.importance` of it, or of the nearest object above it that has one; 1 where
- * nobody says. Allocates nothing.
+ * The importance of an object, from 0 to 1: `userData.hatching.importance` of the object or of its nearest ancestor that has one;
+ * otherwise 1. Allocates nothing.
  */
 export function importanceOf(drawn: Object3D): number {
   for (let object: Object3D | null = drawn; object !== null; object = object.parent) {

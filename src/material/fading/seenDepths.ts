@@ -1,13 +1,13 @@
 import { type Box3, type Camera, Matrix4, Vector4 } from 'three';
 import type { ViewedCamera } from '../pictureOffset.js';
 
-/** The distances along the line of sight of the nearest and of the farthest place that a camera sees. */
+/** The nearest and the farthest depth, along the line of sight, that a camera sees. */
 export interface SeenDepths {
   front: number;
   back: number;
 }
 
-/** What a camera sees of a box: how deep it is, and where it lies on the sheet, from −1 to 1. */
+/** The part of a box that a camera sees: its depths, and its bounds on the sheet, from −1 to 1. */
 export interface SeenBox extends SeenDepths {
   left: number;
   right: number;
@@ -15,11 +15,11 @@ export interface SeenBox extends SeenDepths {
   top: number;
 }
 
-/** Four numbers to a corner: x, y and w in clip space, and its depth. */
+/** Numbers per corner: x, y and w in clip space, and its depth. */
 const SIZE = 4;
-/** A rectangle has at most one more corner after each of the five cuts. */
+/** The greatest number of corners: a rectangle gains at most one with each of the five cuts. */
 const MOST_CORNERS = 9;
-/** What is positive within the sheet, as factors on the numbers of a corner; the last plane is that of the eye. */
+/** The five clipping planes, as factors on the numbers of a corner; positive within the sheet. The last is that of the eye. */
 const SHEET = [
   [1, 0, 1, 0],
   [-1, 0, 1, 0],
@@ -27,7 +27,7 @@ const SHEET = [
   [0, -1, 1, 0],
   [0, 0, 0, 1],
 ] as const;
-/** The corners of the six sides of a box, each as the number of three bits: x, y and z. */
+/** The corners of the six faces of a box, each as three bits: x, y and z. */
 const FACES = [
   [0, 2, 6, 4],
   [1, 3, 7, 5],
@@ -43,11 +43,11 @@ let polygon = /* @__PURE__ */ new Float64Array(SIZE * MOST_CORNERS);
 let kept = /* @__PURE__ */ new Float64Array(SIZE * MOST_CORNERS);
 
 /**
- * Finds how near and how far the sides of a box lie, and where on the sheet, as far as they are on it. Of a picture that is drawn in tiles the sheet is the
- * whole picture. Allocates nothing.
+ * Finds the depths of the sides of a box and their bounds on the sheet, clipped to the sheet. If a picture is drawn in tiles, the sheet
+ * is the whole picture. Allocates nothing.
  *
  * @param frame the matrix from the space of the box to world space
- * @returns whether any of it is seen; if not, `target` stays as it is
+ * @returns whether any of the box is seen; if not, `target` is unchanged
  */
 export function seenBox(box: Box3, frame: Matrix4, camera: Camera, target: SeenBox): boolean {
   toView.multiplyMatrices(camera.matrixWorldInverse, frame);
@@ -94,7 +94,7 @@ function writeCorner({ min, max }: Box3, bits: number, camera: Camera, i: number
   polygon[SIZE * i + 3] = depth;
 }
 
-/** Cuts away what lies beyond a plane (Sutherland and Hodgman, 1974). @returns the number of corners that are left */
+/** Cuts off the part of the polygon beyond a plane (Sutherland and Hodgman, 1974). @returns the number of corners that remain */
 function cut(count: number, plane: (typeof SHEET)[number]): number {
   let left = 0;
   for (let i = 0; i < count; i++) {
@@ -120,16 +120,16 @@ function copyBetween(from: number, to: number, share: number, target: number): v
   }
 }
 
-/** In a scene this many times as deep as its sheet is wide, distance begins to count by itself. */
+/** The ratio of a scene's depth to the width of its sheet at which it begins to fade automatically. */
 const DEEP_FROM = 3;
-/** From here on it counts in full, so that nothing jumps while the camera moves. */
+/** The ratio from which it fades at full strength; the ramp avoids jumps while the camera moves. */
 const DEEP = 4;
-/** How much it counts then. */
+/** The full strength. */
 const STRENGTH = 0.7;
 
 /**
- * How strongly a scene fades with its depth if nobody says so: not at all where what is seen is at most three times as deep as the shorter
- * side of the sheet at its middle, the place half way from front to back on the sheet. There a railway's middle is not half its length away.
+ * The strength of `depthFade: 'auto'`: 0 if the visible depth is at most three times the shorter side of the sheet at the scene's
+ * middle. The middle is half way from front to back on the sheet: for a railway that is not half its length.
  */
 export function automaticDepthFade({ front, back }: SeenDepths, camera: Camera): number {
   const { elements } = camera.projectionMatrix;

@@ -2,10 +2,10 @@ import type { Camera, Vector4 } from 'three';
 import type { ViewedCamera } from '../pictureOffset.js';
 
 /**
- * Writes where the sheet lies: its lower left corner from that of what is drawn to, and its size, in pixels. Of a picture that is drawn in
- * tiles it is the whole picture. Allocates nothing.
+ * Writes the place of the sheet: its lower left corner relative to that of the render target, and its size, in pixels. If a picture is
+ * drawn in tiles, the sheet is the whole picture. Allocates nothing.
  *
- * @param viewport of what is drawn, pixels
+ * @param viewport the viewport that is drawn to, in pixels
  */
 export function writeSheet(sheet: Vector4, camera: Camera, viewport: Vector4): void {
   sheet.copy(viewport);

@@ -3,7 +3,7 @@ import { silence } from '../diagnostics/silence.js';
 import { isFetched } from '../parts/parts.js';
 import type { DrawnMaterial, FirstDraw } from './FirstDraw.js';
 
-/** What a mesh was drawn as when it was checked last. */
+/** The state of a mesh when it was checked last. */
 interface Seen {
   geometry: BufferGeometry;
   technique: unknown;
@@ -13,7 +13,7 @@ interface Seen {
 
 const waiting: FirstDraw[] = [];
 
-/** The checks and their sentences, which are loaded when there is something to check; nobody waits for them. */
+/** The checks and their messages, loaded when there is something to check; drawing does not wait for them. */
 let checks: typeof import('./checkDraws.js') | undefined;
 
 async function check(): Promise<void> {
@@ -21,15 +21,18 @@ async function check(): Promise<void> {
   checks.checkDraws(waiting.splice(0));
 }
 
-/** Whether a material has its code, and its map if it draws with one. */
+/** Whether the code of a material, and its map if it uses one, have loaded. */
 const isWhole = (material: DrawnMaterial): boolean =>
   isFetched(material) && (material.uniforms.inked.value === 1 || material.tonalArtMap === null);
 
-/** Knows which meshes one material has drawn, and has new ones checked for mistakes. */
+/** Tracks the meshes that one material has drawn, and has new ones checked for mistakes. */
 export class DrawnMeshes {
   private readonly seen = new WeakMap<Object3D, Seen>();
 
-  /** Notes that the material draws a mesh, to a part of the target in pixels. For one that was checked already this allocates nothing. */
+  /**
+   * Registers that the material draws a mesh, to a part of the render target in pixels. Allocates nothing for a mesh that was checked
+   * before.
+   */
   note(
     material: DrawnMaterial,
     renderer: WebGLRenderer,
@@ -50,7 +53,7 @@ export class DrawnMeshes {
     const { frame } = renderer.info.render;
     const draw = { material, mesh, geometry, scene, camera, renderer, isOnScreen, height, frame };
     waiting.push({ ...draw, isWhole: isWhole(material) });
-    // A page that cannot load the checks draws without them.
+    // If the checks cannot be loaded, the page draws without them.
     if (waiting.length === 1) check().catch(() => waiting.splice(0));
   }
 }

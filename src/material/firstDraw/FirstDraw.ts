@@ -2,7 +2,7 @@ import type { BufferGeometry, Camera, IUniform, Material, Object3D, WebGLRendere
 import type { HatchingTechnique, Medium } from '../../look/hatchingProperties.js';
 import type { HatchingLook } from '../../look/queries.js';
 
-/** A hatching material, as far as the checks look at it. */
+/** The parts of a hatching material that the checks read. */
 export interface DrawnMaterial extends Material, HatchingLook {
   readonly technique: HatchingTechnique;
   readonly medium: Medium;
@@ -12,7 +12,7 @@ export interface DrawnMaterial extends Material, HatchingLook {
   readonly ready: Promise<void>;
 }
 
-/** A mesh that is drawn for the first time: by this material, or by this material with another technique or geometry. */
+/** The first draw of a mesh by this material, or by this material with another technique or geometry. */
 export interface FirstDraw {
   readonly material: DrawnMaterial;
   readonly mesh: Object3D;
@@ -20,12 +20,12 @@ export interface FirstDraw {
   readonly scene: Object3D;
   readonly camera: Camera;
   readonly renderer: WebGLRenderer;
-  /** Whether it is drawn to the screen, where alone three.js maps tones. */
+  /** Whether the mesh is drawn to the screen; three.js applies tone mapping only there. */
   readonly isOnScreen: boolean;
-  /** Of the picture, in pixels. */
+  /** The height of the picture, in pixels. */
   readonly height: number;
-  /** The frame of the renderer in which it is drawn. */
+  /** The renderer's frame number. */
   readonly frame: number;
-  /** Whether the map and the code that the material draws with are there. */
+  /** Whether the material's map and code have loaded. */
   readonly isWhole: boolean;
 }

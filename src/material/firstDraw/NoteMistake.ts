@@ -2,9 +2,9 @@ import type { FirstDraw } from './FirstDraw.js';
 import type { Mistake } from './sentences.js';
 
 /**
- * Takes notice of a mistake.
+ * Registers a mistake.
  *
- * @param culprit what would have to be changed; nobody is told twice of the same
- * @param details what the sentence says beside the name of the mesh
+ * @param culprit the object to change; a mistake is reported once per culprit
+ * @param details the further arguments of the message, after the name of the mesh
  */
 export type NoteMistake = (mistake: Mistake, draw: FirstDraw, culprit: object, ...details: string[]) => void;

@@ -14,28 +14,28 @@ import { findStrokeMistakes } from './findStrokeMistakes.js';
 import type { NoteMistake } from './NoteMistake.js';
 import { type Mistake, SENTENCES, type Sentence } from './sentences.js';
 
-/** Whether a material is blank paper on purpose: by a tone curve that is 0 everywhere, as a surface has that only hides lines behind it. */
+/** Whether a material is blank paper on purpose: its tone curve is 0 everywhere, as on a surface that only hides lines behind it. */
 const printsNothing = ({ toneCurve }: DrawnMaterial): boolean =>
   Array.isArray(toneCurve) && toneCurve.every(([, ink]: readonly number[]) => ink === 0);
 
-/** Milliseconds in which a page draws again that means to, from when everything is there. */
+/** The time, in milliseconds after everything has loaded, in which a page should have drawn a second frame. */
 const PATIENCE = 3000;
 
-/** Whether a renderer has drawn nothing since a mesh that lacked something, though what it lacked has come. */
+/** Whether a renderer has drawn nothing since a mesh whose map or code was missing, although that has loaded since. */
 async function isOnlyFrame({ material, renderer, frame }: FirstDraw): Promise<boolean> {
   await material.ready;
   await new Promise((resolve) => setTimeout(resolve, PATIENCE));
-  // A page in the background draws when it is shown again, and asks for that earlier than this.
+  // A background page draws when it is shown again, and requests that frame before this one.
   await new Promise((resolve) => requestAnimationFrame(resolve));
   return renderer.info.render.frame === frame && !renderer.getContext().isContextLost();
 }
 
 export { isStale } from '../geometry/staleGeometry.js';
 
-/** What was said of each thing: a material, a geometry, a scene or a renderer. */
+/** The mistakes that were reported of each material, geometry, scene or renderer. */
 const told = new WeakMap<object, Set<Mistake>>();
 
-/** Says what is wrong with meshes that were drawn for the first time, each mistake in one sentence that names the first of them. */
+/** Reports mistakes in meshes that were drawn for the first time: one message per mistake, which names the first mesh. */
 export function checkDraws(given: readonly FirstDraw[]): void {
   const draws = given.filter(isStillThere);
   const found = new Map<Mistake, { mesh: FirstDraw['mesh']; details: readonly string[]; others: number }>();
@@ -57,21 +57,21 @@ export function checkDraws(given: readonly FirstDraw[]): void {
     warn(`HatchingMaterial: ${sentence(name, ...details)}`, mistake === 'noAdjacency' ? 'error' : 'warn');
   }
   const early = draws.find(({ isWhole }) => !isWhole);
-  // What cannot be fetched or drawn is told of where that fails.
+  // Failures to load are reported where they occur.
   if (early) awaitSecondFrame(early).catch(() => {});
 }
 
-/** Says that nothing is drawn after what a mesh lacked when it was drawn has come. */
+/** Warns if no frame is drawn after the missing map or code of a mesh has loaded. */
 async function awaitSecondFrame(draw: FirstDraw): Promise<void> {
   const isMissing = await isOnlyFrame(draw);
   if (isMissing && isStillThere(draw) && isNews('onlyFrame', draw.renderer))
     warn(`HatchingMaterial: ${SENTENCES.onlyFrame(`the ${describeObject(draw.mesh)}`)}`);
 }
 
-/** While the checks were loaded a scene may have been taken apart, and then lacks more than it did. */
+/** Whether a mesh is still in its scene: while the checks were loaded, the scene may have been taken apart. */
 function isStillThere({ mesh, scene }: FirstDraw): boolean {
   let root: FirstDraw['mesh'] | null = mesh;
-  // One of them may be a proxy of the other.
+  // One of the two may be a proxy of the other.
   while (root && root.id !== scene.id) root = root.parent;
   return root !== null;
 }
@@ -96,7 +96,7 @@ function groupBy<Item>(items: readonly Item[], keyOf: (item: Item) => unknown): 
   return groups.values();
 }
 
-/** Finds what is wrong with the material and the geometry of a mesh. */
+/** Finds mistakes in the material and the geometry of a mesh. */
 function findSurfaceMistakes(draw: FirstDraw, note: NoteMistake): void {
   const { material, geometry, renderer, isOnScreen } = draw;
   if (material.tonalArtMap === null && needsMap(material) && !printsNothing(material)) note('noMap', draw, material);
@@ -110,7 +110,9 @@ function findSurfaceMistakes(draw: FirstDraw, note: NoteMistake): void {
   if (isOnScreen && material.toneMapped && renderer.toneMapping !== NoToneMapping) note('toneMapped', draw, renderer);
 }
 
-/** What keeps a geometry from being hatched by the strokes of its triangles and their neighbours, in its present pose. */
+/**
+ * The mistake that keeps a mesh from being hatched by the strokes of its triangles and their neighbours in its present pose, if any.
+ */
 function adjacencyMistake({ geometry, mesh, renderer }: FirstDraw): Mistake | undefined {
   const { attributes, userData } = geometry;
   if (!pulledVerticesOf(geometry)) {

@@ -8,14 +8,14 @@ import type { NoteMistake } from './NoteMistake.js';
 import { rounded } from './rounded.js';
 import { worldSphere } from './worldSphere.js';
 
-/** Sums of intensities below and above which nearly all is black or blank. A single light of intensity 1 is too dark. */
+/** Sums of intensities below and above which nearly everything is black or blank. A single light of intensity 1 is too dark. */
 const TOO_DARK = Math.PI / 3;
 const TOO_BRIGHT = 4 * Math.PI;
 
-/** Identities of scenes whose light was looked at. Meshes that come into view later may stand far from their lamps on purpose. */
+/** The identities of scenes whose lights were checked. Meshes that come into view later may stand far from their lights on purpose. */
 const judged = new WeakSet<object>();
 
-/** Finds what is wrong with the light of a scene, by the first of its meshes that are drawn together. */
+/** Finds a mistake in the lights of a scene, from its meshes that are drawn first. */
 export function findLightMistake(draws: readonly FirstDraw[], note: NoteMistake): void {
   const lit = draws.filter(({ material }) => material.lights);
   if (lit.length === 0) return;
@@ -25,7 +25,7 @@ export function findLightMistake(draws: readonly FirstDraw[], note: NoteMistake)
   judged.add(identityOf(scene));
   const sphere = worldSphere(lit.map(({ mesh }): Object3D => mesh));
   const { least, most, hasForm } = lightOn(sphere, scene, camera);
-  // What is exposed by itself takes any light that there is.
+  // An exposure that is fitted to the scene suits any light.
   const isExposed = lit.every(({ material }) => isFitted(material));
   if (least > TOO_BRIGHT && !isExposed) note('tooBright', first, scene, rounded(least));
   else if ((most >= TOO_DARK || (most > 0 && isExposed)) && hasForm) return;
@@ -35,7 +35,7 @@ export function findLightMistake(draws: readonly FirstDraw[], note: NoteMistake)
   else note('tooDark', first, scene, rounded(most));
 }
 
-/** Whether a mesh shows its form under any light: by textures of light, by what it gives off, or by baked occlusion. */
+/** Whether a mesh shows its form under any light: by light maps, emission or baked occlusion. */
 function hasOwnForm({ material, geometry }: FirstDraw): boolean {
   const { lightMap, aoMap, emissive, emissiveIntensity, occlusion } = material;
   if (lightMap || aoMap || luminance(emissive as Color) * (emissiveIntensity as number) > 0) return true;

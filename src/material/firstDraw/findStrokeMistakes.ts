@@ -6,19 +6,22 @@ import type { NoteMistake } from './NoteMistake.js';
 import { rounded } from './rounded.js';
 import { worldSphere } from './worldSphere.js';
 
-/** In pixels of the drawing buffer. What is a little thinner than a pixel is a matter of taste, and so is what is very wide. */
+/**
+ * Stroke widths in pixels of the drawing buffer, below and above which a mistake is likely. Strokes that are a little thinner than a
+ * pixel, or very wide, are a matter of taste.
+ */
 const TOO_THIN = 0.5;
 const WIDE = 32;
 /** Lengths of strokes, as shares of a tile. */
 const LONGEST_STROKE = 0.5;
 /** The unit of `lineSpacing` on the object, as a share of a tile. */
 const SPACING_UNIT = 1 / 256;
-/** What suits every model: tiles to its radius, strokes and distances of lines in pixels. */
+/** Values that suit every model: tiles per radius, and widths of strokes and distances of lines in pixels. */
 const SUITABLE = { tilesPerRadius: 3, strokeWidth: 1.5, lineSpacing: 5 };
 
-/** Finds strokes that are too small or too large to be seen as strokes, among the meshes of a scene that are drawn together. */
+/** Finds strokes that are too small or too large to be seen as strokes, from the meshes of a scene that are drawn first. */
 export function findStrokeMistakes(draws: readonly FirstDraw[], note: NoteMistake): void {
-  // All that is hatched in the scene is one model, which is measured once, and only if strokes are sized on it.
+  // All hatched meshes of the scene count as one model. It is measured once, and only if strokes are sized on it.
   let model: Sphere | undefined;
   for (const draw of draws) {
     const { material, scene } = draw;
@@ -39,14 +42,14 @@ function checkOnObject(draw: FirstDraw, model: Sphere, note: NoteMistake): void 
   const say = (mistake: 'tooFine' | 'tooCoarse', suitable: number): void =>
     note(mistake, draw, material, 'tilesPerUnit', rounded(tilesPerUnit), rounded(suitable));
   const length = counts(material, 'lineSpacing') ? (material.lineSpacing as number) * SPACING_UNIT : LONGEST_STROKE;
-  // Strokes as long as the model are drawn on purpose, and those of twice its diameter by mistake.
+  // Strokes as long as the model are plausible; those of twice its diameter are a mistake.
   if (tile * length > 4 * model.radius) say('tooCoarse', forModel);
   const map = material.tonalArtMap as TonalArtMap | string | null;
   if (!map || typeof map === 'string' || !counts(material, 'tonalArtMap')) return;
-  // Levels of the map keep strokes as wide as they are drawn, down to the coarsest.
+  // Levels of the map keep the drawn width of strokes, down to the coarsest level.
   const coarsest = map.size >> (map.levels - 1);
   const width = (tile * pixelsPerUnit(draw) * map.strokeTexels) / coarsest;
-  // A model that is far away needs larger strokes than one that fills the picture.
+  // A distant model needs larger strokes than one that fills the picture.
   if (width < TOO_THIN) say('tooFine', Math.min(forModel, (tilesPerUnit * width) / SUITABLE.strokeWidth));
 }
 
@@ -62,7 +65,7 @@ function checkOnScreen(draw: FirstDraw, note: NoteMistake): void {
   else if (pixels > WIDE && pixels > 2 * worldSphere([mesh]).radius * pixelsPerUnit(draw)) say('tooCoarse');
 }
 
-/** How many pixels a unit of world space has where the mesh is nearest to the camera. */
+/** The number of pixels per world unit at the point of the mesh that is nearest to the camera. */
 function pixelsPerUnit({ mesh, camera, height }: FirstDraw): number {
   const { elements } = camera.projectionMatrix;
   const pixels = (Math.abs(elements[5]) * height) / 2;
@@ -72,7 +75,7 @@ function pixelsPerUnit({ mesh, camera, height }: FirstDraw): number {
   return depth > 0 ? pixels / depth : Infinity;
 }
 
-/** A sphere around all that is hatched in a scene: strokes of one size are for the whole model, not for each of its parts. */
+/** A sphere around all hatched meshes of a scene: one stroke size serves the whole model, not each of its parts. */
 function hatchedMeshes(scene: Object3D): Sphere {
   const meshes: Object3D[] = [];
   scene.traverseVisible((object) => {

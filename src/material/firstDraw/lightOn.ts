@@ -11,17 +11,17 @@ import {
   Vector3,
 } from 'three';
 
-/** The light that arrives somewhere, as a sum of intensities. π is what brings a surface that faces it to blank paper. */
+/** The light that arrives somewhere, as a sum of intensities. A surface that faces light of sum π is blank paper. */
 export interface LightSum {
-  /** At least this much arrives everywhere that faces the lights. */
+  /** The least light on any surface that faces the lights. */
   least: number;
-  /** And nowhere more. Infinite where a light cannot be told by its intensity. */
+  /** The greatest; infinite if the intensity of a light does not tell its strength. */
   most: number;
-  /** Whether any of it is more than ambient. */
+  /** Whether any of the lights is more than ambient. */
   hasForm: boolean;
 }
 
-/** Adds up the lights of a scene as they arrive in a sphere, shadows and cones aside. */
+/** Adds up the lights of a scene as they arrive in a sphere, without shadows and cones. */
 export function lightOn({ center, radius }: Sphere, scene: Object3D, camera: Camera): LightSum {
   const sum: LightSum = { least: 0, most: 0, hasForm: false };
   const add = (least: number, most: number): void => {
@@ -62,11 +62,11 @@ export function lightOn({ center, radius }: Sphere, scene: Object3D, camera: Cam
   return sum;
 }
 
-/** What is left of a lamp's light at a distance, as three.js has it. */
+/** The light of a lamp at a distance, by three's formula. */
 function lampAt({ decay, distance: reach }: PointLight, full: number, distance: number): number {
   const left = full / Math.max(distance ** decay, 0.01);
   return reach > 0 ? left * Math.max(1 - (distance / reach) ** 4, 0) ** 2 : left;
 }
 
-/** Of a colour in the linear space that three.js keeps it in. */
+/** The luminance of a colour in three's linear working space. */
 export const luminance = ({ r, g, b }: Color): number => 0.2126 * r + 0.7152 * g + 0.0722 * b;

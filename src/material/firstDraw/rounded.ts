@@ -1,2 +1,2 @@
-/** A number with two digits that count, for messages. */
+/** A number with two significant digits, for messages. */
 export const rounded = (value: number): string => String(Number(value.toPrecision(2)));

@@ -3,10 +3,10 @@ const PREPARE_ADJACENCY = 'await prepareHatchingGeometry(geometry, { adjacency: 
 const WITH_ADJACENCY = "Prepare it with { adjacency: true }, or use the technique 'anchored'.";
 const AT_REST = 'is lit and hatched as at rest:';
 
-/** A sentence about a mesh, with what else it says. */
+/** A warning about a mesh, with further arguments. */
 export type Sentence = (mesh: string, ...details: string[]) => string;
 
-/** What is said of a mesh, and what to do about it. docs/troubleshooting.md lists the same sentences. */
+/** The warning texts: what is wrong, and the remedy. docs/troubleshooting.md lists the same sentences. */
 export const SENTENCES = {
   noMap: (mesh: string) =>
     `${mesh} is drawn without strokes, because its material has no tonalArtMap. Set one, for example TonalArtMap.draw(), or use the technique 'engraved'.`,

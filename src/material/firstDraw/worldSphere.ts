@@ -1,12 +1,12 @@
 import { type BufferGeometry, type Object3D, Sphere } from 'three';
 
-/** What is in a scene: a mesh, with the sphere around it if it has one. */
+/** An object of a scene, and its bounding sphere if it has one. */
 interface Bounded extends Object3D {
   geometry?: BufferGeometry;
   boundingSphere?: Sphere | null;
 }
 
-/** A sphere in world space around meshes; without bounds if none of them knows its own. */
+/** A bounding sphere of meshes in world space; empty if none of them has bounds. */
 export function worldSphere(meshes: Iterable<Object3D>): Sphere {
   const whole = new Sphere().makeEmpty();
   for (const mesh of meshes) {
