@@ -2,18 +2,18 @@ import type { FormRequest } from '../../mesh/bake/bakeSurface.js';
 import { FORM_DEFAULTS } from '../../mesh/form/FormField.js';
 import { checkNames } from '../../worker/TaskOptions.js';
 
-/** How lines follow the form of a geometry; what is left out has its default. */
+/** Options of the form field, which lines follow; omitted options have their defaults. */
 export interface HatchingFormOptions {
   /**
-   * Whether the field is baked only for a shape that has a form, and not for machine parts and other meshes of flat faces. The
-   * `lineField` of the `HatchingStatistics` says what was chosen. Default: false.
+   * Whether the field is baked only for a shape that has a form, not for machine parts and other meshes of flat faces. `lineField` of
+   * the `HatchingStatistics` tells the result. Default: false.
    */
   auto?: boolean | undefined;
   /** The axis that lines run across where the form decides nothing, in object space, of any length. Default: [0, 1, 0]. */
   up?: readonly [x: number, y: number, z: number] | undefined;
   /**
-   * The direction in object space from which the object is mostly seen, of any length. Few of the singular points, around which
-   * lines turn, lie there. Default: [0, 0, 1], or [0, −1, 0] where up is z. [0, 0, 0] stands for no direction.
+   * The direction in object space from which the object is mostly seen, of any length. Few singular points, around which lines turn,
+   * are placed on that side. Default: [0, 0, 1], or [0, −1, 0] where up is z. [0, 0, 0] means no preferred direction.
    */
   front?: readonly [x: number, y: number, z: number] | undefined;
   /**
@@ -21,9 +21,9 @@ export interface HatchingFormOptions {
    * the material.
    */
   crossAngle?: number | undefined;
-  /** Relief finer than this does not turn lines, as a share of the bounding radius, above 0. Default: 0.08. */
+  /** The scale of relief that does not turn lines, as a share of the bounding radius, above 0. Default: 0.08. */
   smoothing?: number | undefined;
-  /** How far directions reach where the form says none, as a share of the bounding radius, above 0. Default: 0.3. */
+  /** The distance over which directions spread to where the form has none, as a share of the bounding radius, above 0. Default: 0.3. */
   reach?: number | undefined;
 }
 
@@ -33,7 +33,7 @@ const NAMES = { auto: true, up: true, front: true, crossAngle: true, smoothing: 
 >;
 
 /**
- * The request for a form field; null if none is asked for.
+ * The request for a form field; null if none is requested.
  *
  * @throws TypeError or RangeError that names the wrong option
  */
@@ -65,7 +65,7 @@ export function formRequest(
   };
 }
 
-/** The angle between lines and those that cross them, in radians, with these options. */
+/** The angle between lines and those that cross them, in radians, under these options. */
 export const crossAngleOf = ({ crossAngle = FORM_DEFAULTS.crossAngle }: HatchingFormOptions): number => crossAngle;
 
 function checkRange(caller: string, name: string, value: number | undefined, below: number, wanted: string): void {

@@ -5,24 +5,26 @@ import { pullTextureSize } from '../../mesh/bake/pullLayout.js';
 import type { ContourSearch } from '../../mesh/features/contourCandidates.js';
 import { identityOf } from './identityOf.js';
 
-/** How often the data for the search is restored after it was lost with a worker. */
+/** How often the search data is restored after it was lost with a worker. */
 const MAX_RESTORES = 3;
 
-/** The data that the outlines of a geometry are drawn from: the textures of `outlineLayout.ts`, and the data for the search for contours. */
+/**
+ * The data that the outlines of a geometry are drawn from: the textures of `outlineLayout.ts`, and the data of the search for contours.
+ */
 export class OutlineData {
   readonly primitives: DataTexture;
   readonly triangleCount: number;
   readonly edgeCount: number;
-  /** Radius of the bounding sphere, in the rest pose. */
+  /** The radius of the bounding sphere, in the rest pose. */
   readonly radius: number;
-  /** The data that the search for contours needs; null while the worker has it. */
+  /** The data of the search for contours; null while the worker has it. */
   search: ContourSearch | null;
   readonly pointCount: number;
   private restored = 0;
 
   /**
-   * @param createWorker creates the worker that searches for contours. By default it is the inlined worker.
-   * @param points the texture of the points, if there is one
+   * @param createWorker creates the worker that searches for contours. Default: the inlined worker
+   * @param points the texture of the points, if it exists already
    */
   constructor(
     { points: words, primitives, searched, triangleCount, edgeCount, positions, normals, radius }: PackedOutlines,
@@ -37,7 +39,7 @@ export class OutlineData {
     this.search = this.searchIn(positions, normals, searched ?? primitives);
   }
 
-  /** The same points with other primitives. Whoever asks for it frees the texture of those. */
+  /** The data for other primitives over the same points. The caller frees the texture of the primitives. */
   withPrimitives(others: Omit<PackedOutlines, 'points' | 'radius'>): OutlineData {
     const { createWorker, points, radius } = this;
     return new OutlineData(
@@ -53,14 +55,14 @@ export class OutlineData {
   }
 
   /**
-   * Restores the data for the search from the textures, after it was lost with a worker that has died. It does so only a few
-   * times, since the geometry that killed one worker may kill the next.
+   * Restores the search data from the textures, after it was lost with a worker that has died. It does so only a few times, since the
+   * geometry that killed one worker may kill the next.
    */
   restoreSearch(): void {
     if (this.restored++ >= MAX_RESTORES) return;
     const { positions, normals } = unpackPoints(this.points.image.data as Uint32Array<ArrayBuffer>, this.pointCount);
     const primitives = this.primitives.image.data as Uint32Array<ArrayBuffer>;
-    // The array is transferred to the worker, and the texture must keep its own for the case that the context is lost.
+    // The array is transferred to the worker; the texture keeps its own copy in case the context is lost.
     this.search = this.searchIn(positions, normals, this.isSearchedInWorker ? primitives.slice() : primitives);
   }
 
@@ -101,7 +103,7 @@ function integerTexture(words: Uint32Array<ArrayBuffer>): DataTexture {
   return texture;
 }
 
-/** The keys are the identities of `userData.hatching`, an object that the clones of a geometry share. */
+/** Keyed by the identity of `userData.hatching`, an object that the clones of a geometry share. */
 const outlineData = new WeakMap<object, OutlineData>();
 
 /** The data that the outlines of a geometry are drawn from; undefined if it was prepared without outlines. */

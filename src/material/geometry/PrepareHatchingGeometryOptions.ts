@@ -5,25 +5,25 @@ import type { HatchingFormOptions } from './HatchingFormOptions.js';
 /** Options of `prepareHatchingGeometry`. */
 export interface PrepareHatchingGeometryOptions extends TaskOptions {
   /**
-   * Bakes the neighbours of every triangle too, which the techniques `triangle` and `adjacency` draw with; such a geometry can be drawn
-   * by every technique. Default: false, for `anchored` and `engraved`, which draw the source's own vertices.
+   * Whether to bake the neighbours of every triangle, which the techniques `triangle` and `adjacency` need; such a geometry can be
+   * drawn by every technique. Default: false, for `anchored` and `engraved`, which draw the source's own vertices.
    */
   adjacency?: boolean | undefined;
-  /** The technique that will draw the geometry, which says whether that needs adjacency. Default: `adjacency` says so. */
+  /** The technique that will draw the geometry, from which the need for adjacency follows. Default: `adjacency` decides. */
   technique?: HatchingTechnique | undefined;
   /**
-   * The vertex layout, for who wants to decide it: how the adjacency is stored. Default: `'auto'` with `adjacency`, `'indexed'` without.
+   * The vertex layout: how the adjacency is stored. It rarely needs to be set. Default: `'auto'` with `adjacency`, `'indexed'` without.
    *
    * - `'corner'`: every corner carries the positions of all six adjacency vertices, 252 bytes per triangle. It works with every
-   *   technique.
+   * technique.
    * - `'pull'`: the positions lie in a texture that a pre-pass can deform, and every corner reads all six from it: 32 bytes per
-   *   triangle and 16 per vertex. It works with every technique and with meshes that deform, and draws the same pixels as
-   *   `'corner'`.
+   * triangle and 16 per vertex. It works with every technique and with meshes that deform, and draws the same pixels as
+   * `'corner'`.
    * - `'indexed'`: the geometry as it is, with eight more bytes per vertex. It works only with `anchored` and `engraved`, which
-   *   need no adjacency.
+   * need no adjacency.
    * - `'auto'`: `'pull'` for a geometry with a skin, with morph targets of position or normal, or with more than
-   *   200,000 triangles, where the upload of all corners would block the page for some hundred milliseconds; otherwise
-   *   `'corner'`.
+   * 200,000 triangles, where the upload of all corners would block the page for some hundred milliseconds; otherwise
+   * `'corner'`.
    */
   layout?: 'auto' | 'corner' | 'pull' | 'indexed' | undefined;
   /**
@@ -39,9 +39,9 @@ export interface PrepareHatchingGeometryOptions extends TaskOptions {
    */
   smoothingRadius?: number | undefined;
   /**
-   * Borders whose vertices lie this near to each other along each axis are joined, as a share of the radius of the bounding
-   * sphere, 0 or more. 0 joins only vertices at exactly the same position. The positions that are drawn do not change. Default
-   * 1e-6, which closes seams that rounding has opened, such as those of three's own sphere and torus.
+   * Borders whose vertices lie this near to each other along each axis are joined, as a share of the radius of the bounding sphere, 0
+   * or more. 0 joins only vertices at exactly the same position. The positions that are drawn do not change. Default 1e-6, which closes
+   * seams that are open by rounding errors, such as those of three's own sphere and torus.
    */
   weldTolerance?: number | undefined;
   /**
@@ -51,10 +51,10 @@ export interface PrepareHatchingGeometryOptions extends TaskOptions {
    */
   outlines?: boolean | OutlineOptions | undefined;
   /**
-   * Bakes the functions whose level sets are the lines of `lineField: 'form'` and `'acrossForm'`, and that `strokeField` lays strokes
-   * along, in 24 bytes per vertex; a few vertices are copied. It takes several times as long as all the rest, in the worker. Pass `true`, `'auto'` for shapes that have a form only
-   * (and not for meshes of flat faces), or options. Default: false;
-   * `applyHatching` bakes them where a material asks for them.
+   * Bakes the form field: the functions whose level sets are the lines of `lineField: 'form'` and `'acrossForm'`, and that
+   * `strokeField` lays strokes along, in 24 bytes per vertex; a few vertices are copied. It takes several times as long as all the
+   * rest, in the worker. Pass `true`, `'auto'` for shapes that have a form only (and not for meshes of flat faces), or options.
+   * Default: false; `applyHatching` bakes them where a material asks for them.
    */
   form?: boolean | 'auto' | HatchingFormOptions | undefined;
 }
@@ -73,7 +73,7 @@ export interface OutlineOptions {
   creaseLength?: number | undefined;
 }
 
-/** The names of `OutlineOptions`. */
+/** The names of the properties of `OutlineOptions`. */
 export const OUTLINE_OPTIONS = { featureAngle: true, creaseLength: true } satisfies Record<keyof OutlineOptions, true>;
 
 const PREPARE_OPTIONS = {
@@ -87,9 +87,9 @@ const PREPARE_OPTIONS = {
 } satisfies Record<Exclude<keyof PrepareHatchingGeometryOptions, keyof TaskOptions | 'technique'>, true>;
 
 /**
- * Checks the names of the options, and the values of those that all tasks have in common.
+ * Checks the names of the options, and the values of those that all tasks share.
  *
- * @param more the names of further options that the caller has
+ * @param more the names of further options of the caller
  * @throws TypeError that names the caller and the option
  */
 export const checkPrepareOptions = (
@@ -101,5 +101,5 @@ export const checkPrepareOptions = (
 /** The default of the option `creaseAngle`. */
 export const DEFAULT_CREASE_ANGLE = Math.PI / 2;
 
-/** For more triangles than this, `'auto'` chooses the layout `'pull'`. */
+/** The number of triangles above which `'auto'` chooses the layout `'pull'`. */
 export const MANY_TRIANGLES = 200_000;

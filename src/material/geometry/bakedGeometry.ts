@@ -22,7 +22,7 @@ import { finishGeometry, type NotBaked, setNormals } from './preparedGeometry.js
 import { setPulledVertices } from './pulledVerticesOf.js';
 import type { KeptAttribute, VertexAttribute } from './vertexAttributes.js';
 
-/** A kept attribute with a copy of its values from before the bake. */
+/** A kept attribute with a copy of its values before the bake. */
 interface CopiedAttribute extends KeptAttribute, VertexWords {}
 
 /** Fills the geometry with the index, all attributes (including those of added vertices), the bounds and the statistics. */
@@ -41,7 +41,7 @@ export function applyIndexed(
   finishGeometry(geometry, 'indexed', result);
 }
 
-/** What makes a geometry of what was baked. It is fetched while the worker bakes. */
+/** Builds the prepared geometry from the results of a bake. This module is fetched while the worker bakes. */
 
 /** Fills the geometry with the baked corners, the kept attributes, the bounds and the statistics. */
 export function applyCorners(
@@ -79,7 +79,7 @@ export function applyPull(
   setPulledVertices(geometry, new PulledVertices(result));
 }
 
-/** Sets the attributes of lines that follow the form, if they were baked. */
+/** Sets the attributes of the form field, if it was baked. */
 function setForm(geometry: BufferGeometry, form: PackedForm | null): void {
   if (form === null) return;
   const { value, slope, crossing } = formLayout;
@@ -91,7 +91,7 @@ function setForm(geometry: BufferGeometry, form: PackedForm | null): void {
   geometry.setAttribute(crossing.name, gradient(crossing, slope.itemSize));
 }
 
-/** Adds the attribute where it was in the source: to the attributes, or to the end of the morph targets of its name. */
+/** Adds an attribute in its former place: among the attributes, or at the end of the morph targets of its name. */
 function setKeptAttribute(
   geometry: BufferGeometry,
   { name, isMorphTarget, attribute }: KeptAttribute,
@@ -110,7 +110,7 @@ function attributeFromWords(source: VertexAttribute, words: Words): BufferAttrib
   const { itemSize, normalized } = source;
   const ArrayType = source.array.constructor as new (buffer: ArrayBuffer) => Float32Array;
   const array = new ArrayType(words.buffer);
-  // three.js recognises half floats by the class of the attribute. Its constructor uses a buffer without copying it.
+  // three.js recognises half floats by the attribute's class, whose constructor uses a buffer without copying it.
   const attribute =
     'isFloat16BufferAttribute' in source
       ? new Float16BufferAttribute(words.buffer as unknown as ArrayLike<number>, itemSize, normalized)

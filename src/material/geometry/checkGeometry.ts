@@ -2,7 +2,7 @@ import type { BufferGeometry } from 'three';
 import { assertGeometry, kindOf, labelOf } from '../diagnostics/assertGeometry.js';
 import { isInstanced, type VertexAttribute } from './vertexAttributes.js';
 
-/** The types of arrays that three.js can read as normalized attributes. */
+/** The array types that three.js can read as normalized attributes. */
 const NORMALIZABLE: ReadonlySet<string> = new Set([
   'Float32Array',
   'Uint32Array',
@@ -47,9 +47,8 @@ export function checkGeometry(geometry: BufferGeometry, caller = 'prepareHatchin
 }
 
 /**
- * Throws a TypeError if a value is not an attribute whose numbers can be read: if it is no attribute at all, if its type is one
- * that WebGL does not have, if its memory was freed, or if its array is shorter than its entries, because its buffer was
- * transferred.
+ * Throws a TypeError if the numbers of an attribute cannot be read: if the value is no attribute at all, if its type is unknown to
+ * WebGL, if its memory was freed, or if its array is too short because its buffer was transferred.
  */
 function checkMemory(label: string, what: string, attribute: VertexAttribute): void {
   const fail = (fault: string): never => {

@@ -7,7 +7,7 @@ export interface CornerGroup {
   materialIndex: number | undefined;
 }
 
-/** The part of a geometry that is drawn, and its groups relative to that part. All counts are multiples of three. */
+/** The drawn part of a geometry, and its groups relative to that part. All counts are multiples of three. */
 export interface CornerRange {
   /** The first entry of the index, or the first vertex if there is no index. */
   start: number;

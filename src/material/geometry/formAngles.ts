@@ -1,7 +1,7 @@
 import type { BufferGeometry, Material } from 'three';
 import { identityOf } from './identityOf.js';
 
-/** The angle at which lines cross on a geometry, and the material that says which it shall be. */
+/** The angle at which lines cross on a geometry, and the material that decides it. */
 interface FormAngle {
   readonly material: object;
   angle: number;
@@ -9,14 +9,14 @@ interface FormAngle {
 }
 
 const angles = new WeakMap<object, FormAngle>();
-/** Whether any geometry has ever been watched: until then no mesh of any frame has to be looked up. */
+/** Whether any geometry is watched: if not, meshes need not be looked up in each frame. */
 let isWatching = false;
 
 /**
- * Watches whether the angle of crossing lines is still the one that a geometry was prepared for.
+ * Watches whether lines still cross at the angle that a geometry was prepared for.
  *
- * @param angle that it was prepared for, in radians
- * @param onOther called once for each other angle that the material has as it draws the geometry
+ * @param angle the angle that the geometry was prepared for, in radians
+ * @param onOther called once for each different angle that the material has when it draws the geometry
  */
 export function watchFormAngle(
   geometry: BufferGeometry,
@@ -28,14 +28,14 @@ export function watchFormAngle(
   angles.set(identityOf(geometry), { material: identityOf(material), angle, onOther });
 }
 
-/** Whether a material has another angle than that which it had when it drew the geometry before. Allocates nothing. */
+/** Whether the angle of a material has changed since it last drew the geometry. Allocates nothing. */
 export function hasOtherFormAngle(geometry: BufferGeometry, material: Material & { crossAngle: number }): boolean {
   if (!isWatching) return false;
   const known = angles.get(identityOf(geometry));
   return known !== undefined && known.angle !== material.crossAngle && known.material === identityOf(material);
 }
 
-/** To be called as a material draws a geometry. Allocates nothing. */
+/** Must be called when a material draws a geometry. Allocates nothing. */
 export function noteFormAngle(geometry: BufferGeometry, material: Material & { crossAngle: number }): void {
   if (!hasOtherFormAngle(geometry, material)) return;
   const known = angles.get(identityOf(geometry))!;

@@ -5,10 +5,10 @@ import { identityOf } from './identityOf.js';
 /** Whether a geometry was prepared with `form`. Allocates nothing. */
 export const isFormed = ({ attributes }: BufferGeometry): boolean => attributes[formLayout.value.name] !== undefined;
 
-/** The identities of geometries that are drawn without a form until one that has it takes their place. */
+/** The identities of geometries that are drawn without a form until another geometry, with a form, replaces them. */
 const expecting = new WeakSet<object>();
 
-/** Says that a geometry is drawn without a form for a while, so that this is no mistake. */
+/** Declares that a geometry lacks a form only for a while, so that no warning is due. */
 export const expectForm = (geometry: BufferGeometry): void => void expecting.add(identityOf(geometry));
 
 /** Whether `expectForm` was called for a geometry. */

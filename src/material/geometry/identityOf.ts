@@ -14,7 +14,7 @@ export function identityOf(thing: object): object {
   return Object.isExtensible(thing) ? giveIdentity(thing) : thing;
 }
 
-/** A function of its own: what a closure keeps is allocated whenever the function around it is called. */
+/** A separate function, because variables that a closure captures are allocated at every call of the enclosing function. */
 function giveIdentity(thing: object): object {
   const made = {};
   Object.defineProperty(thing, identity, { value: () => made });

@@ -6,10 +6,10 @@ import { extractMesh } from './extractMesh.js';
 import { formRequest } from './HatchingFormOptions.js';
 import { DEFAULT_CREASE_ANGLE, type PrepareHatchingGeometryOptions } from './PrepareHatchingGeometryOptions.js';
 
-/** A geometry that is a part of something larger. */
+/** A geometry that is part of a larger whole. */
 export interface GeometryPart {
   geometry: BufferGeometry;
-  /** From its object space to a space that all parts share. */
+  /** The matrix from its object space to a space that all parts share. */
   matrix: Matrix4;
 }
 

@@ -1,10 +1,10 @@
 import { type BufferGeometry, MathUtils } from 'three';
 import { identityOf } from './identityOf.js';
 
-/** How long lines take to fade into an even grey, and to come out of it, in milliseconds. */
+/** The duration in which lines fade into an even grey, and of the reverse, in milliseconds. */
 const DURATION = 300;
 
-/** How often a frame is asked for meanwhile, in milliseconds. */
+/** The interval between frames meanwhile, in milliseconds. */
 const INTERVAL = 16;
 
 interface Fade {
@@ -14,10 +14,10 @@ interface Fade {
 }
 
 const fades = new WeakMap<object, Fade>();
-/** Whether anything has ever faded: until then no mesh of any frame has to be looked up. */
+/** Whether anything has ever faded: if not, meshes need not be looked up in each frame. */
 let hasFaded = false;
 
-/** How far the lines on a geometry stand out: from 0, an even grey of the same tone, to 1. Allocates nothing. */
+/** The contrast of the lines on a geometry: from 0, an even grey of the same tone, to 1. Allocates nothing. */
 export function lineContrast(geometry: BufferGeometry): number {
   if (!hasFaded) return 1;
   const fade = fades.get(identityOf(geometry));
@@ -26,15 +26,15 @@ export function lineContrast(geometry: BufferGeometry): number {
 }
 
 /**
- * Lets the lines on geometries fade into an even grey, where they stay until they come out of it. Where less motion is asked for, and
- * without a page, nothing fades.
+ * Fades the lines on geometries into an even grey, where they stay until `fadeIn`. If reduced motion is preferred, and outside of a
+ * page, nothing fades.
  *
- * @param onFrame called whenever a frame is to be drawn
+ * @param onFrame called whenever a frame must be drawn
  */
 export const fadeOut = (geometries: readonly BufferGeometry[], signal: AbortSignal, onFrame: () => void) =>
   fade(geometries, 1, 0, signal, onFrame);
 
-/** Lets the lines on geometries come out of an even grey. See `fadeOut`. */
+/** Fades the lines on geometries back in. See `fadeOut`. */
 export async function fadeIn(
   geometries: readonly BufferGeometry[],
   signal: AbortSignal,
@@ -44,7 +44,7 @@ export async function fadeIn(
   showLines(geometries);
 }
 
-/** Ends all fading of the lines on geometries. */
+/** Ends all fades of the lines on geometries at once, with full contrast. */
 export function showLines(geometries: readonly BufferGeometry[]): void {
   for (const geometry of geometries) fades.delete(identityOf(geometry));
 }
@@ -60,7 +60,7 @@ async function fade(
   const start = performance.now();
   hasFaded = true;
   for (const geometry of geometries) fades.set(identityOf(geometry), { start, from, to });
-  // Not by animation frames: a page in the background has none, and goes on all the same.
+  // A timer instead of animation frames, because a background page has none and must finish too.
   while (performance.now() - start < DURATION && !signal.aborted) {
     onFrame();
     await new Promise((resume) => setTimeout(resume, INTERVAL));

@@ -26,7 +26,7 @@ import { countUnusableNormals, type Repairs, zeroBadValues } from './repairValue
 import { startGeometry } from './startGeometry.js';
 import { extractWords, type KeptAttribute, keptAttributes, type VertexAttribute } from './vertexAttributes.js';
 
-/** Remembers the data of a geometry. Returns a function that tells whether the data is still the same. */
+/** Captures the data of a geometry. Returns a function that tells whether the data is still the same. */
 function rememberSource(geometry: BufferGeometry): () => boolean {
   const before = stateOf(geometry);
   return () => {
@@ -44,7 +44,7 @@ const stateOf = (geometry: BufferGeometry): unknown[] =>
 const versionOf = (attribute: VertexAttribute): number =>
   'data' in attribute ? attribute.data.version : attribute.version;
 
-/** What three.js asks of a geometry first, and users. */
+/** Properties of the geometry that three.js and users read first. */
 const ASKED_OF_GEOMETRIES = ['morphAttributes', 'boundingSphere', 'attributes', 'userData'] as const;
 
 /**
@@ -88,9 +88,9 @@ export function prepareHatchingGeometry(
 }
 
 /**
- * As `prepareHatchingGeometry`, without a word to those who do not await it.
+ * `prepareHatchingGeometry` without the warning to callers that do not await it.
  *
- * @param bakedForm a form field of this geometry that was baked before, to be taken instead of one that is baked for it alone
+ * @param bakedForm a form field of this geometry that was baked before, used instead of baking one for it alone
  */
 export async function prepareWithForm(
   geometry: BufferGeometry,
@@ -127,7 +127,7 @@ export async function prepareWithForm(
     wantsNormals: repairs.computedNormals > 0,
     outlines: outlineRequest(options.outlines, range),
     form: await formRequestOf(options),
-    // One that was baked for other triangles does not fit.
+    // A form field that was baked for other triangles does not fit.
     bakedForm: bakedForm?.ofCorner.length === mesh.indices.length ? bakedForm : null,
   };
 
@@ -153,14 +153,14 @@ export async function prepareWithForm(
   return prepared;
 }
 
-/** The request for a form field, if one is asked for. Its defaults and its checks are fetched then. */
+/** The request for a form field, if one is requested. Its defaults and checks are fetched only then. */
 async function formRequestOf({ form }: PrepareHatchingGeometryOptions): Promise<FormRequest | null> {
   if (form === undefined || form === false) return null;
   const { formRequest } = await import('./HatchingFormOptions.js');
   return formRequest('prepareHatchingGeometry', form);
 }
 
-/** Copies of the data of a geometry that the bake needs, repaired where necessary. */
+/** Copies of a geometry's data that the bake needs, repaired where necessary. */
 interface ExtractedSource extends Repairs {
   mesh: TriangleMesh;
   /** The values of every kept attribute. */

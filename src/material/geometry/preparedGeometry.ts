@@ -9,7 +9,7 @@ import { isUsableNormal } from './repairValues.js';
 import { rememberPositions } from './staleGeometry.js';
 import type { VertexAttribute } from './vertexAttributes.js';
 
-/** What a prepared geometry needs beside what was baked. */
+/** The data of a prepared geometry that does not come from the bake. */
 export interface NotBaked extends Repairs, Pick<TaskOptions, 'createWorker'> {}
 
 /** Sets the computed normals of a geometry: all of them, or only those that cannot be used as they are. */

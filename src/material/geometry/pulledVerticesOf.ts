@@ -2,7 +2,7 @@ import type { BufferGeometry } from 'three';
 import { identityOf } from './identityOf.js';
 import type { PulledVertices } from './PulledVertices.js';
 
-/** The keys are the identities of `userData.hatching`, an object that the clones of a geometry share. */
+/** Keyed by the identity of `userData.hatching`, an object that the clones of a geometry share. */
 const pulledVertices = new WeakMap<object, PulledVertices>();
 
 /** The textures of a geometry in the `pull` layout; undefined if it has another layout. */

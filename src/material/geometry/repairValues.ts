@@ -20,9 +20,9 @@ export interface Repairs {
 const READ_BY_THREE = /^(color|uv\d?|tangent|skinIndex|skinWeight)$/;
 
 /**
- * Counts the normals that cannot be used: all if there are none, otherwise those that are zero or not finite at a vertex in
- * `indices`. Scans have vertices without triangles, whose normals are zero; it would lengthen the bake by a tenth, and serve
- * nothing, to compute normals for these.
+ * Counts the normals that cannot be used: all if there are none, otherwise those that are zero or not finite at a vertex in `indices`.
+ * Scans have vertices without triangles, whose normals are zero; to compute normals for these would be useless, and would lengthen the
+ * bake by a tenth.
  */
 export function countUnusableNormals({ attributes }: BufferGeometry, indices: Uint32Array): number {
   const { position, normal } = attributes;

@@ -16,7 +16,7 @@ export function sharingClone(source: BufferGeometry): BufferGeometry {
   return clone;
 }
 
-/** Frees only the attributes that the clone does not share. A plain `dispose()` would free the shared buffers too. */
+/** Frees only the attributes that the clone does not share; `dispose()` would free the shared buffers too. */
 export function disposeSharingClone(clone: BufferGeometry, source: BufferGeometry): void {
   clone.index = null;
   for (const name of Object.keys(clone.attributes)) {

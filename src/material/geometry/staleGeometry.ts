@@ -2,28 +2,28 @@ import type { BufferGeometry } from 'three';
 import { hatchNormal } from '../../mesh/bake/attributeLayouts.js';
 import { identityOf } from './identityOf.js';
 
-/** Checksums of a geometry, taken when it was baked or first seen. They show whether its attributes were replaced since. */
+/** Checksums of a geometry from when it was baked or first seen, which show whether its attributes were replaced since. */
 interface Checksums {
   vertices: number;
   positions: number;
   hatchNormals: number;
 }
 
-/** The result of an earlier comparison: whether an array of positions differs from that of a bake. */
+/** The cached result of a comparison: whether an array of positions differs from that of a bake. */
 interface Verdict {
   bake: object;
   isStale: boolean;
 }
 
-/** The largest number of vertices that enter a checksum. */
+/** The greatest number of vertices that enter a checksum. */
 const MAX_SUMMED = 4096;
 
-/** The keys are the identities of `userData.hatching`, an object that the clones of a geometry share. */
+/** Keyed by the identity of `userData.hatching`, an object that the clones of a geometry share. */
 const bakes = new WeakMap<object, Checksums>();
-/** The keys are arrays of positions, so that each array is compared only once, and not in every frame. */
+/** Keyed by arrays of positions, so that each array is compared only once, and not in every frame. */
 const verdicts = new WeakMap<ArrayLike<number>, Verdict>();
 
-/** Remembers a geometry that has just been prepared. */
+/** Stores the checksums of a geometry that has just been prepared. */
 export function rememberPositions(geometry: BufferGeometry): void {
   const bake = identityOf(geometry.userData.hatching);
   bakes.set(bake, checksumsOf(geometry));
@@ -31,9 +31,8 @@ export function rememberPositions(geometry: BufferGeometry): void {
 }
 
 /**
- * Whether the positions of a prepared geometry are no longer those of the bake. A geometry whose bake is unknown, for example
- * because it was loaded, counts as fresh when it is first seen. This allocates memory only when it sees an array for the first
- * time.
+ * Whether the positions of a prepared geometry are no longer those of the bake. A geometry whose bake is unknown, for example because
+ * it was loaded, counts as fresh when it is first seen. Allocates only when it first sees an array.
  */
 export function isStale(geometry: BufferGeometry): boolean {
   const { attributes, userData } = geometry;
@@ -56,7 +55,9 @@ export function isStale(geometry: BufferGeometry): boolean {
   return verdict.isStale;
 }
 
-/** Whether only the positions have changed. If the hatch normals have changed too, the vertices are others, as after `mergeVertices`. */
+/**
+ * Whether the positions alone have changed. If the hatch normals have changed too, these are other vertices, as after `mergeVertices`.
+ */
 const hasOtherPositions = (now: Checksums, baked: Checksums): boolean =>
   now.hatchNormals === baked.hatchNormals && (now.vertices !== baked.vertices || now.positions !== baked.positions);
 

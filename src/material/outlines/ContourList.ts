@@ -5,39 +5,39 @@ import { runTask } from '../../worker/runTask.js';
 import type { OutlineData } from '../geometry/OutlineData.js';
 
 /**
- * The sine of the angle that the direction to the eye may turn by before a new list is needed. A smaller angle makes shorter
+ * The sine of the angle through which the direction to the eye may turn before a new list is needed. A smaller angle makes shorter
  * lists.
  */
 const SINE = Math.sin((0.75 * Math.PI) / 180);
-/** The same for lists from the worker, which arrive later. A new one is requested after half of the angle. */
+/** The same sine for lists from the worker, which arrive later. A new one is requested after half of the angle. */
 const SINE_IN_WORKER = Math.sin((3 * Math.PI) / 180);
-/** A new texture is larger than needed by this factor. Textures never become smaller. */
+/** The factor by which a new texture is larger than needed. Textures never become smaller. */
 const SPARE = 1.3;
 
-/** Lists the primitives of one geometry that may hold an outline, as seen by one camera. */
+/** A list of the primitives of one geometry that may hold an outline, as seen by one camera. */
 export class ContourList {
-  /** The numbers of the primitives, four per texel. */
+  /** The indices of the primitives, four per texel. */
   texture: DataTexture | null = null;
   count = 0;
-  /** The data that the list was made from. */
+  /** The outline data that the list was made from. */
   private data: OutlineData | null = null;
-  /** The eye that the list was made for. */
+  /** The eye position that the list was made for. */
   private readonly eye: [number, number, number, number] = [0, 0, 0, 0];
-  /** How far the eye may move before the list is out of date; negative if there is no list. */
+  /** The distance that the eye may move before the list is out of date; negative if there is no list. */
   private reach = -1;
   private isSearching = false;
   private isDisposed = false;
 
   /**
-   * Updates the list. Only a larger texture, needed now and then, and requests to the worker allocate memory.
+   * Updates the list. Memory is allocated only for a larger texture, now and then, and for requests to the worker.
    *
    * @param eye the eye in object space; for an orthographic camera w is 0 and xyz the unit direction to it
-   * @param bounds the bounding sphere, in object space; from inside of it there is no list
+   * @param bounds the bounding sphere, in object space; from inside the sphere there is no list
    * @returns whether the list is valid for this eye. If not, every primitive must be tested.
    */
   update(data: OutlineData, eye: Vector4, bounds: Sphere): boolean {
     const { center, radius } = bounds;
-    // The distance to the sphere, 0 or less inside. Math.hypot, or a function of its own, would leave garbage in every frame.
+    // The distance to the sphere, 0 or less inside. Math.hypot or a separate function would leave garbage in every frame.
     const room =
       eye.w === 0 ? 1 : Math.sqrt((eye.x - center.x) ** 2 + (eye.y - center.y) ** 2 + (eye.z - center.z) ** 2) - radius;
     if (!(room > 0)) return false;
@@ -65,7 +65,9 @@ export class ContourList {
     this.reach = -1;
   }
 
-  /** The distance that the eye has moved. Here and below, arrays are not destructured: that would leave garbage in every frame. */
+  /**
+   * The distance that the eye has moved. Arrays are not destructured here and below, because that would leave garbage in every frame.
+   */
   private distanceTo(other: Vector4): number {
     const { eye } = this;
     if (other.w !== eye[3]) return Infinity;
@@ -97,7 +99,7 @@ export class ContourList {
         this.fill(returned, count);
       })
       .catch(() => {
-        // The worker has died, and the arrays are lost. Until there is a new list, every primitive is tested, so no outline is missing.
+        // The worker has died and the arrays are lost. Until there is a new list, every primitive is tested, so no outline is missing.
         if (this.data === data) this.reach = -1;
         data.restoreSearch();
       })

@@ -45,7 +45,7 @@ import { writeDrawState } from './surfaceRules.js';
 
 const flags = { BORDER, CREASE, MATERIAL_BORDER, CONTRARY, CORNER_AT_START, CORNER_AT_END, IS_EDGE };
 
-/** The constants that the bake, the drawing as lines and the shaders of outlines share, as defines. */
+/** The constants, as defines, that the shaders of outlines share with the bake and with vector drawing. */
 const outlineConventionsChunk = (): string =>
   [
     ...Object.entries(flags).map(([name, bit]) => `#define EDGE_${name} ${bit}u`),
@@ -54,7 +54,7 @@ const outlineConventionsChunk = (): string =>
     definesOf({ POINT_MASK }, 'u'),
   ].join('\n');
 
-/** The shader files of outlines, and the chunks that they share with `HatchingMaterial`, as text. */
+/** The sources of the outline shaders, and the chunks that they share with `HatchingMaterial`. */
 const files: Readonly<Record<string, string>> = import.meta.glob(
   [
     '../../../shaders/outlines/*',
@@ -66,7 +66,7 @@ const files: Readonly<Record<string, string>> = import.meta.glob(
 
 let made: Shaders | undefined;
 
-/** The shaders of outlines. Their includes are resolved by the first call. */
+/** The shaders of outlines. The first call resolves their includes. */
 export function outlineShaders(): Shaders {
   if (made) return made;
   const chunks: Record<string, string> = {
@@ -85,7 +85,7 @@ export function outlineShaders(): Shaders {
   return made;
 }
 
-/** Stands for the id of a material where there is none. */
+/** The id of the emphasis material if there is none. */
 const NO_LOOK = -1;
 
 /** The parameters of `new HatchingOutlineMaterial()` and `setValues()`. */
@@ -101,12 +101,12 @@ export type HatchingOutlineParameters = MaterialParameters &
 
 /**
  * The material of `HatchingOutlines`. It uses the lights, fog and clipping planes of the scene. Every property may be set at any time
- * and takes effect in the next frame; `wobble` and `tooth` compile another program when they change between 0 and more than 0.
- * Several `HatchingOutlines` may share a material.
+ * and takes effect in the next frame; `wobble` and `tooth` compile another program when they change between 0 and more than 0. Several
+ * `HatchingOutlines` may share one material.
  */
 export class HatchingOutlineMaterial extends ShaderMaterial {
   readonly isHatchingOutlineMaterial = true;
-  /** @internal This is left out of the declarations, because three.js 0.170 declares an accessor and other versions a property. */
+  /** @internal Left out of the declarations, because three.js 0.170 declares an accessor and other versions a property. */
   override readonly type: string = 'HatchingOutlineMaterial';
 
   /** Width of an outline of weight 1, in CSS pixels, above 0. In print, see `millimetresToPixels`. Default 1.8. */
@@ -114,8 +114,8 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
   /** Weight of contours, along which the surface turns away from the eye, 0 or more; 0 draws none. Default 1. */
   declare contours: number;
   /**
-   * Weight of contours and borders that have a surface behind them, as a share of their weight before the paper, 0 or more. A surface
-   * that lies more than half of the height of the view behind them is as good as paper. 1 draws all alike. Default 0.5.
+   * Weight of contours and borders with a surface behind them, as a share of their weight in front of the paper, 0 or more. A surface
+   * more than half the height of the view behind them counts as paper. 1 draws all alike. Default 0.5.
    */
   declare innerContours: number;
   /** Weight of borders, where the surface ends, 0 or more; 0 draws none. Default 1. */
@@ -130,8 +130,8 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
    */
   declare suggestiveContours: number;
   /**
-   * How much of the contours between a lit surface and the paper is lost, from 0 (nothing) to 1 (all that the light falls on). The
-   * brightest part is lost first. A thin line is left of it, and the less the more is lost: 0.12 of its width at 1. Default 0.2.
+   * The share of the contours between a lit surface and the paper that is lost, from 0 (none) to 1 (every lit one). The brightest parts
+   * are lost first. A thin line remains, thinner the larger the share: 0.12 of its width at 1. Default 0.2.
    */
   declare lostEdges: number;
   /**
@@ -158,16 +158,16 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
   /** Weights on the lit side and in the shade, each 0 or more, under all lights of the scene. Default (0.7, 1.7). */
   shadeWeights: Vector2 = new Vector2(...HATCHING_OUTLINE_DEFAULTS.shadeWeights);
 
-  /** Has three upload what belongs to a mesh. @internal */
+  /** Uploads the uniforms that differ between meshes. @internal */
   readonly ofMesh: MeshUniforms;
 
   private hiddenLines: HiddenOutlines = HATCHING_OUTLINE_DEFAULTS.hidden;
-  /** The frame that the uniforms are written for, and the id of what says how much weight its lines have: the material itself would be kept. */
+  /** The frame that the uniforms were written for, and the id of the emphasis material: a reference would keep the material alive. */
   private readonly written = new FrameStamp();
   private writtenLook = NO_LOOK;
 
   /** @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour */
-  // React Three Fiber resets a removed attribute to its default only if the constructor's length is 0.
+  // React Three Fiber resets a removed attribute to its default only if the constructor's `length` is 0.
   constructor(parameters: HatchingOutlineParameters | undefined = undefined) {
     super();
     defineOutlineNumbers(this, 'HatchingOutlineMaterial', (name, value) => {
@@ -230,7 +230,7 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
   /**
    * Writes the properties to the uniforms.
    *
-   * @param pixelRatio pixels of what is drawn to, which shaders measure sizes in, per CSS pixel
+   * @param pixelRatio pixels of the render target, the unit of the shaders, per CSS pixel
    * @internal
    */
   writeUniforms(isDeformed: boolean, hasMaterials: boolean, pixelRatio = 1): void {
@@ -241,11 +241,11 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
   }
 
   /**
-   * Writes what the outlines of one mesh are drawn with: what is of the frame if they are the first in it, and what is of the mesh.
+   * Writes the uniforms for the outlines of one mesh: those of the frame if these outlines are the first in it, and those of the mesh.
    * Allocates nothing.
    *
-   * @param viewport the part of the target that the camera draws into, pixels
-   * @param look what says how much weight lines have where
+   * @param viewport the part of the render target that the camera draws into, in pixels
+   * @param look the emphasis material, which decides the weight of lines
    * @internal
    */
   writeDraw(

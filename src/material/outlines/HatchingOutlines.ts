@@ -35,13 +35,13 @@ const NONE: readonly OutlinePart[] = [];
  */
 export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
   readonly isHatchingOutlines = true;
-  /** @internal This is left out of the declarations, because three.js 0.170 declares an accessor and other versions a property. */
+  /** @internal Left out of the declarations, because three.js 0.170 declares an accessor and other versions a property. */
   override readonly type: string = 'HatchingOutlines';
 
-  /** What has copied the depth of the scene for these outlines. */
+  /** The copies of the scene's depth that these outlines have used. */
   private readonly depths = new Set<SceneDepth>();
   private hiddenPass: HiddenPass | null = null;
-  /** What is being drawn. */
+  /** The parts that are being drawn. */
   private drawn: readonly OutlinePart[] = NONE;
   private isDeformed = false;
 
@@ -73,7 +73,8 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
     const { mesh } = this;
     this.setCount(0);
     this.drawn = NONE;
-    // Helpers that light a scene step by step give every object another material for a moment, and scenes may have one for all.
+    // Helpers that light a scene step by step give every object another material for a moment, and a scene may have one override
+    // material.
     if (!mesh || !(this.material instanceof HatchingOutlineMaterial) || !('isHatchingOutlineMaterial' in drawnWith))
       return;
     if (!this.isMeshReached(scene)) return;
@@ -115,21 +116,21 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
     this.moveToCentre();
   };
 
-  /** Has the next draw show a part of the outlines. */
+  /** Makes the next draw show one part of the outlines. */
   private bindPart(renderer: WebGLRenderer, camera: Camera, mesh: Mesh, part: OutlinePart): void {
     const { material } = this;
     const { suggestiveContours, uniforms } = material;
     const { data, surface } = part;
     this.beginSurface(surface);
-    // three.js keeps the planes of a material from one draw to the next, as if they could not change between.
+    // three.js keeps the clipping planes of a material from one draw to the next, as if they could not change in between.
     if (isClipped(surface)) (renderer.properties.get(material) as { clippingState?: unknown }).clippingState = null;
     uniforms.outlinePoints.value = data.points;
     uniforms.outlinePrimitives.value = data.primitives;
     uniforms.isCutOut.value = isCutOut(surface);
-    // A number that is stored is allocated.
+    // Storing a number allocates it, so an equal one is not stored.
     if (uniforms.radius.value !== (data.radius || 1)) uniforms.radius.value = data.radius || 1;
     this.bindCamera(renderer, camera, mesh);
-    // Suggestive contours may lie anywhere on surfaces that face the eye.
+    // Suggestive contours may be anywhere on surfaces that face the eye.
     const isAnywhere = this.isDeformed || suggestiveContours > 0;
     const list = isAnywhere ? null : this.listFor(camera, part, mesh, uniforms.eye.value);
     if (list instanceof InstanceList) {
@@ -142,7 +143,10 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
     this.setCount(list ? list.count : data.triangleCount + data.edgeCount);
   }
 
-  /** Draws what is hidden of a part that has just been drawn. Lists leave out what cannot be seen, so it is looked for among all primitives. */
+  /**
+   * Draws the hidden outlines of a part that has just been drawn. All primitives are tested, because lists leave out those that cannot
+   * be seen.
+   */
   private drawHidden(renderer: WebGLRenderer, scene: Scene, camera: Camera, { data }: OutlinePart): void {
     const { geometry, material } = this;
     if (geometry.drawRange.count <= 0 || (material.hidden ?? 'none') === 'none' || isDrawnBefore(material)) return;
@@ -154,7 +158,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
     this.hiddenPass.draw(this, renderer, scene, camera);
   }
 
-  /** Updates the pre-pass of a mesh that deforms. Returns whether there is one. */
+  /** Updates the pre-pass of a deforming mesh. Returns whether there is one. */
   private bindDeformation(renderer: WebGLRenderer, camera: Camera, mesh: Mesh): boolean {
     const deformation = this.deformationBy(glslDeformations, hasFloatTargets, renderer, camera, mesh);
     if (!deformation) return false;
@@ -170,7 +174,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
     this.writeEye(uniforms.eye.value as Vector4, camera, mesh);
     const objectScale = meanScale(mesh.matrixWorld);
     if (objectScale !== uniforms.objectScale.value) uniforms.objectScale.value = objectScale;
-    // Each camera of an ArrayCamera draws into a part of the target.
+    // Each camera of an ArrayCamera draws into a part of the render target.
     const { viewport } = camera as Camera & { viewport?: Vector4 };
     if (viewport) drawnInto.copy(viewport);
     else renderer.getCurrentViewport(drawnInto);

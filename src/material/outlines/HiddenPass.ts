@@ -10,20 +10,20 @@ import {
 import type { HatchingOutlineMaterial } from './HatchingOutlineMaterial.js';
 import { copyDrawState } from './surfaceRules.js';
 
-/** What draws outlines. */
+/** An object that draws outlines. */
 type Outlines = Object3D & { geometry: BufferGeometry; material: HatchingOutlineMaterial };
 
-/** The material that draws hidden outlines: it shares the uniforms of another, which it is brought up to date with. */
+/** Draws hidden outlines with a second material, which shares the uniforms of the first and takes over its state. */
 export class HiddenPass {
   private material: HatchingOutlineMaterial | null = null;
   private source: HatchingOutlineMaterial | null = null;
   private version = -1;
 
-  /** Draws what of outlines is hidden, right after what is seen of them. */
+  /** Draws the hidden parts of outlines, right after the visible ones. */
   draw(outlines: Outlines, renderer: WebGLRenderer, scene: Scene, camera: Camera): void {
     const material = this.materialFor(outlines.material);
     copyDrawState(outlines.material, material);
-    // Where the depth of the scene is known, fragments find out what is hidden.
+    // If the depth of the scene is known, the fragment shader decides what is hidden.
     const isKnown: boolean = material.uniforms.hasSceneDepth.value;
     material.depthTest = !isKnown;
     material.depthFunc = isKnown ? LessEqualDepth : GreaterDepth;

@@ -13,14 +13,14 @@ import { pullTextureSize } from '../../mesh/bake/pullLayout.js';
 import { findCandidates } from '../../mesh/features/contourCandidates.js';
 import type { OutlineData } from '../geometry/OutlineData.js';
 
-/** The sine of the angle that the direction from an instance to the eye may turn by before a new list is needed. */
+/** The sine of the angle through which the direction from an instance to the eye may turn before a new list is needed. */
 const SINE = Math.sin((3 * Math.PI) / 180);
 /**
- * The largest number of primitives, of all instances together, that are searched. A million take about ten milliseconds, and
- * more of them would block the page.
+ * The greatest number of primitives, of all instances together, that are searched. A million take about ten milliseconds; more would
+ * block the page.
  */
 export const MAX_SEARCHED = 4_000_000;
-/** Words of the list per primitive: its number and that of its instance. */
+/** Words per entry of the list: the index of a primitive and that of its instance. */
 const PAIR_WORDS = 2;
 /** Texels per matrix in the texture of matrices. */
 const MATRIX_TEXELS = 4;
@@ -29,9 +29,9 @@ const inverse = /* @__PURE__ */ new Matrix3();
 const place = /* @__PURE__ */ new Vector3();
 
 /**
- * Lists the primitives of all instances of a mesh that may hold an outline, as seen by one camera. A GPU tests every primitive faster
- * than this search takes, so the search runs only before the first frame and when the eye rests. For a software rasterizer the
- * search takes a small part of the time of those tests.
+ * A list of the primitives of all instances of a mesh that may hold an outline, as seen by one camera. A GPU tests every primitive
+ * faster than this search, so the search runs only before the first frame and when the eye rests. For a software rasterizer the search
+ * takes a small part of the time of those tests.
  */
 export class InstanceList {
   /** Pairs of a primitive and an instance, two per texel. */
@@ -43,7 +43,9 @@ export class InstanceList {
   private data: OutlineData | null = null;
   private readonly seen = new View();
   private readonly listed = new View();
-  /** How far the eye may move before the list is out of date, in the object space of the mesh; negative if there is no list. */
+  /**
+   * The distance that the eye may move before the list is out of date, in the object space of the mesh; negative if there is no list.
+   */
   private reach = -1;
 
   /**

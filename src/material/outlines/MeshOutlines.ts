@@ -29,10 +29,10 @@ import { isScaledToNothing } from './isScaledToNothing.js';
 import { type OutlinePart, OutlineParts } from './OutlineParts.js';
 import { copyDrawState, type DrawState, takeDrawState } from './surfaceRules.js';
 
-/** The layers of outlines: those of their mesh, also when these change later, unless others were set for the outlines themselves. */
+/** The layers of outlines: those of their mesh, at any time, unless the outlines have been given layers of their own. */
 class MeshLayers extends Layers {
   declare mask: number;
-  /** What was set for the outlines themselves; null while they follow the mesh. */
+  /** The layers that were set on the outlines themselves; null while they follow the mesh. */
   private own: number | null = null;
 
   constructor(private readonly outlines: { readonly mesh: Mesh | null }) {
@@ -42,20 +42,20 @@ class MeshLayers extends Layers {
     Object.defineProperty(this, 'mask', {
       get: () => this.own ?? followed(),
       set: (mask: number) => {
-        // Whoever moves all objects of a scene to a layer moves the mesh too.
+        // Code that moves all objects of a scene to a layer moves the mesh too.
         this.own = mask === followed() ? null : mask;
       },
       enumerable: true,
     });
   }
 
-  /** Follows a mesh, or has layers of its own, as others do. */
+  /** Copies whether the layers follow a mesh, or are the outlines' own. */
   copy(source: MeshLayers): void {
     this.own = source.own;
   }
 }
 
-/** What the camera of `frustumFrame` sees in that frame. */
+/** The frustum of the camera in `frustumFrame`. */
 const frustum = /* @__PURE__ */ new Frustum();
 const frustumFrame = /* @__PURE__ */ new FrameStamp();
 const matrix = /* @__PURE__ */ new Matrix4();
@@ -63,10 +63,13 @@ const sphere = /* @__PURE__ */ new Sphere();
 const place = /* @__PURE__ */ new Vector3();
 /** A draw count for which three.js draws nothing. With 0 it would make a draw call, and read textures that do not exist. */
 const NOTHING = -1;
-/** The number of vertices that each primitive is drawn with. */
+/** Vertices per primitive. */
 const VERTICES = 3;
 
-/** The object that draws the outlines of a mesh, with whatever material: where it lies, and what of the mesh may hold an outline. */
+/**
+ * The object that draws the outlines of a mesh, with a material for any renderer: its place in the scene, and the search for primitives
+ * that may hold an outline.
+ */
 export abstract class MeshOutlines<Look extends Material = Material> extends Object3D {
   /**
    * Makes three.js draw the outlines as it draws a sprite: from triangles, in the order of transparent objects. A mesh would be
@@ -93,9 +96,9 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Obj
   private ownMesh: Mesh | null;
   private ownsMaterial: boolean;
   private readonly parts = new OutlineParts();
-  /** The place in the order of drawing that was set for the outlines themselves; null while they follow the mesh. */
+  /** The `renderOrder` that was set on the outlines themselves; null while they follow the mesh. */
   private ownOrder: number | null = null;
-  /** The state of the material before it took that of a surface. */
+  /** The draw state of the material before it took over that of a surface. */
   private readonly ownState: Partial<DrawState> = {};
   private hasTaken = false;
   private hasReported = false;
@@ -120,7 +123,7 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Obj
     this.geometry.boundingSphere = new Sphere(new Vector3(), -1);
   }
 
-  /** The mesh whose outlines are drawn: the one that was set, or else the parent, if that is a mesh. */
+  /** The mesh whose outlines are drawn: the one that was set, or else the parent, if it is a mesh. */
   get mesh(): Mesh | null {
     if (this.ownMesh) return this.ownMesh;
     return this.parent !== null && 'isMesh' in this.parent ? (this.parent as Mesh) : null;
@@ -142,7 +145,7 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Obj
     return this;
   }
 
-  /** Does nothing: rays do not hit outlines. */
+  /** Does nothing: rays pass through outlines. */
   override raycast(): void {}
 
   /** Writes an empty object instead of the outlines: loaders do not know them, and they can be made again from the geometry. */
@@ -181,22 +184,22 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Obj
     this.matrixWorld.copy(mesh.matrixWorld);
     const bounds = boundsOf(mesh);
     if (!bounds) return;
-    // These are exactly the steps of the renderer, so that both compute the same number.
+    // These are exactly the renderer's own steps, so that both compute the same number.
     place.copy(bounds.center).applyMatrix4(mesh.matrixWorld);
     this.matrixWorld.setPosition(place);
   }
 
-  /** Says once that something is not drawn, or not as it should be. */
+  /** Reports once that something is not drawn, or not as it should be. */
   protected report(mesh: Mesh, problem: string): void {
     if (this.hasReported) return;
     this.hasReported = true;
     warn(`HatchingOutlines: the ${describeObject(mesh)} ${problem}`, 'error');
   }
 
-  /** Writes where the camera is, in the space of the mesh. Allocates nothing. */
+  /** Writes the position of the camera in the object space of the mesh. Allocates nothing. */
   protected writeEye(eye: Vector4, camera: Camera, mesh: Mesh): void {
     matrix.copy(mesh.matrixWorld).invert();
-    // Virtual reality has cameras of its own classes, so the projection decides: its last row ends in 1 if it is orthographic.
+    // WebXR has camera classes of its own, so the projection decides: its last row ends in 1 if it is orthographic.
     if (camera.projectionMatrix.elements[15] === 1) {
       place.setFromMatrixColumn(camera.matrixWorld, 2).transformDirection(matrix);
       eye.set(place.x, place.y, place.z, 0);
@@ -207,7 +210,8 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Obj
   }
 
   /**
-   * The vertices of a mesh that deforms, in its present pose; null if it does not, or if they cannot be known, which is said once.
+   * The deformed vertices of a mesh in its present pose; null if it does not deform, or if they cannot be computed, which is reported
+   * once.
    *
    * @param hasFloatTargets whether the device can draw into float textures
    * @internal
@@ -231,7 +235,7 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Obj
     return deformations.of(renderer, camera, mesh, geometry, pulledVerticesOf(geometry) ?? null, this.material);
   }
 
-  /** Has three.js see the instances of the mesh until the end of the draw, since they choose another program. @internal */
+  /** Exposes the instances of the mesh to three.js until the end of the draw, since they decide the program. @internal */
   showInstances(): void {
     const { mesh } = this;
     if (!mesh || !('isInstancedMesh' in mesh)) return;
@@ -247,12 +251,18 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Obj
     this.instanceMatrix = null;
   }
 
-  /** The parts of the outlines that are drawn one after another, by what three.js draws of the mesh; none if it draws nothing. @internal */
+  /**
+   * The parts of the outlines that are drawn one after another, in the way three.js divides the mesh; none if the mesh is not drawn.
+   * @internal
+   */
   protected partsOf(mesh: Mesh, data: OutlineData): readonly OutlinePart[] {
     return this.parts.of(mesh, data);
   }
 
-  /** Whether three.js comes to the mesh in what it draws. Of outlines that lie elsewhere than on their mesh that is another question than of them. */
+  /**
+   * Whether three.js reaches the mesh when it draws the scene. For outlines elsewhere than below their mesh this does not follow from
+   * their own visibility.
+   */
   protected isMeshReached(scene: Object3D): boolean {
     const { mesh, parent } = this;
     if (mesh === null || isScaledToNothing(mesh.matrixWorld)) return false;
@@ -266,12 +276,12 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Obj
     }
   }
 
-  /** Has the next draw show so many primitives. */
+  /** Sets the number of primitives of the next draw. */
   protected setCount(primitives: number): void {
     this.geometry.setDrawRange(0, primitives > 0 ? VERTICES * primitives : NOTHING);
   }
 
-  /** Has the material fade and be tested as a surface is, until `endSurface`. */
+  /** Takes over the opacity and the tests of a surface, until `endSurface`. */
   protected beginSurface(surface: Material): void {
     this.endSurface();
     this.hasTaken = takeDrawState(this.material, surface, this.mesh?.geometry ?? null, this.ownState);
@@ -282,7 +292,7 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Obj
     this.hasTaken = false;
   }
 
-  /** What of a part may hold an outline as the camera sees the mesh; null if that is not known. @param eye of the camera, in the space of the mesh @internal */
+  /** The list of primitives of a part that may hold an outline as the camera sees the mesh; null if it is not known. */
   protected listFor(camera: Camera, part: OutlinePart, mesh: Mesh, eye: Vector4): ContourList | InstanceList | null {
     const { boundingSphere } = mesh.geometry;
     if (!boundingSphere || part.isNew) return null;
@@ -302,26 +312,29 @@ function rootOf(object: Object3D): Object3D {
   return root;
 }
 
-/** How many times longer a matrix makes lengths, in the mean over directions; 1 if it flattens. `determinant()` would leave garbage in every frame. */
+/**
+ * The mean factor, over directions, by which a matrix lengthens vectors; 1 if it is singular. `determinant()` would leave garbage in
+ * every frame.
+ */
 export function meanScale({ elements: m }: Matrix4): number {
   const determinant =
     m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) + m[8] * (m[1] * m[6] - m[2] * m[5]);
   return Math.cbrt(Math.abs(determinant)) || 1;
 }
 
-/** A function of its own: one in another is allocated whenever that is called. Places of an array of materials may be empty. */
+/** A separate function: an inner one would be allocated at every call. An array of materials may have empty places. */
 const isHatching = (material: Material | null | undefined): boolean =>
   material !== null &&
   material !== undefined &&
   ('isHatchingMaterial' in material || 'isHatchingNodeMaterial' in material);
 
-/** What says how much weight the drawing of a mesh has where: its first hatching material. Its outlines have the same. */
+/** The emphasis material of a mesh: its first hatching material, which decides how much weight its lines and outlines have where. */
 export function emphasisOf({ material }: Mesh): (Material & EmphasisLook) | null {
   const found = Array.isArray(material) ? material.find(isHatching) : isHatching(material) && material;
   return found ? (found as Material & EmphasisLook) : null;
 }
 
-/** The bounding sphere by which three.js sorts and culls a mesh; null before it has been computed. */
+/** The bounding sphere by which three.js sorts and culls a mesh; null until it is computed. */
 function boundsOf(mesh: Mesh): Sphere | null {
   const own = (mesh as Mesh & { boundingSphere?: Sphere | null }).boundingSphere;
   return (own === undefined ? mesh.geometry.boundingSphere : own) ?? null;

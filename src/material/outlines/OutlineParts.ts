@@ -6,14 +6,14 @@ import { NO_PART, splitterOf } from './PrimitiveSplitter.js';
 import { type SurfacePart, surfaceParts } from './surfaceParts.js';
 import { isShown, looksAlike, opacityOf } from './surfaceRules.js';
 
-/** The largest number of lists that are kept, one per camera: more than the six cameras of a CubeCamera and two eyes. */
+/** The greatest number of lists, one per camera: more than the six cameras of a CubeCamera and two eyes. */
 const MAX_LISTS = 12;
 
-/** The list of each camera of what may hold an outline. */
+/** The list of each camera of primitives that may hold an outline. */
 class CameraLists {
   private readonly lists = new Map<Camera, ContourList | InstanceList>();
 
-  /** The list of a camera. If there are too many, the oldest one is removed, since its camera may be gone. */
+  /** The list of a camera. If there are too many, the oldest is removed, since its camera may be gone. */
   of<List extends ContourList | InstanceList>(camera: Camera, Kind: new () => List): List {
     const known = this.lists.get(camera);
     if (known instanceof Kind) return known;
@@ -34,17 +34,17 @@ class CameraLists {
   }
 }
 
-/** Outlines that are drawn at once. */
+/** Outlines that are drawn in one draw. */
 export interface OutlinePart {
   data: OutlineData;
-  /** What draws the surface. */
+  /** The material of the surface. */
   surface: Material;
   readonly lists: CameraLists;
-  /** Whether it was made in this frame. While a draw range moves on, a list of it would never be of use. */
+  /** Whether the part was made in this frame. While a draw range moves, a list of the part would never be used. */
   isNew: boolean;
 }
 
-/** What is drawn with one look: the material, and the parts of the surface. */
+/** A set of parts of the surface whose outlines look alike, and one material of theirs. */
 interface Look {
   surface: Material;
   parts: SurfacePart[];
@@ -53,19 +53,19 @@ interface Look {
 const NONE: readonly OutlinePart[] = [];
 
 /**
- * Divides the outlines of a mesh as three.js divides the mesh: by groups and their materials, within the draw range, without what is not
- * drawn. Materials that make no difference to outlines share a part, so that nearly every mesh has one.
+ * Divides the outlines of a mesh as three.js divides the mesh: by groups and their materials, within the draw range, without invisible
+ * materials. Materials whose outlines look alike share a part, so that nearly every mesh has one.
  */
 export class OutlineParts {
-  /** The whole mesh, as one part. */
+  /** The whole mesh as one part. */
   private whole: OutlinePart[] = [];
   private split: OutlinePart[] = [];
-  /** What was split, and by which parts. */
+  /** The data that was split, and the division. */
   private splitData: OutlineData | null = null;
   private splitBy = '';
   private readonly division = new Division();
 
-  /** Allocates nothing while the mesh is divided as it was in the frame before. */
+  /** The parts of the outlines of a mesh. Allocates nothing while the mesh is divided as in the previous frame. */
   of(mesh: Mesh, data: OutlineData): readonly OutlinePart[] {
     const { material, geometry } = mesh;
     if (!Array.isArray(material) && (!material || !isShown(material, geometry))) return NONE;
@@ -80,7 +80,7 @@ export class OutlineParts {
     this.dropSplit();
   }
 
-  /** A function of its own: what its closures keep is allocated whenever it is called. */
+  /** A separate function, because variables that a closure captures are allocated at every call of the enclosing function. */
   private ofGroups(mesh: Mesh, data: OutlineData): readonly OutlinePart[] {
     const { geometry } = mesh;
     if (this.splitData === data && this.division.isThatOf(mesh)) {
@@ -132,14 +132,14 @@ export class OutlineParts {
   }
 }
 
-/** What a group of a mesh that is not drawn has in the place of a look. */
+/** The look of a group that is not drawn. */
 const NO_LOOK = -1;
-/** How many numbers are kept of each group: its first corner, how many it has, and its look. */
+/** Numbers per group: its first corner, its number of corners, and its look. */
 const KEPT = 3;
 
-/** How a mesh was divided into looks. */
+/** The division of a mesh into looks. */
 class Division {
-  /** What draws the first group of each look. */
+  /** The material of the first group of each look. */
   readonly surfaces: Material[] = [];
   private readonly firstGroups: number[] = [];
   private readonly groups: number[] = [];
@@ -164,7 +164,7 @@ class Division {
     }
   }
 
-  /** Whether a mesh is divided so. Brings the surfaces up to date, and allocates nothing. */
+  /** Whether a mesh still has this division. Updates the materials; allocates nothing. */
   isThatOf(mesh: Mesh): boolean {
     const { groups, firstGroups, surfaces } = this;
     const { geometry } = mesh;
@@ -185,7 +185,7 @@ class Division {
     return this.isInOrder(geometry);
   }
 
-  /** Whether the looks still differ, the most opaque one first. */
+  /** Whether the looks still differ, and are still sorted with the most opaque first. */
   private isInOrder(geometry: BufferGeometry): boolean {
     const { firstGroups, surfaces } = this;
     for (let b = 1; b < surfaces.length; b++) {
@@ -197,10 +197,10 @@ class Division {
   }
 }
 
-/** How many groups of a mesh may be drawn one by one. */
+/** The number of groups of a mesh that may be drawn separately. */
 const groupCount = ({ geometry, material }: Mesh): number => (Array.isArray(material) ? geometry.groups.length : 1);
 
-/** What draws a group of a mesh; null if nothing of it is drawn. */
+/** The material that draws a group of a mesh; null if it is not drawn. */
 function drawnMaterial({ geometry, material }: Mesh, group: number): Material | null {
   if (!Array.isArray(material)) return isShown(material, geometry) ? material : null;
   const { start, count, materialIndex = 0 } = geometry.groups[group];
@@ -210,7 +210,10 @@ function drawnMaterial({ geometry, material }: Mesh, group: number): Material | 
   return own && end - Math.max(start, drawRange.start) >= 3 && isShown(own, geometry) ? own : null;
 }
 
-/** What draws all of a mesh with one look, by groups in their order where it has several materials; null where it is not so simple. */
+/**
+ * The first material of a mesh that is drawn whole and with one look, its groups in order if it has several materials; null in any
+ * other case.
+ */
 function soleLook({ material, geometry }: Mesh, { triangleCount }: OutlineData): Material | null {
   const { groups, drawRange } = geometry;
   if (drawRange.start > 0 || drawRange.start + drawRange.count < 3 * triangleCount) return null;
@@ -227,7 +230,7 @@ function soleLook({ material, geometry }: Mesh, { triangleCount }: OutlineData):
   return known >= 3 * triangleCount ? surface : null;
 }
 
-/** Parts by their looks, the most opaque one first: what lies between two looks has that of the first. */
+/** Groups parts by their looks, the most opaque first: an edge between two looks has that of the first. */
 function looksOf(parts: readonly SurfacePart[], geometry: BufferGeometry): Look[] {
   const looks: Look[] = [];
   for (const part of parts) {
@@ -241,7 +244,7 @@ function looksOf(parts: readonly SurfacePart[], geometry: BufferGeometry): Look[
 const firstOf = ({ start }: SurfacePart): number => Math.ceil(start / 3);
 const endOf = ({ end }: SurfacePart): number => Math.floor(end / 3);
 
-/** Whether parts are all of a mesh. */
+/** Whether parts cover the whole mesh. */
 function isAll(parts: readonly SurfacePart[], { triangleCount }: OutlineData): boolean {
   let known = 0;
   for (const part of [...parts].sort((a, b) => a.start - b.start))
@@ -249,7 +252,7 @@ function isAll(parts: readonly SurfacePart[], { triangleCount }: OutlineData): b
   return known >= triangleCount;
 }
 
-/** The look of each triangle. Of several that draw one it has the first. */
+/** The look of each triangle; if several parts contain it, that of the first. */
 export function triangleParts(looks: readonly { parts: readonly SurfacePart[] }[], triangleCount: number): Int32Array {
   const partOf = new Int32Array(triangleCount).fill(NO_PART);
   for (let i = looks.length - 1; i >= 0; i--)

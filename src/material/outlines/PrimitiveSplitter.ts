@@ -10,15 +10,15 @@ import { nextCorner, triangleOf } from '../../mesh/corners.js';
 import { BORDER, CONTRARY, CREASE, IS_EDGE, LOW_FLAGS, MATERIAL_BORDER } from '../../mesh/features/edgeFlags.js';
 import type { OutlineData } from '../geometry/OutlineData.js';
 
-/** Stands for the corner of an edge that no triangle has. */
+/** The corner of an edge side that has no triangle. */
 const NO_CORNER = -1;
 
-/** Finds the edges of triangles by the points that they begin and end at. */
+/** Finds the edges of triangles by their start and end points. */
 class EdgeTable {
-  /** A corner + 1 in each slot; 0 in an empty one. */
+  /** A corner + 1 in each slot; 0 if it is empty. */
   private readonly table: Uint32Array;
 
-  /** @param points of the corners of triangles */
+  /** @param points the point of each corner of the triangles */
   constructor(private readonly points: Uint32Array) {
     let size = 16;
     while (size < 2 * points.length) size *= 2;
@@ -29,12 +29,12 @@ class EdgeTable {
     }
   }
 
-  /** The corner that an edge starts at which runs from one point to another; the first, where several do. */
+  /** The corner at which an edge between two points starts; the first, if there are several. */
   find(from: number, to: number): number {
     return this.table[this.slotOf(from, to)] - 1;
   }
 
-  /** The slot of an edge, or the empty one that it would have. */
+  /** The slot of an edge, or the empty slot where it would go. */
   private slotOf(from: number, to: number): number {
     const { points, table } = this;
     const mask = table.length - 1;
@@ -46,21 +46,21 @@ class EdgeTable {
   }
 }
 
-/** Stands for the part of a triangle that is not drawn. */
+/** The part of a triangle that is not drawn. */
 export const NO_PART = -1;
 
-/** What an edge keeps where only one of its sides is drawn: it is a border there, with the same corners. */
+/** The flags that an edge keeps if only one of its sides is drawn: it becomes a border with the same corners. */
 const KEPT_BY_BORDER = ~(CREASE | MATERIAL_BORDER | CONTRARY);
 
-/** Deals out the triangles and edges of outlines to parts of the mesh that are drawn one by one, or not at all. */
+/** Distributes the triangles and edges of outlines to parts of the mesh that are drawn separately, or not at all. */
 export class PrimitiveSplitter {
   private readonly positions: Float32Array<ArrayBuffer>;
   private readonly normals: Float32Array<ArrayBuffer>;
   /** The points of the corners of all triangles. */
   private readonly points: Uint32Array;
-  /** For each edge the corners that its two sides start it at. */
+  /** For each edge, the corners at which its two sides start. */
   private readonly sides: Int32Array;
-  /** For each corner the triangle across its edge, on surfaces that go on there; of edges that are listed `NO_CORNER`. */
+  /** For each corner, the triangle across its edge on a continuous surface; `NO_CORNER` for edges that are listed. */
   private readonly across: Int32Array;
 
   constructor(private readonly data: OutlineData) {
@@ -76,7 +76,7 @@ export class PrimitiveSplitter {
     for (let edge = 0; edge < edgeCount; edge++) this.findSides(edge, table);
     this.across = new Int32Array(3 * triangleCount);
     for (let corner = 0; corner < this.across.length; corner++) {
-      // Of edges that are not listed both sides have the same points.
+      // Both sides of an edge that is not listed have the same points.
       const twin = table.find(this.points[nextCorner(corner)], this.points[corner]);
       this.across[corner] = twin === NO_CORNER ? NO_CORNER : triangleOf(twin);
     }
@@ -84,7 +84,8 @@ export class PrimitiveSplitter {
   }
 
   /**
-   * The outlines of each part. An edge between two parts is of the first. Where what is drawn ends at what is not, it has a border.
+   * The outlines of each part. An edge between two parts belongs to the first. Where a drawn part ends at one that is not drawn, it has
+   * a border.
    *
    * @param partOf the part of each triangle, or `NO_PART`
    */
@@ -155,7 +156,7 @@ export class PrimitiveSplitter {
       for (let k = 0; k < PRIMITIVE_WORDS; k++) primitives[PRIMITIVE_WORDS * i + k] = words[o + k];
     }
     primitives.set(edges, PRIMITIVE_WORDS * triangleCount);
-    // The arrays of a search in the worker are transferred to it.
+    // A search in the worker transfers its arrays there.
     const isTransferred = triangleCount >= SEARCHED_IN_WORKER;
     const own = <Values extends { slice(): Values }>(values: Values): Values =>
       isTransferred ? values.slice() : values;
@@ -172,7 +173,7 @@ export class PrimitiveSplitter {
 
 const splitters = new WeakMap<OutlineData, PrimitiveSplitter>();
 
-/** What splits outlines. It is made when it is first asked for. */
+/** The splitter of outline data, made on first use. */
 export function splitterOf(data: OutlineData): PrimitiveSplitter {
   let splitter = splitters.get(data);
   if (!splitter) {
@@ -185,7 +186,7 @@ export function splitterOf(data: OutlineData): PrimitiveSplitter {
 const flagsAt = (words: Uint32Array, o: number): number =>
   (words[o] >>> POINT_BITS) | ((words[o + 1] >>> POINT_BITS) << 4);
 
-/** Adds an edge with the same points on both sides, as borders have them. */
+/** Adds an edge with the same points on both sides, as borders have. */
 function pushEnds(start: number, end: number, flags: number, into: number[]): void {
   into.push(
     (start | ((flags & LOW_FLAGS) << POINT_BITS)) >>> 0,

@@ -15,31 +15,31 @@ import {
   WebGLRenderTarget,
 } from 'three';
 
-/** A format of depth that can be copied from and to. */
+/** A depth format that can be copied from and to. */
 interface Format {
   type: TextureDataType;
   format: DepthTexture['format'];
 }
 
-/** So many copies are kept at most, and none that was not made again for so many frames. */
+/** The greatest number of copies, and the number of frames after which an unused copy is freed. */
 const MOST_COPIES = 4;
 const KEPT_FRAMES = 60;
 
 interface Copy {
   target: WebGLRenderTarget;
-  /** The frame in which it was last made. */
+  /** The frame of the last copy. */
   frame: number;
 }
 
-/** What WebGL says about the depth of a framebuffer. */
+/** The depth format of a framebuffer, as WebGL reports it. */
 interface DepthFacts {
   bits: number;
   isFloat: boolean;
-  /** Null if it is not known: the canvas may have a stencil that it does not show. */
+  /** Null if unknown: a canvas may have a stencil that it does not report. */
   hasStencil: boolean | null;
 }
 
-/** The formats that a depth may have, the likeliest first. A wrong one makes browsers write a warning to the console. */
+/** The depth formats that fit, the likeliest first: a wrong one makes browsers write a warning to the console. */
 function formatsOf({ bits, isFloat, hasStencil }: DepthFacts): readonly Format[] {
   const withStencil = { type: isFloat ? FloatType : UnsignedInt248Type, format: DepthStencilFormat };
   const alone = { type: isFloat ? FloatType : bits === 16 ? UnsignedShortType : UnsignedIntType, format: DepthFormat };
@@ -48,22 +48,25 @@ function formatsOf({ bits, isFloat, hasStencil }: DepthFacts): readonly Format[]
 }
 
 /**
- * Copies the depth of what a renderer has drawn so far in a frame, so that outlines can read it: once for each camera, when its first
- * outlines are drawn, after all opaque objects.
+ * Copies the depth that a renderer has drawn so far in a frame, so that outlines can read it: once per camera, when its first outlines
+ * are drawn, after all opaque objects.
  */
 export class SceneDepth {
-  /** The copies of what is drawn to, one for each size and format: pictures in a scene have others than the canvas. */
+  /** The copies, one per size and format of the render target: pictures in a scene have others than the canvas. */
   private copies: Copy[] = [];
   private latest: WebGLRenderTarget | null = null;
   private frame = -1;
   private camera: Camera | null = null;
   private isCopied = false;
-  /** The format of the depth of each framebuffer, or null if it has none that can be copied. The canvas has no object. */
+  /** The depth format of each framebuffer; null if it has none that can be copied. The canvas has no framebuffer object. */
   private readonly formats = new WeakMap<object, Format | null>();
 
   constructor(private readonly renderer: WebGLRenderer) {}
 
-  /** The depth of the scene as a camera sees it in this frame; null if it cannot be read. @param viewport the part that the camera draws into */
+  /**
+   * The depth of the scene as a camera sees it in this frame; null if it cannot be read. @param viewport the part of the render target
+   * that the camera draws into
+   */
   read(camera: Camera, viewport: Vector4): Texture | null {
     const { frame } = this.renderer.info.render;
     if (frame !== this.frame || camera !== this.camera) {
@@ -75,8 +78,8 @@ export class SceneDepth {
   }
 
   /**
-   * Frees the copies. What reads it later makes another. It is also called when the context is lost: in a restored context the old names of
-   * its textures may stand for others.
+   * Frees the copies; a later read makes new ones. Also called when the context is lost: in a restored context the old names of its
+   * textures may stand for others.
    */
   readonly dispose = (): void => {
     for (const { target } of this.copies) target.dispose();
@@ -88,7 +91,7 @@ export class SceneDepth {
 
   private update(camera: Camera, viewport: Vector4): boolean {
     const { renderer } = this;
-    // The framebuffers of virtual reality cannot be copied.
+    // The framebuffers of WebXR cannot be copied.
     if (renderer.xr.isPresenting) return false;
     const gl = renderer.getContext() as WebGL2RenderingContext;
     const framebuffer: WebGLFramebuffer | null = gl.getParameter(gl.DRAW_FRAMEBUFFER_BINDING);
@@ -96,7 +99,7 @@ export class SceneDepth {
     const known = this.formats.get(key);
     if (known !== undefined) return known !== null && this.copyFrom(framebuffer, known, camera, viewport);
     const found = this.candidates(gl, framebuffer).find((format) => {
-      // Errors of earlier calls are none of the copy's.
+      // Errors of earlier calls are not those of the copy.
       for (let i = 0; i < 8 && gl.getError() !== gl.NO_ERROR; i++);
       this.copyFrom(framebuffer, format, camera, viewport);
       return gl.getError() === gl.NO_ERROR;
@@ -123,7 +126,8 @@ export class SceneDepth {
     const target = renderer.getRenderTarget();
     const face = renderer.getActiveCubeFace();
     const level = renderer.getActiveMipmapLevel();
-    // All of it, into a texture of its size: where samples are resolved, drivers copy nothing else, or all but what they copied before.
+    // The whole depth into a texture of its size: where samples are resolved, drivers copy nothing else, or everything but what they
+    // copied before.
     const width = target ? Math.max(1, target.width >> level) : gl.drawingBufferWidth;
     const height = target ? Math.max(1, target.height >> level) : gl.drawingBufferHeight;
     this.latest = this.copyOf(format, width, height);
@@ -132,7 +136,7 @@ export class SceneDepth {
     gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.DEPTH_BUFFER_BIT, gl.NEAREST);
     renderer.setRenderTarget(target, face, level);
     gl.bindFramebuffer(gl.FRAMEBUFFER, from);
-    // Each camera of an ArrayCamera draws into its own part of the target.
+    // Each camera of an ArrayCamera draws into its own part of the render target.
     if ((camera as Camera & { viewport?: Vector4 }).viewport) renderer.state.viewport(viewport);
     return true;
   }
@@ -158,7 +162,7 @@ export class SceneDepth {
     const depthTexture = new DepthTexture(width, height, type);
     depthTexture.format = format;
     const target = new WebGLRenderTarget(width, height, {
-      // A framebuffer needs a colour; of one byte.
+      // A framebuffer needs a colour attachment; one byte per texel is the least.
       format: RedFormat,
       depthTexture,
       stencilBuffer: format === DepthStencilFormat,
@@ -176,7 +180,7 @@ export class SceneDepth {
 
 const depths = new WeakMap<WebGLRenderer, SceneDepth>();
 
-/** The copy of the depth that outlines share which a renderer draws. */
+/** The depth copies that the outlines of one renderer share. */
 export function sceneDepthOf(renderer: WebGLRenderer): SceneDepth {
   let depth = depths.get(renderer);
   if (!depth) {

@@ -1,6 +1,6 @@
 import type { Matrix4 } from 'three';
 
-/** Whether a matrix takes everything to one point: objects and instances are hidden so. */
+/** Whether a matrix maps everything to one point, which hides an object or an instance. */
 export const isScaledToNothing = ({ elements: m }: Matrix4): boolean =>
   m[0] === 0 &&
   m[1] === 0 &&

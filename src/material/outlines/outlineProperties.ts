@@ -49,7 +49,7 @@ export const OUTLINE_SIZES = [
   'toothSize',
 ] as const satisfies OutlineNumberName[];
 
-/** The sizes in `look`, multiplied by `factor`: for a picture `factor` times as wide, at the same pixel ratio. */
+/** The sizes in `look` multiplied by `factor`: for a picture `factor` times as wide at the same pixel ratio. */
 export function scaledOutlineSizes<Look extends { readonly [Name in OutlineNumberName]?: unknown }>(
   look: Look,
   factor: number,

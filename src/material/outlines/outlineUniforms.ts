@@ -3,7 +3,7 @@ import { createEmphasisUniforms } from '../fading/emphasis.js';
 import { keptFromProxies } from '../hatchingUniforms.js';
 import { OUTLINE_NUMBER_NAMES } from './outlineProperties.js';
 
-/** The uniforms of which outlines of one material have different values, and all textures (see `MeshUniforms`). */
+/** The uniforms that may differ between outlines with the same material, and all textures (see `MeshUniforms`). */
 export const OUTLINE_MESH_UNIFORMS = [
   ...['outlinePoints', 'outlinePrimitives', 'deformedNormals', 'deformedPositions', 'deformedTurns'],
   ...['candidates', 'instancePlaces', 'sceneDepth', 'toothMap'],
@@ -36,14 +36,14 @@ export const createOutlineUniforms = (): Record<string, IUniform> =>
         shadeWeights: { value: null },
         toothMap: { value: null },
         isDashed: { value: false },
-        // These describe the geometry and the mesh.
+        // Geometry and mesh.
         outlinePoints: { value: null },
         outlinePrimitives: { value: null },
         radius: { value: 1 },
         deformedNormals: { value: null },
         deformedPositions: { value: null },
         deformedTurns: { value: null },
-        // These depend on the camera.
+        // Camera.
         candidates: { value: null },
         instancePlaces: { value: null },
         isCutOut: { value: false },

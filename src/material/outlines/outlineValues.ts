@@ -10,7 +10,7 @@ import {
   type OutlineNumberName,
 } from './outlineProperties.js';
 
-/** The values that a material of outlines is drawn with. */
+/** The values of an outline material. */
 type OutlineLook = Record<OutlineNumberName, number> & {
   ink: Color;
   shadeWeights: Vector2;
@@ -18,7 +18,9 @@ type OutlineLook = Record<OutlineNumberName, number> & {
   hidden: HiddenOutlines;
 };
 
-/** Gives a material a property for each number, which is checked. @param told is called when one was set. @param owner the name of the class */
+/**
+ * Defines a checked property for each number on a material. @param told called after one was set. @param owner the name of the class
+ */
 export function defineOutlineNumbers(
   material: object,
   owner: string,
@@ -37,7 +39,7 @@ export function defineOutlineNumbers(
   }
 }
 
-/** @throws TypeError */
+/** @throws TypeError unless `value` is one of the choices */
 export function checkHidden(value: HiddenOutlines, owner: string): HiddenOutlines {
   if (HIDDEN_OUTLINES.includes(value)) return value;
   throw new TypeError(
@@ -45,7 +47,7 @@ export function checkHidden(value: HiddenOutlines, owner: string): HiddenOutline
   );
 }
 
-/** @throws RangeError */
+/** @throws RangeError unless `weights` are two numbers, 0 or more */
 export function checkShadeWeights(weights: Vector2Like, owner: string): [number, number] {
   const [lit, shaded] = Symbol.iterator in Object(weights) ? [...(weights as Iterable<number>)] : [];
   if (lit >= 0 && shaded >= 0 && lit + shaded < Infinity) return [lit, shaded];
@@ -54,7 +56,7 @@ export function checkShadeWeights(weights: Vector2Like, owner: string): [number,
   );
 }
 
-/** Writes the properties of a material to uniforms. @param pixelRatio pixels of what is drawn to per CSS pixel */
+/** Writes the properties of a material to uniforms. @param pixelRatio pixels of the render target per CSS pixel */
 export function writeOutlineLook(look: OutlineLook, u: Record<string, IUniform>, pixelRatio: number): void {
   for (const name of OUTLINE_NUMBER_NAMES) u[name].value = look[name];
   for (const name of OUTLINE_SIZES) u[name].value *= pixelRatio;

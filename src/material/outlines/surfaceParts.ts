@@ -1,13 +1,16 @@
 import type { Material, Mesh } from 'three';
 
-/** A part of a mesh that one material draws: its corners from `start` up to `end`. */
+/** A part of a mesh that is drawn with one material: its corners from `start` up to `end`. */
 export interface SurfacePart {
   material: Material;
   start: number;
   end: number;
 }
 
-/** The parts of a mesh that three.js draws: within its draw range, by groups where it has several materials, and only by visible ones. */
+/**
+ * The parts of a mesh that three.js draws: within its draw range, by groups if it has several materials, and only those with visible
+ * materials.
+ */
 export function surfaceParts({ geometry, material }: Mesh): SurfacePart[] {
   const { index, attributes, drawRange, groups } = geometry;
   const count = (index ?? attributes.position)?.count ?? 0;

@@ -22,10 +22,10 @@ import {
   ReplaceStencilOp,
 } from 'three';
 
-/** The alpha of the most opaque vertex, for attributes of colours and their version. */
+/** A cache of the greatest vertex alpha of colour attributes, with their version. */
 const alphas = new WeakMap<object, { version: number; most: number }>();
 
-/** The alpha that colours of vertices give to a material: that of the most opaque one. */
+/** The alpha that vertex colours give to a material: that of the most opaque vertex. */
 function vertexAlpha({ vertexColors }: Material, { attributes: { color } }: BufferGeometry): number {
   if (!vertexColors || color?.itemSize !== 4) return 1;
   const version = 'version' in color ? color.version : color.data.version;
@@ -38,9 +38,9 @@ function vertexAlpha({ vertexColors }: Material, { attributes: { color } }: Buff
 }
 
 /**
- * The share of the ink that the opacity of a material leaves, by the rules of three.js: what is not blended is opaque.
+ * The share of the ink that the opacity of a material leaves, by three's rules: without blending a material is opaque.
  *
- * @param geometry whose colours of vertices count too
+ * @param geometry a geometry whose vertex colours count too
  */
 export function opacityOf(material: Material, geometry: BufferGeometry | null = null): number {
   const { transparent, blending, alphaHash, alphaTest, alphaToCoverage } = material;
@@ -50,18 +50,18 @@ export function opacityOf(material: Material, geometry: BufferGeometry | null = 
   return transparent || alphaHash || alphaToCoverage || isBlended ? Math.min(Math.max(opacity, 0), 1) : 1;
 }
 
-/** Whether anything is seen of a surface with this material. */
+/** Whether a surface with this material can be seen. */
 export const isShown = (material: Material, geometry: BufferGeometry | null = null): boolean =>
   material.visible && material.colorWrite && material.depthFunc !== NeverDepth && opacityOf(material, geometry) > 0;
 
 /**
- * Whether parts of a surface may not be drawn, so that the depth of the scene says where its outlines are. That of a blended surface does not:
- * it is drawn later.
+ * Whether parts of a surface may be discarded, so that the depth of the scene decides where its outlines are. A blended surface is
+ * drawn later and does not count.
  */
 export const isCutOut = ({ alphaHash, alphaTest, depthTest, depthWrite, opacity, transparent }: Material): boolean =>
   (alphaTest > 0 || (alphaHash && opacity >= 1)) && depthTest && depthWrite && !transparent;
 
-/** What says for each pixel whether a material is drawn there, and how much of it is seen. */
+/** The properties that decide, for each pixel, whether a material is drawn and how opaque it is. */
 const NAMES = [
   'opacity',
   'depthTest',
@@ -83,18 +83,18 @@ export type DrawState = Pick<Material, (typeof NAMES)[number]>;
 export const isClipped = ({ clippingPlanes }: Material): boolean =>
   clippingPlanes !== null && clippingPlanes.length > 0;
 
-/** Whether a material is tested as every new one is. */
+/** Whether a material has the default depth and stencil tests. */
 function isTestedAsUsual(material: Material): boolean {
   const { depthTest, depthFunc, stencilWrite, polygonOffset } = material;
   return depthTest && depthFunc === LessEqualDepth && !stencilWrite && !polygonOffset && !isClipped(material);
 }
 
-/** What marks a pixel of the stencil that nothing has marked before. */
+/** The stencil operations that mark a pixel that was not marked before. */
 const MARKS: readonly number[] = [IncrementStencilOp, IncrementWrapStencilOp, DecrementWrapStencilOp, InvertStencilOp];
 
 /**
- * Whether a surface passes the test of the stencil where nothing is marked, and fails it where it has marked that: so it is drawn once to a
- * pixel. Its outlines, which are drawn after it, would fail everywhere on it.
+ * Whether a surface passes the stencil test at unmarked pixels only and marks them, so that each pixel is drawn once. Its outlines,
+ * which are drawn after it, would fail everywhere on it.
  */
 function isDrawnOnce(surface: Material): boolean {
   const { stencilFunc, stencilFuncMask, stencilRef, stencilWriteMask, stencilZPass } = surface;
@@ -105,19 +105,21 @@ function isDrawnOnce(surface: Material): boolean {
   );
 }
 
-/** Makes the state of a material, or of what was kept of one, that of another. Allocates nothing once `to` has had one. */
+/** Copies the draw state of a material, or of a stored state. Allocates nothing once `to` has held one. */
 export function copyDrawState(from: DrawState, to: Partial<DrawState>): void {
   for (let i = 0; i < NAMES.length; i++) (to as Record<string, unknown>)[NAMES[i]] = from[NAMES[i]];
 }
 
-/** The modes in which what lies nearer is drawn. Outlines lie before their surface, so that all three are one to them. */
+/**
+ * The depth functions that draw what is nearer. Outlines are in front of their surface, so that all three have the same effect on them.
+ */
 const NEARER: readonly DepthModes[] = [LessDepth, LessEqualDepth, EqualDepth];
 
 /**
- * Has the material of outlines fade as a surface does, and pass its tests beside those of its own. Outlines never write to the stencil for
- * a surface: they would widen what it marks.
+ * Gives the material of outlines the opacity of a surface, and its tests in addition to those of its own. Outlines never write the
+ * stencil of a surface, because they would enlarge what it marks.
  *
- * @param before gets the state that it had before, if anything changes
+ * @param before receives the previous state, if anything changes
  * @returns whether anything changes
  */
 export function takeDrawState(
@@ -150,15 +152,18 @@ export function takeDrawState(
   return true;
 }
 
-/** Whether surfaces that lie nearer do not hide what a material draws. */
+/** Whether a material is drawn over nearer surfaces too. */
 export const isDrawnBefore = ({ depthTest, depthFunc }: Material): boolean =>
   !depthTest || depthFunc === GreaterDepth || depthFunc === GreaterEqualDepth || depthFunc === NotEqualDepth;
 
-/** How many slopes to a pixel nearer than it lies a surface is drawn. */
+/** The polygon offset of a surface towards the eye, in slopes per pixel. */
 const pullOf = ({ polygonOffset, polygonOffsetFactor }: Material): number =>
   polygonOffset ? Math.max(0, -polygonOffsetFactor) : 0;
 
-/** Writes to the uniforms of outlines what their material has taken of a surface. A number that is stored is allocated. */
+/**
+ * Writes the state that an outline material has taken from a surface to uniforms. Numbers are stored only if they differ, since storing
+ * one allocates.
+ */
 export function writeDrawState(material: Material, u: Record<string, IUniform>): void {
   if (u.opacity.value !== material.opacity) u.opacity.value = material.opacity;
   const pull = pullOf(material);
@@ -166,14 +171,14 @@ export function writeDrawState(material: Material, u: Record<string, IUniform>):
   u.isDrawnBefore.value = isDrawnBefore(material);
 }
 
-/** Whether materials are tested alike. */
+/** Whether two materials have the same tests. */
 function isTestedAlike(a: Material, b: Material): boolean {
   if (isTestedAsUsual(a) && isTestedAsUsual(b)) return true;
-  // A function for each name would be allocated in every frame.
+  // A callback for each name would be allocated in every frame.
   for (let i = 0; i < NAMES.length; i++) if (NAMES[i] !== 'opacity' && a[NAMES[i]] !== b[NAMES[i]]) return false;
   return isDrawnOnce(a) === isDrawnOnce(b);
 }
 
-/** Whether two materials give their outlines the same look. */
+/** Whether the outlines of two materials look alike. */
 export const looksAlike = (a: Material, b: Material, geometry: BufferGeometry | null = null): boolean =>
   a === b || (opacityOf(a, geometry) === opacityOf(b, geometry) && isCutOut(a) === isCutOut(b) && isTestedAlike(a, b));

@@ -4,19 +4,19 @@ import { writeFit } from '../exposure/writeFit.js';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
 import { fetchedPart, fetchPart } from './parts.js';
 
-/** The exposure of one material, where that is fitted to the scene. */
+/** The exposure of one material, if it is fitted to the scene. */
 export class ExposureInUse {
   private isAwaited = false;
 
-  /** Asks for the code that fits an exposure, if a material needs it. */
+  /** Fetches the code that fits an exposure, if a material needs it. */
   fetch({ exposure }: HatchingMaterialProperties): void {
     if (exposure !== 'auto' || this.isAwaited) return;
     this.isAwaited = true;
-    // The failure is told of where it happens.
+    // Failures are reported where they occur.
     fetchPart('exposure').catch(() => {});
   }
 
-  /** Writes the exposure that suits the scene which is being drawn, as soon as the code is there. */
+  /** Writes the exposure that suits the scene being drawn, once the code has loaded. */
   write(
     material: HatchingMaterialProperties,
     renderer: WebGLRenderer,

@@ -5,16 +5,19 @@ import type { MeshUniforms } from '../MeshUniforms.js';
 import type { ShaderFiles } from '../shaders/hatchingShaders.js';
 import type { VertexLayout } from '../shaders/shaderConventions.js';
 
-/** What a technique or a medium needs beside what every material has. Each part is fetched when a material first needs it. */
+/**
+ * The shader files and code of a technique or a medium, beyond what every material has. Each part is fetched when a material first
+ * needs it.
+ */
 export interface MaterialPart {
-  /** Its files of shaders/. */
+  /** Its files from shaders/. */
   readonly files: ShaderFiles;
-  /** Writes the uniforms that are of this part alone. Allocates nothing after the first call. */
+  /** Writes the uniforms of this part. Allocates nothing after the first call. */
   writeUniforms?(uniforms: Record<string, IUniform>): void;
   /**
-   * Sets the uniforms of a mesh that the material is about to draw.
+   * Sets the uniforms for a mesh that the material is about to draw.
    *
-   * @returns where the vertex shader finds the mesh's adjacency, if the part needs that
+   * @returns the layout in which the vertex shader finds the mesh's adjacency, if the part needs adjacency
    */
   bindMesh?(
     renderer: WebGLRenderer,
@@ -23,8 +26,8 @@ export interface MaterialPart {
     object: Object3D,
     material: HatchingMaterialProperties & { readonly ofMesh: MeshUniforms },
   ): VertexLayout | undefined;
-  /** Builds what other programs it needs for a mesh. */
+  /** Builds the other programs that the part needs for a mesh. */
   compile?(renderer: WebGLRenderer, mesh: Mesh): void;
-  /** The exposure that is fitted to a scene which is being drawn. Allocates nothing while nothing in it changes. */
+  /** The exposure that is fitted to the scene being drawn. Allocates nothing while nothing in it changes. */
   sceneExposure?(renderer: WebGLRenderer, scene: Scene, camera: Camera): ToneFit;
 }

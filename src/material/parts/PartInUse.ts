@@ -2,19 +2,19 @@ import type { HatchingTechnique, Medium } from '../../look/hatchingProperties.js
 import type { MaterialPart } from './MaterialPart.js';
 import { fetchedPart, fetchPart, type PartName, partNameOf } from './parts.js';
 
-/** The part that the present program of one material needs. */
+/** The part that the program of one material uses. */
 export class PartInUse {
-  /** Null if the program needs none. */
+  /** The part; null if the program needs none. */
   part: MaterialPart | null = null;
   private awaited: PartName | null = null;
 
-  /** @param onFetched called when a part is there that was missing before */
+  /** @param onFetched called when a missing part has loaded */
   constructor(private readonly onFetched: () => void) {}
 
   /**
-   * Takes the part that a look needs, or fetches it.
+   * Uses the part that a look needs, or fetches it.
    *
-   * @returns whether it is there. If not, the one before stays in use.
+   * @returns whether it has loaded; if not, the previous part stays in use
    */
   take({ technique, medium }: { technique: HatchingTechnique; medium: Medium }): boolean {
     const name = partNameOf(technique, medium);

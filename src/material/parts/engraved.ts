@@ -21,7 +21,7 @@ const TABLES = [
   ...[HAND_CONSTANTS, STROKE_LENGTH_CONSTANTS, PEN_CONSTANTS, CARVING_CONSTANTS],
 ];
 
-/** The numbers that engraved lines are drawn by, which the drawing as lines knows too. */
+/** The constants of engraved lines, as defines; vector drawing uses them too. */
 const engravedConstantsChunk = (): string =>
   [...TABLES.map((table) => definesOf(table)), definesOf(HASH_FACTORS, 'u')].join('\n');
 

@@ -1,5 +1,5 @@
 import { sceneExposure } from '../exposure/sceneExposure.js';
 import type { MaterialPart } from './MaterialPart.js';
 
-/** Fits the exposure of materials that ask for it. */
+/** The part that fits exposures, for materials with an `exposure` of `'auto'`. */
 export const part: MaterialPart = { files: {}, sceneExposure };

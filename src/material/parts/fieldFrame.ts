@@ -3,17 +3,17 @@ import { FIELD_FRAME } from '../fieldFrameName.js';
 
 const matrix = /* @__PURE__ */ new Matrix4();
 
-/** What follows from a matrix from object space to a frame that lines are computed in. */
+/** A frame that lines are computed in: the matrix to it from object space, and what is derived from the matrix. */
 interface FieldFrame {
-  /** The elements of that matrix. */
+  /** The elements of the matrix. */
   readonly elements: Float64Array;
-  /** Whether it can be inverted. */
+  /** Whether the matrix can be inverted. */
   isUsable: boolean;
-  /** Tiles per unit of object space, which the matrices below are for; 0 before they are computed. */
+  /** The tiles per unit of object space that the matrices below were computed for; 0 before that. */
   tilesPerUnit: number;
   /** To the frame, in tiles. */
   readonly linear: Matrix3;
-  /** The inverse of its transpose. */
+  /** The inverse transpose of `linear`, for normals. */
   readonly normal: Matrix3;
   readonly origin: Vector3;
 }
@@ -29,12 +29,12 @@ const newFrame = (): FieldFrame => ({
 
 const ofObject = /* @__PURE__ */ newFrame();
 
-/** By the array of `userData`: thousands of meshes have one, and in most frames none of them changes. */
+/** Keyed by the array in `userData`: thousands of meshes may have one, and in most frames none of them changes. */
 const frames = /* @__PURE__ */ new WeakMap<readonly number[], FieldFrame>();
 
 /**
- * Writes the origin and the frame of the lines of `engraved` on a mesh: the frame that `applyHatching` gave to the whole scene, or
- * else that of the object, with the centre of its bounding sphere as origin. Allocates nothing for a frame that it has met.
+ * Writes the origin and the frame of the lines of `engraved` on a mesh: the frame that `applyHatching` gave to the whole scene, or else
+ * that of the object, with the centre of its bounding sphere as origin. Allocates nothing for a frame that is cached.
  *
  * @param tilesPerUnit tiles per unit of object space
  * @returns whether anything changed, in which case three must upload these uniforms again: by default it does so once for all meshes
@@ -61,13 +61,13 @@ export function writeFieldFrame(
 }
 
 function frameOfObject(geometry: BufferGeometry): FieldFrame {
-  // three has computed the sphere already where it culls.
+  // three.js has already computed the sphere if it culls the mesh.
   if (geometry.boundingSphere === null) geometry.computeBoundingSphere();
   ofObject.origin.copy(geometry.boundingSphere!.center);
   return ofObject;
 }
 
-/** The frame that `userData` has, which may come from a file; undefined if that is none. */
+/** The frame from `userData`, which may come from a file; undefined if the value is not a matrix. */
 function sharedFrame(given: unknown): FieldFrame | undefined {
   if (!Array.isArray(given) || given.length !== 16) return undefined;
   let frame = frames.get(given);
@@ -83,7 +83,7 @@ function addFrame(given: readonly number[]): FieldFrame {
   return frame;
 }
 
-/** Whether the array is still what was read from it. */
+/** Whether the array still has the elements that were read from it. */
 function isOf({ elements }: FieldFrame, given: readonly number[]): boolean {
   for (let i = 0; i < 16; i++) if (elements[i] !== given[i]) return false;
   return true;

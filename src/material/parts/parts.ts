@@ -1,7 +1,7 @@
 import { HATCHING_TECHNIQUES, type HatchingTechnique, type Medium } from '../../look/hatchingProperties.js';
 import type { MaterialPart } from './MaterialPart.js';
 
-/** Fetches each part. Strokes of ink that are anchored, the default, need none. */
+/** The import of each part. Anchored strokes of ink, the default, need none. */
 const FETCH = {
   dry: () => import('./dry.js'),
   stipple: () => import('./stipple.js'),
@@ -23,32 +23,32 @@ const NAMES: Readonly<Record<PartName, string>> = {
 const fetched = /* @__PURE__ */ new Map<PartName, MaterialPart>();
 const fetching = /* @__PURE__ */ new Map<PartName, Promise<MaterialPart>>();
 
-/** The part that a technique needs, and with `anchored` the medium; null if none. */
+/** The part that a technique, and with `anchored` the medium, needs; null if none. */
 export function partNameOf(technique: HatchingTechnique, medium: Medium): PartName | null {
   if (HATCHING_TECHNIQUES[technique].vertexData === 'adjacency') return 'perTriangle';
   if (technique === 'engraved') return technique;
   return medium === 'dry' || medium === 'stipple' ? medium : null;
 }
 
-/** What the parts that a material needs follow from. */
+/** The properties that decide which parts a material needs. */
 export interface LookOfParts {
   readonly technique: HatchingTechnique;
   readonly medium: Medium;
   readonly exposure: number | 'auto';
 }
 
-/** All the parts that a look needs. */
+/** All parts that a look needs. */
 const partNamesOf = ({ technique, medium, exposure }: LookOfParts): PartName[] =>
   [partNameOf(technique, medium), exposure === 'auto' ? ('exposure' as const) : null].filter((name) => name !== null);
 
-/** A part that was fetched before; undefined if it was not. */
+/** A part that has loaded; undefined if it has not. */
 export const fetchedPart = (name: PartName): MaterialPart | undefined => fetched.get(name);
 
-/** Whether nothing has to be fetched for a look. */
+/** Whether all parts of a look have loaded. */
 export const isFetched = (look: LookOfParts): boolean => partNamesOf(look).every((name) => fetched.has(name));
 
 /**
- * Fetches a part, once. If that fails, as it does without a network, it says so, and the next call tries again.
+ * Fetches a part, once. A failure, such as a missing network, is reported, and the next call tries again.
  *
  * @throws Error that says what could not be fetched
  */
@@ -65,7 +65,7 @@ export function fetchPart(name: PartName): Promise<MaterialPart> {
         throw failure(name, cause);
       },
     );
-    // Whoever waits for the part gets the error too, but many materials wait for nothing.
+    // Callers that await the part get the error too, but many materials do not await it.
     promise.catch(({ message }: Error) => console.error(message));
     fetching.set(name, promise);
   }

@@ -1,10 +1,10 @@
-/** Numbers by their names: one is a float in shaders, several are a vector. */
+/** Numbers by name: a single one is a float in shaders, an array is a vector. */
 export type Constants = Readonly<Record<string, number | readonly number[]>>;
 
 /**
  * Constants as defines.
  *
- * @param ending of whole numbers: '.' for floats, '' for integers and 'u' for unsigned ones
+ * @param ending the suffix of whole numbers: '.' for floats, '' for integers and 'u' for unsigned integers
  */
 export const definesOf = (constants: Constants, ending: '.' | '' | 'u' = '.'): string =>
   Object.entries(constants)

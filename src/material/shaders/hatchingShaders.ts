@@ -6,13 +6,13 @@ import { resolveIncludes } from './resolveIncludes.js';
 import { conventionsChunk, cornerAttributesChunk, mapTransformsChunk, packingChunk } from './shaderConventions.js';
 import { shadowDepthChunk, shadowMapsChunk } from './shadowMaps.js';
 
-/** The text of a program's two stages. Our includes are resolved; three resolves its own when it compiles. */
+/** The sources of a program's two stages. The library's includes are resolved; three.js resolves its own when it compiles. */
 export interface Shaders {
   vertexShader: string;
   fragmentShader: string;
 }
 
-/** Files of shaders/ as text, by their paths there. */
+/** The sources of files in shaders/, by their paths there. */
 export type ShaderFiles = Readonly<Record<string, string>>;
 
 /** The files that every material needs. `parts` holds those of others. */
@@ -29,17 +29,17 @@ const files: ShaderFiles = import.meta.glob(
   { base: '../../../shaders', query: '?raw', import: 'default', eager: true },
 );
 
-/** Chunks of media that are included by name. They are blank where the medium is another one. */
+/** Chunks of media, included by name, that are empty with other media. */
 const ABSENT = { dryMedium: '', 'technique/stipple': '' };
 
-// Shaders are resolved when first asked for, so that a page that never hatches does not pay, and a bundler may leave this out.
+// Shaders are resolved on first use, so that a page that never hatches does no work, and a bundler may leave this out.
 const made = new Map<HatchingTechnique, Map<ShaderFiles, Shaders>>();
 const NONE: ShaderFiles = {};
 
 /**
  * The shaders of a technique.
  *
- * @param further files of the part that the technique or the medium needs
+ * @param further the files of the part that the technique or the medium needs
  */
 export function hatchingShaders(technique: HatchingTechnique, further = NONE): Shaders {
   const known = made.get(technique) ?? new Map<ShaderFiles, Shaders>();
@@ -61,13 +61,13 @@ export function hatchingShaders(technique: HatchingTechnique, further = NONE): S
   return shaders;
 }
 
-/** Plain paper, which is drawn while the code of a technique is being fetched. */
+/** The shaders of plain paper, drawn while the code of a technique loads. */
 export const plainShaders = (): Shaders => ({
   vertexShader: ShaderLib.basic.vertexShader,
   fragmentShader: files['./plain.frag'],
 });
 
-/** The chunks that TypeScript and three.js decide. */
+/** The chunks that depend on TypeScript constants and on the installed three.js. */
 const sharedChunks = (): Record<string, string> => ({
   conventions: conventionsChunk(),
   cornerAttributes: cornerAttributesChunk(),

@@ -2,29 +2,35 @@ import { ShaderChunk } from 'three';
 
 /** A kind of light of three.js. */
 interface LightKind {
-  /** As three's shader chunks have it: `Point` for the struct `PointLight`, the uniform `pointLights` and the function `getPointLightInfo`. */
+  /**
+   * The name in three's shader chunks: `Point` for the struct `PointLight`, the uniform `pointLights` and the function
+   * `getPointLightInfo`.
+   */
   name: string;
-  /** The number of such lights; three.js writes it in the place of this name. */
+  /** The macro for the number of such lights, which three.js replaces by the number. */
   count: string;
   /**
-   * Where they shine from, and with it what their struct has: `direction` and `color` where that is far away, `position`, `color`,
-   * `distance` and `decay` where it is a place. A sky is three's hemisphere light, which shines from all around.
+   * Where they shine from, which decides the members of their struct: `direction` and `color` for distant lights; `position`, `color`,
+   * `distance` and `decay` for lights at a place. A `sky` is three's hemisphere light, which shines from all around.
    */
   from: 'afar' | 'place' | 'sky';
-  /** three's function that says how much of such a light passes its shadow map, as it is called. */
+  /** three's function for the share of such a light that passes its shadow map, as it is called. */
   shadow?: string;
-  /** Its shadow maps, where they are flat or cubes; those of a sun are cascades. */
+  /** Its shadow maps, if they are flat or cubes; those of a sun are cascades. */
   maps?: FlatMaps | CubeMaps;
 }
 
 /** Shadow maps of a kind of light, as three's chunks have them. */
 interface CubeMaps {
-  /** The number of such lights that cast shadows. They are the first of their kind. */
+  /** The macro for the number of lights that cast shadows. They are the first of their kind. */
   count: string;
 }
 
 interface FlatMaps extends CubeMaps {
-  /** The uniform of the matrices that lead there, which three.js declares in the vertex shader, and the number of them. */
+  /**
+   * The uniform of the matrices from world space to the shadow maps, which three.js declares in the vertex shader, and the number of
+   * them.
+   */
   matrix: string;
   matrices: string;
 }
@@ -33,8 +39,8 @@ const SHADOW = 'getShadow(map, size, intensity, bias, radius, at)';
 const CUBE_SHADOW = 'getPointShadow(map, size, intensity, bias, radius, at, near, far)';
 
 /**
- * Every kind of light that our shaders look at, in the order of three's `lights_fragment_begin`. A new kind is a row here: no
- * file of shaders/ names any of them.
+ * Every kind of light that the library's shaders evaluate, in the order of three's `lights_fragment_begin`. A new kind is a row here:
+ * no file of shaders/ names any of them.
  */
 const LIGHT_KINDS: readonly LightKind[] = [
   {
@@ -70,10 +76,10 @@ const LIGHT_KINDS: readonly LightKind[] = [
   { name: 'Hemisphere', count: 'NUM_HEMI_LIGHTS', from: 'sky' },
 ];
 
-/** The kinds that the installed three.js has: it replaces no other names, and GLSL would not know them. */
+/** The kinds that the installed three.js supports. The names of others would not be replaced, and would not compile. */
 const knownKinds = (): LightKind[] => LIGHT_KINDS.filter(({ count }) => ShaderChunk.lights_pars_begin.includes(count));
 
-/** The number of lights that have a direction, which are all but skies, and of those that shine from a place, as defines. */
+/** Defines for the number of lights that have a direction, which are all but skies, and of those at a place. */
 export function lightCountDefines(): string {
   const sum = (kinds: LightKind[]): string => `(${kinds.map(({ count }) => count).join(' + ')})`;
   const known = knownKinds();
@@ -84,16 +90,16 @@ export function lightCountDefines(): string {
 }
 
 /**
- * Chunks that walk over lights. Before it includes one, a shader defines the macro `VISIT_LIGHT(source, number)`: what it does with
- * each light. `source` is three's struct, and `number` counts the lights that have a direction in three's order. The chunk undefines
- * the macro again.
+ * Chunks that loop over lights. Before a shader includes one, it defines the macro `VISIT_LIGHT(source, number)`: the code for each
+ * light. `source` is three's struct, and `number` counts the lights that have a direction, in three's order. The chunk undefines the
+ * macro again.
  *
  * - `eachLight` visits every light that has a direction. The shader declares `IncidentLight light`, into which the chunk writes what
- *   arrives at `viewPosition`.
+ * arrives at `viewPosition`.
  * - `eachDistantLight` and `eachPositionalLight` visit those that shine from afar, and those that shine from a place.
  * - `eachSky` visits hemisphere lights. Their number has no meaning.
  *
- * `lightShadows` is no walk: it makes calls of three's functions of shadow maps go through `KNOWN_SHADOW`, and what they return through
+ * `lightShadows` is not a loop: it wraps three's shadow map functions, so that calls go through `KNOWN_SHADOW` and results through
  * `tellShadow`.
  */
 export function lightChunks(): Record<string, string> {
@@ -106,7 +112,7 @@ export function lightChunks(): Record<string, string> {
     eachDistantLight: walk('afar') + end,
     eachPositionalLight: walk('place') + end,
     eachSky: walk('sky') + end,
-    // A macro does not expand within itself.
+    // A macro does not expand within itself, so that the wrapped function can have its own name.
     lightShadows: kinds
       .map(({ shadow }) => (shadow ? `#define ${shadow} tellShadow(KNOWN_SHADOW(${shadow}))\n` : ''))
       .join(''),
@@ -114,10 +120,11 @@ export function lightChunks(): Record<string, string> {
 }
 
 /**
- * Chunks that walk over shadow maps, as those of {@link lightChunks} walk over lights, at a `viewPosition` and with a `light` of the shader:
+ * Chunks that loop over shadow maps, as those of {@link lightChunks} loop over lights, at a `viewPosition` and with a `light` of the
+ * shader:
  *
- * - `eachFlatShadow` visits every flat one by `VISIT_SHADOW(number, map, matrix, shadow)`: the number of its light, the map, the matrix
- *   that leads to it from the world, and three's struct of the shadow. `shadowMatrices` declares the matrices.
+ * - `eachFlatShadow` visits every flat shadow map by `VISIT_SHADOW(number, map, matrix, shadow)`: the number of its light, the map, the
+ *   matrix that leads to it from the world, and three's struct of the shadow. `shadowMatrices` declares the matrices.
  * - `eachCubeShadow` visits every cube by `VISIT_SHADOW(number, map, fromLight, shadow)`: the third is in view space.
  */
 export function shadowChunks(): Record<string, string> {
@@ -155,15 +162,15 @@ function loopOver({ name, count, from }: LightKind, before: readonly LightKind[]
   return unrolled(count, `${writesLight ? readLight(name, from) : ''}\n${visit}`);
 }
 
-/** The number of a light among all that have a direction. */
+/** The index of a light among all that have a direction. */
 const numberAfter = (before: readonly LightKind[]): string =>
   [...before.map((kind) => kind.count), 'UNROLLED_LOOP_INDEX'].join(' + ');
 
-/** Writes what arrives of a light into `light`. */
+/** Writes the light that arrives from a source into `light`. */
 const readLight = (name: string, from: LightKind['from']): string =>
   `get${name}LightInfo(${name.toLowerCase()}Lights[i], ${from === 'place' ? 'viewPosition, ' : ''}light);`;
 
-/** A loop in the form that three.js unrolls: some drivers warn of one that runs once. */
+/** A loop in the form that three.js unrolls: some drivers warn of a loop that runs once. */
 const unrolled = (count: string, body: string): string => `#if ${count} > 0
 #pragma unroll_loop_start
 for (int i = 0; i < ${count}; i++) {

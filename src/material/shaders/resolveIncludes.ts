@@ -1,8 +1,8 @@
 const OUR_INCLUDE = /^[ \t]*#include[ \t]*"(.*)"[ \t]*$/gm;
 
 /**
- * Replaces every line `#include "name"` in `source` by `chunks[name]`, recursively. Includes in angle brackets are
- * three's own; three resolves them, so the two never collide and three's ShaderChunk stays as it is.
+ * Replaces every line `#include "name"` in `source` by `chunks[name]`, recursively. Includes in angle brackets are left to three.js, so
+ * the two never collide and three's ShaderChunk stays as it is.
  *
  * @throws Error if a chunk is missing, or includes itself.
  */

@@ -12,17 +12,17 @@ import { definesOf } from './definesOf.js';
 import { lightCountDefines } from './lightKinds.js';
 
 export const TONE_CURVES = ['linear', 'perceptual', 'points'] as const;
-/** The most spans that a tone curve given by points can have: one less than points. */
+/** The greatest number of spans of a tone curve through points: one less than its points. */
 export const TONE_CURVE_SPANS = 7;
 
 export const VERTEX_LAYOUTS = ['corner', 'pull', 'deforming'] as const;
-/** Where a vertex finds its adjacency primitive: in its attributes, in textures, or in textures that a pre-pass writes. */
+/** Where a vertex reads its adjacency primitive: in its attributes, in textures, or in textures that a pre-pass writes. */
 export type VertexLayout = (typeof VERTEX_LAYOUTS)[number];
 
 const numbered = (prefix: string, names: readonly string[]) =>
   names.map((name, index) => `#define ${prefix}_${constantCase(name)} ${index}`);
 
-/** The names that TypeScript and GLSL share, as defines. The one that is chosen is a define of the material. */
+/** The names that TypeScript and GLSL share, as defines; the material's own defines select among them. */
 export const conventionsChunk = (): string =>
   [
     ...Object.values<HatchingProperty>(HATCHING_PROPERTIES).flatMap((property) =>
@@ -35,13 +35,16 @@ export const conventionsChunk = (): string =>
     lightCountDefines(),
   ].join('\n');
 
-/** The define that names the varying of a map's coordinates. It is not defined where there is no map. */
+/** The define that names the varying of a map's texture coordinates. It is not defined without the map. */
 export const channelDefine = ({ uniform }: HatchingTexture): string => `${uniform.toUpperCase()}_CHANNEL`;
 
-/** The varyings that hold the coordinates of each channel. */
+/** The varyings of the texture coordinates of each channel. */
 export const CHANNEL_VARYINGS = ['vUv', 'vUv1', 'vUv2', 'vUv3'] as const;
 
-/** Macros for the names by which three's chunks ask for a map's coordinates: those of its channel, times its transform. */
+/**
+ * Macros that replace the names by which three's chunks read a map's texture coordinates: the varying of its channel, times its
+ * transform.
+ */
 export const mapTransformsChunk = (): string =>
   Object.values<HatchingProperty>(HATCHING_PROPERTIES)
     .filter((property) => property.kind === 'texture')
@@ -52,7 +55,7 @@ export const mapTransformsChunk = (): string =>
     })
     .join('\n');
 
-/** three's chunk by which shadows of older versions unpack depth. A later version may no longer have it. */
+/** three's chunk with which the shadows of older versions unpack depth. A later version may no longer have it. */
 export const packingChunk = (): string => ('packing' in ShaderChunk ? '#include <packing>' : '');
 
 /** Declarations of the attributes of the `corner` layout. */

@@ -1,6 +1,8 @@
 import { ShaderChunk } from 'three';
 
-/** The parts of three's chunk that are replaced, and the file of shaders/shadowMaps that replaces each. Each part stands in it once. */
+/**
+ * The parts of three's chunk that are replaced, each with the file of shaders/shadowMaps that replaces it. Each part occurs in it once.
+ */
 const REPLACEMENTS: readonly (readonly [RegExp, string])[] = [
   [
     /float phi = interleavedGradientNoise\([^;]*;[^\n]*\s*shadow = \(\s*texture\( shadowMap, vec3\([^;]*\) \* 0\.2;/,
@@ -18,9 +20,9 @@ const REPLACEMENTS: readonly (readonly [RegExp, string])[] = [
 ];
 
 /**
- * three's own functions of shadow maps with another filter. three rotates its samples by noise that is fixed to the screen, which
- * strokes would show as a ragged edge that crawls under a moving camera. Parts that are written otherwise stay as they are, as in versions
- * before 0.182 and in chunks that an application has replaced.
+ * three's shadow map functions with another filter. three rotates its samples by noise that is fixed to the screen, which in strokes
+ * would be a ragged edge that crawls when the camera moves. Parts with other text are kept, as in versions before 0.182 and in chunks
+ * that an application has replaced.
  */
 export function shadowMapsChunk(source = ShaderChunk.shadowmap_pars_fragment): string {
   const steady = REPLACEMENTS.reduce((text, [pattern, name]) => text.replace(pattern, included(name)), source);
@@ -29,8 +31,8 @@ export function shadowMapsChunk(source = ShaderChunk.shadowmap_pars_fragment): s
 }
 
 /**
- * How the depths in shadow maps are told: by the installed three.js, and by the type of the maps, which it defines when it compiles.
- * Versions before 0.182 pack depths, and lay out the cubes of point lights flat: there nothing is told of these.
+ * How depth is read from shadow maps: this depends on the installed three.js, and on the type of the maps, which it defines when it
+ * compiles. Versions before 0.182 pack depths, and lay out the cubes of point lights flat: for these no depth is read.
  */
 export function shadowDepthChunk(source = ShaderChunk.shadowmap_pars_fragment): string {
   const isPacked = source.includes('unpackRGBAToDepth');

@@ -13,9 +13,9 @@ interface PackedThresholds {
 }
 
 /**
- * Packs levels into one image, side by side along the lower edge, finest first. Level l begins 2·size·(1 − 2⁻ˡ) + 2l texels
- * from the left, where `size` is that of level 0, and has a margin of one texel all round. There are no mip levels: a shader
- * that knows the level finds it with a plain fetch, while `textureLod` is slow.
+ * Packs levels into one image, side by side along the lower edge, finest first. Level l begins 2·size·(1 − 2⁻ˡ) + 2l texels from the
+ * left, where `size` is that of level 0, and has a margin of one texel all round. There are no mip levels: a shader that knows the
+ * level reads it with a plain fetch, while `textureLod` is slow.
  */
 export function packThresholds(pairs: readonly ThresholdPair[]): PackedThresholds {
   const width = pairs.reduce((sum, { size }) => sum + size + 2 * MARGIN, 0);

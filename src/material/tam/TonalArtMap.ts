@@ -27,7 +27,7 @@ async function drawHatchImages(
   drawing: MapDrawing,
   { onProgress, ...options }: TaskOptions,
 ): Promise<{ images: HatchImages; thresholds: ThresholdLevel[] }> {
-  // What prepares hands is fetched with the first of them.
+  // The code that prepares hands is fetched with the first of them.
   const request = drawing.hand
     ? await (await import('./prepareInSlices.js')).prepareInSlices(drawing, options.signal)
     : (drawing as MapRequest);
@@ -50,10 +50,10 @@ export interface TonalArtMapOptions extends MapDrawing, TaskOptions {}
 /** The names of the properties that `fromHatchImages` reads. */
 const HATCH_IMAGES = { size: true, images: true, strokeTexels: true } satisfies Record<keyof HatchImages, true>;
 
-/** The maps of `TonalArtMap.shared`, by what determines them. */
+/** The maps of `TonalArtMap.shared`, keyed by the options that determine them. */
 const sharedMaps = /* @__PURE__ */ new Map<string, TonalArtMap>();
 
-/** What is known of a map before it is drawn. */
+/** The properties of a map that are known before it is drawn. */
 interface MapShape {
   size: number;
   tones: number;
@@ -61,7 +61,7 @@ interface MapShape {
   strokeTexels: number;
 }
 
-/** What a map is made of. */
+/** The images and thresholds of a map. */
 interface MapContent {
   packed: PackedLevel[];
   /** Undefined until they are derived from the images. */
@@ -102,7 +102,7 @@ export class TonalArtMap {
   private cachedMoments: ThresholdMoments | undefined;
 
   private constructor(shape: MapShape) {
-    // That it is private only TypeScript knows.
+    // The private constructor is enforced by TypeScript only.
     if (!shape?.tones || !shape.levels) {
       throw new TypeError('TonalArtMap: a map is not made with "new". Use draw(), fromHatchImages() or await load().');
     }
@@ -115,10 +115,10 @@ export class TonalArtMap {
   }
 
   /**
-   * Begins to draw a map, in a worker if possible, and returns it at once, as three's own loaders do: give it to materials, which are
-   * blank paper until it is drawn, and hatch from the next frame on. The same options give the same bytes.
+   * Starts to draw a map, in a worker if possible, and returns it at once, as three's own loaders do. Materials with the map are blank
+   * paper until it is drawn, and hatch from the next frame on. The same options give the same bytes.
    *
-   * Size, tones, levels and the width of strokes are known at once. What is read from the images (`image`, `report`, `save`, …) throws
+   * Size, tones, levels and the width of strokes are known at once. Members that read the images (`image`, `report`, `save`, …) throw
    * an Error until `ready` is resolved.
    *
    * ```ts
@@ -143,15 +143,15 @@ export class TonalArtMap {
   }
 
   /**
-   * One map for all who ask for the same, such as materials that name its style. It is drawn when it is first asked for, here or by a
-   * material's first frame, and stays for as long as the page does. One that could not be drawn is drawn anew for the next who asks.
+   * The shared map for given options, which materials that name its style use too. It is drawn on first use, here or in a material's
+   * first frame, and is kept as long as the page. If drawing fails, the next call tries again.
    *
    * ```ts
    * TonalArtMap.shared().ready.then(render); // for a page that does not draw all the time
    * ```
    *
    * @param drawing the style, `hatching` by default, or the options that determine the map
-   * @param options how it is drawn, for the first call
+   * @param options the task options of the first call
    * @throws RangeError or TypeError if an option is out of its range or unknown
    */
   static shared(drawing: StrokeStyleName | MapDrawing = {}, options: TaskOptions = {}): TonalArtMap {
@@ -193,13 +193,13 @@ export class TonalArtMap {
   }
 
   /**
-   * Makes a map from your own images. They are copied.
+   * Makes a map from your own images, which are copied.
    *
    * @param hatchImages `images[tone][level]`, the lightest tone and the finest level first. Each image has (size / 2^level)² bytes
-   *   in rows of growing v, 255 = paper, 0 = ink. There may be two to 64 tones, whose finest levels together have up to 2²⁶
-   *   texels; one level is enough. `size` is a power of two up to 4096.
+   * in rows of growing v, 255 = paper, 0 = ink. There may be two to 64 tones, whose finest levels together have up to 2²⁶
+   * texels; one level is enough. `size` is a power of two up to 4096.
    * @throws TypeError or RangeError if the images do not have the shape of a map. Images that break the constraints of a map
-   *   (nesting, order of means) are accepted; see `report`.
+   * (nesting, order of means) are accepted; see `report`.
    */
   static fromHatchImages(hatchImages: HatchImages): TonalArtMap {
     checkNames('TonalArtMap.fromHatchImages', 'hatch images', hatchImages, HATCH_IMAGES);
@@ -245,8 +245,8 @@ export class TonalArtMap {
   }
 
   /**
-   * Resolves with the map itself when it is drawn. Rejects if it cannot be drawn, or with the signal's reason when that is aborted;
-   * who never asks for this promise is told of it in the console.
+   * Resolves with the map itself when it is drawn. Rejects if it cannot be drawn, or with the signal's reason when aborted; if nobody
+   * reads this promise, the failure is written to the console.
    */
   get ready(): Promise<TonalArtMap> {
     this.hasListener = true;
@@ -254,7 +254,7 @@ export class TonalArtMap {
     return this.drawn;
   }
 
-  /** Reports how well the images keep the constraints of a tonal art map. It is measured on first use. */
+  /** The report of how well the images keep the constraints of a tonal art map. It is measured on first use. */
   get report(): HatchImageReport {
     if (!this.cachedReport) {
       this.cachedReport = checkHatchImages(this.allImages());
@@ -263,17 +263,17 @@ export class TonalArtMap {
   }
 
   /**
-   * The thresholds as a texture, for techniques that first blend and then decide what is ink. It holds no colours, and its levels
-   * lie side by side instead of in mip levels. A texel t stands for g = 6t − 3 = Φ⁻¹(h), clamped to ±3, where h is the tone at
-   * which the texel becomes ink. So g is normally distributed, and h = Φ(g). Red holds the level itself, green the next coarser
-   * level. The texture is made on first use.
+   * The thresholds as a texture, for techniques that blend before they compare with the tone. It holds no colours, and its levels lie
+   * side by side instead of in mip levels. A texel t stands for g = 6t − 3 = Φ⁻¹(h), clamped to ±3, where h is the tone at which the
+   * texel becomes ink. So g is normally distributed, and h = Φ(g). Red holds the level itself, green the next coarser level. The
+   * texture is made on first use.
    */
   get thresholdTexture(): ThresholdTexture {
     this.cachedThresholdTexture ??= new ThresholdTexture(this.thresholdPairs());
     return this.cachedThresholdTexture;
   }
 
-  /** Tells how much interpolation reduces the contrast of the thresholds, so that shaders can restore it. It is measured on first use. */
+  /** The loss of threshold contrast by interpolation, which shaders make up for. It is measured on first use. */
   get thresholdMoments(): ThresholdMoments {
     this.cachedMoments ??= measureThresholdMoments(this.thresholdPairs());
     return this.cachedMoments;
@@ -322,8 +322,8 @@ export class TonalArtMap {
   }
 
   /**
-   * Frees the GPU memory of the textures. If a material still uses the map, they are uploaded again. A map that is still being drawn
-   * has none, and becomes ready all the same; its signal is what stops it.
+   * Frees the GPU memory of the textures; if a material still uses the map, they are uploaded again. A map that is still being drawn
+   * has no GPU memory and becomes ready all the same; abort its signal to stop it.
    */
   dispose(): void {
     this.texture.dispose();

@@ -15,13 +15,12 @@ import { type PackedLevel, packedLayerCount } from './packHatchImages.js';
  * the drawn ones.
  *
  * It is a `CompressedArrayTexture` although nothing is compressed: no other array texture of three.js uploads its own mip levels.
- * Anisotropy stays 1: on slanted surfaces it would average finer levels to grey, whereas the drawn coarser level keeps its strokes
- * black.
+ * Anisotropy stays 1: on slanted surfaces it would average finer levels to grey, whereas the coarser level keeps its strokes black.
  */
 export class TonalArtMapTexture extends CompressedArrayTexture {
   /**
    * @param size texels per side of level 0
-   * @param levels how many there are
+   * @param levels the number of levels
    */
   constructor(size: number, levels: number, tones: number) {
     super(
@@ -43,7 +42,7 @@ export class TonalArtMapTexture extends CompressedArrayTexture {
   }
 
   /**
-   * Gives the texture its images, which the renderer uploads with the next frame that draws with them.
+   * Sets the images, which the renderer uploads in the next frame that draws with them.
    *
    * @internal
    */

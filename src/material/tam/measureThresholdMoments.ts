@@ -3,11 +3,11 @@ import type { ThresholdPair } from './pairThresholdLevels.js';
 
 /** The contrast of a threshold map after interpolation, averaged over its levels. */
 export interface ThresholdMoments {
-  /** Variance of g as a texture unit interpolates it between texels; 1 at the texels themselves. */
+  /** The variance of g after a texture unit has interpolated it between texels; 1 at the texels themselves. */
   variance: number;
   /** The same variance for the next coarser level, at the resolution of the finer one; 0 if there is only one level. */
   coarserVariance: number;
-  /** The covariance of a level and the next coarser one: how well their strokes nest; 0 if there is only one level. */
+  /** The covariance of a level and the next coarser one, a measure of how well their strokes nest; 0 if there is only one level. */
   covariance: number;
 }
 

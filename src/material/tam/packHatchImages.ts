@@ -8,9 +8,9 @@ export interface PackedLevel {
 export const packedLayerCount = (tones: number): number => Math.ceil((tones - 1) / 3);
 
 /**
- * Packs hatch images into RGBA layers that overlap by one tone: layer l, channel c holds tone min(3l + c, tones − 1). The two
- * two images that any tone lies between are then in the same texel, so one fetch reads both: one fetch per triangle, or four for
- * a triangle and its three neighbours.
+ * Packs hatch images into RGBA layers that overlap by one tone: layer l, channel c holds tone min(3l + c, tones − 1). The two images
+ * that any tone lies between are then in the same texel, so one fetch reads both: one fetch per triangle, or four for a triangle and
+ * its three neighbours.
  *
  * @param images `images[tone][level]`, (size / 2^level)² bytes each
  */
@@ -32,7 +32,7 @@ export function packHatchImages(size: number, images: readonly (readonly ArrayLi
   });
 }
 
-/** The bytes of one hatch image, taken out of its packed level. */
+/** The bytes of one hatch image, unpacked from its level. */
 export function unpackHatchImage(level: PackedLevel, tone: number): Uint8Array {
   const texels = level.size * level.size;
   const layer = tone === 0 ? 0 : Math.floor((tone - 1) / 3);

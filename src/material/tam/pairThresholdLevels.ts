@@ -10,8 +10,8 @@ export interface ThresholdPair {
 }
 
 /**
- * Pairs each level with the next coarser one, interpolated to the same resolution, so that one fetch reads both. Then a stroke size
- * between two levels takes no more fetches than that of a single level.
+ * Pairs each level with the next coarser one, interpolated to the same resolution, so that one fetch reads both. A stroke size between
+ * two levels then takes no more fetches than that of a single level.
  *
  * @param levels the finest first; each has half the texels per side of the previous level
  */

@@ -1,4 +1,4 @@
-/** The sizes of the patterns that media are drawn with. Shaders know them, so they lie apart from what draws the patterns. */
+/** The sizes of the patterns of media. They are apart from the code that makes the patterns, because shaders need them too. */
 
 /** The number of cells per side after which the points of stipple repeat: a power of two. */
 export const STIPPLE_PERIOD = 32;

@@ -3,6 +3,6 @@ import { requestOfHand } from '../../strokes/handStyle.js';
 import type { MapDrawing } from '../../strokes/tamImages/hatchImageOptions.js';
 import type { MapRequest } from '../../strokes/tamImages/hatchImageRequest.js';
 
-/** Prepares a map of a hand for the worker, in slices. */
+/** Prepares the request for a map of a hand, in slices. */
 export const prepareInSlices = (drawing: MapDrawing, signal: AbortSignal | undefined): Promise<MapRequest> =>
   runSliced(requestOfHand(drawing), { signal });

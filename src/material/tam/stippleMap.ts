@@ -6,8 +6,8 @@ let stipple: DataTexture | undefined;
 
 /**
  * The set of points for stippling, with a texel per quarter of a cell. Red and green hold the position of the quarter's point within
- * it; blue holds when the point appears during an octave of magnification, 0 if it was there before. The texture tiles. The first
- * call makes it in a few milliseconds; it is shared and never disposed of.
+ * it; blue holds the moment at which the point appears in an octave of magnification, 0 if it was there before. The texture tiles. The
+ * first call makes it in a few milliseconds; it is shared and never disposed of.
  */
 export function stippleMap(): DataTexture {
   if (stipple === undefined) {

@@ -31,7 +31,7 @@ export function pointsOf(quarters: ArrayLike<number>): Float64Array {
   return points;
 }
 
-/** The rank of a cell in the order of ordered dithering (Bayer 1973): any beginning of it is spread evenly over the grid. */
+/** The rank of a cell in ordered dithering (Bayer 1973): the first cells of any number are spread evenly over the grid. */
 export function bayerRank(cell: number): number {
   const [x, y] = [cell % STIPPLE_PERIOD, Math.floor(cell / STIPPLE_PERIOD)];
   let rank = 0;
