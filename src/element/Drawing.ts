@@ -21,13 +21,13 @@ import { disposeModel, loadModel } from './loadModel.js';
 import type { ModelSource } from './ModelSource.js';
 import type { Direction } from './readAttributes.js';
 
-/** The distance of the light, in radii of the model: outside of everything that casts shadows. */
+/** The distance of the light, in radii of the model: farther than everything that casts shadows. */
 const LIGHT_DISTANCE = 3;
 const SHADOW = { reach: 1.05, near: 1, far: 5, mapSize: 2048, normalBias: 0.02 } as const;
 const FIELD_OF_VIEW = 30;
 const NEAR = 0.05;
 const FAR = 40;
-/** The share of the picture that the model fills, of its width or its height. */
+/** The share of the picture's width or height that the model fills. */
 const FILL = 0.94;
 
 const place = new Vector3();
@@ -36,7 +36,7 @@ const before = new Vector3();
 /** A hatched model with its light and camera. It is scaled to a radius of 1 around the origin. */
 export class Drawing {
   readonly scene = new Scene();
-  /** The camera that draws: that of the file, or one that goes around the model. */
+  /** The camera in use: that of the file, or one that orbits the model. */
   camera: PerspectiveCamera | OrthographicCamera;
   private readonly around = new PerspectiveCamera(FIELD_OF_VIEW, 1, NEAR, FAR);
   private readonly light = new DirectionalLight(0xffffff, Math.PI);
@@ -60,15 +60,15 @@ export class Drawing {
     this.extent = extentOf(model);
     this.scene.add(fitted(model, this.extent), this.light);
     this.scene.updateMatrixWorld();
-    // Their light is that of the drawing, which can be moved.
+    // The lights of the file are replaced by one light that can be moved.
     for (const light of lightsIn(model)) light.visible = false;
   }
 
   /**
    * Loads a model and hatches it.
    *
-   * @param camera of the file: a name, or a number from 1 on; '' for none
-   * @param invalidate called when a frame is to be drawn because lines change by themselves
+   * @param camera a camera of the file: a name, or a number from 1 on; '' for none
+   * @param invalidate called when a frame must be drawn because lines change by themselves
    * @throws Error whose message is a sentence for the reader of the page; the signal's reason when aborted
    */
   static async load(
@@ -85,7 +85,7 @@ export class Drawing {
       const ofFile = camera ? cameras[chosenIndex('camera', names, camera)].camera : undefined;
       model.traverse((object) => {
         object.receiveShadow = true;
-        // Glass casts none.
+        // Glass casts no shadow.
         const { material } = object as Partial<Mesh<BufferGeometry, MeshPhysicalMaterial>>;
         object.castShadow = !material?.transmission && !(material?.transparent && material.opacity < 1);
       });
@@ -101,13 +101,16 @@ export class Drawing {
     return this.preset.material.paper ?? 'white';
   }
 
-  /** The direction to the brightest light of the file or, if it has none, to one that suits the first view. @param aspect width of the picture divided by its height */
+  /**
+   * The direction to the brightest light of the file or, without lights, to one that suits the first view. @param aspect width of the
+   * picture divided by its height
+   */
   lightFor(eye: Direction, aspect: number): Direction {
     this.lookFirst(eye, aspect);
     return directionOf(brightest(lightsIn(this.model)) ?? flatteringLight(this.model, this.camera).direction);
   }
 
-  /** The direction from the model to the camera of the file, if one is asked for. */
+  /** The direction from the model to the selected camera of the file, if any. */
   get firstEye(): Direction | undefined {
     return this.ofFile && directionOf(place.setFromMatrixPosition(this.ofFile.matrixWorld));
   }
@@ -115,7 +118,7 @@ export class Drawing {
   /**
    * Sets the positions of light and camera.
    *
-   * @param isFirst whether nobody has turned or zoomed: then the camera of the file draws, if one is asked for
+   * @param isFirst whether nobody has turned or zoomed: then the selected camera of the file is used, if any
    * @param zoom 1 makes the model just fill the picture, 2 makes it twice as large
    * @param aspect width of the picture divided by its height
    */
@@ -141,7 +144,7 @@ export class Drawing {
     camera.updateProjectionMatrix();
   }
 
-  /** Makes the next frame draw the shadow map again. Call it after a lost graphics context too. */
+  /** Makes the next frame draw the shadow map again. Must also be called after a lost graphics context. */
   renewShadow(): void {
     this.light.shadow.needsUpdate = true;
   }
@@ -166,7 +169,7 @@ export class Drawing {
 
 type FileCamera = PerspectiveCamera | OrthographicCamera;
 
-/** A camera of a file for a picture of other proportions, which shows all of its own. */
+/** A copy of a file's camera for a picture of another aspect ratio, which shows at least the camera's own picture. */
 function cameraOf(source: FileCamera, aspect: number): FileCamera {
   const scale = source.matrixWorld.getMaxScaleOnAxis();
   const isFlat = 'isOrthographicCamera' in source;
@@ -188,7 +191,7 @@ function lightsIn(model: Object3D): Light[] {
   return lights;
 }
 
-/** The direction to the light that arrives most of in the middle of the model; undefined if there is none. */
+/** The direction to the light with the greatest intensity in the middle of the model; undefined without lights. */
 function brightest(lights: readonly Light[]): Vector3 | undefined {
   let most = 0;
   let found: Vector3 | undefined;

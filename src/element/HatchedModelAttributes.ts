@@ -10,15 +10,18 @@ export interface HatchedModelAttributes {
   'color-fill'?: number | string | undefined;
   /** How much the darkness of these colours is hatched, from 0 to 1. Default: 0.8. */
   'local-tone'?: number | string | undefined;
-  /** How much lighter the drawing is, as a factor above 0. Default: 1. */
+  /** A factor on the brightness of the drawing, above 0. Default: 1. */
   exposure?: number | string | undefined;
   /** How much strokes fade towards the rim, from 0 to 1. Default: 0. */
   vignette?: number | string | undefined;
-  /** Azimuth and elevation of the light in degrees. Default: those of the file's light, or of one that suits the first view of the model. */
+  /**
+   * Azimuth and elevation of the light in degrees. Default: those of the file's light or, without one, of a light that suits the first
+   * view.
+   */
   light?: string | undefined;
-  /** The camera of the file that the first view is that of: its name, or its number from 1 on. */
+  /** The camera of the file for the first view: its name, or its number from 1 on. */
   camera?: number | string | undefined;
-  /** The variant of the materials of the file: its name, or its number from 1 on. */
+  /** The material variant of the file: its name, or its number from 1 on. */
   variant?: number | string | undefined;
   /** Whether visitors may turn the model and its light; with `light` only the light. Default: false. */
   controls?: boolean | 'light' | undefined;

@@ -16,7 +16,7 @@ import { type Arrangement, ViewControls } from './ViewControls.js';
 let hasWarned = false;
 
 /**
- * Warns once on a page of an element that comes into view and never had a `src`. One whose `src` was taken away is meant to be empty.
+ * Warns once per page of an element that comes into view and never had a `src`. An element whose `src` was removed is empty on purpose.
  *
  * @param hadSource whether the element has had a `src` before
  */
@@ -52,16 +52,16 @@ const OF_MODEL: readonly string[] = [
   'draco-path',
   'ktx2-path',
 ];
-/** A model is loaded when it is this near to the visible part of the page. */
+/** The distance from the visible part of the page at which a model is loaded. */
 const LOAD_MARGIN = '300px';
-/** The largest number of pixels per CSS pixel. More of them take long and show little. */
+/** The greatest number of pixels per CSS pixel. More take longer and show little. */
 const MAX_PIXEL_RATIO = 2;
 const EYE: Direction = { azimuth: 0, elevation: 8 };
-/** The light until there is a model: from the upper left, as in most drawings of right-handed people. */
+/** The light until a model has loaded: from the upper left, as in most drawings of right-handed people. */
 const FIRST_LIGHT: Direction = { azimuth: -45, elevation: 40 };
 const HINT = 'Arrow keys turn the model, with Shift the light; plus and minus zoom; Home resets everything.';
 
-// There is no HTMLElement on a server, but the module must be importable there too.
+// On a server there is no HTMLElement, but the module must be importable there too.
 const Base = globalThis.HTMLElement ?? (class {} as unknown as typeof HTMLElement);
 
 /**
@@ -110,7 +110,7 @@ export class HatchedModelElement extends Base {
   private readonly message = document.createElement('p');
   /** The light that suits the model. */
   private suitingLight = FIRST_LIGHT;
-  /** Where the first view of the model is taken from. */
+  /** The direction from the model to the camera of the first view. */
   private firstEye = EYE;
   private readonly arrangement: Arrangement = this.home;
   private viewControls: ViewControls | undefined;
@@ -154,7 +154,7 @@ export class HatchedModelElement extends Base {
   }
 
   disconnectedCallback(): void {
-    // When an element is moved, it is removed and inserted in one task, so the release waits for a microtask.
+    // Moving an element removes and inserts it in one task, so the release waits for a microtask.
     queueMicrotask(() => {
       if (!this.isConnected) this.release();
     });
@@ -188,7 +188,7 @@ export class HatchedModelElement extends Base {
     void this.load();
   }
 
-  /** The preset, with the numbers that attributes change. @throws Error if one is wrong */
+  /** The preset with the numbers that attributes override. @throws Error if one is wrong */
   private readLook(): HatchingPreset {
     const preset = readPreset(this.getAttribute('preset'));
     const changes = (Object.keys(LOOK_NUMBERS) as LookNumber[]).flatMap((name) => {
@@ -245,7 +245,7 @@ export class HatchedModelElement extends Base {
     }
   }
 
-  /** Shows the first view of a new model and lights it, unless an attribute or a visitor has chosen the view or the light. */
+  /** Shows the first view of a new model and lights it, unless an attribute or a visitor has set the view or the light. */
   private showFirst(drawing: Drawing): void {
     const { light, eye } = this.arrangement;
     const before = this.home.light;
@@ -260,19 +260,19 @@ export class HatchedModelElement extends Base {
     }
   }
 
-  /** Whether the model is seen as at first. */
+  /** Whether the view is still the first one. */
   private get isFirst(): boolean {
     const { eye, zoom } = this.arrangement;
     return zoom === 1 && eye.azimuth === this.firstEye.azimuth && eye.elevation === this.firstEye.elevation;
   }
 
-  /** The arrangement that visitors find, and go back to. */
+  /** The initial arrangement, which the Home key restores. */
   private get home(): Arrangement {
     let light: Direction | undefined;
     try {
       light = readLight(this.getAttribute('light'));
     } catch {
-      // Loading reports the error.
+      // The load reports the error.
     }
     return { light: { ...(light ?? this.suitingLight) }, eye: { ...this.firstEye }, zoom: 1 };
   }
@@ -286,7 +286,7 @@ export class HatchedModelElement extends Base {
     }
     this.say('');
     this.invalidate();
-    // A wrong light may have been the reason why loading failed.
+    // A wrong light may be the reason why loading failed.
     if (this.hasFailed) this.requestModel();
   }
 

@@ -3,7 +3,7 @@ import type { Drawing } from './Drawing.js';
 
 /**
  * Draws all elements of a page in one WebGL context, because browsers allow only about sixteen, and copies each frame to the canvas of
- * its element. It exists as long as there are users.
+ * its element. It exists as long as it has users.
  */
 export class SharedRenderer {
   private static shared: SharedRenderer | undefined;
@@ -13,7 +13,7 @@ export class SharedRenderer {
   readonly renderer: WebGLRenderer;
 
   /**
-   * The painter of the page.
+   * Returns the page's renderer, and registers a user.
    *
    * @param onRestored called when the context is restored after it was lost
    * @throws Error if the browser has no WebGL 2
@@ -49,17 +49,17 @@ export class SharedRenderer {
    * Draws on a canvas, in the size of the canvas.
    *
    * @param pixelRatio pixels of the canvas per CSS pixel
-   * @returns whether it was drawn; false while the context is lost
+   * @returns whether the drawing was painted; false while the context is lost
    */
   paint({ scene, camera, paper }: Drawing, canvas: HTMLCanvasElement, pixelRatio: number): boolean {
     const { buffer, renderer } = this;
     const { width, height } = canvas;
     const sheet = canvas.getContext('2d', { alpha: false });
     if (!sheet || this.context.isContextLost()) return false;
-    // Setting a ratio gives the buffer new memory.
+    // Setting a ratio reallocates the drawing buffer.
     if (pixelRatio !== renderer.getPixelRatio()) renderer.setPixelRatio(pixelRatio);
     const inCssPixels = (pixels: number): number => pixels / pixelRatio;
-    // The buffer only grows. Smaller frames are drawn in its lower left corner. A pixel more makes up for rounding.
+    // The buffer only grows; smaller frames are drawn in its lower left corner. One more pixel makes up for rounding.
     if (buffer.width < width || buffer.height < height) {
       const [most, highest] = [Math.max(buffer.width, width + 1), Math.max(buffer.height, height + 1)];
       renderer.setSize(inCssPixels(most), inCssPixels(highest), false);

@@ -1,9 +1,9 @@
 import { MathUtils } from 'three';
 import type { Controls, Direction } from './readAttributes.js';
 
-/** Degrees for a drag over the whole width of the canvas, and for an arrow key. */
+/** Degrees per drag over the whole width of the canvas, and per press of an arrow key. */
 const TURN = { drag: 180, key: 5 } as const;
-/** The largest elevation. Beyond the zenith left and right would be exchanged. */
+/** The greatest elevation. Beyond the zenith left and right would be exchanged. */
 const MAX_ELEVATION = 85;
 const ZOOM = { least: 0.5, most: 6, key: 1.1, wheel: 0.001 } as const;
 const SECOND_BUTTON = 2;
@@ -57,7 +57,7 @@ export class ViewControls {
     canvas.addEventListener('keydown', this.onKey, { signal });
   }
 
-  /** Sets what a drag turns. */
+  /** Sets the object that a drag turns. */
   setMode(mode: Controls): void {
     this.mode = mode;
     this.pointers.clear();
@@ -117,7 +117,7 @@ export class ViewControls {
   private turn(right: number, up: number, isForLight: boolean): void {
     const { light, eye } = this.arrangement;
     const moved = isForLight ? light : eye;
-    // For the model to follow the hand, the eye must move the other way.
+    // The eye must move against the hand for the model to follow it.
     const sign = isForLight ? 1 : -1;
     moved.azimuth = MathUtils.euclideanModulo(moved.azimuth + sign * right + 180, 360) - 180;
     moved.elevation = MathUtils.clamp(moved.elevation + sign * up, -MAX_ELEVATION, MAX_ELEVATION);

@@ -1,9 +1,9 @@
 /**
- * The index of what is chosen among named things.
+ * The index of the item that an attribute selects.
  *
- * @param kind of the things, for the sentence of an error
+ * @param kind the kind of the items, for error messages
  * @param wanted a name, or a number from 1 on
- * @throws Error that names all, if there is no such thing
+ * @throws Error that lists all items, if none is selected
  */
 export function chosenIndex(kind: string, names: readonly (readonly string[])[], wanted: string): number {
   const named = names.findIndex((all) => all.includes(wanted));

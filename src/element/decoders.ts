@@ -2,20 +2,20 @@ import type { WebGLRenderer } from 'three';
 import type { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
 import type { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js';
 
-/** Something that several users share, and how many do. */
+/** A shared resource and the number of its users. */
 interface Shared<Resource> {
   resource: Promise<Resource>;
   users: number;
 }
 
-/** Resources that are made once for all who use them at the same time, and freed when the last user gives them back. */
+/** Resources that are made once for all concurrent users, and freed when the last user gives them back. */
 export class SharedResources<Key, Resource extends { dispose(): void }> {
   private readonly shared = new Map<Key, Shared<Resource>>();
 
   /**
-   * The resource of a key. It is to be given back, also where making it failed.
+   * Returns the resource of a key. It must be given back, even if making it failed.
    *
-   * @param make is called if nobody uses the resource
+   * @param make makes the resource; called if it has no users
    */
   borrow(key: Key, make: () => Promise<Resource>): Promise<Resource> {
     let entry = this.shared.get(key);
@@ -27,7 +27,7 @@ export class SharedResources<Key, Resource extends { dispose(): void }> {
     return entry.resource;
   }
 
-  /** Frees the resource of a key when its last user gives it back. */
+  /** Gives back the resource of a key, which is freed with its last user. */
   giveBack(key: Key): void {
     const entry = this.shared.get(key);
     if (!entry || --entry.users > 0) return;
@@ -35,13 +35,13 @@ export class SharedResources<Key, Resource extends { dispose(): void }> {
     entry.resource.then(
       (resource) => resource.dispose(),
       () => {
-        // Whoever borrowed it was told that it failed.
+        // The error was reported to the borrowers.
       },
     );
   }
 }
 
-/** The decoders of three.js that are files in a folder of the page. */
+/** The decoders of three.js whose files are in a folder of the page. */
 export interface Decoders {
   draco: DRACOLoader;
   ktx2: KTX2Loader;
@@ -51,13 +51,13 @@ interface Recipe<Decoder> {
   files: readonly string[];
   /** Resolves when all files are loaded: a decoder that is disposed of earlier would start workers afterwards. */
   make(folder: string, renderer: WebGLRenderer): Promise<Decoder>;
-  /** Code that does what the decoder's worker must be allowed to do. */
+  /** Code that does everything the decoder's worker must be allowed to do. */
   probe: string;
-  /** The source expression with which a Content-Security-Policy allows it. */
+  /** The source expression in a Content-Security-Policy that allows it. */
   policy: string;
 }
 
-/** Compiles the smallest WebAssembly module. */
+/** Code that compiles the smallest WebAssembly module. */
 const COMPILE = 'new WebAssembly.Module(new Uint8Array([0,97,115,109,1,0,0,0]));';
 
 const RECIPES: { [Kind in keyof Decoders]: Recipe<Decoders[Kind]> } = {
@@ -86,11 +86,11 @@ const RECIPES: { [Kind in keyof Decoders]: Recipe<Decoders[Kind]> } = {
   },
 };
 
-/** The keys consist of kind and folder. */
+/** Keyed by kind and folder. */
 const shared = new SharedResources<string, DRACOLoader | KTX2Loader>();
 
 /**
- * Returns a decoder, which all models share that are being loaded with it. Give it back with {@link returnDecoder}, even if it fails.
+ * Returns a decoder, which all models that are being loaded with it share. Give it back with {@link returnDecoder}, even if it fails.
  *
  * @param folder the URL of its folder, with a slash at its end
  * @param renderer the renderer that draws the textures: they are transcoded to a format of its GPU
@@ -105,10 +105,10 @@ export function borrowDecoder<Kind extends keyof Decoders>(
   return shared.borrow(`${kind} ${folder}`, make) as Promise<Decoders[Kind]>;
 }
 
-/** Ends the workers of a decoder when its last user gives it back. */
+/** Gives back a decoder, whose workers end with its last user. */
 export const returnDecoder = (kind: keyof Decoders, folder: string): void => shared.giveBack(`${kind} ${folder}`);
 
-/** Makes a decoder, after checking that it can work on this page. One that cannot would never answer. */
+/** Makes a decoder, after checking that it can work on this page: one that cannot would never answer. */
 async function start<Decoder>(
   { files, make, probe, policy }: Recipe<Decoder>,
   folder: string,
@@ -121,7 +121,7 @@ async function start<Decoder>(
 async function findFile(address: string): Promise<void> {
   const enough = new AbortController();
   const response = await fetch(address, { signal: enough.signal }).catch(() => undefined);
-  // Many servers answer with an HTML page if there is no file.
+  // Many servers answer with an HTML page if a file is missing.
   const isThere = response?.ok && !response.headers.get('Content-Type')?.includes('html');
   enough.abort();
   if (!isThere) throw new Error(`was not found at ${address}.`);

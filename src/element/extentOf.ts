@@ -1,6 +1,6 @@
 import { Box3, type InstancedMesh, type Material, type Mesh, type Object3D, Vector3 } from 'three';
 
-/** The extent of what is drawn of a model. */
+/** The extent of the visible parts of a model. */
 export interface Extent {
   /** The centre of the bounding box, in the units of the model. */
   middle: Vector3;
@@ -12,13 +12,13 @@ export interface Extent {
   height: number;
 }
 
-/** A surface of less opacity is not seen. */
+/** The opacity below which a surface is invisible. */
 const LEAST = 0.02;
 
 const box = new Box3();
 const place = new Vector3();
 
-/** The extent of the parts that are seen: hidden and clear ones do not count, unless there is nothing else. */
+/** The extent of the visible parts: hidden and transparent ones do not count, unless there are no others. */
 export function extentOf(model: Object3D): Extent {
   const all = model.getObjectsByProperty('isMesh', true) as Mesh[];
   const drawn = all.map(drawnOf);
@@ -50,7 +50,7 @@ export function extentOf(model: Object3D): Extent {
   return { middle, radius: unit, around: around / unit, height: height / unit };
 }
 
-/** @param call gets each marked and finite vertex of a mesh in its present pose, in the world. It may change the point */
+/** @param call receives each marked and finite vertex of a mesh in its present pose, in world space. It may change the point */
 function eachPoint(mesh: Mesh, vertices: Uint8Array, call: (point: Vector3) => void): void {
   const point = new Vector3();
   for (let i = 0; i < vertices.length; i++) {
@@ -60,7 +60,7 @@ function eachPoint(mesh: Mesh, vertices: Uint8Array, call: (point: Vector3) => v
   }
 }
 
-/** Marks the vertices of a mesh of which something is seen. */
+/** Marks the vertices of the visible parts of a mesh. */
 function drawnOf(mesh: Mesh): { mesh: Mesh; vertices: Uint8Array } {
   const { geometry, material } = mesh;
   const { index, groups } = geometry;

@@ -24,7 +24,7 @@ interface Mappings {
   mappings?: { material: number; variants: number[] }[];
 }
 
-/** Gives the meshes of a model the materials of a variant. @throws Error that names all variants, if there is none of this name */
+/** Sets the materials of a variant on the meshes of a model. @throws Error that lists all variants, if there is none of this name */
 async function useVariant({ scene, parser }: GLTF, wanted: string): Promise<void> {
   const { variants = [] } = (parser.json.extensions?.[NAME] ?? {}) as Variants;
   const names = variants.map(({ name }, i) => [name ?? `Variant ${i + 1}`]);
@@ -41,7 +41,7 @@ async function useVariant({ scene, parser }: GLTF, wanted: string): Promise<void
   }
 }
 
-/** A camera of a model, and the names by which it can be chosen. */
+/** A camera of a model, and the names by which it can be selected. */
 export interface NamedCamera {
   names: string[];
   camera: PerspectiveCamera | OrthographicCamera;
@@ -80,7 +80,7 @@ export async function loadModel(source: ModelSource): Promise<LoadedModel> {
   }
 }
 
-/** The cameras in the scene of a model, with the names by which they can be chosen. */
+/** The cameras in the scene of a model, with the names by which they can be selected. */
 function camerasOf({ scene, parser }: GLTF): NamedCamera[] {
   const cameras: NamedCamera[] = [];
   scene.traverse((object) => {
@@ -127,6 +127,6 @@ function sentenceOf(address: string, cause: unknown): string {
   return `The model ${name} could not be read: ${message}`;
 }
 
-/** The message of an error. The workers of Draco throw plain objects. */
+/** The message of an error. Draco's workers throw plain objects. */
 const messageOf = (cause: unknown): string =>
   cause instanceof Error ? cause.message : String((cause as { error?: unknown } | undefined)?.error ?? cause);

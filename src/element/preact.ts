@@ -9,7 +9,7 @@ import type { HatchedModelAttributes } from './HatchedModelAttributes.js';
 
 export * from './element.js';
 
-/** What JSX of Preact may write: attributes and listeners. */
+/** The JSX props in Preact: attributes and listeners. */
 export type HatchedModelProps = HatchedModelAttributes &
   Omit<HTMLAttributes<HatchedModelElement>, keyof HatchedModelAttributes | 'onError'> & {
     onError?: ((event: ErrorEvent) => void) | undefined;

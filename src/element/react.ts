@@ -9,7 +9,7 @@ import type { HatchedModelAttributes } from './HatchedModelAttributes.js';
 
 export * from './element.js';
 
-/** What JSX of React may write: attributes, and listeners under the names of their events, which React adds to custom elements as they are. */
+/** The JSX props in React: attributes, and listeners under the names of their events, which React adds to custom elements unchanged. */
 export interface HatchedModelProps
   extends HatchedModelAttributes,
     ClassAttributes<HatchedModelElement>,

@@ -8,7 +8,7 @@ export interface Direction {
   elevation: number;
 }
 
-/** The object that a drag or an arrow key turns. */
+/** What a drag or an arrow key turns. */
 export type Controls = 'none' | 'orbit' | 'light';
 
 const DEFAULT_PRESET: PresetName = 'pen';
@@ -18,7 +18,7 @@ const MAX_ELEVATION = 90;
  * Reads the preset.
  *
  * @param text the attribute; null or '' for the default, `pen`
- * @throws Error that names all presets, if there is none of this name
+ * @throws Error that lists all presets, if there is none of this name
  */
 export function readPreset(text: string | null): HatchingPreset {
   const name = text?.trim() || DEFAULT_PRESET;
@@ -26,7 +26,7 @@ export function readPreset(text: string | null): HatchingPreset {
   throw new Error(`There is no preset "${name}". There are ${Object.keys(presets).join(', ')}.`);
 }
 
-/** The attributes that change a number of the preset: the property of the material, and its range in words. */
+/** The attributes that override a number of the preset: the property of the material, and its range in words. */
 export const LOOK_NUMBERS = {
   'color-fill': { property: 'colorFill', words: 'from 0, ink alone, to 1, the colours of the model' },
   'local-tone': { property: 'localTone', words: 'from 0 to 1' },
@@ -37,16 +37,16 @@ export const LOOK_NUMBERS = {
 export type LookNumber = keyof typeof LOOK_NUMBERS;
 
 /**
- * Reads a number that changes the preset.
+ * Reads a number that overrides one of the preset.
  *
- * @param text the attribute; null or '' leaves the number to the preset
- * @throws Error if it is no number within the range
+ * @param text the attribute; null or '' keeps the preset's number
+ * @throws Error unless it is a number within the range
  */
 export function readLookNumber(name: LookNumber, text: string | null): number | undefined {
   const word = text?.trim();
   if (!word) return undefined;
   const value = Number(word);
-  // A factor, beside shares.
+  // The exposure is a factor, the others are shares.
   const isRight = name === 'exposure' ? value > 0 && value < Infinity : value >= 0 && value <= 1;
   if (isRight) return value;
   throw new Error(`The ${name} is "${text}", but must be a number ${LOOK_NUMBERS[name].words}.`);

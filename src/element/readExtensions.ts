@@ -1,4 +1,4 @@
-/** The extensions that a glTF file names. */
+/** The extensions that a glTF file lists. */
 export interface GltfExtensions {
   used: readonly string[];
   /** The extensions without which the file cannot be read. */

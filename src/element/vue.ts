@@ -9,7 +9,7 @@ import type { HatchedModelAttributes } from './HatchedModelAttributes.js';
 
 export * from './element.js';
 
-/** What templates may write: attributes and listeners. */
+/** The template props in Vue: attributes and listeners. */
 export type HatchedModelProps = HatchedModelAttributes &
   Omit<HTMLAttributes, keyof HatchedModelAttributes | 'onError'> &
   PublicProps & { onError?: ((event: ErrorEvent) => void) | undefined };

@@ -2,14 +2,14 @@ import { invalidate } from '@react-three/fiber';
 import { HatchingMaterial } from 'three-hatching';
 
 /**
- * The material of `<hatchingMaterial>`: asks for a frame when its map and its code are there, for a canvas that draws only when something
- * changes.
+ * The material of `<hatchingMaterial>`: it requests a frame when its map and its code have loaded, for a canvas with
+ * `frameloop="demand"`.
  */
 export class FollowedMaterial extends HatchingMaterial {
-  /** What was drawn last: what decides which map and which code are needed. */
+  /** The properties at the last draw that decide which map and which code are needed. */
   private followed: Partial<Pick<HatchingMaterial, 'tonalArtMap' | 'technique' | 'medium' | 'version'>> = {};
 
-  // The part of HatchingMaterial runs before this, as before any hook that is set in its place.
+  // The hook of HatchingMaterial runs before this one, as before any hook that a user sets.
   override onBeforeRender(): void {
     const { followed } = this;
     const isSame =
@@ -20,7 +20,7 @@ export class FollowedMaterial extends HatchingMaterial {
     if (isSame) return;
     const { tonalArtMap, technique, medium, version } = this;
     this.followed = { tonalArtMap, technique, medium, version };
-    // A map that cannot be drawn, and code that cannot be fetched, are told of by the library.
+    // Failures to draw the map or to fetch the code are reported by the library.
     this.ready.then(() => invalidate()).catch(() => {});
   }
 }

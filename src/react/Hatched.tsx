@@ -7,7 +7,7 @@ import { Hatcher, type HatcherEvents } from './Hatcher.js';
 
 let hasWarned = false;
 
-/** Warns once of a `<Hatched>` that was given nothing to hatch: most likely a name that the loaded file does not have. */
+/** Warns once of a `<Hatched>` that has nothing to hatch, most likely because of a name that the loaded file does not have. */
 export function warnIfEmpty(object: Object3D | null | undefined, children: ReactNode): void {
   if (hasWarned || object !== undefined || Children.count(children) > 0) return;
   hasWarned = true;
@@ -18,7 +18,7 @@ export function warnIfEmpty(object: Object3D | null | undefined, children: React
 }
 
 /**
- * Hatches its children, or a loaded scene, with `applyHatching`, and keeps them hatched while children are added, removed and changed.
+ * Hatches its children, or a loaded scene, with `applyHatching`, and hatches again when children are added, removed or changed.
  *
  * ```tsx
  * <Hatched preset="pencil">
@@ -30,7 +30,7 @@ export function warnIfEmpty(object: Object3D | null | undefined, children: React
  * <Hatched preset="engraving" object={gltf.scene} />
  * ```
  *
- * When it unmounts, everything gets its own look back, and all memory is freed. Children may suspend.
+ * When it unmounts, everything gets its former look back, and all memory is freed. Children may suspend.
  */
 export function Hatched({
   object,

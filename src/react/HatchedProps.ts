@@ -3,9 +3,9 @@ import type { ReactNode } from 'react';
 import type { Object3D } from 'three';
 import type { ApplyHatchingOptions, HatchedScene } from 'three-hatching';
 
-/** The options of `applyHatching` that are props of `<Hatched>`; it sees to the others itself. */
+/** The options of `applyHatching` that are props of `<Hatched>`, which sets the others itself. */
 export type HatchedOptions = Omit<ApplyHatchingOptions, 'signal' | 'replaces' | 'renderer' | 'camera' | 'invalidate'>;
-/** The props of the group that `<Hatched>` is. */
+/** The group props of `<Hatched>`. */
 export type HatchedGroupProps = Omit<
   ThreeElements['group'],
   keyof ApplyHatchingOptions | 'object' | 'onError' | 'children'
@@ -15,17 +15,17 @@ export type HatchedGroupProps = Omit<
  * The props of `<Hatched>`: the options of `applyHatching`, those below, and all props of a group.
  *
  * Options may change at any time. Parameters of `material` and `outlines`, and the map, take effect in the next frame. If the geometry
- * must be prepared again, the last look is drawn until it is ready. Passing another function does not by itself change anything: the
- * latest function is called when it is needed.
+ * must be prepared again, the last look is drawn until it is ready. A new function alone changes nothing: the latest function is called
+ * when it is needed.
  */
 export interface HatchedProps extends HatchedOptions, HatchedGroupProps {
   children?: ReactNode;
   /**
-   * A loaded scene, such as `gltf.scene`, besides the children or instead of them. It is not disposed of. Pass `null` while it is being
-   * loaded: `undefined` without children is taken for a mistake, and warned of.
+   * A loaded scene, such as `gltf.scene`, besides the children or instead of them. It is not disposed of. Pass `null` while it is
+   * loading: `undefined` without children causes a warning, because it is probably a mistake.
    */
   object?: Object3D | null | undefined;
-  /** Whether the children are shown with their own materials until they are hatched. Default: false, they are not shown. */
+  /** Whether the children are shown with their own materials until they are hatched. Default: false, they are hidden. */
   showUnhatched?: boolean | undefined;
   /** Called whenever the scene was hatched or restyled. `hatched.skipped` lists the meshes that were left alone, and why. */
   onHatched?: ((hatched: HatchedScene) => void) | undefined;

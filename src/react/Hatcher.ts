@@ -12,7 +12,7 @@ import { meshesOf, SceneSnapshot } from './SceneSnapshot.js';
 import { sameValue } from './sameValue.js';
 import { WantedMap } from './WantedMap.js';
 
-/** Hides meshes for a while by taking them out of all layers. Properties that React sets, such as `visible`, stay as they are. */
+/** Hides meshes for a while by removing them from all layers. Properties that React sets, such as `visible`, stay. */
 class Veil {
   private readonly masks = new Map<Object3D, number>();
 
@@ -22,12 +22,12 @@ class Veil {
     object.layers.mask = 0;
   }
 
-  /** Hides the outlines of a mesh whose geometry has changed. Those of a mesh that is hidden are hidden with it. */
+  /** Hides the outlines of a mesh whose geometry has changed. Outlines of a hidden mesh are hidden with it. */
   coverOutlines({ children }: Mesh): void {
     for (const child of children) if (isOutlines(child) && child.layers.mask !== 0) this.cover(child);
   }
 
-  /** Shows all meshes again, and then their outlines, which follow their layers. */
+  /** Shows all meshes again, and then their outlines, which follow the layers of the meshes. */
   lift(): void {
     for (const isLater of [false, true])
       for (const [object, mask] of this.masks) if (isOutlines(object) === isLater) object.layers.mask = mask;
@@ -41,19 +41,19 @@ const isOutlines = (object: Object3D): boolean => 'isHatchingOutlines' in object
 export interface HatcherEvents {
   /** Called when the scene was hatched or restyled. */
   onHatched(hatched: HatchedScene): void;
-  /** Called when a frame is to be drawn because lines change by themselves. */
+  /** Called when a frame must be drawn because lines change by themselves. */
   invalidate(): void;
-  /** Called when the scene could not be hatched. It has not changed. */
+  /** Called when the scene could not be hatched; it is unchanged. */
   onError(error: unknown): void;
 }
 
 /**
- * Keeps a scene hatched while its options and its meshes change. If it is enough to set new values, the scene is restyled; otherwise
- * it is hatched again. The last look is drawn until the next one is ready.
+ * Keeps a scene hatched while its options and its meshes change. If new values suffice, the scene is restyled; otherwise it is hatched
+ * again. The last look is drawn until the next one is ready.
  */
 export class Hatcher {
   private wanted: ApplyHatchingOptions | undefined;
-  /** The options that were tried last, whether or not it was a success. */
+  /** The options of the last attempt, successful or not. */
   private tried: ApplyHatchingOptions | undefined;
   private hatched: HatchedScene | undefined;
   /** The options that the scene is hatched with. */
@@ -67,7 +67,7 @@ export class Hatcher {
 
   /**
    * @param showsUnhatched whether meshes are drawn with their own materials until they are hatched
-   * @param drawnBy returns the renderer and the camera that draw the scene, if there are
+   * @param drawnBy returns the renderer and the camera that draw the scene, if there are any
    */
   constructor(
     private readonly root: Object3D,
@@ -76,7 +76,7 @@ export class Hatcher {
     private readonly drawnBy: () => Pick<ApplyHatchingOptions, 'renderer' | 'camera'> = () => ({}),
   ) {}
 
-  /** Hatches the scene with these options. Another function by itself changes nothing; the latest is called when it is needed. */
+  /** Hatches the scene with these options. A new function alone changes nothing; the latest function is called when it is needed. */
   update(options: ApplyHatchingOptions): void {
     if (this.wanted && sameValue(this.wanted, options)) {
       Object.assign(this.wanted, options);
@@ -86,7 +86,7 @@ export class Hatcher {
     this.bringUpToDate();
   }
 
-  /** Follows changes of materials, and looks whether the scene has changed since it was hatched. It must be called before each frame. */
+  /** Copies changes of materials, and checks whether the scene has changed since it was hatched. Must be called before each frame. */
   follow(): void {
     this.hatched?.follow();
     if (!this.wanted || !this.snapshot.differs(this.root)) return;
@@ -95,7 +95,7 @@ export class Hatcher {
     else this.bringUpToDate();
   }
 
-  /** Gives the scene back its own look, and frees all memory. */
+  /** Restores the former look of the scene, and frees all memory. */
   dispose(): void {
     this.abort.abort();
     this.veil.lift();
@@ -111,7 +111,7 @@ export class Hatcher {
     try {
       while (!signal.aborted && !this.isUpToDate()) await this.take(this.wanted!);
     } catch (error) {
-      // With this snapshot there is no other try before something changes.
+      // With this snapshot there is no further attempt before something changes.
       this.snapshot.take(this.root);
       this.veil.lift();
       if (!signal.aborted) this.events.onError(error);
@@ -148,7 +148,7 @@ export class Hatcher {
     this.events.onHatched(this.hatched!);
   }
 
-  /** Whether the hatched scene would need a map with these options. For an unhatched scene `applyHatching` finds that out. */
+  /** Whether the hatched scene would need a map with these options. For an unhatched scene `applyHatching` decides that. */
   private drawsWithMap({ material = {} }: ApplyHatchingOptions): boolean {
     if (!this.hatched) return false;
     return typeof material === 'function' ? this.hatched.materials.some(needsMap) : needsMap(material);
@@ -173,7 +173,7 @@ export class Hatcher {
       ...options,
       ...this.drawnBy(),
       tonalArtMap: map.source,
-      // React may add a mesh before its geometry, and a helper before anything that is hatched.
+      // React may add a mesh before its geometry, and a helper before any mesh to hatch.
       filter: (mesh) => !isEmpty && hasPositions(mesh) && filter(mesh),
       replaces: this.hatched,
       invalidate: () => this.takeFormed(),
@@ -185,12 +185,12 @@ export class Hatcher {
     const hasChanged =
       !this.snapshot.hasMeshesOf(this.root) ||
       hatched.skipped.some(({ mesh, error }) => error && this.snapshot.looksOtherwise(mesh));
-    // If the snapshot stays as it is, the caller sees the change, and hatches the scene again.
+    // If the snapshot is unchanged, the caller sees the change, and hatches the scene again.
     if (!hasChanged) this.snapshot.take(this.root);
     this.veil.lift();
   }
 
-  /** Goes on with geometries that the hatched scene has given to meshes. */
+  /** Accepts geometries that the hatched scene has set on meshes. */
   private takeFormed(): void {
     if (this.hatched) this.snapshot.takeGeometries(this.hatched.formed);
     this.events.invalidate();

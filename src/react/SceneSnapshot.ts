@@ -1,7 +1,7 @@
 import type { Material, Mesh, Object3D } from 'three';
 import { leftAlone } from 'three-hatching/facts';
 
-/** Remembers the meshes of a scene that are to be hatched, in order, with their geometries and materials, to notice when the scene changes. */
+/** A record of the meshes to hatch in a scene, in order, with their geometries and materials, which shows when the scene changes. */
 export class SceneSnapshot {
   private readonly meshes: Mesh[] = [];
   private readonly geometries: Mesh['geometry'][] = [];
@@ -18,12 +18,12 @@ export class SceneSnapshot {
     }
   }
 
-  /** Whether a mesh was added or removed, or got another geometry or material. It allocates nothing. */
+  /** Whether a mesh was added or removed, or has another geometry or material. Allocates nothing. */
   differs(root: Object3D): boolean {
     return this.compare(root, 0) !== this.meshes.length;
   }
 
-  /** Remembers the geometries that meshes have now, which they were given on purpose. */
+  /** Records the present geometries of meshes, whose change was intended. */
   takeGeometries(meshes: readonly Mesh[]): void {
     for (const mesh of meshes) {
       const place = this.meshes.indexOf(mesh);
@@ -43,7 +43,9 @@ export class SceneSnapshot {
     return meshes.length === this.meshes.length && meshes.every((mesh, i) => mesh === this.meshes[i]);
   }
 
-  /** Compares the meshes at or below an object with those from `place` on. Returns the place after them, or NaN if they differ. */
+  /**
+   * Compares the meshes at or below an object with those recorded from `place` on. Returns the place after them, or NaN if they differ.
+   */
   private compare(object: Object3D, place: number): number {
     let next = place;
     if (isHatched(object)) {
@@ -59,7 +61,7 @@ export class SceneSnapshot {
   }
 }
 
-/** All meshes at or below an object that are to be hatched. Helpers, which are left alone, may change as they like. */
+/** All meshes at or below an object that are to be hatched. Helpers, which are left alone, may change freely. */
 export function meshesOf(root: Object3D): Mesh[] {
   return (root.getObjectsByProperty('isMesh', true) as Mesh[]).filter(isHatched);
 }

@@ -1,7 +1,7 @@
 import { type ApplyHatchingOptions, type StrokeStyleName, TonalArtMap } from 'three-hatching';
 import { retainMap, sharedMap } from './sharedMaps.js';
 
-/** The map that the options ask for. A generated map is made when it is needed, and shared by all who ask for the same map. */
+/** The map that the options specify. A generated map is made when it is needed, and shared by all components with the same options. */
 export class WantedMap {
   /** The map, once it exists. */
   map: TonalArtMap | null = null;
@@ -39,7 +39,7 @@ export class WantedMap {
       this.map = await tonalArtMap(onProgress);
       return this.map;
     }
-    // A hand takes the place of a style.
+    // A hand replaces the style.
     const hasHand = tonalArtMap && 'hand' in tonalArtMap && tonalArtMap.hand !== undefined;
     const style = hasHand ? undefined : namedStyle(this.options);
     this.map = await sharedMap({ style, ...tonalArtMap }, { createWorker, onProgress });
@@ -48,7 +48,7 @@ export class WantedMap {
   }
 }
 
-/** The style that the parameters of the material name. */
+/** The style among the parameters of the material. */
 function namedStyle({ material }: ApplyHatchingOptions): StrokeStyleName | undefined {
   const { tonalArtMap } = typeof material === 'object' ? material : {};
   return typeof tonalArtMap === 'string' ? tonalArtMap : undefined;

@@ -17,14 +17,14 @@ import { namesOf, sameValue } from './sameValue.js';
 
 type Values = Readonly<Record<string, unknown>>;
 
-/** The options of outlines that take effect only when the geometry is prepared: those that decide which edges are creases. */
+/** The outline options that take effect only when the geometry is prepared: those that decide which edges are creases. */
 const BAKED_OUTLINE_OPTIONS: readonly string[] = ['featureAngle', 'creaseLength'];
 
 /**
  * Sets new values of the materials and outlines of a hatched scene, if nothing else has changed in the options. The map is left to the
  * caller.
  *
- * @returns whether that was enough. If not, the scene has not changed.
+ * @returns whether that was sufficient; if not, the scene is unchanged
  */
 export function restyle(hatched: HatchedScene, from: ApplyHatchingOptions, to: ApplyHatchingOptions): boolean {
   const { material: fromMaterial = {}, outlines: fromLines = false, tonalArtMap: _fromMap, ...fromRest } = from;
@@ -48,10 +48,10 @@ function materialChanges(from: object, to: object): HatchingMaterialParameters |
     name in HATCHING_DEFAULTS ? defaultOf(name as HatchingPropertyName, technique) : undefined,
   );
   if (!changes || 'tilesPerUnit' in changes) return null;
-  // Lines and strokes that follow the form need a geometry that was prepared for them.
+  // Lines and strokes that follow the form need a geometry that was prepared with a form field.
   if (followsForm(to) && (formOf(from) !== formOf(to) || 'technique' in changes)) return null;
   if (!('technique' in changes)) return changes;
-  // Techniques with adjacency need a geometry that was prepared for them.
+  // Techniques with adjacency need a geometry that was prepared with it.
   return [from, to].some(needsAdjacency) ? null : changes;
 }
 
@@ -65,8 +65,8 @@ function lineChanges(from: boolean | object, to: boolean | object): Values | nul
 }
 
 /**
- * The values to set to get from `from` to `to`. A value that `to` no longer has gets its default. Returns `null` if that is unknown,
- * because the property was taken over from the scene's own material.
+ * The values to set for a change from `from` to `to`. A value that `to` no longer has gets its default. Returns `null` if that is
+ * unknown, because the property was copied from the scene's own material.
  */
 function changed(from: Values, to: Values, defaultFor: (name: string) => unknown): Values | null {
   const changes: Record<string, unknown> = {};
@@ -84,7 +84,7 @@ function changed(from: Values, to: Values, defaultFor: (name: string) => unknown
 
 let standard: MeshStandardMaterial | undefined;
 
-/** A material that has every property that may have been taken over from the material of a scene. */
+/** A material with every property that may be copied from the material of a scene. */
 function takenOver(): MeshStandardMaterial {
   standard ??= new MeshStandardMaterial();
   return standard;

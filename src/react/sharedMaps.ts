@@ -1,21 +1,21 @@
 import { type MapDrawing, type TaskOptions, TonalArtMap, type TonalArtMapSource } from 'three-hatching';
 
-/** What a map is made of: how it is drawn, or the address of its files or images. */
+/** The source of a map: options to draw it, or the address of its files or images. */
 export type SharedMapSource = MapDrawing | MapAddress;
 
 /** The address of the files of a map, or those of its images. */
 export type MapAddress = string | readonly string[];
 
-/** How making a map is followed. Whoever asks first for a map is told; others share it. */
+/** Task options. Those of the first request for a map apply; later requests share the map. */
 export type SharedMapOptions = Pick<TaskOptions, 'onProgress' | 'createWorker'>;
 
-/** Kept for good, as loaders of React Three Fiber keep what they load: a map that is asked for again is there at once. */
+/** A cache that is never emptied by itself, like that of React Three Fiber's loaders. */
 const loaded = new Map<string, Promise<TonalArtMap>>();
 
-/** How many components draw with a map. */
+/** The number of components that draw with each map. */
 const users = new WeakMap<TonalArtMap, number>();
 
-/** One map for all who ask for the same. One that could not be made is tried again by the next who asks. */
+/** The shared map of a source. If making it failed, the next request tries again. */
 export function sharedMap(source: SharedMapSource, options: SharedMapOptions = {}): Promise<TonalArtMap> {
   if (!isAddress(source)) return TonalArtMap.shared(source, options).ready;
   const key = JSON.stringify(source);
@@ -27,7 +27,7 @@ export function sharedMap(source: SharedMapSource, options: SharedMapOptions = {
   return map;
 }
 
-/** Notes that somebody draws with a shared map, until the returned function is called: with the last one it leaves the graphics card. */
+/** Counts a user of a shared map until the returned function is called. With the last user the map's GPU memory is freed. */
 export function retainMap(map: TonalArtMap): () => void {
   users.set(map, (users.get(map) ?? 0) + 1);
   let isUsed = true;
@@ -40,7 +40,7 @@ export function retainMap(map: TonalArtMap): () => void {
   };
 }
 
-/** Forgets a loaded map, or all of them. Who has one keeps it. */
+/** Removes a loaded map, or all of them, from the cache. Components keep theirs. */
 export function forgetMap(address?: MapAddress): void {
   if (address === undefined) loaded.clear();
   else loaded.delete(JSON.stringify(address));

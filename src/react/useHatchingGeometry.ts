@@ -19,8 +19,8 @@ interface Prepared {
 
 /**
  * Prepares a geometry for `<hatchingMaterial>`, in a worker. Returns `null` until it is ready, so that you can draw something else in
- * the meantime. The result is disposed of when the component unmounts or the source changes. The hook does not suspend, because a
- * source that is created in the same component would be created again with every attempt.
+ * the meantime. The result is disposed of when the component unmounts or the source changes. The hook does not suspend, because React
+ * would create a source in the same component again with every attempt.
  *
  * ```tsx
  * const source = useMemo(() => new TorusKnotGeometry(), []);

@@ -29,10 +29,10 @@ export function useTonalArtMap(source: SharedMapSource = {}, options: SharedMapO
   return map;
 }
 
-/** Starts to make a map before a component asks for it. */
+/** Starts to make a map before a component needs it. */
 useTonalArtMap.preload = (source: SharedMapSource = {}, options: SharedMapOptions = {}): void => {
   sharedMap(source, options).catch(() => {});
 };
 
-/** Forgets a loaded map, or all of them, so that the next component loads it again. */
+/** Removes a loaded map, or all of them, from the cache, so that the next component loads it again. */
 useTonalArtMap.clear = (address?: MapAddress): void => forgetMap(address);

@@ -3,11 +3,11 @@ import { FrameTimer } from './FrameTimer.js';
 
 /** Options of `AdaptiveResolution`. */
 export interface AdaptiveResolutionOptions {
-  /** The pixel ratio is multiplied by this factor while something moves, in (0, 1]. Default 0.5: a quarter of the pixels. */
+  /** The factor on the pixel ratio while something moves, in (0, 1]. Default 0.5: a quarter of the pixels. */
   share?: number | undefined;
-  /** Frames that take longer than this are slow, in milliseconds, 0 or more. Default 55: up to it a dragged light is smooth. */
+  /** The frame time in milliseconds, 0 or more, above which frames are slow. Default 55: up to it a dragged light is smooth. */
   slow?: number | undefined;
-  /** A movement is over after this time without any, in milliseconds, above 0. Default 350. */
+  /** The time in milliseconds, above 0, after which a movement is over. Default 350. */
   pause?: number | undefined;
   /** Called at the end of a movement that was drawn in a lower resolution. If you draw frames on demand, draw one. */
   onRest?: (() => void) | undefined;
@@ -16,9 +16,9 @@ export interface AdaptiveResolutionOptions {
 }
 
 /**
- * Keeps movement smooth on slow machines. While the camera, a light or a model moves and frames take long, they are drawn in a
- * lower resolution, by the renderer's pixel ratio; when the movement is over, in full resolution again. Strokes and outlines keep their
- * widths, which are in CSS pixels.
+ * Keeps movement smooth on slow machines. While the camera, a light or a model moves and frames are slow, it lowers the renderer's
+ * pixel ratio; when the movement is over, it draws in full resolution again. Strokes and outlines keep their widths, which are in CSS
+ * pixels.
  *
  * ```ts
  * const resolution = new AdaptiveResolution(renderer, { onRest: requestRender });
@@ -93,8 +93,8 @@ export class AdaptiveResolution {
   }
 
   /**
-   * Draws and measures a frame that `renderer.render` alone cannot draw, but a composer for example. `draw` must multiply the pixel
-   * ratio of renderer and composer by {@link scale} itself.
+   * Draws and measures a frame that is not drawn by `renderer.render` alone, but for example by a composer. `draw` must multiply the
+   * pixel ratio of renderer and composer by {@link scale} itself.
    *
    * @param isMoving whether something moves in this frame
    */
@@ -131,7 +131,7 @@ export class AdaptiveResolution {
 
   private useScale(): void {
     const { renderer, ratios } = this;
-    // A pixel ratio that someone else has set becomes the new full one.
+    // A pixel ratio that other code has set becomes the new full one.
     if (!this.isLow || (ratios && ratios.low !== renderer.getPixelRatio())) this.useFull();
     if (!this.isLow || this.ratios) return;
     const full = renderer.getPixelRatio();

@@ -11,10 +11,10 @@ import type { DetailOptions } from './detail/DetailOptions.js';
 import type { HatchedScene } from './HatchedScene.js';
 import type { HatchingPreset, PresetName } from './presets.js';
 
-/** Options of `applyHatching`. Those of `prepareHatchingGeometry` are among them, and apply to every mesh. */
+/** Options of `applyHatching`. They include those of `prepareHatchingGeometry`, which apply to every mesh. */
 export interface ApplyHatchingOptions extends Omit<PrepareHatchingGeometryOptions, 'outlines' | 'technique'> {
   /**
-   * The preset to start from, by its name or as an object: material, outlines and map. The other options override it; the
+   * The preset to start from, by name or as an object: it sets the material, outlines and map. The other options override it; the
    * parameters in `material` and `outlines` do so one by one. Default: no preset.
    */
   preset?: PresetName | HatchingPreset | undefined;
@@ -25,10 +25,10 @@ export interface ApplyHatchingOptions extends Omit<PrepareHatchingGeometryOption
   replaces?: HatchedScene | undefined;
   /**
    * The tonal art map for those materials that need one and have none among their parameters: your own map, the options of
-   * `TonalArtMap.generate`, or a function that resolves with your own map: it is called only if a material needs one, with a listener
-   * of its progress, while geometries are prepared. With `null` the meshes stay blank paper until you set a map. Default: the map of
-   * the style that the material names, `hatching` unless its parameters name another. All who ask for a style and nothing else share
-   * its map (`TonalArtMap.shared`); one that is generated for you alone is freed by `dispose()` of the result.
+   * `TonalArtMap.generate`, or a function that resolves with your own map. The function is called with a progress listener while
+   * geometries are prepared, and only if a material needs a map. With `null` the meshes stay blank paper until you set a map. Default:
+   * the map of the style that the material names, `hatching` unless its parameters name another. The map of a style without further
+   * options is shared (`TonalArtMap.shared`); a map that is generated for this call is freed by `dispose()` of the result.
    */
   tonalArtMap?:
     | TonalArtMap
@@ -42,9 +42,8 @@ export interface ApplyHatchingOptions extends Omit<PrepareHatchingGeometryOption
    */
   material?: HatchingMaterialParameters | ((source: Material, mesh: Mesh) => HatchingMaterialParameters) | undefined;
   /**
-   * The size of the strokes, in tiles of the map per world unit: it is the same on small and large objects. In contrast, a
-   * `tilesPerUnit` among the parameters of the materials is per unit of object space. Default: 3 divided by the radius of the
-   * whole scene.
+   * The size of the strokes, in tiles of the map per world unit, which is the same on small and large objects. A `tilesPerUnit` among
+   * the parameters of the materials, in contrast, is per unit of object space. Default: 3 divided by the radius of the whole scene.
    */
   tilesPerWorldUnit?: number | undefined;
   /**
@@ -54,31 +53,32 @@ export interface ApplyHatchingOptions extends Omit<PrepareHatchingGeometryOption
    */
   outlines?: boolean | (OutlineOptions & HatchingOutlineParameters) | undefined;
   /**
-   * The renderer that will draw the scene. With it and `camera` the promise, and its progress, include what the first frame would
-   * wait for: programs, which are compiled while geometries are prepared, and the upload. The root and the lights must be in the
-   * scene already. Default: the first frame does all that.
+   * The renderer that will draw the scene. With it and `camera` the promise, and its progress, include the work that would delay the
+   * first frame: the compilation of programs, beside the preparation of geometries, and the upload. The root and the lights must be in
+   * the scene already. Default: the first frame does all that.
    */
   renderer?: WebGLRenderer | undefined;
-  /** The camera that will draw the scene with `renderer`: its layers say which lights count. */
+  /** The camera that will draw the scene with `renderer`. Its layers decide which lights count. */
   camera?: Camera | undefined;
   /**
-   * Draws meshes of more than 200,000 triangles with as many of them as can be seen: simpler levels of the baked mesh, none of which lies
-   * farther from it than a third of a pixel in any view. It takes meshoptimizer, whose address you pass. Instances, batches, meshes that
-   * deform, have several materials or adjacency are drawn whole, and those that await lines along the form, until these are there. Default: all meshes are.
+   * Draws meshes of more than 200,000 triangles with no more triangles than can be seen: simpler levels of the baked mesh, which
+   * deviate from it by at most a third of a pixel in any view. It needs meshoptimizer, whose address you pass. Instances, batches, and
+   * meshes that deform or have several materials or adjacency are drawn whole, and so are meshes whose form field is still being baked.
+   * Default: all meshes are drawn whole.
    */
   detail?: DetailOptions | undefined;
   /** Returns whether to hatch a mesh. Default: all meshes are hatched. */
   filter?: ((mesh: Mesh) => boolean) | undefined;
   /**
-   * Called with the progress of fields of lines that follow the form, from 0 to 1, while they are baked after the first picture: those of
-   * geometries of more than 200,000 triangles, and all whose `crossAngle` was changed. See `formReady` of the result.
+   * Called with the progress, from 0 to 1, of form fields that are baked after the first picture: those of geometries of more than
+   * 200,000 triangles, and those whose `crossAngle` was changed. See `formReady` of the result.
    */
   onFormProgress?: ((progress: number) => void) | undefined;
   /**
-   * Called whenever a frame is to be drawn because lines have changed by themselves: as they change over to the form, half a second
-   * long. Pass it where frames are drawn on demand.
+   * Called whenever a frame must be drawn because lines change by themselves: while they change over to the form, for half a second.
+   * Pass it if frames are drawn on demand.
    */
   invalidate?: (() => void) | undefined;
-  /** Called whenever a geometry is finished, with the number of finished geometries and of all. Several are baked at a time. */
+  /** Called whenever a geometry is finished, with the number of finished geometries and the total. Several are baked at a time. */
   onGeometry?: ((done: number, total: number) => void) | undefined;
 }

@@ -15,20 +15,21 @@ import { readImage, type TextureImage } from '../material/readImage.js';
 import type { OldLook } from './geometryPlans.js';
 import { isBatched } from './surfaceMeshes.js';
 
-/** What surface materials of three.js displace by. */
+/** The displacement properties of three's surface materials. */
 type Displacing = Pick<MeshStandardMaterial, 'displacementMap' | 'displacementScale' | 'displacementBias'>;
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
 
-/** Heights over texture coordinates. */
+/** Heights as a function of texture coordinates. */
 type Heights = (uv: Vector2) => number;
 
-/** Makes geometries with the heights of displacement maps in their vertices, as three.js draws them: each once. */
+/** Makes geometries with the heights of displacement maps applied to their vertices, as three.js draws them; each once. */
 export class Displacer {
   private readonly made = new Map<string, BufferGeometry>();
   private readonly images = new Map<Texture, TextureImage | null>();
 
   /**
-   * The geometry of a mesh with every vertex moved along its normal, without normals: those are computed from the hills when it is baked.
+   * The geometry of a mesh with every vertex moved along its normal. It has no normals: the bake computes them from the displaced
+   * surface.
    *
    * @throws Error if a map cannot be read here, or has no coordinates
    */
@@ -96,7 +97,7 @@ export class Displacer {
 
 const coordinatesOf = ({ channel }: Texture): string => (channel === 0 ? 'uv' : `uv${channel}`);
 
-/** The red of an image between its pixels. */
+/** The red channel of an image, interpolated between its pixels. */
 function heightAt({ width, height, data }: TextureImage, { wrapS, wrapT }: Texture, { x, y }: Vector2): number {
   const [across, up] = [x * width - 0.5, y * height - 0.5];
   const [left, below] = [Math.floor(across), Math.floor(up)];
@@ -108,7 +109,7 @@ function heightAt({ width, height, data }: TextureImage, { wrapS, wrapT }: Textu
   return (1 - t) * low + t * high;
 }
 
-/** The pixel that stands for one that may lie beyond the edge. */
+/** The pixel index that a texture's wrapping maps an index beyond the edge to. */
 function wrapped(pixel: number, size: number, wrapping: Texture['wrapS']): number {
   if (wrapping === ClampToEdgeWrapping) return Math.min(Math.max(pixel, 0), size - 1);
   const along = ((pixel % (2 * size)) + 2 * size) % (2 * size);

@@ -19,7 +19,7 @@ import { isHatching, materialsOf } from './surfaceMeshes.js';
 
 const POLL_MILLISECONDS = 10;
 
-/** A mesh, with a geometry and a material that it does not have yet. */
+/** A mesh, with a geometry and a material that it will have. */
 export interface CandidateLook {
   mesh: Mesh;
   geometry: BufferGeometry;
@@ -27,8 +27,8 @@ export interface CandidateLook {
 }
 
 /**
- * Does in advance what the first frame with new looks would wait for: it has programs built in the background, and uploads
- * geometries and textures piece by piece. The scene stays as it is.
+ * Does the work in advance that would delay the first frame with new looks: it compiles programs in the background, and uploads
+ * geometries and textures piece by piece. The scene does not change.
  */
 export class FirstFrame {
   private readonly awaited = new Set<ThreeProgram>();
@@ -40,8 +40,8 @@ export class FirstFrame {
   ) {}
 
   /**
-   * Starts to build the programs that draw these looks, with the lights of the scene that the root is in. Looks of techniques with
-   * adjacency are left out before they are prepared, because their programs depend on it.
+   * Starts to compile the programs of these looks, with the lights of the root's scene. Looks whose technique needs adjacency are left
+   * out before they are prepared, because their programs depend on it.
    */
   compile(looks: readonly CandidateLook[], outlines: readonly HatchingOutlines[], arePrepared: boolean): void {
     const drawn = arePrepared ? looks : looks.filter((look) => !materialsOf(look).some(dependsOnLayout));
@@ -52,14 +52,14 @@ export class FirstFrame {
         for (const material of materialsOf(mesh)) if (isHatching(material)) material.announce(mesh);
       }
       for (const one of outlines) one.showInstances();
-      // Lights, fog and environment are read from what is at the top, scene or not.
+      // Lights, fog and environment are read from the topmost object, whether or not it is a Scene.
       this.renderer.compile(list, this.camera, topOf(this.root) as Scene);
       for (const one of outlines) one.hideInstances();
     });
     for (const program of this.programs) if (!known.has(program)) this.awaited.add(program);
   }
 
-  /** Waits until the programs are built. */
+  /** Resolves when the programs are compiled. */
   async built(signal: AbortSignal | undefined): Promise<void> {
     const gl = this.renderer.getContext();
     const parallel = gl.getExtension('KHR_parallel_shader_compile');
@@ -71,7 +71,7 @@ export class FirstFrame {
       for (const program of this.awaited) {
         if (!present.has(program) || gl.isContextLost()) this.awaited.delete(program);
         else if (isBuilt(program)) {
-          // three.js asks for the uniforms of a program once. In the middle of a frame that would wait for what was drawn before.
+          // three.js queries the uniforms of a program once; within a frame, that would wait for what was drawn before.
           program.getUniforms();
           this.awaited.delete(program);
         }
@@ -101,7 +101,7 @@ export class FirstFrame {
       }
       for (const [i, geometry] of geometries.entries()) {
         proxy.geometry = geometry;
-        // three.js reads the weights of morph targets as it draws.
+        // three.js reads the weights of morph targets when it draws.
         proxy.updateMorphTargets();
         this.draw(scene, geometry, target);
         yield (textures.length + i + 1) / count;
@@ -112,7 +112,7 @@ export class FirstFrame {
     }
   }
 
-  /** Draws a scene that shows no vertex of a geometry: three.js uploads a geometry only when it draws it. */
+  /** Draws a scene that shows no vertex of a geometry, because three.js uploads a geometry only when it draws it. */
   private draw(scene: Scene, { drawRange }: BufferGeometry, target: WebGLRenderTarget): void {
     const { renderer } = this;
     const { count } = drawRange;
@@ -136,7 +136,7 @@ export class FirstFrame {
   }
 }
 
-/** Objects for the renderer to compile. They stay where they are in the scene, and their lights count there. */
+/** Objects for the renderer to compile. They stay in the scene, whose lights apply to them. */
 class ObjectList extends Object3D {
   constructor(private readonly objects: readonly Object3D[]) {
     super();
@@ -149,7 +149,7 @@ class ObjectList extends Object3D {
   override traverseVisible(): void {}
 }
 
-/** Does some work while meshes have other looks. */
+/** Runs a function while meshes have other geometries and materials. */
 function wearing(looks: readonly CandidateLook[], work: () => void): void {
   const before = looks.map(({ mesh }) => ({ mesh, geometry: mesh.geometry, material: mesh.material }));
   for (const { mesh, geometry, material } of looks) Object.assign(mesh, { geometry, material });
@@ -168,7 +168,7 @@ function topOf(object: Object3D): Object3D {
   return top;
 }
 
-/** The textures of materials that are there: those of files may still be on their way. */
+/** The textures of materials that have loaded. */
 function texturesOf(looks: readonly CandidateLook[]): Texture[] {
   const textures = new Set<Texture>();
   for (const material of new Set(looks.flatMap(({ material }) => material))) {

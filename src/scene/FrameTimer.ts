@@ -3,8 +3,8 @@ const POLL_MS = 3;
 const GIVE_UP_MS = 10_000;
 
 /**
- * Measures the time that frames take, from the first command to the last pixel, with a fence after the commands. Unlike the time
- * between frames, this also works if frames are drawn on demand. It is accurate to a few milliseconds.
+ * Measures the duration of frames, from the first command to the last pixel, with a fence after the commands. Unlike the time between
+ * frames, this works for frames on demand too. It is accurate to a few milliseconds.
  */
 export class FrameTimer {
   private durations: number[] = [];

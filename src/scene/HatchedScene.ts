@@ -7,12 +7,12 @@ import type { LaterForms } from './LaterForms.js';
 import type { MaterialFollower } from './MaterialFollower.js';
 import type { MeshLook } from './MeshLook.js';
 
-/** A mesh that was left unchanged, or hatched without the outlines that were asked for. */
+/** A mesh that was left unchanged, or hatched without the outlines that were requested. */
 export interface SkippedMesh {
   mesh: Mesh;
-  /** Why: a sentence that names the mesh. */
+  /** The reason, in a sentence that names the mesh. */
   reason: string;
-  /** What went wrong. Only a mesh that was to be hatched, and could not be, has an error. */
+  /** The cause, if the mesh should have been hatched and could not be. */
   error?: Error | undefined;
 }
 
@@ -21,7 +21,7 @@ export class HatchedScene {
   /** @internal */
   readonly isHatchedScene = true;
   private changes: readonly LookChange[];
-  /** The identities of the meshes. */
+  /** The identities of the hatched meshes. */
   private held: ReadonlySet<object>;
 
   /**
@@ -30,10 +30,10 @@ export class HatchedScene {
    * @param materials all new materials; you may change them
    * @param outlines the outlines of all meshes, if requested; you may change their materials
    * @param skipped meshes that were left alone, or have no outlines
-   * @param followers take over what changes in the materials that were replaced
+   * @param followers copy changes from the materials that were replaced
    * @param disposables everything that `dispose()` frees
    * @param releaseMeshes called when the meshes are restored
-   * @param forms the fields that are baked from now on, if lines follow the form anywhere
+   * @param forms bakes form fields from now on, if lines follow the form anywhere
    * @internal
    */
   constructor(
@@ -55,16 +55,15 @@ export class HatchedScene {
 
   /**
    * Resolves with the meshes that were given another geometry, when all lines lie as their materials ask. Meshes of more than 200,000
-   * triangles follow the light first if they are to follow the form, because the first picture shall not wait for that; and where the
-   * `crossAngle` of a material has changed, as a frame has shown, lines cross at the new one only then. Where there is nothing to
-   * wait for it resolves at once. It is never rejected: if a form could not be baked, the console says why, and `restore()` stops
-   * the bake.
+   * triangles whose lines are to follow the form follow the light at first, so that the first picture does not wait; and after the
+   * `crossAngle` of a material has changed, lines cross at the new angle only when their field is baked again. If there is nothing to
+   * wait for, it resolves at once. It never rejects: if a form could not be baked, the console says why. `restore()` stops the bake.
    */
   get formReady(): Promise<readonly Mesh[]> {
     return Promise.resolve(this.forms?.ready).then(() => this.formed);
   }
 
-  /** The meshes that were given another geometry until now. @internal */
+  /** The meshes that were given another geometry so far. @internal */
   get formed(): readonly Mesh[] {
     return this.forms?.meshes ?? [];
   }
@@ -82,16 +81,16 @@ export class HatchedScene {
     this.releaseMeshes();
   }
 
-  /** Restores the meshes, and frees all new geometries, materials and outlines, and a map that was drawn for it alone. */
+  /** Restores the meshes, and frees all new geometries, materials and outlines, and a map that was generated for this call. */
   dispose(): void {
     this.restore();
     for (const disposable of this.disposables.splice(0)) disposable.dispose();
   }
 
   /**
-   * Takes over what has changed in the materials that were replaced: colour, opacity, maps, emission, visibility, sides, wireframe,
-   * fog, clipping, depth and stencil. A parameter that you gave, or a value that you have set on the new material, stays. A mesh that was given its
-   * former material or geometry back, as helpers that swap materials for a moment do, gets its new look again.
+   * Copies changes from the materials that were replaced: colour, opacity, maps, emission, visibility, sides, wireframe, fog, clipping,
+   * depth and stencil. Parameters that you passed, and values that you have set on the new material, stay. A mesh whose former material
+   * or geometry was set back, as by helpers that swap materials for a moment, gets its new look again.
    *
    * Call it before a frame if your code changes the former materials; `<Hatched>` does so. It costs a comparison per property.
    */
@@ -103,12 +102,12 @@ export class HatchedScene {
     }
   }
 
-  /** Whether this object has hatched `mesh`. @internal */
+  /** Whether `mesh` is among the hatched meshes. @internal */
   holds(mesh: Mesh): boolean {
     return this.held.has(identityOf(mesh));
   }
 
-  /** Runs `work` while the meshes have their former geometries and materials. @internal */
+  /** Runs a function while the meshes have their former geometries and materials. @internal */
   suspended<Result>(work: () => Result): Result {
     for (const { before, after } of this.changes) exchangeLook(after, before);
     try {
@@ -131,7 +130,7 @@ const lookOf = (mesh: Mesh): MeshLook => ({
   fieldFrame: mesh.userData[FIELD_FRAME],
 });
 
-/** Replaces the geometry and material of `from` by those of `to`. If someone else has set others in the meantime, these stay. */
+/** Replaces the geometry and material of `from` by those of `to`. Others that were set in the meantime stay. */
 function exchangeLook(from: MeshLook, to: MeshLook): void {
   const { mesh } = from;
   if (isSame(mesh.geometry, from.geometry)) mesh.geometry = to.geometry;
@@ -140,5 +139,5 @@ function exchangeLook(from: MeshLook, to: MeshLook): void {
   else mesh.userData[FIELD_FRAME] = to.fieldFrame;
 }
 
-/** Whether two objects are the same, or proxies of the same. */
+/** Whether two objects are the same, or proxies of the same object. */
 const isSame = (a: object, b: object): boolean => a === b || identityOf(a) === identityOf(b);

@@ -21,10 +21,10 @@ import type { MeshLook } from './MeshLook.js';
 import { bakeGeometries } from './making/bakeGeometries.js';
 import { isBatched } from './surfaceMeshes.js';
 
-/** How long the angle of crossing lines stays as it is before lines are baked at it, in milliseconds: a slider moves on. */
+/** The time in milliseconds for which an angle must stay unchanged before lines are baked at it: a slider may still be moving. */
 const REST = 150;
 
-/** Who hears of fields that are baked after the first picture: see `ApplyHatchingOptions`. */
+/** Listeners to fields that are baked after the first picture: see `ApplyHatchingOptions`. */
 interface Listeners {
   onFormProgress?: ((progress: number) => void) | undefined;
   invalidate?: (() => void) | undefined;
@@ -32,7 +32,7 @@ interface Listeners {
 
 type Plans = ReadonlyMap<BufferGeometry, GeometryPlan>;
 
-/** A prepared geometry that is drawn, the one that takes its place, and what both were made of. */
+/** A prepared geometry in use, its replacement, and the source geometry and plan of both. */
 interface Exchange {
   from: BufferGeometry;
   to: BufferGeometry;
@@ -40,34 +40,34 @@ interface Exchange {
 }
 
 /**
- * Bakes fields of lines that follow the form after a scene was hatched: those of large geometries, which are drawn with lines around
- * the light until then, so that the first picture never waits; and those at whose lines others cross at a new angle.
+ * Bakes form fields after a scene was hatched: those of large geometries, whose lines follow the light until then, so that the first
+ * picture does not wait; and those whose angle between crossing lines has changed.
  */
 export class LaterForms {
-  /** The plans of all geometries, without the fields that come later. */
+  /** The plans of all geometries, without the fields that are baked later. */
   readonly atOnce: Plans;
-  /** Resolves when nothing is baked any more. */
+  /** Resolves when no bake is running. */
   ready: Promise<void> = Promise.resolve();
   private readonly later = new Map<BufferGeometry, GeometryPlan>();
-  /** For each geometry that has a field or will get one the prepared geometry that is drawn. */
+  /** The prepared geometry in use for each source geometry that has a field or will get one. */
   private readonly drawn = new Map<BufferGeometry, BufferGeometry>();
   private looks: readonly MeshLook[] = [];
   /** The looks that were given another geometry. */
   private readonly changed = new Set<MeshLook>();
-  /** The angles, in radians, that lines of a geometry do not cross at yet. */
+  /** The angles, in radians, at which the lines of geometries are still to be baked. */
   private readonly angles = new Map<BufferGeometry, number>();
   private turning = new AbortController();
   private readonly stopping = new AbortController();
-  /** Each ends that levels of detail of a geometry are drawn. */
+  /** Functions that end the drawing of levels of detail, one per geometry. */
   private readonly hideDetail = new Map<BufferGeometry, () => void>();
 
   /**
-   * @param plans of all geometries
-   * @param materials for each geometry the one that says at which angle lines cross, unless an option does
-   * @param options of the bake
-   * @param listeners hear of it
-   * @param disposables holds the geometries that are drawn
-   * @param drawing what prepares frames, if the renderer is known, and what makes levels of detail, if they are asked for
+   * @param plans the plans of all geometries
+   * @param materials for each geometry, the material that decides the angle between crossing lines, unless an option does
+   * @param options options of the bake
+   * @param listeners are called during and after bakes
+   * @param disposables holds the geometries in use
+   * @param drawing prepares frames, if the renderer is known, and makes levels of detail, if they are requested
    */
   constructor(
     private readonly plans: Plans,
@@ -92,7 +92,7 @@ export class LaterForms {
     return [...this.changed].filter(({ mesh, geometry }) => isSame(mesh.geometry, geometry)).map(({ mesh }) => mesh);
   }
 
-  /** Says what is drawn until the fields are there. To be called before the first draw. */
+  /** Sets how meshes are drawn until their fields are baked. Must be called before the first draw. */
   drawMeanwhile(baked: ReadonlyMap<BufferGeometry, BufferGeometry | Error>): void {
     for (const [source, plan] of this.plans) {
       const prepared = baked.get(source);
@@ -104,7 +104,7 @@ export class LaterForms {
     }
   }
 
-  /** Begins to bake. @param looks of the meshes, which get other geometries */
+  /** Starts the bakes. @param looks the looks of the meshes, whose geometries will be replaced */
   start(looks: readonly MeshLook[]): void {
     this.looks = looks;
     this.options.signal?.addEventListener('abort', () => this.stop());
@@ -120,7 +120,7 @@ export class LaterForms {
     this.hideDetail.clear();
   }
 
-  /** Notices another angle of crossing lines where a field is drawn. */
+  /** Watches the angle between crossing lines of a geometry with a field. */
   private watch(source: BufferGeometry, { form }: GeometryPlan): void {
     const material = this.materials.get(source);
     const drawn = this.drawn.get(source)!;
@@ -129,7 +129,7 @@ export class LaterForms {
     watchFormAngle(drawn, material, angle, (other) => this.turn(source, other));
   }
 
-  /** Bakes a field anew, with lines that cross at another angle. The former ones are drawn until then. */
+  /** Bakes a field again, with another angle between crossing lines. The former field is drawn until then. */
   private turn(source: BufferGeometry, angle: number): void {
     if (this.stopping.signal.aborted) return;
     this.angles.set(source, angle);
@@ -152,9 +152,9 @@ export class LaterForms {
   }
 
   /**
-   * Bakes fields, and draws with them when all are there. Never rejects.
+   * Bakes fields, and draws with them when all are ready. Never rejects.
    *
-   * @param otherwise what is drawn if that fails
+   * @param otherwise what is drawn if a bake fails, for the warning
    */
   private async replace(plans: Plans, signal: AbortSignal, otherwise: string): Promise<void> {
     const made = new Set<BufferGeometry>();
@@ -182,7 +182,7 @@ export class LaterForms {
     }
   }
 
-  /** Has programs built and geometries uploaded before they are drawn, so that no frame waits for it. */
+  /** Compiles programs and uploads geometries before they are drawn, so that no frame waits for it. */
   private async prepareFrame(looks: readonly MeshLook[], signal: AbortSignal): Promise<void> {
     const { firstFrame } = this.drawing;
     if (!firstFrame) return;
@@ -191,7 +191,7 @@ export class LaterForms {
     await firstFrame.built(signal);
   }
 
-  /** The looks that meshes are going to have. */
+  /** The looks that meshes will have. */
   private looksWith(exchanges: readonly Exchange[]): MeshLook[] {
     return this.looks.flatMap((look) => {
       const exchange = exchanges.find(({ from }) => from === look.geometry);
@@ -199,7 +199,7 @@ export class LaterForms {
     });
   }
 
-  /** Makes levels of detail of geometries, if they are asked for. Each has the levels of one drawn. */
+  /** Makes levels of detail of geometries, if they are requested. Each gets the levels of the geometry that it replaces. */
   private async makeDetail(
     looks: readonly MeshLook[],
     signal: AbortSignal,
@@ -215,7 +215,9 @@ export class LaterForms {
     return details;
   }
 
-  /** Draws with other geometries. Lines around the light fade into the even grey of their tone, and those along the form come out of it. */
+  /**
+   * Changes to other geometries. Lines along the light fade into an even grey of their tone, and lines along the form fade in from it.
+   */
   private async changeOver(
     exchanges: readonly Exchange[],
     plans: Plans,
@@ -245,7 +247,7 @@ export class LaterForms {
     invalidate();
   }
 
-  /** Gives another geometry to all meshes with one, except to those that were given a third meanwhile. */
+  /** Replaces a geometry on all meshes that still have it. */
   private exchange(from: BufferGeometry, to: BufferGeometry): void {
     for (const look of this.looks) {
       if (look.geometry !== from) continue;
@@ -260,22 +262,25 @@ export class LaterForms {
 
 const isLarge = (geometry: BufferGeometry): boolean => cornerCount(geometry) > 3 * MANY_TRIANGLES;
 
-/** Whether two geometries are the same, or proxies of the same. */
+/** Whether two geometries are the same, or proxies of the same geometry. */
 const isSame = (a: BufferGeometry, b: BufferGeometry): boolean => identityOf(a) === identityOf(b);
 
-/** Copies what `bakeOcclusion` has written meanwhile. The corners of both geometries are the same. */
+/** Copies the occlusion that `bakeOcclusion` has written in the meantime. The corners of both geometries are the same. */
 function copyOcclusion(from: BufferGeometry, to: BufferGeometry): void {
   const { array: source } = from.attributes[hatchNormal.name] as BufferAttribute;
   const { array: target } = to.attributes[hatchNormal.name] as BufferAttribute;
   const vertices = from.index?.array;
   const newVertices = to.index?.array;
-  // Not by the methods of attributes, which would block the page for longer than a frame where there are millions of corners.
+  // The methods of attributes would block the page for longer than a frame if there are millions of corners.
   for (let corner = 0, count = cornerCount(to); corner < count; corner++)
     target[4 * (newVertices ? newVertices[corner] : corner) + 3] =
       source[4 * (vertices ? vertices[corner] : corner) + 3];
 }
 
-/** For each geometry the material that says at which angle lines that follow the form cross on it, if there is one and no option does. */
+/**
+ * For each geometry, the material that decides the angle between crossing lines that follow the form, if there is one and no option
+ * does.
+ */
 export function crossingMaterials(
   planned: readonly PlannedMesh[],
   { form }: PrepareHatchingGeometryOptions,
@@ -284,7 +289,7 @@ export function crossingMaterials(
   if (typeof form === 'object' && form.crossAngle !== undefined) return materials;
   for (const plan of planned) {
     const asking = isBatched(plan.mesh) ? [] : askingMaterials(plan);
-    // What draws strokes now may draw lines later.
+    // A material that draws strokes now may draw lines later.
     const crossing = crossingOf(asking) ?? asking[0];
     if (crossing && !materials.has(plan.geometry)) materials.set(plan.geometry, crossing);
   }

@@ -2,7 +2,7 @@ import type { Color, Material, Vector2 } from 'three';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { acceptable, type SurfaceMaterial, surfaceProperties } from './hatchingMaterialFrom.js';
 
-/** What is followed of every material, beside the properties of surfaces. */
+/** The properties that are copied from every material, beside those of surfaces. */
 const MATERIAL_PROPERTIES = [
   'visible',
   'opacity',
@@ -37,17 +37,17 @@ type Values = Record<string, unknown>;
 type Copied = Color | Vector2;
 
 /**
- * Takes what changes in a material over into the hatching material that has replaced it. A property that was given to the hatching
- * material, or set on it since, stays.
+ * Copies changes of a material to the hatching material that has replaced it. A property that was passed to the hatching material, or
+ * set on it since, stays.
  */
 export class MaterialFollower {
-  /** For each property the value that the source had last, and what the hatching material got for it. */
+  /** For each property, the last value in the source, and the value that the hatching material got for it. */
   private readonly seen: Values = {};
   private readonly taken: Values = {};
   private readonly seenCopies: Partial<Record<(typeof COPIED)[number], Copied>> = {};
   private readonly names: readonly (typeof NAMES)[number][];
 
-  /** @param given the names of the parameters that the hatching material was made with */
+  /** @param given the names of the parameters that the hatching material was created with */
   constructor(
     private readonly source: Material,
     private readonly material: HatchingMaterial,
@@ -64,7 +64,7 @@ export class MaterialFollower {
     }
   }
 
-  /** Takes over what has changed since the last call. Allocates nothing if nothing has. */
+  /** Copies the changes since the last call. Allocates nothing if there are none. */
   follow(): void {
     const { seen, taken } = this;
     const source = this.source as SurfaceMaterial;

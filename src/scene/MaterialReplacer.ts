@@ -7,20 +7,20 @@ import { hatchingMaterialFrom } from './hatchingMaterialFrom.js';
 import { isReplaced } from './leftAlone.js';
 import { MaterialFollower } from './MaterialFollower.js';
 
-/** Scales that agree in this many digits count as equal, because they differ only by rounding. */
+/** The number of digits in which equal scales agree; further ones may differ by rounding. */
 const SCALE_DIGITS = 6;
 
 /**
- * Makes the hatching materials of a scene: one for each source material and scale of the meshes that use it. Meshes that deform
- * get a material of their own, because they need another shader program.
+ * Makes the hatching materials of a scene: one for each source material and scale of the meshes that use it. Meshes that deform get
+ * materials of their own, because they need another program.
  */
 export class MaterialReplacer {
   readonly materials: HatchingMaterial[] = [];
-  /** They take over what changes in the materials that were replaced. */
+  /** Copy changes from the materials that were replaced. */
   readonly followers: MaterialFollower[] = [];
-  /** The keys consist of the source, the scale, and whether the mesh deforms. */
+  /** Keyed by the source, the scale, and whether the mesh deforms. */
   private readonly replacements = new Map<string, HatchingMaterial>();
-  /** The scales of those materials whose parameters set no `tilesPerUnit`. */
+  /** The scales of materials whose parameters set no `tilesPerUnit`. */
   private readonly scales = new Map<HatchingMaterial, number>();
 
   constructor(
@@ -31,7 +31,7 @@ export class MaterialReplacer {
   ) {}
 
   /**
-   * The material or materials that replace those of a mesh. They are made on first use.
+   * The material or materials that replace those of a mesh, made on first use.
    *
    * @param old the material or materials of the mesh
    * @param scale world units per unit of the mesh's object space
@@ -42,12 +42,12 @@ export class MaterialReplacer {
     return Array.isArray(old) ? old.map(replace) : replace(old);
   }
 
-  /** Gives the strokes the same size in world space, for all materials whose parameters set no `tilesPerUnit`. */
+  /** Gives strokes the same size in world space, on all materials whose parameters set no `tilesPerUnit`. */
   setTilesPerUnit(tilesPerWorldUnit: number): void {
     for (const [material, scale] of this.scales) material.tilesPerUnit = tilesPerWorldUnit * scale;
   }
 
-  /** Says how far the scene reaches to all materials whose parameters say nothing else. */
+  /** Sets the extent of the scene on all materials whose parameters set none. */
   setExtent(extent: SceneExtent): void {
     for (const material of this.materials) material.extent ??= extent;
   }

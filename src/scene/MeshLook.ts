@@ -1,6 +1,6 @@
 import type { BufferGeometry, Material, Mesh } from 'three';
 
-/** The geometry and material of a mesh, and the frame of its engraved lines. */
+/** The geometry and material of a mesh, and the coordinate frame of its engraved lines. */
 export interface MeshLook {
   mesh: Mesh;
   geometry: BufferGeometry;

@@ -3,7 +3,7 @@ import { disposeSharingClone, sharingClone } from '../material/geometry/sharingC
 import { hatchNormal } from '../mesh/bake/attributeLayouts.js';
 import type { SkippedMesh } from './HatchedScene.js';
 
-/** A mesh that gets occlusion. */
+/** A mesh that receives occlusion. */
 interface OccludedMesh {
   mesh: Mesh;
   /** The geometry of the mesh when the bake began. */
@@ -12,7 +12,7 @@ interface OccludedMesh {
   own: BufferGeometry;
 }
 
-/** For each attribute the bake that has written to it last: no bake may remove the occlusion of another. */
+/** For each attribute, the bake that has last written to it: no bake may remove the occlusion of another. */
 const writers = new WeakMap<object, OcclusionBake>();
 
 /** Whether a geometry has an attribute that occlusion can be written to. */
@@ -25,7 +25,7 @@ export function hasRoom({ attributes }: BufferGeometry): boolean {
 
 /** The ambient occlusion that `bakeOcclusion` has given to the meshes of a scene. */
 export class OcclusionBake {
-  /** The number of directions that the occlusion was measured in so far. */
+  /** The number of directions measured so far. */
   directions = 0;
   private occluded: readonly OccludedMesh[];
 
@@ -51,9 +51,9 @@ export class OcclusionBake {
   }
 
   /**
-   * Writes the occlusion of each mesh, except of those that have got another geometry in the meantime.
+   * Writes the occlusion of each mesh, except meshes that have another geometry by now.
    *
-   * @param occlusions for each mesh the occlusion of each vertex, from 0 (sees the whole sky) to 32767 (sees nothing of it)
+   * @param occlusions for each mesh, the occlusion of each vertex, from 0 (sees the whole sky) to 32767 (sees nothing of it)
    * @internal
    */
   write(occlusions: readonly Int16Array[], directions: number): void {
@@ -66,7 +66,7 @@ export class OcclusionBake {
     }
   }
 
-  /** Removes the occlusion, and gives meshes that shared a geometry the shared one again. A second call does nothing. */
+  /** Removes the occlusion, and restores the shared geometry of meshes that shared one. A second call does nothing. */
   dispose(): void {
     for (const { mesh, source, own } of this.occluded) {
       if (own !== source) {
@@ -88,7 +88,7 @@ function withOcclusionOfItsOwn(source: BufferGeometry): BufferGeometry {
 function writeOcclusion({ attributes }: BufferGeometry, occlusion: Int16Array | null): void {
   const attribute = attributes[hatchNormal.name] as BufferAttribute;
   const { array } = attribute;
-  // The values are negative, because WebGL reads 1 if the attribute is missing, which must not darken anything.
+  // The values are negative, because WebGL reads 1 if the attribute is missing, and that must not darken anything.
   for (let i = 3, vertex = 0; i < array.length; i += 4, vertex++) array[i] = occlusion ? -occlusion[vertex] : 0;
   attribute.needsUpdate = true;
 }

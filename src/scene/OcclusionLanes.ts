@@ -6,21 +6,21 @@ import type { TaskOptions } from '../worker/TaskOptions.js';
 /** The number of pairs of opposite directions in one request to a worker. */
 const PAIRS_AT_ONCE = 8;
 
-/** A copy of the scene that one worker adds directions to. */
+/** A copy of the scene to which one worker adds directions. */
 interface Lane {
   scene: OcclusionScene;
-  /** The pairs of directions that its sums hold. */
+  /** The pairs of directions in its sums. */
   held: number[];
-  /** The pairs that it has added in all, with a share of those that it adds at the moment. */
+  /** The number of pairs added in total, including a fraction of those that are being added. */
   added: number;
 }
 
-/** What lanes need of the bake that they belong to. */
+/** The parts of the bake that lanes call. */
 export interface OcclusionLanesHost {
   options: Pick<TaskOptions, 'signal' | 'createWorker'>;
-  /** Makes the scene again, after a worker has died with it. */
+  /** Makes the scene again, after it was lost with a worker that has died. */
   start(): Promise<OcclusionScene>;
-  /** Called before each part of the work, which waits for it. */
+  /** Called before each part of the work, which waits for the promise. */
   rest(): Promise<void>;
   /** Called with the number of pairs that have been added. It never falls. */
   onAdded?: ((pairs: number) => void) | undefined;
@@ -28,12 +28,12 @@ export interface OcclusionLanesHost {
 
 /**
  * Adds the directions of a bake in several workers at once. Each has a copy of the scene and directions of its own; their sums are
- * put together for every result.
+ * merged for every result.
  */
 export class OcclusionLanes {
   private readonly lanes: Lane[];
   private reported = 0;
-  /** The number of pairs that the latest result holds. */
+  /** The number of pairs in the latest result. */
   private done = 0;
   private hasFailed = false;
 
@@ -45,7 +45,7 @@ export class OcclusionLanes {
   }
 
   /**
-   * Copies the scene for each worker, one copy at a time: each may take many megabytes.
+   * Copies the scene for each worker, one copy at a time, since each may take many megabytes.
    *
    * @param count the number of workers
    */
@@ -54,7 +54,7 @@ export class OcclusionLanes {
   }
 
   /**
-   * Adds the pairs up to a number.
+   * Adds pairs up to a number.
    *
    * @returns for each mesh with normals, the occlusion of each vertex, as `addDirections` has it
    */
@@ -63,7 +63,7 @@ export class OcclusionLanes {
     const parts: number[][] = [];
     for (let from = done; from < goal; from += PAIRS_AT_ONCE)
       parts.push(Array.from({ length: Math.min(PAIRS_AT_ONCE, goal - from) }, (_, i) => from + i));
-    // Which lane adds what is settled beforehand, so that the same machine always gets the same sums.
+    // The distribution of pairs to lanes is fixed beforehand, so that the same machine always gets the same sums.
     const results = await Promise.all(
       lanes.map((lane, k) =>
         this.addIn(
@@ -82,7 +82,7 @@ export class OcclusionLanes {
     try {
       for (const pairs of parts) {
         await this.host.rest();
-        // What another lane has failed in fails all.
+        // The failure of one lane fails all.
         if (this.hasFailed) break;
         occlusions = await this.add(lane, pairs);
       }
@@ -113,7 +113,7 @@ export class OcclusionLanes {
     return occlusions;
   }
 
-  /** Puts the sums of all lanes into those of the first. */
+  /** Merges the sums of all lanes into those of the first. */
   private async together(goal: number): Promise<Int16Array<ArrayBuffer>[]> {
     const { host } = this;
     const [first, ...others] = this.lanes;
@@ -144,7 +144,7 @@ export class OcclusionLanes {
   }
 }
 
-/** The scene, and copies of it. */
+/** Yields the scene, and copies of it. */
 function* copies(scene: OcclusionScene, count: number): Generator<number, OcclusionScene[], void> {
   const scenes = [scene];
   while (scenes.length < count) {

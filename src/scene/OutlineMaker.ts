@@ -14,7 +14,7 @@ import type { SkippedMesh } from './HatchedScene.js';
 import type { MeshLook } from './MeshLook.js';
 import { isBatched, materialsOf } from './surfaceMeshes.js';
 
-/** Whether outlines would follow the outline of the geometry, and not of the picture that cuts it out or fades it. */
+/** Whether outlines would follow the geometry, and not the visible shape that the material's cut-out or fading leaves. */
 function isWiderThanSeen(material: Material & { alphaMap?: unknown }): boolean {
   const { alphaHash, alphaMap, alphaTest, transparent } = material;
   return (alphaTest > 0 || alphaHash || (transparent && Boolean(alphaMap))) && !isCutOut(material);
@@ -22,7 +22,7 @@ function isWiderThanSeen(material: Material & { alphaMap?: unknown }): boolean {
 
 let hasWarned = false;
 
-/** Says once that batches have no outlines. */
+/** Warns once that batches have no outlines. */
 function warnOfBatch(mesh: Mesh): void {
   if (hasWarned) return;
   hasWarned = true;
@@ -31,14 +31,14 @@ function warnOfBatch(mesh: Mesh): void {
   );
 }
 
-/** Makes outlines for the renderer that draws them. */
+/** Makes outlines for one kind of renderer. */
 export interface OutlineKind<Look extends Material, Drawn> {
   /** @throws RangeError or TypeError for a wrong parameter */
   material(parameters: HatchingOutlineParameters, isDeforming: boolean): Look;
   outlines(mesh: Mesh | null, material: Look): Drawn;
 }
 
-/** Makes the outlines of a scene. Meshes that deform share a material of their own, since they need another shader program. */
+/** Makes the outlines of a scene. Meshes that deform share a material of their own, since they need another program. */
 export class OutlineMaker<
   Look extends Material = HatchingOutlineMaterial,
   Drawn extends MeshOutlines = HatchingOutlines,
@@ -48,7 +48,7 @@ export class OutlineMaker<
   private readonly parameters: HatchingOutlineParameters;
   private readonly materials = new Map<boolean, Look>();
   private readonly made: Drawn[] = [];
-  /** The meshes that are hatched without outlines, and why. */
+  /** The meshes that are hatched without outlines, with the reason. */
   readonly without: SkippedMesh[] = [];
 
   constructor(
@@ -61,7 +61,10 @@ export class OutlineMaker<
     this.materialFor(false);
   }
 
-  /** Makes the outlines of a mesh whose geometry was baked, unless they would be where nothing is seen of it. They are not yet added to the scene. */
+  /**
+   * Makes the outlines of a mesh whose geometry was baked, unless they would be where nothing of it is seen. They are not yet added to
+   * the scene.
+   */
   addOutlines({ mesh, geometry, material }: MeshLook): void {
     if (isBatched(mesh)) {
       warnOfBatch(mesh);
@@ -76,12 +79,12 @@ export class OutlineMaker<
     this.made.push(outlines);
   }
 
-  /** Outlines without a mesh, to compile the program of outlines with. */
+  /** Outlines without a mesh, with which the program of outlines is compiled. */
   get samples(): readonly Drawn[] {
     return [this.kind.outlines(null, this.materialFor(false))];
   }
 
-  /** All outlines that were made. */
+  /** All outlines made so far. */
   get outlines(): readonly Drawn[] {
     return this.made;
   }

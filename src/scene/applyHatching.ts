@@ -7,7 +7,7 @@ import type { HatchedScene } from './HatchedScene.js';
 import { hatchScene, type LookMakers } from './hatchScene.js';
 import type { PresetName } from './presets.js';
 
-/** What users ask of a hatched scene first. */
+/** Properties of the result that users read first. */
 const ASKED_OF_SCENES = ['materials', 'outlines', 'skipped', 'restore', 'dispose'] as const;
 
 const IN_GLSL: LookMakers = {
@@ -30,26 +30,26 @@ const IN_GLSL: LookMakers = {
  * drawn at once: add `root` and the lights to the scene before. Without them call `renderer.compileAsync(scene, camera)` afterwards.
  *
  * - A material that meshes share becomes one shared material. If the meshes differ in scale, there is one material per scale,
- *   because `tilesPerUnit` refers to object space. Meshes that deform get a material of their own.
+ * because `tilesPerUnit` refers to object space. Meshes that deform get a material of their own.
  * - Meshes that already have a `HatchingMaterial` are left alone.
  * - `skipped` lists the meshes that were left alone, each with the reason: those whose material is a `ShaderMaterial`, has an
- *   `onBeforeCompile` of its own or shows a render target, as helpers such as grids, mirrors, text and contact shadows do; those
- *   with `userData.hatching` set to false, or below an object that has it (true hatches the mesh whatever its material is); those
- *   that are hatched already, so that after meshes were added another call hatches them; and, with an `error`, those whose
- *   geometry cannot be baked or whose geometry or material was replaced during the call. Meshes that are hatched without the outlines
- *   that were asked for are listed too.
+ * `onBeforeCompile` of its own or shows a render target, as helpers such as grids, mirrors, text and contact shadows do; those with
+ * `userData.hatching` set to false, on the mesh or on the nearest ancestor that has the property (true hatches the mesh whatever its
+ * material is); those that are hatched already, so that after meshes were added another call hatches them; and, with an `error`,
+ * those whose geometry cannot be baked or whose geometry or material was replaced during the call. Meshes that are hatched without
+ * the outlines that were asked for are listed too.
  * - Lines of `engraved` continue from mesh to mesh: `userData.hatchingField` of each mesh holds the coordinate frame that they
- *   share, as it is at the time of the call. Clones keep it. Instances and batches have separate lines. Lines that follow the form
- *   continue where the borders of meshes meet.
+ * share, as it is at the time of the call. Clones keep it. Instances and batches have separate lines. Lines that follow the form
+ * continue where the borders of meshes meet.
  * - Geometries that `triangle` or `adjacency` draws are baked with adjacency, the others without, unless `adjacency` asks for it.
- *   No map is drawn for materials that need none.
+ * No map is drawn for materials that need none.
  * - `outlines` draws contours, borders and creases of every mesh except `BatchedMesh`, and cut-outs that are blended or write no depth.
  * - A `BatchedMesh` keeps its geometry. `anchored` hatches it with the normals that it has; other techniques can draw it only if
- *   it was filled with prepared geometries.
+ * it was filled with prepared geometries.
  *
  * The promise is rejected
  *
- * - with an Error that says what was there, if every mesh is left alone on purpose, for instance because all are hatched already;
+ * - with an Error that lists the meshes, if every mesh is left alone on purpose, for instance because all are hatched already;
  * - with an Error if an object is its own descendant;
  * - with a RangeError for an unknown preset or an option out of its range, and with a TypeError for an unknown option;
  * - with a TypeError that names the first meshes, if none of those that were to be hatched could be; its `cause` is the first error;

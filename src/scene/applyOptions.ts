@@ -38,7 +38,7 @@ export function resolveOptions(given: ApplyHatchingOptions | PresetName): ApplyH
   return options;
 }
 
-/** The options that `prepareHatchingGeometry` has too. */
+/** The options that are passed on to `prepareHatchingGeometry`. */
 export function prepareOptions({
   preset: _preset,
   replaces: _replaces,
@@ -57,7 +57,7 @@ export function prepareOptions({
   return options;
 }
 
-/** Checks the options that only `applyHatching` has. Those of the geometry are checked by `prepareHatchingGeometry`. */
+/** Checks the options that only `applyHatching` has; `prepareHatchingGeometry` checks those of the geometry. */
 function checkOwnOptions(options: ApplyHatchingOptions): void {
   const {
     filter,

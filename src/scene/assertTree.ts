@@ -2,8 +2,8 @@ import type { Object3D } from 'three';
 import { describeObject } from '../material/diagnostics/describeObject.js';
 
 /**
- * Checks that all children at or below `root` are objects, and that no object is its own descendant, which would make three.js
- * recurse without end.
+ * Checks that all objects at or below `root` are Object3Ds, and that no object is its own descendant, which would make three.js recurse
+ * without end.
  *
  * @throws Error or TypeError that names the caller and the object
  */

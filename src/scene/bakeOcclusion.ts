@@ -17,18 +17,18 @@ import { worldMatrices } from './worldMatrices.js';
 /** Options of `bakeOcclusion`. */
 export interface BakeOcclusionOptions extends TaskOptions {
   /**
-   * The number of directions in which the sky is sampled, from 64 to 8192; half of them lie below the surface of each vertex. More
-   * directions take longer and give less noise. Default 384, whose mean error is about 0.01.
+   * The number of directions in which the sky is sampled, from 64 to 8192; half of them are below the surface of each vertex. More
+   * directions take longer and give less noise. Default 384, with a mean error of about 0.01.
    */
   directions?: number | undefined;
   /**
-   * Called whenever the meshes have got a finer result, so that you can draw a frame: three times with the default `directions`.
-   * An exception in it ends the bake.
+   * Called whenever the meshes have a finer result, so that you can draw a frame: three times with the default `directions`. An
+   * exception in it ends the bake.
    */
   onPass?: ((bake: OcclusionBake) => void) | undefined;
   /**
-   * Called before each part of the work (two dozen with the default `directions`) and before each result is shown. If it returns
-   * a promise, the bake waits for it, so that other work may go first. An exception or a rejection ends the bake.
+   * Called before each part of the work (two dozen with the default `directions`) and before each result is shown. If it returns a
+   * promise, the bake waits for it, so that other work can go first. An exception or a rejection ends the bake.
    */
   pause?: (() => Promise<unknown> | undefined) | undefined;
 }
@@ -39,9 +39,11 @@ const OWN_OPTIONS = { directions: true, onPass: true, pause: true } satisfies Re
 >;
 
 const DEFAULT_DIRECTIONS = 384;
-/** The numbers of directions of the results before the last. The first comes soon, but not so soon that it is too noisy to show. */
+/** The numbers of directions of the results before the last. The first result comes soon, but not before its noise is acceptable. */
 const EARLY_DIRECTIONS = [64, 192];
-/** With more triangles, one worker bakes: copies of the scene, of some 40 bytes a triangle, would block the page. */
+/**
+ * The number of triangles above which only one worker bakes: copies of the scene, of about 40 bytes per triangle, would block the page.
+ */
 const LARGE_TRIANGLES = 500_000;
 /** The share of the progress before the first direction. */
 const START_SHARE = 0.05;
@@ -172,10 +174,10 @@ function readerOf(mesh: Mesh, receives: boolean, occludes: boolean): MeshReader 
   });
 }
 
-/** A mesh so many times its size away from the origin is too coarse there in single precision. */
+/** The distance from the origin, in sizes of the mesh, beyond which its positions are too coarse in single precision. */
 const FAR = 100;
 
-/** The centre of the first of some meshes in the world, if it lies far from the origin: the bake takes place around it. */
+/** The centre of the first mesh in the world, if it is far from the origin; the bake then uses it as its origin. */
 function originOf([{ geometry, matrixWorld }]: readonly Mesh[]): Vector3 | undefined {
   if (!geometry.boundingSphere) geometry.computeBoundingSphere();
   const { center, radius } = geometry.boundingSphere!.clone().applyMatrix4(matrixWorld);

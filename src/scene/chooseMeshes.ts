@@ -4,23 +4,23 @@ import { isClaimed } from './claimMeshes.js';
 import type { HatchedScene, SkippedMesh } from './HatchedScene.js';
 import { leftAlone } from './leftAlone.js';
 
-/** The number of meshes that an error names. */
+/** The greatest number of meshes that an error names. */
 const MAX_NAMED = 3;
 
-/** Which meshes of a scene are hatched. */
+/** The meshes of a scene, divided into those to hatch and the others. */
 export interface ChosenMeshes {
   chosen: Mesh[];
-  /** Those that are left alone on purpose. */
+  /** Meshes that are left alone on purpose. */
   skipped: SkippedMesh[];
-  /** Those that are hatched already, or are being hatched. They are among the skipped ones. */
+  /** Meshes that are hatched already, or are being hatched. They are among the skipped ones. */
   claimed: Mesh[];
 }
 
 /**
  * Divides meshes into those to hatch and those to leave alone.
  *
- * @param replaces the look that is replaced: its meshes are hatched again
- * @throws Error that says what was there, if there are meshes and all of them are left alone
+ * @param replaces the hatched scene that is replaced: its meshes are hatched again
+ * @throws Error that lists the meshes, if there are any and all of them are left alone
  */
 export function chooseMeshes(meshes: readonly Mesh[], replaces: HatchedScene | undefined): ChosenMeshes {
   const chosen: Mesh[] = [];
@@ -45,7 +45,7 @@ export function chooseMeshes(meshes: readonly Mesh[], replaces: HatchedScene | u
   return { chosen, skipped, claimed };
 }
 
-/** The reasons of the first few meshes, and how many more there are. */
+/** The reasons of the first few meshes, and the number of further ones. */
 export function sentencesOf(skipped: readonly SkippedMesh[]): string {
   const more = skipped.length - MAX_NAMED;
   const sentences = skipped.slice(0, MAX_NAMED).map(({ reason }) => reason);

@@ -1,13 +1,13 @@
 import type { Mesh } from 'three';
 import { identityOf } from '../material/geometry/identityOf.js';
 
-/** The identities of the marked meshes. */
+/** The identities of the claimed meshes. */
 const claimed = new WeakSet<object>();
 
-/** Whether a mesh, or a proxy of it, is marked as hatched or as being hatched. */
+/** Whether a mesh, or a proxy of it, is hatched or being hatched. */
 export const isClaimed = (mesh: Mesh): boolean => claimed.has(identityOf(mesh));
 
-/** Marks meshes as hatched, or as being hatched, until the returned function is called. A second call of that does nothing. */
+/** Marks meshes as hatched, or as being hatched, until the returned function is called. A second call of that function does nothing. */
 export function claimMeshes(meshes: readonly Mesh[]): () => void {
   for (const mesh of meshes) claimed.add(identityOf(mesh));
   let held = meshes;

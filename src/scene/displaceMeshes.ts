@@ -4,8 +4,8 @@ import type { OldLook } from './geometryPlans.js';
 import type { SkippedMesh } from './HatchedScene.js';
 
 /**
- * Gives the looks whose materials move vertices by a map the geometry that this makes, to be baked. Scenes without such materials do not load
- * what makes it.
+ * Sets a displaced geometry, to be baked, on looks whose materials have a displacement map. Scenes without such materials do not load
+ * the code for it.
  *
  * @param unreadable receives the meshes that cannot be displaced
  */

@@ -2,7 +2,7 @@ import type { Mesh } from 'three';
 import { describeObject } from '../material/diagnostics/describeObject.js';
 import type { SkippedMesh } from './HatchedScene.js';
 
-/** The names of functions that begin a message. */
+/** The function name at the beginning of an error message. */
 const CALLER = /^\w+: /;
 
 /** A mesh that could not be read or prepared, with a sentence that names it. */

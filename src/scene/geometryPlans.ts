@@ -5,17 +5,17 @@ import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { GeometryPlan } from './jointForms/FormGroup.js';
 import { isBatched, isHatching, materialsOf } from './surfaceMeshes.js';
 
-/** A mesh to hatch, with its geometry and material before. */
+/** A mesh to hatch, with its former geometry and material. */
 export interface OldLook {
   mesh: Mesh;
   /** The geometry that is baked. */
   geometry: BufferGeometry;
-  /** That of the mesh, if it is another one, because a map displaces it. */
+  /** The geometry of the mesh, if it differs from `geometry` because a map displaces it. */
   flatGeometry?: BufferGeometry;
   oldMaterial: Material | Material[];
 }
 
-/** A mesh to hatch, with the material that it will get. */
+/** A mesh to hatch, with its new material. */
 export interface PlannedMesh extends OldLook {
   material: Material | Material[];
 }
@@ -24,7 +24,9 @@ export interface PlannedMesh extends OldLook {
 export const needsNoAdjacency = (plan: PlannedMesh): boolean =>
   materialsOf(plan).every((material) => isHatching(material) && !needsAdjacency(material));
 
-/** All geometries to bake, each with a layout that works for all materials that draw it, and with a form field if one asks for it. */
+/**
+ * All geometries to bake, each with a layout that works for all materials that draw it, and with a form field if one of them needs it.
+ */
 export function geometryPlans(
   planned: readonly PlannedMesh[],
   options: PrepareHatchingGeometryOptions,
@@ -43,7 +45,7 @@ export function geometryPlans(
   return plans;
 }
 
-/** The materials of a mesh that ask for the form: those that do whatever the shape have precedence. */
+/** The materials of a mesh that need the form: those that need it for any shape take precedence. */
 export function askingMaterials(plan: PlannedMesh): HatchingMaterial[] {
   const following = materialsOf(plan)
     .filter(isHatching)
@@ -51,11 +53,11 @@ export function askingMaterials(plan: PlannedMesh): HatchingMaterial[] {
   return following.sort((one, other) => Number(formOf(one) === 'auto') - Number(formOf(other) === 'auto'));
 }
 
-/** The material whose lines cross as they were baked. Strokes cross by turning. */
+/** The material that decides the angle at which lines are baked to cross. Strokes cross by being turned and need no bake. */
 export const crossingOf = (asking: readonly HatchingMaterial[]): HatchingMaterial | undefined =>
   asking.find((material) => formFieldOf(material) === 'lineField');
 
-/** The world's up and the angle of the material, unless the options say otherwise. */
+/** The options of the form field: the world's up direction and the angle of the material, unless the options set others. */
 function formFor(plan: PlannedMesh, { form }: PrepareHatchingGeometryOptions): GeometryPlan['form'] {
   const asking = askingMaterials(plan);
   if (form === false || (!form && asking.length === 0)) return false;

@@ -34,7 +34,7 @@ import type { PresetName } from './presets.js';
 import { isHatching, materialsOf, surfaceMeshes } from './surfaceMeshes.js';
 import { isToBeMade } from './wantedMap.js';
 
-/** What `makeLooks` returns: the content of a `HatchedScene`. */
+/** The result of `makeLooks`: the content of a `HatchedScene`. */
 interface MadeLooks {
   looks: MeshLook[];
   materials: HatchingMaterial[];
@@ -42,18 +42,21 @@ interface MadeLooks {
   skipped: SkippedMesh[];
   followers: MaterialFollower[];
   forms: LaterForms | null;
-  /** Has levels of detail drawn; what it returns ends that. */
+  /** Starts to draw levels of detail; the returned function ends it. */
   showDetail: (() => () => void) | undefined;
   HatchedScene: typeof HatchedScene;
 }
 
-/** The looks of meshes before, and the meshes that cannot be read. */
+/** The former looks of meshes, and the meshes that cannot be read. */
 interface OldLooks {
   seen: OldLook[];
   unreadable: SkippedMesh[];
 }
 
-/** The materials that meshes will get, what is to be baked, and, if lines follow the form anywhere, what makes the object that bakes them later. */
+/**
+ * The new materials of meshes, the geometries to bake, and, if lines follow the form anywhere, a factory of the object that bakes
+ * fields later.
+ */
 interface Planning {
   making: typeof import('./making/making.js');
   replacer: MaterialReplacer;
@@ -66,7 +69,7 @@ interface Planning {
   ) => LaterForms;
 }
 
-/** The share of the progress for the map, if one is made. */
+/** The share of the progress for the map, if one is generated. */
 const MAP_SHARE = 0.2;
 
 /** The share of the progress for the first frame, if a renderer is given. */
@@ -75,17 +78,17 @@ const FRAME_SHARE = 0.1;
 /** The share of the progress for levels of detail, if they are asked for. */
 const DETAIL_SHARE = 0.2;
 
-/** What hatches a scene, of the renderer that draws it. */
+/** Makes materials and outlines for one kind of renderer. */
 export interface LookMakers<Made extends HatchingMaterial = HatchingMaterial> {
-  /** Makes a material with the values that it has by default. */
+  /** Makes a material with default values. */
   material(): Made;
-  /** Fetches what a material draws with, if it comes later. */
+  /** Fetches the code that a material needs, if it is loaded separately. */
   fetchPartsOf(material: Made): Promise<void>;
   /** Makes outlines. @throws RangeError or TypeError for a wrong parameter */
   outlineMaker(parameters: OutlineOptions & HatchingOutlineParameters): Promise<OutlineMaker>;
 }
 
-/** Hatches a scene, as `applyHatching` says. */
+/** The implementation of `applyHatching` for any renderer. */
 export async function hatchScene(
   root: Object3D,
   given: ApplyHatchingOptions | PresetName,
@@ -100,7 +103,7 @@ export async function hatchScene(
   assertTree('applyHatching', root);
   const { replaces, signal } = options;
   const meshes = surfaceMeshes(root).filter(options.filter ?? (() => true));
-  // Whoever says what to replace, even if it is nothing, follows a scene that may be empty at first.
+  // A caller that passes `replaces`, even as undefined, tracks a scene that may be empty at first.
   if (meshes.length === 0 && !('replaces' in options)) {
     warn(
       `applyHatching: there is no mesh to hatch in the ${describeObject(root)}. Call it once the model is loaded and added.`,
@@ -110,8 +113,8 @@ export async function hatchScene(
   if (choice.chosen.length > 0) startWorker(options);
   let releaseMeshes = claimMeshes(choice.chosen.filter((mesh) => !replaces?.holds(mesh)));
   const onAbort = (): void => releaseMeshes();
-  // The meshes are released at once, not when the work has stopped: the caller may abort and apply again in the same tick, as
-  // React's StrictMode does.
+  // The meshes are released at once, not when the work has stopped: the caller may abort and apply again in the same tick, as React's
+  // StrictMode does.
   signal?.addEventListener('abort', onAbort);
   const disposables: { dispose(): void }[] = [];
   try {
@@ -141,7 +144,7 @@ export async function hatchScene(
   }
 }
 
-/** Makes the new looks of meshes. The scene does not change. Everything that must be freed is added to `disposables`. */
+/** Makes the new looks of meshes without changing the scene. Everything that must be freed is added to `disposables`. */
 async function makeLooks(
   root: Object3D,
   { chosen, skipped: leftAlone, claimed }: ChosenMeshes,
@@ -171,7 +174,7 @@ async function makeLooks(
   const [onBake, onMap, onFrame, onDetail] = progressParts(onProgress, [bakeShare, mapShare, frameShare, detailShare]);
   const prepare = { ...prepareOptions(options), outlines: outlineMaker?.creases ?? false };
   const forms = formsLater?.(prepare, disposables, { firstFrame, detail }) ?? null;
-  // What dresses the meshes is fetched while they are baked.
+  // The code that applies looks is fetched while geometries are baked.
   const [baked, maps, dressing] = await sideBySide(
     signal,
     (stop) =>
@@ -224,7 +227,7 @@ async function makeLooks(
   };
 }
 
-/** What prepares the first frame, if there is a renderer for it. Pages that give none do not load it. */
+/** Creates the object that prepares the first frame, if a renderer is given; otherwise its code is not loaded. */
 async function firstFrameOf(root: Object3D, { renderer, camera }: ApplyHatchingOptions): Promise<FirstFrame | null> {
   if (!renderer || !camera) return null;
   const { FirstFrame } = await import('./FirstFrame.js');
@@ -232,8 +235,8 @@ async function firstFrameOf(root: Object3D, { renderer, camera }: ApplyHatchingO
 }
 
 /**
- * Makes the materials of meshes, and plans their bakes, those with lines along the form in groups. Scenes without such lines do not load what
- * bakes these later.
+ * Makes the materials of meshes, and plans their bakes, in groups if lines follow the form. Without such lines the code that bakes
+ * fields later is not loaded.
  */
 async function plan(
   { seen, unreadable }: OldLooks,
@@ -263,12 +266,18 @@ async function plan(
   };
 }
 
-/** What makes levels of detail, if they are asked for. Scenes without them do not load it. @throws TypeError for a wrong option */
+/**
+ * The function that makes levels of detail, if they are requested; otherwise its code is not loaded. @throws TypeError for a wrong
+ * option
+ */
 async function detailOf(options: ApplyHatchingOptions): Promise<MakeLevels | null> {
   return options.detail ? (await import('./detail/levelMaker.js')).levelMaker(options.detail, options) : null;
 }
 
-/** What makes outlines, if they are asked for. Scenes without them do not load it. @throws RangeError or TypeError for a wrong parameter */
+/**
+ * The object that makes outlines, if they are requested; otherwise its code is not loaded. @throws RangeError or TypeError for a wrong
+ * parameter
+ */
 async function outlineMakerOf({ outlines }: ApplyHatchingOptions, makers: LookMakers): Promise<OutlineMaker | null> {
   return outlines ? makers.outlineMaker(outlines === true ? {} : outlines) : null;
 }

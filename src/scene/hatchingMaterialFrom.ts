@@ -5,7 +5,7 @@ import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } fro
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 
-/** The properties that the surface materials of three.js have beyond `Material`. Other materials may have them too. */
+/** The properties of three's surface materials beyond those of `Material`. Other materials may have some of them. */
 export interface SurfaceMaterial extends Material {
   color?: Color;
   map?: Texture | null;
@@ -48,11 +48,11 @@ export const surfaceProperties = [
 ] as const satisfies (keyof SurfaceMaterial)[];
 
 /**
- * Turns a new hatching material into the one that replaces `source`. It takes over colour, maps and their settings (the textures are shared,
- * not copied), emission, opacity, sides, vertex colours, depth, blending, stencil, clipping, fog, wireframe, name, visibility and
- * user data. What lets light through (`transmission`) is drawn as glass, which hides nothing behind it.
+ * Turns a new hatching material into the one that replaces `source`. It takes over colour, maps and their settings (the textures are
+ * shared, not copied), emission, opacity, sides, vertex colours, depth, blending, stencil, clipping, fog, wireframe, name, visibility
+ * and user data. A material with `transmission` is drawn as glass, which hides nothing behind it.
  *
- * @param parameters override what is taken over from `source`
+ * @param parameters override the values of `source`
  */
 export function hatchingMaterialFrom(
   source: Material,
@@ -91,8 +91,8 @@ export function hatchingMaterialFrom(
 const warned = new Set<string>();
 
 /**
- * The value of a property as a hatching material can take it. three.js draws with numbers out of range too, such as an
- * `emissiveIntensity` of −1: the nearest in range takes their place, and the default that of no number at all. One warning says so.
+ * The value of a property in the range of a hatching material. three.js also draws with numbers out of range, such as an
+ * `emissiveIntensity` of −1: they are clamped, and NaN becomes the default. One warning reports it.
  */
 export function acceptable(name: keyof SurfaceMaterial, source: SurfaceMaterial): unknown {
   const value = source[name];

@@ -4,11 +4,11 @@ import { isHatching, isSurface, materialsOf } from './surfaceMeshes.js';
 type Maps = Partial<Record<'map' | 'alphaMap', Texture | null>>;
 
 /**
- * Why `applyHatching` leaves a mesh as it is, although it draws a surface; undefined if it hatches the mesh. Allocates nothing for a
- * mesh with one material.
+ * The reason why `applyHatching` leaves a mesh unchanged although it draws a surface; undefined if it hatches the mesh. Allocates
+ * nothing for a mesh with one material.
  *
- * `userData.hatching` of the mesh, or of the nearest object above it that has one, decides: with `false` the mesh is left alone,
- * with `true` it is hatched whatever its material is.
+ * `userData.hatching` of the mesh, or of its nearest ancestor that has it, decides: with `false` the mesh is left alone, with `true` it
+ * is hatched whatever its material is.
  */
 export function leftAlone(mesh: Mesh): string | undefined {
   const wish = wishFor(mesh);
@@ -20,7 +20,7 @@ export function leftAlone(mesh: Mesh): string | undefined {
   for (const entry of materialsOf(mesh)) {
     if (!isSurface(entry)) continue;
     reason = keptMaterial(entry);
-    // The others of its materials are replaced.
+    // Other materials of the mesh are replaced.
     if (reason === undefined) return undefined;
   }
   return reason;
@@ -30,7 +30,7 @@ export function leftAlone(mesh: Mesh): string | undefined {
 export const isReplaced = (material: Material, mesh: Mesh): boolean =>
   isSurface(material) && !isHatching(material) && (wishFor(mesh) === true || keptMaterial(material) === undefined);
 
-/** Why a material is kept: its own shader, or a picture drawn in each frame, is what it is there for. */
+/** The reason why a material is kept: it has its own shader, or shows a picture that is rendered in each frame. */
 function keptMaterial(material: Material): string | undefined {
   if (isHatching(material)) return undefined;
   if ('isShaderMaterial' in material) return 'its material has a shader of its own';
@@ -40,7 +40,7 @@ function keptMaterial(material: Material): string | undefined {
   return undefined;
 }
 
-/** What `userData.hatching` of an object, or of the nearest above it that has one, says. */
+/** The value of `userData.hatching` of an object or of its nearest ancestor that has it. */
 function wishFor(mesh: Object3D): boolean | undefined {
   for (let object: Object3D | null = mesh; object !== null; object = object.parent) {
     const wish: unknown = object.userData?.hatching;
@@ -50,8 +50,8 @@ function wishFor(mesh: Object3D): boolean | undefined {
 }
 
 /**
- * Whether a material, or its class, has set `onBeforeCompile`. The class `Material` has it too, and is known by its `needsUpdate`:
- * a page may have loaded three.js twice.
+ * Whether a material, or its class, overrides `onBeforeCompile`. The base class `Material` has one too; it is recognised by its
+ * `needsUpdate`, because a page may have loaded three.js twice.
  */
 function hasOwnHook(material: Material): boolean {
   let owner: object | null = material;

@@ -2,7 +2,7 @@ import type { OldLook, PlannedMesh } from './geometryPlans.js';
 import type { MaterialReplacer } from './MaterialReplacer.js';
 import { worldMatrices, worldScale } from './worldMatrices.js';
 
-/** Makes the materials that the meshes will get. It yields after each mesh, since a scene may have thousands of materials. */
+/** Makes the new materials of meshes. It yields after each mesh, since a scene may have thousands of materials. */
 export function* planMeshes(
   looks: readonly OldLook[],
   replacer: MaterialReplacer,

@@ -41,11 +41,11 @@ const makeOutlines = (): Record<PresetName, HatchingPreset['outlines']> => ({
   stipple: { outlineWidth: 1, ink: BLACK },
   pencil: { outlineWidth: 1.7, wobble: 1, tooth: 0.35, toothSize: 1.6, ink: '#34343a' },
   charcoal: { outlineWidth: 4.5, wobble: 1, tooth: 0.5, toothSize: 2, ink: '#1d1a19' },
-  // Chalk draws the light on dark paper, so nothing of it is lost there.
+  // Chalk draws the light on dark paper, so its contours must not be lost there.
   chalk: { outlineWidth: 3.4, lostEdges: 0, wobble: 1, tooth: 0.5, toothSize: 2, ink: '#f4f1e6' },
 });
 
-/** The map that a material names, or draws with if it names none. */
+/** The map that a material names, or its default map. */
 function mapOf(material: HatchingMaterialParameters): HatchingPreset['tonalArtMap'] {
   if (!needsMap(material)) return null;
   return { style: (material.tonalArtMap ?? HATCHING_DEFAULTS.tonalArtMap) as StrokeStyleName };
@@ -67,7 +67,7 @@ function makePresets(): Record<PresetName, HatchingPreset> {
  * await applyHatching(gltf.scene, { ...presets.pen, material: { ...presets.pen.material, ink: 'navy' } });
  * ```
  *
- * They are made for lights whose intensities sum to π. Widths and distances are in CSS pixels; `scalePreset` adapts them to a print.
+ * They suit lights whose intensities sum to π. Widths and distances are in CSS pixels; `scalePreset` adapts them to a print.
  */
 export const presets: Readonly<Record<PresetName, HatchingPreset>> = /* @__PURE__ */ frozen(
   /* @__PURE__ */ makePresets(),

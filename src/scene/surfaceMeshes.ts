@@ -2,8 +2,8 @@ import type { BatchedMesh, Material, Mesh, Object3D } from 'three';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 
 /**
- * Every mesh at or below `root` that draws a surface, visible or not. Lines, points and sprites are left out, and so are lines
- * that three.js builds from meshes (`Line2`) and meshes that only show shadows (`ShadowMaterial`).
+ * Every mesh at or below `root` that draws a surface, visible or not. Lines, points and sprites are left out, and so are lines that
+ * three.js builds from meshes (`Line2`) and meshes that only show shadows (`ShadowMaterial`).
  */
 export function surfaceMeshes(root: Object3D): Mesh[] {
   const meshes: Mesh[] = [];
@@ -13,11 +13,11 @@ export function surfaceMeshes(root: Object3D): Mesh[] {
   return meshes;
 }
 
-/** Whether an object is a mesh that draws a surface, as {@link surfaceMeshes} finds them. */
+/** Whether an object is a mesh that draws a surface (see {@link surfaceMeshes}). */
 export const isSurfaceMesh = (object: Object3D): object is Mesh =>
   isMesh(object) && !('isLineSegments2' in object) && materialsOf(object).some(isSurface);
 
-/** The materials of a mesh. Empty places in the array are left out: three.js does not draw their groups. */
+/** The materials of a mesh, without empty places in the array, whose groups three.js does not draw. */
 export const materialsOf = ({ material }: Pick<Mesh, 'material'>): Material[] =>
   [material].flat().filter((entry: Material | null | undefined) => entry !== undefined && entry !== null);
 

@@ -2,9 +2,9 @@ import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import { type HatchingPreset, type PresetName, presets } from './presets.js';
 
 /**
- * Returns the options of `applyHatching` for a preset, overridden by your own options. Parameters of the material and of the
- * outlines override those of the preset one by one, all other options as a whole. `outlines: false` leaves out the outlines of the preset,
- * `outlines: true` keeps them.
+ * The options of `applyHatching` for a preset, overridden by your own options. Parameters of the material and of the outlines override
+ * those of the preset one by one, all other options as a whole. `outlines: false` leaves out the outlines of the preset, `outlines:
+ * true` keeps them.
  *
  * @param preset the name of a preset, or a preset of your own
  * @throws RangeError if there is no preset of this name
@@ -16,7 +16,7 @@ export function withPreset(
   const { material, outlines, tonalArtMap } = presetOf(preset);
   const { material: own = {}, outlines: ownOutlines = true } = options;
   const namesMap = typeof own === 'object' && own?.tonalArtMap !== undefined;
-  // A preset without a map needs none. If your options change its technique, it may need one, and gets the default map.
+  // A preset with `tonalArtMap: null` needs no map. If your options change its technique to one that does, it gets the default map.
   const ofPreset = tonalArtMap ?? undefined;
   return {
     ...options,

@@ -1,8 +1,8 @@
 import { type InstancedMesh, Matrix4, type Mesh, type SkinnedMesh } from 'three';
 
 /**
- * The object-to-world matrix of a mesh, or one for each of its instances. A skinned mesh is drawn where its bones are, so its
- * matrix is the transform of the first bone. The world matrices of the scene must be up to date.
+ * The object-to-world matrix of a mesh, or one for each of its instances. A skinned mesh is drawn where its bones are, so its matrix is
+ * that of the first bone. The world matrices of the scene must be up to date.
  */
 export function worldMatrices(mesh: Mesh): Matrix4[] {
   if ('isInstancedMesh' in mesh) {

@@ -1,8 +1,8 @@
-/** How large meshes are drawn with no more triangles than can be seen. */
+/** Options for drawing large meshes with no more triangles than can be seen. */
 export interface DetailOptions {
   /**
-   * The address of meshoptimizer's simplifier, which is no part of this library: install `meshoptimizer`, and have your bundler give the
-   * address of its file. With Vite:
+   * The address of meshoptimizer's simplifier, which is not part of this library: install `meshoptimizer`, and let your bundler provide
+   * the address of its file. With Vite:
    *
    *     import simplifier from 'meshoptimizer/simplifier?url';
    *

@@ -6,10 +6,10 @@ const centre = /* @__PURE__ */ new Vector3();
 const forward = /* @__PURE__ */ new Vector3();
 
 /**
- * How many pixels a unit of a mesh's object space covers where the mesh is nearest to the camera. Tiles of a large picture count as parts
- * of it, since the projection of a camera with a view offset is that of its tile.
+ * The number of pixels per unit of a mesh's object space at its point nearest to the camera. Tiles of a large picture count as parts of
+ * it, since the projection of a camera with a view offset is that of its tile.
  *
- * @param viewport in pixels, of which the last two numbers are its width and height
+ * @param viewport the viewport in pixels; z and w are its width and height
  */
 function pixelsPerUnit({ geometry, matrixWorld }: Mesh, camera: Camera, viewport: Vector4): number {
   const sphere = geometry.boundingSphere!;
@@ -24,16 +24,16 @@ function pixelsPerUnit({ geometry, matrixWorld }: Mesh, camera: Camera, viewport
   return pixels / Math.max(depth - scale * sphere.radius, near, Number.MIN_VALUE);
 }
 
-/** Finer than any level: whatever is chosen is not simpler than it needs to be. */
+/** The previous level before the first choice: finer than any, so that the choice is not simpler than needed. */
 const NOTHING_BEFORE = Infinity;
 
 const viewport = /* @__PURE__ */ new Vector4();
 
 type Hooks = Pick<Mesh, 'onBeforeRender' | 'onAfterRender' | 'onBeforeShadow' | 'onAfterShadow'>;
 
-/** Draws a mesh with the level that its view needs, for each camera its own. */
+/** Draws a mesh at the level that each camera's view needs. */
 export class LeveledMesh {
-  /** The level that a camera has seen last. */
+  /** The last level that each camera has seen. */
   private readonly seen = new WeakMap<Camera, number>();
   private readonly before: Hooks;
   private readonly hooks: Hooks;
@@ -58,7 +58,7 @@ export class LeveledMesh {
       onBeforeShadow: (...all) => {
         before.onBeforeShadow.apply(mesh, all);
         const [, , camera, , , material, group] = all;
-        // A shadow is that of what the camera sees, or else it would lie on it in patches.
+        // A shadow uses the level that the camera sees; a mismatch would draw patches of shadow on the surface.
         if (this.canShow(material, group)) leveled.show(this.seen.get(camera) ?? 0);
       },
       onAfterShadow: (...all) => {
@@ -69,7 +69,7 @@ export class LeveledMesh {
     Object.assign(mesh, this.hooks);
   }
 
-  /** Draws the whole mesh from now on. Hooks that others have set since stay. */
+  /** Draws the whole mesh from now on. Hooks that other code has set since stay. */
   remove(): void {
     for (const name of Object.keys(this.hooks) as (keyof Hooks)[]) {
       if (this.mesh[name] === this.hooks[name]) Object.assign(this.mesh, { [name]: this.before[name] });
@@ -78,7 +78,7 @@ export class LeveledMesh {
 
   private show(renderer: WebGLRenderer, camera: Camera, material: Material, group: unknown): void {
     if (!this.canShow(material, group)) return;
-    // Each camera of an ArrayCamera draws into a part of the target.
+    // Each camera of an ArrayCamera draws into a part of the render target.
     const { viewport: own } = camera as Camera & { viewport?: Vector4 };
     if (own) viewport.copy(own);
     else renderer.getCurrentViewport(viewport);
@@ -89,7 +89,7 @@ export class LeveledMesh {
     leveled.show(level);
   }
 
-  /** Whether the mesh is drawn as it was when levels were made. The lines of a wireframe are made of the whole index. */
+  /** Whether the mesh is unchanged since the levels were made, and is not a wireframe, whose lines are made from the whole index. */
   private canShow(material: Material, group: unknown): boolean {
     if (this.mesh.geometry !== this.leveled.geometry || !this.leveled.isWhole || group) return false;
     return (material as Material & { wireframe?: boolean }).wireframe !== true;

@@ -1,4 +1,4 @@
-/** What draws large meshes with no more triangles than can be seen. It is fetched where the option `detail` is set. */
+/** Draws large meshes with no more triangles than can be seen. This module is fetched if the option `detail` is set. */
 import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from 'three';
 import { warn } from '../../material/diagnostics/warn.js';
 import { isFormExpected } from '../../material/geometry/formGeometry.js';
@@ -13,7 +13,7 @@ import { checkDetail, type DetailOptions } from './DetailOptions.js';
 import { LeveledGeometry } from './LeveledGeometry.js';
 import { LeveledMesh } from './LeveledMesh.js';
 
-/** Meshes of fewer triangles are drawn as they are: a graphics card is not faster with less. */
+/** The number of triangles below which meshes are drawn whole: a GPU would not be faster with fewer. */
 const FEWEST_TRIANGLES = 200_000;
 
 /** Whether levels can be made of the baked geometry of a mesh. */
@@ -21,7 +21,7 @@ function canHaveLevels({ geometry, mesh, material }: MeshLook): boolean {
   const { index, attributes, morphAttributes } = geometry;
   if (isBatched(mesh) || 'isInstancedMesh' in mesh || 'isSkinnedMesh' in mesh || Array.isArray(material)) return false;
   if (!index || index.count < 3 * FEWEST_TRIANGLES || Object.keys(morphAttributes).length > 0) return false;
-  // Another geometry takes its place in a moment.
+  // The geometry will soon be replaced.
   if (isFormExpected(geometry)) return false;
   const { position, uv, color } = attributes;
   return [position, uv, color].every((attribute) => attribute === undefined || isPlain(attribute));
@@ -30,7 +30,7 @@ function canHaveLevels({ geometry, mesh, material }: MeshLook): boolean {
 const isPlain = (attribute: BufferAttribute | InterleavedBufferAttribute): boolean =>
   attribute.array instanceof Float32Array && !('isInterleavedBufferAttribute' in attribute);
 
-/** Copies of what the worker needs of a geometry. It yields after each, since they are large. */
+/** Copies the data of a geometry for the worker. It yields after each array, since they are large. */
 function* requestOf(geometry: BufferGeometry, simplifier: string): Generator<number, DetailRequest, void> {
   const { position, uv, color, [hatchNormal.name]: normal, [formLayout.value.name]: form } = geometry.attributes;
   const positions = new Float32Array(position.array);
@@ -45,17 +45,20 @@ function* requestOf(geometry: BufferGeometry, simplifier: string): Generator<num
   return { positions, hatchNormals, uvs, colors, forms, indices, radius: geometry.boundingSphere!.radius, simplifier };
 }
 
-/** Makes levels of looks, and reports its progress in [0, 1]. What it returns has them drawn; what that returns ends it. */
+/**
+ * Makes levels of looks, and reports its progress in [0, 1]. The returned function starts to draw them; the function that it returns
+ * ends it.
+ */
 export type MakeLevels = (
   looks: readonly MeshLook[],
   onProgress?: (progress: number) => void,
 ) => Promise<() => () => void>;
 
 /**
- * What makes levels of all large meshes that can have them, one after the other. Where the simplifier cannot be loaded, it says so, and the
- * meshes are drawn as they are.
+ * Returns a function that makes levels of all large meshes that can have them, one after the other. If the simplifier cannot be loaded,
+ * it warns, and the meshes are drawn whole.
  *
- * @throws TypeError for an option that is wrong
+ * @throws TypeError for a wrong option
  */
 export function levelMaker(detail: DetailOptions, { signal, createWorker }: TaskOptions): MakeLevels {
   checkDetail(detail);
@@ -93,6 +96,6 @@ async function drawLevels(
   };
 }
 
-/** The address as a worker can load it, which lies elsewhere than the page. */
+/** The absolute address: the worker has another base address than the page. */
 const absolute = (address: string | URL): string =>
   typeof document === 'undefined' ? String(address) : new URL(address, document.baseURI).href;

@@ -2,16 +2,16 @@ import type { HatchingFormOptions } from '../../material/geometry/HatchingFormOp
 import type { GeometryPart } from '../../material/geometry/jointForms.js';
 import type { PrepareHatchingGeometryOptions } from '../../material/geometry/PrepareHatchingGeometryOptions.js';
 
-/** Geometries that may touch, so that lines along their form are to run on from one to the next. */
+/** Geometries that may touch, so that lines along their form continue from one to the next. */
 export interface FormGroup {
-  /** In the object space of the first. */
+  /** The parts, with matrices to the object space of the first. */
   parts: readonly GeometryPart[];
-  /** What the first asks for. */
+  /** The form options of the first. */
   form: HatchingFormOptions;
 }
 
-/** What one geometry is baked for. */
+/** The options that one geometry is baked with. */
 export interface GeometryPlan extends Pick<PrepareHatchingGeometryOptions, 'layout' | 'form'> {
-  /** Those with which it shares a form, if they touch it. */
+  /** The geometries that share a form with it, if they touch it. */
   group?: FormGroup | undefined;
 }

@@ -9,12 +9,12 @@ import type { FormGroup, GeometryPlan } from './FormGroup.js';
 /** The bake of a group, for those of its geometries whose lines cross at one angle. */
 interface GroupBake {
   group: FormGroup;
-  /** What the first of the group asks for, with this angle. */
+  /** The form options of the group's first geometry, with this angle. */
   form: HatchingFormOptions;
   geometries: Set<BufferGeometry>;
 }
 
-/** The bakes that geometries need: one for each group, and for each angle that was changed for some of its members. */
+/** The bakes for a set of geometries: one per group, and one more per angle that was changed for some of its members. */
 function bakesFor(plans: ReadonlyMap<BufferGeometry, GeometryPlan>): GroupBake[] {
   const bakes = new Map<FormGroup, Map<number | undefined, GroupBake>>();
   for (const [geometry, { group, form }] of plans) {
@@ -34,10 +34,10 @@ export const groupCorners = ({ parts }: FormGroup): number =>
   parts.reduce((sum, { geometry }) => sum + cornerCount(geometry), 0);
 
 /**
- * Bakes the forms that geometries share, one group after the other. A group with a faulty geometry is left to what bakes its members
- * one by one, which names the fault.
+ * Bakes the forms that geometries share, one group after the other. A group with a faulty geometry is skipped: the separate bakes of
+ * its members name the fault.
  *
- * @returns the forms of those that touch others
+ * @returns the forms of the geometries that touch others
  */
 export async function bakeGroups(
   plans: ReadonlyMap<BufferGeometry, GeometryPlan>,

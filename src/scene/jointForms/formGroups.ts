@@ -5,23 +5,23 @@ import { groupCorners } from './bakeGroups.js';
 import { cornerCount } from './cornerCount.js';
 import type { FormGroup, GeometryPlan } from './FormGroup.js';
 
-/** More corners than these are not baked jointly. */
+/** The number of corners above which a group is not baked jointly. */
 const MOST_CORNERS = 6_000_000;
 
-/** How far boxes may lie apart, as a share of the larger one's diagonal. */
+/** The greatest gap between touching boxes, as a share of the larger one's diagonal. */
 const NEAR = 1e-5;
 
-/** A mesh whose geometry is no other's. */
+/** A mesh that alone uses its geometry. */
 interface Candidate {
   geometry: BufferGeometry;
-  /** To the space where it is compared: the world, or that of the bones at rest. */
+  /** The matrix to the space in which meshes are compared: the world, or that of the bones at rest. */
   matrix: Matrix4;
   form: HatchingFormOptions;
 }
 
 /**
- * Groups the geometries to bake by whether their boxes touch at rest. Meshes are compared in the world, and skinned ones where
- * their bones bind them. Geometries of several meshes, instances and batches are in no group. It yields after each mesh.
+ * Groups the geometries to bake by whether their bounding boxes touch at rest. Meshes are compared in world space, skinned ones in bind
+ * space. Geometries of several meshes, instances and batches are in no group. It yields after each mesh.
  *
  * @returns the group of each geometry that is in one
  */
@@ -60,7 +60,7 @@ export function* formGroups(
   return groups;
 }
 
-/** Whether the positions of a geometry can be read. What bakes it names the fault otherwise. */
+/** Whether the positions of a geometry can be read. If not, the bake names the fault. */
 function isReadable(geometry: BufferGeometry): boolean {
   try {
     checkGeometry(geometry);
@@ -70,24 +70,24 @@ function isReadable(geometry: BufferGeometry): boolean {
   }
 }
 
-/** Stands for the space of all meshes without a skin. */
+/** The key of the space of all meshes without a skin. */
 const WORLD = {};
 
-/** The space that a mesh shares with others, and its matrix to there, as it is at rest. */
+/** The space in which a mesh is compared with others, and its matrix to that space, at rest. */
 function restOf(mesh: Mesh): { space: object; matrix: Matrix4 } {
   const { skeleton, bindMatrix } = mesh as SkinnedMesh;
   const [bone] = skeleton?.bones ?? [];
   return bone ? { space: bone, matrix: bindMatrix } : { space: WORLD, matrix: mesh.matrixWorld };
 }
 
-/** The candidates whose boxes touch, one by another. It yields after each box. */
+/** The pairs of candidates whose boxes touch. It yields after each box. */
 function* touching(candidates: readonly Candidate[]): Generator<number, Candidate[][], void> {
   const groups = candidates.map((_, i) => [i]);
   const order: { i: number; box: Box3 }[] = [];
-  // A box takes time, and one mesh touches none.
+  // Bounding boxes take time, and a single mesh touches none.
   for (const [i, candidate] of (candidates.length > 1 ? candidates : []).entries()) {
     const box = grownBox(candidate);
-    // One that is empty or not a number belongs to a geometry that cannot be baked.
+    // An empty box, or one that is not finite, belongs to a geometry that cannot be baked.
     if (Number.isFinite(box.min.distanceTo(box.max))) order.push({ i, box });
     yield i / candidates.length;
   }

@@ -1,3 +1,3 @@
-/** What is fetched where lines follow the form, besides `LaterForms`. */
+/** The code, beside `LaterForms`, that is fetched if lines follow the form. */
 export { bakeGroups } from './bakeGroups.js';
 export { formGroups } from './formGroups.js';

@@ -1,4 +1,4 @@
-/** Six axes and the diagonals between them: along each, both ends of what is added count. */
+/** Six axes and the diagonals between them: along each, both extremes are kept. */
 const AXES = Float64Array.from(
   [-1, 0, 1]
     .flatMap((x) => [-1, 0, 1].flatMap((y) => [-1, 0, 1].map((z) => [x, y, z])))
@@ -7,12 +7,12 @@ const AXES = Float64Array.from(
 );
 const COUNT = AXES.length / 3;
 
-/** The points of an object that reach farthest, along 26 directions. They stand for its whole outline. */
+/** The extreme points of an object along 26 directions, which stand for its whole extent. */
 export class OuterPoints {
   private readonly reach = new Float64Array(2 * COUNT).fill(-Infinity);
   private readonly points = new Float64Array(6 * COUNT);
 
-  /** Adds a point, in world space. One with a coordinate that is no number does not count. */
+  /** Adds a point in world space. A point that is not finite is ignored. */
   add(x: number, y: number, z: number): void {
     const { reach } = this;
     for (let i = 0; i < COUNT; i++) {
@@ -22,12 +22,12 @@ export class OuterPoints {
     }
   }
 
-  /** Adds points that are given as xyz. */
+  /** Adds points given as x, y, z. */
   addAll(xyz: ArrayLike<number>): void {
     for (let i = 0; i + 2 < xyz.length; i += 3) this.add(xyz[i], xyz[i + 1], xyz[i + 2]);
   }
 
-  /** xyz of each point; none before any was added. */
+  /** x, y, z of each point; empty before any was added. */
   get xyz(): Float64Array {
     return this.reach[0] === -Infinity ? new Float64Array() : this.points;
   }

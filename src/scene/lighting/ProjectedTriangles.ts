@@ -1,4 +1,4 @@
-/** Triangles as a camera sees them. Plain data, in world space and on the sheet. */
+/** Triangles as a camera sees them: plain data, in world space and on the sheet. */
 export interface ProjectedTriangles {
   count: number;
   /**
@@ -6,17 +6,17 @@ export interface ProjectedTriangles {
    * eye. Nearness grows towards the eye, and is linear on the sheet.
    */
   corners: Float32Array;
-  /** The unit normal of each triangle, on the side that is seen. */
+  /** The unit normal of each triangle, on the visible side. */
   normals: Float32Array;
-  /** The share of a light with a direction that the hollows of the surface leave it: 1 where nothing is baked. */
+  /** The share of directional light that reaches each triangle through its baked occlusion: 1 without a bake. */
   openness: Float32Array;
-  /** 1 for a triangle that stands for several like it, which are not among the others. */
+  /** 1 for a triangle that stands for several omitted ones like it. */
   isSample: Uint8Array;
 }
 
 const NUMBERS_PER_TRIANGLE = 9;
 
-/** Room for this many triangles. */
+/** Allocates room for a number of triangles. */
 export const createProjectedTriangles = (most: number): ProjectedTriangles => ({
   count: 0,
   corners: new Float32Array(NUMBERS_PER_TRIANGLE * most),

@@ -1,12 +1,12 @@
 import type { SeenSurface } from './seenSurface.js';
 import { type Standing, shadowReach } from './shadowOnSheet.js';
 
-/** A surface that reflects less than this share of the light looks less than half as bright as one that faces it (sRGB). */
+/** The share of reflected light below which a surface looks less than half as bright as one that faces the light (sRGB). */
 const LOOKS_HALF_AS_BRIGHT = 0.214;
 
 /**
  * The share of a seen surface that lies in shade under a distant light: where a white Lambert surface looks less than half as bright as
- * where it faces the light. Hollows darken it as far as their occlusion is known; cast shadows do not count.
+ * where it faces the light. Baked occlusion counts, cast shadows do not.
  *
  * @param direction unit vector to the light
  * @returns from 0 to 1; 0 if nothing is seen
@@ -24,7 +24,7 @@ export function shareOfShade({ normals, openness, pixels }: SeenSurface, [x, y, 
 
 type Vector = readonly [x: number, y: number, z: number];
 
-/** The axes of a view, as unit vectors in world space, and where the top of the world is. */
+/** The axes of a view, as unit vectors in world space, and the world's up direction. */
 export interface ViewAxes {
   right: Vector;
   up: Vector;
@@ -32,36 +32,36 @@ export interface ViewAxes {
   top: Vector;
 }
 
-/** A direction to a light, of length 1, and the share of shade under it. */
+/** The unit vector to a light, and the share of shade under it. */
 export interface ChosenLight {
   direction: [x: number, y: number, z: number];
   shade: number;
 }
 
-/** The share of what is seen that should lie in shade, and by how much it may miss that before it is worse than another direction. */
+/** The wanted share of the visible surface in shade, and the deviation below which directions are equally good. */
 const SHADE = { wanted: 0.4, tolerance: 0.03 };
-/** The light of a portrait: three-quarter from the front, in degrees from the viewer, and how far another may be from it. */
+/** The light of a portrait: three-quarter from the front, in degrees from the viewer, and the deviation that is still as good. */
 const THREE_QUARTER = { azimuth: 45, elevation: 40, tolerance: 25 };
-/** The directions that are tried, in degrees from the viewer: to the left and right, all from the front and from above. */
+/** The directions that are tried, in degrees from the viewer: to the left and to the right, all from the front and from above. */
 const AZIMUTHS = { least: 15, most: 70, step: 5 };
 const ELEVATIONS = { least: 15, most: 65, step: 5 };
-/** How much worse a light from the right must be than one from the left, as most people draw with their right hand. */
+/** The penalty of a light from the right, because most people draw with their right hand. */
 const LEFT_ADVANTAGE = 0.25;
-/** Shadows whose reach differs by less leave the sheet alike. */
+/** The ratio of reaches below which two shadows are equal. */
 const ALIKE = 1.02;
-/** The sine of the least height above the horizon: lower, a light would cast long shadows. */
+/** The sine of the least elevation above the horizon: a lower light would cast long shadows. */
 const LEAST_HEIGHT = Math.sin(Math.PI / 9);
 
 /**
- * Chooses a light that shows a surface well: from the upper left or right in front, so that about two fifths of what is seen lie in
- * shade. The same surface gets the same light.
+ * Chooses a light that shows a surface well: from the upper left or right in front, so that about two fifths of the visible surface lie
+ * in shade. The same surface gets the same light.
  *
  * @param standing what casts a shadow on the ground. The shadow stays on the sheet if there is such a light
  */
 export function chooseLight(surface: SeenSurface, axes: ViewAxes, standing?: Standing): ChosenLight {
   const all = [...candidates()].map((candidate) => ({ ...candidate, direction: directionOf(candidate, axes) }));
   const aboveHorizon = all.filter(({ direction }) => dot(direction, axes.top) >= LEAST_HEIGHT);
-  // Seen from below, no light in front may be above the horizon.
+  // In a view from far below, no light in front may be above the horizon.
   const possible = aboveHorizon.length > 0 ? aboveHorizon : all;
   const tried = standing ? withShadowOnSheet(possible, standing) : possible;
   let best: ChosenLight | undefined;
@@ -81,7 +81,7 @@ export function chooseLight(surface: SeenSurface, axes: ViewAxes, standing?: Sta
   return best!;
 }
 
-/** The directions under which the shadow stays on the sheet; if there are none, those under which it leaves the sheet least. */
+/** The directions under which the shadow stays on the sheet; if there are none, those whose shadow leaves it least. */
 function withShadowOnSheet<Lit extends { direction: Vector }>(lights: readonly Lit[], standing: Standing): Lit[] {
   const reaches = lights.map(({ direction }) => shadowReach(standing, direction));
   const most = Math.max(1, ALIKE * Math.min(...reaches));
@@ -95,7 +95,7 @@ interface Candidate {
   elevation: number;
 }
 
-/** All directions that are tried. */
+/** Yields all directions that are tried. */
 function* candidates(): Generator<Candidate, void, void> {
   for (const side of [-1, 1]) {
     for (let azimuth = AZIMUTHS.least; azimuth <= AZIMUTHS.most; azimuth += AZIMUTHS.step) {

@@ -10,15 +10,15 @@ import { seenSurface } from './seenSurface.js';
 export interface FlatteringLight {
   /** The direction to the light in world space, of length 1: the position of a `DirectionalLight` whose target is at the origin. */
   direction: Vector3;
-  /** The share of what is seen that lies in shade under this light, from 0 to 1; 0 if nothing is seen. */
+  /** The share of the visible surface that lies in shade under this light, from 0 to 1; 0 if nothing is seen. */
   shade: number;
 }
 
 export interface FlatteringLightOptions {
   /**
    * Whether the object stands on level ground, through its lowest point. Its shadow there then lies wholly on the sheet, if a light in
-   * front lets it: the light is higher for that, or from another side. For an object that moves, pass points instead, as xyz in world
-   * space, which tell how far it reaches in all its poses. Default: false.
+   * front allows it; for that the light may be higher, or come from another side. For an object that moves, pass points instead, as xyz
+   * in world space, which tell how far it reaches in all its poses. Default: false.
    */
   onGround?: boolean | ArrayLike<number>;
 }
@@ -27,17 +27,17 @@ const OWN_OPTIONS = { onGround: true } satisfies Record<keyof FlatteringLightOpt
 
 /**
  * Finds a light that shows an object well in a view: three-quarter from the front, from the upper left or right, so that about two
- * fifths of what is seen lie in shade. In shade is what looks less than half as bright as a surface that faces the light; hollows
- * count as far as `bakeOcclusion` has baked them, cast shadows do not.
+ * fifths of the visible surface lie in shade. A surface is in shade if it looks less than half as bright as one that faces the light;
+ * occlusion that `bakeOcclusion` has baked counts, cast shadows do not.
  *
  * - The light is never behind the object, and at least 20° above the horizon of `camera.up`, unless the view is from so far below that no
- *   light in front is.
+ * light in front is.
  * - Visible meshes at or below the object count, in their present pose, as far as they are on the sheet. Leave out the ground. Batches
- *   and triangles that reach behind the eye do not count.
+ * and triangles that reach behind the eye do not count.
  * - The same view gives the same light. A scene that is moved, turned about `camera.up` or scaled with its camera gets the same too.
- *   Nothing is changed, drawn or read from the graphics card.
+ * Nothing is changed, drawn or read from the graphics card.
  * - It takes some milliseconds for a scene of any size: of more than 30,000 triangles only some are read, and at most 2,000 meshes
- *   and 256 instances of each.
+ * and 256 instances of each.
  *
  * @param object what is to be lit
  * @param camera the view, with its projection up to date

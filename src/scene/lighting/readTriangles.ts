@@ -14,40 +14,40 @@ import { isBatched, isHatching, isSurfaceMesh, materialsOf } from '../surfaceMes
 import type { OuterPoints } from './OuterPoints.js';
 import { createProjectedTriangles, type ProjectedTriangles } from './ProjectedTriangles.js';
 
-/** At most this many triangles are read. Of larger scenes, each stands for some of its neighbours. */
+/** The greatest number of triangles that are read. In larger scenes, each stands for some of its neighbours. */
 const MOST_TRIANGLES = 30_000;
-/** A skinned or morphed corner takes as long as so many others. */
+/** The cost of a skinned or morphed corner, in ordinary corners. */
 const DEFORMING_COST = 4;
-/** At most this many meshes are read, evenly chosen. */
+/** The greatest number of meshes that are read, evenly chosen. */
 const MOST_MESHES = 2000;
 /** At most this many instances of a mesh are read. */
 const MOST_INSTANCES = 256;
 
-/** A mesh, where it is drawn, and which of its triangles are read. */
+/** A mesh, its places, and the triangles of it that are read. */
 interface MeshReading {
   mesh: Mesh;
   places: readonly Matrix4[];
   /** The first corner, and the number of triangles. */
   start: number;
   triangles: number;
-  /** What reading all of it costs. */
+  /** The cost of reading all of its triangles. */
   cost: number;
 }
 
-/** How meshes are read. */
+/** Reads the triangles of meshes. */
 interface Reader {
   toView: Matrix4;
   projection: Matrix4;
   outer: OuterPoints | undefined;
-  /** Whether some meshes are left out, for which the others stand. */
+  /** Whether some meshes are left out, and the others stand for them. */
   isSample: boolean;
 }
 
 /**
- * Reads the triangles that a camera may see, where they are now: skins and morph targets in their present pose. The world matrices of
- * the object and the camera must be up to date.
+ * Reads the triangles that a camera may see, with skins and morph targets in their present pose. The world matrices of the object and
+ * the camera must be up to date.
  *
- * @param outer gets their corners, also those that are not seen
+ * @param outer receives their corners, including those that are not seen
  */
 export function readTriangles(object: Object3D, camera: Camera, outer?: OuterPoints): ProjectedTriangles {
   const shown = shownMeshes(object, camera);
@@ -56,7 +56,7 @@ export function readTriangles(object: Object3D, camera: Camera, outer?: OuterPoi
     readings.map(({ cost }) => cost),
     MOST_TRIANGLES,
   );
-  // The numbers are rounded up, so there is room for one more of each place.
+  // The numbers are rounded up, so each place has room for one more.
   const room = readings.reduce(
     (sum, { triangles, places, cost }) => sum + places.length * Math.ceil(triangles / stepOf(cost, share)),
     0,
@@ -69,10 +69,10 @@ export function readTriangles(object: Object3D, camera: Camera, outer?: OuterPoi
   return list;
 }
 
-/** Of how many triangles one is read. */
+/** The step between triangles that are read. */
 const stepOf = (cost: number, share: number): number => Math.max(1, Math.ceil(cost / share));
 
-/** The meshes that are shown, at or below an object. Where some are opaque, `transparent` ones do not count: one looks through them. */
+/** The visible meshes at or below an object. If some are opaque, `transparent` ones are left out, because one sees through them. */
 function shownMeshes(object: Object3D, camera: Camera): Mesh[] {
   const shown: Mesh[] = [];
   object.traverseVisible((entry) => {
@@ -112,7 +112,7 @@ function placesOf(mesh: Mesh): Matrix4[] {
   });
 }
 
-/** The most that each may take, so that all together take no more than a limit: who needs less leaves the rest to the others. */
+/** The greatest share of each need for which all together stay within a limit: small needs leave the rest to the others. */
 function fairShare(needs: readonly number[], limit: number): number {
   let left = limit;
   for (const [i, need] of [...needs].sort((a, b) => a - b).entries()) {
@@ -160,7 +160,7 @@ function readMesh(
   }
 }
 
-/** Projects a corner. @returns whether it lies in front of the eye */
+/** Projects a corner. @returns whether it is in front of the eye */
 function project({ x, y, z }: Vector3, corner: number): boolean {
   const e = onSheet.elements;
   const v = inView.elements;
@@ -173,7 +173,7 @@ function project({ x, y, z }: Vector3, corner: number): boolean {
   return depth > 0;
 }
 
-/** Adds the triangle of the present corners, unless only its hidden side is seen. */
+/** Adds the triangle of the present corners, unless only its hidden side is visible. */
 function add(list: ProjectedTriangles, hidden: number, openness: number, isSample: boolean): void {
   const [ax, ay, , bx, by, , cx, cy] = projected;
   const side = Math.sign((bx - ax) * (cy - ay) - (by - ay) * (cx - ax));
@@ -189,14 +189,14 @@ function add(list: ProjectedTriangles, hidden: number, openness: number, isSampl
   list.count++;
 }
 
-/** The side of triangles that is not drawn: 1 where they turn left on the sheet, −1 where they turn right, 0 for none. */
+/** The side of triangles that is not drawn: 1 for counter-clockwise on the sheet, −1 for clockwise, 0 for none. */
 function hiddenSide(mesh: Mesh, place: Matrix4): number {
   const [{ side }, ...others] = materialsOf(mesh);
   if (side === DoubleSide || others.some((material) => material.side !== side)) return 0;
   return (side === BackSide ? 1 : -1) * (place.determinant() < 0 ? -1 : 1);
 }
 
-/** The share of a light with a direction that hollows leave a vertex. */
+/** Returns a function of a vertex: the share of directional light that reaches it through its baked occlusion. */
 function opennessOf(mesh: Mesh): (vertex: number) => number {
   const material = materialsOf(mesh).find(isHatching);
   const baked = mesh.geometry.attributes[hatchNormal.name];

@@ -1,12 +1,12 @@
 import type { ProjectedTriangles } from './ProjectedTriangles.js';
 
-/** What is seen of a surface. */
+/** The visible parts of a surface. */
 export interface SeenSurface {
   /** The unit normal of each part. */
   normals: Float32Array;
-  /** The share of a light with a direction that hollows leave each part. */
+  /** The share of directional light that reaches each part through its baked occlusion. */
   openness: Float32Array;
-  /** How large each part appears, in pixels of a raster. */
+  /** The visible size of each part, in pixels of a raster. */
   pixels: Uint32Array;
 }
 
@@ -16,7 +16,7 @@ const NOTHING = -1;
 /** Pixels on an edge belong to both triangles, so that rounding leaves no gap. */
 const EDGE = -1e-5;
 
-/** Which triangle is nearest at the middle of each pixel, or NOTHING, and how near it is. */
+/** The index of the nearest triangle at the middle of each pixel, or NOTHING, and its nearness to the eye. */
 interface Raster {
   triangles: Int32Array;
   nearness: Float32Array;
@@ -32,8 +32,8 @@ interface Frame {
 }
 
 /**
- * Finds which triangles are seen, and how large they appear, with a small depth raster over the part of the sheet where they are.
- * Parts beyond the edges of the sheet are not seen.
+ * Finds the visible triangles, and their visible sizes, with a small depth raster over the part of the sheet that they cover. Parts
+ * beyond the edges of the sheet are not seen.
  */
 export function seenSurface(triangles: ProjectedTriangles): SeenSurface {
   const frame = frameOf(triangles);
@@ -54,7 +54,7 @@ export function seenSurface(triangles: ProjectedTriangles): SeenSurface {
   return surface;
 }
 
-/** The part of the sheet where triangles are; undefined if there are none. */
+/** The part of the sheet that triangles cover; undefined if there are none. */
 function frameOf({ corners, count }: ProjectedTriangles): Frame | undefined {
   let [left, right, bottom, top] = [1, -1, 1, -1];
   for (let i = 0; i < 9 * count; i += 3) {
@@ -117,7 +117,7 @@ function drawTriangle(
   }
 }
 
-/** Draws the pixel in which the middle of a triangle lies, for those beside it that are left out. */
+/** Draws the pixel of a triangle's centre, for a triangle that stands for omitted ones. */
 function drawMiddle(
   raster: Raster,
   { corners }: ProjectedTriangles,

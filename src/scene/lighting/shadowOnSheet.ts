@@ -1,18 +1,18 @@
 type Vector = readonly [x: number, y: number, z: number];
 
-/** What casts a shadow on level ground, and how a camera sees it. */
+/** An object that casts a shadow on level ground, and its view by a camera. */
 export interface Standing {
-  /** xyz of points of the object, in world space: enough of them to tell how far it reaches. */
+  /** x, y, z of points of the object in world space: enough of them to tell its extent. */
   points: ArrayLike<number>;
   /** The unit vector upwards. The ground goes through the lowest point. */
   top: Vector;
-  /** The matrix from world space to the sheet, by columns, as `Matrix4.elements` has it. */
+  /** The matrix from world space to the sheet, in the column order of `Matrix4.elements`. */
   toSheet: ArrayLike<number>;
 }
 
 /**
- * How far the shadow that an object casts on the ground reaches from the middle of the sheet towards its edges: up to 1 it lies wholly on
- * the sheet. Infinity under a light at the horizon or below, and for a shadow that reaches behind the eye.
+ * The reach of an object's shadow on the ground, from the middle of the sheet towards its edges: up to 1 the shadow lies wholly on the
+ * sheet. Infinity under a light at the horizon or below, and for a shadow that reaches behind the eye.
  *
  * @param direction unit vector to a distant light
  */
@@ -38,7 +38,7 @@ function lowest(points: ArrayLike<number>, top: Vector): number {
   return least;
 }
 
-/** How far a point is from the middle of the sheet: 1 at its edges. */
+/** The distance of a point from the middle of the sheet: 1 at its edges. */
 function placeReach([x, y, z]: Vector, m: ArrayLike<number>): number {
   const depth = m[3] * x + m[7] * y + m[11] * z + m[15];
   if (!(depth > 0)) return Infinity;

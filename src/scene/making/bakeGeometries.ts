@@ -7,16 +7,16 @@ import { cornerCount } from '../jointForms/cornerCount.js';
 import type { GeometryPlan } from '../jointForms/FormGroup.js';
 import { progressParts } from './progressParts.js';
 
-/** The number of corners that are baked at the same time, unless one geometry has more: a bake takes some hundred bytes for each. */
+/** The number of corners that are baked at a time, unless one geometry has more: a bake takes some hundred bytes per corner. */
 const MAX_CORNERS = 6_000_000;
 
-/** The number of corners that is worth another worker, which takes as long to start as a bake of some ten thousand triangles. */
+/** The number of corners that justify another worker: one takes as long to start as a bake of some ten thousand triangles. */
 const CORNERS_PER_WORKER = 600_000;
 
-/** The share of the work that the form takes where it is baked. */
+/** The share of the work that the form takes, if it is baked. */
 const FORM_SHARE = 0.75;
 
-/** The listeners that are called while geometries are baked. */
+/** Listeners that are called while geometries are baked. */
 export interface BakeListeners {
   /** Called with every geometry as soon as it is ready, so that it can be freed if a later one is aborted. */
   onBaked(geometry: BufferGeometry): void;
@@ -25,8 +25,8 @@ export interface BakeListeners {
 }
 
 /**
- * Bakes geometries, several at a time if there is work for several workers: first the forms that they share. A faulty geometry does
- * not stop the others.
+ * Bakes geometries, several at a time if there is work for several workers, after the forms that they share. A faulty geometry does not
+ * stop the others.
  *
  * @param plans the geometries, each with its options
  * @returns for each geometry the prepared one, or the TypeError or RangeError that names its fault
@@ -125,6 +125,6 @@ async function bakeEach(
   stop.signal.throwIfAborted();
   corners = total;
   report();
-  // The results come in the order of `plans`, whichever bake was finished first.
+  // The results are in the order of `plans`, whichever bake finished first.
   return new Map([...plans.keys()].map((geometry) => [geometry, results.get(geometry)!]));
 }

@@ -1,4 +1,4 @@
-/** What gives meshes their new looks once they are baked. It is fetched while they are. */
+/** Applies the new looks to meshes after the bake. This module is fetched while geometries are baked. */
 import { Box3, type BufferGeometry, Matrix4, type Mesh, type Object3D, Sphere, type Vector3 } from 'three';
 import { describeObject } from '../../material/diagnostics/describeObject.js';
 import { SceneExtent } from '../../material/fading/SceneExtent.js';
@@ -36,11 +36,11 @@ export function collectLooks(
   return { looks, skipped };
 }
 
-/** Whether a mesh was given another geometry or material since. */
+/** Whether another geometry or material was set on a mesh since. */
 export const hasChanged = ({ mesh, geometry, flatGeometry = geometry, oldMaterial }: OldLook): boolean =>
   mesh.geometry !== flatGeometry || mesh.material !== oldMaterial;
 
-/** Says so of a mesh. */
+/** The mesh as a skipped one, with that reason. */
 export const changedMeanwhile = (mesh: Mesh): SkippedMesh =>
   failure(
     mesh,
@@ -70,7 +70,7 @@ export function* finishLooks(
   replacer: MaterialReplacer,
   { tilesPerWorldUnit, outlineMaker }: { tilesPerWorldUnit: number | undefined; outlineMaker: OutlineMaker | null },
 ): Generator<number, readonly HatchingOutlines[], void> {
-  // The strokes of meshes that were added have the size of those that are hatched already.
+  // The strokes of added meshes have the size of those of meshes that are hatched already.
   const hatchedBefore = claimed.filter((mesh) => isBatched(mesh) || mesh.geometry.boundingSphere !== null);
   const { center, radius } = yield* sphereAround([...looks, ...hatchedBefore]);
   replacer.setTilesPerUnit(tilesPerWorldUnit ?? TILES_PER_RADIUS / radius);
@@ -84,7 +84,7 @@ export function* finishLooks(
   return outlineMaker?.outlines ?? [];
 }
 
-/** A sphere around all meshes, in world space. If there are none, it is the unit sphere about the origin. */
+/** A sphere around all meshes in world space; without meshes the unit sphere. */
 function* sphereAround(looks: readonly (MeshLook | Mesh)[]): Generator<number, Sphere, void> {
   const whole = new Sphere();
   for (const look of looks) {
@@ -102,7 +102,7 @@ export function assertNoFailure(skipped: readonly SkippedMesh[]): void {
   throw new TypeError(`applyHatching: no mesh could be hatched. ${sentencesOf(skipped)}`, { cause: skipped[0].error });
 }
 
-/** How far all meshes reach, in the space of `root`. It yields after each of them. */
+/** The extent of all meshes, in the space of `root`. It yields after each of them. */
 function* extentOf(root: Object3D, looks: readonly (MeshLook | Mesh)[]): Generator<number, SceneExtent, void> {
   const extent = new SceneExtent(root);
   const toRoot = root.matrixWorld.clone().invert();
@@ -122,10 +122,10 @@ function boundsOf(mesh: Mesh, { boundingBox, boundingSphere }: Mesh['geometry'])
 }
 
 /**
- * Returns a function that computes the matrix from the object space of a mesh to a coordinate frame that all meshes share: the
- * frame of `root`, with its origin in a common centre. Engraved lines in this frame continue from mesh to mesh. Its unit is that
- * of the mesh's object space, because `tilesPerUnit` refers to that. Instanced and batched meshes, and meshes with a singular
- * matrix, have no such frame.
+ * Returns a function that computes the matrix from the object space of a mesh to the coordinate frame that all meshes share: the frame
+ * of `root`, with its origin in a common centre. Engraved lines in this frame continue from mesh to mesh. Its unit is that of the
+ * mesh's object space, because `tilesPerUnit` refers to that. Instanced and batched meshes, and meshes with a singular matrix, have no
+ * such frame.
  *
  * @param centre the centre of all meshes, in world space
  */

@@ -7,8 +7,8 @@ import { isToBeMade, type WantedMap } from '../wantedMap.js';
 import { progressParts } from './progressParts.js';
 
 /**
- * Returns the map for each style that materials name: what the option asks for, for all of them, or else the shared map of the style. A
- * map that only this caller has is added to `disposables`.
+ * Returns the map for each style that materials name: the map of the option for all of them, or else the shared map of the style. A map
+ * that belongs to this call alone is added to `disposables`.
  */
 export async function makeMaps(
   wanted: WantedMap,
@@ -48,13 +48,13 @@ async function makeMap(
   return map;
 }
 
-/** The code of maps, which looks without one do not need. */
+/** Imports the code of maps, which looks without a map do not need. */
 const fetchMaps = () => import('../../material/tam/TonalArtMap.js');
 
 const namesStyleAlone = (drawing: MapDrawing): boolean =>
   Object.entries(drawing).every(([name, value]) => name === 'style' || value === undefined);
 
-/** The shared map when it is ready. An abort ends the waiting, and not the drawing, which others may wait for, too. */
+/** The shared map when it is ready. An abort ends the waiting, but not the drawing, which others may wait for too. */
 async function sharedMap(drawing: MapDrawing, { signal, createWorker, onProgress }: TaskOptions): Promise<TonalArtMap> {
   signal?.throwIfAborted();
   const { TonalArtMap } = await fetchMaps();

@@ -1,4 +1,4 @@
-/** What makes materials, geometries and maps. Whoever hatches a scene fetches it first, and pages need nothing of it before. */
+/** The code that makes materials, geometries and maps. It is fetched when a scene is hatched; pages need nothing of it before. */
 export { displaceMeshes } from '../displaceMeshes.js';
 export { geometryPlans } from '../geometryPlans.js';
 export { MaterialReplacer } from '../MaterialReplacer.js';
@@ -8,8 +8,8 @@ export { makeMaps } from './makeMaps.js';
 export { progressParts } from './progressParts.js';
 
 /**
- * Runs jobs side by side, and resolves with their results. If one fails, the others are aborted, and once all have ended the promise
- * is rejected with the first error.
+ * Runs jobs concurrently, and resolves with their results. If one fails, the others are aborted, and once all have ended the promise is
+ * rejected with the first error.
  *
  * @param signal aborts all jobs
  * @param jobs are started in this order, each with a signal that aborts it

@@ -1,5 +1,5 @@
 /**
- * Divides a progress among parts that run side by side: it is the sum of theirs.
+ * Divides a progress among concurrent parts: it is the weighted sum of theirs.
  *
  * @param shares the share of each part; together they are 1
  * @returns a listener for each part, or undefined if there is none for the whole
@@ -13,7 +13,7 @@ export function progressParts<Shares extends readonly number[]>(
     if (!onProgress) return undefined;
     return (progress: number): void => {
       missing[part] = share * (1 - progress);
-      // What is missing adds up to exactly 0 in the end.
+      // The sum of what is missing ends at exactly 0.
       const sum = missing.reduce((all, one) => all + one, 0);
       onProgress(Math.max(0, 1 - sum));
     };
