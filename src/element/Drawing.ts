@@ -15,9 +15,8 @@ import {
   Vector3,
 } from 'three';
 import { applyHatching, flatteringLight, type HatchedScene, type HatchingPreset } from 'three-hatching';
-import { chosenIndex } from './chosenIndex.js';
 import { type Extent, extentOf } from './extentOf.js';
-import { disposeModel, loadModel } from './loadModel.js';
+import { chosenIndex, disposeModel, loadModel } from './loadModel.js';
 import type { ModelSource } from './ModelSource.js';
 import type { Direction } from './readAttributes.js';
 

@@ -25,8 +25,8 @@ import {
 } from './backgroundProperties.js';
 import { checkNumber } from './checkNumber.js';
 import { SceneExtent } from './fading/SceneExtent.js';
-import { writeSheet } from './fading/writeSheet.js';
 import { keptFromProxies } from './hatchingUniforms.js';
+import { writeSheet } from './pictureOffset.js';
 import { definesOf } from './shaders/definesOf.js';
 import type { Shaders } from './shaders/hatchingShaders.js';
 import { lightChunks } from './shaders/lightKinds.js';

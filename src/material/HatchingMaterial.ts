@@ -22,12 +22,11 @@ import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } fro
 import type { PresetName } from '../look/presetMaterials.js';
 import { spelledOut } from '../look/presetParameters.js';
 import { followsForm, needsMap, usesThresholds } from '../look/queries.js';
-import { bindEnvironment } from './bindEnvironment.js';
+import { bindEnvironment, environmentAround } from './bindEnvironment.js';
 import { blurredEnvironment } from './blurredEnvironment.js';
-import { checkChoice, checkValues } from './checkValues.js';
+import { checkChoice, checkValues, warnOfUnused } from './checkValues.js';
 import { vertexLayoutOf } from './deformation/vertexLayoutOf.js';
-import { silence } from './diagnostics/silence.js';
-import { environmentAround } from './environmentAround.js';
+import { silence } from './diagnostics/warn.js';
 import { FrameStamp } from './FrameStamp.js';
 import { takesWeight, writeEmphasis, writeImportance } from './fading/emphasis.js';
 import { DrawnMeshes } from './firstDraw/DrawnMeshes.js';
@@ -48,17 +47,13 @@ import {
 import { keepHooks } from './keepHooks.js';
 import { MeshUniforms } from './MeshUniforms.js';
 import { PropertyFields } from './PropertyFields.js';
-import { ExposureInUse } from './parts/ExposureInUse.js';
-import { PartInUse } from './parts/PartInUse.js';
+import { ExposureInUse, PartInUse } from './parts/PartInUse.js';
 import { fetchParts, fetchPartsOf } from './parts/parts.js';
-import { drawnPart, writePartUniforms } from './partUniforms.js';
-import { type ProgramFacts, programDefines, writeDefines } from './programDefines.js';
-import { defineRigid } from './programParameters.js';
-import { programSwitches } from './programSwitches.js';
+import { drawnPart, writePartUniforms } from './pictureOffset.js';
+import { defineRigid, type ProgramFacts, programDefines, programSwitches, writeDefines } from './programDefines.js';
 import { hatchingShaders, plainShaders, type Shaders } from './shaders/hatchingShaders.js';
 import { mapIsReady, sharedMap } from './sharedMaps.js';
 import type { TonalArtMap } from './tam/TonalArtMap.js';
-import { warnOfUnused } from './unusedProperties.js';
 import { withVectors } from './vectorValues.js';
 import { warnOfRenderer } from './warnOfRenderer.js';
 

@@ -1,6 +1,15 @@
-import { type Camera, type IUniform, Matrix4, type Scene, type Vector4, type WebGLRenderer } from 'three';
-import { blurredEnvironment } from './blurredEnvironment.js';
-import { environmentLayout } from './shaders/environmentLayout.js';
+import {
+  type Camera,
+  type IUniform,
+  Matrix4,
+  type Object3D,
+  type Scene,
+  type Texture,
+  type Vector4,
+  type WebGLRenderer,
+} from 'three';
+import { blurredEnvironment, lightsAlready } from './blurredEnvironment.js';
+import { environmentLayout } from './shaders/shaderConventions.js';
 
 const rotation = /* @__PURE__ */ new Matrix4();
 
@@ -33,4 +42,12 @@ export function bindEnvironment(
   const { viewport } = camera as Camera & { viewport?: Vector4 };
   if (viewport) renderer.state.viewport(viewport);
   return true;
+}
+
+/** The environment of the scene that contains an object; null if there is none or it is still loading. */
+export function environmentAround(object: Object3D): Texture | null {
+  let root = object;
+  while (root.parent) root = root.parent;
+  const { environment } = root as Scene;
+  return environment && lightsAlready(environment) ? environment : null;
 }

@@ -1,5 +1,5 @@
 import { STROKE_STYLE_NAMES, type StrokeStyleName } from '../strokes/strokeStyleNames.js';
-import { isPromise } from './diagnostics/isPromise.js';
+import { isPromise } from './diagnostics/mustBeAwaited.js';
 import type { TonalArtMap } from './tam/TonalArtMap.js';
 
 /** Whether a value is a TonalArtMap, possibly from another copy of the library. */

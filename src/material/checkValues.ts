@@ -1,8 +1,16 @@
 import { Color, type Texture } from 'three';
+import { isDefault } from '../look/defaultOf.js';
 import type { HatchingNumber, HatchingProperty } from '../look/HatchingProperty.js';
-import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
+import {
+  HATCHING_DEFAULTS,
+  HATCHING_PROPERTIES,
+  type HatchingPropertyName,
+  type HatchingTechnique,
+} from '../look/hatchingProperties.js';
+import { isUsedBy } from '../look/queries.js';
 import { checkNumber } from './checkNumber.js';
 import { checkHatchingMap, type HatchingMap } from './checkTonalArtMap.js';
+import { warn } from './diagnostics/warn.js';
 import { fittedCurve, type ToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
 import { isVector2Like, isVector3Like } from './vectorValues.js';
@@ -97,4 +105,23 @@ function isColor(value: unknown): boolean {
   // If three.js cannot parse a colour, it leaves the components unchanged, here NaN.
   const { r } = Object.assign(new Color(), { r: Number.NaN }).set(value);
   return Number.isFinite(r);
+}
+
+const warned = new Set<string>();
+
+/** Warns once of each parameter that is set but not used by the technique. */
+export function warnOfUnused(parameters: HatchingMaterialParameters, technique: HatchingTechnique): void {
+  for (const name of Object.keys(parameters)) {
+    if (!Object.hasOwn(HATCHING_PROPERTIES, name)) continue;
+    const property: HatchingProperty = HATCHING_PROPERTIES[name as HatchingPropertyName];
+    // A map may be set for any technique: materials share it.
+    if (property.kind === 'tonalArtMap') continue;
+    const key = `${name} ${technique}`;
+    if (isUsedBy(technique, property) || warned.has(key)) continue;
+    if (isDefault(name as HatchingPropertyName, parameters[name as HatchingPropertyName], technique)) continue;
+    warned.add(key);
+    warn(
+      `HatchingMaterial: "${name}" is not used by the technique "${technique}", only by ${property.techniques?.join(' and ')}.`,
+    );
+  }
 }

@@ -1,4 +1,4 @@
-import type { Texture } from 'three';
+import type { Texture, WebGLProgramParametersWithUniforms } from 'three';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_PROPERTIES, HATCHING_TECHNIQUES, type HatchingPropertyName } from '../look/hatchingProperties.js';
 import { needsAdjacency } from '../look/queries.js';
@@ -80,4 +80,50 @@ export function writeDefines(
     else defines[define] = value;
   }
   return hasChanged;
+}
+
+/**
+ * The properties that three.js reads for a program only after `needsUpdate` is set, packed into one number: the textures and their
+ * channels, whether strokes are sized on the screen, sides, vertex colours and the like. If the number changes, the program must be
+ * rebuilt. Allocates nothing.
+ */
+export function programSwitches(material: HatchingMaterialProperties & { normalMapType: number }): number {
+  let switches: number = material.normalMapType;
+  for (const name in HATCHING_PROPERTIES) {
+    if (HATCHING_PROPERTIES[name as HatchingPropertyName].kind !== 'texture') continue;
+    switches = switches * 16 + textureSwitches(material[name as HatchingPropertyName] as Texture | null);
+  }
+  switches = switches * 2 + Number(material.sizedOnScreen > 0);
+  switches = switches * 4 + material.side;
+  switches = switches * 8 + material.blending;
+  switches = switches * 2 + Number(material.transparent);
+  switches = switches * 2 + Number(material.alphaHash);
+  switches = switches * 2 + Number(material.alphaToCoverage);
+  switches = switches * 2 + Number(material.dithering);
+  switches = switches * 2 + Number(material.premultipliedAlpha);
+  return switches * 2 + Number(material.vertexColors);
+}
+
+/** The switches of one texture, in [0, 16). */
+function textureSwitches(texture: Texture | null): number {
+  if (texture === null) return 0;
+  return 1 + 2 * texture.channel + 8 * Number('isVideoTexture' in texture);
+}
+
+/** The parameters of a program that three.js passes to `onBeforeCompile`. */
+export type ProgramParameters = WebGLProgramParametersWithUniforms;
+
+/** The define for shaders of a mesh that neither deforms nor has instances. */
+const RIGID = '#define RIGID\n';
+
+/** Whether the vertices of a program's meshes move only with their object. three.js defines these facts in the vertex shader alone. */
+export function isRigid({ skinning, instancing, batching, morphTargets, morphNormals }: ProgramParameters): boolean {
+  return !(skinning || instancing || batching || morphTargets || morphNormals);
+}
+
+/** Defines `RIGID` in both shaders of a rigid program. It may run twice, since a user's hook may call the material's. */
+export function defineRigid(shader: ProgramParameters): void {
+  if (!isRigid(shader) || shader.vertexShader.includes(RIGID)) return;
+  shader.vertexShader = `${RIGID}${shader.vertexShader}`;
+  shader.fragmentShader = `${RIGID}${shader.fragmentShader}`;
 }

@@ -1,3 +1,5 @@
+import { useState } from 'react';
+
 /**
  * Whether two options have the same value. Numbers, strings, arrays and plain objects are compared by content, other objects by
  * identity. Two functions count as the same, since components create theirs anew with each render.
@@ -17,3 +19,11 @@ export const namesOf = (a: object, b: object): string[] => [...new Set([...Objec
 
 const isPlain = (value: unknown): value is Record<string, unknown> =>
   typeof value === 'object' && value !== null && Object.getPrototypeOf(value) === Object.prototype;
+
+/** Returns the same object as long as its content is equal, for objects that components create with each render. */
+export function useStable<Value>(value: Value): Value {
+  const [stable, setStable] = useState(value);
+  if (stable === value || sameValue(stable, value)) return stable;
+  setStable(() => value);
+  return value;
+}

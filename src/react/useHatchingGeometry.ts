@@ -1,8 +1,7 @@
 import { useEffect, useRef, useState } from 'react';
 import type { BufferGeometry } from 'three';
 import { type PrepareHatchingGeometryOptions, prepareHatchingGeometry } from 'three-hatching';
-import { sameValue } from './sameValue.js';
-import { useStable } from './useStable.js';
+import { sameValue, useStable } from './sameValue.js';
 
 /** Options of `useHatchingGeometry`. */
 export interface HatchingGeometryOptions extends Omit<PrepareHatchingGeometryOptions, 'signal'> {

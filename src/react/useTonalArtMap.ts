@@ -1,5 +1,6 @@
 import { use, useEffect } from 'react';
 import type { TonalArtMap } from 'three-hatching';
+import { useStable } from './sameValue.js';
 import {
   forgetMap,
   type MapAddress,
@@ -8,7 +9,6 @@ import {
   type SharedMapSource,
   sharedMap,
 } from './sharedMaps.js';
-import { useStable } from './useStable.js';
 
 /**
  * Returns a tonal art map, and suspends until it is ready, so put a `<Suspense>` around the component. All components with the same

@@ -14,10 +14,8 @@ import { hatchNormal } from '../mesh/bake/attributeLayouts.js';
 import { runSliced } from '../mesh/runSliced.js';
 import type { MakeLevels } from './detail/levelMaker.js';
 import type { FirstFrame } from './FirstFrame.js';
-import { askingMaterials, crossingOf, type PlannedMesh } from './geometryPlans.js';
-import { cornerCount } from './jointForms/cornerCount.js';
-import type { GeometryPlan } from './jointForms/FormGroup.js';
-import type { MeshLook } from './MeshLook.js';
+import { askingMaterials, crossingOf, type MeshLook, type PlannedMesh } from './geometryPlans.js';
+import { cornerCount, type GeometryPlan } from './jointForms/FormGroup.js';
 import { bakeGeometries } from './making/bakeGeometries.js';
 import { isBatched } from './surfaceMeshes.js';
 

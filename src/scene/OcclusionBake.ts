@@ -1,5 +1,4 @@
-import type { BufferAttribute, BufferGeometry, Mesh } from 'three';
-import { disposeSharingClone, sharingClone } from '../material/geometry/sharingClone.js';
+import { type BufferAttribute, BufferGeometry, type Mesh } from 'three';
 import { hatchNormal } from '../mesh/bake/attributeLayouts.js';
 import type { SkippedMesh } from './HatchedScene.js';
 
@@ -91,4 +90,29 @@ function writeOcclusion({ attributes }: BufferGeometry, occlusion: Int16Array | 
   // The values are negative, because WebGL reads 1 if the attribute is missing, and that must not darken anything.
   for (let i = 3, vertex = 0; i < array.length; i += 4, vertex++) array[i] = occlusion ? -occlusion[vertex] : 0;
   attribute.needsUpdate = true;
+}
+
+/** Creates a geometry that shares all data of a prepared one. Single attributes of the clone can be replaced. */
+function sharingClone(source: BufferGeometry): BufferGeometry {
+  const clone = new BufferGeometry();
+  clone.name = source.name;
+  clone.userData = source.userData;
+  clone.index = source.index;
+  Object.assign(clone.attributes, source.attributes);
+  Object.assign(clone.morphAttributes, source.morphAttributes);
+  clone.morphTargetsRelative = source.morphTargetsRelative;
+  clone.groups = source.groups;
+  clone.drawRange = source.drawRange;
+  clone.boundingBox = source.boundingBox;
+  clone.boundingSphere = source.boundingSphere;
+  return clone;
+}
+
+/** Frees only the attributes that the clone does not share; `dispose()` would free the shared buffers too. */
+function disposeSharingClone(clone: BufferGeometry, source: BufferGeometry): void {
+  clone.index = null;
+  for (const name of Object.keys(clone.attributes)) {
+    if (clone.attributes[name] === source.attributes[name]) clone.deleteAttribute(name);
+  }
+  clone.dispose();
 }

@@ -10,8 +10,8 @@ import type {
 import type { HatchingOutlines } from '../material/outlines/HatchingOutlines.js';
 import type { MeshOutlines } from '../material/outlines/MeshOutlines.js';
 import { isCutOut } from '../material/outlines/surfaceRules.js';
+import type { MeshLook } from './geometryPlans.js';
 import type { SkippedMesh } from './HatchedScene.js';
-import type { MeshLook } from './MeshLook.js';
 import { isBatched, materialsOf } from './surfaceMeshes.js';
 
 /** Whether outlines would follow the geometry, and not the visible shape that the material's cut-out or fading leaves. */

@@ -1,12 +1,13 @@
-import { checkTonalArtMap } from '../material/checkTonalArtMap.js';
+import { checkTonalArtMap, isTonalArtMap } from '../material/checkTonalArtMap.js';
+import { isPromise } from '../material/diagnostics/mustBeAwaited.js';
 import {
   checkPrepareOptions,
   type PrepareHatchingGeometryOptions,
 } from '../material/geometry/PrepareHatchingGeometryOptions.js';
 import { checkHatchImageOptions } from '../material/tam/checkHatchImageOptions.js';
+import type { TonalArtMap } from '../material/tam/TonalArtMap.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import type { PresetName } from './presets.js';
-import { isToBeMade } from './wantedMap.js';
 import { withPreset } from './withPreset.js';
 
 /** The names of the options that `prepareHatchingGeometry` does not have. */
@@ -105,3 +106,11 @@ function checkOwnOptions(options: ApplyHatchingOptions): void {
   if (!isToBeMade(tonalArtMap)) checkTonalArtMap(tonalArtMap);
   else if (typeof tonalArtMap === 'object') checkHatchImageOptions('applyHatching: tonalArtMap', tonalArtMap);
 }
+
+/** The option `tonalArtMap`. */
+export type WantedMap = ApplyHatchingOptions['tonalArtMap'];
+
+/** Whether the map does not exist yet: the option is a set of map options, or a function that resolves with a map. */
+export const isToBeMade = (wanted: WantedMap): wanted is Exclude<WantedMap, TonalArtMap | null | undefined> =>
+  typeof wanted === 'function' ||
+  (typeof wanted === 'object' && wanted !== null && !isTonalArtMap(wanted) && !isPromise(wanted));

@@ -7,7 +7,7 @@ import type { OcclusionMesh, OcclusionScene } from '../mesh/occlusion/OcclusionS
 import { runTask } from '../worker/runTask.js';
 import { checkOptions, maxWorkers, type TaskOptions } from '../worker/TaskOptions.js';
 import { assertTree } from './assertTree.js';
-import { failure } from './failure.js';
+import { failure } from './chooseMeshes.js';
 import type { SkippedMesh } from './HatchedScene.js';
 import { hasRoom, OcclusionBake } from './OcclusionBake.js';
 import { OcclusionLanes } from './OcclusionLanes.js';

@@ -1,6 +1,6 @@
 import type { Mesh } from 'three';
 import { describeObject } from '../material/diagnostics/describeObject.js';
-import { isClaimed } from './claimMeshes.js';
+import { identityOf } from '../material/geometry/identityOf.js';
 import type { HatchedScene, SkippedMesh } from './HatchedScene.js';
 import { leftAlone } from './leftAlone.js';
 
@@ -51,4 +51,28 @@ export function sentencesOf(skipped: readonly SkippedMesh[]): string {
   const sentences = skipped.slice(0, MAX_NAMED).map(({ reason }) => reason);
   if (more > 0) sentences.push(`So ${more === 1 ? 'is one more mesh' : `are ${more} more meshes`}.`);
   return sentences.join(' ');
+}
+
+/** The identities of the claimed meshes. */
+const claimed = new WeakSet<object>();
+
+/** Whether a mesh, or a proxy of it, is hatched or being hatched. */
+export const isClaimed = (mesh: Mesh): boolean => claimed.has(identityOf(mesh));
+
+/** Marks meshes as hatched, or as being hatched, until the returned function is called. A second call of that function does nothing. */
+export function claimMeshes(meshes: readonly Mesh[]): () => void {
+  for (const mesh of meshes) claimed.add(identityOf(mesh));
+  let held = meshes;
+  return () => {
+    for (const mesh of held) claimed.delete(identityOf(mesh));
+    held = [];
+  };
+}
+
+/** The function name at the beginning of an error message. */
+const CALLER = /^\w+: /;
+
+/** A mesh that could not be read or prepared, with a sentence that names it. */
+export function failure(mesh: Mesh, error: Error): SkippedMesh {
+  return { mesh, reason: `The ${describeObject(mesh)} is left as it is: ${error.message.replace(CALLER, '')}`, error };
 }

@@ -68,3 +68,12 @@ function formFor(plan: PlannedMesh, { form }: PrepareHatchingGeometryOptions): G
   const crossing = crossingOf(asking);
   return { up, auto, ...(crossing && { crossAngle: crossing.crossAngle }), ...(typeof form === 'object' && form) };
 }
+
+/** The geometry and material of a mesh, and the coordinate frame of its engraved lines. */
+export interface MeshLook {
+  mesh: Mesh;
+  geometry: BufferGeometry;
+  material: Material | Material[];
+  /** The matrix from the mesh's object space to the coordinate frame of its engraved lines, if it shares that frame with others. */
+  fieldFrame: number[] | undefined;
+}

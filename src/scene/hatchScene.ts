@@ -2,7 +2,7 @@ import type { BufferGeometry, Material, Mesh, Object3D } from 'three';
 import { needsMap } from '../look/queries.js';
 import { assertGeometry } from '../material/diagnostics/assertGeometry.js';
 import { describeObject } from '../material/diagnostics/describeObject.js';
-import { isPromise } from '../material/diagnostics/isPromise.js';
+import { isPromise } from '../material/diagnostics/mustBeAwaited.js';
 import { warn } from '../material/diagnostics/warn.js';
 import type {
   OutlineOptions,
@@ -15,24 +15,20 @@ import { runSliced } from '../mesh/runSliced.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
 import { startWorker } from '../worker/runTask.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
-import { prepareOptions, resolveOptions } from './applyOptions.js';
+import { isToBeMade, prepareOptions, resolveOptions } from './applyOptions.js';
 import { assertTree } from './assertTree.js';
-import { type ChosenMeshes, chooseMeshes } from './chooseMeshes.js';
-import { claimMeshes } from './claimMeshes.js';
+import { type ChosenMeshes, chooseMeshes, claimMeshes, failure } from './chooseMeshes.js';
 import type { MakeLevels } from './detail/levelMaker.js';
 import type { FirstFrame } from './FirstFrame.js';
-import { failure } from './failure.js';
-import type { OldLook, PlannedMesh } from './geometryPlans.js';
+import type { MeshLook, OldLook, PlannedMesh } from './geometryPlans.js';
 import type { HatchedScene, SkippedMesh } from './HatchedScene.js';
 import type { GeometryPlan } from './jointForms/FormGroup.js';
 import type { LaterForms } from './LaterForms.js';
 import type { MaterialFollower } from './MaterialFollower.js';
 import type { MaterialReplacer } from './MaterialReplacer.js';
-import type { MeshLook } from './MeshLook.js';
 import type { OutlineMaker } from './OutlineMaker.js';
 import type { PresetName } from './presets.js';
 import { isHatching, materialsOf, surfaceMeshes } from './surfaceMeshes.js';
-import { isToBeMade } from './wantedMap.js';
 
 /** The result of `makeLooks`: the content of a `HatchedScene`. */
 interface MadeLooks {

@@ -48,7 +48,7 @@ import {
   writeSizeUniforms,
 } from '../material/hatchingUniforms.js';
 import { writeFieldFrame } from '../material/parts/fieldFrame.js';
-import { writePartUniforms } from '../material/partUniforms.js';
+import { writePartUniforms } from '../material/pictureOffset.js';
 import { accessorOf, fieldOf } from '../material/propertyAccessors.js';
 import { TONE_CURVES } from '../material/shaders/shaderConventions.js';
 import { mapIsReady, sharedMap } from '../material/sharedMaps.js';

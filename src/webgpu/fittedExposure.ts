@@ -1,6 +1,6 @@
 import type { Camera, IUniform, Scene, WebGLRenderer } from 'three';
 import { isFitted } from '../material/exposure/isFitted.js';
-import { writeFit } from '../material/exposure/writeFit.js';
+import { writeFit } from '../material/exposure/ToneFit.js';
 import type { HatchingMaterialProperties } from '../material/HatchingMaterialProperties.js';
 import { Later } from './Later.js';
 

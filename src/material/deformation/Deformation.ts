@@ -1,4 +1,4 @@
-import type { Material, RenderTarget, Texture } from 'three';
+import type { Camera, Material, Mesh, RenderTarget, Texture } from 'three';
 import { Pose } from './Pose.js';
 
 /** Positions, normals and rotations of a geometry's vertices in one pose: one texel each, on one graphics context. */
@@ -32,4 +32,14 @@ export class Deformation {
     this.isDisposed = true;
     this.target.dispose();
   }
+}
+
+/** Draws the vertices of one geometry, in the poses of its meshes, into textures with one texel per vertex. */
+export interface PosePass {
+  makeTarget(): RenderTarget;
+  /** Draws the pose of a mesh while its renderer draws it for `camera`. Restores the renderer's state. */
+  draw(target: RenderTarget, camera: Camera, mesh: Mesh): void;
+  /** Builds the program that a mesh needs, without drawing. */
+  compile?(target: RenderTarget, mesh: Mesh): void;
+  dispose(): void;
 }

@@ -1,7 +1,6 @@
 import type { BufferGeometry, Camera, Material, Mesh } from 'three';
-import { Deformation } from './Deformation.js';
+import { Deformation, type PosePass } from './Deformation.js';
 import { hashOf } from './Pose.js';
-import type { PosePass } from './PosePass.js';
 
 /** The deformation in use by one mesh. */
 export interface Held {

@@ -1,9 +1,8 @@
 import type { BufferGeometry, Camera, Material, Mesh } from 'three';
 import { identityOf } from '../geometry/identityOf.js';
 import type { PulledVertices } from '../geometry/PulledVertices.js';
-import type { Deformation } from './Deformation.js';
+import type { Deformation, PosePass } from './Deformation.js';
 import { DeformationPool, type Held } from './DeformationPool.js';
-import type { PosePass } from './PosePass.js';
 
 /** The deformations on one graphics context. */
 interface OfContext {

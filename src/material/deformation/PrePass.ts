@@ -21,7 +21,7 @@ import { pullColumns, pullTextureSize } from '../../mesh/bake/pullLayout.js';
 import type { PulledVertices } from '../geometry/PulledVertices.js';
 import type { ShaderFiles, Shaders } from '../shaders/hatchingShaders.js';
 import { resolveIncludes } from '../shaders/resolveIncludes.js';
-import type { PosePass } from './PosePass.js';
+import type { PosePass } from './Deformation.js';
 
 const files: ShaderFiles = import.meta.glob(
   ['./deformation.*', './perTriangle/{pulledVertices,turns}.glsl', './chunks/deformVertex.glsl'],

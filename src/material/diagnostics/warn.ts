@@ -1,4 +1,5 @@
-import { silence } from './silence.js';
+/** Whether warnings are turned off; `HatchingMaterial.silent` sets it. */
+export const silence = { isOn: false };
 
 /**
  * Writes a warning to the console, unless the library is silent.

@@ -1,7 +1,6 @@
 import { type Camera, type IUniform, type Object3D, Vector3, Vector4, type WebGLRenderer } from 'three';
 import { isUsedBy, propertyOf } from '../../look/queries.js';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
-import { importanceOf } from './importanceOf.js';
 import type { SceneExtent } from './SceneExtent.js';
 import { automaticDepthFade, type SeenDepths } from './seenDepths.js';
 
@@ -85,4 +84,16 @@ export function writeImportance(object: Object3D, isWeighed: boolean, u: Uniform
   const isOther = importance !== u.importance.value;
   u.importance.value = importance;
   return isOther;
+}
+
+/**
+ * The importance of an object, from 0 to 1: `userData.hatching.importance` of the object or of its nearest ancestor that has one;
+ * otherwise 1. Allocates nothing.
+ */
+export function importanceOf(drawn: Object3D): number {
+  for (let object: Object3D | null = drawn; object !== null; object = object.parent) {
+    const importance: unknown = object.userData?.hatching?.importance;
+    if (typeof importance === 'number' && importance >= 0) return Math.min(importance, 1);
+  }
+  return 1;
 }

@@ -1,5 +1,5 @@
 import type { BufferGeometry, Camera, Object3D, Vector4, WebGLRenderer } from 'three';
-import { silence } from '../diagnostics/silence.js';
+import { silence } from '../diagnostics/warn.js';
 import { isFetched } from '../parts/parts.js';
 import type { DrawnMaterial, FirstDraw } from './FirstDraw.js';
 

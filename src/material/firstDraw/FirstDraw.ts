@@ -1,6 +1,7 @@
 import type { BufferGeometry, Camera, IUniform, Material, Object3D, WebGLRenderer } from 'three';
 import type { HatchingTechnique, Medium } from '../../look/hatchingProperties.js';
 import type { HatchingLook } from '../../look/queries.js';
+import type { Mistake } from './sentences.js';
 
 /** The parts of a hatching material that the checks read. */
 export interface DrawnMaterial extends Material, HatchingLook {
@@ -29,3 +30,11 @@ export interface FirstDraw {
   /** Whether the material's map and code have loaded. */
   readonly isWhole: boolean;
 }
+
+/**
+ * Registers a mistake.
+ *
+ * @param culprit the object to change; a mistake is reported once per culprit
+ * @param details the further arguments of the message, after the name of the mesh
+ */
+export type NoteMistake = (mistake: Mistake, draw: FirstDraw, culprit: object, ...details: string[]) => void;

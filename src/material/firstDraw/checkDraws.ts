@@ -8,10 +8,9 @@ import { isFormExpected, isFormed } from '../geometry/formGeometry.js';
 import { identityOf } from '../geometry/identityOf.js';
 import { pulledVerticesOf } from '../geometry/pulledVerticesOf.js';
 import { isStale } from '../geometry/staleGeometry.js';
-import type { DrawnMaterial, FirstDraw } from './FirstDraw.js';
+import type { DrawnMaterial, FirstDraw, NoteMistake } from './FirstDraw.js';
 import { findLightMistake } from './findLightMistake.js';
 import { findStrokeMistakes } from './findStrokeMistakes.js';
-import type { NoteMistake } from './NoteMistake.js';
 import { type Mistake, SENTENCES, type Sentence } from './sentences.js';
 
 /** Whether a material is blank paper on purpose: its tone curve is 0 everywhere, as on a surface that only hides lines behind it. */

@@ -2,10 +2,9 @@ import type { BufferAttribute, Color, Object3D } from 'three';
 import { hatchNormal } from '../../mesh/bake/attributeLayouts.js';
 import { isFitted } from '../exposure/isFitted.js';
 import { identityOf } from '../geometry/identityOf.js';
-import type { FirstDraw } from './FirstDraw.js';
+import type { FirstDraw, NoteMistake } from './FirstDraw.js';
 import { lightOn, luminance } from './lightOn.js';
-import type { NoteMistake } from './NoteMistake.js';
-import { rounded } from './rounded.js';
+import { rounded } from './sentences.js';
 import { worldSphere } from './worldSphere.js';
 
 /** Sums of intensities below and above which nearly everything is black or blank. A single light of intensity 1 is too dark. */

@@ -1,9 +1,8 @@
 import type { Object3D, Sphere } from 'three';
 import { counts } from '../../look/measuredFacts.js';
 import type { TonalArtMap } from '../tam/TonalArtMap.js';
-import type { FirstDraw } from './FirstDraw.js';
-import type { NoteMistake } from './NoteMistake.js';
-import { rounded } from './rounded.js';
+import type { FirstDraw, NoteMistake } from './FirstDraw.js';
+import { rounded } from './sentences.js';
 import { worldSphere } from './worldSphere.js';
 
 /**

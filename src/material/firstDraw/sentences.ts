@@ -47,3 +47,6 @@ export const SENTENCES = {
 } satisfies Record<string, Sentence>;
 
 export type Mistake = keyof typeof SENTENCES;
+
+/** A number with two significant digits, for messages. */
+export const rounded = (value: number): string => String(Number(value.toPrecision(2)));

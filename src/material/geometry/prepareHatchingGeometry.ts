@@ -1,4 +1,4 @@
-import type { BufferGeometry } from 'three';
+import { BufferGeometry, InstancedBufferGeometry } from 'three';
 import { HATCHING_TECHNIQUES } from '../../look/hatchingProperties.js';
 import type { BakeRequest } from '../../mesh/bake/bakeCorners.js';
 import type { OutlineRequest } from '../../mesh/bake/bakeOutlines.js';
@@ -23,8 +23,13 @@ import {
 } from './PrepareHatchingGeometryOptions.js';
 import type { NotBaked } from './preparedGeometry.js';
 import { countUnusableNormals, type Repairs, zeroBadValues } from './repairValues.js';
-import { startGeometry } from './startGeometry.js';
-import { extractWords, type KeptAttribute, keptAttributes, type VertexAttribute } from './vertexAttributes.js';
+import {
+  extractWords,
+  isInstanced,
+  type KeptAttribute,
+  keptAttributes,
+  type VertexAttribute,
+} from './vertexAttributes.js';
 
 /** Captures the data of a geometry. Returns a function that tells whether the data is still the same. */
 function rememberSource(geometry: BufferGeometry): () => boolean {
@@ -257,4 +262,25 @@ export function triangleGroups({ count, groups }: CornerRange): Uint16Array<Arra
     ofTriangle.fill(1 + materialIndex, start / 3, (start + length) / 3);
   }
   return ofTriangle;
+}
+
+/**
+ * Creates the new geometry with everything that the bake does not change: name, user data, groups and instanced attributes. It
+ * is created before the bake starts, so that later changes of `source` have no effect.
+ */
+function startGeometry(source: BufferGeometry, range: CornerRange): BufferGeometry {
+  const geometry = 'isInstancedBufferGeometry' in source ? new InstancedBufferGeometry() : new BufferGeometry();
+  if (geometry instanceof InstancedBufferGeometry) {
+    geometry.instanceCount = (source as InstancedBufferGeometry).instanceCount;
+  }
+  geometry.name = source.name;
+  geometry.userData = { ...source.userData };
+  geometry.morphTargetsRelative = source.morphTargetsRelative;
+  for (const group of range.groups) geometry.addGroup(group.start, group.count, group.materialIndex);
+  const clonedBuffers = {};
+  for (const [name, attribute] of Object.entries(source.attributes)) {
+    if (!isInstanced(attribute)) continue;
+    geometry.setAttribute(name, 'data' in attribute ? attribute.clone(clonedBuffers) : attribute.clone());
+  }
+  return geometry;
 }

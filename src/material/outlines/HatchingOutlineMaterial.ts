@@ -27,15 +27,14 @@ import {
 import { checkColor } from '../checkValues.js';
 import { FrameStamp } from '../FrameStamp.js';
 import { type EmphasisLook, takesWeight, writeEmphasis, writeImportance } from '../fading/emphasis.js';
-import { writeSheet } from '../fading/writeSheet.js';
 import { MeshUniforms } from '../MeshUniforms.js';
-import { writePictureOffset } from '../pictureOffset.js';
+import { writePictureOffset, writeSheet } from '../pictureOffset.js';
 import { definesOf } from '../shaders/definesOf.js';
 import type { Shaders } from '../shaders/hatchingShaders.js';
 import { lightChunks } from '../shaders/lightKinds.js';
 import { resolveIncludes } from '../shaders/resolveIncludes.js';
 import { conventionsChunk } from '../shaders/shaderConventions.js';
-import { toothConstantsChunk } from '../shaders/toothConstants.js';
+import { toothConstantsChunk } from '../tam/patternSizes.js';
 import { toothMap } from '../tam/toothMap.js';
 import type { Vector2Like } from '../vectorValues.js';
 import { HATCHING_OUTLINE_DEFAULTS, OUTLINE_NUMBER_NAMES, type OutlineNumberName } from './outlineProperties.js';

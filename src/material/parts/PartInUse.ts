@@ -1,4 +1,8 @@
+import type { Camera, IUniform, Scene, WebGLRenderer } from 'three';
 import type { HatchingTechnique, Medium } from '../../look/hatchingProperties.js';
+import { isFitted } from '../exposure/isFitted.js';
+import { writeFit } from '../exposure/ToneFit.js';
+import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
 import type { MaterialPart } from './MaterialPart.js';
 import { fetchedPart, fetchPart, type PartName, partNameOf } from './parts.js';
 
@@ -33,5 +37,32 @@ export class PartInUse {
       end();
       this.onFetched();
     }, end);
+  }
+}
+
+/** The exposure of one material, if it is fitted to the scene. */
+export class ExposureInUse {
+  private isAwaited = false;
+
+  /** Fetches the code that fits an exposure, if a material needs it. */
+  fetch({ exposure }: HatchingMaterialProperties): void {
+    if (exposure !== 'auto' || this.isAwaited) return;
+    this.isAwaited = true;
+    // Failures are reported where they occur.
+    fetchPart('exposure').catch(() => {});
+  }
+
+  /** Writes the exposure that suits the scene being drawn, once the code has loaded. */
+  write(
+    material: HatchingMaterialProperties,
+    renderer: WebGLRenderer,
+    scene: Scene,
+    camera: Camera,
+    uniforms: Readonly<Record<string, IUniform>>,
+  ): void {
+    this.fetch(material);
+    if (!isFitted(material)) return;
+    const fit = fetchedPart('exposure')?.sceneExposure?.(renderer, scene, camera);
+    if (fit) writeFit(fit, material, uniforms);
   }
 }

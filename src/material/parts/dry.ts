@@ -1,4 +1,4 @@
-import { toothConstantsChunk } from '../shaders/toothConstants.js';
+import { toothConstantsChunk } from '../tam/patternSizes.js';
 import { toothMap } from '../tam/toothMap.js';
 import type { MaterialPart } from './MaterialPart.js';
 

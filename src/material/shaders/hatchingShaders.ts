@@ -1,9 +1,14 @@
 import { ShaderLib } from 'three';
 import type { HatchingTechnique } from '../../look/hatchingProperties.js';
-import { environmentLayout } from './environmentLayout.js';
 import { lightChunks, shadowChunks } from './lightKinds.js';
 import { resolveIncludes } from './resolveIncludes.js';
-import { conventionsChunk, cornerAttributesChunk, mapTransformsChunk, packingChunk } from './shaderConventions.js';
+import {
+  conventionsChunk,
+  cornerAttributesChunk,
+  environmentLayout,
+  mapTransformsChunk,
+  packingChunk,
+} from './shaderConventions.js';
 import { shadowDepthChunk, shadowMapsChunk } from './shadowMaps.js';
 
 /** The sources of a program's two stages. The library's includes are resolved; three.js resolves its own when it compiles. */

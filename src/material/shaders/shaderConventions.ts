@@ -61,3 +61,7 @@ export const packingChunk = (): string => ('packing' in ShaderChunk ? '#include 
 /** Declarations of the attributes of the `corner` layout. */
 export const cornerAttributesChunk = (): string =>
   cornerLayout.map(({ name, itemSize }) => `attribute vec${itemSize} ${name};`).join('\n');
+
+/** The layout of a blurred environment in the installed three.js: an atlas before 0.187, a cube from 0.187 on. */
+export const environmentLayout = (): 'atlas' | 'cube' =>
+  'cube_uv_reflection_fragment' in ShaderChunk ? 'atlas' : 'cube';

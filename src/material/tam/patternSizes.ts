@@ -1,3 +1,5 @@
+import { definesOf } from '../shaders/definesOf.js';
+
 /** The sizes of the patterns of media. They are apart from the code that makes the patterns, because shaders need them too. */
 
 /** The number of cells per side after which the points of stipple repeat: a power of two. */
@@ -11,3 +13,6 @@ export const TOOTH_MAP_SIZE = 256;
 export const TOOTH_MAP_RADIUS = 2;
 /** The size of a bump of the tooth, in texels, which results from the blur. */
 export const TOOTH_MAP_BUMP = 2 * TOOTH_MAP_RADIUS;
+
+/** The constants of the tooth map, as defines. */
+export const toothConstantsChunk = (): string => definesOf({ TOOTH_MAP_SIZE, TOOTH_MAP_BUMP });

@@ -7,7 +7,7 @@ import type { DetailRequest } from '../../mesh/detail/simplifyHatched.js';
 import { runSliced } from '../../mesh/runSliced.js';
 import { runTask } from '../../worker/runTask.js';
 import type { TaskOptions } from '../../worker/TaskOptions.js';
-import type { MeshLook } from '../MeshLook.js';
+import type { MeshLook } from '../geometryPlans.js';
 import { isBatched } from '../surfaceMeshes.js';
 import { checkDetail, type DetailOptions } from './DetailOptions.js';
 import { LeveledGeometry } from './LeveledGeometry.js';

@@ -1,3 +1,4 @@
+import type { BufferGeometry } from 'three';
 import type { HatchingFormOptions } from '../../material/geometry/HatchingFormOptions.js';
 import type { GeometryPart } from '../../material/geometry/jointForms.js';
 import type { PrepareHatchingGeometryOptions } from '../../material/geometry/PrepareHatchingGeometryOptions.js';
@@ -15,3 +16,7 @@ export interface GeometryPlan extends Pick<PrepareHatchingGeometryOptions, 'layo
   /** The geometries that share a form with it, if they touch it. */
   group?: FormGroup | undefined;
 }
+
+/** The number of corners of a geometry, whatever its draw range. */
+export const cornerCount = ({ index, attributes }: BufferGeometry): number =>
+  (index ?? attributes.position)?.count ?? 0;

@@ -3,8 +3,7 @@ import type { HatchingFormOptions } from '../../material/geometry/HatchingFormOp
 import { bakeJointForms } from '../../material/geometry/jointForms.js';
 import type { PrepareHatchingGeometryOptions } from '../../material/geometry/PrepareHatchingGeometryOptions.js';
 import type { JointForm } from '../../mesh/bake/bakeJointForms.js';
-import { cornerCount } from './cornerCount.js';
-import type { FormGroup, GeometryPlan } from './FormGroup.js';
+import { cornerCount, type FormGroup, type GeometryPlan } from './FormGroup.js';
 
 /** The bake of a group, for those of its geometries whose lines cross at one angle. */
 interface GroupBake {

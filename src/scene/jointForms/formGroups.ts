@@ -2,8 +2,7 @@ import { Box3, type BufferAttribute, type BufferGeometry, Matrix4, type Mesh, ty
 import { checkGeometry } from '../../material/geometry/checkGeometry.js';
 import type { HatchingFormOptions } from '../../material/geometry/HatchingFormOptions.js';
 import { groupCorners } from './bakeGroups.js';
-import { cornerCount } from './cornerCount.js';
-import type { FormGroup, GeometryPlan } from './FormGroup.js';
+import { cornerCount, type FormGroup, type GeometryPlan } from './FormGroup.js';
 
 /** The number of corners above which a group is not baked jointly. */
 const MOST_CORNERS = 6_000_000;

@@ -1,4 +1,4 @@
-import type { ProjectedTriangles } from './ProjectedTriangles.js';
+import type { ProjectedTriangles } from './readTriangles.js';
 
 /** The visible parts of a surface. */
 export interface SeenSurface {

@@ -3,8 +3,7 @@ import type { PrepareHatchingGeometryOptions } from '../../material/geometry/Pre
 import { prepareWithForm } from '../../material/geometry/prepareHatchingGeometry.js';
 import type { JointForm } from '../../mesh/bake/bakeJointForms.js';
 import { maxWorkers } from '../../worker/TaskOptions.js';
-import { cornerCount } from '../jointForms/cornerCount.js';
-import type { GeometryPlan } from '../jointForms/FormGroup.js';
+import { cornerCount, type GeometryPlan } from '../jointForms/FormGroup.js';
 import { progressParts } from './progressParts.js';
 
 /** The number of corners that are baked at a time, unless one geometry has more: a bake takes some hundred bytes per corner. */

@@ -3,7 +3,7 @@ import type { TonalArtMap } from '../../material/tam/TonalArtMap.js';
 import type { StrokeStyleName } from '../../strokes/strokeStyleNames.js';
 import type { MapDrawing } from '../../strokes/tamImages/hatchImageOptions.js';
 import type { TaskOptions } from '../../worker/TaskOptions.js';
-import { isToBeMade, type WantedMap } from '../wantedMap.js';
+import { isToBeMade, type WantedMap } from '../applyOptions.js';
 import { progressParts } from './progressParts.js';
 
 /**

@@ -1,8 +1,13 @@
+import type { Material, Texture } from 'three';
+import { failure } from '../chooseMeshes.js';
+import type { OldLook, PlannedMesh } from '../geometryPlans.js';
+import type { SkippedMesh } from '../HatchedScene.js';
+import type { MaterialReplacer } from '../MaterialReplacer.js';
+import { worldMatrices, worldScale } from '../worldMatrices.js';
+
 /** The code that makes materials, geometries and maps. It is fetched when a scene is hatched; pages need nothing of it before. */
-export { displaceMeshes } from '../displaceMeshes.js';
 export { geometryPlans } from '../geometryPlans.js';
 export { MaterialReplacer } from '../MaterialReplacer.js';
-export { planMeshes } from '../planMeshes.js';
 export { bakeGeometries } from './bakeGeometries.js';
 export { makeMaps } from './makeMaps.js';
 export { progressParts } from './progressParts.js';
@@ -36,3 +41,46 @@ export async function sideBySide<Results extends unknown[]>(
     signal?.removeEventListener('abort', abort);
   }
 }
+
+/** Makes the new materials of meshes. It yields after each mesh, since a scene may have thousands of materials. */
+export function* planMeshes(
+  looks: readonly OldLook[],
+  replacer: MaterialReplacer,
+): Generator<number, PlannedMesh[], void> {
+  const planned: PlannedMesh[] = [];
+  for (const look of looks) {
+    const scale = worldScale(worldMatrices(look.mesh));
+    planned.push({ ...look, material: replacer.replacementFor(look.mesh, look.oldMaterial, scale) });
+    yield planned.length / looks.length;
+  }
+  return planned;
+}
+
+/**
+ * Sets a displaced geometry, to be baked, on looks whose materials have a displacement map. Scenes without such materials do not load
+ * the code for it.
+ *
+ * @param unreadable receives the meshes that cannot be displaced
+ */
+export async function displaceMeshes(
+  looks: readonly OldLook[],
+  unreadable: SkippedMesh[],
+): Promise<readonly OldLook[]> {
+  if (!looks.some(isDisplaced)) return looks;
+  const { Displacer } = await import('../Displacer.js');
+  const displacer = new Displacer();
+  return looks.flatMap((look) => {
+    if (!isDisplaced(look)) return [look];
+    try {
+      return [{ ...look, geometry: displacer.displaced(look), flatGeometry: look.geometry }];
+    } catch (error) {
+      unreadable.push(failure(look.mesh, error as Error));
+      return [];
+    }
+  });
+}
+
+const isDisplaced = ({ oldMaterial }: OldLook): boolean =>
+  [oldMaterial].flat().some((material: Displaceable | null | undefined) => material?.displacementMap);
+
+type Displaceable = Material & { displacementMap?: Texture | null };

@@ -1,7 +1,7 @@
 import { type Camera, Vector3, Vector4 } from 'three';
 import { type SeenBox, seenBox } from '../../material/fading/seenDepths.js';
-import { writeSheet } from '../../material/fading/writeSheet.js';
 import type { HatchingBackground } from '../../material/HatchingBackground.js';
+import { writeSheet } from '../../material/pictureOffset.js';
 import type { DrawnBackground } from '../DrawnScene.js';
 import { meanLightAt } from '../shading/meanLight.js';
 import type { SceneLights } from './readLights.js';

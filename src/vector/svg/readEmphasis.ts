@@ -1,8 +1,7 @@
 import { type Camera, type Material, type Mesh, type Object3D, Vector3, Vector4 } from 'three';
-import { type EmphasisLook, takesWeight, writeDepthFading } from '../../material/fading/emphasis.js';
-import { importanceOf } from '../../material/fading/importanceOf.js';
+import { type EmphasisLook, importanceOf, takesWeight, writeDepthFading } from '../../material/fading/emphasis.js';
 import { type SeenBox, seenBox } from '../../material/fading/seenDepths.js';
-import { writeSheet } from '../../material/fading/writeSheet.js';
+import { writeSheet } from '../../material/pictureOffset.js';
 import type { Emphasis } from '../shading/emphasis.js';
 
 /** What takes weight away from the drawing of an object; null where all has its full weight. */

@@ -15,7 +15,7 @@ import {
   Vector2,
 } from 'three';
 import { NodeMaterial, type WebGPURenderer } from 'three/webgpu';
-import type { PosePass } from '../../material/deformation/PosePass.js';
+import type { PosePass } from '../../material/deformation/Deformation.js';
 import type { PulledVertices } from '../../material/geometry/PulledVertices.js';
 import { pullTextureSize } from '../../mesh/bake/pullLayout.js';
 import { OF_CORNERS, OF_VERTICES } from './poseNodes.js';

@@ -15,7 +15,6 @@ import { type NodeBuilder, NodeMaterial, type WebGPURenderer } from 'three/webgp
 import type { HiddenOutlines } from '../../look/hiddenOutlines.js';
 import { checkColor } from '../../material/checkValues.js';
 import { type EmphasisLook, takesWeight, writeEmphasis, writeImportance } from '../../material/fading/emphasis.js';
-import { writeSheet } from '../../material/fading/writeSheet.js';
 import type {
   HatchingOutlineMaterial,
   HatchingOutlineParameters,
@@ -33,7 +32,7 @@ import {
   writeOutlineLook,
 } from '../../material/outlines/outlineValues.js';
 import { copyDrawState, writeDrawState } from '../../material/outlines/surfaceRules.js';
-import { writePictureOffset } from '../../material/pictureOffset.js';
+import { writePictureOffset, writeSheet } from '../../material/pictureOffset.js';
 import { toothMap } from '../../material/tam/toothMap.js';
 import { clipSpine } from '../nodes/outlines/clipping.js';
 import { type OutlineNodes, outlineNodes } from '../nodes/outlines/outlineNodes.js';

@@ -36,7 +36,7 @@ export const exposure: readonly Mutation[] = [
   },
   {
     name: 'a compensation leaves what is added',
-    file: 'src/material/exposure/writeFit.ts',
+    file: 'src/material/exposure/ToneFit.ts',
     find: '.set(fit.scale, fit.offset).multiplyScalar(exposureCompensation)',
     replace: '.set(fit.scale * exposureCompensation, fit.offset)',
     caughtBy: {
@@ -47,7 +47,7 @@ export const exposure: readonly Mutation[] = [
   },
   {
     name: 'colours are darkened by their white',
-    file: 'src/material/exposure/writeFit.ts',
+    file: 'src/material/exposure/ToneFit.ts',
     find: '1 / fit.white',
     replace: 'fit.white',
     caughtBy: {

@@ -15,8 +15,8 @@ export const material: readonly Mutation[] = [
   {
     name: 'tiles of a picture count from above',
     file: 'src/material/pictureOffset.ts',
-    find: 'fullHeight - offsetY - height',
-    replace: 'offsetY',
+    find: 'const fromBelow = fullHeight - offsetY - height',
+    replace: 'const fromBelow = offsetY',
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/material/pictureOffset.test.ts',

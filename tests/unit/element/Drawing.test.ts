@@ -1,8 +1,8 @@
 import { Mesh, type OrthographicCamera, type PerspectiveCamera, Vector3, type WebGLRenderer } from 'three';
 import { HatchingMaterial, presets } from 'three-hatching';
 import { beforeEach, describe, expect, test, vi } from 'vitest';
-import { chosenIndex } from '../../../src/element/chosenIndex.js';
 import { Drawing } from '../../../src/element/Drawing.js';
+import { chosenIndex } from '../../../src/element/loadModel.js';
 import { type GltfBuilder, tetrahedron } from '../../../tools/modelFiles/GltfBuilder.js';
 
 /** Half the size of the model, of which the element makes a radius of 1. */

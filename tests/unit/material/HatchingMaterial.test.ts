@@ -14,7 +14,7 @@ import { afterEach, describe, expect, test, vi } from 'vitest';
 import { HATCHING_PROPERTIES } from '../../../src/look/hatchingProperties.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import type { HatchingMaterialParameters } from '../../../src/material/HatchingMaterialParameters.js';
-import { programSwitches } from '../../../src/material/programSwitches.js';
+import { programSwitches } from '../../../src/material/programDefines.js';
 import { TonalArtMap } from '../../../src/material/tam/TonalArtMap.js';
 
 // Materials are looked at in the same turn in which they are made.

@@ -2,7 +2,7 @@ import { type Material, MeshBasicMaterial, Texture, type WebGLRenderer } from 't
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import { keepHooks } from '../../../src/material/keepHooks.js';
-import type { ProgramParameters } from '../../../src/material/programParameters.js';
+import type { ProgramParameters } from '../../../src/material/programDefines.js';
 
 // Materials are looked at in the same turn in which they are made.
 await HatchingMaterial.preload();

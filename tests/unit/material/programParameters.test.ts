@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { isRigid, type ProgramParameters } from '../../../src/material/programParameters.js';
+import { isRigid, type ProgramParameters } from '../../../src/material/programDefines.js';
 
 const none = { skinning: false, instancing: false, batching: false, morphTargets: false, morphNormals: false };
 

@@ -1,8 +1,8 @@
 import { Vector2 } from 'three';
 import { expect, test } from 'vitest';
 import { fitTones } from '../../../../src/material/exposure/ExposureFit.js';
+import { writeFit } from '../../../../src/material/exposure/ToneFit.js';
 import { WeightedValues } from '../../../../src/material/exposure/WeightedValues.js';
-import { writeFit } from '../../../../src/material/exposure/writeFit.js';
 
 /** A hundred values, evenly spread from one to another. */
 function spread(from: number, to: number): WeightedValues {

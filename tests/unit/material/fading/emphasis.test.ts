@@ -7,9 +7,9 @@ import {
   writeImportance,
 } from '../../../../src/material/fading/emphasis.js';
 import { SceneExtent } from '../../../../src/material/fading/SceneExtent.js';
-import { writeSheet } from '../../../../src/material/fading/writeSheet.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import type { HatchingMaterialParameters } from '../../../../src/material/HatchingMaterialParameters.js';
+import { writeSheet } from '../../../../src/material/pictureOffset.js';
 
 const renderer = { info: { render: { frame: 0 } } } as unknown as WebGLRenderer;
 

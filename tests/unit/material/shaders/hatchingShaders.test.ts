@@ -5,8 +5,8 @@ import { deformationShaders } from '../../../../src/material/deformation/PrePass
 import { backgroundShaders } from '../../../../src/material/HatchingBackground.js';
 import { outlineShaders } from '../../../../src/material/outlines/HatchingOutlineMaterial.js';
 import { fetchPart, partNameOf } from '../../../../src/material/parts/parts.js';
-import { environmentLayout } from '../../../../src/material/shaders/environmentLayout.js';
 import { hatchingShaders, plainShaders, type Shaders } from '../../../../src/material/shaders/hatchingShaders.js';
+import { environmentLayout } from '../../../../src/material/shaders/shaderConventions.js';
 
 const names = Object.keys(HATCHING_TECHNIQUES) as HatchingTechnique[];
 const media = ['ink', 'dry', 'stipple'] as const;

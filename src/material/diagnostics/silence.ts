@@ -1,2 +1,0 @@
-/** Whether warnings are turned off; `HatchingMaterial.silent` sets it. */
-export const silence = { isOn: false };
