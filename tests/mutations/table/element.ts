@@ -20,7 +20,7 @@ export const element: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/element/readAttributes.test.ts',
-      title: 'a share ends at 1 and may be 0; an exposure may be more, and not 0',
+      title: 'a share is from 0 to 1; an exposure may be greater, but not 0',
     },
   },
   {

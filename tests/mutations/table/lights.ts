@@ -56,7 +56,7 @@ export const lights: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/scene/lighting/flatteringLight.test.ts',
-      title: 'hollows count as far as the material draws their occlusion',
+      title: 'baked occlusion counts as far as the material draws it',
     },
   },
   {

@@ -31,7 +31,7 @@ export const links: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/element/Drawing.test.ts',
-      title: 'a model fills the picture with what is seen of it',
+      title: 'a model fills the picture with its visible parts',
     },
   },
   {

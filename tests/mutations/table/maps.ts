@@ -82,7 +82,7 @@ export const maps: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/material/tam/packHatchImages.test.ts',
-      title: 'has both neighbours of every tone in one layer, and gives each image back',
+      title: 'has both neighbours of every tone in one layer, and unpacks each image',
     },
   },
   {
@@ -93,7 +93,7 @@ export const maps: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/material/tam/packThresholds.test.ts',
-      title: 'lays levels in a row where the shader looks for them, with what lies across the border around each',
+      title: 'puts levels in a row where the shader reads them, each with a margin that wraps around',
     },
   },
   {
@@ -104,7 +104,7 @@ export const maps: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/material/tam/measureThresholdMoments.test.ts',
-      title: 'of a level beside itself is its variance',
+      title: 'of a level paired with itself is its variance',
     },
   },
 ];

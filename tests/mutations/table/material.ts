@@ -9,7 +9,7 @@ export const material: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/material/properties.test.ts',
-      title: 'color … is refused, and the one before stays',
+      title: 'color … is refused, and the previous value stays',
     },
   },
   {
@@ -31,7 +31,7 @@ export const material: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/material/keepHooks.test.ts',
-      title: 'what was read can be set again, also on another material, and delete takes back what was set',
+      title: 'a hook that was read can be set again, also on another material, and delete removes it',
     },
   },
   {
@@ -42,7 +42,7 @@ export const material: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/material/hatchingJSON.test.ts',
-      title: 'has no defaults, those of a technique included, and what is no default',
+      title: 'omits defaults, also those of a technique, and has all other values',
     },
   },
   {
@@ -53,7 +53,7 @@ export const material: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/material/hatchingJSON.test.ts',
-      title: 'has no defaults, those of a technique included, and what is no default',
+      title: 'omits defaults, also those of a technique, and has all other values',
     },
   },
   {
@@ -64,7 +64,7 @@ export const material: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/material/keepHooks.test.ts',
-      title: 'runs once, also where a hook that was read is set again, and however often',
+      title: 'runs once, also if a hook that was read is set again, any number of times',
     },
   },
 ];

@@ -31,7 +31,7 @@ export const outlines: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/material/outlines/ContourList.test.ts',
-      title: 'by its direction alone with an orthographic camera, wherever that is',
+      title: 'by direction alone with an orthographic camera, wherever it is',
     },
   },
   {
@@ -42,7 +42,7 @@ export const outlines: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/material/outlines/InstanceList.test.ts',
-      title: 'is every primitive of an instance that the eye is in, flat or not',
+      title: 'is every primitive of an instance around the eye, flat or not',
     },
   },
   {

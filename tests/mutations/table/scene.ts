@@ -10,7 +10,7 @@ export const scene: readonly Mutation[] = [
       layer: 'unit',
       file: 'tests/unit/scene/leftAlone.test.ts',
       title:
-        'userData.hatching leaves a mesh and all below alone with false, and hatches whatever its material with true',
+        'userData.hatching false leaves a mesh and its descendants alone, and true hatches them whatever the material',
     },
   },
   {
@@ -21,7 +21,7 @@ export const scene: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/scene/leftAlone.test.ts',
-      title: 'of several materials those with a shader of their own stay',
+      title: 'among several materials those with their own shader stay',
     },
   },
   {

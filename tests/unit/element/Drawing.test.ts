@@ -31,7 +31,7 @@ describe('a camera of the file', () => {
     json.scenes[0].nodes = [0, 1, 2];
   };
 
-  test('draws the first view, and all that it sees is in the picture', async () => {
+  test('draws the first view, with everything that it sees in the picture', async () => {
     const drawing = await load(seen, 'hero');
     expect(drawing.firstEye).toEqual({ azimuth: 0, elevation: 0 });
     drawing.arrange(LIGHT, EYE, 1, 1, true);
@@ -44,7 +44,7 @@ describe('a camera of the file', () => {
     drawing.dispose();
   });
 
-  test('may be called by its node, or by its number, and may have no perspective', async () => {
+  test("may be selected by its node's name or by its number, and may be orthographic", async () => {
     for (const name of ['plan', '2']) {
       const drawing = await load(seen, name);
       drawing.arrange(LIGHT, EYE, 1, 4, true);
@@ -54,13 +54,13 @@ describe('a camera of the file', () => {
     }
   });
 
-  test('that is not there is named', async () => {
+  test('that does not exist is named in an error', async () => {
     await expect(load(seen, 'side')).rejects.toThrow('The model has no camera "side". There are hero, plan.');
     expect(() => chosenIndex('camera', [], '1')).toThrow('The model has no camera "1". It has none.');
   });
 });
 
-test('the brightest light of the file is that of the drawing, which draws with no other', async () => {
+test('the brightest light of the file is the only light of the drawing', async () => {
   const drawing = await load((json) => {
     json.extensions = { KHR_lights_punctual: { lights: [{ type: 'directional' }, { type: 'point', intensity: 0.1 }] } };
     // To the right, from where the light shines to the left.
@@ -80,7 +80,7 @@ test('the brightest light of the file is that of the drawing, which draws with n
   drawing.dispose();
 });
 
-test('a variant of the materials is drawn, or its absence is told', async () => {
+test('a material variant is drawn, or its absence is an error', async () => {
   const varied = (json: GltfBuilder['json']): void => {
     json.materials = [{}, { pbrMetallicRoughness: { baseColorFactor: [1, 0, 0, 1] } }];
     json.extensionsUsed = ['KHR_materials_variants'];
@@ -102,7 +102,7 @@ test('a variant of the materials is drawn, or its absence is told', async () => 
   await expect(load(varied, '', 'blue')).rejects.toThrow('The model has no variant "blue". There are white, red.');
 });
 
-describe('a model fills the picture with what is seen of it', () => {
+describe('a model fills the picture with its visible parts', () => {
   /** What the element makes of a model, whose own radius is known. */
   const radiusOf = (drawing: Drawing): number => 1 / drawing.scene.children[0].scale.x;
   const addPart = (json: GltfBuilder['json'], material: object): void => {
@@ -131,7 +131,7 @@ describe('a model fills the picture with what is seen of it', () => {
     }
   });
 
-  test('with all of it, if nothing of it is seen', async () => {
+  test('with all of its parts, if none is visible', async () => {
     const drawing = await load((json) => {
       addPart(json, { ...clear, alphaMode: 'BLEND' });
       json.meshes[0].primitives[0].material = 0;

@@ -10,7 +10,7 @@ describe('preset', () => {
     expect(readPreset(` ${name} `)).toBe(presets[name as keyof typeof presets]),
   );
 
-  test.each(['oils', 'Pen', 'toString', '__proto__'])('names all there are, instead of %s', (name) => {
+  test.each(['oils', 'Pen', 'toString', '__proto__'])('lists all presets, instead of %s', (name) => {
     expect(() => readPreset(name)).toThrow(`There is no preset "${name}". There are pen, crossHatching, engraving,`);
   });
 });
@@ -28,7 +28,7 @@ describe.each(['color-fill', 'local-tone', 'exposure', 'vignette'] as const)('%s
   });
 });
 
-test('a share ends at 1 and may be 0; an exposure may be more, and not 0', () => {
+test('a share is from 0 to 1; an exposure may be greater, but not 0', () => {
   for (const name of ['color-fill', 'local-tone', 'vignette'] as const) {
     expect(readLookNumber(name, '0')).toBe(0);
     expect(() => readLookNumber(name, '1.5')).toThrow(`The ${name} is "1.5"`);
@@ -64,7 +64,7 @@ test('controls turn the model, or the light alone', () => {
   ]);
 });
 
-test('the entry can be imported where there is no browser, and has the attributes of its guide', async () => {
+test('the entry can be imported without a browser, and has the attributes of its guide', async () => {
   expect('HTMLElement' in globalThis).toBe(false);
   const { HatchedModelElement } = await import('three-hatching/element');
   const guide = readFileSync(new URL('../../../docs/element.md', import.meta.url), 'utf8');

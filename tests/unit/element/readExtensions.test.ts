@@ -12,7 +12,7 @@ test('the extensions of a file are read, in both forms of glTF', () => {
   }
 });
 
-test('there are none where none are named, and in what is no glTF', () => {
+test('there are none if none are listed, or if the file is no glTF', () => {
   const none = { used: [], required: [] };
   const glb = packGlb(json({ extensionsUsed: ['A'] }), Buffer.alloc(0));
   const damaged = Buffer.from(json({ extensionsUsed: 5, extensionsRequired: [null] }));

@@ -24,14 +24,14 @@ test('numbers out of range are refused, by the constructor too', () => {
   expect(background.tone).toBe(0.4);
 });
 
-test('rays do not hit it, and it takes no room', () => {
+test('raycasts and bounding boxes ignore it', () => {
   const scene = new Scene().add(new HatchingBackground());
   scene.updateMatrixWorld();
   expect(new Raycaster(new Vector3(0, 0, 5), new Vector3(0, 0, -1)).intersectObjects([scene])).toEqual([]);
   expect(new Box3().setFromObject(scene).isEmpty()).toBe(true);
 });
 
-test('says once that WebGPURenderer does not draw it', () => {
+test('warns once that WebGPURenderer does not draw it', () => {
   const error = vi.spyOn(console, 'error').mockImplementation(() => {});
   const background = new HatchingBackground(new Mesh(new SphereGeometry()));
   const draw = () => background.onBeforeRender({ isWebGPURenderer: true } as never, new Scene(), new Camera());

@@ -25,7 +25,7 @@ const map = TonalArtMap.fromHatchImages({ size: 4, images: [255, 128, 0].map((v)
 afterEach(() => vi.restoreAllMocks());
 
 describe('HatchingMaterial', () => {
-  test("knows the channels of its maps when the renderer is about to choose a program, beside a key of one's own", () => {
+  test("knows the channels of its maps when the renderer is about to choose a program, also with a user's own program key", () => {
     const material = new HatchingMaterial();
     material.customProgramCacheKey = () => 'mine';
     material.map = new Texture();
@@ -39,7 +39,7 @@ describe('HatchingMaterial', () => {
     expect(Object.keys(material.defines)).not.toContain('USE_UV0');
   });
 
-  test('draws lines around the light where they should follow the form of a mesh that was prepared without it', () => {
+  test('draws lines by the light on a mesh that was prepared without the form they should follow', () => {
     const material = new HatchingMaterial({ technique: 'engraved', lineField: 'acrossForm' });
     const { choices } = HATCHING_PROPERTIES.lineField;
     const drawn = (geometry: BufferGeometry) => {
@@ -60,7 +60,7 @@ describe('HatchingMaterial', () => {
     expect(material.lineField).toBe('x');
   });
 
-  test('draws strokes that turn with the light where they should follow the form of a mesh that was prepared without it', () => {
+  test('draws strokes that turn with the light on a mesh that was prepared without the form they should follow', () => {
     const material = new HatchingMaterial({ strokeField: 'acrossForm' });
     const { choices } = HATCHING_PROPERTIES.strokeField;
     const drawn = (geometry: BufferGeometry) => {
@@ -129,13 +129,13 @@ describe('HatchingMaterial', () => {
       ...[technique, medium, strokeLayers, `#${ink.getHexString()}`, tonalArtMap],
     ];
 
-    test('is that of the presets, overridden by the other parameters, wherever it stands among them', () => {
+    test('sets the preset, overridden by the other parameters, in any order', () => {
       const given = new HatchingMaterial({ ink: '#000080', preset: 'stipple' });
       expect(looks(given)).toEqual(['anchored', 'stipple', 'single', '#000080', 'hatching']);
       expect(looks(new HatchingMaterial({ preset: 'crossHatching' }))[1]).toBe('pen');
     });
 
-    test('leaves nothing of the one before', () => {
+    test('resets the former preset', () => {
       const material = new HatchingMaterial({ preset: 'charcoal' });
       material.preset = 'woodcut';
       material.preset = 'pen';
@@ -143,14 +143,14 @@ describe('HatchingMaterial', () => {
       expect(material.defines).toEqual(new HatchingMaterial({ preset: 'pen' }).defines);
     });
 
-    test('has to be one', () => {
+    test('must exist', () => {
       expect(() => new HatchingMaterial({ preset: 'etching' as 'pen' })).toThrow(
         'HatchingMaterial: there is no preset "etching". Use one of pen, crossHatching, ',
       );
     });
   });
 
-  test('no map is asked for before a renderer draws; null stays blank paper', async () => {
+  test('no map is requested before a renderer draws; null stays blank paper', async () => {
     const shared = vi.spyOn(TonalArtMap, 'shared');
     const material = new HatchingMaterial();
     const { tonalArtMap } = HatchingMaterial.fromJSON(JSON.parse(JSON.stringify(material.clone().toJSON())));
@@ -208,7 +208,7 @@ describe('HatchingMaterial', () => {
     expect(material[property]).toBe(before);
   });
 
-  test('asks for another program only where the shader changes', () => {
+  test('changes its program only if the shader changes', () => {
     const material = new HatchingMaterial({ tonalArtMap: map, technique: 'adjacency' });
     const { version } = material;
     material.tilesPerUnit = 7;
@@ -233,7 +233,7 @@ describe('HatchingMaterial', () => {
     expect(material.version).toBe(version + 4);
   });
 
-  test('another tone curve is another program only where it is another kind of curve', () => {
+  test('a new tone curve changes the program only if it is of another kind', () => {
     const material = new HatchingMaterial({ toneCurve: 'linear' });
     const { version } = material;
     material.toneCurve = [
@@ -263,7 +263,7 @@ describe('HatchingMaterial', () => {
     expect(material.defines).toEqual(new HatchingMaterial({ toneCurve: 'perceptual' }).defines);
   });
 
-  test('tone is smooth under anchored and faceted under the techniques of Suarez et al., unless one is asked for', () => {
+  test('tone is smooth with anchored and faceted with the techniques of Suarez et al., unless it is set', () => {
     const material = new HatchingMaterial({ technique: 'anchored' });
     expect(material.toneNormal).toBe('smooth');
     material.technique = 'adjacency';
@@ -275,7 +275,7 @@ describe('HatchingMaterial', () => {
     expect(material.clone().toneNormal).toBe('smooth');
   });
 
-  test('crisp is another program, and only when it changes', () => {
+  test('crisp changes the program, and only when it is changed', () => {
     const material = new HatchingMaterial({ technique: 'adjacency' });
     const { version } = material;
     material.crisp = false;
@@ -285,7 +285,7 @@ describe('HatchingMaterial', () => {
     expect(material.clone().crisp).toBe(true);
   });
 
-  test('strokes sized on the object alone have a program of their own, and other sizes one between them', () => {
+  test('strokes sized on the object alone have a program of their own, and all other sizes share one', () => {
     const material = new HatchingMaterial({ technique: 'anchored' });
     // The renderer asks for it when it chooses a program.
     const definesAt = (sizedOnScreen: number) => {
@@ -439,7 +439,7 @@ describe('values of the wrong kind', () => {
     expect(warn.mock.calls.every(([message]) => /Color/.test(message))).toBe(true);
   });
 
-  test('are not those that three.js takes', () => {
+  test('do not include those that three.js accepts', () => {
     const warn = vi.spyOn(console, 'warn');
     for (const ink of [
       'navy',

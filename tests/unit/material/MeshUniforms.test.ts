@@ -34,7 +34,7 @@ function setUp() {
 
 const ALL = ['ink', 'ofMesh', 'tone'];
 
-test('a mesh that wants nothing has nothing uploaded, and one after another material everything once', () => {
+test('a mesh without requests uploads nothing, and after a change of material everything once', () => {
   const { draw, ofMesh, renderer } = setUp();
   expect(draw(true)).toEqual(ALL);
   expect(draw()).toEqual([]);
@@ -43,7 +43,7 @@ test('a mesh that wants nothing has nothing uploaded, and one after another mate
   expect(draw()).toEqual([]);
 });
 
-test('a mesh has its own uniforms uploaded alone, and the list of three is whole again after it', () => {
+test("a request uploads the uniforms of the mesh alone, and three's list is complete again afterwards", () => {
   const { draw, ofMesh, renderer, kept } = setUp();
   draw(true);
   const list = kept.uniformsList;
@@ -55,7 +55,7 @@ test('a mesh has its own uniforms uploaded alone, and the list of three is whole
   expect(draw(true)).toEqual(ALL);
 });
 
-test('whoever sets uniformsNeedUpdate gets all, whatever the mesh wants', () => {
+test('uniformsNeedUpdate uploads all, whatever the mesh requests', () => {
   const { draw, ofMesh, renderer, material } = setUp();
   draw(true);
   material.uniformsNeedUpdate = true;
@@ -66,7 +66,7 @@ test('whoever sets uniformsNeedUpdate gets all, whatever the mesh wants', () => 
   expect(draw()).toEqual([]);
 });
 
-test('a hook that asks for uniformsNeedUpdate, or another program, shortens nothing for long', () => {
+test("a hook that sets uniformsNeedUpdate, or a new program, restores three's list", () => {
   const { draw, ofMesh, renderer, material, kept } = setUp();
   draw(true);
   ofMesh.want(renderer);
@@ -78,7 +78,7 @@ test('a hook that asks for uniformsNeedUpdate, or another program, shortens noth
   expect(draw(true)).toEqual(ALL);
 });
 
-test('where three keeps no list under the material, as behind a proxy, all is uploaded', () => {
+test('all is uploaded if three has no list for the material, such as behind a proxy', () => {
   const { draw, ofMesh } = setUp();
   draw(true);
   ofMesh.want({ properties: { get: () => ({}) } } as unknown as WebGLRenderer);

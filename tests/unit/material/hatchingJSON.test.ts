@@ -10,7 +10,7 @@ const read = (text: string, textures?: Record<string, Texture>): HatchingMateria
   HatchingMaterial.fromJSON(JSON.parse(text) as HatchingMaterialJSON, textures);
 
 describe('JSON of a material, from anywhere', () => {
-  test('gives known properties and no others', () => {
+  test('sets known properties and no others', () => {
     const warn = vi.spyOn(console, 'warn');
     const material = read(`{
       "__proto__": { "isMaterial": false, "dispose": "mine" },
@@ -75,7 +75,7 @@ describe('JSON of a material, from anywhere', () => {
     expect(read).toThrow(`HatchingMaterial.fromJSON: what it is given is ${shown}, but must be a JSON object.`);
   });
 
-  test('has no defaults, those of a technique included, and what is no default', async () => {
+  test('omits defaults, also those of a technique, and has all other values', async () => {
     await HatchingMaterial.preload();
     const named = (material: HatchingMaterial) => Object.keys(propertiesToJSON(material));
     expect(named(new HatchingMaterial())).toEqual([]);
@@ -96,7 +96,7 @@ describe('JSON of a material, from anywhere', () => {
     expect(read('{ "map": null }').map).toBe(null);
   });
 
-  test("brings three's own back: planes, null and colours", () => {
+  test("restores three's own properties: planes, null and colours", () => {
     const source = new HatchingMaterial({ side: DoubleSide });
     source.clippingPlanes = [new Plane(new Vector3(0, 1, 0), 2)];
     source.blendColor = new Color(0x123456);

@@ -47,7 +47,7 @@ describe.each([
     expect(other.customProgramCacheKey()).not.toBe(material.customProgramCacheKey());
   });
 
-  test('decorators of the key call the one before, however many there are', () => {
+  test('decorators of the key call the previous one, however many there are', () => {
     const material = make();
     const plain = material.customProgramCacheKey();
     for (const letter of 'xyz') {
@@ -59,7 +59,7 @@ describe.each([
     expect(material.customProgramCacheKey()).toBe(`${plain}xyz`);
   });
 
-  test('decorators of onBeforeCompile call the one before, bound or not, and each is called once, with the material', () => {
+  test('decorators of onBeforeCompile call the previous one, bound or not, and each is called once, with the material', () => {
     const material = make();
     const calls: unknown[] = [];
     material.onBeforeCompile = function (shader, given) {
@@ -78,7 +78,7 @@ describe.each([
     expect(calls).toEqual([true, true]);
   });
 
-  test('what was read can be set again, also on another material, and delete takes back what was set', () => {
+  test('a hook that was read can be set again, also on another material, and delete removes it', () => {
     const [material, another] = [make(), make()];
     const plain = material.customProgramCacheKey();
     const { onBeforeCompile, customProgramCacheKey } = material;
@@ -125,7 +125,7 @@ describe.each([
 });
 
 describe("the material's own part", () => {
-  test('runs once, also where a hook that was read is set again, and however often', () => {
+  test('runs once, also if a hook that was read is set again, any number of times', () => {
     const material = new MeshBasicMaterial();
     const parts = { onBeforeRender: vi.fn(), onBeforeCompile: vi.fn(), customProgramCacheKey: vi.fn(() => 'ours') };
     keepHooks(material, parts);

@@ -17,7 +17,7 @@ describe('code that is fetched when a material first uses it', () => {
     await material.ready;
   });
 
-  test('leaves the surface plain until it is there, and then asks for its program', async () => {
+  test('leaves the surface plain until it has loaded, and then changes the program', async () => {
     const material = new HatchingMaterial({ technique: 'engraved' });
     expect(isPlain(material)).toBe(true);
     const { version } = material;
@@ -28,7 +28,7 @@ describe('code that is fetched when a material first uses it', () => {
     expect(isPlain(new HatchingMaterial({ technique: 'engraved' }))).toBe(false);
   });
 
-  test('leaves a material as it was until it is there', async () => {
+  test('leaves a material unchanged until it has loaded', async () => {
     const material = new HatchingMaterial({ technique: 'anchored' });
     const { fragmentShader, version } = material;
     const defines = { ...material.defines };
@@ -41,7 +41,7 @@ describe('code that is fetched when a material first uses it', () => {
     expect(material.version).toBe(version + 1);
   });
 
-  test('is not waited for where the look changes back meanwhile', async () => {
+  test('is not awaited if the look changes back in the meantime', async () => {
     const material = new HatchingMaterial({ technique: 'anchored' });
     const { fragmentShader, version } = material;
     material.medium = 'stipple';
@@ -51,7 +51,7 @@ describe('code that is fetched when a material first uses it', () => {
     expect([material.fragmentShader, material.version]).toEqual([fragmentShader, version]);
   });
 
-  test('reaches a copy that was made meanwhile', async () => {
+  test('reaches a copy that was made in the meantime', async () => {
     const material = new HatchingMaterial({ technique: 'adjacency' });
     expect(isPlain(material)).toBe(true);
     const copy = material.clone();
@@ -60,7 +60,7 @@ describe('code that is fetched when a material first uses it', () => {
     expect(copy.fragmentShader).toBe(material.fragmentShader);
   });
 
-  test('is all there after preload', async () => {
+  test('is complete after preload', async () => {
     await HatchingMaterial.preload();
     for (const technique of ['triangle', 'adjacency', 'engraved'] as const) {
       expect(isPlain(new HatchingMaterial({ technique }))).toBe(false);
@@ -70,7 +70,7 @@ describe('code that is fetched when a material first uses it', () => {
       expect(fetchedPart(partNameOf('anchored', medium)!)).toBeDefined();
   });
 
-  test('is told of in one sentence where it cannot be fetched, and fetched again by the next use', async () => {
+  test('is reported in one sentence if it cannot be fetched, and fetched again on next use', async () => {
     vi.resetModules();
     vi.doMock('../../../src/material/parts/engraved.js', () => {
       throw new Error('offline');

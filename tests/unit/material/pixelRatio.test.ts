@@ -38,7 +38,7 @@ test.each(
   }
 });
 
-test('the edges of strokes are as soft at any pixel ratio, and lines may lie two pixels of the drawing buffer apart', () => {
+test('the edges of strokes are equally soft at any pixel ratio, and lines may be two pixels of the drawing buffer apart', () => {
   const material = new HatchingMaterial({ technique: 'engraved', finestSpacing: 3 });
   const uniforms = [0.5, 1, 2].map((pixelRatio) => Object.fromEntries(numbersOf(material, rendererOf(pixelRatio))));
   expect(uniforms.map(({ edgePixels }) => edgePixels)).toEqual([1, 1, 1]);

@@ -4,7 +4,7 @@ import { isRigid, type ProgramParameters } from '../../../src/material/programDe
 const none = { skinning: false, instancing: false, batching: false, morphTargets: false, morphNormals: false };
 
 describe('isRigid', () => {
-  it('holds where vertices move with their object alone', () => {
+  it('holds if vertices move only with their object', () => {
     expect(isRigid(none as ProgramParameters)).toBe(true);
   });
 

@@ -63,17 +63,17 @@ const plain = (value: unknown): unknown =>
 
 describe('the table of properties', () => {
   const written = outputs();
-  test.each(Object.keys(written))('%s is what it writes; if not, run `npm run properties`', (path) => {
+  test.each(Object.keys(written))('%s is up to date; if not, run `npm run properties`', (path) => {
     expect(readFileSync(path, 'utf8')).toBe(written[path]);
   });
 
-  test('names techniques that there are', () => {
+  test('names existing techniques', () => {
     const techniques = Object.keys(PROPERTIES.technique.choices);
     for (const [name, row] of rows)
       expect(techniques, name).toEqual(expect.arrayContaining([...(row.techniques ?? [])]));
   });
 
-  test('keeps its sentences out of what runs', () => {
+  test('keeps its sentences out of the bundle', () => {
     const runtime = JSON.stringify([HATCHING_PROPERTIES, HATCHING_DEFAULTS]);
     for (const [name, { sentence }] of rows) expect(runtime, name).not.toContain(sentence.slice(0, 20));
   });
@@ -96,7 +96,7 @@ describe('every property', () => {
     expect(clone.defines).toEqual(source.defines);
   });
 
-  test('is written as JSON where it is not at its default, but for the map of strokes', () => {
+  test('is written as JSON unless it is at its default, except the tonal art map', () => {
     vi.spyOn(console, 'warn').mockImplementation(() => {});
     const bare = new HatchingMaterial().toJSON() as unknown as Record<string, unknown>;
     const full = new HatchingMaterial(changed as HatchingMaterialParameters).toJSON() as unknown as typeof bare;
@@ -141,14 +141,14 @@ describe('a property that does not count for the technique', () => {
       .map((technique) => [name, technique as HatchingMaterial['technique']] as const),
   );
 
-  test.each(unused)('%s under %s asks for no other program', (name, technique) => {
+  test.each(unused)('%s under %s does not change the program', (name, technique) => {
     const material = new HatchingMaterial({ technique });
     const { version } = material;
     Object.assign(material, { [name]: name === 'strokeOffset' ? material.strokeOffset.set(1, 1) : changed[name] });
     expect(material.version).toBe(version);
   });
 
-  test('is remembered for the technique that it counts for', () => {
+  test('is remembered for the technique that uses it', () => {
     const material = new HatchingMaterial({ technique: 'anchored' });
     material.levelRule = 'depth';
     material.crisp = true;
@@ -158,7 +158,7 @@ describe('a property that does not count for the technique', () => {
     expect(material.defines).toEqual(expected.defines);
   });
 
-  test('is warned of once where it is set to something, not at its default', () => {
+  test('causes one warning if it is set to another value than its default', () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
     new HatchingMaterial({ technique: 'anchored', blendAngle: HATCHING_DEFAULTS.blendAngle });
     expect(warn).not.toHaveBeenCalled();
@@ -181,7 +181,7 @@ describe('a value out of range', () => {
     ...[above, from === undefined ? from : from - 0.1, to && to + 0.1].filter((x) => x !== undefined),
   ];
 
-  test.each(numbers)('%s is refused, and the one before stays', (name, row) => {
+  test.each(numbers)('%s is refused, and the previous value stays', (name, row) => {
     const { range } = row;
     const material = new HatchingMaterial();
     for (const value of [...outside(range), '1', ...(row.default === null ? [] : [null])]) {
@@ -226,7 +226,7 @@ describe('the width of strokes on the screen', () => {
     expect(wider.uniforms.texelPixels.value).toBe(4);
   });
 
-  test('is that of the map where none is asked for', () => {
+  test('is that of the map by default', () => {
     const material = new HatchingMaterial({ tonalArtMap: map(2), technique: 'adjacency' });
     expect(material.strokeWidth).toBe(null);
     expect(material.uniforms.texelPixels.value).toBe(1);
@@ -235,7 +235,7 @@ describe('the width of strokes on the screen', () => {
 });
 
 describe('JSON', () => {
-  test('brings every property back, textures by their uuid, the tonal art map aside', () => {
+  test('restores every property, textures by their uuid, except the tonal art map', () => {
     vi.spyOn(console, 'warn').mockImplementation(() => {});
     const source = new HatchingMaterial({ ...(changed as HatchingMaterialParameters), side: DoubleSide, fog: false });
     source.name = 'stone';
@@ -284,14 +284,14 @@ describe('what belongs to the user', () => {
     expect(material.fragmentShader).toBe(own);
   });
 
-  test('copying onto a material that was drawn asks for its program', () => {
+  test('copying onto a material that was drawn changes its program', () => {
     const material = new HatchingMaterial();
     const { version } = material;
     material.copy(new HatchingMaterial({ toneModel: 'toon' }));
     expect(material.version).toBeGreaterThan(version);
   });
 
-  test('toneNormal goes back to what the technique has', () => {
+  test('toneNormal returns to the default of the technique', () => {
     const material = new HatchingMaterial({ technique: 'anchored', toneNormal: 'face' });
     material.toneNormal = 'auto';
     expect(material.toneNormal).toBe('smooth');

@@ -6,7 +6,7 @@ import type { HatchingMaterialParameters } from '../../../src/material/HatchingM
 const SHADOW = { toneModel: 'shadow' } as const;
 
 describe('shadows alone', () => {
-  test('are light, dissolve, have soft edges and run away from the light, but not with the techniques of the paper', () => {
+  test('are light, dissolve, have soft edges and run away from the light, except with the techniques of Suarez et al.', () => {
     const valuesOf = (technique: HatchingMaterialParameters['technique']) => {
       const look = new HatchingMaterial({ technique, ...SHADOW });
       return [look.shadowTone, look.shadowFade, look.shadowSoftness, look.shadowDirection];
@@ -17,7 +17,7 @@ describe('shadows alone', () => {
       expect(valuesOf(technique)).toEqual([0.5, 0.65, 0.12, 'away']);
   });
 
-  test('that run away from the light are drawn in one layer by the same program, whatever the look says', () => {
+  test('that run away from the light are drawn in one layer by one program, whatever the other properties', () => {
     const crossed = { shadowStrokes: 'cross', strokeLayers: 'tone', strokeField: 'form' } as const;
     const plain = { shadowStrokes: 'tone', strokeLayers: 'single', strokeField: 'light' } as const;
     const [away, single] = [crossed, plain].map((look) => new HatchingMaterial({ ...SHADOW, ...look }).defines);
@@ -35,7 +35,7 @@ describe('shadows alone', () => {
     expect(other.uniforms.crossFrom.value).toBe(0.2);
   });
 
-  test('ask of no geometry for its form', () => {
+  test('need no form field', () => {
     const look = { technique: 'engraved', lineField: 'form' } as const;
     expect(formFieldOf(look)).toBe('lineField');
     expect(formFieldOf({ ...look, ...SHADOW })).toBeUndefined();

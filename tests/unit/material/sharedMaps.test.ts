@@ -15,7 +15,7 @@ afterEach(() => {
   vi.restoreAllMocks();
 });
 
-test('a map that could not be drawn is told of, and tried again by a frame some seconds later', async () => {
+test('a map that could not be drawn is reported, and tried again by a frame some seconds later', async () => {
   const told = vi.spyOn(console, 'error').mockImplementation(() => {});
   const shared = vi.spyOn(TonalArtMap, 'shared').mockImplementation(failing);
   expect(sharedMap('dashes')).toBe(null);
@@ -30,7 +30,7 @@ test('a map that could not be drawn is told of, and tried again by a frame some 
   expect([shared.mock.calls.length, told.mock.calls.length]).toEqual([2, 1]);
 });
 
-test('whoever waits for a map is told by a rejection, and tries it again', async () => {
+test('waiting for a map that cannot be drawn rejects, and the next wait tries again', async () => {
   const shared = vi.spyOn(TonalArtMap, 'shared').mockImplementationOnce(failing).mockReturnValueOnce(drawn);
   await expect(mapIsReady('ruled')).rejects.toThrow('no pen');
   await mapIsReady('ruled');

@@ -48,7 +48,7 @@ describe('the work of a frame', () => {
     expect(draw(rendererAt(8))).toBeGreaterThan(0);
   });
 
-  test('is done for every mesh of a material that says so', () => {
+  test('is done for every mesh of a material that requests it', () => {
     const renderer = rendererAt(9);
     draw(renderer);
     material.strokeWidth = 3;
@@ -58,7 +58,7 @@ describe('the work of a frame', () => {
   });
 });
 
-test('a choice that is made already looks for no other program', () => {
+test('setting an unchanged choice does not change the program', () => {
   const { material, count } = countingMaterial();
   material.strokeLayers = 'lights';
   const { reads } = count;

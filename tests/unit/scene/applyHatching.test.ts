@@ -90,7 +90,7 @@ function disposals() {
   };
 }
 
-describe('what it makes of a scene', () => {
+describe('the hatched scene', () => {
   test('every mesh gets a baked geometry and a material, shared ones once', async () => {
     const box = new BoxGeometry();
     const paint = new MeshStandardMaterial({ color: 'tomato' });
@@ -109,7 +109,7 @@ describe('what it makes of a scene', () => {
     expect(c.geometry.userData.hatching).toMatchObject({ layout: 'indexed' });
   });
 
-  test('outlines follow the layers, the order and the opacity of their meshes, also what changes later', async () => {
+  test('outlines follow the layers, the order and the opacity of their meshes, also after changes', async () => {
     const source = new MeshStandardMaterial({ transparent: true });
     const mesh = new Mesh(new BoxGeometry(), source);
     mesh.layers.set(1);
@@ -128,7 +128,7 @@ describe('what it makes of a scene', () => {
     scene.dispose();
   });
 
-  test('cut-outs have outlines, unless these would be drawn where nothing is seen', async () => {
+  test('cut-outs have outlines, unless these would be drawn where the surface is invisible', async () => {
     const map = new DataTexture(Uint8Array.of(255, 255, 255, 0), 1, 1);
     const hasOutlines = async (parameters: MeshStandardMaterialParameters) => {
       const group = new Group().add(
@@ -255,7 +255,7 @@ describe('what it makes of a scene', () => {
     expect(material.uniforms.map.value).not.toBe(undefined);
   });
 
-  test('several materials of a mesh stay as many, in their order, with the groups', async () => {
+  test('several materials of a mesh stay separate, in order, with the groups', async () => {
     const [red, blue] = [new MeshBasicMaterial({ color: 'red' }), new MeshStandardMaterial({ color: 'blue' })];
     const mesh = new Mesh(new BoxGeometry(), [red, blue, red, blue, red, blue]);
     const groups = structuredClone(mesh.geometry.groups);
@@ -274,7 +274,7 @@ describe('what it makes of a scene', () => {
     expect(mesh.geometry.groups).toEqual(groups);
   });
 
-  test('lines, points, sprites, shadow catchers and what is hatched already are left alone', async () => {
+  test('lines, points, sprites, shadow catchers and hatched meshes are left alone', async () => {
     const own = new Mesh(new PlaneGeometry(), new HatchingMaterial());
     const others = [
       new Line(new BufferGeometry(), new LineBasicMaterial()),
@@ -291,7 +291,7 @@ describe('what it makes of a scene', () => {
     expect([materials, skipped]).toEqual([[], []]);
   });
 
-  test('instances, skins, morph targets, shadows and the materials for them go on', async () => {
+  test('instances, skins, morph targets, shadows and their materials keep working', async () => {
     const instanced = new InstancedMesh(new BoxGeometry(), new MeshBasicMaterial(), 3);
     const { instanceMatrix } = instanced;
     const geometry = new PlaneGeometry();
@@ -334,7 +334,7 @@ describe('what it makes of a scene', () => {
     expect(still.geometry.userData.hatching.layout).toBe('corner');
   });
 
-  test('a batch keeps its geometry: anchored hatches it as it is, other techniques say what they need', async () => {
+  test('a batch keeps its geometry: anchored hatches it, other techniques name the remedy', async () => {
     const make = () => {
       const batch = new BatchedMesh(1, 24, 36, new MeshBasicMaterial());
       batch.addInstance(batch.addGeometry(new BoxGeometry()));
@@ -350,7 +350,7 @@ describe('what it makes of a scene', () => {
     );
   });
 
-  test('geometries that only anchored draws are baked without corners, unless a layout is asked for', async () => {
+  test('geometries that only anchored draws are baked without corners, unless a layout is requested', async () => {
     const shared = new BoxGeometry();
     const [a, b, c] = [
       new Mesh(shared, new MeshBasicMaterial({ name: 'plain' })),
@@ -385,7 +385,7 @@ describe('an array of materials with holes', () => {
     }
   });
 
-  test('is left alone if the others hatch already, or if there are only holes', async () => {
+  test('is left alone if all materials hatch already, or if there are only holes', async () => {
     const meshes = [[new HatchingMaterial(), undefined], [undefined]].map(
       (materials) => new Mesh(new BoxGeometry(), materials as Material[]),
     );
@@ -396,7 +396,7 @@ describe('an array of materials with holes', () => {
 });
 
 describe('options', () => {
-  test('parameters win over what is taken over; a function is asked once for every material made', async () => {
+  test('parameters override what is copied; a function is called once for every new material', async () => {
     const [a, b] = [new MeshBasicMaterial({ color: 'red' }), new MeshBasicMaterial({ color: 'green' })];
     const box = new BoxGeometry();
     const meshes = [new Mesh(box, a), new Mesh(box, b), new Mesh(box, a)];
@@ -474,7 +474,7 @@ describe('options', () => {
     expect([...progress].sort((a, b) => a - b)).toEqual(progress);
   });
 
-  test('without a map the one of the style is drawn, which all share and nobody frees', async () => {
+  test('without a map the shared map of the style is used, and never freed', async () => {
     const [mesh, other] = [1, 2].map(() => new Mesh(new BoxGeometry(), new MeshBasicMaterial()));
     const progress: number[] = [];
     const scene = await applyHatching(mesh, { onProgress: (value) => progress.push(value) });
@@ -500,7 +500,7 @@ describe('options', () => {
     expect(meshes.map((mesh) => hatched(mesh).tonalArtMap)).toEqual(names.map((name) => TonalArtMap.shared(name)));
   });
 
-  test('a map that is drawn for one scene alone is freed with the rest', async () => {
+  test('a map that is generated for one scene is freed with it', async () => {
     const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
     const scene = await applyHatching(mesh, { tonalArtMap: { size: 64, tones: 4 } });
     const map = hatched(mesh).tonalArtMap as TonalArtMap;
@@ -511,7 +511,7 @@ describe('options', () => {
     expect(gone.count).toBe(1);
   });
 
-  test('no map is generated where none is wanted', async () => {
+  test('no map is generated if none is needed', async () => {
     const shared = vi.spyOn(TonalArtMap, 'shared');
     const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
     await applyHatching(mesh, { tonalArtMap: null });
@@ -544,7 +544,7 @@ describe('options', () => {
     shared.mockRestore();
   });
 
-  test('a function is asked for a map only if a material needs one, which is not freed', async () => {
+  test('a function is called for a map only if a material needs one, which is not freed', async () => {
     const given = TonalArtMap.fromHatchImages({ size: 1, images: [[new Uint8Array([255])], [new Uint8Array(1)]] });
     const freed = vi.spyOn(given, 'dispose');
     const tonalArtMap = vi.fn(async () => given);
@@ -571,7 +571,7 @@ describe('options', () => {
   });
 });
 
-describe('side by side', () => {
+describe('concurrent work', () => {
   const model = () => new Mesh(new SphereGeometry(1, 32, 16), new MeshBasicMaterial());
 
   test('the map is drawn while geometries are prepared, and the progress is that of both', async () => {
@@ -589,7 +589,7 @@ describe('side by side', () => {
     expect(progress).toEqual([...progress].sort((a, b) => a - b));
   });
 
-  test('if the map fails, the bake stops, and everything is as before', async () => {
+  test('if the map fails, the bake stops, and the scene is unchanged', async () => {
     const mesh = model();
     const { geometry } = mesh;
     const failing = applyHatching(mesh, { tonalArtMap: () => Promise.reject(new Error('no such map')) });
@@ -599,8 +599,8 @@ describe('side by side', () => {
   });
 });
 
-describe('the way back', () => {
-  test('restore brings the very objects back, once, and the scene can be hatched again', async () => {
+describe('restoring', () => {
+  test('restore sets the same objects again, once, and the scene can be hatched again', async () => {
     const root = new Group().add(
       new Mesh(
         new BoxGeometry(),
@@ -638,7 +638,7 @@ describe('the way back', () => {
     expect([mine.count, theirs.count]).toEqual([0, 3]);
   });
 
-  test('a batch geometry, which is not made here, is not freed', async () => {
+  test('the geometry of a batch, which is not new, is not freed', async () => {
     const batch = new BatchedMesh(1, 24, 36, new MeshBasicMaterial());
     batch.addInstance(batch.addGeometry(new BoxGeometry()));
     const gone = disposals();
@@ -648,7 +648,7 @@ describe('the way back', () => {
   });
 });
 
-describe('when something is wrong', () => {
+describe('errors', () => {
   test.each([
     [
       { layot: 'pull' },
@@ -676,7 +676,7 @@ describe('when something is wrong', () => {
     expect(mesh.material).toBe(during);
   });
 
-  test('mounted, unmounted and mounted again in one breath, as by StrictMode of React, it ends hatched', async () => {
+  test("a scene that is mounted, unmounted and mounted again in one tick, as in React's StrictMode, is hatched", async () => {
     const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
     const original = mesh.material;
     const mount = () => {
@@ -725,7 +725,7 @@ describe('when something is wrong', () => {
     ]);
   });
 
-  test('a mesh that is changed meanwhile is left as it was changed', async () => {
+  test('a mesh that is changed during the call keeps the change', async () => {
     const [changed, kept] = [1, 2].map(() => new Mesh(new BoxGeometry(), new MeshBasicMaterial())) as unknown as [
       Mesh,
       Mesh,
@@ -763,7 +763,7 @@ describe('when something is wrong', () => {
     ['a wrong parameter', () => ({ material: { technique: 'magic' as 'anchored' } }), /"magic" is not known/],
     ['a wrong option', () => ({ creaseAngle: 90 }), /creaseAngle is 90/],
   ];
-  test.each(failures)('%s: everything is as before', async (_how, optionsOf, says) => {
+  test.each(failures)('%s: the scene is unchanged', async (_how, optionsOf, says) => {
     const meshes = [1, 2, 3].map((n) => new Mesh(new SphereGeometry(n, 32, 16), new MeshStandardMaterial()));
     const root = new Group().add(...meshes);
     const before = looksOf(root);
@@ -812,7 +812,7 @@ describe('when something is wrong', () => {
     ['a renderer that is none', { renderer: {}, camera: new Object3D() }, /^applyHatching: renderer must be/],
     ['a map that is none', { tonalArtMap: 5 }, /tonalArtMap: 5 is no TonalArtMap/],
   ];
-  test.each(misuses)('options that are none say so at once, and claim nothing: %s', async (_what, options, says) => {
+  test.each(misuses)('wrong options throw at once, and claim nothing: %s', async (_what, options, says) => {
     const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
     const error = await applyHatching(mesh, options as object).catch((reason) => reason);
     expect(error.message).toMatch(says);
@@ -820,7 +820,7 @@ describe('when something is wrong', () => {
     (await applyHatching(mesh, { tonalArtMap })).dispose();
   });
 
-  test('a scene of nothing but broken meshes rejects with what is wrong, no scene at all with what to pass', async () => {
+  test('a scene of broken meshes only rejects with the fault, and a value that is no scene with the remedy', async () => {
     await expect(applyHatching(brokenMesh(), { tonalArtMap })).rejects.toThrow(/must be finite/);
     await expect(applyHatching({ scene: new Group() } as unknown as Group)).rejects.toThrow(/pass gltf\.scene/);
     expect((await applyHatching(new Group())).materials).toEqual([]);

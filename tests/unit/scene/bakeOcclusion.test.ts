@@ -40,7 +40,7 @@ const lightest = (mesh: Mesh): number => Math.min(...occlusionsOf(mesh));
 
 const sceneOf = (...meshes: Mesh[]): Group => new Group().add(...meshes);
 
-describe('what is baked', () => {
+describe('the bake', () => {
   test.each(['corner', 'pull', 'indexed'] as const)(
     'every vertex of the layout %s, and nothing else of it',
     async (layout) => {
@@ -63,7 +63,7 @@ describe('what is baked', () => {
     },
   );
 
-  test('a scene far from the origin has the hollows that it has there', async () => {
+  test('a scene far from the origin has the same occlusion as at the origin', async () => {
     const bakedAt = async (x: number): Promise<number[]> => {
       const [lower, upper] = [await prepared(ground()), await prepared(ground().rotateX(Math.PI))];
       upper.position.y = 0.2;
@@ -79,7 +79,7 @@ describe('what is baked', () => {
     });
   });
 
-  test('two meshes hide each other, one that is not prepared hides too', async () => {
+  test('two meshes occlude each other, and one that is not prepared occludes too', async () => {
     const lower = await prepared(ground());
     const upper = await prepared(ground().rotateX(Math.PI).translate(0, 0.2, 0));
     await bakeOcclusion(sceneOf(lower, upper), FEW);
@@ -118,7 +118,7 @@ describe('what is baked', () => {
     expect(lightest(mesh)).toBeGreaterThan(0.9);
   });
 
-  test('a mesh that deforms: as at rest, whatever its pose', async () => {
+  test('a mesh that deforms is baked at rest, whatever its pose', async () => {
     const geometry = ground();
     const count = geometry.attributes.position.count;
     geometry.morphAttributes.position = [new BufferAttribute(new Float32Array(3 * count).fill(9), 3)];
@@ -143,7 +143,7 @@ describe('what is baked', () => {
     expect(occlusionsOf(mesh)).toEqual(atRest);
   });
 
-  test('meshes that share a geometry get one each, and give it back', async () => {
+  test('meshes that share a geometry get one each, and the shared one again on dispose', async () => {
     const mesh = await prepared(ground(), 'corner');
     const { geometry } = mesh;
     const twin = new Mesh(geometry, mesh.material);
@@ -164,7 +164,7 @@ describe('what is baked', () => {
     expect(darkest(mesh)).toBe(0);
   });
 
-  test('an older bake takes nothing from a newer one', async () => {
+  test('an older bake removes nothing of a newer one', async () => {
     const mesh = await prepared(ground());
     const older = await bakeOcclusion(sceneOf(mesh), FEW);
     await bakeOcclusion(sceneOf(mesh, roof()), FEW);
@@ -172,7 +172,7 @@ describe('what is baked', () => {
     expect(lightest(mesh)).toBeGreaterThan(0.9);
   });
 
-  test('a mesh that was given another geometry meanwhile keeps it as it is', async () => {
+  test('a mesh that was given another geometry in the meantime keeps it unchanged', async () => {
     const mesh = await prepared(ground());
     const other = (await prepared(ground())).geometry;
     const baking = bakeOcclusion(sceneOf(mesh, roof()), FEW);
@@ -197,7 +197,7 @@ describe('what is baked', () => {
   });
 });
 
-describe('on the way', () => {
+describe('during the bake', () => {
   test('results come early and grow finer; progress rises to 1', async () => {
     const mesh = await prepared(new BoxGeometry(0.5, 0.5, 0.5, 8, 8, 8));
     const passes: [number, number][] = [];
@@ -213,7 +213,7 @@ describe('on the way', () => {
     expect(bake.directions).toBe(384);
   });
 
-  test('aborted after a first result: rejects with the reason and takes it back, geometries too', async () => {
+  test('an abort after a first result rejects with the reason and removes the result, geometries too', async () => {
     const mesh = await prepared(ground());
     const { geometry } = mesh;
     const twin = new Mesh(geometry, mesh.material);
@@ -231,7 +231,7 @@ describe('on the way', () => {
     expect(darkest(alone)).toBe(0);
   });
 
-  test('waits between its parts for what goes first, and shows nothing meanwhile', async () => {
+  test('waits for pause between its parts, and shows nothing in the meantime', async () => {
     const mesh = await prepared(ground());
     let goOn: (() => void) | undefined;
     let asked = 0;
@@ -258,20 +258,20 @@ describe('on the way', () => {
     expect(lightest(mesh)).toBeGreaterThan(0.9);
   });
 
-  test('what pause rejects with ends the bake', async () => {
+  test('a rejection of pause ends the bake', async () => {
     const mesh = await prepared(ground());
     await expect(bakeOcclusion(mesh, { pause: () => Promise.reject(new Error('no more')) })).rejects.toThrow('no more');
     expect(darkest(mesh)).toBe(0);
   });
 
-  test('aborted before: nothing happens', async () => {
+  test('an abort before the bake changes nothing', async () => {
     const mesh = await prepared(ground());
     const onPass = vi.fn();
     await expect(bakeOcclusion(mesh, { signal: AbortSignal.abort('no'), onPass })).rejects.toBe('no');
     expect(onPass).not.toHaveBeenCalled();
   });
 
-  test('what onPass throws ends the bake and takes back what was shown', async () => {
+  test('an error in onPass ends the bake and removes its results', async () => {
     const mesh = await prepared(ground());
     const onPass = (bake: OcclusionBake) => {
       throw new Error(`seen ${bake.directions}`);
@@ -281,7 +281,7 @@ describe('on the way', () => {
   });
 });
 
-describe('what is refused', () => {
+describe('wrong calls', () => {
   test.each([
     [{ direction: 1 }, 'unknown option "direction"'],
     [{ directions: 3 }, 'directions is 3'],
@@ -293,7 +293,7 @@ describe('what is refused', () => {
     await expect(bakeOcclusion(new Group(), options as never)).rejects.toThrow(message);
   });
 
-  test('nothing, and a scene without prepared meshes', async () => {
+  test('no scene, and a scene without prepared meshes', async () => {
     await expect(bakeOcclusion(undefined as never)).rejects.toThrow('expected a THREE.Object3D');
     await expect(bakeOcclusion(sceneOf(roof()))).rejects.toThrow('prepareHatchingGeometry()');
   });

@@ -30,7 +30,7 @@ const planOf = (mesh: Mesh, material: HatchingMaterial, options: ApplyHatchingOp
   return geometryPlans([planned], options).get(mesh.geometry)!;
 };
 
-test('a geometry is baked with a form field where its material follows the form, and only there', async () => {
+test('a geometry is baked with a form field only if its material follows the form', async () => {
   const scene = new Group().add(ring(), ring());
   const [first, second] = scene.children as Mesh[];
   await applyHatching(scene, { material: (_, mesh) => (mesh === first ? following : { technique: 'engraved' }) });
@@ -68,7 +68,7 @@ test('with auto, a shape that has a form is baked with it, and one of flat faces
   expect((scene.children as Mesh[]).map(({ geometry }) => geometry.hasAttribute('formValue'))).toEqual([true, false]);
 });
 
-test('strokes that follow the form ask for a field too', async () => {
+test('strokes that follow the form need a field too', async () => {
   const scene = new Group().add(ring(), ring());
   const [first, second] = scene.children as Mesh[];
   await applyHatching(scene, { material: (_, mesh) => (mesh === first ? { strokeField: 'form' } : {}) });
@@ -78,13 +78,13 @@ test('strokes that follow the form ask for a field too', async () => {
   });
 });
 
-test('the preset engraving leaves it to the shape, and banknote follows the form of all', () => {
+test('the preset engraving follows the form of suitable shapes, and banknote of all', () => {
   const plan = (preset: 'engraving' | 'banknote') => planOf(ring(), new HatchingMaterial({ preset })).form;
   expect(plan('engraving')).toMatchObject({ auto: true, crossAngle: Math.PI / 3 });
   expect(plan('banknote')).toMatchObject({ auto: false, crossAngle: Math.PI / 3 });
 });
 
-test('options override both, and may ask for a field or refuse it', () => {
+test('options override both, and may request a field or refuse it', () => {
   const material = new HatchingMaterial({ ...following, crossAngle: 1.2 });
   const form = { up: [0, 0, 1], crossAngle: 0.5, reach: 0.2 } as const;
   expect(planOf(ring(), material, { form }).form).toMatchObject(form);
@@ -131,7 +131,7 @@ describe('meshes whose borders meet', () => {
     return seam.filter(([value, others]) => others.some((other) => runsOn(value, other))).length / seam.length;
   };
 
-  test('share one field: lines run on from one to the other', async () => {
+  test('share one field: lines continue from one to the other', async () => {
     const [upper, lower] = [new Mesh(half(true), material), new Mesh(half(false), material)];
     await applyHatching(new Group().add(upper, lower), { material: following });
     expect(shareOfSeam(upper, lower)).toBe(1);

@@ -17,13 +17,13 @@ async function hatched(
   return materials[0];
 }
 
-test('what lets light through is drawn as glass: it hides nothing, and is nowhere dark', async () => {
+test('a material with transmission is drawn as glass, which hides nothing and is never dark', async () => {
   expect(await hatched({ transmission: 1 })).toMatchObject(GLASS);
   expect(await hatched({ transmission: 0.75 })).toMatchObject({ ...GLASS, paperOpacity: 0.25 });
   expect(await hatched({ transmission: 1 }, { paperOpacity: 0.5 })).toMatchObject({ ...GLASS, paperOpacity: 0.5 });
 });
 
-test('others are not, also where a picture says which parts let light through', async () => {
+test('other materials are not, nor those with a transmissionMap', async () => {
   const opaque = { transparent: false, depthWrite: true, paperOpacity: 1, toneCurve: 'perceptual', occlusion: 1 };
   expect(await hatched({})).toMatchObject(opaque);
   expect(await hatched({ transmission: 1, transmissionMap: new DataTexture() })).toMatchObject(opaque);

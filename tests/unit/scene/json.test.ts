@@ -26,7 +26,7 @@ test.each(['corner', 'indexed'] as const)(
   },
 );
 
-test('the layout pull comes back as its source', async () => {
+test('the layout pull is restored as its source', async () => {
   const geometry = await prepareHatchingGeometry(new BoxGeometry(), { layout: 'pull' });
   const { geometry: back } = loaded(new Mesh(geometry, new MeshBasicMaterial()));
   expect(back.attributes.position.count).toBe(36);

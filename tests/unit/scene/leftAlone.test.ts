@@ -51,7 +51,7 @@ test.each(kept)('a mesh whose material has %s is left alone, and listed with the
   ]);
 });
 
-test('userData.hatching leaves a mesh and all below alone with false, and hatches whatever its material with true', async () => {
+test('userData.hatching false leaves a mesh and its descendants alone, and true hatches them whatever the material', async () => {
   const [inside, wanted, other] = [crate(), crate(), crate()];
   wanted.material = new ShaderMaterial();
   wanted.userData.hatching = true;
@@ -65,14 +65,14 @@ test('userData.hatching leaves a mesh and all below alone with false, and hatche
   for (const mesh of [wanted, other]) expect(mesh.material).toBeInstanceOf(HatchingMaterial);
 });
 
-test('of several materials those with a shader of their own stay', async () => {
+test('among several materials those with their own shader stay', async () => {
   const glow = new ShaderMaterial();
   const mesh = new Mesh(new BoxGeometry(), [new MeshBasicMaterial(), glow]);
   const { skipped, materials } = await applyHatching(mesh, options);
   expect([mesh.material, skipped]).toEqual([[materials[0], glow], []]);
 });
 
-test('a scene of nothing but what is left alone is refused, with what was there', async () => {
+test('a scene in which every mesh is left alone is refused, with the reasons', async () => {
   const helpers = Array.from({ length: 5 }, () => new Mesh(new PlaneGeometry(), new ShaderMaterial()));
   await expect(applyHatching(new Group().add(...helpers), options)).rejects.toThrow(
     'applyHatching: nothing is left to hatch. The Mesh at Group/Mesh[0] is left alone: its material has a shader of its own.',
@@ -80,7 +80,7 @@ test('a scene of nothing but what is left alone is refused, with what was there'
   await expect(applyHatching(new Group().add(...helpers), options)).rejects.toThrow('So are 2 more meshes.');
 });
 
-test('after meshes were added another call hatches these, with strokes of the same size', async () => {
+test('another call hatches added meshes, with strokes of the same size', async () => {
   const first = new Mesh<BufferGeometry, Material>(new SphereGeometry(4, 8, 6), new MeshBasicMaterial());
   const root = new Group().add(first);
   const before = await applyHatching(root, options);
@@ -98,7 +98,7 @@ test('after meshes were added another call hatches these, with strokes of the sa
   expect([first.material, added.material.type]).toEqual([material, 'MeshStandardMaterial']);
 });
 
-test('values that three.js draws with never refuse a scene: the nearest in range is taken, with one warning', async () => {
+test('values out of range that three.js accepts are clamped, with one warning', async () => {
   const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
   const odd = () =>
     new Mesh(
@@ -117,7 +117,7 @@ test('values that three.js draws with never refuse a scene: the nearest in range
   warn.mockRestore();
 });
 
-test('a batch that cannot have outlines says so once', async () => {
+test('a batch causes one warning that it has no outlines', async () => {
   const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
   for (let i = 0; i < 2; i++) {
     const batch = new BatchedMesh(1, 24, 36, new MeshBasicMaterial());

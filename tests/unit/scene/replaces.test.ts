@@ -15,7 +15,7 @@ const scene = () => {
 const looksOf = (meshes: readonly Mesh[]) => meshes.map(({ geometry, material }) => ({ geometry, material }));
 
 describe('a look that replaces another', () => {
-  test('is drawn from when it is ready on; the one before is freed, and what both replaced is restored', async () => {
+  test("is drawn as soon as it is ready; the former one is freed, and the scene's own look can be restored", async () => {
     const { root, meshes, looks } = scene();
     const first = await applyHatching(root, 'technical');
     let freed = 0;
@@ -36,7 +36,7 @@ describe('a look that replaces another', () => {
     expect(looksOf(meshes)).toEqual(looks);
   });
 
-  test('takes what a mesh was given since, and meshes that came', async () => {
+  test('includes changed and added meshes', async () => {
     const { root, meshes, looks } = scene();
     const first = await applyHatching(root, 'technical');
     const other = new SphereGeometry(2, 8, 6);
@@ -53,7 +53,7 @@ describe('a look that replaces another', () => {
     expect(looksOf(meshes.slice(1))).toEqual(looks.slice(1));
   });
 
-  test('that fails or is aborted leaves the one before as it is', async () => {
+  test('that fails or is aborted leaves the former one unchanged', async () => {
     const { root, meshes, looks } = scene();
     const first = await applyHatching(root, 'technical');
     const before = looksOf(meshes);
@@ -75,7 +75,7 @@ describe('a look that replaces another', () => {
   });
 });
 
-test('restore leaves what a mesh was given since', async () => {
+test('restore keeps what was set on a mesh since', async () => {
   const { root, meshes, looks } = scene();
   const hatched = await applyHatching(root, 'technical');
   const geometry = new SphereGeometry(2, 8, 6);
@@ -89,7 +89,7 @@ test('restore leaves what a mesh was given since', async () => {
   expect(meshes[1].material).toBe(material);
 });
 
-test('restore knows what it gave by a proxy, as Vue hands it out', async () => {
+test('restore recognises its objects behind proxies, as in Vue', async () => {
   const { root, meshes, looks } = scene();
   const hatched = await applyHatching(root, 'technical');
   const wrapped = reactive(meshes[0]);

@@ -11,7 +11,7 @@ import { reactive as asInTheTests } from '../material/geometry/reactive.js';
 
 const map = TonalArtMap.fromHatchImages({ size: 4, images: [255, 128, 0].map((v) => [new Uint8Array(16).fill(v)]) });
 
-test('a scene in a ref is hatched and restored, by proxy or as it is', async () => {
+test('a scene in a ref is hatched and restored, by proxy or directly', async () => {
   const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
   const { geometry, material } = mesh;
   const root = ref(new Group().add(mesh));
@@ -54,7 +54,7 @@ test('a geometry in a ref is prepared', async () => {
   expect(prepared.userData.hatching.triangles).toBe(80);
 });
 
-test("the proxy of the tests does what Vue's does", () => {
+test("the proxy of the tests behaves like Vue's", () => {
   for (const wrap of [reactive, asInTheTests]) {
     const target = { inner: { value: 1 }, list: [{}], method() {}, made: new Map(), buffer: new Float32Array(1) };
     const proxy = wrap(target as object) as typeof target;

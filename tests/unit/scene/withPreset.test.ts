@@ -5,7 +5,7 @@ import { applyHatching } from '../../../src/scene/applyHatching.js';
 import { presets } from '../../../src/scene/presets.js';
 import { withPreset } from '../../../src/scene/withPreset.js';
 
-test('what is said beside a preset counts before it, parameter by parameter', () => {
+test('options override a preset, parameter by parameter', () => {
   expect(withPreset('pencil')).toEqual(presets.pencil);
   const { material, outlines, tonalArtMap, layout } = withPreset('pencil', {
     layout: 'pull',
@@ -18,7 +18,7 @@ test('what is said beside a preset counts before it, parameter by parameter', ()
   expect([tonalArtMap, layout]).toEqual([{ style: 'ruled', size: 64 }, 'pull']);
 });
 
-test('outlines can be left out or kept, a map taken away, and a function adds to the material', () => {
+test('outlines can be left out or kept, a map removed, and a function adds to the material', () => {
   expect(withPreset('pen', { outlines: false }).outlines).toBe(false);
   expect(withPreset('pen', { outlines: true }).outlines).toEqual(presets.pen.outlines);
   expect(withPreset('pencil', { tonalArtMap: null }).tonalArtMap).toBe(null);
@@ -32,12 +32,12 @@ test('outlines can be left out or kept, a map taken away, and a function adds to
   });
 });
 
-test('a style or a map that the material names counts before the map of the preset', () => {
+test("a style or a map among the material's parameters overrides the map of the preset", () => {
   const { material, tonalArtMap } = withPreset('pencil', { material: { tonalArtMap: 'dashes' } });
   expect([(material as { tonalArtMap: string }).tonalArtMap, tonalArtMap]).toEqual(['dashes', undefined]);
 });
 
-test('a preset of your own is taken as it is', () => {
+test('a preset of your own is used unchanged', () => {
   const mine = { material: { ink: 'red' }, outlines: { outlineWidth: 3 }, tonalArtMap: { style: 'ruled' } } as const;
   expect(withPreset(mine)).toEqual(mine);
 });
@@ -51,7 +51,7 @@ test.each([['scribble'], ['toString'], [7], [null]])('%s is no preset', async (n
   );
 });
 
-test('applyHatching takes a name in the place of options, or among them', async () => {
+test('applyHatching takes a name instead of options, or among them', async () => {
   for (const options of ['technical', { preset: 'technical' }, { preset: presets.technical }] as const) {
     const mesh = new Mesh(new SphereGeometry(1, 8, 6), new MeshBasicMaterial());
     const hatched = await applyHatching(mesh, options);

@@ -31,7 +31,7 @@ test('differs with the binding', () => {
   expect([pose.update(mesh), pose.update(mesh)]).toEqual([true, false]);
 });
 
-test('differs with influences, in a precision that floats cannot hold, and when there are more or fewer', () => {
+test('differs with influences, in double precision, and with their number', () => {
   const pose = new Pose();
   const mesh = new Mesh(new BoxGeometry());
   mesh.morphTargetInfluences = [0.1, 1 / 3];
@@ -44,7 +44,7 @@ test('differs with influences, in a precision that floats cannot hold, and when 
   expect([pose.update(mesh), pose.update(mesh)]).toEqual([true, false]);
 });
 
-test('of nothing that moves differs once', () => {
+test('of a rigid mesh differs once', () => {
   const pose = new Pose();
   const mesh = new Mesh(new BoxGeometry());
   expect([pose.update(mesh), pose.update(mesh)]).toEqual([true, false]);

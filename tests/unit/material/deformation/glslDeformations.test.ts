@@ -66,7 +66,7 @@ describe('meshes that share a geometry', () => {
     expect(drawn.passes).toBe(1);
   });
 
-  test('and move together take turns with two, one pass a frame', () => {
+  test('and move together alternate between two, with one pass per frame', () => {
     drawAll();
     for (let frame = 1; frame <= 10; frame++) {
       pose(frame / 10);
@@ -76,7 +76,7 @@ describe('meshes that share a geometry', () => {
     expect(drawn.targets.size).toBe(2);
   });
 
-  test('each have the pose they are in, whatever the others do', () => {
+  test('each have their own pose, whatever the others do', () => {
     crowd.forEach((mesh, i) => {
       mesh.morphTargetInfluences![0] = (i % 5) / 5;
     });
@@ -95,7 +95,7 @@ describe('meshes that share a geometry', () => {
     expect(drawn.passes).toBe(6);
   });
 
-  test('and move each on its own are drawn in place', () => {
+  test('and move separately are drawn into their own textures', () => {
     for (let frame = 0; frame < 3; frame++) {
       crowd.forEach((mesh, i) => {
         mesh.morphTargetInfluences![0] = i / 100 + frame;
@@ -111,7 +111,7 @@ describe('meshes that share a geometry', () => {
     expect(drawn.passes).toBe(1);
   });
 
-  test('lose what a material has drawn with it, and draw anew with another', () => {
+  test('lose the deformations of a disposed material, and draw again with another', () => {
     const [first] = drawAll();
     const other = new MeshBasicMaterial();
     material.dispose();

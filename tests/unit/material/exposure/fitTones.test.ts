@@ -13,13 +13,13 @@ function spread(from: number, to: number): WeightedValues {
 
 const NONE = new WeightedValues();
 
-test('what is as dark in its darks is made as bright, and nothing is taken from it', () => {
+test('light with the wanted contrast is scaled, without an offset', () => {
   const { scale, offset, white } = fitTones(spread(0, 2), spread(0, 1), NONE);
   expect(scale).toBeCloseTo(0.5, 2);
   expect([offset, white]).toEqual([0, 1]);
 });
 
-test('what has no darks gets them, its brights being where they should, and never by more than four', () => {
+test('a surface without dark parts gets them, with its bright parts kept, at a contrast of at most four', () => {
   const half = fitTones(spread(1, 2), spread(0, 1), NONE);
   // From 1.1 to 1.9 to from 0.1 to 0.9.
   expect(half.scale).toBeCloseTo(1, 2);

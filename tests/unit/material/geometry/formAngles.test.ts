@@ -3,7 +3,7 @@ import { expect, test, vi } from 'vitest';
 import { noteFormAngle, watchFormAngle } from '../../../../src/material/geometry/formAngles.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 
-test('each new angle is told once, of the watched material alone', () => {
+test('each new angle is reported once, for the watched material alone', () => {
   const [geometry, material, other] = [new BufferGeometry(), new HatchingMaterial(), new HatchingMaterial()];
   const onOther = vi.fn();
   watchFormAngle(geometry, material, material.crossAngle, onOther);

@@ -36,7 +36,7 @@ describe.each(['indexed', 'corner', 'pull'] as const)('the layout %s', (layout) 
   });
 });
 
-test('the other family crosses the first at the angle that was asked for', async () => {
+test('the other family crosses the first at the requested angle', async () => {
   for (const crossAngle of [Math.PI / 3, Math.PI / 2]) {
     const geometry = await prepareTube({ form: { crossAngle } });
     for (let vertex = 0; vertex < geometry.attributes.position.count; vertex++) {
@@ -47,7 +47,7 @@ test('the other family crosses the first at the angle that was asked for', async
   }
 });
 
-test('it takes 24 bytes per vertex, and no geometry has it that did not ask', async () => {
+test('it takes 24 bytes per vertex, and exists only on request', async () => {
   const plain = await prepareTube({});
   const formed = await prepareTube({ form: true });
   expect(NAMES.filter((name) => plain.hasAttribute(name))).toEqual([]);
@@ -64,7 +64,7 @@ test('it takes two vertex buffers', async () => {
   expect(new Set([formValue, formSlope, formCrossing].map(bufferOf)).size).toBe(2);
 });
 
-test('a prepared geometry that is prepared again takes nothing over', async () => {
+test('a prepared geometry that is prepared again keeps no old form attributes', async () => {
   const formed = await prepareTube({ form: true });
   expect((await prepareHatchingGeometry(formed)).hasAttribute('formValue')).toBe(false);
   const again = await prepareHatchingGeometry(formed, { form: true });

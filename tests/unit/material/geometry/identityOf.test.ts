@@ -6,7 +6,7 @@ import { pulledVerticesOf } from '../../../../src/material/geometry/pulledVertic
 import { reactive } from './reactive.js';
 
 describe('identityOf', () => {
-  test('is one for an object and its proxies, whichever is asked first, and another for another object', () => {
+  test('is the same for an object and its proxies, in any order, and differs between objects', () => {
     const [a, b] = [new Mesh(), new Mesh()];
     expect(identityOf(a)).toBe(identityOf(reactive(a)));
     expect(identityOf(reactive(b))).toBe(identityOf(b));
@@ -14,7 +14,7 @@ describe('identityOf', () => {
     expect(identityOf(a)).toBe(identityOf(a));
   });
 
-  test('shows in no listing, no copy and no JSON', () => {
+  test('does not appear in listings, copies or JSON', () => {
     const thing = { name: 'thing' };
     identityOf(thing);
     expect(Object.keys(thing)).toEqual(['name']);
@@ -23,7 +23,7 @@ describe('identityOf', () => {
     expect(structuredClone(thing)).toEqual({ name: 'thing' });
   });
 
-  test('of what is frozen is the thing itself', () => {
+  test('of a frozen object is the object itself', () => {
     const frozen = Object.freeze({});
     expect(identityOf(frozen)).toBe(frozen);
   });

@@ -49,7 +49,7 @@ const cornersOf = (geometry: BufferGeometry, name: string): number[][] => {
 };
 
 describe('the prepared geometry', () => {
-  test('has its vertices and an index, copies where it is sharp, hatch normals, normals, bounds and statistics', async () => {
+  test('has its vertices, an index, copies at sharp edges, hatch normals, normals, bounds and statistics', async () => {
     const geometry = fold();
     geometry.name = 'fold';
     geometry.userData = { mine: 1 };
@@ -116,7 +116,7 @@ describe('the prepared geometry', () => {
     expect((await prepareIndexed(indexed)).userData).toEqual(indexed.userData);
   });
 
-  test('depends on nothing that the caller does meanwhile', async () => {
+  test('does not depend on changes during the bake', async () => {
     const geometry = fold();
     const expected = cornersOf(await prepareIndexed(fold()), 'position');
     const promise = prepareIndexed(geometry);

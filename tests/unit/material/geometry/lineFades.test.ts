@@ -14,7 +14,7 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-test('lines fade into grey, stay there, and come out of it, with a frame for each step', async () => {
+test('lines fade into grey, stay there, and fade in again, with a frame for each step', async () => {
   motion(false);
   const [before, after, other] = [new BufferGeometry(), new BufferGeometry(), new BufferGeometry()];
   const seen: number[] = [];
@@ -36,7 +36,7 @@ test('lines fade into grey, stay there, and come out of it, with a frame for eac
   expect(lineContrast(before)).toBe(1);
 });
 
-test('where less motion is asked for nothing fades, and no frame is drawn for it', async () => {
+test('nothing fades if reduced motion is preferred, and no frame is requested', async () => {
   motion(true);
   const geometry = new BufferGeometry();
   const onFrame = vi.fn();

@@ -146,7 +146,7 @@ describe('the data of outlines', () => {
     expect(wordsOf(outlineDataOf(again)!.primitives)).toEqual(wordsOf(outlineDataOf(geometry)!.primitives));
   });
 
-  test('are lost with JSON, and no harm is done', async () => {
+  test('are lost with JSON, without an error', async () => {
     const geometry = await prepare(new BoxGeometry());
     geometry.userData = JSON.parse(JSON.stringify(geometry.userData));
     expect(outlineDataOf(geometry)).toBeUndefined();
@@ -156,7 +156,7 @@ describe('the data of outlines', () => {
     }
   });
 
-  test('are two textures of whole rows, uploaded once, and what contours are looked for in', async () => {
+  test('are two textures of whole rows, uploaded once, and the search data', async () => {
     const geometry = await prepare(new SphereGeometry(1, 64, 32));
     const { points, primitives, search, triangleCount, edgeCount, radius, isSearchedInWorker } =
       outlineDataOf(geometry)!;
@@ -174,7 +174,7 @@ describe('the data of outlines', () => {
     expect(search!.primitives).toBe(wordsOf(primitives));
   });
 
-  test('have a copy for the worker where that does the search, which the bake has made', async () => {
+  test('include a copy for the worker if that searches, made by the bake', async () => {
     const prepared = await prepareHatchingGeometry(new TorusGeometry(1, 0.4, 250, 200), { outlines: true });
     const large = outlineDataOf(prepared)!;
     expect(large.isSearchedInWorker).toBe(true);
@@ -188,13 +188,10 @@ describe('the data of outlines', () => {
     expect(outlineDataOf(small)!.isSearchedInWorker).toBe(false);
   });
 
-  test.each(['corner', 'pull', 'indexed'] as const)(
-    'know the worker that the options name, layout %s',
-    async (layout) => {
-      const createWorker = () => null as unknown as Worker;
-      const geometry = await prepare(new BoxGeometry(), { outlines: true, layout, createWorker });
-      expect(outlineDataOf(geometry)!.createWorker).toBe(createWorker);
-      expect(outlineDataOf(await prepare(new BoxGeometry(), { outlines: true, layout }))!.createWorker).toBeUndefined();
-    },
-  );
+  test.each(['corner', 'pull', 'indexed'] as const)('use the worker of the options, layout %s', async (layout) => {
+    const createWorker = () => null as unknown as Worker;
+    const geometry = await prepare(new BoxGeometry(), { outlines: true, layout, createWorker });
+    expect(outlineDataOf(geometry)!.createWorker).toBe(createWorker);
+    expect(outlineDataOf(await prepare(new BoxGeometry(), { outlines: true, layout }))!.createWorker).toBeUndefined();
+  });
 });

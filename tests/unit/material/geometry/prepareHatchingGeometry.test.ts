@@ -133,7 +133,7 @@ describe('the prepared geometry', () => {
     expect(twice.userData).toEqual(once.userData);
   });
 
-  test('depends on nothing that the caller does meanwhile', async () => {
+  test('does not depend on changes during the bake', async () => {
     const geometry = quad();
     const expected = layoutOf(await prepareHatchingGeometry(quad(), { adjacency: true }));
     const promise = prepareHatchingGeometry(geometry, { adjacency: true });
@@ -213,7 +213,7 @@ describe('input', () => {
     expect(snapshot(geometry)).toEqual(before);
   });
 
-  test('quantised positions have the value the vertex shader sees', async () => {
+  test('quantised positions have the value that the vertex shader reads', async () => {
     const values = new Int16Array([-32768, -32767, 1, 12345, 0, 32767, 1, 2, -3]);
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(values, 3, true));
@@ -618,7 +618,7 @@ describe('options', () => {
     expect(prepared.hasAttribute('cornerNext')).toBe(layout === 'corner');
   });
 
-  test('the layout pull takes 32 bytes per triangle and 16 per vertex beside what the corners have', async () => {
+  test('the layout pull takes 32 bytes per triangle and 16 per vertex, besides the corners', async () => {
     const source = new TorusKnotGeometry(1, 0.3, 400, 32);
     const { triangles, bytes, borderEdges } = (await prepareHatchingGeometry(source, { layout: 'pull' })).userData
       .hatching;
@@ -684,7 +684,7 @@ describe('options', () => {
     for (let i = 1; i < progress.length; i++) expect(progress[i]).toBeGreaterThan(progress[i - 1]);
   });
 
-  test('an aborted signal rejects with its reason, before anything is looked at', async () => {
+  test('an aborted signal rejects with its reason, before any check', async () => {
     const reason = new Error('not wanted');
     await expect(prepareHatchingGeometry(null as never, { signal: AbortSignal.abort(reason) })).rejects.toBe(reason);
   });

@@ -40,7 +40,7 @@ describe.each(layouts)('normals that cannot be used, layout %s', (layout) => {
     }
   });
 
-  test('of a vertex that no triangle uses they are not computed, and the others stay', async () => {
+  test('unused vertices get no computed normals, and the others stay', async () => {
     const source = plane([[0, 0, 0]]);
     // Of the plane's two triangles, 0 2 1 and 2 3 1, the second alone.
     source.setDrawRange(3, 3);

@@ -14,7 +14,7 @@ function exchangePositions(geometry: BufferGeometry, change: (x: number, i: numb
 }
 
 describe.each(['corner', 'pull', 'indexed'] as const)('positions of the layout %s', (layout) => {
-  test('are those of the bake, in clones, behind a proxy and in another array of the same numbers too', async () => {
+  test('are those of the bake, also in clones, behind a proxy and in an equal array', async () => {
     const geometry = await prepare(layout);
     for (const same of [geometry, geometry.clone(), reactive(geometry), reactive(geometry.clone())]) {
       expect(isStale(same)).toBe(false);
@@ -23,7 +23,7 @@ describe.each(['corner', 'pull', 'indexed'] as const)('positions of the layout %
     }
   });
 
-  test('are others once they are exchanged, in a clone before it is first seen too', async () => {
+  test('differ once they are replaced, also in a clone before its first use', async () => {
     const geometry = await prepare(layout);
     for (const other of [geometry.clone(), geometry, geometry.clone()]) {
       exchangePositions(other, (x, i) => (i === 4 ? x + 0.01 : x));
@@ -32,12 +32,12 @@ describe.each(['corner', 'pull', 'indexed'] as const)('positions of the layout %
     }
   });
 
-  test('are others in a clone of what has moved', async () => {
+  test('differ in a clone of a changed geometry', async () => {
     const geometry = await prepare(layout);
     expect(isStale(geometry.translate(0, 1, 0).clone())).toBe(true);
   });
 
-  test('are others where there are fewer or more', async () => {
+  test('differ if there are fewer or more', async () => {
     const geometry = await prepare(layout);
     const { array } = geometry.attributes.position;
     for (const other of [array.slice(0, 30), Float32Array.of(...array, 0, 0, 0)]) {
@@ -48,12 +48,12 @@ describe.each(['corner', 'pull', 'indexed'] as const)('positions of the layout %
   });
 });
 
-test('vertices that were put in another order take their stroke normals along', async () => {
+test('reordered vertices keep their stroke normals', async () => {
   const merged = mergeVertices(await prepare('indexed'));
   expect(isStale(merged)).toBe(false);
 });
 
-test('a geometry whose bake is not known is taken as it is first seen', async () => {
+test('a geometry without a known bake counts as fresh at first use', async () => {
   const loaded = (await prepare('corner')).clone();
   loaded.userData = structuredClone(loaded.userData);
   exchangePositions(loaded, (x) => x + 1);

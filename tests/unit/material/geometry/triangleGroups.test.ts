@@ -3,12 +3,12 @@ import { triangleGroups } from '../../../../src/material/geometry/prepareHatchin
 
 const group = (start: number, count: number, materialIndex?: number) => ({ start, count, materialIndex });
 
-test('there are none where all triangles are in one', () => {
+test('there are none if all triangles are in one group', () => {
   expect(triangleGroups({ start: 0, count: 12, groups: [] })).toBeNull();
   expect(triangleGroups({ start: 0, count: 12, groups: [group(0, 12, 3)] })).toBeNull();
 });
 
-test('each triangle has one more than the number of its material, those outside of all groups 0', () => {
+test('each triangle has its material index plus 1, those outside of all groups 0', () => {
   const groups = [group(0, 3, 2), group(3, 6, 0), group(12, 3, 5)];
   expect(triangleGroups({ start: 0, count: 18, groups })).toEqual(new Uint16Array([3, 1, 1, 0, 6, 0]));
 });

@@ -41,7 +41,7 @@ describe('three’s own shapes are closed', () => {
   });
 });
 
-test('what is drawn keeps its positions, in every layout', async () => {
+test('drawn positions stay, in every layout', async () => {
   const source = new SphereGeometry();
   for (const layout of ['corner', 'pull', 'indexed'] as const) {
     const exact = await prepareHatchingGeometry(source, { layout, weldTolerance: 0 });

@@ -63,14 +63,14 @@ describe('a small mesh is searched at once', () => {
     expect(listOf(list)).toEqual(expected(eye));
   });
 
-  test('but not from within its sphere, or nothing would be sure', () => {
+  test('but not from inside its bounding sphere', () => {
     const [list, data] = [new ContourList(), new OutlineData(packed)];
     for (const radius of [eye.z, eye.z + 1, Number.NaN])
       expect(list.update(data, eye, new Sphere(new Vector3(), radius))).toBe(false);
     expect(list.texture).toBeNull();
   });
 
-  test('by its direction alone with an orthographic camera, wherever that is', () => {
+  test('by direction alone with an orthographic camera, wherever it is', () => {
     const [list, data] = [new ContourList(), new OutlineData(packed)];
     const turned = (angle: number) => new Vector4(Math.sin(angle), 0, Math.cos(angle), 0);
     expect(list.update(data, turned(0), BOUNDS)).toBe(true);
@@ -177,7 +177,7 @@ describe('a large mesh is searched in the worker', () => {
     expect(worker.ids).toHaveLength(1);
   });
 
-  test('and asked for anew at half its reach, while it serves', async () => {
+  test('and a new list is requested at half the reach of the old one', async () => {
     const { worker, data, answer, start } = largeData();
     own(data);
     const list = new ContourList();
@@ -204,7 +204,7 @@ describe('a large mesh is searched in the worker', () => {
     expect(list.update(data, moved(-0.5), BOUNDS)).toBe(false);
   });
 
-  test('and where the worker fails, everything is tested and another search begins, but not for ever', async () => {
+  test('and if the worker fails, everything is tested and the search is repeated, but not for ever', async () => {
     const { worker, data, start } = largeData();
     own(data);
     const list = new ContourList();
@@ -222,7 +222,7 @@ describe('a large mesh is searched in the worker', () => {
     expect(data.search).toBeNull();
   });
 
-  test('and a list for the geometry before is left alone when it comes', async () => {
+  test('and a late list for the former geometry is ignored', async () => {
     const [first, second] = [largeData(), largeData(otherPacked)];
     own(first.data);
     own(second.data);
@@ -244,7 +244,7 @@ describe('a large mesh is searched in the worker', () => {
     expect(listOf(list)).toEqual(expected(eye, WIDE, otherPacked));
   });
 
-  test('and what comes after the outlines were disposed of makes no texture', async () => {
+  test('and a list that arrives after disposal makes no texture', async () => {
     const { data, answer, start } = largeData();
     own(data);
     const list = new ContourList();

@@ -206,7 +206,7 @@ describe('copy and clone', () => {
   });
 });
 
-test('another program is asked for only where wobble or deformation begin or end', () => {
+test('the program changes only if wobble or deformation start or end', () => {
   const material = new HatchingOutlineMaterial();
   material.writeUniforms(false, true);
   const { version } = material;
@@ -223,7 +223,7 @@ test('another program is asked for only where wobble or deformation begin or end
   expect(step(false, {})).toEqual([4, false, false]);
 });
 
-test('its shaders have no include of ours left, and one place for each name they share with the bake', () => {
+test('its shaders have all includes resolved, and define each name shared with the bake once', () => {
   const { vertexShader, fragmentShader } = new HatchingOutlineMaterial();
   expect(`${vertexShader}${fragmentShader}`).not.toMatch(/#include\s*"/);
   expect(vertexShader).toContain('#define EDGE_CORNER_AT_END 32u');
@@ -241,7 +241,7 @@ test.each([2, 0.5])('sizes are in CSS pixels, %d pixels of the renderer each, an
   }
 });
 
-test('groups count on meshes with several materials alone', () => {
+test('groups count only on meshes with several materials', () => {
   const material = new HatchingOutlineMaterial({ materialBorders: 0.5 });
   material.writeUniforms(false, false);
   expect(material.uniforms.materialBorders.value).toBe(0);

@@ -50,7 +50,7 @@ const createMesh = (withOutlines = true) => {
 const outlinesOf = (object: Object3D) => object.children.find((child) => child instanceof HatchingOutlines)!;
 
 describe('the mesh', () => {
-  test('is the one that is given, or else the parent', () => {
+  test('is the given one, or else the parent', () => {
     const mesh = createMesh(false);
     const outlines = new HatchingOutlines();
     expect(outlines.mesh).toBeNull();
@@ -92,7 +92,7 @@ describe('the mesh', () => {
     expect(outlinesOf(clone.children[0]).mesh).toBe(clone.children[0]);
   });
 
-  test('stays where the outlines are elsewhere', () => {
+  test('is kept if the outlines have another parent', () => {
     const mesh = createMesh(false);
     const outlines = new HatchingOutlines(mesh);
     new Scene().add(outlines);
@@ -127,7 +127,7 @@ describe('the material', () => {
   });
 });
 
-test('with a material of others, as helpers give to every object for a moment, nothing is drawn', () => {
+test('nothing is drawn with a foreign material, as helpers set on every object for a moment', () => {
   const outlines = outlinesOf(createMesh()) as HatchingOutlines;
   const own = outlines.material;
   Object.assign(outlines, { material: new ShaderMaterial() });
@@ -136,7 +136,7 @@ test('with a material of others, as helpers give to every object for a moment, n
   outlines.material = own;
 });
 
-test('of a surface whose materials are invisible no outline is drawn', () => {
+test('a surface with invisible materials has no outlines', () => {
   const mesh = createMesh();
   const outlines = outlinesOf(mesh) as HatchingOutlines;
   for (const material of [mesh.material, [mesh.material, new MeshBasicMaterial({ visible: false })]]) {
@@ -157,7 +157,7 @@ test('an override material finds no colours and no morph targets of instances, w
 });
 
 describe('in a scene', () => {
-  test('rays go through', () => {
+  test('raycasts ignore them', () => {
     const mesh = createMesh();
     const ray = new Raycaster(new Vector3(0, 0, 9), new Vector3(0, 0, -1));
     expect(ray.intersectObject(outlinesOf(mesh))).toEqual([]);
@@ -166,7 +166,7 @@ describe('in a scene', () => {
     expect(new Set(hits.map(({ object }) => object))).toEqual(new Set([mesh]));
   });
 
-  test.each([false, true])('boxes are as without (precise: %s)', (precise) => {
+  test.each([false, true])('bounding boxes ignore them (precise: %s)', (precise) => {
     const [mesh, plain] = [createMesh(), createMesh(false)];
     for (const object of [mesh, plain]) {
       object.position.set(5, 6, 7);
@@ -202,7 +202,7 @@ describe('in a scene', () => {
     expect(new Vector3().setFromMatrixPosition(outlines.matrixWorld).x).toBeCloseTo(10, 5);
   });
 
-  test('nothing is drawn without a mesh, or with a geometry that has no outlines, which is said once', () => {
+  test('nothing is drawn without a mesh, or with a geometry without outlines, which is reported once', () => {
     const outlines = new HatchingOutlines();
     const draw = () => outlines.onBeforeRender({} as never, new Scene(), new PerspectiveCamera());
     outlines.geometry.setDrawRange(0, 99);

@@ -64,7 +64,7 @@ function needed(mesh: InstancedMesh, instance: number, { x, y, z, w }: Vector4):
 const EYE = new Vector4(3, 1, 0, 1);
 
 describe('what may hold an outline of any instance', () => {
-  test('is listed, with the instance it is of, and little else', () => {
+  test('is listed with its instance, and little else is', () => {
     const mesh = row(10);
     const list = new InstanceList();
     expect(list.update(data, mesh, EYE)).toBe(true);
@@ -78,7 +78,7 @@ describe('what may hold an outline of any instance', () => {
     ]);
   });
 
-  test('is listed for every place that the eye may be at before the list is made anew', () => {
+  test('is listed for every eye position before the next list', () => {
     const mesh = row(6);
     const list = new InstanceList();
     list.update(data, mesh, EYE);
@@ -103,7 +103,7 @@ describe('what may hold an outline of any instance', () => {
     expect(list.texture).not.toBe(texture);
   });
 
-  test('is every primitive of an instance that the eye is in, flat or not', () => {
+  test('is every primitive of an instance around the eye, flat or not', () => {
     const mesh = instances([
       new Matrix4().setPosition(3, 1, 0.5),
       new Matrix4().makeScale(1, 0, 1).setPosition(0, 0, -30),
@@ -116,7 +116,7 @@ describe('what may hold an outline of any instance', () => {
     expect(pairs.get(2)!.size).toBeLessThan(PRIMITIVES / 2);
   });
 
-  test('is listed from a direction too, and anew for another', () => {
+  test('is listed for an orthographic direction, and again for another', () => {
     const mesh = row(3);
     const list = new InstanceList();
     const direction = new Vector4(0, 0, 1, 0);
@@ -128,7 +128,7 @@ describe('what may hold an outline of any instance', () => {
 });
 
 describe('a list', () => {
-  test('is not made while instances move, and again when they rest', () => {
+  test('is not made while instances move, but when they rest', () => {
     const mesh = row(3);
     const list = new InstanceList();
     list.update(data, mesh, EYE);
@@ -145,7 +145,7 @@ describe('a list', () => {
     expect([...listed(list).keys()]).toEqual([0, 1]);
   });
 
-  test('of more than the page has time for is none', () => {
+  test('is not made for too many primitives', () => {
     const mesh = row(1);
     mesh.count = 8_000_001;
     expect(new InstanceList().update(data, mesh, EYE)).toBe(false);

@@ -22,14 +22,14 @@ const count = (flags: readonly number[], flag: number): number => flags.filter((
 /** The parts of triangles by their group of two, as the sides of a box have them. */
 const bySides = (sides: readonly number[]): Int32Array => Int32Array.from(sides.flatMap((side) => [side, side]));
 
-test('all in one part is the whole', async () => {
+test('a single part has all outlines', async () => {
   const data = await outlinesOf(new BoxGeometry());
   const [part] = splitterOf(data).split(new Int32Array(12), 1);
   expect([part.triangleCount, part.edgeCount, part.points]).toEqual([12, data.edgeCount, data.points]);
   expect(flagsOf(part)).toEqual(flagsOf(data));
 });
 
-test('a side that is not drawn leaves borders, and no crease', async () => {
+test('an undrawn side leaves borders and no crease', async () => {
   const data = await outlinesOf(new BoxGeometry());
   const [part] = splitterOf(data).split(bySides([0, 0, 0, NO_PART, 0, 0]), 1);
   const flags = flagsOf(part);
@@ -38,13 +38,13 @@ test('a side that is not drawn leaves borders, and no crease', async () => {
   expect(flags.filter((each) => each & BORDER && each & (CREASE | MATERIAL_BORDER))).toEqual([]);
 });
 
-test('an edge between two parts is of the first, and of no other', async () => {
+test('an edge between two parts belongs to the first alone', async () => {
   const data = await outlinesOf(new BoxGeometry());
   const [first, second] = splitterOf(data).split(bySides([0, 1, 1, 1, 1, 1]), 2);
   expect([first.triangleCount, first.edgeCount, second.triangleCount, second.edgeCount]).toEqual([2, 4, 10, 8]);
 });
 
-test('where a smooth or flat surface is cut, it has borders', async () => {
+test('a smooth or flat surface has borders where it is cut', async () => {
   const plane = await outlinesOf(new PlaneGeometry(2, 1, 2, 1));
   const [half] = splitterOf(plane).split(Int32Array.of(0, 0, NO_PART, NO_PART), 1);
   expect(count(flagsOf(half), BORDER)).toBe(4);

@@ -96,7 +96,7 @@ describe('layers', () => {
     return outlines.layers.test(camera.layers);
   };
 
-  test('are those of the mesh, also when they change later', () => {
+  test('are those of the mesh, also after a change', () => {
     const { mesh, outlines } = outlined(box, new MeshBasicMaterial());
     expect([isSeen(outlines, 0), isSeen(outlines, 1)]).toEqual([true, false]);
     mesh.layers.set(1);
@@ -108,7 +108,7 @@ describe('layers', () => {
     expect(outlines.layers.isEnabled(2)).toBe(true);
   });
 
-  test('still are when all objects of a scene were moved to a layer, and then the mesh alone', () => {
+  test('follow the mesh after all objects of a scene were moved to a layer', () => {
     const { mesh, outlines } = outlined(box, new MeshBasicMaterial());
     mesh.traverse((object) => object.layers.set(3));
     expect(isSeen(outlines, 3)).toBe(true);
@@ -116,7 +116,7 @@ describe('layers', () => {
     expect([isSeen(outlines, 0), isSeen(outlines, 3)]).toEqual([true, false]);
   });
 
-  test('may be others', () => {
+  test('can be set on the outlines themselves', () => {
     const { mesh, outlines } = outlined(box, new MeshBasicMaterial());
     outlines.layers.set(2);
     expect(mesh.layers.mask).toBe(1);
@@ -137,7 +137,7 @@ describe('layers', () => {
     expect(mesh.layers.mask).toBe(2);
   });
 
-  test('without a mesh are those of every object', () => {
+  test('without a mesh are the default layers', () => {
     const { layers }: { layers: Layers } = new HatchingOutlines();
     expect(layers.mask).toBe(1);
     layers.set(2);
@@ -145,7 +145,7 @@ describe('layers', () => {
   });
 });
 
-test('the order of drawing is that of the mesh, unless the outlines have one', () => {
+test('renderOrder is that of the mesh, unless the outlines have their own', () => {
   const { mesh, outlines } = outlined(box, new MeshBasicMaterial());
   mesh.renderOrder = 7;
   expect(outlines.renderOrder).toBe(7);
@@ -156,7 +156,7 @@ test('the order of drawing is that of the mesh, unless the outlines have one', (
 });
 
 describe('a mesh with one material', () => {
-  test('fades with its outlines, which are not drawn at 0', () => {
+  test('passes its opacity on to its outlines, which are not drawn at 0', () => {
     const material = faded(0.25);
     const { outlines } = outlined(box, material, { opacity: 0.5 });
     expect(draw(outlines)).toMatchObject([{ opacity: 0.125 }]);
@@ -169,7 +169,7 @@ describe('a mesh with one material', () => {
     expect(draw(outlines)).toEqual([]);
   });
 
-  test('that shares the material of its outlines with others fades alone', () => {
+  test('whose outlines share a material with others fades alone', () => {
     const shared = new HatchingOutlineMaterial({ suggestiveContours: 1 });
     const renderer = new NotingRenderer();
     const make = (material: Material) => {
@@ -189,12 +189,12 @@ describe('a mesh with one material', () => {
 describe('groups', () => {
   const whole = () => draw(outlined(box, new MeshBasicMaterial()).outlines)[0].primitives;
 
-  test('with materials that outlines cannot tell apart are drawn at once', () => {
+  test('whose outlines look alike are drawn in one draw', () => {
     const colours = Array.from({ length: 6 }, (_, i) => new MeshBasicMaterial({ color: i }));
     expect(draw(outlined(box, colours).outlines)).toMatchObject([{ primitives: whole(), opacity: 1 }]);
   });
 
-  test('that no material draws have no outlines', () => {
+  test('without a visible material have no outlines', () => {
     const material = new MeshBasicMaterial();
     const hidden = new MeshBasicMaterial({ visible: false });
     // Of a side of two triangles four edges are shared with others, which have borders there.
@@ -209,7 +209,7 @@ describe('groups', () => {
     expect(draw(outlined(box, []).outlines)).toEqual([]);
   });
 
-  test('that fade do so alone, and keep no edge of those that do not', () => {
+  test('that fade do so separately, and share no edge with those that do not', () => {
     const materials: Material[] = Array.from({ length: 6 }, () => new MeshBasicMaterial());
     materials[3] = faded(0.5);
     const { outlines } = outlined(box, materials);
@@ -223,7 +223,7 @@ describe('groups', () => {
   });
 });
 
-test('what changes from frame to frame is drawn as if it were new', () => {
+test('outlines that change from frame to frame are drawn as new ones would be', () => {
   const random = randomNumbers(7);
   const pick = (count: number): number => Math.floor(count * random());
   const geometry = box.clone();
@@ -271,7 +271,7 @@ test('a draw range is followed when it changes, and ends in borders', () => {
   expect(draw(outlines)).toEqual([all]);
 });
 
-test('of a part the outlines that may be seen are listed once it stays as it is', () => {
+test('a part has a list once it is unchanged', () => {
   const { mesh, outlines } = outlined(box, new MeshBasicMaterial(), { suggestiveContours: 0 });
   const renderer = new NotingRenderer();
   mesh.geometry.setDrawRange(0, 24);
@@ -301,7 +301,7 @@ describe('outlines that lie elsewhere than on their mesh', () => {
   });
 });
 
-test('what the mesh does before and after it is drawn is not done once more', () => {
+test('hooks of the mesh before and after drawing run only once', () => {
   const { mesh, outlines } = outlined(box, [new MeshBasicMaterial(), faded(0.5)]);
   mesh.onBeforeRender = vi.fn();
   mesh.onAfterRender = vi.fn();

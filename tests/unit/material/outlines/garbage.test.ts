@@ -80,7 +80,7 @@ test('frames of outlines leave no garbage', async () => {
   expectNoGarbage(() => new Mesh(geometry, new MeshBasicMaterial()), MESHES, MOST);
 });
 
-test('nor do those of meshes whose groups look different', async () => {
+test('frames of meshes with different groups leave no garbage', async () => {
   const geometry = await prepareHatchingGeometry(new BoxGeometry(), { layout: 'indexed', outlines: true });
   geometry.computeBoundingSphere();
   const looks = [{}, { transparent: true, opacity: 0.5 }, { depthTest: false }, { visible: false }];

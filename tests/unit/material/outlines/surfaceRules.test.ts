@@ -47,7 +47,7 @@ test.each<[MaterialParameters, number]>([
   expect(opacityOf(surface(parameters))).toBe(share);
 });
 
-test('colours of vertices with an alpha count, where they fade their material: the most opaque one', () => {
+test('vertex colours with alpha count if they fade their material: the most opaque one', () => {
   const geometry = new BufferGeometry();
   const color = new BufferAttribute(Float32Array.of(1, 1, 1, 0.2, 1, 1, 1, 0.5), 4);
   geometry.setAttribute('color', color);
@@ -61,7 +61,7 @@ test('colours of vertices with an alpha count, where they fade their material: t
   expect(opacityOf(faded, geometry)).toBe(0.5);
 });
 
-test('nothing is seen of a material that is not visible, writes no colour, is see-through or passes no test', () => {
+test('a material that is invisible, writes no colour, is fully transparent or passes no test is not shown', () => {
   expect(isShown(surface())).toBe(true);
   const unseen = [
     { visible: false },
@@ -73,12 +73,12 @@ test('nothing is seen of a material that is not visible, writes no colour, is se
 });
 
 describe('outlines take from a surface', () => {
-  test('nothing, if it is as materials are', () => {
+  test('nothing, if its state is the default', () => {
     const material = new HatchingOutlineMaterial();
     expect(takeDrawState(material, surface({ opacity: 0.5, side: 2 }), null, {})).toBe(false);
   });
 
-  test('its opacity beside their own, and give it back', () => {
+  test('its opacity, times their own, and restore theirs', () => {
     const material = new HatchingOutlineMaterial({ opacity: 0.5 });
     const before: Partial<DrawState> = {};
     expect(takeDrawState(material, surface({ transparent: true, opacity: 0.4 }), null, before)).toBe(true);
@@ -138,7 +138,7 @@ describe('outlines take from a surface', () => {
     ).toBe(!isDrawnOnce);
   });
 
-  test('nothing in the place of a stencil, an offset and a depth test of their own', () => {
+  test('nothing that replaces their own stencil, offset and depth test', () => {
     const own = { stencilWrite: true, stencilRef: 9, polygonOffset: true, polygonOffsetUnits: 5, depthTest: false };
     const material = new HatchingOutlineMaterial(own);
     takeDrawState(
@@ -151,7 +151,7 @@ describe('outlines take from a surface', () => {
   });
 });
 
-test('materials look alike to outlines, whatever their colours are, unless they fade or are tested differently', () => {
+test('outlines of materials look alike, whatever their colours, unless opacity or tests differ', () => {
   expect(looksAlike(surface(), new MeshBasicMaterial({ color: 'red' }))).toBe(true);
   expect(looksAlike(surface(), surface({ transparent: true, opacity: 0.5 }))).toBe(false);
   expect(looksAlike(surface(), surface({ depthTest: false }))).toBe(false);

@@ -17,7 +17,7 @@ const constantImages = (size: number, values: number[][]): Uint8Array[][] =>
   values.map((row) => row.map((value, level) => new Uint8Array((size >> level) ** 2).fill(value)));
 
 describe('TonalArtMap.fromHatchImages', () => {
-  it('gives back sizes and bytes, as copies', () => {
+  it('returns sizes and bytes, as copies', () => {
     const images = constantImages(4, [
       [255, 254, 253],
       [90, 80, 70],
@@ -53,7 +53,7 @@ describe('TonalArtMap.fromHatchImages', () => {
     expect(texture.image).toMatchObject({ width: 2, height: 2, depth: 1 });
   });
 
-  it('does not ask for mip levels where there is one level', () => {
+  it('uses no mip levels with a single level', () => {
     const { texture } = TonalArtMap.fromHatchImages({ size: 2, images: constantImages(2, [[255], [0]]) });
     expect(texture.minFilter).toBe(LinearFilter);
   });
@@ -67,7 +67,7 @@ describe('TonalArtMap.fromHatchImages', () => {
     expect(disposed).toBe(2);
   });
 
-  it('derives thresholds, copies of which it gives away', () => {
+  it('derives thresholds, and returns copies of them', () => {
     const ink = new Uint8Array([0, 255, 255, 255]);
     const map = TonalArtMap.fromHatchImages({ size: 2, images: [[new Uint8Array(4).fill(255)], [ink]] });
     const thresholds = map.thresholds(0);
@@ -92,7 +92,7 @@ describe('TonalArtMap.fromHatchImages', () => {
 });
 
 describe('TonalArtMap.generate', () => {
-  it('draws where there are no workers, reports progress, and keeps the constraints', async () => {
+  it('draws without workers, reports progress, and keeps the constraints', async () => {
     const progress: number[] = [];
     const map = await TonalArtMap.generate({ size: 64, tones: 4, onProgress: (value) => progress.push(value) });
     expect([map.size, map.tones, map.levels]).toEqual([64, 4, 3]);
@@ -168,7 +168,7 @@ describe('TonalArtMap.draw', () => {
     expect(map.thresholds(0)).toEqual(generated.thresholds(0));
   });
 
-  it('says of what is read too early that the map is not drawn yet', async () => {
+  it('throws if the images are read before the map is drawn', async () => {
     const map = TonalArtMap.draw({ size: 64 });
     expect(() => map.image(0, 0)).toThrow('TonalArtMap.image: the map is not drawn yet; await its ready first.');
     expect(() => map.thresholds(0)).toThrow('is not drawn yet');
@@ -177,20 +177,20 @@ describe('TonalArtMap.draw', () => {
     await map.ready;
   });
 
-  it('refuses an option at once, and names itself', () => {
+  it('throws at once for a wrong option, and names itself', () => {
     expect(() => TonalArtMap.draw({ size: 100 })).toThrow('TonalArtMap.draw: size is 100');
     expect(() => TonalArtMap.draw({ style: 'hachures' as never })).toThrow('TonalArtMap.draw: style is hachures');
     expect(() => TonalArtMap.draw({ syze: 64 } as never)).toThrow('TonalArtMap.draw: unknown option "syze".');
   });
 
-  it('becomes ready after it was disposed of, and can be drawn with', async () => {
+  it('becomes ready after it was disposed of, and can be used', async () => {
     const map = TonalArtMap.draw({ size: 64 });
     map.dispose();
     await map.ready;
     expect(map.report.consistent).toBe(true);
   });
 
-  it('tells of a failure once in the console where nobody asks for its promise, and rejects where somebody does', async () => {
+  it('reports a failure once in the console if nobody reads its promise, and otherwise rejects', async () => {
     const error = vi.spyOn(console, 'error').mockImplementation(() => {});
     const fails = (): never => {
       throw new Error('no pen');
@@ -205,7 +205,7 @@ describe('TonalArtMap.draw', () => {
     expect(error).toHaveBeenCalledTimes(1);
   });
 
-  it('stops without a word when its signal is aborted', async () => {
+  it('stops silently when its signal is aborted', async () => {
     const error = vi.spyOn(console, 'error').mockImplementation(() => {});
     const controller = new AbortController();
     const map = TonalArtMap.draw({ size: 64, signal: controller.signal });
@@ -224,7 +224,7 @@ describe('TonalArtMap.strokeTexels', () => {
     expect((await TonalArtMap.generate({ size: 64, strokeTexels: 2.5 })).strokeTexels).toBe(2.5);
   });
 
-  it('is told with images of your own, or taken to be 2', () => {
+  it('is given with your own images, or 2', () => {
     expect(TonalArtMap.fromHatchImages({ size: 1, images }).strokeTexels).toBe(2);
     expect(TonalArtMap.fromHatchImages({ size: 1, images, strokeTexels: 3 }).strokeTexels).toBe(3);
     for (const strokeTexels of [0, -1, Number.NaN, Infinity]) {
@@ -234,7 +234,7 @@ describe('TonalArtMap.strokeTexels', () => {
 });
 
 describe('a shared map', () => {
-  it('is one for all who ask for the same, in whatever words', () => {
+  it('is the same for equal options, however they are written', () => {
     const map = TonalArtMap.shared();
     expect(TonalArtMap.shared('hatching')).toBe(map);
     expect(TonalArtMap.shared({ style: undefined, seed: undefined })).toBe(map);
@@ -243,7 +243,7 @@ describe('a shared map', () => {
     expect(TonalArtMap.shared({ tones: 4, size: 64, style: 'hatching' })).toBe(small);
   });
 
-  it('is drawn anew for the next who asks if it could not be drawn', async () => {
+  it('is drawn again on the next call after a failure', async () => {
     const options = { size: 64, tones: 4, seed: 11 } as const;
     const stop = new AbortController();
     const map = TonalArtMap.shared(options, { signal: stop.signal });

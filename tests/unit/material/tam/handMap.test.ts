@@ -29,7 +29,7 @@ describe('a TonalArtMap of a hand', () => {
     await map.ready;
   });
 
-  it('ends in a sentence, at once beside a style, and else when its strokes are read', async () => {
+  it('throws at once together with a style, and rejects when its strokes are wrong', async () => {
     expect(() => TonalArtMap.draw({ hand, style: 'ruled' })).toThrow(
       'TonalArtMap.draw: style is ruled, but must be left out beside a hand.',
     );

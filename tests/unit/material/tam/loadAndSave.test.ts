@@ -34,7 +34,7 @@ const thresholdsOf = (map: TonalArtMap): Float32Array[] =>
   Array.from({ length: map.levels }, (_, level) => map.thresholds(level));
 
 describe('TonalArtMap.save and load', () => {
-  it.each(['crossHatching', 'charcoal'] as const)('give back every byte of a generated map: %s', async (style) => {
+  it.each(['crossHatching', 'charcoal'] as const)('restore every byte of a generated map: %s', async (style) => {
     const map = await TonalArtMap.generate({ style, size: 64, tones: 5 });
     const again = await TonalArtMap.load(await map.save());
     expect(imagesOf(again)).toEqual(imagesOf(map));
@@ -43,7 +43,7 @@ describe('TonalArtMap.save and load', () => {
     expect(again.thresholdTexture.mipmaps).toEqual(map.thresholdTexture.mipmaps);
   });
 
-  it('give back every byte of a map of hand-drawn levels, through addresses', async () => {
+  it('restore every byte of a map of hand-drawn levels, through URLs', async () => {
     const images = [
       [255, 255],
       [200, 90],
@@ -62,7 +62,7 @@ describe('TonalArtMap.save and load', () => {
     expect(again.strokeTexels).toBe(map.strokeTexels);
   });
 
-  it('saves what was loaded as it was', async () => {
+  it('saves a loaded map unchanged', async () => {
     const bytesOf = (files: File[]) => Promise.all(files.map(async (file) => [file.name, await file.text()]));
     const files = await (await TonalArtMap.generate({ size: 64, tones: 4 })).save();
     expect(await bytesOf(await (await TonalArtMap.load(files)).save())).toEqual(await bytesOf(files));
@@ -78,7 +78,7 @@ describe("TonalArtMap.load of an artist's images", () => {
     expect(map.report.meansOutOfOrder).toEqual([]);
   });
 
-  it('takes a list of addresses, and a JSON that names one image per tone', async () => {
+  it('takes a list of URLs, and a JSON that names one image per tone', async () => {
     const files = await artistsFiles();
     const json = JSON.stringify({
       format: 'three-hatching tonal art map',
@@ -118,7 +118,7 @@ describe("TonalArtMap.load of an artist's images", () => {
   });
 
   it.each([new Error('enough'), new DOMException('enough', 'TimeoutError'), 'enough'])(
-    'rejects with the very reason it is aborted with, whatever it was doing: %s',
+    'rejects with the reason of the abort, at any stage: %s',
     async (reason) => {
       const controller = new AbortController();
       // As browsers do: the fetch rejects with the reason, or, where they know none, with an AbortError.
@@ -137,7 +137,7 @@ describe("TonalArtMap.load of an artist's images", () => {
     },
   );
 
-  it('names a file that the system no longer lets it read', async () => {
+  it('names a file that can no longer be read', async () => {
     const [file] = await artistsFiles();
     file.arrayBuffer = () => Promise.reject(new DOMException('The file was changed', 'NotReadableError'));
     await expect(TonalArtMap.load([file])).rejects.toThrow(/^TonalArtMap\.load: 9\.png The file was changed/);
@@ -150,15 +150,12 @@ describe("TonalArtMap.load of an artist's images", () => {
     expect((await TonalArtMap.load(['tone-1-level-0.png', 'tone-2-level-0.png'])).tones).toBe(3);
   });
 
-  it.each(['blob:http://maps.test/5c1a', undefined])(
-    'says when there is nothing to resolve against: %s',
-    async (href) => {
-      vi.stubGlobal('location', href && { href });
-      await expect(TonalArtMap.load('map.json')).rejects.toThrow(
-        /TonalArtMap\.load: "map\.json" is a URL that cannot be resolved here .*pass an absolute URL/,
-      );
-    },
-  );
+  it.each(['blob:http://maps.test/5c1a', undefined])('throws if there is no base URL: %s', async (href) => {
+    vi.stubGlobal('location', href && { href });
+    await expect(TonalArtMap.load('map.json')).rejects.toThrow(
+      /TonalArtMap\.load: "map\.json" is a URL that cannot be resolved here .*pass an absolute URL/,
+    );
+  });
 });
 
 describe('misuse', () => {
@@ -176,7 +173,7 @@ describe('misuse', () => {
     }
   });
 
-  it('names images whose buffers were given away, and what is no images at all', () => {
+  it('names images whose buffers were transferred, and values that are no images', () => {
     const images = [255, 0].map((byte) => [new Uint8Array(16).fill(byte)]);
     structuredClone(images[1][0], { transfer: [images[1][0].buffer] });
     expect(() => TonalArtMap.fromHatchImages({ size: 4, images })).toThrow(

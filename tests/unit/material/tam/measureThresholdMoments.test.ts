@@ -17,13 +17,13 @@ function noise(size: number, seed: number) {
 }
 
 describe('measureThresholdMoments', () => {
-  it('of noise is what bilinear weights leave: (2/3)² of the variance, and nothing in common between levels', () => {
+  it('of noise is (2/3)² of the variance, by bilinear weights, and has no covariance between levels', () => {
     const { variance, covariance } = measureThresholdMoments(pairThresholdLevels([noise(64, 1), noise(32, 2)]));
     expect(variance).toBeCloseTo(4 / 9, 1);
     expect(Math.abs(covariance)).toBeLessThan(0.05);
   });
 
-  it('of a level beside itself is its variance', () => {
+  it('of a level paired with itself is its variance', () => {
     const { size, encoded } = noise(32, 3);
     const pair = { size, own: encoded, coarser: encoded };
     const { variance, coarserVariance, covariance } = measureThresholdMoments([pair, pair]);
@@ -31,7 +31,7 @@ describe('measureThresholdMoments', () => {
     expect(covariance).toBeCloseTo(variance, 6);
   });
 
-  it('of a drawn map lies between: smooth across strokes, and levels nest', () => {
+  it('of a drawn map is between the two: smooth across strokes, with nested levels', () => {
     const task = generateThresholds({ size: 64 });
     let step = task.next();
     while (!step.done) step = task.next();

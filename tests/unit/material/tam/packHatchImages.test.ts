@@ -39,7 +39,7 @@ describe('packHatchImages', () => {
     expect([...coarse.data]).toEqual([9, 19, 29, 39, 39, 49, 49, 49]);
   });
 
-  it('has both neighbours of every tone in one layer, and gives each image back', () => {
+  it('has both neighbours of every tone in one layer, and unpacks each image', () => {
     for (let tones = 2; tones <= 16; tones++) {
       const packed = packHatchImages(2, images(tones));
       for (let tone = 0; tone < tones; tone++) {

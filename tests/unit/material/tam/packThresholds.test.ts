@@ -25,7 +25,7 @@ describe('pairThresholdLevels', () => {
     expect([...turned!.coarser]).toEqual([40, 40, 40, 40, 40, 40, 40, 40, 120, 120, 120, 120, 120, 120, 120, 120]);
   });
 
-  it('leaves a drawn map point-symmetric, and the coarsest level beside itself', () => {
+  it('keeps a drawn map point-symmetric, and pairs the coarsest level with itself', () => {
     const pairs = pairThresholdLevels(drawn());
     for (const { size, own, coarser } of pairs) {
       expect(coarser).toHaveLength(size * size);
@@ -37,7 +37,7 @@ describe('pairThresholdLevels', () => {
 });
 
 describe('packThresholds', () => {
-  it('lays levels in a row where the shader looks for them, with what lies across the border around each', () => {
+  it('puts levels in a row where the shader reads them, each with a margin that wraps around', () => {
     const pairs = pairThresholdLevels(drawn());
     const { width, height, data } = packThresholds(pairs);
     expect(height).toBe(66);

@@ -24,7 +24,7 @@ function evenness(places: readonly (readonly [number, number])[], side: number):
   return sum / places.length / Math.sqrt((2 / Math.sqrt(3)) * (side ** 2 / places.length));
 }
 
-test('half as large, the set holds itself: every point is one of those at half the size', () => {
+test('the set at half the size contains every point of the set', () => {
   for (let cell = 0; cell < PERIOD ** 2; cell++) {
     const doubled = [0, 1].map((axis) => {
       const place = (axis === 0 ? cell % PERIOD : Math.floor(cell / PERIOD)) + points[2 * cell + axis];
@@ -37,7 +37,7 @@ test('half as large, the set holds itself: every point is one of those at half t
   }
 });
 
-test('its points lie evenly, and stay so while others are born between them', { tags: ['all'] }, () => {
+test('points are spread evenly, also while others appear between them', { tags: ['all'] }, () => {
   expect(points).toHaveLength(2 * PERIOD ** 2);
   const own = Array.from({ length: PERIOD ** 2 }, (_, cell): [number, number] => [
     (cell % PERIOD) + points[2 * cell],
@@ -70,7 +70,7 @@ test('its points lie evenly, and stay so while others are born between them', { 
   }
 });
 
-test('in every cell one point was there before, and three are born in thirds of an octave', () => {
+test('every cell has one old point and three that appear in thirds of an octave', () => {
   for (let cell = 0; cell < PERIOD ** 2; cell++) {
     expect([quarters[cell], ...births[cell]].toSorted()).toEqual([0, 1, 2, 3]);
     const [x, y] = [2 * (cell % PERIOD), 2 * Math.floor(cell / PERIOD)];

@@ -18,7 +18,7 @@ test('the tooth of paper is a standard normal field', () => {
   expect(mean((i) => Number(Math.abs(field[i]) < 1))).toBeCloseTo(0.683, 1.5);
 });
 
-test('texels side by side share as much as the shader says, over the border too', () => {
+test('neighbouring texels have the correlation that the shader assumes, across the border too', () => {
   const right = (i: number): number => (i % TOOTH_MAP_SIZE === TOOTH_MAP_SIZE - 1 ? i + 1 - TOOTH_MAP_SIZE : i + 1);
   const above = (i: number): number => (i + TOOTH_MAP_SIZE) % field.length;
   const variance = mean((i) => field[i] ** 2);

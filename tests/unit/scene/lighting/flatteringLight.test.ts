@@ -127,7 +127,7 @@ describe('the share of shade', () => {
     expect(share).toBeLessThan(0.9);
   });
 
-  test('hollows count as far as the material draws their occlusion', async () => {
+  test('baked occlusion counts as far as the material draws it', async () => {
     const material = new HatchingMaterial({ occlusion: 1 });
     const mesh = meshOf(await prepareHatchingGeometry(new PlaneGeometry(), { layout: 'indexed' }), material);
     const { hatchNormal } = mesh.geometry.attributes;
@@ -193,7 +193,7 @@ describe('the light', () => {
     }
   });
 
-  test('comes from the right where that shows more', () => {
+  test('comes from the right if that shows more', () => {
     // Two walls like an open book: the left one faces the viewer.
     const left = meshOf(new PlaneGeometry(1.2, 2)).translateX(-0.6);
     const right = meshOf(new PlaneGeometry(1, 2)).translateX(0.3).rotateY(-1.15);
@@ -233,7 +233,7 @@ describe('the light', () => {
     expect(readTriangles(new Group().add(dense, small), camera(front)).isSample).toContain(0);
   });
 
-  test('has a direction where nothing is seen, and where numbers are none', () => {
+  test('has a direction if nothing is seen, and if numbers are not finite', () => {
     for (const object of [new Group(), ball().translateZ(90), meshOf(broken())]) {
       const { direction, shade } = flatteringLight(object, camera(front));
       expect(direction.length()).toBeCloseTo(1);
@@ -266,12 +266,12 @@ describe('the light', () => {
       expect(flatteringLight(object, view, { onGround: corners }).direction).toEqual(direction);
     });
 
-    test('is as without where the shadow stays on it anyway', () => {
+    test('is unchanged if the shadow stays on the sheet anyway', () => {
       const view = placed(new PerspectiveCamera(60, 2, 0.1, 100), front);
       expect(flatteringLight(post(), view, { onGround: true })).toEqual(flatteringLight(post(), view));
     });
 
-    test('leaves it by as little as possible where no light keeps it', () => {
+    test('lets the shadow leave the sheet as little as possible if no light keeps it there', () => {
       const [object, view] = [post(), placed(new PerspectiveCamera(30, 0.12, 0.1, 100), front)];
       const { direction } = flatteringLight(object, view, { onGround: true });
       expect(reachOf(object, view, direction)).toBeLessThan(
@@ -279,7 +279,7 @@ describe('the light', () => {
       );
     });
 
-    test('counts all poses of one that moves', () => {
+    test('counts all poses of a moving object', () => {
       const [object, view] = [post(), placed(new PerspectiveCamera(30, 1, 0.1, 100), front)];
       const still = flatteringLight(object, view, { onGround: true });
       const moving = flatteringLight(object, view, { onGround: [-0.9, -0.8, 0, 0.9, -0.8, 0, 0.9, 1, 0, -0.9, 1, 0] });
@@ -287,7 +287,7 @@ describe('the light', () => {
     });
   });
 
-  test('asks for an object and a camera', () => {
+  test('needs an object and a camera', () => {
     expect(() => flatteringLight(ball(), camera(front), { ground: true } as never)).toThrow('ground');
     expect(() => flatteringLight({} as Object3D, camera(front))).toThrow('expected a THREE.Object3D');
     expect(() => flatteringLight(ball(), ball() as unknown as Camera)).toThrow('expected a THREE.Camera');

@@ -35,7 +35,7 @@ describe('the reach of a shadow', () => {
     expect(shadowReach({ points: post, top: TOP, toSheet }, light)).toBeCloseTo(reach, 5);
   });
 
-  test('is without end at the horizon and below, and behind the eye', () => {
+  test('is infinite for a light at or below the horizon, and behind the eye', () => {
     for (const light of [toward(1, 0, 0), toward(1, -0.2, 0)]) {
       expect(shadowReach({ points: post, top: TOP, toSheet: fromFront }, light)).toBe(Infinity);
     }
@@ -52,7 +52,7 @@ describe('the reach of a shadow', () => {
   });
 });
 
-test('26 outer points tell the reach of thousands within a twentieth, and never less than their own', () => {
+test('26 outer points give the reach of thousands within 5 %, and never more than it', () => {
   const points: number[] = [];
   const outer = new OuterPoints();
   for (let i = 0; i < 4000; i++) {

@@ -11,7 +11,7 @@ afterEach(() => vi.unstubAllGlobals());
 describe.each([1, 3])('with %s cores', (hardwareConcurrency) => {
   const start = () => vi.stubGlobal('navigator', { hardwareConcurrency });
 
-  test('progress rises to 1, and the geometries that are done are counted', async () => {
+  test('progress rises to 1, and finished geometries are counted', async () => {
     start();
     const progress: number[] = [];
     const counts: [number, number][] = [];
@@ -36,7 +36,7 @@ describe.each([1, 3])('with %s cores', (hardwareConcurrency) => {
     expect(results.map((result) => result instanceof RangeError)).toEqual([false, true, false, false]);
   });
 
-  test('an abort stops all, and whatever was baked is known', async () => {
+  test('an abort stops all, and every baked geometry was reported', async () => {
     start();
     const controller = new AbortController();
     const baked: BufferGeometry[] = [];
