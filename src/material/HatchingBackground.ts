@@ -66,7 +66,7 @@ export type HatchingBackgroundParameters = Partial<Pick<HatchingBackground, Back
 };
 
 /** The render order: before everything else that follows the opaque surfaces, such as shadows on the paper. */
-const FIRST = -1e6;
+const RENDER_ORDER = -1e6;
 /** The vertex count of one triangle that covers the sheet. */
 const VERTICES = 3;
 
@@ -110,7 +110,7 @@ export class HatchingBackground extends Mesh<BufferGeometry, ShaderMaterial> {
     for (const name of BACKGROUND_NUMBER_NAMES) this.defineNumber(name);
     this.subject = subject && 'isObject3D' in subject ? extentOf(subject) : subject;
     this.frustumCulled = false;
-    this.renderOrder = FIRST;
+    this.renderOrder = RENDER_ORDER;
     if (ink !== undefined) this.ink.set(ink);
     Object.assign(this, numbers);
   }

@@ -3,7 +3,7 @@ import { identityOf } from './geometry/identityOf.js';
 import type { TonalArtMap } from './tam/TonalArtMap.js';
 
 /** The identities of maps that were reported as too large. */
-const refused = new WeakSet<object>();
+const reportedMaps = new WeakSet<object>();
 
 /**
  * Returns the map if it is ready and the device can hold its textures, otherwise null: a texture that is too large would draw
@@ -21,8 +21,8 @@ export function fittingMap(
   const width = usesThresholds ? map.thresholdTexture.image.width : map.size;
   if (width <= maxTextureSize) return map;
   const identity = identityOf(map);
-  if (!refused.has(identity)) {
-    refused.add(identity);
+  if (!reportedMaps.has(identity)) {
+    reportedMaps.add(identity);
     warn(
       `HatchingMaterial.tonalArtMap: a map of ${map.size} texels per side needs a texture ${width} texels wide, but this device allows ${maxTextureSize}. The surface stays blank paper; give it a smaller map.`,
       'error',

@@ -129,7 +129,7 @@ function writeTransform(texture: Texture | null, uniform: IUniform<Matrix3>): vo
 }
 
 /** The least distance of lines in pixels of the render target; lines closer than this merge. */
-const LEAST_SPACING = 2;
+const MIN_SPACING = 2;
 
 /**
  * Writes sizes in pixels of the render target, the unit of the shaders. Allocates nothing.
@@ -152,7 +152,7 @@ export function writeSizeUniforms(
   const onScreen = pixelRatio ** material.sizedOnScreen;
   write(u.lineSpacing, onScreen * material.lineSpacing);
   write(u.strokeLength, onScreen * material.strokeLength);
-  write(u.finestSpacing, Math.max(pixelRatio * material.finestSpacing, LEAST_SPACING));
+  write(u.finestSpacing, Math.max(pixelRatio * material.finestSpacing, MIN_SPACING));
 }
 
 /**

@@ -5,7 +5,7 @@ type Hooks = Pick<Material, 'onBeforeRender' | 'onBeforeCompile' | 'customProgra
 type Hook = (this: unknown, ...parameters: unknown[]) => unknown;
 
 /** The user's hook, keyed by the function that wraps it. */
-const given = /* @__PURE__ */ new WeakMap<object, unknown>();
+const userHooks = /* @__PURE__ */ new WeakMap<object, unknown>();
 
 /**
  * Runs a material's own parts of three's hooks (`onBeforeCompile` and others) even if a user sets hooks in their place. To the user,
@@ -20,7 +20,7 @@ export function keepHooks(material: Material, parts: Hooks): void {
     Object.defineProperty(material, name, {
       get: () => hook,
       set: (value: Hook) => {
-        hook = withPart(material, parts[name] as Hook, given.has(value) ? (given.get(value) as Hook) : value);
+        hook = withPart(material, parts[name] as Hook, userHooks.has(value) ? (userHooks.get(value) as Hook) : value);
       },
       configurable: true,
     });
@@ -36,6 +36,6 @@ function withPart(material: Material, part: Hook, set: Hook | null | undefined):
     return set === part ? result : set?.call(this, a, b, c, d, e, f);
   };
   hook.toString = () => String(set);
-  given.set(hook, set);
+  userHooks.set(hook, set);
   return hook;
 }

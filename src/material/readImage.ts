@@ -1,7 +1,7 @@
 import { DataUtils, HalfFloatType, NearestFilter, SRGBColorSpace, type Texture } from 'three';
 
 /** The greatest number of pixels per side that is read; larger images are scaled down. */
-const MOST_PIXELS = 2048;
+const MAX_PIXELS = 2048;
 
 /** The pixels of a texture. */
 export interface TextureImage {
@@ -19,7 +19,7 @@ export function readImage(texture: Texture): TextureImage | null {
   const channels = data.length / (width * height);
   if (!(channels >= 1 && Number.isInteger(channels))) return null;
   const decode = decoderOf(texture, data);
-  const step = Math.ceil(Math.max(width, height) / MOST_PIXELS);
+  const step = Math.ceil(Math.max(width, height) / MAX_PIXELS);
   const [columns, rows] = [Math.ceil(width / step), Math.ceil(height / step)];
   const image = new Float32Array(4 * columns * rows);
   const isFlipped = texture.flipY && !isBitmap(texture.image);
@@ -75,7 +75,7 @@ function pixelsOf(given: unknown): Pixels | null {
   if (typeof OffscreenCanvas === 'undefined' || !(width > 0)) return null;
   const source = image as unknown as CanvasImageSource;
   const height = image.naturalWidth ? (image as HTMLImageElement).naturalHeight : image.height!;
-  const scale = Math.min(1, MOST_PIXELS / Math.max(width, height));
+  const scale = Math.min(1, MAX_PIXELS / Math.max(width, height));
   const size = [Math.max(1, Math.round(scale * width)), Math.max(1, Math.round(scale * height))] as const;
   try {
     const context = new OffscreenCanvas(...size).getContext('2d')!;

@@ -6,7 +6,7 @@ import type { TonalArtMap } from './tam/TonalArtMap.js';
 const maps = /* @__PURE__ */ new Map<StrokeStyleName, TonalArtMap | null>();
 
 /** The pause after a failure before the next try, in milliseconds: materials ask in every frame. */
-const PAUSE = 5000;
+const RETRY_MS = 5000;
 
 /**
  * The map of a style that all materials share, or null until it exists. The first call for a style fetches the code of maps and has the
@@ -21,7 +21,7 @@ export function sharedMap(style: StrokeStyleName): TonalArtMap | null {
     console.error(
       `HatchingMaterial: the map of the style "${style}" could not be drawn (${reason}); surfaces are blank paper until it is tried again. Serve all files of the package.`,
     );
-    setTimeout(() => maps.delete(style), PAUSE);
+    setTimeout(() => maps.delete(style), RETRY_MS);
   });
   return null;
 }

@@ -1,6 +1,6 @@
 import { warn } from './diagnostics/warn.js';
 
-let wasTold = false;
+let hasWarned = false;
 
 /**
  * Warns once that WebGPURenderer, with any backend, cannot draw materials written in GLSL. three.js only names the material and draws
@@ -10,8 +10,8 @@ let wasTold = false;
  * @param hasTwin whether `three-hatching/webgpu` has a class of the same name
  */
 export function warnOfRenderer(what: string, hasTwin = true): void {
-  if (wasTold) return;
-  wasTold = true;
+  if (hasWarned) return;
+  hasWarned = true;
   warn(
     `${what}: WebGPURenderer draws no materials that are written in GLSL, with its WebGL 2 backend neither. Draw the scene with WebGLRenderer, from 'three'${hasTwin ? ", or take what has the same name in 'three-hatching/webgpu'" : ''}.`,
     'error',

@@ -47,7 +47,7 @@ export class FirstFrame {
     const drawn = arePrepared ? looks : looks.filter((look) => !materialsOf(look).some(dependsOnLayout));
     const known = new Set(this.programs);
     const list = new ObjectList([...drawn.map(({ mesh }) => mesh), ...outlines]);
-    wearing(drawn, () => {
+    withLooks(drawn, () => {
       for (const { mesh } of drawn) {
         for (const material of materialsOf(mesh)) if (isHatching(material)) material.announce(mesh);
       }
@@ -150,7 +150,7 @@ class ObjectList extends Object3D {
 }
 
 /** Runs a function while meshes have other geometries and materials. */
-function wearing(looks: readonly CandidateLook[], work: () => void): void {
+function withLooks(looks: readonly CandidateLook[], work: () => void): void {
   const before = looks.map(({ mesh }) => ({ mesh, geometry: mesh.geometry, material: mesh.material }));
   for (const { mesh, geometry, material } of looks) Object.assign(mesh, { geometry, material });
   try {

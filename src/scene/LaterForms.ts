@@ -20,7 +20,7 @@ import { bakeGeometries } from './making/bakeGeometries.js';
 import { isBatched } from './surfaceMeshes.js';
 
 /** The time in milliseconds for which an angle must stay unchanged before lines are baked at it: a slider may still be moving. */
-const REST = 150;
+const ANGLE_REST_MS = 150;
 
 /** Listeners to fields that are baked after the first picture: see `ApplyHatchingOptions`. */
 interface Listeners {
@@ -137,7 +137,7 @@ export class LaterForms {
   }
 
   private async turned(signal: AbortSignal): Promise<void> {
-    await new Promise((resume) => setTimeout(resume, REST));
+    await new Promise((resume) => setTimeout(resume, ANGLE_REST_MS));
     if (signal.aborted) return;
     const plans = new Map(
       [...this.angles].map(([source, crossAngle]) => {

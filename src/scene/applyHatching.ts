@@ -8,7 +8,7 @@ import { hatchScene, type LookMakers } from './hatchScene.js';
 import type { PresetName } from './presets.js';
 
 /** Properties of the result that users read first. */
-const ASKED_OF_SCENES = ['materials', 'outlines', 'skipped', 'restore', 'dispose'] as const;
+const FIRST_READ = ['materials', 'outlines', 'skipped', 'restore', 'dispose'] as const;
 
 const IN_GLSL: LookMakers = {
   material: () => new HatchingMaterial(),
@@ -57,5 +57,5 @@ const IN_GLSL: LookMakers = {
  * - with the signal's reason when aborted.
  */
 export function applyHatching(root: Object3D, options: ApplyHatchingOptions | PresetName = {}): Promise<HatchedScene> {
-  return mustBeAwaited(hatchScene(root, options, IN_GLSL), 'applyHatching()', ASKED_OF_SCENES);
+  return mustBeAwaited(hatchScene(root, options, IN_GLSL), 'applyHatching()', FIRST_READ);
 }

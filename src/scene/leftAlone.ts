@@ -11,7 +11,7 @@ type Maps = Partial<Record<'map' | 'alphaMap', Texture | null>>;
  * is hatched whatever its material is.
  */
 export function leftAlone(mesh: Mesh): string | undefined {
-  const wish = wishFor(mesh);
+  const wish = hatchingFlagOf(mesh);
   if (wish === true) return undefined;
   if (wish === false) return 'userData.hatching is false, here or above';
   const { material } = mesh;
@@ -28,7 +28,9 @@ export function leftAlone(mesh: Mesh): string | undefined {
 
 /** Whether a material of a mesh is replaced by a hatching material. */
 export const isReplaced = (material: Material, mesh: Mesh): boolean =>
-  isSurface(material) && !isHatching(material) && (wishFor(mesh) === true || keptMaterial(material) === undefined);
+  isSurface(material) &&
+  !isHatching(material) &&
+  (hatchingFlagOf(mesh) === true || keptMaterial(material) === undefined);
 
 /** The reason why a material is kept: it has its own shader, or shows a picture that is rendered in each frame. */
 function keptMaterial(material: Material): string | undefined {
@@ -41,7 +43,7 @@ function keptMaterial(material: Material): string | undefined {
 }
 
 /** The value of `userData.hatching` of an object or of its nearest ancestor that has it. */
-function wishFor(mesh: Object3D): boolean | undefined {
+function hatchingFlagOf(mesh: Object3D): boolean | undefined {
   for (let object: Object3D | null = mesh; object !== null; object = object.parent) {
     const wish: unknown = object.userData?.hatching;
     if (typeof wish === 'boolean') return wish;

@@ -11,12 +11,12 @@ export function mustBeAwaited<Result>(
   call: string,
   members: readonly (keyof Result & string)[],
 ): Promise<Result> {
-  let wasTold = false;
+  let hasWarned = false;
   for (const member of members) {
     Object.defineProperty(promise, member, {
       get() {
-        if (!wasTold) warn(`${call} returns a promise, which has no "${member}". Write await before the call.`);
-        wasTold = true;
+        if (!hasWarned) warn(`${call} returns a promise, which has no "${member}". Write await before the call.`);
+        hasWarned = true;
       },
     });
   }

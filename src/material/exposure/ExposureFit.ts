@@ -26,9 +26,9 @@ const DARK = 0.1;
  * white.
  */
 const WHITE = 0.9;
-const LEAST_WHITE = 0.3;
+const MIN_WHITE = 0.3;
 /** The greatest factor by which the contrast of dark to bright is raised, so that a faint difference does not become a coarse one. */
-const MOST_CONTRAST = 4;
+const MAX_CONTRAST = 4;
 
 /**
  * Fits the light that arrives on surfaces to the light that presets are made for, so that bright parts get the same brightness. Light
@@ -41,7 +41,7 @@ const MOST_CONTRAST = 4;
  * @param lightness the lightness of the surfaces' colours, as far as it becomes tone
  */
 export function fitTones(arriving: WeightedValues, wanted: WeightedValues, lightness: WeightedValues): ToneFit {
-  const white = lightness.isEmpty ? 1 : Math.min(1, Math.max(LEAST_WHITE, lightness.quantile(WHITE)));
+  const white = lightness.isEmpty ? 1 : Math.min(1, Math.max(MIN_WHITE, lightness.quantile(WHITE)));
   const bright = arriving.quantile(BRIGHT);
   const wantedBright = wanted.quantile(BRIGHT);
   if (!(bright > 0)) return { scale: 1, offset: 0, white };
@@ -49,13 +49,13 @@ export function fitTones(arriving: WeightedValues, wanted: WeightedValues, light
   const range = bright - arriving.quantile(DARK);
   const contrast = (wantedBright - wanted.quantile(DARK)) / (plain * range);
   if (!(contrast > 1)) return { scale: plain, offset: 0, white };
-  const scale = plain * Math.min(contrast, MOST_CONTRAST);
+  const scale = plain * Math.min(contrast, MAX_CONTRAST);
   return { scale, offset: wantedBright - scale * bright, white };
 }
 
 /** The number of samples of all surfaces together, of which each mesh has at least one, and the greatest number of meshes. */
-const MOST_SAMPLES = 2048;
-const MOST_MESHES = 512;
+const MAX_SAMPLES = 2048;
+const MAX_MESHES = 512;
 /**
  * The number of samples of one mesh if there are few meshes and if there are many, and the number of triangles that they are taken
  * from.
@@ -63,7 +63,7 @@ const MOST_MESHES = 512;
 const SAMPLES_OF_ONE = { least: 1 << 4, most: 1 << 10 };
 const TRIANGLES_PER_SAMPLE = 1 << 4;
 /** The greatest number of instances of a mesh that are sampled. */
-const MOST_INSTANCES = 16;
+const MAX_INSTANCES = 16;
 /** The number of directions, evenly spread, in which a sphere is sampled relative to its light. */
 const SPHERE_STEPS = 200;
 
@@ -114,9 +114,9 @@ export class ExposureFit {
  * there.
  */
 function placesOf({ meshes, materials }: SceneContents): Place[] {
-  const step = Math.max(1, Math.ceil(meshes.length / MOST_MESHES));
+  const step = Math.max(1, Math.ceil(meshes.length / MAX_MESHES));
   const { least, most } = SAMPLES_OF_ONE;
-  const share = 2 ** Math.floor(Math.log2((4 * MOST_SAMPLES * step) / Math.max(1, meshes.length)));
+  const share = 2 ** Math.floor(Math.log2((4 * MAX_SAMPLES * step) / Math.max(1, meshes.length)));
   const wanted = Math.min(most, Math.max(least, share));
   const places: Place[] = [];
   for (let i = 0; i < meshes.length; i += step) {
@@ -140,7 +140,7 @@ const countOf = (mesh: Mesh): number => ('isInstancedMesh' in mesh ? (mesh as In
 function matricesOf(mesh: Mesh): Matrix4[] {
   if ('isInstancedMesh' in mesh) {
     const { count } = mesh as InstancedMesh;
-    const shown = Math.min(count, MOST_INSTANCES);
+    const shown = Math.min(count, MAX_INSTANCES);
     return Array.from({ length: shown }, (_, i) => {
       const matrix = new Matrix4();
       (mesh as InstancedMesh).getMatrixAt(Math.floor((i * count) / shown), matrix);
@@ -175,7 +175,7 @@ function addPlace(
   const { samples, material, toWorld, weight } = place;
   const { positions, normals, occlusion } = samples;
   const share = (place.area * weight) / all;
-  const count = Math.max(1, Math.min(samples.count, Math.round(MOST_SAMPLES * share)));
+  const count = Math.max(1, Math.min(samples.count, Math.round(MAX_SAMPLES * share)));
   const isHalfLambert = material.toneModel === 'halfLambert';
   const emitted = luminanceOf(material);
   const lightnessAt = material.localTone > 0 ? lightnessOf(material, samples) : () => 1;

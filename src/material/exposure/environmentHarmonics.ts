@@ -3,7 +3,7 @@ import type { Harmonics } from '../../look/surroundings.js';
 import { type Luminances, luminances } from './luminances.js';
 
 /** The greatest number of rows of an image that are sampled, and of columns. */
-const MOST_ROWS = 128;
+const MAX_ROWS = 128;
 /** The stand-in for an environment that cannot be read, because it is on the GPU only: three's `RoomEnvironment`, as measured. */
 const ROOM = /* @__PURE__ */ Float64Array.of(3.71, 1.7, 1.56, 0.25, 0.1, 0.78, 1.17, -0.32, -0.69);
 
@@ -60,8 +60,8 @@ function addImage(
   { width, height, at }: Luminances,
   place: (s: number, t: number) => number,
 ): void {
-  const down = Math.max(1, Math.ceil(height / MOST_ROWS));
-  const along = Math.max(1, Math.ceil(width / (2 * MOST_ROWS)));
+  const down = Math.max(1, Math.ceil(height / MAX_ROWS));
+  const along = Math.max(1, Math.ceil(width / (2 * MAX_ROWS)));
   for (let row = 0; row < height; row += down) {
     for (let column = 0; column < width; column += along) {
       const size = place((column + along / 2) / width, (row + down / 2) / height);

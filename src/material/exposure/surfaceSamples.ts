@@ -126,9 +126,9 @@ function takeSamples(geometry: BufferGeometry, wanted: number, mostTriangles: nu
   let isFlat = true;
   for (let i = 0; i < count; i++) {
     // Halton points: one coordinate chooses the triangle, two the place in it.
-    const triangle = step * firstAbove(sums, (inverse(i, 2) + 0.5 / count) * sum);
-    const root = Math.sqrt(inverse(i + 1, 3));
-    const across = inverse(i + 1, 5);
+    const triangle = step * firstAbove(sums, (radicalInverse(i, 2) + 0.5 / count) * sum);
+    const root = Math.sqrt(radicalInverse(i + 1, 3));
+    const across = radicalInverse(i + 1, 5);
     const shares = [1 - root, root * (1 - across), root * across];
     const xyz = corners.read(triangle);
     const length = writeNormal(xyz);
@@ -164,7 +164,7 @@ function firstAbove(sums: Float64Array, value: number): number {
 }
 
 /** The radical inverse of a number (van der Corput): its digits mirrored at the point, in [0, 1). */
-function inverse(value: number, base: number): number {
+function radicalInverse(value: number, base: number): number {
   let [rest, digit, sum] = [value, 1 / base, 0];
   while (rest > 0) {
     sum += (rest % base) * digit;

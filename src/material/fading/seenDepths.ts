@@ -16,9 +16,9 @@ export interface SeenBox extends SeenDepths {
 }
 
 /** Numbers per corner: x, y and w in clip space, and its depth. */
-const SIZE = 4;
+const NUMBERS_PER_CORNER = 4;
 /** The greatest number of corners: a rectangle gains at most one with each of the five cuts. */
-const MOST_CORNERS = 9;
+const MAX_CORNERS = 9;
 /** The five clipping planes, as factors on the numbers of a corner; positive within the sheet. The last is that of the eye. */
 const SHEET = [
   [1, 0, 1, 0],
@@ -39,8 +39,8 @@ const FACES = [
 
 const toView = /* @__PURE__ */ new Matrix4();
 const corner = /* @__PURE__ */ new Vector4();
-let polygon = /* @__PURE__ */ new Float64Array(SIZE * MOST_CORNERS);
-let kept = /* @__PURE__ */ new Float64Array(SIZE * MOST_CORNERS);
+let polygon = /* @__PURE__ */ new Float64Array(NUMBERS_PER_CORNER * MAX_CORNERS);
+let kept = /* @__PURE__ */ new Float64Array(NUMBERS_PER_CORNER * MAX_CORNERS);
 
 /**
  * Finds the depths of the sides of a box and their bounds on the sheet, clipped to the sheet. If a picture is drawn in tiles, the sheet
@@ -57,7 +57,7 @@ export function seenBox(box: Box3, frame: Matrix4, camera: Camera, target: SeenB
     for (let i = 0; i < face.length; i++) writeCorner(box, face[i], camera, i);
     let count: number = face.length;
     for (const plane of SHEET) count = cut(count, plane);
-    for (let i = 0; i < SIZE * count; i += SIZE) {
+    for (let i = 0; i < NUMBERS_PER_CORNER * count; i += NUMBERS_PER_CORNER) {
       const [x, y] = [polygon[i] / polygon[i + 2], polygon[i + 1] / polygon[i + 2]];
       front = Math.min(front, polygon[i + 3]);
       back = Math.max(back, polygon[i + 3]);
@@ -88,10 +88,10 @@ function writeCorner({ min, max }: Box3, bits: number, camera: Camera, i: number
     corner.x = (corner.x * width + (2 * offsetX + width - fullWidth) * corner.w) / fullWidth;
     corner.y = (corner.y * height - (2 * offsetY + height - fullHeight) * corner.w) / fullHeight;
   }
-  polygon[SIZE * i] = corner.x;
-  polygon[SIZE * i + 1] = corner.y;
-  polygon[SIZE * i + 2] = corner.w;
-  polygon[SIZE * i + 3] = depth;
+  polygon[NUMBERS_PER_CORNER * i] = corner.x;
+  polygon[NUMBERS_PER_CORNER * i + 1] = corner.y;
+  polygon[NUMBERS_PER_CORNER * i + 2] = corner.w;
+  polygon[NUMBERS_PER_CORNER * i + 3] = depth;
 }
 
 /** Cuts off the part of the polygon beyond a plane (Sutherland and Hodgman, 1974). @returns the number of corners that remain */
@@ -109,14 +109,14 @@ function cut(count: number, plane: (typeof SHEET)[number]): number {
 
 function within(i: number, plane: (typeof SHEET)[number]): number {
   let sum = 0;
-  for (let k = 0; k < SIZE; k++) sum += plane[k] * polygon[SIZE * i + k];
+  for (let k = 0; k < NUMBERS_PER_CORNER; k++) sum += plane[k] * polygon[NUMBERS_PER_CORNER * i + k];
   return sum;
 }
 
 function copyBetween(from: number, to: number, share: number, target: number): void {
-  for (let k = 0; k < SIZE; k++) {
-    const [a, b] = [polygon[SIZE * from + k], polygon[SIZE * to + k]];
-    kept[SIZE * target + k] = a + share * (b - a);
+  for (let k = 0; k < NUMBERS_PER_CORNER; k++) {
+    const [a, b] = [polygon[NUMBERS_PER_CORNER * from + k], polygon[NUMBERS_PER_CORNER * to + k]];
+    kept[NUMBERS_PER_CORNER * target + k] = a + share * (b - a);
   }
 }
 

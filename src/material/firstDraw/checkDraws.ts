@@ -18,12 +18,12 @@ const printsNothing = ({ toneCurve }: DrawnMaterial): boolean =>
   Array.isArray(toneCurve) && toneCurve.every(([, ink]: readonly number[]) => ink === 0);
 
 /** The time, in milliseconds after everything has loaded, in which a page should have drawn a second frame. */
-const PATIENCE = 3000;
+const SECOND_FRAME_MS = 3000;
 
 /** Whether a renderer has drawn nothing since a mesh whose map or code was missing, although that has loaded since. */
 async function isOnlyFrame({ material, renderer, frame }: FirstDraw): Promise<boolean> {
   await material.ready;
-  await new Promise((resolve) => setTimeout(resolve, PATIENCE));
+  await new Promise((resolve) => setTimeout(resolve, SECOND_FRAME_MS));
   // A background page draws when it is shown again, and requests that frame before this one.
   await new Promise((resolve) => requestAnimationFrame(resolve));
   return renderer.info.render.frame === frame && !renderer.getContext().isContextLost();

@@ -12,7 +12,7 @@ const TOO_DARK = Math.PI / 3;
 const TOO_BRIGHT = 4 * Math.PI;
 
 /** The identities of scenes whose lights were checked. Meshes that come into view later may stand far from their lights on purpose. */
-const judged = new WeakSet<object>();
+const checkedScenes = new WeakSet<object>();
 
 /** Finds a mistake in the lights of a scene, from its meshes that are drawn first. */
 export function findLightMistake(draws: readonly FirstDraw[], note: NoteMistake): void {
@@ -20,8 +20,8 @@ export function findLightMistake(draws: readonly FirstDraw[], note: NoteMistake)
   if (lit.length === 0) return;
   const [first] = lit;
   const { scene, camera } = first;
-  if (judged.has(identityOf(scene))) return;
-  judged.add(identityOf(scene));
+  if (checkedScenes.has(identityOf(scene))) return;
+  checkedScenes.add(identityOf(scene));
   const sphere = worldSphere(lit.map(({ mesh }): Object3D => mesh));
   const { least, most, hasForm } = lightOn(sphere, scene, camera);
   // An exposure that is fitted to the scene suits any light.

@@ -2,10 +2,10 @@ import { type BufferGeometry, MathUtils } from 'three';
 import { identityOf } from './identityOf.js';
 
 /** The duration in which lines fade into an even grey, and of the reverse, in milliseconds. */
-const DURATION = 300;
+const DURATION_MS = 300;
 
 /** The interval between frames meanwhile, in milliseconds. */
-const INTERVAL = 16;
+const INTERVAL_MS = 16;
 
 interface Fade {
   start: number;
@@ -22,7 +22,7 @@ export function lineContrast(geometry: BufferGeometry): number {
   if (!hasFaded) return 1;
   const fade = fades.get(identityOf(geometry));
   if (!fade) return 1;
-  return MathUtils.lerp(fade.from, fade.to, MathUtils.smoothstep(performance.now() - fade.start, 0, DURATION));
+  return MathUtils.lerp(fade.from, fade.to, MathUtils.smoothstep(performance.now() - fade.start, 0, DURATION_MS));
 }
 
 /**
@@ -61,9 +61,9 @@ async function fade(
   hasFaded = true;
   for (const geometry of geometries) fades.set(identityOf(geometry), { start, from, to });
   // A timer instead of animation frames, because a background page has none and must finish too.
-  while (performance.now() - start < DURATION && !signal.aborted) {
+  while (performance.now() - start < DURATION_MS && !signal.aborted) {
     onFrame();
-    await new Promise((resume) => setTimeout(resume, INTERVAL));
+    await new Promise((resume) => setTimeout(resume, INTERVAL_MS));
   }
 }
 

@@ -50,7 +50,7 @@ const versionOf = (attribute: VertexAttribute): number =>
   'data' in attribute ? attribute.data.version : attribute.version;
 
 /** Properties of the geometry that three.js and users read first. */
-const ASKED_OF_GEOMETRIES = ['morphAttributes', 'boundingSphere', 'attributes', 'userData'] as const;
+const FIRST_READ = ['morphAttributes', 'boundingSphere', 'attributes', 'userData'] as const;
 
 /**
  * Prepares a geometry for `HatchingMaterial`, in a worker. In every layout the new geometry has the attribute `hatchNormal`: the
@@ -89,7 +89,7 @@ export function prepareHatchingGeometry(
   geometry: BufferGeometry,
   options: PrepareHatchingGeometryOptions = {},
 ): Promise<BufferGeometry> {
-  return mustBeAwaited(prepareWithForm(geometry, options, null), 'prepareHatchingGeometry()', ASKED_OF_GEOMETRIES);
+  return mustBeAwaited(prepareWithForm(geometry, options, null), 'prepareHatchingGeometry()', FIRST_READ);
 }
 
 /**

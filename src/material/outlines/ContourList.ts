@@ -12,7 +12,7 @@ const SINE = Math.sin((0.75 * Math.PI) / 180);
 /** The same sine for lists from the worker, which arrive later. A new one is requested after half of the angle. */
 const SINE_IN_WORKER = Math.sin((3 * Math.PI) / 180);
 /** The factor by which a new texture is larger than needed. Textures never become smaller. */
-const SPARE = 1.3;
+const GROWTH = 1.3;
 
 /** A list of the primitives of one geometry that may hold an outline, as seen by one camera. */
 export class ContourList {
@@ -119,7 +119,7 @@ export class ContourList {
   private textureFor(count: number): DataTexture {
     if (this.texture && (this.texture.image.data as Uint32Array).length >= count) return this.texture;
     this.texture?.dispose();
-    const { width, height } = pullTextureSize(Math.max(1, Math.ceil((SPARE * count) / 4)));
+    const { width, height } = pullTextureSize(Math.max(1, Math.ceil((GROWTH * count) / 4)));
     const words = new Uint32Array(4 * width * height);
     this.texture = new DataTexture(words, width, height, RGBAIntegerFormat, UnsignedIntType);
     return this.texture;

@@ -62,7 +62,7 @@ const matrix = /* @__PURE__ */ new Matrix4();
 const sphere = /* @__PURE__ */ new Sphere();
 const place = /* @__PURE__ */ new Vector3();
 /** A draw count for which three.js draws nothing. With 0 it would make a draw call, and read textures that do not exist. */
-const NOTHING = -1;
+const EMPTY_COUNT = -1;
 /** Vertices per primitive. */
 const VERTICES = 3;
 
@@ -278,7 +278,7 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Obj
 
   /** Sets the number of primitives of the next draw. */
   protected setCount(primitives: number): void {
-    this.geometry.setDrawRange(0, primitives > 0 ? VERTICES * primitives : NOTHING);
+    this.geometry.setDrawRange(0, primitives > 0 ? VERTICES * primitives : EMPTY_COUNT);
   }
 
   /** Takes over the opacity and the tests of a surface, until `endSurface`. */

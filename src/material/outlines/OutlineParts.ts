@@ -135,7 +135,7 @@ export class OutlineParts {
 /** The look of a group that is not drawn. */
 const NO_LOOK = -1;
 /** Numbers per group: its first corner, its number of corners, and its look. */
-const KEPT = 3;
+const NUMBERS_PER_GROUP = 3;
 
 /** The division of a mesh into looks. */
 class Division {
@@ -159,8 +159,8 @@ class Division {
       this.groups.push(start, count, look);
     }
     for (let look = 0; look < looks.length; look++) {
-      const at = this.groups.findIndex((value, i) => i % KEPT === KEPT - 1 && value === look);
-      this.firstGroups[look] = Math.floor(at / KEPT);
+      const at = this.groups.findIndex((value, i) => i % NUMBERS_PER_GROUP === NUMBERS_PER_GROUP - 1 && value === look);
+      this.firstGroups[look] = Math.floor(at / NUMBERS_PER_GROUP);
     }
   }
 
@@ -170,13 +170,14 @@ class Division {
     const { geometry } = mesh;
     const { drawRange } = geometry;
     const count = groupCount(mesh);
-    if (groups.length !== KEPT * count || drawRange.start !== this.start || drawRange.count !== this.count)
+    if (groups.length !== NUMBERS_PER_GROUP * count || drawRange.start !== this.start || drawRange.count !== this.count)
       return false;
     for (let i = 0; i < count; i++) {
       const group = geometry.groups[i];
-      if (group && (group.start !== groups[KEPT * i] || group.count !== groups[KEPT * i + 1])) return false;
+      if (group && (group.start !== groups[NUMBERS_PER_GROUP * i] || group.count !== groups[NUMBERS_PER_GROUP * i + 1]))
+        return false;
       const material = drawnMaterial(mesh, i);
-      const look = groups[KEPT * i + 2];
+      const look = groups[NUMBERS_PER_GROUP * i + 2];
       if ((material === null) !== (look === NO_LOOK)) return false;
       if (material === null) continue;
       if (firstGroups[look] === i) surfaces[look] = material;

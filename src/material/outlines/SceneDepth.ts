@@ -22,7 +22,7 @@ interface Format {
 }
 
 /** The greatest number of copies, and the number of frames after which an unused copy is freed. */
-const MOST_COPIES = 4;
+const MAX_COPIES = 4;
 const KEPT_FRAMES = 60;
 
 interface Copy {
@@ -157,7 +157,7 @@ export class SceneDepth {
       found.frame = frame;
       return found.target;
     }
-    if (oldest && this.copies.length >= MOST_COPIES) this.free(oldest);
+    if (oldest && this.copies.length >= MAX_COPIES) this.free(oldest);
     renderer.domElement.addEventListener('webglcontextlost', this.dispose);
     const depthTexture = new DepthTexture(width, height, type);
     depthTexture.format = format;

@@ -25,7 +25,7 @@ function pixelsPerUnit({ geometry, matrixWorld }: Mesh, camera: Camera, viewport
 }
 
 /** The previous level before the first choice: finer than any, so that the choice is not simpler than needed. */
-const NOTHING_BEFORE = Infinity;
+const FINEST = Infinity;
 
 const viewport = /* @__PURE__ */ new Vector4();
 
@@ -84,7 +84,7 @@ export class LeveledMesh {
     else renderer.getCurrentViewport(viewport);
     const { mesh, leveled, seen } = this;
     const size = pixelsPerUnit(mesh, camera, viewport);
-    const level = chooseLevel(leveled.levels, size, seen.get(camera) ?? NOTHING_BEFORE);
+    const level = chooseLevel(leveled.levels, size, seen.get(camera) ?? FINEST);
     seen.set(camera, level);
     leveled.show(level);
   }

@@ -5,7 +5,7 @@ import { groupCorners } from './bakeGroups.js';
 import { cornerCount, type FormGroup, type GeometryPlan } from './FormGroup.js';
 
 /** The number of corners above which a group is not baked jointly. */
-const MOST_CORNERS = 6_000_000;
+const MAX_CORNERS = 6_000_000;
 
 /** The greatest gap between touching boxes, as a share of the larger one's diagonal. */
 const NEAR = 1e-5;
@@ -38,7 +38,7 @@ export function* formGroups(
       continue;
     if (!isReadable(geometry)) continue;
     const { space, matrix } = restOf(mesh);
-    if (cornerCount(geometry) > MOST_CORNERS || !(Math.abs(matrix.determinant()) > 0)) continue;
+    if (cornerCount(geometry) > MAX_CORNERS || !(Math.abs(matrix.determinant()) > 0)) continue;
     const kind = JSON.stringify({ ...form, up: null, front: null });
     const kinds = spaces.get(space) ?? new Map<string, Candidate[]>();
     spaces.set(space, kinds);
@@ -51,7 +51,7 @@ export function* formGroups(
     for (const candidates of kinds.values()) {
       for (const members of yield* touching(candidates)) {
         const group = groupOf(members);
-        if (members.length === 1 || groupCorners(group) > MOST_CORNERS) continue;
+        if (members.length === 1 || groupCorners(group) > MAX_CORNERS) continue;
         for (const { geometry } of members) groups.set(geometry, group);
       }
     }

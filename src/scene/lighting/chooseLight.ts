@@ -48,9 +48,9 @@ const ELEVATIONS = { least: 15, most: 65, step: 5 };
 /** The penalty of a light from the right, because most people draw with their right hand. */
 const LEFT_ADVANTAGE = 0.25;
 /** The ratio of reaches below which two shadows are equal. */
-const ALIKE = 1.02;
+const EQUAL_REACH = 1.02;
 /** The sine of the least elevation above the horizon: a lower light would cast long shadows. */
-const LEAST_HEIGHT = Math.sin(Math.PI / 9);
+const MIN_HEIGHT = Math.sin(Math.PI / 9);
 
 /**
  * Chooses a light that shows a surface well: from the upper left or right in front, so that about two fifths of the visible surface lie
@@ -60,7 +60,7 @@ const LEAST_HEIGHT = Math.sin(Math.PI / 9);
  */
 export function chooseLight(surface: SeenSurface, axes: ViewAxes, standing?: Standing): ChosenLight {
   const all = [...candidates()].map((candidate) => ({ ...candidate, direction: directionOf(candidate, axes) }));
-  const aboveHorizon = all.filter(({ direction }) => dot(direction, axes.top) >= LEAST_HEIGHT);
+  const aboveHorizon = all.filter(({ direction }) => dot(direction, axes.top) >= MIN_HEIGHT);
   // In a view from far below, no light in front may be above the horizon.
   const possible = aboveHorizon.length > 0 ? aboveHorizon : all;
   const tried = standing ? withShadowOnSheet(possible, standing) : possible;
@@ -84,7 +84,7 @@ export function chooseLight(surface: SeenSurface, axes: ViewAxes, standing?: Sta
 /** The directions under which the shadow stays on the sheet; if there are none, those whose shadow leaves it least. */
 function withShadowOnSheet<Lit extends { direction: Vector }>(lights: readonly Lit[], standing: Standing): Lit[] {
   const reaches = lights.map(({ direction }) => shadowReach(standing, direction));
-  const most = Math.max(1, ALIKE * Math.min(...reaches));
+  const most = Math.max(1, EQUAL_REACH * Math.min(...reaches));
   return lights.filter((_, i) => reaches[i] <= most);
 }
 

@@ -14,13 +14,13 @@ import { isBatched, isHatching, isSurfaceMesh, materialsOf } from '../surfaceMes
 import type { OuterPoints } from './OuterPoints.js';
 
 /** The greatest number of triangles that are read. In larger scenes, each stands for some of its neighbours. */
-const MOST_TRIANGLES = 30_000;
+const MAX_TRIANGLES = 30_000;
 /** The cost of a skinned or morphed corner, in ordinary corners. */
 const DEFORMING_COST = 4;
 /** The greatest number of meshes that are read, evenly chosen. */
-const MOST_MESHES = 2000;
+const MAX_MESHES = 2000;
 /** At most this many instances of a mesh are read. */
-const MOST_INSTANCES = 256;
+const MAX_INSTANCES = 256;
 
 /** A mesh, its places, and the triangles of it that are read. */
 interface MeshReading {
@@ -50,10 +50,10 @@ interface Reader {
  */
 export function readTriangles(object: Object3D, camera: Camera, outer?: OuterPoints): ProjectedTriangles {
   const shown = shownMeshes(object, camera);
-  const readings = evenlyChosen(shown, MOST_MESHES).map(readingOf);
+  const readings = evenlyChosen(shown, MAX_MESHES).map(readingOf);
   const share = fairShare(
     readings.map(({ cost }) => cost),
-    MOST_TRIANGLES,
+    MAX_TRIANGLES,
   );
   // The numbers are rounded up, so each place has room for one more.
   const room = readings.reduce(
@@ -103,7 +103,7 @@ function readingOf(mesh: Mesh): MeshReading {
 function placesOf(mesh: Mesh): Matrix4[] {
   if (!('isInstancedMesh' in mesh)) return [mesh.matrixWorld];
   const instanced = mesh as InstancedMesh;
-  const step = Math.max(1, instanced.count / MOST_INSTANCES);
+  const step = Math.max(1, instanced.count / MAX_INSTANCES);
   return Array.from({ length: Math.floor(instanced.count / step) }, (_, i) => {
     const matrix = new Matrix4();
     instanced.getMatrixAt(Math.floor(i * step), matrix);

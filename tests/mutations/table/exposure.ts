@@ -4,8 +4,8 @@ export const exposure: readonly Mutation[] = [
   {
     name: 'the least contrast is the most',
     file: 'src/material/exposure/ExposureFit.ts',
-    find: 'Math.min(contrast, MOST_CONTRAST)',
-    replace: 'Math.max(contrast, MOST_CONTRAST)',
+    find: 'Math.min(contrast, MAX_CONTRAST)',
+    replace: 'Math.max(contrast, MAX_CONTRAST)',
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/material/exposure/fitExposure.test.ts',
@@ -26,7 +26,7 @@ export const exposure: readonly Mutation[] = [
   {
     name: 'what is nearly black becomes white',
     file: 'src/material/exposure/ExposureFit.ts',
-    find: 'Math.max(LEAST_WHITE, lightness.quantile(WHITE))',
+    find: 'Math.max(MIN_WHITE, lightness.quantile(WHITE))',
     replace: 'lightness.quantile(WHITE)',
     caughtBy: {
       layer: 'unit',
