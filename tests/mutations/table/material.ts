@@ -59,7 +59,7 @@ export const material: readonly Mutation[] = [
   {
     name: 'a hook that is set again runs twice',
     file: 'src/material/keepHooks.ts',
-    find: 'given.has(value) ? (given.get(value) as Hook) : value',
+    find: 'userHooks.has(value) ? (userHooks.get(value) as Hook) : value',
     replace: 'value',
     caughtBy: {
       layer: 'unit',

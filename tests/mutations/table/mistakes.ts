@@ -4,7 +4,7 @@ export const mistakes: readonly Mutation[] = [
   {
     name: 'a missing await is told each time',
     file: 'src/material/diagnostics/mustBeAwaited.ts',
-    find: 'if (!wasTold) warn',
+    find: 'if (!hasWarned) warn',
     replace: 'warn',
     caughtBy: {
       layer: 'unit',

@@ -5,7 +5,7 @@ import { Drawing } from '../../../src/element/Drawing.js';
 import { chosenIndex } from '../../../src/element/loadModel.js';
 import { type GltfBuilder, tetrahedron } from '../../../tools/modelFiles/GltfBuilder.js';
 
-/** Half the size of the model, of which the element makes a radius of 1. */
+/** Half the size of the model, which the element scales to a radius of 1. */
 const RADIUS = Math.sqrt(3);
 const EYE = { azimuth: 0, elevation: 8 };
 const LIGHT = { azimuth: -45, elevation: 40 };
@@ -63,7 +63,7 @@ describe('a camera of the file', () => {
 test('the brightest light of the file is the only light of the drawing', async () => {
   const drawing = await load((json) => {
     json.extensions = { KHR_lights_punctual: { lights: [{ type: 'directional' }, { type: 'point', intensity: 0.1 }] } };
-    // To the right, from where the light shines to the left.
+    // To the right: the light shines from the right to the left.
     json.nodes.push(
       { rotation: [0, Math.SQRT1_2, 0, Math.SQRT1_2], extensions: { KHR_lights_punctual: { light: 0 } } },
       { translation: [0, 5, 0], extensions: { KHR_lights_punctual: { light: 1 } } },
@@ -103,7 +103,7 @@ test('a material variant is drawn, or its absence is an error', async () => {
 });
 
 describe('a model fills the picture with its visible parts', () => {
-  /** What the element makes of a model, whose own radius is known. */
+  /** The scaled model, whose own radius is known. */
   const radiusOf = (drawing: Drawing): number => 1 / drawing.scene.children[0].scale.x;
   const addPart = (json: GltfBuilder['json'], material: object): void => {
     json.materials = [material];

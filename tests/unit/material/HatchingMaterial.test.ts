@@ -17,7 +17,7 @@ import type { HatchingMaterialParameters } from '../../../src/material/HatchingM
 import { programSwitches } from '../../../src/material/programDefines.js';
 import { TonalArtMap } from '../../../src/material/tam/TonalArtMap.js';
 
-// Materials are looked at in the same turn in which they are made.
+// Materials are read in the same task in which they are created.
 await HatchingMaterial.preload();
 
 const map = TonalArtMap.fromHatchImages({ size: 4, images: [255, 128, 0].map((v) => [new Uint8Array(16).fill(v)]) });
@@ -287,7 +287,7 @@ describe('HatchingMaterial', () => {
 
   test('strokes sized on the object alone have a program of their own, and all other sizes share one', () => {
     const material = new HatchingMaterial({ technique: 'anchored' });
-    // The renderer asks for it when it chooses a program.
+    // The renderer reads it when it chooses a program.
     const definesAt = (sizedOnScreen: number) => {
       material.sizedOnScreen = sizedOnScreen;
       material.customProgramCacheKey();
@@ -407,7 +407,7 @@ describe('HatchingMaterial', () => {
 
 describe('values of the wrong kind', () => {
   test('are refused before anything is set', () => {
-    // three.js names the colours that it cannot read.
+    // three.js warns of colours that it cannot parse.
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
     const material = new HatchingMaterial();
     for (const [wrong, message] of [

@@ -6,7 +6,7 @@ interface Kept {
   uniformsList: { id: string }[] | null;
 }
 
-/** What three's setProgram does with the uniforms of a material, in its order. */
+/** The steps of three's setProgram that concern the uniforms of a material, in its order. */
 function threeDraws(material: ShaderMaterial, kept: Kept, isOther: boolean): string[] {
   const uploaded: string[] = [];
   const upload = (): void => {

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { type FittedToneCurve, fitToneCurve, type ToneCurvePoint } from '../../../src/material/fitToneCurve.js';
 
-/** As the shader adds it up. */
+/** The sum that the shader computes. */
 function valueAt({ start, spans, cubics }: FittedToneCurve, tone: number): number {
   let value = start;
   for (let i = 0; i < spans.length / 2; i++) {

@@ -4,11 +4,11 @@ import { prepareHatchingGeometry } from '../../../src/material/geometry/prepareH
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import { leastPerFrame } from '../allocated.js';
 
-/** Enough for the compiler of V8 to have done with what is drawn: before that, every computed number is allocated. */
+/** The number of frames after which V8 has compiled the code: before that, every computed number is allocated. */
 const WARM_UP_FRAMES = 4000;
 const FRAMES = 2000;
 const MESHES = 50;
-/** What a frame may leave, in bytes. A number that is left for each mesh has 12, a closure 20 and more. */
+/** The number of bytes that a frame may leave. A number per mesh takes 12, a closure 20 or more. */
 const MOST = 400;
 
 const kept = { uniformsList: [{ id: 'ink' }, { id: 'fieldOrigin' }] };
@@ -22,7 +22,7 @@ const renderer = {
   getCurrentViewport: (viewport: Vector4) => viewport.copy(target),
 } as unknown as WebGLRenderer;
 
-/** Draws frames as three does, as far as it calls the material. */
+/** Draws frames as three.js does, as far as it calls the material. */
 function drawFrames(material: HatchingMaterial, scene: Scene, camera: PerspectiveCamera, count: number): void {
   for (let i = 0; i < count; i++) {
     renderer.info.render.frame++;
@@ -48,10 +48,10 @@ test.each(Object.entries(LOOKS))('frames leave no garbage: %s', async (_, look) 
   const geometry = await prepareHatchingGeometry(new BoxGeometry(), { layout: 'indexed' });
   for (let i = 0; i < MESHES; i++) {
     const mesh = new Mesh(geometry, material);
-    // A frame of lines that is another for every mesh.
+    // A frame of lines that differs for every mesh.
     mesh.userData.hatchingField = new Matrix4().makeTranslation(0.1 * i, 0.5, 0.25).toArray();
     mesh.userData.hatching = { importance: i % 2 };
-    // No whole numbers: those are not allocated in any case.
+    // No whole numbers, because those are never allocated.
     mesh.position.set(0.3 * i, 0.7, 0.1);
     mesh.rotation.set(0.1 * i, 0.2, 0.3);
     scene.add(mesh);
@@ -59,7 +59,7 @@ test.each(Object.entries(LOOKS))('frames leave no garbage: %s', async (_, look) 
   scene.updateMatrixWorld();
   const camera = new PerspectiveCamera();
   drawFrames(material, scene, camera, WARM_UP_FRAMES);
-  // What is loaded beside a first frame is loaded now.
+  // Everything that is loaded beside a first frame has loaded now.
   await vi.dynamicImportSettled();
   drawFrames(material, scene, camera, WARM_UP_FRAMES);
   const { sum, places } = leastPerFrame((frames) => drawFrames(material, scene, camera, frames), FRAMES, MOST);

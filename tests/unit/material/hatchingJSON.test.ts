@@ -5,7 +5,7 @@ import { type HatchingMaterialJSON, propertiesToJSON } from '../../../src/materi
 
 afterEach(() => vi.restoreAllMocks());
 
-/** What is read from a text, as from a file of somebody's. */
+/** JSON as read from a file of unknown origin. */
 const read = (text: string, textures?: Record<string, Texture>): HatchingMaterial =>
   HatchingMaterial.fromJSON(JSON.parse(text) as HatchingMaterialJSON, textures);
 
@@ -82,7 +82,7 @@ describe('JSON of a material, from anywhere', () => {
     for (const technique of ['engraved', 'adjacency', 'triangle'] as const) {
       expect(named(new HatchingMaterial({ technique })), technique).toEqual(['technique']);
     }
-    // What is the default of one technique is none of another.
+    // The default of one technique is not that of another.
     const { strokeLayers } = new HatchingMaterial({ technique: 'engraved' });
     const other = new HatchingMaterial({ technique: 'anchored', strokeLayers, tilesPerUnit: 7 });
     expect(named(other)).toEqual(expect.arrayContaining(['tilesPerUnit']));
@@ -104,7 +104,7 @@ describe('JSON of a material, from anywhere', () => {
     const made = read(
       JSON.stringify({
         ...source.toJSON(),
-        // Before 0.187 three.js writes no planes.
+        // three.js before 0.187 writes no planes.
         clippingPlanes: [{ normal: [0, 1, 0], constant: 2 }],
         blendColor: 0x123456,
         shadowSide: null,

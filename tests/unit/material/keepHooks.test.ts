@@ -4,21 +4,21 @@ import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import { keepHooks } from '../../../src/material/keepHooks.js';
 import type { ProgramParameters } from '../../../src/material/programDefines.js';
 
-// Materials are looked at in the same turn in which they are made.
+// Materials are read in the same task in which they are created.
 await HatchingMaterial.preload();
 
-// No renderer follows the question for the program here, as with WebGPURenderer.
+// No renderer calls the second hook here, as with WebGPURenderer.
 beforeEach(() => void vi.spyOn(console, 'error').mockImplementation(() => {}));
 afterEach(() => vi.restoreAllMocks());
 
 const RIGID = '#define RIGID\n';
 const renderer = {} as WebGLRenderer;
 
-/** What the renderer hands to `onBeforeCompile`. */
+/** The argument that the renderer passes to `onBeforeCompile`. */
 const program = (flags: Partial<ProgramParameters> = {}): ProgramParameters =>
   ({ vertexShader: 'vertex', fragmentShader: 'fragment', ...flags }) as ProgramParameters;
 
-/** Builds a program as the renderer does: it asks for the key, then calls the hook. */
+/** Builds a program as the renderer does: it reads the key, then calls the hook. */
 function compiled(material: Material, flags?: Partial<ProgramParameters>): [key: string, shader: ProgramParameters] {
   const key = material.customProgramCacheKey();
   const shader = program(flags);
@@ -26,7 +26,7 @@ function compiled(material: Material, flags?: Partial<ProgramParameters>): [key:
   return [key, shader];
 }
 
-/** What holds of every material of three's. */
+/** Properties of every material of three.js. */
 describe.each([
   ['MeshBasicMaterial', () => new MeshBasicMaterial()],
   ['HatchingMaterial', () => new HatchingMaterial()],
@@ -139,7 +139,7 @@ describe("the material's own part", () => {
     expect(parts.customProgramCacheKey).toHaveBeenCalledOnce();
   });
 
-  /** Every way to set a hook of one's own, and none. */
+  /** Every way for a user to set a hook, and none. */
   const ways: Record<string, (material: HatchingMaterial) => void> = {
     none: () => {},
     'a function': (material) => {

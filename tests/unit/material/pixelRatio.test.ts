@@ -16,7 +16,7 @@ const rendererOf = (pixelRatio: number): WebGLRenderer =>
 const mesh = new Mesh(new BoxGeometry());
 const camera = new PerspectiveCamera();
 
-/** The uniforms that are numbers, as a renderer draws with them. */
+/** The numeric uniforms, as a renderer draws with them. */
 function numbersOf(material: HatchingMaterial, renderer: WebGLRenderer): [name: string, value: number][] {
   material.onBeforeRender(renderer, new Scene(), camera, mesh.geometry, mesh, undefined as unknown as Group);
   return Object.entries(material.uniforms).flatMap(([name, { value }]) =>

@@ -15,7 +15,7 @@ import { outputs } from '../../../tools/properties/outputs.js';
 import type { PropertyRow } from '../../../tools/properties/PropertyRow.js';
 import { PROPERTIES } from '../../../tools/properties/table.js';
 
-// Materials are looked at in the same turn in which they are made.
+// Materials are read in the same task in which they are created.
 await HatchingMaterial.preload();
 
 afterEach(() => vi.restoreAllMocks());
@@ -51,7 +51,7 @@ function anotherValue(name: HatchingPropertyName, row: PropertyRow): unknown {
 }
 
 const changed = Object.fromEntries(rows.map(([name, row]) => [name, anotherValue(name, row)]));
-/** three's own material writes these whatever they are. */
+/** Properties that three's own material always writes. */
 const WRITTEN_BY_THREE = ['color', 'shininess', 'emissive', 'emissiveIntensity', 'flatShading'];
 
 const plain = (value: unknown): unknown =>
@@ -117,7 +117,7 @@ describe('every property', () => {
       return JSON.stringify([vertexShader, fragmentShader, defines, values]);
     };
     for (const [name, row] of rows) {
-      // Without a highlight its softness is nothing, and what is not fitted is not compensated.
+      // Without highlights their softness has no effect, and an exposure that is not fitted has no compensation.
       const base = {
         technique: row.techniques?.[0] ?? 'adjacency',
         highlightTone: 0.1,
@@ -169,7 +169,7 @@ describe('a property that does not count for the technique', () => {
   });
 });
 
-/** Objects by what they hold, so that what is equal looks equal. */
+/** Objects by their content, so that equal ones compare as equal. */
 const idOf = (value: unknown): unknown =>
   (value as Texture | null)?.isTexture ? (value as Texture).uuid : value instanceof Color ? value.getHex() : value;
 

@@ -11,7 +11,7 @@ const rendererAt = (frame: number): WebGLRenderer =>
     getCurrentViewport: (target: Vector4) => target.set(0, 0, 100, 100),
   }) as unknown as WebGLRenderer;
 
-/** A material that counts how often its map is looked at: by whatever brings it to the shader, or looks for another program. */
+/** A material that counts reads of its map: by the code that writes it to the uniforms, or that looks for another program. */
 function countingMaterial() {
   const material = new HatchingMaterial({ technique: 'anchored' });
   const count = { reads: 0 };

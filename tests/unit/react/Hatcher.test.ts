@@ -18,7 +18,7 @@ import { noteFormAngle } from '../../../src/material/geometry/formAngles.js';
 import { Hatcher } from '../../../src/react/Hatcher.js';
 import { eventually } from '../patience.js';
 
-// What counts as large is some hundred triangles here.
+// The threshold of large geometries is some hundred triangles here.
 vi.mock('../../../src/material/geometry/PrepareHatchingGeometryOptions.js', async (original) => ({
   ...(await original<typeof import('../../../src/material/geometry/PrepareHatchingGeometryOptions.js')>()),
   MANY_TRIANGLES: 400,
@@ -26,7 +26,7 @@ vi.mock('../../../src/material/geometry/PrepareHatchingGeometryOptions.js', asyn
 
 const SMALL_MAP = { size: 64, tones: 4 } as const;
 
-/** A hatcher at work on a box, and a way to wait until it has nothing left to do. */
+/** A hatcher of a box, and a function that waits until it is idle. */
 function atWork(options: ApplyHatchingOptions) {
   const mesh = new Mesh<BufferGeometry>(new BoxGeometry(), new MeshBasicMaterial());
   const root = new Group().add(mesh);
@@ -71,7 +71,7 @@ test('values change in place: the geometry, the material and the outlines stay',
   expect(material.ink.getHexString()).toBe('123456');
   expect([material.lineField, material.handmade]).toEqual(['light', presets.engraving.material.handmade]);
   const [{ material: look }] = hatched[0].outlines;
-  // Of `technical`, which draws outlines of even weight; `engraving` leaves them at their defaults.
+  // Those of `technical`, which draws outlines of even weight; `engraving` leaves them at their defaults.
   expect([look.taper, look.creases, ...look.shadeWeights.toArray()]).toEqual([0, 0.35, 0.7, 1.7]);
   hatcher.update({ preset: 'engraving', material: { lineField: 'light' } });
   await next();
@@ -146,7 +146,7 @@ test('a map is drawn once something is drawn with it', async () => {
   await next();
   expect(materialOf(mesh)).toMatchObject({ technique: 'engraved', tonalArtMap: 'hatching' });
   expect(progress.at(-1)).toBe(1);
-  // Where geometry serves both it is set in place, and else with the geometry.
+  // If the geometry serves both, it is set in place; otherwise the geometry is prepared again.
   hatcher.update({ ...options, material: () => ({ technique: 'engraved', ink: 'navy' }) });
   await next();
   expect(shared).not.toHaveBeenCalled();
@@ -299,7 +299,7 @@ test('changes within a material, by state or in place, are followed, and nothing
   hatcher.follow();
   expect(material.color.getHexString()).toBe('ff69b4');
   expect(material).toMatchObject({ opacity: 0.5, transparent: true, map, wireframe: true, visible: false });
-  // What was given to <Hatched> stays, and so does what was set on the new material.
+  // Props of <Hatched>, and values set on the new material, stay.
   expect(material.side).toBe(DoubleSide);
   material.color.set('navy');
   own.color.set('orange');
@@ -320,7 +320,7 @@ test('a helper may swap materials of its own and of others: it is left alone, an
   await new Promise((go) => setTimeout(go));
   const [look, count] = [mesh.material, hatched.length];
   for (let frame = 0; frame < 3; frame++) {
-    // As an accumulated shadow does: it restores what it found when it was mounted.
+    // Like an accumulated shadow, it restores the values it found on mounting.
     mesh.material = own;
     helper.material = new ShaderMaterial();
     hatcher.follow();
@@ -374,7 +374,7 @@ test('at another angle of crossing lines geometry is baked anew while the former
   hatcher.update({ material: { ...material, crossAngle: 1.2 } });
   await next();
   expect(mesh.geometry).toBe(geometry);
-  // What a frame does.
+  // The calls of a frame.
   noteFormAngle(geometry, materialOf(mesh));
   await formed;
   expect(mesh.geometry).not.toBe(geometry);

@@ -37,7 +37,7 @@ test('options differ in a value, a length, a name, or a kind', () => {
     [{ a: { b: 1 } }, { a: { b: 2 } }],
     [{}, null],
     [() => 1, {}],
-    // Of others it is not known what they hold.
+    // The content of other objects is unknown.
     [ink, ink.clone()],
     [{ ink }, { ink: ink.clone() }],
   ];

@@ -526,7 +526,7 @@ describe('options', () => {
     [{ preset: 'stipple', material: () => ({ medium: 'dry' }) }, true],
     [{ preset: 'engraving' }, false],
     [{ preset: 'pencil', material: { technique: 'engraved' } }, false],
-    // The medium is that of `anchored` alone.
+    // Only `anchored` has a medium.
     [{ material: { technique: 'adjacency', medium: 'stipple' } }, true],
     [{ material: { technique: 'anchored', medium: 'stipple' } }, false],
     [{ preset: 'engraving', material: { technique: 'anchored' }, tonalArtMap: null }, false],
@@ -536,7 +536,7 @@ describe('options', () => {
     vi.spyOn(console, 'warn').mockImplementation(() => {});
     const hatched = await applyHatching(new Mesh(new BoxGeometry(), new MeshBasicMaterial()), options);
     expect(hatched.materials.map(({ tonalArtMap }) => tonalArtMap)).toEqual([
-      // The name of a style is kept for later, if nothing draws with it.
+      // The name of a style is stored for later if no technique uses it.
       isDrawn ? drawn : options.tonalArtMap === null ? null : options.preset === 'pencil' ? 'pencil' : 'hatching',
     ]);
     expect(shared).toHaveBeenCalledTimes(Number(isDrawn));
@@ -688,11 +688,11 @@ describe('errors', () => {
     first.unmount();
     const second = mount();
     await expect(first.scene).rejects.toThrow('unmounted');
-    // The first call has let go late: the claim of the second stands.
+    // The first call has released its claim late: the claim of the second stands.
     await expect(mount().scene).rejects.toThrow(/is being hatched/);
     const scene = await second.scene;
     expect(hatched(mesh)).toBe(scene.materials[0]);
-    // Aborting what is done changes nothing.
+    // An abort after the end changes nothing.
     second.unmount();
     await expect(mount().scene).rejects.toThrow(/hatched already/);
     scene.dispose();
@@ -740,7 +740,7 @@ describe('errors', () => {
     hatched(kept);
   });
 
-  /** Every way to fail half-way: the scene is as it was, what was made is freed, and it can be hatched afterwards. */
+  /** Every way to fail half-way: the scene is unchanged, new objects are freed, and it can be hatched afterwards. */
   const failures: [how: string, options: (abort: AbortController) => ApplyHatchingOptions, says: RegExp][] = [
     [
       'aborted',
@@ -752,7 +752,7 @@ describe('errors', () => {
       () => {
         let told = 0;
         return {
-          // Once only: what comes after must not make up for it.
+          // Only once: a later draw must not hide the failure.
           onProgress: (value) => {
             if (value > 0.55 && told++ === 0) throw new TypeError('listener');
           },

@@ -25,12 +25,12 @@ const FEW = { directions: 64 };
 const prepared = async (geometry: BufferGeometry, layout: 'corner' | 'pull' | 'indexed' = 'indexed') =>
   new Mesh(await prepareHatchingGeometry(geometry, { layout }), new HatchingMaterial());
 
-/** A wide plane over the origin, which hides nearly all that is below it. */
+/** A wide plane above the origin, which occludes nearly everything below it. */
 const roof = (): Mesh =>
   new Mesh(new PlaneGeometry(30, 30).rotateX(Math.PI / 2).translate(0, 0.5, 0), new MeshBasicMaterial());
 const ground = (): BufferGeometry => new PlaneGeometry(1, 1, 3, 3).rotateX(-Math.PI / 2);
 
-/** The occlusion that a mesh is drawn with. */
+/** The occlusion of a drawn mesh. */
 const occlusionsOf = ({ geometry }: Mesh): number[] => {
   const { hatchNormal } = geometry.attributes;
   return Array.from({ length: hatchNormal.count }, (_, i) => Math.max(-hatchNormal.getW(i), 0));

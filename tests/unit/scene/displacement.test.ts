@@ -44,7 +44,7 @@ test('heights of a map are in the geometry that is hatched, with the slopes they
   expect(heightAt(mesh.geometry, -1)).toBeCloseTo(-0.25, 5);
   expect(heightAt(mesh.geometry, 0)).toBeCloseTo(0.5, 2);
   expect(heightAt(mesh.geometry, 1)).toBeCloseTo(1.25, 5);
-  // Between the middles of the pixels beside the edges it rises by 1.5 over 2 times 7/8.
+  // Between the centres of the pixels next to the edges it rises by 1.5 over 2 times 7/8.
   const middle = [...Array(mesh.geometry.attributes.normal.count).keys()].find(
     (i) => Math.abs(mesh.geometry.attributes.position.getX(i)) < 1e-6,
   )!;

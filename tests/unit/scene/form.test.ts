@@ -97,7 +97,7 @@ test('options override both, and may request a field or refuse it', () => {
 
 describe('meshes whose borders meet', () => {
   const material = new MeshStandardMaterial();
-  /** The upper or lower half of something like an egg that leans. */
+  /** The upper or lower half of a slanted egg shape. */
   const half = (isUpper: boolean): BufferGeometry => {
     const geometry = new SphereGeometry(1, 24, 12, 0, 2 * Math.PI, isUpper ? 0 : Math.PI / 2, Math.PI / 2);
     const { position } = geometry.scale(1, isUpper ? 1.6 : 0.7, 1).attributes;
@@ -106,7 +106,7 @@ describe('meshes whose borders meet', () => {
   };
   const formed = (mesh: Mesh) => mesh.geometry.hasAttribute('formValue');
 
-  /** For each vertex of the seam of the first its φ, and that of the second at the same place, once for each copy of the vertex. */
+  /** For each vertex of the first mesh's seam its φ, and that of the second mesh at the same place, once per copy of the vertex. */
   const alongSeam = (first: Mesh, second: Mesh): [number, number[]][] => {
     const places = ({ geometry }: Mesh) => {
       const { position, formValue } = geometry.attributes;
@@ -121,7 +121,7 @@ describe('meshes whose borders meet', () => {
     ]);
   };
 
-  /** Whether lines run on: φ′ = ±φ + j, with a j that is a multiple of 4. */
+  /** Whether lines continue: φ′ = ±φ + j, where j is a multiple of 4. */
   const runsOn = (a: number, b: number): boolean =>
     [b - a, b + a].some((jump) => Math.abs(jump / 4 - Math.round(jump / 4)) < 1e-3);
 
@@ -148,7 +148,7 @@ describe('meshes whose borders meet', () => {
     });
     const bone = new Bone();
     const skeleton = new Skeleton([bone]);
-    // The node of a skinned mesh does not count in glTF.
+    // In glTF the node of a skinned mesh does not count.
     lower.position.set(5, 0, 0);
     for (const mesh of [upper, lower]) mesh.bind(skeleton, new Matrix4());
     bone.position.set(0, 7, 0);

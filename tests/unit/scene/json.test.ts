@@ -3,7 +3,7 @@ import { afterEach, expect, test, vi } from 'vitest';
 import { prepareHatchingGeometry } from '../../../src/material/geometry/prepareHatchingGeometry.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 
-/** What the table in docs/support.md says of JSON. */
+/** The statements of the table in docs/support.md about JSON. */
 
 afterEach(() => vi.restoreAllMocks());
 

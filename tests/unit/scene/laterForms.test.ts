@@ -9,7 +9,7 @@ import type { HatchingMaterial } from '../../../src/material/HatchingMaterial.js
 import { applyHatching } from '../../../src/scene/applyHatching.js';
 import { disposeHatchingWorkers } from '../../../src/worker/runTask.js';
 
-// What counts as large is some hundred triangles here.
+// The threshold of large geometries is some hundred triangles here.
 vi.mock('../../../src/material/geometry/PrepareHatchingGeometryOptions.js', async (original) => ({
   ...(await original<typeof options>()),
   MANY_TRIANGLES: 400,
@@ -51,7 +51,7 @@ test('a small mesh that touches a large one follows the form together with it', 
   const hatched = await applyHatching(new Group().add(first, second), { material: following });
   expect([first, second].map(isFormed)).toEqual([false, false]);
   expect(await hatched.formReady).toEqual([first, second]);
-  // They turned out to touch: each has its share of one field, whose lines are as far apart.
+  // They touch: each has its share of one field, whose lines are equally far apart.
   const longest = [first, second].map(({ geometry }) => (geometry as BufferGeometry).attributes.formSlope.getW(0));
   expect(longest[0]).toBe(longest[1]);
   expect(isFormed(second)).toBe(true);
@@ -114,7 +114,7 @@ test('where lines follow the light there is nothing to wait for', async () => {
 
 test('lines around the light fade out, those along the form fade in, and each frame of it is asked for', async () => {
   vi.stubGlobal('matchMedia', () => ({ matches: false }));
-  // Only the clock of the fade is held: the bake goes on by itself.
+  // Only the clock of the fade is stopped; the bake continues.
   vi.useFakeTimers({ toFake: ['setTimeout', 'performance'] });
   const mesh = large();
   const seen: { isFormed: boolean; contrast: number }[] = [];
@@ -155,7 +155,7 @@ test('a signal that is aborted later stops the bake, and lines go by the light',
   expect(isFormed(mesh)).toBe(false);
 });
 
-/** What a frame does. */
+/** The calls of a frame. */
 const draw = (mesh: Mesh): void => noteFormAngle(mesh.geometry, mesh.material as unknown as HatchingMaterial);
 
 /** The values of φ, or of φ₂, by position. */

@@ -25,7 +25,7 @@ class MirrorMaterial extends MeshStandardMaterial {
 
 const withHook = (): Material => Object.assign(new MeshBasicMaterial(), { onBeforeCompile: () => {} });
 const withTarget = (): Material => new MeshBasicMaterial({ map: new WebGLRenderTarget(4, 4).texture });
-/** As troika derives the material of a text: the prototype is the material that it starts from. */
+/** A material derived as in troika's text: its prototype is the original material. */
 const derived = (): Material => Object.create(new MeshBasicMaterial(), { onBeforeCompile: { value: () => {} } });
 
 const kept: [what: string, make: () => Material, why: string][] = [

@@ -11,7 +11,7 @@ vi.mock('../../../src/material/geometry/identityOf.js', async (original) => {
 });
 
 const MESHES = 200;
-/** Milliseconds that a slice may take, and those that the clock below says each look at it takes. */
+/** The milliseconds that a slice may take, and those that each read of the clock below adds. */
 const SLICE = 8;
 const LOOK = 1;
 
@@ -19,13 +19,13 @@ afterEach(() => {
   vi.restoreAllMocks();
 });
 
-/** Meshes of one geometry and materials of their own. */
+/** Meshes with one geometry and a material each. */
 function manyMaterials(): Group {
   const geometry = new BoxGeometry();
   return new Group().add(...Array.from({ length: MESHES }, () => new Mesh(geometry, new MeshLambertMaterial())));
 }
 
-/** Time passes when somebody asks for it. */
+/** Time passes only when the clock is read. */
 function slowClock(): void {
   let now = 0;
   vi.spyOn(performance, 'now').mockImplementation(() => {

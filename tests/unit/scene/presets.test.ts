@@ -45,7 +45,7 @@ describe('presets', () => {
     const { toneCurve = 'linear' } = presets[name].material;
     const fitted = fittedCurve(toneCurve)!;
     const printed = Array.from({ length: 50 }, (_, i) => printedTone(fitted, i / 49));
-    // Chalk is the light, and its paper the shade.
+    // With chalk the strokes are the light, and the paper is the shade.
     const fromPaper = name === 'chalk' ? printed.toReversed() : printed;
     expect(fromPaper[0]).toBeLessThan(0.05);
     for (const [i, tone] of fromPaper.slice(1).entries()) expect(tone - fromPaper[i]).toBeGreaterThan(-1e-6);

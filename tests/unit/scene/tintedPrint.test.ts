@@ -2,18 +2,18 @@ import { Color } from 'three';
 import { type PresetName, presets } from 'three-hatching';
 import { expect, test } from 'vitest';
 
-/** Up to this fill strokes can be read on any colour. docs/presets.md says so. */
+/** The colour fill up to which strokes are legible on any colour, as in docs/presets.md. */
 const READABLE = 0.75;
 
 const luminanceOf = ({ r, g, b }: Color): number => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 
-/** The contrast of two colours as WCAG 2 has it, from 1 to 21. */
+/** The contrast of two colours by WCAG 2, from 1 to 21. */
 function contrast(a: Color, b: Color): number {
   const [dark, light] = [luminanceOf(a), luminanceOf(b)].sort((x, y) => x - y);
   return (light + 0.05) / (dark + 0.05);
 }
 
-/** What is printed of a colour below the strokes, as `filledColor` and `printedColor` have it in GLSL. */
+/** The printed colour below the strokes, as in `filledColor` and `printedColor` in GLSL. */
 const printed = (paper: Color, color: Color, fill: number): Color =>
   new Color(1, 1, 1).lerp(color, fill).multiply(paper);
 

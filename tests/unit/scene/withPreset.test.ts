@@ -22,7 +22,7 @@ test('outlines can be left out or kept, a map removed, and a function adds to th
   expect(withPreset('pen', { outlines: false }).outlines).toBe(false);
   expect(withPreset('pen', { outlines: true }).outlines).toEqual(presets.pen.outlines);
   expect(withPreset('pencil', { tonalArtMap: null }).tonalArtMap).toBe(null);
-  // It needs none, and says nothing of what another technique would be drawn with.
+  // The preset needs no map, and sets none for other techniques.
   expect(withPreset('engraving').tonalArtMap).toBe(undefined);
   const { material } = withPreset('chalk', { material: ({ name }) => ({ name: `${name} in chalk` }) });
   const source = new MeshBasicMaterial({ name: 'wood' });

@@ -15,7 +15,7 @@ import { glslDeformations } from '../../../../src/material/deformation/glslDefor
 
 const camera = new Camera();
 
-/** Of a renderer, what a pre-pass needs. Counts what it draws. */
+/** The parts of a renderer that a pre-pass uses. Counts the draws. */
 function countingRenderer() {
   const drawn = { passes: 0, targets: new Set<unknown>() };
   let target: unknown = null;
@@ -82,7 +82,7 @@ describe('meshes that share a geometry', () => {
     });
     expect(drawAll().size).toBe(5);
     expect(drawn.passes).toBe(5);
-    // One leaves the pose of others, and comes back to it.
+    // One mesh leaves the shared pose, and returns to it.
     const [mover, other] = [crowd[0], crowd[5]];
     const shared = draw(other);
     expect(draw(mover)).toBe(shared);

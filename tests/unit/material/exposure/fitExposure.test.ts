@@ -38,14 +38,14 @@ function sun(intensity: number, x = 1, y = 2, z = 3): DirectionalLight {
 
 const sceneOf = (...objects: (Mesh | Light | Group | LOD)[]): Scene => new Scene().add(...objects);
 
-/** What a fit makes of a radiance. */
+/** A radiance after a fit. */
 const exposed = ({ scale, offset }: { scale: number; offset: number }, radiance: number): number =>
   scale * radiance + offset;
 
 describe('a sphere in one light', () => {
   test.each([0.05, 1, Math.PI, 40])('of intensity %d is drawn as in one of π', (intensity) => {
     const { scale, offset } = fitExposure(sceneOf(new Mesh(ball, auto()), sun(intensity)));
-    // Of 2048 samples a tenth is 205: one of them more or less is half a percent.
+    // A tenth of 2048 samples is 205; one sample more or less is half a percent.
     expect(Math.abs((scale * intensity) / Math.PI - 1)).toBeLessThan(0.01);
     expect(offset).toBe(0);
   });
@@ -133,7 +133,7 @@ describe('lights', () => {
     expect(exposed(upright, 0.1)).toBeCloseTo(0, 1);
     scene.environmentIntensity = 5;
     expect(fitExposure(scene).scale).toBeCloseTo(upright.scale / 5, 5);
-    // A cup that is open at the top is lit by what is above it, whichever way the image is turned about the upright.
+    // A cup that is open at the top is lit from above, however the image is turned about the vertical axis.
     scene.environmentRotation.set(0, 1, 0);
     expect(fitExposure(scene).scale).toBeCloseTo(upright.scale / 5, 2);
   });
@@ -195,7 +195,7 @@ describe('surfaces', () => {
 describe('colours', () => {
   const grey = (luminance: number, parameters: HatchingMaterialParameters = {}) =>
     auto({ color: new Color(luminance, luminance, luminance), localTone: 1, ...parameters });
-  // Looks half as light as white.
+  // Half as light as white, to the eye.
   const MIDDLE = 0.18418651851;
 
   test('are left white from the lightest tenth on', () => {

@@ -4,7 +4,7 @@ import { fitTones } from '../../../../src/material/exposure/ExposureFit.js';
 import { writeFit } from '../../../../src/material/exposure/ToneFit.js';
 import { WeightedValues } from '../../../../src/material/exposure/WeightedValues.js';
 
-/** A hundred values, evenly spread from one to another. */
+/** A hundred values, evenly spread over a range. */
 function spread(from: number, to: number): WeightedValues {
   const values = new WeightedValues();
   for (let i = 0; i < 100; i++) values.add(from + ((to - from) * i) / 99, 1);
@@ -21,7 +21,7 @@ test('light with the wanted contrast is scaled, without an offset', () => {
 
 test('a surface without dark parts gets them, with its bright parts kept, at a contrast of at most four', () => {
   const half = fitTones(spread(1, 2), spread(0, 1), NONE);
-  // From 1.1 to 1.9 to from 0.1 to 0.9.
+  // From [1.1, 1.9] to [0.1, 0.9].
   expect(half.scale).toBeCloseTo(1, 2);
   expect(half.offset).toBeCloseTo(-1, 2);
   const faint = fitTones(spread(1.99, 2), spread(0, 1), NONE);

@@ -13,7 +13,7 @@ import { writeSheet } from '../../../../src/material/pictureOffset.js';
 
 const renderer = { info: { render: { frame: 0 } } } as unknown as WebGLRenderer;
 
-/** A scene between depths of 2 and 12, which is deep. */
+/** A deep scene, between depths of 2 and 12. */
 const frame = new Group();
 const extent = new SceneExtent(frame, new Box3(new Vector3(-0.5, -0.5, -12), new Vector3(0.5, 0.5, -2)));
 const camera = new PerspectiveCamera(40);
@@ -101,7 +101,7 @@ test('the sheet of a picture in tiles is the whole picture', () => {
   const eye = new PerspectiveCamera();
   writeSheet(uniforms.sheet.value, eye, new Vector4(10, 20, 300, 200));
   expect(uniforms.sheet.value.toArray()).toEqual([10, 20, 300, 200]);
-  // The tile at the lower right of four by two, drawn at twice its size.
+  // The lower right tile of four by two, drawn at twice its size.
   eye.setViewOffset(400, 200, 300, 100, 100, 100);
   writeSheet(uniforms.sheet.value, eye, new Vector4(0, 0, 200, 200));
   expect(uniforms.sheet.value.toArray()).toEqual([-600, 0, 800, 400]);

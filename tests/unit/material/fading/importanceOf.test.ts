@@ -9,7 +9,7 @@ test('the importance of an object is its own, or that of the nearest object abov
   expect(importanceOf(mesh)).toBe(1);
   scene.userData.hatching = { importance: 0.5 };
   expect(importanceOf(mesh)).toBe(0.5);
-  // Whether it is hatched is another question.
+  // Whether an object is hatched does not matter here.
   group.userData.hatching = true;
   expect(importanceOf(mesh)).toBe(0.5);
   mesh.userData.hatching = { importance: 0 };

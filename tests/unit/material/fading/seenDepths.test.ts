@@ -35,7 +35,7 @@ describe('the depths that are seen of a box', () => {
 
   test('begin where the walls of a corridor come onto the sheet, for an eye within', () => {
     const depths = seen(box([-2, -1, -50], [2, 1, 10]), cameraAt(0))!;
-    // The floor is 1 below the eye, at the lower rim of the sheet.
+    // The floor is 1 below the eye, at the lower edge of the sheet.
     expect(depths.front).toBeCloseTo(1 / Math.tan((20 / 180) * Math.PI), 9);
     expect(depths.back).toBeCloseTo(50, 9);
   });
@@ -78,7 +78,10 @@ describe('the depths that are seen of a box', () => {
 });
 
 describe('a scene fades by itself', () => {
-  /** Depth by the shorter side of the sheet half way from front to back on the sheet, which is at the harmonic mean of their distances. */
+  /**
+   * The depth divided by the shorter side of the sheet at the middle of the scene, half way from front to back on the sheet: the
+   * harmonic mean of their distances.
+   */
   const ratio = (front: number, back: number, slope: number): number =>
     (back - front) / (2 * slope * (2 / (1 / front + 1 / back)));
 

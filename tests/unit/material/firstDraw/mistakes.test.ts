@@ -370,7 +370,7 @@ describe('strokes', () => {
     scene.add(...balls);
     const walk = vi.spyOn(scene, 'traverseVisible');
     await Promise.all(balls.map((mesh) => draw(mesh, { scene })));
-    // Once more for its lights.
+    // Another draw, for its lights.
     expect(walk).toHaveBeenCalledTimes(2);
   });
 
@@ -389,9 +389,9 @@ test('a mesh without an own sphere is drawn without a word', async () => {
   expect(new BufferGeometry().boundingSphere).toBeNull();
 });
 
-// Each test is the first to use its medium: code is fetched once.
+// Each test is the first to use its medium, because code is fetched once.
 describe('a mesh that is drawn before its code is there', () => {
-  /** Draws it, then lets the code come and some time pass. */
+  /** Draws a mesh, then waits for the code and for some time. */
   async function drawEarly(medium: 'dry' | 'stipple') {
     vi.stubGlobal('requestAnimationFrame', (callback: () => void) => callback());
     const info = { render: { frame: 1 } };

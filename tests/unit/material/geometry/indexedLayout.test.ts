@@ -22,7 +22,7 @@ import { cornerLayout } from '../../../../src/mesh/bake/attributeLayouts.js';
 //  0 ── 1
 const foldPositions = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0.5, 0.5, 1];
 const foldIndices = [0, 1, 2, 2, 1, 3];
-/** Where each vertex of the prepared geometry comes from. */
+/** The source vertex of each vertex of the prepared geometry. */
 const foldSources = [0, 1, 2, 3, 2, 1];
 const splitIndices = [0, 1, 2, 4, 5, 3];
 
@@ -42,7 +42,7 @@ const valuesOf = (geometry: BufferGeometry, name: string): number[][] => {
   return Array.from({ length: attribute.count }, (_, i) => getters.map((getter) => attribute[getter](i)));
 };
 
-/** What each corner sees of an attribute, through the index if there is one. */
+/** The values of an attribute at each corner, through the index if there is one. */
 const cornersOf = (geometry: BufferGeometry, name: string): number[][] => {
   const values = valuesOf(geometry, name);
   return geometry.index ? Array.from(geometry.index.array, (vertex) => values[vertex]) : values;

@@ -13,7 +13,7 @@ const prepare = (geometry: BufferGeometry, options: PrepareHatchingGeometryOptio
 
 const wordsOf = ({ image }: Texture): Uint32Array => (image as { data: Uint32Array }).data;
 
-/** How many edges have a flag of the first word. */
+/** The number of edges with a flag of the first word. */
 function countOf(geometry: BufferGeometry, flag: number): number {
   const { primitives, triangleCount, edgeCount } = outlineDataOf(geometry)!;
   const edges = wordsOf(primitives).subarray(4 * triangleCount, 4 * (triangleCount + edgeCount));

@@ -43,13 +43,13 @@ const layoutOf = (geometry: BufferGeometry): number[][] =>
     );
   });
 
-/** Everything in a geometry that a caller could see change. */
+/** All parts of a geometry whose change a caller could observe. */
 function snapshot(geometry: BufferGeometry) {
-  // What is no attribute may stand in the place of one.
+  // A value that is no attribute may be in place of one.
   const bytes = (attribute: { array: TypedArray } | null | undefined) => {
     const array = attribute?.array;
     if (!array) return [String(attribute)];
-    // The values of a buffer that was transferred cannot be asked for.
+    // The values of a buffer that was transferred cannot be read.
     return [array.constructor.name, array.byteLength, ...(array.byteLength > 0 ? array : [])];
   };
   return structuredClone({
@@ -63,7 +63,7 @@ function snapshot(geometry: BufferGeometry) {
   });
 }
 
-/** The index of so many triangles, all but the first of them degenerate, which a bake is soon done with. */
+/** The index of a number of triangles, all but the first of them degenerate, so that a bake is fast. */
 function indexOf(triangles: number): Uint32Array {
   const index = new Uint32Array(3 * triangles);
   index.set([0, 1, 2]);
@@ -159,7 +159,7 @@ describe('input', () => {
     geometry.setAttribute('position', position);
     return geometry;
   };
-  // ten floats of something else in front of and between the positions
+  // Ten other floats before and between the positions.
   const interleaved = new InterleavedBuffer(
     new Float32Array([0, 1, 2, 3].flatMap((v) => [9, 9, ...quadPositions.slice(3 * v, 3 * v + 3), 9])),
     6,

@@ -16,7 +16,7 @@ const valuesOf = (geometry: BufferGeometry, name: string) => {
   return Array.from({ length: attribute.count }, (_, i) => [attribute.getX(i), attribute.getY(i), attribute.getZ(i)]);
 };
 
-/** A plane facing +z whose good normals lean, so that one can see which were kept. */
+/** A plane facing +z with slanted good normals, which shows whether they were kept. */
 function plane(bad: readonly (readonly number[])[]): BufferGeometry {
   const geometry = new PlaneGeometry(1, 1);
   const leaning = [0.6, 0, 0.8];
@@ -42,7 +42,7 @@ describe.each(layouts)('normals that cannot be used, layout %s', (layout) => {
 
   test('unused vertices get no computed normals, and the others stay', async () => {
     const source = plane([[0, 0, 0]]);
-    // Of the plane's two triangles, 0 2 1 and 2 3 1, the second alone.
+    // The second of the plane's two triangles, 0 2 1 and 2 3 1, alone.
     source.setDrawRange(3, 3);
     const prepared = await prepareHatchingGeometry(source, { layout });
     expect(prepared.userData.hatching.computedNormals).toBe(0);

@@ -7,7 +7,7 @@ import { reactive } from './reactive.js';
 
 const prepare = (layout: 'corner' | 'pull' | 'indexed') => prepareHatchingGeometry(new SphereGeometry(), { layout });
 
-/** Puts other positions in the place of those of a geometry. */
+/** Replaces the positions of a geometry. */
 function exchangePositions(geometry: BufferGeometry, change: (x: number, i: number) => number): void {
   const { array } = geometry.attributes.position;
   geometry.setAttribute('position', new BufferAttribute(Float32Array.from(array, change), 3));

@@ -31,7 +31,7 @@ const otherPacked = packedOf(torus(30, 16));
 const SINE = Math.sin((0.75 * Math.PI) / 180);
 const DISTANCE = 3;
 const eye = new Vector4(0, 0, 4.4, 1);
-/** As far from that eye. */
+/** At the same distance from that eye. */
 const BOUNDS = new Sphere(new Vector3(), eye.z - DISTANCE);
 
 const listOf = ({ texture, count }: ContourList): number[] => [
@@ -53,7 +53,7 @@ describe('a small mesh is searched at once', () => {
     expect(list.count).toBeLessThan(packed.triangleCount / 2);
     const version = list.texture!.version;
     const moved = (share: number) => eye.clone().add(new Vector4(share * SINE * DISTANCE, 0, 0, 0));
-    // The distance counts at which the list was made.
+    // The distance at which the list was made counts.
     expect(list.update(data, moved(0.99), new Sphere(new Vector3(), 0.1))).toBe(true);
     expect(list.texture!.version).toBe(version);
     expect(list.update(data, moved(1.01), BOUNDS)).toBe(true);
@@ -80,7 +80,7 @@ describe('a small mesh is searched at once', () => {
     expect(list.texture!.version).toBe(version);
     list.update(data, turned(1.02 * SINE), BOUNDS);
     expect(list.texture!.version).toBe(version + 1);
-    // Another kind of camera at the same numbers.
+    // Another kind of camera at the same position.
     list.update(
       data,
       new Vector4(
@@ -121,7 +121,7 @@ describe('a small mesh is searched at once', () => {
 });
 
 describe('a large mesh is searched in the worker', () => {
-  /** The same, which says that it is large. */
+  /** The same data, marked as large. */
   function largeData(outlines = packed) {
     const worker = new FakeWorker();
     const data = new OutlineData(outlines);
@@ -143,7 +143,7 @@ describe('a large mesh is searched in the worker', () => {
     return { worker, data: data as OutlineData, answer, start };
   }
 
-  /** A search is transferred: the arrays must be no one else's. */
+  /** A search transfers its arrays, so they must not be shared. */
   const own = (data: OutlineData) => {
     const search = data.search!;
     data.search = {
@@ -166,7 +166,7 @@ describe('a large mesh is searched in the worker', () => {
     await start();
     await settled();
     expect(list.update(data, eye, BOUNDS)).toBe(false);
-    // Neither this nor another camera asks while the arrays are away.
+    // Neither this nor another camera requests a search while the arrays are away.
     expect(new ContourList().update(data, eye, BOUNDS)).toBe(false);
     expect(worker.ids).toHaveLength(1);
     answer();
@@ -189,7 +189,7 @@ describe('a large mesh is searched in the worker', () => {
     const moved = (share: number) => eye.clone().add(new Vector4(0, share * WIDE * DISTANCE, 0, 0));
     expect(list.update(data, moved(0.49), BOUNDS)).toBe(true);
     expect(worker.ids).toHaveLength(1);
-    // The renderer's vector is used again and again.
+    // The renderer reuses its vector.
     const reused = moved(0.6);
     expect(list.update(data, reused, BOUNDS)).toBe(true);
     await settled();
@@ -197,7 +197,7 @@ describe('a large mesh is searched in the worker', () => {
     expect(list.update(data, reused.copy(moved(1.01)), BOUNDS)).toBe(false);
     answer();
     await settled();
-    // It is a list for where the eye was when it was asked for.
+    // The list is for the eye position of the request.
     expect(listOf(list)).toEqual(expected(moved(0.6), WIDE));
     expect(list.update(data, moved(1.01), BOUNDS)).toBe(true);
     expect(list.update(data, moved(-0.3), BOUNDS)).toBe(true);

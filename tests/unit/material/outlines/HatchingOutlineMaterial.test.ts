@@ -12,7 +12,7 @@ import {
 
 afterEach(() => vi.restoreAllMocks());
 
-/** Something else than the default for everything. */
+/** A value other than the default for every parameter. */
 const changed = {
   outlineWidth: 3,
   contours: 0.5,

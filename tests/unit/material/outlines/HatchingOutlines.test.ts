@@ -28,7 +28,7 @@ beforeAll(async () => {
   geometry = await prepareHatchingGeometry(new BoxGeometry(2, 2, 2), { outlines: true, layout: 'indexed' });
 });
 
-/** Nothing here may leave a message. */
+/** No test here may log anything. */
 beforeEach(() => {
   vi.spyOn(console, 'warn');
   vi.spyOn(console, 'error');
@@ -142,7 +142,7 @@ test('a surface with invisible materials has no outlines', () => {
   for (const material of [mesh.material, [mesh.material, new MeshBasicMaterial({ visible: false })]]) {
     Object.assign(mesh, { material });
     for (const one of [material].flat()) one.visible = false;
-    // A renderer that can do nothing: whatever is drawn with it throws.
+    // A renderer without methods: drawing with it throws.
     outlines.onBeforeRender({} as WebGLRenderer, new Scene(), new PerspectiveCamera());
     expect(outlines.geometry.drawRange.count).toBe(-1);
     [material].flat()[0].visible = true;
@@ -271,7 +271,7 @@ describe('files', () => {
   });
 });
 
-/** What the exporter needs of the browser's. */
+/** The browser functions that the exporter needs. */
 class FileReader {
   result: ArrayBuffer | string | null = null;
   onloadend: () => void = () => {};

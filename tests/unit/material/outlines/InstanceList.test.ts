@@ -30,7 +30,7 @@ function instances(matrices: readonly Matrix4[]): InstancedMesh {
   return mesh;
 }
 
-/** Turned and squeezed tori in a row, away from the eye. */
+/** A row of rotated and squeezed tori, away from the eye. */
 const row = (count: number): InstancedMesh =>
   instances(
     Array.from({ length: count }, (_, i) =>
@@ -41,7 +41,7 @@ const row = (count: number): InstancedMesh =>
     ),
   );
 
-/** The numbers of the primitives of each instance. */
+/** The indices of the primitives of each instance. */
 function listed({ texture, count }: InstanceList): Map<number, Set<number>> {
   const words = texture!.image.data as Uint32Array;
   const byInstance = new Map<number, Set<number>>();
@@ -52,7 +52,7 @@ function listed({ texture, count }: InstanceList): Map<number, Set<number>> {
   return byInstance;
 }
 
-/** The primitives that hold a contour for the very eye. */
+/** The primitives that hold a contour for exactly this eye. */
 function needed(mesh: InstancedMesh, instance: number, { x, y, z, w }: Vector4): number[] {
   const matrix = new Matrix4();
   mesh.getMatrixAt(instance, matrix);
@@ -85,7 +85,7 @@ describe('what may hold an outline of any instance', () => {
     const { texture } = list;
     const moved = EYE.clone();
     let steps = 0;
-    // Each of them another eye: none rests, and none has a new list made.
+    // Different eyes: none rests, so none causes a new list.
     for (; steps < 200; steps++) {
       moved.x += 0.05;
       moved.y += 0.02;
@@ -98,7 +98,7 @@ describe('what may hold an outline of any instance', () => {
     }
     expect(steps).toBeGreaterThan(3);
     expect(steps).toBeLessThan(200);
-    // Where it rests.
+    // The eye rests here.
     expect(list.update(data, mesh, moved)).toBe(true);
     expect(list.texture).not.toBe(texture);
   });

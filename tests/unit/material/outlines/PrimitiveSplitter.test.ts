@@ -19,7 +19,7 @@ function flagsOf({ primitives, triangleCount, edgeCount }: OutlineData): number[
 
 const count = (flags: readonly number[], flag: number): number => flags.filter((each) => (each & flag) !== 0).length;
 
-/** The parts of triangles by their group of two, as the sides of a box have them. */
+/** The parts of triangles by groups of two, as on the sides of a box. */
 const bySides = (sides: readonly number[]): Int32Array => Int32Array.from(sides.flatMap((side) => [side, side]));
 
 test('a single part has all outlines', async () => {

@@ -26,18 +26,18 @@ beforeAll(async () => {
   plane = await prepareHatchingGeometry(new PlaneGeometry(2, 2, 4, 1), { outlines: true, layout: 'indexed' });
 });
 
-/** What a draw of outlines began with. */
+/** The state at the beginning of a draw of outlines. */
 interface Draw {
   primitives: number;
   opacity: number;
   depthTest: boolean;
 }
 
-/** A renderer that notes what it is asked to draw. */
+/** A renderer that records what it is told to draw. */
 class NotingRenderer {
   readonly info = { render: { frame: 0 } };
   readonly properties = { get: () => ({}) };
-  // The depth of what virtual reality draws into cannot be copied.
+  // The depth of a WebXR framebuffer cannot be copied.
   readonly xr = { isPresenting: true };
   readonly draws: Draw[] = [];
 
@@ -80,7 +80,7 @@ function sceneOf(outlines: HatchingOutlines): Scene {
 
 function outlined(geometry: BufferGeometry, material: Material | Material[], look = {}) {
   const mesh = new Mesh(geometry, material);
-  // All primitives are drawn with suggestive contours, so that they can be counted.
+  // With suggestive contours all primitives are drawn, so that they can be counted.
   const outlines = new HatchingOutlines(mesh, { suggestiveContours: 1, ...look });
   mesh.add(outlines);
   return { mesh, outlines };
@@ -197,7 +197,7 @@ describe('groups', () => {
   test('without a visible material have no outlines', () => {
     const material = new MeshBasicMaterial();
     const hidden = new MeshBasicMaterial({ visible: false });
-    // Of a side of two triangles four edges are shared with others, which have borders there.
+    // A side of two triangles shares four edges with others, which have borders there.
     const primitives = whole() - 2;
     for (const materials of [
       [material, material, material, hidden, material, material],
@@ -261,7 +261,7 @@ test('a draw range is followed when it changes, and ends in borders', () => {
   const [all] = draw(outlines);
   expect(all.primitives).toBeGreaterThanOrEqual(8 + 10);
   mesh.geometry.setDrawRange(0, 12);
-  // Half of the columns: their triangles, and the borders around them. Flat edges between triangles hold nothing.
+  // Half of the columns: their triangles, and the borders around them. Flat edges between triangles hold no outline.
   const [half] = draw(outlines);
   expect(half.primitives).toBeLessThan(all.primitives);
   expect(half.primitives).toBeGreaterThanOrEqual(4 + 4);

@@ -15,13 +15,13 @@ import { HatchingOutlineMaterial } from '../../../../src/material/outlines/Hatch
 import { HatchingOutlines } from '../../../../src/material/outlines/HatchingOutlines.js';
 import { leastPerFrame } from '../../allocated.js';
 
-/** Enough for the compiler of V8 to have done with what is drawn: before that, every computed number is allocated. */
+/** The number of frames after which V8 has compiled the code: before that, every computed number is allocated. */
 const WARM_UP_FRAMES = 4000;
 const FRAMES = 1000;
 const MESHES = 50;
-/** Numbers that a material takes of a surface are left: so few meshes have some. */
+/** Numbers that a material copies from a surface are allocated: few meshes have any. */
 const FEW = 5;
-/** The bytes that a frame may leave: less than a number of 12 bytes for each mesh. */
+/** The number of bytes that a frame may leave. A number per mesh takes 12. */
 const MOST = 400;
 /** The same for meshes whose groups look different: two numbers for each of their 30 groups and some. A list of parts for each mesh takes 36,000. */
 const MOST_OF_GROUPS = 1000;
@@ -31,14 +31,14 @@ const kept = { uniformsList: [{ id: 'ink' }, { id: 'eye' }] };
 const renderer = {
   info: { render: { frame: 0 } },
   properties: { get: () => kept },
-  // The depth of what virtual reality draws into cannot be copied.
+  // The depth of a WebXR framebuffer cannot be copied.
   xr: { isPresenting: true },
   getPixelRatio: () => 2,
   getCurrentViewport: (viewport: Vector4) => viewport.copy(target),
   renderBufferDirect: () => {},
 } as unknown as WebGLRenderer;
 
-/** Draws outlines of meshes frame by frame, until the compiler has done with it, and looks for what is left then. */
+/** Draws outlines of meshes frame by frame until the code is compiled, and then measures the garbage. */
 function expectNoGarbage(
   make: (i: number, material: HatchingOutlineMaterial) => Mesh,
   meshes: number,

@@ -114,13 +114,13 @@ describe('outlines take from a surface', () => {
     expect(material.stencilZPass).not.toBe(ReplaceStencilOp);
   });
 
-  // Whether the test that a surface passes where nothing is marked, it fails where it has marked that.
+  // Whether a surface passes its stencil test at unmarked pixels, and fails it where it has marked them.
   test.each<[boolean, MaterialParameters]>([
     [true, { stencilRef: 1, stencilFunc: NotEqualStencilFunc, stencilZPass: ReplaceStencilOp }],
     [true, { stencilRef: 3, stencilFunc: GreaterStencilFunc, stencilZPass: ReplaceStencilOp }],
     [true, { stencilRef: 0, stencilFunc: EqualStencilFunc, stencilZPass: IncrementStencilOp }],
     [true, { stencilRef: 8, stencilFuncMask: 7, stencilFunc: EqualStencilFunc, stencilZPass: InvertStencilOp }],
-    // The caps of clipped solids, which are drawn where others have marked.
+    // The caps of clipped solids, which are drawn where other objects have marked the stencil.
     [false, { stencilRef: 0, stencilFunc: NotEqualStencilFunc, stencilZPass: ReplaceStencilOp }],
     [false, { stencilRef: 1, stencilFunc: EqualStencilFunc, stencilZPass: IncrementStencilOp }],
     [false, { stencilRef: 1, stencilFunc: NotEqualStencilFunc }],

@@ -72,7 +72,7 @@ describe('the shaders', () => {
       .flatMap(({ vertexShader, fragmentShader }) => [vertexShader, fragmentShader])
       .join('\n');
     const used = new Set(all.split('\n'));
-    // How an environment is laid out depends on the version of three.js: one of the two is for others.
+    // The layout of an environment depends on the version of three.js: one of the two is for other versions.
     const unused = files
       .filter((path) => path !== `shaders/environment/${environmentLayout() === 'cube' ? 'atlas' : 'cube'}.glsl`)
       .filter((path) =>

@@ -9,7 +9,7 @@ afterEach(() => {
   ShaderChunk.lights_pars_begin = lights_pars_begin;
 });
 
-/** The pattern by which three.js finds loops to unroll, once it has written numbers in the place of counts. */
+/** The pattern by which three.js finds loops to unroll, after it has replaced counts by numbers. */
 const UNROLLED =
   /#pragma unroll_loop_start\s+for\s*\(\s*int\s+i\s*=\s*(\d+)\s*;\s*i\s*<\s*(\d+)\s*;\s*i\s*\+\+\s*\)\s*{([\s\S]+?)}\s+#pragma unroll_loop_end/g;
 

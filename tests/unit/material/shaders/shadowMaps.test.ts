@@ -18,7 +18,7 @@ const files = Object.fromEntries(
 );
 const steadyOf = (source?: string) => resolveIncludes(shadowMapsChunk(source), files);
 
-/** The bodies of the functions of a name, each from its head to the next function or the end. */
+/** The bodies of the functions with a name, each from its head to the next function or the end. */
 const bodiesOf = (name: string, chunk: string) =>
   chunk.split(/^\s*(?=(?:float|vec2|int) \w+\()/m).filter((part) => new RegExp(`^float ${name}\\(`).test(part));
 
@@ -33,7 +33,7 @@ describe('the filter of shadow maps', () => {
     const [comparingCube, basicCube] = bodiesOf('getPointShadow', steady);
     expect(comparingCube).toMatch(/tentWeight\(x, y, n\) \* texture\(shadowMap, vec4/);
     expect(basicCube).toMatch(/mix\(mix\(lit\.x, lit\.y/);
-    // What is left of the noise is its definition.
+    // All that remains of the noise is its definition.
     expect(steady.match(/interleavedGradientNoise|gl_FragCoord/g)).toEqual(['interleavedGradientNoise']);
     expect(steady).not.toMatch(/vogelDiskSample\( \d/);
   });

@@ -121,7 +121,7 @@ describe("TonalArtMap.load of an artist's images", () => {
     'rejects with the reason of the abort, at any stage: %s',
     async (reason) => {
       const controller = new AbortController();
-      // As browsers do: the fetch rejects with the reason, or, where they know none, with an AbortError.
+      // As in browsers: the fetch rejects with the reason or, without one, with an AbortError.
       vi.stubGlobal('fetch', async () => {
         controller.abort(reason);
         throw new DOMException('The operation was aborted.', 'AbortError');
@@ -313,7 +313,7 @@ describe('TonalArtMap.load stays within bounds', () => {
   const describing = (size: number, images: unknown): File =>
     new File([JSON.stringify({ format: 'three-hatching tonal art map', version: 1, size, images })], 'map.json');
 
-  /** Serves files, and counts what is fetched and what is decoded. */
+  /** Serves files, and counts fetches and decoded images. */
   function counting(files: readonly File[]): { fetched: string[]; decoded(): number } {
     serve(files);
     const fetched: string[] = [];
@@ -374,7 +374,7 @@ describe('TonalArtMap.load stays within bounds', () => {
     ]);
     const map = await TonalArtMap.load(address('map.json'));
     expect([many.fetched, many.decoded()]).toEqual([['map.json', light.name, dark.name], 2]);
-    // With the blank paper that was added.
+    // Including the blank paper that was added.
     expect([1, 3, 5].map((tone) => map.image(tone, 0))).toEqual(
       [1, 2, 2].map((tone) => hatchImages({ style: 'hatching', size: 64, tones: 4 }).images[tone][0]),
     );

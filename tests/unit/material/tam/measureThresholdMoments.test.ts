@@ -5,7 +5,7 @@ import { random as seeded } from '../../../../src/strokes/random.js';
 import { encodeThresholds } from '../../../../src/strokes/tamImages/encodeThresholds.js';
 import { generateThresholds } from '../../../../src/strokes/tamImages/generateThresholds.js';
 
-/** Thresholds in random places: neighbouring texels know nothing of each other. */
+/** Random thresholds: neighbouring texels are independent. */
 function noise(size: number, seed: number) {
   const random = seeded(seed);
   const order = Array.from({ length: size * size }, (_, i) => ({ i, key: random() })).sort((a, b) => a.key - b.key);

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { packedLayerCount, packHatchImages, unpackHatchImage } from '../../../../src/material/tam/packHatchImages.js';
 
-/** Two texels by two and one texel; the byte tells tone, level and texel. */
+/** Two texels by two and one texel; the byte encodes tone, level and texel. */
 const images = (tones: number): number[][][] =>
   Array.from({ length: tones }, (_, tone) => [
     [10 * tone, 10 * tone + 1, 10 * tone + 2, 10 * tone + 3],

@@ -19,7 +19,7 @@ const level = (size: number, encoded: number[]) => ({
 describe('pairThresholdLevels', () => {
   it('interpolates the coarser level at the texel centres of the finer one, across borders', () => {
     const [pair] = pairThresholdLevels([level(4, new Array(16).fill(0)), level(2, [0, 160, 0, 160])]);
-    // Between 0 and 160 at quarters, the same in every row, and the other way round across the border.
+    // Between 0 and 160 at quarters, the same in every row, and reversed across the border.
     expect([...pair!.coarser]).toEqual([40, 40, 120, 120, 40, 40, 120, 120, 40, 40, 120, 120, 40, 40, 120, 120]);
     const [turned] = pairThresholdLevels([level(4, new Array(16).fill(0)), level(2, [0, 0, 160, 160])]);
     expect([...turned!.coarser]).toEqual([40, 40, 40, 40, 40, 40, 40, 40, 120, 120, 120, 120, 120, 120, 120, 120]);

@@ -7,7 +7,7 @@ const { quarters, births } = readStippleSet();
 const points = pointsOf(quarters);
 const texels = stippleMap().image.data as Uint8Array;
 
-/** The mean distance to the nearest of others, on a torus, to that of the densest lattice of as many. */
+/** The mean distance to the nearest neighbour on a torus, relative to that of the densest lattice of as many points. */
 function evenness(places: readonly (readonly [number, number])[], side: number): number {
   const around = (a: number, b: number): number => {
     const away = Math.abs(a - b);
@@ -44,7 +44,7 @@ test('points are spread evenly, also while others appear between them', { tags: 
     Math.floor(cell / PERIOD) + points[2 * cell + 1],
   ]);
   expect(evenness(own, PERIOD)).toBeGreaterThan(0.78);
-  // Control: a point at random in every cell.
+  // Control: a random point in every cell.
   let state = 1;
   const random = (): number => {
     state = (Math.imul(state, 1664525) + 1013904223) >>> 0;

@@ -2,7 +2,7 @@ import { expect, test } from 'vitest';
 import { TOOTH_MAP_SIZE } from '../../../../src/material/tam/patternSizes.js';
 import { toothMap } from '../../../../src/material/tam/toothMap.js';
 
-/** As the shader reads them. */
+/** The values as the shader reads them. */
 const field = Float64Array.from(toothMap().image.data as Uint8Array, (texel) => (6 * texel) / 255 - 3);
 
 const mean = (read: (i: number) => number): number => {

@@ -44,13 +44,13 @@ function placed<Kind extends Camera>(camera: Kind, from: Vector3): Kind {
   return camera;
 }
 
-/** The share of shade that an object shows a camera. */
+/** The share of shade of an object as a camera sees it. */
 function shadeOf(object: Object3D, camera: Camera, light: Vector3): number {
   object.updateMatrixWorld();
   return shareOfShade(seenSurface(readTriangles(object, camera)), light.clone().normalize().toArray());
 }
 
-/** The share of a disc where the sphere above it is in shade, counted point by point. @param light as the viewer has it */
+/** The share of a disc under which a sphere is in shade, counted point by point. @param light in the viewer's space */
 function shadeOfSphere(light: Vector3): number {
   const [x, y, z] = light.clone().normalize();
   let [dark, all] = [0, 0];
@@ -104,7 +104,7 @@ describe('the share of shade', () => {
     expect(behindNothing).toBeGreaterThan(0.03);
     wall.visible = false;
     expect(shadeOf(new Group().add(wall, behind, beside), fromFront, light)).toBe(behindNothing);
-    // One looks through glass, unless there is nothing else.
+    // Glass does not count, unless there is nothing else.
     wall.visible = true;
     (wall.material as Material).transparent = true;
     expect(shadeOf(new Group().add(wall, behind, beside), fromFront, light)).toBe(behindNothing);
@@ -121,7 +121,7 @@ describe('the share of shade', () => {
     const near = meshOf(new PlaneGeometry(2, 2).rotateX(-0.9)).translateZ(1);
     const far = meshOf(new PlaneGeometry(2, 2)).translateZ(-40);
     far.scale.setScalar(12);
-    // The far one is in shade. It would be larger on the sheet, and the near one lies in front of its middle.
+    // The far surface is in shade. It would be larger on the sheet, but the near one covers its middle.
     const share = shadeOf(new Group().add(near, far), camera(new Vector3(0, 0, 6)), new Vector3(0, 1, 0.1));
     expect(share).toBeGreaterThan(0.1);
     expect(share).toBeLessThan(0.9);
@@ -228,7 +228,7 @@ describe('the light', () => {
     const coarse = flatteringLight(ball(), camera(front));
     expect(direction.distanceTo(coarse.direction)).toBeLessThan(0.1);
     expect(Math.abs(shade - coarse.shade)).toBeLessThan(0.02);
-    // Beside it, small meshes are read as a whole.
+    // Small meshes next to it are read whole.
     const small = meshOf(new BoxGeometry());
     expect(readTriangles(new Group().add(dense, small), camera(front)).isSample).toContain(0);
   });
@@ -243,7 +243,7 @@ describe('the light', () => {
 
   describe('of an object on the ground', () => {
     const post = (): Mesh => meshOf(new BoxGeometry(0.3, 1.6, 0.3));
-    /** How far its shadow reaches from the middle of the sheet. */
+    /** The reach of the shadow from the middle of the sheet. */
     const reachOf = (object: Mesh, view: Camera, light: Vector3): number => {
       const { position } = object.geometry.attributes;
       const ground = -0.8;
@@ -294,7 +294,7 @@ describe('the light', () => {
   });
 });
 
-/** A triangle with a corner that is nowhere, and one of corners that do not exist. */
+/** A triangle with a corner that is not finite, and one with missing corners. */
 function broken(): BufferGeometry {
   const geometry = new PlaneGeometry();
   geometry.setAttribute('position', new Float32BufferAttribute([0, 0, 0, 1, 0, 0, Number.NaN, 1, 0], 3));

@@ -23,11 +23,11 @@ describe('the reach of a shadow', () => {
   const fromAbove = sheetOf(new OrthographicCamera(-2, 2, 2, -2, 0, 20), [0, 5, 1e-6]);
 
   test.each([
-    // As long as the post is high, to the right: half of the way to the edge.
+    // The shadow is as long as the post is high, to the right: half way to the edge.
     [toward(-1, 1, 0), fromFront, 0.5],
     // Four times as long.
     [toward(-4, 1, 0), fromFront, 2],
-    // Away from the eye: nothing of it is seen from the front, where the post itself goes half way up.
+    // Away from the eye: not visible from the front, where the post itself reaches half way up.
     [toward(0, 1, 3), fromFront, 0],
     [toward(0, 1, 3), fromAbove, 1.5],
     [toward(-3, 2, -4), fromAbove, 1],

@@ -49,7 +49,7 @@ describe.each([1, 3])('with %s cores', (hardwareConcurrency) => {
     const known = baked.length;
     expect(known).toBeGreaterThan(0);
     expect(known).toBeLessThanOrEqual(hardwareConcurrency);
-    // By the end of as many others they would have been baked.
+    // In the time of as many others they would have been baked.
     await bakeGeometries(boxes(9), {}, nothing);
     expect(baked).toHaveLength(known);
   });
@@ -68,7 +68,7 @@ test('as many are baked at a time as there are cores, but fewer large ones, and 
   tags: ['all'],
 }, async () => {
   vi.stubGlobal('navigator', { hardwareConcurrency: 4 });
-  /** The largest number of `count` geometries that have been begun and are not done. */
+  /** The greatest number of `count` geometries that are being baked at a time. */
   const mostAtOnce = async (count: number, make: () => BufferGeometry) => {
     let begun = 0;
     let done = 0;
@@ -78,7 +78,7 @@ test('as many are baked at a time as there are cores, but fewer large ones, and 
         const geometry = make();
         const { attributes } = geometry;
         let isKnown = false;
-        // The first look at the attributes of a geometry begins its bake.
+        // A bake starts with the first read of a geometry's attributes.
         Object.defineProperty(geometry, 'isBufferGeometry', {
           get: () => {
             if (!isKnown) most = Math.max(most, ++begun - done);
@@ -92,7 +92,7 @@ test('as many are baked at a time as there are cores, but fewer large ones, and 
     await bakeGeometries(layouts, {}, { onBaked: () => done++ });
     return most;
   };
-  /** All triangles but two are degenerate, which a bake is soon done with. */
+  /** All triangles but two are degenerate, so that a bake is fast. */
   const plane = (corners: number) => () => {
     const index = new Uint32Array(corners);
     index.set([0, 2, 1, 2, 3, 1]);
