@@ -80,7 +80,7 @@ const viewport = /* @__PURE__ */ new Vector4();
  *     const { materials } = await applyHatching(model, 'engraving');
  *     scene.add(new HatchingBackground(materials[0].extent, { ink: '#1c1a17' }));
  *
- * Where the light comes from is the mean of all lights of the scene, as it is seen on the sheet. Every property may be changed at any
+ * The direction of the light is the mean of all lights of the scene, projected onto the sheet. Every property may be changed at any
  * time, and builds no program. It casts no shadow, and is left out of raycasts and bounds.
  */
 export class HatchingBackground extends Mesh<BufferGeometry, ShaderMaterial> {

@@ -217,7 +217,7 @@ export class HatchingMaterial extends PropertyFields {
   /**
    * Called by the renderer when it is about to choose a program, before a frame or in `compile`. Brings the program up to date.
    *
-   * @returns a key that tells the program apart from those of other hooks
+   * @returns a key that differs between programs of different hooks
    */
   override customProgramCacheKey(): string {
     if (this.announced.some(environmentAround)) this.met.hasEnvironment = true;

@@ -148,7 +148,7 @@ export function writeSizeUniforms(
   write(u.dotPixels, dotPixels);
   write(u.texelPixels, dotPixels / strokeTexels);
   write(u.toothSize, pixelRatio * material.toothSize);
-  // `sizedOnScreen` says how far the spacing of lines and the length of their strokes are in screen space.
+  // `sizedOnScreen` blends the spacing of lines and the length of their strokes from object to screen space.
   const onScreen = pixelRatio ** material.sizedOnScreen;
   write(u.lineSpacing, onScreen * material.lineSpacing);
   write(u.strokeLength, onScreen * material.strokeLength);

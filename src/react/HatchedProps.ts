@@ -29,7 +29,7 @@ export interface HatchedProps extends HatchedOptions, HatchedGroupProps {
   showUnhatched?: boolean | undefined;
   /** Called whenever the scene was hatched or restyled. `hatched.skipped` lists the meshes that were left alone, and why. */
   onHatched?: ((hatched: HatchedScene) => void) | undefined;
-  /** Called if the scene cannot be hatched; it is then shown as it is. By default the error goes to the nearest error boundary. */
+  /** Called if the scene cannot be hatched; it is then shown unhatched. By default the error goes to the nearest error boundary. */
   onError?: ((error: unknown) => void) | undefined;
 }
 

@@ -37,7 +37,7 @@ export interface ApplyHatchingOptions extends Omit<PrepareHatchingGeometryOption
     | null
     | undefined;
   /**
-   * Parameters of the new materials. They override what is taken over from the old materials. A function is called once for every
+   * Parameters of the new materials. They override what is copied from the old materials. A function is called once for every
    * new material, with the material that it replaces and the first mesh that uses it.
    */
   material?: HatchingMaterialParameters | ((source: Material, mesh: Mesh) => HatchingMaterialParameters) | undefined;

@@ -71,7 +71,7 @@ const MAP_SHARE = 0.2;
 /** The share of the progress for the first frame, if a renderer is given. */
 const FRAME_SHARE = 0.1;
 
-/** The share of the progress for levels of detail, if they are asked for. */
+/** The share of the progress for levels of detail, if they are requested. */
 const DETAIL_SHARE = 0.2;
 
 /** Makes materials and outlines for one kind of renderer. */

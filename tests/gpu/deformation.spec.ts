@@ -473,7 +473,7 @@ test('a device without float targets moves what deforms, hatched as at rest, and
   const problems = pageProblems.splice(0).filter((problem) => problem.includes('HatchingMaterial'));
   expect(problems).toHaveLength(1);
   expect(problems[0]).toMatch(
-    /the SkinnedMesh "tube".* is lit and hatched as at rest: .*EXT_color_buffer_float.*'anchored'/,
+    /the SkinnedMesh "tube".* is lit and hatched in its rest pose: .*EXT_color_buffer_float.*'anchored'/,
   );
 });
 
@@ -513,8 +513,8 @@ test('a layout that cannot deform, and instances that each morph, are named in t
   });
   const problems = pageProblems.splice(0);
   expect(problems).toHaveLength(2);
-  expect(problems.join()).toMatch(/the SkinnedMesh "bent".* is lit and hatched as at rest: its layout 'corner'/);
-  expect(problems.join()).toMatch(/the InstancedMesh "instances".* is lit and hatched as at rest: the instances/);
+  expect(problems.join()).toMatch(/the SkinnedMesh "bent".* is lit and hatched in its rest pose: its layout 'corner'/);
+  expect(problems.join()).toMatch(/the InstancedMesh "instances".* is lit and hatched in its rest pose: the instances/);
 });
 
 test('instances share the pose of their mesh', { tag: '@all' }, async ({ page }) => {

@@ -1,7 +1,7 @@
 const PREPARE = 'await prepareHatchingGeometry(geometry)';
 const PREPARE_ADJACENCY = 'await prepareHatchingGeometry(geometry, { adjacency: true })';
 const WITH_ADJACENCY = "Prepare it with { adjacency: true }, or use the technique 'anchored'.";
-const AT_REST = 'is lit and hatched as at rest:';
+const AT_REST = 'is lit and hatched in its rest pose:';
 
 /** A warning about a mesh, with further arguments. */
 export type Sentence = (mesh: string, ...details: string[]) => string;
@@ -18,11 +18,11 @@ export const SENTENCES = {
   lostAdjacency: (mesh: string) =>
     `${mesh} has lost its triangle adjacency: that of the layout 'pull' is not kept when geometries are merged, exported or serialised. ${WITH_ADJACENCY}`,
   cornerAtRest: (mesh: string) =>
-    `${mesh} ${AT_REST} its layout 'corner' knows no other pose. Prepare it with the layout 'pull' or 'auto', or use the technique 'anchored'.`,
+    `${mesh} ${AT_REST} its layout 'corner' stores no other pose. Prepare it with the layout 'pull' or 'auto', or use the technique 'anchored'.`,
   deviceAtRest: (mesh: string) =>
-    `${mesh} ${AT_REST} this device cannot draw into float textures (EXT_color_buffer_float). Use the technique 'anchored', which has no need to.`,
+    `${mesh} ${AT_REST} this device cannot draw into float textures (EXT_color_buffer_float). Use the technique 'anchored', which does not need them.`,
   instancesAtRest: (mesh: string) =>
-    `${mesh} ${AT_REST} the instances of an InstancedMesh cannot have morph targets each of their own. Use the technique 'anchored', or meshes.`,
+    `${mesh} ${AT_REST} the instances of an InstancedMesh cannot have morph targets of their own. Use the technique 'anchored', or meshes.`,
   noForm: (mesh: string, field: string) =>
     `${mesh} is drawn with ${field} 'light', because it was prepared without form. Prepare it with { form: true }.`,
   moved: (mesh: string) =>
@@ -43,7 +43,7 @@ export const SENTENCES = {
   tooCoarse: (mesh: string, property: string, value: string, better: string) =>
     `${mesh} has strokes larger than itself: ${property} is ${value}. Set it to about ${better}.`,
   onlyFrame: (mesh: string) =>
-    `${mesh} was drawn before all that its material draws with was there, and never since. Draw again when it is: material.ready.then(() => renderer.render(scene, camera)).`,
+    `${mesh} was drawn before the map and the code of its material had loaded, and never since. Draw again when they have: material.ready.then(() => renderer.render(scene, camera)).`,
 } satisfies Record<string, Sentence>;
 
 export type Mistake = keyof typeof SENTENCES;

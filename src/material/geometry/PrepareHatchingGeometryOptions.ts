@@ -19,7 +19,7 @@ export interface PrepareHatchingGeometryOptions extends TaskOptions {
    * - `'pull'`: the positions lie in a texture that a pre-pass can deform, and every corner reads all six from it: 32 bytes per
    * triangle and 16 per vertex. It works with every technique and with meshes that deform, and draws the same pixels as
    * `'corner'`.
-   * - `'indexed'`: the geometry as it is, with eight more bytes per vertex. It works only with `anchored` and `engraved`, which
+   * - `'indexed'`: the source geometry, with eight more bytes per vertex. It works only with `anchored` and `engraved`, which
    * need no adjacency.
    * - `'auto'`: `'pull'` for a geometry with a skin, with morph targets of position or normal, or with more than
    * 200,000 triangles, where the upload of all corners would block the page for some hundred milliseconds; otherwise
@@ -54,7 +54,7 @@ export interface PrepareHatchingGeometryOptions extends TaskOptions {
    * Bakes the form field: the functions whose level sets are the lines of `lineField: 'form'` and `'acrossForm'`, and that
    * `strokeField` lays strokes along, in 24 bytes per vertex; a few vertices are copied. It takes several times as long as all the
    * rest, in the worker. Pass `true`, `'auto'` for shapes that have a form only (and not for meshes of flat faces), or options.
-   * Default: false; `applyHatching` bakes them where a material asks for them.
+   * Default: false; `applyHatching` bakes them if a material needs them.
    */
   form?: boolean | 'auto' | HatchingFormOptions | undefined;
 }

@@ -4,7 +4,7 @@ import { identityOf } from './identityOf.js';
 /** The duration in which lines fade into an even grey, and of the reverse, in milliseconds. */
 const DURATION_MS = 300;
 
-/** The interval between frames meanwhile, in milliseconds. */
+/** The interval between frames of a fade, in milliseconds. */
 const INTERVAL_MS = 16;
 
 interface Fade {

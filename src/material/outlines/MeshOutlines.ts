@@ -82,7 +82,7 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Obj
   isInstancedMesh = false;
   /** @internal */
   instanceMatrix: InstancedMesh['instanceMatrix'] | null = null;
-  /** Instances have neither colours nor morph targets here; an override material asks for both. @internal */
+  /** Instances have neither colours nor morph targets here; an override material reads both. @internal */
   readonly instanceColor = null;
   /** @internal */
   readonly morphTexture = null;
@@ -228,7 +228,7 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Obj
     if (!hasFloatTargets(renderer) || morphsEachInstance(mesh)) {
       this.report(
         mesh,
-        'has its outlines as at rest: this device cannot draw into float textures, or its instances have morph targets each of their own.',
+        'has its outlines in the rest pose: this device cannot draw into float textures, or its instances have morph targets of their own.',
       );
       return null;
     }

@@ -19,7 +19,7 @@ type OutlineLook = Record<OutlineNumberName, number> & {
 };
 
 /**
- * Defines a checked property for each number on a material. @param told called after one was set. @param owner the name of the class
+ * Defines a checked property for each number on a material. @param told called after a property was set. @param owner the name of the class
  */
 export function defineOutlineNumbers(
   material: object,

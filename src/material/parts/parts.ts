@@ -50,7 +50,7 @@ export const isFetched = (look: LookOfParts): boolean => partNamesOf(look).every
 /**
  * Fetches a part, once. A failure, such as a missing network, is reported, and the next call tries again.
  *
- * @throws Error that says what could not be fetched
+ * @throws Error that names the part that could not be fetched
  */
 export function fetchPart(name: PartName): Promise<MaterialPart> {
   let promise = fetching.get(name);

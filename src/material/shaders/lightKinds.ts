@@ -14,7 +14,7 @@ interface LightKind {
    * `distance` and `decay` for lights at a place. A `sky` is three's hemisphere light, which shines from all around.
    */
   from: 'afar' | 'place' | 'sky';
-  /** three's function for the share of such a light that passes its shadow map, as it is called. */
+  /** The call of three's function for the share of such a light that passes its shadow map. */
   shadow?: string;
   /** Its shadow maps, if they are flat or cubes; those of a sun are cascades. */
   maps?: FlatMaps | CubeMaps;

@@ -39,7 +39,7 @@ const OWN_OPTIONS = { onGround: true } satisfies Record<keyof FlatteringLightOpt
  * - It takes some milliseconds for a scene of any size: of more than 30,000 triangles only some are read, and at most 2,000 meshes
  * and 256 instances of each.
  *
- * @param object what is to be lit
+ * @param object the object to light
  * @param camera the view, with its projection up to date
  * @throws TypeError for anything else than an object and a camera, and for an option that does not exist
  * @throws Error if the object is its own descendant
