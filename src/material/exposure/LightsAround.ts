@@ -91,7 +91,11 @@ export class LightsAround {
     } else if ('isPointLight' in light || 'isSpotLight' in light) this.lamps.push(lampAt(light as PointLight, full));
   }
 
-  /** Writes the light that arrives at a point with a normal, in world space. Allocates nothing. */
+  /**
+   * Writes the light that arrives at a point with a normal, in world space. Allocates nothing.
+   *
+   * @param isHalfLambert whether light wraps around the surface (half Lambert)
+   */
   arriveAt(position: Vector3, normal: Vector3, isHalfLambert: boolean, result: Arriving): void {
     let [direct, reflected] = [0, 0];
     for (const lamp of this.lamps) {

@@ -20,6 +20,8 @@ export class SceneExtent {
   /**
    * The depth range of the box and its place on the sheet in the present frame; null if nothing of it is seen. Measured once per frame;
    * allocates nothing.
+   *
+   * @internal
    */
   seenFrom(renderer: WebGLRenderer, camera: Camera): Readonly<SeenBox> | null {
     if (!this.measured.isOf(renderer, camera)) {

@@ -292,7 +292,12 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Obj
     this.hasTaken = false;
   }
 
-  /** The list of primitives of a part that may hold an outline as the camera sees the mesh; null if it is not known. */
+  /**
+   * The list of primitives of a part that may hold an outline as the camera sees the mesh; null if it is not known.
+   *
+   * @param eye the position of the camera, in the space of the mesh
+   * @internal
+   */
   protected listFor(camera: Camera, part: OutlinePart, mesh: Mesh, eye: Vector4): ContourList | InstanceList | null {
     const { boundingSphere } = mesh.geometry;
     if (!boundingSphere || part.isNew) return null;
