@@ -72,7 +72,7 @@ void main() {
     localDarkness(diffuseColor.rgb, totalEmissiveRadiance), planeness(normal)
   );
   #ifdef DISSOLVES_SHADOWS
-    tellSoftShadows(-vViewPosition);
+    readSoftShadows(-vViewPosition);
   #endif // DISSOLVES_SHADOWS
   #include <lights_fragment_begin>
   occludeLights(material);

@@ -42,7 +42,7 @@
   }
 
   // matrix: from the world to the map. point: world space. toLight: unit, the same. Gives what passes, and what is left.
-  vec2 tellFlat(
+  vec2 flatShadow(
     FLAT_SHADOW_MAP map, const in mat4 matrix, const in vec3 point, const in vec3 toLight, const in float bias, const in float radius,
     const in float texels
   ) {
@@ -64,7 +64,7 @@
 
   #ifdef CUBE_SHADOW_MAP
     // fromLight: to the point, world space. range: of the shadow's camera, near and far.
-    vec2 tellCube(
+    vec2 cubeShadow(
       CUBE_SHADOW_MAP map, const in vec3 fromLight, const in vec2 range, const in float bias, const in float radius, const in float texels
     ) {
       vec3 onAxes = abs(fromLight);
@@ -82,7 +82,7 @@
   #endif // CUBE_SHADOW_MAP
 
   // viewPosition: of the point, view space. Before three's chunk walks over the lights.
-  void tellSoftShadows(const in vec3 viewPosition) {
+  void readSoftShadows(const in vec3 viewPosition) {
     for (int i = 0; i < LIGHTS_WITH_DIRECTION; i++) {
       passing[i] = -1.0;
       toneLeft[i] = 1.0;
@@ -90,12 +90,12 @@
     if (shadowFade == 0.0 && shadowSoftness == 0.0) return;
     vec3 point = (vec4(viewPosition - viewMatrix[3].xyz, 0.0) * viewMatrix).xyz;
     IncidentLight light;
-    vec2 told;
-    #define TELL(number, by, shadow) told = by; toneLeft[number] = told.y; if (shadowSoftness > 0.0) passing[number] = mix(1.0, told.x, shadow.shadowIntensity);
-    #define VISIT_SHADOW(number, map, matrix, shadow) TELL(number, tellFlat(map, matrix, point, (vec4(light.direction, 0.0) * viewMatrix).xyz, shadow.shadowBias, shadow.shadowRadius, shadow.shadowMapSize.x), shadow)
+    vec2 found;
+    #define READ(number, by, shadow) found = by; toneLeft[number] = found.y; if (shadowSoftness > 0.0) passing[number] = mix(1.0, found.x, shadow.shadowIntensity);
+    #define VISIT_SHADOW(number, map, matrix, shadow) READ(number, flatShadow(map, matrix, point, (vec4(light.direction, 0.0) * viewMatrix).xyz, shadow.shadowBias, shadow.shadowRadius, shadow.shadowMapSize.x), shadow)
     #include "eachFlatShadow"
     #ifdef CUBE_SHADOW_MAP
-      #define VISIT_SHADOW(number, map, fromLight, shadow) TELL(number, tellCube(map, (vec4(fromLight, 0.0) * viewMatrix).xyz, vec2(shadow.shadowCameraNear, shadow.shadowCameraFar), shadow.shadowBias, shadow.shadowRadius, shadow.shadowMapSize.x), shadow)
+      #define VISIT_SHADOW(number, map, fromLight, shadow) READ(number, cubeShadow(map, (vec4(fromLight, 0.0) * viewMatrix).xyz, vec2(shadow.shadowCameraNear, shadow.shadowCameraFar), shadow.shadowBias, shadow.shadowRadius, shadow.shadowMapSize.x), shadow)
       #include "eachCubeShadow"
     #endif // CUBE_SHADOW_MAP
   }

@@ -3,7 +3,7 @@ import { LightingModel, type NodeBuilder } from 'three/webgpu';
 import { TONE_CONSTANTS } from '../look/constants/shadingConstants.js';
 import { directedLights, hasPlace } from './nodes/base/directedLights.js';
 import type { HatchingSurface } from './nodes/base/HatchingSurface.js';
-import type { ToldLight } from './nodes/base/ToldLight.js';
+import type { ReceivedShadow } from './nodes/base/ReceivedShadow.js';
 import { hatchingUniform } from './nodes/base/uniforms.js';
 import { tsl, type Value } from './nodes/base/values.js';
 import { lightLuminance } from './nodes/chunks/lightLuminance.js';
@@ -17,54 +17,59 @@ const { cameraViewMatrix, cross, dot, float, fwidth, length, max, normalView, po
 const { pow, smoothstep, step, vec4 } = tsl;
 const { BESIDE_FROM, BESIDE_LIGHT, LEAST_RESPONSE, SIDE_AXIS } = TONE_CONSTANTS;
 
-/** A surface is plane where its normal changes by less than the first from one pixel to the next, and round from the second on. */
+/** The changes of the normal from one pixel to the next below which a surface counts as plane, and above which as round. */
 const PLANE = [2e-5, 1e-4] as const;
 
 const shininess = /* @__PURE__ */ hatchingUniform('shininess', 'float');
 const reflectedLight = /* @__PURE__ */ hatchingUniform('reflectedLight', 'float');
 
 interface LightingContext {
-  /** What a map takes of the light of the surroundings. */
+  /** The share of ambient light that an ambient occlusion map leaves. */
   ambientOcclusion: Value;
   irradiance: Value;
-  /** That of an environment. */
+  /** The irradiance of an environment map. */
   iblIrradiance: Value;
   outgoingLight: Value;
-  /** Gives the colour of a light that casts shadows. */
+  /** Colour of a light that casts shadows. */
   getShadow?: (light: ShadowedLight) => Value;
 }
 
-/** The choices that decide how light is gathered. */
+/** The choices that the sum of the lights depends on. */
 export interface LightingChoices {
   toneModel: string;
-  /** As they are drawn. */
+  /** The choice `shadowStrokes`, resolved. */
   shadowStrokes: string;
 }
 
-/** What light makes of a surface, but for the surface's own colour. */
+/** The lighting of a surface, without the darkness of its own colour. */
 export type LitSurface = Omit<HatchingSurface, 'darkness'>;
 
 /** A surface that no light reaches. */
-export const unlitSurface = (): LitSurface => ({ radiance: float(0), shadowed: null, shadowLeft: null, told: [] });
+export const unlitSurface = (): LitSurface => ({
+  radiance: float(0),
+  shadowed: null,
+  shadowLeft: null,
+  receivedShadows: [],
+});
 
 /** Sums over the lights that cast shadows. */
 interface ShadowSums {
-  /** What they take of the radiance. */
+  /** Radiance that shadows take. */
   shadowed: Value;
-  /** What they take of all lights, and how much of that has dissolved. */
+  /** Luminance that shadows take, and the part of it that has dissolved. */
   taken: Value;
   lost: Value;
 }
 
-/** The twin of shaders/chunks/radiance.glsl: the radiance that a white surface shows under the scene's lights. three's own nodes walk the lights. */
+/** Counterpart of shaders/chunks/radiance.glsl: the radiance that a white surface shows under the scene's lights. three's own nodes walk the lights. */
 export class HatchingLightingModel extends LightingModel {
   private radiance!: Value;
   /** 1 where the surface is plane, 0 where it is round. */
   private plane!: Value;
   private sums: ShadowSums | null = null;
-  private told: ToldLight[] = [];
-  /** What is known of the shadow of the light at hand. */
-  private shadow: Omit<ToldLight, 'isShadowed'> | null = null;
+  private receivedShadows: ReceivedShadow[] = [];
+  /** The shadow of the current light; null if it casts none. */
+  private shadow: Omit<ReceivedShadow, 'isShadowed'> | null = null;
 
   /** @param print makes the colour of a surface */
   constructor(
@@ -75,7 +80,7 @@ export class HatchingLightingModel extends LightingModel {
     super();
   }
 
-  /** Whether shadows are all that is drawn. */
+  /** True for surfaces that draw shadows alone. */
   private get dissolves(): boolean {
     return this.choices.toneModel === 'shadow';
   }
@@ -83,13 +88,13 @@ export class HatchingLightingModel extends LightingModel {
   override start(builder: NodeBuilder): void {
     this.radiance = float(0).toVar();
     const isRound = smoothstep(PLANE[0], PLANE[1], length(fwidth(normalView)));
-    // The tone of a shadow is that of the light it takes.
+    // The tone of a dissolving shadow is the share of the light that it takes.
     this.plane = this.dissolves ? float(0) : float(1).sub(isRound).toVar();
-    this.told = [];
+    this.receivedShadows = [];
     const isTold = (this.dissolves || this.choices.shadowStrokes !== 'tone') && hasShadows(builder, this.lights);
     this.sums = isTold ? { shadowed: float(0).toVar(), taken: float(0).toVar(), lost: float(0).toVar() } : null;
     const context = builder.context as LightingContext;
-    // An application may have its own.
+    // An application may have set one of its own.
     context.getShadow ??= (lit) => {
       const shadow = tellShadow(builder, lit, this.dissolves);
       if (!isTold) return lit.baseColorNode.mul(shadow.shadow);
@@ -122,11 +127,11 @@ export class HatchingLightingModel extends LightingModel {
 
   /** @param facing the cosine between a light and the normal */
   private takeShadow(
-    told: Omit<ToldLight, 'isShadowed'>,
+    received: Omit<ReceivedShadow, 'isShadowed'>,
     { shadowed, taken, lost }: ShadowSums,
     { arriving, luminance, facing }: Record<'arriving' | 'luminance' | 'facing', Value>,
   ): void {
-    const { light, shadow, toneLeft } = told;
+    const { light, shadow, toneLeft } = received;
     shadowed.addAssign(arriving.mul(float(1).sub(shadow)));
     if (toneLeft) {
       const takes = luminance.mul(facing).mul(float(1).sub(shadow)).toVar();
@@ -136,14 +141,14 @@ export class HatchingLightingModel extends LightingModel {
     let isShadowed: Value | null = null;
     if (this.choices.shadowStrokes === 'reorient') {
       const isTaken = facing.mul(float(1).sub(shadow.mul(2))).greaterThan(LEAST_RESPONSE);
-      // A lamp that does not reach here has no shadow either.
+      // Beyond the reach of a lamp there is no shadow of it.
       isShadowed = (hasPlace(light) ? isTaken.and(luminance.greaterThan(0)) : isTaken).toVar();
     }
-    this.told.push({ ...told, isShadowed });
+    this.receivedShadows.push({ ...received, isShadowed });
   }
 
   override indirect(builder: NodeBuilder): void {
-    // Lights with a direction have been walked by now.
+    // three.js walks lights with a direction before hemisphere and ambient lights.
     const open = openToLights().toVar();
     this.radiance.mulAssign(open);
     this.sums?.shadowed.mulAssign(open);
@@ -154,17 +159,17 @@ export class HatchingLightingModel extends LightingModel {
 
   override finish(builder: NodeBuilder): void {
     for (const light of directedLights(this.lights)) this.addReflection(light);
-    const { radiance, sums, told } = this;
+    const { radiance, sums, receivedShadows } = this;
     const surface: LitSurface = {
       radiance,
       shadowed: sums?.shadowed ?? null,
       shadowLeft: sums && this.dissolves ? shadowLeft(sums.taken, sums.lost).toVar() : null,
-      told,
+      receivedShadows,
     };
     (builder.context as LightingContext).outgoingLight.assign(this.print(surface));
   }
 
-  /** What the surroundings reflect of one light. Of a lamp its cone and its shadow do not count. */
+  /** Adds the light of one source that the surroundings reflect. The cone and the shadow of a lamp do not matter to it. */
   private addReflection(light: Light): void {
     const values = valuesFor(light);
     const isDistant = 'isDirectionalLight' in light;

@@ -74,11 +74,11 @@ const propertyOf = (name: HatchingPropertyName): HatchingProperty => HATCHING_PR
 
 const { diffuseColor, float, materialEmissive, mix, positionLocal, positionView, vec3 } = tsl;
 
-/** Of its own: WebGPURenderer leaves that of a mesh as it is. */
+/** Its own matrix: WebGPURenderer does not update `modelViewMatrix` of a mesh. */
 const modelView = /* @__PURE__ */ new Matrix4();
 const viewport = /* @__PURE__ */ new Vector4();
 
-/** Writes what each mesh is drawn with, before nodes read it. The factor 1, which all materials share. */
+/** Writes the uniforms of each mesh before nodes read them. Yields the factor 1. All materials share it. */
 class MeshValues extends Node {
   constructor() {
     super('float');
@@ -100,21 +100,22 @@ const meshValues = /* @__PURE__ */ new MeshValues();
 export interface HatchingNodeMaterial extends Pick<HatchingMaterialProperties, HatchingPropertyName> {}
 
 /**
- * `HatchingMaterial` for WebGPURenderer, experimental: the same properties with the same names, defaults and checks. It draws the techniques
- * `engraved` and `anchored` in every medium. What it does not draw yet it says once, and takes what comes nearest (docs/support.md).
+ * `HatchingMaterial` for WebGPURenderer, experimental: the same properties with the same names, defaults and checks. It draws the
+ * techniques `engraved` and `anchored` in every medium. A choice that it cannot draw yet is replaced by the nearest one, with one warning
+ * (docs/support.md).
  */
 // biome-ignore lint/suspicious/noUnsafeDeclarationMerging: the constructor defines every property of the table.
 export class HatchingNodeMaterial extends NodeMaterial {
   readonly isHatchingNodeMaterial = true;
-  /** It has the properties of a `HatchingMaterial`: what reads these, as drawings in lines do, takes it for one. */
+  /** Code that reads the properties of a `HatchingMaterial`, such as vector drawing, accepts this material too. */
   readonly isHatchingMaterial = true;
-  /** What nodes read, as programs in GLSL do. @internal */
+  /** The uniforms that nodes read, named as in GLSL. @internal */
   readonly uniforms: Record<string, IUniform>;
-  /** three.js looks for changes only in materials that have a node. @internal */
+  /** three.js watches only materials that have a node as a property. @internal */
   readonly meshValues: Node = meshValues;
-  /** It has no environment of its own, which three.js asks for: that of the scene is turned as the scene says. @internal */
+  /** Null, since three.js reads `envMap` of every material: the scene's environment is used, with the scene's rotation. @internal */
   readonly envMap: null = null;
-  /** How far the scene reaches, by which `depthFade` measures depth. Without one its units are those of the world, from the eye. Default: null. */
+  /** The depth of the scene, which `depthFade` is a share of. Null: depth in world units, from the eye. Default: null. */
   extent: SceneExtent | null = null;
 
   protected focused: HatchingMaterialProperties['focus'] = null;
@@ -124,9 +125,9 @@ export class HatchingNodeMaterial extends NodeMaterial {
     technique: HATCHING_DEFAULTS.technique,
   };
   private curve: ToneCurve | undefined;
-  /** The frame for which the uniforms were last written. */
+  /** The frame in which the uniforms were last written. */
   private readonly written = new FrameStamp();
-  /** Has its nodes made anew. */
+  /** Rebuilds the nodes. */
   private readonly renew = (): void => {
     this.needsUpdate = true;
   };
@@ -173,9 +174,9 @@ export class HatchingNodeMaterial extends NodeMaterial {
   }
 
   /**
-   * Resolves when all that the material draws with is there: its map, the pattern of its medium, and the code that fits an exposure, which are
-   * fetched when a material first asks for them; until then strokes are missing, and the exposure is 1. For a page that draws only when something changes: `material.ready.then(render)`. Rejects if either
-   * fails; reading it again tries again.
+   * Resolves when everything the material draws with is loaded: its tonal art map, the pattern of its medium, and the code that fits the
+   * exposure. These are fetched when a material first needs them; until then strokes are missing and the exposure is 1. For a page that
+   * renders only on changes: `material.ready.then(render)`. Rejects if one of them cannot be loaded; reading it again tries again.
    */
   get ready(): Promise<void> {
     const map = mapIsReady(needsMap(this) ? this.tonalArtMap : null);
@@ -183,7 +184,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     return Promise.all([map, patternReady(this), exposed]).then(() => {});
   }
 
-  /** Sets all that a preset names, and gives what only other presets name its default. */
+  /** Sets all properties of a preset. Properties that only other presets set get their defaults. */
   set preset(name: PresetName) {
     this.setValues({ preset: name });
   }
@@ -213,7 +214,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     return Object.assign(json, propertiesToJSON(this.look));
   }
 
-  /** Tells of a renderer that draws no nodes. @internal */
+  /** Reports an error if the renderer is not WebGPURenderer. @internal */
   override onBeforeRender(renderer: WebGLRenderer | WebGPURenderer): void {
     if (!('isWebGLRenderer' in renderer)) return;
     warnOnce(
@@ -221,7 +222,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     );
   }
 
-  /** What chooses the program. */
+  /** Names the choices that the program depends on. */
   override customProgramCacheKey(): string {
     const { inkBlend, toneModel, toneNormal, shadowDirection } = this;
     const curve = curveOf(this.toneCurve);
@@ -238,11 +239,11 @@ export class HatchingNodeMaterial extends NodeMaterial {
     ].join(' ');
   }
 
-  /** Writes the properties, once a frame, and what is of the mesh, to the uniforms. Allocates nothing. @internal */
+  /** Writes the material's uniforms once a frame, and those of the mesh at every draw. Allocates nothing. @internal */
   writeDraw(renderer: WebGPURenderer, scene: Scene, camera: Camera, mesh: Mesh): void {
     const u = this.uniforms;
     const { look } = this;
-    // What is asked of it here, both kinds of renderers have.
+    // The functions below use only what both renderers have.
     const asked = renderer as unknown as WebGLRenderer;
     if (!this.written.isOf(asked, camera)) {
       this.written.note(asked, camera);
@@ -281,13 +282,13 @@ export class HatchingNodeMaterial extends NodeMaterial {
     writePartUniforms(camera, viewport, u);
   }
 
-  /** Nodes are made for the values that they find. @internal */
+  /** Builds nodes for the current choices. @internal */
   override setup(builder: NodeBuilder): void {
     writeCurveUniforms(this.toneCurve, this.uniforms);
     super.setup(builder);
   }
 
-  /** Puts the vertex where three's own materials do, and its strokes with it. @internal */
+  /** Positions the vertex as three.js' materials do, and writes the varyings of strokes. @internal */
   override setupPosition(builder: NodeBuilder): ReturnType<NodeMaterial['setupPosition']> {
     emitVertex(this.look, builder);
     return positionLocal as unknown as ReturnType<NodeMaterial['setupPosition']>;
@@ -295,9 +296,9 @@ export class HatchingNodeMaterial extends NodeMaterial {
 
   /** @internal */
   override setupLighting(builder: NodeBuilder): ReturnType<NodeMaterial['setupLighting']> {
-    this.tellOfLacks();
+    this.warnOfMissing();
     const emissive = this.emissive;
-    // The light of the surface itself is light too, and not added to the print.
+    // `emissive` counts as light, so three.js must not add it to the print.
     Object.assign(this, { emissive: null });
     try {
       return super.setupLighting(builder);
@@ -306,14 +307,14 @@ export class HatchingNodeMaterial extends NodeMaterial {
     }
   }
 
-  /** The light of what lies all around. @internal */
+  /** The light of the environment. @internal */
   override setupEnvironment(builder: NodeBuilder): ReturnType<NodeMaterial['setupEnvironment']> {
     const { environmentNode } = builder as NodeBuilder & { environmentNode: Node | null };
     const around = super.setupEnvironment(builder) ?? environmentNode;
     return around && (new EnvironmentNode(around) as unknown as ReturnType<NodeMaterial['setupEnvironment']>);
   }
 
-  /** The normal that tone is taken from. @internal */
+  /** The normal that tone is computed from. @internal */
   override setupNormal(): ReturnType<NodeMaterial['setupNormal']> {
     if (this.toneNormal !== 'face') return super.setupNormal();
     return readFaceNormals() as unknown as ReturnType<NodeMaterial['setupNormal']>;
@@ -328,7 +329,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     return new HatchingLightingModel(choices, lights, (surface) => this.print(surface, built));
   }
 
-  /** Where there is no light at all. three.js asks for it always, and builds it only then. @internal */
+  /** Prints surfaces without any light; three.js builds its lighting model only where there are lights. @internal */
   override setupOutgoingLight(): ReturnType<NodeMaterial['setupOutgoingLight']> {
     const printed = tsl.Fn((builder) => this.print(unlitSurface(), builder))();
     return printed as unknown as ReturnType<NodeMaterial['setupOutgoingLight']>;
@@ -355,14 +356,14 @@ export class HatchingNodeMaterial extends NodeMaterial {
     return this as unknown as HatchingMaterialProperties & { extent: SceneExtent | null };
   }
 
-  /** The map to draw with, if it is there. That of a style is asked for when it is first drawn with. */
+  /** The current tonal art map, if it is loaded. The map of a style is requested when it is first drawn with. */
   private mapInUse(): TonalArtMap | null {
     const { tonalArtMap } = this;
     if (!needsMap(this)) return null;
     return typeof tonalArtMap === 'string' ? sharedMap(tonalArtMap) : tonalArtMap;
   }
 
-  private tellOfLacks(): void {
+  private warnOfMissing(): void {
     const { technique } = this;
     if (technique !== 'engraved' && technique !== 'anchored')
       warnOnce(`there are no nodes of the technique "${technique}" yet; "engraved" is drawn.`);
@@ -377,7 +378,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const rules = { toneModel, curve: curveOf(this.toneCurve) };
     const emphasis = emphasisAt(positionView, pixelFromBelow()).toVar();
     const tone = shadedTone(surface, rules).mul(emphasis).toVar();
-    // Dots cannot cross one another, and two sets of them would clot.
+    // Dots cannot cross one another: two sets of them would clump.
     const crosses = lit.shadowed && resolveLook(look, false).shadowStrokes === 'cross' && medium !== 'stipple';
     const unshadowed = crosses ? unshadowedTone(surface, rules).mul(emphasis).toVar() : null;
     const color = mix(vec3(1), filledColor(diffuseColor.xyz), emphasis);
@@ -396,11 +397,11 @@ export class HatchingNodeMaterial extends NodeMaterial {
   }
 }
 
-/** The number of its kind: shaders know any curve but these two by its points. */
+/** The index of the kind of a tone curve: all but these two are read from points. */
 const curveOf = (curve: ToneCurve): number =>
   TONE_CURVES.indexOf(curve === 'linear' || curve === 'perceptual' ? curve : 'points');
 
-/** What chooses nodes, beside what follows from it. */
+/** The choices that nodes are built for, with what follows from them. */
 const choicesOf = ({
   technique,
   medium,

@@ -1,17 +1,17 @@
-/** Code that is fetched when a material first needs it. */
+/** Code that is imported when a material first needs it. */
 export class Later<Code> {
-  /** Undefined until it is there. */
+  /** Undefined until it is loaded. */
   code: Code | undefined;
   private fetching: Promise<void> | undefined;
 
-  /** @param what it does, as a part of a sentence. @param without what is drawn until it is there, as a part of a sentence */
+  /** @param what the task of the code, as a verb phrase. @param without the effect while it is missing, as a clause */
   constructor(
     private readonly what: string,
     private readonly without: string,
     private readonly load: () => Promise<Code>,
   ) {}
 
-  /** Fetches it, once. If that fails, it says so, and the next call tries again. @throws Error that says what could not be fetched */
+  /** Imports the code, once. After a failure the next call tries again. @throws Error that says what could not be fetched */
   fetch(): Promise<void> {
     this.fetching ??= this.load().then(
       (code) => {
@@ -27,9 +27,9 @@ export class Later<Code> {
     return this.fetching;
   }
 
-  /** Asks for it, and does not wait. @param whenThere called when it is there */
+  /** Starts the import without waiting for it. @param whenThere called once it is loaded */
   ask(whenThere?: () => void): void {
-    // The failure is told of where it happens.
+    // `fetch` reports its failure itself.
     this.fetch().then(whenThere, () => {});
   }
 }

@@ -17,9 +17,9 @@ export type HatchedNodeScene = Omit<HatchedScene, 'materials' | 'outlines'> & {
   readonly outlines: readonly HatchingOutlines[];
 };
 
-/** Those of `applyHatching` for WebGLRenderer, but for the renderer: WebGPURenderer prepares its first frame itself. */
+/** The options of `applyHatching` for WebGLRenderer, without the renderer: WebGPURenderer prepares its first frame itself. */
 export type ApplyNodeHatchingOptions = Omit<ApplyHatchingOptions, 'renderer' | 'camera' | 'replaces'> & {
-  /** As for WebGLRenderer: an earlier result, whose meshes are hatched anew. */
+  /** An earlier result, whose meshes are hatched anew. */
   replaces?: HatchedNodeScene | undefined;
 };
 
@@ -32,7 +32,10 @@ const OF_NODES = {
 
 /**
  * Hatches a whole scene for WebGPURenderer, as `applyHatching` of `three-hatching` does for WebGLRenderer: the same presets, options and
- * results, with a `HatchingNodeMaterial` in place of every material.
+ * results, with a `HatchingNodeMaterial` in place of every material. The promise is rejected for the same reasons.
+ *
+ *     await applyHatching(gltf.scene, 'engraving');
+ *     await renderer.compileAsync(scene, camera);
  *
  *     await applyHatching(gltf.scene, 'engraving');
  *     await renderer.compileAsync(scene, camera);
@@ -43,7 +46,7 @@ export function applyHatching(
   root: Object3D,
   options: ApplyNodeHatchingOptions | PresetName = {},
 ): Promise<HatchedNodeScene> {
-  // What hatches scenes names the classes of WebGLRenderer; of these it asks for nothing else.
+  // The shared code is typed by the classes of WebGLRenderer, and calls only these makers.
   const makers = OF_NODES as unknown as LookMakers;
   const hatched = hatchScene(root, options as ApplyHatchingOptions | PresetName, makers);
   return mustBeAwaited(hatched as unknown as Promise<HatchedNodeScene>, 'applyHatching()', [

@@ -10,12 +10,12 @@ const fitting = /* @__PURE__ */ new Later(
   () => import('../material/exposure/sceneExposure.js'),
 );
 
-/** Resolves when the exposure of a material can be fitted, or need not be. */
+/** Resolves when the code that fits a material's exposure is loaded, or is not needed. */
 export const exposureReady = async (material: HatchingMaterialProperties): Promise<void> => {
   if (isFitted(material)) await fitting.fetch();
 };
 
-/** Writes the exposure that suits the scene, where it is fitted to that, as soon as the code is there. */
+/** Writes the exposure that suits the scene if `exposure` is fitted, once the code is loaded. */
 export function writeExposure(
   material: HatchingMaterialProperties,
   renderer: WebGLRenderer,

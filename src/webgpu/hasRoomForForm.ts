@@ -4,8 +4,8 @@ import { formLayout, hatchNormal } from '../mesh/bake/attributeLayouts.js';
 import { warnOnce } from './warnOnce.js';
 
 /**
- * Whether lines that follow the form have room beside what else a mesh is drawn with. Devices of WebGPU have few vertex buffers, often
- * eight, and draw nothing of a mesh that takes more. If there is none, it says so once.
+ * Whether the device has enough vertex buffers for lines that follow the form of a mesh. WebGPU devices often have eight, and draw nothing
+ * of a mesh that needs more. Warns once if they do not suffice.
  *
  * @param isAnchored whether strokes follow the form, which need its directions alone
  */
@@ -21,7 +21,7 @@ export function hasRoomForForm(builder: NodeBuilder, isAnchored: boolean): boole
   return false;
 }
 
-/** The vertex buffers of a mesh that follows its form. */
+/** The number of vertex buffers of a mesh that follows its form. */
 function countBuffers({ geometry, material, object }: NodeBuilder, isAnchored: boolean): number {
   const { attributes } = geometry as BufferGeometry;
   const { slope, crossing, value } = formLayout;

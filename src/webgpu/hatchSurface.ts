@@ -31,13 +31,13 @@ type Look = HatchingMaterialProperties;
 
 const { float, screenCoordinate, screenSize, vec2 } = tsl;
 
-/** 0 where strokes wait for their map, or have none. */
+/** 0 while strokes have no map. */
 const inked = /* @__PURE__ */ hatchingUniform('inked', 'float');
 
-/** The pixel of what is drawn to, counted from the lower left. */
+/** The pixel of the render target, counted from the lower left. */
 export const pixelFromBelow = (): Value => vec2(screenCoordinate.x, screenSize.y.sub(screenCoordinate.y));
 
-/** The lights that are drawn with. */
+/** The lights of the scene. */
 export const lightsOf = (builder: NodeBuilder): readonly Light[] =>
   (builder as NodeBuilder & { lightsNode: { getLights(): Light[] } | null }).lightsNode?.getLights() ?? [];
 
@@ -54,11 +54,11 @@ function cutOf({ lineField, shadowStrokes, runsAway }: ResolvedLook, builder: No
   return { ...cut, reorients: reorients && turnsWithLight(cut) };
 }
 
-/** Puts the vertex where three's own materials do, and its strokes with it. */
+/** Positions the vertex as three.js' materials do, and writes the varyings of strokes. */
 export function emitVertex(look: Look, builder: NodeBuilder): void {
   const resolved = resolvedFor(look, builder);
   const isOfForm = followsForm(isAnchored(look) ? resolved.strokeField : resolved.lineField);
-  // Lines that follow the form are fixed to the surface, whatever strokes are.
+  // Lines that follow the form are fixed to the surface at rest, whatever `strokeAnchor` is.
   const isAtRest = look.strokeAnchor === 'rest' || (isOfForm && !isAnchored(look));
   const deformed = deformVertex(builder);
   const place = placeInstance(builder);
@@ -71,7 +71,7 @@ export function emitVertex(look: Look, builder: NodeBuilder): void {
 /** The tones of a surface. */
 interface Tones {
   tone: Value;
-  /** Without shadows; null where these only darken. */
+  /** The tone without shadows; null where shadows only darken. */
   unshadowed: Value | null;
 }
 
@@ -81,27 +81,27 @@ export function darknessOf(look: Look, surface: HatchingSurface, tones: Tones, b
   return hatchInShadow(tones.tone, tones.unshadowed, darkness.hatch, darkness.shadowLayer);
 }
 
-/** What prints a tone: the layers of a surface, and that of its shadows. */
+/** The functions that print a tone: as the hatch of a surface, and as that of its shadows. */
 type Printing = Record<'hatch' | 'shadowLayer', (tone: Value) => Value>;
 
-function engravedIn(look: Look, { told, shadowLeft }: HatchingSurface, builder: NodeBuilder): Printing {
+function engravedIn(look: Look, { receivedShadows, shadowLeft }: HatchingSurface, builder: NodeBuilder): Printing {
   const resolved = resolvedFor(look, builder);
   const { medium } = resolved;
-  const h = read(builder, cutOf(resolved, builder), medium, { told, shadowLeft, lights: lightsOf(builder) });
+  const h = read(builder, cutOf(resolved, builder), medium, { receivedShadows, shadowLeft, lights: lightsOf(builder) });
   return {
     hatch: (tone) => hatchLayer(h, tone, medium),
     shadowLayer: (tone) => shadowFamilies(h, tone, medium),
   };
 }
 
-/** Paper, until the code of a medium is there. */
+/** Blank paper, until the code of a medium is loaded. */
 const noLayer = (): Value => float(0);
 
-function anchoredIn(look: Look, { told }: HatchingSurface, builder: NodeBuilder): Printing {
+function anchoredIn(look: Look, { receivedShadows }: HatchingSurface, builder: NodeBuilder): Printing {
   const { medium, strokeField: field, strokeLayers } = resolvedFor(look, builder);
   const lights = lightsOf(builder);
   const several = directedLights(lights).length > 1;
-  const parameters = readHatchingParameters(builder, lights, field, told);
+  const parameters = readHatchingParameters(builder, lights, field, receivedShadows);
   const layers = strokeLayers === 'lights' && !several ? 'single' : strokeLayers;
   const defines: StrokeDefines = {
     isSizedOnScreen: look.sizedOnScreen > 0,

@@ -1,9 +1,9 @@
 import type { WebGPURenderer } from 'three/webgpu';
 
-/** By the backend: WebGL is asked once, since the answer is waited for. */
+/** Sizes by backend: WebGL is asked once, since the query blocks. */
 const textureSizes = /* @__PURE__ */ new WeakMap<object, number>();
 
-/** Texels per side of the largest texture that the device takes. */
+/** Texels per side of the largest texture of the device. */
 export function maxTextureSize({ backend }: WebGPURenderer): number {
   let size = textureSizes.get(backend);
   if (size === undefined) {

@@ -3,15 +3,15 @@ import type { HatchingMaterialProperties } from '../material/HatchingMaterialPro
 import { Later } from './Later.js';
 import type { hatchLayer } from './nodes/anchored/stipple.js';
 
-/** What a medium is drawn with. */
+/** The code of a medium's pattern. */
 interface Code {
   readonly texture: () => DataTexture;
-  /** What prints dots, which no other medium has. */
+  /** Prints dots; stipple alone has it. */
   readonly dotLayer?: typeof hatchLayer;
 }
 
 interface Pattern {
-  /** The uniform that holds it. */
+  /** The uniform of the pattern's texture. */
   readonly name: string;
   readonly made: Later<Code>;
 }
@@ -39,14 +39,14 @@ type Look = Pick<HatchingMaterialProperties, 'technique' | 'medium'>;
 const patternOf = ({ technique, medium }: Look): Pattern | undefined =>
   technique === 'anchored' ? PATTERNS[medium] : undefined;
 
-/** Resolves when the pattern of a material's medium is there, or it has none. */
+/** Resolves when the pattern of a material's medium is loaded, or it has none. */
 export const patternReady = async (look: Look): Promise<void> => patternOf(look)?.made.fetch();
 
-/** What prints the dots of a material, as soon as it is there; nodes that are built before print none. */
+/** The function that prints the dots of a material, once it is loaded. Nodes built before that print none. */
 export const dotLayerOf = (look: Look): Code['dotLayer'] => patternOf(look)?.made.code?.dotLayer;
 
 /**
- * Writes the pattern of a material's medium, as soon as it is there.
+ * Writes the pattern of a material's medium, once it is loaded.
  *
  * @param whenThere called when it comes later
  * @returns whether there is nothing to wait for

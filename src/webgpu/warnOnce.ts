@@ -1,10 +1,10 @@
 import { warn } from '../material/diagnostics/warn.js';
 
-const told = new Set<string>();
+const receivedShadows = new Set<string>();
 
-/** Says a sentence of the material of nodes on the console, unless it was said before. */
+/** Warns once about HatchingNodeMaterial. */
 export function warnOnce(sentence: string): void {
-  if (told.has(sentence)) return;
-  told.add(sentence);
+  if (receivedShadows.has(sentence)) return;
+  receivedShadows.add(sentence);
   warn(`HatchingNodeMaterial: ${sentence}`);
 }

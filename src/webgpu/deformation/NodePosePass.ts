@@ -20,7 +20,7 @@ import type { PulledVertices } from '../../material/geometry/PulledVertices.js';
 import { pullTextureSize } from '../../mesh/bake/pullLayout.js';
 import { OF_CORNERS, OF_VERTICES } from './poseNodes.js';
 
-/** The corners of meshes as points, or their vertices if they have an index. three.js poses them as it does the meshes. */
+/** The corners of a mesh as points, or its vertices if it has an index. three.js deforms them as it does the mesh. */
 class CornerPoints extends Points {
   isSkinnedMesh = false;
   skeleton: Skeleton | undefined;
@@ -29,7 +29,7 @@ class CornerPoints extends Points {
 }
 
 class PoseMaterial extends NodeMaterial {
-  /** What nodes read. */
+  /** The uniforms that nodes read. */
   readonly uniforms: Record<string, IUniform>;
 
   static override get type(): string {
@@ -46,30 +46,30 @@ class PoseMaterial extends NodeMaterial {
     this.vertexNode = vertex;
     this.fragmentNode = fragment;
     this.blending = NoBlending;
-    // Passes that leave out opaque objects draw outlines too.
+    // Applications that render without opaque objects still draw outlines, which need poses.
     this.transparent = true;
     this.depthTest = false;
     this.depthWrite = false;
     this.fog = false;
   }
 
-  /** The vertex node poses vertices. */
+  /** The vertex node places the vertex, so three.js must not. */
   override setupPosition(): ReturnType<NodeMaterial['setupPosition']> {
     return undefined as unknown as ReturnType<NodeMaterial['setupPosition']>;
   }
 }
 
-/** three.js fits its projection to the device, so it must have one. */
+/** The camera that three.js requires. */
 const noCamera = /* @__PURE__ */ new OrthographicCamera();
 
 /**
- * Poses the vertices of a geometry for WebGPURenderer, into two textures: positions, and rotations by the skin or else normals. A third one
- * would be more than every device of WebGPU can draw into at once.
+ * Renders the deformed vertices of a geometry into two textures for WebGPURenderer: positions, and rotations by the skin or else normals.
+ * Some WebGPU devices cannot render into three such textures at once.
  */
 export class NodePosePass implements PosePass {
   private readonly size = new Vector2();
   private readonly material: PoseMaterial;
-  /** By the number of bones, which chooses a program. */
+  /** By the number of bones, which the program depends on. */
   private readonly points = new Map<number, CornerPoints>();
 
   /** @param vertices the textures of the `pull` layout; null if the geometry has an index, whose vertices are then deformed */
@@ -112,9 +112,9 @@ export class NodePosePass implements PosePass {
     renderer.setRenderObjectFunction(drawObject);
     renderer.setMRT(outputs);
     geometry.setDrawRange(start, count);
-    // Frames are told apart by it, and this one goes on.
+    // three.js tells frames apart by this count, and the current frame goes on.
     renderer.info.render.calls = calls;
-    // The bones refer to the mesh, which must stay collectable.
+    // A skeleton refers to its mesh, which would then never be collected.
     points.skeleton = undefined;
   }
 

@@ -1,4 +1,4 @@
-/** The twin of shaders/deformation.vert and .frag: each vertex lands on its texel, as three's own nodes pose it. */
+/** Counterpart of shaders/deformation.vert and .frag: writes each vertex, deformed by three.js' nodes, to its texel. */
 import type { BufferGeometry } from 'three';
 import type { Node } from 'three/webgpu';
 import { blankIntegers } from '../nodes/base/blankTextures.js';
@@ -11,17 +11,17 @@ import { turnOf } from '../nodes/outlines/turns.js';
 
 const { Fn, If, dot, int, ivec2, normalLocal, select, uint, varyingProperty, vec2, vec3, vec4, vertexIndex } = tsl;
 
-/** Of the `pull` layout. */
+/** Texture of the `pull` layout. */
 const triangleVertices = /* @__PURE__ */ hatchingTexture('triangleVertices', /* @__PURE__ */ blankIntegers());
-/** Of the textures that are drawn into, texels. */
+/** Size of the render targets, texels. */
 const targetSize = /* @__PURE__ */ hatchingUniform('targetSize', 'vec2');
 
-/** Object space; w is 1 where the other one is a rotation. */
+/** Position in object space; w is 1 if `vTurn` is a rotation. */
 const vPosition = /* @__PURE__ */ varyingProperty('vec4', 'vPosition');
-/** The rotation of a vertex by its skin, as a quaternion; its normal where that is all that is known. */
+/** Rotation of a vertex by its skin, as a quaternion; the normal where there is no skin. */
 const vTurn = /* @__PURE__ */ varyingProperty('vec4', 'vTurn');
 
-/** The number of the vertex of a corner, and whether it is the first corner of that. */
+/** The vertex of a corner, and whether the corner is the first one of that vertex. */
 function vertexOfCorner(corner: Value): { vertex: Value; isFirst: Value } {
   const own = triangleVertices.load(texelOf(corner.div(3).mul(2), triangleVertices)).toVar();
   const k = corner.mod(3).toVar();
@@ -31,7 +31,7 @@ function vertexOfCorner(corner: Value): { vertex: Value; isFirst: Value } {
   };
 }
 
-/** Where a texel lies in the clip volume. three.js counts the rows of what it has drawn from above. */
+/** The clip-space position of a texel. three.js flips the rows of render targets. */
 function clipOf(texel: Value): Value {
   const place = vec2(texel).add(0.5).div(targetSize).mul(2).sub(1).toVar();
   return vec4(place.x, place.y.negate(), 0, 1);
@@ -63,7 +63,7 @@ const vertexNode = (hasIndex: boolean): Value =>
     return clip;
   })();
 
-/** The nodes of a pass that draws poses. */
+/** The nodes of a pass that renders poses. */
 export interface PoseNodes {
   readonly vertex: Node<'vec4'>;
   readonly fragment: Node;
@@ -74,7 +74,7 @@ const poseNodes = (hasIndex: boolean): PoseNodes => ({
   fragment: (threeNodes.outputStruct as (...members: unknown[]) => Node)(vPosition, vTurn),
 });
 
-/** Draws vertices by their number: the geometry has an index. */
+/** Places vertices by their index: for geometries with an index. */
 export const OF_VERTICES: PoseNodes = /* @__PURE__ */ poseNodes(true);
-/** Draws the first corner of each vertex: the geometry has the layout `pull`. */
+/** Places the first corner of each vertex: for geometries with the layout `pull`. */
 export const OF_CORNERS: PoseNodes = /* @__PURE__ */ poseNodes(false);

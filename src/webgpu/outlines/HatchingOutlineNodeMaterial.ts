@@ -44,12 +44,12 @@ export interface HatchingOutlineNodeMaterial
 
 /**
  * The material of `HatchingOutlines` for WebGPURenderer: the same properties as those of `HatchingOutlineMaterial`, with the same defaults.
- * It uses the lights and the fog of the scene. Every property may be set at any time and takes effect in the next frame; `wobble` and `tooth`
- * build another program when they change between 0 and more than 0. Several `HatchingOutlines` may share a material.
+ * It uses the lights and the fog of the scene. Every property may be set at any time and takes effect in the next frame; `wobble` and
+ * `tooth` need another program when they change between 0 and more than 0. Several `HatchingOutlines` may share a material.
  */
 export class HatchingOutlineNodeMaterial extends NodeMaterial {
   readonly isHatchingOutlineNodeMaterial = true;
-  /** What nodes read, as programs in GLSL do. @internal */
+  /** The uniforms that nodes read, named as in GLSL. @internal */
   readonly uniforms: Record<string, IUniform>;
 
   static override get type(): string {
@@ -59,7 +59,7 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
   private hiddenLines: HiddenOutlines = HATCHING_OUTLINE_DEFAULTS.hidden;
   private nodes!: OutlineNodes;
   private hiddenOnes: HatchingOutlineNodeMaterial | null = null;
-  /** Whether it draws what is hidden. */
+  /** Whether it draws hidden outlines. */
   private isHidden = false;
 
   /** @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour */
@@ -82,7 +82,7 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
     this.transparent = true;
     this.depthWrite = false;
     this.side = DoubleSide;
-    // Otherwise three.js draws backs before fronts, and each outline twice.
+    // Otherwise three.js would draw each outline twice, backs before fronts.
     this.forceSinglePass = true;
     this.chooseNodes();
     this.setValues(parameters);
@@ -115,7 +115,7 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
   }
 
   /**
-   * What draws the outlines that a surface hides: a material of the same look and uniforms, brought up to date.
+   * The material of hidden outlines, which has the same look and uniforms, updated.
    *
    * @internal
    */
@@ -134,24 +134,24 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
     hiddenOnes.fog = this.fog;
     hiddenOnes.tooth = this.tooth;
     hiddenOnes.wobble = this.wobble;
-    // Fragments find out what is hidden.
+    // Hidden outlines are found per fragment.
     hiddenOnes.depthTest = false;
     return hiddenOnes;
   }
 
-  /** What materials that draw with one program have in common. */
+  /** The same for all materials that share a program. */
   override customProgramCacheKey(): string {
     return `${NAME} ${this.nodes.key}`;
   }
 
-  /** Writes the properties to the uniforms. @param pixelRatio pixels of what is drawn to per CSS pixel @internal */
+  /** Writes the properties to the uniforms. @param pixelRatio device pixels per CSS pixel @internal */
   writeLook(pixelRatio: number): void {
     writeOutlineLook(this, this.uniforms, pixelRatio);
     if (this.tooth > 0) this.uniforms.toothMap.value = toothMap();
   }
 
   /**
-   * Writes what the outlines of one mesh are drawn with.
+   * Writes the uniforms of one mesh.
    *
    * @param viewport the part of the target that the camera draws into, pixels from the lower left
    * @param look what says how much weight lines have where
@@ -166,11 +166,11 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
   ): void {
     const u = this.uniforms;
     this.writeLook(renderer.getPixelRatio());
-    // If all groups have the same material, there are no borders between materials.
+    // With one material for all groups there are no borders between materials.
     if (!Array.isArray(mesh.material)) u.materialBorders.value = 0;
     (u.viewport.value as Vector4).copy(viewport);
     u.nearDistance.value = (camera as PerspectiveCamera).near ?? 0;
-    // What it asks of a renderer, both kinds have.
+    // It uses only what both renderers have.
     writeEmphasis(look, u, renderer as unknown as WebGLRenderer, camera);
     writeSheet(u.sheet.value, camera, viewport);
     writePictureOffset(u.toothOffset.value, camera, viewport);
@@ -178,14 +178,14 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
     writeDrawState(this, u);
   }
 
-  /** Fog is as dense as at the spine: the triangle that covers a piece lies across the line of sight. @internal */
+  /** Fog is that of the spine: the triangle that covers a piece faces the viewer. @internal */
   override setup(builder: NodeBuilder): void {
     const context = builder.context as { getViewZ?: () => OutlineNodes['viewZ'] };
     context.getViewZ = () => this.nodes.viewZ;
     super.setup(builder);
   }
 
-  /** Depths are those of the spine, as fragments in GLSL write them. @internal */
+  /** Depth is that of the spine, as in GLSL. @internal */
   override setupDepth(builder: NodeBuilder): void {
     this.depthNode = builder.renderer.logarithmicDepthBuffer ? this.nodes.logarithmicDepth : null;
     super.setupDepth(builder);
@@ -202,7 +202,7 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
     Object.assign(builder, { hardwareClipping: false });
   }
 
-  /** Outlines have a colour of their own; lights only say how wide they are. @internal */
+  /** Outlines have their own colour; lights only affect their width. @internal */
   override setupLighting(builder: NodeBuilder): ReturnType<NodeMaterial['setupLighting']> {
     clipSpine(builder);
     return this.nodes.outgoing;
@@ -212,7 +212,7 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
     const nodes = outlineNodes({ HIDDEN: this.isHidden, TOOTH: this.tooth > 0, WOBBLE: this.wobble > 0 });
     if (nodes === this.nodes) return;
     this.nodes = nodes;
-    // All materials share these, so that they share programs.
+    // Nodes are shared by all materials, so that they share programs.
     this.vertexNode = nodes.vertex;
     this.colorNode = nodes.color;
     this.needsUpdate = true;

@@ -23,7 +23,7 @@ import { HatchingOutlineNodeMaterial } from './HatchingOutlineNodeMaterial.js';
 
 type Clipping = Parameters<Renderer['renderObject']>[7];
 
-/** The planes that clip what a group holds, within those of what holds the group. */
+/** The clipping planes of a group, with those of its ancestors. */
 function clippingIn(group: Object3D | null, ofScene: Clipping): Clipping {
   if (!group || !ofScene) return ofScene;
   const outer = clippingIn(group.parent, ofScene);
@@ -31,9 +31,9 @@ function clippingIn(group: Object3D | null, ofScene: Clipping): Clipping {
   return outer && isClipping ? outer.getGroupContext(group as ClippingGroup) : outer;
 }
 
-/** What clips an object in the frame that is being drawn: three.js tells nobody who draws an object once more. */
+/** The clipping planes of an object in the current frame: three.js does not pass them to objects that it draws once more. */
 function clippingOf(object: Object3D, renderer: WebGPURenderer): Clipping {
-  // The name is three's own, and no part of its documented interface. Without it nothing is clipped.
+  // A private name of three.js; if it is missing, nothing is clipped.
   const { _currentRenderContext: frame } = renderer as unknown as {
     _currentRenderContext?: { clippingContext: Clipping };
   };
@@ -62,9 +62,9 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
   /** @internal */
   override readonly type: string = 'HatchingOutlines';
 
-  /** Whether three.js is asked for one more draw of these outlines. */
+  /** Whether three.js is drawing these outlines an additional time. */
   private isDrawingMore = false;
-  /** What is being drawn. */
+  /** The parts that are drawn. */
   private drawn: readonly OutlinePart[] = NONE;
   private isDeformed = false;
 
@@ -90,14 +90,14 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
     const { mesh } = this;
     this.setCount(0);
     this.drawn = NONE;
-    // Helpers that light a scene step by step give every object another material for a moment, and scenes may have one for all.
+    // Progressive light map helpers replace the material of every object for a moment, and a scene may override it.
     if (!mesh || !(this.material instanceof HatchingOutlineNodeMaterial)) return;
     if (!('isHatchingOutlineNodeMaterial' in drawnWith) || !this.isMeshReached(scene)) return;
     const data = outlineDataOf(mesh.geometry);
     const parts = data ? this.partsOf(mesh, data) : NONE;
     if (data && parts.length === 0) return;
     if (!('isWebGPURenderer' in either)) {
-      tellOfWebGLRenderer();
+      warnOfWebGLRenderer();
       return;
     }
     const renderer = either as WebGPURenderer;
@@ -109,7 +109,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
       );
       return;
     }
-    // What it asks of a renderer, both kinds have.
+    // It uses only what both renderers have.
     if (mesh.frustumCulled && !isInFrustum(mesh, renderer as unknown as WebGLRenderer, camera)) return;
     this.drawn = parts;
     this.isDeformed = this.bindDeformation(renderer, camera, mesh);
@@ -133,7 +133,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
     this.moveToCentre();
   };
 
-  /** Has the next draw show a part of the outlines. */
+  /** Binds a part of the outlines for the next draw. */
   private bindPart(renderer: WebGPURenderer, camera: Camera, mesh: Mesh, part: OutlinePart): void {
     const { data, surface } = part;
     const { suggestiveContours, uniforms } = this.material;
@@ -155,7 +155,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
     this.setCount(list ? list.count : data.triangleCount + data.edgeCount);
   }
 
-  /** Draws what is hidden of a part that has just been drawn. Lists leave out what cannot be seen, so it is looked for among all primitives. */
+  /** Draws the hidden outlines of the part that was just drawn, from all primitives: lists omit invisible ones. */
   private drawHidden(renderer: WebGPURenderer, scene: Scene, camera: Camera, number: number): void {
     const { geometry, mesh, material } = this;
     const { data } = this.drawn[number];
@@ -167,7 +167,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
     this.drawMore(renderer, scene, camera, material.ofHidden(), `hiddenOutlines ${number}`);
   }
 
-  /** Has three.js draw these outlines once more. @param pass says which draw it is: each has uniforms of its own */
+  /** Makes three.js draw these outlines once more. @param pass name of the draw: each has uniforms of its own */
   private drawMore(
     renderer: WebGPURenderer,
     scene: Scene,
@@ -197,14 +197,14 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
     const { uniforms } = this.material;
     const isInstanced = 'isInstancedMesh' in mesh;
     uniforms.isInstanced.value = isInstanced;
-    // A list holds the instance of each primitive.
+    // In a list each primitive has its own instance.
     this.count = isInstanced && !isListed ? (mesh as InstancedMesh).count : 1;
     if (!isInstanced) return;
     uniforms.instancePlaces.value = placesOf(mesh as InstancedMesh);
   }
 }
 
-/** Writes the part of the target that is drawn into, in pixels from the lower left: this renderer counts from the upper left. */
+/** Writes the drawn part of the target, in pixels from the lower left: WebGPURenderer counts from the upper left. */
 function writeViewport(renderer: WebGPURenderer, viewport: Vector4): void {
   const target = renderer.getRenderTarget();
   if (target) {
@@ -218,7 +218,7 @@ function writeViewport(renderer: WebGPURenderer, viewport: Vector4): void {
   viewport.y = size.y - viewport.y - viewport.w;
 }
 
-function tellOfWebGLRenderer(): void {
+function warnOfWebGLRenderer(): void {
   if (wasToldOfRenderer) return;
   wasToldOfRenderer = true;
   warn(
@@ -228,8 +228,8 @@ function tellOfWebGLRenderer(): void {
 }
 
 /**
- * Has WebGL read from what is drawn to. three.js copies the depth of a scene from what is bound for reading, and that is the canvas after an
- * application has read pixels of the same render target (seen in 0.187).
+ * Binds the render target for reading under WebGL. three.js copies the scene's depth from the framebuffer bound for reading, which is the
+ * canvas after an application has read pixels of the same target (seen in 0.187).
  */
 function readWhereDrawn(renderer: WebGPURenderer): void {
   if (!('isWebGLBackend' in renderer.backend)) return;

@@ -11,6 +11,6 @@ const OF_NODES: OutlineKind<HatchingOutlineNodeMaterial, HatchingOutlines> = {
   outlines: (mesh, material) => new HatchingOutlines(mesh, material),
 };
 
-/** Makes outlines for WebGPURenderer. @throws RangeError or TypeError for a wrong parameter */
+/** Makes outlines for WebGPURenderer. @throws RangeError or TypeError for an invalid parameter */
 export const outlinesOfNodes = (parameters: OutlineOptions & HatchingOutlineParameters): MakerOfNodes =>
   new OutlineMaker(parameters, OF_NODES);

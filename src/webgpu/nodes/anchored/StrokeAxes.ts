@@ -1,6 +1,6 @@
 import type { Value } from '../base/values.js';
 
-/** How strokes lie in the surface. */
+/** The directions of strokes in the surface. */
 export interface StrokeAxes {
   /** The strokes' u and v in the surface, object space. */
   uAxis: Value;

@@ -1,4 +1,4 @@
-/** The twin of shaders/techniques/anchored/dots.glsl: the dots of one plane, a disc on the screen for each point of the set. */
+/** Counterpart of shaders/techniques/anchored/dots.glsl: the dots of one plane, a disc on the screen for each point of the set. */
 import { STIPPLE_CONSTANTS } from '../../../look/constants/stippleConstants.js';
 import { STIPPLE_MAP_SIZE } from '../../../material/tam/patternSizes.js';
 import { blankDots } from '../base/blankTextures.js';
@@ -10,17 +10,17 @@ const { abs, clamp, exp2, float, floor, fract, If, int, inverseSqrt, ivec2, leng
 const { sqrt, step, vec2 } = tsl;
 const { DOT_GROWTH, LEAST_BLANK, OVERLAP, OVERLAP_WITHIN } = STIPPLE_CONSTANTS;
 
-/** A texel per cell: its point and, in blue, when in an octave it is born. */
+/** One texel per cell: the position of its point and, in blue, the part of an octave at which it appears. */
 const stippleMap = /* @__PURE__ */ hatchingTexture('stippleMap', blankDots);
 /** Width of the edge of a dot. */
 const edgePixels = /* @__PURE__ */ hatchingUniform('edgePixels', 'float');
 
-/** Cells on either side of a place in which dots may reach it, at most, and how many cells of a row these can be. */
+/** The greatest distance, in cells, from which a dot reaches a place, and the most cells of a row within that distance. */
 const MOST_REACH = 1.5;
 const MOST_CELLS = 4;
 /** A disc of radius r whose edge fades over a width of 1 covers π (r² + 1/12). */
 const EDGE_COVER = 1 / 12;
-/** Discs of a smaller radius would be all edge, so they are drawn with this one, squared, and fade. */
+/** A smaller disc would be all edge: it is drawn with this squared radius, and paler. */
 const LEAST_SQUARED_RADIUS = 0.25;
 const FADING = 3;
 
@@ -39,7 +39,7 @@ export const planeOnScreen = (gradientU: Value, gradientV: Value): PlaneOnScreen
   area: gradientU.x.mul(gradientV.y).sub(gradientU.y.mul(gradientV.x)).toVar(),
 });
 
-/** The mean area of dots that are born during an octave, at a place in it, as a share of their full one. */
+/** The mean area, as a share of the full one, of the dots that appear during an octave. */
 function grownShare(octave: Value): Value {
   const t = max(vec2(octave, octave.add(DOT_GROWTH - 1)), 0).toVar();
   const growing = t.mul(t).mul(0.5 / DOT_GROWTH);
@@ -47,11 +47,11 @@ function grownShare(octave: Value): Value {
   return covered.x.sub(covered.y).div(1 - DOT_GROWTH);
 }
 
-/** The area of a dot at a place in an octave, as a share of its full one. @param born 0 for dots of the octave before */
+/** The area of a dot during an octave, as a share of its full area. @param born 0 for dots of the octave before */
 const grownBy = (octave: Value, born: Value): Value =>
   clamp(octave.sub(born.mul(1 - DOT_GROWTH)).div(DOT_GROWTH), step(born, 0), 1);
 
-/** The area of all discs that together cover a share of the whole, as a share of it. From a half on they overlap. */
+/** The total area of discs that together cover a share of the plane, as a share of the plane. From 0.5 on they overlap. */
 function discArea(covered: Value, octave: Value): Value {
   const beyond = max(covered.sub(0.5), 0).toVar();
   const rest = float(1).sub(octave).toVar();
@@ -64,15 +64,15 @@ function discArea(covered: Value, octave: Value): Value {
   );
 }
 
-/** The radius with which a disc is drawn so that its edge does not make it larger, in widths of the edge. */
+/** The radius of a disc whose soft edge does not enlarge it, in widths of the edge. */
 const softRadius = (squared: Value): Value => sqrt(max(squared.sub(EDGE_COVER), LEAST_SQUARED_RADIUS));
 
-/** What a dot covers of a pixel. @param away from its centre, in widths of the edge, as the root of squared */
+/** The share of a pixel that a dot covers. @param away distance to its centre, in widths of the edge; the root of `squared` */
 const dotCover = (away: Value, squared: Value): Value =>
   clamp(softRadius(squared).sub(away).add(0.5), 0, 1).mul(min(squared.mul(FADING), 1));
 
 /**
- * What the dots of a plane cover of the fragment at a place in it.
+ * The share of the fragment that the dots of a plane cover.
  *
  * @param octave of the cells per object unit
  * @param share what all of its dots together cover
@@ -82,7 +82,7 @@ export function dotsAt(at: Value, { gradientU, gradientV, area }: PlaneOnScreen,
   const into = fract(octave).toVar();
   // A quarter of the cells had their dots before this octave.
   const dotsPerCell = grownShare(into).mul(0.75).add(0.25);
-  // In widths of the edge: the squared radius of a full-grown dot, and the way from cells to the screen.
+  // In widths of the edge: the squared radius of a full-grown dot, and the Jacobian from cells to the screen.
   const edge = max(edgePixels, 1e-2).toVar();
   const perCell = max(abs(area), 1e-20).mul(cells).mul(cells).mul(dotsPerCell).mul(edge).mul(edge);
   const squared = discArea(share, into)
@@ -101,7 +101,7 @@ export function dotsAt(at: Value, { gradientU, gradientV, area }: PlaneOnScreen,
   const highest = floor(place.y.add(reach)).toVar();
   const covered = float(0).toVar();
   const range = { start: int(0), end: int(MOST_CELLS), type: 'int', condition: '<' };
-  // Bounded, whatever numbers a broken mesh may bring.
+  // A bounded loop, so that broken meshes cannot stall the GPU.
   Loop(range, ({ i: row }) => {
     const y = lowest.add(float(row)).toVar();
     If(y.lessThanEqual(highest), () => {
@@ -110,7 +110,7 @@ export function dotsAt(at: Value, { gradientU, gradientV, area }: PlaneOnScreen,
         const texel = stippleMap.load(ivec2(cell).bitAnd(ivec2(STIPPLE_MAP_SIZE - 1))).toVar();
         const way = cell.add(texel.xy).sub(place).toVar();
         const away = columnU.mul(way.x).add(columnV.mul(way.y));
-        // Two that meet in a pixel each have a part of it.
+        // Two dots that meet in a pixel each cover a part of it.
         covered.addAssign(dotCover(length(away), squared.mul(grownBy(into, texel.z)).toVar()));
       });
     });

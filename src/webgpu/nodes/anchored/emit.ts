@@ -1,4 +1,4 @@
-/** The twin of shaders/techniques/anchored/emit.glsl. */
+/** Counterpart of shaders/techniques/anchored/emit.glsl. */
 import { formLayout } from '../../../mesh/bake/attributeLayouts.js';
 import { isOrthographic } from '../base/isOrthographic.js';
 import { tsl } from '../base/values.js';
@@ -13,7 +13,7 @@ export function emitAnchored(
   { position, strokeNormal, viewToAnchor, deformedToRest }: Anchor,
   { isOfForm, isAtRest }: { isOfForm: boolean; isAtRest: boolean },
 ): void {
-  // three.js has put the vertex to the place of its instance.
+  // three.js has applied the matrix of the instance already.
   const inView = modelViewMatrix.mul(vec4(positionLocal, 1)).xyz.toVar();
   vRestPosition.assign(position);
   vStrokeNormal.assign(strokeNormal);
@@ -21,6 +21,6 @@ export function emitAnchored(
   vToViewer.assign(viewToAnchor.mul(select(isOrthographic(), vec3(0, 0, 1), inView.negate())));
   if (!isOfForm) return;
   const slope = attribute(formLayout.slope.name, 'vec4').xyz;
-  // A gradient goes with the surface as its normal does.
+  // A gradient transforms as a normal does.
   vFormSlope.assign(!isAtRest && deformedToRest ? slope.mul(deformedToRest) : slope);
 }

@@ -1,4 +1,4 @@
-/** The twin of shaders/chunks/hatch.glsl: the darkness of the hatch, of its layers printed over one another. */
+/** Counterpart of shaders/chunks/hatch.glsl: the darkness of the hatch, of its layers printed over one another. */
 import { TONE_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
@@ -18,11 +18,11 @@ const oneMinus = (x: Value): Value => float(1).sub(x).toVar();
 /** The darkness of one layer: of strokes or of dots. */
 export type HatchLayer = (h: HatchingParameters, tone: Value) => Value;
 
-/** @param layers the choice `strokeLayers`; with one light there is nothing that layers by lights could disagree about */
+/** @param layers the choice `strokeLayers`; not `lights` with one light alone */
 export function hatch(h: HatchingParameters, tone: Value, layers: string, hatchLayer: HatchLayer): Value {
   if (layers === 'lights') {
-    // A second layer along the other direction of the tensor takes over as much of the tone as the lights disagree. Where nothing stays blank,
-    // any share of the tone would fill both layers.
+    // The second layer, along the other axis of the tensor, takes over as much of the tone as the lights disagree. At full tone any share
+    // would fill both layers.
     const blank = max(oneMinus(tone), 1e-3).toVar();
     const share = crossingOf(h).mul(0.5).toVar();
     const first = hatchLayer(h, oneMinus(pow(blank, oneMinus(share))));

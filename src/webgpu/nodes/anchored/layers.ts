@@ -1,4 +1,4 @@
-/** The twin of shaders/techniques/anchored/layers.glsl. */
+/** Counterpart of shaders/techniques/anchored/layers.glsl. */
 import { TONE_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { type Input, tsl, type Value } from '../base/values.js';
@@ -12,7 +12,7 @@ export const anchorSpacing: Value = /* @__PURE__ */ hatchingUniform('anchorSpaci
 
 export const crossingOf = ({ crossing }: HatchingParameters): Value => crossing;
 
-/** The same place in another layer, whose strokes are turned. @param turn the cosine and the sine of the angle */
+/** The same place in another layer, whose strokes are turned. @param turn cosine and sine of the angle */
 export function turnedLayer(h: HatchingParameters, layer: number, [x, y]: readonly [Input, Input]): HatchingParameters {
   const { uAxis, vAxis, lean } = h;
   const shift = vec3(...TONE_CONSTANTS.LAYER_SHIFT).mul(anchorSpacing.div(tilesPerUnit).mul(layer));

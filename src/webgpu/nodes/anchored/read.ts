@@ -1,8 +1,8 @@
-/** The twin of shaders/techniques/anchored/read.glsl: the frame of strokes is found here, so that it turns continuously. */
+/** Counterpart of shaders/techniques/anchored/read.glsl: the frame of strokes, found per fragment so that it turns continuously. */
 import type { Light } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
 import { followsForm } from '../base/followsForm.js';
-import type { ToldLight } from '../base/ToldLight.js';
+import type { ReceivedShadow } from '../base/ReceivedShadow.js';
 import { tsl, type Value } from '../base/values.js';
 import { safeNormalize } from '../chunks/safeNormalize.js';
 import { isInFullShadow } from '../perFragment/fullShadow.js';
@@ -15,29 +15,30 @@ import { vRestPosition, vStrokeNormal, vToViewer } from './varyings.js';
 
 const { dot, vec3 } = tsl;
 
-/** What hatching needs to know at a fragment. */
+/** The parameters of hatching at a fragment. */
 export interface HatchingParameters extends StrokeAxes {
   /** Object space. */
   point: Value;
   /** Unit, object space. */
   normal: Value;
-  /** Of u, v and the normal towards the viewer: proportional to their cosines. */
+  /** Components of the direction to the viewer along u, v and the normal, of any length. */
   lean: Value;
 }
 
-/** @param strokeField the choice @param told of shadows */
+/** @param strokeField the choice @param receivedShadows lights that cast shadows */
 export function readHatchingParameters(
   builder: NodeBuilder,
   lights: readonly Light[],
   strokeField: string,
-  told: readonly ToldLight[],
+  receivedShadows: readonly ReceivedShadow[],
 ): HatchingParameters {
   const n = safeNormalize(vStrokeNormal);
   const viewToAnchor = readViewToAnchor(builder);
   let axes: StrokeAxes;
-  if (followsForm(strokeField)) axes = readForm(n, strokeField === 'acrossForm', isInFullShadow(lights, told));
+  if (followsForm(strokeField))
+    axes = readForm(n, strokeField === 'acrossForm', isInFullShadow(lights, receivedShadows));
   else if (strokeField === 'sheet') axes = readSheet(n, viewToAnchor);
-  else axes = readLight(n, lights, viewToAnchor, told);
+  else axes = readLight(n, lights, viewToAnchor, receivedShadows);
   const lean = vec3(dot(vToViewer, axes.uAxis), dot(vToViewer, axes.vAxis), dot(vToViewer, n)).toVar();
   return { ...axes, point: vRestPosition.toVar(), normal: n, lean };
 }

@@ -1,4 +1,4 @@
-/** The twin of shaders/techniques/anchored/readForm.glsl: strokes along or across the level lines of a function that was baked into the vertices. */
+/** Counterpart of shaders/techniques/anchored/readForm.glsl: strokes along or across the level lines of a baked function. */
 
 import { tsl, type Value } from '../base/values.js';
 import { anyTangent } from '../chunks/lightOrientation.js';
@@ -7,11 +7,11 @@ import { vFormSlope } from './varyings.js';
 
 const { cross, dot, float, inverseSqrt, normalize, select } = tsl;
 
-/** @param n unit normal, object space @param isDark where no light arrives, whose strokes run the other way; null if that is nowhere */
+/** @param n unit normal, object space @param isDark true where no light arrives, where strokes run the other way; null if nowhere */
 export function readStrokeAxes(n: Value, isAcross: boolean, isDark: Value | null): StrokeAxes {
   const level = cross(n, vFormSlope).toVar();
   const squaredLength = dot(level, level).toVar();
-  // Any direction will do at a singular point.
+  // At a singular point of the field any direction will do.
   const along = select(
     squaredLength.greaterThan(0),
     level.mul(inverseSqrt(squaredLength)),

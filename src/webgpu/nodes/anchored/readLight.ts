@@ -1,7 +1,7 @@
-/** The twin of shaders/techniques/anchored/readLight.glsl: strokes that turn with the light. */
+/** Counterpart of shaders/techniques/anchored/readLight.glsl: strokes that follow the light. */
 import type { Light } from 'three';
+import type { ReceivedShadow } from '../base/ReceivedShadow.js';
 import { strokeDirection } from '../base/strokeDirection.js';
-import type { ToldLight } from '../base/ToldLight.js';
 import { tsl, type Value } from '../base/values.js';
 import { lightBitangent } from '../chunks/lightOrientation.js';
 import type { StrokeAxes } from './StrokeAxes.js';
@@ -13,9 +13,9 @@ export function readStrokeAxes(
   n: Value,
   lights: readonly Light[],
   viewToAnchor: Value,
-  told: readonly ToldLight[],
+  receivedShadows: readonly ReceivedShadow[],
 ): StrokeAxes {
-  const { bitangent, crossing } = lightBitangent(n, lights, viewToAnchor, told);
+  const { bitangent, crossing } = lightBitangent(n, lights, viewToAnchor, receivedShadows);
   const tangent = cross(bitangent, n).toVar();
   const { x, y } = strokeDirection;
   return {

@@ -1,4 +1,4 @@
-/** The twin of shaders/techniques/anchored/readSheet.glsl: strokes that lie one way on the sheet, whatever surface and light do. */
+/** Counterpart of shaders/techniques/anchored/readSheet.glsl: strokes with a fixed direction on the sheet. */
 
 import { isOrthographic } from '../base/isOrthographic.js';
 import { strokeDirection } from '../base/strokeDirection.js';
@@ -11,7 +11,7 @@ const { cross, dot, float, inverseSqrt, normalize, positionView, select, vec3 } 
 /** @param n unit normal, object space */
 export function readStrokeAxes(n: Value, viewToAnchor: Value): StrokeAxes {
   const toViewer = select(isOrthographic(), vec3(0, 0, 1), positionView.negate()).toVar();
-  // Where the plane through the eye and a slanted line of the sheet cuts the surface.
+  // The intersection of the surface with the plane through the eye and a slanted line of the sheet.
   const inView = cross(n.mul(viewToAnchor), cross(vec3(strokeDirection, 0), toViewer)).toVar();
   const along = viewToAnchor.mul(inView).toVar();
   const squaredLength = dot(along, along).toVar();

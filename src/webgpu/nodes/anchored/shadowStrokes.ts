@@ -1,4 +1,4 @@
-/** The twin of shaders/techniques/anchored/shadowStrokes.glsl: a layer of a shadow, always across the strokes of the light, whichever way they run. */
+/** Counterpart of shaders/techniques/anchored/shadowStrokes.glsl: a layer for shadows, across the strokes of the light. */
 import type { Value } from '../base/values.js';
 import type { HatchLayer } from './hatch.js';
 import { turnedLayer } from './layers.js';

@@ -1,5 +1,5 @@
 /**
- * The twin of shaders/techniques/anchored/simplexLattice.glsl: the four nearest points of a 3-D simplex lattice of edge 1, and a kernel around
+ * Counterpart of shaders/techniques/anchored/simplexLattice.glsl: the four nearest points of a 3-D simplex lattice of edge 1, and a kernel around
  * each.
  */
 
@@ -9,23 +9,23 @@ import { largestComponents } from '../chunks/largestComponents.js';
 const { dot, floor, int, ivec3, max, select, uint, uvec3, uvec4, vec3, vec4 } = tsl;
 
 export interface LatticeAnchors {
-  /** From each anchor to the point. */
+  /** The vectors from each anchor to the point. */
   offsets: readonly [Value, Value, Value, Value];
   weights: Value;
-  /** A random word each. */
+  /** A random word of each anchor. */
   hashes: Value;
 }
 
-/** Odd, and without a pattern in common. */
+/** Odd primes without common patterns. */
 const HASH_STEP = [0x8da6b343, 0xd8163841, 0xcb1ab31f] as const;
-/** All three at once, in 32 bits. */
+/** Their sum, in 32 bits. */
 const HASH_STEPS = (HASH_STEP[0] + HASH_STEP[1] + HASH_STEP[2]) >>> 0;
 
-/** The step along the axis that a mask has marked. */
+/** A unit step along the axis that a mask marks. */
 const stepAlong = (isX: Value, isY: Value): Value =>
   select(isX, uint(HASH_STEP[0]), select(isY, uint(HASH_STEP[1]), uint(HASH_STEP[2])));
 
-/** Random words for the lattice points at cell, cell + second, cell + third and cell + 1. */
+/** Random words of the lattice points at cell, cell + second, cell + third and cell + 1. */
 function hashAnchors(cell: Value, second: Value, third: Value, lattice: Value): Value {
   const own = uvec3(ivec3(cell))
     .mul(uvec3(...HASH_STEP.map((step) => uint(step))))
@@ -45,7 +45,7 @@ function hashAnchors(cell: Value, second: Value, third: Value, lattice: Value): 
   return h.bitXor(by(16)).toVar();
 }
 
-/** @param lattice anchors of different lattices get different words */
+/** @param lattice index of the lattice; the words of lattices differ */
 export function nearestAnchors(x: Value, lattice: Value): LatticeAnchors {
   const cell = floor(x.add(dot(x, vec3(1 / 3)))).toVar();
   const first = x
@@ -65,7 +65,7 @@ export function nearestAnchors(x: Value, lattice: Value): LatticeAnchors {
       .toVar(),
     first.sub(0.5).toVar(),
   ] as const;
-  // Zero where an anchor comes into or drops out of the four nearest: 0.5 is the squared distance at which it does.
+  // The kernel is zero where an anchor enters or leaves the four nearest: at a squared distance of 0.5.
   const near = max(vec4(0.5).sub(vec4(...offsets.map((offset) => dot(offset, offset)))), 0).toVar();
   const cubes = near.mul(near).mul(near).toVar();
   return {

@@ -1,7 +1,7 @@
 /**
- * The twin of shaders/techniques/anchored/stipple.glsl: dots that are fixed on the surface and round on the screen. They lie where needles
- * through a set of points in a plane meet the surface. The plane is one of thirteen, those across the axes of a cube through its faces, edges
- * and corners.
+ * Counterpart of shaders/techniques/anchored/stipple.glsl: dots that are fixed on the surface and round on the screen. A set of points in a
+ * plane is projected onto the surface along the normal of the plane. There are thirteen planes, perpendicular to the axes of a cube through
+ * its faces, edges and corners.
  */
 import type { NodeBuilder } from 'three/webgpu';
 import { STIPPLE_CONSTANTS } from '../../../look/constants/stippleConstants.js';
@@ -39,15 +39,15 @@ const CUBE_DIAGONAL = 0.57735027;
 const largestOf = ({ x, y, z }: Value): Value => max(x, max(y, z));
 const signOf = (x: Value): Value => select(x.lessThan(0), -1, 1);
 
-/** The three planes next to a direction. */
+/** The three planes whose axes are nearest to a direction. */
 interface StipplePlanes {
-  /** 1 at the axis, as a mask. */
+  /** A mask of the nearest axis. */
   nearest: Value;
-  /** 1 at both axes. */
+  /** A mask of the two nearest. */
   nearestTwo: Value;
   /** Signs of the direction. */
   side: Value;
-  /** Of the dots, by plane. */
+  /** The shares of the dots that lie in each plane. */
   shares: Value;
 }
 
@@ -66,7 +66,7 @@ function planesNear(direction: Value): StipplePlanes {
   return { nearest, nearestTwo, side, shares };
 }
 
-/** The unit axis of the plane with the largest share of those that are left; takes that plane away. */
+/** The unit axis of the plane with the largest remaining share, which is then removed. */
 function takePlane({ nearest, nearestTwo, side, shares }: StipplePlanes, share: Value): Value {
   const { x, y, z } = shares.toVar();
   const others = select(share.equal(y), nearestTwo.mul(SQUARE_DIAGONAL), vec3(CUBE_DIAGONAL));
@@ -76,11 +76,14 @@ function takePlane({ nearest, nearestTwo, side, shares }: StipplePlanes, share: 
   return axis;
 }
 
-/** Half way from the surface to the viewer, and nearer to the viewer where the surface leans away: there the screen needs it more. */
+/**
+ * The direction that chooses the planes: half way from the normal to the viewer, nearer to the viewer at grazing angles, where dots must
+ * face the screen.
+ */
 const directionOfNeedles = (front: Value, toViewer: Value): Value =>
   normalize(front.mul(max(dot(front, toViewer), LEAST_PULL)).add(toViewer)).toVar();
 
-/** The tangent plane, leaning away no further than dots stay round. */
+/** The screen map of the tangent plane, with the angle limited to where dots stay round. */
 function roundScreenMap(n: Value, viewToPlace: Value): ScreenMap {
   const normal = n.mul(viewToPlace).toVar();
   const toViewer = vec3(centreOfScreen(), 1).toVar();
@@ -91,13 +94,13 @@ function roundScreenMap(n: Value, viewToPlace: Value): ScreenMap {
   return screenMapOf(normal, toViewer.xy.toVar(), viewToPlace);
 }
 
-/** What dots cover at a tone: the tone itself in the lights, and more in the darks, which end solid. */
+/** The share that dots cover at a tone: the tone itself in the lights, more in the darks, which end solid. */
 function coverOf(tone: Value): Value {
   const way = clamp(tone.sub(CLOSING[0]).div(CLOSING[1] - CLOSING[0]), 0, 1).toVar();
   return min(tone.add(way.mul(way).mul(1 - CLOSING[1])), 1).toVar();
 }
 
-/** Cells of the set per object unit, as a logarithm to base 2, where dots cover half. */
+/** The logarithm to base 2 of cells per object unit at which dots cover half. */
 function octaveOf({ area }: PlaneOnScreen): Value {
   const onObject = log2(tilesPerUnit.mul(DOTS_PER_TILE));
   const onScreen = log2(max(abs(area), 1e-30))
@@ -107,7 +110,7 @@ function octaveOf({ area }: PlaneOnScreen): Value {
   return mix(min(onObject, onScreen), onScreen, sizedOnScreen);
 }
 
-/** What the dots across an axis cover. */
+/** The share that the dots of the plane across an axis cover. */
 function dotsAcross(point: Value, axis: Value, cover: Value, onScreen: ScreenMap): Value {
   const u = normalize(anyTangent(axis)).toVar();
   const v = cross(axis, u).toVar();
@@ -128,7 +131,7 @@ export function hatchLayer(h: HatchingParameters, tone: Value, builder: NodeBuil
     const blank = float(1).sub(cover).toVar();
     const towards = select(isOrthographic(), vec3(0, 0, 1), positionView.negate());
     const toViewer = normalize(viewToAnchor.mul(towards)).toVar();
-    // The normal of a sheet that is seen from behind looks the other way.
+    // The normal of a back-facing sheet points away.
     const isBehind = dot(h.normal, toViewer).lessThan(FROM_BEHIND);
     const front = select(isBehind, h.normal.negate(), h.normal).toVar();
     const planes = planesNear(directionOfNeedles(front, toViewer));

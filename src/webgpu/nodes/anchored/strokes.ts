@@ -1,6 +1,6 @@
 /**
- * The twin of shaders/techniques/anchored/strokes.glsl: strokes anchored in object space. The four nearest points of a lattice that is fixed on
- * the object sample the threshold map, the fields are blended, and ink is decided once.
+ * Counterpart of shaders/techniques/anchored/strokes.glsl: strokes anchored in object space. The four nearest points of a lattice that is
+ * fixed to the object sample the threshold map; the fields are blended, and then compared with the tone once.
  */
 import type { Medium } from '../../../look/hatchingProperties.js';
 import { hatchingUniform } from '../base/uniforms.js';
@@ -19,21 +19,21 @@ const { ceil, dot, exp2, float, fwidth, If, inverseSqrt, log2, max, smoothstep, 
 /** 0: strokes sized on the object, 1: on the screen. */
 const sizedOnScreen = /* @__PURE__ */ hatchingUniform('sizedOnScreen', 'float');
 
-/** Where strokes are sized on the screen, lattices stand this many octaves apart. */
+/** Octaves between the lattices of strokes that are sized on the screen. */
 const LATTICE_OCTAVES = 1;
-/** Only in the last part of the way does a lattice give way to one with other strokes. */
+/** The last part of an octave, in which a lattice fades into the next. */
 const LATTICE_FADE = 0.75;
-/** Strokes crowd as the surface leans away, but no more than by so many octaves: then coarser levels take over. */
+/** Octaves by which strokes may crowd at grazing angles before coarser levels of the map are used. */
 const FREE_CROWDING = 1;
 
-/** What decides about the program. */
+/** The choices that the program depends on. */
 export interface StrokeDefines {
   /** Whether any strokes are sized on the screen. */
   isSizedOnScreen: boolean;
-  /** Whether directions are known up to their sign alone. */
+  /** Whether directions are known up to their sign only. */
   isUpToSign: boolean;
   medium: Medium;
-  /** Of what is drawn to, counted from the lower left. */
+  /** The pixel of the render target, counted from the lower left. */
   pixel: Value;
 }
 
@@ -43,12 +43,12 @@ function latticeField(h: HatchingParameters, lattice: Value, level: ThresholdLev
   const { offsets, weights, hashes } = nearestAnchors(h.point.mul(scale).toVar(), lattice);
   const bitsFrom = (shift: number, mask: number): Value =>
     vec4(hashes.shiftRight(uvec4(shift)).bitAnd(uvec4(mask))).toVar();
-  // Where B turns into −B the strokes stay: the map is symmetric about its centre, and shifted by half tiles only.
+  // Where B turns into −B strokes stay: the map is symmetric about its centre, and is shifted by half tiles only.
   const shiftU = isUpToSign ? bitsFrom(0, 1).mul(0.5) : bitsFrom(0, 0xffff).mul(1 / 65536);
   const shiftV = isUpToSign ? bitsFrom(16, 1).mul(0.5) : bitsFrom(16, 0xffff).mul(1 / 65536);
   const along = vec4(...offsets.map((offset) => dot(h.uAxis, offset))).mul(anchorSpacing);
   const across = vec4(...offsets.map((offset) => dot(h.vAxis, offset))).mul(anchorSpacing);
-  // A bit of each word mirrors its strokes.
+  // One bit of each word mirrors its strokes.
   const mirrored = float(1).sub(bitsFrom(15, 1).mul(2));
   const u = along.mul(mirrored).add(shiftU).toVar();
   const v = across.add(shiftV).toVar();
@@ -56,20 +56,20 @@ function latticeField(h: HatchingParameters, lattice: Value, level: ThresholdLev
   return blendedField(places, weights, level);
 }
 
-/** Octaves by which strokes lie closer on the screen than face on, where the surface leans away across them. */
+/** Octaves by which strokes lie closer on the screen than face on. */
 function foreshortenedOctaves(lean: Value): Value {
   const facing = lean.z.mul(lean.z).toVar();
   const share = facing.div(max(facing.add(lean.y.mul(lean.y)), 1e-20));
   return log2(max(share, 1e-4)).mul(-0.5).toVar();
 }
 
-/** @param isInked whether anything will be printed, else nothing is fetched */
+/** @param isInked whether anything will be printed; otherwise the map is not sampled */
 function anchoredField(
   h: HatchingParameters,
   isInked: Value,
   { isSizedOnScreen, isUpToSign }: StrokeDefines,
 ): { field: HatchField; crowding: Value } {
-  // Octaves by which the map at tilesPerUnit is magnified: > 0 too near, < 0 too far.
+  // Octaves by which the map at `tilesPerUnit` is magnified: above 0 near, below 0 far away.
   const magnification = levelByDepth(thresholdMapSize, vUnitsPerPixel).negate().toVar();
   const foreshortened = foreshortenedOctaves(h.lean);
   const beyond = max(foreshortened.sub(FREE_CROWDING), 0);
@@ -98,7 +98,7 @@ function anchoredField(
   return { field: { g, mixing }, crowding };
 }
 
-/** Not for branches: the edges of strokes are found by differences from pixel to pixel. */
+/** Not to be called in branches: the edges of strokes need screen-space derivatives. */
 export function hatchLayer(h: HatchingParameters, tone: Value, defines: StrokeDefines): Value {
   const isInked = tone.add(fwidth(tone)).greaterThan(0).toVar();
   const { field, crowding } = anchoredField(h, isInked, defines);

@@ -1,4 +1,4 @@
-/** The twin of shaders/techniques/anchored/varyings.glsl. */
+/** Counterpart of shaders/techniques/anchored/varyings.glsl. */
 import { tsl, type Value } from '../base/values.js';
 
 const { varyingProperty } = tsl;

@@ -1,15 +1,15 @@
-import type { ToldLight } from './ToldLight.js';
+import type { ReceivedShadow } from './ReceivedShadow.js';
 import type { Value } from './values.js';
 
-/** What light makes of a surface at a fragment. */
+/** The lighting of a surface at a fragment. */
 export interface HatchingSurface {
   radiance: Value;
-  /** What shadows have taken of it; null where they are not told from the light. */
+  /** Radiance that shadows have taken; null where shadows are not computed apart. */
   shadowed: Value | null;
-  /** How much of the tone of all shadows is left; null where they do not dissolve. */
+  /** The share of the shadows' tone that is left; null where they do not dissolve. */
   shadowLeft: Value | null;
-  /** Of its own colour, as far as that becomes tone. */
+  /** The darkness of the surface's own colour, as far as it becomes tone. */
   darkness: Value;
-  /** The lights that cast shadows, where these are told from the light. */
-  told: readonly ToldLight[];
+  /** The lights that cast shadows, where shadows are computed apart. */
+  receivedShadows: readonly ReceivedShadow[];
 }

@@ -11,7 +11,7 @@ export class InstancePlaces {
   private version = -1;
   private count = -1;
 
-  /** The matrices as they are now. Writes to the texture where they have changed. */
+  /** The current matrices. Writes the texture if they have changed. */
   of({ instanceMatrix, count }: InstancedMesh): DataTexture {
     const isSame = instanceMatrix === this.matrices && instanceMatrix.version === this.version && count === this.count;
     if (this.texture && isSame) return this.texture;
@@ -38,7 +38,7 @@ export class InstancePlaces {
 
 const places = /* @__PURE__ */ new WeakMap<InstancedMesh, InstancePlaces>();
 
-/** The matrices of the instances of a mesh as they are now, as a texture. It is freed with the mesh. */
+/** The current instance matrices of a mesh, as a texture that is disposed of with the mesh. */
 export function placesOf(mesh: InstancedMesh): DataTexture {
   let known = places.get(mesh);
   if (!known) {

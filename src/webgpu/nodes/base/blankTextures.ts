@@ -17,14 +17,17 @@ function blank(texture: DataTexture): DataTexture {
   return texture;
 }
 
-/** Stands in for a texture of outlines that holds integers, where there is nothing to draw. */
+/** Placeholder for an integer texture of outlines. */
 export const blankIntegers = (): DataTexture =>
   blank(new DataTexture(new Uint32Array(4), 1, 1, RGBAIntegerFormat, UnsignedIntType));
 
-/** Stands in for one that holds floats. */
+/** Placeholder for a float texture of outlines. */
 export const blankFloats = (): DataTexture => blank(new DataTexture(new Float32Array(4), 1, 1, RGBAFormat, FloatType));
 
-/** Stands in for one that poses are drawn into: some versions of three.js turn what they have drawn, and look for it in the texture met first. */
+/**
+ * Placeholder for a texture that poses are rendered into: some versions of three.js flip render targets, as receivedShadows by the first texture that
+ * a node holds.
+ */
 export const blankPoses = (): Texture =>
   new RenderTarget(1, 1, { type: FloatType, minFilter: NearestFilter, magFilter: NearestFilter }).texture;
 
@@ -33,12 +36,12 @@ function repeated(texture: DataTexture): DataTexture {
   return blank(texture);
 }
 
-/** Stands in for the tooth of paper: WebGPURenderer keeps the filter and the wrapping of the texture that it has met first. */
+/** Placeholder for the tooth of paper: WebGPURenderer keeps the filter and the wrapping of the first texture that a node holds. */
 export const blankTooth: DataTexture = /* @__PURE__ */ (() => {
   const texture = new DataTexture(new Uint8Array(4), 1, 1, RedFormat);
   texture.magFilter = texture.minFilter = LinearFilter;
   return repeated(texture);
 })();
 
-/** Stands in for the places of dots. */
+/** Placeholder for the positions of dots. */
 export const blankDots: DataTexture = /* @__PURE__ */ repeated(new DataTexture(new Uint8Array(4), 1, 1));

@@ -1,13 +1,13 @@
-/** Matrices of three columns, for what WGSL does not know of them. */
+/** 3 × 3 matrices, for functions that WGSL lacks. */
 import { tsl, type Value } from './values.js';
 
 const { cross, dot, mat3, select, transpose, vec3 } = tsl;
 
-/** The linear part of a matrix of four columns. */
+/** The linear part of a 4 × 4 matrix. */
 export const linearPart = (matrix: Value): Value =>
   mat3(...[0, 1, 2].map((column) => matrix.element(column).xyz)).toVar();
 
-/** The inverse, or none of a matrix that has no inverse. @param otherwise takes its place then */
+/** The inverse of a matrix. @param otherwise the result for a singular matrix */
 export function inverseOf(matrix: Value, otherwise: Value | null = null): Value {
   const [x, y, z] = [0, 1, 2].map((column) => vec3(matrix.element(column)).toVar());
   const yz = cross(y, z).toVar();

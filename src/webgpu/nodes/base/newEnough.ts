@@ -1,8 +1,8 @@
-/** The oldest version of three.js, after its `0.`, whose nodes draw what GLSL draws. */
+/** The oldest version of three.js, after its `0.`, that has all the nodes that are used here. */
 const OLDEST = 186;
 
 /**
- * The nodes of three.js, if they are of a version that has all that is asked of them.
+ * Returns the nodes of three.js if their version is new enough.
  *
  * @param revision the version after its `0.`, such as `187` or `187dev`
  * @throws Error that says what to do

@@ -7,8 +7,7 @@ type UniformType = 'float' | 'int' | 'vec2' | 'vec3' | 'vec4' | 'color' | 'mat3'
 const known = new Map<string, Value>();
 
 /**
- * A uniform of whichever material is drawn: what its `uniforms` hold, as for GLSL. All materials share the node, so that they share
- * programs too.
+ * A node for a uniform of the material that is being drawn, read from its `uniforms`. All materials share the node, and so share programs.
  *
  * @param type of a flag `float`: three.js keeps one of type `bool` where it is first asked for, in a branch too
  */
@@ -22,6 +21,6 @@ export function hatchingUniform(name: string, type: UniformType): Value {
   return uniform;
 }
 
-/** A number of an array among those uniforms. */
+/** An element of an array uniform. */
 export const hatchingElement = (name: string, index: number): Value =>
   materialReference(`uniforms.${name}.value.${index}`, 'float') as unknown as Value;

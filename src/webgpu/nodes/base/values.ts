@@ -1,4 +1,4 @@
-/** three's nodes, with types that say no more than that a node is a value. Those of three.js follow each operation, and lose it half way. */
+/** three.js' nodes with one type for all values: the types of three.js follow each operation, and are lost half way. */
 import { REVISION } from 'three';
 import * as TSL from 'three/tsl';
 import type { NodeBuilder } from 'three/webgpu';
@@ -18,16 +18,16 @@ export interface Value
       Operation
     >,
     Record<'x' | 'y' | 'z' | 'w' | 'xy' | 'zw' | 'xz' | 'yw' | 'xyz' | 'yzw' | 'yzx' | 'zxy', Value> {
-  /** Has it computed here, and kept. */
+  /** Stores the value in a variable. */
   toVar(name?: string): Value;
   assign(value: Input): void;
   addAssign(value: Input): void;
   mulAssign(value: Input): void;
 }
 
-/** A texture, to be read. */
+/** A texture node. */
 export interface TextureValue extends Value {
-  /** The texel at integers. */
+  /** The texel at integer coordinates. */
   load(texel: Value): Value;
   sample(coordinates: Value): TextureValue;
   level(level: Input): TextureValue;
@@ -77,21 +77,21 @@ interface Shading
     Operation
   > {
   attribute(name: string, type: string): Value;
-  /** What an object has under this name. */
+  /** A property of an object. */
   reference(name: string, type: string): Value;
   referenceBuffer(name: string, type: string, count: number): Value;
-  /** What moves a vertex of an object, as three's own materials have it moved. */
+  /** Nodes that move the vertex of an object, as in three.js' materials. */
   batch(object: object): void;
   instancedMesh(object: object): void;
   morphReference(object: object): void;
   skinning(object: object): void;
-  /** Runs when a shader is built. */
+  /** Calls `build` when a shader is built. */
   Fn(build: (builder: NodeBuilder) => Value): () => Value;
   If(condition: Value, then: () => void): Branches;
   Loop(range: object, body: (counters: Record<string, Value>) => void): void;
   Break(): void;
   Discard(condition: Value): void;
-  /** A variable of a stage that anything in it may read. */
+  /** A variable that all code of a shader stage can read. */
   property(type: string, name: string): Value;
   varyingProperty(type: string, name: string): Value;
   readonly batchIndirectIndex: Value;
@@ -119,10 +119,10 @@ interface Shading
 }
 
 /**
- * three's node functions, typed as three.js has them. No other file imports them: those of older versions are not all there, which would end a page
- * before it could be said.
+ * three.js' node functions with their own types. No other file may import them: older versions lack some, and an import error would come
+ * before the message about the version.
  */
 export const threeNodes: typeof TSL = /* @__PURE__ */ newEnough(TSL, REVISION);
 
-/** The same, typed by values. */
+/** The same functions, with the type `Value`. */
 export const tsl: Shading = threeNodes as unknown as Shading;

@@ -1,16 +1,16 @@
-/** The twin of shaders/chunks/crossedTones.glsl: shares a tone among layers that cross one another from some tone on. */
+/** Counterpart of shaders/chunks/crossedTones.glsl: shares a tone among layers that cross from some tone on. */
 import { TONE_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import { tsl, type Value } from '../base/values.js';
 
 const { float, max, min } = tsl;
 
 /**
- * The part of a tone that a layer prints itself, where others cross it from the tone `from` on.
+ * The part of a tone that a layer prints itself, if other layers cross it above the tone `from`.
  *
  * @param kept the share of the tone above that one which it still takes
  */
 export const takenOf = (tone: Value, from: Value, kept: number = TONE_CONSTANTS.KEPT_SHARE): Value =>
   min(tone, from).add(max(tone.sub(from), 0).mul(kept));
 
-/** The tone that it leaves to the others: exactly 0 up to where they begin. */
+/** The tone that a layer leaves to the others: exactly 0 up to where they begin. */
 export const leftOf = (tone: Value, taken: Value): Value => max(tone.sub(taken), 0).div(max(float(1).sub(taken), 1e-4));

@@ -1,4 +1,4 @@
-/** The twin of shaders/chunks/deformVertex.glsl: three deforms the vertex, with all that its own materials know. */
+/** Counterpart of shaders/chunks/deformVertex.glsl: deforms the vertex as three.js' materials do. */
 import type { BufferGeometry, SkinnedMesh } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
 import { linearPart } from '../base/matrices.js';
@@ -6,24 +6,24 @@ import { tsl, type Value } from '../base/values.js';
 
 const { add, attribute, morphReference, normalLocal, positionLocal, reference, referenceBuffer, skinning } = tsl;
 
-/** A vertex in its present pose, object space. */
+/** A deformed vertex, object space. */
 export interface DeformedVertex {
   position: Value;
-  /** Its normal after morph targets and before skins; null where none turn it. */
+  /** The normal after morph targets and before skinning; null if none change it. */
   morphedNormal: Value | null;
-  /** The linear part of what its bones do, null without bones. */
+  /** The linear part of the skinning matrix; null without bones. */
   skin: Value | null;
 }
 
-/** The matrices of the bones of the mesh that is drawn, in the space that it was bound in. */
+/** The bone matrices of the current mesh, in bind space. */
 export const bonesOf = ({ skeleton }: SkinnedMesh): Value =>
   referenceBuffer('skeleton.boneMatrices', 'mat4', skeleton.bones.length);
 
-/** What a matrix in the space that a mesh was bound in does in object space. */
+/** Transforms a matrix from bind space to object space. */
 export const inObjectSpace = (bone: Value): Value =>
   reference('bindMatrixInverse', 'mat4').mul(bone).mul(reference('bindMatrix', 'mat4')).toVar();
 
-/** What the bones of a vertex do, from object space to object space. */
+/** The skinning matrix of a vertex, object space. */
 function skinMatrixOf(mesh: SkinnedMesh): Value {
   const bones = bonesOf(mesh);
   const index = attribute('skinIndex', 'uvec4');

@@ -1,4 +1,4 @@
-/** The twin of shaders/chunks/emitOcclusion.glsl. */
+/** Counterpart of shaders/chunks/emitOcclusion.glsl. */
 import type { NodeBuilder } from 'three/webgpu';
 import { tsl } from '../base/values.js';
 import { hatchNormal } from './hatchNormal.js';
@@ -6,7 +6,7 @@ import { vOcclusion } from './occlusion.js';
 
 const { max } = tsl;
 
-/** Instances stand in many places, so none is baked for them. */
+/** Instances stand in different places, so occlusion is not baked for them. */
 export function emitOcclusion(builder: NodeBuilder): void {
   const isPlaced = ['isInstancedMesh', 'isBatchedMesh'].some((kind) => kind in (builder.object as object));
   vOcclusion.assign(isPlaced ? 0 : max(hatchNormal(builder).w.negate(), 0));

@@ -1,4 +1,4 @@
-/** The twin of shaders/chunks/emphasis.glsl: how much weight the drawing has at a place, 1 as usual, 0 none. */
+/** Counterpart of shaders/chunks/emphasis.glsl: the weight of the drawing at a place, 1 as usual, 0 none. */
 import { EMPHASIS_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
@@ -6,18 +6,18 @@ import { tsl, type Value } from '../base/values.js';
 const { cameraViewMatrix, clamp, dot, exp, float, length, select, sin, smoothstep, vec3 } = tsl;
 const { AIR, FOCUS_END, FRONT_GAIN, UNEVEN, VIGNETTE_START } = EMPHASIS_CONSTANTS;
 
-/** The depths from which and up to which it fades, view units; how strongly. */
+/** Depths at which fading begins and ends, view units, and its strength. */
 const depthFading = /* @__PURE__ */ hatchingUniform('depthFading', 'vec3');
-/** The point in focus, view space, and its radius; 0 without one. */
+/** The point in focus, view space, and its radius; radius 0 for none. */
 const focusing = /* @__PURE__ */ hatchingUniform('focusing', 'vec4');
-/** How much falls off towards the rim. */
+/** Strength of the falloff towards the rim. */
 const vignette = /* @__PURE__ */ hatchingUniform('vignette', 'float');
-/** Its lower left corner from that of what is drawn to, and its size, pixels. */
+/** Lower left corner of the sheet in the render target, and its size, pixels. */
 const sheet = /* @__PURE__ */ hatchingUniform('sheet', 'vec4');
-/** Of the object. */
+/** Importance of the object. */
 const importance = /* @__PURE__ */ hatchingUniform('importance', 'float');
 
-/** How much air lies before a place: 0 in front, 1 at the back. */
+/** Strength of aerial perspective: 0 in front, 1 at the back. */
 function airBefore(viewPosition: Value): Value {
   const way = clamp(viewPosition.z.negate().sub(depthFading.x).div(depthFading.y.sub(depthFading.x)), 0, 1);
   const air = float(1)
@@ -26,7 +26,7 @@ function airBefore(viewPosition: Value): Value {
   return select(depthFading.z.equal(0), float(0), air);
 }
 
-/** An edge that is left open by hand: waves whose phases bend one another, in [-UNEVEN, UNEVEN]. The numbers mean nothing. */
+/** The irregularity of a hand-drawn edge, in [-UNEVEN, UNEVEN]: sines whose phases vary with one another. The numbers are arbitrary. */
 function uneven(p: Value): Value {
   const a = sin(dot(p, vec3(4.3, 3.1, -3.7)).add(sin(dot(p, vec3(-2.9, 5.3, 4.1))).mul(1.6)));
   const b = sin(
@@ -38,7 +38,7 @@ function uneven(p: Value): Value {
 }
 
 function inFocus(viewPosition: Value): Value {
-  // Turned to the world, the edge stays where it is as the camera moves.
+  // In world space the edge stays in place as the camera moves.
   const way = viewPosition.sub(focusing.xyz).toVar();
   const [x, y, z] = [0, 1, 2].map((column) => dot(way, cameraViewMatrix.element(column).xyz));
   const away = vec3(x, y, z).div(focusing.w).toVar();
@@ -52,7 +52,7 @@ function onSheet(pixel: Value): Value {
   return select(vignette.equal(0), float(1), float(1).sub(vignette.mul(outside)));
 }
 
-/** A factor on the tone. @param pixel of what is drawn to, counted from the lower left */
+/** A factor on the tone. @param pixel of the render target, counted from the lower left */
 export const emphasisAt = (viewPosition: Value, pixel: Value): Value =>
   importance
     .mul(inFocus(viewPosition))

@@ -1,4 +1,4 @@
-/** The twin of shaders/chunks/ink.glsl: turns a field of thresholds into what is printed. */
+/** Counterpart of shaders/chunks/ink.glsl: turns a field of thresholds into what is printed. */
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 import { normalDistribution } from './normalDistribution.js';
@@ -8,14 +8,14 @@ const { clamp, fwidth, min, mix, select, smoothstep, sqrt } = tsl;
 /** Width of the edge of a stroke. */
 const edgePixels = /* @__PURE__ */ hatchingUniform('edgePixels', 'float');
 
-/** Strokes turn into their tone from CROWDED_FROM octaves finer on, and at CROWDED octaves none can be told from the next. */
+/** Octaves of crowding at which strokes begin to turn into a flat tone, and at which they have. */
 const CROWDED_FROM = 1;
 const CROWDED = 2.5;
 
-/** A field to decide ink from: standard normal, but for the skew of mixed levels. */
+/** A field that is compared with a tone: standard normal, except for the skew of mixed levels. */
 export interface HatchField {
   g: Value;
-  /** 0 where it comes from one level, 1 half way between two. */
+  /** 0 on one level, 1 half way between two. */
   mixing: Value;
 }
 
@@ -25,23 +25,23 @@ export function unskew(h: Value, mixing: Value): Value {
   return h.add(mixing.mul(h).mul(h.oneMinus()).mul(x.mul(x).mul(1.07).sub(0.14)));
 }
 
-/** Darkness of a place that is ink from the tone h on. The mean over all h is the tone. @param width of the edge, in h */
+/** The darkness of a place that becomes ink at the tone h. The mean over all h is the tone. @param width width of the edge, in h */
 export function darkenedFrom(h: Value, tone: Value, width: Value): Value {
-  // Near blank and near full, an edge that reaches beyond [0, 1] would lose some of its ink, so it is moved.
+  // Near blank and near full the edge is moved: beyond [0, 1] it would lose ink.
   const nearest = min(tone, tone.oneMinus()).toVar();
   const moved = sqrt(width.mul(2).mul(nearest)).sub(width.mul(0.5)).toVar();
   const level = select(nearest.lessThan(width.mul(0.5)), select(tone.lessThan(0.5), moved, moved.oneMinus()), tone);
   return clamp(level.sub(h).div(width).add(0.5), 0, 1);
 }
 
-/** How far strokes have turned into their tone. @param crowding octaves by which they are finer than drawn */
+/** The share to which strokes have turned into a flat tone. @param crowding octaves by which strokes are finer than drawn */
 export const crowdedShare = (crowding: Value): Value => smoothstep(CROWDED_FROM, CROWDED, crowding);
 
-/** Ink of a field under a tone: decided once, here. It takes derivatives, so it is not for branches. */
+/** The ink of a field at a tone. Uses screen-space derivatives, so it must not be called in branches. */
 export function inkAt(field: HatchField, tone: Value, crowding: Value): Value {
   const h = normalDistribution(field.g).toVar();
   const width = clamp(fwidth(field.g).mul(h.y).mul(edgePixels), 1e-7, 1).toVar();
   const ink = darkenedFrom(unskew(h.x, field.mixing), tone, width);
-  // At a slant strokes crowd until a pixel holds several. One sample of them would be a stray dot; their mean is the tone.
+  // At grazing angles a pixel holds several strokes. A single sample would alias; their mean is the tone.
   return mix(ink, tone, min(edgePixels, 1).mul(crowdedShare(crowding)));
 }

@@ -1,9 +1,9 @@
-/** The twin of shaders/chunks/largestComponents.glsl. */
+/** Counterpart of shaders/chunks/largestComponents.glsl. */
 import { tsl, type Value } from '../base/values.js';
 
 const { max, min, step } = tsl;
 
-/** Marks the largest component of a vector with 1, and the two largest. Ties go the same way in all components. */
+/** Masks of the largest component of a vector and of the two largest, with ties broken consistently. */
 export function largestComponents(v: Value): { largest: Value; twoLargest: Value } {
   const greater = step(v.yzx, v.xyz).toVar();
   const less = greater.oneMinus().toVar();

@@ -1,10 +1,10 @@
 /**
- * The twin of shaders/chunks/lightOrientation.glsl: the direction from which a surface is lit, in its tangent plane: B of Algorithm 1. Of several
- * lights it is a direction known up to its sign, whose sign follows their weighted sum.
+ * Counterpart of shaders/chunks/lightOrientation.glsl: the direction from which a surface is lit, in its tangent plane: B of Algorithm 1.
+ * Several lights are averaged as axes; the sign of the result is that of their weighted sum.
  */
 import type { Light } from 'three';
 import { directedLights, hasPlace } from '../base/directedLights.js';
-import type { ToldLight } from '../base/ToldLight.js';
+import type { ReceivedShadow } from '../base/ReceivedShadow.js';
 import { tsl, type Value } from '../base/values.js';
 import { lightLuminance } from './lightLuminance.js';
 import { fallOff, type LightValues, valuesFor } from './meanLight.js';
@@ -12,32 +12,39 @@ import { fallOff, type LightValues, valuesFor } from './meanLight.js';
 const { abs, cameraViewMatrix, cross, dot, float, inverseSqrt, length, max, normalize, positionView, select } = tsl;
 const { smoothstep, vec2, vec3 } = tsl;
 
-/** Below this squared sine of the angle between light and normal, the light gives no direction. */
+/** Squared sine of the angle between light and normal below which a light gives no direction. */
 const PARALLEL_SQUARED_SINE = 1e-8;
-/** What a light weighs where it does not reach: a cone or a terminator must not leave strokes without a direction. */
+/** Weight of a light where it does not reach, so that strokes keep a direction beyond a cone or a terminator. */
 const UNLIT_WEIGHT = 1e-4;
-/** The cosine by which a light still counts beyond its terminator, so that strokes do not lose their direction right there. */
+/** Cosine down to which a light counts beyond its terminator, so that strokes keep their direction there. */
 const BEHIND_TERMINATOR = 0.05;
 
-/** Where strokes run, and how far the lights disagree: 0 where they lie in one line, 1 where no direction prevails. */
+/** The direction of strokes, and the disagreement of the lights: 0 where they are collinear, 1 where no direction prevails. */
 export interface Orientation {
   bitangent: Value;
   crossing: Value;
 }
 
-/** A vector perpendicular to n, not of unit length, and never short. */
+/** A vector perpendicular to n, neither of unit length nor close to zero. */
 export const anyTangent = (n: Value): Value =>
   select(abs(n.x).greaterThan(abs(n.z)), vec3(n.y.negate(), n.x, 0), vec3(0, n.z.negate(), n.y));
 
-/** Where a light does not arrive strokes run across it. Its pole lies elsewhere, so no whirl of strokes is left in the shadow. @param toLight unit, view space */
+/**
+ * A direction across a light, for strokes in its shadow. Its pole is not that of the light, so that no singularity shows in the shadow.
+ * @param toLight unit, view space
+ */
 function acrossLight(toLight: Value): Value {
   const [right, up] = [0, 1].map((column) => cameraViewMatrix.element(column).xyz);
   return normalize(cross(toLight, select(abs(dot(toLight, up)).lessThan(0.9), up, right)));
 }
 
-/** What a light is for strokes where it is known whether it arrives. */
-function turnInShadow({ direction, arriving }: Incident, light: Light, told: readonly ToldLight[]): Incident {
-  const isShadowed = told.find((one) => one.light === light)?.isShadowed;
+/** A light as strokes see it: in its own shadow, turned across. */
+function turnInShadow(
+  { direction, arriving }: Incident,
+  light: Light,
+  receivedShadows: readonly ReceivedShadow[],
+): Incident {
+  const isShadowed = receivedShadows.find((one) => one.light === light)?.isShadowed;
   if (!isShadowed) return { direction, arriving };
   return {
     direction: select(isShadowed, acrossLight(direction), direction).toVar(),
@@ -50,7 +57,7 @@ interface Incident {
   arriving: Value;
 }
 
-/** The direction to a light from this fragment, view space, and what of it arrives. */
+/** The direction to a light from this fragment, view space, and the colour that arrives. */
 function incident(light: Light, values: LightValues): Incident {
   if (!hasPlace(light)) return { direction: values.direction, arriving: values.color };
   const way = values.position.sub(positionView).toVar();
@@ -63,9 +70,14 @@ function incident(light: Light, values: LightValues): Incident {
   return { direction, arriving: values.color.mul(left) };
 }
 
-/** Algorithm 1 as it stands. */
-function bitangentOfOne(n: Value, light: Light, viewToObject: Value, told: readonly ToldLight[]): Orientation {
-  const { direction } = turnInShadow(incident(light, valuesFor(light)), light, told);
+/** Algorithm 1 for one light, as in the paper. */
+function bitangentOfOne(
+  n: Value,
+  light: Light,
+  viewToObject: Value,
+  receivedShadows: readonly ReceivedShadow[],
+): Orientation {
+  const { direction } = turnInShadow(incident(light, valuesFor(light)), light, receivedShadows);
   const l = viewToObject.mul(direction).toVar();
   const projected = l.sub(n.mul(dot(l, n))).toVar();
   // L ∥ N: the lit pole is white and the unlit one black, so any tangent will do.
@@ -104,16 +116,16 @@ function addLight(o: LightSums, toLight: Value, arriving: Value, emitted: Value)
  * @param n unit normal, object space
  * @param lights of the scene
  * @param viewToObject linear part
- * @param told of shadows
+ * @param receivedShadows lights that cast shadows
  */
 export function lightBitangent(
   n: Value,
   lights: readonly Light[],
   viewToObject: Value,
-  told: readonly ToldLight[],
+  receivedShadows: readonly ReceivedShadow[],
 ): Orientation {
   const directed = directedLights(lights);
-  if (directed.length === 1) return bitangentOfOne(n, directed[0], viewToObject, told);
+  if (directed.length === 1) return bitangentOfOne(n, directed[0], viewToObject, receivedShadows);
   const e1 = normalize(anyTangent(n)).toVar();
   const e2 = cross(n, e1).toVar();
   const o: LightSums = {
@@ -122,22 +134,22 @@ export function lightBitangent(
   };
   for (const light of directed) {
     const values = valuesFor(light);
-    const { direction, arriving } = turnInShadow(incident(light, values), light, told);
+    const { direction, arriving } = turnInShadow(incident(light, values), light, receivedShadows);
     addLight(o, viewToObject.mul(direction), arriving, values.color);
   }
   if (directed.length === 0) {
-    // A sky alone still has an up; beside a real light it is only fill.
+    // A hemisphere light gives a direction only if there is no other light.
     for (const light of lights.filter((one) => 'isHemisphereLight' in one)) {
       const { direction, color } = valuesFor(light);
       addLight(o, viewToObject.mul(direction), color, color);
     }
   }
   const amplitude = length(o.tensor).toVar();
-  // Lights in line with the normal say nothing, so they do not disagree either.
+  // Lights along the normal give no direction, so they do not disagree.
   const least = o.weight.mul(PARALLEL_SQUARED_SINE).toVar();
   const disagreement = max(float(1).sub(amplitude.div(max(o.extent, 1e-20))), 0);
   const crossing = select(o.extent.greaterThan(least), disagreement, float(0)).toVar();
-  // Half of the doubled angle without trigonometry, from the side on which nothing cancels.
+  // Half of the doubled angle without trigonometry, from the side without cancellation.
   const { x, y } = o.tensor;
   const half = select(x.greaterThanEqual(0), vec2(amplitude.add(x), y), vec2(y, amplitude.sub(x))).toVar();
   const b = normalize(select(dot(half, o.sum).lessThan(0), half.negate(), half)).toVar();

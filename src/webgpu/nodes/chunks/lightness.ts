@@ -1,9 +1,9 @@
-/** The twin of shaders/chunks/lightness.glsl. */
+/** Counterpart of shaders/chunks/lightness.glsl. */
 import { tsl, type Value } from '../base/values.js';
 
 const { pow, select } = tsl;
 
-/** L*, over 100, of a luminance: both in [0, 1] (CIE 1976). */
+/** Lightness L* over 100, of a luminance in [0, 1] (CIE 1976). */
 export const lightness = (y: Value): Value =>
   select(
     y.lessThan(216 / 24389),

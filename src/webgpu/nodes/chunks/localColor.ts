@@ -1,4 +1,4 @@
-/** The twin of shaders/chunks/localColor.glsl: what the surface's own colour gives to the picture. */
+/** Counterpart of shaders/chunks/localColor.glsl: the tone and the tint of the surface's own colour. */
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 import { lightLuminance } from './lightLuminance.js';
@@ -10,7 +10,7 @@ const localTone = /* @__PURE__ */ hatchingUniform('localTone', 'float');
 const colorExposure = /* @__PURE__ */ hatchingUniform('colorExposure', 'float');
 const colorFill = /* @__PURE__ */ hatchingUniform('colorFill', 'float');
 
-/** How much darker than white a colour looks, as far as that is to become tone. What gives off light itself does not look so dark. */
+/** The darkness of a colour beside white, as far as it becomes tone. Emitted light lessens it. */
 export function localDarkness(color: Value, emitted: Value): Value {
   const light = min(colorExposure.mul(lightness(clamp(lightLuminance(color), 0, 1))), 1);
   const unlit = float(1).sub(clamp(lightLuminance(emitted), 0, 1));

@@ -1,4 +1,6 @@
-/** The twin of shaders/chunks/meanLight.glsl. It asks the lights of a scene themselves, since three's nodes of lights light fragments only. */
+/**
+ * Counterpart of shaders/chunks/meanLight.glsl. Reads the lights of the scene itself, since three.js' light nodes work in fragments only.
+ */
 import { Color, type HemisphereLight, type Light, type PointLight, type SpotLight, Vector3 } from 'three';
 import { threeNodes, tsl, type Value } from '../base/values.js';
 import { lightLuminance } from './lightLuminance.js';
@@ -8,13 +10,13 @@ const { renderGroup, uniform } = threeNodes;
 
 const place = /* @__PURE__ */ new Vector3();
 
-/** What shaders ask of a light. All programs share it. */
+/** Uniforms of a light, shared by all programs. */
 export interface LightValues {
   color: Value;
   ground: Value;
   /** View space. */
   position: Value;
-  /** The direction to the light, of unit length, view space. */
+  /** Unit direction to the light, view space. */
   direction: Value;
   reach: Value;
   decay: Value;
@@ -65,7 +67,7 @@ export function valuesFor(light: Light): LightValues {
   return made;
 }
 
-/** What is left of a light over a distance, as three.js has it. */
+/** Attenuation of a light over a distance, as in three.js. */
 export function fallOff(away: Value, { reach, decay }: LightValues): Value {
   const left = float(1)
     .div(max(pow(away, decay), 0.01))
@@ -76,7 +78,7 @@ export function fallOff(away: Value, { reach, decay }: LightValues): Value {
 }
 
 /**
- * The direction that the light comes from at a point in view space: the mean of all lights by their luminance, not of unit length.
+ * The direction from which light comes at a point in view space: the mean of all lights, weighted by luminance; not of unit length.
  *
  * @param lights of the scene
  */

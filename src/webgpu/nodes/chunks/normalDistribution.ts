@@ -1,4 +1,4 @@
-/** The twin of shaders/chunks/normalDistribution.glsl. */
+/** Counterpart of shaders/chunks/normalDistribution.glsl. */
 import { tsl, type Value } from '../base/values.js';
 
 const { exp, float, vec2 } = tsl;

@@ -1,4 +1,4 @@
-/** The twin of shaders/chunks/objectToView.glsl: the matrices of the object, or of one of its instances. */
+/** Counterpart of shaders/chunks/objectToView.glsl: the matrices of the object, or of one of its instances. */
 import type { BatchedMesh, InstancedMesh, Object3D, Texture } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
 import { blankFloats } from '../base/blankTextures.js';
@@ -10,19 +10,19 @@ import { type TextureValue, threeNodes, tsl, type Value } from '../base/values.j
 
 const { batch, batchIndirectIndex, instancedMesh, instanceIndex, int, mat4, modelViewMatrix } = tsl;
 
-/** Of an object without instances, the same for all its vertices. Linear part. */
+/** Linear part of the inverse model-view matrix, for objects without instances. */
 export const viewToObject: Value = /* @__PURE__ */ hatchingUniform('viewToObject', 'mat3');
 
-/** Of an object that has neither. */
+/** Placeholder for objects without instances or batches. */
 const noPlaces = /* @__PURE__ */ blankFloats();
-/** Matrices of instances or of what a batch holds, a column to a texel. */
+/** Matrices of instances or of a batch, one column per texel. */
 const instancePlaces = /* @__PURE__ */ threeNodes
   .uniformTexture(noPlaces)
   .onObjectUpdate(({ object }) => placesTexture(object as Object3D) ?? noPlaces) as unknown as TextureValue;
 
 function placesTexture(object: Object3D): Texture | null {
   if ('isInstancedMesh' in object) return placesOf(object as InstancedMesh);
-  // The name is three's own, and no part of its documented interface; materials of three.js read it by that name.
+  // A private name of three.js, by which its own materials read the texture.
   return 'isBatchedMesh' in object
     ? (object as BatchedMesh & { readonly _matricesTexture: Texture })._matricesTexture
     : null;
@@ -33,14 +33,14 @@ function placeOf(instance: Value): Value {
   return mat4(...[0, 1, 2, 3].map((column) => instancePlaces.load(texelOf(first.add(column), instancePlaces)))).toVar();
 }
 
-/** Where vertices of one object lie in the view. */
+/** The transform of an object or instance. */
 export interface ObjectPlace {
   objectToView: Value;
   /** Linear part. */
   viewToObject: Value;
 }
 
-/** Puts the vertex to the place of its instance, as three's own materials do, and says where that is. */
+/** Moves the vertex by the matrix of its instance, as three.js' materials do, and returns the transform. */
 export function placeInstance({ object }: NodeBuilder): ObjectPlace {
   const { isBatchedMesh, isInstancedMesh } = object as { isBatchedMesh?: boolean; isInstancedMesh?: boolean };
   if (!isBatchedMesh && !isInstancedMesh) return { objectToView: modelViewMatrix, viewToObject };

@@ -1,4 +1,4 @@
-/** The twin of shaders/chunks/occlude.glsl: what ambient occlusion takes of the light. */
+/** Counterpart of shaders/chunks/occlude.glsl: the light that ambient occlusion takes. */
 
 import { TONE_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
@@ -8,16 +8,16 @@ import { vOcclusion } from './occlusion.js';
 const { float, smoothstep } = tsl;
 const { CAVITY, HOLLOW } = TONE_CONSTANTS;
 
-/** How much of it counts. */
+/** Strength of ambient occlusion. */
 const occlusion = /* @__PURE__ */ hatchingUniform('occlusion', 'float');
-/** How dark the depths of hollows are. */
+/** Tone of the deepest hollows. */
 const hollowTone = /* @__PURE__ */ hatchingUniform('hollowTone', 'float');
 
-/** Light from all around loses the share of the sky that is hidden. */
+/** The share of ambient light that is left. */
 export const openToSky = (): Value => float(1).sub(occlusion.mul(vOcclusion));
 
-/** Light with a direction loses as much where much of the sky is hidden, and nearly nothing where little is. */
+/** The share of directed light that is left: little less than all, except where most of the sky is hidden. */
 export const openToLights = (): Value => float(1).sub(occlusion.mul(vOcclusion).mul(smoothstep(0, CAVITY, vOcclusion)));
 
-/** The depths of hollows are the darkest places of a drawing, also where light reaches them. */
+/** The darkness of deep hollows, which light does not lessen. */
 export const hollowness = (): Value => hollowTone.mul(occlusion).mul(smoothstep(HOLLOW[0], HOLLOW[1], vOcclusion));

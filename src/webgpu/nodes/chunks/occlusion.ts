@@ -1,5 +1,5 @@
-/** The twin of shaders/chunks/occlusion.glsl: 0 where a surface sees the whole sky, 1 where it sees none of it. */
+/** Counterpart of shaders/chunks/occlusion.glsl: 0 where a surface sees the whole sky, 1 where it sees none of it. */
 import { tsl, type Value } from '../base/values.js';
 
-/** Ambient occlusion as it was baked. */
+/** The baked ambient occlusion. */
 export const vOcclusion: Value = /* @__PURE__ */ tsl.varyingProperty('float', 'vOcclusion');

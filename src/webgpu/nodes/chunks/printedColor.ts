@@ -1,4 +1,4 @@
-/** The twin of shaders/chunks/printedColor.glsl: ink and paper as one colour with an alpha, not premultiplied. */
+/** Counterpart of shaders/chunks/printedColor.glsl: ink and paper as one colour with an alpha, not premultiplied. */
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 
@@ -9,6 +9,10 @@ export const paper: Value = /* @__PURE__ */ hatchingUniform('paper', 'color');
 const paperOpacity = /* @__PURE__ */ hatchingUniform('paperOpacity', 'float');
 
 /**
+ * @param ground paper, tinted by the surface colour
+ * @param darkness of the hatch
+ * @param isMultiplied whether strokes are tinted by the ground too
+ *
  * @param ground paper times what is printed of the surface colour
  * @param darkness of the hatch
  * @param isMultiplied whether the stroke takes its colour of the ground too

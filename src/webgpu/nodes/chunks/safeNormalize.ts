@@ -1,11 +1,11 @@
-/** The twin of shaders/chunks/safeNormalize.glsl. */
+/** Counterpart of shaders/chunks/safeNormalize.glsl. */
 import { tsl, type Value } from '../base/values.js';
 
 const { dot, inverseSqrt, vec3 } = tsl;
 
-/** A zero-area triangle has no normal; one towards the viewer is as good as any for the pixel it may still cover. */
+/** The unit vector, or the direction to the viewer for the null vector that a zero-area triangle has for a normal. */
 export function safeNormalize(v: Value): Value {
-  // So little turns no other vector, and its square is still a number.
+  // Too small to turn any other vector, and large enough for its square not to underflow.
   const any = v.add(vec3(0, 0, 2e-19)).toVar();
   return any.mul(inverseSqrt(dot(any, any))).toVar();
 }

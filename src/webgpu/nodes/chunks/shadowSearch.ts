@@ -1,7 +1,7 @@
 /**
- * The twin of shaders/chunks/shadowSearch.glsl: how much light passes to a point, and how much of the tone of its shadow is left. A map that
- * compares only tells whether something lies before a depth. So it is asked at rings around the point, within a cone to the lamp; where one of
- * them is dark, the distance of what casts the shadow is found by halving. As wide as the cone is there, so wide is the soft edge.
+ * Counterpart of shaders/chunks/shadowSearch.glsl: the light that passes to a point, and the share of its shadow's tone that is left. A
+ * shadow map with a comparison sampler only tells whether an occluder lies before a depth. The search samples rings within a cone to the
+ * lamp; where one is dark, bisection finds the distance of the occluder, and the width of the cone there is that of the soft edge.
  */
 import { SHADOW_CONSTANTS, SHADOW_SAMPLES } from '../../../look/constants/shadingConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
@@ -12,54 +12,53 @@ const { Break, dot, float, If, int, Loop, max, min, select, sqrt, vec2, vec4 } =
 const { LIFT, THINNEST, TOWARDS_LAMP } = SHADOW_CONSTANTS;
 const { EDGE_SAMPLES, RIM_SAMPLES } = SHADOW_SAMPLES;
 
-/** Rings around a point. */
 const RINGS = 4;
-/** The steps in which the distance is found: so many that no bands show. */
+/** Steps of the bisection, enough to show no bands. */
 const HALVINGS = 6;
 const LAST_STEP = 1 / 64;
-/** Rays are taken up at this share of their length, where a surface that leans to the light does not meet them. */
+/** Rays begin at this share of their length, so that a surface at a grazing angle does not hit itself. */
 const WITHIN = 0.25;
-/** Seeds in a flower lie at this angle from one another: its cosine and sine. */
+/** Cosine and sine of the golden angle, by which successive samples are turned. */
 const [SEED_COSINE, SEED_SINE] = [-0.73736888, 0.67549029];
 
-/** Share of the tone that is lost over the width that a shadow map covers. */
+/** Share of the tone that is lost over the width of the shadow map. */
 export const shadowFade: Value = /* @__PURE__ */ hatchingUniform('shadowFade', 'float');
-/** Width of the edge, as a share of the distance from what casts it. */
+/** Width of the edge, as a share of the distance from the occluder. */
 export const shadowSoftness: Value = /* @__PURE__ */ hatchingUniform('shadowSoftness', 'float');
 
-/** Rays from a point to places on a lamp. */
+/** Rays from a point to samples on a lamp. */
 export interface Rays {
-  /** Distance at which what casts a shadow is looked for, world units. */
+  /** Greatest distance of an occluder, world units. */
   farthest: Value;
-  /** That the map covers at the point. */
+  /** Width of the map at the point. */
   width: Value;
-  /** One over the distance of a lamp, 0 for a sun. */
+  /** Reciprocal of the distance of a lamp, 0 for a directional light. */
   nearing: Value;
-  /** Across the light, unit; and so is `up`. */
+  /** Unit vector across the light, as is `up`. */
   side: Value;
   up: Value;
 }
 
-/** How a shadow map is asked. */
+/** Access to a shadow map. */
 interface Asked {
-  /** The place on the map of what the ray to the middle of the lamp is at a distance. */
+  /** The position on the map of the point at a distance along the central ray. */
   place(distance: Value): Value;
-  /** How it changes to either side. */
+  /** Its derivatives to both sides. */
   across: readonly [Value, Value];
-  /** The depth there. */
+  /** The depth of that point. */
   depth(distance: Value): Value;
-  /** How much passes what lies beyond a depth, where the map shows a place. */
+  /** The light that passes a depth at a position on the map. */
   passes(place: Value, depth: Value): Value;
 }
 
 const times = (count: number): object => ({ start: int(0), end: int(count), type: 'int', condition: '<' });
 
-/** @returns what passes, and what is left, as a vector */
+/** @returns vector of the light that passes and the share of the tone that is left */
 export function shadowSearch(rays: Rays, { mapSize, radius }: ShadowValues, asked: Asked): Value {
   const { place, depth, passes } = asked;
   const [side, up] = asked.across;
   const aside = (way: Value): Value => side.mul(way.x).add(up.mul(way.y)).toVar();
-  const told = vec2(1).toVar();
+  const read = vec2(1).toVar();
   const opening = shadowSoftness.mul(0.5).toVar();
   const texel = rays.width.div(mapSize.x).toVar();
   const lift = texel.mul(LIFT).toVar();
@@ -68,7 +67,7 @@ export function shadowSearch(rays: Rays, { mapSize, radius }: ShadowValues, aske
   const middle = passes(darkPlace, depth(lift).toVar()).toVar();
   const darkest = middle.toVar();
   const lit = middle.toVar();
-  // Distances are found up to that of the lamp; a cone to a lamp opens on the map the faster the nearer it comes.
+  // Occluders lie no farther away than the lamp. Near a lamp the cone widens fast on the map.
   const farthest = min(rays.farthest, float(TOWARDS_LAMP).div(max(rays.nearing, 1e-6))).toVar();
   const opened = farthest
     .div(float(1).sub(rays.nearing.mul(farthest)))
@@ -106,19 +105,19 @@ export function shadowSearch(rays: Rays, { mapSize, radius }: ShadowValues, aske
       });
       span.mulAssign(0.5);
     });
-    // The last step is never taken: what lies as far as is looked for has dissolved.
+    // The last step is never taken: at the greatest distance the shadow has dissolved.
     const faded = shadowFade.mul(caster).div(rays.width.mul(1 - LAST_STEP));
     const left = max(float(1).sub(faded), 0).toVar();
-    told.assign(vec2(min(lit, 1), left));
+    read.assign(vec2(min(lit, 1), left));
     const isSoft = lit.greaterThanEqual(1e-3).and(left.greaterThan(0)).and(shadowSoftness.greaterThan(0));
     If(isSoft, () => {
-      // Places all over the cone, as seeds lie in a flower, the outermost first. What lies nearer than the caster hides the lamp too.
+      // Samples all over the cone in a sunflower pattern, outermost first. Occluders nearer than the one found hide the lamp too.
       caster.addAssign(span);
       const edge = max(opening.mul(caster), thinnest).toVar();
       const centre = place(caster).toVar();
       const open = float(0).toVar();
       Loop(times(EDGE_SAMPLES), ({ i }) => {
-        // There is no edge if the rim is as dark as the middle.
+        // A rim as dark as the middle means no edge.
         If(i.equal(int(RIM_SAMPLES)).and(open.add(middle).lessThan(1e-3)), () => {
           open.assign(0);
           Break();
@@ -130,8 +129,8 @@ export function shadowSearch(rays: Rays, { mapSize, radius }: ShadowValues, aske
         const turned = vec2(x.mul(SEED_COSINE).sub(y.mul(SEED_SINE)), x.mul(SEED_SINE).add(y.mul(SEED_COSINE)));
         way.assign(turned);
       });
-      told.x.assign(open.div(EDGE_SAMPLES));
+      read.x.assign(open.div(EDGE_SAMPLES));
     });
   });
-  return told;
+  return read;
 }

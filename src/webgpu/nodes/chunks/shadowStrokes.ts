@@ -1,12 +1,12 @@
-/** The twin of shaders/chunks/shadowStrokes.glsl: what shadows do to the drawing, beside darkening it. */
+/** Counterpart of shaders/chunks/shadowStrokes.glsl: strokes in shadows. */
 import { tsl, type Value } from '../base/values.js';
 import { leftOf } from './crossedTones.js';
 
 const { float } = tsl;
 
 /**
- * The strokes of the light run on through the shadow. It lies over them as a layer of its own, which adds what the tone lacks:
- * 1 − (1 − T)/(1 − T_unshadowed).
+ * The darkness where a layer of shadow strokes lies over the strokes of the light, which run on. That layer adds what the tone lacks: 1 −
+ * (1 − T)/(1 − T_unshadowed).
  *
  * @param unshadowed the tone without shadows; null where they only darken
  */

@@ -1,4 +1,7 @@
-/** The twin of shaders/chunks/shadows.glsl: tells the light of a lamp from its shadow. three's nodes multiply the two, with filters of their own. */
+/**
+ * Counterpart of shaders/chunks/shadows.glsl: separates a light from its shadow. three.js' nodes multiply the two, and filter shadows
+ * otherwise.
+ */
 import {
   BackSide,
   BasicShadowMap,
@@ -13,7 +16,7 @@ import {
   VSMShadowMap,
 } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
-import type { ToldLight } from '../base/ToldLight.js';
+import type { ReceivedShadow } from '../base/ReceivedShadow.js';
 import { threeNodes, tsl, type Value } from '../base/values.js';
 import { bilinearCube } from '../shadowMaps/bilinearCube.js';
 import { bilinearFlat } from '../shadowMaps/bilinearFlat.js';
@@ -22,13 +25,13 @@ import { type ShadowValues, shadowValuesFor } from '../shadowMaps/ShadowValues.j
 import { steadyCube } from '../shadowMaps/steadyCube.js';
 import { steadyFlat } from '../shadowMaps/steadyFlat.js';
 import { lightLuminance } from './lightLuminance.js';
-import { tellSoftShadow } from './softShadows.js';
+import { readSoftShadow } from './softShadows.js';
 
 const { lightShadowMatrix } = threeNodes;
 const { cameraViewMatrix, mix, normalize, normalLocal, positionWorld, transformNormalToView, varying } = tsl;
 const { vec3, vec4 } = tsl;
 
-/** A light of three's that casts shadows, as its node has it when a material is built. */
+/** A three.js light that casts shadows, with its shadow node. */
 export interface ShadowedLight {
   light: Light & { shadow: LightShadow };
   baseColorNode: Value;
@@ -52,13 +55,13 @@ interface ShadowRenderer {
 
 const rendererOf = (builder: NodeBuilder): ShadowRenderer => builder.renderer as unknown as ShadowRenderer;
 
-/** Whether anything may be told of shadows: whether any fall on the object. */
+/** Whether the object receives any shadows. */
 export const hasShadows = (builder: NodeBuilder, lights: readonly Light[]): boolean =>
   rendererOf(builder).shadowMap.enabled &&
   (builder.object as { receiveShadow?: boolean }).receiveShadow === true &&
   lights.some(({ castShadow }) => castShadow);
 
-/** The map of a light as far as it is known here how three.js has drawn it; null where an application has put something else in its place. */
+/** The shadow map of a light, if three.js rendered it in a known way; null for an application's own shadow node. */
 function mapOf(builder: NodeBuilder, { light, shadowNode }: ShadowedLight): ShadowMap | null {
   const { shadowMap, logarithmicDepthBuffer, reversedDepthBuffer } = rendererOf(builder);
   const { receivedShadowNode, receivedShadowPositionNode } = builder.material as unknown as Record<string, unknown>;
@@ -74,29 +77,29 @@ function mapOf(builder: NodeBuilder, { light, shadowNode }: ShadowedLight): Shad
 
 type Filter = (map: ShadowMap, coord: Value, values: ShadowValues) => Value;
 
-/** Filters that do not crawl under strokes, for flat maps and for cubes; VSM has no noise and keeps three's own. */
+/** Filters without noise, for flat maps and cubes. VSM has no noise and keeps three.js' filter. */
 const FILTERS: Readonly<Partial<Record<ShadowMapType, readonly [flat: Filter, cube: Filter]>>> = {
   [BasicShadowMap]: [bilinearFlat, bilinearCube],
   [PCFShadowMap]: [steadyFlat, steadyCube],
 };
 
-/** The normal that a place is moved along on its way to a map, as it lies between vertices, not of unit length. World space. */
+/** The normal along which shadow lookups are biased, interpolated, not of unit length. World space. */
 const shadowNormal = /* @__PURE__ */ varying(
   vec4(normalize(transformNormalToView(normalLocal)), 0).mul(cameraViewMatrix).xyz,
 );
 
-/** The place that is looked up in a map. */
+/** The position for shadow lookups, world space. */
 function shadowPosition({ geometry, material }: NodeBuilder, { normalBias }: ShadowValues): Value {
   if (!(geometry as BufferGeometry).hasAttribute('normal')) return positionWorld;
   const moved = shadowNormal.mul(normalBias);
   return (material as Material).side === BackSide ? positionWorld.sub(moved) : positionWorld.add(moved);
 }
 
-/** How much of a light passes its shadow map. */
+/** The share of a light that passes its shadow map. */
 function filtered(builder: NodeBuilder, lit: ShadowedLight, map: ShadowMap | null): Value {
   const { light, shadowNode } = lit;
   const filters = FILTERS[rendererOf(builder).shadowMap.type];
-  // A user's shadow may have a colour.
+  // The shadow node of an application may have a colour.
   if (!map || map.hasMoments || !filters) return lightLuminance(vec3(shadowNode as unknown as Value));
   const values = shadowValuesFor(light.shadow);
   const matrix = lightShadowMatrix(light as never) as unknown as Value;
@@ -112,17 +115,17 @@ function filtered(builder: NodeBuilder, lit: ShadowedLight, map: ShadowMap | nul
   return mix(1, passes, values.intensity);
 }
 
-/** @param dissolves whether shadows are all that is drawn, whose edges widen and whose tone dissolves */
+/** @param dissolves whether shadows alone are drawn, with edges that widen and a tone that dissolves */
 export function tellShadow(
   builder: NodeBuilder,
   lit: ShadowedLight,
   dissolves: boolean,
-): Omit<ToldLight, 'isShadowed'> {
+): Omit<ReceivedShadow, 'isShadowed'> {
   const { light, shadowNode } = lit;
-  // three.js makes the map as it builds its own node, and draws it for all nodes that were built.
+  // Building its node makes three.js create the map and render it.
   shadowNode.build(builder);
   const map = mapOf(builder, lit);
   const own = (): Value => filtered(builder, lit, map);
   if (!dissolves || !map) return { light, shadow: own().toVar(), toneLeft: null };
-  return { light, ...tellSoftShadow(light, map, own) };
+  return { light, ...readSoftShadow(light, map, own) };
 }

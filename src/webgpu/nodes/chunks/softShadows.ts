@@ -1,4 +1,6 @@
-/** The twin of shaders/chunks/softShadows.glsl: shadows alone, whose edges widen, and whose tone dissolves, with the distance from what casts them. */
+/**
+ * Counterpart of shaders/chunks/softShadows.glsl: shadows whose edges widen and whose tone dissolves with the distance from the occluder.
+ */
 import type { Light, LightShadow } from 'three';
 import { SHADOW_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import { hasPlace } from '../base/directedLights.js';
@@ -14,10 +16,12 @@ const { abs, cameraViewMatrix, cross, float, If, length, max, mix, normalize, po
 const { select, vec2, vec3, vec4 } = tsl;
 const { FARTHEST_CASTER, OVERHEAD } = SHADOW_CONSTANTS;
 
-/** Printed by a full shadow where it touches what casts it. */
+/** Tone of a full shadow where it touches its occluder. */
 export const shadowTone: Value = /* @__PURE__ */ hatchingUniform('shadowTone', 'float');
 
-/** How much of the tone of all shadows is left. @param taken what they take of all lights @param lost how much of that has dissolved */
+/**
+ * The share of the tone of all shadows that is left. @param taken luminance that they take @param lost the part of it that has dissolved
+ */
 export const shadowLeft = (taken: Value, lost: Value): Value =>
   select(taken.greaterThan(0), float(1).sub(lost.div(max(taken, 1e-20))), float(1));
 
@@ -28,17 +32,17 @@ function raysTo(toLight: Value, width: Value, nearing: Value): Rays {
   return { farthest, width, nearing, side, up: cross(toLight, side).toVar() };
 }
 
-/** A direction in the view as it is in the world. */
+/** Transforms a direction from view to world space. */
 const inWorld = (direction: Value): Value => vec4(direction, 0).mul(cameraViewMatrix).xyz.toVar();
 
-/** What passes, and what is left. @param matrix from the world to the map @param toLight unit, world space */
-function tellFlat(map: ShadowMap, matrix: Value, toLight: Value, values: ShadowValues): Value {
-  const told = vec2(1).toVar();
+/** Light that passes a flat map, and the share of tone left. @param matrix from world to map @param toLight unit, world space */
+function flatShadow(map: ShadowMap, matrix: Value, toLight: Value, values: ShadowValues): Value {
+  const read = vec2(1).toVar();
   const at = matrix.mul(vec4(positionWorld, 1)).toVar();
   const away = abs(at.xyz.div(at.w).sub(0.5)).toVar();
   const isOnMap = at.w.greaterThan(0).and(max(max(away.x, away.y), away.z).lessThanEqual(0.5));
   If(isOnMap, () => {
-    // What the map covers across the light is as wide, at this distance, as at.w over the length of this.
+    // The width of the map across the light at this distance is at.w divided by the length of this vector.
     const [row, lastRow] = (['x', 'w'] as const).map((c) => vec3(...[0, 1, 2].map((i) => matrix.element(i)[c])));
     const towards = matrix.mul(vec4(toLight, 0)).toVar();
     const width = at.w.div(length(row.sub(lastRow.mul(0.5)))).toVar();
@@ -49,13 +53,13 @@ function tellFlat(map: ShadowMap, matrix: Value, toLight: Value, values: ShadowV
       depth: (distance) => at.z.add(towards.z.mul(distance)).div(at.w.add(towards.w.mul(distance))),
       passes: (place, depth) => passesFlat(map, place, biased(map, depth, values.bias)),
     });
-    told.assign(found);
+    read.assign(found);
   });
-  return told;
+  return read;
 }
 
-/** @param fromLight to the point, world space */
-function tellCube(map: ShadowMap, fromLight: Value, values: ShadowValues): Value {
+/** @param fromLight from the light to the point, world space */
+function cubeShadow(map: ShadowMap, fromLight: Value, values: ShadowValues): Value {
   const size = abs(fromLight).toVar();
   const lightDistance = length(fromLight).toVar();
   const toLight = fromLight.div(lightDistance).negate().toVar();
@@ -70,11 +74,11 @@ function tellCube(map: ShadowMap, fromLight: Value, values: ShadowValues): Value
 }
 
 /**
- * What the map of one light tells of its shadow here.
+ * The soft shadow of one light at the fragment.
  *
  * @param filtered how much passes as other surfaces receive it
  */
-export function tellSoftShadow(
+export function readSoftShadow(
   light: Light & { shadow: LightShadow },
   map: ShadowMap,
   filtered: () => Value,
@@ -82,20 +86,20 @@ export function tellSoftShadow(
   const { direction, position } = valuesFor(light);
   const values = shadowValuesFor(light.shadow);
   const way = (hasPlace(light) ? position.sub(positionView) : direction).toVar();
-  const told = vec2(1).toVar();
+  const read = vec2(1).toVar();
   const shadow = float(1).toVar();
   If(max(shadowFade, shadowSoftness).greaterThan(0), () => {
     const matrix = lightShadowMatrix(light as never) as unknown as Value;
     const found =
       'isPointLight' in light
-        ? tellCube(map, inWorld(way.negate()), values)
-        : tellFlat(map, matrix, inWorld(normalize(way)), values);
-    told.assign(found);
+        ? cubeShadow(map, inWorld(way.negate()), values)
+        : flatShadow(map, matrix, inWorld(normalize(way)), values);
+    read.assign(found);
   });
   If(shadowSoftness.greaterThan(0), () => {
-    shadow.assign(mix(1, told.x, values.intensity));
+    shadow.assign(mix(1, read.x, values.intensity));
   }).Else(() => {
     shadow.assign(filtered());
   });
-  return { shadow, toneLeft: told.y };
+  return { shadow, toneLeft: read.y };
 }

@@ -1,6 +1,6 @@
 /**
- * The twin of shaders/chunks/thresholdMap.glsl. The threshold map says from which tone on each texel of the hatch is ink. Its levels lie side by
- * side in one texture, and beside each, in green, the next coarser one.
+ * Counterpart of shaders/chunks/thresholdMap.glsl. The threshold map has the tone from which on each texel of the hatch is ink. Its levels
+ * lie side by side in one texture; the green channel of each holds the next coarser level.
  */
 import { blankThresholdMap } from '../../../material/blankThresholdMap.js';
 import { hatchingTexture } from '../base/textures.js';
@@ -11,43 +11,43 @@ const { clamp, dot, exp2, floor, fract, inverseSqrt, min, mix, vec2, vec3, vec4 
 
 /** Texels per side of level 0. */
 export const thresholdMapSize = /* @__PURE__ */ hatchingUniform('thresholdMapSize', 'float');
-/** Share of the texture's width and height. */
+/** Texel size, as a share of the texture. */
 const thresholdMapTexel = /* @__PURE__ */ hatchingUniform('thresholdMapTexel', 'vec2');
 const thresholdMapLevels = /* @__PURE__ */ hatchingUniform('thresholdMapLevels', 'float');
-/** Variance of g between texels, of a level and of the next coarser one, and their covariance. */
+/** Variances of g between texels on a level and on the next coarser one, and their covariance. */
 const thresholdMoments = /* @__PURE__ */ hatchingUniform('thresholdMoments', 'vec3');
 
 let map: TextureValue | undefined;
 
-/** All programs share the node. */
+/** The node of the map, shared by all programs. */
 function thresholdMap(): TextureValue {
   map ??= hatchingTexture('thresholdMap', blankThresholdMap());
   return map;
 }
 
 export interface ThresholdLevel {
-  /** Where it begins in the texture. */
+  /** Its lower left corner in the texture, texels. */
   corner: Value;
-  /** Of the texture. */
+  /** Its side, texels. */
   side: Value;
-  /** Of the next coarser level. */
+  /** Share of the next coarser level. */
   share: Value;
-  /** Gives back the variance that interpolation takes. */
+  /** Factor that restores the variance lost by interpolation. */
   contrast: Value;
   mixing: Value;
 }
 
-/** The level that makes up for strokes that are too fine by so many octaves on level 0. */
+/** The level that compensates for strokes that are too fine by so many octaves on level 0. */
 export const levelFor = (octaves: Value): Value => clamp(octaves, 0, thresholdMapLevels.sub(1));
 
-/** Between two levels their fields are interpolated. */
+/** The level and the share of the next one, for interpolation between their fields. */
 export function chooseLevel(level: Value): ThresholdLevel {
   const finer = floor(level).toVar();
   const share = level.sub(finer).toVar();
   const rest = share.oneMinus().toVar();
   const variance = dot(thresholdMoments, vec3(rest.mul(rest), share.mul(share), rest.mul(share).mul(2)));
   const size = thresholdMapSize.mul(exp2(finer.negate())).toVar();
-  // Every level has a margin of one texel.
+  // Each level has a margin of one texel.
   const corner = vec2(thresholdMapSize.sub(size).add(finer).mul(2).add(1), 1);
   return {
     corner: corner.mul(thresholdMapTexel).toVar(),
@@ -62,7 +62,7 @@ export function chooseLevel(level: Value): ThresholdLevel {
   };
 }
 
-/** The field of four places, blended by their weights. */
+/** The field of four samples, blended by weights. */
 export function blendedField(places: readonly Value[], weights: Value, level: ThresholdLevel): Value {
   const components = [weights.x, weights.y, weights.z, weights.w];
   const blended = vec2(0).toVar();

@@ -1,4 +1,4 @@
-/** The twin of shaders/chunks/tone.glsl: tone in [0, 1], where 0 is paper. */
+/** Counterpart of shaders/chunks/tone.glsl: tone in [0, 1], where 0 is paper. */
 import { TONE_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import type { HatchingSurface } from '../base/HatchingSurface.js';
 import { hatchingUniform } from '../base/uniforms.js';
@@ -11,11 +11,11 @@ const { clamp, float, floor, max, mix, select, step } = tsl;
 const { NO_LIGHT } = TONE_CONSTANTS;
 
 const toneSteps = /* @__PURE__ */ hatchingUniform('toneSteps', 'float');
-/** The tones that are printed where all light arrives, and where none does. */
+/** Tones at full light and at none. */
 const toneEnds = /* @__PURE__ */ hatchingUniform('toneEnds', 'vec2');
-/** What radiance is multiplied by, and what is added. */
+/** Factor on radiance, and offset. */
 const exposure = /* @__PURE__ */ hatchingUniform('exposure', 'vec2');
-/** The ramp that tone is multiplied by: its slope, and its height at tone 0. */
+/** Slope of the ramp that tone is multiplied by, and its value at tone 0. */
 const highlightRamp = /* @__PURE__ */ hatchingUniform('highlightRamp', 'vec2');
 
 const highlightKept = (tone: Value): Value => tone.mul(clamp(highlightRamp.x.mul(tone).add(highlightRamp.y), 0, 1));
@@ -33,17 +33,17 @@ function toneFromRadiance(radiance: Value, { curve, toneModel }: ToneRules): Val
 
 const exposed = (radiance: Value): Value => exposure.x.mul(radiance).add(exposure.y);
 
-/** A dark colour brings the tone nearer to that of no light at all: with dark ink, it is printed over it. */
+/** A dark colour brings the tone towards that of no light, as if printed over it with dark ink. */
 const darkenedByColor = (tone: Value, darkness: Value): Value => mix(tone, toneEnds.y, darkness);
 
-/** Hollows go beyond the tone of no light, where some paper shows: to the darkest image, or for chalk to bare paper. */
+/** Hollows go beyond the tone of no light, which leaves some paper: to full ink, or with light ink to bare paper. */
 const deepened = (tone: Value, hollowness: Value): Value => mix(tone, step(toneEnds.x, toneEnds.y), hollowness);
 
-/** How radiance becomes tone. */
+/** The choices for turning radiance into tone. */
 export interface ToneRules {
-  /** The number of its kind. */
+  /** Index of the tone curve. */
   curve: number;
-  /** The choice. */
+  /** The choice `toneModel`. */
   toneModel: string;
 }
 
@@ -51,22 +51,22 @@ const litTone = (radiance: Value, { darkness }: HatchingSurface, rules: ToneRule
   deepened(darkenedByColor(toneFromRadiance(exposed(radiance), rules), darkness), hollowness());
 
 function toneOfShadows({ radiance, shadowed, shadowLeft }: HatchingSurface, rules: ToneRules): Value {
-  // Where no shadow falls nothing is printed.
+  // Without shadows nothing is printed.
   if (!shadowed) return float(0);
-  // The share of the light that arrives. Where there is none that shadows could take, nothing is printed.
+  // The share of the light that arrives. Without any light that a shadow could take, nothing is printed.
   const all = radiance.add(shadowed).add(NO_LIGHT);
   const arriving = radiance.add(NO_LIGHT).div(all).toVar();
-  // Nor where all of it arrives, whatever a curve makes of blank paper.
+  // Where all of it arrives nothing is printed either, whatever tone the curve gives to full light.
   const tone = max(toneFromRadiance(arriving, rules).sub(arriving.mul(toneEnds.x)), 0).mul(shadowTone);
-  // Light ink draws the lights: its shadows are blank, soft edges too.
+  // Light ink draws the lights: it leaves shadows blank, soft edges too.
   return select(toneEnds.y.lessThanEqual(toneEnds.x), float(0), shadowLeft ? tone.mul(shadowLeft) : tone);
 }
 
-/** The tone that the light of a surface prints, shadows included. */
+/** The tone of a lit surface, shadows included. */
 export const shadedTone = (surface: HatchingSurface, rules: ToneRules): Value =>
   rules.toneModel === 'shadow' ? toneOfShadows(surface, rules) : litTone(surface.radiance, surface, rules);
 
-/** The tone that it would print if nothing cast shadows. */
+/** The tone of the same surface without shadows. */
 export function unshadowedTone(surface: HatchingSurface, rules: ToneRules): Value {
   const { radiance, shadowed } = surface;
   if (rules.toneModel === 'shadow') return float(0);

@@ -1,4 +1,4 @@
-/** The twin of shaders/chunks/toneCurve.glsl: from the tone of the light to the tone that is printed. */
+/** Counterpart of shaders/chunks/toneCurve.glsl: from the tone of the light to the printed tone. */
 import { TONE_CURVE_SPANS, TONE_CURVES } from '../../../material/shaders/shaderConventions.js';
 import { hatchingElement, hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
@@ -6,7 +6,7 @@ import { lightness } from './lightness.js';
 
 const { clamp, float } = tsl;
 
-/** A monotone cubic spline, as a start and what each span adds. Spans that are not in use add nothing. */
+/** A monotone cubic spline: a start value, and the rise over each span. Unused spans add nothing. */
 function splineAt(tone: Value): Value {
   const curved = hatchingUniform('toneCurveStart', 'float').toVar();
   for (let i = 0; i < TONE_CURVE_SPANS; i++) {
@@ -18,7 +18,7 @@ function splineAt(tone: Value): Value {
   return curved;
 }
 
-/** @param curve the number of its kind among `TONE_CURVES` */
+/** @param curve index among `TONE_CURVES` */
 export function curvedTone(tone: Value, curve: number): Value {
   const kind = TONE_CURVES[curve];
   if (kind === 'perceptual') return float(1).sub(lightness(float(1).sub(tone)));

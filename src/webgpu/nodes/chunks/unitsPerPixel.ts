@@ -1,4 +1,4 @@
-/** The twin of shaders/chunks/unitsPerPixel.glsl. */
+/** Counterpart of shaders/chunks/unitsPerPixel.glsl. */
 import { isOrthographic } from '../base/isOrthographic.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
@@ -7,10 +7,10 @@ const { abs, cameraProjectionMatrix, determinant, pow, select } = tsl;
 
 const viewportHeight = /* @__PURE__ */ hatchingUniform('viewportHeight', 'float');
 
-/** Object units to a pixel at a vertex. @param viewToObject linear part */
+/** Object units per pixel at a vertex. @param viewToObject linear part */
 export function unitsPerPixel(viewToObject: Value, viewPosition: Value): Value {
   const away = select(isOrthographic(), 1, viewPosition.z.negate());
-  // The cube root of the volume a view-space unit cube takes in object space: the mean of the scale over directions.
+  // The cube root of the determinant: the mean scale over directions.
   const scale = pow(abs(determinant(viewToObject)), 1 / 3);
   return away
     .mul(scale)

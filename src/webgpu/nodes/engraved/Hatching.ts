@@ -1,46 +1,48 @@
 import type { Light } from 'three';
-import type { ToldLight } from '../base/ToldLight.js';
+import type { ReceivedShadow } from '../base/ReceivedShadow.js';
 import type { Input, Value } from '../base/values.js';
 import type { ScreenMap } from '../perFragment/screenGradient.js';
 
 /** Lines that are level sets of one function. */
 export interface Family {
   value: Value;
-  /** Its change from one pixel to the next, by the smooth normal. */
+  /** Its change from one pixel to the next, on the smooth surface. */
   perPixel: Value;
-  /** The same on the flat triangle, as it is seen. */
+  /** Its change from one pixel to the next on the flat triangle. */
   seen: Value;
   /** Its change along the surface, per tile, by which lines are spaced on the object. */
   rise: Value;
-  /** Of any length; lines lie across it. */
+  /** Its gradient, of any length; lines lie across it. */
   gradient: Value;
-  /** The octave of the lines that lie farthest apart. */
+  /** The octave of the widest spacing of its lines. */
   coarsest: Input;
-  /** Whether the number of a line changes across the seams of a bake. */
+  /** Whether line numbers change across the seams of a bake. */
   isOfForm: boolean;
 }
 
-/** What the shadows of a place say of its lines. */
+/** The shadows at a fragment, as far as lines depend on them. */
 export interface LinesInShadow {
   lights: readonly Light[];
-  told: readonly ToldLight[];
-  /** Where shadows alone are drawn: how much of their tone is left. Null elsewhere. */
+  receivedShadows: readonly ReceivedShadow[];
+  /** The share of the shadows' tone that is left where shadows alone are drawn; null elsewhere. */
   shadowLeft: Value | null;
 }
 
-/** What engraving needs to know at a fragment: the functions that lines are level sets of, and how they lie on the screen. */
+/** The parameters of engraving at a fragment: the functions whose level sets are lines, and their derivatives on the screen. */
 export interface HatchingParameters {
   onScreen: ScreenMap;
-  /** Where shadows alone are drawn: how much of their tone is left. Null elsewhere. */
+  /** The share of the shadows' tone that is left where shadows alone are drawn; null elsewhere. */
   shadowLeft: Value | null;
-  /** Of the hand. */
+  /** Pressure of the hand. */
   pressure: Value;
-  /** How far the first family has lines. */
+  /** The share to which the first family has lines here. */
   has: Value;
-  /** The share of what crosses that the family B takes. */
+  /** The share of the crossing tone that family B takes. */
   shareB: Value;
   firstFamily(): Family;
   /**
+   * A family that crosses the first.
+   *
    * @param isB towards which side it leans
    * @param lean cosine and sine of the angle at which it crosses the first
    * @param isOther whether that angle is the negative one

@@ -1,4 +1,4 @@
-/** The twin of shaders/techniques/engraved/carving.glsl: lines that are cut white out of the block, as in a woodcut. */
+/** Counterpart of shaders/techniques/engraved/carving.glsl: white lines cut out of a black block, as in a woodcut. */
 import { CARVING_CONSTANTS } from '../../../look/constants/engravedConstants.js';
 import { tsl, type Value } from '../base/values.js';
 import type { Family, HatchingParameters } from './Hatching.js';
@@ -10,17 +10,17 @@ const { abs, clamp, float, fract, inverseSqrt, max, min, mix, select, sqrt, vec2
 const { RARE, SWELL, SWELL_SHARE, WIDENING } = CARVING_CONSTANTS;
 
 export interface Cut {
-  /** Width in the mean, as a share of the room; beyond [0, 1] most of the row is blank, or all cut away. */
+  /** Mean width as a share of the room; beyond [0, 1] most of the row is blank, or all cut away. */
   middle: Value;
-  /** Two coordinates along the lines in wedges, at the two lengths. */
+  /** Two coordinates along the lines in units of cuts, at both lengths. */
   waves: Value;
-  /** Of the second length, and of the first coordinate. */
+  /** Share of the second length, and of the first coordinate. */
   shares: Value;
   swell: Value;
   family: Family;
 }
 
-/** Octaves by which rows lie farther apart. */
+/** Octaves by which the spacing of rows grows. */
 export const rowOctaves = (tone: Value): Value =>
   clamp(
     octaves(
@@ -35,7 +35,7 @@ export const rowOctaves = (tone: Value): Value =>
 export function cutFor(h: HatchingParameters, family: Family, tone: Value, octave: Value): Cut {
   const white = float(1).sub(tone).toVar();
   const rare = min(white, tone).toVar();
-  // The mean of clamp(middle + swell u, 0, 1), for u even within [−1, 1], is what is white.
+  // The white share is the mean of clamp(middle + swell u, 0, 1) for u uniform in [−1, 1].
   const swell = min(rare.mul(SWELL_SHARE), SWELL).mul(differing(family, octave)).toVar();
   const narrow = sqrt(max(swell.mul(rare).mul(4), 0)).sub(swell);
   const ofRare = select(rare.lessThan(swell), narrow, rare).toVar();
@@ -43,7 +43,7 @@ export function cutFor(h: HatchingParameters, family: Family, tone: Value, octav
   const along = alongLines(h, family);
   const wedges = along.places.div(along.period).toVar();
   const shares = vec2(along.longer, along.share).toVar();
-  // Waves that are mixed are flatter.
+  // Blended waves are flatter.
   const rest = vec2(1).sub(shares).toVar();
   const left = shares.mul(shares).add(rest.mul(rest)).toVar();
   return {
@@ -55,7 +55,7 @@ export function cutFor(h: HatchingParameters, family: Family, tone: Value, octav
   };
 }
 
-/** Rises slowly and falls fast, evenly within [−1, 1]. */
+/** A wave that rises slowly and falls fast, uniform in [−1, 1]. */
 function gouge(x: Value): Value {
   const t = fract(x).toVar();
   return min(

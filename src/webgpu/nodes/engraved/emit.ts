@@ -1,4 +1,4 @@
-/** The twin of shaders/techniques/engraved/emit.glsl. */
+/** Counterpart of shaders/techniques/engraved/emit.glsl. */
 import type { Light, SkinnedMesh } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
 import { followsForm } from '../base/followsForm.js';
@@ -21,7 +21,7 @@ export const objectToField: Value = /* @__PURE__ */ hatchingUniform('objectToFie
 /** Its inverse transpose. */
 const objectToFieldNormal = /* @__PURE__ */ hatchingUniform('objectToFieldNormal', 'mat3');
 
-/** @param cut what cuts lines out of the object */
+/** @param cut the field that lines are level sets of */
 export function emitEngraved(
   builder: NodeBuilder,
   anchor: Anchor,
@@ -52,7 +52,7 @@ function lightOfField(
   let restToView = objectToView;
   let viewToRest = viewToObject;
   if (isAtRest && (object as SkinnedMesh).isSkinnedMesh) {
-    // The light as the whole mesh sees it, not each of its bones: lines would break at joints. The first bone stands for the mesh.
+    // The light in the space of the first bone, which stands for the mesh: by bone, lines would break at joints.
     const firstBone = inObjectSpace(bonesOf(object as SkinnedMesh).element(0));
     restToView = objectToView.toVar();
     viewToRest = viewToObject.toVar();

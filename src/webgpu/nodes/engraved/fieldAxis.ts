@@ -1,4 +1,4 @@
-/** The twin of shaders/techniques/engraved/fieldAxis.glsl: the function that lines are level sets of. */
+/** Counterpart of shaders/techniques/engraved/fieldAxis.glsl: the function whose level sets are lines. */
 import { FIELD_CONSTANTS } from '../../../look/constants/engravedConstants.js';
 import { strokeDirection } from '../base/strokeDirection.js';
 import { tsl, type Value } from '../base/values.js';
@@ -7,28 +7,28 @@ import { vFieldNormal } from './varyings.js';
 const { abs, cross, dot, length, max, normalize, select, vec3, vec4 } = tsl;
 const { LEAST_SINE, SLANT, UPRIGHT } = FIELD_CONSTANTS;
 
-/** What cuts lines out of an object. */
+/** The choices for lines cut by a field. */
 export interface LineCut {
-  /** The choice. */
+  /** The choice `lineField`. */
   lineField: string;
-  /** Whether lines run away from the light, as those of shadows alone do. */
+  /** Whether lines run away from the light, as those of a ground that shows shadows alone. */
   runsAway: boolean;
-  /** Whether they turn where some lights do not arrive. */
+  /** Whether lines turn in the shadows of lights. */
   reorients: boolean;
 }
 
-/** Whether the light says how lines run. */
+/** Whether the light directs the lines. */
 export const turnsWithLight = ({ lineField, runsAway }: LineCut): boolean =>
   runsAway || lineField === 'light' || lineField === 'towards';
 
-/** Whether the field is the same all over an object. */
+/** Whether the field is the same for a whole object. */
 export const isByVertex = ({ runsAway, reorients }: LineCut): boolean => !runsAway && !reorients;
 
-/** Any unit vector across another, the same for neighbours of it. */
+/** A unit vector across another, continuous in it. */
 export const across = (axis: Value): Value =>
   normalize(select(abs(axis.y).lessThan(UPRIGHT), cross(axis, vec3(0, 1, 0)), cross(axis, vec3(0, 0, 1))));
 
-/** What the axis is without a light. */
+/** The axes of fields without a light. */
 const AXES: Readonly<Record<string, readonly [number, number, number]>> = {
   x: [1, 0, 0],
   y: [0, 1, 0],
@@ -37,8 +37,8 @@ const AXES: Readonly<Record<string, readonly [number, number, number]>> = {
 };
 
 /**
- * Across the light and across the ground, whose lines run away from the light then. The axis that leans least from the normal stands for the
- * ground: it is the same all over it, so that no line breaks.
+ * The axis across the light and along the ground, so that lines on the ground run away from the light. The coordinate axis nearest to the
+ * normal stands for that of the ground, so that no line breaks.
  */
 function acrossGround(light: Value): Value {
   const { x, y, z } = abs(vFieldNormal).toVar();
@@ -50,7 +50,7 @@ function acrossGround(light: Value): Value {
 }
 
 /**
- * Its gradient at the origin, unit, and one over the distance of the lamp it counts from: 0 for planes across the axis.
+ * The gradient of the field at the origin, unit, and the reciprocal of the distance of its lamp: 0 for planes across the axis.
  *
  * @param light towards it, unit, and one over its distance, field space
  */
@@ -63,9 +63,9 @@ export function firstField(light: Value, { lineField, runsAway }: LineCut): Valu
   return vec4(...(AXES[lineField] ?? SLANT), 0);
 }
 
-/** The value at a point, 0 at the origin, and its gradient, unit. */
+/** The value of the field at a point, 0 at the origin, and its unit gradient. */
 export function fieldAt(field: Value, point: Value): { value: Value; gradient: Value } {
-  const toLamp = field.xyz.sub(point.mul(field.w)).toVar(); // over the distance of the lamp
+  const toLamp = field.xyz.sub(point.mul(field.w)).toVar(); // in units of the distance of the lamp
   const far = max(length(toLamp), 1e-6).toVar();
   return {
     value: dot(point, field.xyz.add(toLamp)).div(far.add(1)).toVar(),

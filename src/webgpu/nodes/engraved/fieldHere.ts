@@ -1,7 +1,7 @@
-/** The twin of shaders/techniques/engraved/fieldHere.glsl: the field at this fragment. */
+/** Counterpart of shaders/techniques/engraved/fieldHere.glsl: the field at this fragment. */
 import type { Light } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
-import type { ToldLight } from '../base/ToldLight.js';
+import type { ReceivedShadow } from '../base/ReceivedShadow.js';
 import { tsl, type Value } from '../base/values.js';
 import { isInFullShadow } from '../perFragment/fullShadow.js';
 import { readViewToAnchor } from '../perFragment/viewToAnchor.js';
@@ -13,20 +13,23 @@ import { vField, vFieldLight, vFieldPoint } from './varyings.js';
 const { If, positionView, select, vec4 } = tsl;
 
 /**
- * The light of the field, as if there were only the lights that arrive; where none does, a direction across it. It is the same for all places that
- * the same lights reach.
+ * The light of the field, from the lights that arrive; where none does, a direction across it. It is constant where the same lights arrive.
  */
-function arrivingLight(builder: NodeBuilder, lights: readonly Light[], told: readonly ToldLight[]): Value {
-  const shadowed = told.flatMap(({ isShadowed }) => isShadowed ?? []);
+function arrivingLight(
+  builder: NodeBuilder,
+  lights: readonly Light[],
+  receivedShadows: readonly ReceivedShadow[],
+): Value {
+  const shadowed = receivedShadows.flatMap(({ isShadowed }) => isShadowed ?? []);
   if (shadowed.length === 0) return vFieldLight;
-  const isDark = isInFullShadow(lights, told);
+  const isDark = isInFullShadow(lights, receivedShadows);
   const light = vFieldLight.toVar();
   if (isDark) light.assign(select(isDark, vec4(across(vFieldLight.xyz), 0), vFieldLight));
   if (isDark && shadowed.length === 1) return light;
   const isAny = shadowed.reduce((any, one) => any.or(one));
   If(isDark ? isAny.and(isDark.not()) : isAny, () => {
     const viewToField = objectToField.mul(readViewToAnchor(builder)).toVar();
-    light.assign(fieldLight(viewToField, positionView, lights, { told, fromOrigin: vFieldPoint }));
+    light.assign(fieldLight(viewToField, positionView, lights, { receivedShadows, fromOrigin: vFieldPoint }));
   });
   return light;
 }
@@ -35,5 +38,6 @@ export const fieldHere = (
   builder: NodeBuilder,
   cut: LineCut,
   lights: readonly Light[],
-  told: readonly ToldLight[],
-): Value => (isByVertex(cut) ? vField : firstField(arrivingLight(builder, lights, told).toVar(), cut)).toVar();
+  receivedShadows: readonly ReceivedShadow[],
+): Value =>
+  (isByVertex(cut) ? vField : firstField(arrivingLight(builder, lights, receivedShadows).toVar(), cut)).toVar();

@@ -1,4 +1,4 @@
-/** The twin of shaders/techniques/engraved/formAttributes.glsl: what lines that follow the form are baked into. */
+/** Counterpart of shaders/techniques/engraved/formAttributes.glsl: the baked functions of lines that follow the form. */
 import { formLayout } from '../../../mesh/bake/attributeLayouts.js';
 import { tsl, type Value } from '../base/values.js';
 

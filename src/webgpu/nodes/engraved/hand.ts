@@ -1,4 +1,4 @@
-/** The twin of shaders/techniques/engraved/hand.glsl: the unsteadiness of a hand. */
+/** Counterpart of shaders/techniques/engraved/hand.glsl: the unsteadiness of a hand. */
 import { HAND_CONSTANTS } from '../../../look/constants/engravedConstants.js';
 import { HASH_FACTORS } from '../../../look/constants/patternConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
@@ -7,7 +7,7 @@ import { type Input, tsl, type Value } from '../base/values.js';
 const { abs, float, floatBitsToUint, fract, select, uint, vec3 } = tsl;
 const { BEND_PHASES, BENDS, BENT_BY, PRESSURE, SLOW_WAVES, STRAY, WAVE_PHASES, WIDTHS } = HAND_CONSTANTS;
 
-/** 0: a ruling machine. */
+/** 0 for lines as by a ruling machine. */
 export const handmade: Value = /* @__PURE__ */ hatchingUniform('handmade', 'float');
 
 const halfOf = (numbers: readonly number[]): Value => {
@@ -41,7 +41,7 @@ export const handPressure = (waves: Value): Value => handmade.mul(PRESSURE).mul(
 
 export const handTone = (pressure: Value, tone: Value): Value => tone.add(pressure.mul(tone).mul(float(1).sub(tone)));
 
-/** A number in [0, 1) that belongs to a line. @param line its value, a multiple of a power of two */
+/** A hash of a line in [0, 1). @param line its value, a multiple of a power of two */
 function hashBy(digits: number, line: Value): Value {
   const bits = floatBitsToUint(line).toVar();
   const exponent = bits.shiftRight(uint(23)).bitAnd(uint(31)).toVar();
@@ -52,13 +52,13 @@ function hashBy(digits: number, line: Value): Value {
   return float(spread.shiftRight(uint(8) as Input)).mul(1 / 16777216);
 }
 
-/** One that is far from those of its neighbours. */
+/** A hash of a line, far from those of its neighbours. */
 export const hash01 = (line: Value): Value => hashBy(HASH_FACTORS.THUE_MORSE, line);
 
-/** One by which three neighbours take turns: 0, a third and two thirds. */
+/** A hash of a line that is 0, a third or two thirds for three neighbours. */
 export const turnOf = (line: Value): Value => select(line.equal(0), 0, hashBy(HASH_FACTORS.ONE_THIRD, line)).toVar();
 
-/** A factor on the width of a line, the same all along it; 1 in the mean. */
+/** A factor on the width of a whole line; 1 in the mean. */
 export function handWidth(line: Value): Value {
   const most = handmade.mul(WIDTHS);
   return most.mul(hash01(line)).add(float(1).sub(most.mul(0.5)));

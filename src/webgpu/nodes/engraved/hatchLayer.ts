@@ -1,4 +1,4 @@
-/** The twin of shaders/techniques/engraved/hatchLayer.glsl: engraved lines, and other families that cross them in the darks. */
+/** Counterpart of shaders/techniques/engraved/hatchLayer.glsl: engraved lines, with other families across them in the darks. */
 import { LINE_CONSTANTS } from '../../../look/constants/engravedConstants.js';
 import { TONE_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import type { Medium } from '../../../look/hatchingProperties.js';
@@ -13,9 +13,9 @@ const { float, If, max, mix, select } = tsl;
 
 /** The tone above which lines cross. */
 const crossFrom = /* @__PURE__ */ hatchingUniform('crossFrom', 'float');
-/** Cosine and sine of the angle between a family and what crosses it, and of the middle of the wider angle between them. */
+/** Cosine and sine of the angle between a family and the next, and of half of the supplement of that angle. */
 const layerTurns = /* @__PURE__ */ hatchingUniform('layerTurns', 'vec4');
-/** 0: an even grey of the same tone, while lines give way to others; 1: lines. */
+/** 1: lines; 0: an even grey of the same tone. */
 const lineContrast = /* @__PURE__ */ hatchingUniform('lineContrast', 'float');
 
 /** The darkness of three families printed over one another. */
@@ -27,7 +27,7 @@ export function families(
 ): Value {
   const { x, y, z, w } = layerTurns;
   const lean = isOther ? ([z.negate(), w.negate()] as const) : ([x, y] as const);
-  // Where the first has no lines, one side is left to the families that lean either way: they would lie along one another.
+  // Where the first family has no lines, one of the two others leaning back is left out, since both would coincide.
   const shareB = isOther ? h.shareB.add(h.has).sub(1) : h.shareB;
   const blankB = mix(1, float(1).sub(crossing), shareB).toVar();
   const blankC = float(1).sub(crossing).div(max(blankB, 1e-4)).toVar();
@@ -38,24 +38,24 @@ export function families(
     });
   };
   if (first) print(first, 0, () => h.firstFamily());
-  // Families without ink cost nothing.
+  // Families without ink are skipped.
   print(float(1).sub(blankB).toVar(), LINE_CONSTANTS.LEAST_TONE, () => h.crossingFamily(true, lean, isOther));
   print(float(1).sub(blankC).toVar(), LINE_CONSTANTS.LEAST_TONE, () => h.crossingFamily(false, lean, isOther));
   return float(1).sub(blank);
 }
 
-/** Lines give way to an even grey of their tone where they would shimmer. */
+/** Fades lines into an even grey of their tone where they would shimmer. */
 export const contrasted = (tone: Value, darkness: Value): Value =>
   select(tone.greaterThanEqual(1), 1, mix(tone, darkness, lineContrast));
 
-/** Any number of families leaves as much blank as the tone does. */
+/** All families together leave as much blank as the tone does. */
 export function hatchLayer(h: HatchingParameters, tone: Value, medium: Medium): Value {
   const kept = medium === 'pen' ? TONE_CONSTANTS.KEPT_BY_PEN : TONE_CONSTANTS.KEPT_SHARE;
   const first = h.has.mul(takenOf(tone, crossFrom, kept)).toVar();
   const others = leftOf(tone, first).toVar();
   let darkness: Value;
   if (medium === 'pen') {
-    // Strokes cross at a slant, which alone would leave rows of rhombs open in the darks: others lean the other way there.
+    // Two families cross at a slant and would leave rows of rhombs open in the darks: the third leans back.
     const second = takenOf(others, float(TONE_CONSTANTS.THIRD_FROM), kept).toVar();
     const third = leftOf(others, second).toVar();
     const those = float(1).sub(families(h, first, second, { medium, isOther: false }));

@@ -1,8 +1,8 @@
-/** The twin of shaders/techniques/engraved/lightField.glsl: one light for the whole object, so that lines run on. */
+/** Counterpart of shaders/techniques/engraved/lightField.glsl: one light for the whole object, so that lines run on. */
 import type { Light } from 'three';
 import { FIELD_CONSTANTS } from '../../../look/constants/engravedConstants.js';
 import { directedLights, hasPlace } from '../base/directedLights.js';
-import type { ToldLight } from '../base/ToldLight.js';
+import type { ReceivedShadow } from '../base/ReceivedShadow.js';
 import { tsl, type Value } from '../base/values.js';
 import { lightLuminance } from '../chunks/lightLuminance.js';
 import { valuesFor } from '../chunks/meanLight.js';
@@ -10,7 +10,7 @@ import { valuesFor } from '../chunks/meanLight.js';
 const { dot, float, int, length, Loop, max, select, vec3, vec4 } = tsl;
 const { FIRST_AXIS, LEAST_WEIGHT } = FIELD_CONSTANTS;
 
-/** Its columns. */
+/** A symmetric 3 × 3 matrix, by columns. */
 type Tensor = readonly [Value, Value, Value];
 
 const applied = ([x, y, z]: Tensor, v: Value): Value => x.mul(v.x).add(y.mul(v.y)).add(z.mul(v.z));
@@ -27,14 +27,14 @@ function addFieldLight(tensor: Tensor, sum: Value, toLight: Value, weight: Value
   sum.addAssign(l.mul(weight));
 }
 
-/** What a lamp adds to Σ w c / |P|, c = L·axis: how far the sum of the lights' own fields bends at the origin. */
+/** The contribution of a lamp to Σ w c / |P|, c = L·axis: the curvature of the sum of the lights' own fields at the origin. */
 const fieldBend = (axis: Value, toLamp: Value, weight: Value): Value =>
   weight.mul(dot(toLamp, axis)).div(max(dot(toLamp, toLamp), 1e-20));
 
 function fieldAxisOf(tensor: Tensor, sum: Value, count: number): Value {
   if (count === 1) return sum.div(max(length(sum), 1e-20));
-  // Power iteration: four squarings are sixteen steps. In a loop of the shader: three.js follows nodes along every path from one to another, which
-  // are too many where each step is made of all of the last.
+  // Power iteration: four squarings equal sixteen steps. The loop runs in the shader, since three.js walks the node graph along every path,
+  // of which unrolled steps have too many.
   const [x, y, z] = tensor.map((column) => column.toVar());
   const power: Tensor = [x, y, z];
   Loop({ start: int(0), end: int(4), type: 'int', condition: '<' }, () => {
@@ -48,24 +48,27 @@ function fieldAxisOf(tensor: Tensor, sum: Value, count: number): Value {
 }
 
 /**
- * Unit direction and one over the distance, field space.
+ * The light of the field: unit direction, and reciprocal of the distance, field space.
  *
  * @param viewToField linear part
  * @param place any, view space
  * @param fromOrigin the same in field space; null at the origin
- * @param told of shadows: lights that do not arrive do not count
+ * @param receivedShadows lights that cast shadows; those that do not arrive are left out
  */
 export function fieldLight(
   viewToField: Value,
   place: Value,
   lights: readonly Light[],
-  { fromOrigin, told }: { fromOrigin: Value | null; told: readonly ToldLight[] } = { fromOrigin: null, told: [] },
+  { fromOrigin, receivedShadows }: { fromOrigin: Value | null; receivedShadows: readonly ReceivedShadow[] } = {
+    fromOrigin: null,
+    receivedShadows: [],
+  },
 ): Value {
   const directed = directedLights(lights).map((light) => {
     const values = valuesFor(light);
     const isAtPlace = hasPlace(light);
     const way = viewToField.mul(isAtPlace ? values.position.sub(place) : values.direction);
-    const isShadowed = told.find((one) => one.light === light)?.isShadowed;
+    const isShadowed = receivedShadows.find((one) => one.light === light)?.isShadowed;
     const color = isShadowed ? select(isShadowed, vec3(0), values.color) : values.color;
     return {
       way: (isAtPlace && fromOrigin ? way.add(fromOrigin) : way).toVar(),

@@ -1,2 +1,2 @@
-/** How far the edge of a line fades, in pixels. */
+/** Width over which the edge of a line fades, pixels. */
 export const FRINGE = 0.5;

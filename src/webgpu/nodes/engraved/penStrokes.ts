@@ -1,5 +1,4 @@
-/** The twin of shaders/techniques/engraved/penStrokes.glsl: lines that a pen draws in strokes. */
-
+/** Counterpart of shaders/techniques/engraved/penStrokes.glsl: lines drawn in strokes of a pen. */
 import { PEN_CONSTANTS } from '../../../look/constants/engravedConstants.js';
 import { HASH_FACTORS } from '../../../look/constants/patternConstants.js';
 import { tsl, type Value } from '../base/values.js';
@@ -33,24 +32,24 @@ const { ALL_FROM, AXIS_HASH, AXIS_TURN, BENDING, BIRTH, BIRTH_HASH, CLOSED_FROM,
 const { LEANING, NIB } = PEN_CONSTANTS;
 const { SHORTENING, SHORTENING_OF_INK, STROKE_GAP, STROKE_GROWTH, TAPER, WIDTH_HASH, WIDTH_SPREAD } = PEN_CONSTANTS;
 
-/** What a line loses to the gaps and the ends of its strokes where they are farthest apart. */
+/** The share of a line that is lost to the gaps and the tapered ends of its strokes where the gaps are widest. */
 const LOST = 0.5 * STROKE_GAP + TAPER / 3;
 
 export interface Pen {
   family: Family;
   along: Along;
   tone: Value;
-  /** How far strokes are apart at their ends. */
+  /** The size of the gaps between strokes. */
   open: Value;
-  /** The tone from which on all strokes are there. */
+  /** The tone from which on no stroke is left out. */
   allFrom: Value;
-  /** Of a stroke in its middle, as a share of the room of a line. */
+  /** The width of a stroke in its middle, as a share of the room of a line. */
   width: Value;
 }
 
 const oneMinus = (x: Value): Value => float(1).sub(x);
 
-/** The integral of the ink of a stroke that grows: a ramp from 0 to 1, and less where it is short. */
+/** The integral of the ink of a growing stroke: a ramp from 0 to 1, and less where it is short. */
 function rampSum(x: Value): Value {
   const grown = min(x.div(STROKE_GROWTH), 1).toVar();
   const lessShort = float(0.5).sub(float(0.5).sub(grown.div(3)).mul(SHORTENING_OF_INK));
@@ -72,7 +71,7 @@ export function penFor(h: HatchingParameters, family: Family, tone: Value, octav
   return { family, along: alongLines(h, family), tone, open, allFrom, width: drawn };
 }
 
-/** The hash below which strokes have been born where so large a share of them is, each over a part BIRTH of all hashes. */
+/** The hash below which strokes exist if a given share of them does. Each appears over a part BIRTH of all hashes. */
 function bornBelow(share: Value): Value {
   const grown = select(
     share.lessThan(1 - 0.5 * BIRTH),
@@ -82,7 +81,7 @@ function bornBelow(share: Value): Value {
   return select(share.lessThan(0.5 * BIRTH), sqrt(share.mul(2 * BIRTH)), grown).toVar();
 }
 
-/** Random bits that the lots of the strokes on a line begin with. */
+/** Random bits of a line, from which the hashes of its strokes are made. */
 function bitsOfLine(line: Value): Value {
   const { GOLDEN_RATIO, THIRD_FACTOR } = HASH_FACTORS;
   const word = floatBitsToUint(line).toVar();
@@ -96,17 +95,17 @@ function bitsOfLine(line: Value): Value {
     .toVar();
 }
 
-/** A number in [0, 1) that belongs to a stroke, and is far from those of its neighbours on the line. */
+/** A hash of a stroke in [0, 1), far from those of its neighbours on the line. */
 const strokeHash01 = (bits: Value, stroke: Value): Value =>
   float(bits.add(uint(int(stroke)).mul(uint(HASH_FACTORS.THUE_MORSE))).shiftRight(uint(8)))
     .div(16777216)
     .toVar();
 
-/** How late a stroke begins, as a share of the mean length. */
+/** The delay of the start of a stroke, as a share of the mean length. */
 const latenessOf = (chance: Value): Value => fract(chance.mul(LATE_HASH)).mul(LATENESS).toVar();
 
 /**
- * The strokes of a line by one axis and of one length: their width at this place, as a share of its room, and how far they stray from it, in
+ * The strokes of a line along one axis and of one length: their width here, as a share of the room, and their offset from the line, in
  * distances between lines.
  *
  * @param place in lengths of strokes
@@ -119,7 +118,7 @@ function strokeOn(
   { hash, turn, bits }: Record<'hash' | 'turn' | 'bits', Value>,
 ): Value {
   const along = place.add(hash).toVar();
-  // Strokes begin late by chance, and so differ in length: the ends of neighbours would otherwise lie in rows across the lines.
+  // Strokes start late by chance, and so differ in length: otherwise the ends of neighbours would lie in rows across the lines.
   const stroke = floor(along).toVar();
   const begin = stroke.add(latenessOf(strokeHash01(bits, stroke)));
   stroke.assign(stroke.sub(select(along.lessThan(begin), 1, 0)));
@@ -130,7 +129,7 @@ function strokeOn(
     .add(1);
   // From −1 at one end to 1 at the other.
   const way = along.sub(stroke).sub(late).mul(2).div(size).sub(1).toVar();
-  // What differs from stroke to stroke is spread evenly over a surface. Of three neighbouring lines the first strokes lie on one.
+  // Properties of strokes are spread evenly over a surface. The first strokes to appear lie on one of three neighbouring lines.
   const even = strokeHash01(uint(hash.mul(16777216)).shiftLeft(uint(8)), stroke);
   const order = fract(turn.add(even.div(3)));
   const grown = clamp(pen.tone.sub(pen.allFrom.mul(order)).div(STROKE_GROWTH), 0, 1).toVar();
@@ -160,7 +159,7 @@ function strokeOn(
   ).toVar();
 }
 
-/** The share of the first axis on a line: lines go over from one to the other one after another. */
+/** The share of the first axis on a line: lines change from one axis to the other one by one. */
 const firstOnLine = (along: Along, hash: Value): Value =>
   clamp(
     along.share
@@ -171,7 +170,7 @@ const firstOnLine = (along: Along, hash: Value): Value =>
     1,
   ).toVar();
 
-/** Most places lie along one axis and at one length of strokes; others share theirs. */
+/** Most fragments lie along one axis and at one length of strokes; others blend two of each. */
 function strokesOn(pen: Pen, born: Value, line: Value): Value {
   const { along } = pen;
   const number = numberOf(line, pen.family).toVar();
@@ -206,8 +205,8 @@ function strokesOn(pen: Pen, born: Value, line: Value): Value {
  * @param spacing of old lines, pixels
  */
 export function penCoverage(pen: Pen, away: Value, share: Value, spacing: Value, line: Value): Value {
-  // Young strokes are fewer and thinner at once: as wide as the old ones, they would fill the room between them. In the dark they are thinner
-  // alone, since a stroke that is not there would be a hole.
+  // New strokes are fewer and thinner at once: at full width they would fill the room between the old ones. In the darks they are only
+  // thinner, since a missing stroke would be a hole.
   const there = mix(1, sqrt(max(share, 0)), sqrt(pen.open)).toVar();
   const stroke = strokesOn(pen, bornBelow(there), line);
   const width = share.div(max(there, 1e-4)).mul(stroke.x);

@@ -1,4 +1,4 @@
-/** The twin of shaders/techniques/engraved/read.glsl. */
+/** Counterpart of shaders/techniques/engraved/read.glsl. */
 import type { NodeBuilder } from 'three/webgpu';
 import type { Medium } from '../../../look/hatchingProperties.js';
 import { followsForm } from '../base/followsForm.js';
@@ -7,7 +7,7 @@ import type { HatchingParameters, LinesInShadow } from './Hatching.js';
 import { readHatchingParameters as readCut } from './readCut.js';
 import { readHatchingParameters as readForm } from './readForm.js';
 
-/** What engraving needs to know at this fragment. @param cut what cuts lines out of the object */
+/** The parameters of engraving at this fragment. @param cut the field that lines are level sets of */
 export const read = (builder: NodeBuilder, cut: LineCut, medium: Medium, shadow: LinesInShadow): HatchingParameters =>
   followsForm(cut.lineField)
     ? readForm(builder, { isAcross: cut.lineField === 'acrossForm', medium }, shadow)

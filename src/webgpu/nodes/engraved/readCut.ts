@@ -1,4 +1,4 @@
-/** The twin of shaders/techniques/engraved/readCut.glsl: lines that a field cuts out of the object. */
+/** Counterpart of shaders/techniques/engraved/readCut.glsl: lines that are level sets of a field in space. */
 import type { NodeBuilder } from 'three/webgpu';
 import { FIELD_CONSTANTS, HAND_CONSTANTS } from '../../../look/constants/engravedConstants.js';
 import { tsl } from '../base/values.js';
@@ -17,9 +17,9 @@ const { BARE_SLOPE, SIDE_FADE, SPARSEST_SLOPE } = FIELD_CONSTANTS;
 export function readHatchingParameters(
   builder: NodeBuilder,
   cut: LineCut,
-  { lights, told, shadowLeft }: LinesInShadow,
+  { lights, receivedShadows, shadowLeft }: LinesInShadow,
 ): HatchingParameters {
-  const field = fieldHere(builder, cut, lights, told);
+  const field = fieldHere(builder, cut, lights, receivedShadows);
   const place = vFieldPoint.toVar();
   const normal = normalize(vFieldNormal).toVar();
   const waves = slowWaves(place.mul(HAND_CONSTANTS.HAND_WAVES)).toVar();

@@ -1,4 +1,4 @@
-/** The twin of shaders/techniques/engraved/readForm.glsl: lines that follow the form, level sets of two functions that were baked into the vertices. */
+/** Counterpart of shaders/techniques/engraved/readForm.glsl: lines that follow the form, level sets of two baked functions. */
 import type { NodeBuilder } from 'three/webgpu';
 import { FORM_CONSTANTS, HAND_CONSTANTS } from '../../../look/constants/engravedConstants.js';
 import type { Medium } from '../../../look/hatchingProperties.js';
@@ -17,17 +17,17 @@ const { COARSEST_OCTAVES, WIDTH_WAVE } = FORM_CONSTANTS;
 const formValueAt = (form: Value, stray: Value): Value =>
   form.w.add(dot(form.xyz, vFieldPoint.mul(0.5).add(stray))).toVar();
 
-/** isAcross: whether the first family runs across the form. */
+/** @param isAcross whether the first family runs across the form */
 export function readHatchingParameters(
   builder: NodeBuilder,
   { isAcross, medium }: { isAcross: boolean; medium: Medium },
-  { lights, told, shadowLeft }: LinesInShadow,
+  { lights, receivedShadows, shadowLeft }: LinesInShadow,
 ): HatchingParameters {
   const first = vForm.toVar();
   const crossing = vFormCrossing.toVar();
   const [along, across] = isAcross ? [...COARSEST_OCTAVES].reverse() : COARSEST_OCTAVES;
   const coarsest = vec2(along, across).toVar();
-  const isDark = isInFullShadow(lights, told);
+  const isDark = isInFullShadow(lights, receivedShadows);
   if (isDark) {
     // Where no light arrives the families change places.
     If(isDark, () => {
@@ -38,7 +38,7 @@ export function readHatchingParameters(
   }
   const waves = slowWaves(vFieldPoint.mul(HAND_CONSTANTS.HAND_WAVES)).toVar();
   const stray = handPoint(vec3(0), waves).toVar();
-  // Strokes and cuts differ by themselves.
+  // Strokes and cuts have variations of their own.
   const differs = medium === 'pen' || medium === 'woodcut';
   const ofHand = handPressure(waves);
   const pressure = differs ? ofHand : ofHand.add(handmade.mul(WIDTH_WAVE).mul(waves.z));

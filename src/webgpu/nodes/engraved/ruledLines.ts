@@ -1,4 +1,4 @@
-/** The twin of shaders/techniques/engraved/ruledLines.glsl: one family of lines. */
+/** Counterpart of shaders/techniques/engraved/ruledLines.glsl: one family of lines. */
 import { GROUND_CONSTANTS, LINE_CONSTANTS } from '../../../look/constants/engravedConstants.js';
 import type { Medium } from '../../../look/hatchingProperties.js';
 import { hatchingUniform } from '../base/uniforms.js';
@@ -16,31 +16,34 @@ const { abs, ceil, clamp, float, floor, fract, int, Loop, max, min, mix, select 
 
 /** Pixels between lines, or 256ths of a tile. */
 const lineSpacing = /* @__PURE__ */ hatchingUniform('lineSpacing', 'float');
-/** How many times as far apart lines of a shadow lie. */
+/** Factor on the spacing of lines in a shadow. */
 const shadowSpacing = /* @__PURE__ */ hatchingUniform('shadowSpacing', 'float');
-/** The tones that are printed where all light arrives, and where none does, and of a full shadow alone. */
+/** Tones at full light and at none, and of a full shadow alone. */
 const toneEnds = /* @__PURE__ */ hatchingUniform('toneEnds', 'vec2');
 const shadowTone = /* @__PURE__ */ hatchingUniform('shadowTone', 'float');
 /** Pixels: where lines would lie closer, every other one is left out. */
 const finestSpacing = /* @__PURE__ */ hatchingUniform('finestSpacing', 'float');
 
 /**
- * Where a shadow dissolves its lines end one by one: the width of a line as a factor on what it would be if all thinned out together. The mean
- * over all lines is 1, so that the tone is the same.
+ * A factor on the width of a line where a shadow dissolves: lines end one by one, instead of all thinning out together. The mean over all
+ * lines is 1, so the tone stays.
  */
 function lineLeft(line: Value, shadowLeft: Value): Value {
   const { ENDING, LEAST_LEFT, MOST_ENDING } = GROUND_CONSTANTS;
   const gone = min(float(1).sub(shadowLeft).mul(ENDING).div(max(shadowLeft, LEAST_LEFT)), MOST_ENDING).toVar();
   const kept = select(gone.lessThan(1), float(1).sub(gone.mul(0.5)), float(0.5).div(gone));
-  // Half a turn from the hash by which widths differ: those that stay are neither the wide ones nor the thin ones.
+  // Half a turn from the hash of widths, so that the lines that stay are neither the widest nor the thinnest.
   return max(float(1).sub(gone.mul(fract(hash01(line).add(0.5)))), 0).div(kept);
 }
 
-/** The tone by which rows of cuts lie apart: they keep their places at the edges of a shadow, where their cuts widen. */
+/** The tone that the spacing of cut rows depends on: constant across the edges of a shadow, where cuts widen. */
 const rowTone = ({ shadowLeft }: HatchingParameters, tone: Value): Value =>
   shadowLeft ? max(tone, toneEnds.y.mul(shadowTone).mul(shadowLeft)).toVar() : tone;
 
-/** The share of a pixel that a line covers. @param away from the line, signed, pixels @param room half of what the line has, pixels */
+/**
+ * The share of a pixel that a line covers. @param away signed distance from the line, pixels @param room half of the room of the line,
+ * pixels
+ */
 type Covering = (away: Value, room: Value, line: Value) => Value;
 
 function coveringBy(
@@ -85,7 +88,7 @@ export function ruledLines(h: HatchingParameters, family: Family, tone: Value, m
   const youngRoom = pixels.sub(spacing).mul(0.5).toVar();
   const covering = coveringBy(medium, h, family, tone, { octave, oldRoom, spacing });
   const covered = float(0).toVar();
-  // All that a pixel may lie on: their shares of it add up.
+  // Sums over all lines that may touch the pixel.
   Loop({ start: int(0), end: int(3), type: 'int', condition: '<' }, ({ i }) => {
     const line = below.add(float(i).mul(0.5)).toVar();
     const room = select(i.equal(int(1)), youngRoom, oldRoom).toVar();

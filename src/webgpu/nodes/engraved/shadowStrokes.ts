@@ -1,4 +1,7 @@
-/** The twin of shaders/techniques/engraved/shadowStrokes.glsl: families of a shadow, which lean the other way, across the first and across those of its darks. */
+/**
+ * Counterpart of shaders/techniques/engraved/shadowStrokes.glsl: families of lines in shadows, leaning back across the first family and
+ * across those of its darks.
+ */
 import type { Medium } from '../../../look/hatchingProperties.js';
 import type { Value } from '../base/values.js';
 import type { HatchingParameters } from './Hatching.js';

@@ -1,4 +1,4 @@
-/** The twin of shaders/techniques/engraved/strokeLengths.glsl: strokes that the lines of a family are drawn in. */
+/** Counterpart of shaders/techniques/engraved/strokeLengths.glsl: the strokes that the lines of a family are drawn in. */
 import { LINE_CONSTANTS, STROKE_LENGTH_CONSTANTS } from '../../../look/constants/engravedConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
@@ -14,14 +14,14 @@ const { AXES_FADE, DIFFERING_OCTAVES, LEAST_DIFFERING, LENGTHS_FADE } = STROKE_L
 /** Pixels, or 256ths of a tile. */
 const strokeLength = /* @__PURE__ */ hatchingUniform('strokeLength', 'float');
 
-/** Where a fragment lies along the lines of a family: by two axes of the field, those along which the lines run most. */
+/** The coordinates of a fragment along the lines of a family: on the two axes of the field along which the lines run most. */
 export interface Along {
   places: Value;
-  /** Of the first. */
+  /** Share of the first axis. */
   share: Value;
-  /** From the beginning of a stroke to the next. */
+  /** Length of a stroke with its gap. */
   period: Value;
-  /** The share of strokes twice as long. */
+  /** Share of strokes twice as long. */
   longer: Value;
 }
 
@@ -53,11 +53,14 @@ export function alongLines(h: HatchingParameters, family: Family): Along {
   };
 }
 
-/** How far lines differ, as a share of the most: less where few lie between the repeats of their numbers. @param octave of their distance */
+/**
+ * The amplitude of variation from line to line, as a share of the greatest: less if few lines lie between repeats of their numbers. @param
+ * octave of their spacing
+ */
 export const differing = ({ coarsest }: Family, octave: Value): Value =>
   clamp(float(coarsest).sub(octave).div(DIFFERING_OCTAVES), LEAST_DIFFERING, 1).toVar();
 
-/** The number of a line: the same on both sides of a seam but for its sign. */
+/** The number of a line: the same on both sides of a seam, except for its sign. */
 export function numberOf(line: Value, { isOfForm, coarsest }: Family): Value {
   if (!isOfForm) return line;
   const repeat = powerOf2(float(coarsest).toVar()).toVar();

@@ -1,6 +1,6 @@
-/** What chooses the program of outlines, as the defines of those in GLSL do. */
+/** The choices that the program of outlines depends on, named as the GLSL defines. */
 export interface OutlineDefines {
-  /** Whether outlines are drawn that a surface hides, instead of those that are seen. */
+  /** Whether hidden outlines are drawn, instead of visible ones. */
   readonly HIDDEN: boolean;
   readonly TOOTH: boolean;
   readonly WOBBLE: boolean;

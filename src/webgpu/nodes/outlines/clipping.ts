@@ -1,6 +1,6 @@
 /**
- * Clips outlines where three's ClippingGroup clips surfaces: each piece by its spine, as shaders/outlines/surroundings.glsl has it. three's own
- * node asks where the triangle lies that covers the piece.
+ * Clips outlines within a ClippingGroup by their spines, as shaders/outlines/surroundings.glsl does. three.js' own node would clip by the
+ * triangle that covers the piece.
  */
 import type { Vector4 } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
@@ -13,11 +13,11 @@ const { cameraWorldMatrix, renderGroup, uniformArray } = threeNodes;
 const planesOf = uniformArray as unknown as (planes: Vector4[]) => { setGroup(group: object): Value };
 
 interface WithClipping {
-  /** The planes of the groups that an object lies in, in view space; three's declaration leaves it out. */
+  /** The planes of the enclosing groups, in view space; missing in three.js' declaration. */
   readonly clippingContext: { readonly unionPlanes: Vector4[]; readonly intersectionPlanes: Vector4[] } | null;
 }
 
-/** Whether a place lies beyond each plane. */
+/** Whether a position lies beyond each plane. */
 function beyond(place: Value, planes: Vector4[]): Value[] {
   const all = planesOf(planes).setGroup(renderGroup);
   return planes.map((_, i) => {
@@ -26,12 +26,12 @@ function beyond(place: Value, planes: Vector4[]): Value[] {
   });
 }
 
-/** Discards what is clipped of a fragment. To be called where its place on the spine is known. */
+/** Discards clipped fragments. To be called once the position on the spine is known. */
 export function clipSpine(builder: NodeBuilder): void {
   const { camera, clippingContext } = builder as NodeBuilder & WithClipping;
   if (!clippingContext) return;
   const { unionPlanes, intersectionPlanes } = clippingContext;
-  // Of several cameras the planes are in world space.
+  // With several cameras the planes are in world space.
   const toWorld = cameraWorldMatrix as unknown as Value;
   const place = camera && 'isArrayCamera' in camera ? toWorld.mul(vec4(spinePosition, 1)).xyz : spinePosition;
   if (unionPlanes.length > 0) Discard(beyond(place, unionPlanes).reduce((one, other) => one.or(other)));

@@ -1,4 +1,4 @@
-/** The twin of shaders/outlines/contour.glsl: the contour of a smooth surface. */
+/** Counterpart of shaders/outlines/contour.glsl: the contour of a smooth surface. */
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 import { endBetween, type Piece, type PieceEnd, weigh } from './piece.js';
@@ -8,16 +8,16 @@ const { If, bool, float, select, smoothstep, step } = tsl;
 
 /** Weight. */
 export const contours: Value = /* @__PURE__ */ hatchingUniform('contours', 'float');
-/** Curvature times the bounding radius from which on the outline is as wide as asked. */
+/** Curvature times the bounding radius above which the outline has its full width. */
 const taper = /* @__PURE__ */ hatchingUniform('taper', 'float');
 
 /**
- * A contour is seen where the surface bends away from the eye. It ends in a cusp, where that bend is 0 (Koenderink), and the pen lifts
- * there.
+ * The taper of a contour: it is visible where the surface bends away from the eye, and ends in a cusp where that curvature is 0
+ * (Koenderink).
  */
 const taperAt = (bend: Value): Value => select(taper.greaterThan(0), smoothstep(0, taper, bend), step(0, bend));
 
-/** The two points at which a value is 0 on the edges of a triangle; false if it has one sign. */
+/** The two points on the edges of a triangle at which a value is 0; false if the value has one sign. */
 export function zeroSet(
   [a, b, c]: readonly [OutlinePoint, OutlinePoint, OutlinePoint],
   valueAt: (point: OutlinePoint) => Value,
@@ -27,7 +27,7 @@ export function zeroSet(
   const [va, vb, vc] = [valueAt(a), valueAt(b), valueAt(c)];
   const [pa, pb, pc] = [va, vb, vc].map((value) => value.greaterThanEqual(0).toVar());
   const hasPiece = bool(false).toVar();
-  // The corner whose sign is its own, and the next two.
+  // From the corner with the lone sign to the next two.
   const cut = (one: OutlinePoint, next: OutlinePoint, last: OutlinePoint): void => {
     const value = valueAt(one);
     endBetween(start, one, next, value.div(value.sub(valueAt(next))));

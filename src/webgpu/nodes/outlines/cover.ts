@@ -1,4 +1,4 @@
-/** The twin of shaders/outlines/cover.glsl: from a piece of outline to the triangle on the screen that covers it. */
+/** Counterpart of shaders/outlines/cover.glsl: the screen triangle that covers a piece of outline. */
 import type { NodeBuilder } from 'three/webgpu';
 import { isOrthographic } from '../base/isOrthographic.js';
 import { hatchingUniform } from '../base/uniforms.js';
@@ -35,12 +35,12 @@ const {
   vec4,
 } = tsl;
 
-/** View units per object unit: the mean over directions. */
+/** View units per object unit, the mean over directions. */
 const objectScale = /* @__PURE__ */ hatchingUniform('objectScale', 'float');
 
-/** Room for the edge that fades out, in pixels. */
+/** Margin for the antialiased edge, pixels. */
 const FRINGE = 1;
-/** Just behind the near plane, as a factor on its distance. */
+/** A factor on the near distance: just behind the near plane. */
 const BEHIND_NEAR = 1.0001;
 
 export function clearVaryings({ HIDDEN, WOBBLE }: OutlineDefines): void {
@@ -55,7 +55,7 @@ export function clearVaryings({ HIDDEN, WOBBLE }: OutlineDefines): void {
   varyings.vAnchorEnd.assign(vec3(0));
 }
 
-/** View units to a pixel at a point. */
+/** View units per pixel at a point. */
 const unitsToPixel = (position: Value): Value =>
   select(isOrthographic(), float(1), max(position.z.negate(), nearDistance))
     .mul(2)
@@ -68,14 +68,14 @@ function pixelOf(clip: Value): Value {
   return viewport.xy.add(c.xy.mul(0.5).div(c.w).add(0.5).mul(viewport.zw));
 }
 
-/** The place of an object on the screen. */
+/** The screen position of an object's origin. */
 function originOf(place: InstancePlace): Value {
   const origin = toClip(objectToView(vec3(0), place)).toVar();
   origin.w.assign(max(origin.w, 1e-3));
   return pixelOf(origin);
 }
 
-/** Moves an end that lies before the near plane onto it, along the piece. */
+/** Clips an end to the near plane, along the piece. */
 function cutAt(z: Value, place: Value, cut: PieceEnd, otherPlace: Value, other: PieceEnd): void {
   const t = z.sub(place.z).div(otherPlace.z.sub(place.z)).toVar();
   place.assign(mix(place, otherPlace, t));
@@ -87,7 +87,7 @@ const larger = (two: Value): Value => max(two.x, two.y);
 
 const scaleOf = ([x, y, z]: InstancePlace): Value => objectScale.mul(pow(abs(dot(x, cross(y, z))), 1 / 3)).toVar();
 
-/** Writes the position and the varyings of one corner of the triangle. @param clipPosition is written to */
+/** Writes the position and the varyings of one corner of the triangle. @param clipPosition output */
 export function coverPiece(
   piece: Piece,
   corner: Value,
@@ -105,7 +105,7 @@ export function coverPiece(
   const start = objectToView(from.position, place).toVar();
   const end = objectToView(to.position, place).toVar();
 
-  // What lies before the near plane has no place on the screen.
+  // Points before the near plane cannot be projected.
   const near = nearDistance.mul(-BEHIND_NEAR).toVar();
   const isDrawn = isOrthographic().or(min(start.z, end.z).lessThanEqual(near)).toVar();
   If(isOrthographic().not().and(isDrawn), () => {
@@ -146,7 +146,7 @@ export function coverPiece(
     if (hasSceneDepth(builder)) {
       If(size.lessThan(SHORT), () => {
         const spine: Spine = { start: a, viewStart: start, viewEnd: end, along, size, tolerance };
-        // What is not seen at all is not drawn either, though fragments would find out; or what is, if the hidden is drawn.
+        // Wholly hidden pieces are skipped; for hidden outlines, wholly visible ones.
         const drawn = bool(false).toVar();
         for (const one of [a, middle, b]) {
           const seen = isSeen(spine, one, builder);
@@ -179,7 +179,7 @@ export function coverPiece(
         varyings.vAnchorStart.assign(from.anchor);
         varyings.vAnchorEnd.assign(to.anchor);
       }
-      // A right triangle that covers the rectangle around the capsule: its right angle lies at a corner, and its legs are twice the sides.
+      // A right triangle around the bounding rectangle of the capsule: its right angle lies at a corner, and its legs are twice the sides.
       const reachAlong = size.mul(0.5).add(reach).add(max(from.overshoot, to.overshoot)).toVar();
       const x = select(corner.equal(int(1)), reachAlong.mul(3), reachAlong.negate()).toVar();
       const y = select(corner.equal(int(2)), reach.mul(3), reach.negate()).toVar();

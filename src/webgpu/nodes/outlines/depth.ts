@@ -13,7 +13,7 @@ const depthOf = { logarithmic: viewZToLogarithmicDepth, orthographic: viewZToOrt
   (z: Value, near: Value, far: Value) => Value
 >;
 
-/** The depth of a fragment where it is logarithmic. Otherwise that of the triangle is right. */
+/** The depth of a fragment for a logarithmic depth buffer; otherwise that of the triangle is right. */
 export const logarithmicDepth = (defines: OutlineDefines): Value =>
   Fn(() => {
     const { t } = onSpine(defines);

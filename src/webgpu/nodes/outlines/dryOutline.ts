@@ -1,6 +1,6 @@
 /**
- * The twin of shaders/outlines/dryOutline.glsl. Outlines of pencil, charcoal and chalk: soft at their sides, where the hand presses least, and
- * heavier or lighter as it goes. They catch on the tooth of the paper.
+ * Counterpart of shaders/outlines/dryOutline.glsl: outlines of pencil, charcoal and chalk. They are soft at their sides, vary in pressure
+ * along the way, and catch on the tooth of the paper.
  */
 
 import { hatchingUniform } from '../base/uniforms.js';
@@ -12,17 +12,17 @@ const { clamp, float, min } = tsl;
 
 const tooth = /* @__PURE__ */ hatchingUniform('tooth', 'float');
 
-/** The tooth from which on the sides fade from the middle on. */
+/** The tooth above which the sides fade from the middle on. */
 const SOFT_TOOTH = 0.3;
-/** How much of the tooth counts against the pressure: a line is pressed harder than what fills a surface. */
+/** The effect of tooth on outlines, which are pressed harder than hatching. */
 const CAUGHT = 0.75;
 /** The range of pressures over which an outline goes from none to full ink. */
 const OUTLINE_SOFTNESS = 0.65;
-/** How much of its pressure an unsteady hand loses along the way. */
+/** The share of pressure that an unsteady hand loses along the way. */
 const LIFTED = 0.5;
 
 /**
- * What is left of full ink.
+ * The share of full ink that is left.
  *
  * @param across 0 in the middle of the outline, 1 at its side
  * @param along a wave along it, from −1 to 1

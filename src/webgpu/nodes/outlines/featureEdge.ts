@@ -1,4 +1,4 @@
-/** The twin of shaders/outlines/featureEdge.glsl: borders, creases, edges between materials, and the contour where it runs along an edge. */
+/** Counterpart of shaders/outlines/featureEdge.glsl: borders, creases, edges between materials, and contours along edges. */
 import {
   BORDER,
   CONTRARY,
@@ -23,11 +23,11 @@ const materialBorders = /* @__PURE__ */ hatchingUniform('materialBorders', 'floa
 /** Pixels. */
 const overshoot = /* @__PURE__ */ hatchingUniform('overshoot', 'float');
 
-/** The part of the edge, as t from start to end, on which one side faces the eye and the other does not. */
+/** The part of the edge, as t from start to end, where one side faces the eye and the other does not. */
 function contourAlong(left: Value, right: Value): { hasContour: Value; part: Value } {
   const startsOn = left.x.mul(right.x).lessThan(0).toVar();
   const endsOn = left.y.mul(right.y).lessThan(0).toVar();
-  // Where either side turns away; outside of [0, 1] where it never does.
+  // The t at which a side turns away; outside [0, 1] if it never does.
   const turnOf = (side: Value): Value =>
     select(side.x.mul(side.y).lessThan(0), side.x.div(side.x.sub(side.y)), float(-1)).toVar();
   const leftTurn = turnOf(left);
@@ -52,7 +52,7 @@ function contourAlong(left: Value, right: Value): { hasContour: Value; part: Val
   return { hasContour, part };
 }
 
-/** The normal of the side that is seen. */
+/** The normal of the visible side. */
 function seenNormal(left: OutlinePoint, right: OutlinePoint, sign: Value): Value {
   const isLeftSeen = left.facing.greaterThan(0);
   const isRightSeen = sign.mul(right.facing).greaterThan(0);
@@ -64,14 +64,14 @@ function seenNormal(left: OutlinePoint, right: OutlinePoint, sign: Value): Value
   );
 }
 
-/** @param isHidden whether outlines behind surfaces are drawn: then those that look away are too */
+/** @param isHidden whether outlines behind surfaces are drawn, which includes edges that face away */
 export function featureEdge(
   piece: Piece,
   flags: Value,
   [leftStart, leftEnd, rightStart, rightEnd]: readonly [OutlinePoint, OutlinePoint, OutlinePoint, OutlinePoint],
   isHidden: boolean,
 ): void {
-  // Where the windings contradict each other, the right side's normals look the other way.
+  // With contrary windings the normals of the right side point inwards.
   const sign = select(hasFlag(flags, CONTRARY), float(-1), float(1)).toVar();
   const left = vec2(leftStart.facing, leftEnd.facing).toVar();
   const right = sign.mul(vec2(rightStart.facing, rightEnd.facing)).toVar();
@@ -80,14 +80,14 @@ export function featureEdge(
   const whole = select(hasFlag(flags, CREASE), creases, float(0)).toVar();
   whole.assign(select(hasFlag(flags, MATERIAL_BORDER), max(whole, materialBorders), whole));
   const isBorder = hasFlag(flags, BORDER).toVar();
-  // Creases that look away on either side cannot be seen; borders show their backs.
+  // A crease is invisible if both sides face away; borders show from behind.
   const canBeSeen = isHidden ? bool(true) : isBorder.or(max(max(left.x, left.y), max(right.x, right.y)).greaterThan(0));
   If(canBeSeen, () => {
     const { hasContour, part } = contourAlong(left, right);
     hasContour.assign(hasContour.and(isBorder.not()));
     const { start, end } = piece;
     If(isBorder.or(whole.greaterThan(0)), () => {
-      // Drawn from end to end, as wide as the contour where it is one.
+      // The whole edge is drawn, as wide as the contour where it is one.
       const one = (isContour: Value): Value => select(isContour, float(1), float(0)).toVar();
       const atStart = one(left.x.mul(right.x).lessThan(0));
       const atEnd = one(left.y.mul(right.y).lessThan(0));

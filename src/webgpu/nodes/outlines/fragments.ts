@@ -1,4 +1,7 @@
-/** The twin of shaders/outlines/outlines.frag. A piece of outline is a capsule on the screen, so that pieces join without mitres; its edge fades over one pixel. */
+/**
+ * Counterpart of shaders/outlines/outlines.frag. A piece of outline is a capsule on the screen, so that pieces join without mitres; its
+ * edge fades over one pixel.
+ */
 
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
@@ -39,15 +42,15 @@ const { select, vec2, vec4 } = tsl;
 const ink = /* @__PURE__ */ hatchingUniform('ink', 'color');
 const opacity = /* @__PURE__ */ hatchingUniform('opacity', 'float');
 
-/** The place on the spine, in view space, of what a fragment belongs to. Fog asks for it. */
+/** The point on the spine that a fragment belongs to, view space. Fog depends on it. */
 export const spinePosition: Value = /* @__PURE__ */ tsl.property('vec3', 'outlineSpinePosition');
 
-/** The place on the spine that is nearest to a fragment. */
+/** The point on the spine nearest to a fragment. */
 interface OnSpine {
   spine: Spine;
-  /** Along the outline from its start, pixels. */
+  /** Distance along the outline from its start, pixels. */
   place: Value;
-  /** The pixel, moved back by how far the outline strays there. */
+  /** The pixel, with the wobble of the outline subtracted. */
   pixel: Value;
   /** The share of the way from start to end on the screen. */
   t: Value;
@@ -80,7 +83,7 @@ export const fragments = (defines: OutlineDefines): Value =>
     const onOutline = clamp(place, vOvershoots.x.negate(), size.add(vOvershoots.y)).toVar();
     const away = distance(pixel, spine.start.add(onOutline.mul(spine.along))).toVar();
     spinePosition.assign(mix(vStart.xyz, vEnd.xyz, alongLine(t, spine)));
-    // Here and not at the ends: an edge may run from one border of the sheet to the other.
+    // Per fragment, not at the ends: an edge may run across the whole sheet.
     const usual = mix(vHalfWidths.xz, vHalfWidths.yw, t);
     const halves = outlineEmphasisAt(spinePosition, drawnPixel()).mul(usual).toVar();
     const most = max(halves.x, halves.y).toVar();
@@ -100,7 +103,7 @@ export const fragments = (defines: OutlineDefines): Value =>
           halfWidth.assign(halfWidthAs(standing, halves, vContour));
         });
       }
-      // The round ends fill the joints. Their edges lie within, or two that fade would add up beside each joint.
+      // Round ends fill the joints. Their edges lie inside, or two fading edges would add up beside each joint.
       const isAtEnd = place.notEqual(onOutline).toVar();
       If(isDrawn, () => {
         coverage.assign(lineCoverage(away, halfWidth, select(isAtEnd, float(0), float(0.5))));
@@ -109,7 +112,7 @@ export const fragments = (defines: OutlineDefines): Value =>
         }
         if (defines.TOOTH) {
           const pressed = defines.WOBBLE ? pressureWave(mix(vAnchorStart, vAnchorEnd, alongLine(t, spine))) : float(1);
-          // Ends that overlap are narrower, or the soft sides of two would add up at each joint.
+          // Overlapping ends are narrower, or their soft sides would add up at each joint.
           const across = away.div(max(halfWidth, 0.5)).mul(select(isAtEnd, float(1.6), float(1)));
           coverage.mulAssign(dryInk(min(across, 1).toVar(), pressed, drawnPixel()));
         }

@@ -1,4 +1,4 @@
-/** The twin of shaders/outlines/hidden.glsl. Outlines behind a surface, as technical draughtsmen keep them: thin, and dashed or faint. */
+/** Counterpart of shaders/outlines/hidden.glsl: outlines behind a surface, thin and dashed or faint, as in technical drawings. */
 import { OUTLINE_CONSTANTS } from '../../../look/constants/outlineConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
@@ -11,7 +11,7 @@ const isDashed = /* @__PURE__ */ hatchingUniform('isDashed', 'float');
 export const hiddenWeight = (weight: Value): Value => smoothstep(0, WHOLE_FROM, weight).mul(HIDDEN_WEIGHT);
 
 /**
- * How much of a pixel is drawn, by dashes and gaps. All in pixels.
+ * The share of a pixel that is drawn, by dashes and gaps. All in pixels.
  *
  * @param place along a piece that is `size` long
  * @param fromOrigin from the place of the object on the screen, so that dashes go along with it
@@ -28,7 +28,7 @@ export function hiddenCoverage(place: Value, size: Value, along: Value, fromOrig
       period.assign(whole.div(floor(whole.div(period).add(0.5))));
       x.assign(clamp(place, 0, size));
     }).Else(() => {
-      // The pieces of a curve are shorter than dashes.
+      // The pieces of a curve are shorter than dashes, so their pattern follows the screen.
       x.assign(select(abs(along.x).greaterThan(abs(along.y)), fromOrigin.x, fromOrigin.y));
     });
     const half = period.sub(gap).mul(0.5).toVar();

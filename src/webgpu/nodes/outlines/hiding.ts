@@ -1,6 +1,6 @@
 /**
- * The twin of shaders/outlines/hiding.glsl. Each end is moved along its ray towards the eye before the depth test, so far that the surface
- * it lies on does not hide it, and hardly further; it stays where it is on the screen.
+ * Counterpart of shaders/outlines/hiding.glsl: before the depth test each end is moved towards the eye along its ray, just far enough that
+ * its own surface does not hide it. It keeps its place on the screen.
  */
 import { OUTLINE_CONSTANTS } from '../../../look/constants/outlineConstants.js';
 import { isOrthographic } from '../base/isOrthographic.js';
@@ -12,10 +12,12 @@ import { radius } from './points.js';
 const { float, length, max, min, select, sqrt, vec3 } = tsl;
 const { EDGE_SLOPE, LIFT_SHARE, LOOKED_BESIDE, MOST_RISE, ROUNDING } = OUTLINE_CONSTANTS;
 
-/** How many slopes to a pixel nearer than it lies the surface is drawn (`polygonOffsetFactor`). */
+/** The `polygonOffsetFactor` of the surface, negated: slopes per pixel by which it is drawn nearer than it lies. */
 const pull = /* @__PURE__ */ hatchingUniform('pull', 'float');
 
 /**
+ * The distance, in view units, by which an end is moved towards the eye.
+ *
  * @param halfWidth of the outline, in view units
  * @param pixel in view units
  * @param scale view units per object unit
@@ -26,13 +28,14 @@ export function liftOf(end: PieceEnd, piece: Piece, halfWidth: Value, pixel: Val
   const half = halfWidth.toVar();
   const pulled = pull.mul(pixel).mul(4 * EDGE_SLOPE);
   const own = r.mul(LIFT_SHARE).add(piece.extent.mul(scale)).add(pulled).toVar();
-  // A surface of curvature κ rises by √(2x/κ) towards the eye over the distance x beside its contour. Without this, half of the outline drowns.
+  // A surface of curvature κ rises by √(2x/κ) towards the eye over the distance x beside its contour. Without this, half of the outline
+  // would be hidden.
   const rise = sqrt(half.mul(2).mul(r).div(max(end.bend, 1e-3)));
   const ofSurface = own.add(half.mul(2)).add(min(rise, r.mul(MOST_RISE)));
   return select(piece.isSmooth, ofSurface, own.add(half.mul(2 * EDGE_SLOPE)));
 }
 
-/** How far the surface may lie before its own outline. @param pixel in view units */
+/** Distance by which a surface may lie before its own outline, view units. @param pixel in view units */
 export const toleranceOf = (piece: Piece, pixel: Value, scale: Value): Value =>
   radius
     .mul(ROUNDING)

@@ -1,6 +1,6 @@
 /**
- * The twin of shaders/outlines/hierarchy.glsl: which outlines are seen, and how much they weigh by what lies behind them. A piece of outline
- * is judged at its spine, so that it is seen over its whole width or not at all.
+ * Counterpart of shaders/outlines/hierarchy.glsl: which outlines are visible, and their weight by what lies behind them. Tests are made at
+ * the spine, so that an outline is visible over its whole width or not at all.
  */
 import type { NodeBuilder } from 'three/webgpu';
 import { ACCENT_STEPS, OUTLINE_CONSTANTS } from '../../../look/constants/outlineConstants.js';
@@ -14,43 +14,40 @@ const { ACCENT_REACH, BEGINS_AS_PAPER, BESIDE, BEYOND, CUT_SLOPE, FULL_JUMP, IS_
 
 /** Pixels. */
 export const outlineWidth: Value = /* @__PURE__ */ hatchingUniform('outlineWidth', 'float');
-/** How much heavier an outline becomes where it passes before another. */
+/** Factor on the width of an outline where it passes before another, minus 1. */
 export const accents: Value = /* @__PURE__ */ hatchingUniform('accents', 'float');
-/** Whether surfaces that lie nearer do not hide it. */
+/** Whether nearer surfaces do not hide the outline. */
 const isDrawnBefore = /* @__PURE__ */ hatchingUniform('isDrawnBefore', 'float');
-/** Whether parts of its surface are not drawn. */
+/** Whether parts of the surface are cut out. */
 const isCutOut = /* @__PURE__ */ hatchingUniform('isCutOut', 'float');
 
-/** Pieces that are no longer than this are judged at their ends, for fragments to share, and others in each fragment, pixels. */
+/** Longest piece, in pixels, that is tested at its ends; longer ones are tested per fragment. */
 export const SHORT = 16;
 
 export interface Spine {
-  /** Pixels, and the two ends in view space. */
+  /** Start and end on the screen, pixels, and in view space. */
   start: Value;
   viewStart: Value;
   viewEnd: Value;
-  /** Unit. */
+  /** Unit vector from start to end. */
   along: Value;
-  /** Pixels. */
+  /** Length, pixels. */
   size: Value;
-  /** How far the surface may lie before its own outline, view units. */
+  /** Distance by which a surface may lie before its own outline, view units. */
   tolerance: Value;
 }
 
-/**
- * Of a place between the ends on the screen the place between them in space: of an outline that runs away from the eye, the nearer half takes
- * more of the screen.
- */
+/** Perspective-correct interpolation along a line: the share in space at a share on the screen. */
 export const alongLine = (t: Value, { viewStart, viewEnd }: Pick<Spine, 'viewStart' | 'viewEnd'>): Value =>
   select(isOrthographic(), t, t.mul(viewStart.z).div(mix(viewEnd.z, viewStart.z, t)));
 
 function spineDepth(spine: Spine, pixel: Value): Value {
-  // A little further than the ends: so far from them, texels may lie.
+  // A little beyond the ends, where the texels of their pixels may lie.
   const t = clamp(dot(pixel.sub(spine.start), spine.along).div(max(spine.size, 1e-3)), -0.25, 1.25).toVar();
   return mix(spine.viewStart.z.negate(), spine.viewEnd.z.negate(), alongLine(t, spine));
 }
 
-/** How far behind the outline that surface lies which is seen in a pixel. */
+/** The distance from the outline back to the surface that is visible in a pixel. */
 function gapAt(spine: Spine, pixel: Value, builder: NodeBuilder): Value {
   const texel = floor(pixel).add(0.5).toVar();
   return min(depthAt(texel, builder).sub(spineDepth(spine, texel)), NOWHERE).toVar();
@@ -67,7 +64,7 @@ export function isSeen(spine: Spine, place: Value, builder: NodeBuilder): Value 
   return seen;
 }
 
-/** Whether the surface is not there, on neither side of a place: both show what lies behind it. */
+/** Whether the outline's own surface is cut out at a point: both sides show what lies behind. */
 export function isCutAway(spine: Spine, place: Value, builder: NodeBuilder): Value {
   const beside = vec2(spine.along.y.negate(), spine.along.x).mul(BESIDE).toVar();
   const cutAway = bool(false).toVar();
@@ -79,11 +76,11 @@ export function isCutAway(spine: Spine, place: Value, builder: NodeBuilder): Val
   return cutAway;
 }
 
-/** Whether what lies so far behind, as a share of the height of the view, is as good as paper. */
+/** 1 if what lies so far behind, as a share of the height of the view, counts as paper. */
 const paperness = (gap: Value): Value => smoothstep(BEGINS_AS_PAPER, IS_PAPER, gap);
 
 /**
- * The standing of an outline at a place on its spine: the share of paper in what lies behind it, and of an accent.
+ * The share of paper in what lies behind an outline at a point, and the share of an accent.
  *
  * @param halfWidth the most
  */
@@ -95,7 +92,7 @@ export function standingAt(spine: Spine, place: Value, halfWidth: Value, builder
   const outside = place.add(select(left.greaterThan(right), beside, beside.negate())).toVar();
   const here = min(max(left, right).div(height), 1).toVar();
 
-  // Along the outline: the weight changes gradually where what lies behind it does, and an accent grows towards that place.
+  // Along the outline the weight changes gradually with what lies behind it, and an accent grows towards such a change.
   const paper = paperness(here).toVar();
   const sum = float(1).toVar();
   const accent = float(0).toVar();
@@ -119,6 +116,9 @@ export function standingAt(spine: Spine, place: Value, halfWidth: Value, builder
   return vec2(paper.div(sum), accent);
 }
 
-/** Half the width at a place. @param halves before the paper, and before a surface. @param contour the share of an outline that is one */
+/**
+ * Half the width at a point. @param halves before paper, and before a surface. @param contour share of the outline that is a contour or
+ * border
+ */
 export const halfWidthAs = (standing: Value, halves: Value, contour: Value): Value =>
   mix(halves.y, halves.x, standing.x).mul(contour.mul(accents).mul(standing.y).add(1));

@@ -5,22 +5,22 @@ import { fragments, spinePosition } from './fragments.js';
 import type { OutlineDefines } from './OutlineDefines.js';
 import { vertices } from './vertices.js';
 
-/** The nodes that a material of outlines consists of. */
+/** The nodes of an outline material. */
 export interface OutlineNodes {
-  /** What chose them. */
+  /** The defines that they are built for. */
   key: string;
   vertex: Node<'vec4'>;
   color: Node<'vec4'>;
   outgoing: Node<'vec3'>;
-  /** The z in view space by which there is fog. */
+  /** The z in view space that fog is computed from. */
   viewZ: Node<'float'>;
-  /** The depth of fragments where that is logarithmic. */
+  /** The depth of fragments for a logarithmic depth buffer. */
   logarithmicDepth: Node<'float'>;
 }
 
 const known = new Map<string, OutlineNodes>();
 
-/** The nodes of all materials with these defines. */
+/** The nodes for these defines, shared by all materials. */
 export function outlineNodes(defines: OutlineDefines): OutlineNodes {
   const key = JSON.stringify(defines);
   let nodes = known.get(key);

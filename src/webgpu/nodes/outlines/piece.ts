@@ -1,40 +1,40 @@
-/** The twin of shaders/outlines/piece.glsl. What is a struct there is an object of variables here, which functions write to. */
+/** Counterpart of shaders/outlines/piece.glsl. A GLSL struct is an object of shader variables here, which functions write to. */
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 import { type OutlinePoint, towardsEye } from './points.js';
 
 const { bool, cross, dot, float, length, max, min, mix, normalize, select, vec3 } = tsl;
 
-/** A piece of outline on the surface: one of its ends. */
+/** An end of a piece of outline. */
 export interface PieceEnd {
   /** Object space. */
   position: Value;
-  /** The same at rest. */
+  /** Object space, at rest. */
   anchor: Value;
   /** Not of unit length. */
   normal: Value;
-  /** Of the outline's width, before the paper. */
+  /** Weight of the outline before paper. */
   weight: Value;
-  /** Before a surface. */
+  /** Weight before a surface. */
   innerWeight: Value;
-  /** See OutlinePoint. */
+  /** `bend` of OutlinePoint. */
   bend: Value;
-  /** Pixels by which the outline runs on. */
+  /** Length by which the outline overshoots the end, pixels. */
   overshoot: Value;
 }
 
 export interface Piece {
   start: PieceEnd;
   end: PieceEnd;
-  /** How deep the surface beside the piece is along the line of sight, object units. */
+  /** Depth of the surface beside the piece along the line of sight, object units. */
   extent: Value;
-  /** How much of that may lie before the piece, though the piece is to be seen, object units. */
+  /** The part of that depth that may lie before a visible piece, object units. */
   ownCover: Value;
   /** The share of the piece that is a contour or a border. */
   contour: Value;
-  /** On a surface, not an edge. */
+  /** Whether it lies on a surface, not on an edge. */
   isSmooth: Value;
-  /** An edge whose two sides rise from it. */
+  /** Whether it is a concave edge. */
   isValley: Value;
 }
 
@@ -61,7 +61,7 @@ export const noPiece = (): Piece => ({
 export const isPiece = ({ start, end }: Piece): Value =>
   max(max(start.weight, end.weight), max(start.innerWeight, end.innerWeight)).greaterThan(0);
 
-/** Writes the end that lies at t ∈ [0, 1] from a to b. */
+/** Writes the end at t ∈ [0, 1] from a to b. */
 export function endBetween(end: PieceEnd, a: OutlinePoint, b: OutlinePoint, t: Value): void {
   const at = t.toVar();
   end.position.assign(mix(a.position, b.position, at));
@@ -73,15 +73,15 @@ export function endBetween(end: PieceEnd, a: OutlinePoint, b: OutlinePoint, t: V
 /** The weight of contours and borders before a surface, as a share of that before the paper. */
 const innerContours = /* @__PURE__ */ hatchingUniform('innerContours', 'float');
 
-/** Sets the weights of an end. @param ofContour as a contour or a border. @param whole as anything else */
+/** Sets the weights of an end. @param ofContour weight as a contour or a border. @param whole weight as anything else */
 export function weigh(end: PieceEnd, ofContour: Value, whole: Value): void {
   end.weight.assign(max(ofContour, whole));
   end.innerWeight.assign(max(innerContours.mul(ofContour), whole));
 }
 
 /**
- * Sets how deep the triangle of a piece is along the line of sight: across the piece, not along it, where a long triangle may run away
- * from the eye over all of its length.
+ * Sets the depth of a piece's triangle along the line of sight. It is measured across the piece: along it, a long triangle may run away
+ * from the eye.
  */
 export function measureExtent(piece: Piece, a: OutlinePoint, b: OutlinePoint, c: OutlinePoint, eye: Value): void {
   const v = normalize(towardsEye(a.position, eye)).toVar();
@@ -93,7 +93,7 @@ export function measureExtent(piece: Piece, a: OutlinePoint, b: OutlinePoint, c:
   const depthB = dot(ab, across).toVar();
   const depthC = dot(ac, across).toVar();
   piece.extent.assign(max(max(depthB, depthC), 0).sub(min(min(depthB, depthC), 0)));
-  // A triangle that looks away is hidden by its neighbours, though the smooth surface has its contour there.
+  // A triangle that faces away is hidden by its neighbours, even where the smooth surface has its contour on it.
   const n = cross(ab, ac).toVar();
   const isFacing = dot(n, v)
     .mul(dot(n, a.normal.add(b.normal).add(c.normal)))

@@ -1,4 +1,4 @@
-/** The twin of shaders/outlines/points.glsl: points that outlines run between (src/mesh/bake/outlineLayout.ts). */
+/** Counterpart of shaders/outlines/points.glsl: the end points of outlines (src/mesh/bake/outlineLayout.ts). */
 import { POINT_MASK } from '../../../mesh/bake/outlineLayout.js';
 import { blankIntegers, blankPoses } from '../base/blankTextures.js';
 import { identity } from '../base/matrices.js';
@@ -13,24 +13,24 @@ const { unpackHalf2x16, unpackSnorm2x16, vec3 } = tsl;
 
 const outlinePoints = /* @__PURE__ */ hatchingTexture('outlinePoints', /* @__PURE__ */ blankIntegers());
 
-/** Of the pose, by vertex: its place, and 1 where the other one is a rotation. */
+/** Deformed positions, by vertex; w is 1 where `deformedTurns` has a rotation. */
 const deformedPositions = /* @__PURE__ */ hatchingTexture('deformedPositions', /* @__PURE__ */ blankPoses());
-/** The rotation by the skin, or the normal. */
+/** The rotation by the skin, or the deformed normal. */
 const deformedTurns = /* @__PURE__ */ hatchingTexture('deformedTurns', /* @__PURE__ */ blankPoses());
-/** Whether the mesh is in a pose. Not a program of its own: meshes that deform and others may share a material. */
+/** Whether the mesh deforms. A uniform, since deforming and rigid meshes may share a material. */
 const isDeformed = /* @__PURE__ */ hatchingUniform('isDeformed', 'float');
 
-/** Of the bounding sphere, object units. */
+/** Radius of the bounding sphere, object units. */
 export const radius: Value = /* @__PURE__ */ hatchingUniform('radius', 'float');
 
 export interface OutlinePoint {
   /** Object space. */
   position: Value;
-  /** The same at rest. */
+  /** Object space, at rest. */
   anchor: Value;
   /** Of unit length. */
   normal: Value;
-  /** n·v; more than 0 where the surface faces the eye. */
+  /** n·v: above 0 where the surface faces the eye. */
   facing: Value;
   /** Curvature along the line of sight, times the bounding radius. */
   bend: Value;
@@ -64,7 +64,7 @@ export function readPoint(word: Value, eye: Value): OutlinePoint {
       toRest.assign(turnBack(turn));
       normal.assign(transpose(toRest).mul(normal));
     }).Else(() => {
-      // Where morph targets move the vertex, its normal is all that is known.
+      // With morph targets only the normal is known.
       If(dot(turn, turn).greaterThan(0), () => {
         normal.assign(normalize(turn.xyz));
       });

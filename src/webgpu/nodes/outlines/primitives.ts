@@ -1,4 +1,4 @@
-/** The twin of shaders/outlines/primitives.glsl: primitives, all of them or those that are listed (src/mesh/bake/outlineLayout.ts). */
+/** Counterpart of shaders/outlines/primitives.glsl: all primitives, or those in a list (src/mesh/bake/outlineLayout.ts). */
 import { POINT_BITS } from '../../../mesh/bake/outlineLayout.js';
 import { IS_EDGE } from '../../../mesh/features/edgeFlags.js';
 import { blankFloats, blankIntegers } from '../base/blankTextures.js';
@@ -10,19 +10,19 @@ import { tsl, type Value } from '../base/values.js';
 const { If, cross, dot, instanceIndex, int, select, uint, vec3, vec4 } = tsl;
 
 const outlinePrimitives = /* @__PURE__ */ hatchingTexture('outlinePrimitives', /* @__PURE__ */ blankIntegers());
-/** Four numbers to a texel; of instances two, each with the instance it is of. */
+/** The list of primitives, four per texel; with instances two, each with the index of its instance. */
 const candidates = /* @__PURE__ */ hatchingTexture('candidates', /* @__PURE__ */ blankIntegers());
-/** A column to a texel. */
+/** Instance matrices, one column per texel. */
 const instancePlaces = /* @__PURE__ */ hatchingTexture('instancePlaces', /* @__PURE__ */ blankFloats());
 const isListed = /* @__PURE__ */ hatchingUniform('isListed', 'float');
 
-/** Whether the mesh has instances. Not a program of its own: three.js takes the programs of objects of both kinds for one. */
+/** Whether the mesh has instances. A uniform, since three.js would use one program for objects of both kinds. */
 const isInstanced = /* @__PURE__ */ hatchingUniform('isInstanced', 'float');
 
 /** The columns of the matrix of an instance. */
 export type InstancePlace = readonly [x: Value, y: Value, z: Value, origin: Value];
 
-/** The primitive of a number, and the place of the instance that it is of. */
+/** A primitive by its index, and the matrix of its instance. */
 export function readPrimitive(i: Value): { primitive: Value; instancePlace: InstancePlace } {
   const number = i.toVar();
   const instance = int(instanceIndex).toVar();
@@ -56,7 +56,7 @@ export const hasFlag = (flags: Value, flag: number): Value => flags.bitAnd(uint(
 
 export const isEdge = (primitive: Value): Value => hasFlag(flagsOf(primitive), IS_EDGE);
 
-/** The rows of the inverse of a matrix of three columns. */
+/** The rows of the inverse of a 3 × 3 matrix. */
 function inverseRows([x, y, z]: InstancePlace): [Value, Value, Value] {
   const yz = cross(y, z).toVar();
   const determinant = dot(x, yz).toVar();
@@ -73,7 +73,7 @@ export function eyeOfInstance(eye: Value, instancePlace: InstancePlace): Value {
   return vec4(dot(a, away), dot(b, away), dot(c, away), eye.w).toVar();
 }
 
-/** A place in the space of the mesh. @param position of the instance */
+/** A position in the space of the mesh. @param position in the space of the instance */
 export function placeOfInstance(position: Value, [x, y, z, origin]: InstancePlace): Value {
   return x.mul(position.x).add(y.mul(position.y)).add(z.mul(position.z)).add(origin);
 }

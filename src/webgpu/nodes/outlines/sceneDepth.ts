@@ -1,4 +1,4 @@
-/** The twin of shaders/outlines/sceneDepth.glsl: the depth of what has been drawn before the outlines, all of it opaque. three.js copies it. */
+/** Counterpart of shaders/outlines/sceneDepth.glsl: the depth of the opaque objects drawn before the outlines, copied by three.js. */
 import {
   DepthFormat,
   DepthStencilFormat,
@@ -20,14 +20,14 @@ export const nearDistance: Value = /* @__PURE__ */ hatchingUniform('nearDistance
 /** x, y, width, height in pixels, counted from the lower left. */
 export const viewport: Value = /* @__PURE__ */ hatchingUniform('viewport', 'vec4');
 
-/** three's declaration leaves the last one out. */
+/** three.js' declaration omits the last parameter. */
 const copyOf = viewportDepthTexture as unknown as (uv: unknown, level: null, depth: DepthTexture) => TextureValue;
 const copies = /* @__PURE__ */ new Map<string, TextureValue>();
 
-/** Whether three.js draws a reversed depth into floats: 0.186 draws it into integers. */
+/** Whether three.js renders a reversed depth into float textures: 0.186 uses integer ones. */
 const REVERSES_FLOATS = Number.parseInt(REVISION, 10) >= 187;
 
-/** The copy of the depth of what is drawn to. It must have the format of that. */
+/** The copy of the depth buffer, in the format of that buffer. */
 function sceneDepthFor({ renderer }: NodeBuilder): TextureValue {
   const hasStencil = renderer.getRenderTarget()?.stencilBuffer ?? renderer.stencil;
   const key = `${hasStencil} ${renderer.reversedDepthBuffer}`;
@@ -43,19 +43,19 @@ function sceneDepthFor({ renderer }: NodeBuilder): TextureValue {
   return copy;
 }
 
-/** Further than anything in a scene. */
+/** Farther than anything in a scene. */
 export const NOWHERE = 1e30;
 
 /** An element of the projection matrix. */
 export const projection = (column: number, row: number): Value => cameraProjectionMatrix.element(column).element(row);
 
-/** Whether what is drawn to has a depth, which can be read. */
+/** Whether the render target has a depth buffer that can be read. */
 export function hasSceneDepth({ renderer }: NodeBuilder): boolean {
   const target = renderer.getRenderTarget();
   return target ? target.depthBuffer : renderer.depth;
 }
 
-/** Beyond the view, which may be a tile of a picture, no depth is known. */
+/** Whether a pixel lies in the view, which may be a tile of a picture. Outside, no depth is known. */
 export function isInView(pixel: Value): Value {
   const place = pixel.sub(viewport.xy).toVar();
   return place.x
@@ -65,7 +65,7 @@ export function isInView(pixel: Value): Value {
     .and(place.y.lessThan(viewport.w));
 }
 
-/** The z in view space of a depth, of the projection that three.js draws with. */
+/** The z in view space of a depth under the current projection. */
 function viewZOf(depth: Value, { renderer }: NodeBuilder): Value {
   if (renderer.logarithmicDepthBuffer) {
     const read = { orthographic: orthographicDepthToViewZ, logarithmic: logarithmicDepthToViewZ } as unknown as Record<
@@ -78,7 +78,7 @@ function viewZOf(depth: Value, { renderer }: NodeBuilder): Value {
       read.logarithmic(depth, cameraNear, cameraFar),
     );
   }
-  // A reversed depth lies in [0, 1] with WebGL 2 too.
+  // With WebGL 2 too a reversed depth lies in [0, 1].
   const isHalf = renderer.coordinateSystem === WebGPUCoordinateSystem || renderer.reversedDepthBuffer;
   const clip = (isHalf ? depth : depth.mul(2).sub(1)).toVar();
   return projection(3, 2)
@@ -86,17 +86,17 @@ function viewZOf(depth: Value, { renderer }: NodeBuilder): Value {
     .div(clip.mul(projection(2, 3)).sub(projection(2, 2)));
 }
 
-/** How far before the eye the surface lies that is seen in a pixel, or in the nearest of the view; NOWHERE if nothing has been drawn there. */
+/** Distance from the eye to the surface visible in a pixel, or in the nearest pixel of the view; NOWHERE if nothing is drawn there. */
 export function depthAt(pixel: Value, builder: NodeBuilder): Value {
   const place = floor(clamp(pixel, viewport.xy, viewport.xy.add(viewport.zw).sub(1))).toVar();
-  // three.js counts the rows of what it has drawn from above.
+  // three.js flips the rows of render targets.
   const texel = ivec2(int(place.x), int(screenSize.y).sub(1).sub(int(place.y)));
   const depth = float(sceneDepthFor(builder).load(texel)).toVar();
   const isNowhere = builder.renderer.reversedDepthBuffer ? depth.lessThanEqual(0) : depth.greaterThanEqual(1);
   return select(isNowhere, float(NOWHERE), viewZOf(depth, builder).negate());
 }
 
-/** The height of the view at a distance from the eye, in view units. */
+/** Height of the view at a distance from the eye, view units. */
 export const viewHeightAt = (away: Value): Value =>
   select(isOrthographic(), float(1), away)
     .mul(2)

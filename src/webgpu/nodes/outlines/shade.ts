@@ -1,4 +1,4 @@
-/** The twin of shaders/outlines/shade.glsl: the side away from the light has a heavier outline, and there is none between lit surface and paper. */
+/** Counterpart of shaders/outlines/shade.glsl: outlines are heavier away from the light, and lost between lit surface and paper. */
 import type { Light } from 'three';
 import { OUTLINE_CONSTANTS } from '../../../look/constants/outlineConstants.js';
 import { isOrthographic } from '../base/isOrthographic.js';
@@ -25,21 +25,21 @@ const {
 } = tsl;
 const { INSIDE, LIT, LOST_RANGE, LOST_TAPER, LOST_WEIGHT, SHADED } = OUTLINE_CONSTANTS;
 
-/** Lit, shaded. */
+/** Weights on the lit side and on the shaded side. */
 const shadeWeights = /* @__PURE__ */ hatchingUniform('shadeWeights', 'vec2');
-/** How much of the contours between lit surface and paper is lost. */
+/** The share to which contours between lit surface and paper are lost. */
 const lostEdges = /* @__PURE__ */ hatchingUniform('lostEdges', 'float');
 
-/** View space. */
+/** Transforms a position to view space. */
 export const objectToView = (position: Value, place: InstancePlace): Value =>
   modelViewMatrix.mul(vec4(placeOfInstance(position, place), 1)).xyz;
 
-// three's modelNormalMatrix leads to the world.
+// three.js' modelNormalMatrix transforms to world space.
 const normalInView = (normal: Value, place: InstancePlace): Value =>
   normalize(cameraViewMatrix.mul(vec4(modelNormalMatrix.mul(normalOfInstance(normal, place)), 0)).xyz);
 
 /**
- * Shades an end.
+ * Multiplies the weights of an end by the effect of the light.
  *
  * @param light of unit length, or 0 where no light has a direction
  * @param sight the direction to the eye. Both in view space.

@@ -1,4 +1,4 @@
-/** The twin of shaders/outlines/suggestiveContour.glsl. */
+/** Counterpart of shaders/outlines/suggestiveContour.glsl. */
 import { OUTLINE_CONSTANTS } from '../../../look/constants/outlineConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
@@ -17,7 +17,7 @@ export function suggestiveContour(piece: Piece, a: OutlinePoint, b: OutlinePoint
     If(
       zeroSet([a, b, c], ({ bend }) => bend, piece.start, piece.end),
       () => {
-        // The gradient of the bend, which is linear over the triangle.
+        // The gradient of the curvature, which is linear over the triangle.
         const ab = b.position.sub(a.position).toVar();
         const ac = c.position.sub(a.position).toVar();
         const n = cross(ab, ac).toVar();

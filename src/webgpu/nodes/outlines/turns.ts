@@ -1,9 +1,9 @@
-/** The twin of shaders/perTriangle/turns.glsl: rotations as quaternions (x, y, z, w). */
+/** Counterpart of shaders/perTriangle/turns.glsl: rotations as quaternions (x, y, z, w). */
 import { tsl, type Value } from '../base/values.js';
 
 const { If, cross, determinant, dot, float, mat3, max, normalize, vec3, vec4 } = tsl;
 
-/** The rotation in a matrix of three columns; zero for one that mirrors or flattens. */
+/** The rotation of a 3 × 3 matrix as a quaternion; zero for one that mirrors or flattens. */
 export function turnOf(matrix: Value): Value {
   const turn = vec4(0).toVar();
   If(determinant(matrix).greaterThan(0), () => {
@@ -11,7 +11,7 @@ export function turnOf(matrix: Value): Value {
     const second = matrix.element(1).toVar();
     const y = normalize(second.sub(x.mul(dot(x, second)))).toVar();
     const z = cross(x, y).toVar();
-    // Four times each component's square, less one; dividing by the largest component loses least.
+    // Four times the square of each component, minus 1; dividing by the largest component is the most accurate.
     const ofX = x.x.sub(y.y).sub(z.z).toVar();
     const ofY = y.y.sub(z.z).sub(x.x).toVar();
     const ofZ = z.z.sub(x.x).sub(y.y).toVar();
@@ -36,7 +36,7 @@ export function turnOf(matrix: Value): Value {
   return turn;
 }
 
-/** The matrix that turns back. */
+/** The matrix of the inverse rotation. */
 export function turnBack(turn: Value): Value {
   const q = normalize(turn).toVar();
   const [x, y, z] = [q.x, q.y, q.z].map((component) => component.mul(2).toVar());

@@ -1,6 +1,6 @@
 /**
- * The twin of shaders/outlines/outlines.vert. Three vertices per primitive, a triangle of the mesh or an edge. Each primitive holds one piece
- * of outline at most, which becomes one triangle on the screen that covers it with its round ends.
+ * Counterpart of shaders/outlines/outlines.vert. There are three vertices per primitive, which is a triangle of the mesh or an edge. Each
+ * primitive has at most one piece of outline, which becomes one screen triangle that covers it with its round ends.
  */
 import type { Light } from 'three';
 import type { LightsNode, NodeBuilder } from 'three/webgpu';
@@ -18,7 +18,7 @@ import { suggestiveContour, suggestiveContours } from './suggestiveContour.js';
 
 const { Fn, If, int, vec4, vertexIndex } = tsl;
 
-/** Object space; w is 0 for an orthographic camera, and xyz then a direction. */
+/** The eye in object space; for an orthographic camera w is 0 and xyz the direction to it. */
 const eye = /* @__PURE__ */ hatchingUniform('eye', 'vec4');
 
 function lightsOf(builder: NodeBuilder): readonly Light[] {
@@ -29,13 +29,13 @@ function lightsOf(builder: NodeBuilder): readonly Light[] {
 /** The position in clip space. */
 export const vertices = (defines: OutlineDefines): Value =>
   Fn((builder) => {
-    // What is not drawn lies outside of the clip volume.
+    // Pieces that are not drawn lie outside of clip space.
     const clipPosition = vec4(2, 2, 2, 1).toVar();
     clearVaryings(defines);
     const index = int(vertexIndex).toVar();
     const { primitive, instancePlace } = readPrimitive(index.div(3));
     const seenFrom = eyeOfInstance(eye, instancePlace);
-    // Read before the branch: some devices take both ways.
+    // Read before the branch, since some devices run both sides of it.
     const a = readPoint(primitive.x, seenFrom);
     const b = readPoint(primitive.y, seenFrom);
     const c = readPoint(primitive.z, seenFrom);

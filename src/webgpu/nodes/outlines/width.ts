@@ -1,4 +1,4 @@
-/** The twin of shaders/outlines/width.glsl: how wide an outline is at an end of a piece. */
+/** Counterpart of shaders/outlines/width.glsl: the width of an outline at an end of a piece. */
 import { tsl, type Value } from '../base/values.js';
 import { hiddenWeight } from './hidden.js';
 import { outlineWidth } from './hierarchy.js';
@@ -7,6 +7,6 @@ import type { PieceEnd } from './piece.js';
 
 const { max, vec2 } = tsl;
 
-/** Half the width in pixels where the drawing has its usual weight: before the paper, and before a surface. */
+/** Half widths before paper and before a surface, pixels, without the factor of emphasis. */
 export const halfWidthsAt = ({ weight, innerWeight }: PieceEnd, { HIDDEN }: OutlineDefines): Value =>
   (HIDDEN ? vec2(hiddenWeight(max(weight, innerWeight))) : vec2(weight, innerWeight)).mul(outlineWidth).mul(0.5);

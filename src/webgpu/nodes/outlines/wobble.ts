@@ -1,4 +1,4 @@
-/** The twin of shaders/outlines/wobble.glsl: the unsteadiness of a hand, a slow shift on the screen that belongs to the place on the object. */
+/** Counterpart of shaders/outlines/wobble.glsl: the unsteadiness of a hand, a slow screen-space offset that is fixed to the object. */
 import { OUTLINE_CONSTANTS } from '../../../look/constants/outlineConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
@@ -13,13 +13,13 @@ export const wobble: Value = /* @__PURE__ */ hatchingUniform('wobble', 'float');
 
 const wave = (p: Value, direction: readonly [number, number, number]): Value => dot(p, vec3(...direction));
 
-/** How a hand presses along the way, from −1 to 1: in waves of about half the radius. */
+/** The pressure of the hand along the outline, from −1 to 1, in waves of about half the radius. */
 export function pressureWave(anchor: Value): Value {
   const p = anchor.div(radius).toVar();
   return sin(dot(p, vec3(-5.3, 6.1, 7.9)).add(sin(dot(p, vec3(4.7, 3.9, -6.7))).mul(2.1)));
 }
 
-/** Waves in three directions, whose phases bend one another so that nothing seems to repeat. */
+/** Sines in three directions, whose phases vary with one another, so that nothing seems to repeat. */
 export function wobbleAt(anchor: Value): Value {
   const p = anchor.div(radius).toVar();
   const a = sin(wave(p, STRAY_ACROSS).add(sin(wave(p, ACROSS_BENT)).mul(ACROSS_BEND)));

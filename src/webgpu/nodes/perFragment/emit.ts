@@ -1,4 +1,4 @@
-/** The twin of shaders/perFragment/emit.glsl: where strokes are anchored, for the vertex shader. */
+/** Counterpart of shaders/perFragment/emit.glsl: the anchor of strokes at a vertex. */
 import type { NodeBuilder } from 'three/webgpu';
 import { identity, inverseOf } from '../base/matrices.js';
 import { tsl, type Value } from '../base/values.js';
@@ -10,22 +10,22 @@ import { isRigid, vViewToAnchor } from './viewToAnchor.js';
 
 const { normalGeometry, positionGeometry } = tsl;
 
-/** What a vertex is anchored by. */
+/** The anchor of strokes at a vertex. */
 export interface Anchor extends ObjectPlace {
   /** Object space, at rest or deformed. */
   position: Value;
-  /** At the scale of a stroke, in that space. */
+  /** The normal smoothed to the scale of a stroke, in the same space. */
   strokeNormal: Value;
-  /** The linear part of what takes the deformed object to the one at rest; null where nothing deforms. */
+  /** Linear part of the transform from the deformed object to the object at rest; null without deformation. */
   deformedToRest: Value | null;
-  /** From the view to where strokes are anchored. Linear part. */
+  /** Linear part of the transform from the view to the space of anchors. */
   viewToAnchor: Value;
 }
 
 function deformedToRestOf({ morphedNormal, skin }: DeformedVertex): Value | null {
   const unbent = skin && inverseOf(skin, identity());
   if (!morphedNormal) return unbent;
-  // Morph targets move vertices, they turn nothing. What they do to the normal is all that is known here.
+  // Morph targets give no rotation of their own: it is taken from the change of the normal.
   const turned = rotationBetween(morphedNormal, normalGeometry);
   return unbent ? turned.mul(unbent).toVar() : turned;
 }
@@ -44,7 +44,7 @@ export function emitAnchor(
     for (const [column, varying] of vViewToAnchor.entries()) varying.assign(viewToAnchor.element(column));
   }
   let strokeNormal = strokeNormalOf(builder).toVar();
-  // From the left is the transpose: what the inverse transpose of the deformation is to the normal.
+  // Multiplied from the left, that is by the transpose: the inverse transpose of the deformation, as normals need.
   if (!isAtRest && deformedToRest) strokeNormal = strokeNormal.mul(deformedToRest).toVar();
   const position = isAtRest ? positionGeometry : deformed.position;
   return { ...place, position, strokeNormal, deformedToRest, viewToAnchor };

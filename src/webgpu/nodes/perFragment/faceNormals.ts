@@ -1,5 +1,5 @@
-/** The twin of shaders/perFragment/faceNormals.glsl. */
+/** Counterpart of shaders/perFragment/faceNormals.glsl. */
 import { tsl, type Value } from '../base/values.js';
 
-/** Nothing is expanded, so no face normal came along; the derivatives' one looks at the viewer by itself. View space. */
+/** The face normal, view space, from screen-space derivatives, which faces the viewer: the geometry has no attribute for it. */
 export const readFaceNormals = (): Value => tsl.normalFlat;

@@ -1,17 +1,17 @@
-/** The twin of shaders/perFragment/rotationBetween.glsl. */
+/** Counterpart of shaders/perFragment/rotationBetween.glsl. */
 import { identity } from '../base/matrices.js';
 import { tsl, type Value } from '../base/values.js';
 
 const { cross, dot, float, If, mat3, normalize, vec3 } = tsl;
 
-/** The smallest rotation that takes one direction to another; none for vectors without a direction. */
+/** The smallest rotation from one direction to another; the identity for null vectors. */
 export function rotationBetween(from: Value, to: Value): Value {
   const start = normalize(from).toVar();
   const end = normalize(to).toVar();
   const axis = cross(start, end).toVar();
   const cosine = dot(start, end).toVar();
   const rotation = identity().toVar();
-  // About turned round, any axis would do and none is right.
+  // For opposite directions no axis is better than another.
   If(cosine.greaterThan(-0.999), () => {
     const { x, y, z } = axis;
     const crossAxis = mat3(vec3(0, z, y.negate()), vec3(z.negate(), 0, x), vec3(y, x.negate(), 0)).toVar();

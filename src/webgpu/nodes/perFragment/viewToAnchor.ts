@@ -1,4 +1,4 @@
-/** The twin of shaders/perFragment/viewToAnchor.glsl: the linear map from the view to where strokes are anchored. */
+/** Counterpart of shaders/perFragment/viewToAnchor.glsl: the linear map from view space to the space of anchors. */
 import type { BufferGeometry } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
 import { tsl, type Value } from '../base/values.js';
@@ -6,18 +6,18 @@ import { viewToObject } from '../chunks/objectToView.js';
 
 const { mat3, varyingProperty } = tsl;
 
-/** Matrices between the stages are their columns. */
+/** The matrix by columns, since nodes have no matrix varyings. */
 export const vViewToAnchor: readonly Value[] = /* @__PURE__ */ [0, 1, 2].map((column) =>
   varyingProperty('vec3', `vViewToAnchor${column}`),
 );
 
-/** Whether vertices move with their object alone, neither by skins nor by morph targets nor as instances. */
+/** Whether vertices move with their object alone, without skinning, morph targets or instances. */
 export function isRigid({ object, geometry }: NodeBuilder): boolean {
   const { morphAttributes } = geometry as BufferGeometry;
   const moves = ['isSkinnedMesh', 'isInstancedMesh', 'isBatchedMesh'].some((kind) => kind in (object as object));
   return !moves && !morphAttributes.position && !morphAttributes.normal;
 }
 
-/** For the fragment shader. */
+/** The matrix in the fragment shader. */
 export const readViewToAnchor = (builder: NodeBuilder): Value =>
   isRigid(builder) ? viewToObject : mat3(...vViewToAnchor).toVar();

@@ -3,7 +3,7 @@ import { threeNodes, type Value } from '../base/values.js';
 
 const { reference, renderGroup } = threeNodes;
 
-/** What shaders ask of a shadow. All programs share it. */
+/** Uniforms of a shadow, shared by all programs. */
 export interface ShadowValues {
   bias: Value;
   intensity: Value;
@@ -12,7 +12,7 @@ export interface ShadowValues {
   normalBias: Value;
   /** Texels. */
   radius: Value;
-  /** Of its camera. */
+  /** Of the shadow camera. */
   near: Value;
   far: Value;
 }

@@ -1,4 +1,4 @@
-/** The twin of shaders/shadowMaps/bilinearCube.glsl: the four nearest texels on a face of a cube, blended. */
+/** Counterpart of shaders/shadowMaps/bilinearCube.glsl: the four nearest texels on a face of a cube, blended. */
 import { tsl, type Value } from '../base/values.js';
 import { compareCube, depthOnFace, type ShadowMap } from './depth.js';
 import type { ShadowValues } from './ShadowValues.js';
@@ -11,7 +11,7 @@ export function bilinearCube(map: ShadowMap, fromLight: Value, values: ShadowVal
   const largest = max(max(size.x, size.y), size.z).toVar();
   const isX = size.x.equal(largest).toVar();
   const own = select(isX, vec3(1, 0, 0), select(size.y.equal(largest), vec3(0, 1, 0), vec3(0, 0, 1))).toVar();
-  // Texels lie in rows along the two axes other than the face's own.
+  // Texels lie in rows along the two axes that are not the face's own.
   const row = select(isX, vec3(0, 1, 0), vec3(1, 0, 0)).toVar();
   const column = vec3(1).sub(own).sub(row).toVar();
   const onFace = fromLight.div(largest).toVar();

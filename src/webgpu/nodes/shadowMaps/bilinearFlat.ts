@@ -1,11 +1,11 @@
-/** The twin of shaders/shadowMaps/bilinearFlat.glsl: the four nearest texels, blended. */
+/** Counterpart of shaders/shadowMaps/bilinearFlat.glsl: the four nearest texels, blended. */
 import { tsl, type Value } from '../base/values.js';
 import { compareFlat, type ShadowMap } from './depth.js';
 import type { ShadowValues } from './ShadowValues.js';
 
 const { floor, fract, mix, vec2 } = tsl;
 
-/** @param coord as three.js has it: the place on the map, from above, and the depth */
+/** @param coord three.js' shadow coordinate: position on the map, from above, and depth */
 export function bilinearFlat(map: ShadowMap, coord: Value, { mapSize }: ShadowValues): Value {
   const texel = coord.xy.mul(mapSize).sub(0.5).toVar();
   const share = fract(texel).toVar();

@@ -1,4 +1,4 @@
-/** The twin of shaders/shadowMaps/steadyCube.glsl: in the place of three's five samples of a cube. */
+/** Counterpart of shaders/shadowMaps/steadyCube.glsl: replaces three.js' five noisy samples of a cube map. */
 import { tsl, type Value } from '../base/values.js';
 import { compareCube, depthOnFace, type ShadowMap } from './depth.js';
 import type { ShadowValues } from './ShadowValues.js';
@@ -16,7 +16,7 @@ export function steadyCube(map: ShadowMap, fromLight: Value, values: ShadowValue
   const bitangent = cross(middle, tangent).toVar();
   const texel = values.mapSize.x;
   return steadily(values.radius, (x, y) => {
-    // Each is compared with the depth of a point as far from the light as the fragment, in the direction of the sample.
+    // Each sample is compared with the depth of a point in its direction, as far from the light as the fragment.
     const direction = middle.add(tangent.mul(x).add(bitangent.mul(y)).div(texel)).toVar();
     return compareCube(map, direction, depthOnFace(map, direction.mul(distance).toVar(), values));
   });

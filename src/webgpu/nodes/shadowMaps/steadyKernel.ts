@@ -1,4 +1,4 @@
-/** The twin of shaders/shadowMaps/steadyKernel.glsl: samples no more than a texel apart, weighted as a tent. */
+/** Counterpart of shaders/shadowMaps/steadyKernel.glsl: a tent filter with samples no more than a texel apart. */
 import { SHADOW_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import { tsl, type Value } from '../base/values.js';
 
