@@ -1,4 +1,4 @@
-// What the pre-pass keeps of one vertex.
+// The deformation pass: writes the pose of one vertex.
 layout(location = 0) out highp vec4 position;
 layout(location = 1) out highp vec4 normal;
 layout(location = 2) out highp vec4 turn;

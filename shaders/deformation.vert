@@ -1,6 +1,6 @@
-// The pre-pass of a mesh that deforms. Drawn with its corners as points: each vertex lands on its texel, at the first of its
-// corners, with the position and normal that three's own chunks give it, and the rotation in its skin. The other corners are dropped.
-// A mesh with an index is drawn by it, and each vertex lands on its texel.
+// The deformation pass draws the corners of a mesh as points. Each vertex is written to its own texel, at the first of its corners:
+// position and normal as three.js' chunks deform them, and the rotation by its skin. The other corners are dropped. A mesh with an index is
+// drawn by vertices.
 
 #include <common>
 #include <morphtarget_pars_vertex>

@@ -1,5 +1,5 @@
-// Light-oriented hatching after Suarez, Belhadj and Boyer, "GPU real time hatching", 2013: the fragment shader stage.
-// What is included as "technique/…", here and in the chunks, comes from the folder of the material's technique.
+// Light-oriented hatching after Suarez, Belhadj and Boyer, "GPU real time hatching", 2013: the fragment shader stage. Includes of
+// "technique/…", here and in chunks, come from the folder of the material's technique.
 #include "conventions"
 #include "smoothNormal"
 #include "strokeLayers"
@@ -9,7 +9,7 @@ uniform vec3 diffuse;
 uniform vec3 emissive;
 uniform float emissiveIntensity;
 uniform float opacity;
-uniform float inked; // 0 where strokes wait for their map, or have none
+uniform float inked; // 0 while strokes have no map
 
 varying vec3 vViewPosition;
 #include "occlusion"
@@ -82,7 +82,7 @@ void main() {
   noteEmphasis();
   PerToneNormal tone = emphasised(shadedTone(material));
   HatchingParameters parameters = readHatchingParameters();
-  // For frames that are made per vertex: those made per fragment know already which lights arrive.
+  // For frames per vertex; frames per fragment depend on the shadows already.
   #ifdef TURNS_IN_SHADOW
     parameters = turnedInShadow(parameters);
   #endif // TURNS_IN_SHADOW

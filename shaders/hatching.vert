@@ -1,5 +1,5 @@
-// Light-oriented hatching after Suarez, Belhadj and Boyer, "GPU real time hatching", 2013: the geometry shader stage.
-// What is included as "technique/…" comes from the folder of the material's technique.
+// Light-oriented hatching after Suarez, Belhadj and Boyer, "GPU real time hatching", 2013: the geometry shader stage. Includes of
+// "technique/…" come from the folder of the material's technique.
 #include "conventions"
 #include "smoothNormal"
 #include "strokeLayers"

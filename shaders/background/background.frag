@@ -1,14 +1,14 @@
-// The field of lines behind a subject, ruled on the sheet: darker behind its lit side, lighter behind its dark one. Each line ends in a
-// place of its own, and thins out towards it.
+// The field of lines behind a subject, ruled on the sheet: darker behind its lit side, lighter behind its dark side. Each line thins out
+// towards an end of its own.
 uniform vec3 ink;
 uniform float opacity;
 uniform float tone;
-uniform float contrast; // how much the light changes the tone
+uniform float contrast; // strength of the light's effect on tone
 uniform float spacing; // pixels
 uniform vec2 direction; // cosine and sine of the angle of the lines
-uniform float extent; // how far the field reaches, by the subject's size on the sheet
-uniform vec4 sheet; // its lower left corner from that of what is drawn to, and its size, pixels
-uniform vec4 subject; // its centre on the sheet and half of its size, pixels
+uniform float extent; // reach of the field, in halves of the subject's size on the sheet
+uniform vec4 sheet; // lower left corner in the render target, and size, pixels
+uniform vec4 subject; // centre on the sheet, and half the size, pixels
 
 varying vec2 vLit;
 
@@ -17,7 +17,7 @@ varying vec2 vLit;
 #include "lineCoverage"
 #include "background/constants"
 
-// A random number in [0, 1) of an end of a line.
+// A hash in [0, 1) of one end of a line.
 float hash01(const in float line, const in float end) {
   uint spread = uint(int(2.0 * line + end)) * GOLDEN_RATIO;
   spread ^= spread >> 15u;
@@ -33,7 +33,7 @@ void main() {
   vec2 bySize = away / subject.zw;
   vec2 bySheet = abs(2.0 * place / sheet.zw - 1.0);
   float way = max(length(bySize) / extent, max(bySheet.x, bySheet.y) / RIM);
-  // The two ends of a line have nothing in common, so in its middle neither counts.
+  // The two ends of a line have unrelated hashes, so near its middle they have no effect.
   float ragged = RAGGED * min(2.0 * abs(along) / (extent * max(subject.z, subject.w)), 1.0);
   float left = 1.0 - smoothstep(1.0 - THINNING, 1.0, way + ragged * (hash01(line, step(0.0, along)) - 0.5));
   float side = clamp(dot(vLit, bySize), -1.0, 1.0);

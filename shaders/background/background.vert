@@ -1,4 +1,4 @@
-// The field of lines behind a subject: a triangle that covers the sheet, as far away as anything can be.
+// The field of lines behind a subject: a triangle that covers the sheet at the far plane.
 #include "conventions"
 
 #include <common>
@@ -7,7 +7,7 @@
 
 uniform vec3 centre; // of the subject, view space
 
-varying vec2 vLit; // towards the light on the sheet, of length 1 where it comes from the side
+varying vec2 vLit; // towards the light on the sheet; of length 1 if it comes from the side
 
 void main() {
   vec3 light = meanLight(centre);

@@ -1,4 +1,4 @@
-// three deforms the vertex, with all that its own materials know.
+// Deforms the vertex with three.js' chunks.
 #include <morphnormal_vertex>
 vec3 morphedNormal = objectNormal;
 #include <skinbase_vertex>

@@ -1,4 +1,4 @@
-// Instances stand in many places, so none is baked for them. Not reading the attribute leaves room for those of instancing.
+// Instances stand in different places, so occlusion is not baked for them. Not reading the attribute leaves room for those of instancing.
 #if defined(USE_INSTANCING) || defined(USE_BATCHING)
   vOcclusion = 0.0;
 #else

@@ -4,10 +4,10 @@
 
 // The darkness of the hatch: of its layers, printed over one another.
 #if LAYERS_BY_LIGHTS
-  // A second layer along the other direction of the tensor takes over as much of the tone as the lights disagree, so that
-  // 1 − (1 − T₁)(1 − T₂) is the tone again.
+  // A second layer along the other axis of the tensor takes over as much of the tone as the lights disagree, so that 1 − (1 − T₁)(1 − T₂)
+  // is the tone again.
   float hatch(const in HatchingParameters h, const in PerToneNormal tone) {
-    // Where nothing stays blank, any share of the tone would fill both layers.
+    // At full tone any share would fill both layers.
     PerToneNormal blank = max(1.0 - tone, 1e-3);
     float share = 0.5 * crossingOf(h);
     float first = hatchLayer(h, 1.0 - pow(blank, PerToneNormal(1.0 - share)));

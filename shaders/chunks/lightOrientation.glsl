@@ -1,25 +1,24 @@
 // The direction from which a surface with normal n is lit, in its tangent plane: B of Algorithm 1.
 //
-// With one light it is exactly the projected direction to the light. Several lights are averaged as directions known
-// up to sign (a structure tensor, i.e. vectors of the doubled angle): lights from opposite sides reinforce each other
-// instead of cancelling, and a light in line with the normal has no say. The sign follows the weighted sum of the
-// lights, which with one light is the sign of the paper.
+// With one light it is the projected direction to the light. Several lights are averaged as axes, by a structure tensor, i.e. vectors of
+// the doubled angle: lights from opposite sides reinforce each other, and a light along the normal has no effect. The sign is that of the
+// weighted sum of the lights, which with one light is the sign of the paper.
 //
-// `crossing` ∈ [0, 1] is how far the lights disagree: 1 − A of the tensor, 0 where they lie in one line, 1 where no
+// `crossing` ∈ [0, 1] is the disagreement of the lights: 1 minus the anisotropy of the tensor, 0 where they are collinear, 1 where no
 // direction prevails.
 
 #include "lightLuminance"
 
-// A vector perpendicular to n, not of unit length, and never short.
+// A vector perpendicular to n, neither of unit length nor close to zero.
 vec3 anyTangent(const in vec3 n) {
   return abs(n.x) > abs(n.z) ? vec3(-n.y, n.x, 0.0) : vec3(0.0, -n.z, n.y);
 }
 
-// Below this squared sine of the angle between light and normal, the light gives no direction.
+// Squared sine of the angle between light and normal below which a light gives no direction.
 #define PARALLEL_SQUARED_SINE 1e-8
 
-// Where a light is known not to arrive, strokes take another direction, across it. Its pole lies elsewhere than that of the
-// light, so no whirl of strokes is left in the shadow.
+// In the shadow of a light strokes run across it. That direction has its pole elsewhere, so that no singularity of strokes shows in the
+// shadow.
 #ifdef REORIENTS_IN_SHADOW
   // toLight: unit, view space, as the result is.
   vec3 acrossLight(const in vec3 toLight) {
@@ -41,8 +40,8 @@ vec3 anyTangent(const in vec3 n) {
 
 #if LIGHTS_WITH_DIRECTION == 1
 
-// Algorithm 1 as it stands. n: unit normal, object space. viewPosition: where the direction to a positional light is
-// taken, view space. viewToObject: linear part of the inverse of the model-view matrix.
+// Algorithm 1 for one light, as in the paper. n: unit normal, object space. viewPosition: the point, view space, from which the direction
+// to a positional light is taken. viewToObject: linear part of the inverse of the model-view matrix.
 vec3 lightBitangent(
   const in vec3 n, const in vec3 viewPosition, const in mat3 viewToObject, out float crossing
 ) {
@@ -69,9 +68,9 @@ struct LightOrientation {
   float weight; // Σ w
 };
 
-// What a light weighs where it does not reach: a cone or a terminator must not leave strokes without a direction.
+// Weight of a light where it does not reach, so that strokes keep a direction beyond a cone or a terminator.
 #define UNLIT_WEIGHT 1e-4
-// The cosine by which a light still counts beyond its terminator, so that strokes do not lose their direction right there.
+// Cosine down to which a light counts beyond its terminator, so that strokes keep their direction there.
 #define BEHIND_TERMINATOR 0.05
 
 void addLight(inout LightOrientation o, const in vec3 toLight, const in vec3 arriving, const in vec3 emitted) {
@@ -85,7 +84,7 @@ void addLight(inout LightOrientation o, const in vec3 toLight, const in vec3 arr
   o.weight += w;
 }
 
-// The same with several lights, or none.
+// The same for several lights, or none.
 vec3 lightBitangent(
   const in vec3 n, const in vec3 viewPosition, const in mat3 viewToObject, out float crossing
 ) {
@@ -102,17 +101,17 @@ vec3 lightBitangent(
   #define VISIT_LIGHT(source, number) TURN_IN_SHADOW(number, light); addLight(o, viewToObject * light.direction, light.color, source.color);
   #include "eachLight"
   #if LIGHTS_WITH_DIRECTION == 0
-    // A sky alone still has an up; beside a real light it is only fill.
+    // A hemisphere light gives a direction only if there is no other light.
     #define VISIT_LIGHT(source, number) addLight(o, viewToObject * source.direction, source.skyColor, source.skyColor);
     #include "eachSky"
   #endif // LIGHTS_WITH_DIRECTION
 
   float amplitude = length(o.tensor);
-  // Lights in line with the normal say nothing, so they do not disagree either.
+  // Lights along the normal give no direction, so they do not disagree.
   crossing = o.extent > PARALLEL_SQUARED_SINE * o.weight ? max(1.0 - amplitude / o.extent, 0.0) : 0.0;
   if (!(amplitude > PARALLEL_SQUARED_SINE * o.weight)) return o.e1;
 
-  // Half of the doubled angle without trigonometry, from the side on which nothing cancels.
+  // Half of the doubled angle without trigonometry, from the side without cancellation.
   vec2 b = o.tensor.x >= 0.0
     ? vec2(amplitude + o.tensor.x, o.tensor.y)
     : vec2(o.tensor.y, amplitude - o.tensor.x);

@@ -1,4 +1,4 @@
-// The texture coordinates of each channel that maps go by, whatever their number; three.js has a varying for each map.
+// Texture coordinates by channel, one varying for all maps of a channel; three.js has one varying per map.
 #if defined(USE_UV) || defined(USE_UV0)
   varying vec2 vUv;
 #endif // USE_UV

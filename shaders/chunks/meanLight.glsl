@@ -1,6 +1,6 @@
 #include "lightLuminance"
 
-// The direction that the light comes from at a point in view space: the mean of all lights by their luminance, not of unit length.
+// The direction from which light comes at a point in view space: the mean of all lights, weighted by luminance; not of unit length.
 vec3 meanLight(const in vec3 viewPosition) {
   vec3 sum = vec3(0.0);
   IncidentLight light;

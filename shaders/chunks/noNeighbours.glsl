@@ -1,4 +1,4 @@
-// For debugViews, where nothing is blended with neighbours.
+// Weights of neighbours for debug views of techniques that do not blend.
 vec3 neighbourWeights(const in HatchingParameters h) {
   return vec3(0.0);
 }

@@ -8,6 +8,6 @@ mat4 objectToView = modelViewMatrix;
   #endif // USE_INSTANCING
   mat3 viewToObject = inverse(mat3(objectToView)); // linear part
 #else
-  // three's normalMatrix is the transpose of the inverse, and the same for all vertices.
+  // three.js' normalMatrix is the inverse transpose, the same for all vertices.
   mat3 viewToObject = transpose(normalMatrix);
 #endif // USE_INSTANCING

@@ -1,2 +1,2 @@
-// Ambient occlusion as it was baked: 0 where a surface sees the whole sky, 1 where it sees none of it. src/scene/bakeOcclusion.ts
+// Baked ambient occlusion: 0 where a surface sees the whole sky, 1 where it sees none of it (src/scene/bakeOcclusion.ts).
 varying float vOcclusion;

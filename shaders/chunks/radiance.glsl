@@ -1,5 +1,5 @@
-// R: the radiance that a white surface shows under the scene's lights, for each of its tone normals.
-// three's own <lights_fragment_begin> walks the lights and calls RE_Direct with each, shadows included.
+// R: the radiance of a white surface under the scene's lights, for each of its tone normals. three.js' <lights_fragment_begin> loops over
+// the lights and calls RE_Direct with each, shadows included.
 #include "environment"
 
 uniform float shininess;
@@ -7,17 +7,17 @@ uniform float reflectedLight; // share of each light that the surroundings refle
 
 struct HatchingSurface {
   vec3 smoothNormal; // unit, view space
-  ToneNormals normals; // the same
+  ToneNormals normals; // unit, view space
   PerToneNormal radiance;
-  PerToneNormal shadowed; // what shadows have taken of it, where TELLS_SHADOWS
-  float darkness; // of its own colour, as far as that becomes tone
-  float plane; // 1 where it is plane, 0 where it is round
+  PerToneNormal shadowed; // radiance that shadows take, where TELLS_SHADOWS
+  float darkness; // darkness of its own colour, as far as it becomes tone
+  float plane; // 1 on plane surfaces, 0 on round ones
 };
 
-// A surface is plane where its normal changes by less than 2e-5 from one pixel to the next, and round from 1e-4 on.
+// 1 where the normal changes by less than 2e-5 from one pixel to the next, 0 from 1e-4 on.
 float planeness(const in vec3 smoothNormal) {
   #if TONE_MODEL == TONE_MODEL_SHADOW
-    return 0.0; // The tone of a shadow is that of the light it takes.
+    return 0.0; // The tone of a dissolving shadow is the share of the light that it takes.
   #else
     return 1.0 - smoothstep(2e-5, 1e-4, length(fwidth(smoothNormal)));
   #endif // TONE_MODEL
@@ -30,14 +30,14 @@ float cosines(const in vec3 direction, const in vec3 normal) {
 void addDirectRadiance(const in IncidentLight light, const in vec3 toViewer, inout HatchingSurface surface) {
   PerToneNormal cosine = cosines(light.direction, surface.normals);
   #if TONE_MODEL == TONE_MODEL_HALF_LAMBERT
-    // The terminator moves from 90° to 180°: nothing is lost in flat black.
+    // Half Lambert: the terminator moves from 90° to 180°, so that nothing is lost in flat black.
     PerToneNormal halfway = 0.5 * cosine + 0.5;
     PerToneNormal response = halfway * halfway;
   #else
     PerToneNormal response = max(cosine, 0.0);
   #endif // TONE_MODEL
   #if TONE_MODEL == TONE_MODEL_PHONG
-    // R·V of Phong's model, where R is the light mirrored at the normal.
+    // R·V of Phong's model; R is the light direction mirrored at the normal.
     PerToneNormal mirrored =
       2.0 * cosine * cosines(toViewer, surface.normals) - dot(light.direction, toViewer);
     response += step(0.0, cosine) * pow(max(mirrored, 1e-6), PerToneNormal(shininess));
@@ -62,7 +62,7 @@ void addDirectRadiance(const in IncidentLight light, const in vec3 toViewer, ino
   #endif // TELLS_SHADOWS
   surface.radiance += arriving;
 }
-// three also passes what only its own materials need. One argument is named reflectedLight, and does not exist here.
+// three.js also passes arguments for its own materials. One is named reflectedLight, and does not exist here.
 #define RE_Direct(light, at, normal, toViewer, clearcoat, surface, sum) addDirectRadiance(light, toViewer, surface)
 
 void occludeLights(inout HatchingSurface surface) {
@@ -95,8 +95,9 @@ void addIndirectRadiance(inout HatchingSurface surface) {
   surface.radiance += openToSky() * radiance;
 }
 
-// What the surroundings reflect of one light: they act as a sky of that light on the opposite side, so shade is
-// darkest at the terminator and opens up behind it (an engraver's reflected light). Planes that face one side of the light get more of it.
+// Adds the light of one source that the surroundings reflect. They act as a sky of that light on the opposite side, so that shade is
+// darkest at the terminator and opens up behind it (an engraver's reflected light). Planes get more of it on the side that they turn to the
+// light.
 void addReflection(const in vec3 toLight, const in vec3 color, inout HatchingSurface surface) {
   PerToneNormal seen = 0.5 - 0.5 * cosines(toLight, surface.normals);
   if (surface.plane > 0.0) {
@@ -106,7 +107,7 @@ void addReflection(const in vec3 toLight, const in vec3 color, inout HatchingSur
   surface.radiance += openToSky() * reflectedLight * luminance(color) * RECIPROCAL_PI * seen;
 }
 
-// The same of a light at a place: its cone and its shadow do not count.
+// The same for a positional light, regardless of its cone and its shadow.
 void addReflection(
   const in vec3 toLight, const in vec3 color, const in float range, const in float decay, inout HatchingSurface surface
 ) {

@@ -1,12 +1,11 @@
-// The end of a function that tells of a shadow at a point: how much light passes, and how much of the tone is left.
+// The end of a function that returns the light that passes to a point, and the share of its shadow's tone that is left.
 //
-// PLACE(distance): where the ray to the middle of the lamp is at a distance, as the map has it, and `across` how it changes to either side.
-// DEPTH(distance): the depth there. PASSES(place, depth): how much passes what lies beyond a depth, where the map shows a place.
+// PLACE(distance): the position on the map of the point at a distance along the central ray, whose derivatives to both sides are `across`.
+// DEPTH(distance): the depth of that point. PASSES(place, depth): the light that passes a depth at a position on the map.
 //
-// A sampler that compares does not tell the depth of what casts a shadow, only whether that lies before a depth. So the map is asked at
-// rings around the point, from narrow to wide: they lie within a cone whose top is the point and whose base is the lamp, or somewhat
-// outside of it. Where one of them is dark, the distance of what casts the shadow is found by halving. As wide as the cone is there, so
-// wide is the soft edge.
+// A comparison sampler only tells whether an occluder lies before a depth. So the map is sampled at rings around the point, from narrow to
+// wide, within a cone from the point to the lamp or somewhat beyond. Where one is dark, bisection finds the distance of the occluder, and
+// the width of the cone there is that of the soft edge.
 float opening = 0.5 * shadowSoftness;
 float texel = rays.width / texels;
 float lift = LIFT * texel;
@@ -15,7 +14,7 @@ MAP_PLACE darkPlace = PLACE(0.0);
 float middle = PASSES(darkPlace, DEPTH(lift));
 float darkest = middle;
 float lit = middle;
-// Distances are found up to that of the lamp; a cone to a lamp opens on the map the faster the nearer it comes.
+// Occluders lie no farther away than the lamp. Near a lamp the cone widens fast on the map.
 float farthest = min(rays.farthest, TOWARDS_LAMP / max(rays.nearing, 1e-6));
 float opened = farthest / (1.0 - rays.nearing * farthest) / 27.0;
 vec2 way = vec2(1.0, 0.0);
@@ -45,16 +44,16 @@ for (int i = 0; i < HALVINGS; i++) {
   if (PASSES(darkPlace, DEPTH(max(caster + span, lift))) < most) caster += span;
   span *= 0.5;
 }
-// The last step is never taken: what lies as far as is looked for has dissolved.
+// The last step is never taken: at the greatest distance the shadow has dissolved.
 float left = max(1.0 - shadowFade * caster / (rays.width * (1.0 - LAST_STEP)), 0.0);
 if (lit < 1e-3 || left == 0.0 || shadowSoftness == 0.0) return vec2(min(lit, 1.0), left);
-// Places all over the cone, as seeds lie in a flower, the outermost first. What lies nearer than the caster hides the lamp too.
+// Samples all over the cone in a sunflower pattern, outermost first. Occluders nearer than the one found hide the lamp too.
 caster += span;
 float edge = max(opening * caster, thinnest);
 MAP_PLACE centre = PLACE(caster);
 float open = 0.0;
 for (int i = 0; i < EDGE_SAMPLES; i++) {
-  // There is no edge if the rim is as dark as the middle.
+  // A rim as dark as the middle means no edge.
   if (i == RIM_SAMPLES && open + middle < 1e-3) return vec2(0.0, left);
   float outward = sqrt((float(EDGE_SAMPLES - i) - 0.5) / float(EDGE_SAMPLES));
   open += PASSES(centre + across * (edge * outward * way), DEPTH(max(WITHIN * outward * caster, lift)));

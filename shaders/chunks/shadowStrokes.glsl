@@ -1,13 +1,13 @@
-// What shadows do to the drawing, beside darkening it.
+// Strokes in shadows.
 #if defined(TELLS_SHADOWS) && SHADOW_STROKES != SHADOW_STROKES_TONE
   #include "technique/shadowStrokes"
 #endif // TELLS_SHADOWS
 
 float hatchInShadow(const in HatchingParameters h, const in PerToneNormal tone, const in HatchingSurface surface) {
-  // Dots cannot cross one another, and two sets of them would clot.
+  // Dots cannot cross one another: two sets of them would clump.
   #if defined(TELLS_SHADOWS) && SHADOW_STROKES == SHADOW_STROKES_CROSS && MEDIUM != MEDIUM_STIPPLE
-    // The strokes of the light run on through the shadow. It lies over them as a layer of its own, which adds what the tone
-    // lacks: 1 − (1 − T)/(1 − T_unshadowed).
+    // The strokes of the light run on through the shadow, which is a layer over them that adds what the tone lacks: 1 − (1 − T)/(1 −
+    // T_unshadowed).
     PerToneNormal unshadowed = emphasised(unshadowedTone(surface));
     return 1.0 - (1.0 - hatch(h, unshadowed)) * (1.0 - shadowLayer(h, leftOf(tone, unshadowed)));
   #else

@@ -1,38 +1,39 @@
-// Shadows alone: their edges widen, and their tone dissolves, with the distance from what casts them.
+// Shadows whose edges widen and whose tone dissolves with the distance from the occluder.
 #if defined(TELLS_SHADOWS) && TONE_MODEL == TONE_MODEL_SHADOW
   #define DISSOLVES_SHADOWS
 
-  uniform float shadowTone; // printed by a full shadow where it touches what casts it
-  uniform float shadowFade; // share of the tone that is lost over the width that a shadow map covers
-  uniform float shadowSoftness; // width of the edge, as a share of the distance from what casts it
+  uniform float shadowTone; // tone of a full shadow where it touches its occluder
+  uniform float shadowFade; // share of the tone that is lost over the width of the shadow map
+  uniform float shadowSoftness; // width of the edge, as a share of the distance from the occluder
 
   #include "shadowMatrices"
   #include "shadowDepth"
 
-  // The steps in which the distance is found: so many that no bands show.
+  // Steps of the bisection, enough to show no bands.
   #define HALVINGS 6
   #define LAST_STEP (1.0 / 64.0)
-  // Rays are taken up at this share of their length, where a surface that leans to the light does not meet them.
+  // Rays begin at this share of their length, so that a surface at a grazing angle does not hit itself.
   #define WITHIN 0.25
 
-  // Of each light, by its number: how much of it passes, below 0 where three's function has to tell, and what is left of the tone.
+  // By the number of the light: the light that passes, below 0 where three.js' function is to be used; and the share of the tone that is
+  // left.
   float passing[LIGHTS_WITH_DIRECTION];
   float toneLeft[LIGHTS_WITH_DIRECTION];
-  // What shadows take of all lights, and how much of that has dissolved.
+  // Luminance that shadows take, and the part of it that has dissolved.
   float shadowTaken = 0.0;
   float shadowLost = 0.0;
 
-  // How much of the tone of all shadows is left.
+  // The share of the tone of all shadows that is left.
   float shadowLeft() {
     return shadowTaken > 0.0 ? 1.0 - shadowLost / shadowTaken : 1.0;
   }
 
-  // Rays from a point to places on a lamp.
+  // Rays from a point to samples on a lamp.
   struct Rays {
-    float farthest; // distance at which what casts a shadow is looked for, in world units
-    float width; // that the map covers at the point
-    float nearing; // one over the distance of a lamp, 0 for a sun
-    vec3 side; // across the light, unit; and so is `up`
+    float farthest; // greatest distance of an occluder, world units
+    float width; // width of the map at the point
+    float nearing; // reciprocal of the distance of a lamp, 0 for a directional light
+    vec3 side; // unit vector across the light, as is `up`
     vec3 up;
   };
 
@@ -41,14 +42,15 @@
     return Rays(width / max(shadowFade, 1.0 / FARTHEST_CASTER), width, 0.0, side, cross(toLight, side));
   }
 
-  // matrix: from the world to the map. point: world space. toLight: unit, the same. Gives what passes, and what is left.
+  // matrix: from world to map. point: world space. toLight: unit, world space. Returns the light that passes and the share of the tone that
+  // is left.
   vec2 flatShadow(
     FLAT_SHADOW_MAP map, const in mat4 matrix, const in vec3 point, const in vec3 toLight, const in float bias, const in float radius,
     const in float texels
   ) {
     vec4 at = matrix * vec4(point, 1.0);
     if (at.w <= 0.0 || any(greaterThan(abs(at.xyz / at.w - 0.5), vec3(0.5)))) return vec2(1.0);
-    // What the map covers across the light is as wide, at this distance, as at.w over the length of this.
+    // The width of the map across the light at this distance is at.w divided by the length of this vector.
     vec4 row = vec4(matrix[0][0], matrix[1][0], matrix[2][0], 0.0);
     vec4 lastRow = vec4(matrix[0][3], matrix[1][3], matrix[2][3], 0.0);
     Rays rays = raysTo(toLight, at.w / length(row - 0.5 * lastRow));
@@ -63,7 +65,7 @@
   }
 
   #ifdef CUBE_SHADOW_MAP
-    // fromLight: to the point, world space. range: of the shadow's camera, near and far.
+    // fromLight: vector to the point, world space. range: near and far of the shadow camera.
     vec2 cubeShadow(
       CUBE_SHADOW_MAP map, const in vec3 fromLight, const in vec2 range, const in float bias, const in float radius, const in float texels
     ) {
@@ -81,7 +83,7 @@
     }
   #endif // CUBE_SHADOW_MAP
 
-  // viewPosition: of the point, view space. Before three's chunk walks over the lights.
+  // viewPosition: of the point, view space. To be called before three.js' chunk loops over the lights.
   void readSoftShadows(const in vec3 viewPosition) {
     for (int i = 0; i < LIGHTS_WITH_DIRECTION; i++) {
       passing[i] = -1.0;

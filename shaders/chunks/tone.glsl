@@ -2,9 +2,9 @@
 #include "toneCurve"
 
 uniform float toneSteps;
-uniform vec2 toneEnds; // the tones that are printed where all light arrives, and where none does
-uniform vec2 exposure; // what radiance is multiplied by, and what is added (src/material/exposure)
-// The ramp that tone is multiplied by, so that highlights stay blank paper: its slope, and its height at tone 0.
+uniform vec2 toneEnds; // tones at full light and at none
+uniform vec2 exposure; // factor on radiance, and offset (src/material/exposure)
+// The ramp that tone is multiplied by, so that highlights stay blank: its slope, and its value at tone 0.
 uniform vec2 highlightRamp;
 
 PerToneNormal highlightKept(const in PerToneNormal tone) {
@@ -17,7 +17,7 @@ PerToneNormal toneFromRadiance(const in PerToneNormal radiance) {
     float last = max(toneSteps - 1.0, 1.0);
     tone = floor(tone * last + 0.5) / last;
   #endif // TONE_MODEL
-  // A curve of points may leave the range by a rounding error; what follows takes roots of tone and of 1 − tone.
+  // Rounding may take a curve out of the range, and roots of tone and of 1 − tone follow.
   return highlightKept(clamp(curvedTone(tone), 0.0, 1.0));
 }
 
@@ -25,24 +25,24 @@ PerToneNormal exposed(const in PerToneNormal radiance) {
   return exposure.x * radiance + exposure.y;
 }
 
-// A dark colour brings the tone nearer to that of no light at all: with dark ink, it is printed over it.
+// A dark colour brings the tone towards that of no light, as if printed over it with dark ink.
 PerToneNormal darkenedByColor(const in PerToneNormal tone, const in HatchingSurface surface) {
   return mix(tone, PerToneNormal(toneEnds.y), surface.darkness);
 }
 
-// Hollows go beyond the tone of no light, where some paper shows: to the darkest image, or for chalk to bare paper.
+// Hollows go beyond the tone of no light, which leaves some paper: to full ink, or with light ink to bare paper.
 PerToneNormal deepened(const in PerToneNormal tone) {
   return mix(tone, PerToneNormal(step(toneEnds.x, toneEnds.y)), hollowness());
 }
 
-// The tone that the light of the surface prints, shadows included.
+// The tone of a lit surface, shadows included.
 PerToneNormal shadedTone(const in HatchingSurface surface) {
   #if TONE_MODEL == TONE_MODEL_SHADOW
-    // Light ink draws the lights: its shadows are blank, soft edges too.
+    // Light ink draws the lights: it leaves shadows blank, soft edges too.
     if (toneEnds.y <= toneEnds.x) return PerToneNormal(0.0);
-    // The share of the light that arrives. Where there is none that shadows could take, nothing is printed.
+    // The share of the light that arrives. Without any light that a shadow could take, nothing is printed.
     PerToneNormal arriving = (surface.radiance + NO_LIGHT) / (surface.radiance + surface.shadowed + NO_LIGHT);
-    // Nor where all of it arrives, whatever a curve makes of blank paper.
+    // Where all of it arrives nothing is printed either, whatever tone the curve gives to full light.
     PerToneNormal tone = max(toneFromRadiance(arriving) - arriving * toneEnds.x, 0.0);
     #ifdef DISSOLVES_SHADOWS
       tone *= shadowTone * shadowLeft();
@@ -53,7 +53,7 @@ PerToneNormal shadedTone(const in HatchingSurface surface) {
   #endif // TONE_MODEL
 }
 
-// The tone that it would print if nothing cast shadows.
+// The tone of the same surface without shadows.
 PerToneNormal unshadowedTone(const in HatchingSurface surface) {
   #if TONE_MODEL == TONE_MODEL_SHADOW
     return PerToneNormal(0.0);

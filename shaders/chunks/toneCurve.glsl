@@ -1,15 +1,14 @@
-// From the tone of the light to the tone that is printed.
+// From the tone of the light to the printed tone.
 #if TONE_CURVE == TONE_CURVE_POINTS
-  // A monotone cubic spline, as a start and what each span adds (src/material/fitToneCurve.ts). Spans that are not in use
-  // add nothing.
+  // A monotone cubic spline: a start value, and the rise over each span (src/material/fitToneCurve.ts). Unused spans add nothing.
   uniform float toneCurveStart;
-  uniform vec2 toneCurveSpans[TONE_CURVE_SPANS]; // where the span begins, and 1 / its width
+  uniform vec2 toneCurveSpans[TONE_CURVE_SPANS]; // start of the span, and 1 / its width
   uniform vec3 toneCurveCubics[TONE_CURVE_SPANS]; // coefficients of t, t², t³
 #endif // TONE_CURVE
 
 PerToneNormal curvedTone(const in PerToneNormal tone) {
   #if TONE_CURVE == TONE_CURVE_PERCEPTUAL
-    // Half the paper is covered where the light looks half as light as white.
+    // Half of the paper is covered at half the lightness of white.
     return 1.0 - lightness(1.0 - tone);
   #elif TONE_CURVE == TONE_CURVE_POINTS
     PerToneNormal curved = PerToneNormal(toneCurveStart);

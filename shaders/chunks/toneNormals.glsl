@@ -1,8 +1,7 @@
-// N_t, which tone is computed from: the normals of the faces as the technique knows them, perhaps several at once, or one
-// smooth normal. The chunks that follow work with either.
+// N_t, the normal that tone is computed from: face normals, several at once in some techniques, or one smooth normal.
 #include "technique/faceNormals"
 
-// 1 where the front of the triangle is seen, −1 where its back is.
+// 1 on front faces, −1 on back faces.
 float seenSide(const in float faceDirection) {
   #ifdef DOUBLE_SIDED
     return faceDirection;
@@ -13,7 +12,7 @@ float seenSide(const in float faceDirection) {
   #endif // DOUBLE_SIDED
 }
 
-// View space, turned towards the side that is seen. three has turned smoothNormal.
+// View space, facing the viewer. three.js has turned smoothNormal already.
 #if TONE_NORMAL == TONE_NORMAL_SMOOTH
   #define ToneNormals vec3
   #define PerToneNormal float

@@ -1,6 +1,6 @@
-// Before 0.187 three.js blurs an environment into an atlas of cubes. At a roughness of 1 it holds the irradiance over π.
+// Before 0.187 three.js blurs an environment into an atlas of cube maps. At a roughness of 1 it holds the irradiance over π.
 uniform sampler2D environment;
-uniform vec3 environmentAtlas; // width and height of a texel, and the number of the finest level
+uniform vec3 environmentAtlas; // width and height of a texel, and index of the finest level
 
 #define ENVMAP_TYPE_CUBE_UV
 #define CUBEUV_TEXEL_WIDTH environmentAtlas.x

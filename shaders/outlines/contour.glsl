@@ -1,15 +1,15 @@
 // The contour of a smooth surface: the zero set of n·v, linear over a triangle (Hertzmann and Zorin, "Illustrating smooth
 // surfaces", 2000).
 uniform float contours; // weight
-uniform float taper; // curvature times the bounding radius from which on the outline is as wide as asked
+uniform float taper; // curvature times the bounding radius above which the outline has its full width
 
-// A contour is seen where the surface bends away from the eye. It ends in a cusp, where that bend is 0 (Koenderink), and the
-// pen lifts there.
+// The taper of a contour: it is visible where the surface bends away from the eye, and ends in a cusp where that curvature is 0
+// (Koenderink).
 float taperAt(const in float bend) {
   return taper > 0.0 ? smoothstep(0.0, taper, bend) : step(0.0, bend);
 }
 
-// The two points at which `values` is 0 on the edges of a triangle; false if it has one sign.
+// The two points on the edges of a triangle at which `values` is 0; false if it has one sign.
 bool zeroSet(
   const in OutlinePoint a, const in OutlinePoint b, const in OutlinePoint c, const in vec3 values, out PieceEnd start, out PieceEnd end
 ) {
@@ -17,7 +17,7 @@ bool zeroSet(
   end = noEnd();
   bvec3 positive = greaterThanEqual(values, vec3(0.0));
   if (all(positive) || !any(positive)) return false;
-  // The corner whose sign is its own, and the next two.
+  // From the corner with the lone sign to the next two.
   if (positive.y == positive.z) {
     start = endBetween(a, b, values.x / (values.x - values.y));
     end = endBetween(a, c, values.x / (values.x - values.z));

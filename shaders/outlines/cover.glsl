@@ -1,10 +1,10 @@
-// From a piece of outline to the triangle on the screen that covers it.
-uniform float objectScale; // view units per object unit: the mean over directions
+// The screen triangle that covers a piece of outline.
+uniform float objectScale; // view units per object unit, the mean over directions
 #ifdef WOBBLE
   uniform float wobble; // pixels
 #endif // WOBBLE
 
-// Room for the edge that fades out, in pixels.
+// Margin for the antialiased edge, pixels.
 #define FRINGE 1.0
 
 void clearVaryings() {
@@ -25,7 +25,7 @@ void clearVaryings() {
   #endif // WOBBLE
 }
 
-// View units to a pixel at a point.
+// View units per pixel at a point.
 float unitsToPixel(const in vec3 position) {
   float away = isOrthographic ? 1.0 : max(-position.z, nearDistance);
   return 2.0 * away / (abs(projectionMatrix[1][1]) * viewport.w);
@@ -35,10 +35,10 @@ vec2 pixelOf(const in vec4 clip) {
   return viewport.xy + (0.5 * clip.xy / clip.w + 0.5) * viewport.zw;
 }
 
-// Just behind the near plane, as a factor on its distance.
+// A factor on the near distance: just behind the near plane.
 #define BEHIND_NEAR 1.0001
 
-// Moves an end that lies before the near plane onto it, along the piece.
+// Clips an end to the near plane, along the piece.
 void cutAt(const in float z, inout vec3 place, inout PieceEnd cut, const in vec3 otherPlace, const in PieceEnd other) {
   float t = (z - place.z) / (otherPlace.z - place.z);
   place = mix(place, otherPlace, t);
@@ -63,7 +63,7 @@ void coverPiece(const in Piece piece, const in int corner) {
   vec3 start = (objectToView() * vec4(from.position, 1.0)).xyz;
   vec3 end = (objectToView() * vec4(to.position, 1.0)).xyz;
 
-  // What lies before the near plane has no place on the screen.
+  // Points before the near plane cannot be projected.
   if (!isOrthographic) {
     float z = -BEHIND_NEAR * nearDistance;
     if (min(start.z, end.z) > z) return;
@@ -104,7 +104,7 @@ void coverPiece(const in Piece piece, const in int corner) {
   #endif // HIDDEN
   if (hasSceneDepth && size < SHORT) {
     Spine spine = Spine(a, along, size);
-    // What is not seen at all is not drawn either, though fragments would find out; or what is, if the hidden is drawn.
+    // Wholly hidden pieces are skipped, though fragments would test them too; for hidden outlines, wholly visible ones.
     bvec3 seen = bvec3(isSeen(spine, a), isSeen(spine, middle), isSeen(spine, b));
     #ifdef HIDDEN
       if (all(seen)) return;
@@ -123,7 +123,7 @@ void coverPiece(const in Piece piece, const in int corner) {
     vAnchorStart = from.anchor;
     vAnchorEnd = to.anchor;
   #endif // WOBBLE
-  // A right triangle that covers the rectangle around the capsule: its right angle lies at a corner, and its legs are twice the sides.
+  // A right triangle around the bounding rectangle of the capsule: its right angle lies at a corner, and its legs are twice the sides.
   float reachAlong = 0.5 * size + reach + max(from.overshoot, to.overshoot);
   vec2 local = corner == 0 ? vec2(-reachAlong, -reach) : corner == 1 ? vec2(3.0 * reachAlong, -reach) : vec2(-reachAlong, 3.0 * reach);
   vec2 pixel = middle + local.x * along + local.y * vec2(-along.y, along.x);

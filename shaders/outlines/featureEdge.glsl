@@ -1,15 +1,15 @@
-// Borders, creases and edges between materials; and the contour where it runs along an edge, since the normals on its two
-// sides differ. So contours are closed curves across creases.
+// Borders, creases and edges between materials; and contours along edges whose sides have different normals, so that contours are closed
+// curves across creases.
 uniform float borders; // weights
 uniform float creases;
 uniform float materialBorders;
 uniform float overshoot; // pixels
 
-// The part of the edge, as t from start to end, on which one side faces the eye and the other does not. false if there is none.
+// The part of the edge, as t from start to end, where one side faces the eye and the other does not. false if there is none.
 bool contourAlong(const in vec2 left, const in vec2 right, out vec2 part) {
   bool startsOn = left.x * right.x < 0.0;
   bool endsOn = left.y * right.y < 0.0;
-  // Where either side turns away; outside of [0, 1] where it never does.
+  // The t at which a side turns away; outside [0, 1] if it never does.
   float leftTurn = left.x * left.y < 0.0 ? left.x / (left.x - left.y) : -1.0;
   float rightTurn = right.x * right.y < 0.0 ? right.x / (right.x - right.y) : -1.0;
   part = vec2(0.0, 1.0);
@@ -22,7 +22,7 @@ bool contourAlong(const in vec2 left, const in vec2 right, out vec2 part) {
   return part.x < part.y;
 }
 
-// The normal of the side that is seen.
+// The normal of the visible side.
 vec3 seenNormal(const in OutlinePoint left, const in OutlinePoint right, const in float sign) {
   if (left.facing > 0.0 && sign * right.facing > 0.0) return left.normal + sign * right.normal;
   if (left.facing > 0.0) return left.normal;
@@ -34,7 +34,7 @@ Piece featureEdge(
   const in uint flags, const in OutlinePoint leftStart, const in OutlinePoint leftEnd,
   const in OutlinePoint rightStart, const in OutlinePoint rightEnd
 ) {
-  // Where the windings contradict each other, the right side's normals look the other way.
+  // With contrary windings the normals of the right side point inwards.
   float sign = (flags & EDGE_CONTRARY) != 0u ? -1.0 : 1.0;
   vec2 left = vec2(leftStart.facing, leftEnd.facing);
   vec2 right = sign * vec2(rightStart.facing, rightEnd.facing);
@@ -46,14 +46,14 @@ Piece featureEdge(
   if ((flags & EDGE_MATERIAL_BORDER) != 0u) whole = max(whole, materialBorders);
   bool isBorder = (flags & EDGE_BORDER) != 0u;
   #ifndef HIDDEN
-    // Creases that look away on either side cannot be seen; borders show their backs.
+    // A crease is invisible if both sides face away; borders show from behind.
     if (!isBorder && max(max(left.x, left.y), max(right.x, right.y)) <= 0.0) return piece;
   #endif // HIDDEN
 
   vec2 part;
   bool hasContour = !isBorder && contourAlong(left, right, part);
   if (isBorder || whole > 0.0) {
-    // Drawn from end to end, as wide as the contour where it is one.
+    // The whole edge is drawn, as wide as the contour where it is one.
     vec2 isContour = vec2(lessThan(left * right, vec2(0.0)));
     vec2 ofContour = isBorder ? vec2(borders) : contours * isContour;
     piece.contour = isBorder ? 1.0 : 0.5 * (isContour.x + isContour.y);

@@ -1,12 +1,12 @@
-// Which outlines are seen, and how much they weigh by what lies behind them. A piece of outline is judged at its spine, the place
-// on it that is nearest to a pixel ("Two fast methods for high-quality line visibility", Cole and Finkelstein, 2010), so that an
-// outline is seen over its whole width or not at all.
+// Which outlines are visible, and their weight by what lies behind them. Tests are made at the spine, at the point nearest to a pixel ("Two
+// fast methods for high-quality line visibility", Cole and Finkelstein, 2010), so that an outline is visible over its whole width or not at
+// all.
 uniform float outlineWidth; // pixels
-uniform float accents; // how much heavier an outline becomes where it passes before another
-uniform bool isDrawnBefore; // whether surfaces that lie nearer do not hide it
-uniform bool isCutOut; // whether parts of its surface are not drawn
+uniform float accents; // factor on the width where an outline passes before another, minus 1
+uniform bool isDrawnBefore; // whether nearer surfaces do not hide the outline
+uniform bool isCutOut; // whether parts of the surface are cut out
 
-// Pieces that are no longer than this are judged at their ends, for fragments to share, and others in each fragment, pixels.
+// Longest piece, in pixels, that is tested at its ends; longer ones are tested per fragment.
 #define SHORT 16.0
 
 struct Spine {
@@ -15,19 +15,18 @@ struct Spine {
   float size; // pixels
 };
 
-// Of a place between the ends on the screen the place between them in space: of an outline that runs away from the eye, the
-// nearer half takes more of the screen.
+// Perspective-correct interpolation along a line: the share in space at a share on the screen.
 float alongLine(const in float t) {
   return isOrthographic ? t : t * vStart.z / mix(vEnd.z, vStart.z, t);
 }
 
 float spineDepth(const in Spine spine, const in vec2 pixel) {
-  // A little further than the ends: so far from them, texels may lie.
+  // A little beyond the ends, where the texels of their pixels may lie.
   float t = clamp(dot(pixel - spine.start, spine.along) / max(spine.size, 1e-3), -0.25, 1.25);
   return mix(-vStart.z, -vEnd.z, alongLine(t));
 }
 
-// How far behind the outline that surface lies which is seen in a pixel.
+// The distance from the outline back to the surface that is visible in a pixel.
 float gapAt(const in Spine spine, const in vec2 pixel) {
   vec2 texel = floor(pixel) + 0.5;
   return min(depthAt(texel) - spineDepth(spine, texel), NOWHERE);
@@ -40,7 +39,7 @@ bool isSeen(const in Spine spine, const in vec2 place) {
   return max(gapAt(spine, place + beside), gapAt(spine, place - beside)) >= -vTolerance;
 }
 
-// Whether the surface is not there, on neither side of a place: both show what lies behind it.
+// Whether the outline's own surface is cut out at a point: both sides show what lies behind.
 bool isCutAway(const in Spine spine, const in vec2 place) {
   if (!isCutOut) return false;
   vec2 beside = BESIDE * vec2(-spine.along.y, spine.along.x);
@@ -48,12 +47,12 @@ bool isCutAway(const in Spine spine, const in vec2 place) {
   return min(gapAt(spine, place + beside), gapAt(spine, place - beside)) > vTolerance + CUT_SLOPE * pixel;
 }
 
-// Whether what lies so far behind, as a share of the height of the view, is as good as paper.
+// 1 if what lies so far behind, as a share of the height of the view, counts as paper.
 float paperness(const in float gap) {
   return smoothstep(BEGINS_AS_PAPER, IS_PAPER, gap);
 }
 
-// The standing of an outline at a place on its spine: the share of paper in what lies behind it, and of an accent. halfWidth: the most.
+// The share of paper in what lies behind an outline at a point on its spine, and the share of an accent.
 vec2 standingAt(const in Spine spine, const in vec2 place, const in float halfWidth) {
   float height = viewHeightAt(spineDepth(spine, place));
   vec2 beside = (halfWidth + BEYOND) * vec2(-spine.along.y, spine.along.x);
@@ -62,7 +61,7 @@ vec2 standingAt(const in Spine spine, const in vec2 place, const in float halfWi
   vec2 outside = place + (left > right ? beside : -beside);
   float here = min(max(left, right) / height, 1.0);
 
-  // Along the outline: the weight changes gradually where what lies behind it does, and an accent grows towards that place.
+  // Along the outline the weight changes gradually with what lies behind it, and an accent grows towards such a change.
   float paper = paperness(here);
   float sum = 1.0;
   float accent = 0.0;
@@ -83,7 +82,7 @@ vec2 standingAt(const in Spine spine, const in vec2 place, const in float halfWi
   return vec2(paper / sum, accent);
 }
 
-// Half the width at a place. halves: before the paper, and before a surface.
+// Half the width at a point. halves: before paper, and before a surface.
 float halfWidthAs(const in vec2 standing, const in vec2 halves) {
   return mix(halves.y, halves.x, standing.x) * (1.0 + vContour * accents * standing.y);
 }

@@ -41,7 +41,7 @@ void main() {
   float away = distance(pixel, spine.start + onOutline * spine.along);
 
   vec3 viewPosition = mix(vStart.xyz, vEnd.xyz, alongLine(t));
-  // Here and not at the ends: an edge may run from one border of the sheet to the other.
+  // Per fragment, not at the ends: an edge may run across the whole sheet.
   vec2 halves = outlineEmphasisAt(viewPosition, gl_FragCoord.xy) * mix(vHalfWidths.xz, vHalfWidths.yw, t);
   float halfWidth = halves.x;
   if (away > max(max(halves.x, halves.y) * (1.0 + accents), 0.5) + 0.5) discard;
@@ -56,7 +56,7 @@ void main() {
     if (vStandings.x < 0.0) standing = standingAt(spine, seen, max(halves.x, halves.y));
     halfWidth = halfWidthAs(standing, halves);
   }
-  // The round ends fill the joints. Their edges lie within, or two that fade would add up beside each joint.
+  // Round ends fill the joints. Their edges lie inside, or two fading edges would add up beside each joint.
   float fringe = place == onOutline ? 0.5 : 0.0;
   float coverage = lineCoverage(away, halfWidth, fringe);
   #ifdef HIDDEN
@@ -68,7 +68,7 @@ void main() {
     #else
       float pressed = 1.0;
     #endif // WOBBLE
-    // Ends that overlap are narrower, or the soft sides of two would add up at each joint.
+    // Overlapping ends are narrower, or their soft sides would add up at each joint.
     float across = away / max(halfWidth, 0.5) * (fringe == 0.0 ? 1.6 : 1.0);
     coverage *= dryInk(min(across, 1.0), pressed);
   #endif // TOOTH

@@ -1,5 +1,5 @@
-// Contours and feature edges: the vertex shader stage. Three vertices per primitive, a triangle of the mesh or an edge. Each
-// primitive holds one piece of outline at most, which becomes one triangle on the screen that covers it with its round ends.
+// Contours and feature edges: the vertex shader stage. There are three vertices per primitive, which is a triangle of the mesh or an edge.
+// Each primitive has at most one piece of outline, which becomes one screen triangle that covers it with its round ends.
 #include "conventions"
 #include "outlines/conventions"
 #include "outlines/varyings"
@@ -25,16 +25,16 @@
 #include "outlines/width"
 #include "outlines/cover"
 
-uniform vec4 eye; // object space; w is 0 for an orthographic camera, and xyz then a direction
+uniform vec4 eye; // object space; for an orthographic camera w is 0 and xyz the direction to the eye
 
 void main() {
-  // What is not drawn lies outside of the clip volume.
+  // Pieces that are not drawn lie outside of clip space.
   gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
   clearVaryings();
 
   uvec4 primitive = readPrimitive(gl_VertexID / 3);
   vec4 seenFrom = eyeOfInstance(eye);
-  // Read before the branch: some devices take both ways.
+  // Read before the branch, since some devices run both sides of it.
   OutlinePoint a = readPoint(primitive.x, seenFrom);
   OutlinePoint b = readPoint(primitive.y, seenFrom);
   OutlinePoint c = readPoint(primitive.z, seenFrom);

@@ -1,8 +1,8 @@
-// Points that outlines run between (src/mesh/bake/outlineLayout.ts).
+// The end points of outlines (src/mesh/bake/outlineLayout.ts).
 uniform highp usampler2D outlinePoints;
 uniform float radius; // of the bounding sphere, object units
 #ifdef DEFORMED
-  // Of the pre-pass, by vertex.
+  // Written by the deformation pass, by vertex.
   uniform highp sampler2D deformedPositions;
   uniform highp sampler2D deformedNormals;
   uniform highp sampler2D deformedTurns;
@@ -10,9 +10,9 @@ uniform float radius; // of the bounding sphere, object units
 
 struct OutlinePoint {
   vec3 position; // object space
-  vec3 anchor; // the same at rest
+  vec3 anchor; // object space, at rest
   vec3 normal; // unit
-  float facing; // n·v; more than 0 where the surface faces the eye
+  float facing; // n·v: above 0 where the surface faces the eye
   float bend; // curvature along the line of sight, times the bounding radius
 };
 
@@ -47,12 +47,12 @@ OutlinePoint readPoint(const in uint word, const in vec4 eye) {
     p.position = texelFetch(deformedPositions, vertex, 0).xyz;
     vec4 turn = texelFetch(deformedTurns, vertex, 0);
     if (turn == vec4(0.0)) {
-      // Where morph targets move the vertex, its normal is all that is known.
+      // With morph targets only the normal is known.
       vec3 n = texelFetch(deformedNormals, vertex, 0).xyz;
       if (dot(n, n) > 0.0) p.normal = normalize(n);
     } else {
       toRest = turnBack(turn);
-      p.normal = p.normal * toRest; // from the left is the transpose: the turn itself
+      p.normal = p.normal * toRest; // from the left, that is by the transpose of the inverse rotation: the rotation itself
     }
   #endif // DEFORMED
   vec3 v = towardsEye(p.position, eye);

@@ -1,10 +1,10 @@
-// Primitives, all of them or those that are listed (src/mesh/bake/outlineLayout.ts).
+// All primitives, or those in a list (src/mesh/bake/outlineLayout.ts).
 uniform highp usampler2D outlinePrimitives;
-uniform highp usampler2D candidates; // four numbers to a texel; of instances two, each with the instance it is of
+uniform highp usampler2D candidates; // four per texel; with instances two, each with the index of its instance
 uniform bool isListed;
 #ifdef USE_INSTANCING
-  uniform highp sampler2D instancePlaces; // a column to a texel
-  mat4 instancePlace; // of the instance that the primitive is of
+  uniform highp sampler2D instancePlaces; // one column per texel
+  mat4 instancePlace; // matrix of the primitive's instance
 #endif // USE_INSTANCING
 
 uvec4 readPrimitive(const in int i) {

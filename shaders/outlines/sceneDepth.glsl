@@ -1,29 +1,29 @@
-// The depth of what has been drawn before the outlines, all of it opaque (src/material/outlines/SceneDepth.ts).
+// The depth of the opaque objects drawn before the outlines (src/material/outlines/SceneDepth.ts).
 uniform bool hasSceneDepth;
 uniform highp sampler2D sceneDepth;
 uniform float nearDistance;
 uniform vec4 viewport; // x, y, width, height in pixels
 
-// As three calls it since 0.180 or so, and as it did before.
+// The define's name in three.js since about 0.180, and its name before.
 #if defined(USE_LOGARITHMIC_DEPTH_BUFFER) || defined(USE_LOGDEPTHBUF)
   #define LOGARITHMIC_DEPTH
   uniform float logDepthBufFC;
 #endif // USE_LOGARITHMIC_DEPTH_BUFFER
 
-// Further than anything in a scene.
+// Farther than anything in a scene.
 #define NOWHERE 1e30
 
 float clipDepth(const in float z) {
   return (projectionMatrix[2][2] * z + projectionMatrix[3][2]) / (projectionMatrix[2][3] * z + projectionMatrix[3][3]);
 }
 
-// Beyond the view, which may be a tile of a picture, no depth is known.
+// Whether a pixel lies in the view, which may be a tile of a picture. Outside, no depth is known.
 bool isInView(const in vec2 pixel) {
   vec2 place = pixel - viewport.xy;
   return all(greaterThanEqual(place, vec2(0.0))) && all(lessThan(place, viewport.zw));
 }
 
-// How far before the eye the surface lies that is seen in a pixel, or in the nearest of the view; NOWHERE if nothing has been drawn there.
+// Distance from the eye to the surface visible in a pixel, or in the nearest pixel of the view; NOWHERE if nothing is drawn there.
 float depthAt(const in vec2 pixel) {
   vec2 place = clamp(pixel, viewport.xy, viewport.xy + viewport.zw - 1.0);
   float depth = texelFetch(sceneDepth, ivec2(place), 0).x;
@@ -37,7 +37,7 @@ float depthAt(const in vec2 pixel) {
   return -(projectionMatrix[3][2] - clip * projectionMatrix[3][3]) / (clip * projectionMatrix[2][3] - projectionMatrix[2][2]);
 }
 
-// The height of the view at a distance from the eye, in view units.
+// Height of the view at a distance from the eye, view units.
 float viewHeightAt(const in float away) {
   return 2.0 * (isOrthographic ? 1.0 : away) / abs(projectionMatrix[1][1]);
 }

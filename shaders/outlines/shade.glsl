@@ -1,8 +1,8 @@
-// Illustrators draw the side away from the light with a heavier outline, and a thin one between lit surface and paper.
+// Outlines are heavier away from the light, and thin or lost between lit surface and paper, as illustrators draw them.
 #include "meanLight"
 
-uniform vec2 shadeWeights; // lit, shaded
-uniform float lostEdges; // how much of the contours between lit surface and paper is lost, and how thin the rest becomes
+uniform vec2 shadeWeights; // on the lit side, on the shaded side
+uniform float lostEdges; // share to which contours between lit surface and paper are lost, and the rest thinned
 
 mat4 objectToView() {
   #ifdef USE_INSTANCING
@@ -20,7 +20,8 @@ vec3 normalInView(const in vec3 normal) {
   #endif // USE_INSTANCING
 }
 
-// Shades an end. light: of unit length, or 0 where no light has a direction. sight: the direction to the eye. Both in view space.
+// Multiplies the weights of an end by the effect of the light. light: unit, or 0 if no light has a direction. sight: direction to the eye.
+// Both in view space.
 void shadeEnd(inout PieceEnd end, const in float contour, const in vec3 light, const in vec3 sight) {
   vec3 normal = normalInView(end.normal);
   float weight = mix(shadeWeights.x, shadeWeights.y, smoothstep(LIT, SHADED, 0.5 - 0.5 * dot(normal, light)));

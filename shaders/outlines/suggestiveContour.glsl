@@ -1,6 +1,6 @@
-// Suggestive contours: where a contour would appear if the eye moved a little (DeCarlo, Finkelstein, Rusinkiewicz and Santella,
-// "Suggestive contours for conveying shape", 2003). The zero set of the bend along the line of sight, where it grows towards
-// the eye, on triangles that face it.
+// Suggestive contours: where a contour would appear if the eye moved a little (DeCarlo, Finkelstein, Rusinkiewicz and Santella, "Suggestive
+// contours for conveying shape", 2003). They are the zero set of the curvature along the line of sight, where it grows towards the eye, on
+// triangles that face the eye.
 uniform float suggestiveContours; // weight
 
 Piece suggestiveContour(const in OutlinePoint a, const in OutlinePoint b, const in OutlinePoint c, const in vec4 eye) {
@@ -8,7 +8,7 @@ Piece suggestiveContour(const in OutlinePoint a, const in OutlinePoint b, const 
   if (min(min(a.facing, b.facing), c.facing) <= 0.0) return piece;
   if (!zeroSet(a, b, c, vec3(a.bend, b.bend, c.bend), piece.start, piece.end)) return piece;
 
-  // The gradient of the bend, which is linear over the triangle.
+  // The gradient of the curvature, which is linear over the triangle.
   vec3 ab = b.position - a.position;
   vec3 ac = c.position - a.position;
   vec3 n = cross(ab, ac);

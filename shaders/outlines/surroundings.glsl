@@ -1,5 +1,5 @@
-// What three's chunks for clipping, and fog look for. Theirs hand it over in varyings, which would bend along
-// an outline that runs away from the eye; here it is worked out for each fragment, under the same names.
+// Inputs of three.js' chunks for clipping and fog. Their varyings would not be linear along an outline that runs away from the eye; here
+// they are computed per fragment, under the same names.
 #if NUM_CLIPPING_PLANES > 0
   uniform vec4 clippingPlanes[NUM_CLIPPING_PLANES];
 #endif // NUM_CLIPPING_PLANES

@@ -1,6 +1,6 @@
-// How wide an outline is at an end of a piece.
+// The width of an outline at an end of a piece.
 
-// Half the width in pixels where the drawing has its usual weight: before the paper, and before a surface.
+// Half widths before paper and before a surface, pixels, without the factor of emphasis.
 vec2 halfWidthsAt(const in PieceEnd end) {
   #ifdef HIDDEN
     return vec2(0.5 * outlineWidth * hiddenWeight(max(end.weight, end.innerWeight)));

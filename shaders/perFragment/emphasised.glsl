@@ -1,13 +1,13 @@
 #include "emphasis"
 
-// The weight of the drawing at this fragment, which is noted before anything asks for it.
+// The weight of the drawing at this fragment, set before it is read.
 float emphasis = 1.0;
 
 void noteEmphasis() {
   emphasis = emphasisAt(-vViewPosition, gl_FragCoord.xy);
 }
 
-// What is left of a tone.
+// A tone times the weight of the drawing.
 PerToneNormal emphasised(const in PerToneNormal tone) {
   return emphasis * tone;
 }

@@ -2,6 +2,6 @@
 #define PerFaceNormal float
 
 vec3 readFaceNormals(const in float side) {
-  // Nothing is expanded, so no face normal came along; the derivatives' one looks at the viewer by itself.
+  // The derivatives' normal, which faces the viewer: the geometry has no attribute for it.
   return safeNormalize(cross(dFdx(vViewPosition), dFdy(vViewPosition)));
 }

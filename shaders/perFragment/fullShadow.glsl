@@ -1,5 +1,5 @@
 #ifdef REORIENTS_IN_SHADOW
-  // Whether no light arrives that has a direction.
+  // Whether no directed light arrives.
   bool isInFullShadow() {
     bool isAll = true;
     for (int i = 0; i < LIGHTS_WITH_DIRECTION; i++) isAll = isAll && isLightShadowed[i];

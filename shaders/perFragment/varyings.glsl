@@ -1,4 +1,4 @@
-// RIGID: vertices move with their object alone, neither by skins nor by morph targets nor as instances.
+// RIGID: vertices move with their object alone, without skinning, morph targets or instances.
 #ifndef RIGID
-  varying mat3 vViewToAnchor; // from the view to where strokes are anchored, linear part
+  varying mat3 vViewToAnchor; // from view space to the space of anchors, linear part
 #endif // RIGID

@@ -1,6 +1,6 @@
-// The linear map from the view to where strokes are anchored, for the fragment shader.
+// The linear map from view space to the space of anchors, in the fragment shader.
 #ifdef RIGID
-  // One for all vertices. Maps of normals in object space declare the matrix themselves.
+  // The same for all vertices. Object-space normal maps declare the matrix themselves.
   #ifndef USE_NORMALMAP_OBJECTSPACE
     uniform mat3 normalMatrix;
   #endif // USE_NORMALMAP_OBJECTSPACE

@@ -1,4 +1,4 @@
-// Strokes fixed to the triangles as they are drawn.
+// Strokes fixed to the deformed triangles.
 
 AdjacencyPrimitive readAnchorPrimitive(const in AdjacencyPrimitive drawn) {
   return drawn;

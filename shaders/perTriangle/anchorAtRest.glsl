@@ -27,8 +27,8 @@ vec3 anchorNormal(const in Triangle anchor, const in vec3 drawnNormal) {
   return normalOf(anchor);
 }
 
-// The light falls on the triangle as drawn and is carried to the same at rest: by the turn of the skin, where that alone moves
-// the triangle, which is exact; corners are rounded, and the smaller the triangle the more that turns it.
+// Maps the light that falls on the deformed triangle to the triangle at rest. If only the skin moves it, this is exactly its rotation: the
+// rounding of corners turns small triangles.
 mat3 viewToAnchor(const in mat3 viewToObject, const in Triangle drawn, const in Triangle anchor, const in vec4 turn) {
   mat3 drawnToAnchor = turn == vec4(0.0) ? triangleToTriangle(drawn, anchor) : turnBack(turn);
   return drawnToAnchor * viewToObject;

@@ -1,4 +1,4 @@
-// The layout `pull` of a mesh that deforms: the pre-pass wrote these.
+// The layout `pull` of a mesh that deforms, as written by the deformation pass.
 #include "perTriangle/pullPrimitive"
 
 uniform highp sampler2D deformedPositions;

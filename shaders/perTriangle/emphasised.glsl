@@ -1,4 +1,4 @@
-// The paper's drawings have the same weight all over.
+// The paper's techniques have no emphasis.
 #define noteEmphasis()
 #define emphasised(tone) tone
 #define emphasisedColor(color) color

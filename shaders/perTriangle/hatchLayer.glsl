@@ -1,4 +1,4 @@
-// Algorithm 3: the darkness of one layer of strokes, blended as greys or, beyond the paper, before ink is decided.
+// Algorithm 3: the darkness of one layer of strokes, blended as greys or, beyond the paper, as fields.
 #include "perTriangle/levelRules"
 #ifdef CRISP
   #include "thresholdMap"

@@ -1,4 +1,4 @@
-// How the level of the map is chosen. size: texels per tile of the map.
+// The rule for the level of the map. size: texels per tile of the map.
 #if LEVEL_RULE == LEVEL_RULE_DEPTH
   #include "levelByDepth"
 
@@ -13,11 +13,11 @@
 
   // Octaves by which strokes of a level are finer than drawn.
   float crowdingOf(const in vec2 uv, const in float size, const in float level) {
-    vec2 texels = size * vec2(dFdx(uv.y), dFdy(uv.y)); // to a pixel, across the strokes
+    vec2 texels = size * vec2(dFdx(uv.y), dFdy(uv.y)); // per pixel, across the strokes
     return 0.5 * log2(dot(texels, texels)) - level;
   }
 #else
-  uniform float texelPixels; // wanted pixels per texel
+  uniform float texelPixels; // desired pixels per texel
 
   vec4 readImages(const in highp sampler2DArray map, const in vec3 place) {
     return texture(map, place);
@@ -28,6 +28,6 @@
   }
 
   float crowdingOf(const in vec2 uv, const in float size, const in float level) {
-    return 0.0; // the level sees to it
+    return 0.0; // the level prevents crowding
   }
 #endif // LEVEL_RULE

@@ -1,7 +1,7 @@
 // The textures of the layout `pull` (src/mesh/bake/pullLayout.ts).
 uniform highp usampler2D triangleVertices;
 uniform highp sampler2D restPositions;
-uniform int pullRowShift; // texels in a row of these, as a power of two
+uniform int pullRowShift; // texels in a row of these textures, as a power of two
 
 ivec2 texelOf(const in int i) {
   return ivec2(i & ((1 << pullRowShift) - 1), i >> pullRowShift);

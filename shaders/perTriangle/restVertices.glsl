@@ -5,7 +5,7 @@ AdjacencyPrimitive readDrawnPrimitive() {
   return pullPrimitive(restPositions);
 }
 
-// As hatched, whatever three makes of the vertex.
+// The rest pose, however three.js deforms the vertex.
 vec3 readDrawnPosition(const in vec3 deformed) {
   return position;
 }

@@ -2,7 +2,7 @@
 vec3 triangleNormal(const in vec3 a, const in vec3 b, const in vec3 c) {
   vec3 ab = b - a;
   vec3 ac = c - a;
-  // Tiny or huge triangles would underflow or overflow in the squared length of the product.
+  // Scaled, since for tiny or huge triangles the squared length of the product would underflow or overflow.
   float scale = 1.0 / max(max(max3(abs(ab)), max3(abs(ac))), 1e-37);
   vec3 n = cross(scale * ab, scale * ac);
   return n * inversesqrt(max(dot(n, n), 1e-36));
@@ -16,14 +16,14 @@ vec3 normalOf(const in Triangle t) {
   return triangleNormal(t.a, t.b, t.c);
 }
 
-// The linear map that takes `from` to `to`, and the unit normal of the one to that of the other.
+// The linear map from one triangle to another, and from the unit normal of the one to that of the other.
 mat3 triangleToTriangle(const in Triangle from, const in Triangle to) {
   vec3 n = normalOf(from);
   vec3 ab = from.b - from.a;
   vec3 ac = from.c - from.a;
   float doubleArea = dot(n, cross(ab, ac));
   if (!(doubleArea > 0.0)) return mat3(1.0);
-  // What is dual to ab, ac and n: a vector's components along them are its products with these.
+  // The dual basis of ab, ac and n: the components of a vector are its products with these.
   mat3 dual = mat3(cross(ac, n) / doubleArea, cross(n, ab) / doubleArea, n);
   return mat3(to.b - to.a, to.c - to.a, normalOf(to)) * transpose(dual);
 }

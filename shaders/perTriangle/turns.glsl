@@ -1,12 +1,12 @@
 // Rotations as quaternions (x, y, z, w).
 
-// The rotation in a linear map; zero for one that mirrors or flattens.
+// The rotation of a linear map; zero for one that mirrors or flattens.
 vec4 turnOf(const in mat3 m) {
   if (!(determinant(m) > 0.0)) return vec4(0.0);
   vec3 x = normalize(m[0]);
   vec3 y = normalize(m[1] - x * dot(x, m[1]));
   vec3 z = cross(x, y);
-  // Four times each component's square, less one; dividing by the largest component loses least.
+  // Four times the square of each component, minus 1; dividing by the largest component is the most accurate.
   vec4 squares = vec4(x.x - y.y - z.z, y.y - z.z - x.x, z.z - x.x - y.y, x.x + y.y + z.z);
   float largest = max(max(squares.x, squares.y), max(squares.z, squares.w));
   vec4 turn =
@@ -17,14 +17,14 @@ vec4 turnOf(const in mat3 m) {
   return normalize(turn);
 }
 
-// The turn half way between three, not of unit length; zero if one of them is.
+// The mean of three rotations, not of unit length; zero if one of them is.
 vec4 addTurns(const in vec4 a, const in vec4 b, const in vec4 c) {
   if (a == vec4(0.0) || b == vec4(0.0) || c == vec4(0.0)) return vec4(0.0);
   // A quaternion and its negative are the same rotation.
   return a + (dot(a, b) < 0.0 ? -b : b) + (dot(a, c) < 0.0 ? -c : c);
 }
 
-// The matrix that turns back.
+// The matrix of the inverse rotation.
 mat3 turnBack(const in vec4 turn) {
   vec4 q = normalize(turn);
   vec3 v = q.xyz;

@@ -1,4 +1,4 @@
-// What `triangle` and `adjacency` need to know of the lights, the triangle and its neighbours.
+// Declarations for `triangle` and `adjacency`: lights, the triangle and its neighbours.
 #include <lights_pars_begin>
 #include "lightOrientation"
 #include "perTriangle/triangleGeometry"

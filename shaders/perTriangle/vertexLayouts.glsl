@@ -1,4 +1,4 @@
-// Where a vertex finds its adjacency primitive as drawn, and the one its strokes are fixed to.
+// The source of a vertex's adjacency primitive, as drawn and as strokes are fixed to it.
 #if VERTEX_LAYOUT == VERTEX_LAYOUT_CORNER
   #include "perTriangle/cornerVertices"
   #include "perTriangle/anchorAsDrawn"

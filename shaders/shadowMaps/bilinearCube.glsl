@@ -1,4 +1,4 @@
-// The same on a face of a cube, whose texels lie in rows along the two axes other than the face's own.
+// The four comparisons on a face of a cube map, whose texels lie in rows along the two axes that are not the face's own.
 {
   vec3 own = absVec.x == viewSpaceZ ? vec3(1.0, 0.0, 0.0) : absVec.y == viewSpaceZ ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0);
   vec3 row = own.x == 1.0 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);

@@ -1,4 +1,4 @@
-// Without a comparing sampler: the four comparisons that it would make.
+// The four comparisons that a comparison sampler would make.
 {
   vec2 texel = shadowCoord.xy * shadowMapSize - 0.5;
   vec2 share = fract(texel);

@@ -1,11 +1,11 @@
-// How much light passes a shadow map to a point beyond a depth. Most types of maps are read; a comparing one does it itself.
+// The light that passes a shadow map to a point at a depth. Most types of maps are compared here; a comparison sampler compares by itself.
 #ifdef SHADOW_MAPS_COMPARE
   #define FLAT_SHADOW_MAP sampler2DShadow
   #define SHADOW_TEXEL(map, at, depth) texture(map, vec3(at, depth))
 #else
   #define FLAT_SHADOW_MAP sampler2D
   #ifdef SHADOW_MOMENTS
-    // moments: mean and standard deviation of depths around a place. The share of them that lies beyond a depth, if there are two of them.
+    // The share of the depths around a place that lie beyond a depth. moments: mean and standard deviation of the depths.
     float passesMoments(const in vec2 moments, const in float depth) {
       #ifdef USE_REVERSED_DEPTH_BUFFER
         float beyond = moments.x - depth;
@@ -29,7 +29,7 @@
   #define BIASED(depth, bias) ((depth) + (bias))
 #endif // USE_REVERSED_DEPTH_BUFFER
 
-// at: in the map, with w. Nothing lies outside the map.
+// at: homogeneous position in the map. Outside the map all light passes.
 float passesFlat(FLAT_SHADOW_MAP map, const in vec4 at, const in float depth) {
   vec2 place = at.xy / at.w;
   float there = SHADOW_TEXEL(map, place, depth);
@@ -37,7 +37,7 @@ float passesFlat(FLAT_SHADOW_MAP map, const in vec4 at, const in float depth) {
 }
 
 #ifdef CUBE_SHADOW_MAP
-  // towards: of any length. lightDistance: of the point. A face of the cube measures depth along its own axis.
+  // towards: direction, of any length. lightDistance: distance of the point. A face of the cube measures depth along its own axis.
   float passesCube(
     CUBE_SHADOW_MAP map, const in vec3 towards, const in float lightDistance, const in vec2 range, const in float bias
   ) {

@@ -1,5 +1,5 @@
-// In the place of three's five samples of a cube. Each is compared with the depth of a point as far from the light as the fragment, in the
-// direction of the sample. A face of the cube measures depth along its own axis.
+// Replaces three.js' five noisy samples of a cube map. Each sample is compared with the depth of a point in its direction, as far from the
+// light as the fragment. A face of the cube measures depth along its own axis.
 {
   int n = samplesAside(shadowRadius);
   float away = n == 0 ? 0.0 : texelSize / float(n);

@@ -1,4 +1,4 @@
-// In the place of three's five samples of a flat shadow map.
+// Replaces three.js' five noisy samples of a flat shadow map.
 {
   int n = samplesAside(shadowRadius);
   vec2 away = n == 0 ? vec2(0.0) : shadowRadius / float(n) / shadowMapSize;

@@ -1,5 +1,5 @@
-// The steady kernel. A sample of a comparing sampler is the bilinear mean of four comparisons, so samples no more than a texel apart
-// give an edge without steps; they are weighted as a tent.
+// A tent filter. A sample of a comparison sampler is the bilinear mean of four comparisons, so samples no more than a texel apart give an
+// edge without steps.
 
 int samplesAside(const in float radius) {
   return int(clamp(ceil(radius), 0.0, MOST_SAMPLES));

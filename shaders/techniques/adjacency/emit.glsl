@@ -1,4 +1,4 @@
-// Algorithm 2: beside the triangle's own, the coordinates in its neighbours' frames and the blend factors.
+// Algorithm 2: besides the triangle's own coordinates, those in its neighbours' frames and the blend factors.
 #include "perTriangle/emit"
 vec3 normalAlpha = normalOf(triangleAlpha(drawn));
 vec3 normalBeta = normalOf(triangleBeta(drawn));
@@ -26,7 +26,7 @@ vec3 blendFactors = vec3(
 #if TONE_NORMAL == TONE_NORMAL_SMOOTH
   vBlendFactors = blendFactors;
 #else
-  // A normal times the inverse from the left is the inverse transpose times the normal: right for every matrix.
+  // Multiplied from the left by the inverse, that is by the inverse transpose, as normals need.
   vFaceNormalCentral = safeNormalize(normalC * viewToObject);
   vFaceNormalAlpha = vec4(safeNormalize(normalAlpha * viewToObject), blendFactors.x);
   vFaceNormalBeta = vec4(safeNormalize(normalBeta * viewToObject), blendFactors.y);

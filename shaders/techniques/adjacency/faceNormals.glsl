@@ -1,4 +1,4 @@
-// Of c, α, β, γ at once.
+// The normals of c, α, β, γ at once.
 #define FaceNormals mat4x3
 #define PerFaceNormal vec4
 
@@ -10,7 +10,7 @@
   }
 #endif // TONE_NORMAL
 
-// What other techniques work out for one normal, for four at once.
+// Overloads for four normals at once.
 float lightness(const in float y);
 
 vec4 lightness(const in vec4 y) {

@@ -1,4 +1,4 @@
-// What hatching needs to know at this fragment.
+// The parameters of hatching at a fragment.
 struct HatchingParameters {
   vec2 uv[4]; // in the frames of c, α, β, γ
   vec4 weights; // f of c, α, β, γ, clamped
@@ -10,8 +10,8 @@ HatchingParameters readHatchingParameters() {
   h.uv[1] = vStrokeUvCentralAlpha.zw;
   h.uv[2] = vStrokeUvBetaGamma.xy;
   h.uv[3] = vStrokeUvBetaGamma.zw;
-  // −1 at the opposite vertex gives the slope of figure 7, it is no contribution to subtract. Clamping the vertices
-  // instead would stretch the support over the whole triangle.
+  // The −1 at the opposite vertex sets the slope of figure 7 and is not subtracted. Clamping at the vertices instead would stretch the
+  // support over the whole triangle.
   #if TONE_NORMAL == TONE_NORMAL_SMOOTH
     vec3 blendFactors = vBlendFactors;
   #else

@@ -10,7 +10,7 @@ vStrokeNormal = strokeNormal;
 #ifdef STROKES_FOLLOW_FORM
   vFormSlope = formSlope.xyz;
   #if STROKE_ANCHOR != STROKE_ANCHOR_REST
-    // A gradient goes with the surface as its normal does.
+    // A gradient transforms as a normal does.
     vFormSlope = vFormSlope * deformedToRest;
   #endif // STROKE_ANCHOR
 #endif // STROKES_FOLLOW_FORM

@@ -2,7 +2,7 @@ float crossingOf(const in HatchingParameters h) {
   return h.crossing;
 }
 
-// The same place in another layer, whose strokes are turned: turn is the cosine and the sine of the angle.
+// The same place in another layer, whose strokes are turned. turn: cosine and sine of the angle.
 HatchingParameters turnedLayer(const in HatchingParameters h, const in float layer, const in vec2 turn) {
   HatchingParameters turned = h;
   turned.point = h.point + layer * LAYER_SHIFT * anchorSpacing / tilesPerUnit;

@@ -1,4 +1,4 @@
-// What hatching needs to know at this fragment: the frame of its strokes is found here, so that it turns continuously.
+// The parameters of hatching at a fragment, with the frame of strokes, which is found per fragment so that it turns continuously.
 #include "lightOrientation"
 #include "perFragment/viewToAnchor"
 
@@ -8,9 +8,9 @@ struct HatchingParameters {
   #if MEDIUM == MEDIUM_STIPPLE
     vec3 normal; // object space
   #else
-    vec3 lean; // of u, v and the normal towards the viewer: proportional to their cosines
+    vec3 lean; // components of the direction to the viewer along u, v and the normal, of any length
   #endif // MEDIUM
-  float crossing; // how far the lights disagree
+  float crossing; // disagreement of the lights
 };
 
 #ifdef STROKES_FOLLOW_FORM

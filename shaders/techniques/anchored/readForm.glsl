@@ -1,12 +1,12 @@
-// Strokes along or across the level lines of a function that was baked into the vertices. Across seams of the bake its sign may
-// change, and with it that of both axes: the map looks the same then.
+// Strokes along or across the level lines of a baked function. Across seams of the bake its sign may change, and with it those of both
+// axes: the map looks the same then.
 #include "perFragment/fullShadow"
 
 // n: unit normal, object space.
 void readStrokeAxes(const in vec3 n, inout HatchingParameters h) {
   vec3 along = cross(n, vFormSlope);
   float squaredLength = dot(along, along);
-  // Any direction will do at a singular point.
+  // At a singular point of the field any direction will do.
   along = squaredLength > 0.0 ? along * inversesqrt(squaredLength) : normalize(anyTangent(n));
   bool isAcross = STROKE_FIELD == STROKE_FIELD_ACROSS_FORM;
   #ifdef REORIENTS_IN_SHADOW

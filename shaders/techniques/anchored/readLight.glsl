@@ -1,4 +1,4 @@
-// Strokes that turn with the light.
+// Strokes that follow the light.
 uniform vec2 strokeDirection; // cosine and sine of the strokes' rotation
 
 // n: unit normal, object space.

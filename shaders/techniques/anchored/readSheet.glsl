@@ -1,11 +1,11 @@
-// Strokes that lie one way on the sheet, as one hand draws them, whatever surface and light do.
-uniform vec2 strokeDirection; // cosine and sine of the slant: of the angle from the horizontal
+// Strokes with a fixed direction on the sheet, as one hand draws them.
+uniform vec2 strokeDirection; // cosine and sine of the angle from the horizontal
 
 // n: unit normal, object space.
 void readStrokeAxes(const in vec3 n, inout HatchingParameters h) {
   mat3 viewToAnchor = readViewToAnchor();
   vec3 toViewer = isOrthographic ? vec3(0.0, 0.0, 1.0) : vViewPosition;
-  // Where the plane through the eye and a slanted line of the sheet cuts the surface.
+  // The intersection of the surface with the plane through the eye and a slanted line of the sheet.
   vec3 along = cross(n * viewToAnchor, cross(vec3(strokeDirection, 0.0), toViewer));
   along = viewToAnchor * along;
   float squaredLength = dot(along, along);

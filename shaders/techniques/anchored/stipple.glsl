@@ -1,7 +1,7 @@
-// Dots that are fixed on the surface and round on the screen. They lie where needles through a set of points in a plane meet the
-// surface. The plane is one of thirteen, those across the axes of a cube through its faces, edges and corners: the one between
-// surface and screen on which dots are most even on both. Half as large, the set holds itself: any number of dots may be born
-// between others as the camera comes nearer, and none ever moves.
+// Dots that are fixed on the surface and round on the screen. A set of points in a plane is projected onto the surface along the normal of
+// the plane. There are thirteen planes, perpendicular to the axes of a cube through its faces, edges and corners; the one between surface
+// and screen has dots that are even on both. The set contains itself at half the scale: any number of dots may appear between others as the
+// camera comes nearer, and none ever moves.
 #include "technique/constants"
 #include "perFragment/screenGradient"
 #include "largestComponents"
@@ -16,13 +16,13 @@ uniform float sizedOnScreen; // 0: dots spaced on the object, 1: on the screen
 #define SQUARE_DIAGONAL 0.70710678
 #define CUBE_DIAGONAL 0.57735027
 
-// The three planes next to a direction: across the axis nearest to it, across the bisector of the two nearest, and across the
-// diagonal of all three.
+// The three planes whose axes are nearest to a direction: the nearest coordinate axis, the bisector of the two nearest, and the diagonal of
+// all three.
 struct StipplePlanes {
-  vec3 nearest; // 1 at the axis, as a mask
-  vec3 nearestTwo; // 1 at both axes
+  vec3 nearest; // mask of the nearest axis
+  vec3 nearestTwo; // mask of the two nearest
   vec3 side; // signs of the direction
-  vec3 shares; // of the dots, by plane
+  vec3 shares; // shares of the dots that lie in each plane
 };
 
 vec3 planeShares(const in vec3 cosines) {
@@ -41,7 +41,7 @@ StipplePlanes planesNear(const in vec3 direction) {
   return planes;
 }
 
-// The unit axis of the plane with the largest share of those that are left; takes that plane away.
+// The unit axis of the plane with the largest remaining share, which is then removed.
 vec3 takePlane(inout StipplePlanes planes, const in float share) {
   vec3 rest = planes.shares;
   planes.shares *= vec3(notEqual(rest, vec3(share)));
@@ -49,12 +49,13 @@ vec3 takePlane(inout StipplePlanes planes, const in float share) {
   return axis * planes.side;
 }
 
-// Half way from the surface to the viewer, and nearer to the viewer where the surface leans away: there the screen needs it more.
+// The direction that chooses the planes: half way from the normal to the viewer, nearer to the viewer at grazing angles, where dots must
+// face the screen.
 vec3 directionOfNeedles(const in vec3 front, const in vec3 toViewer) {
   return normalize(front * max(dot(front, toViewer), LEAST_PULL) + toViewer);
 }
 
-// The tangent plane, leaning away no further than dots stay round.
+// The screen map of the tangent plane, with the angle limited to where dots stay round.
 mat2x3 roundScreenMap(const in vec3 n) {
   mat3 viewToPlace = readViewToAnchor();
   vec3 normal = n * viewToPlace;
@@ -65,20 +66,20 @@ mat2x3 roundScreenMap(const in vec3 n) {
   return screenMapOf(normal * (vViewUnitsPerPixel / max(facing, least)), toViewer.xy, viewToPlace);
 }
 
-// What dots cover at a tone: the tone itself in the lights, and more in the darks, which end solid.
+// The share that dots cover at a tone: the tone itself in the lights, more in the darks, which end solid.
 float coverOf(const in float tone) {
   float way = clamp((tone - CLOSING.x) / (CLOSING.y - CLOSING.x), 0.0, 1.0);
   return min(tone + (1.0 - CLOSING.y) * way * way, 1.0);
 }
 
-// Cells of the set per object unit, as a logarithm to base 2, where dots cover half.
+// The logarithm to base 2 of cells per object unit at which dots cover half.
 float octaveOf(const in PlaneOnScreen plane) {
   float onObject = log2(tilesPerUnit * DOTS_PER_TILE);
   float onScreen = -0.5 * log2(max(abs(plane.area), 1e-30)) - log2(dotPixels / DOT_SHARE);
   return mix(min(onObject, onScreen), onScreen, sizedOnScreen);
 }
 
-// What the dots across an axis cover.
+// The share that the dots of the plane across an axis cover.
 float dotsAcross(const in vec3 point, const in vec3 axis, const in float cover, const in mat2x3 onScreen) {
   vec3 u = normalize(anyTangent(axis));
   vec3 v = cross(axis, u);
@@ -94,7 +95,7 @@ float hatchLayer(const in HatchingParameters h, const in float tone) {
   float blank = 1.0 - cover;
   if (cover <= 0.0 || cover >= 1.0) return cover;
   vec3 toViewer = normalize(readViewToAnchor() * (isOrthographic ? vec3(0.0, 0.0, 1.0) : vViewPosition));
-  // The normal of a sheet that is seen from behind looks the other way.
+  // The normal of a back-facing sheet points away.
   vec3 front = dot(h.normal, toViewer) < FROM_BEHIND ? -h.normal : h.normal;
   StipplePlanes planes = planesNear(directionOfNeedles(front, toViewer));
   mat2x3 onScreen = roundScreenMap(front);

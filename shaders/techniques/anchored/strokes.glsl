@@ -1,6 +1,6 @@
-// Strokes anchored in object space: the four triangles of the paper's adjacency primitive give way to the four nearest
-// points of a lattice that is fixed on the object. Each samples the threshold map in the light's frame at the fragment,
-// the fields are blended, and ink is decided once. Independent of the mesh, and continuous wherever its normals are.
+// Strokes anchored in object space: the four triangles of the paper's adjacency primitive are replaced by the four nearest points of a
+// lattice that is fixed to the object. Each samples the threshold map in the light's frame at the fragment; the fields are blended, and
+// then compared with the tone once. Strokes do not depend on the mesh, and are continuous wherever its normals are.
 #include "levelByDepth"
 #include "thresholdMap"
 #include "ink"
@@ -11,31 +11,31 @@ uniform float anchorSpacing; // tiles between anchors
   uniform float sizedOnScreen; // 0: strokes sized on the object, 1: on the screen
 #endif // SIZED_ON_SCREEN
 
-// Where strokes are sized on the screen, lattices stand this many octaves apart. The levels of the map, whose strokes nest,
-// serve between them; only in the last part of the way does a lattice give way to one with other strokes.
+// Octaves between the lattices of strokes that are sized on the screen. Between them the levels of the map are used, whose strokes nest;
+// only in the last part of an octave does a lattice fade into the next.
 #define LATTICE_OCTAVES 1.0
 #define LATTICE_FADE 0.75
 
-// Strokes crowd as the surface leans away, which shows its form, but no more than by so many octaves: then coarser levels take
-// over. By the smooth normal, so that no edge of a triangle shows.
+// Octaves by which strokes may crowd at grazing angles, which shows the form, before coarser levels are used. By the smooth normal, so that
+// no edges of triangles show.
 #define FREE_CROWDING 1.0
 
-// The g of one lattice's blended field. point: object space. uAxis, vAxis: the strokes' u and v in the surface. octaves: by
-// how many the map would be too fine for this lattice.
+// The g of one lattice's blended field. point: object space. uAxis, vAxis: the strokes' u and v in the surface. octaves: by which the map
+// would be too fine for this lattice.
 float latticeField(
   const in vec3 point, const in vec3 uAxis, const in vec3 vAxis, const in float lattice, const in ThresholdLevel level
 ) {
   LatticeAnchors anchors = nearestAnchors(point * (tilesPerUnit * exp2(lattice * LATTICE_OCTAVES) / anchorSpacing), lattice);
   #if LIGHTS_WITH_DIRECTION > 1 || defined(STROKES_FOLLOW_FORM)
-    // Several lights give a direction up to its sign, and so does the form. The map is symmetric about its centre, and shifted by
-    // half tiles only: where B turns into −B the strokes stay.
+    // Several lights give a direction up to its sign, and so does the form. Where B turns into −B strokes stay: the map is symmetric about
+    // its centre, and is shifted by half tiles only.
     vec4 shiftU = 0.5 * vec4(anchors.hashes & 1u);
     vec4 shiftV = 0.5 * vec4((anchors.hashes >> 16u) & 1u);
   #else
     vec4 shiftU = vec4(anchors.hashes & 0xffffu) * (1.0 / 65536.0);
     vec4 shiftV = vec4(anchors.hashes >> 16u) * (1.0 / 65536.0);
   #endif // LIGHTS_WITH_DIRECTION
-  // A bit of each word mirrors its strokes.
+  // One bit of each word mirrors its strokes.
   vec4 along = anchorSpacing * uAxis * anchors.offsets;
   vec4 u = uintBitsToFloat(floatBitsToUint(along) ^ ((anchors.hashes << 16u) & 0x80000000u)) + shiftU;
   vec4 v = anchorSpacing * vAxis * anchors.offsets + shiftV;
@@ -44,24 +44,24 @@ float latticeField(
   );
 }
 
-// Octaves by which strokes lie closer on the screen than face on, where the surface leans away across them.
+// Octaves by which strokes lie closer on the screen than face on.
 float foreshortenedOctaves(const in vec3 lean) {
   float facing = lean.z * lean.z;
   return -0.5 * log2(max(facing / max(facing + lean.y * lean.y, 1e-20), 1e-4));
 }
 
-// Layers that cross from some tone on, and those of shadows, print nothing in most places.
+// Layers that cross from some tone on, and those of shadows, are blank in most places.
 #if STROKE_LAYERS == STROKE_LAYERS_TONE || defined(TELLS_SHADOWS)
   #define MAY_BE_BLANK true
 #else
   #define MAY_BE_BLANK false
 #endif // STROKE_LAYERS
 
-// crowding: octaves by which strokes are finer than drawn. isBlank: nothing will be printed, so nothing is fetched.
+// crowding: octaves by which strokes are finer than drawn. isBlank: nothing will be printed, so the map is not sampled.
 HatchField anchoredField(
   const in vec3 point, const in vec3 uAxis, const in vec3 vAxis, const in vec3 lean, const in bool isBlank, out float crowding
 ) {
-  // Octaves by which the map at tilesPerUnit is magnified: > 0 too near, < 0 too far.
+  // Octaves by which the map at tilesPerUnit is magnified: above 0 near, below 0 far away.
   float magnification = -levelByDepth(thresholdMapSize);
   float foreshortened = foreshortenedOctaves(lean);
   HatchField field = HatchField(0.0, 0.0);
@@ -72,7 +72,7 @@ HatchField anchoredField(
     float octaves = faceOn + max(foreshortened - FREE_CROWDING, 0.0);
     float fade = smoothstep(1.0 - LATTICE_FADE, 1.0, 1.0 - (lattice - wanted));
     float i = 0.0;
-    // A loop that is left after its body, not a branch, of which some devices compute either side.
+    // A loop that ends after one pass, not a branch, of which some devices run both sides.
     if (!isBlank) do {
       ThresholdLevel level = chooseLevel(levelFor(octaves + i * LATTICE_OCTAVES));
       field.g += latticeField(point, uAxis, vAxis, lattice + i, level) * (i == 0.0 ? 1.0 - fade : fade);
@@ -95,7 +95,7 @@ HatchField anchoredField(
 }
 
 float hatchLayer(const in HatchingParameters h, const in float tone) {
-  // Fragments are computed four at once, and the edges of strokes are found by their differences: not blank unless all are.
+  // The edges of strokes need screen-space derivatives, so a fragment counts as blank only if all four of its quad are.
   bool isBlank = MAY_BE_BLANK && !(tone + fwidth(tone) > 0.0);
   float crowding;
   HatchField field = anchoredField(h.point, h.uAxis, h.vAxis, h.lean, isBlank, crowding);

@@ -1,11 +1,11 @@
 #include "perFragment/varyings"
 
 varying vec3 vRestPosition; // object space
-varying vec3 vStrokeNormal; // at the scale of a stroke, object space
+varying vec3 vStrokeNormal; // smoothed to the scale of a stroke, object space
 #if MEDIUM == MEDIUM_STIPPLE
   varying float vViewUnitsPerPixel;
 #else
-  varying float vUnitsPerPixel; // object units to a pixel
+  varying float vUnitsPerPixel; // object units per pixel
   varying vec3 vToViewer; // object space, of any length
   #if STROKE_FIELD == STROKE_FIELD_FORM || STROKE_FIELD == STROKE_FIELD_ACROSS_FORM
     #define STROKES_FOLLOW_FORM

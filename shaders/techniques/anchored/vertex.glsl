@@ -1,4 +1,4 @@
 #include "perFragment/vertex"
 #ifdef STROKES_FOLLOW_FORM
-  attribute vec4 formSlope; // xyz: of the function that was baked, at one scale all over the geometry (src/mesh/bake/attributeLayouts.ts)
+  attribute vec4 formSlope; // xyz: gradient of the baked function, at one scale for the whole geometry (src/mesh/bake/attributeLayouts.ts)
 #endif // STROKES_FOLLOW_FORM

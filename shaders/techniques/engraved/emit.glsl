@@ -15,7 +15,7 @@ vViewUnitsPerPixel = unitsPerPixel(mat3(1.0), mvPosition);
   mat4 restToView = objectToView;
   mat3 viewToRest = viewToObject;
   #if defined(USE_SKINNING) && STROKE_ANCHOR == STROKE_ANCHOR_REST
-    // The light as the whole mesh sees it, not each of its bones: lines would break at joints. The first bone stands for the mesh.
+    // The light in the space of the first bone, which stands for the mesh: by bone, lines would break at joints.
     mat4 firstBone = bindMatrixInverse * getBoneMatrix(0.0) * bindMatrix;
     if (determinant(mat3(firstBone)) != 0.0) {
       restToView = objectToView * firstBone;

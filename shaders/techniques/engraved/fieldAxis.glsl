@@ -1,19 +1,19 @@
-// The function that lines are level sets of: the distance along an axis, or from a lamp.
+// The function whose level sets are lines: the distance along an axis, or from a lamp.
 struct Field {
-  vec3 axis; // its gradient at the origin, unit
-  float bend; // one over the distance of the lamp it counts from, 0 for planes across the axis
+  vec3 axis; // gradient at the origin, unit
+  float bend; // reciprocal of the distance of the lamp, 0 for planes across the axis
 };
 
-// Any unit vector across another, the same for neighbours of it.
+// A unit vector across another, continuous in it.
 vec3 across(const in vec3 axis) {
   return normalize(abs(axis.y) < UPRIGHT ? cross(axis, vec3(0.0, 1.0, 0.0)) : cross(axis, vec3(0.0, 0.0, 1.0)));
 }
 
-uniform vec2 strokeDirection; // cosine and sine of the angle by which strokes are turned from the tangent to the light
+uniform vec2 strokeDirection; // cosine and sine of the angle of strokes from the tangent to the light
 
 #ifdef RUNS_AWAY
-  // Across the light and across the ground, whose lines run away from the light then. The axis that leans least from the normal stands for
-  // the ground: it is the same all over it, so that no line breaks.
+  // The axis across the light and along the ground, so that lines on the ground run away from the light. The coordinate axis nearest to the
+  // normal stands for that of the ground, so that no line breaks.
   vec3 acrossGround(const in vec3 light) {
     vec3 size = abs(vFieldNormal);
     vec3 up = size.y >= size.x && size.y >= size.z ? vec3(0.0, 1.0, 0.0) : size.z >= size.x ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
@@ -23,7 +23,7 @@ uniform vec2 strokeDirection; // cosine and sine of the angle by which strokes a
   }
 #endif // RUNS_AWAY
 
-// light: towards it, unit, and one over its distance, field space.
+// light: unit direction towards it, and reciprocal of its distance, field space.
 Field firstField(const in vec4 light) {
   #ifdef RUNS_AWAY
     return Field(acrossGround(light.xyz), 0.0);
@@ -42,15 +42,14 @@ Field firstField(const in vec4 light) {
   #endif // RUNS_AWAY
 }
 
-// The value at a point, 0 at the origin: |P_L| − |P − P_L| in a form that holds at any distance, and without an end is P·axis.
-// gradient: unit.
+// The value at a point, 0 at the origin: |P_L| − |P − P_L| in a form that holds at any distance, P·axis in the limit. gradient: unit.
 float fieldAt(const in Field field, const in vec3 point, out vec3 gradient) {
   #if !defined(TURNS_WITH_LIGHT) || LIGHTS_AT_PLACES == 0
-    // Nothing bends.
+    // A plane field.
     gradient = field.axis;
     return dot(point, field.axis);
   #else
-    vec3 toLamp = field.axis - field.bend * point; // over the distance of the lamp
+    vec3 toLamp = field.axis - field.bend * point; // in units of the distance of the lamp
     float far = max(length(toLamp), 1e-6);
     gradient = toLamp / far;
     return dot(point, field.axis + toLamp) / (1.0 + far);

@@ -3,8 +3,8 @@
   #if defined(REORIENTS_IN_SHADOW) && defined(TURNS_WITH_LIGHT)
     #include "technique/lightField"
 
-    // The light of the field, as if there were only the lights that arrive; where none does, a direction across it. It is the same for
-    // all places that the same lights reach.
+    // The light of the field, from the lights that arrive; where none does, a direction across it. It is constant where the same lights
+    // arrive.
     vec4 arrivingLight() {
       bool isAny = false;
       bool isAll = true;
@@ -21,7 +21,7 @@
       return vFieldLight;
     }
   #else
-    // An axis of the object asks for no light.
+    // Fields along an axis of the object need no light.
     vec4 arrivingLight() {
       return vec4(0.0);
     }

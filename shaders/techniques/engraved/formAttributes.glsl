@@ -1,4 +1,4 @@
-// What lines that follow the form are baked into (src/mesh/bake/attributeLayouts.ts).
+// The baked functions of lines that follow the form (src/mesh/bake/attributeLayouts.ts).
 attribute vec2 formValue;
 attribute vec4 formSlope;
 attribute vec4 formCrossing;

@@ -1,7 +1,7 @@
-// The unsteadiness of a hand. It belongs to the place on the object: nothing moves when the camera does.
-uniform float handmade; // 0: a ruling machine
+// The unsteadiness of a hand. It is fixed to the object, so that nothing moves with the camera.
+uniform float handmade; // 0: lines as by a ruling machine
 
-// A wave of period 2 within [−1, 1]: two parabolas, smooth and far cheaper than a sine. halfX: half of the place along it.
+// A wave of period 2 within [−1, 1]: two parabolas, smooth and far cheaper than a sine. halfX: half of the coordinate.
 vec3 wave(const in vec3 halfX) {
   vec3 t = 2.0 * fract(halfX) - 1.0;
   return t * (4.0 * abs(t) - 4.0);
@@ -13,12 +13,12 @@ vec3 slowWaves(const in vec3 p) {
   return wave(0.5 * SLOW_WAVES * bent.zxy + 0.5 * WAVE_PHASES);
 }
 
-// Where the hand puts what belongs to a point.
+// A point, displaced by the hand.
 vec3 handPoint(const in vec3 point, const in vec3 waves) {
   return point + handmade * STRAY * waves;
 }
 
-// Pressure comes and goes along a line; where the tone is light the hand lifts, and leaves gaps.
+// Pressure varies along a line; in light tones the hand lifts, and leaves gaps.
 float handPressure(const in vec3 waves) {
   return handmade * PRESSURE * waves.x * waves.y;
 }
@@ -27,8 +27,8 @@ float handTone(const in float pressure, const in float tone) {
   return tone + pressure * tone * (1.0 - tone);
 }
 
-// A number in [0, 1) that belongs to a line. line: its value, a multiple of a power of two. It is multiplied by a number whose binary digits
-// repeat those that are given on both sides of its point, and the fraction is the hash.
+// A hash of a line in [0, 1). line: its value, a multiple of a power of two. It is multiplied by a number whose binary digits repeat the
+// given ones on both sides of the point, and the fraction is the hash.
 float hashBy(const in uint digits, const in float line) {
   uint bits = floatBitsToUint(line);
   uint exponent = (bits >> 23u) & 31u;
@@ -37,17 +37,17 @@ float hashBy(const in uint digits, const in float line) {
   return float(spread >> 8u) * (1.0 / 16777216.0);
 }
 
-// One that is far from those of its neighbours.
+// A hash of a line, far from those of its neighbours.
 float hash01(const in float line) {
   return hashBy(THUE_MORSE, line);
 }
 
-// One by which three neighbours take turns: 0, a third and two thirds.
+// A hash of a line that is 0, a third or two thirds for three neighbours.
 float turnOf(const in float line) {
   return line == 0.0 ? 0.0 : hashBy(ONE_THIRD, line);
 }
 
-// A factor on the width of a line, the same all along it; 1 in the mean.
+// A factor on the width of a whole line; 1 in the mean.
 float handWidth(const in float line) {
   float most = handmade * WIDTHS;
   return most * hash01(line) + (1.0 - 0.5 * most);

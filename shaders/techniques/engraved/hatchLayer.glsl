@@ -1,20 +1,20 @@
-// Engraved lines: level sets of a function on the object. They never break, fork or repeat, on any mesh. They swell with the
-// tone, new ones are born between old ones as one comes nearer, and other families cross them in the darks.
+// Engraved lines: level sets of a function on the object. They never break, fork or repeat, on any mesh. They swell with the tone, new
+// lines appear between old ones as the camera comes nearer, and other families cross them in the darks.
 uniform float crossFrom; // tone above which lines cross
-uniform vec4 layerTurns; // cosine and sine of the angle between a family and what crosses it, and of the middle of the wider angle between them
+uniform vec4 layerTurns; // cosine and sine of the angle between a family and the next, and of half of the supplement of that angle
 uniform float sizedOnScreen; // 0: lines spaced on the object, 1: on the screen
-uniform float lineContrast; // 0: an even grey of the same tone, while lines give way to others; 1: lines
+uniform float lineContrast; // 1: lines; 0: an even grey of the same tone
 
 #include "technique/ruledLines"
 
-// The darkness of three families printed over one another. first: tone of the first. crossing: tone of the other two together.
-// lean: cosine and sine of the angle at which they cross it.
+// The darkness of three families printed over one another. first: tone of the first. crossing: tone of the other two together. lean: cosine
+// and sine of the angle at which they cross it.
 float families(const in HatchingParameters h, const in float first, const in float crossing, const in vec2 lean) {
-  // Where the first has no lines, one side is left to the families that lean either way: they would lie along one another.
+  // Where the first family has no lines, one of the two others leaning back is left out, since both would coincide.
   float shareB = lean.y < 0.0 ? h.shareB + h.has - 1.0 : h.shareB;
   float blankB = mix(1.0, 1.0 - crossing, shareB);
   float blankC = (1.0 - crossing) / max(blankB, 1e-4);
-  // Families without ink cost nothing: the one that takes more comes first.
+  // Families without ink are skipped: the one that takes more comes first.
   bool isB = shareB >= 0.5;
   float second = 1.0 - (isB ? blankB : blankC);
   float third = 1.0 - (isB ? blankC : blankB);
@@ -29,12 +29,12 @@ float families(const in HatchingParameters h, const in float first, const in flo
   return 1.0 - blank;
 }
 
-// Any number of families leaves as much blank as the tone does, Π (1 − Tᵢ).
+// All families together leave as much blank as the tone does, Π (1 − Tᵢ).
 float hatchLayer(const in HatchingParameters h, const in float tone) {
   float first = h.has * takenOf(tone, crossFrom);
   float others = leftOf(tone, first);
   #if MEDIUM == MEDIUM_PEN
-    // Strokes cross at a slant, which alone would leave rows of rhombs open in the darks: others lean the other way there.
+    // Two families cross at a slant and would leave rows of rhombs open in the darks: the third leans back.
     float second = takenOf(others, THIRD_FROM);
     float third = leftOf(others, second);
     float blank = 1.0;

@@ -1,1 +1,1 @@
-// None: families of lines cross within the one layer.
+// No layers: families of lines cross within one layer.

@@ -1,5 +1,5 @@
-// One light for the whole object, so that lines run on: a single light as it stands, and of several the axis on which
-// they agree most, the principal axis of Σ w L Lᵀ, which lights from opposite sides do not cancel.
+// One light for the whole object, so that lines run on: a single light itself, or of several lights the principal axis of Σ w L Lᵀ, on
+// which they agree most and in which opposite lights do not cancel.
 #include "lightLuminance"
 
 // The weight of a light.
@@ -15,7 +15,8 @@ void addFieldLight(inout mat3 tensor, inout vec3 sum, const in vec3 toLight, con
   sum += w * l;
 }
 
-// What a lamp adds to Σ w c / |P|, c = L·axis: how far the sum of the lights' own fields, −|P − P_L| for a lamp, bends at the origin.
+// The contribution of a lamp to Σ w c / |P|, c = L·axis: the curvature of the sum of the lights' own fields, −|P − P_L| for a lamp, at the
+// origin.
 float fieldBend(const in vec3 axis, const in vec3 toLamp, const in vec3 color) {
   return fieldWeight(color) * dot(toLamp, axis) / max(dot(toLamp, toLamp), 1e-20);
 }
@@ -24,7 +25,7 @@ vec3 fieldAxisOf(const in mat3 tensor, const in vec3 sum) {
   #if LIGHTS_WITH_DIRECTION == 1
     return sum / max(length(sum), 1e-20);
   #else
-    // Power iteration: four squarings are sixteen steps.
+    // Power iteration: four squarings equal sixteen steps.
     mat3 power = tensor;
     for (int i = 0; i < 4; i++) power = power * power / max(power[0][0] + power[1][1] + power[2][2], 1e-20);
     vec3 axis = power * FIRST_AXIS;
@@ -33,15 +34,15 @@ vec3 fieldAxisOf(const in mat3 tensor, const in vec3 sum) {
   #endif // LIGHTS_WITH_DIRECTION
 }
 
-// Lights that do not arrive where it is known do not count.
+// Lights that do not arrive are left out, where shadows are known.
 #ifdef REORIENTS_IN_SHADOW
   #define ARRIVING(number, color) (isLightShadowed[number] ? vec3(0.0) : color)
 #else
   #define ARRIVING(number, color) color
 #endif // REORIENTS_IN_SHADOW
 
-// Unit direction and one over the distance, field space. viewToField: linear part. place: any, view space.
-// fromOrigin: the same in field space.
+// The light of the field: unit direction, and reciprocal of the distance, field space. viewToField: linear part. place: any, view space.
+// fromOrigin: the same place in field space.
 vec4 fieldLight(const in mat3 viewToField, const in vec3 place, const in vec3 fromOrigin) {
   #if LIGHTS_WITH_DIRECTION == 0
     return vec4(0.0, 1.0, 0.0, 0.0);
@@ -57,7 +58,7 @@ vec4 fieldLight(const in mat3 viewToField, const in vec3 place, const in vec3 fr
     float bend = 0.0;
     #define VISIT_LIGHT(source, number) bend += fieldBend(axis, TO_LAMP(source), ARRIVING(number, source.color));
     #include "eachPositionalLight"
-    // One lamp at this place bends the field as much. Directional lights bend nothing, but their slope counts.
+    // A single lamp at this place has the same curvature. Directional lights have no curvature, but their slope counts.
     return vec4(axis, bend / max(length(tensor * axis), 1e-20));
   #endif // LIGHTS_WITH_DIRECTION
 }

@@ -1,20 +1,19 @@
-// Lines that a pen draws in strokes. Each begins thin, swells and is lifted again. Light tones have fewer strokes, of the width of
-// the nib.
+// Lines drawn in strokes of a pen. Each stroke begins thin, swells and tapers off. Light tones have fewer strokes, of the width of the nib.
 #include "technique/strokeLengths"
 
-// What a line loses to the gaps and the ends of its strokes where they are farthest apart.
+// The share of a line that is lost to the gaps and the tapered ends of its strokes where the gaps are widest.
 #define LOST (0.5 * STROKE_GAP + TAPER / 3.0)
 
 struct Pen {
   Family family;
   Along along;
   float tone;
-  float open; // how far strokes are apart at their ends
-  float allFrom; // the tone from which on all strokes are there
-  float width; // of a stroke in its middle, as a share of the room of a line
+  float open; // size of the gaps between strokes
+  float allFrom; // tone from which on no stroke is left out
+  float width; // width of a stroke in its middle, as a share of the room of a line
 };
 
-// The integral of the ink of a stroke that grows: a ramp from 0 to 1, and less where it is short.
+// The integral of the ink of a growing stroke: a ramp from 0 to 1, and less where it is short.
 float rampSum(const in float x) {
   float grown = min(x / STROKE_GROWTH, 1.0);
   float sum = grown * grown * (0.5 - SHORTENING_OF_INK * (0.5 - grown / 3.0));
@@ -30,43 +29,43 @@ Pen penFor(const in HatchingParameters h, const in Family family, const in float
   return Pen(family, alongLines(h, family), tone, open, allFrom, tone < allFrom ? min(width, NIB) : width);
 }
 
-// The hash below which strokes have been born where so large a share of them is, each over a part BIRTH of all hashes.
+// The hash below which strokes exist if a given share of them does. Each appears over a part BIRTH of all hashes.
 float bornBelow(const in float share) {
   if (share < 0.5 * BIRTH) return sqrt(2.0 * BIRTH * share);
   return share < 1.0 - 0.5 * BIRTH ? share + 0.5 * BIRTH : 1.0 + BIRTH - sqrt(2.0 * BIRTH * (1.0 - share));
 }
 
-// Random bits that the lots of the strokes on a line begin with.
+// Random bits of a line, from which the hashes of its strokes are made.
 uint bitsOfLine(const in float line) {
   uint spread = floatBitsToUint(line);
   spread = (spread ^ spread >> 12u) * GOLDEN_RATIO;
   return (spread ^ spread >> 13u) * THIRD_FACTOR;
 }
 
-// A number in [0, 1) that belongs to a stroke, and is far from those of its neighbours on the line.
+// A hash of a stroke in [0, 1), far from those of its neighbours on the line.
 float strokeHash01(const in uint bits, const in float stroke) {
   return float(bits + uint(int(stroke)) * THUE_MORSE >> 8u) / 16777216.0;
 }
 
-// How late a stroke begins, as a share of the mean length.
+// The delay of the start of a stroke, as a share of the mean length.
 float latenessOf(const in float chance) {
   return LATENESS * fract(LATE_HASH * chance);
 }
 
-// The strokes of a line by one axis and of one length: their width at this place, as a share of its room, and how far they stray from it,
-// in distances between lines. place: in lengths of strokes. hash, turn, ofLine: of the line.
+// The strokes of a line along one axis and of one length: their width here, as a share of the room, and their offset from the line, in
+// distances between lines. place: in lengths of strokes. hash, turn, ofLine: of the line.
 vec2 strokeOn(
   const in Pen pen, const in float born, const in float place, const in float hash, const in float turn, const in uint ofLine
 ) {
   float along = place + hash;
-  // Strokes begin late by chance, and so differ in length: the ends of neighbours would otherwise lie in rows across the lines.
+  // Strokes start late by chance, and so differ in length: otherwise the ends of neighbours would lie in rows across the lines.
   float stroke = floor(along);
   if (along < stroke + latenessOf(strokeHash01(ofLine, stroke))) stroke -= 1.0;
   float chance = strokeHash01(ofLine, stroke);
   float late = latenessOf(chance);
   float size = 1.0 + latenessOf(strokeHash01(ofLine, stroke + 1.0)) - late;
   float way = 2.0 * (along - stroke - late) / size - 1.0; // from −1 at one end to 1 at the other
-  // What differs from stroke to stroke is spread evenly over a surface. Of three neighbouring lines the first strokes lie on one.
+  // Properties of strokes are spread evenly over a surface. The first strokes to appear lie on one of three neighbouring lines.
   float even = strokeHash01(uint(hash * 16777216.0) << 8u, stroke);
   float there = clamp((pen.tone - pen.allFrom * fract(turn + even / 3.0)) / STROKE_GROWTH, 0.0, 1.0);
   float gap = fract(GAP_HASH * even);
@@ -79,13 +78,13 @@ vec2 strokeOn(
   return vec2(pen.width * there * spread * (1.0 - rest * rest), handmade * pen.open * astray);
 }
 
-// The share of the first axis on a line: lines go over from one to the other one after another.
+// The share of the first axis on a line: lines change from one axis to the other one by one.
 float firstOnLine(const in Along along, const in float hash) {
   return clamp(((1.0 + AXIS_TURN) * along.share - fract(AXIS_HASH * hash)) / AXIS_TURN, 0.0, 1.0);
 }
 
-// Most places lie along one axis and at one length of strokes; others share theirs. A loop that stands here once, not four times: as it
-// does not know how often it is run, no compiler unrolls it, or those around it.
+// Most fragments lie along one axis and at one length of strokes; others blend two of each. This is a loop, not four calls: as its number
+// of passes is not constant, no compiler unrolls it or those around it.
 vec2 strokesOn(const in Pen pen, const in float born, const in float line) {
   Along along = pen.along;
   float number = numberOf(line, pen.family);
@@ -108,10 +107,10 @@ vec2 strokesOn(const in Pen pen, const in float born, const in float line) {
   return vec2(strokes.x, sign(number) * strokes.y);
 }
 
-// away: from the line, signed, in pixels, as is the distance between old lines. share: of their room that the line has.
+// away: signed distance from the line, pixels, as is the spacing of old lines. share: of the room of old lines that the line has.
 float penCoverage(const in Pen pen, const in float away, const in float share, const in float spacing, const in float line) {
-  // Young strokes are fewer and thinner at once: as wide as the old ones, they would fill the room between them. In the dark they are thinner
-  // alone, since a stroke that is not there would be a hole.
+  // New strokes are fewer and thinner at once: at full width they would fill the room between the old ones. In the darks they are only
+  // thinner, since a missing stroke would be a hole.
   float there = mix(1.0, sqrt(max(share, 0.0)), sqrt(pen.open));
   vec2 stroke = strokesOn(pen, bornBelow(there), line);
   float width = share / max(there, 1e-4) * stroke.x;

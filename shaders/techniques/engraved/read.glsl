@@ -1,4 +1,4 @@
-// What engraving needs to know at this fragment: the functions that lines are level sets of, and how they lie on the screen.
+// The parameters of engraving at this fragment: the functions whose level sets are lines, and their derivatives on the screen.
 #include "perFragment/viewToAnchor"
 
 uniform mat3 objectToField; // linear part
@@ -9,11 +9,11 @@ uniform mat3 objectToField; // linear part
 // Lines that are level sets of one function.
 struct Family {
   float value;
-  float perPixel; // its change from one pixel to the next, by the smooth normal
-  float seen; // the same on the flat triangle, as it is seen
-  float rise; // its change along the surface, per tile, by which lines are spaced on the object
+  float perPixel; // change from one pixel to the next, on the smooth surface
+  float seen; // the same on the flat triangle
+  float rise; // change along the surface, per tile, by which lines are spaced on the object
   vec3 gradient; // of any length; lines lie across it
-  float coarsest; // the octave of the lines that lie farthest apart
+  float coarsest; // octave of the widest spacing of its lines
 };
 
 #ifdef FOLLOWS_FORM

@@ -1,18 +1,18 @@
-// Lines that a field cuts out of the object: level sets of a distance in space.
+// Lines cut by a field: level sets of a distance in space.
 #include "technique/fieldAxis"
 #include "technique/fieldHere"
 
 struct HatchingParameters {
-  vec3 point; // as the hand strays, from the origin of the field, tiles
+  vec3 point; // position from the origin of the field, displaced by the hand, tiles
   float pressure; // of the hand
   mat2x3 onScreen, triangle; // of the smooth surface, and of the flat triangle
   float value; // of the first family's function
   vec2 valueOnScreen; // its gradient there
   float slope; // its change along the surface
-  float has; // how far the first family has lines
-  vec3 sideB, sideC; // across its axis; other families lean towards one of them
+  float has; // share to which the first family has lines here
+  vec3 sideB, sideC; // perpendicular to its axis; other families lean towards one of them
   vec3 gradient; // of the first family's function, unit
-  float shareB; // of what crosses, by how well its lines run across those of the first on the surface
+  float shareB; // share of family B in the crossing tone, by how well its lines cross those of the first on the surface
 };
 
 HatchingParameters readHatchingParameters() {
@@ -43,7 +43,7 @@ Family firstFamily(const in HatchingParameters h) {
   return Family(h.value, length(h.valueOnScreen), seen, min(h.slope / SPARSEST_SLOPE, 1.0), h.gradient, ANY_OCTAVE);
 }
 
-// isB: towards which side it leans. lean: cosine and sine of the angle at which it crosses the first.
+// isB: the side towards which it leans. lean: cosine and sine of the angle at which it crosses the first.
 Family crossingFamily(const in HatchingParameters h, const in bool isB, const in vec2 lean) {
   vec3 side = isB ? h.sideB : h.sideC;
   float perPixel = length(lean.x * h.valueOnScreen + lean.y * screenGradient(side, h.onScreen));

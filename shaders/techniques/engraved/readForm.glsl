@@ -1,19 +1,19 @@
-// Lines that follow the form: level sets of two functions that were baked into the vertices. Within a triangle a function is
-// quadratic, so that lines have no kinks at edges. Across the seams of the bake it changes by a multiple of a power of two, or its sign
-// does: lines that lie no farther apart than that run on.
+// Lines that follow the form: level sets of two functions that are baked into the vertices. A function is quadratic within a triangle, so
+// that lines have no kinks at edges. Across the seams of the bake it changes by a multiple of a power of two, or in sign: lines no farther
+// apart than that run on.
 #include "perFragment/fullShadow"
 
 struct HatchingParameters {
   float pressure; // of the hand
   float has; // the first family has lines everywhere
   mat2x3 onScreen, triangle; // of the smooth surface, and of the flat triangle
-  vec3 gradient, crossingGradient; // of the first family's function, and of that which crosses it
+  vec3 gradient, crossingGradient; // of the first family's function, and of the crossing one
   vec2 values;
-  vec2 valueOnScreen; // their gradients there
+  vec2 valueOnScreen; // their gradients on the screen
   vec2 crossingOnScreen;
   vec2 rises; // their changes along the surface, per tile
-  float shareB; // one family crosses
-  vec2 coarsest; // the octaves of both beyond which their lines would not run on
+  float shareB; // a single family crosses
+  vec2 coarsest; // octaves of both beyond which lines would not run on across seams
 };
 
 float formValueAt(const in vec4 form, const in vec3 stray) {
@@ -41,7 +41,7 @@ HatchingParameters readHatchingParameters() {
   vec3 stray = handPoint(vec3(0.0), waves);
   h.pressure = handPressure(waves);
   #if MEDIUM != MEDIUM_PEN && MEDIUM != MEDIUM_WOODCUT
-    // Strokes and cuts differ by themselves.
+    // Strokes and cuts have variations of their own.
     h.pressure += handmade * WIDTH_WAVE * waves.z;
   #endif // MEDIUM
   h.has = 1.0;
@@ -63,8 +63,8 @@ Family firstFamily(const in HatchingParameters h) {
   return Family(h.values.x, length(h.valueOnScreen), seen, h.rises.x, h.gradient, h.coarsest.x);
 }
 
-// lean: cosine and sine of the angle; a negative sine leans the other way. The difference of the two functions is whole across seams
-// too, and its lines lean the other way: as far at 60°, in the middle between the families at 90°.
+// lean: cosine and sine of the angle; a negative sine leans the other way. The difference of the two functions is whole across seams too,
+// and its lines lean the other way: exactly so at 60°, in the middle between the families at 90°.
 Family crossingFamily(const in HatchingParameters h, const in bool isB, const in vec2 lean) {
   bool isOther = lean.y < 0.0;
   float value = isOther ? h.values.x - h.values.y : h.values.y;

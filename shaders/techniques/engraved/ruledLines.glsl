@@ -1,44 +1,44 @@
-// One family of lines: level sets of a function at equal distances, whose width is the tone. As one comes nearer a new line is
-// born between every two (the octaves of a ruler), and the share of ink stays the tone throughout.
+// One family of lines: level sets of a function at equal distances, whose width is the tone. As the camera comes nearer a new line appears
+// between every two (the octaves of a ruler), and the share of ink stays the tone throughout.
 #include "lineCoverage"
 
 uniform float lineSpacing; // pixels between lines, or 256ths of a tile
 #if TONE_MODEL == TONE_MODEL_SHADOW
-  uniform float shadowSpacing; // times lineSpacing
+  uniform float shadowSpacing; // factor on lineSpacing in shadows
   #define WANTED_SPACING (shadowSpacing * lineSpacing)
 #else
   #define WANTED_SPACING lineSpacing
 #endif // TONE_MODEL
-uniform float finestSpacing; // pixels: where lines would lie closer, every other one is left out, so that none shimmer
+uniform float finestSpacing; // pixels: where lines would lie closer, every other one is left out, so that they do not shimmer
 
-// How far the edge of a line fades, in pixels.
+// Width over which the edge of a line fades, pixels.
 #define FRINGE 0.5
 
-// The logarithm to base 2 at powers of two, and linear between them: all that continuous octaves need. x: above 0.
+// An approximate logarithm to base 2: exact at powers of two, linear between them, which continuous octaves need. x: above 0.
 float octaves(const in float x) {
-  // The bits of a float are its exponent, then 23 of its mantissa.
+  // The bits of a float are its exponent and 23 bits of its mantissa.
   return float(floatBitsToInt(x)) * (1.0 / 8388608.0) - 127.0;
 }
 
-// The inverse.
+// The inverse of `octaves`.
 float powerOf2(const in float octave) {
   return intBitsToFloat(int(octave * 8388608.0 + 1065353216.0));
 }
 
 #ifdef DISSOLVES_SHADOWS
-  // Where a shadow dissolves its lines end one by one: the width of a line as a factor on what it would be if all thinned out together. The
-  // mean over all lines is 1, so that the tone is the same.
+  // A factor on the width of a line where a shadow dissolves: lines end one by one, instead of all thinning out together. The mean over all
+  // lines is 1, so the tone stays.
   float lineLeft(const in float line) {
     float gone = min(ENDING * (1.0 - shadowLeft()) / max(shadowLeft(), LEAST_LEFT), MOST_ENDING);
     float kept = gone < 1.0 ? 1.0 - 0.5 * gone : 0.5 / gone;
-    // Half a turn from the hash by which widths differ: those that stay are neither the wide ones nor the thin ones.
+    // Half a turn from the hash of widths, so that the lines that stay are neither the widest nor the thinnest.
     return max(1.0 - gone * fract(hash01(line) + 0.5), 0.0) / kept;
   }
 #else
   #define lineLeft(line) 1.0
 #endif // DISSOLVES_SHADOWS
 
-// The share of a pixel that a line covers. away: from the line, signed. room: half of what the line has. Both in pixels.
+// The share of a pixel that a line covers. away: signed distance from the line. room: half of the room of the line. Both in pixels.
 #if MEDIUM == MEDIUM_PEN
   #include "technique/penStrokes"
   #define LINE(away, room, line) penCoverage(pen, away, room / oldRoom, spacing, line)
@@ -46,7 +46,8 @@ float powerOf2(const in float octave) {
   #include "technique/carving"
   #define LINE(away, room, line) lineCoverage(abs(away), room * cutWidth(cut, line), FRINGE)
   #ifdef DISSOLVES_SHADOWS
-    // Rows keep their places at the edges of a shadow, where their cuts widen: a row for each tone would leave crumbs there.
+    // The tone that the spacing of cut rows depends on: constant across the edges of a shadow, where cuts widen, since a row for each tone
+    // would leave crumbs there.
     #define ROW_TONE max(tone, toneEnds.y * shadowTone * shadowLeft())
   #else
     #define ROW_TONE tone
@@ -60,7 +61,7 @@ float powerOf2(const in float octave) {
 // The darkness of a family.
 float ruledLines(const in HatchingParameters h, const in Family family, const in float tone) {
   float seen = max(family.seen, max(LEAST_OF_SMOOTH * family.perPixel, 1e-12));
-  // Smooth normals space lines evenly over the triangles of a round body; on few triangles they can be far from what is seen.
+  // Smooth normals space lines evenly over the triangles of a round body; on coarse meshes they may be far off.
   float perPixel = clamp(family.perPixel, seen / MOST_OFF_TRIANGLE, seen * MOST_OFF_TRIANGLE);
   float onObject = octaves(WANTED_SPACING / PARTS_OF_TILE * family.rise);
   float onScreen = octaves(WANTED_SPACING * perPixel);
@@ -70,8 +71,8 @@ float ruledLines(const in HatchingParameters h, const in Family family, const in
   #endif // MEDIUM
   octave = min(octave, family.coarsest);
   float period = powerOf2(ceil(octave));
-  // Old lines stay as wide as they would be at just this spacing, which takes the least change as one comes nearer. What room
-  // they leave is that of the new ones, which are their equals when the next octave begins.
+  // Old lines stay as wide as at exactly this spacing, which changes least as the camera comes nearer. The room that they leave is that of
+  // the new ones, which are as wide when the next octave begins.
   float pixels = period / seen;
   float spacing = powerOf2(octave) / seen;
   float x = family.value / period;
@@ -83,7 +84,7 @@ float ruledLines(const in HatchingParameters h, const in Family family, const in
   #endif // MEDIUM
   float oldRoom = 0.5 * spacing;
   float youngRoom = 0.5 * (pixels - spacing);
-  // All that a pixel may lie on: their shares of it add up.
+  // Sums over all lines that may touch the pixel.
   float covered = 0.0;
   for (int i = 0; i < 3; i++) {
     float line = below + 0.5 * float(i);

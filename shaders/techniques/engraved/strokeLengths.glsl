@@ -1,12 +1,12 @@
-// Strokes that the lines of a family are drawn in. They begin and end at places on the object, a power of two apart: as one comes nearer,
-// strokes give way to others half as long.
+// The strokes that the lines of a family are drawn in. They begin and end at fixed places on the object, a power of two apart: as the
+// camera comes nearer, strokes split into halves.
 uniform float strokeLength; // pixels, or 256ths of a tile
 
-// Where a fragment lies along the lines of a family: by two axes of the field, those along which the lines run most.
+// The coordinates of a fragment along the lines of a family: on the two axes of the field along which the lines run most.
 struct Along {
   vec2 places;
-  float share; // of the first
-  float period; // from the beginning of a stroke to the next
+  float share; // of the first axis
+  float period; // length of a stroke with its gap
   float longer; // share of strokes twice as long
 };
 
@@ -37,12 +37,13 @@ Along alongLines(const in HatchingParameters h, const in Family family) {
   return along;
 }
 
-// How far lines differ, as a share of the most: less where few lie between the repeats of their numbers. octave: of their distance.
+// The amplitude of variation from line to line, as a share of the greatest: less if few lines lie between repeats of their numbers. octave:
+// of their spacing.
 float differing(const in Family family, const in float octave) {
   return clamp((family.coarsest - octave) / DIFFERING_OCTAVES, LEAST_DIFFERING, 1.0);
 }
 
-// The number of a line: the same on both sides of a seam but for its sign.
+// The number of a line: the same on both sides of a seam, except for its sign.
 float numberOf(const in float line, const in Family family) {
   #ifdef FOLLOWS_FORM
     float repeat = powerOf2(family.coarsest);

@@ -7,12 +7,12 @@
 
 // Field space: that of the object, or one for all objects of a scene, from a common origin and in tiles.
 varying vec3 vFieldPoint;
-varying vec3 vFieldNormal; // at the scale of a stroke
+varying vec3 vFieldNormal; // smoothed to the scale of a stroke
 varying float vViewUnitsPerPixel;
 #ifdef FOLLOWS_FORM
-  // The gradient of a function, per tile, and its value less half of what the gradient makes of the place.
+  // Gradient of a function, per tile, and its value minus half of the gradient's product with the position.
   varying vec4 vForm;
-  varying vec4 vFormCrossing; // of the lines that cross
+  varying vec4 vFormCrossing; // of the crossing lines
 #elif TONE_MODEL == TONE_MODEL_SHADOW && SHADOW_DIRECTION == SHADOW_DIRECTION_AWAY
   #define RUNS_AWAY
 #elif LINE_FIELD == LINE_FIELD_LIGHT || LINE_FIELD == LINE_FIELD_TOWARDS
@@ -22,10 +22,10 @@ varying float vViewUnitsPerPixel;
   #endif // USE_SHADOWMAP
 #endif // FOLLOWS_FORM
 
-// The same all over the object.
+// Constant over an object.
 #ifdef FIELD_BY_VERTEX
-  varying vec4 vField; // the axis, unit, and the bend of the function that lines are level sets of
+  varying vec4 vField; // axis, unit, and curvature of the function whose level sets are lines
   varying vec3 vFieldSide; // a unit vector across the axis
 #elif defined(TURNS_WITH_LIGHT) || defined(RUNS_AWAY)
-  varying vec4 vFieldLight; // towards the light, unit; and one over its distance, 0 without an end
+  varying vec4 vFieldLight; // unit direction towards the light, and reciprocal of its distance, 0 for directional lights
 #endif // FIELD_BY_VERTEX

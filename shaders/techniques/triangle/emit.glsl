@@ -1,8 +1,8 @@
-// Algorithm 1: every triangle for itself.
+// Algorithm 1: each triangle by itself.
 #include "perTriangle/emit"
 vStrokeUv = strokesC.xy;
 #if LAYERS_BY_LIGHTS
   vCrossing = strokesC.z;
 #endif // LAYERS_BY_LIGHTS
-// A normal times the inverse from the left is the inverse transpose times the normal: right for every matrix.
+// Multiplied from the left by the inverse, that is by the inverse transpose, as normals need.
 vFaceNormal = safeNormalize(normalC * viewToObject);

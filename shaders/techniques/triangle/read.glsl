@@ -1,4 +1,4 @@
-// What hatching needs to know at this fragment.
+// The parameters of hatching at a fragment.
 struct HatchingParameters {
   vec2 uv;
 };

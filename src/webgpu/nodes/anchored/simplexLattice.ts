@@ -16,7 +16,7 @@ export interface LatticeAnchors {
   hashes: Value;
 }
 
-/** Odd primes without common patterns. */
+/** Odd numbers without common patterns. */
 const HASH_STEP = [0x8da6b343, 0xd8163841, 0xcb1ab31f] as const;
 /** Their sum, in 32 bits. */
 const HASH_STEPS = (HASH_STEP[0] + HASH_STEP[1] + HASH_STEP[2]) >>> 0;

@@ -17,7 +17,7 @@ const toothOffset = /* @__PURE__ */ hatchingUniform('toothOffset', 'vec2');
 /** Pixels per bump. */
 const toothSize = /* @__PURE__ */ hatchingUniform('toothSize', 'float');
 
-/** Variance between neighbouring texels of the map. */
+/** The share of variance that neighbouring texels of the map do not share. */
 const TOOTH_UNSHARED = 3 / 19;
 
 /**
