@@ -4,43 +4,43 @@ import { type BvhNodes, buildBvh } from './buildBvh.js';
 import { Holes } from './paint/Holes.js';
 import type { Cutout } from './paint/PaintLook.js';
 
-/** Which sides of a triangle are seen, and which cast shadows: bits. The front is that around which its corners run counter-clockwise. */
+/** Bits of a triangle: which sides are visible, and which cast shadows. On the front side corners run counter-clockwise. */
 export const SEEN_FRONT = 1;
 export const SEEN_BACK = 2;
 export const CASTS_FRONT = 4;
 export const CASTS_BACK = 8;
 /** Set for triangles that may have holes. */
 export const MAY_HAVE_HOLES = 16;
-/** Of see-through surfaces, which hide nothing: the sides that fade what is behind them. */
+/** The sides of a see-through surface, which fade what is behind them instead of hiding it. */
 export const FADES_FRONT = 32;
 export const FADES_BACK = 64;
 
-/** Deep enough for any number of triangles that fit into memory. */
+/** Depth of the traversal stack, enough for any number of triangles that fits into memory. */
 const STACK = 256;
 const NO_TRIANGLE = -1;
-/** The share of the building after which triangles are copied in their order. */
+/** The share of building after which triangles are copied into leaf order. */
 const SORTED_FROM = 0.9;
 
-/** The triangles of a scene, and what rays meet of them. */
+/** A bounding volume hierarchy over the triangles of a scene, for ray queries. */
 export class Bvh {
-  /** Nine numbers per triangle, in the order of the leaves. */
+  /** Nine numbers per triangle, in leaf order. */
   private readonly sorted: Float64Array;
   private readonly sortedSides: Uint8Array;
   private readonly stack = new Int32Array(STACK);
-  /** How far away the boxes of nodes that are still to be looked at begin. */
+  /** Distances of the boxes on the traversal stack. */
   private readonly nears = new Float64Array(STACK);
-  /** What was met last, as its neighbours most likely meet too. */
+  /** The triangle that was hit last, which the next ray most likely hits too. */
   private lastMet = 0;
-  /** The ray at hand. */
+  /** The current ray. */
   private origin: Vec3 = [0, 0, 0];
   private direction: Vec3 = [0, 0, 1];
   private inverse: Vec3 = [0, 0, 1];
-  /** The bits of the sides that count, where the ray meets a front, and where it meets a back. */
+  /** Bits of the sides that count as hits, for the front and for the back of a triangle. */
   private ofFront = 0;
   private ofBack = 0;
-  /** Rays that were asked about. */
+  /** Number of rays so far. */
   rays = 0;
-  /** The greatest of all coordinates, without their signs. */
+  /** The greatest absolute coordinate. */
   extent = 0;
 
   private constructor(
@@ -73,7 +73,7 @@ export class Bvh {
     return bvh;
   }
 
-  /** Copies triangles into the order of the leaves. */
+  /** Copies triangles into leaf order. */
   private sort(corners: Float64Array, sides: Uint8Array, start: number, end: number): void {
     const { sorted, sortedSides } = this;
     const { order } = this.nodes;
@@ -89,24 +89,24 @@ export class Bvh {
   }
 
   /**
-   * Whether anything that is seen lies between origin + start · way and origin + end · way, for an eye at the far end.
+   * Whether anything visible lies between origin + start · way and origin + end · way, for an eye at the far end.
    *
    * @param except a triangle that does not count
    */
   isHidden(origin: Vec3, way: Vec3, start: number, end: number, except = NO_TRIANGLE): boolean {
-    // The far end sees the front of what the ray meets from behind.
+    // From the far end, the front of a triangle that the ray hits from behind is visible.
     this.setRay(origin, way, SEEN_BACK, SEEN_FRONT);
     return this.meetsAny(start, end, except);
   }
 
-  /** The same of what casts shadows, for a light at the far end. */
+  /** Whether anything that casts shadows lies there, for a light at the far end. */
   isShaded(origin: Vec3, way: Vec3, start: number, end: number): boolean {
     this.setRay(origin, way, CASTS_BACK, CASTS_FRONT);
     return this.meetsAny(start, end, NO_TRIANGLE);
   }
 
   /**
-   * Calls for each triangle of a see-through surface that lies on the way to an eye at the far end.
+   * Calls back for each triangle of a see-through surface on the way to an eye at the far end.
    *
    * @param meet is told the triangle and where along the way it lies
    */
@@ -122,13 +122,13 @@ export class Bvh {
     this.meet(start, end, except, false, meet);
   }
 
-  /** How far along its way a ray of light from the origin first meets what casts shadows, up to `end`; endless if it meets nothing. */
+  /** The distance along a ray of light, up to `end`, of the first hit that casts shadows; Infinity for none. */
   firstCaster(origin: Vec3, way: Vec3, end: number): number {
     this.setRay(origin, way, CASTS_FRONT, CASTS_BACK);
     return this.meet(0, end, NO_TRIANGLE, false);
   }
 
-  /** How far along its way a ray from an eye at the origin meets the first that is seen, from `start` on; endless if it meets nothing. */
+  /** The distance along a ray from an eye, beyond `start`, of the first visible hit; Infinity for none. */
   firstMet(origin: Vec3, way: Vec3, start: number): number {
     this.setRay(origin, way, SEEN_FRONT, SEEN_BACK);
     return this.meet(start, Infinity, NO_TRIANGLE, false);
@@ -143,7 +143,7 @@ export class Bvh {
     this.ofBack = ofBack;
   }
 
-  /** Whether the ray meets anything within (start, end) but for one triangle. */
+  /** Whether the ray hits anything within (start, end) except one triangle. */
   private meetsAny(start: number, end: number, except: number): boolean {
     const { lastMet, sorted } = this;
     if (sorted.length === 0) return false;
@@ -154,7 +154,7 @@ export class Bvh {
     return this.meet(start, end, except, true) < Infinity;
   }
 
-  /** The nearest place within (start, end), or any if that is enough. tell: what is told of all of them, in no order. */
+  /** The distance of the nearest hit within (start, end), or of any hit. tell: called for all hits, in no particular order. */
   private meet(
     start: number,
     end: number,
@@ -189,7 +189,7 @@ export class Bvh {
       if (count > 0) continue;
       const left = this.entersBox(6 * first, start, far);
       const right = this.entersBox(6 * first + 6, start, far);
-      // The nearer one is looked at first.
+      // The nearer child is visited first.
       const isLeftFirst = left <= right;
       if (isLeftFirst && right < Infinity) {
         nears[top] = right;
@@ -207,7 +207,7 @@ export class Bvh {
     return best;
   }
 
-  /** Where the ray enters a box; endless if it does not. */
+  /** The distance at which the ray enters a box; Infinity if it does not. */
   private entersBox(box: number, start: number, end: number): number {
     const { bounds } = this.nodes;
     const { origin, inverse } = this;
@@ -216,7 +216,7 @@ export class Bvh {
     for (let a = 0; a < 3; a++) {
       const t0 = (bounds[box + a] - origin[a]) * inverse[a];
       const t1 = (bounds[box + 3 + a] - origin[a]) * inverse[a];
-      // 0 · ∞ is no number, and keeps the other bound.
+      // 0 · ∞ is NaN, and keeps the other bound.
       if (t0 < t1) {
         if (t0 > near) near = t0;
         if (t1 < far) far = t1;
@@ -225,11 +225,11 @@ export class Bvh {
         if (t0 < far) far = t0;
       }
     }
-    // Boxes are a little larger than what they hold, but that far away a rounding is larger.
+    // Boxes are slightly larger than their contents, but at a great distance rounding errors are larger.
     return near <= far + 1e-12 * Math.abs(far) ? near : Infinity;
   }
 
-  /** Where along the ray a triangle lies, if the side counts that it shows (Möller and Trumbore, 1997); otherwise no number. */
+  /** The distance of a hit with a triangle, if the side that faces the ray counts (Möller and Trumbore, 1997); otherwise NaN. */
   private meetsTriangle(i: number): number {
     const c = this.sorted;
     const o = 9 * i;
@@ -243,7 +243,7 @@ export class Bvh {
     const px = dy * e2z - dz * e2y;
     const py = dz * e2x - dx * e2z;
     const pz = dx * e2y - dy * e2x;
-    // Minus n·d: above 0 where the ray meets the front.
+    // Minus n·d: above 0 where the ray hits the front.
     const determinant = e1x * px + e1y * py + e1z * pz;
     const counted = determinant > 0 ? this.ofFront : this.ofBack;
     if (determinant === 0 || (this.sortedSides[i] & counted) === 0) return Number.NaN;

@@ -1,6 +1,6 @@
 import type { LiftedPiece } from './shading/outlines.js';
 
-/** A line on a surface, point by point. A closed one ends with its first point. */
+/** A polyline on a surface. A closed one ends with its first point. */
 export interface Chain {
   count: number;
   /** Pixels of the picture: two numbers per point. */
@@ -9,37 +9,37 @@ export interface Chain {
   world: Float64Array;
   /** Half the width at each point, pixels. */
   halves: Float64Array;
-  /** Above 0 where there is a line at all, linear between points. */
+  /** Above 0 where there is a line, linear between points. */
   margins: Float64Array;
-  /** The triangle of the scene that the piece after each point lies on; −1 for edges. */
+  /** The triangle of the scene under the piece after each point; −1 for edges. */
   triangles: Int32Array;
-  /** How far the middle of the line lies beside each point, pixels of the picture: two numbers per point; null where it lies there. */
+  /** Offsets of the middle of the line from the points, pixels of the picture: two numbers per point; null for none. */
   shifts: Float64Array | null;
   isClosed: boolean;
   /** Field space: three numbers per point of a line on a surface; null for others. */
   field: Float64Array | null;
-  /** A number in [0, 1) that belongs to the line. */
+  /** A hash of the line in [0, 1). */
   hash: number;
-  /** Of outlines. */
+  /** Null for lines on surfaces. */
   outline: ChainOutline | null;
 }
 
-/** What is known of an outline at each of its points. */
+/** Properties of an outline at each of its points. */
 export interface ChainOutline {
   pieces: readonly LiftedPiece[];
-  /** Half the width before a surface in place of the paper, pixels. */
+  /** Half the width before a surface instead of paper, pixels. */
   innerHalves: Float64Array;
-  /** The share of a contour or a border times how much heavier an accent makes it. */
+  /** The extra weight of an accent, times the share of the outline that is a contour or a border. */
   accents: Float64Array;
-  /** How much of it is a contour or a border before the paper: first as if all lay there, then as it lies. */
+  /** The share that is a contour or a border before paper: first as if all lay before paper, then as it lies. */
   contours: Float64Array;
-  /** What is left of its width where edges are lost, as a share: first as if all lay before the paper, then as it lies. */
+  /** The share of its width that is left where edges are lost: first as if all lay before paper, then as it lies. */
   lefts: Float64Array;
-  /** Of a line of weight 1, pixels. */
+  /** Width at weight 1, pixels. */
   width: number;
-  /** Of the bounding sphere, world units. */
+  /** Radius of the bounding sphere, world units. */
   radius: number;
-  /** Whether parts of the surface may be cut away. */
+  /** Whether parts of the surface may be cut out. */
   isCutOut: boolean;
 }
 
@@ -61,7 +61,7 @@ export class ChainBuilder {
     return this.margins.some((margin) => margin > 0);
   }
 
-  /** @param field of a line on a surface. @param shift of all points, or of none */
+  /** @param field field space, for lines on surfaces. @param shift offset of the line; for all points of a chain, or for none */
   push(
     screen: readonly number[],
     world: readonly number[],
@@ -80,7 +80,7 @@ export class ChainBuilder {
     this.field.push(...field);
   }
 
-  /** Makes the last point what two triangles give in the mean, and the line go on over the second. */
+  /** Sets the last point to the mean of what two triangles give, and continues the line over the second. */
   share(half: number, margin: number, triangle: number): void {
     const last = this.count - 1;
     this.halves[last] = 0.5 * (this.halves[last] + half);
@@ -88,7 +88,7 @@ export class ChainBuilder {
     this.triangles[last] = triangle;
   }
 
-  /** @param hash a number in [0, 1) that belongs to the line */
+  /** @param hash a hash of the line in [0, 1) */
   finish(isClosed: boolean, hash = 0): Chain {
     return {
       count: this.count,

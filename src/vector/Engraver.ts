@@ -29,25 +29,25 @@ import {
 import { alongLines } from './shading/strokeLengths.js';
 import type { Tones } from './Toner.js';
 
-/** How the lines of a surface are laid. */
+/** The properties of engraved lines on a surface. */
 export interface EngravedLook {
   lineField: CutField | 'form' | 'acrossForm';
   medium: LineMedium;
-  /** Of media that draw in strokes: pixels, or 256ths of a tile. */
+  /** Length of the strokes of a pen or a gouge: pixels, or 256ths of a tile. */
   strokeLength: number;
   spacing: LineSpacing;
-  /** Tone above which lines cross, and the angle at which, radians. */
+  /** Tone above which lines cross, and the angle, radians. */
   crossFrom: number;
   crossAngle: number;
-  /** From 0, a ruling machine, to 1. */
+  /** From 0, lines as by a ruling machine, to 1. */
   handmade: number;
-  /** Whether families of their own draw what shadows take. */
+  /** Whether shadows are drawn by families of their own. */
   crossesInShadows: boolean;
 }
 
 /**
- * The families: the first, two that cross it in the darks, two that cross a pen's in the deepest and lean the other way, and two that do so in
- * shadows.
+ * The families of lines: the first; two that cross it in the darks; two of a pen that lean back across those in the deepest darks; and two
+ * that lean back in shadows.
  */
 const FAMILIES = ['first', 'crossB', 'crossC', 'thirdB', 'thirdC', 'shadowB', 'shadowC'] as const;
 export type FamilyName = (typeof FAMILIES)[number];
@@ -55,30 +55,30 @@ export type FamilyName = (typeof FAMILIES)[number];
 const { ANY_OCTAVE } = FIELD_CONSTANTS;
 const { LEAST_TONE } = LINE_CONSTANTS;
 
-/** One way in which the families of a surface are read. */
+/** How the families of a surface are laid at one place. */
 interface Reading {
   value: number;
   gradient: Vec3;
   rise: number;
   coarsest: number;
   pressure: number;
-  /** The share of the first family, and of side B, of what there is to print. */
+  /** The share to which the first family has lines here, and the share of side B in what crosses. */
   has: number;
   shareB: number;
 }
 
-/** A place as far as all families read it alike. */
+/** A place, as far as all families share what is computed for it. */
 export interface EngravedPlace {
   place: SurfacePlace;
   /** Null for lines that follow the form. */
   cut: CutReading | null;
   smooth: ScreenMap;
   flat: ScreenMap;
-  /** That of the flat triangle, held back where it leans away as the smooth one is. */
+  /** The screen map of the flat triangle, with the same limit at grazing angles as the smooth one. */
   triangle: ScreenMap;
 }
 
-/** Works out the lines of one surface: the values that they are level sets of, and how wide each is where. */
+/** Computes the lines of one surface: the functions whose level sets they are, and their widths. */
 export class Engraver {
   private readonly cut: CutFamilies | null;
   private readonly leans: Readonly<Record<FamilyName, Lean>>;
@@ -92,7 +92,7 @@ export class Engraver {
   ) {
     this.cut = field && cutFamilies(field);
     const [cosine, sine] = [Math.cos(look.crossAngle), Math.sin(look.crossAngle)];
-    // Others halve the wider angle between the first and those that cross it: they lean the other way by 60° if that is theirs.
+    // Other families lean back: they halve the wider angle between the first family and those that cross it, so that 60° gives −60°.
     const other = { cosine: Math.sin(look.crossAngle / 2), sine: -Math.cos(look.crossAngle / 2) };
     this.leans = {
       first: { cosine: 1, sine: 0, side: null },
@@ -119,16 +119,16 @@ export class Engraver {
     const { crossFrom, crossesInShadows, medium } = this.look;
     return FAMILIES.filter((name) => {
       if (name === 'first') return true;
-      // One family alone crosses those that follow the form.
+      // Only one family crosses lines that follow the form.
       if (this.cut === null && name.endsWith('C')) return false;
       if (name.startsWith('shadow')) return crossesInShadows;
       if (name.startsWith('third') && medium !== 'pen') return false;
-      // Where the first has no lines, others take its tone.
+      // Where the first family has no lines, others take its tone.
       return crossFrom < 1 || this.cut !== null;
     });
   }
 
-  /** Reads a place for all families. */
+  /** Computes what all families share at a place. */
   at(place: SurfacePlace): EngravedPlace {
     const { projection, viewToField, cut, look } = this;
     const unitsPerPixel = projection.unitsPerPixel(-place.view[2]);
@@ -151,7 +151,7 @@ export class Engraver {
     return this.read(family, at).gradient;
   }
 
-  /** How much a function changes per pixel on a flat triangle of a surface that does not deform. view: the place, view space. */
+  /** The change of a function per pixel on a flat triangle of a surface that does not deform. view: the place, view space. */
   changeOn(flatNormal: Vec3, gradient: Vec3, view: Vec3): number {
     const { projection, viewToField } = this;
     const unitsPerPixel = projection.unitsPerPixel(-view[2]);
@@ -173,7 +173,7 @@ export class Engraver {
       coarsest,
       perPixel: changePerPixel(gradient, flat),
       widths: this.cut === null ? 0 : handmade,
-      // Those that follow the form have other numbers on the other side of a seam.
+      // Lines that follow the form have other numbers on the other side of a seam, so they cannot dissolve one by one.
       left: this.cut === null ? 1 : tones.left,
       isEven: this.cut !== null && medium === 'ink',
       strokes:
@@ -189,7 +189,7 @@ export class Engraver {
     };
   }
 
-  /** What a family prints, before the hand presses. */
+  /** The tone that a family prints, before the pressure of the hand. */
   private toneOf(family: FamilyName, { has, shareB }: Reading, tones: Tones): number {
     const { crossFrom, crossesInShadows, medium } = this.look;
     const isPen = medium === 'pen';
@@ -202,11 +202,11 @@ export class Engraver {
     const isShadow = family.startsWith('shadow');
     let left = second;
     if (isShadow) left = leftOf(tones.tone, tones.unshadowed);
-    // Strokes cross at a slant, which alone would leave rows of rhombs open in the darks: others lean the other way there.
+    // Two families cross at a slant and would leave rows of rhombs open in the darks: the third leans back.
     else if (family.startsWith('third')) left = leftOf(others, second);
     const leansOther = isShadow || family.startsWith('third');
     const tone = sharedByTwo(left, leansOther ? otherShare(shareB, has) : shareB)[family.endsWith('B') ? 0 : 1];
-    // What is as good as nothing has no lines.
+    // Negligible tones have no lines.
     return tone <= LEAST_TONE ? 0 : tone;
   }
 

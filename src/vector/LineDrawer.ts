@@ -35,7 +35,7 @@ import { type Run, type SeenTest, visibleRuns } from './visibleRuns.js';
 
 const { DASH, FAINT, GAP } = OUTLINE_CONSTANTS;
 
-/** The names of the layers, in their order. */
+/** The names of the layers, in order. */
 export const LAYERS = ['outlines', 'engraved', 'crossing', 'shadows', 'background', 'hidden'] as const;
 export type LayerName = (typeof LAYERS)[number];
 
@@ -49,32 +49,32 @@ const LAYER_OF: Readonly<Record<FamilyName, LayerName>> = {
   shadowC: 'shadows',
 };
 
-/** Rays that leave a surface begin so far above it, as a share of the size of the scene. */
+/** Height above a surface at which rays start, as a share of the size of the scene. */
 const ABOVE = 1e-6;
 
-/** Behind something that is seen through a pen draws dashes, whose beginnings lie so many of its widths apart. */
+/** Distance between the starts of dashes that a pen draws behind a see-through surface, in widths of the pen. */
 const FADED_PERIOD = 12;
 
-/** A piece of an outline that a pen draws is at least so long, or meets others, millimetres. */
+/** Shortest piece of outline that a pen draws unless it meets others, millimetres. */
 const SHORTEST_ALONE = 2;
 
-/** A path of a layer. left: the share of it that is left behind what is seen through. */
+/** A path in a layer. left: the share of it that is visible through see-through surfaces. */
 interface LeftPath {
   layer: PathLayer;
   path: LinePath;
   left: number;
 }
 
-/** A line as far as a share of it is left behind something that is seen through. */
+/** A part of a line that is visible to one share through see-through surfaces. */
 interface FadedPart {
   faded: Chain;
   left: number;
   isLeft: SeenTest;
 }
 
-/** The share of drawing a surface in which its lines are traced. */
+/** The share of tracing in the time for a surface. */
 const TRACED = 0.65;
-/** The share of tracing in which vertices are read. */
+/** The share of reading vertices in the time for tracing. */
 const READING = 0.4;
 
 /** A layer while it is drawn. */
@@ -90,7 +90,7 @@ export interface PathLayer {
 export class LineDrawer {
   readonly layers: PathLayer[] = [];
   segments = 0;
-  /** Rays that leave a surface begin so far above it, world units. */
+  /** Height above a surface at which rays start, world units. */
   readonly above: number;
   readonly fading: Fading;
   private casters: Casters | null | undefined;
@@ -155,7 +155,7 @@ export class LineDrawer {
     }
   }
 
-  /** Draws what is hidden of outlines, in a layer of its own. */
+  /** Draws hidden outlines, in a layer of their own. */
   private *drawHidden({ mesh, look, clip, ink }: OutlinedMesh): Generator<number, void, void> {
     const { scene, projection, bvh } = this;
     const even = hiddenLook(look);
@@ -201,7 +201,7 @@ export class LineDrawer {
     }
   }
 
-  /** A line as what it lies behind lets it through: once for each share that is left of any part of it, and where it is that one. */
+  /** Splits a line by what it lies behind: for each share that is visible of any part of it, the line and a test for that share. */
   private *fadedParts(chain: Chain, isSeen: SeenTest): Generator<number, FadedPart[], void> {
     const { fading, projection } = this;
     if (!fading.isThere) return [{ faded: chain, left: 1, isLeft: isSeen }];
@@ -227,14 +227,14 @@ export class LineDrawer {
     });
   }
 
-  /** A test that sees only where so much is left of a line. */
+  /** A test that passes where just this share of a line is visible. */
   private isLeftOf({ triangles }: Chain, left: number, isSeen: SeenTest): SeenTest {
     const { fading } = this;
     if (!fading.isThere) return isSeen;
     return (place) => isSeen(place) && fading.leftOf(place.world, triangles[place.piece]) === left;
   }
 
-  /** All lines on a surface, seen or not. Yields its progress. */
+  /** All lines on a surface, visible or not. Yields its progress. */
   *tracedChains(drawn: EngravedSurface): Generator<number, TracedLine[], void> {
     const { projection, bvh, pen, scene } = this;
     const { surface, look, turned, paint } = drawn;
@@ -272,13 +272,13 @@ export class LineDrawer {
     }
   }
 
-  /** A line of a print that is nowhere thinner than a press holds. */
+  /** A line of a print, nowhere thinner than a press can hold. */
   private asPressHolds(line: Chain, medium: LineMedium): Chain {
     const { least } = this;
-    // What is left of a block is drawn side by side, in cells that are thinner than it is.
+    // The black of a woodcut is drawn in adjacent cells, which may be thin.
     if (least === 0 || medium === 'woodcut') return line;
     if (medium === 'ink') return dashed(line, least);
-    // Strokes end by themselves.
+    // Strokes end instead of becoming dashes.
     endHairlines(line, least);
     return line;
   }
@@ -291,7 +291,7 @@ export class LineDrawer {
     return layer;
   }
 
-  /** Whether a place on a line of a surface is seen. */
+  /** A test for the visibility of a line on a surface. */
   surfaceTest({ triangles }: Chain): SeenTest {
     return ({ world, piece }) => {
       const { way, end } = this.projection.wayToEye(...world);
@@ -299,7 +299,7 @@ export class LineDrawer {
     };
   }
 
-  /** Adds what is seen of a line on a surface. left: the share that is left of it. */
+  /** Adds the visible parts of a line on a surface. left: the share of it that is visible. */
   private *addChain(
     layer: PathLayer,
     chain: Chain,
@@ -318,7 +318,7 @@ export class LineDrawer {
     }
   }
 
-  /** Adds a path, which a pen draws as dashes where only a share of it is left. */
+  /** Adds a path, which a pen draws as dashes if it is only partly visible. */
   private addPath({ layer: { paths }, path, left }: LeftPath): void {
     const { pen } = this;
     if (pen === null || left === 1) paths.push(path);
@@ -335,13 +335,13 @@ export class LineDrawer {
   }
 }
 
-/** A line on a surface, and the family that it belongs to. */
+/** A line on a surface, and its family. */
 interface TracedLine {
   family: FamilyName;
   chain: Chain;
 }
 
-/** What veils print that are hatched themselves. To be asked before surfaces are subdivided. */
+/** The tones of see-through surfaces that are hatched themselves. To be read before surfaces are subdivided. */
 function veilTones(
   { surfaces, stippled, veils, illumination }: DrawnScene,
   projection: Projection,
@@ -364,10 +364,10 @@ function* tracedFamilies(tracing: Tracing, tones: VertexTones): Generator<number
   return lines;
 }
 
-/** A test that sees nothing of an outline where its surface is cut away. */
+/** A test that fails where the surface of an outline is cut out. */
 const uncut = (isSeen: SeenTest, isCut: SeenTest | null): SeenTest =>
   isCut ? (place) => isSeen(place) && !isCut(place) : isSeen;
 
-/** A test that sees nothing of what clipping planes take away. */
+/** A test that fails where clipping planes cut. */
 const clipped = (isSeen: SeenTest, clip: Clip | null): SeenTest =>
   clip ? (place) => !isClipped(clip, place.world) && isSeen(place) : isSeen;

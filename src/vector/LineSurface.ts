@@ -4,43 +4,43 @@ import type { PosedMaps, SurfaceDetails } from './paint/SurfaceDetails.js';
 import type { FormAt } from './shading/readForm.js';
 import type { Mat3 } from './shading/screenGradient.js';
 
-/** Where the numbers of a vertex lie among its `STRIDE` ones. */
+/** Offsets of the numbers of a vertex within its `STRIDE`. */
 export const WORLD = 0;
 export const VIEW = 3;
 export const FIELD = 6;
-/** At the scale of a stroke, field space. */
+/** Normal smoothed to the scale of a stroke, field space. */
 export const FIELD_NORMAL = 9;
 /** World space. */
 export const TONE_NORMAL = 12;
 export const OCCLUSION = 15;
-/** The two functions of the form: gradient per tile and rest, as `formVarying` has them. */
+/** The two functions of the form: gradient per tile and rest, as in `formVarying`. */
 export const FORM = 16;
 export const STRIDE = 24;
 
-/** A surface whose lines are drawn: triangles of vertices of which all numbers are linear over a triangle. */
+/** A surface with lines: triangles over which all numbers of vertices are linear. */
 export interface LineSurface {
-  /** `STRIDE` numbers per vertex. Vertices at one place have the same WORLD, VIEW and FIELD, bit by bit. */
+  /** `STRIDE` numbers per vertex. Vertices at one place have bit-identical WORLD, VIEW and FIELD. */
   vertices: Float64Array;
-  /** The place of each vertex. */
+  /** Index of the place of each vertex. */
   placeOf: Int32Array;
-  /** The vertex of each corner; the front is counter-clockwise as seen. */
+  /** Vertices of corners; the front is counter-clockwise as seen. */
   triangles: Int32Array;
   /** The triangle of the scene that each triangle is a part of. */
   parents: Int32Array;
   /** Which sides are drawn. */
   drawsFront: boolean;
   drawsBack: boolean;
-  /** Takes normals of the field to the view, as a factor on the right. */
+  /** Transforms normals from field space to view space, as a factor on the right. */
   viewToField: Mat3;
-  /** Null for surfaces that have nothing more. */
+  /** Null without further numbers. */
   details: SurfaceDetails | null;
 }
 
-/** What all places of a triangle share. */
+/** Properties of a triangle. */
 export interface FlatTriangle {
-  /** In field space, of any length. */
+  /** Field space, of any length. */
   flatNormal: Vec3;
-  /** Whether its corners have one tone normal. */
+  /** Whether its corners have the same tone normal. */
   isPlane: boolean;
 }
 
@@ -54,13 +54,13 @@ export interface SurfacePlace extends FlatTriangle {
   occlusion: number;
   form: FormAt;
   formCrossing: FormAt;
-  /** Of a surface that deforms, in place of its one map from the view to the field. */
+  /** The maps of a surface that deforms; null for the surface's single map from view to field. */
   posed: PosedMaps | null;
-  /** Of a surface with textures or colours that count. */
+  /** Null without textures and vertex colours that affect tone. */
   paint: Paint | null;
 }
 
-/** The numbers at a share of the way from one vertex to another. */
+/** Numbers interpolated between two vertices. */
 export function between(vertices: Float64Array, a: number, b: number, share: number): Float64Array {
   const [i, j] = [STRIDE * a, STRIDE * b];
   const numbers = new Float64Array(STRIDE);
@@ -69,7 +69,7 @@ export function between(vertices: Float64Array, a: number, b: number, share: num
 }
 
 /**
- * The place that has numbers.
+ * The place with the given numbers.
  *
  * @param side 1, or −1 where the back is seen, whose tone normal looks the other way
  * @param o where the numbers begin
@@ -93,7 +93,7 @@ export function placeFrom(n: ArrayLike<number>, triangle: FlatTriangle, side: nu
 
 const vectorAt = (n: ArrayLike<number>, o: number): Vec3 => [n[o], n[o + 1], n[o + 2]];
 
-/** The place of a vertex, as a triangle has it. */
+/** The place of a vertex of a triangle. */
 export const placeOfVertex = (surface: LineSurface, vertex: number, triangle: number, side: number): SurfacePlace =>
   placeFrom(surface.vertices, readTriangle(surface, triangle), side, STRIDE * vertex);
 

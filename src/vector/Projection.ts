@@ -1,9 +1,9 @@
 import type { Vec3 } from '../look/vectors.js';
 
-/** A matrix of 16 numbers, column by column. */
+/** A matrix of 16 numbers, column-major. */
 export type Matrix = ArrayLike<number>;
 
-/** A point moved by a matrix. */
+/** A point, transformed by a matrix. */
 export const transformed = (m: Matrix, x: number, y: number, z: number): Vec3 => [
   m[0] * x + m[4] * y + m[8] * z + m[12],
   m[1] * x + m[5] * y + m[9] * z + m[13],
@@ -16,14 +16,14 @@ export interface CameraMatrices {
   view: Matrix;
   world: Matrix;
   projection: Matrix;
-  /** The distance of the near plane, world units. */
+  /** Distance of the near plane, world units. */
   near: number;
 }
 
-/** What a camera makes of places in the world: pixels of the picture, from its upper left corner down. */
+/** The projection of a camera, from the world to pixels of the picture, which count from its upper left corner. */
 export class Projection {
   readonly isOrthographic: boolean;
-  /** Where the camera is, and the direction towards it along its axis; world space. */
+  /** Position of the camera, and the direction towards it along its axis; world space. */
   readonly eye: Vec3;
   readonly backwards: Vec3;
 
@@ -44,7 +44,7 @@ export class Projection {
     return transformed(this.camera.view, x, y, z);
   }
 
-  /** Where a place in view space lies on the picture. */
+  /** Projects a position in view space. */
   project(x: number, y: number, z: number): readonly [number, number] {
     const p = this.camera.projection;
     const w = p[11] * z + p[15];
@@ -54,18 +54,18 @@ export class Projection {
     ];
   }
 
-  /** How far before the camera a place in the world lies, along its axis. */
+  /** Distance of a position in the world from the camera, along the camera's axis. */
   depthOf(x: number, y: number, z: number): number {
     const v = this.camera.view;
     return -(v[2] * x + v[6] * y + v[10] * z + v[14]);
   }
 
-  /** View units to a pixel at a depth. */
+  /** View units per pixel at a depth. */
   unitsPerPixel(depth: number): number {
     return (2 * (this.isOrthographic ? 1 : depth)) / (Math.abs(this.camera.projection[5]) * this.height);
   }
 
-  /** The way from a place in the world to the near plane: its whole length is 1, that to the eye or to the plane of the camera. */
+  /** The vector from a position in the world to the near plane, and the factor at which it reaches the eye or the camera plane. */
   wayToEye(x: number, y: number, z: number): { way: Vec3; end: number } {
     const depth = this.depthOf(x, y, z);
     const end = 1 - this.camera.near / depth;
@@ -74,7 +74,7 @@ export class Projection {
     return { way: [bx * depth, by * depth, bz * depth], end };
   }
 
-  /** The ray through a pixel: the depth rises by 1 along its direction. */
+  /** The ray through a pixel, with a direction along which depth grows by 1. */
   rayThrough(px: number, py: number): { origin: Vec3; direction: Vec3 } {
     const { projection: p, world } = this.camera;
     const nx = (2 * px) / this.width - 1;
@@ -88,7 +88,7 @@ export class Projection {
     return { origin, direction: [ahead[0] - origin[0], ahead[1] - origin[1], ahead[2] - origin[2]] };
   }
 
-  /** The share of a piece in space at a share of it on the picture, from the depths of its ends. */
+  /** Perspective-correct interpolation: the share in space at a share on the picture, from the depths of both ends. */
   shareInSpace(share: number, startDepth: number, endDepth: number): number {
     return this.isOrthographic ? share : (share * startDepth) / (endDepth + share * (startDepth - endDepth));
   }

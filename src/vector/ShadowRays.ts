@@ -4,39 +4,39 @@ import type { Bvh } from './Bvh.js';
 import type { GroundLook } from './shading/groundShadow.js';
 import type { Lamp } from './shading/radiance.js';
 
-/** The map that the canvas reads the shadow of a light from. */
+/** The shadow map of a light on the canvas. */
 export interface LampShadow {
-  /** Texels along a side of the map, and how far the edge is softened, texels. */
+  /** Texels along a side of the map, and the radius of its filter, texels. */
   texels: number;
   radius: number;
-  /** How dark it is, from 0 to 1. */
+  /** Darkness of the shadow, from 0 to 1. */
   intensity: number;
-  /** Whether it is a cube around the light. */
+  /** Whether it is a cube map. */
   isCube: boolean;
-  /** What it covers across the light, world units; of a light at a place that at a distance of 1. A cube covers all. */
+  /** Width of the map across the light, world units; for a positional light that at distance 1. */
   width: number;
 }
 
-/** What rays tell of the shadow of a lamp at a place. */
+/** The shadow of a lamp at a place, found by rays. */
 export interface ToldShadow {
   /** The share of the light that arrives. */
   passing: number;
-  /** The share of the tone of the shadow that has not dissolved; 1 but on a ground. */
+  /** The share of the shadow's tone that has not dissolved; less than 1 only on a ground. */
   left: number;
 }
 
 /** Farther than any light. */
 const FAR = 1e9;
 const { MOST_SAMPLES, FARTHEST_CASTER, TOWARDS_LAMP, LIFT, THINNEST, OVERHEAD } = SHADOW_CONSTANTS;
-/** Rays to places on a lamp; after those of the rim it is known whether there is an edge. */
+/** Rays to points on a lamp; after those to its rim it is known whether there is an edge. */
 const { EDGE_SAMPLES: RAYS, RIM_SAMPLES: RIM } = SHADOW_SAMPLES;
-/** Rays that start beside a place do so in its plane, unless that leans less than so to the light. */
+/** Rays that start beside a place start in its tangent plane, unless its cosine to the light is less than this. */
 const LEAST_LEAN = 0.25;
 
 const LIT: ToldShadow = { passing: 1, left: 1 };
 const MIDDLE: readonly [number, number] = [0, 0];
 
-/** Places all over a disc of radius 1, as seeds lie in a flower, the outermost first: those of the rim lie evenly around it. */
+/** Points on the unit disc in a sunflower pattern, outermost first, so that those of the rim lie evenly around it. */
 const DISC = Array.from({ length: RAYS }, (_, i): readonly [number, number] => {
   const outward = Math.sqrt((RAYS - i - 0.5) / RAYS);
   const angle = i < RIM ? (2 * Math.PI * i) / RIM : i * Math.PI * (3 - Math.sqrt(5));
@@ -44,25 +44,25 @@ const DISC = Array.from({ length: RAYS }, (_, i): readonly [number, number] => {
 });
 
 /**
- * The radius of a disc that softens an edge as much as the kernel of a map.
+ * The radius of a disc that softens an edge as much as the filter of a map.
  *
  * @param radius of the light's shadow, and `blend`, the width that neighbours are blended over, in one unit
  */
 function kernelRadius(radius: number, blend: number): number {
   const samples = Math.min(Math.ceil(radius), MOST_SAMPLES);
   const step = samples > 0 ? radius / samples : 0;
-  // A tent of half-width a spreads by a²/6, and a disc of radius r by r²/4.
+  // A tent of half-width a has variance a²/6, and a disc of radius r has r²/4.
   return Math.sqrt((2 / 3) * (step * step * ((samples + 1) ** 2 - 1) + blend * blend));
 }
 
 /** Rays from around a place to around a lamp. */
 interface Bundle {
   from: Vec3;
-  /** Unit. */
+  /** Unit vector to the lamp. */
   towards: Vec3;
-  /** The length of the way, world units. */
+  /** Distance of the lamp, world units. */
   end: number;
-  /** Unit vectors across the way, and what lies above or below their ends on the surface. */
+  /** Unit vectors across the ray, and the offsets along the ray at which their ends meet the tangent plane. */
   side: Vec3;
   up: Vec3;
   besides: Vec3;
@@ -72,17 +72,17 @@ interface Bundle {
 function bundleOf(from: Vec3, normal: Vec3, towards: Vec3, length: number): Bundle {
   const side = normalize(cross(towards, Math.abs(towards[1]) < OVERHEAD ? [0, 1, 0] : [1, 0, 0]));
   const up = cross(towards, side);
-  // A surface does not shade itself beside a place if rays start on it there.
+  // Rays that start in the tangent plane do not hit the surface's own neighbourhood.
   const lean = 1 / Math.max(dot(normal, towards), LEAST_LEAN);
   const onSurface = (way: Vec3): Vec3 => combined(1, way, -lean * dot(way, normal), towards);
   return { from, towards, end: Math.min(length, FAR), side, up, besides: onSurface(side), above: onSurface(up) };
 }
 
-/** Tells of the shadows of lamps by rays: hard, or as soft as the canvas reads them from maps. */
+/** Computes the shadows of lamps by rays: hard, or as soft as those of the canvas' shadow maps. */
 export class ShadowRays {
   /**
-   * @param bias how far rays begin above bodies, world units
-   * @param isSoft without, one ray tells of each shadow
+   * @param bias height above bodies at which rays start, world units
+   * @param isSoft whether edges are soft; otherwise there is one ray per shadow
    */
   constructor(
     private readonly bvh: Bvh,
@@ -129,11 +129,11 @@ export class ShadowRays {
     const caster = this.casterAlong(bundle, met, met === MIDDLE ? 0 : thinnest, opening, reach);
     const left = Math.max(1 - (fade * caster) / width, 0);
     if (left === 0 || !this.isSoft) return { passing: 0, left };
-    // The edge is at least as wide as the map has it.
+    // The edge is at least as wide as that of the map.
     return { passing: this.passing(bundle, Math.max(thinnest - opening * caster, 0), opening, lift), left };
   }
 
-  /** The share of a lamp that is seen, if rays start within a spread around a place and open as much. */
+  /** The visible share of a lamp, by rays that start within a spread around a place and open towards the lamp. */
   private passing(bundle: Bundle, spread: number, opening: number, lift: number): number {
     const isDark = this.isMet(bundle, MIDDLE, 0, 0, lift);
     let met = 0;
@@ -149,7 +149,7 @@ export class ShadowRays {
     return this.bvh.isShaded(from, way, lift, bundle.end);
   }
 
-  /** How far along a ray what casts a shadow lies: of all that, what light meets first, up to a reach. */
+  /** The distance along a ray of the first occluder, as seen from the light, up to a reach. */
   private casterAlong(
     bundle: Bundle,
     on: readonly [number, number],
@@ -164,7 +164,7 @@ export class ShadowRays {
   }
 }
 
-/** The ray through a place on the disc. */
+/** The ray through a point on the disc. */
 function rayOf(
   { from, towards, end, side, up, besides, above }: Bundle,
   [x, y]: readonly [number, number],
@@ -176,18 +176,18 @@ function rayOf(
   const way = combined(opening * x, side, opening * y, up);
   return {
     from: combined(1, from, 1, start),
-    // All that start around a place see the same lamp.
+    // All rays aim at the same lamp, wherever they start.
     way: combined(1, combined(1, towards, 1, way), -1 / end, start),
   };
 }
 
-/** What a map covers across the light at a place, world units. */
+/** The width of a map across the light at a place, world units. */
 function widthAt({ cone }: Lamp, { width, isCube }: LampShadow, direction: Vec3, length: number): number {
   if (isCube) return 2 * length * Math.max(...direction.map(Math.abs));
   return length < Infinity && cone ? width * length * dot(direction, cone.axis) : width;
 }
 
-/** By how much a map softens edges, as the radius of a disc, world units. */
+/** The softness of a map's edges, as the radius of a disc, world units. */
 const mapSoftness = ({ isCube, radius, texels }: LampShadow, length: number, width: number): number =>
-  // The kernel of a cube steps through directions, of which each texel has two parts of a whole.
+  // The kernel of a cube map steps through directions, where a texel spans two units.
   isCube ? (kernelRadius(radius, 2) * length) / texels : (kernelRadius(radius, 1) * width) / texels;

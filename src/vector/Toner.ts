@@ -11,51 +11,51 @@ import { type GroundLook, groundTone } from './shading/groundShadow.js';
 import { arriving, type Lamp, reflectedTo, responseTo, type ToneModel } from './shading/radiance.js';
 import { openToLights, openToSky, shadedTone, type ToneLook } from './shading/tone.js';
 
-/** How a surface shows the light. */
+/** The response of a surface to light. */
 export interface SurfaceLook extends ToneLook {
   model: ToneModel;
   shininess: number;
-  /** Share of each light that the surroundings throw back. */
+  /** Share of each light that the surroundings reflect. */
   reflectedLight: number;
-  /** Luminance that the surface gives off. */
+  /** Emitted luminance. */
   emitted: number;
   receivesShadows: boolean;
-  /** How a ground shows shadows alone; null for bodies. */
+  /** The look of a ground that shows shadows alone; null for bodies. */
   ground: GroundLook | null;
-  /** The share of their tone that is drawn of surfaces that are seen through; 1 of others. */
+  /** The share of their tone that see-through surfaces print; 1 for others. */
   opacity: number;
-  /** What takes weight away; null where all has its full weight. */
+  /** Null where everything has its full weight. */
   emphasis: Emphasis | null;
 }
 
 /** The lights of a scene. */
 export interface Illumination {
   lamps: readonly Lamp[];
-  /** The shadow of each; null for those that cast none. */
+  /** The shadow of each lamp; null for lamps without one. */
   shadows: readonly (LampShadow | null)[];
   /** Whether shadows are as soft as on the canvas, or hard. */
   isSoft: boolean;
   around: Surroundings;
-  /** How far the places that rays of shadows begin at are lifted from the surface, world units. */
+  /** Height above the surface at which shadow rays start, world units. */
   bias: number;
 }
 
-/** The tone at a place. */
+/** The tones at a place. */
 export interface Tones {
   tone: number;
-  /** As if nothing cast shadows. */
+  /** Without shadows. */
   unshadowed: number;
-  /** Which of the lamps do not arrive, as bits: the same all over one part of a shadow. In soft edges each is a share of its bit. */
+  /** The lamps that do not arrive, as bits: constant over one part of a shadow. In soft edges each bit counts by its share. */
   shadows: number;
   /** The share of the shadow on a ground that has not dissolved; 1 on bodies. */
   left: number;
-  /** What a full shadow on a ground would print there; 0 on bodies. */
+  /** The tone of a full shadow on a ground; 0 on bodies. */
   full: number;
-  /** Which of the lamps hardly arrive, so that lines turn, as bits. */
+  /** The lamps that are shadowed so much that lines turn, as bits. */
   turned: number;
 }
 
-/** What shadows are taken for: what rays say, none at all, or those of every lamp. */
+/** Which shadows to assume: traced by rays, none, or those of all lamps. */
 export type Shadowing = 'traced' | 'none' | 'all';
 
 const { LEAST_RESPONSE } = TONE_CONSTANTS;
@@ -63,7 +63,7 @@ const { LEAST_RESPONSE } = TONE_CONSTANTS;
 const LIT: ToldShadow = { passing: 1, left: 1 };
 const SHADED: ToldShadow = { passing: 0, left: 1 };
 
-/** Works out the tone of a surface under the lights of a scene. */
+/** Computes the tone of a surface under the lights of a scene. */
 export class Toner {
   private readonly rays: ShadowRays;
 
@@ -81,18 +81,18 @@ export class Toner {
     return this.look.ground !== null;
   }
 
-  /** Whether many rays tell of shadows. */
+  /** Whether shadows are traced by many rays. */
   get hasSoftShadows(): boolean {
     return this.light.isSoft && this.hasShadows;
   }
 
-  /** What shadows make the most ink: with light ink none. */
+  /** The shadows with the most ink; with light ink none. */
   get darkest(): Shadowing {
     const [blank, full] = this.look.toneEnds;
     return full >= blank ? 'all' : 'none';
   }
 
-  /** Whether shadows may fall on the surface at all. */
+  /** Whether the surface may receive shadows. */
   get hasShadows(): boolean {
     return this.look.receivesShadows && this.light.lamps.some(({ castsShadow }) => castsShadow);
   }

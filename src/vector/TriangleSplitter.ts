@@ -1,38 +1,38 @@
-/** Bins that ranges are sorted into, and those of a range of few triangles. */
+/** Number of bins, and the number for small ranges. */
 const BINS = 16;
 const FEW_BINS = 6;
 const FEW = 64;
 /** Numbers of a box: its least corner, and its greatest. */
 const BOX = 6;
-/** What a `Float32Array` rounds is off by less than this share, or by less than this. */
+/** Relative and absolute bounds of the rounding error of a `Float32Array`. */
 const ROUNDED_BY = 1.2e-7;
 const LEAST = 1e-37;
 
-/** Halves ranges of triangles for a hierarchy of boxes, in steps of a bounded number of triangles. */
+/** Splits ranges of triangles for a bounding volume hierarchy, in steps of a bounded number of triangles. */
 export class TriangleSplitter {
-  /** The triangles, in the order that halving brings them into. */
+  /** Triangle indices, partitioned by the splits. */
   readonly order: Uint32Array;
-  /** Where the second part of the range at hand begins, once it is parted. */
+  /** The start of the second part of the current range, once it is split. */
   middle = 0;
-  /** A box per triangle in that order, a little larger than the triangle. */
+  /** A box per triangle in that order, slightly larger than the triangle. */
   private readonly boxes: Float32Array;
   private start = 0;
   private end = 0;
-  /** How far the step at hand has come, and from where on the range is the second part. */
+  /** Progress of the current step, and the start of the second part so far. */
   private at = 0;
   private upTo = 0;
-  /** The box of the range, and that of twice the centres of its boxes. */
+  /** The box of the range, and the box of the doubled centres of its boxes. */
   private readonly own = new Float64Array(BOX);
   private readonly centres = new Float64Array(BOX);
   private readonly counts = new Uint32Array(BINS);
   private readonly bins = new Float64Array(BOX * BINS);
   private readonly costs = new Float64Array(BINS);
-  /** How bins are told: the axis, their number, where the first begins, and bins per unit. */
+  /** The binning: axis, number of bins, start of the first, and bins per unit. */
   private axis = 0;
   private binCount = BINS;
   private origin = 0;
   private perUnit = 0;
-  /** The bin that the second part begins with; −1 where all are in one. */
+  /** The first bin of the second part; −1 if all triangles are in one bin. */
   private border = -1;
 
   constructor(count: number) {
@@ -40,7 +40,7 @@ export class TriangleSplitter {
     this.boxes = new Float32Array(BOX * count);
   }
 
-  /** Reads the boxes of triangles: nine numbers each. */
+  /** Computes the boxes of triangles: nine numbers each. */
   readBoxes(corners: Float64Array, start: number, end: number): void {
     const { order, boxes } = this;
     for (let t = start; t < end; t++) {
@@ -55,7 +55,7 @@ export class TriangleSplitter {
     }
   }
 
-  /** Makes a range the one at hand. */
+  /** Begins to split a range. */
   begin(start: number, end: number): void {
     this.start = this.at = start;
     this.end = end;
@@ -63,7 +63,7 @@ export class TriangleSplitter {
     empty(this.centres, 0);
   }
 
-  /** Finds the box of the range, so many triangles at a time. Returns whether there is more to do. */
+  /** Computes the box of the range, so many triangles at a time. Returns whether there is more to do. */
   measure(step: number): boolean {
     const { boxes, own, centres } = this;
     const end = Math.min(this.at + step, this.end);
@@ -103,14 +103,14 @@ export class TriangleSplitter {
     this.at = this.start;
   }
 
-  /** Places without an extent, and those that are nowhere, are in the first bin. */
+  /** Ranges without extent, and NaN, go to the first bin. */
   private binOf(o: number): number {
     const { boxes, axis } = this;
     const bin = (boxes[o + axis] + boxes[o + 3 + axis] - this.origin) * this.perUnit;
     return bin > 0 ? Math.min(bin | 0, this.binCount - 1) : 0;
   }
 
-  /** Sorts the range into bins, so many triangles at a time. Returns whether there is more to do. */
+  /** Fills the bins, so many triangles at a time. Returns whether there is more to do. */
   fillBins(step: number): boolean {
     const { boxes, bins, counts } = this;
     const end = Math.min(this.at + step, this.end);
@@ -123,7 +123,7 @@ export class TriangleSplitter {
     return end < this.end;
   }
 
-  /** Chooses the border between bins that rays find cheapest. */
+  /** Chooses the border between bins that makes rays cheapest. */
   chooseBorder(): void {
     const { costs, counts, bins, own, binCount } = this;
     empty(own, 0);
@@ -147,7 +147,7 @@ export class TriangleSplitter {
     this.upTo = this.end;
   }
 
-  /** Moves what belongs to the first part to the front, so many triangles at a time. Returns whether there is more to do. */
+  /** Moves the triangles of the first part to the front, so many at a time. Returns whether there is more to do. */
   part(step: number): boolean {
     const { border, start, end } = this;
     let { at, upTo } = this;

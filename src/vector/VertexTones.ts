@@ -1,7 +1,7 @@
 import type { SurfacePlace } from './LineSurface.js';
 import type { Toner, Tones } from './Toner.js';
 
-/** The tones of vertices, each read once for all families of a surface. */
+/** Caches the tones of vertices, which all families of a surface share. */
 export class VertexTones {
   private tones = new Float64Array(0);
   private unshadowed = new Float64Array(0);
@@ -12,7 +12,7 @@ export class VertexTones {
     private readonly count: number,
   ) {}
 
-  /** The tone of a vertex of a body, whose place is at hand in case that it was not read yet. */
+  /** The tone of a vertex of a body. place: of the vertex, for the case that it was not read yet. */
   at(vertex: number, place: SurfacePlace): Tones {
     if (this.tones.length === 0) {
       this.tones = new Float64Array(this.count).fill(Number.NaN);

@@ -4,16 +4,16 @@ import type { Projection } from './Projection.js';
 import { type LinePath, PATH_STRIDE } from './paths/LinePath.js';
 import { type BackgroundField, lineAt, lineWidth, placeOnLine } from './shading/background.js';
 
-/** Lines are looked at so far apart, and where they end is found in so many halvings. Pixels. */
+/** Distance between samples of a line, and the number of bisection steps to find its ends. Pixels. */
 const STEP = 2;
 const HALVINGS = 8;
 /** A pen draws a line where it is at least this share of its width. */
 const LEAST_IN_PENS = 0.5;
-/** Thinner lines are none, pixels. */
+/** Thinner lines are omitted, pixels. */
 const LEAST_WIDTH = 0.02;
 
 /**
- * The lines of the field behind a subject, as far as nothing hides them. Yields its progress.
+ * The visible lines of the field behind a subject. Yields its progress.
  *
  * @param pen its width, pixels; null where widths are the tone
  */
@@ -62,19 +62,19 @@ class Ruler {
       centre: [(0.25 * (seen.left + seen.right) + 0.5) * size[0], (0.25 * (seen.bottom + seen.top) + 0.5) * size[1]],
       half: [0.25 * (seen.right - seen.left) * size[0], 0.25 * (seen.top - seen.bottom) * size[1]],
     };
-    // Beyond the field, by as much as its ends are ragged, and beyond the sheet there are no lines.
+    // No line lies outside the sheet, or beyond the field and its ragged ends.
     const field = 1.3 * extent * Math.max(...this.field.half);
     this.reach = Math.min(field, Math.hypot(...size));
   }
 
-  /** The numbers of the first line and of the last. */
+  /** The first and the last line, by number. */
   lines(): readonly [number, number] {
     const { centre, direction } = this.field;
     const at = (away: number) => lineAt(this.field, [centre[0] - away * direction[1], centre[1] + away * direction[0]]);
     return [at(-this.reach), at(this.reach)];
   }
 
-  /** The parts of a line that are seen. */
+  /** The visible parts of a line. */
   *rule(line: number): Generator<LinePath, void, void> {
     let points: number[] = [];
     let before: RuledPlace | undefined;
@@ -107,7 +107,7 @@ class Ruler {
     return { along, x, y, half: 0.5 * (pen ?? width), isSeen };
   }
 
-  /** The last place that is seen between two. */
+  /** The last visible place between two. */
   private borderBetween(line: number, one: RuledPlace, other: RuledPlace): RuledPlace {
     let [seen, hidden] = one.isSeen ? [one, other] : [other, one];
     for (let i = 0; i < HALVINGS; i++) {

@@ -1,27 +1,27 @@
 import { TriangleSplitter } from './TriangleSplitter.js';
 
-/** A hierarchy of boxes around triangles, as flat arrays. */
+/** A bounding volume hierarchy over triangles, as flat arrays. */
 export interface BvhNodes {
   /** Six numbers per node: the least corner of its box, and the greatest. */
   bounds: Float32Array;
-  /** Of an inner node its left child, which the right one follows; of a leaf its first triangle in `order`. */
+  /** For an inner node its left child, which the right one follows; for a leaf its first triangle in `order`. */
   child: Int32Array;
   /** The number of triangles of a leaf; 0 for inner nodes. */
   leafCount: Uint8Array;
-  /** Triangles in the order of the leaves. */
+  /** Triangle indices in leaf order. */
   order: Uint32Array;
 }
 
 const MOST_IN_LEAF = 4;
-/** So many triangles are looked at in one go. */
+/** Triangles per step. */
 const CHUNK = 1 << 14;
-/** The share of the work that is done once the boxes of all triangles are known. */
+/** The share of the work that computing boxes takes. */
 const BOXES = 0.1;
 
-/** How often the triangles of a range are looked at until they are leaves, about. */
+/** The number of visits to the triangles of a range until all are in leaves, about. */
 const workOf = (size: number): number => size * Math.max(Math.log2(size) - 1, 1);
 
-/** Builds the hierarchy: boxes are split where the surface area heuristic, over bins, finds it cheapest. Yields its progress. */
+/** Builds the hierarchy by the surface area heuristic over bins. Yields its progress. */
 export function* buildBvh(corners: Float64Array): Generator<number, BvhNodes, void> {
   const count = corners.length / 9;
   const splitter = new TriangleSplitter(count);

@@ -5,7 +5,7 @@ import type { Projection } from './Projection.js';
 import { type LinePath, PATH_STRIDE } from './paths/LinePath.js';
 import { placeOn, type Run } from './visibleRuns.js';
 
-/** Points nearer to each other than this are one. Pixels. */
+/** Points nearer to each other than this are merged. Pixels. */
 const SAME = 1e-4;
 
 /** A run as a path, with the depth of each of its points. */
@@ -15,7 +15,7 @@ export interface CutRun {
 }
 
 /**
- * Cuts a run out of a chain. A run of a closed chain may go on beyond its last point.
+ * Cuts a run out of a chain. A run of a closed chain may continue beyond its last point.
  *
  * @param isMoved whether a line that lies beside its chain becomes a path there; otherwise the path stays, and one of its sides is wider
  */
@@ -33,7 +33,7 @@ export function cutRun(chain: Chain, [from, to]: Run, projection: Projection, is
     const half = halves[piece] + share * (halves[piece + 1] - halves[piece]);
     const last = points.length - PATH_STRIDE;
     if (last >= 0 && Math.hypot(at.x - points[last], at.y - points[last + 1]) < SAME) {
-      // A step of the width stays as the wider.
+      // At a step of the width the greater one counts.
       points[last + 2] = points[last + 3] = Math.max(points[last + 2], half);
       return;
     }

@@ -9,14 +9,14 @@ import { LAYERS, LineDrawer } from './LineDrawer.js';
 import { Projection } from './Projection.js';
 import type { Placement } from './paths/pathData.js';
 
-/** The phases of a drawing, in their order. */
+/** The phases of a drawing, in order. */
 const PHASES = ['building', 'outlines', 'surfaces', 'backgrounds', 'dots', 'finishing'] as const;
 type DrawingPhase = (typeof PHASES)[number];
 
-/** From so many triangles on they take more of the time than lines do. */
+/** The number of triangles above which they take more time than lines. */
 const MANY = 300_000;
 
-/** When each phase of a drawing begins and ends, as shares of the whole: about as long as it takes, so that progress rises evenly. */
+/** Start and end of each phase, as shares of the whole, by its estimated duration, so that progress rises evenly. */
 function drawingPhases(scene: DrawnScene): Record<DrawingPhase, readonly [from: number, to: number]> {
   const triangles = scene.sides.length;
   const many = triangles / (triangles + MANY);
@@ -39,10 +39,10 @@ function drawingPhases(scene: DrawnScene): Record<DrawingPhase, readonly [from: 
   return Object.fromEntries(spans) as Record<DrawingPhase, readonly [number, number]>;
 }
 
-/** A drawing, and what is counted in it. */
+/** A drawing with its statistics. */
 export interface LineDrawing extends PathCounts {
   svg: string;
-  /** Pieces of lines that were traced, before any was hidden or left out. */
+  /** Traced pieces of lines, before hidden ones were removed. */
   segments: number;
 }
 
@@ -84,9 +84,9 @@ export function* drawLines(scene: DrawnScene, plan: DrawingPlan): Generator<numb
   return { svg: writeSVG({ ...plan, picture }, named), segments: drawer.segments, ...counts };
 }
 
-/** The picture of the camera as large as it fits on the sheet within the margin, in the middle. */
+/** Fits the picture of the camera into the middle of the sheet, within the margin. */
 function placePicture({ camera }: DrawnScene, plan: DrawingPlan): { projection: Projection; placement: Placement } {
-  // The middle of a stroke keeps so far from the edge that all of it lies on the sheet.
+  // The middle of a stroke keeps this distance from the edge, so that all of it lies on the sheet.
   const margin = Math.max(plan.margin, (plan.pen ?? 0) / 2);
   const aspect = camera.projection[5] / camera.projection[0];
   const height = Math.min(plan.height - 2 * margin, (plan.width - 2 * margin) / aspect);

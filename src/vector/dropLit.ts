@@ -5,18 +5,18 @@ import type { GroundLook } from './shading/groundShadow.js';
 import { arriving } from './shading/radiance.js';
 import type { Illumination } from './Toner.js';
 
-/** More than maps soften edges, as a share of the distance. */
+/** Bound of the softness of maps, as a share of the distance. */
 const SPREAD = 0.05;
-/** Triangles are looked at so many at a time. */
+/** Triangles per step. */
 const CHUNK = 4096;
 
-/** A ball around all that casts shadows, world space. */
+/** The bounding sphere of all occluders, world space. */
 export interface Casters {
   centre: Vec3;
   radius: number;
 }
 
-/** The ball around all triangles that cast shadows; null if none does. */
+/** The bounding sphere of all triangles that cast shadows; null for none. */
 export function* castersOf(corners: Float64Array, sides: Uint8Array): Generator<number, Casters | null, void> {
   const least = [Infinity, Infinity, Infinity];
   const most = [-Infinity, -Infinity, -Infinity];
@@ -35,10 +35,7 @@ export function* castersOf(corners: Float64Array, sides: Uint8Array): Generator<
   return { centre, radius: Math.hypot(...most.map((end, axis) => end - centre[axis])) };
 }
 
-/**
- * Leaves out the triangles of a ground that no shadow can reach, so that nobody draws lines on them. Changes the surface. Yields while it
- * does.
- */
+/** Removes the triangles of a ground that no shadow can reach, which have no lines. Changes the surface. Yields meanwhile. */
 export function* dropLit(
   surface: LineSurface,
   casters: Casters | null,
@@ -62,7 +59,7 @@ export function* dropLit(
       const { direction } = arriving(lamp, middle);
       const along = dot(way, direction);
       const beside = lengthOf(combined(1, way, -along, direction));
-      // Rays open as they go on, and those of a map's own softness spread by a part of what it covers.
+      // Rays open with distance, and the softness of a map is a share of its width.
       return along > -room && beside < room + (0.5 * softness + SPREAD) * (lengthOf(way) + room);
     });
   };

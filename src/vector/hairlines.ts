@@ -1,8 +1,8 @@
 import type { Chain } from './Chain.js';
 
-/** Dashes begin so far apart on the picture, to within a factor of √2, pixels. */
+/** Distance between the starts of dashes on the picture, to within a factor of √2, pixels. */
 const PERIOD = 14;
-/** A line that would have a smaller share of its dashes has none. */
+/** The least share of dashes; lines with less are omitted. */
 const LEAST_SHARE = 0.12;
 
 /** A line with points where its dashes begin and end. */
@@ -19,12 +19,12 @@ class DashedLine {
     private readonly least: number,
   ) {}
 
-  /** Walks over a piece from one end of an interval to the other. */
+  /** Walks over a piece, from one end of an interval to the other. */
   go(piece: number, from: number, to: number, isOn: boolean): void {
     const isFirst = this.margins.length === 0;
     if (isFirst || isOn !== this.isOn) this.add(piece, from, isFirst && isOn ? 1 : 0);
     this.isOn = isOn;
-    // Between two ends without a margin there is a line only if it has one in the middle.
+    // Between two ends with margin 0 a point in the middle decides whether there is a line.
     if (isOn) this.add(piece, 0.5 * (from + to), 1);
     if (to === 1) this.add(piece, 1, isOn ? 1 : -1);
   }
@@ -53,8 +53,8 @@ class DashedLine {
 }
 
 /**
- * A line of a print whose parts that are thinner than a press holds are dashes of the least width, which keep the tone. Dashes belong to
- * places on the object, so that they stay where they are as a camera moves.
+ * A line of a print in which parts that are thinner than a press can hold become dashes of the least width with the same tone. Dashes are
+ * fixed to the object, so that they stay in place as the camera moves.
  *
  * @param width the least, pixels
  */
@@ -75,7 +75,7 @@ export function dashed(chain: Chain, width: number): Chain {
   return line.finish();
 }
 
-/** Where a place on a piece lies among the dashes of its line: whole numbers and a half in their middles; no number where it has no length. */
+/** The phases of the ends of a piece in the pattern of dashes, whose middles are at 0.5 plus an integer; NaN for a piece without length. */
 function phases({ field, screen, hash }: Chain, piece: number): readonly [number, number] {
   const [i, j] = [3 * piece, 3 * piece + 3];
   const steps = [0, 1, 2].map((k) => Math.abs(field![j + k] - field![i + k]));
@@ -86,7 +86,7 @@ function phases({ field, screen, hash }: Chain, piece: number): readonly [number
   return [field![i + axis] / period + hash, field![j + axis] / period + hash];
 }
 
-/** Where a piece may begin or end to be a dash: rising shares of it, the last of which is 1. */
+/** The shares of a piece, rising to 1, at which a dash may begin or end. */
 function breaksOf(chain: Chain, piece: number, [a, b]: readonly [number, number]): number[] {
   const breaks = [1];
   const add = (share: number) => {
@@ -113,8 +113,8 @@ function isDash(chain: Chain, piece: number, [a, b]: readonly [number, number], 
 }
 
 /**
- * Makes an outline or a stroke of a print nowhere thinner than a press holds: it ends where it would be less than half as wide, but for what
- * light takes of it. Changes the chain.
+ * Ends an outline or a stroke of a print where it is less than half as wide as a press can hold, and widens the rest to that. Light may
+ * still lose parts of it. Changes the chain.
  */
 export function endHairlines({ halves, margins, count, outline }: Chain, width: number): void {
   const least = width / 2;

@@ -4,18 +4,18 @@ import type { Projection } from './Projection.js';
 import { PATH_STRIDE } from './paths/LinePath.js';
 import { leftSide } from './paths/strokeOutline.js';
 
-/** Lines thinner than this do not reach beyond their surface by what could be seen. Pixels. */
+/** Lines thinner than this do not visibly reach beyond their surface. Pixels. */
 const THIN = 0.25;
-/** What lies beside a line belongs to its surface for sure if it is no deeper or nearer than so many half widths. */
+/** A sample beside a line lies on the same surface if its depth differs by no more than this many half widths. */
 const GENTLE = 3;
-/** Elsewhere the surface is followed in steps of so many pixels, and is left where the depth changes by more than so many at once. */
+/** Otherwise the surface is followed in steps of so many pixels, and ends where the depth changes by more than so many pixels at once. */
 const STEP = 0.75;
 const CLIFF = 10;
 const HALVINGS = 3;
 
 /**
- * Holds both sides of a line back to where the surface that it lies on is still seen, so that no ink reaches beyond an outline. Changes the
- * widths of the path. Yields its progress.
+ * Limits both sides of a line to where its own surface is visible, so that no ink reaches beyond an outline. Changes the widths of the
+ * path. Yields its progress.
  *
  * @param isSheer whether the surface is not among what rays meet, so that nothing may lie where it is seen
  */
@@ -49,7 +49,7 @@ export function* holdBack(
   }
 }
 
-/** How far the surface goes on from a place with a depth, as far as it is asked for. */
+/** How far the surface extends from a place with a depth, up to the distance asked for. */
 function reachOnSurface(depthAt: (reach: number) => number, start: number, asked: number, cliff: number): number {
   let depth = start;
   let reach = 0;

@@ -1,16 +1,19 @@
 import type { LineSurface } from './LineSurface.js';
 
-/** Stands for a triangle without lines. */
+/** Rank of a triangle without lines. */
 export const NO_RANK = 0x7fff;
 
-/** No triangle has more lines than this; where a function is so steep, its lines would be one grey. */
+/** Most lines of a triangle; where a function is steeper, lines would be one grey. */
 const MOST_IN_TRIANGLE = 1 << 12;
 
-/** The level sets of a function on the triangles of a surface, as pieces between edges. */
+/** The level sets of a function on the triangles of a surface, as segments between edges. */
 export interface LevelSegments {
   /** The finest power of two that lines are multiples of, as an exponent. */
   finest: number;
-  /** Nodes, where a line crosses an edge: the line as a multiple of that power, the places of the edge, and the share of the way. */
+  /**
+   * Nodes, where a line crosses an edge: the line as a multiple of that power, the places at the ends of the edge, and the share between
+   * them.
+   */
   lines: number[];
   from: number[];
   to: number[];
@@ -21,18 +24,18 @@ export interface LevelSegments {
   triangles: number[];
 }
 
-/** How lines lie beside the values that they are numbered by. */
+/** Offsets of lines from their level sets. */
 export interface LinesAside {
-  /** How far a line lies beside its value at a vertex. */
+  /** The offset of a line at a vertex, in units of the function. */
   at(value: number, vertex: number): number;
-  /** How far at most at a vertex. */
+  /** The greatest offset at a vertex. */
   mostAt(vertex: number): number;
 }
 
 const NONE_ASIDE: LinesAside = { at: () => 0, mostAt: () => 0 };
 
 /**
- * Cuts triangles at all values that they need lines of.
+ * Cuts triangles along all level sets that they have lines of.
  *
  * @param values of the function at the vertices
  * @param ranks per triangle the exponent of the power of two whose multiples it needs, or NO_RANK
@@ -54,9 +57,9 @@ export function* levelSegments(
   };
   const nodes = new Map<number, Map<number, number>>();
   const unit = 2 ** finest;
-  /** By how much the function is above a line at a vertex. */
+  /** The value of the function above a line at a vertex. */
   const aboveAt = (v: number, line: number): number => values[v] - line * unit - aside.at(line * unit, v);
-  /** The node where a line crosses the edge of two vertices. */
+  /** The node where a line crosses the edge between two vertices. */
   const nodeAt = (u: number, v: number, line: number): number => {
     const [a, b] = placeOf[u] < placeOf[v] ? [u, v] : [v, u];
     const [i, j] = hasSeams ? [a, b] : [placeOf[a], placeOf[b]];
@@ -101,10 +104,10 @@ export function* levelSegments(
   return segments;
 }
 
-/** How far apart on an edge the two ends may lie that go on in each other, as a share of its length. */
+/** Greatest distance between two ends on an edge that are joined, as a share of its length. */
 const SEAM_TOLERANCE = 1e-3;
 
-/** Joins nodes at which one segment ends with those at the same place on the other side of a seam, where the line has another number. */
+/** Joins nodes at which a segment ends with those at the same place on the other side of a seam, where the line has another number. */
 function* joinAcrossSeams({ from, to, shares, starts, ends }: LevelSegments): Generator<number, void, void> {
   const uses = new Uint8Array(shares.length);
   for (const list of [starts, ends]) for (const node of list) uses[node]++;

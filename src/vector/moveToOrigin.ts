@@ -5,12 +5,12 @@ import type { Matrix } from './Projection.js';
 import type { Clip, ClipPlane } from './paint/Clip.js';
 import type { Emphasis } from './shading/emphasis.js';
 
-/** A scene that lies so many times its size away from the origin is moved there. */
+/** Distance from the origin, in sizes of the scene, from which on a scene is moved. */
 const FAR = 100;
 
 /**
- * Moves a scene that lies far from the origin there, with its camera and lights: boxes around triangles are in single precision, and
- * how far rays begin above surfaces is measured by coordinates.
+ * Moves a scene that lies far away to the origin, with its camera and lights: the boxes of the hierarchy are in single precision, and
+ * heights at which rays start depend on coordinates.
  */
 export function moveToOrigin(scene: DrawnScene): DrawnScene {
   const centre = centreOf(scene.corners);
@@ -50,7 +50,7 @@ export function moveToOrigin(scene: DrawnScene): DrawnScene {
   };
 }
 
-/** The centre of triangles that lie far from the origin; undefined if they do not. */
+/** The centre of triangles that lie far from the origin; otherwise undefined. */
 function centreOf(corners: Float64Array): Vec3 | undefined {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
@@ -66,14 +66,14 @@ function centreOf(corners: Float64Array): Vec3 | undefined {
 
 const sum = (a: Vec3, b: Vec3): Vec3 => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 
-/** A matrix into the world, moved there. */
+/** A matrix to world space, followed by the translation. */
 function placedBy(matrix: Matrix, way: Vec3): Matrix {
   const placed = Array.from(matrix);
   for (let k = 0; k < 3; k++) placed[12 + k] += way[k];
   return placed;
 }
 
-/** A matrix out of the world, with a way in the world before it. */
+/** A matrix from world space, preceded by the translation. */
 function beforehand(m: Matrix, [x, y, z]: Vec3): Matrix {
   const moved = Array.from(m);
   for (let k = 0; k < 3; k++) moved[12 + k] += m[k] * x + m[4 + k] * y + m[8 + k] * z;

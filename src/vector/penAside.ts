@@ -8,16 +8,16 @@ import { asideOf } from './shading/penLines.js';
 import type { Tracing } from './Tracing.js';
 import type { VertexTones } from './VertexTones.js';
 
-/** No line moves farther aside than so many times the distance between old lines. */
+/** Greatest offset of a line, in distances between old lines. */
 const MOST_ASIDE = 1.5;
-/** Lines that moved aside where their distance changes would waver: octaves per pixel from which on they do so less, and no more. */
+/** Octaves per pixel of change in spacing between which the offsets of lines fade out, since they would waver. */
 const STEADY = [0.0015, 0.005] as const;
-/** The least length by which a change is measured, pixels. */
+/** Least length by which a change is measured, pixels. */
 const LEAST_LENGTH = 4;
-/** They come back to their places over so many triangles. */
+/** Number of triangles over which the fading is smoothed. */
 const ROUNDS = 3;
 
-/** How far the lines of a family move aside so that those of a pen are evenly apart; nothing where widths are the tone. */
+/** Offsets of the lines of a family that make a pen's lines evenly spaced; none where widths are the tone. */
 export function* penAside(
   tracing: Tracing,
   family: FamilyName,
@@ -25,7 +25,7 @@ export function* penAside(
   tones: VertexTones,
 ): Generator<number, LinesAside | undefined, void> {
   const { pen, toner, engraver, places } = tracing;
-  // The tone of shadows alone and of textures is nowhere steady.
+  // The tones of grounds and of textures vary everywhere.
   if (pen === null || toner.isGround || engraver.hasSeams || places.hasDetails || engraver.medium !== 'ink')
     return undefined;
   const { placeOf, triangles } = tracing.surface;
@@ -45,7 +45,7 @@ export function* penAside(
   };
 }
 
-/** Per place the octave of the distance that lines are asked to have: the mean of its triangles, as lines are the same on all sides of it. */
+/** Per place the octave of the spacing of lines: the mean over its triangles, since a line has one spacing on all sides of a place. */
 function* askedOctaves(
   { surface, engraver, sides }: Tracing,
   family: FamilyName,
@@ -56,7 +56,7 @@ function* askedOctaves(
   const { vertices, triangles, placeOf } = surface;
   const octaves = new Float64Array(placeOf.length);
   const counts = new Uint16Array(placeOf.length);
-  // Per vertex the distance on the picture, and the gradient of the function.
+  // Per vertex the spacing on the picture, and the gradient of the function.
   const distances = new Float64Array(placeOf.length);
   const gradients = new Float64Array(3 * placeOf.length);
   for (let t = 0; t < sides.length; t++) {
@@ -85,7 +85,7 @@ function* askedOctaves(
   return octaves;
 }
 
-/** Per place 1 where the distance of lines hardly changes around it, and 0 where it changes much. */
+/** Per place 1 where the spacing of lines hardly changes around it, and 0 where it changes much. */
 function* steadiness(
   { surface, projection }: Tracing,
   ranks: Int16Array,
@@ -113,7 +113,7 @@ function* steadiness(
   return steady;
 }
 
-/** The shares of places, held down to the mean of what lies around them. */
+/** The shares of places, limited to the mean of their neighbours. */
 function* easedOff(
   triangles: Int32Array,
   placeOf: Int32Array,

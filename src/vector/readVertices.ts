@@ -6,20 +6,20 @@ import type { Shadowing, Tones } from './Toner.js';
 import type { Tracing } from './Tracing.js';
 
 const { LEAST_TONE } = LINE_CONSTANTS;
-/** Triangles are looked at so many at a time. */
+/** Triangles per step. */
 const CHUNK = 256;
 
-/** What a family is at the vertices of a surface. */
+/** A family at the vertices of a surface. */
 export interface FamilyVertices {
-  /** The function that lines are level sets of. */
+  /** The function whose level sets are lines. */
   values: Float64Array;
-  /** The rank of the finest lines that are needed around each vertex, or NO_RANK. */
+  /** The rank of the finest lines around each vertex, or NO_RANK. */
   ranks: Int16Array;
   /** 1 where there may be lines. */
   isDark: Uint8Array;
 }
 
-/** Reads families at all vertices of triangles that are drawn: each is visited once for all of them. Yields its progress. */
+/** Reads families at all vertices of visible triangles, each vertex once for all families. Yields its progress. */
 export function* readVertices(
   tracing: Tracing,
   families: readonly FamilyName[],
@@ -49,7 +49,7 @@ export function* readVertices(
   return read;
 }
 
-/** What may be anywhere on a surface whose normals are bent. */
+/** The bound of the tones on a surface whose normals are modified by a map. */
 const DARKEST: Tones = { tone: 1, unshadowed: 0.5, shadows: 0, left: 1, full: 0, turned: 0 };
 
 class VertexReader {
@@ -87,7 +87,7 @@ class VertexReader {
   }
 }
 
-/** How fine the lines of every triangle are: as its finest corner asks for, or NO_RANK where it has none. */
+/** The rank of the finest lines of every triangle: that of its finest corner, or NO_RANK for none. */
 export function* ranksOfTriangles(
   { surface: { triangles }, sides }: Tracing,
   { ranks, isDark }: FamilyVertices,

@@ -1,15 +1,15 @@
 import type { CutRun } from './cutRun.js';
 import { PATH_STRIDE, reversedPoints } from './paths/LinePath.js';
 
-/** Near its ends a line has points so far apart, over so many times half its width. Pixels. */
+/** Distance between points near the ends of a line, pixels, and the length of these parts in half widths. */
 const STEP = 0.6;
 const REACH = 2;
 /** Thinner lines end as they are, pixels. */
 const THIN = 0.4;
 
 /**
- * Adds points near the ends of an open run, so that each can be held back on its own: what hides a line rarely runs across it, and a broad
- * line is cut aslant there.
+ * Adds points near the ends of an open run, so that each can be limited on its own: occluders rarely run straight across a line, and cut
+ * the end of a broad one at a slant.
  */
 export function refineEnds(cut: CutRun): CutRun {
   if (cut.path.isClosed || cut.depths.length < 2) return cut;

@@ -3,18 +3,21 @@ import { GrowingArray } from './GrowingArray.js';
 import { FIELD, type LineSurface, STRIDE, VIEW, WORLD } from './LineSurface.js';
 import type { Projection } from './Projection.js';
 
-/** Edges are halved that are longer than this on the picture; and, from the second length on, those longer than so many tiles. Pixels. */
+/**
+ * Length of edges on the picture above which they are halved, pixels; and a shorter length above which they are halved if longer than so
+ * many tiles.
+ */
 const LONGEST = 24;
 const SHORTEST_HALVED = 4;
 const LONGEST_TILES = 0.12;
-/** Enough for an edge of 4,000 times the longest. */
+/** Enough for an edge of 4,000 times the greatest length. */
 const MOST_PASSES = 12;
-/** What lies before the near plane is cut off in so many halves. */
+/** Number of halvings at the near plane, which cut off what lies before it. */
 const PASSES_AT_NEAR_PLANE = 7;
 
 const pairOf = (a: number, b: number): number => (a < b ? a * 2 ** 26 + b : b * 2 ** 26 + a);
 
-/** Where places lie on the picture, and which of them lie before the near plane. */
+/** Places on the picture, and whether they lie before the near plane. */
 interface Seen {
   x: Float64Array;
   y: Float64Array;
@@ -38,7 +41,7 @@ function* seenPlaces(
   return seen;
 }
 
-/** Whether a triangle may be seen on the picture. */
+/** Whether a triangle may be visible on the picture. */
 function mayBeSeen({ x, y, isBefore }: Seen, { width, height }: Projection, a: number, b: number, c: number): boolean {
   const before = isBefore[a] + isBefore[b] + isBefore[c];
   if (before > 0) return before < 3;
@@ -50,9 +53,9 @@ function mayBeSeen({ x, y, isBefore }: Seen, { width, height }: Projection, a: n
   );
 }
 
-/** One pass over a surface: every long edge of what may be seen is halved, in the same way for both triangles beside it. */
+/** One pass over a surface: every long edge that may be visible is halved, in the same way for both of its triangles. */
 class Halving {
-  /** The new place in the middle of two, and the new vertex between two. */
+  /** The new place between two places, and the new vertex between two vertices. */
   private readonly middles = new Map<number, number>();
   private readonly halves = new Map<number, number>();
   private readonly triangles: GrowingArray<Int32Array>;
@@ -73,14 +76,14 @@ class Halving {
     this.parents = new GrowingArray(new Int32Array(surface.parents.length), 0);
   }
 
-  /** Returns the number of places, or −1 if nothing was to be halved. Yields its progress. */
+  /** Returns the number of places, or −1 if no edge was halved. Yields its progress. */
   *run(): Generator<number, number, void> {
     const { surface, seen, projection } = this;
     const { triangles, parents, placeOf } = surface;
     for (let t = 0; 3 * t < triangles.length; t++) {
       if (t % 1024 === 1023) yield (3 * t) / triangles.length;
       const [a, b, c] = [triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]];
-      // What is not seen is left out for good.
+      // Invisible triangles are dropped.
       if (!mayBeSeen(seen, projection, placeOf[a], placeOf[b], placeOf[c])) continue;
       this.split(parents[t], a, b, c);
     }
@@ -136,7 +139,7 @@ class Halving {
     const key = pairOf(a, b);
     const other = this.middles.get(key);
     const vertex = placeOf.length;
-    // From the lower to the higher, or the two sides of the edge would round differently.
+    // From the lower to the higher index, or the two sides of the edge would round differently.
     const [from, to] = a < b ? [STRIDE * u, STRIDE * v] : [STRIDE * v, STRIDE * u];
     vertices.reserve(STRIDE * (vertex + 1));
     const numbers = vertices.data;
@@ -154,8 +157,8 @@ class Halving {
 }
 
 /**
- * Halves the long edges of a surface, so that widths and values are as good as linear over each triangle, and leaves out what is not seen
- * on the picture. Changes the surface. Yields its progress.
+ * Halves the long edges of a surface, so that widths and values are nearly linear over each triangle, and drops triangles that are not
+ * visible on the picture. Changes the surface. Yields its progress.
  */
 export function* subdivide(surface: LineSurface, projection: Projection): Generator<number, void, void> {
   const vertices = new GrowingArray(surface.vertices);
@@ -164,7 +167,7 @@ export function* subdivide(surface: LineSurface, projection: Projection): Genera
   for (let v = 0; v < placeOf.length; v++) places = Math.max(places, 1 + placeOf.data[v]);
   yield 0;
   for (let pass = 0; pass < MOST_PASSES && places >= 0; pass++) {
-    // Each pass has about half of what there is left to do, until nothing is to be halved.
+    // Each pass gets half of the remaining progress.
     const [from, to] = [1 - 0.5 ** pass, 1 - 0.5 ** (pass + 1)];
     const seen = yield* asPhase(seenPlaces(surface, projection, places), from, (from + to) / 2);
     places = yield* asPhase(

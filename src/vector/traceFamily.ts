@@ -16,17 +16,17 @@ import { type Walk, walkSegments } from './walkSegments.js';
 
 /** The rank of the line through the origin, a multiple of all powers of two. */
 const EVERY_RANK = 1000;
-/** Shadows are looked for at least so far apart, and the place of an edge is found as exactly as that over how much changes there. Pixels. */
+/** Distance between samples for edges of shadows, and the precision of an edge, times the change at it. Pixels. */
 const SHADOW_STEP = 3;
 const EDGE = 0.02;
-/** From one point of a line to the next a shadow changes by no more than this share, unless that is its edge. */
+/** The greatest change of a shadow between two points of a line that is not an edge. */
 const SHADOW_CHANGE = 0.05;
 
-/** Strokes and textures are looked at so far apart, pixels; over one triangle in no more steps than these. */
+/** Distance between samples of strokes and textures, pixels; and the most samples over one triangle. */
 const STROKE_STEP = 2;
 const MOST_STEPS = 256;
 
-/** Which side of each triangle of a surface is drawn on the picture. Yields its progress. */
+/** The visible side of each triangle of a surface. Yields its progress. */
 export function* seenSides(surface: LineSurface, projection: Projection): Generator<number, Int8Array, void> {
   const { triangles, vertices, drawsFront, drawsBack } = surface;
   const { near } = projection.camera;
@@ -40,7 +40,7 @@ export function* seenSides(surface: LineSurface, projection: Projection): Genera
     const [ax, ay] = projection.project(vertices[a], vertices[a + 1], vertices[a + 2]);
     const [bx, by] = projection.project(vertices[b], vertices[b + 1], vertices[b + 2]);
     const [cx, cy] = projection.project(vertices[c], vertices[c + 1], vertices[c + 2]);
-    // The picture runs down, so the front is clockwise there.
+    // Picture coordinates run down, so front faces are clockwise.
     const area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
     if (area < 0 && drawsFront) sides[t] = 1;
     else if (area > 0 && drawsBack) sides[t] = -1;
@@ -48,7 +48,7 @@ export function* seenSides(surface: LineSurface, projection: Projection): Genera
   return sides;
 }
 
-/** Traces the lines of one family from what was read at vertices. tones: of vertices, where they are known. Yields its progress. */
+/** Traces the lines of one family from its values at vertices. tones: of vertices, if known. Yields its progress. */
 export function* traceFamily(
   tracing: Tracing,
   family: FamilyName,
@@ -81,7 +81,7 @@ export function* traceFamily(
 /** Follows lines over triangles and measures them. */
 class LineTracer {
   private readonly unit: number;
-  /** The place that was read last. */
+  /** The last place, with its tones. */
   private readonly known: { [shadowing in Shadowing]?: { place: SurfacePlace; tones: Tones } } = {};
 
   constructor(
@@ -93,7 +93,7 @@ class LineTracer {
     this.unit = 2 ** segments.finest;
   }
 
-  /** The chain of a walk; undefined if there is nothing to draw of it. Yields its progress. */
+  /** The chain of a walk; undefined if nothing of it is drawn. Yields its progress. */
   *follow({ start, segments: list, isClosed }: Walk): Generator<number, Chain | undefined, void> {
     const { triangles, starts, ends } = this.segments;
     const builder = new ChainBuilder();
@@ -106,7 +106,7 @@ class LineTracer {
       const triangle = triangles[segment];
       if (before < 0) pen.to(node, triangle);
       else if (this.isSameEdge(node, before, triangle)) pen.turn(node, triangle);
-      // Where the normals on two sides of an edge differ, the width has a step.
+      // If the normals on two sides of an edge differ, the width has a step there.
       else pen.to(node, triangle);
       node = starts[segment] === node ? ends[segment] : starts[segment];
       pen.to(node, triangle);
@@ -147,23 +147,23 @@ class LineTracer {
     return a === c && b === d;
   }
 
-  /** The numbers of a node as a triangle has them. */
+  /** The numbers at a node, interpolated in a triangle. */
   numbersAt(node: number, triangle: number): Float64Array {
     const [a, b] = this.edgeIn(node, triangle);
     return between(this.tracing.surface.vertices, a, b, this.segments.shares[node]);
   }
 
-  /** What the line is at numbers of a triangle. */
+  /** The appearance of the line at a place of a triangle. */
   measure(numbers: ArrayLike<number>, triangle: number, line: Line): Measured {
     const { places, toner, isDrawnIn } = this.tracing;
     const place = places.read(numbers, triangle);
     const at = this.tracing.engraver.at(place);
     if (place.paint !== null && place.paint.standing < 0) {
-      // Nothing of the surface is there.
+      // In a hole there is no line.
       return { ...this.measureIn('none', at, triangle, line), margin: -1, isHole: true };
     }
     if (toner.hasSoftShadows && !isDrawnIn) {
-      // Many rays need not be asked where there is no line in any shadow.
+      // Rays are skipped if there is no line even in the darkest shadow.
       const darkest = this.measureIn(toner.darkest, at, triangle, line);
       if (darkest.margin <= 0) return { ...darkest, isBlank: true };
     }
@@ -178,7 +178,7 @@ class LineTracer {
     if (isDrawnIn && !isDrawnIn(tones.turned))
       return { at, place, tones, half: 0, margin: -1, isBlank: false, isHole: false };
     const measure = engraver.measure(this.family, engraved, tones);
-    // As lines lie on the picture, so that they cover what they should.
+    // The change per pixel of lines as they are drawn, so that they cover the right share.
     measure.perPixel = this.slopes[triangle] || measure.perPixel;
     const { half, margin, shift } = pen === null ? printedMark(measure, line) : plottedMark(measure, line, pen);
     const { strokes } = measure;
@@ -187,7 +187,7 @@ class LineTracer {
     return { at, place, tones, half, margin, isBlank: false, isHole: false, shift: beside };
   }
 
-  /** The tones of a place: of one on an edge, which both triangles beside it ask for, once. */
+  /** The tones at a place. A place on an edge, which both of its triangles ask for, is computed once. */
   private tonesAt(place: SurfacePlace, shadowing: Shadowing): Tones {
     const { toner, places } = this.tracing;
     if (places.hasPaint) return toner.read(place, shadowing);
@@ -203,7 +203,7 @@ class LineTracer {
     return this.tracing.toner.hasShadows || this.tracing.places.hasPaint;
   }
 
-  /** By how much a shadow differs from one place to another; nothing where it is not asked for, and all where lines turn or a hole begins. */
+  /** The difference between the shadows at two places; 0 if it does not matter, and 1 where lines turn or a hole begins. */
   shadowChange(one: Measured, other: Measured): number {
     if (one.isHole !== other.isHole) return 1;
     if (one.isBlank || other.isBlank || one.isHole) return 0;
@@ -211,7 +211,7 @@ class LineTracer {
     return Math.abs(one.tones.shadows - other.tones.shadows);
   }
 
-  /** In how many steps a line goes from one place to another over a triangle: in one, but textures, strokes and wedges change within. */
+  /** Number of steps of a line between two places over a triangle: one, unless textures, strokes or wedges change within. */
   stepsTo(from: Measured, to: Measured): number {
     const { engraver, places } = this.tracing;
     if (engraver.medium === 'ink' && !places.hasPaint) return 1;
@@ -227,7 +227,7 @@ class LineTracer {
   }
 }
 
-/** Whether two places without textures have the same tone for sure. */
+/** Whether two places without textures certainly have the same tone. */
 const isSame = (a: SurfacePlace, b: SurfacePlace): boolean =>
   isEqual(a.world, b.world) && isEqual(a.toneNormal, b.toneNormal) && a.occlusion === b.occlusion;
 
@@ -238,23 +238,23 @@ interface Measured {
   at: readonly [number, number];
   place: SurfacePlace;
   tones: Tones;
-  /** Whether nothing of the surface is there. */
+  /** Whether the surface has a hole there. */
   isHole: boolean;
   half: number;
   margin: number;
   /** Whether there is no line, in shadow or not. */
   isBlank: boolean;
-  /** How far the middle lies beside, pixels of the picture; undefined where it never does. */
+  /** Offset of the middle, pixels of the picture; undefined for none. */
   shift?: readonly [number, number];
 }
 
-/** What a line is at numbers of a triangle. */
+/** The appearance of a line, with the numbers of its place. */
 interface MeasuredPlace {
   numbers: Float64Array;
   measured: Measured;
 }
 
-/** Draws one line into a chain, from node to node. */
+/** Draws a line into a chain, from node to node. */
 class LinePen {
   private last: MeasuredPlace | undefined;
 
@@ -264,7 +264,7 @@ class LinePen {
     private readonly line: Line,
   ) {}
 
-  /** Goes on to a node over a triangle. */
+  /** Continues to a node over a triangle. */
   to(node: number, triangle: number): void {
     const { tracer, line, last } = this;
     const numbers = tracer.numbersAt(node, triangle);
@@ -284,7 +284,7 @@ class LinePen {
     this.last = place;
   }
 
-  /** Goes on over the triangle beside. On flat triangles widths differ a little from one to the next: it is the mean of both. */
+  /** Continues over the next triangle. On flat triangles widths differ slightly, and the mean of both is used. */
   turn(node: number, triangle: number): void {
     const numbers = this.tracer.numbersAt(node, triangle);
     const measured = this.tracer.measure(numbers, triangle, this.line);
@@ -292,7 +292,7 @@ class LinePen {
     this.last = { numbers, measured };
   }
 
-  /** Looks for shadows between two places, and writes points where they change: two at one place where an edge is hard. */
+  /** Searches for shadow edges between two places, and adds points where shadows change: two at one place for a hard edge. */
   private lookBetween(start: MeasuredPlace, end: MeasuredPlace, triangle: number): void {
     const change = this.tracer.shadowChange(start.measured, end.measured);
     if (change === 0 && start.measured.isBlank && end.measured.isBlank) return;
@@ -310,12 +310,12 @@ class LinePen {
   }
 }
 
-/** How far two places are apart on the picture, pixels. */
+/** The distance of two places on the picture, pixels. */
 const lengthBetween = ({ at: [x, y] }: Measured, { at: [toX, toY] }: Measured): number => Math.hypot(toX - x, toY - y);
 
 /**
- * How much a function changes per pixel across each triangle, as its lines are traced there: straight, and evenly apart. 0 for triangles
- * without an area on the picture.
+ * The change of a function per pixel on each triangle, along which lines are traced straight and evenly. 0 for triangles without area on
+ * the picture.
  *
  * @param values of the function at the vertices
  * @param traced the triangles that have lines, each perhaps several times

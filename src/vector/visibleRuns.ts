@@ -1,10 +1,10 @@
 import type { Chain } from './Chain.js';
 import type { Projection } from './Projection.js';
 
-/** A part of a chain, from place to place. A place is the number of a point and the share of the piece after it, on the picture. */
+/** A part of a chain, from place to place. A place is the index of a point plus a share of the piece after it, on the picture. */
 export type Run = readonly [from: number, to: number];
 
-/** Whether a place on a chain is seen: where it lies in the world and on the picture. */
+/** A test whether a place on a chain is visible, by its positions in the world and on the picture. */
 export type SeenTest = (place: ChainPlace) => boolean;
 
 /** A place on a chain. */
@@ -12,16 +12,16 @@ export interface ChainPlace {
   world: readonly [number, number, number];
   x: number;
   y: number;
-  /** The number of the point before, and the share of the piece. */
+  /** The index of the point before, and the share of the piece. */
   piece: number;
   share: number;
 }
 
-/** Places are looked at so far apart, and where they begin or end to be seen is found as exactly as that. Pixels. */
+/** Distance between samples, and the precision at which the ends of runs are found. Pixels. */
 const STEP = 0.5;
 const TOLERANCE = 0.005;
 const MOST_HALVINGS = 24;
-/** So many places are looked at in one go. */
+/** Samples per step. */
 const LOOKS_AT_ONCE = 128;
 
 /** The place on a chain at a share of a piece. */
@@ -37,7 +37,7 @@ export function placeOn({ screen, world }: Chain, piece: number, share: number, 
   return { world: [at(0), at(1), at(2)], x, y, piece, share };
 }
 
-/** The parts of a chain that have a line, lie on the picture and are seen. Yields its progress. */
+/** The parts of a chain that have a line, lie on the picture and are visible. Yields its progress. */
 export function* visibleRuns(chain: Chain, projection: Projection, isSeen: SeenTest): Generator<number, Run[], void> {
   const sampler = new RunSampler(chain, projection, isSeen);
   for (const [from, to] of linedParts(chain)) yield* sampler.sample(from, to);
@@ -59,7 +59,7 @@ function linedParts({ margins, count }: Chain): Run[] {
   return parts;
 }
 
-/** Of a closed chain the last run goes on in the first: it then ends beyond the last point. */
+/** In a closed chain the last run continues in the first: it then ends beyond the last point. */
 function joinedAtStart({ isClosed, count }: Chain, runs: Run[]): Run[] {
   const last = count - 1;
   if (!isClosed || runs.length < 2) return runs;
@@ -107,7 +107,7 @@ class RunSampler {
     return this.projection.contains(at.x, at.y) && this.isSeen(at);
   }
 
-  /** Places after the first, about a step apart: the last is the end. */
+  /** Samples after the first, about a step apart; the last is the end. */
   private *placesBetween(from: number, to: number): Generator<number, void, void> {
     let rest = STEP;
     for (let i = Math.floor(from); i < to; i++) {
@@ -128,7 +128,7 @@ class RunSampler {
   private borderBetween(a: number, b: number, isSeenAtA: boolean): number {
     let [low, high] = [a, b];
     for (let i = 0; i < MOST_HALVINGS; i++) {
-      // Pieces between the two may differ in length, so only within one of them is it known how far apart they are.
+      // Pieces differ in length, so a distance is only known within one of them.
       const piece = Math.min(Math.floor(low), this.chain.count - 2);
       if (high <= piece + 1 && (high - low) * this.lengthOf(piece) < TOLERANCE) break;
       const middle = 0.5 * (low + high);

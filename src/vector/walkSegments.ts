@@ -1,16 +1,16 @@
 /** A walk along segments that share nodes: the segments in order, and whether the last leads back to the first. */
 export interface Walk {
-  /** The node that it begins at. */
+  /** The first node. */
   start: number;
   segments: number[];
   isClosed: boolean;
 }
 
-/** Segments are looked at so many at a time. */
+/** Segments per step. */
 const CHUNK = 4096;
 
 /**
- * Joins segments to walks, each used once. A node has two segments at most; of more, the others begin walks of their own. Yields null where
+ * Joins segments to walks, each segment once. Two segments at a node are joined; further ones begin walks of their own. Yields null when
  * there is more to do before the next walk.
  */
 export function* walkSegments(
@@ -30,7 +30,7 @@ export function* walkSegments(
   }
   const otherEnd = (s: number, node: number): number => (starts[s] === node ? ends[s] : starts[s]);
   const used = new Uint8Array(starts.length);
-  /** The segment that goes on from one at a node. */
+  /** The segment that continues one at a node. */
   const after = (s: number, node: number): number => {
     const [a, b] = [links[2 * node], links[2 * node + 1]];
     if (a === s) return b;
@@ -38,7 +38,7 @@ export function* walkSegments(
   };
   for (let first = 0; first < starts.length; first++) {
     if (used[first]) continue;
-    // Back to where it begins, or all the way round.
+    // Back to the beginning of the line, or all the way round.
     let segment = first;
     let node = starts[first];
     for (;;) {

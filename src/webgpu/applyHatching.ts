@@ -36,11 +36,6 @@ const OF_NODES = {
  *
  *     await applyHatching(gltf.scene, 'engraving');
  *     await renderer.compileAsync(scene, camera);
- *
- *     await applyHatching(gltf.scene, 'engraving');
- *     await renderer.compileAsync(scene, camera);
- *
- * What the promise is rejected with is the same too.
  */
 export function applyHatching(
   root: Object3D,

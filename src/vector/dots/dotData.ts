@@ -1,17 +1,17 @@
 import type { Dot } from './placeDots.js';
 
-/** Corners of a closed line, millimetres. */
+/** Corners of a closed polyline, millimetres. */
 export type DotRing = readonly (readonly [x: number, y: number])[];
 
-/** The sides of a disc lie within its circle by no more than this, millimetres, and they are so many. */
+/** Greatest distance between the polygon of a disc and its circle, millimetres; and the limits of its number of sides. */
 const STRAY = 0.01;
 const LEAST_SIDES = 8;
 const MOST_SIDES = 64;
 
-/** Files have numbers of thousandths of a millimetre where dots lie. */
+/** Positions of dots are written in thousandths of a millimetre. */
 const PER_MILLIMETRE = 1000;
 
-/** A number of thousandths, as short as it gets. */
+/** A number of thousandths, in its shortest form. */
 const written = (thousandths: number): string => String(thousandths / PER_MILLIMETRE).replace(/^(-?)0\./, '$1.');
 
 /** Numbers in a row: neither a minus sign nor a second point needs a space before it. */
@@ -21,7 +21,7 @@ const joined = (numbers: readonly string[]): string =>
     return `${row}${isApart ? '' : ' '}${number}`;
   });
 
-/** How many sides the outline of a disc has. */
+/** The number of sides of the polygon of a disc. */
 const sidesOf = (radius: number): number =>
   Math.min(
     Math.max(2 * Math.ceil((0.5 * Math.PI) / Math.acos(1 - Math.min(STRAY / radius, 1))), LEAST_SIDES),
@@ -29,8 +29,8 @@ const sidesOf = (radius: number): number =>
   );
 
 /**
- * A filled disc, as a polygon of its area. Programs fill small circles as polygons within them, of eight sides or so: a tenth of the ink
- * would be lost, and more the smaller they are shown.
+ * A filled disc, as a polygon of its area. A circle would lose a tenth of its ink, and more the smaller it is shown: programs fill small
+ * circles as inscribed polygons with eight sides or so.
  */
 export function discRing({ x, y, radius }: Dot): DotRing {
   const sides = sidesOf(radius);
@@ -39,14 +39,14 @@ export function discRing({ x, y, radius }: Dot): DotRing {
   return Array.from({ length: sides }, (_, k) => [x + outer * Math.cos(turn * k), y + outer * Math.sin(turn * k)]);
 }
 
-/** Turns of a spiral lie apart by no more than so much of the pen's width. */
+/** Greatest distance between the turns of a spiral, in widths of the pen. */
 const PITCH = 0.8;
-/** A pen goes around the middle of a dot by this radius at least, so that it moves while it is down. Millimetres. */
+/** Least radius of the circle that a pen draws, so that it moves while it is down. Millimetres. */
 const LEAST_CIRCLE = 0.02;
 
 /**
- * A dot that a pen draws: around its middle, and if that leaves it blank, from a smaller circle outwards in a spiral. It is made of straight
- * pieces: programs leave the middle of a circle blank that is smaller than the width of its line.
+ * A dot of a pen: a circle around its middle or, for large dots, a spiral outwards. It is a polyline, since programs leave the middle blank
+ * of a circle that is smaller than the width of its line.
  *
  * @param pen its width, millimetres
  */
@@ -56,7 +56,7 @@ export function penDotRing({ x, y, radius }: Dot, pen: number): DotRing {
   const turns = Math.ceil((outer - inner) / (PITCH * pen));
   const sides = sidesOf(outer);
   const circles = turns === 0 ? 1 : turns + 2;
-  // As long as the circle that it stands for.
+  // As long as the circle that it replaces.
   const stretch = Math.PI / sides / Math.sin(Math.PI / sides);
   return Array.from({ length: sides * circles }, (_, k) => {
     const spiral = turns === 0 ? 0 : Math.min(Math.max((k / sides - 1) / turns, 0), 1);
@@ -65,7 +65,7 @@ export function penDotRing({ x, y, radius }: Dot, pen: number): DotRing {
   });
 }
 
-/** How long a closed line is, millimetres. */
+/** Length of a closed polyline, millimetres. */
 export function ringLength(ring: DotRing): number {
   return ring.reduce((sum, [x, y], i) => {
     const [nextX, nextY] = ring[(i + 1) % ring.length];
@@ -73,7 +73,7 @@ export function ringLength(ring: DotRing): number {
   }, 0);
 }
 
-/** The path data of a closed line. */
+/** Path data of a closed polyline. */
 export function ringData(ring: DotRing): string {
   const [first, ...others] = ring.map((place) => place.map((value) => Math.round(PER_MILLIMETRE * value)));
   let [left, top] = first;

@@ -9,13 +9,13 @@ import { Toner } from '../Toner.js';
 import { seenSides } from '../traceFamily.js';
 import { type Dot, placeDots } from './placeDots.js';
 
-/** Dots of one ink. */
+/** The dots of one ink. */
 export interface DotLayer {
   ink: string;
   dots: Dot[];
 }
 
-/** Draws the dots of stippled surfaces. above: how far above surfaces rays begin, world units. Yields its progress. */
+/** Draws the dots of stippled surfaces. above: height above surfaces at which rays start, world units. Yields its progress. */
 export function* drawDots(
   scene: DrawnScene,
   projection: Projection,

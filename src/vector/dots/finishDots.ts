@@ -6,10 +6,10 @@ import type { Placement } from '../paths/pathData.js';
 import { discRing, penDotRing, ringData, ringLength } from './dotData.js';
 import type { Dot } from './placeDots.js';
 
-/** A pen draws no dot smaller than this share of its width, and others as large as its width at least. */
+/** Smallest dot that a pen draws, as a share of its width; dots up to the width are drawn as large as that. */
 const LEAST_IN_PENS = 0.7;
 
-/** In print the dots of squares of the sheet are one path each, so that they meet without a seam. Millimetres. */
+/** In print the dots in each square of the sheet form one path, so that they merge without a seam. Millimetres. */
 const SQUARE = 10;
 
 /** Orders dots and writes them as path data: lines of a pen, discs of a print. Yields its progress. */
@@ -35,7 +35,7 @@ export function* finishDots(
     travelAfter: travelOf(ends, steps),
     drawn,
   };
-  // They appear one by one, each in its share of the time.
+  // Dots appear one by one, each in its share of the time.
   const length = drawn / Math.max(written.length, 1);
   return { written: written.map((text) => ({ data: text, length, way: [1, 0] })), counts };
 }

@@ -25,9 +25,12 @@ import {
 } from '../shading/stipple.js';
 import type { Toner } from '../Toner.js';
 
-/** The set of points that dots lie at: per cell the place within it, 255 for 1, and when in an octave it is born; four numbers. */
+/**
+ * The point set of dots. Each cell has four numbers: the position of its point within it, 255 for 1, and the part of an octave at which it
+ * appears.
+ */
 export interface DotSet {
-  /** Cells per side after which it repeats. */
+  /** Cells per side, after which the set repeats. */
   cells: number;
   texels: Uint8Array;
 }
@@ -39,11 +42,11 @@ export interface Dot {
   radius: number;
 }
 
-/** What dots are placed with. The field space of the surface is that of the object. */
+/** The inputs for placing dots. The field space of the surface is object space. */
 export interface DotScene {
   surface: LineSurface;
   places: PlaceReader;
-  /** Null where nothing is clipped. */
+  /** Null without clipping planes. */
   clip: Clip | null;
   size: DotSize;
   set: DotSet;
@@ -52,26 +55,26 @@ export interface DotScene {
   projection: Projection;
   bvh: Bvh;
   fading: Fading;
-  /** Per triangle 1 where its front is seen, −1 where its back is, 0 where nothing is drawn of it. */
+  /** Per triangle 1 if its front is visible, −1 if its back is, 0 if nothing of it is drawn. */
   sides: Int8Array;
-  /** How far above the surface rays begin, world units. */
+  /** Height above the surface at which rays start, world units. */
   above: number;
 }
 
 const { FILLING, FROM_BEHIND } = STIPPLE_CONSTANTS;
 
-/** Where all is covered, dots overlap by as much as at this cover. */
+/** The cover that dots overlap at where everything is covered. */
 const MOST_COVER = 0.999;
-/** Where the last specks of paper fill, dots grow over them here, up to so many times their area. */
+/** Factor on the area of dots that closes the last specks of paper. */
 const FILLED = 2.5;
-/** Smaller dots are left out, pixels. */
+/** Smaller dots are omitted, pixels. */
 const LEAST_RADIUS = 0.05;
-/** Octaves to spare, for places between the corners of a triangle. */
+/** Octaves of margin, for places between the corners of a triangle. */
 const SPARE = 0.15;
-/** No triangle has more cells than this; where it would, it is broken. */
+/** Most cells of a triangle; a triangle with more is broken. */
 const MOST_CELLS = 1 << 16;
 
-/** Places the dots of a surface that are seen. Yields its progress. */
+/** Places the visible dots of a surface. Yields its progress. */
 export function* placeDots(scene: DotScene): Generator<number, Dot[], void> {
   const { sides } = scene;
   const placer = new DotPlacer(scene);
@@ -82,15 +85,18 @@ export function* placeDots(scene: DotScene): Generator<number, Dot[], void> {
   return placer.dots;
 }
 
-/** The planes that have dots at a place, and the way from them to the screen. */
+/** The planes of dots at a place, and the screen map there. */
 interface DotReading {
   planes: DotPlane[];
   areaOf: (plane: DotPlane) => number;
-  /** The share of a dot's area that is left on the flat triangle, which leans otherwise than the smooth surface that dots are round for. */
+  /**
+   * The share of a dot's area that is left on the flat triangle, whose angle differs from that of the smooth surface that dots are round
+   * for.
+   */
   flattenedOn: (plane: DotPlane) => number;
 }
 
-/** What the dots of a layer may cover at a place, at least and at most. */
+/** The least and the greatest cover of a layer's dots at a place. */
 type Covers = readonly [least: number, most: number];
 
 /** The same at a corner of a triangle. */
@@ -126,7 +132,7 @@ class DotPlacer {
     }
   }
 
-  /** The tones between which that of a corner may lie on its triangle. */
+  /** Bounds of the tones around a corner of a triangle. */
   private tonesAt(t: number, place: SurfacePlace): readonly [number, number] {
     const { places, toner } = this.scene;
     if (places.hasRelief) return [0, 1];
@@ -160,7 +166,7 @@ class DotPlacer {
     };
   }
 
-  /** Places the dots of a plane on a triangle whose cells are those of a level. */
+  /** Places the dots of a plane on a triangle, with cells of one level. */
   private onPlane(
     t: number,
     { corners, places }: { corners: readonly Float64Array[]; places: readonly SurfacePlace[] },
@@ -228,14 +234,14 @@ class DotPlacer {
   }
 }
 
-/** The cells of one size in which a layer has dots of a plane. */
+/** Cells of one size in which a layer has dots of a plane. */
 interface CellsOfLayer {
   plane: DotPlane;
   level: number;
   layer: number;
 }
 
-/** Object units² of a plane to a pixel. */
+/** Area of a pixel in a plane, object units². */
 function areaIn({ u, v }: DotPlane, map: ScreenMap): number {
   const [a, b] = [screenGradient(u, map), screenGradient(v, map)];
   return Math.abs(a[0] * b[1] - a[1] * b[0]);
@@ -245,7 +251,7 @@ const wrapped = (cell: number, cells: number): number => ((cell % cells) + cells
 
 const isSame = (a: Vec3, b: Vec3): boolean => dot(a, b) > 0.999;
 
-/** The planes that have dots anywhere at corners, and the octaves of their cells. */
+/** The planes that have dots at any of the corners, with the octaves of their cells. */
 function planesOf(readings: readonly CornerReading[], size: DotSize): { plane: DotPlane; from: number; to: number }[] {
   const found: { plane: DotPlane; from: number; to: number }[] = [];
   for (const { planes } of readings) {

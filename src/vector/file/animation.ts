@@ -1,9 +1,9 @@
 import type { WrittenPath } from './finishPaths.js';
 
-/** How long a filled path takes to appear at least, and a stroke, seconds. */
+/** Shortest time in which a filled path appears, and in which a stroke does, seconds. */
 const SHORTEST = 0.15;
 
-/** The rules of a drawing that draws itself. Whoever asks for less motion sees it as a whole. */
+/** The CSS of an animated drawing. With reduced motion it is shown as a whole. */
 export function animationRules(isPen: boolean): string {
   const rule = 'animation:draw calc(var(--for)*1s) linear calc(var(--at)*1s) both';
   const frames = isPen
@@ -13,14 +13,14 @@ export function animationRules(isPen: boolean): string {
   return `<style>${frames}@media (prefers-reduced-motion:no-preference){path{${dashes}${rule}}}</style>`;
 }
 
-/** Gives each path of a drawing its time. */
+/** Assigns each path its time. */
 export class AnimationClock {
   private readonly perMillimetre: number;
   private at = 0;
 
   /**
-   * @param seconds that the whole takes
-   * @param drawn how long all paths are, millimetres
+   * @param seconds duration of the whole
+   * @param drawn length of all paths, millimetres
    */
   constructor(
     seconds: number,
@@ -42,7 +42,7 @@ export class AnimationClock {
 
 const written = (seconds: number): string => String(Number(seconds.toFixed(2)));
 
-/** What of the box of a filled path is covered before it appears, so that it grows along its way: top, right, bottom and left. */
+/** The insets (top, right, bottom, left) that cover a filled path before it appears, so that it grows along its direction. */
 function coveredFrom([dx, dy]: readonly [number, number]): string {
   if (Math.abs(dx) >= Math.abs(dy)) return dx >= 0 ? '0 100% 0 0' : '0 0 0 100%';
   return dy >= 0 ? '0 0 100% 0' : '100% 0 0 0';

@@ -8,7 +8,7 @@ import { type Placement, pathData } from '../paths/pathData.js';
 import { simplify } from '../paths/simplify.js';
 import { strokeOutline } from '../paths/strokeOutline.js';
 
-/** What is counted of the paths of a drawing. Lengths in millimetres. */
+/** Statistics of the paths of a drawing. Lengths in millimetres. */
 export interface PathCounts {
   paths: number;
   points: number;
@@ -17,18 +17,18 @@ export interface PathCounts {
   drawn: number;
 }
 
-/** A path as it goes into the file. */
+/** A path of the file. */
 export interface WrittenPath {
   /** Path data, millimetres. */
   data: string;
-  /** How long it is, and the way from its start to its end, millimetres. */
+  /** Its length, and the vector from its start to its end, millimetres. */
   length: number;
   way: readonly [dx: number, dy: number];
 }
 
-/** Paths are as exact as that, millimetres. */
+/** Precision of paths, millimetres. */
 const TOLERANCE = 0.02;
-/** Filled paths that are shorter are left out, millimetres; of a pen, those shorter than two of its widths. */
+/** Shorter filled paths are omitted, millimetres; of a pen, paths shorter than two of its widths. */
 const SHORTEST = 0.1;
 const SHORTEST_IN_PENS = 2;
 
@@ -77,10 +77,10 @@ export function* finishPaths(
   return { written, counts };
 }
 
-/** Farther away than this nothing can be told apart any longer, pixels. */
+/** Farther coordinates have lost their precision, pixels. */
 const FARTHEST = 1e7;
 
-/** Whether something of a path may be drawn. A scene of endless size has places that are nowhere. */
+/** Whether any of a path can be drawn. In a scene of infinite size positions may be NaN. */
 const hasInk = ({ points }: LinePath): boolean =>
   points.some((value, i) => i % PATH_STRIDE > 1 && value > 0) && points.every((value) => Math.abs(value) < FARTHEST);
 
@@ -89,11 +89,11 @@ function endsOf({ points, isClosed }: LinePath, { scale, left, top }: Placement)
   return { start: at(0), end: at(isClosed ? 0 : points.length - PATH_STRIDE) };
 }
 
-/** A path as it is drawn in an order. */
+/** A path in its direction of drawing. */
 const turned = (path: LinePath, { isReversed }: OrderedPath): LinePath =>
   isReversed ? { points: reversedPoints(path.points), isClosed: path.isClosed } : path;
 
-/** What of a path goes into the file. */
+/** The path data of a path; empty if nothing of it is drawn. */
 function dataOf(path: LinePath, { pen }: DrawingPlan, { width, height }: Projection, placement: Placement): string {
   if (pen !== null) return pathData(placesOf(path), path.isClosed, placement);
   return strokeOutline(path)

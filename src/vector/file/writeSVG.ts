@@ -4,7 +4,7 @@ import type { WrittenPath } from './finishPaths.js';
 /** A layer of a drawing: paths of one colour. */
 export interface SVGLayer {
   name: string;
-  /** As in `#1c1a17`. */
+  /** Such as `#1c1a17`. */
   ink: string;
   /** From 0 to 1. */
   opacity: number;
@@ -12,27 +12,27 @@ export interface SVGLayer {
   paths: readonly WrittenPath[];
 }
 
-/** The sheet and how it is drawn on. */
+/** The sheet and the style of drawing. */
 export interface SVGSheet {
   /** Millimetres. */
   width: number;
   height: number;
   /** The colour of the paper; null for none. */
   paper: string | null;
-  /** A picture below all layers, and where it lies: millimetres; null for none. */
+  /** A picture below all layers, with its position and size in millimetres; null for none. */
   picture: { url: string; x: number; y: number; width: number; height: number } | null;
   /** The width of the pen, millimetres; null where paths are filled. */
   pen: number | null;
-  /** Seconds that the drawing takes to draw itself; null for one that stands still. */
+  /** Duration of the animation in seconds; null for a still drawing. */
   animate: number | null;
 }
 
 const INKSCAPE = 'http://www.inkscape.org/namespaces/inkscape';
 
-/** A number of millimetres without a rest of rounding. */
+/** A number of millimetres, rounded to three digits. */
 const millimetres = (value: number): string => String(Number(value.toFixed(3)));
 
-/** Writes a drawing as a document. Layers without paths are left out, and the others are numbered, as plotters' programs ask for. */
+/** Writes a drawing as an SVG document. Empty layers are omitted, and the others numbered, as programs for plotters require. */
 export function writeSVG(
   { width, height, paper, picture, pen, animate }: SVGSheet,
   layers: readonly SVGLayer[],

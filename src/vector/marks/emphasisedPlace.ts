@@ -2,7 +2,7 @@ import type { Vec3 } from '../../look/vectors.js';
 import type { Projection } from '../Projection.js';
 import type { EmphasisedPlace } from '../shading/emphasis.js';
 
-/** A place of a drawing, as far as its weight depends on it. */
+/** The properties of a place that emphasis depends on. */
 export function emphasisedPlace(world: Vec3, projection: Projection): EmphasisedPlace {
   const view = projection.toView(world);
   const [x, y] = projection.project(...view);

@@ -7,25 +7,25 @@ import { drawnShare, type Pen, penFor, strokeAt } from '../shading/penStrokes.js
 import { powerOf2, roomOf } from '../shading/ruledLines.js';
 import type { Along } from '../shading/strokeLengths.js';
 
-/** What draws the lines: ink in one go, a pen in strokes, or a gouge that cuts them white. */
+/** How lines are drawn: as ink in one go, in strokes of a pen, or white with a gouge. */
 export type LineMedium = 'ink' | 'pen' | 'woodcut';
 
-/** A family at a place, as far as its lines depend on it. */
+/** The properties of a family at a place that its lines depend on. */
 export interface FamilyMeasure {
-  /** What the family prints. */
+  /** The tone that the family prints. */
   tone: number;
-  /** Of the distance between lines. */
+  /** The octave of the spacing of lines. */
   octave: number;
   coarsest: number;
-  /** Units of the function per pixel on the flat triangle, where the lines lie as they lie. */
+  /** Units of the function per pixel on the flat triangle, on which lines lie. */
   perPixel: number;
-  /** What the hand makes of lines, from 0 to 1; 0 where each line is as wide as the others. */
+  /** Variation of widths by the hand, from 0 to 1. */
   widths: number;
   /** The share of the shadow on a ground that has not dissolved; 1 where lines do not dissolve. */
   left: number;
-  /** Whether a pen's lines may move aside, so that they are evenly apart. */
+  /** Whether a pen's lines may move aside to be evenly spaced. */
   isEven: boolean;
-  /** Of media that draw in strokes. */
+  /** Null for media without strokes. */
   strokes: StrokePlace | null;
 }
 
@@ -34,43 +34,43 @@ export interface StrokePlace {
   medium: Exclude<LineMedium, 'ink'>;
   along: Along;
   handmade: number;
-  /** Of the distance between cuts of a woodcut, which lie farther apart than asked where white or black is rare. */
+  /** The octave of the spacing of a woodcut's cuts, which is wider where white or black is rare. */
   cutOctave: number;
-  /** By how much values change across seams. */
+  /** The step of values across seams. */
   repeat: number;
-  /** Of the function. */
+  /** The value of the function. */
   value: number;
-  /** The direction on the picture in which the function rises, unit. */
+  /** The unit direction on the picture in which the function rises. */
   uphill: readonly [number, number];
 }
 
 /** A line of a family. */
 export interface Line {
   value: number;
-  /** The power of two in it, as an exponent. */
+  /** The power of two in its value, as an exponent. */
   rank: number;
 }
 
-/** What a line is at a place. */
+/** The appearance of a line at a place. */
 export interface LineMark {
   /** Half the width, pixels. */
   half: number;
-  /** Above 0 where there is a line at all. */
+  /** Above 0 where there is a line. */
   margin: number;
-  /** How far its middle lies beside it, towards higher values, pixels. */
+  /** Offset of its middle towards higher values, pixels. */
   shift: number;
 }
 
-/** A pen of one width draws no line below the first tone, which would stand alone, and lays them no closer than for the second. */
+/** Tones below the first are not drawn by a pen, since its lines would stand alone; at tones above the second its lines get no closer. */
 export const LEAST_PEN_TONE = 0.07;
 const MOST_PEN_TONE = 0.95;
 
-/** What is left of a cell of the block is drawn where it is at least this share of the width of the pen. */
+/** A black cell of a woodcut is drawn if it is at least this share of the width of the pen. */
 const LEAST_BLACK = 0.4;
 
 /**
- * Lines of a print grow together from the first tone on, and over one another: by so many pixels, and by a share of their room as far as a
- * hand lays them unevenly.
+ * The tone from which on lines of a print merge, and by how much they overlap: pixels, and a share of their room as far as the hand lays
+ * them unevenly.
  */
 const SOLID_FROM = 0.96;
 const OVERLAPPING = 0.15;
@@ -78,15 +78,15 @@ const UNEVEN = 0.15;
 
 const NOTHING: LineMark = { half: 0, margin: -1, shift: 0 };
 
-/** A line as print has it: its width is the tone. */
+/** A line of a print: its width is the tone. */
 export function printedMark(measure: FamilyMeasure, line: Line): LineMark {
   const { tone, octave, perPixel, widths, left, strokes } = measure;
   if (strokes?.medium === 'pen') return printedStroke(measure, strokes, line);
   if (strokes) return blockBetweenCuts(measure, strokes, line, printedOctave(measure));
   const room = roomOf(line.rank, octave) / perPixel;
-  // Wider than all its room it would cover nothing more.
+  // A line wider than its room would cover no more.
   const half = 0.5 * room * Math.min(tone * handWidth(line.value, widths) * lineLeft(line.value, left), 1);
-  // Lines that differ in width would leave slits where all is covered.
+  // Lines of different widths would leave slits where everything is covered.
   const solid = tone > SOLID_FROM && room > 0 ? smoothstep(SOLID_FROM, 1, tone) : 0;
   const closed = half + solid * (0.5 * room * (1 + UNEVEN * widths) + OVERLAPPING - half);
   return { half: closed, margin: closed, shift: 0 };
@@ -108,9 +108,9 @@ export function plottedMark(measure: FamilyMeasure, line: Line, pen: number): Li
   return { half, margin: Math.min(margin, stroke.presence - 0.5), shift: (spacing / perPixel) * stroke.astray };
 }
 
-/** The octave of the finest lines that print may need at a place. */
+/** The octave of the finest lines that a print may need at a place. */
 export const printedOctave = ({ octave, strokes }: FamilyMeasure): number =>
-  // Cells of the block are no wider than half of what lies between two cuts: narrow ends are not ragged where a surface ends.
+  // Cells of the block are no wider than half the spacing of cuts, so that narrow ends are not ragged where a surface ends.
   strokes?.medium === 'woodcut' ? octave - 1 : octave;
 
 /** The octave of the finest lines that a pen may need at a place. */
@@ -118,21 +118,21 @@ export function plottedOctave(measure: FamilyMeasure, pen: number): number {
   const { perPixel, strokes, octave } = measure;
   // Cells of the block are no wider than the pen, so that it fills them.
   if (strokes?.medium === 'woodcut') return Math.min(Math.log2(pen * perPixel), octave);
-  // Half an octave to spare, for tones between the corners of a triangle.
+  // Half an octave of margin, for tones between the corners of a triangle.
   return Math.log2(penSpacing(measure, pen)) - 0.5;
 }
 
-/** The rank of the finest lines that are traced at an octave: what is left of a block lies between lines and those that are born between them. */
+/** The rank of the finest lines that are traced at an octave: the cells of a block lie between old lines and new ones. */
 export const finestRank = (octave: number, medium: LineMedium): number =>
   Math.ceil(octave) - (medium === 'woodcut' ? 2 : 1);
 
-/** How far apart a pen draws lines, in units of the function. pen: its width, pixels. */
+/** The spacing of a pen's lines, in units of the function. pen: its width, pixels. */
 export const penSpacing = (measure: FamilyMeasure, pen: number): number => penDistance(measure, pen) * measure.perPixel;
 
-/** The same on the picture, pixels. */
+/** The spacing of a pen's lines on the picture, pixels. */
 export const penDistance = (measure: FamilyMeasure, pen: number): number => pen / penTone(measure);
 
-/** The tone that lines must have where a pen draws them, so that what it draws of them has the tone in the mean. */
+/** The tone of lines where a pen draws them, so that all it draws has the right tone in the mean. */
 function penTone(measure: FamilyMeasure): number {
   const { strokes, tone } = measure;
   const drawn = strokes ? drawnShare(penOf(measure, strokes)) : 1;
@@ -142,10 +142,10 @@ function penTone(measure: FamilyMeasure): number {
 const penOf = ({ tone, octave }: FamilyMeasure, { along, handmade, repeat }: StrokePlace): Pen =>
   penFor(tone, along, handmade, repeat, octave);
 
-/** The value that a line has at a place: across seams of the form another one than where it begins. */
+/** The value of a line at a place: across seams of the form it differs from that where the line begins. */
 function sameLine({ value, repeat }: StrokePlace, line: Line): number {
   if (repeat === Infinity) return line.value;
-  // An odd multiple of its power of two, but for the line through 0.
+  // An odd multiple of its power of two, except for the line through 0.
   const unit = 2 ** (line.rank + 1);
   return line.value === 0 ? 0 : unit * (Math.round(value / unit - 0.5) + 0.5);
 }
@@ -160,14 +160,14 @@ function printedStroke(measure: FamilyMeasure, strokes: StrokePlace, line: Line)
   return { half, margin: half, shift: (spacing * stroke.astray) / perPixel };
 }
 
-/** Where cells of the block give way to others twice as wide, both reach into one another so far, as a share of an octave. */
+/** Overlap of cells of the block with cells twice as wide where they alternate, as a share of an octave. */
 const OVERLAP = 0.02;
-/** Cells of the block reach into one another by so much, so that no slits are left between them, pixels. */
+/** Overlap of neighbouring cells of the block, so that no slits are left between them, pixels. */
 const CLOSED_BY = 0.2;
 
 /**
- * What is left of the block between cuts, in the cell of the block around a line. Lines lie in the middle of cells, and cuts where cells
- * meet: in cells so narrow that they run along the surface with it, black of any width is drawn without a gap.
+ * The black that is left between cuts, in the cell of the block around a line. Lines lie in the middle of cells, and cuts where cells meet:
+ * cells so narrow that they follow the surface draw black of any width without a gap.
  *
  * @param wanted the octave of the distance between every other cell
  */
@@ -183,7 +183,7 @@ function blockBetweenCuts(
   const middle = sameLine(strokes, line);
   const room = 2 ** line.rank;
   const cut = cutFor(tone, along, repeat, cutOctave);
-  // Old cuts are multiples of a period, and those that are born between them of its half.
+  // Old cuts are multiples of a period, and new ones between them of its half.
   const half = 2 ** (Math.ceil(cutOctave) - 1);
   const oldRoom = 0.5 * powerOf2(cutOctave);
   const below = half * Math.floor(middle / half);

@@ -1,15 +1,14 @@
 import { type LinePath, PATH_STRIDE } from '../paths/LinePath.js';
 
 /**
- * Moves a path beside itself; or leaves it where it is, and makes one side as much wider as the other narrower, so that it stays on the surface
- * that it was found on.
+ * Offsets a path sideways; or keeps it in place and widens one side as it narrows the other, so that it stays on its surface.
  *
  * @param beside how far each point lies beside the path, pixels: two numbers each
  */
 export function shiftPath({ points, isClosed }: LinePath, beside: readonly number[], isMoved: boolean): void {
   const changed = points as number[];
   const count = points.length / PATH_STRIDE;
-  // Normals are those of the path as it was.
+  // Normals are those of the path before.
   const normals = Array.from({ length: count }, (_, i) => leftOf(points, i, isClosed));
   for (let i = 0; i < count; i++) {
     const o = PATH_STRIDE * i;
@@ -25,7 +24,7 @@ export function shiftPath({ points, isClosed }: LinePath, beside: readonly numbe
   }
 }
 
-/** The unit vector to the left side of a path at a point, as `strokeOutline` has it. */
+/** The unit vector to the left of a path at a point, as in `strokeOutline`. */
 function leftOf(points: readonly number[], i: number, isClosed: boolean): readonly [number, number] {
   const count = points.length / PATH_STRIDE;
   const before = PATH_STRIDE * (isClosed ? (i + count - 1) % count : Math.max(i - 1, 0));

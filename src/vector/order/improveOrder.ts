@@ -2,19 +2,19 @@ import { asPhase } from '../../mesh/phases.js';
 import { nearestEnds } from './nearestEnds.js';
 import type { OrderedPath, PathEnds } from './PathEnds.js';
 
-/** Ends are joined with so many of the nearest to them. */
+/** Number of nearest ends that are tried for each end. */
 const NEIGHBOURS = 10;
-/** Stretches of so many paths are moved to another place. */
+/** Longest stretch that is moved. */
 const LONGEST_MOVED = 3;
-/** A gain below this is a rounding. */
+/** Smaller gains are rounding errors. */
 const LEAST_GAIN = 1e-9;
-/** Stretches of at most so many paths are exchanged by chance. */
+/** Longest stretch that is exchanged at random. */
 const LONGEST_EXCHANGED = 12;
 
 /**
- * Shortens the way of the lifted pen: stretches of an order are reversed (2-opt, Croes, 1958) or moved (Or, 1976) wherever an end then
- * follows one of the nearest to it. Where nothing is gained any more, exchanges by chance lead on (iterated local search, Martin, Otto and
- * Felten, 1991). Changes the order. Yields its progress.
+ * Shortens the travel of the lifted pen: stretches of an order are reversed (2-opt, Croes, 1958) or moved (Or, 1976) where an end then
+ * follows one of its nearest. When nothing improves, random exchanges continue the search (iterated local search, Martin, Otto and Felten,
+ * 1991). Changes the order. Yields its progress.
  */
 export function* improveOrder(paths: readonly PathEnds[], order: OrderedPath[]): Generator<number, void, void> {
   if (order.length < 3) return;
@@ -29,16 +29,16 @@ export function* improveOrder(paths: readonly PathEnds[], order: OrderedPath[]):
   search.writeTo(order);
 }
 
-/** An end is twice the number of its path, plus one for the second. */
+/** A local search. An end has the index of its path times two, plus one for the second end. */
 class Search {
   private readonly places: Int32Array;
-  /** The end that each path in the order is begun at. */
+  /** The first end of each path in the order. */
   private readonly begun: Int32Array;
   private readonly count: number;
-  /** Paths whose ends are still to be looked at, and whether each is among them. */
+  /** Paths whose ends are to be tried, and whether each is queued. */
   private readonly queue: number[] = [];
   private readonly isQueued: Uint8Array;
-  /** The stretches that were turned since a trial began: first and last of each. */
+  /** The stretches that were reversed since a trial began: first and last of each. */
   private readonly turns: number[] = [];
   private chance = 1;
 
@@ -57,7 +57,7 @@ class Search {
     }
   }
 
-  /** Improves the order until nothing is gained any more. Yields its progress. */
+  /** Improves the order until nothing is gained. Yields its progress. */
   *settle(): Generator<number, void, void> {
     for (let done = 0; this.queue.length > 0; done++) {
       if (done % 32 === 31) yield done / (done + this.queue.length);
@@ -66,7 +66,7 @@ class Search {
     this.turns.length = 0;
   }
 
-  /** Exchanges two stretches side by side by chance, improves what follows, and takes all of it back if that is no gain. */
+  /** Exchanges two neighbouring stretches at random, improves the result, and reverts everything unless it is a gain. */
   tryExchange(): void {
     const count = this.begun.length;
     const longest = Math.min(LONGEST_EXCHANGED, count >> 1);
@@ -87,7 +87,7 @@ class Search {
     this.turns.length = 0;
   }
 
-  /** A whole number below a limit, by chance (Lehmer, 1951). */
+  /** A pseudorandom integer below a limit (Lehmer, 1951). */
   private hash(below: number): number {
     this.chance = (48271 * this.chance) % 0x7fffffff;
     return this.chance % below;
@@ -101,7 +101,7 @@ class Search {
     return gain;
   }
 
-  /** Has the ends of the path at a place in the order looked at. */
+  /** Queues the path at a position of the order. */
   private lookAt(i: number): void {
     if (i < 0 || i >= this.begun.length) return;
     const path = this.begun[i] >> 1;
@@ -114,14 +114,14 @@ class Search {
     for (const [i, end] of this.begun.entries()) order[i] = { path: end >> 1, isReversed: (end & 1) === 1 };
   }
 
-  /** Does the first change at either end of a path, or with it moved, that shortens the way. Returns by how much. */
+  /** Makes the first change at either end of a path, reversing or moving it, that shortens the travel. Returns the gain. */
   private improve(path: number): number {
     for (let end = 2 * path; end <= 2 * path + 1; end++) {
       const i = this.places[path];
       const way = end === this.to(i) ? this.way(end, this.from(i + 1)) : this.way(this.to(i - 1), end);
       for (let k = 0; k < this.count; k++) {
         const other = this.nearest[end * this.count + k];
-        // An end that is left for one farther away hardly ever pays.
+        // Leaving a nearer end for a farther one hardly ever pays.
         const joined = other < 0 ? Infinity : this.way(end, other);
         if (joined >= way) break;
         const gain = this.reverse(end, other) || this.move(end, other, joined);
@@ -131,7 +131,7 @@ class Search {
     return 0;
   }
 
-  /** The end that the path at a place in the order is begun or left at; −1 beyond both ends. */
+  /** The end at which the path at a position of the order is begun or left; −1 beyond both ends of the order. */
   private from(i: number): number {
     return i >= this.begun.length ? -1 : this.begun[i];
   }
@@ -140,7 +140,7 @@ class Search {
     return i < 0 ? -1 : this.begun[i] ^ 1;
   }
 
-  /** The way from one end to another; from the corner of the sheet to the first, and none after the last. */
+  /** The travel from one end to another: from the corner of the sheet to the first, and none after the last. */
   private way(leaving: number, reaching: number): number {
     if (reaching < 0) return 0;
     const { points } = this;
@@ -154,7 +154,7 @@ class Search {
     const [i, j] = [this.places[end >> 1], this.places[other >> 1]];
     const isLeft = end === this.to(i);
     if (isLeft !== (other === this.to(j))) return 0;
-    // Between both, or with both: the stretch after the one that is left first, or before the one that is begun last.
+    // The stretch lies between both paths or includes them: after the one that is left first, or before the one that is begun last.
     const first = isLeft ? Math.min(i, j) + 1 : Math.min(i, j);
     const last = isLeft ? Math.max(i, j) : Math.max(i, j) - 1;
     const before = this.to(first - 1);
@@ -172,7 +172,7 @@ class Search {
     const j = this.places[other >> 1];
     const isLeft = end === this.to(i);
     const isAfter = other === this.to(j);
-    // The place in the order after which it comes.
+    // The position in the order that it is moved behind.
     const after = isAfter ? j : j - 1;
     const beyond = isAfter ? this.from(j + 1) : this.to(j - 1);
     const opened = (isAfter ? this.way(other, beyond) : this.way(beyond, other)) - joined;
@@ -195,7 +195,7 @@ class Search {
     return 0;
   }
 
-  /** Turns a stretch. */
+  /** Reverses a stretch. */
   private reverseStretch(first: number, last: number): void {
     this.turns.push(first, last);
     this.turn(first, last);
@@ -216,7 +216,7 @@ class Search {
     }
   }
 
-  /** Exchanges the stretches from a to b and from there to c. */
+  /** Exchanges the stretches from a to b and from b to c. */
   private exchange(a: number, b: number, c: number): void {
     this.reverseStretch(a, c);
     const middle = a + c - b;

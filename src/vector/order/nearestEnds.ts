@@ -1,6 +1,5 @@
 /**
- * Of each point the points that lie nearest to it, those of its own pair left out. A grid keeps it near to linear in time. Yields its
- * progress.
+ * The nearest neighbours of each point, except the other point of its pair. A grid makes it nearly linear in time. Yields its progress.
  *
  * @param points x and y in turn; pairs are 0 and 1, 2 and 3 …
  * @param count how many are wanted
@@ -29,7 +28,7 @@ export function* nearestEnds(points: Float64Array, count: number): Generator<num
       nearest[p * count + i] = q;
     };
     for (let ring = 0; ring <= grid.columns; ring++) {
-      // What lies in rings farther out is at least so far away.
+      // Points in rings farther out are at least this far away.
       if (found === count && (ring - 1) * grid.size > distances[count - 1]) break;
       grid.visitRing(x, y, ring, add);
     }
@@ -63,7 +62,7 @@ class Grid {
     return Math.floor((x - this.left) / this.size) + (this.columns + 1) * Math.floor((y - this.top) / this.size);
   }
 
-  /** Calls back with the points of the cells in a ring around the cell of a place. */
+  /** Calls back for the points in a ring of cells around that of a position. */
   visitRing(x: number, y: number, ring: number, call: (point: number) => void): void {
     const width = this.columns + 1;
     const cell = this.cellOf(x, y);

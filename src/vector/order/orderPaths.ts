@@ -9,7 +9,7 @@ function distance(a: readonly [number, number], b: readonly [number, number]): n
   return Math.sqrt(dx * dx + dy * dy);
 }
 
-/** The way that the pen goes lifted, from the origin on. */
+/** The travel of the lifted pen, from the origin on. */
 export function travelOf(paths: readonly PathEnds[], order: readonly OrderedPath[]): number {
   let [place, sum]: [readonly [number, number], number] = [[0, 0], 0];
   for (const { path, isReversed } of order) {
@@ -24,14 +24,14 @@ export function travelOf(paths: readonly PathEnds[], order: readonly OrderedPath
 export const asDrawn = (paths: readonly PathEnds[]): OrderedPath[] =>
   paths.map((_, path) => ({ path, isReversed: false }));
 
-/** Orders paths for a short way of the lifted pen: the nearest end first, then with what betters that. Yields its progress. */
+/** Orders paths for a short travel of the lifted pen: nearest end first, then by local search. Yields its progress. */
 export function* orderPaths(paths: readonly PathEnds[]): Generator<number, OrderedPath[], void> {
   const order = yield* asPhase(nearestFirst(paths), 0, 0.3);
   yield* asPhase(improveOrder(paths, order), 0.3, 1);
   return order;
 }
 
-/** Ends of paths in the cells of a grid. An end is twice the number of its path, plus one for the second. */
+/** Ends of paths in the cells of a grid. An end has the index of its path times two, plus one for the second end. */
 class EndGrid {
   private readonly cells: number[][];
   private readonly size: number;
@@ -61,12 +61,12 @@ class EndGrid {
     return [at(0), at(1)];
   }
 
-  /** Takes the path with the end nearest to a place; its number twice, plus one if that is its second end. */
+  /** Removes and returns the end nearest to a position. */
   take(place: readonly [number, number]): number {
     const [column, row] = this.cellOf(place);
     let [best, nearest] = [-1, Infinity];
     for (let ring = 0; ring < this.columns; ring++) {
-      // What lies in rings farther out is at least so far away, for a place within its cell.
+      // Ends in rings farther out are at least this far away, for a position within its cell.
       if (best >= 0 && (ring - 1) * this.size > nearest) break;
       for (const cell of this.ringAround(column, row, ring)) {
         let kept = 0;

@@ -3,32 +3,32 @@ import type { Vec3 } from '../../look/vectors.js';
 import type { Matrix } from '../Projection.js';
 import type { Emphasis } from '../shading/emphasis.js';
 
-/** What outlines are found on. */
+/** The mesh whose outlines are drawn. */
 export interface OutlineMesh {
-  /** Points, each a fan of corners with one normal: three numbers of the position and of the unit normal, object space. */
+  /** Points, one for each normal at a vertex: position and unit normal, three numbers each, object space. */
   positions: Float32Array | Float64Array;
   normals: Float32Array | Float64Array;
-  /** The positions at rest. */
+  /** Positions at rest. */
   anchors: Float32Array;
   /** Six numbers per point, xx xy xz yy yz zz: the curvature tensor times the bounding radius. */
   curvatures: Float32Array;
-  /** The place of each point. */
+  /** Index of the place of each point. */
   placeOf: Uint32Array;
-  /** The points of each triangle. */
+  /** Points of the triangles. */
   triangles: Uint32Array;
   edges: readonly FeatureEdge[];
-  /** Of the bounding sphere, object units. */
+  /** Radius of the bounding sphere, object units. */
   radius: number;
   toWorld: Matrix;
-  /** Rows of the matrix that takes normals to the world. */
+  /** Rows of the matrix that transforms normals to world space. */
   normalToWorld: readonly [Vec3, Vec3, Vec3];
   /** World units per object unit, the mean over directions. */
   scale: number;
-  /** Where the eye is, and 1; or the direction to it, and 0. Object space. */
+  /** Position of the eye, with w = 1; or the direction to it, with w = 0. Object space. */
   eye: readonly [x: number, y: number, z: number, w: number];
 }
 
-/** An edge with the points at its ends, as the triangles on its two sides have them. */
+/** An edge, with the points at its ends for each of its two sides. */
 export interface FeatureEdge {
   leftStart: number;
   leftEnd: number;
@@ -37,14 +37,14 @@ export interface FeatureEdge {
   isBorder: boolean;
   isCrease: boolean;
   isMaterialBorder: boolean;
-  /** The windings of the two sides contradict each other. */
+  /** Whether the windings of the two sides are contrary. */
   isContrary: boolean;
-  /** A straight line of edges ends, branches or turns there. */
+  /** Whether a straight line of edges ends, branches or turns there. */
   isCornerAtStart: boolean;
   isCornerAtEnd: boolean;
 }
 
-/** How outlines look. */
+/** The appearance of outlines. */
 export interface OutlineLook {
   /** Pixels. */
   width: number;
@@ -57,17 +57,17 @@ export interface OutlineLook {
   taper: number;
   shadeWeights: readonly [number, number];
   lostEdges: number;
-  /** How much heavier a contour becomes where another one ends behind it. */
+  /** The extra weight of a contour where another one ends behind it. */
   accents: number;
-  /** How far lines run on beyond corners, pixels. */
+  /** Length by which lines run beyond corners, pixels. */
   overshoot: number;
   /** Pixels. */
   wobble: number;
-  /** What is drawn of outlines behind a surface. */
+  /** How outlines behind a surface are drawn. */
   hidden: HiddenOutlines;
-  /** Whether parts of their surface may be cut away, which have none. */
+  /** Whether parts of the surface may be cut out, where there are no outlines. */
   isCutOut: boolean;
-  /** What takes weight away; null where all has its full weight. */
+  /** Null where everything has its full weight. */
   emphasis: Emphasis | null;
 }
 
@@ -75,32 +75,32 @@ export interface OutlineLook {
 export interface PieceEnd {
   /** Object space; the normal is of any length. */
   position: Vec3;
-  /** The same at rest. */
+  /** Object space, at rest. */
   anchor: Vec3;
   normal: Vec3;
   bend: number;
-  /** Weights before the paper, and before a surface. */
+  /** Weights before paper, and before a surface. */
   weight: number;
   innerWeight: number;
-  /** What is left of the weight before the paper where edges are lost, as a share. */
+  /** The share of the weight before paper that is left where edges are lost. */
   left: number;
-  /** How far the outline runs on beyond it, pixels. */
+  /** Length by which the outline runs beyond the end, pixels. */
   overshoot: number;
-  /** Names the place: two ends that have it in common lie there. */
+  /** Key of the place: ends with the same key are at one place. */
   key: string;
 }
 
 export interface OutlinePiece {
   start: PieceEnd;
   end: PieceEnd;
-  /** On a surface, not an edge. */
+  /** Whether it lies on a surface, not on an edge. */
   isSmooth: boolean;
   /** The share of the piece that is a contour or a border. */
   contour: number;
-  /** How deep the surface beside the piece is along the line of sight, object units. */
+  /** Depth of the surface beside the piece along the line of sight, object units. */
   extent: number;
-  /** How much of that may lie before the piece, though the piece is to be seen. */
+  /** The part of that depth that may lie before a visible piece. */
   ownCover: number;
-  /** An edge whose two sides rise from it. */
+  /** Whether it is a concave edge. */
   isValley: boolean;
 }

@@ -1,19 +1,19 @@
 import { type LinePath, PATH_STRIDE, pathLength } from '../paths/LinePath.js';
 
-/** How short and how far from all others a line is that stands alone, pixels. */
+/** Limits for lines that stand alone, pixels. */
 export interface ScrapLimits {
-  /** Lines that meet are shorter than this together. */
+  /** Total length below which lines that meet are dropped. */
   shortest: number;
-  /** Two lines meet where an end of one is no farther from the other. */
+  /** Greatest distance between the end of a line and another line that it meets. */
   near: number;
 }
 
-/** No piece of a line is looked at in more places. */
+/** Most samples of one piece of a line. */
 const MOST_STEPS = 2 ** 16;
-/** Cells are told by one number: rows are so many cells apart. */
+/** Cells have one index, with this distance between rows. */
 const ROW = 2 ** 22;
 
-/** Paths without those that stand alone: short open ones that meet no others, or only such that all together are short too. */
+/** Removes paths that stand alone: short open ones that meet no others, or only others that are short in total too. */
 export function dropScraps<Item extends { path: LinePath }>(items: readonly Item[], limits: ScrapLimits): Item[] {
   const lengths = items.map(({ path }) => pathLength(path));
   const isShort = items.map(({ path }, i) => !path.isClosed && lengths[i] < limits.shortest);
@@ -30,7 +30,7 @@ export function dropScraps<Item extends { path: LinePath }>(items: readonly Item
   return items.filter((_, i) => groups.lengthOf(i) >= limits.shortest);
 }
 
-/** Which lines lie at a place, found by cells. */
+/** The lines near a place, by cells. */
 class Places {
   private readonly cells = new Map<number, [x: number, y: number, line: number][]>();
 
@@ -40,7 +40,7 @@ class Places {
     return Math.floor(x / this.distance) + ROW * Math.floor(y / this.distance);
   }
 
-  /** Adds a line by places on it that are half of the distance apart. */
+  /** Adds a line by samples on it, half of the distance apart. */
   add({ points, isClosed }: LinePath, line: number): void {
     const count = points.length / PATH_STRIDE;
     for (let i = 0; i < count; i++) {
@@ -70,7 +70,7 @@ class Places {
   }
 }
 
-/** Lines that meet, and how long all of a group are together. */
+/** Groups of lines that meet, with their total lengths. */
 class Groups {
   private readonly parents: number[];
 

@@ -1,7 +1,7 @@
 import { hiddenWeight } from '../../look/hiddenOutlines.js';
 import type { OutlineLook, OutlinePiece } from './OutlineMesh.js';
 
-/** How outlines look where they are hidden: all as heavy, whatever the light and what lies behind them. */
+/** The look of hidden outlines: all of one weight, whatever the light and what lies behind them. */
 export const hiddenLook = (look: OutlineLook): OutlineLook => ({
   ...look,
   innerContours: 1,
@@ -9,7 +9,7 @@ export const hiddenLook = (look: OutlineLook): OutlineLook => ({
   lostEdges: 0,
 });
 
-/** Gives pieces the weights that they have where they are hidden. */
+/** Sets the weights of pieces to those of hidden outlines. */
 export function weighHidden(pieces: readonly OutlinePiece[]): void {
   for (const { start, end } of pieces) {
     for (const side of [start, end])

@@ -2,29 +2,29 @@ import { smoothstep } from '../../look/vectors.js';
 import type { Chain } from '../Chain.js';
 import type { Run } from '../visibleRuns.js';
 
-/** An outline, and the parts of it that are seen. */
+/** An outline with its visible runs. */
 export interface SeenOutline {
   chain: Chain;
   runs: Run[];
 }
 
-/** Pixels. */
+/** Limits, pixels. */
 export interface LostLimits {
-  /** What is left of a line between its gaps is nowhere shorter. */
+  /** Shortest line that is left between gaps. */
   shortest: number;
   /** Half the width of the thinnest line. */
   leastHalf: number;
 }
 
-/** Where no more than this share of its width is left, a line is lost; it is back where more than the second is left. */
+/** A line is lost where no more than the first share of its width is left, and back where more than the second is. */
 const LOST = 0.3;
 const BACK = 0.6;
-/** The longest gap, as a share of the size of what is outlined, and the shortest, as a share of the longest. */
+/** Longest gap as a share of the size of the outlined object, and shortest gap as a share of the longest. */
 const LONGEST_GAP = 0.1;
 const SHORTEST_GAP = 0.25;
-/** The share of all that lies before the paper that gaps take at most. */
+/** The greatest share of the length before paper that gaps take. */
 const MOST_LOST = 1 / 3;
-/** Beside a gap a line becomes thinner over so much of the longest gap. */
+/** Length over which a line becomes thinner beside a gap, as a share of the longest gap. */
 const EDGE_THINNING = 0.5;
 
 /** A gap in a run, pixels along it. */
@@ -36,8 +36,8 @@ interface Gap {
 const lengthOf = ({ from, to }: Gap): number => to - from;
 
 /**
- * Leaves gaps in the outlines of a body where light takes nearly all of them: one in each stretch that is lost, of limited length and with
- * long lines on both sides of it. Changes runs and widths.
+ * Leaves gaps in the outlines of a body where light nearly takes them: one in each lost stretch, of limited length, with long lines on both
+ * sides. Changes runs and widths.
  */
 export function loseEdges(outlines: readonly SeenOutline[], limits: LostLimits): void {
   if (!outlines.some(({ chain }) => chain.outline!.lefts.some((left) => left < LOST))) return;
@@ -60,7 +60,7 @@ export function loseEdges(outlines: readonly SeenOutline[], limits: LostLimits):
   }
 }
 
-/** The larger side of what encloses runs, pixels. */
+/** The larger side of the bounding box of runs, pixels. */
 function sizeOf(runs: readonly MeasuredRun[]): number {
   const [low, high] = [
     [Infinity, Infinity],
@@ -78,21 +78,21 @@ function sizeOf(runs: readonly MeasuredRun[]): number {
   return Math.max(high[0] - low[0], high[1] - low[1], 0);
 }
 
-/** The value at a place on a chain, from those at its points. A place may lie beyond the last point of a closed chain. */
+/** Interpolates values of points at a place on a chain, which may lie beyond the last point of a closed chain. */
 function valueAt({ count }: Chain, place: number, at: (point: number) => number): number {
   const within = place > count - 1 ? place - (count - 1) : place;
   const piece = Math.min(Math.floor(within), count - 2);
   return at(piece) + (within - piece) * (at(piece + 1) - at(piece));
 }
 
-/** A part of an outline that is seen, with how far its points lie along it. */
+/** A visible part of an outline, with the distances of its points along it. */
 class MeasuredRun {
   readonly gaps: Gap[] = [];
-  /** Its points, from place to place. */
+  /** The places of its points. */
   readonly places: readonly number[];
-  /** How far along the run each of them lies, pixels. */
+  /** Their distances along the run, pixels. */
   private readonly along: readonly number[];
-  /** A whole closed chain begins where most of its width is left. */
+  /** Whether it is a whole closed chain, which begins where most of its width is left. */
   private readonly isWhole: boolean;
 
   constructor(
@@ -120,7 +120,7 @@ class MeasuredRun {
     return this.along[this.along.length - 1];
   }
 
-  /** How much of the run lies before the paper, pixels. */
+  /** The length of the run before paper, pixels. */
   beforePaper(): number {
     const { chain, places, along } = this;
     const shares = places.map((place) => valueAt(chain, place, (i) => chain.outline!.contours[i]));
@@ -129,7 +129,9 @@ class MeasuredRun {
     return sum;
   }
 
-  /** The middle of each stretch that is lost, no longer than asked for. A stretch ends where the line is back, not where a little is left. */
+  /**
+   * The middle part of each lost stretch, no longer than a limit. A stretch ends where the line is back, not where just a little is left.
+   */
   lost(longest: number): Gap[] {
     const { chain, places, along } = this;
     const stretches: Gap[] = [];
@@ -148,7 +150,7 @@ class MeasuredRun {
     });
   }
 
-  /** Whether as much line as gap would lie on both sides of a gap, and no less than the shortest line. */
+  /** Whether the line on each side of a gap is as long as the gap, and no shorter than the shortest line. */
   hasRoomFor(gap: Gap, shortest: number): boolean {
     const { gaps, length } = this;
     const room = Math.max(lengthOf(gap), shortest);
@@ -159,12 +161,12 @@ class MeasuredRun {
     });
   }
 
-  /** Makes the line thinner towards its gaps, over a distance, down to the thinnest. */
+  /** Thins the line towards its gaps over a distance, down to the thinnest. */
   thin(distance: number, leastHalf: number): void {
     const { chain, places, along, gaps } = this;
     if (gaps.length === 0) return;
     const { halves, count } = chain;
-    // The place after the last of a closed chain is its first again.
+    // The place after the last of a closed chain is its first.
     const thinned = new Set<number>();
     for (const [i, place] of places.entries()) {
       const point = place > count - 1 ? place - (count - 1) : place;

@@ -9,11 +9,11 @@ import { type LiftedPiece, shadeWeight, wobbleAt } from '../shading/outlines.js'
 import type { Illumination } from '../Toner.js';
 import type { OutlineLook, OutlineMesh, OutlinePiece, PieceEnd } from './OutlineMesh.js';
 
-/** Outlines bend by less than this at a joint, or a new one begins. Radians, in space: on the picture two edges may happen to lie in line. */
+/** Greatest angle between pieces that are joined. Radians, in space, since on the picture unrelated edges may be collinear. */
 const SHARPEST = (40 * Math.PI) / 180;
-/** Points of outlines lie no farther apart than this, so that their weight can change along the way. Pixels. */
+/** Greatest distance between points of outlines, so that their weight can change along the way. Pixels. */
 const LONGEST_PIECE = 6;
-/** Pieces are looked at so many at a time. */
+/** Pieces per step. */
 const CHUNK = 256;
 
 /** Weighs pieces by the light, and joins them to chains. Yields its progress. */
@@ -69,13 +69,13 @@ interface Step {
   isReversed: boolean;
 }
 
-/** Which pieces go on in which. An end of a piece is twice its number, plus one for the second. */
+/** Connections between pieces. An end has the index of its piece times two, plus one for the second end. */
 class Joints {
   private readonly ends = new Map<string, number[]>();
 
   constructor(private readonly pieces: readonly OutlinePiece[]) {}
 
-  /** Finds what ends of pieces lie at one place. Yields its progress. */
+  /** Finds the ends of pieces at each place. Yields its progress. */
   *join(): Generator<number, void, void> {
     const { pieces } = this;
     for (const [i, { start, end }] of pieces.entries()) {
@@ -88,7 +88,7 @@ class Joints {
     }
   }
 
-  /** The pieces in the order in which they go on in one another. Yields its progress. */
+  /** The pieces in order along each outline. Yields its progress. */
   *walks(): Generator<number, { steps: Step[]; isClosed: boolean }[], void> {
     const { pieces } = this;
     let looked = 0;
@@ -96,7 +96,7 @@ class Joints {
     const walks: { steps: Step[]; isClosed: boolean }[] = [];
     for (let first = 0; first < pieces.length; first++) {
       if (used[first]) continue;
-      // Out of its first end as far as it goes, then back.
+      // From the first end as far as possible, then back.
       let end = 2 * first;
       for (let i = 0; i < pieces.length; i++) {
         if (++looked % CHUNK === 0) yield first / pieces.length;
@@ -123,12 +123,12 @@ class Joints {
     return code & 1 ? end : start;
   }
 
-  /** The end of another piece that goes on from an end; −1 where three meet, at sharp corners and where creases meet contours. */
+  /** The end of another piece that continues an end; −1 where three meet, at sharp corners and where creases meet contours. */
   private partner(code: number): number {
     const list = this.ends.get(this.endOf(code).key)!;
     if (list.length !== 2 || list[0] >> 1 === list[1] >> 1) return -1;
     const other = list[0] === code ? list[1] : list[0];
-    // A line that runs on beyond a corner ends there.
+    // A line that overshoots a corner ends there.
     if (this.endOf(code).overshoot > 0 || this.endOf(other).overshoot > 0) return -1;
     const [a, b] = [this.pieces[code >> 1], this.pieces[other >> 1]];
     if (isCrease(a) !== isCrease(b)) return -1;
@@ -208,19 +208,19 @@ class OutlineDrawing {
     return Math.hypot(a[0] - b[0], a[1] - b[1]);
   }
 
-  /** Goes straight on beyond an end of a piece, as far as that asks for. */
+  /** Extends the outline straight beyond an end of a piece, by the end's overshoot. */
   private runOn(piece: OutlinePiece, end: PieceEnd, other: PieceEnd): void {
     const pixels = this.pixelsBetween(end, other);
     if (end.overshoot === 0 || pixels === 0) return;
     const [near, far] = [end, other].map((one) => this.projection.depthOf(...this.worldOf(one)));
     const share = -end.overshoot / pixels;
-    // So far beyond the end the line would come to lie behind the eye.
+    // The extension would lie behind the eye.
     if (!this.projection.isOrthographic && far + share * (near - far) < 0.5 * far) return;
     const place = endAt(end, other, this.projection.shareInSpace(share, near, far));
     this.push(piece, { ...end, position: place.position });
   }
 
-  /** Half the width before the paper, and before a surface. */
+  /** Half the width before paper, and before a surface. */
   private halvesAt({ weight, innerWeight }: PieceEnd, world: Vec3): readonly [number, number] {
     const { width, emphasis } = this.look;
     const factor = emphasis === null ? 1 : outlineEmphasisAt(emphasis, emphasisedPlace(world, this.projection));
@@ -231,7 +231,7 @@ class OutlineDrawing {
     const { near } = this.projection.camera;
     const world = this.worldOf(end);
     const [half, inner] = this.halvesAt(end, world);
-    // What lies before the near plane has no place on the picture.
+    // Points before the near plane cannot be projected.
     const isBehind = this.projection.depthOf(...world) >= near;
     const screen = isBehind ? this.pixelOf(end) : [0, 0];
     this.builder.push(screen, world, half, isBehind ? Math.max(half, inner) : -1, -1);
@@ -243,7 +243,7 @@ class OutlineDrawing {
     this.pieces.push({ isSmooth, bend: end.bend, extent: extent * scale, ownCover: ownCover * scale, isValley });
   }
 
-  /** Goes on over another piece from the last point: as wide as both in the mean, and lifted for both. */
+  /** Continues over another piece from the last point, which gets the mean width and the lift of both. */
   private join({ isSmooth, extent, contour }: OutlinePiece, end: PieceEnd): void {
     const [half, inner] = this.halvesAt(end, this.worldOf(end));
     this.builder.share(half, Math.max(half, inner), -1);
@@ -262,7 +262,7 @@ class OutlineDrawing {
   }
 }
 
-/** An end on the way from one to another. */
+/** An end interpolated between two. */
 function endAt(a: PieceEnd, b: PieceEnd, share: number): PieceEnd {
   const rest = 1 - share;
   return {

@@ -92,7 +92,7 @@ class PieceFinder {
     return combined(1, [x, y, z], -w, position);
   }
 
-  /** The end that lies at a share of the way from a to b. */
+  /** The end at a share of the way from a to b. */
   private endBetween(a: number, b: number, share: number): PieceEnd {
     const { placeOf } = this.mesh;
     const key = share === 0 ? `v${placeOf[a]}` : share === 1 ? `v${placeOf[b]}` : pairKey(a, b);
@@ -127,7 +127,7 @@ class PieceFinder {
     const [alone, one, two] = isB === isC ? [a, b, c] : isA === isC ? [b, c, a] : [c, a, b];
     const zero = (other: number): PieceEnd => {
       const end = this.endBetween(alone, other, values[alone] / (values[alone] - values[other]));
-      // Also where it passes through a point: it goes on over the edge, by a piece without a length.
+      // Also where it passes through a point: it continues over the edge by a piece of length 0.
       return { ...end, key: pairKey(alone, other) };
     };
     return [zero(one), zero(two)];
@@ -152,7 +152,7 @@ class PieceFinder {
     return this.smoothPiece(triangle, ends, 1);
   }
 
-  /** The zero set of the bend along the line of sight, where the triangle faces the eye. */
+  /** The zero set of the curvature along the line of sight, where the triangle faces the eye. */
   suggestiveContour(triangle: number): OutlinePiece | null {
     const { suggestiveContours } = this.look;
     const corners = this.cornersOf(triangle);
@@ -169,7 +169,7 @@ class PieceFinder {
     const weight = suggestiveContours * suggestiveShare([a, b, c], toEye, this.mesh.radius);
     for (const side of ends) {
       this.weigh(side, 0, weight);
-      // Where a contour crosses the same edge, neither goes on in the other.
+      // A contour that crosses the same edge is not joined to it.
       side.key = `s${side.key}`;
     }
     return this.smoothPiece(triangle, ends, 0);
@@ -178,11 +178,11 @@ class PieceFinder {
   featureEdge(edge: FeatureEdge): OutlinePiece | null {
     const { facing, look } = this;
     const { leftStart, leftEnd, rightStart, rightEnd, isBorder } = edge;
-    // Where the windings contradict each other, the right side's normals look the other way.
+    // With contrary windings the normals of the right side point inwards.
     const sign = edge.isContrary ? -1 : 1;
     const left = [facing[leftStart], facing[leftEnd]] as const;
     const right = [sign * facing[rightStart], sign * facing[rightEnd]] as const;
-    // Creases that look away on either side cannot be seen; borders show their backs.
+    // A crease is invisible if both sides face away; borders show from behind.
     if (!isBorder && !this.withHidden && Math.max(...left, ...right) <= 0) return null;
     const whole = Math.max(edge.isCrease ? look.creases : 0, edge.isMaterialBorder ? look.materialBorders : 0);
     const isContour = [left[0] * right[0] < 0, left[1] * right[1] < 0];
@@ -218,12 +218,12 @@ class PieceFinder {
   ): PieceEnd {
     const end = this.endBetween(leftStart, leftEnd, share);
     if (share === 0 || share === 1) return end;
-    // Where it ends within the edge, the side that turns away there has a contour through its triangle.
+    // If the contour ends within the edge, it continues through the triangle of the side that turns away there.
     const isLeft = Math.abs(share - left[0] / (left[0] - left[1])) < 1e-9;
     return { ...end, key: isLeft ? pairKey(leftStart, leftEnd) : pairKey(rightStart, rightEnd) };
   }
 
-  /** The normal of the side that is seen. */
+  /** The normal of the visible side. */
   private seenNormal(left: number, right: number, sign: number): Vec3 {
     const [n, m] = [this.normalOf(left), this.normalOf(right)];
     if (this.facing[left] > 0 && sign * this.facing[right] > 0) return combined(1, n, sign, m);

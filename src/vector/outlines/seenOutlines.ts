@@ -9,8 +9,8 @@ import type { ChainPlace, SeenTest } from '../visibleRuns.js';
 const { BESIDE, CUT_SLOPE } = OUTLINE_CONSTANTS;
 
 /**
- * A test whether places of an outline are seen: lifted towards the eye by so much that their own surface does not hide them, and with
- * nothing before them on one side at least.
+ * A visibility test for an outline: it is lifted towards the eye so that its own surface does not hide it, and nothing may lie before it on
+ * at least one side.
  *
  * @param leastHalf half the width, pixels, that it is lifted for at least
  */
@@ -25,12 +25,12 @@ export function outlineTest(chain: Chain, bvh: Bvh, projection: Projection, leas
     const lift = Math.max(liftOf(pieces[piece], units, radius), liftOf(pieces[piece + 1], units, radius));
     const { way, end } = projection.wayToEye(...world);
     if (bvh.isHidden(world, way, lift / Math.hypot(...way), end)) return false;
-    // What two pieces share at a point is of both of them.
+    // A point that two pieces share belongs to both.
     return beside.isOpen(place, toleranceOf(pieces[piece + 1], pixel, radius));
   };
 }
 
-/** A test whether the surface of an outline is cut away where that runs; null where it has no such parts. */
+/** A test for whether the surface of an outline is cut out; null if no part of it may be. */
 export function cutTest(chain: Chain, bvh: Bvh, projection: Projection): SeenTest | null {
   const { pieces, radius, isCutOut } = chain.outline!;
   if (!isCutOut) return null;
@@ -41,7 +41,7 @@ export function cutTest(chain: Chain, bvh: Bvh, projection: Projection): SeenTes
   };
 }
 
-/** Looks what lies before an outline beside it, where less of its own surface does. */
+/** Tests what lies before an outline on its two sides, where its own surface is less in the way. */
 class BesideOutline {
   constructor(
     private readonly chain: Chain,
@@ -49,7 +49,9 @@ class BesideOutline {
     private readonly projection: Projection,
   ) {}
 
-  /** Whether on one side nothing lies before a place by more than the tolerance, world units; beyond the picture nothing is known. */
+  /**
+   * Whether nothing lies before a place by more than the tolerance, world units, on at least one side; beyond the picture nothing is known.
+   */
   isOpen(place: ChainPlace, tolerance: number): boolean {
     const { projection, bvh } = this;
     const depth = projection.depthOf(...place.world);
@@ -62,7 +64,7 @@ class BesideOutline {
     });
   }
 
-  /** Whether on both sides nothing lies before what is behind a place by the tolerance, world units. */
+  /** Whether nothing lies before what is behind a place, by more than the tolerance, world units, on both sides. */
   isEmpty(place: ChainPlace, tolerance: number): boolean {
     const { projection, bvh } = this;
     const depth = projection.depthOf(...place.world) + tolerance;
@@ -80,7 +82,7 @@ class BesideOutline {
     return [1, -1].map((sign) => [x + sign * dx, y + sign * dy] as const);
   }
 
-  /** The way to the eye of what a pixel shows at a depth. */
+  /** The ray to the eye from what a pixel shows at a depth. */
   private rayFrom(pixel: readonly [number, number], depth: number) {
     const { projection } = this;
     const { origin, direction } = projection.rayThrough(...pixel);
@@ -88,7 +90,7 @@ class BesideOutline {
     return { point, ...projection.wayToEye(...point) };
   }
 
-  /** Square to a piece on the picture. The hand shifts it there, and nothing else. */
+  /** The unit vector perpendicular to a piece on the picture, in which the wobble of the hand is removed. */
   private sideways(piece: number): readonly [number, number] {
     const { screen } = this.chain;
     const dx = screen[2 * piece + 2] - screen[2 * piece];

@@ -6,8 +6,8 @@ import { standingAt, strideOf } from '../shading/outlineStanding.js';
 import { type ChainPlace, placeOn } from '../visibleRuns.js';
 
 /**
- * Makes an outline as wide as it is before what lies behind it, the paper or a surface, and heavier where another one ends behind it. Changes
- * the widths of the chain. Yields its progress.
+ * Sets the width of an outline by what lies behind it, paper or a surface, and widens it where another one ends behind it. Changes the
+ * widths of the chain. Yields its progress.
  */
 export function* weighByStanding(chain: Chain, bvh: Bvh, projection: Projection): Generator<number, void, void> {
   const { innerHalves, accents, contours, lefts, width, pieces } = chain.outline!;
@@ -22,7 +22,7 @@ export function* weighByStanding(chain: Chain, bvh: Bvh, projection: Projection)
     const dx = screen[2 * after] - screen[2 * before];
     const dy = screen[2 * after + 1] - screen[2 * before + 1];
     const length = Math.hypot(dx, dy) || 1;
-    // A straight edge may run away from the eye. Contours are taken to stay as deep as they are.
+    // A straight edge may run away from the eye. Contours are taken to keep their depth.
     const slope = pieces[i].isSmooth ? 0 : (depthAt(after) - depthAt(before)) / length;
     const gaps = new GapReader({ ...placeAt(i), along: [dx / length, dy / length], slope }, bvh, projection);
     const { paper, accent } = gaps.standing(Math.max(outer, inner) + OUTLINE_CONSTANTS.BEYOND, strideOf(width));
@@ -39,13 +39,13 @@ interface OutlinePlace {
   world: readonly [number, number, number];
   x: number;
   y: number;
-  /** The direction of the outline on the picture, unit. */
+  /** Unit direction of the outline on the picture. */
   along: readonly [number, number];
-  /** How much deeper it lies with every pixel of the way. */
+  /** Change of its depth per pixel. */
   slope: number;
 }
 
-/** Looks for what lies behind a place on an outline. */
+/** Measures what lies behind a place on an outline. */
 class GapReader {
   private readonly depth: number;
   private readonly height: number;
@@ -59,7 +59,7 @@ class GapReader {
     this.height = projection.unitsPerPixel(this.depth) * projection.height;
   }
 
-  /** @param stride from step to step along the outline, pixels */
+  /** @param stride distance between steps along the outline, pixels */
   standing(reach: number, stride: number): { paper: number; accent: number } {
     const [left, right] = [this.gapAt(reach, 0), this.gapAt(-reach, 0)];
     const outside = left > right ? reach : -reach;
@@ -78,7 +78,10 @@ class GapReader {
     return this.projection.contains(...this.pixelAt(beside, along));
   }
 
-  /** How far behind lies what is seen so many pixels beside the place, and along the outline: in heights of the view, up to 1. */
+  /**
+   * The distance from the outline back to what is visible so many pixels beside the place and along the outline: in heights of the view, up
+   * to 1.
+   */
   private gapAt(beside: number, along: number): number {
     const { origin, direction } = this.projection.rayThrough(...this.pixelAt(beside, along));
     const met = this.bvh.firstMet(origin, direction, this.projection.camera.near);

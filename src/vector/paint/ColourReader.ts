@@ -7,39 +7,39 @@ import { type EdgeProducts, PlaceInTriangle } from './PlaceInTriangle.js';
 import { bentAlongCoordinates, bentByHeights, bentInObject, unpacked } from './Reliefs.js';
 import type { SurfaceDetails } from './SurfaceDetails.js';
 
-/** What textures and colours make of a place. */
+/** The effect of textures and colours at a place. */
 export interface Paint {
-  /** How far the colour brings the tone to that of no light. */
+  /** The share to which the colour brings the tone to that of no light. */
   darkness: number;
-  /** Luminance that the surface gives off. */
+  /** Emitted luminance. */
   emitted: number;
-  /** What a map of light adds to the light from all around, and the share of it that a map of occlusion leaves. */
+  /** Ambient light added by a light map, and the share of it that an occlusion map leaves. */
   around: number;
   open: number;
-  /** Above 0 where the surface is there, in units of alpha; 1 where nothing is cut out of it. */
+  /** Alpha minus its threshold: above 0 where the surface is not cut out; 1 if nothing is. */
   standing: number;
 }
 
-/** A place whose normal is bent, in the world. */
+/** A place whose normal is modified by a map, world space. */
 export interface BentPlace {
   world: Vec3;
   normal: Vec3;
-  /** 1, or −1 where the back is seen. */
+  /** 1 on front faces, −1 on back faces. */
   side: number;
   projection: Projection;
 }
 
-/** Which pixels of textures: those at the place, or the least or the greatest of all. */
+/** Which pixels of textures to read: those at the place, or the least or the greatest of all. */
 type Reading = 'here' | 'least' | 'most';
 
 const luminance = (r: number, g: number, b: number): number => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 
-/** Reads textures and colours of a surface. */
+/** Reads the textures and colours of a surface. */
 export class ColourReader {
   private readonly samplers = new Map<MapLook, MapSampler>();
   private triangle = -1;
   private corners: readonly [Vec3, Vec3, Vec3] = [NOWHERE, NOWHERE, NOWHERE];
-  /** How many pixels of each texture lie along a world unit of the triangle at hand. */
+  /** Pixels of each texture per world unit of the current triangle. */
   private readonly densities = new Map<MapLook, number>();
 
   constructor(
@@ -58,7 +58,7 @@ export class ColourReader {
       if (map) this.samplers.set(map, new MapSampler(map));
   }
 
-  /** Makes a triangle of the scene the one at hand. squares: the products of its edges in the world. */
+  /** Sets the current triangle of the scene. squares: the products of its edges, world space. */
   goTo(triangle: number, squares: EdgeProducts, places: readonly [Vec3, Vec3, Vec3]): void {
     if (triangle === this.triangle) return;
     this.triangle = triangle;
@@ -83,12 +83,12 @@ export class ColourReader {
     return this.read(numbers, footprint, 'here');
   }
 
-  /** The paints between which that of the place lies, whatever pixels of textures are there. */
+  /** Bounds of the paint at a place, whatever the pixels of textures. */
   boundsAt(numbers: ArrayLike<number>): readonly Paint[] {
     return [this.read(numbers, 0, 'least'), this.read(numbers, 0, 'most')];
   }
 
-  /** Alpha less what it must be, at the size of the image: below 0 there is a hole. */
+  /** Alpha minus its threshold, at full resolution: below 0 there is a hole. */
   standingAt(numbers: ArrayLike<number>): number {
     const { look } = this;
     const map = this.sample(look.map, numbers, 0, 'here');
@@ -113,12 +113,12 @@ export class ColourReader {
     };
   }
 
-  /** Whether a map bends normals, so that any tone may be anywhere. */
+  /** Whether a normal or bump map is in use, so that any tone may occur anywhere. */
   get hasRelief(): boolean {
     return this.look.normalMap !== null || this.look.bumpMap !== null;
   }
 
-  /** The normal that a map makes of that of a place with these details on the triangle at hand. */
+  /** The normal at a place of the current triangle, modified by a map. */
   bent(place: BentPlace, numbers: ArrayLike<number>, footprint: number): Vec3 {
     const { normalMap, normalScale, normalToWorld, bumpMap } = this.look;
     if (bumpMap) return this.bentByHeights(bumpMap, place, numbers, footprint);
@@ -153,7 +153,7 @@ export class ColourReader {
     return bentByHeights(place.normal, steps, [riseAlong(steps[0]), riseAlong(steps[1])], place.side);
   }
 
-  /** How the coordinates of a map change from the first corner of the triangle at hand to another. */
+  /** The change of a map's coordinates from the first corner of the current triangle to another. */
   private alongEdge({ uv }: MapLook, corner: number): readonly [number, number] {
     const { corners, firstTriangle, stride, numbers } = this.details;
     const c = 3 * (this.triangle - firstTriangle);
@@ -161,7 +161,7 @@ export class ColourReader {
     return [numbers[to] - numbers[from], numbers[to + 1] - numbers[from + 1]];
   }
 
-  /** A change of coordinates as the transform of a map makes it. */
+  /** A change of coordinates, by the transform of a map. */
   private turned({ transform: m }: MapLook, [u, v]: readonly [number, number]): readonly [number, number] {
     return [m[0] * u + m[1] * v, m[3] * u + m[4] * v];
   }
@@ -184,12 +184,12 @@ export class ColourReader {
   }
 }
 
-/** How many pixels lie along a unit of a triangle at most, in the direction in which they lie closest. */
+/** The greatest number of pixels per unit of a triangle, over all directions. */
 function densityOf({ bb, bc, cc }: EdgeProducts, ab: readonly [number, number], ac: readonly [number, number]): number {
   const determinant = bb * cc - bc * bc;
   if (!(determinant > 0)) return 0;
   const [pp, pq, qq] = [ab[0] ** 2 + ab[1] ** 2, ab[0] * ac[0] + ab[1] * ac[1], ac[0] ** 2 + ac[1] ** 2];
-  // The greater eigenvalue of the one metric in the other.
+  // The greater eigenvalue of one metric relative to the other.
   const half = (0.5 * (cc * pp - 2 * bc * pq + bb * qq)) / determinant;
   const product = (ab[0] * ac[1] - ab[1] * ac[0]) ** 2 / determinant;
   return Math.sqrt(half + Math.sqrt(Math.max(half * half - product, 0)));
@@ -199,7 +199,7 @@ const WHITE: Rgba = [1, 1, 1, 1];
 const NO_LIGHT: Rgba = [0, 0, 0, 0];
 const NOWHERE: Vec3 = [0, 0, 0];
 
-/** The ways in the plane through a place that lead one pixel to the right and one up on the picture; null where it is seen edge-on. */
+/** The vectors in the plane of a place that lead one pixel to the right and one up on the picture; null at grazing angles. */
 function pixelSteps(world: Vec3, normal: Vec3, projection: Projection): readonly [Vec3, Vec3] | null {
   const [x, y] = projection.project(...projection.toView(world));
   const wayTo = (px: number, py: number): Vec3 | null => {

@@ -4,7 +4,7 @@ import type { Mat3 } from '../shading/screenGradient.js';
 import { type EdgeProducts, PlaceInTriangle } from './PlaceInTriangle.js';
 import type { PosedMaps, SurfaceDetails } from './SurfaceDetails.js';
 
-/** Reads the details of one surface, whose first vertices are those that it was read with. */
+/** Reads the details of a surface by the vertices that it had before subdivision. */
 export class DetailReader {
   private triangle = -1;
   private place: PlaceInTriangle | undefined;
@@ -18,7 +18,7 @@ export class DetailReader {
     this.at = new Float64Array(details.stride);
   }
 
-  /** The numbers at a place of a triangle of the scene. Valid until the next call. */
+  /** The details at a place of a triangle of the scene. Valid until the next call. */
   read(triangle: number, world: Vec3): Float64Array {
     const { corners, firstTriangle, stride, numbers } = this.details;
     this.goTo(triangle);
@@ -32,7 +32,7 @@ export class DetailReader {
     return this.at;
   }
 
-  /** The maps at a place whose numbers were read last; null for a surface that does not deform. */
+  /** The maps at the place that was read last; null for a surface that does not deform. */
   posedMaps(): PosedMaps | null {
     const { viewToField: o } = this.details;
     if (o === null) return null;
@@ -41,13 +41,13 @@ export class DetailReader {
     return { smooth: [row(0), row(1), row(2)], flat: this.flat };
   }
 
-  /** The products of the edges of a triangle, in the world. */
+  /** The products of the edges of a triangle, world space. */
   edgesOf(triangle: number): EdgeProducts {
     this.goTo(triangle);
     return this.place!;
   }
 
-  /** The corners of a triangle, in the world. */
+  /** The corners of a triangle, world space. */
   cornersOf(triangle: number): [Vec3, Vec3, Vec3] {
     this.goTo(triangle);
     return [this.corner(0, WORLD), this.corner(1, WORLD), this.corner(2, WORLD)];
@@ -67,14 +67,14 @@ export class DetailReader {
     return [vertices[o], vertices[o + 1], vertices[o + 2]];
   }
 
-  /** The linear map that takes the edges of the triangle in the view to those in the field, and its normal to the normal there. */
+  /** The linear map from the edges of the triangle in view space to those in field space, and from normal to normal. */
   private flatMap(): Mat3 {
     const [a, b, c] = [this.corner(0, VIEW), this.corner(1, VIEW), this.corner(2, VIEW)];
     const [ab, ac] = [combined(1, b, -1, a), combined(1, c, -1, a)];
     const normal = cross(ab, ac);
     const square = dot(normal, normal);
     if (!(square > 0)) return ZERO;
-    // What is dual to ab, ac and the normal: a vector's components along them are its products with these.
+    // The dual basis of ab, ac and the normal: the components of a vector are its products with these.
     const [dualB, dualC] = [cross(ac, normal), cross(normal, ab)];
     const [p, q, r] = [this.corner(0, FIELD), this.corner(1, FIELD), this.corner(2, FIELD)];
     const [pq, pr] = [combined(1, q, -1, p), combined(1, r, -1, p)];

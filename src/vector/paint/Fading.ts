@@ -3,34 +3,34 @@ import type { Bvh } from '../Bvh.js';
 import type { Projection } from '../Projection.js';
 import type { VeilTone } from './VeilTone.js';
 
-/** Triangles of the scene that belong to a see-through surface. */
+/** A range of triangles of the scene that belong to a see-through surface. */
 export interface Veil {
-  /** The first of them, and the first after them. */
+  /** The first of them, and the end of the range. */
   first: number;
   end: number;
-  /** The share that is left of what lies behind one of them. */
+  /** The share of what lies behind one of them that stays visible. */
   left: number;
 }
 
-/** Two places on a way are one if they lie no further apart than this share of it: edges belong to two triangles. */
+/** Two hits on a ray no further apart than this share of it are one, since edges belong to two triangles. */
 const SAME = 1e-9;
-/** Shares that differ by less are one. */
+/** Shares are rounded to one part in so many. */
 const STEPS = 1000;
-/** So little is nothing. */
+/** Smaller shares count as nothing. */
 const LEAST = 0.02;
 
-/** What is met of a veil, and where. */
+/** A hit of a see-through surface. */
 interface MetVeil {
   veil: Veil;
   triangle: number;
   place: number;
 }
 
-/** Knows what see-through surfaces leave of what lies behind them. */
+/** Computes the visibility of what lies behind see-through surfaces. */
 export class Fading {
   /**
-   * @param above how far above surfaces rays begin, world units
-   * @param tones what veils print themselves, of those that print anything
+   * @param above height above surfaces at which rays start, world units
+   * @param tones tones of see-through surfaces that are hatched themselves
    */
   constructor(
     private readonly bvh: Bvh,
@@ -45,7 +45,7 @@ export class Fading {
     return this.veils.length > 0;
   }
 
-  /** The share that is left of a place, from 0 to 1. triangle: the one that it lies on; −1 for none. */
+  /** The visible share of a place, from 0 to 1. triangle: that of the place; −1 for none. */
   leftOf(world: Vec3, triangle: number): number {
     if (!this.isThere) return 1;
     const left = this.meet(world, triangle).reduce((share, { veil }) => share * veil.left, 1);
@@ -53,8 +53,8 @@ export class Fading {
   }
 
   /**
-   * How many times as wide lines behind veils are drawn: what veils print covers some of them, where the canvas adds the inks. With a share
-   * `t` printed over it, what is left of the ink is drawn over 1 − t times.
+   * A factor on the width of lines behind see-through surfaces: the strokes of those cover some of them, where the canvas adds the inks.
+   * Under a share `t` of strokes the visible ink is drawn over 1 − t times.
    */
   deepening(world: Vec3, triangle: number): number {
     if (this.tones.length === 0) return 1;

@@ -3,9 +3,9 @@ import { isClipped } from './Clip.js';
 import { ColourReader } from './ColourReader.js';
 import type { Cutout } from './PaintLook.js';
 
-/** Knows where triangles of a scene have holes, because their alpha is too low or they are clipped. */
+/** Tests for holes in triangles of a scene, by alpha or clipping planes. */
 export class Holes {
-  /** Of the cutouts that have holes by alpha. */
+  /** The readers of cutouts with holes by alpha; null for others. */
   private readonly painters: (ColourReader | null)[];
 
   constructor(private readonly cutouts: readonly Cutout[]) {
@@ -35,7 +35,7 @@ export class Holes {
     return this.painters[i]!.standingAt(at) < 0;
   }
 
-  /** By halving: cutouts stand in the order of their triangles. */
+  /** The index of a cutout by bisection: cutouts are sorted by their triangles. */
   private indexOf(triangle: number): number {
     let [low, high] = [0, this.cutouts.length];
     while (low < high) {

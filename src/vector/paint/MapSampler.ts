@@ -1,18 +1,18 @@
 import type { MapLook, ToneImage, Wrapping } from './PaintLook.js';
 
-/** A colour in linear light, and alpha. */
+/** A colour in linear light, with alpha. */
 export type Rgba = [r: number, g: number, b: number, a: number];
 
-/** An image at smaller and smaller sizes. */
+/** An image with its mip levels. */
 interface Pyramid {
-  /** The image, and then the same at half the size of the one before, as far as it was asked for. */
+  /** The image, followed by levels of half the size each, as far as they were needed. */
   levels: ToneImage[];
-  /** The least and the greatest of each channel. */
+  /** The least and the greatest value of each channel. */
   least: Rgba;
   most: Rgba;
 }
 
-/** Surfaces share images, and so what is made of them. */
+/** Pyramids by image, since surfaces share images. */
 const pyramids = new WeakMap<ToneImage, Pyramid>();
 
 function pyramidOf(image: ToneImage): Pyramid {
@@ -33,7 +33,7 @@ function pyramidOf(image: ToneImage): Pyramid {
   return pyramid;
 }
 
-/** Looks colours up in a texture, as the mean over a footprint. */
+/** Samples a texture, averaged over a footprint. */
 export class MapSampler {
   private readonly levels: ToneImage[];
   readonly least: Rgba;
@@ -46,13 +46,13 @@ export class MapSampler {
     this.most = most;
   }
 
-  /** Pixels of the image along a way between coordinates. */
+  /** The pixels of the image along a vector in texture coordinates. */
   pixelsAlong(u: number, v: number): readonly [number, number] {
     const { transform: m, image } = this.look;
     return [image.width * (m[0] * u + m[1] * v), image.height * (m[3] * u + m[4] * v)];
   }
 
-  /** @param pixels of the image, that the footprint is wide */
+  /** @param pixels width of the footprint in pixels of the image */
   read(u: number, v: number, pixels: number): Rgba {
     const { transform: m } = this.look;
     const [s, t] = [m[0] * u + m[1] * v + m[2], m[3] * u + m[4] * v + m[5]];
@@ -98,7 +98,7 @@ export class MapSampler {
   }
 }
 
-/** The pixel that stands for one that may lie beyond the edge. */
+/** The index of a pixel, wrapped if it lies beyond the edge. */
 function wrapped(i: number, size: number, wrapping: Wrapping): number {
   if (!Number.isFinite(i)) return 0;
   if (wrapping === 'clamp') return Math.min(Math.max(i, 0), size - 1);

@@ -7,36 +7,36 @@ import type { SurfaceDetails } from './SurfaceDetails.js';
 export interface ToneImage {
   width: number;
   height: number;
-  /** Red, green, blue and alpha of each pixel in linear light; the first row lies at v = 0. */
+  /** Red, green, blue and alpha of each pixel in linear light; the first row is at v = 0. */
   data: Float32Array;
 }
 
-/** What lies beyond the edge of an image. */
+/** Wrapping beyond the edges of an image. */
 export type Wrapping = 'repeat' | 'mirror' | 'clamp';
 
 /** A texture on a surface. */
 export interface MapLook {
   image: ToneImage;
-  /** Where its coordinates lie among the details of a vertex. */
+  /** Offset of its coordinates in the details of a vertex. */
   uv: number;
-  /** What coordinates go through: u' = a u + b v + c, v' = d u + e v + f. */
+  /** Transform of coordinates: u' = a u + b v + c, v' = d u + e v + f. */
   transform: readonly [a: number, b: number, c: number, d: number, e: number, f: number];
   wrapU: Wrapping;
   wrapV: Wrapping;
-  /** Whether pixels have edges, not ramps between them. */
+  /** Whether pixels are not interpolated. */
   isSharp: boolean;
 }
 
-/** What differs from place to place in how a surface shows the light: its textures and colours. Colours are in linear light. */
+/** Textures and colours of a surface. Colours are in linear light. */
 export interface PaintLook {
   color: Vec3;
   opacity: number;
-  /** Of what the surface gives off. */
+  /** Emissive colour. */
   emissive: Vec3;
-  /** How much of the darkness of the colour becomes tone, and what its lightness is multiplied by. */
+  /** The share of the colour's darkness that becomes tone, and the factor on its lightness. */
   localTone: number;
   colorExposure: number;
-  /** Where the red, green, blue and alpha of vertices lie among their details; null where they have no colours. */
+  /** Offset of the vertex colour (red, green, blue, alpha) in the details of a vertex; null for none. */
   vertexColor: number | null;
   map: MapLook | null;
   emissiveMap: MapLook | null;
@@ -45,26 +45,26 @@ export interface PaintLook {
   lightMap: MapLook | null;
   lightMapIntensity: number;
   alphaMap: MapLook | null;
-  /** Normals in the space of the surface and its coordinates, and what their two slopes are multiplied by. */
+  /** A normal map in tangent space or object space, and the factors on its two slopes. */
   normalMap: MapLook | null;
   normalScale: readonly [number, number];
-  /** Takes normals of the map to the world where it has those of the object; null where it has those of the surface. */
+  /** The matrix from object space to world space for a map in object space; null for tangent space. */
   normalToWorld: Mat3 | null;
-  /** Heights in its red, and what they are multiplied by; null where a map of normals takes its place. */
+  /** A bump map, read from red, and its factor; null if there is a normal map. */
   bumpMap: MapLook | null;
   bumpScale: number;
-  /** Nothing is there where alpha is below this; 0 cuts nothing out. */
+  /** Alpha below which nothing is drawn; 0 for none. */
   alphaTest: number;
 }
 
-/** Triangles of the scene of which not all is there. */
+/** A range of triangles of the scene with holes. */
 export interface Cutout {
-  /** The first of them, and the first after them. */
+  /** The first of them, and the end of the range. */
   first: number;
   end: number;
-  /** Where their alpha is too low there are holes; null where they have none. */
+  /** Their paint, if there are holes by alpha; otherwise null. */
   painted: { details: SurfaceDetails; paint: PaintLook } | null;
-  /** What clipping planes leave of them, as they are seen and as they cast shadows. */
+  /** Clipping planes of the visible surface, and of its shadow. */
   clip: Clip | null;
   shadowClip: Clip | null;
 }

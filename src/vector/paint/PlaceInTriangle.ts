@@ -1,13 +1,13 @@
 import { combined, dot, type Vec3 } from '../../look/vectors.js';
 
-/** Products of the edges that leave the first corner of a triangle: of the first with itself, with the second, and of the second. */
+/** Products of the two edges from the first corner of a triangle: of the first with itself, of both, and of the second with itself. */
 export interface EdgeProducts {
   bb: number;
   bc: number;
   cc: number;
 }
 
-/** Where places lie in a triangle, as weights of its corners. */
+/** Barycentric coordinates in a triangle. */
 export class PlaceInTriangle implements EdgeProducts {
   private readonly ab: Vec3;
   private readonly ac: Vec3;
@@ -29,7 +29,7 @@ export class PlaceInTriangle implements EdgeProducts {
     this.determinant = this.bb * this.cc - this.bc * this.bc;
   }
 
-  /** Weights that add up to 1, none below 0; of a triangle without area those of its first corner. */
+  /** Weights with a sum of 1, none below 0; for a triangle without area those of its first corner. */
   weightsAt(place: Vec3): Vec3 {
     if (!(this.determinant > 0)) return [1, 0, 0];
     const shares = this.sharesOf(combined(1, place, -1, this.a));
@@ -39,7 +39,9 @@ export class PlaceInTriangle implements EdgeProducts {
     return [rest / sum, v / sum, w / sum];
   }
 
-  /** How many times the edges from the first corner to the second and to the third a way in the plane is; none of a triangle without area. */
+  /**
+   * A vector in the plane as multiples of the edges from the first corner to the second and to the third; 0 for a triangle without area.
+   */
   sharesOf(way: Vec3): readonly [number, number] {
     if (!(this.determinant > 0)) return [0, 0];
     const [b, c] = [dot(way, this.ab), dot(way, this.ac)];

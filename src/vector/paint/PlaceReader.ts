@@ -4,17 +4,17 @@ import { ColourReader, type Paint } from './ColourReader.js';
 import { DetailReader } from './DetailReader.js';
 import type { PaintLook } from './PaintLook.js';
 
-/** Textures are taken together over so much of the picture, or lines would become crumbs. Pixels. */
+/** Footprint over which textures are averaged, so that lines do not crumble. Pixels of the picture. */
 const FOOTPRINT = 2;
 
-/** Reads places on a surface: what all have, their maps where it deforms, and what textures and colours make of them. */
+/** Reads places on a surface, with their maps where it deforms, and their paint. */
 export class PlaceReader {
-  /** Null where the surface has no details. */
+  /** Null for a surface without details. */
   private readonly details: DetailReader | null;
-  /** Null where neither textures nor colours of vertices count. */
+  /** Null without textures and vertex colours that affect tone. */
   private readonly painter: ColourReader | null;
 
-  /** @param sides per triangle 1 where its front is seen, −1 where its back is */
+  /** @param sides per triangle 1 if its front is visible, −1 if its back is */
   constructor(
     private readonly surface: LineSurface,
     paint: PaintLook | null,
@@ -26,27 +26,27 @@ export class PlaceReader {
     this.painter = paint && details && new ColourReader(paint, details);
   }
 
-  /** Whether places differ in more than where they are. */
+  /** Whether the surface has details. */
   get hasDetails(): boolean {
     return this.details !== null;
   }
 
-  /** Whether textures or colours count. */
+  /** Whether textures or vertex colours affect tone. */
   get hasPaint(): boolean {
     return this.painter !== null;
   }
 
-  /** Whether a map bends normals, so that any tone may be anywhere. */
+  /** Whether a normal or bump map is in use, so that any tone may occur anywhere. */
   get hasRelief(): boolean {
     return this.painter?.hasRelief ?? false;
   }
 
-  /** The place on a triangle that has these numbers. */
+  /** The place on a triangle with the given numbers. */
   read(numbers: ArrayLike<number>, triangle: number): SurfacePlace {
     return this.withDetails(placeFrom(numbers, readTriangle(this.surface, triangle), this.sides[triangle]), triangle);
   }
 
-  /** The place of a vertex, as a triangle has it. */
+  /** The place of a vertex of a triangle. */
   readVertex(vertex: number, triangle: number): SurfacePlace {
     return this.withDetails(placeOfVertex(this.surface, vertex, triangle, this.sides[triangle]), triangle);
   }
@@ -69,7 +69,7 @@ export class PlaceReader {
     return place;
   }
 
-  /** The paints between which that of a place of a triangle may lie; null where there is none. */
+  /** Bounds of the paint at a place of a triangle; null for none. */
   paintsAt(triangle: number, { world }: SurfacePlace): readonly (Paint | null)[] {
     const { details, painter, surface } = this;
     return details && painter ? painter.boundsAt(details.read(surface.parents[triangle], world)) : NO_PAINT;

@@ -2,12 +2,12 @@ import { combined, cross, dot, normalize, timesVector, type Vec3 } from '../../l
 import type { Mat3 } from '../shading/screenGradient.js';
 import type { Rgba } from './MapSampler.js';
 
-/** Normals that textures bend, as three.js bends them. All is in the world. */
+/** Normal and bump maps, as in three.js. Everything is in world space. */
 
-/** The vector that a pixel of a map of normals stands for. */
+/** The vector that a pixel of a normal map encodes. */
 export const unpacked = ([r, g, b]: Rgba): Vec3 => [2 * r - 1, 2 * g - 1, 2 * b - 1];
 
-/** How two coordinates change along the edges that leave the first corner of a triangle, and these edges. */
+/** The edges from the first corner of a triangle, and the changes of two coordinates along them. */
 export interface EdgeSlopes {
   first: Vec3;
   second: Vec3;
@@ -15,7 +15,7 @@ export interface EdgeSlopes {
   alongSecond: readonly [number, number];
 }
 
-/** The normal of a map that knows it along its coordinates and away from the surface. */
+/** The normal of a tangent-space normal map. */
 export function bentAlongCoordinates(normal: Vec3, relief: Vec3, edges: EdgeSlopes): Vec3 {
   const [ofFirst, ofSecond] = [cross(edges.second, normal), cross(normal, edges.first)];
   const right = combined(edges.alongFirst[0], ofFirst, edges.alongSecond[0], ofSecond);
@@ -24,15 +24,15 @@ export function bentAlongCoordinates(normal: Vec3, relief: Vec3, edges: EdgeSlop
   return normalize(combined(1, combined(scale * relief[0], right, scale * relief[1], up), relief[2], normal));
 }
 
-/** The normal of a map that knows it in the space of the object. side: 1, or −1 where the back is seen. */
+/** The normal of an object-space normal map. side: 1 on front faces, −1 on back faces. */
 export function bentInObject(relief: Vec3, toWorld: Mat3, side: number): Vec3 {
   const [x, y, z] = normalize(timesVector(toWorld, relief));
   return [side * x, side * y, side * z];
 }
 
 /**
- * The normal of a map of heights (Mikkelsen, 2010). The steps lead one pixel to the right and up on the picture: heights are sizes of pixels,
- * however large the surface is.
+ * The normal of a bump map (Mikkelsen, 2010). The steps lead one pixel to the right and up on the picture: heights are in pixels, whatever
+ * the size of the surface.
  *
  * @param rises by which the height changes along both steps
  * @param side 1, or −1 where the back is seen

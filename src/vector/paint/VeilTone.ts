@@ -4,7 +4,7 @@ import type { Projection } from '../Projection.js';
 import type { Toner } from '../Toner.js';
 import { PlaceInTriangle } from './PlaceInTriangle.js';
 
-/** Tells what a see-through surface prints itself, at places of the triangles that it was read with. */
+/** Computes the tone of a see-through surface, by the triangles that it had before subdivision. */
 export class VeilTone {
   /** The first of its triangles. */
   readonly first: number;
@@ -20,7 +20,7 @@ export class VeilTone {
     this.first = surface.parents[0];
   }
 
-  /** The tone at a place of a triangle of the scene, with its share of what is seen of it. */
+  /** The printed tone at a place of a triangle of the scene. */
   at(triangle: number, world: Vec3): number {
     const { surface, toner, projection } = this;
     const { vertices, triangles } = surface;

@@ -1,14 +1,14 @@
 /** Numbers per point of a path: x, y, and half the width on its left and on its right, pixels of the picture. */
 export const PATH_STRIDE = 4;
 
-/** What is drawn in one go. */
+/** A polyline with widths. */
 export interface LinePath {
-  /** `PATH_STRIDE` numbers per point. A closed path does not repeat its first. */
+  /** `PATH_STRIDE` numbers per point. A closed path does not repeat its first point. */
   points: readonly number[];
   isClosed: boolean;
 }
 
-/** The points of a path from its end to its start: what was left is right. */
+/** The points of a path in reverse, with left and right exchanged. */
 export function reversedPoints(points: readonly number[]): number[] {
   const reversed: number[] = [];
   for (let o = points.length - PATH_STRIDE; o >= 0; o -= PATH_STRIDE)
@@ -16,7 +16,7 @@ export function reversedPoints(points: readonly number[]): number[] {
   return reversed;
 }
 
-/** How long a path is, pixels. */
+/** Length of a path, pixels. */
 export function pathLength({ points, isClosed }: LinePath): number {
   let length = 0;
   for (let i = PATH_STRIDE; i < points.length; i += PATH_STRIDE)

@@ -1,6 +1,6 @@
 import type { Ring } from './strokeOutline.js';
 
-/** A ring as far as it lies within a rectangle from the origin (Sutherland and Hodgman, 1974); empty if none of it does. */
+/** The part of a ring within a rectangle from the origin (Sutherland and Hodgman, 1974); empty if there is none. */
 export function clipRing(ring: Ring, width: number, height: number): Ring {
   let clipped = ring;
   for (const [axis, limit, sign] of [

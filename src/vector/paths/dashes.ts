@@ -1,8 +1,8 @@
 import { type LinePath, PATH_STRIDE, pathLength } from './LinePath.js';
 
 /**
- * Cuts a path into dashes that begin and end it, with gaps between them. Both are stretched alike until they fit; a path that is hardly
- * longer than a dash stays whole.
+ * Cuts a path into dashes, with one at each end, and gaps between them. Both are stretched equally until they fit; a path hardly longer
+ * than a dash stays whole.
  *
  * @param dash and `gap` in pixels
  */
@@ -20,10 +20,10 @@ export function dashes(path: LinePath, dash: number, gap: number): LinePath[] {
   }));
 }
 
-/** Goes along a path from its start. */
+/** A walk along a path from its start. */
 class PathWalk {
   private readonly points: readonly number[];
-  /** How far each point lies from the start. */
+  /** The distance of each point from the start. */
   private readonly places: number[] = [0];
   private piece = 0;
 
@@ -38,7 +38,7 @@ class PathWalk {
     }
   }
 
-  /** The points from one place to another, which lies ahead of all that were asked for. */
+  /** The points from one distance to another, in rising order from call to call. */
   between(from: number, to: number): number[] {
     const found = this.at(from);
     while (this.piece + 2 < this.places.length && this.places[this.piece + 1] < to) {

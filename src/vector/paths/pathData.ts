@@ -1,24 +1,24 @@
 import type { Ring } from './strokeOutline.js';
 
-/** Files have numbers of hundredths of a millimetre. */
+/** Coordinates are written in hundredths of a millimetre. */
 const PER_MILLIMETRE = 100;
 
-/** How a picture lies on its sheet. */
+/** The placement of a picture on its sheet. */
 export interface Placement {
-  /** Millimetres to a pixel. */
+  /** Millimetres per pixel. */
   scale: number;
-  /** Of the upper left corner of the picture, millimetres. */
+  /** The upper left corner of the picture, millimetres. */
   left: number;
   top: number;
 }
 
-/** A number of hundredths, as short as it gets. */
+/** A number of hundredths, in its shortest form. */
 function written(hundredths: number): string {
   const text = (hundredths / PER_MILLIMETRE).toFixed(2).replace(/\.?0+$/, '');
   return text.replace(/^(-?)0\./, '$1.') || '0';
 }
 
-/** Path data of a line through points; empty if they all lie at one place. */
+/** The path data of a polyline; empty if all points are at one place. */
 export function pathData(xy: Ring, isClosed: boolean, { scale, left, top }: Placement): string {
   const at = (i: number): readonly [number, number] => [
     Math.round((left + scale * xy[2 * i]) * PER_MILLIMETRE),

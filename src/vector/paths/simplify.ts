@@ -1,8 +1,8 @@
 import { type LinePath, PATH_STRIDE } from './LinePath.js';
 
-/** Leaves out points of a path that change neither place nor width by more than the tolerance, pixels (Douglas and Peucker, 1973). */
+/** Removes points of a path that change neither place nor width by more than the tolerance, pixels (Douglas and Peucker, 1973). */
 export function simplify({ points, isClosed }: LinePath, tolerance: number): LinePath {
-  // A closed path is one that ends where it begins.
+  // A closed path ends where it begins.
   const all = isClosed ? [...points, ...points.slice(0, PATH_STRIDE)] : points;
   const count = all.length / PATH_STRIDE;
   if (count <= 2) return { points, isClosed };
@@ -22,7 +22,7 @@ export function simplify({ points, isClosed }: LinePath, tolerance: number): Lin
   return { points: kept, isClosed: isClosed && kept.length > 2 * PATH_STRIDE };
 }
 
-/** The point farthest from the straight piece between two; −1 if all lie within the tolerance. */
+/** The point farthest from the straight line between two; −1 if all lie within the tolerance. */
 function worstBetween(points: readonly number[], first: number, last: number, tolerance: number): number {
   const [a, b] = [PATH_STRIDE * first, PATH_STRIDE * last];
   const [dx, dy] = [points[b] - points[a], points[b + 1] - points[a + 1]];

@@ -3,10 +3,10 @@ import { type LinePath, PATH_STRIDE } from './LinePath.js';
 /** Corners of a ring: x and y in turn. */
 export type Ring = readonly number[];
 
-/** At sharp turns the outline does not reach farther than so many half widths. */
+/** Mitre limit, in half widths. */
 const LONGEST_MITRE = 1.5;
 
-/** The outline of a path that swells, as rings to be filled by the rule `nonzero`: one, or two of a closed path. */
+/** The outline of a path with varying width, as rings to be filled by the rule `nonzero`: one, or two for a closed path. */
 export function strokeOutline({ points, isClosed }: LinePath): Ring[] {
   const count = points.length / PATH_STRIDE;
   const left: number[] = [];
@@ -19,16 +19,16 @@ export function strokeOutline({ points, isClosed }: LinePath): Ring[] {
   }
   const back: number[] = [];
   for (let i = count - 1; i >= 0; i--) back.push(right[2 * i], right[2 * i + 1]);
-  // Of a closed path the inner ring runs the other way, and stays open within.
+  // The inner ring of a closed path runs the other way, and leaves a hole.
   return isClosed ? [left, back] : [[...left, ...back]];
 }
 
-/** Where the left side of a path lies beside a point, in half widths: as far away as its turn there asks for. The right side lies opposite. */
+/** The vector from a point to the left side of a path, in half widths; longer at turns, by the mitre. The right side is opposite. */
 export function leftSide({ points, isClosed }: LinePath, i: number): readonly [x: number, y: number] {
   const count = points.length / PATH_STRIDE;
   const before = isClosed ? (i + count - 1) % count : Math.max(i - 1, 0);
   const after = isClosed ? (i + 1) % count : Math.min(i + 1, count - 1);
-  // The mean of both directions, so that a long piece does not outweigh a short one.
+  // The mean of both unit directions, so that a long piece does not outweigh a short one.
   let [tx, ty] = [0, 0];
   for (const [a, b] of [
     [before, i],

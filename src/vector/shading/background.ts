@@ -1,4 +1,4 @@
-/** The field of ruled lines behind a subject, as shaders/background/background.frag has it. On the sheet, from its lower left corner, y up. */
+/** The field of ruled lines behind a subject, as in shaders/background/background.frag. On the sheet, from its lower left corner, y up. */
 import { BACKGROUND_CONSTANTS, HASH_FACTORS } from '../../look/constants/patternConstants.js';
 import { smoothstep } from '../../look/vectors.js';
 
@@ -9,24 +9,24 @@ type Pair = readonly [number, number];
 
 /** The field. Lengths in pixels. */
 export interface BackgroundField {
-  /** The share of the paper that lines cover in the middle, and how much the light changes it. */
+  /** The share of the paper that lines cover in the middle, and the strength of the light's effect on it. */
   tone: number;
   contrast: number;
   spacing: number;
   /** The cosine and sine of the angle of the lines. */
   direction: Pair;
-  /** How far it reaches, by the size of the subject. */
+  /** Reach of the field, in halves of the subject's size. */
   extent: number;
   /** Width and height of the sheet. */
   sheet: Pair;
-  /** The middle of the subject on the sheet, and half of its size. */
+  /** Centre of the subject on the sheet, and half of its size. */
   centre: Pair;
   half: Pair;
-  /** Towards the light on the sheet, of length 1 where it comes from the side. */
+  /** Towards the light on the sheet; of length 1 if it comes from the side. */
   lit: Pair;
 }
 
-/** A random number in [0, 1) of an end of a line. */
+/** A hash in [0, 1) of one end of a line. */
 function hash01(line: number, end: number): number {
   let spread = Math.imul(2 * line + end, GOLDEN_RATIO);
   spread ^= spread >>> 15;
@@ -39,7 +39,7 @@ export function lineAt({ centre, direction, spacing }: BackgroundField, [x, y]: 
   return Math.floor((dy * direction[0] - dx * direction[1]) / spacing);
 }
 
-/** The place on a line so far along it, from the middle of the subject. */
+/** The place on a line at a distance along it, from the centre of the subject. */
 export function placeOnLine({ centre, direction, spacing }: BackgroundField, line: number, along: number): Pair {
   const across = (line + 0.5) * spacing;
   return [
@@ -56,7 +56,7 @@ export function lineWidth(field: BackgroundField, line: number, [x, y]: Pair): n
   const bySize: Pair = [dx / half[0], dy / half[1]];
   const rim = Math.max(Math.abs((2 * x) / sheet[0] - 1), Math.abs((2 * y) / sheet[1] - 1)) / RIM;
   const way = Math.max(Math.hypot(...bySize) / extent, rim);
-  // The two ends of a line have nothing in common, so in its middle neither counts.
+  // The two ends of a line have unrelated hashes, so near its middle they have no effect.
   const ragged = RAGGED * Math.min((2 * Math.abs(along)) / (extent * Math.max(...half)), 1);
   const end = ragged * (hash01(line, along >= 0 ? 1 : 0) - 0.5);
   const left = 1 - smoothstep(1 - THINNING, 1, way + end);

@@ -1,29 +1,29 @@
-/** How much weight a drawing has where, as emphasis.glsl has it: 1 as usual, 0 none. */
+/** The weight of the drawing at a place, as in emphasis.glsl: 1 as usual, 0 none. */
 import { EMPHASIS_CONSTANTS } from '../../look/constants/shadingConstants.js';
 import { clamp01, combined, dot, lengthOf, smoothstep, type Vec3 } from '../../look/vectors.js';
 
 const { AIR, FRONT_GAIN, FOCUS_END, VIGNETTE_START, UNEVEN } = EMPHASIS_CONSTANTS;
 
-/** What takes weight away from an object. */
+/** The emphasis of an object. */
 export interface Emphasis {
-  /** The depths from which and up to which it fades, world units, and how strongly. */
+  /** Depths at which fading begins and ends, world units, and its strength. */
   depthFading: readonly [from: number, to: number, strength: number];
-  /** The point in focus, world space, and its radius; null without one. */
+  /** The point in focus, world space, and its radius; null for none. */
   focus: { at: Vec3; radius: number } | null;
-  /** How much falls off towards the rim of the sheet, from 0 to 1. */
+  /** Strength of the falloff towards the rim of the sheet, from 0 to 1. */
   vignette: number;
-  /** The lower left corner of the sheet and its size, in widths and heights of the picture: of a picture that is a part of a larger one. */
+  /** Lower left corner and size of the sheet, in widths and heights of the picture, which may be a part of a larger one. */
   sheet: readonly [x: number, y: number, width: number, height: number];
-  /** How much the object matters, from 0 to 1. */
+  /** Importance of the object, from 0 to 1. */
   importance: number;
 }
 
 /** A place that is drawn. */
 export interface EmphasisedPlace {
   world: Vec3;
-  /** Before the camera, along its axis. */
+  /** Distance before the camera, along its axis. */
   depth: number;
-  /** On the picture, from its lower left corner, in widths and heights of it. */
+  /** Position on the picture, from its lower left corner, in its widths and heights. */
   onPicture: readonly [number, number];
 }
 
@@ -32,7 +32,7 @@ function airBefore(depth: number, [from, to, strength]: Emphasis['depthFading'])
   return (1 - Math.exp(-AIR * clamp01((depth - from) / (to - from)))) / (1 - Math.exp(-AIR));
 }
 
-/** An edge that is left open by hand, within ±UNEVEN. The numbers mean nothing. */
+/** The irregularity of a hand-drawn edge, within ±UNEVEN. The numbers are arbitrary. */
 function uneven(p: Vec3): number {
   const a = Math.sin(dot(p, [4.3, 3.1, -3.7]) + 1.6 * Math.sin(dot(p, [-2.9, 5.3, 4.1])));
   const b = Math.sin(dot(p, [-11, 13, 9]) + 1.3 * Math.sin(dot(p, [7, -5, 6])) + 2);

@@ -1,4 +1,4 @@
-/** The function that lines are level sets of, as shaders/techniques/engraved/fieldAxis.glsl has it. */
+/** The function whose level sets are lines, as in shaders/techniques/engraved/fieldAxis.glsl. */
 import { FIELD_CONSTANTS } from '../../look/constants/engravedConstants.js';
 import { combined, cross, dot, lengthOf, normalize, type Vec3 } from '../../look/vectors.js';
 
@@ -6,11 +6,11 @@ import { combined, cross, dot, lengthOf, normalize, type Vec3 } from '../../look
 export interface Field {
   /** The gradient at the origin, unit. */
   axis: Vec3;
-  /** One over the distance of the lamp it counts from, per tile; 0 for planes across the axis. */
+  /** Reciprocal of the distance of its lamp, per tile; 0 for planes across the axis. */
   bend: number;
 }
 
-/** What cuts the lines. */
+/** The fields that lines may be cut by. */
 export type CutField = 'light' | 'towards' | 'x' | 'y' | 'z' | 'slant';
 
 const { SLANT, UPRIGHT } = FIELD_CONSTANTS;
@@ -22,7 +22,7 @@ const AXES: Readonly<Record<'x' | 'y' | 'z' | 'slant', Vec3>> = {
   slant: SLANT,
 };
 
-/** Any unit vector across another, the same for neighbours of it. */
+/** A unit vector across another, continuous in it. */
 export const across = (axis: Vec3): Vec3 => normalize(cross(axis, Math.abs(axis[1]) < UPRIGHT ? [0, 1, 0] : [0, 0, 1]));
 
 /**

@@ -1,4 +1,4 @@
-/** The unsteadiness of a hand, as shaders/techniques/engraved/hand.glsl has it. It belongs to the place on the object. */
+/** The unsteadiness of a hand, fixed to the object, as in shaders/techniques/engraved/hand.glsl. */
 import { HAND_CONSTANTS } from '../../look/constants/engravedConstants.js';
 import { HASH_FACTORS } from '../../look/constants/patternConstants.js';
 import type { Vec3 } from '../../look/vectors.js';
@@ -25,16 +25,16 @@ export function slowWaves([px, py, pz]: Vec3): Vec3 {
   ];
 }
 
-/** Where the hand puts what belongs to a point, both in tiles. handmade: from 0, a ruling machine, to 1. */
+/** A point, displaced by the hand, tiles. handmade: from 0, lines as by a ruling machine, to 1. */
 export function handPoint([x, y, z]: Vec3, waves: Vec3, handmade: number): Vec3 {
   const stray = handmade * STRAY;
   return [x + stray * waves[0], y + stray * waves[1], z + stray * waves[2]];
 }
 
-/** Pressure comes and goes along a line: within [−0.3, 0.3]. */
+/** Pressure varies along a line, within [−0.3, 0.3]. */
 export const handPressure = (waves: Vec3, handmade: number): number => handmade * PRESSURE * waves[0] * waves[1];
 
-/** The tone that a pressure makes of a tone. Blank stays blank, and solid solid. */
+/** A tone, changed by a pressure. Blank stays blank, and solid solid. */
 export const handTone = (pressure: number, tone: number): number => tone + pressure * tone * (1 - tone);
 
 const float = new Float32Array(1);
@@ -47,9 +47,9 @@ export function bitsOf(value: number): number {
 }
 
 /**
- * A number in [0, 1) that belongs to a line. line: its value, a multiple of a power of two.
+ * A hash of a line in [0, 1). line: its value, a multiple of a power of two.
  *
- * The value is multiplied by a number whose binary digits repeat those that are given on both sides of its point, and the fraction is the hash.
+ * The value is multiplied by a number whose binary digits repeat the given ones on both sides of the point, and the fraction is the hash.
  */
 function hashBy(digits: number, line: number): number {
   const word = bitsOf(line);
@@ -59,12 +59,12 @@ function hashBy(digits: number, line: number): number {
   return (spread >>> 8) / 16777216;
 }
 
-/** One that is far from those of its neighbours: at any power of two they are at least 0.17 apart, and so is the next but one. */
+/** A hash of a line, at least 0.17 from those of its neighbours and of the next but one, at any power of two. */
 export const hash01 = (line: number): number => hashBy(HASH_FACTORS.THUE_MORSE, line);
 
-/** One by which three neighbours take turns: 0, a third and two thirds. */
+/** A hash of a line that is 0, a third or two thirds for three neighbours. */
 export const turnOf = (line: number): number => (line === 0 ? 0 : hashBy(HASH_FACTORS.ONE_THIRD, line));
 
-/** A factor on the width of a line, the same all along it; 1 in the mean. */
+/** A factor on the width of a whole line; 1 in the mean. */
 export const handWidth = (line: number, handmade: number): number =>
   1 + handmade * (WIDTHS * hash01(line) - 0.5 * WIDTHS);

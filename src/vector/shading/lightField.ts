@@ -1,12 +1,12 @@
-/** One light for a whole object, so that lines run on, as shaders/techniques/engraved/lightField.glsl has it. */
+/** One light for a whole object, so that lines run on, as in shaders/techniques/engraved/lightField.glsl. */
 
 import { FIELD_CONSTANTS } from '../../look/constants/engravedConstants.js';
 import { combined, dot, lengthOf, normalize, type Vec3 } from '../../look/vectors.js';
 import type { Field } from './fieldAxis.js';
 
-/** A light with a direction, as seen from the origin of the field. */
+/** A light with a direction, relative to the origin of the field. */
 export interface FieldLamp {
-  /** Towards it, field space: of any length for one that is far away, and otherwise as long as the way, tiles. */
+  /** Vector towards it, field space: of any length for a directional light; for a positional light its position, tiles. */
   toLight: Vec3;
   luminance: number;
   isFar: boolean;
@@ -14,17 +14,19 @@ export interface FieldLamp {
 
 const { LEAST_WEIGHT, FIRST_AXIS } = FIELD_CONSTANTS;
 
-/** Steps of the power iteration. The shader has sixteen, which are as good unless two axes are nearly alike. */
+/** Steps of the power iteration. The shader has sixteen, which suffice unless two axes are nearly equal. */
 const STEPS = 64;
 
-/** Σ w L (L·a): the tensor of the lights, applied to an axis. */
+/** Σ w L (L·a): the tensor of the lights times an axis. */
 function applied(lights: readonly { unit: Vec3; weight: number }[], axis: Vec3): Vec3 {
   let sum: Vec3 = [0, 0, 0];
   for (const { unit, weight } of lights) sum = combined(1, sum, weight * dot(unit, axis), unit);
   return sum;
 }
 
-/** The axis on which the lights agree most, the principal axis of Σ w L Lᵀ, and how far their fields bend along it. Up without lights. */
+/**
+ * The axis on which the lights agree most, the principal axis of Σ w L Lᵀ, and the curvature of their fields along it. Up without lights.
+ */
 export function fieldLight(lamps: readonly FieldLamp[]): Field {
   if (lamps.length === 0) return { axis: [0, 1, 0], bend: 0 };
   const lights = lamps.map(({ toLight, luminance }) => ({

@@ -2,7 +2,7 @@ import type { Sky } from '../../look/surroundings.js';
 import { combined, type Vec3 } from '../../look/vectors.js';
 import { arriving, type Lamp } from './radiance.js';
 
-/** The direction that the light comes from at a place in the world, as outlines are shaded by it: the mean of all lights, of any length. */
+/** The direction from which light comes at a place in the world, for the shading of outlines: the mean of all lights, of any length. */
 export function meanLightAt(place: Vec3, lamps: readonly Lamp[], skies: readonly Sky[]): Vec3 {
   let sum: Vec3 = [0, 0, 0];
   for (const lamp of lamps) {

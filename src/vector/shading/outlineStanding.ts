@@ -1,11 +1,11 @@
-/** How an outline stands before what lies behind it, as shaders/outlines/hierarchy.glsl has it: how much of that is paper, and of an accent. */
+/** The standing of an outline, as in shaders/outlines/hierarchy.glsl: the share of paper in what lies behind it, and of an accent. */
 import { ACCENT_STEPS, OUTLINE_CONSTANTS } from '../../look/constants/outlineConstants.js';
 import { smoothstep } from '../../look/vectors.js';
 import { paperness } from './outlines.js';
 
 const { ACCENT_REACH, LEAST_JUMP, FULL_JUMP } = OUTLINE_CONSTANTS;
 
-/** How far apart the steps lie, in the unit of the width. */
+/** Distance between steps, in the unit of the width. */
 export const strideOf = (outlineWidth: number): number => (ACCENT_REACH * outlineWidth) / ACCENT_STEPS;
 
 export interface Standing {
@@ -16,8 +16,8 @@ export interface Standing {
 }
 
 /**
- * The standing at a place. Along the outline, the weight changes gradually where what lies behind it does, and an accent grows towards that
- * place.
+ * The standing at a place. Along the outline the weight changes gradually with what lies behind it, and an accent grows towards such a
+ * change.
  *
  * @param here how far behind the outline the surface beside it lies, in heights of the view, up to 1
  * @param gapAt the same so many steps along the outline, to either side; undefined beyond the picture

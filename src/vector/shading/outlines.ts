@@ -1,4 +1,4 @@
-/** Contours and feature edges, as shaders/outlines has them. */
+/** Contours and feature edges, as in shaders/outlines. */
 import { OUTLINE_CONSTANTS } from '../../look/constants/outlineConstants.js';
 import { clamp01, combined, cross, dot, lengthOf, mix, normalize, smoothstep, type Vec3 } from '../../look/vectors.js';
 
@@ -8,12 +8,12 @@ const { BEGINS_AS_PAPER, IS_PAPER } = OUTLINE_CONSTANTS;
 const { STRAY_ACROSS, ACROSS_BENT, ACROSS_BEND, STRAY_UP, UP_BENT, UP_BEND, UP_PHASE } = OUTLINE_CONSTANTS;
 const { LOOKED_BESIDE, ROUNDING, STRAY_FINELY, FINE_PHASE, STRAY_SHARES } = OUTLINE_CONSTANTS;
 
-/** Weight of a contour by the bend of the surface along the line of sight: it ends in a cusp, and the pen lifts there. */
+/** Weight of a contour by the curvature of the surface along the line of sight: it ends in a cusp. */
 export const taperAt = (bend: number, taper: number): number =>
   taper > 0 ? smoothstep(0, taper, bend) : Number(bend >= 0);
 
 /**
- * The part of an edge, as shares from start to end, on which one side faces the eye and the other does not; null if there is none.
+ * The part of an edge, as shares from start to end, where one side faces the eye and the other does not; null if there is none.
  *
  * @param left and `right`: n·v of the two sides at the start and at the end
  */
@@ -33,7 +33,7 @@ export function contourAlong(
   return least >= 0 && least < turn ? [least, turn] : null;
 }
 
-/** The light, the eye and how outlines answer to them. Directions are unit, or without length where there is none. */
+/** The light, the eye, and the effect of light on outlines. Directions are unit, or null vectors for none. */
 export interface OutlineLight {
   light: Vec3;
   sight: Vec3;
@@ -42,7 +42,7 @@ export interface OutlineLight {
 }
 
 /**
- * A factor on the weight of an outline, and another one for what lies before the paper: what is left of it where edges are lost.
+ * A factor on the weight of an outline, and another one before paper: the share that is left where edges are lost.
  *
  * @param normal unit, in the space of the directions
  * @param contour the share of the piece that is a contour or a border
@@ -60,20 +60,20 @@ export function shadeWeight(
   return [weight, 1 - contour * lost * smoothstep(from, from + taper, inside)];
 }
 
-/** A piece of an outline, as far as its visibility goes. Lengths in world units. */
+/** The properties of a piece of outline that its visibility depends on. Lengths in world units. */
 export interface LiftedPiece {
   isSmooth: boolean;
   /** Curvature along the line of sight times the bounding radius. */
   bend: number;
-  /** How deep the surface beside the piece is along the line of sight. */
+  /** Depth of the surface beside the piece along the line of sight. */
   extent: number;
-  /** How much of that may lie before the piece, though the piece is to be seen. */
+  /** The part of that depth that may lie before a visible piece. */
   ownCover: number;
-  /** An edge whose two sides rise from it. */
+  /** Whether it is a concave edge. */
   isValley: boolean;
 }
 
-/** How far an outline is moved towards the eye, so that its own surface does not hide it. radius: of the bounding sphere. */
+/** Distance by which an outline is moved towards the eye, so that its own surface does not hide it. radius: of the bounding sphere. */
 export function liftOf({ isSmooth, bend, extent }: LiftedPiece, halfWidth: number, radius: number): number {
   const own = LIFT_SHARE * radius + extent;
   if (!isSmooth) return own + 2 * EDGE_SLOPE * halfWidth;
@@ -81,14 +81,14 @@ export function liftOf({ isSmooth, bend, extent }: LiftedPiece, halfWidth: numbe
   return own + 2 * halfWidth + Math.min(rise, MOST_RISE * radius);
 }
 
-/** How far the surface may lie before its own outline, beside it. pixel: its size; radius: of the bounding sphere. */
+/** Distance by which the surface may lie before its own outline. pixel: its size; radius: of the bounding sphere. */
 export const toleranceOf = ({ ownCover, isValley }: LiftedPiece, pixel: number, radius: number): number =>
   ROUNDING * radius + ownCover + (isValley ? LOOKED_BESIDE * EDGE_SLOPE * pixel : 0);
 
-/** Whether what lies so far behind an outline, as a share of the height of the view, is as good as paper. */
+/** 1 if what lies so far behind an outline, as a share of the height of the view, counts as paper. */
 export const paperness = (gap: number): number => smoothstep(BEGINS_AS_PAPER, IS_PAPER, clamp01(gap));
 
-/** The unsteadiness of a hand: a slow shift on the screen that belongs to the place on the object. anchor: over the bounding radius. */
+/** The unsteadiness of a hand: a slow screen-space offset that is fixed to the object. p: position over the bounding radius. */
 export function wobbleAt(p: Vec3, wobble: number): readonly [number, number] {
   const a = Math.sin(dot(p, STRAY_ACROSS) + ACROSS_BEND * Math.sin(dot(p, ACROSS_BENT)));
   const b = Math.sin(dot(p, STRAY_UP) + UP_BEND * Math.sin(dot(p, UP_BENT)) + UP_PHASE);
@@ -97,7 +97,7 @@ export function wobbleAt(p: Vec3, wobble: number): readonly [number, number] {
   return [wobble * (long * a + short * c), wobble * (long * b - short * c)];
 }
 
-/** Whether a triangle looks another way than its normals say, so that its neighbours hide it where the smooth surface is seen. */
+/** Whether a triangle faces away though its normals do not, so that its neighbours hide it. */
 export function looksAway(
   corners: readonly [Vec3, Vec3, Vec3],
   normals: readonly [Vec3, Vec3, Vec3],
@@ -108,7 +108,7 @@ export function looksAway(
   return dot(flat, toEye) * dot(flat, smooth) <= 0;
 }
 
-/** How deep a triangle is across a piece of contour on it, along the line of sight. */
+/** The depth of a triangle across a piece of contour on it, along the line of sight. */
 export function depthAcross(corners: readonly [Vec3, Vec3, Vec3], start: Vec3, end: Vec3, toEye: Vec3): number {
   const v = normalize(toEye);
   const along = normalize(combined(1, end, -1, start));

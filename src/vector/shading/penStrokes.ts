@@ -1,5 +1,5 @@
 /**
- * Lines that a pen draws in strokes, as shaders/techniques/engraved/penStrokes.glsl has it. Each begins thin, swells and is lifted again. Light
+ * Lines drawn in strokes of a pen, as in shaders/techniques/engraved/penStrokes.glsl. Each stroke begins thin, swells and tapers off. Light
  * tones have fewer strokes, of the width of the nib.
  */
 
@@ -28,37 +28,37 @@ const {
 const { GAP_HASH, BIRTH_HASH, WIDTH_HASH, AXIS_HASH, AXIS_TURN } = PEN_CONSTANTS;
 const { GOLDEN_RATIO, THIRD_FACTOR, THUE_MORSE } = HASH_FACTORS;
 
-/** What a line loses to the gaps and the ends of its strokes where they are farthest apart. */
+/** The share of a line that is lost to the gaps and the tapered ends of its strokes where the gaps are widest. */
 const LOST = 0.5 * STROKE_GAP + TAPER / 3;
 
-/** What a pen does at a place, on all lines. */
+/** The strokes at a place, the same for all lines. */
 export interface Pen {
   along: Along;
   tone: number;
-  /** How far strokes are apart at their ends. */
+  /** The size of the gaps between strokes. */
   open: number;
-  /** The tone from which on all strokes are there. */
+  /** The tone from which on no stroke is left out. */
   allFrom: number;
-  /** Of a stroke in its middle, as a share of the room of a line. */
+  /** The width of a stroke in its middle, as a share of the room of a line. */
   width: number;
-  /** From 0, a ruling machine, to 1. */
+  /** From 0, lines as by a ruling machine, to 1. */
   handmade: number;
-  /** As `numberOf` has it. */
+  /** As in `numberOf`. */
   repeat: number;
 }
 
-/** The integral of the ink of a stroke that grows: a ramp from 0 to 1, and less where it is short. */
+/** The integral of the ink of a growing stroke: a ramp from 0 to 1, and less where it is short. */
 function rampSum(x: number): number {
   const grown = Math.min(x / STROKE_GROWTH, 1);
   const sum = grown * grown * (0.5 - SHORTENING_OF_INK * (0.5 - grown / 3));
   return STROKE_GROWTH * sum + Math.max(x - STROKE_GROWTH, 0);
 }
 
-/** The share of strokes that are there. */
+/** The share of strokes that exist. */
 const thereAt = (tone: number, allFrom: number): number =>
   (rampSum(tone) - rampSum(Math.max(tone - allFrom, 0))) / allFrom;
 
-/** octave: of the distance between lines. */
+/** octave: of the spacing of lines. */
 export function penFor(tone: number, along: Along, handmade: number, repeat: number, octave: number): Pen {
   const allFrom = ALL_FROM * differing(octave, repeat);
   const open = Math.max(1 - tone / CLOSED_FROM, 0) ** 2;
@@ -66,52 +66,52 @@ export function penFor(tone: number, along: Along, handmade: number, repeat: num
   return { along, tone, open, allFrom, width: tone < allFrom ? Math.min(width, NIB) : width, handmade, repeat };
 }
 
-/** The share of its length that strokes of one width cover of a line in the mean: they do not narrow, but have their gaps. */
+/** The mean share of a line's length that strokes of one width cover: they have gaps, but do not taper. */
 export const drawnShare = ({ tone, open, allFrom }: Pen): number =>
   Math.max(thereAt(tone, allFrom) * (1 - 0.5 * STROKE_GAP * open), 1e-4);
 
-/** The hash below which strokes have been born where so large a share of them is, each over a part BIRTH of all hashes. */
+/** The hash below which strokes exist if a given share of them does. Each appears over a part BIRTH of all hashes. */
 function bornBelow(share: number): number {
   if (share < 0.5 * BIRTH) return Math.sqrt(2 * BIRTH * share);
   return share < 1 - 0.5 * BIRTH ? share + 0.5 * BIRTH : 1 + BIRTH - Math.sqrt(2 * BIRTH * Math.max(1 - share, 0));
 }
 
-/** Random bits that the lots of the strokes on a line begin with. */
+/** Random bits of a line, from which the hashes of its strokes are made. */
 function bitsOfLine(line: number): number {
   const word = bitsOf(line);
   const spread = Math.imul(word ^ (word >>> 12), GOLDEN_RATIO);
   return Math.imul(spread ^ (spread >>> 13), THIRD_FACTOR);
 }
 
-/** A number in [0, 1) that belongs to a stroke, and is far from those of its neighbours on the line. */
+/** A hash of a stroke in [0, 1), far from those of its neighbours on the line. */
 const strokeHash01 = (bits: number, stroke: number): number =>
   ((bits + Math.imul(stroke, THUE_MORSE)) >>> 8) / 16777216;
 
 const fract = (x: number): number => x - Math.floor(x);
 
-/** A stroke where it passes a place. */
+/** A stroke at a place. */
 export interface Stroke {
-  /** As a share of the room that an old line has, and the share of it that a stroke of one width has there: 0 in gaps, 1 within. */
+  /** Width as a share of the room of an old line; and the share of it that a stroke of one width has: 0 in gaps, 1 within. */
   width: number;
   presence: number;
-  /** How far it strays from its line towards higher values, in distances between lines. */
+  /** Offset from its line towards higher values, in distances between lines. */
   astray: number;
 }
 
-/** A line where its strokes are looked for. */
+/** A line whose strokes are computed. */
 interface PennedLine {
   hash: number;
   /** 0, a third or two thirds, in turn. */
   turn: number;
   bits: number;
-  /** −1 or 1, in which direction its strokes stray. */
+  /** −1 or 1, the direction in which its strokes stray. */
   sign: number;
 }
 
-/** How late a stroke begins, as a share of the mean length. */
+/** The delay of the start of a stroke, as a share of the mean length. */
 const latenessOf = (chance: number): number => LATENESS * fract(LATE_HASH * chance);
 
-/** place: in lengths of strokes. born: the hash below which strokes are born. */
+/** place: in lengths of strokes. born: the hash below which strokes exist. */
 function strokeOn(
   { tone, open, allFrom, width, handmade }: Pen,
   born: number,
@@ -119,7 +119,7 @@ function strokeOn(
   line: PennedLine,
 ): Stroke {
   const along = place + line.hash;
-  // Strokes begin late by chance, and so differ in length: the ends of neighbours would otherwise lie in rows across the lines.
+  // Strokes start late by chance, and so differ in length: otherwise the ends of neighbours would lie in rows across the lines.
   let stroke = Math.floor(along);
   if (along < stroke + latenessOf(strokeHash01(line.bits, stroke))) stroke--;
   const chance = strokeHash01(line.bits, stroke);
@@ -127,7 +127,7 @@ function strokeOn(
   const size = 1 + latenessOf(strokeHash01(line.bits, stroke + 1)) - late;
   // From −1 at one end to 1 at the other.
   const way = (2 * (along - stroke - late)) / size - 1;
-  // What differs from stroke to stroke is spread evenly over a surface. Of three neighbouring lines the first strokes lie on one.
+  // Properties of strokes are spread evenly over a surface. The first strokes to appear lie on one of three neighbouring lines.
   const even = strokeHash01(line.hash * 2 ** 32, stroke);
   let there = clamp01((tone - allFrom * fract(line.turn + even / 3)) / STROKE_GROWTH);
   const gap = fract(GAP_HASH * even);
@@ -156,7 +156,7 @@ const mixed = (a: Stroke, b: Stroke, t: number): Stroke => ({
  * @param share of the room of an old line that the line has: younger ones have thinner strokes, and fewer where the tone is light
  */
 export function strokeAt(pen: Pen, share: number, line: number): Stroke {
-  // As wide as the old ones, they would fill the room between them. In the dark a stroke that is not there would be a hole.
+  // At full width new strokes would fill the room between the old ones. In the darks a missing stroke would be a hole.
   const there = mix(1, Math.sqrt(Math.max(share, 0)), Math.sqrt(pen.open));
   const born = bornBelow(there);
   const { places, period, longer, share: firstOfAll } = pen.along;
@@ -168,7 +168,7 @@ export function strokeAt(pen: Pen, share: number, line: number): Stroke {
     bits: bitsOfLine(size),
     sign: Math.sign(number),
   };
-  // Lines go over from one axis to the other one after another.
+  // Lines change from one axis to the other one by one.
   const first = clamp01(((1 + AXIS_TURN) * firstOfAll - fract(AXIS_HASH * penned.hash)) / AXIS_TURN);
   const alongAxis = (place: number): Stroke => {
     const stroke = strokeOn(pen, born, place / period, penned);

@@ -1,42 +1,42 @@
-/** What arrives of lamps at a surface, as radiance.glsl and three's own chunks have it. All in world space. */
+/** The light of lamps that arrives at a surface, as in radiance.glsl and three.js' chunks. World space. */
 import { TONE_CONSTANTS } from '../../look/constants/shadingConstants.js';
 import { cross, dot, lengthOf, type Vec3 } from '../../look/vectors.js';
 
 /** A light with a direction. */
 export interface Lamp {
   luminance: number;
-  /** The unit vector to one that is far away, or where one at a place is. */
+  /** Unit vector towards a directional light, or position of another. */
   at: Vec3;
   isFar: boolean;
-  /** Where its light ends, world units, 0 without an end; and how it falls off. */
+  /** Reach of the light, world units, 0 for no limit; and its decay. */
   distance: number;
   decay: number;
-  /** Of a spot: from its target to it, unit, and the cosines where its cone ends and where it is whole. */
+  /** Of a spot light: unit vector from its target to it, and cosines of the outer and the inner angle of its cone. */
   cone: { axis: Vec3; outer: number; inner: number } | null;
   castsShadow: boolean;
 }
 
-/** How a surface answers to light from a direction. */
+/** The response of a surface to light from a direction. */
 export type ToneModel = 'lambert' | 'halfLambert' | 'phong' | 'toon';
 
-/** The share of a light that is left at a distance, as three.js has it. */
+/** Attenuation of a light over a distance, as in three.js. */
 export function attenuation(length: number, { distance, decay }: Pick<Lamp, 'distance' | 'decay'>): number {
   const left = 1 / Math.max(length ** decay, 0.01);
   return distance > 0 ? left * Math.max(0, Math.min(1, 1 - (length / distance) ** 4)) ** 2 : left;
 }
 
-/** What arrives of a lamp at a point. */
+/** The light of a lamp at a point. */
 export interface Arriving {
-  /** Towards the lamp, unit. */
+  /** Unit vector towards the lamp. */
   direction: Vec3;
-  /** How far away it is, world units; endless for one that is far away. */
+  /** Distance, world units; Infinity for directional lights. */
   length: number;
   /** The luminance that arrives, and that would without a cone. */
   luminance: number;
   coneless: number;
 }
 
-/** What arrives of a lamp at a point, but for shadows. */
+/** The light of a lamp at a point, without shadows. */
 export function arriving(lamp: Lamp, point: Vec3): Arriving {
   const { at, isFar, luminance, cone } = lamp;
   if (isFar) return { direction: at, length: Infinity, luminance, coneless: luminance };
@@ -70,7 +70,10 @@ export function responseTo(model: ToneModel, normal: Vec3, direction: Vec3, toVi
 
 const { BESIDE_FROM, BESIDE_LIGHT, SIDE_AXIS } = TONE_CONSTANTS;
 
-/** What the surroundings reflect of a light: most to the side that is turned away, and to planes that face one side of it more. */
+/**
+ * The share of a light that the surroundings reflect: greatest on the side that faces away, and greater on the planes that face one side of
+ * it.
+ */
 export function reflectedTo(normal: Vec3, direction: Vec3, isPlane: boolean): number {
   const behind = 0.5 - 0.5 * dot(normal, direction);
   if (!isPlane) return behind;

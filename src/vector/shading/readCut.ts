@@ -1,4 +1,4 @@
-/** The families of lines that a field cuts out of an object, at a place, as readCut.glsl has them. */
+/** The families of lines cut by a field, at a place, as in readCut.glsl. */
 
 import { FIELD_CONSTANTS } from '../../look/constants/engravedConstants.js';
 import { combined, cross, dot, lengthOf, smoothstep, type Vec3 } from '../../look/vectors.js';
@@ -19,26 +19,26 @@ export function cutFamilies(field: Field): CutFamilies {
   return { field, sideB, sideC: cross(field.axis, sideB) };
 }
 
-/** A family: how much of the first field it has, and of which side. */
+/** A family: its component along the field, and the side that it leans towards. */
 export interface Lean {
   cosine: number;
   sine: number;
   side: 'B' | 'C' | null;
 }
 
-/** What is known at a place. */
+/** The values at a place that all families share. */
 export interface CutReading {
-  /** As the hand strays, tiles. */
+  /** The position displaced by the hand, tiles. */
   point: Vec3;
   pressure: number;
   value: number;
-  /** Of the first family's function, unit. */
+  /** Unit gradient of the first family's function. */
   gradient: Vec3;
-  /** Its change along the surface. */
+  /** Change of the function along the surface. */
   slope: number;
-  /** How far the first family has lines. */
+  /** The share to which the first family has lines here. */
   has: number;
-  /** What the family towards side B takes of what crosses. */
+  /** The share of side B in the crossing tone. */
   shareB: number;
 }
 
@@ -56,7 +56,7 @@ export function readCut({ field, sideB, sideC }: CutFamilies, place: Vec3, norma
 
 const sideOf = ({ sideB, sideC }: CutFamilies, side: 'B' | 'C'): Vec3 => (side === 'B' ? sideB : sideC);
 
-/** The value of a family's function where the hand puts a place. */
+/** The value of a family's function at the displaced position. */
 export const familyValue = (
   families: CutFamilies,
   { value, point }: CutReading,

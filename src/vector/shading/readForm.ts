@@ -1,4 +1,4 @@
-/** Lines that follow the form, at a place, as readForm.glsl has them: level sets of two functions that were baked into the vertices. */
+/** Lines that follow the form, at a place, as in readForm.glsl: level sets of two baked functions. */
 import { FORM_CONSTANTS } from '../../look/constants/engravedConstants.js';
 import { combined, dot, type Vec3 } from '../../look/vectors.js';
 import { handPoint, handPressure, slowWaves } from './hand.js';
@@ -6,7 +6,7 @@ import { handPoint, handPressure, slowWaves } from './hand.js';
 const { WIDTH_WAVE } = FORM_CONSTANTS;
 export const { COARSEST_OCTAVES } = FORM_CONSTANTS;
 
-/** A function at a vertex: its gradient per tile, field space, and its value less half of what the gradient makes of the place. */
+/** A function at a vertex: its gradient per tile, field space, and its value minus half of the gradient's product with the position. */
 export interface FormAt {
   gradient: Vec3;
   rest: number;
@@ -18,7 +18,7 @@ export const formVarying = (gradient: Vec3, value: number, place: Vec3): FormAt 
   rest: value - 0.5 * dot(gradient, place),
 });
 
-/** The value of a function at a place, where the hand puts it; and how the hand presses there. isInk: whether lines are drawn in one go. */
+/** The value of a function at a position displaced by the hand, and the pressure there. isInk: whether lines are drawn in one go. */
 export function readForm(
   { gradient, rest }: FormAt,
   place: Vec3,
@@ -29,7 +29,7 @@ export function readForm(
   const stray = handPoint([0, 0, 0], waves, handmade);
   return {
     value: rest + dot(gradient, combined(0.5, place, 1, stray)),
-    // Strokes and cuts differ by themselves.
+    // Strokes and cuts have variations of their own.
     pressure: handPressure(waves, handmade) + (isInk ? handmade * WIDTH_WAVE * waves[2] : 0),
   };
 }

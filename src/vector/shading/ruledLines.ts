@@ -1,6 +1,6 @@
 /**
- * One family of lines, as shaders/techniques/engraved/ruledLines.glsl has it: level sets of a function at equal distances, whose width is
- * the tone. A fragment asks which lines are near; here a line asks how much room it has.
+ * One family of lines, as in shaders/techniques/engraved/ruledLines.glsl: level sets of a function at equal distances, whose width is the
+ * tone. A fragment searches for lines near it; here the room of a given line is computed.
  */
 
 import { FIELD_CONSTANTS, LINE_CONSTANTS } from '../../look/constants/engravedConstants.js';
@@ -10,22 +10,22 @@ const { LEAST_OF_SMOOTH, MOST_OFF_TRIANGLE, PARTS_OF_TILE } = LINE_CONSTANTS;
 
 const float = new Float64Array(1);
 const words = new Uint32Array(float.buffer);
-/** The word with the exponent, where the machine stores it. */
+/** The index of the word with the exponent, by the machine's byte order. */
 const HIGH = new Uint8Array(Float64Array.of(1).buffer)[7] !== 0 ? 1 : 0;
 
-/** The logarithm to base 2 at powers of two, and linear between them. x: above 0. */
+/** An approximate logarithm to base 2: exact at powers of two, linear between them. x: above 0. */
 export function octaves(x: number): number {
   float[0] = x;
   const high = words[HIGH];
   const exponent = (high >>> 20) - 1023;
-  // Below are numbers that are stored without all their digits, and beyond what is none.
+  // Subnormals; Infinity and NaN.
   if (exponent === -1023 || exponent >= 1024) return Math.log2(x);
-  // The same digits, from 1 to 2.
+  // The mantissa as a number from 1 to 2.
   words[HIGH] = (high & 0xfffff) | (1023 << 20);
   return exponent + float[0] - 1;
 }
 
-/** The inverse. */
+/** The inverse of `octaves`. */
 export function powerOf2(octave: number): number {
   const whole = Math.floor(octave);
   return 2 ** whole * (1 + octave - whole);
@@ -34,7 +34,7 @@ export function powerOf2(octave: number): number {
 /** The share of its steepest rise by which lines of the first family are spaced on the object. slope: its change along the surface. */
 export const riseOf = (slope: number): number => Math.min(slope / SPARSEST_SLOPE, 1);
 
-/** How far apart lines are asked to be. */
+/** The spacing of lines. */
 export interface LineSpacing {
   /** Pixels, or 256ths of a tile. */
   lineSpacing: number;
@@ -45,7 +45,7 @@ export interface LineSpacing {
 }
 
 /**
- * By how much a function changes per pixel where its lines are spaced: as the smooth normal has it, within bounds of what the flat triangle shows.
+ * The change of a function per pixel by which its lines are spaced: that of the smooth surface, within bounds of that on the flat triangle.
  *
  * @param smooth its change per pixel by the smooth normal
  * @param seen the same on the flat triangle
@@ -56,7 +56,7 @@ export function spacedBy(smooth: number, seen: number): number {
 }
 
 /**
- * The octave of the distance between lines at a place.
+ * The octave of the spacing of lines at a place.
  *
  * @param rise of the function along the surface, per tile
  * @param perPixel its change from one pixel to the next
@@ -71,8 +71,7 @@ export function octaveOf(spacing: LineSpacing, rise: number, perPixel: number, c
 }
 
 /**
- * The room that a line has, in units of the function. Old lines have as much as they would at just this spacing; those that are born between
- * them have what is left.
+ * The room of a line, in units of the function. Old lines have as much as at exactly this spacing; new ones between them have the rest.
  *
  * @param rank the largest power of two that the value of the line is a multiple of, as an exponent
  */

@@ -1,42 +1,42 @@
-/** How fast a function of the place on the object changes on the screen, as shaders/perFragment/screenGradient.glsl has it. */
+/** Screen-space derivatives of functions on the object, as in shaders/perFragment/screenGradient.glsl. */
 import { SCREEN_CONSTANTS } from '../../look/constants/patternConstants.js';
 import { cross, dot, lengthOf, type Vec3 } from '../../look/vectors.js';
 
 const { LEAST_FACING } = SCREEN_CONSTANTS;
-/** The same for flat triangles, where lines lie as they lie: only a division by nothing is kept away. */
+/** The limit at grazing angles for flat triangles: it only prevents a division by 0. */
 const LEAST_FACING_FLAT = 1e-3;
 
 /** The rows of a linear map of vectors. */
 export type Mat3 = readonly [Vec3, Vec3, Vec3];
 
-/** A row vector times a matrix: it takes gradients and normals back. */
+/** A row vector times a matrix, which transforms gradients and normals back. */
 export const timesMatrix = (v: Vec3, [a, b, c]: Mat3): Vec3 => [
   v[0] * a[0] + v[1] * b[0] + v[2] * c[0],
   v[0] * a[1] + v[1] * b[1] + v[2] * c[1],
   v[0] * a[2] + v[1] * b[2] + v[2] * c[2],
 ];
 
-/** The tangent plane of a place and what the projection makes of it. */
+/** A tangent plane and its projection to the screen. */
 export interface ScreenMap {
   viewToPlace: Mat3;
   /** View space, of any length. */
   normal: Vec3;
-  /** The screen as seen from here: what one step in depth shifts. */
+  /** The position of the screen's centre relative to the ray of this place, per unit of depth. */
   centre: readonly [number, number];
   /** View units per pixel of the plane, over the length of the normal. */
   scale: number;
 }
 
-/** What a camera makes of a place in view space. */
+/** A place as the camera sees it, view space. */
 export interface SeenPlace {
   view: Vec3;
   isOrthographic: boolean;
-  /** View units to a pixel there. */
+  /** View units per pixel there. */
   unitsPerPixel: number;
 }
 
 /**
- * The map at a place of a surface.
+ * The screen map at a place of a surface.
  *
  * @param normal in the space of the places that functions are of, of any length
  * @param isFlat whether the normal is that of a flat triangle, whose slant is not held down
@@ -50,7 +50,7 @@ export function screenMap(normal: Vec3, viewToPlace: Mat3, seen: SeenPlace, isFl
   return { viewToPlace, normal: inView, centre, scale: unitsPerPixel / Math.max(facing, least, 1e-30) };
 }
 
-/** The gradient per pixel of a function with this gradient in that space. It is turned by a right angle, and linear. */
+/** The gradient per pixel of a function, from its gradient in space. It is turned by a right angle, and linear. */
 export function screenGradient(
   gradient: Vec3,
   { viewToPlace, normal, centre, scale }: ScreenMap,
@@ -59,11 +59,13 @@ export function screenGradient(
   return [scale * (along[0] - centre[0] * along[2]), scale * (along[1] - centre[1] * along[2])];
 }
 
-/** The direction on the picture, x to the right and y down, in which a function with this gradient rises. Unit, or of no length. */
+/**
+ * The direction on the picture, x to the right and y down, in which a function rises, from its gradient in space. Unit, or the null vector.
+ */
 export function uphillOnPicture(gradient: Vec3, map: ScreenMap): readonly [number, number] {
   const [x, y] = screenGradient(gradient, map);
   const { normal, centre } = map;
-  // Turned back; on a front the function rises to the right of where the turned gradient leads.
+  // Turned back; on front faces the function rises to the right of the turned gradient.
   const length = (Math.sqrt(x * x + y * y) || 1) * Math.sign(dot(normal, [centre[0], centre[1], 1]));
   return length === 0 ? [0, 0] : [y / length, x / length];
 }

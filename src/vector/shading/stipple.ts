@@ -1,4 +1,4 @@
-/** Dots that lie in the surface and are round on the screen, as shaders/techniques/anchored/stipple.glsl and dots.glsl have it. */
+/** Dots that are fixed on the surface and round on the screen, as in shaders/techniques/anchored/stipple.glsl and dots.glsl. */
 
 import { TONE_CONSTANTS } from '../../look/constants/shadingConstants.js';
 import { STIPPLE_CONSTANTS } from '../../look/constants/stippleConstants.js';
@@ -10,24 +10,27 @@ const { LEAST_PULL, PLANE_FADE, LEAST_SHARE, LEAST_ROUND, CLOSING, SET_SHIFT } =
 const { DOTS_PER_TILE, DOT_SHARE, CROWDING, LEAST_DENSE_SHARE } = STIPPLE_CONSTANTS;
 const { DOT_GROWTH, OVERLAP, OVERLAP_WITHIN, LEAST_BLANK } = STIPPLE_CONSTANTS;
 
-/** A plane that has dots at a place. */
+/** A plane of dots at a place. */
 export interface DotPlane {
-  /** Across it, unit, and two axes in it. Object space. */
+  /** Unit normal, and two axes in the plane. Object space. */
   axis: Vec3;
   u: Vec3;
   v: Vec3;
-  /** The share of the dots that it has. */
+  /** Its share of the dots. */
   share: number;
 }
 
-/** Half way from the surface to the viewer, and nearer to the viewer where the surface leans away. front, toViewer: unit. */
+/**
+ * The direction that chooses the planes: half way from the normal to the viewer, nearer to the viewer at grazing angles. front, toViewer:
+ * unit.
+ */
 export const directionOfNeedles = (front: Vec3, toViewer: Vec3): Vec3 =>
   normalize(combined(Math.max(dot(front, toViewer), LEAST_PULL), front, 1, toViewer));
 
-/** Any tangent of a unit vector, the same for the same one. */
+/** A tangent of a unit vector. */
 const anyTangent = ([x, y, z]: Vec3): Vec3 => normalize(Math.abs(x) > Math.abs(z) ? [-y, x, 0] : [0, -z, y]);
 
-/** The planes next to a direction: across the axes of a cube through its faces, edges and corners. */
+/** The planes nearest to a direction, perpendicular to axes of a cube through its faces, edges and corners. */
 export function planesNear(direction: Vec3): DotPlane[] {
   const size = direction.map(Math.abs);
   const order = [0, 1, 2].toSorted((a, b) => size[b] - size[a]);
@@ -49,7 +52,7 @@ export function planesNear(direction: Vec3): DotPlane[] {
   return planes;
 }
 
-/** The tangent plane, leaning away no further than dots stay round. */
+/** The screen map of the tangent plane, with the angle limited to where dots stay round. */
 export function roundScreenMap(map: ScreenMap, unitsPerPixel: number): ScreenMap {
   const toViewer: Vec3 = [map.centre[0], map.centre[1], 1];
   const facing = dot(map.normal, toViewer);
@@ -59,16 +62,16 @@ export function roundScreenMap(map: ScreenMap, unitsPerPixel: number): ScreenMap
   return { ...map, normal, scale: unitsPerPixel / Math.max(facing, least, 1e-30) };
 }
 
-/** What dots cover at a tone: the tone itself in the lights, and more in the darks, which end solid. */
+/** The share that dots cover at a tone: the tone itself in the lights, more in the darks, which end solid. */
 export function coverOf(tone: number): number {
   const way = clamp01((tone - CLOSING[0]) / (CLOSING[1] - CLOSING[0]));
   return Math.min(tone + (1 - CLOSING[1]) * way * way, 1);
 }
 
-/** What a plane's dots cover alone, so that all planes printed over one another cover as much. */
+/** The share that a plane's dots cover alone, so that all planes printed over one another give the total. */
 export const ownCover = (cover: number, share: number): number => 1 - (1 - cover) ** share;
 
-/** How large dots are asked to be. */
+/** The size of dots. */
 export interface DotSize {
   /** The diameter at half tone, pixels. */
   dotPixels: number;
@@ -78,7 +81,7 @@ export interface DotSize {
 }
 
 /**
- * Cells of the set per object unit, as a logarithm to base 2.
+ * The logarithm to base 2 of cells per object unit.
  *
  * @param pixelArea object units² per pixel, above 0
  * @param own what the dots of the plane cover
@@ -91,15 +94,15 @@ export function dotOctave(pixelArea: number, own: number, { dotPixels, tilesPerU
   return least + sizedOnScreen * (onScreen - least) + crowding;
 }
 
-/** How many layers of dots there are, and how far they lie apart. */
+/** The layers of dots, and the distance between them. */
 export interface DotLayers {
-  /** The distance between anchors, object units. */
+  /** Distance between anchors, object units. */
   shift: number;
-  /** Tone from which on a second layer takes a share, and a third; null where there is one. */
+  /** Tones from which on a second and a third layer take a share; null for a single layer. */
   crossFrom: number | null;
 }
 
-/** What each layer of dots prints of a tone; printed over one another they give it again. */
+/** The tone of each layer of dots; printed over one another they give the total. */
 export function layerTones(tone: number, { crossFrom }: DotLayers): readonly number[] {
   if (crossFrom === null) return [tone];
   const first = takenOf(tone, crossFrom);
@@ -108,34 +111,34 @@ export function layerTones(tone: number, { crossFrom }: DotLayers): readonly num
   return [first, second, leftOf(others, second)];
 }
 
-/** Where a place lies in the set of a layer. Object space. */
+/** A position in the set of a layer. Object space. */
 export const inLayer = (place: Vec3, layer: number, { shift }: DotLayers): Vec3 =>
   combined(1, place, layer * shift, TONE_CONSTANTS.LAYER_SHIFT);
 
-/** How far the set lies from the origin of a plane, object units along both of its axes. */
+/** Offset of the set from the origin of a plane, object units along both of its axes. */
 export const setShift = (axis: Vec3, tilesPerUnit: number): readonly [number, number] => [
   dot(axis, SET_SHIFT) / tilesPerUnit,
   dot(axis, [SET_SHIFT[1], SET_SHIFT[2], SET_SHIFT[0]]) / tilesPerUnit,
 ];
 
-/** The mean area of dots that are born during an octave, at a place in it, as a share of their full one. */
+/** The mean area, as a share of the full one, of the dots that appear during an octave. */
 function grownShare(octave: number): number {
   const covered = (t: number): number => (t < DOT_GROWTH ? (0.5 * t * t) / DOT_GROWTH : t - 0.5 * DOT_GROWTH);
   return (covered(Math.max(octave, 0)) - covered(Math.max(octave + DOT_GROWTH - 1, 0))) / (1 - DOT_GROWTH);
 }
 
-/** The area of a dot at a place in an octave, as a share of its full one. born: 0 for dots of the octave before. */
+/** The area of a dot during an octave, as a share of its full area. born: 0 for dots of the octave before. */
 export const grownBy = (octave: number, born: number): number =>
   born === 0 ? 1 : clamp01((octave - born * (1 - DOT_GROWTH)) / DOT_GROWTH);
 
-/** The area of all discs that together cover a share of the whole, as a share of it. */
+/** The total area of discs that together cover a share of the plane, as a share of the plane. */
 function discArea(covered: number, octave: number): number {
   const beyond = Math.max(covered - 0.5, 0);
   const overlap = OVERLAP + OVERLAP_WITHIN * octave * (1 - octave) ** 2;
   return covered + (overlap * beyond * beyond) / Math.sqrt(Math.max(1 - covered, LEAST_BLANK));
 }
 
-/** The area of a dot that is full-grown, pixels. octave: of the cells. */
+/** The area of a full-grown dot, pixels. octave: of the cells. */
 export function dotArea(pixelArea: number, own: number, octave: number): number {
   const into = octave - Math.floor(octave);
   const cells = 2 ** (Math.floor(octave) + 1);

@@ -1,6 +1,6 @@
 /**
- * Strokes that the lines of a family are drawn in, as shaders/techniques/engraved/strokeLengths.glsl has it. They begin and end at places on the
- * object, a power of two apart: as one comes nearer, strokes give way to others half as long.
+ * The strokes that the lines of a family are drawn in, as in shaders/techniques/engraved/strokeLengths.glsl. They begin and end at fixed
+ * places on the object, a power of two apart: as the camera comes nearer, strokes split into halves.
  */
 import { LINE_CONSTANTS, STROKE_LENGTH_CONSTANTS } from '../../look/constants/engravedConstants.js';
 import { cross, dot, mix, smoothstep, type Vec3 } from '../../look/vectors.js';
@@ -10,18 +10,18 @@ import { type ScreenMap, screenGradient } from './screenGradient.js';
 const { PARTS_OF_TILE } = LINE_CONSTANTS;
 const { LENGTHS_FADE, AXES_FADE, DIFFERING_OCTAVES, LEAST_DIFFERING } = STROKE_LENGTH_CONSTANTS;
 
-/** Where a place lies along the lines of a family: by two axes of the field, those along which the lines run most. */
+/** The coordinates of a place along the lines of a family: on the two axes of the field along which the lines run most. */
 export interface Along {
   places: readonly [number, number];
-  /** Of the first. */
+  /** Share of the first axis. */
   share: number;
-  /** From the beginning of a stroke to the next, tiles. */
+  /** Length of a stroke with its gap, tiles. */
   period: number;
-  /** The share of strokes twice as long. */
+  /** Share of strokes twice as long. */
   longer: number;
 }
 
-/** How long strokes are asked to be. */
+/** The length of strokes. */
 export interface StrokeLength {
   /** Pixels, or 256ths of a tile. */
   strokeLength: number;
@@ -72,13 +72,16 @@ export function alongLines(
 }
 
 /**
- * How far lines differ, as a share of the most: less where few lie between the repeats of their numbers.
+ * The amplitude of variation from line to line, as a share of the greatest: less if few lines lie between repeats of their numbers.
  *
  * @param octave of their distance
  */
 export const differing = (octave: number, repeat: number): number =>
   Math.min(Math.max((octaves(repeat) - octave) / DIFFERING_OCTAVES, LEAST_DIFFERING), 1);
 
-/** The number of a line: the same on both sides of a seam but for its sign. repeat: by how much values change there; Infinity without seams. */
+/**
+ * The number of a line: the same on both sides of a seam, except for its sign. repeat: the step of values across seams; Infinity without
+ * seams.
+ */
 export const numberOf = (line: number, repeat: number): number =>
   repeat === Infinity ? line : line - repeat * Math.floor(line / repeat + 0.5);

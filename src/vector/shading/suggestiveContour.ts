@@ -1,4 +1,4 @@
-/** Where a contour would appear if the eye moved a little, as shaders/outlines/suggestiveContour.glsl has it. */
+/** Suggestive contours, where a contour would appear if the eye moved a little, as in shaders/outlines/suggestiveContour.glsl. */
 import { OUTLINE_CONSTANTS } from '../../look/constants/outlineConstants.js';
 import { combined, cross, dot, lengthOf, normalize, smoothstep, type Vec3 } from '../../look/vectors.js';
 
@@ -9,7 +9,7 @@ export interface BentCorner {
   position: Vec3;
   /** Unit. */
   normal: Vec3;
-  /** The curvature along the line of sight, times the radius. */
+  /** Curvature along the line of sight, times the radius. */
   bend: number;
 }
 
@@ -28,7 +28,7 @@ export function suggestiveShare(
   const ab = combined(1, b.position, -1, a.position);
   const ac = combined(1, c.position, -1, a.position);
   const n = cross(ab, ac);
-  // The gradient of the bend, which is linear over the triangle.
+  // The gradient of the curvature, which is linear over the triangle.
   const rising = cross(n, combined(c.bend - a.bend, ab, -(b.bend - a.bend), ac));
   const gradient = combined(1 / Math.max(dot(n, n), 1e-30), rising, 0, rising);
   const normal = normalize(combined(1, combined(1, a.normal, 1, b.normal), 1, c.normal));

@@ -1,20 +1,20 @@
-/** From light to the tone that is printed, as tone.glsl, toneCurve.glsl, occlude.glsl and localColor.glsl have it. */
+/** From light to the printed tone, as in tone.glsl, toneCurve.glsl, occlude.glsl and localColor.glsl. */
 import { TONE_CONSTANTS } from '../../look/constants/shadingConstants.js';
 import { lightness } from '../../look/luminance.js';
 import { clamp01, mix, smoothstep } from '../../look/vectors.js';
 
 const { CAVITY, HOLLOW } = TONE_CONSTANTS;
 
-/** A curve of points as a sum of cubics, one for each span; of `fitToneCurve`. */
+/** A curve of points as a sum of cubics, one per span; made by `fitToneCurve`. */
 export interface CurveCubics {
   start: number;
-  /** Per span where it begins, and 1 / its width. */
+  /** Per span its start, and 1 / its width. */
   spans: ArrayLike<number>;
   /** Per span the coefficients of t, t² and t³. */
   cubics: ArrayLike<number>;
 }
 
-/** From the tone of the light to the tone that is printed; null is the straight line. */
+/** From the tone of the light to the printed tone; null is the straight line. */
 export function curvedTone(tone: number, curve: 'perceptual' | CurveCubics | null): number {
   if (curve === null) return tone;
   if (curve === 'perceptual') return 1 - lightness(1 - tone);
@@ -27,28 +27,28 @@ export function curvedTone(tone: number, curve: 'perceptual' | CurveCubics | nul
   return curved;
 }
 
-/** How a surface makes tone of radiance. */
+/** The look of a surface, as far as tone depends on it. */
 export interface ToneLook {
   curve: 'perceptual' | CurveCubics | null;
   /** Number of bands, or 0 for none. */
   steps: number;
-  /** What radiance is multiplied by, and what is added. */
+  /** Factor on radiance, and offset. */
   exposure: readonly [number, number];
-  /** The ramp that tone is multiplied by, so that highlights stay blank: its slope, and its height at tone 0. */
+  /** Slope of the ramp that tone is multiplied by, and its value at tone 0. */
   highlightRamp: readonly [number, number];
-  /** The tones that are printed where all light arrives, and where none does. */
+  /** Tones at full light and at none. */
   toneEnds: readonly [number, number];
-  /** How much occlusion counts, and how dark hollows are. */
+  /** Strength of ambient occlusion, and tone of deep hollows. */
   occlusion: number;
   hollowTone: number;
-  /** Of the surface's own colour, as far as it becomes tone. */
+  /** Darkness of the surface's own colour, as far as it becomes tone. */
   darkness: number;
 }
 
 const highlightKept = (tone: number, [slope, height]: readonly [number, number]): number =>
   tone * clamp01(slope * tone + height);
 
-/** The tone of a radiance of a white surface, before colour and hollows. */
+/** The tone of a white surface's radiance, before colour and hollows. */
 export function toneFromRadiance(radiance: number, { curve, steps, highlightRamp }: ToneLook): number {
   let tone = 1 - clamp01(radiance);
   if (steps > 0) {
@@ -58,24 +58,24 @@ export function toneFromRadiance(radiance: number, { curve, steps, highlightRamp
   return highlightKept(clamp01(curvedTone(tone, curve)), highlightRamp);
 }
 
-/** The share of light from all around that a place with so much occlusion sees. */
+/** The share of ambient light at a place, by its occlusion. */
 export const openToSky = (occluded: number, occlusion: number): number => 1 - occlusion * occluded;
 
-/** The share of light with a direction. */
+/** The share of directed light. */
 export const openToLights = (occluded: number, occlusion: number): number =>
   1 - occlusion * occluded * smoothstep(0, CAVITY, occluded);
 
-/** The tone that is printed for a radiance at a place with so much occlusion, in [0, 1]. */
+/** The printed tone of a radiance at a place, by its occlusion, in [0, 1]. */
 export function shadedTone(radiance: number, occluded: number, look: ToneLook): number {
   const { exposure, toneEnds, darkness, hollowTone, occlusion } = look;
   const tone = mix(toneFromRadiance(exposure[0] * radiance + exposure[1], look), toneEnds[1], darkness);
   const hollowness = hollowTone * occlusion * smoothstep(HOLLOW[0], HOLLOW[1], occluded);
-  // Hollows go to the darkest image, or for chalk to bare paper.
+  // Hollows go to full ink, or with light ink to bare paper.
   return mix(tone, toneEnds[1] >= toneEnds[0] ? 1 : 0, hollowness);
 }
 
 /**
- * How much darker than white a colour looks, as far as that is to become tone.
+ * The darkness of a colour beside white, as far as it becomes tone.
  *
  * @param luminance of the colour, and `emitted` of what the surface gives off, both in linear light
  */

@@ -6,38 +6,38 @@ import { checkOptions, type TaskOptions } from '../../worker/TaskOptions.js';
 import type { DrawingPlan } from '../DrawnScene.js';
 import { isSide, lyingSize, SHEET_WORDS, type SheetName, sheetNamed } from './sheetSizes.js';
 
-/** How long a drawing takes to draw itself. */
+/** Default duration of an animated drawing. */
 const ANIMATION_SECONDS = 12;
 
 /** Options of `drawSVG`. Lengths are in millimetres. A worker of `createWorker` runs `three-hatching/svg.worker`. */
 export interface DrawSVGOptions extends TaskOptions {
   /**
-   * `'print'`: filled outlines, whose width is the tone. `'pen'`: lines of one width for a plotter, which make the tone by their number.
-   * Default: `'print'`.
+   * `'print'`: filled outlines, whose width is the tone. `'pen'`: lines of one width for a plotter, whose number is the tone. Default:
+   * `'print'`.
    */
   kind?: 'print' | 'pen' | undefined;
   /**
-   * The sheet: a name, which lies as suits the camera's picture unless `portrait` or `landscape` stands after it; or a size, as `'200x150'`
-   * in millimetres or `'8.5x11in'`; or width and height. Sides are from 1 to 5000 mm. Default: `'A4'`.
+   * The sheet: a name, turned to suit the camera's picture unless followed by `portrait` or `landscape`; or a size, as `'200x150'` in
+   * millimetres or `'8.5x11in'`; or width and height. Sides are from 1 to 5000 mm. Default: `'A4'`.
    */
   sheet?: SheetName | (string & {}) | readonly [width: number, height: number] | undefined;
-  /** What stays blank around the picture, 0 or more. Default: 10. */
+  /** The blank margin around the picture, 0 or more. Default: 10. */
   margin?: number | undefined;
   /** The width of the pen, above 0, with `kind: 'pen'`. Default: 0.3. */
   penWidth?: number | undefined;
   /**
-   * The width of the thinnest line that a press holds, 0 or more, with `kind: 'print'`: lines that would be thinner are dashes of it, which
-   * keep the tone. 0 lets them taper to nothing. Default: 0.05.
+   * The width of the thinnest line that a press can hold, 0 or more, with `kind: 'print'`: thinner lines become dashes of this width with
+   * the same tone. 0 lets lines taper to nothing. Default: 0.05.
    */
   leastWidth?: number | undefined;
   /**
-   * CSS pixels to an inch of the sheet, above 0: what the sizes of materials and outlines become on paper. More makes finer lines. Default:
-   * 96, as CSS has it.
+   * CSS pixels per inch of the sheet, above 0, which the sizes of materials and outlines are converted by. More makes finer lines. Default:
+   * 96, as in CSS.
    */
   dpi?: number | undefined;
   /**
-   * Whether lights with `castShadow` cast shadows on meshes with `receiveShadow`: `'soft'` or true, as soft as the light's shadow is on
-   * the canvas; `'hard'`, with one ray in the place of some 25; or false. Default: true.
+   * Whether lights with `castShadow` cast shadows on meshes with `receiveShadow`: `'soft'` or true, as soft as on the canvas; `'hard'`,
+   * with one ray instead of some 25; or false. Default: true.
    */
   shadows?: boolean | 'hard' | 'soft' | undefined;
   /** `'travel'`: a short way of the lifted pen. `'drawn'`: the order in which lines were found. Default: `'travel'`. */
@@ -48,18 +48,18 @@ export interface DrawSVGOptions extends TaskOptions {
    */
   hidden?: HiddenOutlines | undefined;
   /**
-   * Seconds, above 0, in which the drawing draws itself on a web page, path by path; true for 12. Whoever asks for less motion sees the
-   * whole at once. Default: false.
+   * Duration in seconds, above 0, in which the drawing draws itself on a web page, path by path; true for 12. Users who prefer reduced
+   * motion see the whole at once. Default: false.
    */
   animate?: number | boolean | undefined;
   /** The colour of a rectangle below the drawing; a pen would draw its border. Default: none. */
   paper?: ColorRepresentation | null | undefined;
   /**
-   * A picture that lies below the lines, in a layer of its own, as large as what the camera sees: a data URL of a PNG or JPEG, such as of the
-   * canvas, for strokes that cannot leave as lines. Only with `kind: 'print'`. Default: none.
+   * A picture below the lines, in a layer of its own, as large as the camera's view, for strokes that cannot be drawn as lines: a data URL
+   * of a PNG or JPEG, such as of the canvas. Only with `kind: 'print'`. Default: none.
    */
   picture?: string | null | undefined;
-  /** Planes that clip everything, as those of a renderer do; those of materials clip by themselves. World space. Default: none. */
+  /** Planes that clip everything, like those of a renderer; those of materials always clip. World space. Default: none. */
   clippingPlanes?: readonly Plane[] | undefined;
 }
 
@@ -80,7 +80,7 @@ const NAMES = {
 } satisfies Record<Exclude<keyof DrawSVGOptions, keyof TaskOptions>, true>;
 
 /**
- * Checks options.
+ * Checks the options.
  *
  * @param isWide whether the camera's picture is wider than high
  * @throws TypeError or RangeError that names the wrong one
@@ -123,7 +123,7 @@ function secondsOf(animate: number | boolean): number | null {
   return checkNumber('animate', animate, { above: 0 }, 'drawSVG');
 }
 
-/** A data URL has no character that would have to be written otherwise in a document. */
+/** A data URL without characters that XML would have to escape. */
 const PICTURE = /^data:image\/(png|jpeg);base64,[A-Za-z0-9+/]+=*$/;
 
 function checkPicture(picture: unknown, isPen: boolean): void {

@@ -20,12 +20,12 @@ import type { Mat3 } from '../shading/screenGradient.js';
 import type { MeshCopy } from './pose/meshCopies.js';
 import { rowsOf } from './rowsOf.js';
 
-/** What a material says of colours and textures; of materials that are not hatched only some of it. */
+/** The properties of colours and textures of a material; materials that are not hatched have only some of them. */
 export type Painted = Material & {
   [name in ToneMap]?: Texture | null;
 } & { color?: Color };
 
-/** What the paint of a surface reads of vertices: the channels of texture coordinates, and whether their colours count. */
+/** The attributes that the paint of a surface needs: channels of texture coordinates, and vertex colours. */
 export interface PaintNeeds {
   channels: readonly number[];
   hasColors: boolean;
@@ -38,26 +38,26 @@ interface PaintedPart {
   material: Painted;
 }
 
-/** The textures that count for the tone. */
+/** The textures that affect tone. */
 const TONE_MAPS = ['map', 'emissiveMap', 'aoMap', 'lightMap', 'alphaMap', 'normalMap', 'bumpMap'] as const;
 export type ToneMap = (typeof TONE_MAPS)[number];
 
-/** From where on what is half transparent is drawn, of materials that are blended. */
+/** Alpha above which blended materials are drawn. */
 const HALF = 0.5;
 
-/** Reads what of a surface differs from place to place: textures and colours. Each image is read once. */
+/** Reads the textures and colours of surfaces. Each image is read once. */
 export class PaintReader {
   private readonly images = new Map<Texture, ToneImage | null>();
 
-  /** @param fit of the exposure to the scene */
+  /** @param fit fit of the exposure to the scene */
   constructor(private readonly fit: ToneFit) {}
 
-  /** Textures that count for the tone, but whose pixels cannot be read. */
+  /** Textures that affect tone, but whose pixels cannot be read. */
   unreadable(material: Painted): ToneMap[] {
     return TONE_MAPS.filter((name) => material[name] && this.counts(material, name) && !this.imageOf(material[name]));
   }
 
-  /** What the paint of a mesh needs; null if nothing of it differs from place to place. */
+  /** The attributes that the paint of a mesh needs; null if the mesh has one colour everywhere. */
   needs(mesh: Mesh, material: Painted, { tint }: MeshCopy): PaintNeeds | null {
     const maps = TONE_MAPS.filter((name) => this.mapOf(mesh, material, name));
     const hasColors = this.heedsColor(material) && (tint !== null || hasVertexColors(mesh, material));
@@ -66,7 +66,7 @@ export class PaintReader {
     return { channels: [...channels].sort(), hasColors };
   }
 
-  /** The paint of a surface whose details begin with its coordinates at `first`, channel by channel, and go on with colours. */
+  /** The paint of a surface. Its details have texture coordinates from `first` on, channel by channel, and then colours. */
   paint({ mesh, copy, material }: PaintedPart, { channels, hasColors }: PaintNeeds, first: number): PaintLook {
     const look = (name: ToneMap): MapLook | null => {
       const texture = this.mapOf(mesh, material, name);
@@ -107,7 +107,7 @@ export class PaintReader {
     };
   }
 
-  /** A texture that counts, has coordinates and can be read. */
+  /** A texture that affects tone, has coordinates and can be read. */
   private mapOf({ geometry }: Mesh, material: Painted, name: ToneMap): Texture | null {
     const texture = material[name];
     if (!texture || !this.counts(material, name)) return null;
@@ -123,7 +123,7 @@ export class PaintReader {
     return name !== 'emissiveMap' || emissiveIntensity * luminanceOf(emissive) > 0;
   }
 
-  /** Whether the colour of a surface, or its alpha, makes a difference. */
+  /** Whether the colour or the alpha of a surface has any effect. */
   private heedsColor(material: Painted): boolean {
     return (
       alphaTestOf(material) > 0 || ('isHatchingMaterial' in material && (material as HatchingMaterial).localTone > 0)
@@ -140,23 +140,23 @@ export class PaintReader {
   }
 }
 
-/** Whether alpha of its textures fades a material, which lines cannot: it is drawn where it is more than half there. */
+/** Whether a material is blended by its textures' alpha. Lines cannot fade so: it is drawn where alpha is above a half. */
 export const isBlended = ({ transparent, alphaTest, alphaHash, map, alphaMap }: Painted): boolean =>
   (transparent || alphaHash) && alphaTest === 0 && Boolean(map ?? alphaMap);
 
-/** Alpha below which nothing of a surface is there; 0 where none is cut out. */
+/** Alpha below which nothing of a surface is drawn; 0 for none. */
 export function alphaTestOf(material: Painted): number {
   if (material.alphaTest > 0) return material.alphaTest;
   return isBlended(material) ? HALF : 0;
 }
 
-/** Whether a map bends the normals that tone is computed from. Those of flat faces stay as they are, and a map of normals takes the place of heights. */
+/** Whether a map modifies the normals that tone is computed from. It does not with flat faces, and a normal map replaces a bump map. */
 export const bendsNormals = (
   { normalMap, toneNormal, flatShading }: HatchingMaterial,
   name: 'normalMap' | 'bumpMap',
 ): boolean => (name === 'normalMap' || normalMap === null) && toneNormal !== 'face' && !flatShading;
 
-/** three.js knows one map of normals for a whole mesh that deforms: that of its rest. */
+/** three.js has one normal matrix for a whole mesh that deforms: that at rest. */
 const normalsToWorld = ({ toWorld }: MeshCopy): Mat3 => rowsOf(new Matrix3().getNormalMatrix(toWorld));
 
 export const coordinatesOf = (channel: number): string => (channel === 0 ? 'uv' : `uv${channel}`);
@@ -169,7 +169,7 @@ function wrappingOf(wrapping: number): Wrapping {
   return wrapping === MirroredRepeatWrapping ? 'mirror' : 'clamp';
 }
 
-/** Reads the colour of a vertex, times that of an instance; alpha is 1 where colours have three numbers. */
+/** Writes the colour of a vertex, times that of an instance; alpha is 1 for colours of three numbers. */
 export function writeColor(
   mesh: Mesh,
   material: Material,

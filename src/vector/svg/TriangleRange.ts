@@ -1,7 +1,7 @@
-/** The triangles of a mesh that one material draws. */
+/** A range of triangles of a mesh with one material. */
 export interface TriangleRange {
-  /** The vertices of corners. */
+  /** Vertices of corners. */
   corners: Uint32Array;
-  /** The triangle of the scene that the first of them is. */
+  /** Index of the first of them among the triangles of the scene. */
   firstTriangle: number;
 }

@@ -1,4 +1,4 @@
-/** For each point the first one that has the same place in two lists. */
+/** For each point the first one at the same place in both of two lists. */
 export function bothPlaces(one: Uint32Array, other: Uint32Array): Uint32Array {
   const known = new Map<number, number>();
   return one.map((place, point) => {

@@ -1,7 +1,7 @@
 import type { Material, Plane } from 'three';
 import type { Clip, ClipPlane } from '../paint/Clip.js';
 
-/** The planes that clip everything, and how a material clips; null where nothing is clipped. */
+/** The planes that clip everything, with those of a material; null for none. */
 export function clipOf(
   { clippingPlanes, clipIntersection }: Pick<Material, 'clippingPlanes' | 'clipIntersection'>,
   everywhere: readonly Plane[],
@@ -12,7 +12,7 @@ export function clipOf(
   return { each: each.map(numbersOf), together: clipIntersection ? own.map(numbersOf) : [] };
 }
 
-/** How a material clips what casts its shadow: planes that clip everything never do. */
+/** The clipping planes of a material's shadow: planes that clip everything do not clip shadows. */
 export const shadowClipOf = (material: Material): Clip | null => (material.clipShadows ? clipOf(material, []) : null);
 
 const numbersOf = ({ normal: { x, y, z }, constant }: Plane): ClipPlane => [x, y, z, constant];

@@ -8,14 +8,14 @@ import type { LeftOut } from './leftOut.js';
 import type { lineTasks } from './lineTasks.js';
 import { readScene } from './readScene.js';
 
-/** The drawing of lines, for `runTaskOf`. */
+/** The task of drawing lines, for `runTaskOf`. */
 const lineDrawing: TaskSet<typeof lineTasks> = {
   fetchTasks: async () => (await import('./lineTasks.js')).lineTasks,
   requestBuffers: { drawLines: ({ scene }) => buffersOf(scene) },
   fetchWorker: async () => (await import('./inlineSvgWorker.js')).createInlineSvgWorker,
 };
 
-/** The large arrays of a scene, which are its own. */
+/** The large arrays of a scene, which may be transferred. */
 function buffersOf({ corners, sides, surfaces, stippled, outlines }: DrawnScene): ArrayBuffer[] {
   const arrays = [
     ...[corners, sides],
@@ -29,36 +29,36 @@ function buffersOf({ corners, sides, surfaces, stippled, outlines }: DrawnScene)
   return [...new Set(arrays.map(({ buffer }) => buffer as ArrayBuffer))];
 }
 
-/** The share of the progress in which the scene is read. */
+/** The share of reading the scene in the progress. */
 const READING = 0.12;
 
 /** A drawing as lines. Lengths are in millimetres. */
 export interface SVGDrawing {
   /** The document. */
   svg: string;
-  /** Paths in it, and points of their middle lines. */
+  /** Number of paths, and of points of their middle lines. */
   paths: number;
   points: number;
-  /** Pieces of lines that were traced on surfaces, before any was hidden or left out. */
+  /** Traced pieces of lines, before hidden ones were removed. */
   segments: number;
-  /** How far the pen goes lifted: in the order in which paths were found, and as they are ordered. */
+  /** Travel of the lifted pen: in the order in which paths were found, and as they are ordered. */
   travelBefore: number;
   travelAfter: number;
-  /** How long all paths are together. */
+  /** Total length of all paths. */
   drawn: number;
-  /** How long it took, by the clock. */
+  /** Duration of the drawing, seconds. */
   seconds: number;
   /** What the drawing does not show as the canvas does. */
   leftOut: readonly LeftOut[];
 }
 
 /**
- * Draws a hatched scene as lines of a vector file, as a camera sees it: engraved lines and outlines are curves on the surfaces, so they
- * can leave as they are. It needs neither a renderer nor a page, and gives the same bytes in both. The scene is read at once, in slices,
- * and drawn in a worker; where there is none, in slices too.
+ * Draws a hatched scene as lines of a vector file, as a camera sees it: engraved lines and outlines are curves on the surfaces, and become
+ * paths. It needs neither a renderer nor a page, and gives the same bytes with and without them. The scene is read in slices, and drawn in
+ * a worker, or in slices without one.
  *
- * Meshes are drawn that have a `HatchingMaterial` of the technique `engraved`, and `HatchingOutlines`. What cannot leave as lines is
- * named in `leftOut`.
+ * It draws meshes with a `HatchingMaterial` of the technique `engraved`, or of `anchored` in the medium `stipple`, and `HatchingOutlines`.
+ * What cannot be drawn as lines is listed in `leftOut`.
  *
  *     await applyHatching(scene, 'engraving');
  *     const { svg } = await drawSVG(scene, camera, { sheet: 'A4', margin: 12 });

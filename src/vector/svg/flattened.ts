@@ -1,10 +1,10 @@
 import { combined, cross, normalize, type Vec3 } from '../../look/vectors.js';
 import { type LineSurface, STRIDE, TONE_NORMAL, WORLD } from '../LineSurface.js';
 
-/** Corners are looked at so many at a time, of whole triangles. */
+/** Corners per step, of whole triangles. */
 const CHUNK = 3 * 1024;
 
-/** A surface whose tone is that of its flat triangles: each has vertices of its own, with its normal. Yields while it is made. */
+/** A surface with flat shading: each triangle gets vertices of its own with its normal. Yields meanwhile. */
 export function* flattened(surface: LineSurface): Generator<number, LineSurface, void> {
   const { vertices, triangles, placeOf, details } = surface;
   const flat: LineSurface = {

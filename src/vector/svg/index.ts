@@ -1,5 +1,5 @@
 /**
- * Drawings that leave as lines: vector files for print and plotters.
+ * Vector drawings for print and plotters.
  *
  * @module three-hatching/svg
  */

@@ -11,13 +11,13 @@ export interface LeftOut {
   reason: string;
 }
 
-/** What may not leave as lines, in words. */
+/** A reason, as a sentence about an object. */
 export const sentence = (object: Object3D, what: string): LeftOut => ({
   object,
   reason: `The ${describeObject(object)} ${what}.`,
 });
 
-/** What is wrong with the geometry of a mesh, so that it cannot be read; undefined if nothing is. */
+/** The fault of a mesh's geometry because of which it cannot be read; undefined for none. */
 export function faultOf({ geometry }: Mesh): string | undefined {
   try {
     checkGeometry(geometry, 'drawSVG');
@@ -34,7 +34,7 @@ export function whyNothing(mesh: Mesh): string | undefined {
   return undefined;
 }
 
-/** Why the surface of a mesh has no lines, though its outlines may be drawn and it hides what is behind it; undefined if it has. */
+/** Why the surface of a mesh has no lines, though its outlines may be drawn and it hides what is behind it; undefined if it has lines. */
 export function whyNoLines(mesh: Mesh, material: Material): string | undefined {
   if (!('isHatchingMaterial' in material)) return 'has no lines: its material is no HatchingMaterial';
   const { technique } = material as HatchingMaterial;
@@ -44,7 +44,7 @@ export function whyNoLines(mesh: Mesh, material: Material): string | undefined {
   return undefined;
 }
 
-/** What of a material's tests, pixel by pixel, lines cannot know; undefined if nothing. */
+/** The per-pixel test of a material that lines cannot follow; undefined for none. */
 export function untestedBy({ depthTest, depthFunc, stencilWrite }: Material): string | undefined {
   if (stencilWrite) return 'is drawn as if its material had no stencil: lines are not tested pixel by pixel';
   if (!depthTest || (depthFunc !== LessEqualDepth && depthFunc !== LessDepth))
@@ -56,7 +56,7 @@ export function untestedBy({ depthTest, depthFunc, stencilWrite }: Material): st
 export const isStippled = ({ technique, medium }: HatchingMaterial): boolean =>
   technique === 'anchored' && medium === 'stipple';
 
-/** What a surface with lines is drawn without. lights: how many have a direction. */
+/** What a surface with lines is drawn without. lights: number of lights with a direction. */
 export function drawnWithout(material: HatchingMaterial, lights: number): string[] {
   const found: string[] = [];
   if (isStippled(material) && material.strokeLayers === 'lights' && lights > 1)

@@ -7,5 +7,5 @@ const drawing: Task<{ scene: DrawnScene; plan: DrawingPlan }, LineDrawing> = {
   resultBuffers: () => [],
 };
 
-/** All tasks of the worker that draws lines. */
+/** The tasks of the worker that draws lines. */
 export const lineTasks = { drawLines: drawing };

@@ -1,11 +1,12 @@
-/** Points this near to each other are at one place, as a share of the size of all together. */
+/** Distance below which points are at one place, as a share of the size of all. */
 const TOLERANCE = 1e-6;
-/** Points are looked at so many at a time. */
+/** Points per step. */
 const CHUNK = 8192;
 const FREE = -1;
 
 /**
- * For each point the first one at the same place, but for rounding: surfaces go on across seams of uvs and normals. Yields its progress.
+ * For each point the first one at the same place within rounding, since surfaces continue across seams of uvs and normals. Yields its
+ * progress.
  *
  * @param coordinate of a point along an axis, from 0 to 2
  */
@@ -20,7 +21,7 @@ export function* placesOf(
   }
   const cell = size * TOLERANCE || 1;
   const cells = new Int32Array(3 * count);
-  // Points by their cells, in a table with at least one free entry for each.
+  // A hash table of points by their cells, with at least one free entry for each.
   const table = new Int32Array(2 ** Math.ceil(Math.log2(2 * count + 2))).fill(FREE);
   const places = new Uint32Array(count);
   for (let p = 0; p < count; p++) {

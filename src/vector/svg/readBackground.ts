@@ -6,7 +6,7 @@ import type { DrawnBackground } from '../DrawnScene.js';
 import { meanLightAt } from '../shading/meanLight.js';
 import type { SceneLights } from './readLights.js';
 
-/** Reads the field of lines behind a subject; undefined where nothing of the subject is seen. */
+/** Reads the field of lines behind a subject; undefined if the subject is not visible. */
 export function readBackground(
   background: HatchingBackground,
   camera: Camera,

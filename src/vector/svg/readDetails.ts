@@ -6,17 +6,17 @@ import type { PosedVertices } from './pose/posedVertices.js';
 import type { SurfaceFrame } from './surfaceFrame.js';
 import type { TriangleRange } from './TriangleRange.js';
 
-/** What details of a part of a mesh are read from. */
+/** The source of the details of a part of a mesh. */
 export interface DetailSource {
   mesh: Mesh;
   copy: MeshCopy;
   posed: PosedVertices;
   material: Painted;
-  /** Null where nothing differs from place to place. */
+  /** Null if the part has one colour everywhere. */
   paint: PaintNeeds | null;
 }
 
-/** Where the coordinates of the first channel lie among the details of a surface. */
+/** Offset of the coordinates of the first channel in the details of a surface. */
 export const firstCoordinate = ({ posed }: DetailSource, frame: SurfaceFrame | null): number =>
   hasMaps(posed, frame) ? 9 : 0;
 
@@ -25,7 +25,7 @@ const hasMaps = ({ toRest }: PosedVertices, frame: SurfaceFrame | null): frame i
   toRest !== null && frame !== null && !frame.isCutAsPosed;
 
 /**
- * Reads what a part of a mesh has beside what all have; null if that is nothing.
+ * Reads the details of a part of a mesh; null for none.
  *
  * @param frame of its lines; null where it has none
  */

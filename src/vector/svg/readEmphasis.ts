@@ -4,7 +4,7 @@ import { type SeenBox, seenBox } from '../../material/fading/seenDepths.js';
 import { writeSheet } from '../../material/pictureOffset.js';
 import type { Emphasis } from '../shading/emphasis.js';
 
-/** What takes weight away from the drawing of an object; null where all has its full weight. */
+/** The emphasis of an object; null where everything has its full weight. */
 export function readEmphasis(object: Object3D, look: EmphasisLook | null, camera: Camera): Emphasis | null {
   if (!takesWeight(look)) return null;
   const { focus, focusRadius, vignette } = look;
@@ -25,7 +25,7 @@ export function readEmphasis(object: Object3D, look: EmphasisLook | null, camera
   };
 }
 
-/** The same of the outlines of a mesh, which have the weight of its first hatching material. */
+/** The emphasis of the outlines of a mesh, which is that of its first hatching material. */
 export function readOutlineEmphasis(mesh: Mesh, camera: Camera): Emphasis | null {
   const materials: Material[] = Array.isArray(mesh.material) ? mesh.material : [mesh.material];
   const found = materials.find((material) => 'isHatchingMaterial' in material);

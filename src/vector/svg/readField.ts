@@ -11,7 +11,7 @@ import { type FieldLamp, fieldLight } from '../shading/lightField.js';
 import type { Lamp } from '../shading/radiance.js';
 import type { SurfaceFrame } from './surfaceFrame.js';
 
-/** A surface whose lines are laid, and how. */
+/** A surface, and how its lines are laid. */
 export interface LaidSurface {
   engraved: EngravedLook;
   material: HatchingMaterial;
@@ -19,14 +19,14 @@ export interface LaidSurface {
   surface: LineSurface;
 }
 
-/** Lines turn in the shadows of so many lights at most: each set of them asks for lines of its own. */
+/** Most lights whose shadows turn lines: each combination of them has lines of its own. */
 const MOST_TURNING = 3;
 
 type LineField = EngravedLook['lineField'];
 const followsForm = (lineField: LineField): lineField is 'form' | 'acrossForm' =>
   lineField === 'form' || lineField === 'acrossForm';
 
-/** The field of the first family of lines on a surface; null for those that follow the form. */
+/** The field of the first family of lines on a surface; null for lines that follow the form. */
 export function fieldOf({ engraved, material, frame, surface }: LaidSurface, lamps: readonly Lamp[]): Field | null {
   const { lineField } = engraved;
   if (followsForm(lineField)) return null;
@@ -35,7 +35,7 @@ export function fieldOf({ engraved, material, frame, surface }: LaidSurface, lam
   return firstField(lineField, light, material.strokeRotation);
 }
 
-/** How much the normals of a surface lean along each axis of its field, all together. */
+/** The sum of the normals' absolute components along each axis of the field. */
 function leaningOf({ vertices }: LineSurface): Vec3 {
   const sums = [0, 1, 2].map((axis) => {
     let sum = 0;
@@ -45,7 +45,7 @@ function leaningOf({ vertices }: LineSurface): Vec3 {
   return [sums[0], sums[1], sums[2]];
 }
 
-/** Lamps as the field of a surface sees them. */
+/** Lamps in the field space of a surface. */
 function lampsIn({ restToWorld, fieldOrigin, toField }: SurfaceFrame, lamps: readonly Lamp[]): FieldLamp[] {
   const toObject = new Matrix4().copy(restToWorld).invert();
   return lamps.map(({ at, isFar, luminance }) => {
@@ -56,19 +56,19 @@ function lampsIn({ restToWorld, fieldOrigin, toField }: SurfaceFrame, lamps: rea
   });
 }
 
-/** Whether lines turn in shadows that fall on a surface. */
+/** Whether lines turn in shadows on a surface. */
 const turns = ({ engraved: { lineField }, material }: LaidSurface): boolean =>
   material.shadowStrokes === 'reorient' &&
   !runsAway(material) &&
   (followsForm(lineField) || lineField === 'light' || lineField === 'towards');
 
-/** Whether lines would turn in the shadows of more lights than can be told apart. */
+/** Whether the shadows of more lights would turn lines than are supported. */
 export const hasTooManyTurns = (laid: LaidSurface, lamps: readonly Lamp[]): boolean =>
   turns(laid) && lamps.filter(({ castsShadow }) => castsShadow).length > MOST_TURNING;
 
 /**
- * The lines of a surface in each shadow that turns them: as if there were only the lights that arrive. Where none does, they lie across the light,
- * and those along a form change places with those that cross them.
+ * The lines of a surface in each shadow that turns them, from the lights that arrive. Where none does, lines of a field run across the
+ * light, and lines along and across the form change places.
  */
 export function turnedLinesOf(laid: LaidSurface, lamps: readonly Lamp[]): TurnedLines[] {
   const casting = lamps.flatMap(({ castsShadow }, i) => (castsShadow ? [i] : []));

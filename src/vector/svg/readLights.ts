@@ -27,15 +27,15 @@ const wayBetween = (from: Object3D, to: Object3D): Vec3 =>
     .normalize()
     .toArray();
 
-/** The lights of a scene that a camera sees, as numbers. */
+/** The lights of a scene that a camera sees. */
 export interface SceneLights {
   lamps: Lamp[];
-  /** The shadow of each lamp. */
+  /** The shadow of each lamp; null for none. */
   shadows: (LampShadow | null)[];
   around: Surroundings;
 }
 
-/** @param shadows whether lights that cast shadows do so */
+/** @param shadows whether lights with `castShadow` cast shadows */
 export function readLights(scene: Object3D, camera: Camera, shadows: boolean): SceneLights {
   const lamps: Lamp[] = [];
   const castShadows: (LampShadow | null)[] = [];
@@ -51,7 +51,7 @@ export function readLights(scene: Object3D, camera: Camera, shadows: boolean): S
   return { lamps, shadows: castShadows, around: new LightsAround({ lights: others, scene }).surroundings };
 }
 
-/** The light as one with a direction; undefined for others. */
+/** A light with a direction as a lamp; undefined for others. */
 function lampOf(light: Light, shadows: boolean): Lamp | undefined {
   const sent = light.intensity * luminanceOf(light.color);
   const castsShadow = shadows && light.castShadow;
@@ -71,7 +71,7 @@ function lampOf(light: Light, shadows: boolean): Lamp | undefined {
   return { ...lamp, isFar: false, distance, decay, cone };
 }
 
-/** What the shadow of a light is read from on the canvas; null for lights that cast none. */
+/** The shadow map of a light on the canvas; null for lights without shadows. */
 function readLampShadow(light: Light): LampShadow | null {
   const { shadow } = light as { shadow?: LightShadow };
   if (!shadow?.camera) return null;
@@ -89,6 +89,6 @@ function widthOf(light: Light, camera: OrthographicCamera | PerspectiveCamera): 
   if ('isOrthographicCamera' in camera) return (camera.right - camera.left) / (camera.zoom || 1);
   if (!('isSpotLight' in light)) return 2;
   const { angle, shadow } = light as SpotLight;
-  // Renderers set the camera of a spot by its angle.
+  // three.js derives the shadow camera of a spot light from its angle.
   return 2 * Math.tan(Math.min(angle * shadow.focus, MathUtils.degToRad(89)));
 }

@@ -13,7 +13,7 @@ import { type CurveCubics, localDarkness } from '../shading/tone.js';
 import type { SurfaceLook } from '../Toner.js';
 import { opacityOf } from './seenThrough.js';
 
-/** What the shaders would be given for a material. Sizes are in CSS pixels. */
+/** The uniforms of a material. Sizes are in CSS pixels. */
 function uniformsOf(material: HatchingMaterial): Record<string, IUniform> {
   const uniforms = createHatchingUniforms();
   writeComputedUniforms(material, uniforms);
@@ -22,7 +22,7 @@ function uniformsOf(material: HatchingMaterial): Record<string, IUniform> {
 }
 
 /**
- * How a material lays its lines.
+ * The properties of a material's engraved lines.
  *
  * @param hasForm whether the geometry was prepared with its form
  */
@@ -47,7 +47,7 @@ export function engravedLookOf(material: HatchingMaterial, hasForm: boolean): En
 }
 
 /**
- * How a material shows the light of a scene.
+ * The properties of a material that its tone depends on.
  *
  * @param mesh that it draws
  * @param fit of the exposure to the scene

@@ -31,11 +31,11 @@ import { posePoints } from './pose/posePoints.js';
 import { rowsOf } from './rowsOf.js';
 import { leftBehind } from './seenThrough.js';
 
-/** Triangles, edges and points are read so many at a time. */
+/** Triangles, edges and points per step. */
 const CHUNK = 4096;
 
 /**
- * How outlines look. Lines do not fade: half transparent ones are half as wide, which is the same ink.
+ * The look of outlines. Lines do not fade: half transparent ones are half as wide, which takes the same ink.
  *
  * @param surface what draws the surface
  * @param geometry of the surface
@@ -61,13 +61,13 @@ export function outlineLookOf(
   };
 }
 
-/** One of the places that a mesh stands in, as it is posed there. */
+/** A placement of a mesh, with its pose there. */
 export interface OutlinedCopy {
   toWorld: Matrix4;
   posed: PosedVertices;
 }
 
-/** Reads what the outlines of a mesh are found on. Yields its progress. */
+/** Reads the mesh that outlines are found on. Yields its progress. */
 export function* readOutlines(
   mesh: Mesh,
   data: OutlineData,
@@ -109,7 +109,7 @@ export function* readOutlines(
   };
 }
 
-/** Textures are padded to whole rows, so that only what refers to points says how many there are. */
+/** The number of points: textures are padded to whole rows, so it is derived from the greatest index. */
 function pointCountOf(triangles: Uint32Array, edges: readonly FeatureEdge[]): number {
   let most = -1;
   for (let i = 0; i < triangles.length; i++) most = Math.max(most, triangles[i]);
@@ -147,7 +147,7 @@ function* curvaturesOf(words: Uint32Array, count: number): Generator<number, Flo
   return curvatures;
 }
 
-/** The eye in the space of a mesh: a place and 1, or a direction and 0. */
+/** The eye in the space of a mesh: a position with w = 1, or a direction with w = 0. */
 function eyeIn(toWorld: Matrix4, camera: Camera): OutlineMesh['eye'] {
   const toObject = new Matrix4().copy(toWorld).invert();
   if (camera.projectionMatrix.elements[15] === 1) {

@@ -57,11 +57,11 @@ import { leftBehind, variesInOpacity } from './seenThrough.js';
 import { objectFrame, surfaceFrame } from './surfaceFrame.js';
 import type { TriangleRange } from './TriangleRange.js';
 
-/** How far rays of shadows begin above what they are cast on, as a share of the size of the largest mesh that casts them. */
+/** Height at which shadow rays start, as a share of the size of the largest mesh that casts shadows. */
 const SHADOW_BIAS = 0.01;
 
 /**
- * Reads a scene as plain data, and names what is not in it. Brings the world matrices of scene and camera up to date. Yields its progress.
+ * Reads a scene as plain data, and lists what is not in it. Updates the world matrices of scene and camera. Yields its progress.
  *
  * @param shadows as of `DrawSVGOptions`
  * @param clippingPlanes that clip everything
@@ -91,12 +91,12 @@ export function* readScene(
   return { drawn: moveToOrigin(reader.drawn()), leftOut: reader.leftOut };
 }
 
-/** From the bit of a side that is seen to that of one that fades what is behind it. */
+/** Factor from the bit of a visible side to that of a side that fades what is behind it. */
 const FADING = FADES_FRONT / SEEN_FRONT;
 
-/** Triangles are read so many at a time. */
+/** Triangles per step. */
 const CHUNK = 4096;
-/** The share of reading a mesh that its vertices are posed in. */
+/** The share of deforming vertices in the time for reading a mesh. */
 const POSING = 0.1;
 
 class SceneReader {
@@ -110,7 +110,7 @@ class SceneReader {
   private readonly cutouts: Cutout[] = [];
   private readonly veils: Veil[] = [];
   private readonly paints: PaintReader;
-  /** The places of each mesh that is drawn. */
+  /** The placements of each visible mesh. */
   private readonly copies = new Map<Object3D, { copy: MeshCopy; posed: PosedVertices }[]>();
   private readonly fit: ToneFit;
   private casterSize = 0;
@@ -226,7 +226,7 @@ class SceneReader {
     if (size > this.casterSize) this.casterSize = size;
   }
 
-  /** Adds triangles to what hides and casts shadows. Returns the number of the first. */
+  /** Adds triangles that hide and cast shadows. Returns the index of the first. */
   private *addTriangles(source: DetailSource, corners: Uint32Array): Generator<number, number, void> {
     const { mesh, copy, posed, material } = source;
     const { positions } = posed;
@@ -254,7 +254,7 @@ class SceneReader {
     return first;
   }
 
-  /** What is not there of triangles; null if all is. */
+  /** The holes of triangles; null for none. */
   private cutoutOf(source: DetailSource, range: TriangleRange): Cutout | null {
     const { material, paint } = source;
     const details = paint && alphaTestOf(material) > 0 ? readDetails(source, range, null) : null;
@@ -336,12 +336,12 @@ class SceneReader {
 
 const isOutlines = (object: Object3D): object is HatchingOutlines => 'isHatchingOutlines' in object;
 
-/** Whether the tone is that of flat triangles. */
+/** Whether tone is computed from face normals. */
 const isFlat = ({ toneNormal, flatShading }: HatchingMaterial): boolean => toneNormal === 'face' || flatShading;
 
 const colorOf = ({ ink }: HatchingMaterial | HatchingOutlineMaterial): string => `#${ink.getHexString()}`;
 
-/** A point of an object in the world. */
+/** A point of an object, transformed to world space. */
 function placed({ elements: e }: Matrix4, x: number, y: number, z: number): Vec3 {
   return [
     e[0] * x + e[4] * y + e[8] * z + e[12],
@@ -350,20 +350,20 @@ function placed({ elements: e }: Matrix4, x: number, y: number, z: number): Vec3
   ];
 }
 
-/** The sides of triangles that a material draws. */
+/** The sides that a material draws. */
 function sidesOf({ side }: Material): number {
   if (side === DoubleSide) return SEEN_FRONT | SEEN_BACK;
   return side === BackSide ? SEEN_BACK : SEEN_FRONT;
 }
 
-/** The sides that cast shadows, by three's rule: of one-sided surfaces the side that is not drawn. */
+/** The sides that cast shadows, by three.js' rule: for one-sided surfaces the side that is not drawn. */
 function castingOf({ side, shadowSide }: Material): number {
   const casts = shadowSide ?? (side === DoubleSide ? DoubleSide : side === BackSide ? 0 : BackSide);
   if (casts === DoubleSide) return CASTS_FRONT | CASTS_BACK;
   return casts === BackSide ? CASTS_BACK : CASTS_FRONT;
 }
 
-/** The vertices of the corners of a part, turned round where the mesh is mirrored. Yields its progress. */
+/** The vertices of the corners of a part, with reversed winding if the mesh is mirrored. Yields its progress. */
 function* cornersOf(
   { geometry: { index }, matrixWorld }: Mesh,
   part: SurfacePart,
@@ -373,11 +373,11 @@ function* cornersOf(
   const end = Math.min(part.end, range ? range.start + range.count : Infinity);
   const count = 3 * Math.floor(Math.max(end - start, 0) / 3);
   const corners = new Uint32Array(count);
-  // three.js asks the mesh alone which side is the front, not its instances.
+  // three.js determines the front side by the mesh alone, not by its instances.
   const isMirrored = matrixWorld.determinant() < 0;
   for (let c = 0; c < count; c++) {
     if (c % (3 * CHUNK) === 3 * CHUNK - 1) yield c / count;
-    // The first two of each three change places.
+    // The first two corners of each triangle are exchanged.
     const turned = isMirrored && c % 3 < 2 ? c + 1 - 2 * (c % 3) : c;
     corners[c] = index ? index.getX(start + turned) : start + turned;
   }

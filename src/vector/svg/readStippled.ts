@@ -8,7 +8,7 @@ import { readSurface } from './readSurface.js';
 import { objectFrame } from './surfaceFrame.js';
 import type { TriangleRange } from './TriangleRange.js';
 
-/** Reads the part of a mesh that a material draws in dots. seen: bits of the sides that are. Yields its progress. */
+/** Reads the part of a mesh that a material draws in dots. seen: bits of the visible sides. Yields its progress. */
 export function* readStippled(
   source: DetailSource,
   material: HatchingMaterial,
@@ -21,7 +21,7 @@ export function* readStippled(
   const surface = yield* readSurface(source, range, frame, seen);
   return {
     surface,
-    // Where nobody says how wide strokes are, dots have a pixel, as the material draws them.
+    // If no stroke width is known, dots are one pixel wide, as the material draws them.
     size: { dotPixels: strokeWidth ?? 1, tilesPerUnit, sizedOnScreen },
     layers: { shift: anchorSpacing / tilesPerUnit, crossFrom: strokeLayers === 'tone' ? crossFrom : null },
     set: { cells: STIPPLE_MAP_SIZE, texels: (stippleMap().image.data as Uint8Array).slice() },

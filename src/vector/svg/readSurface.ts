@@ -23,10 +23,10 @@ import { rowsOf } from './rowsOf.js';
 import type { SurfaceFrame } from './surfaceFrame.js';
 import type { TriangleRange } from './TriangleRange.js';
 
-/** Vertices are read so many at a time. */
+/** Vertices per step. */
 const CHUNK = 4096;
 
-/** Reads the part of a mesh that a material draws. seen: bits of the sides that are. Yields its progress. */
+/** Reads the part of a mesh that a material draws. seen: bits of the visible sides. Yields its progress. */
 export function* readSurface(
   source: DetailSource,
   { corners, firstTriangle }: TriangleRange,
@@ -59,7 +59,7 @@ export function* readSurface(
   };
 }
 
-/** Vertices at one place at rest may be parted by a pose, and may meet in it: one place is where both agree. */
+/** A pose may separate vertices that are at one place at rest, or join others: vertices share a place if they do in both. */
 function* placesOfPose(
   geometry: BufferGeometry,
   { positions, toRest }: PosedVertices,
@@ -73,7 +73,7 @@ function* placesOfPose(
 
 const transposed = /* @__PURE__ */ new Matrix3();
 
-/** What takes the normal of a vertex at rest to the pose: the transpose of the map back. */
+/** The transform of normals from rest to the pose: the transpose of the map back. */
 const transposedAt = (toRest: Float64Array, vertex: number): Matrix3 =>
   transposed.fromArray(toRest, 9 * vertex).transpose();
 
@@ -88,7 +88,7 @@ class VertexWriter {
     private readonly vertices: Float64Array,
   ) {}
 
-  /** @param place the vertex whose position stands for all at the same place */
+  /** @param place the vertex whose position all vertices at this place get */
   write(vertex: number, place: number): void {
     const { frame, posed, vector, vertices } = this;
     const { position, normal } = this.geometry.attributes;
@@ -116,7 +116,7 @@ class VertexWriter {
       vertices[o + OCCLUSION] = frame.hasOcclusion ? Math.max(-strokes.getW(vertex), 0) : 0;
       vector.fromBufferAttribute(strokes as BufferAttribute, vertex);
     }
-    // Geometry that was never prepared still has its own normals.
+    // The smoothed normal, or the geometry's own where it was not prepared.
     if (!strokes || vector.lengthSq() <= 0.25) vector.fromBufferAttribute(normal as BufferAttribute, vertex);
     if (frame.isCutAsPosed && posed.toRest) vector.applyMatrix3(transposedAt(posed.toRest, vertex));
     vector.applyMatrix3(frame.normalToField).normalize();
@@ -124,7 +124,7 @@ class VertexWriter {
     this.writeForm(vertex, atRest);
   }
 
-  /** What follows the form is fixed to the surface at rest. */
+  /** Lines that follow the form are fixed to the surface at rest. */
   private writeForm(vertex: number, field: Vec3): void {
     const { attributes } = this.geometry;
     const value = attributes[formLayout.value.name];

@@ -1,7 +1,7 @@
 import type { Matrix3 } from 'three';
 import type { Mat3 } from '../shading/screenGradient.js';
 
-/** The rows of a matrix, as src/vector/shading and src/vector have them. */
+/** The rows of a matrix of three.js. */
 export function rowsOf({ elements: e }: Matrix3): Mat3 {
   return [
     [e[0], e[3], e[6]],

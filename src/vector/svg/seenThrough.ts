@@ -1,14 +1,14 @@
 import type { BufferAttribute, BufferGeometry, Material } from 'three';
 import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
 
-/** Opacities that differ by less are one. */
+/** Opacities that differ by less count as equal. */
 const SAME = 0.005;
 
-/** Whether what lies behind a material may be seen through all of it. three.js draws others opaque, whatever their opacity is. */
+/** Whether all of a material is see-through. three.js draws materials without `transparent` opaque, whatever their opacity. */
 const isFaded = (material: Material): boolean =>
   material.transparent || (material.alphaHash && material.alphaTest === 0);
 
-/** The least, the greatest and the mean alpha of vertices, by their colours. */
+/** The least, the greatest and the mean alpha of vertex colours. */
 const alphas = new WeakMap<object, { least: number; most: number; mean: number }>();
 
 function alphaOf(
@@ -32,20 +32,20 @@ function alphaOf(
   return known;
 }
 
-/** Whether the vertices of a surface differ in how far it is seen through. */
+/** Whether the opacity of a surface varies between vertices. */
 export function variesInOpacity(geometry: BufferGeometry, material: Material): boolean {
   const { least, most } = alphaOf(geometry, material);
   return isFaded(material) && most - least > SAME;
 }
 
-/** The share of its tone with which a surface is drawn. */
+/** The share of its tone that a surface prints. */
 export function opacityOf(material: Material, geometry: BufferGeometry): number {
   if (!isFaded(material)) return 1;
   const opacity = material.opacity * alphaOf(geometry, material).mean;
   return opacity > 1 - SAME ? 1 : opacity;
 }
 
-/** The share that a material leaves of what lies behind it: 0 of those that hide it. */
+/** The share of what lies behind a material that stays visible: 0 for opaque ones. */
 export function leftBehind(material: Material, geometry: BufferGeometry): number {
   if (!isFaded(material)) return 0;
   const paper = 'isHatchingMaterial' in material ? (material as HatchingMaterial).paperOpacity : 1;

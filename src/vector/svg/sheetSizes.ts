@@ -17,7 +17,7 @@ export type SheetName = keyof typeof SHEET_SIZES;
 /** A sheet of paper. Lengths are in millimetres. */
 export interface Sheet {
   size: readonly [width: number, height: number];
-  /** Whether it lies as suits what is drawn on it: neither its name nor its size says how. */
+  /** Whether it is turned to suit the picture: neither its name nor its size has an orientation. */
   suits: boolean;
 }
 
@@ -44,7 +44,7 @@ export function sheetNamed(text: string): Sheet | undefined {
     return turn === 'landscape' ? { size: turned(known), suits: false } : undefined;
   }
   const [, width, unit, height, lastUnit] = SIZE.exec(plain) ?? [];
-  // A unit after the height is that of both.
+  // A unit after the height applies to both.
   const isMixed = unit !== undefined && unit !== lastUnit;
   if (width === undefined || isMixed) return undefined;
   const factor = lastUnit === 'in' ? MILLIMETRES_PER_INCH : 1;
@@ -56,10 +56,10 @@ export function sheetNamed(text: string): Sheet | undefined {
 export const isSide = (value: unknown): value is number =>
   typeof value === 'number' && value >= SHORTEST && value <= LONGEST;
 
-/** What a sheet may be, in words. */
+/** The valid sheets, for messages. */
 export const SHEET_WORDS = `${Object.keys(SHEET_SIZES).join(', ')}, one of them with portrait or landscape after it, or a size as 200x150 in millimetres or 8.5x11in, with sides from ${SHORTEST} to ${LONGEST} mm`;
 
-/** The size of a sheet as it lies. isWide: whether what is drawn on it is wider than high */
+/** The size of a sheet, turned to suit the picture. isWide: whether the picture is wider than high. */
 export const lyingSize = ({ size, suits }: Sheet, isWide: boolean): readonly [number, number] =>
   suits && isWide ? turned(size) : size;
 

@@ -4,7 +4,7 @@ import { writeFieldFrame } from '../../material/parts/fieldFrame.js';
 import type { EngravedLook } from '../Engraver.js';
 import { firstBoneOf } from './pose/posedVertices.js';
 
-/** Matrices between a mesh, the world, a view and the space that lines are cut in. */
+/** Matrices between a mesh, the world, the view and the space of fields. */
 export interface SurfaceFrame {
   toWorld: Matrix4;
   toView: Matrix4;
@@ -12,14 +12,14 @@ export interface SurfaceFrame {
   fieldOrigin: Vector3;
   toField: Matrix3;
   normalToField: Matrix3;
-  /** Brings lines that are fixed to the surface at rest to the world, as the whole mesh has them. */
+  /** Transforms lines that are fixed to the surface at rest to world space, for the mesh as a whole. */
   restToWorld: Matrix4;
-  /** Whether lines lie on the mesh as it is posed, not as it is at rest. */
+  /** Whether lines are laid on the deformed mesh, not on the mesh at rest. */
   isCutAsPosed: boolean;
   hasOcclusion: boolean;
 }
 
-/** Instances stand in many places, so no occlusion is baked for them. */
+/** Instances stand in different places, so occlusion is not baked for them. */
 const hasOcclusion = (mesh: Mesh): boolean => !('isInstancedMesh' in mesh || 'isBatchedMesh' in mesh);
 
 /** @param worldToView of the camera */
@@ -34,7 +34,7 @@ export function surfaceFrame(
   const objectToField = { value: new Matrix3() };
   const objectToFieldNormal = { value: new Matrix3() };
   writeFieldFrame({ fieldOrigin, objectToField, objectToFieldNormal }, tilesPerUnit, mesh.geometry, mesh);
-  // Lines that follow the form are fixed to the surface, whatever strokes are.
+  // Lines that follow the form are fixed to the surface at rest, whatever `strokeAnchor` is.
   const isCutAsPosed = strokeAnchor === 'deformed' && !followsForm(lineField);
   const firstBone = isCutAsPosed ? null : firstBoneOf(mesh);
   return {
@@ -53,7 +53,7 @@ export function surfaceFrame(
 const followsForm = (lineField: EngravedLook['lineField']): boolean =>
   lineField === 'form' || lineField === 'acrossForm';
 
-/** The same where the space is that of the object, as of dots. */
+/** The same, with object space as the space of fields, for dots. */
 export function objectFrame(mesh: Mesh, toWorld: Matrix4, worldToView: Matrix4): SurfaceFrame {
   return {
     toWorld,

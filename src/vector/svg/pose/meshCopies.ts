@@ -1,18 +1,18 @@
 import { type BatchedMesh, Color, type InstancedMesh, Matrix4, type Mesh } from 'three';
 import { isScaledToNothing } from '../../../material/outlines/isScaledToNothing.js';
 
-/** One of the places that a mesh stands in: its own, or that of an instance. */
+/** A placement of a mesh: its own, or that of an instance. */
 export interface MeshCopy {
   toWorld: Matrix4;
-  /** The number of the instance; −1 for a mesh without instances. */
+  /** Index of the instance; −1 for a mesh without instances. */
   instance: number;
-  /** What colours of the mesh are multiplied by, linear light; null for nothing. */
+  /** Factor on the colours of the mesh, linear light; null for none. */
   tint: readonly [r: number, g: number, b: number] | null;
-  /** The part of the geometry that it draws, in corners; null for all. */
+  /** The part of the geometry that is drawn, in corners; null for all. */
   range: { start: number; count: number } | null;
 }
 
-/** All places that a mesh stands in, but those where it is hidden by a scale of 0. */
+/** All placements of a mesh, except those hidden by a scale of 0. */
 export const meshCopies = (mesh: Mesh): MeshCopy[] =>
   allCopies(mesh).filter(({ toWorld }) => !isScaledToNothing(toWorld));
 
@@ -50,7 +50,7 @@ function batchCopies(batch: BatchedMesh): MeshCopy[] {
   return copies;
 }
 
-/** Whether an instance was not deleted: only an error of three.js says so. */
+/** Whether an instance exists: three.js throws an error for deleted ones. */
 function isThere(batch: BatchedMesh, instance: number): boolean {
   try {
     batch.getVisibleAt(instance);

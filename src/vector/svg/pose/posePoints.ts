@@ -10,12 +10,12 @@ export interface OutlinePoints {
   curvatures: Float32Array;
 }
 
-/** The word of a point that names a vertex at its place. */
+/** The word of a point that holds the index of its vertex. */
 const VERTEX_WORD = 7;
 
 /**
- * Poses points of outlines as shaders/outlines/points.glsl does: where a skin alone moves the mesh, their normals turn with it; where morph
- * targets do, the normals of vertices are all that is known. Turns the curvatures, in place.
+ * Deforms points of outlines as shaders/outlines/points.glsl does: with skinning alone their normals rotate; with morph targets only the
+ * normals of vertices are known. Rotates the curvatures in place.
  *
  * @param words that the points were read from
  */
@@ -25,7 +25,7 @@ export function posePoints(
   { positions, normals, curvatures }: OutlinePoints,
   posed: PosedVertices,
 ): Pick<OutlineMesh, 'positions' | 'normals'> {
-  // The layout of corners has no vertices to take the pose from, on the canvas either.
+  // The layout of corners has no vertices to take the pose from; it does not deform on the canvas either.
   if (!posed.toRest || geometry.userData.hatching?.layout === 'corner') return { positions, normals };
   const hasMorphs = geometry.morphAttributes.position !== undefined;
   const moved = { positions: new Float64Array(positions.length), normals: Float64Array.from(normals) };
@@ -46,7 +46,7 @@ export function posePoints(
   return moved;
 }
 
-/** The rotation from rest to the pose in the skin of a vertex (shaders/perTriangle/turns.glsl); null for one that mirrors or flattens. */
+/** The rotation of a vertex by its skin (shaders/perTriangle/turns.glsl); null for one that mirrors or flattens. */
 function turnOf(toRest: Float64Array, vertex: number): Matrix3 | null {
   const skin = new Matrix3().fromArray(toRest, 9 * vertex);
   if (!(skin.determinant() > 0)) return null;
@@ -58,7 +58,7 @@ function turnOf(toRest: Float64Array, vertex: number): Matrix3 | null {
   return new Matrix3().setFromMatrix4(new Matrix4().makeBasis(x, y, z));
 }
 
-/** Turns a symmetric tensor, xx xy xz yy yz zz. */
+/** Rotates a symmetric tensor, xx xy xz yy yz zz. */
 function turnTensor(numbers: Float32Array, o: number, turn: Matrix3): void {
   const [xx, xy, xz, yy, yz, zz] = numbers.subarray(o, o + 6);
   const tensor = new Matrix3().set(xx, xy, xz, xy, yy, yz, xz, yz, zz);

@@ -9,26 +9,26 @@ import {
 } from 'three';
 import { asPhase } from '../../../mesh/phases.js';
 
-/** The vertices of a mesh as the canvas poses them, object space. */
+/** The deformed vertices of a mesh, object space. */
 export interface PosedVertices {
   /** Three numbers per vertex. */
   positions: Float64Array;
-  /** The same, of any length; null where the geometry has none. */
+  /** Three numbers per vertex, of any length; null if the geometry has none. */
   normals: Float64Array | null;
   /**
-   * Of a mesh that deforms, nine numbers per vertex, column by column: the linear map from the pose back to rest, as the shader knows it
-   * (shaders/perFragment/vertex.glsl). Null for a mesh at rest.
+   * Nine numbers per vertex of a mesh that deforms, column-major: the linear map from the pose back to rest, as in
+   * shaders/perFragment/vertex.glsl. Null for a mesh at rest.
    */
   toRest: Float64Array | null;
 }
 
 type Attribute = BufferAttribute;
 
-/** Vertices are posed so many at a time. */
+/** Vertices per step. */
 const CHUNK = 4096;
 
 /**
- * Poses the vertices of a mesh by its morph targets and its skin. Yields its progress.
+ * Deforms the vertices of a mesh by its morph targets and its skin. Yields its progress.
  *
  * @param instance whose morph targets count, of a mesh whose instances have their own; −1 for others
  */
@@ -50,7 +50,7 @@ export function* posedVertices(mesh: Mesh, instance = -1): Generator<number, Pos
   return posed;
 }
 
-/** The matrix that poses what is bound to the first bone, which stands for the whole skin; null if it has none or flattens. */
+/** The skinning matrix of the first bone, which stands for the whole skin; null for none, or one that flattens. */
 export function firstBoneOf(mesh: Mesh): Matrix4 | null {
   if (!('isSkinnedMesh' in mesh)) return null;
   const { skeleton, bindMatrix, bindMatrixInverse } = mesh as SkinnedMesh;
@@ -69,16 +69,16 @@ function* numbersOf(attribute: Attribute): Generator<number, Float64Array, void>
   return numbers;
 }
 
-/** How much each morph target counts. */
+/** The influences of the morph targets. */
 export function influencesOf(mesh: Mesh, instance: number): number[] {
   const texture = instance < 0 ? null : (mesh as InstancedMesh).morphTexture;
   if (!texture) return mesh.morphTargetInfluences ?? [];
-  // A row is an instance. Its first number is what is left of the vertex itself.
+  // A row is an instance. Its first number is the weight of the base position.
   const { data, width } = texture.image as unknown as { data: Float32Array; width: number };
   return Array.from(data.subarray(width * instance + 1, width * (instance + 1)));
 }
 
-/** Moves numbers of a vertex by those of its morph targets, as three.js does. */
+/** Adds morph targets to the numbers of a vertex, as three.js does. */
 export function addMorphs(
   numbers: Float64Array,
   targets: readonly Attribute[] | undefined,
@@ -148,20 +148,20 @@ function* skin(mesh: SkinnedMesh, { positions, normals, toRest }: PosedVertices)
         .applyMatrix3(linear)
         .toArray(normals as unknown as number[], 3 * v);
     if (linear.determinant() === 0) continue;
-    // What morph targets did came first, so it is undone last.
+    // Morph targets were applied first, so they are undone last.
     back.fromArray(toRest!, 9 * v).multiply(linear.invert());
     back.toArray(toRest as unknown as number[], 9 * v);
   }
 }
 
 /**
- * The smallest rotation that takes one direction to another, as shaders/perFragment/rotationBetween.glsl has it; none for vectors without
- * a direction. Normalises both.
+ * The smallest rotation from one direction to another, as in shaders/perFragment/rotationBetween.glsl; the identity for null vectors.
+ * Normalises both.
  */
 function rotationBetween(from: Vector3, to: Vector3): Matrix3 {
   const rotation = new Matrix3();
   const cosine = from.normalize().dot(to.normalize());
-  // About turned round, any axis would do and none is right.
+  // For opposite directions no axis is better than another.
   if (!(cosine > -0.999)) return rotation;
   const { x, y, z } = from.clone().cross(to);
   const scale = 1 / (1 + cosine);

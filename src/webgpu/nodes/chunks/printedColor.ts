@@ -12,10 +12,6 @@ const paperOpacity = /* @__PURE__ */ hatchingUniform('paperOpacity', 'float');
  * @param ground paper, tinted by the surface colour
  * @param darkness of the hatch
  * @param isMultiplied whether strokes are tinted by the ground too
- *
- * @param ground paper times what is printed of the surface colour
- * @param darkness of the hatch
- * @param isMultiplied whether the stroke takes its colour of the ground too
  */
 export function printedColor(ground: Value, darkness: Value, isMultiplied: boolean, isOpaque: boolean): Value {
   const stroke = isMultiplied ? ground.mul(ink) : ink;
