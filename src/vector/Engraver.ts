@@ -1,7 +1,7 @@
 import { FIELD_CONSTANTS, LINE_CONSTANTS } from '../look/constants/engravedConstants.js';
 import { combined, lengthOf, type Vec3 } from '../look/vectors.js';
 import type { SurfacePlace } from './LineSurface.js';
-import type { FamilyMeasure, LineMedium, StrokePlace } from './marks/lineMarks.js';
+import type { FamilyMeasure, LineMedium, StrokePlace } from './lineMarks.js';
 import type { Projection } from './Projection.js';
 import { rowOctaves } from './shading/carving.js';
 import { KEPT_BY_PEN, leftOf, otherShare, sharedByTwo, THIRD_FROM, takenOf } from './shading/crossedTones.js';

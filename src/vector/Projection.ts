@@ -1,4 +1,5 @@
 import type { Vec3 } from '../look/vectors.js';
+import type { EmphasisedPlace } from './shading/emphasis.js';
 
 /** A matrix of 16 numbers, column-major. */
 export type Matrix = ArrayLike<number>;
@@ -96,4 +97,11 @@ export class Projection {
   contains(px: number, py: number): boolean {
     return px >= 0 && py >= 0 && px <= this.width && py <= this.height;
   }
+}
+
+/** The properties of a place that emphasis depends on. */
+export function emphasisedPlace(world: Vec3, projection: Projection): EmphasisedPlace {
+  const view = projection.toView(world);
+  const [x, y] = projection.project(...view);
+  return { world, depth: -view[2], onPicture: [x / projection.width, 1 - y / projection.height] };
 }

@@ -3,8 +3,7 @@ import { radianceAround, type Surroundings } from '../look/surroundings.js';
 import { combined, dot, normalize, type Vec3 } from '../look/vectors.js';
 import type { Bvh } from './Bvh.js';
 import type { SurfacePlace } from './LineSurface.js';
-import { emphasisedPlace } from './marks/emphasisedPlace.js';
-import type { Projection } from './Projection.js';
+import { emphasisedPlace, type Projection } from './Projection.js';
 import { type LampShadow, ShadowRays, type ToldShadow } from './ShadowRays.js';
 import { type Emphasis, emphasisAt } from './shading/emphasis.js';
 import { type GroundLook, groundTone } from './shading/groundShadow.js';
@@ -155,5 +154,31 @@ export class Toner {
     const shadow = this.light.shadows[i];
     if (!shadow || !lamp.castsShadow || !this.look.receivesShadows || shadowing === 'none') return LIT;
     return shadowing === 'all' ? SHADED : this.rays.tell(lamp, shadow, place, this.look.ground);
+  }
+}
+
+/** Caches the tones of vertices, which all families of a surface share. */
+export class VertexTones {
+  private tones = new Float64Array(0);
+  private unshadowed = new Float64Array(0);
+
+  /** @param count of vertices */
+  constructor(
+    private readonly toner: Toner,
+    private readonly count: number,
+  ) {}
+
+  /** The tone of a vertex of a body. place: of the vertex, for the case that it was not read yet. */
+  at(vertex: number, place: SurfacePlace): Tones {
+    if (this.tones.length === 0) {
+      this.tones = new Float64Array(this.count).fill(Number.NaN);
+      this.unshadowed = new Float64Array(this.count);
+    }
+    if (Number.isNaN(this.tones[vertex])) {
+      const { tone, unshadowed } = this.toner.read(place, this.toner.hasShadows ? 'traced' : 'none');
+      this.tones[vertex] = tone;
+      this.unshadowed[vertex] = unshadowed;
+    }
+    return { tone: this.tones[vertex], unshadowed: this.unshadowed[vertex], shadows: 0, left: 1, full: 0, turned: 0 };
   }
 }

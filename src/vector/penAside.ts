@@ -3,10 +3,10 @@ import { asPhase } from '../mesh/phases.js';
 import type { FamilyName } from './Engraver.js';
 import { placeFrom, readTriangle, STRIDE, VIEW } from './LineSurface.js';
 import { type LinesAside, NO_RANK } from './levelSegments.js';
-import { penDistance } from './marks/lineMarks.js';
+import { penDistance } from './lineMarks.js';
+import type { Tracing } from './readVertices.js';
 import { asideOf } from './shading/penLines.js';
-import type { Tracing } from './Tracing.js';
-import type { VertexTones } from './VertexTones.js';
+import type { VertexTones } from './Toner.js';
 
 /** Greatest offset of a line, in distances between old lines. */
 const MOST_ASIDE = 1.5;

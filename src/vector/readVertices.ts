@@ -1,9 +1,26 @@
 import { LINE_CONSTANTS } from '../look/constants/engravedConstants.js';
-import type { FamilyName } from './Engraver.js';
+import type { Engraver, FamilyName } from './Engraver.js';
+import type { LineSurface } from './LineSurface.js';
 import { NO_RANK } from './levelSegments.js';
-import { finestRank, LEAST_PEN_TONE, plottedOctave, printedOctave } from './marks/lineMarks.js';
-import type { Shadowing, Tones } from './Toner.js';
-import type { Tracing } from './Tracing.js';
+import { finestRank, LEAST_PEN_TONE, plottedOctave, printedOctave } from './lineMarks.js';
+import type { Projection } from './Projection.js';
+import type { PlaceReader } from './paint/PlaceReader.js';
+import type { Shadowing, Toner, Tones } from './Toner.js';
+
+/** The inputs for tracing the lines of a surface. */
+export interface Tracing {
+  surface: LineSurface;
+  places: PlaceReader;
+  engraver: Engraver;
+  toner: Toner;
+  projection: Projection;
+  /** Per triangle 1 if its front is visible, −1 if its back is, 0 if nothing of it is drawn. */
+  sides: Int8Array;
+  /** The width of a pen, pixels; null where widths are the tone. */
+  pen: number | null;
+  /** Whether lines are drawn where these lights (bits) do not arrive; null where they do not depend on shadows. */
+  isDrawnIn: ((shadows: number) => boolean) | null;
+}
 
 const { LEAST_TONE } = LINE_CONSTANTS;
 /** Triangles per step. */

@@ -1,6 +1,17 @@
 import { asPhase } from '../../mesh/phases.js';
 import { nearestEnds } from './nearestEnds.js';
-import type { OrderedPath, PathEnds } from './PathEnds.js';
+
+/** Start and end of a path; any unit of length. */
+export interface PathEnds {
+  start: readonly [number, number];
+  end: readonly [number, number];
+}
+
+/** A path in the order of drawing, perhaps reversed. */
+export interface OrderedPath {
+  path: number;
+  isReversed: boolean;
+}
 
 /** Number of nearest ends that are tried for each end. */
 const NEIGHBOURS = 10;

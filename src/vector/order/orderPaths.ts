@@ -1,6 +1,6 @@
 import { asPhase } from '../../mesh/phases.js';
+import type { OrderedPath, PathEnds } from './improveOrder.js';
 import { improveOrder } from './improveOrder.js';
-import type { OrderedPath, PathEnds } from './PathEnds.js';
 
 export type { OrderedPath, PathEnds };
 

@@ -1,8 +1,7 @@
 import { combined, dot, normalize, type Vec3 } from '../../look/vectors.js';
 import { asPhase } from '../../mesh/phases.js';
 import { type Chain, ChainBuilder } from '../Chain.js';
-import { emphasisedPlace } from '../marks/emphasisedPlace.js';
-import { type Projection, transformed } from '../Projection.js';
+import { emphasisedPlace, type Projection, transformed } from '../Projection.js';
 import { outlineEmphasisAt } from '../shading/emphasis.js';
 import { meanLightAt } from '../shading/meanLight.js';
 import { type LiftedPiece, shadeWeight, wobbleAt } from '../shading/outlines.js';

@@ -2,10 +2,9 @@ import { combined, cross, dot, type Vec3 } from '../../look/vectors.js';
 import type { Projection } from '../Projection.js';
 import { localDarkness } from '../shading/tone.js';
 import { MapSampler, type Rgba } from './MapSampler.js';
-import type { MapLook, PaintLook } from './PaintLook.js';
+import type { MapLook, PaintLook, SurfaceDetails } from './PaintLook.js';
 import { type EdgeProducts, PlaceInTriangle } from './PlaceInTriangle.js';
 import { bentAlongCoordinates, bentByHeights, bentInObject, unpacked } from './Reliefs.js';
-import type { SurfaceDetails } from './SurfaceDetails.js';
 
 /** The effect of textures and colours at a place. */
 export interface Paint {

@@ -1,8 +1,8 @@
 import { combined, cross, dot, type Vec3 } from '../../look/vectors.js';
 import { FIELD, type LineSurface, STRIDE, VIEW, WORLD } from '../LineSurface.js';
 import type { Mat3 } from '../shading/screenGradient.js';
+import type { PosedMaps, SurfaceDetails } from './PaintLook.js';
 import { type EdgeProducts, PlaceInTriangle } from './PlaceInTriangle.js';
-import type { PosedMaps, SurfaceDetails } from './SurfaceDetails.js';
 
 /** Reads the details of a surface by the vertices that it had before subdivision. */
 export class DetailReader {

@@ -48,3 +48,14 @@ function hashOf(x: number, y: number, z: number): number {
   const mixed = Math.imul(x, 0x9e3779b1) ^ Math.imul(y, 0x85ebca6b) ^ Math.imul(z, 0xc2b2ae35);
   return (mixed ^ (mixed >>> 15)) >>> 0;
 }
+
+/** For each point the first one at the same place in both of two lists. */
+export function bothPlaces(one: Uint32Array, other: Uint32Array): Uint32Array {
+  const known = new Map<number, number>();
+  return one.map((place, point) => {
+    const key = place * 2 ** 26 + other[point];
+    const first = known.get(key) ?? point;
+    if (first === point) known.set(key, point);
+    return first;
+  });
+}

@@ -1,10 +1,17 @@
 import { Matrix3, type Mesh } from 'three';
-import type { SurfaceDetails } from '../paint/SurfaceDetails.js';
+import type { SurfaceDetails } from '../paint/PaintLook.js';
 import { coordinatesOf, type Painted, type PaintNeeds, writeColor } from './PaintReader.js';
 import type { MeshCopy } from './pose/meshCopies.js';
 import type { PosedVertices } from './pose/posedVertices.js';
 import type { SurfaceFrame } from './surfaceFrame.js';
-import type { TriangleRange } from './TriangleRange.js';
+
+/** A range of triangles of a mesh with one material. */
+export interface TriangleRange {
+  /** Vertices of corners. */
+  corners: Uint32Array;
+  /** Index of the first of them among the triangles of the scene. */
+  firstTriangle: number;
+}
 
 /** The source of the details of a part of a mesh. */
 export interface DetailSource {

@@ -23,13 +23,12 @@ import {
 import { asPhase } from '../../mesh/phases.js';
 import type { FeatureEdge, OutlineLook, OutlineMesh } from '../outlines/OutlineMesh.js';
 import type { Emphasis } from '../shading/emphasis.js';
-import { bothPlaces } from './bothPlaces.js';
 import { alphaTestOf } from './PaintReader.js';
-import { placesOf } from './placesOf.js';
+import { bothPlaces, placesOf } from './placesOf.js';
 import type { PosedVertices } from './pose/posedVertices.js';
 import { posePoints } from './pose/posePoints.js';
-import { rowsOf } from './rowsOf.js';
 import { leftBehind } from './seenThrough.js';
+import { rowsOf } from './surfaceFrame.js';
 
 /** Triangles, edges and points per step. */
 const CHUNK = 4096;

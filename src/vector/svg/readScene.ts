@@ -45,17 +45,16 @@ import { alphaTestOf, type Painted, PaintReader } from './PaintReader.js';
 import { type MeshCopy, meshCopies } from './pose/meshCopies.js';
 import { type PosedVertices, posedVertices } from './pose/posedVertices.js';
 import { readBackground } from './readBackground.js';
+import type { TriangleRange } from './readDetails.js';
 import { type DetailSource, firstCoordinate, readDetails } from './readDetails.js';
 import { readEmphasis, readOutlineEmphasis } from './readEmphasis.js';
 import { fieldOf, hasTooManyTurns, turnedLinesOf } from './readField.js';
 import { readLights, type SceneLights } from './readLights.js';
 import { engravedLookOf, surfaceLookOf } from './readLook.js';
 import { outlineLookOf, readOutlines } from './readOutlines.js';
-import { readStippled } from './readStippled.js';
-import { readSurface } from './readSurface.js';
+import { readStippled, readSurface } from './readSurface.js';
 import { leftBehind, variesInOpacity } from './seenThrough.js';
 import { objectFrame, surfaceFrame } from './surfaceFrame.js';
-import type { TriangleRange } from './TriangleRange.js';
 
 /** Height at which shadow rays start, as a share of the size of the largest mesh that casts shadows. */
 const SHADOW_BIAS = 0.01;

@@ -1,8 +1,12 @@
-import { type BufferAttribute, type BufferGeometry, Matrix3, Vector3 } from 'three';
+import { type BufferAttribute, type BufferGeometry, Matrix3, type Matrix4, Vector3 } from 'three';
 import type { Vec3 } from '../../look/vectors.js';
+import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
+import { STIPPLE_MAP_SIZE } from '../../material/tam/patternSizes.js';
+import { stippleMap } from '../../material/tam/stippleMap.js';
 import { formLayout, hatchNormal } from '../../mesh/bake/attributeLayouts.js';
 import { asPhase } from '../../mesh/phases.js';
 import { SEEN_BACK, SEEN_FRONT } from '../Bvh.js';
+import type { StippledSurface } from '../DrawnScene.js';
 import {
   FIELD,
   FIELD_NORMAL,
@@ -15,13 +19,10 @@ import {
   WORLD,
 } from '../LineSurface.js';
 import { formVarying } from '../shading/readForm.js';
-import { bothPlaces } from './bothPlaces.js';
-import { placesOf } from './placesOf.js';
+import { bothPlaces, placesOf } from './placesOf.js';
 import type { PosedVertices } from './pose/posedVertices.js';
-import { type DetailSource, readDetails } from './readDetails.js';
-import { rowsOf } from './rowsOf.js';
-import type { SurfaceFrame } from './surfaceFrame.js';
-import type { TriangleRange } from './TriangleRange.js';
+import { type DetailSource, readDetails, type TriangleRange } from './readDetails.js';
+import { objectFrame, rowsOf, type SurfaceFrame } from './surfaceFrame.js';
 
 /** Vertices per step. */
 const CHUNK = 4096;
@@ -140,4 +141,24 @@ class VertexWriter {
       this.vertices[o + 3] = rest;
     }
   }
+}
+
+/** Reads the part of a mesh that a material draws in dots. seen: bits of the visible sides. Yields its progress. */
+export function* readStippled(
+  source: DetailSource,
+  material: HatchingMaterial,
+  range: TriangleRange,
+  worldToView: Matrix4,
+  seen: number,
+): Generator<number, Pick<StippledSurface, 'surface' | 'size' | 'set' | 'layers'>, void> {
+  const { tilesPerUnit, strokeWidth, sizedOnScreen, strokeLayers, anchorSpacing, crossFrom } = material;
+  const frame = objectFrame(source.mesh, source.copy.toWorld, worldToView);
+  const surface = yield* readSurface(source, range, frame, seen);
+  return {
+    surface,
+    // If no stroke width is known, dots are one pixel wide, as the material draws them.
+    size: { dotPixels: strokeWidth ?? 1, tilesPerUnit, sizedOnScreen },
+    layers: { shift: anchorSpacing / tilesPerUnit, crossFrom: strokeLayers === 'tone' ? crossFrom : null },
+    set: { cells: STIPPLE_MAP_SIZE, texels: (stippleMap().image.data as Uint8Array).slice() },
+  };
 }

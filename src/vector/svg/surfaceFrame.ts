@@ -2,6 +2,7 @@ import { Matrix3, Matrix4, type Mesh, Vector3 } from 'three';
 import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
 import { writeFieldFrame } from '../../material/parts/fieldFrame.js';
 import type { EngravedLook } from '../Engraver.js';
+import type { Mat3 } from '../shading/screenGradient.js';
 import { firstBoneOf } from './pose/posedVertices.js';
 
 /** Matrices between a mesh, the world, the view and the space of fields. */
@@ -66,4 +67,13 @@ export function objectFrame(mesh: Mesh, toWorld: Matrix4, worldToView: Matrix4):
     toField: new Matrix3(),
     normalToField: new Matrix3(),
   };
+}
+
+/** The rows of a matrix of three.js. */
+export function rowsOf({ elements: e }: Matrix3): Mat3 {
+  return [
+    [e[0], e[3], e[6]],
+    [e[1], e[4], e[7]],
+    [e[2], e[5], e[8]],
+  ];
 }

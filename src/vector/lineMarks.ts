@@ -1,11 +1,11 @@
-import { smoothstep } from '../../look/vectors.js';
-import { cutFor, cutWidth } from '../shading/carving.js';
-import { lineLeft } from '../shading/groundShadow.js';
-import { handWidth } from '../shading/hand.js';
-import { penMargin } from '../shading/penLines.js';
-import { drawnShare, type Pen, penFor, strokeAt } from '../shading/penStrokes.js';
-import { powerOf2, roomOf } from '../shading/ruledLines.js';
-import type { Along } from '../shading/strokeLengths.js';
+import { smoothstep } from '../look/vectors.js';
+import { cutFor, cutWidth } from './shading/carving.js';
+import { lineLeft } from './shading/groundShadow.js';
+import { handWidth } from './shading/hand.js';
+import { penMargin } from './shading/penLines.js';
+import { drawnShare, type Pen, penFor, strokeAt } from './shading/penStrokes.js';
+import { powerOf2, roomOf } from './shading/ruledLines.js';
+import type { Along } from './shading/strokeLengths.js';
 
 /** How lines are drawn: as ink in one go, in strokes of a pen, or white with a gouge. */
 export type LineMedium = 'ink' | 'pen' | 'woodcut';
