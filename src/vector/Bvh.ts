@@ -56,7 +56,7 @@ export class Bvh {
    *
    * @param corners nine numbers per triangle, world space
    * @param sides bits per triangle
-   * @param cutouts what is known of triangles with holes
+   * @param cutouts ranges of triangles with holes
    */
   static *build(
     corners: Float64Array,
@@ -91,7 +91,7 @@ export class Bvh {
   /**
    * Whether anything visible lies between origin + start · way and origin + end · way, for an eye at the far end.
    *
-   * @param except a triangle that does not count
+   * @param except a triangle to ignore
    */
   isHidden(origin: Vec3, way: Vec3, start: number, end: number, except = NO_TRIANGLE): boolean {
     // From the far end, the front of a triangle that the ray hits from behind is visible.
@@ -108,7 +108,7 @@ export class Bvh {
   /**
    * Calls back for each triangle of a see-through surface on the way to an eye at the far end.
    *
-   * @param meet is told the triangle and where along the way it lies
+   * @param meet called with the triangle and its distance along the way
    */
   eachFading(
     origin: Vec3,

@@ -95,7 +95,7 @@ export class LineDrawer {
   /**
    * @param pen its width, pixels; null where widths are the tone
    * @param least the width of the thinnest line of a print, pixels; 0 for none
-   * @param millimetre pixels to one
+   * @param millimetre pixels per millimetre
    */
   constructor(
     private readonly scene: DrawnScene,

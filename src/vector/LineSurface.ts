@@ -71,8 +71,8 @@ export function between(vertices: Float64Array, a: number, b: number, share: num
 /**
  * The place with the given numbers.
  *
- * @param side 1, or −1 where the back is seen, whose tone normal looks the other way
- * @param o where the numbers begin
+ * @param side 1 on front faces; −1 on back faces, whose tone normal is reversed
+ * @param o offset of the numbers
  */
 export function placeFrom(n: ArrayLike<number>, triangle: FlatTriangle, side: number, o = 0): SurfacePlace {
   const toneNormal = normalize(vectorAt(n, o + TONE_NORMAL));

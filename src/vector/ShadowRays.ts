@@ -46,7 +46,7 @@ const DISC = Array.from({ length: RAYS }, (_, i): readonly [number, number] => {
 /**
  * The radius of a disc that softens an edge as much as the filter of a map.
  *
- * @param radius of the light's shadow, and `blend`, the width that neighbours are blended over, in one unit
+ * @param radius of the light's shadow, and `blend`, the width of the bilinear filter, in the same unit
  */
 function kernelRadius(radius: number, blend: number): number {
   const samples = Math.min(Math.ceil(radius), MOST_SAMPLES);
@@ -93,8 +93,8 @@ export class ShadowRays {
   /**
    * The shadow of a lamp at a place with a normal.
    *
-   * @param direction towards the lamp, unit, and `length`, the way to it; endless for one that is far away
-   * @param ground how a ground shows shadows alone; null for a body
+   * @param direction towards the lamp, unit, and `length`, its distance; Infinity for directional lights
+   * @param ground look of a ground that shows shadows alone; null for a body
    */
   tell(
     lamp: Lamp,

@@ -16,7 +16,7 @@ export interface CutRun {
 /**
  * Cuts a run out of a chain. A run of a closed chain may continue beyond its last point.
  *
- * @param isMoved whether a line that lies beside its chain becomes a path there; otherwise the path stays, and one of its sides is wider
+ * @param isMoved whether a line with offsets becomes a path at the offset place; otherwise the path stays, and one of its sides is wider
  */
 export function cutRun(chain: Chain, [from, to]: Run, projection: Projection, isMoved: boolean): CutRun {
   const { halves, count, isClosed, shifts } = chain;
@@ -55,7 +55,7 @@ export function cutRun(chain: Chain, [from, to]: Run, projection: Projection, is
 /**
  * Offsets a path sideways; or keeps it in place and widens one side as it narrows the other, so that it stays on its surface.
  *
- * @param beside how far each point lies beside the path, pixels: two numbers each
+ * @param beside offset of each point, pixels: two numbers each
  */
 export function shiftPath({ points, isClosed }: LinePath, beside: readonly number[], isMoved: boolean): void {
   const changed = points as number[];

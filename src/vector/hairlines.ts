@@ -56,7 +56,7 @@ class DashedLine {
  * A line of a print in which parts that are thinner than a press can hold become dashes of the least width with the same tone. Dashes are
  * fixed to the object, so that they stay in place as the camera moves.
  *
- * @param width the least, pixels
+ * @param width least width, pixels
  */
 export function dashed(chain: Chain, width: number): Chain {
   const least = width / 2;

@@ -17,7 +17,7 @@ const HALVINGS = 3;
  * Limits both sides of a line to where its own surface is visible, so that no ink reaches beyond an outline. Changes the widths of the
  * path. Yields its progress.
  *
- * @param isSheer whether the surface is not among what rays meet, so that nothing may lie where it is seen
+ * @param isSheer whether the surface is see-through and so not hit by rays
  */
 export function* holdBack(
   { path, depths }: CutRun,

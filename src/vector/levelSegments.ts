@@ -39,8 +39,8 @@ const NONE_ASIDE: LinesAside = { at: () => 0, mostAt: () => 0 };
  *
  * @param values of the function at the vertices
  * @param ranks per triangle the exponent of the power of two whose multiples it needs, or NO_RANK
- * @param hasSeams whether values may differ at one place, so that nodes of two sides are joined by where they lie
- * @param aside of lines that do not lie at their values
+ * @param hasSeams whether values may differ at one place, so that nodes of both sides are joined by position
+ * @param aside offsets of the lines, if any
  */
 export function* levelSegments(
   { triangles, placeOf }: LineSurface,

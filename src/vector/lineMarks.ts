@@ -169,7 +169,7 @@ const CLOSED_BY = 0.2;
  * The black that is left between cuts, in the cell of the block around a line. Lines lie in the middle of cells, and cuts where cells meet:
  * cells so narrow that they follow the surface draw black of any width without a gap.
  *
- * @param wanted the octave of the distance between every other cell
+ * @param wanted the octave of twice the width of cells
  */
 function blockBetweenCuts(
   { tone, perPixel }: FamilyMeasure,

@@ -317,7 +317,7 @@ const lengthBetween = ({ at: [x, y] }: Measured, { at: [toX, toY] }: Measured): 
  * the picture.
  *
  * @param values of the function at the vertices
- * @param traced the triangles that have lines, each perhaps several times
+ * @param traced the triangles with lines, with repetitions
  */
 function* tracedSlopes(
   { triangles, vertices }: LineSurface,

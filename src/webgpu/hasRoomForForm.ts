@@ -7,7 +7,7 @@ import { warnOnce } from './warnOnce.js';
  * Whether the device has enough vertex buffers for lines that follow the form of a mesh. WebGPU devices often have eight, and draw nothing
  * of a mesh that needs more. Warns once if they do not suffice.
  *
- * @param isAnchored whether strokes follow the form, which need its directions alone
+ * @param isAnchored whether strokes, not lines, follow the form, which need its directions only
  */
 export function hasRoomForForm(builder: NodeBuilder, isAnchored: boolean): boolean {
   const { device } = builder.renderer.backend as { device?: { limits: { maxVertexBuffers: number } } };

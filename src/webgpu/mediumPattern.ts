@@ -48,8 +48,8 @@ export const dotLayerOf = (look: Look): Code['dotLayer'] => patternOf(look)?.mad
 /**
  * Writes the pattern of a material's medium, once it is loaded.
  *
- * @param whenThere called when it comes later
- * @returns whether there is nothing to wait for
+ * @param whenThere called when it is loaded, if it is not yet
+ * @returns whether it is loaded, or the medium has none
  */
 export function writePattern(look: Look, uniforms: Record<string, IUniform>, whenThere: () => void): boolean {
   const pattern = patternOf(look);

@@ -11,8 +11,8 @@ interface PlacedScene {
 }
 
 /**
- * The number of pixels that two directions of the tangent plane take on the screen, from the derivatives of the whole projection. From
- * this follows the length of the screen gradient of any function.
+ * The Jacobian from two tangents of the surface to pixels, from the derivatives of the whole projection. It gives the length of the screen
+ * gradient of any function.
  */
 export class ScreenPlane {
   private readonly tangents: [Vec3, Vec3];
@@ -39,7 +39,7 @@ export class ScreenPlane {
     this.pixels = this.tangents.map((t) => [moved(0, t), moved(1, t)]) as [[number, number], [number, number]];
     const [[a, b], [c, d]] = this.pixels;
     const faceOn = (p[5] * size) / 2 / depth;
-    // The slant is limited: the area on the screen counts as at least 0.12 of the area face on.
+    // The angle is limited: the area on the screen counts as at least 0.12 of that face on.
     this.area = Math.max(Math.abs(a * d - b * c), 0.12 * faceOn ** 2);
   }
 

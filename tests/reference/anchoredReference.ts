@@ -8,18 +8,18 @@ import { normalDistribution } from './normalDistribution.js';
 import type { ReferenceCamera } from './rasterizeReference.js';
 import type { Vec3 } from './referenceAdjacency.js';
 
-/** g = Φ⁻¹(h) of a level of the threshold map at (u, v) in tiles. It has variance 1, and is independent of other levels. */
+/** g = Φ⁻¹(h) of a level of the threshold map at (u, v), in tiles. It has variance 1, and levels are independent. */
 export type ThresholdFunction = (u: number, v: number, level: number) => number;
 
 export interface AnchoredSettings {
   tilesPerUnit: number;
   strokeRotation: number;
   anchorSpacing: number;
-  /** Whether the direction is known only up to its sign, so that the map may be shifted by half tiles alone. */
+  /** Whether directions are known up to their sign only, so that the map is shifted by half tiles. */
   halfTiles: boolean;
   sizedOnScreen: number;
   shadowStrokes?: 'tone' | 'cross' | 'reorient';
-  /** The axis of strokes that follow the form or a slant, in the plane across the normal; left out where they turn with the light. */
+  /** The axis of strokes that follow the form or a slant, in the tangent plane; left out if they follow the light. */
   axisAt?: (point: Vec3, normal: Vec3, isDark: boolean) => Vec3;
   threshold: ThresholdFunction;
   /** Texels per side of level 0. A texel should cover one pixel. */
@@ -30,7 +30,7 @@ export interface AnchoredSettings {
 /** A field of standard normal distribution, except for the skew of mixed levels. */
 interface Field {
   g: number;
-  /** 0 if it comes from a single level, 1 half way between two levels. */
+  /** 0 on one level, 1 half way between two. */
   mixing: number;
 }
 
@@ -52,7 +52,7 @@ export function formAxisOf(
 ): (point: Vec3, normal: Vec3, isDark: boolean) => Vec3 {
   return (point, normal, isDark) => {
     const gradient = gradientAt(point);
-    // What of the gradient lies in the surface.
+    // The part of the gradient in the tangent plane.
     const away = dot(gradient, normal);
     const within = gradient.map((x, axis) => x - away * normal[axis]) as Vec3;
     const axis = isAcross === isDark ? cross(normal, within) : within;
@@ -71,7 +71,7 @@ export function hashAnchor(id: Vec3, lattice: number): number {
   return (h ^ (h >>> 16)) >>> 0;
 }
 
-/** The corners of the simplex around x: lattice coordinates and the vector from the corner to x. */
+/** The corners of the simplex around x: lattice coordinates, and the vector from the corner to x. */
 export function simplexCorners(x: Vec3): { id: Vec3; offset: Vec3 }[] {
   const skew = (x[0] + x[1] + x[2]) / 3;
   const cell = x.map((c) => Math.floor(c + skew)) as Vec3;
@@ -92,7 +92,7 @@ export function simplexCorners(x: Vec3): { id: Vec3; offset: Vec3 }[] {
   });
 }
 
-/** The axis of strokes at a slant: the direction in the surface in which the picture of a point moves at that angle to the horizontal. */
+/** The axis of strokes at a slant: the tangent along which the picture of a point moves at that angle to the horizontal. */
 export function slantAxisOf(
   { view, projection }: ReferenceCamera,
   matrixWorld: readonly number[],
@@ -102,7 +102,7 @@ export function slantAxisOf(
   const objectToClip = toClip.slice(1).reduce((all, m) => mat4.multiply(mat4.create(), all, m), toClip[0]);
   const onScreen = (point: Vec3) => vec3.transformMat4([0, 0, 0], point, objectToClip) as Vec3;
   return (point, normal) => {
-    /** How much a step along each axis of the object moves the picture of the point, along the slant and across it. */
+    /** The motion of the point on the picture, along the slant and across it, per step along each axis of the object. */
     const moves = [0, 1, 2].map((axis) => {
       const [from, to] = [-1e-5, 1e-5].map((step) =>
         onScreen(point.map((c, i) => c + (i === axis ? step : 0)) as Vec3),
@@ -116,16 +116,13 @@ export function slantAxisOf(
   };
 }
 
-/**
- * The number of octaves by which strokes are coarser than face on. Strokes become coarser where the surface is so slanted that their
- * distance on the screen is less than half of that face on.
- */
+/** Octaves by which strokes are coarser than face on: none until their distance on the screen is less than half of that face on. */
 function crowdedOctaves(across: Vec3, normal: Vec3, toViewer: Vec3): number {
   const angle = Math.atan2(Math.abs(dot(across, toViewer)), Math.abs(dot(normal, toViewer)));
   return Math.max(0, -1 - Math.log2(Math.max(Math.cos(angle), 0.01)));
 }
 
-/** The field at a point in object space, for a width of a pixel in object units, and strokes that are coarser by some octaves. */
+/** The field at a point in object space, by the width of a pixel in object units and the octaves by which strokes are coarser. */
 function anchoredField(
   point: Vec3,
   tangent: Vec3,
@@ -150,7 +147,7 @@ function anchoredField(
   };
 }
 
-/** The value of one lattice, for which the map would be too fine by this many octaves. */
+/** The field of one lattice, with the octaves by which the map would be too fine for it. */
 function latticeField(
   point: Vec3,
   tangent: Vec3,
@@ -183,13 +180,13 @@ function latticeField(
   return { g: sum / Math.sqrt(squares), mixing: 4 * share * (1 - share) * Math.min(1, 2 * share) };
 }
 
-/** h of a field: uniform after the skew of mixed levels is corrected by a fit to generated maps. */
+/** h of a field: uniform, with the skew of mixed levels corrected by a fit to generated maps. */
 function uniformOf({ g, mixing }: Field): number {
   const h = normalDistribution(g);
   return h + mixing * h * (1 - h) * (1.07 * (h - 0.42) ** 2 - 0.14);
 }
 
-/** The amount by which the tone exceeds the threshold, in the layer where it is largest. A positive amount is ink. */
+/** Tone minus threshold, in the layer where it is greatest. Above 0 there is ink. */
 export function anchoredExcess(
   reference: HatchingReference,
   point: Vec3,
@@ -211,7 +208,7 @@ export function anchoredExcess(
   const unshadowed = reference.tone(world, worldNormal, false);
   const isCrossed = settings.shadowStrokes === 'cross';
   const layers = reference.layers(isCrossed ? unshadowed : tone, crossing).map((layer, i) => ({ ...layer, shift: i }));
-  // The layer of shadows crosses the strokes of the light and supplies the missing tone. Its shift follows those of all other layers.
+  // A layer for shadows crosses the strokes of the light and adds the missing tone. Its shift follows those of all other layers.
   if (isCrossed && tone > unshadowed) {
     layers.push({ tone: 1 - (1 - tone) / (1 - unshadowed), angle: Math.PI / 2, shift: 3 });
   }

@@ -1,6 +1,6 @@
 /**
- * The technique `engraved` at one fragment, in double precision, as documented: level sets of functions of the position, octaves of
- * lines, ink as shares of pixels, families that are printed over each other, and the hand. It shares no code with the shader.
+ * The technique `engraved` at one fragment, in double precision, by its documentation: level sets of functions of the position, octaves of
+ * lines, ink as shares of pixels, families printed over one another, and the hand. Shares no code with the shader.
  */
 import { mat3, mat4, vec3 } from 'gl-matrix';
 import { type Along, alongLines, cutShare, lineFactor, octaveOf, penStroke, powerOf } from './engravedStrokes.js';
@@ -14,7 +14,7 @@ export interface EngravedSettings {
   /** Radians. */
   strokeRotation: number;
   lineField: 'light' | 'towards' | 'x' | 'y' | 'z' | 'slant' | 'form' | 'acrossForm';
-  /** For the last two: the functions that the lines are level sets of, and those that cross them. */
+  /** For the last two: the functions whose level sets are lines, and those of the crossing lines. */
   form?: readonly [first: Quadratic, crossing: Quadratic];
   lineSpacing: number;
   strokeLength: number;
@@ -59,13 +59,13 @@ interface LineFunction {
   gradient(place: Vec3): Vec3;
 }
 
-/** The functions whose level sets are the families of an object: the first, and two across it, of which the better one is used. */
+/** The functions of the families of lines: the first, and two across it, of which the better one is used. */
 interface Families {
   first: LineFunction;
-  /** Axes perpendicular to that of the first family and to each other. The crossing lines lean towards one of them. */
+  /** Axes perpendicular to that of the first family and to each other, which crossing lines lean towards. */
   sides: readonly [Vec3, Vec3];
   across: readonly [LineFunction, LineFunction];
-  /** The lines that cross it in shadows halve the wider angle between both. */
+  /** The lines in shadows halve the wider angle between the first family and those that cross it. */
   shadows: readonly [LineFunction, LineFunction];
 }
 
@@ -73,7 +73,7 @@ const LUMINANCE: Vec3 = [0.2126, 0.7152, 0.0722];
 
 const alongAxis = (axis: Vec3): LineFunction => ({ value: (place) => dot(place, axis), gradient: () => axis });
 
-/** How much nearer a point light is to the position than to the centre; with a sign of −1 how much farther. */
+/** Distance of a lamp from the centre minus that from the position, times a sign. */
 const towardsLamp = (lamp: Vec3, sign: number): LineFunction => ({
   value: (place) => sign * (vec3.length(lamp) - vec3.distance(place, lamp)),
   gradient: (place) => mixed(unit(mixed(lamp, 1, place, -1)), sign, lamp, 0),
@@ -84,10 +84,10 @@ const combined = (a: LineFunction, s: number, b: LineFunction, t: number): LineF
   gradient: (place) => mixed(a.gradient(place), s, b.gradient(place), t),
 });
 
-/** The convention for an axis perpendicular to another: it uses the world's up direction, unless the axis is nearly parallel to it. */
+/** The axis across another: perpendicular to the world's up, unless the axis is nearly parallel to it. */
 const axisAcross = (axis: Vec3): Vec3 => unit(cross(axis, Math.abs(axis[1]) < 0.8 ? [0, 1, 0] : [0, 0, 1]));
 
-/** The principal axis of Σ w L Lᵀ, in object space, pointing where the lights together point. */
+/** The principal axis of Σ w L Lᵀ, object space, with the sign of the lights' sum. */
 export function principalAxis(lights: readonly { toLight: Vec3; weight: number }[]): Vec3 {
   let axis: Vec3 = [0.51, 0.64, 0.57];
   for (let step = 0; step < 200; step++) {
@@ -101,8 +101,8 @@ export function principalAxis(lights: readonly { toLight: Vec3; weight: number }
 }
 
 /**
- * The direction of the lights from the centre, and the reciprocal of the distance of the point light that represents them, in tiles. Its
- * function approximates the second derivatives of the mean of the lights' functions. Without lights the direction is up.
+ * Direction of the lights from the centre, and reciprocal of the distance of the lamp that stands for them, in tiles. Its function
+ * approximates the second derivatives of the mean of the lights' functions. Without lights the direction is up.
  */
 function lightOf({ lights, matrixWorld, centre, settings }: EngravedScene): { axis: Vec3; bend: number } {
   const toObject = mat4.invert(mat4.create(), matrixWorld as unknown as mat4)!;
@@ -129,14 +129,14 @@ function lightOf({ lights, matrixWorld, centre, settings }: EngravedScene): { ax
   return { axis, bend: bend / vec3.length(mean) };
 }
 
-/** With `isDark` no light arrives, and lines run across their axis. */
+/** The families of lines. If `isDark`, no light arrives and lines run across their axis. */
 function familiesOf(scene: EngravedScene, isDark: boolean): Families {
   const { lineField, crossAngle, strokeRotation } = scene.settings;
   if (lineField === 'form' || lineField === 'acrossForm') throw new Error('familiesOf: the form has no axis.');
   const axes = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1], slant: [0.48, 0.64, 0.6] } as const;
   const light = lightOf(scene);
   const { axis: toLight, bend } = isDark ? { axis: axisAcross(light.axis), bend: 0 } : light;
-  // Towards the light is a quarter turn from the tangent to it.
+  // Fields towards the light are a quarter turn from the tangent to it.
   const angle = strokeRotation + (lineField === 'towards' ? Math.PI / 2 : 0);
   const isOfLight = lineField === 'light' || lineField === 'towards';
   const axis: Vec3 = isOfLight
@@ -154,7 +154,7 @@ function familiesOf(scene: EngravedScene, isDark: boolean): Families {
   return { first, sides, across: leaning(crossAngle), shadows: leaning(crossAngle / 2 - Math.PI / 2) };
 }
 
-/** The share of a pixel that a line of this width covers, at a distance from its middle. Thin lines become paler instead of thinner. */
+/** The share of a pixel that a line covers, by the distance from its middle. Thin lines become paler instead of thinner. */
 function lineShare(away: number, width: number): number {
   const half = Math.max(width, 1) / 2;
   const overlap = Math.min(half, away + 0.5) - Math.max(-half, away - 0.5);
@@ -168,14 +168,14 @@ interface Ruled {
   /** As `perPixel`, on the flat triangle. */
   seen: number;
   rise: number;
-  /** How far apart its lines may lie. */
+  /** The widest spacing of its lines. */
   widest: number;
 }
 
-/** Values of the form change by multiples of 4 across seams, those of the crossing lines by multiples of 2. Lines lie no further apart. */
+/** Values of the form change by multiples of 4 across seams, those of crossing lines by multiples of 2. Lines lie no further apart. */
 const FORM_WIDEST: readonly number[] = [4, 2];
 
-/** The darkness of a family: of all lines, in all octaves, that may lie on the pixel. */
+/** The darkness of a family: the sum over all lines, of all octaves, that may touch the pixel. */
 function ruledDarkness(
   { value, perPixel: bySmooth, seen: onTriangle, rise, widest }: Ruled,
   tone: number,
@@ -185,7 +185,7 @@ function ruledDarkness(
   const { lineSpacing, sizedOnScreen, handmade, form } = settings;
   const onObject = octaveOf((lineSpacing / 256) * rise);
   const seen = Math.max(onTriangle, bySmooth / 16);
-  // Never more than half as much again, or as little, as the triangle shows.
+  // At most 1.5 times, and at least 1/1.5 times, the change on the triangle.
   const perPixel = Math.min(Math.max(bySmooth, seen / 1.5), 1.5 * seen);
   const onScreen = octaveOf(lineSpacing * perPixel);
   const asked = powerOf((1 - sizedOnScreen) * onObject + sizedOnScreen * onScreen);
@@ -193,7 +193,7 @@ function ruledDarkness(
   const rare = Math.max(Math.min(tone, 1 - tone), 1e-4);
   const rarer = settings.medium === 'woodcut' ? Math.min(2, Math.max(0, octaveOf(0.24 / rare))) : 0;
   const wanted = Math.min(powerOf(octaveOf(Math.max(asked, 3 * perPixel)) + rarer), widest);
-  // The smallest power of two that is not below the wanted spacing, in tiles: the distance of old lines.
+  // The smallest power of two not below the wanted spacing, in tiles: the spacing of old lines.
   const period = 2 ** Math.ceil(Math.log2(wanted));
   const shares = { old: wanted / period, young: 1 - wanted / period };
   const pixels = period / seen;
@@ -232,14 +232,14 @@ function slowWaves([x, y, z]: Vec3): Vec3 {
   return [wave(0.73 * c + 0.35), wave(0.73 * a + 1.18), wave(0.73 * b + 1.66)];
 }
 
-/** The position that the hand moves a position to, in tiles, and its pressure there. */
+/** The position displaced by the hand, in tiles, and the pressure there. */
 function hand(
   place: Vec3,
   { handmade }: EngravedSettings,
 ): {
   strayed: Vec3;
   pressure: number;
-  /** How much wider lines that follow the form are here. */
+  /** Factor on the width of lines that follow the form, minus 1. */
   widening: number;
 } {
   const waves = slowWaves(place.map((c) => 3.5 * c) as Vec3);
@@ -248,8 +248,8 @@ function hand(
 }
 
 /**
- * The tones of the first family, of those that cross it and of those that cross these. Above crossFrom the first takes 0.4 of the tone, a
- * pen's 0.6. The others cover the excess that it leaves blank; shares of blank multiply. A pen's third has what the second leaves.
+ * The tones of the first family, of those that cross it and of those that cross these. Above crossFrom the first takes 0.4 of the excess,
+ * 0.6 with a pen. The others share the rest; shares of blank multiply. A pen's third family has what the second leaves.
  */
 function sharedOut(
   tone: number,
@@ -297,14 +297,17 @@ export class EngravedReference {
     const { strayed, pressure } = hand(fromCentre, settings);
     const { first, sides, across, shadows } = this.familiesAt(world, lit);
 
-    // Where the surface lies in a level set of the first family, this family has no lines.
+    // Where the surface lies in a level set of the first family, that family has no lines.
     const slope = vec3.length(cross(n, first.gradient(strayed)));
     const has = smoothly(0.06, 0.18, slope);
-    // Squares of the sines at which the lines of the two cross those of the first.
+    // Squared sines of the angles at which lines of the two cross those of the first.
     const axis = cross(...sides);
     const [b, c] = sides.map((side) => dot(n, cross(axis, side)) ** 2);
     const better = smoothly(-0.35, 0.35, (b - c) / Math.max(slope ** 2, 1e-4));
-    /** The shares that two families leave blank, so that both together leave the wanted share. Without a first one, those in shadows take the other side. */
+    /**
+     * The blank that each of two families leaves, so that both together leave the wanted one. Without a first family, those in shadows take
+     * the other side.
+     */
     const leftByBoth = (two: readonly [LineFunction, LineFunction], blank: number) => {
       const share = has * better + (two === across ? 1 - has : 0);
       const blankB = 1 + share * (blank - 1);
@@ -330,8 +333,8 @@ export class EngravedReference {
   }
 
   /**
-   * Lines that follow the form: the second function crosses the first, their difference both in shadows, and where no light arrives
-   * they change places.
+   * Lines that follow the form: the second function crosses the first, and their difference both in shadows. Where no light arrives they
+   * change places.
    */
   private formDarkness(
     fromCentre: Vec3,
@@ -345,7 +348,7 @@ export class EngravedReference {
     const { form, lineField, tilesPerUnit, crossFrom } = settings;
     const { strayed, pressure, widening } = hand(fromCentre, settings);
     const stray = mixed(strayed, 1, fromCentre, -1);
-    // Strokes of a pen and cuts of a gouge differ by themselves.
+    // Strokes of a pen and cuts of a gouge have variations of their own.
     const press = settings.medium === 'pen' || settings.medium === 'woodcut' ? pressure : pressure + widening;
     const both = form!.map((quadratic, i) => {
       const gradient = quadraticGradient(quadratic, fromCentre);
@@ -371,7 +374,7 @@ export class EngravedReference {
     return 1 - leftByOwn * leftBy(other, 1 - (1 - tone) / (1 - own));
   }
 
-  /** The lights that arrive at the position, and whether none of those that have a direction does. */
+  /** The lights that arrive at a position, and whether none with a direction does. */
   private arrivingAt(world: Vec3, toneNormal: Vec3): { arriving: ReferenceLight[]; isDark: boolean } {
     const { lights, reference } = this.scene;
     const arriving = lights.filter((light) => !reference.turnsAway(light, toneNormal, world));

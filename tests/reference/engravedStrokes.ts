@@ -1,19 +1,22 @@
-/** The strokes that engraved lines are drawn in: those of a pen, and the wedges of a woodcut. It shares no code with the shader. */
+/** The strokes of engraved lines: those of a pen, and the wedges of a woodcut. Shares no code with the shader. */
 import type { Vec3 } from './referenceAdjacency.js';
 import type { ScreenPlane } from './ScreenPlane.js';
 import { clamp01, cross, smoothly, unit } from './vectors.js';
 
-/** Every digit of the Thue–Morse sequence tells whether its place has an odd number of binary ones. */
+/** The Thue–Morse sequence: each digit is the parity of the binary ones of its index. */
 const THUE_MORSE = Array.from({ length: 32 }, (_, place) => [...place.toString(2)].filter((d) => d === '1').length % 2);
 
-/** Every other digit, which together are a third. */
+/** The alternating digits 0 and 1, whose value is a third. */
 const THIRD = Array.from({ length: 32 }, (_, place) => place % 2);
 
-/** Digits of the line's number from a place on; they repeat. */
+/** Digits from an index on, repeated. */
 const digitsFrom = (place: number, digits: readonly number[] = THUE_MORSE): bigint =>
   BigInt(`0b${Array.from({ length: 32 }, (_, i) => digits[(place + i) % 32]).join('')}`);
 
-/** A number in [0, 1) of the line at a value: 24 bits of the fraction of its size times that number; half a turn farther on below 0. */
+/**
+ * A hash in [0, 1) of the line at a value: 24 bits of the fraction of its absolute value times the number with these digits; half a turn
+ * farther for values below 0.
+ */
 export function hash01(value: number, digits: readonly number[] = THUE_MORSE): number {
   const size = Math.abs(Math.fround(value));
   const exponent = size === 0 ? -127 : Math.floor(Math.log2(size));
@@ -22,14 +25,14 @@ export function hash01(value: number, digits: readonly number[] = THUE_MORSE): n
   return (Number(fraction >> 8n) / 2 ** 24 + (value < 0 ? 0.5 : 0)) % 1;
 }
 
-/** Another, in turn for three neighbours, the same below 0. */
+/** A hash that is 0, a third or two thirds for three neighbours, the same below 0. */
 export const turnOf = (value: number): number => (value === 0 ? 0 : hash01(Math.abs(value), THIRD));
 
 /** A factor on the width of the line at a value. */
 export const lineFactor = (value: number, handmade: number): number => 1 + handmade * (0.5 * hash01(value) - 0.25);
 
 /**
- * The position along the lines: two coordinates, in tiles, and the weight of the first; the length of strokes, and the share of those
+ * The coordinates along the lines: on two axes, in tiles, with the weight of the first; the length of strokes, and the share of strokes
  * twice as long.
  */
 export interface Along {
@@ -51,7 +54,7 @@ interface StrokeSizes {
   tilesPerUnit: number;
 }
 
-/** Strokes are measured along those two axes along which the lines run most. Their lengths are powers of two. */
+/** Strokes are measured along the two axes along which the lines run most. Their lengths are powers of two. */
 export function alongLines(
   place: Vec3,
   normal: Vec3,
@@ -61,7 +64,7 @@ export function alongLines(
 ): Along {
   const direction = unit(cross(normal, gradient));
   const least = [0, 1, 2].reduce((best, i) => (direction[i] ** 2 < direction[best] ** 2 ? i : best), 0);
-  // In the order of a shader, which has no list: z takes the place of the axis that is left out.
+  // In the order of the shader, where z replaces the axis that is left out.
   const [first, second] = least === 0 ? [2, 1] : least === 1 ? [0, 2] : [0, 1];
   const share = smoothly(-0.16, 0.16, direction[first] ** 2 - direction[second] ** 2);
   const [ofFirst, ofSecond] = [first, second].map((i) => tilesPerUnit * plane.rateAlong(AXES[i], gradient));
@@ -77,25 +80,25 @@ export function alongLines(
   };
 }
 
-/** The number of a line, but for its sign: the same on both sides of a seam. */
+/** The number of a line up to its sign: the same on both sides of a seam. */
 export const numberOf = (line: number, repeat: number): number =>
   repeat < Infinity ? line - repeat * Math.round(line / repeat) : line;
 
-/** Lines differ less where few lie between the repeats of their numbers: not in full unless there are 32 of them. */
+/** Lines vary less if few lie between repeats of their numbers: fully only from 32 on. */
 const differing = (repeat: number, octave: number): number =>
   Math.min(1, Math.max(0.01, (Math.log2(repeat) - octave) / 5));
 
-/** What a pen does at a fragment, on all lines. */
+/** The strokes of a pen at a fragment, the same for all lines. */
 export interface PenState {
   tone: number;
   handmade: number;
   along: Along;
   repeat: number;
-  /** Of the distance between lines. */
+  /** Octave of the spacing of lines. */
   octave: number;
 }
 
-/** The mean over hashes from 0 to `all` of a ramp that begins at the hash and ends a `growth` later. */
+/** The mean over hashes from 0 to `all` of a ramp that begins at the hash and ends `growth` later. */
 const grown = (tone: number, all: number, growth: number): number => {
   // The integral of g (1 − 0.58 (1 − g)), where g rises from 0 to 1.
   const rising = (g: number) => 0.42 * (g ** 2 / 2) + 0.58 * (g ** 3 / 3);
@@ -104,7 +107,7 @@ const grown = (tone: number, all: number, growth: number): number => {
   return (untilNow(tone) - untilNow(tone - all)) / all;
 };
 
-/** A number in [0, 1) of a stroke: one of its line, by chance, and evenly spread ones from stroke to stroke. */
+/** A hash in [0, 1) of a stroke: random for a line, and evenly spread from stroke to stroke. */
 function strokeHash01(line: number, stroke: number): number {
   const [bits] = new Uint32Array(Float32Array.of(Math.abs(line)).buffer);
   const spread = Math.imul(bits ^ (bits >>> 12), 0x9e3779b9) >>> 0;
@@ -113,11 +116,11 @@ function strokeHash01(line: number, stroke: number): number {
   return Number(word >> 8n) / 2 ** 24;
 }
 
-/** The same for what is spread evenly: it goes on from the hash of its line. */
+/** The evenly spread hash of a stroke, which starts at that of its line. */
 const evenHash = (ofLine: number, stroke: number): number =>
   Number(BigInt.asUintN(32, (BigInt(ofLine * 2 ** 24) << 8n) + BigInt(stroke) * digitsFrom(0)) >> 8n) / 2 ** 24;
 
-/** The width of the strokes on a line, as a share of the room of an old one, and how far they stray, in distances between lines. */
+/** The width of the strokes on a line, as a share of the room of an old one, and their offset, in distances between lines. */
 export function penStroke(
   line: number,
   share: number,
@@ -128,7 +131,7 @@ export function penStroke(
   const filling = tone / Math.max(grown(tone, all, 0.05) * (1 - (0.15 + 0.3) * open), 1e-4);
   const full = tone < all && filling > 0.6 ? 0.6 : filling;
   const number = numberOf(line, repeat);
-  // In dark tones all strokes of a line are there from its birth on, and thin.
+  // In dark tones no stroke of a line is left out, and new ones are thin.
   const few = Math.sqrt(open);
   const there = few * Math.sqrt(Math.max(share, 0)) + 1 - few;
   const last = 1 - there;
@@ -149,7 +152,7 @@ export function penStroke(
     const way = (at - begin - (end - at)) / (end - begin);
     const sized = clamp01((tone - all * fract(turn + even / 3)) / 0.05);
     const length = 1 - open * 0.3 * fract(64 * even) - 0.35 * (1 - sized);
-    // The part of the end over which it narrows that is already passed.
+    // The part of the taper that is behind.
     const rest = clamp01((open * 0.9 - (length - Math.abs(way))) / Math.max(open * 0.9, 1e-3));
     const grownTo = sized * clamp01((born - fract(512 * even)) / 0.08);
     const spread = 1 + handmade * 0.5 * open * (fract(4096 * even) - 0.5);
@@ -166,7 +169,7 @@ export function penStroke(
   const [first, second] = along.places.map((place) =>
     mix(one(place, along.period), one(place, 2 * along.period), along.longer),
   );
-  // A fifth of the way from one axis to the other is that of one line; it begins by its hash.
+  // A line changes from one axis to the other over a fifth of the way, which begins by its hash.
   return mix(second, first, clamp01((1.2 * along.share - fract(8 * hash)) / 0.2));
 }
 
@@ -194,13 +197,13 @@ export function cutShare(
     return mixed(gouge(wedges + hash), gouge(wedges / 2 + hash), longer);
   });
   const wave = mixed(waves[1], waves[0], share) / (flattened(longer) * flattened(share));
-  // This makes the mean over all waves the wanted one.
+  // Makes the mean over all waves the wanted one.
   const middleFor = (rare: number) => (rare < swell ? Math.sqrt(4 * swell * rare) - swell : rare);
   const middle = white < 0.5 ? middleFor(white) : 1 - middleFor(1 - white);
   return clamp01(middle + swell * wave);
 }
 
-/** The logarithm to base 2, linear between powers of two, and its inverse. */
+/** The logarithm to base 2 at powers of two, linear between them, and its inverse. */
 export const octaveOf = (x: number): number => {
   const whole = Math.floor(Math.log2(x));
   return whole + x / 2 ** whole - 1;

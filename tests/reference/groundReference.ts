@@ -1,10 +1,10 @@
-/** A ground that shows shadows alone, in double precision, as documented. It shares no code with the shader. */
+/** A ground that shows shadows alone, in double precision, by its documentation. Shares no code with the shader. */
 import { hash01 } from './engravedStrokes.js';
 import type { Vec3 } from './referenceAdjacency.js';
 import { clamp01, cross, unit } from './vectors.js';
 
 /**
- * The tone of a shadow. A millionth of light counts as arriving anyway, so that there is no shadow where there is no light.
+ * The tone of a shadow. A millionth of light is added, so that there is no shadow where there is no light.
  *
  * @param arriving radiance, and `taken`, what shadows have taken of it
  * @param toneAt the tone that a share of the light prints, which is `blank` for all of it
@@ -23,9 +23,8 @@ export function shadowedTone(
 }
 
 /**
- * A line in a shadow of which so much is left, as a factor on its width there. Its turn to end is its hash, half of all later. When a share of the
- * turns has come it narrows, by 0.4 of that share for each part of what is left that has dissolved; the wider others are the whole in the mean.
- * The later half of the turns never comes. What is left counts as a thousandth at least.
+ * A factor on the width of a line in a shadow of which a share is left. A line begins to narrow in the order of its hash, and over 0.4 of
+ * the range; the wider ones keep the mean. Only the earlier half of the order is used. The share counts as at least a thousandth.
  */
 export function leftOfLine(value: number, left: number): number {
   const hash = hash01(value);
@@ -33,14 +32,17 @@ export function leftOfLine(value: number, left: number): number {
   const least = Math.max(left, 1e-3);
   const steep = Math.min(0.4 * ((1 - left) / least), 2);
   const narrowed = (at: number) => clamp01(1 - at * steep);
-  // The mean is that of a ramp, up to where it ends.
+  // The mean of a ramp up to its end.
   const end = Math.min(1, 1 / steep);
   return narrowed(turn) / (end * 0.5 * (1 + narrowed(end)));
 }
 
-/** The axis of lines that run away from a light, on a ground whose normal leans least from an axis of space; null where it is overhead. */
+/**
+ * The axis of lines that run away from a light, on a ground whose normal is nearest to one of the coordinate axes; null if the light is
+ * overhead.
+ */
 export function axisAway(light: Vec3, normal: Vec3): Vec3 | null {
-  // Of axes as near as one another it is the second, then the third.
+  // Among equally near axes the second counts first, then the third.
   const nearest = [1, 2, 0].reduce((best, i) => (Math.abs(normal[i]) > Math.abs(normal[best]) ? i : best));
   const up: Vec3 = [0, 0, 0];
   up[nearest] = 1;

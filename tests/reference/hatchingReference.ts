@@ -1,7 +1,7 @@
 /**
- * Algorithms 1, 2 and 3 of Suarez, Belhadj and Boyer, "GPU real time hatching", 2013, one fragment at a time, in double
- * precision and without a GPU. It was written from that article and from the conventions in the documentation, and shares no code with
- * the shader. Several lights are combined by the structure tensor of their directions; radiance follows the documentation of three.js.
+ * Algorithms 1, 2 and 3 of Suarez, Belhadj and Boyer, "GPU real time hatching", 2013, one fragment at a time, in double precision and
+ * without a GPU. Written from the article and the documentation, without code of the shader. Several lights are combined by the structure
+ * tensor of their directions; radiance follows the documentation of three.js.
  */
 import { glMatrix, mat3, type mat4, vec3, vec4 } from 'gl-matrix';
 import { normalDistribution } from './normalDistribution.js';
@@ -18,13 +18,13 @@ export interface ReferenceLight {
   /** World space: where a point or spot light is; for directional and spot light shines from here towards `target`. */
   position?: Vec3;
   target?: Vec3;
-  /** Distance at which the light ends; 0 never. */
+  /** Distance at which the light ends; 0 for no limit. */
   distance?: number;
   decay?: number;
   /** Spot: half angle of the cone in radians, and the share of it that fades. */
   angle?: number;
   penumbra?: number;
-  /** Whether something stands between the light and all of the object. */
+  /** Whether something blocks the light for the whole object. */
   isBlocked?: boolean;
 }
 
@@ -45,7 +45,7 @@ export interface ReferenceMaterial {
   crossAngle: number;
   /** Default: 'tone'. */
   shadowStrokes?: 'tone' | 'cross' | 'reorient';
-  /** Thresholds are blended and ink is decided once, instead of greys. */
+  /** Whether thresholds are blended and compared once, instead of blending greys. */
   crisp: boolean;
   levelRule: 'derivatives' | 'depth';
   inkBlend: 'cover' | 'multiply';
@@ -54,13 +54,13 @@ export interface ReferenceMaterial {
   color: Vec3;
   localTone: number;
   colorFill: number;
-  /** What the light is multiplied by. Default: 1. */
+  /** Factor on the light. Default: 1. */
   exposure?: number;
-  /** How much tone fades from one depth to another, in view units. Default: it does not. */
+  /** How much tone fades with depth, view units. Default: none. */
   depthFade?: number;
   depthNear?: number;
   depthFar?: number;
-  /** A point in the world. Tone falls off from one radius around it to two and a half. */
+  /** A point in the world. Tone falls off from one radius around it to 2.5. */
   focus?: Vec3;
   focusRadius?: number;
   /** How much tone falls off towards the rim of the picture. */
@@ -75,33 +75,33 @@ export interface ReferenceScene {
   /** World position of the eye; for an orthographic camera, the world direction towards it. */
   eye: Vec3;
   orthographic?: boolean;
-  /** For what depends on depth, or on the place in the picture. */
+  /** For depth, and for positions on the picture. */
   camera?: { view: number[]; projection: number[] };
-  /** How much the object matters. Default: 1. */
+  /** Importance of the object. Default: 1. */
   importance?: number;
   lights: ReferenceLight[];
   material: ReferenceMaterial;
   tones: number;
   image: HatchImageFunction;
-  /** For the level by depth: texels per side and levels of the map, and world units to a pixel at a world position. */
+  /** For the level by depth: texels per side and levels of the map, and world units per pixel at a world position. */
   size?: number;
   levels?: number;
   unitsPerPixel?: (at: Vec3) => number;
 }
 
-/** The shift of a layer's pattern against that of the previous layer, in tiles or anchors. */
+/** Offset of a layer's pattern from that of the layer before, in tiles or anchors. */
 export const LAYER_SHIFT: Vec3 = [17.37, 5.71, 11.13];
 
 /** One of the layers of strokes that are printed over one another. */
 export interface ReferenceLayer {
   tone: number;
-  /** Of its strokes against those of the first layer, counter-clockwise. */
+  /** Angle of its strokes to those of the first layer, counter-clockwise. */
   angle: number;
 }
 
-/** The share of the tone above `crossFrom` that stays with the layer that others cross: 0.4. */
+/** The tone of the layer that others cross: 0.4 of the tone above `crossFrom` stays with it. */
 const kept = (tone: number, from: number) => (tone > from ? from + 0.4 * (tone - from) : tone);
-/** The tone that must be printed over one tone to give another. */
+/** The tone that, printed over one tone, gives another. */
 const missing = (tone: number, printed: number) => 1 - (1 - tone) / (1 - printed);
 
 const LUMINANCE: Vec3 = [0.2126729, 0.7151522, 0.072175];
@@ -121,9 +121,9 @@ export function faceNormal([v0, v1, v2]: Triangle): Vec3 {
 interface Incident {
   /** Unit, towards the light, world space. */
   direction: Vec3;
-  /** What arrives, linear RGB. */
+  /** The light that arrives, linear RGB. */
   color: Vec3;
-  /** What would arrive if the light had no cone. */
+  /** The light that would arrive without a cone. */
   coneless: Vec3;
 }
 
@@ -132,7 +132,7 @@ const smoothly = (from: number, to: number, x: number) => {
   return t * t * (3 - 2 * t);
 };
 
-/** How an edge that is left open wavers with the place: by 12 % at most. */
+/** The irregularity of a hand-drawn edge by the place, 12 % at most. */
 function uneven(p: Vec3): number {
   const bent = (along: Vec3, by: number, other: Vec3, phase = 0) =>
     Math.sin(dot(p, along) + by * Math.sin(dot(p, other)) + phase);
@@ -144,7 +144,7 @@ function lightness(y: number): number {
   return (y > (6 / 29) ** 3 ? 116 * Math.cbrt(y) - 16 : (29 / 3) ** 3 * y) / 100;
 }
 
-/** Through points by Hermite's cubics, with the slopes of Fritsch and Butland; constant outside. */
+/** A monotone curve through points by Hermite cubics, with the slopes of Fritsch and Butland; constant outside. */
 function curveThrough(points: readonly [number, number][], x: number): number {
   const last = points.length - 1;
   if (x <= points[0][0]) return points[0][1];
@@ -170,7 +170,7 @@ function curveThrough(points: readonly [number, number][], x: number): number {
   );
 }
 
-/** What a light sends to a world position. Attenuation and cone as three documents them. */
+/** The light at a world position, with attenuation and cone as documented by three.js. */
 function incident(light: ReferenceLight, at: Vec3): Incident | null {
   if (light.type === 'ambient' || light.type === 'hemisphere') return null;
   const axis = normalize(subtract(light.position!, light.target ?? [0, 0, 0]));
@@ -190,14 +190,14 @@ function incident(light: ReferenceLight, at: Vec3): Incident | null {
   return { direction, color: scale(light.color, strength), coneless };
 }
 
-/** T and B in object space, and how far the lights disagree about them: 1 − A of the structure tensor. */
+/** T and B in object space, and the disagreement of the lights: 1 minus the anisotropy of the structure tensor. */
 interface Frame {
   tangent: Vec3;
   bitangent: Vec3;
   crossing: number;
 }
 
-/** Per scene, everything that does not depend on the fragment. */
+/** The values of a scene that do not depend on the fragment. */
 export class HatchingReference {
   private readonly scene: ReferenceScene;
   private readonly normalMatrix: number[];
@@ -284,13 +284,13 @@ export class HatchingReference {
     return { bitangent: vec3.scaleAndAdd([0, 0, 0], along, e2, sign * Math.sin(angle)) as Vec3, crossing };
   }
 
-  /** Whether strokes ignore the light where it does not arrive: only above a sine of elevation of 0.05. `n` is in world space. */
+  /** Whether strokes turn away from a light in its shadow, which they do above a sine of elevation of 0.05. `n` is in world space. */
   turnsAway(light: ReferenceLight, n: Vec3, at: Vec3): boolean {
     const isAsked = !!light.isBlocked && this.scene.material.shadowStrokes === 'reorient';
     return isAsked && dot(n, incident(light, at)!.direction) > 0.05;
   }
 
-  /** Whether strokes ignore all the lights that have a direction. `n` is in world space. */
+  /** Whether strokes turn away from all lights with a direction. `n` is in world space. */
   isDark(n: Vec3, at: Vec3): boolean {
     const directed = this.scene.lights.filter((light) => incident(light, at) !== null);
     return directed.length > 0 && directed.every((light) => this.turnsAway(light, n, at));
@@ -331,15 +331,15 @@ export class HatchingReference {
         response += Math.max(dot(mirrored, view), 0) ** material.shininess;
       }
       if (!light.isBlocked || !hasShadows) radiance += (luminance(arriving.color) / Math.PI) * response;
-      // Reflected light is a hemisphere of that light from the other side.
+      // Reflected light is a hemisphere light from the other side.
       let seen = (1 - cosine) / 2;
       const [x, y, z] = arriving.direction;
-      // Planes that face one side of the light get more, the farther they are in shade.
+      // Planes get more of it on the side that they turn to the light.
       const side: Vec3 = [0.8 * y - 0.48 * z, 0.36 * z - 0.8 * x, 0.48 * x - 0.36 * y];
       if (isPlane) seen += 1.2 * Math.max(seen - 0.25, 0) * Math.max(dot(n, normalize(side)), 0);
       radiance += (material.reflectedLight * luminance(arriving.coneless) * seen) / Math.PI;
     }
-    // A colour that looks half as light as white brings it half way to the tone of no light, as far as it counts.
+    // A colour with half the lightness of white brings the tone half way to that of no light, times localTone.
     const darkness = material.localTone * (1 - lightness(luminance(material.color)));
     const printed =
       (1 - darkness) * this.printedTone((material.exposure ?? 1) * radiance) + darkness * this.printedTone(0);
@@ -357,7 +357,7 @@ export class HatchingReference {
     }
     if (depthFade === 0 && vignette === 0) return left;
     const view = vec4.transformMat4([0, 0, 0, 0], [...position, 1], camera!.view as unknown as mat4);
-    // The air takes what it takes by e^(−3 t), of which all is taken at the far end.
+    // Aerial perspective follows e^(−3 t), scaled to its value at the far end.
     const way = clamp01((-view[2] - depthNear) / (depthFar - depthNear));
     left *= 1 - (depthFade * Math.expm1(-3 * way)) / Math.expm1(-3);
     const clip = vec4.transformMat4([0, 0, 0, 0], view, camera!.projection as unknown as mat4);
@@ -365,7 +365,7 @@ export class HatchingReference {
     return left * (1 - vignette * smoothly(0.55, 1, Math.hypot(x, y) * (1 + uneven([2 * x, 2 * y, 0]))));
   }
 
-  /** What a radiance prints on a white surface. */
+  /** The printed tone of a white surface's radiance. */
   private printedTone(radiance: number): number {
     const { toneModel, toneSteps, toneCurve } = this.scene.material;
     let tone = 1 - clamp01(radiance);
@@ -378,7 +378,7 @@ export class HatchingReference {
     return curveThrough(toneCurve, tone);
   }
 
-  /** The layers of strokes that together give a tone, 1 − T = Π (1 − Tᵢ). */
+  /** The layers of strokes that give a tone together, 1 − T = Π (1 − Tᵢ). */
   layers(tone: number, crossing: number): ReferenceLayer[] {
     const { strokeLayers, crossFrom, crossAngle } = this.scene.material;
     if (strokeLayers === 'lights' && crossing > 0) {
@@ -389,13 +389,13 @@ export class HatchingReference {
       ];
     }
     if (strokeLayers !== 'tone') return [{ tone, angle: 0 }];
-    // The third halves the angle between the second and the first turned by half a turn.
+    // The third layer halves the angle between the second and the reversed first.
     const angles = [0, crossAngle, (crossAngle + Math.PI) / 2];
     const layers = (...tones: number[]) => tones.map((one, i) => ({ tone: one, angle: angles[i] }));
     if (tone <= crossFrom) return layers(tone, 0, 0);
     const first = kept(tone, crossFrom);
     const others = missing(tone, first);
-    // Half way from the tone where the second layer begins to the darkest, the third does.
+    // The third layer begins half way between the second's tone and 1.
     const thirdFrom = (1 + crossFrom) / 2;
     const second = kept(others, missing(thirdFrom, kept(thirdFrom, crossFrom)));
     return layers(first, second, missing(others, second));
@@ -417,7 +417,7 @@ export class HatchingReference {
     return between(x, tones - 1, (i) => between(fine, levels - 1, (k) => image(i, u, v, k)));
   }
 
-  /** Octaves by which the map is too fine at a world position: texels to a pixel, by depth and scale alone. */
+  /** Octaves by which the map is too fine at a world position: texels per pixel, by depth and scale. */
   private level(world: Vec3): number {
     const { size = 1, unitsPerPixel, material } = this.scene;
     if (material.levelRule !== 'depth') return 0;
@@ -425,7 +425,7 @@ export class HatchingReference {
     return Math.log2(material.tilesPerUnit * size * objectPerWorld * unitsPerPixel!(world));
   }
 
-  /** What is blended at the point b0·V0 + b1·V1 + b2·V2 of a triangle with these neighbours, as in `shade`. */
+  /** The values that are blended at the point b0·V0 + b1·V1 + b2·V2 of a triangle with these neighbours. */
   private shades(
     triangle: Triangle,
     neighbours: readonly (Triangle | null)[],
@@ -476,7 +476,7 @@ export class HatchingReference {
   shade(...at: Parameters<HatchingReference['shades']>): Vec3 {
     const { world, frames } = this.shades(...at);
     const level = this.level(world);
-    // Each layer is blended like a picture of its own, then one is printed over the other.
+    // Each layer is blended by itself, and then printed over the others.
     const blank = [1, 1, 1];
     for (const { share, layers } of frames) {
       layers.forEach(({ tone, place }, i) => {

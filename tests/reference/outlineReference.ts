@@ -1,15 +1,15 @@
-/** Outlines at one place, in double precision, as documented. It shares no code with the shaders. */
+/** Outlines at one place, in double precision, by their documentation. Shares no code with the shaders. */
 import { vec3 } from 'gl-matrix';
 import type { Vec3 } from './referenceAdjacency.js';
 import { cross, dot, mixed, smoothly, unit } from './vectors.js';
 
-/** The share of its width that a contour has where the surface bends by so much: it ends where the surface stops to. */
+/** The share of its width that a contour has at a curvature: it ends where that is 0. */
 export const taperedTo = (bend: number, taper: number): number => {
   if (taper === 0) return bend < 0 ? 0 : 1;
   return smoothly(0, taper, bend);
 };
 
-/** From where to where one side of an edge faces the eye and the other does not. Cosines at both ends, linear between them. */
+/** The part of an edge where one side faces the eye and the other does not. Cosines at both ends, linear between them. */
 export function partInContour(
   left: readonly [number, number],
   right: readonly [number, number],
@@ -34,7 +34,7 @@ export interface OutlineShade {
   lostEdges: number;
 }
 
-/** Factors on the width before a surface, and before the paper. contour: the share of the piece that is one. */
+/** Factors on the width before a surface, and before paper. contour: share of the piece that is one. */
 export function shadedWidths(
   normal: Vec3,
   contour: number,
@@ -42,7 +42,7 @@ export function shadedWidths(
 ): [number, number] {
   const inShade = smoothly(0.15, 0.85, (1 - dot(normal, light)) / 2);
   const before = lit * (1 - inShade) + shaded * inShade;
-  // Just inside, the surface leans to the eye by half. The brightest part of the contour is lost first, over a range of 0.7 of the cosine.
+  // Just inside, the normal leans halfway to the eye. The brightest part of the contour is lost first, over 0.7 of the cosine.
   const inside = dot(unit(mixed(normal, 2, sight, 1)), light);
   const end = 1 - 0.7 * lostEdges;
   const thinnest = 0.47 - 0.35 * lostEdges;
@@ -50,8 +50,8 @@ export function shadedWidths(
 }
 
 /**
- * How far an outline is lifted to the eye. R: the bounding radius, half: of its width, extent: of the triangle along the sight; lengths in one
- * unit. bend: R times the curvature, or null at an edge.
+ * Distance by which an outline is lifted towards the eye. R: bounding radius, half: half of its width, extent: depth of its triangle; in
+ * one unit. bend: R times the curvature, or null at an edge.
  */
 export function liftedBy(bend: number | null, extent: number, half: number, R: number): number {
   if (bend === null) return 0.004 * R + extent + 6 * half;
@@ -59,17 +59,17 @@ export function liftedBy(bend: number | null, extent: number, half: number, R: n
   return 0.004 * R + extent + 2 * half + Math.min(Math.sqrt((2 * half) / curvature), 0.11 * R);
 }
 
-/** By how much a surface may lie before its own outline, beside it. pixel: its size; in a valley both sides rise by three. */
+/** Distance by which a surface may lie before its own outline. pixel: its size; at a concave edge both sides rise by three pixels. */
 export const mayLieBefore = (ownCover: number, isValley: boolean, pixel: number, R: number): number =>
   ownCover + R / 2000 + (isValley ? 6 * pixel : 0);
 
-/** How much of paper what lies so many heights of the view behind it is. */
+/** The share of paper, if the background is so many heights of the view behind. */
 export const paperBehind = (gap: number): number => smoothly(0.25, 0.75, gap);
 
-/** The weight of what a surface hides. */
+/** The weight of a hidden outline. */
 export const behindSurface = (weight: number): number => smoothly(0, 0.2, weight) / 2;
 
-/** How far an outline strays from a place, which is given in bounding radii. */
+/** The wobble of an outline at a place, in bounding radii. */
 export function strayed(place: Vec3, wobble: number): [number, number] {
   const bent = (along: Vec3, by: number, other: Vec3, phase: number) =>
     Math.sin(dot(place, along) + by * Math.sin(dot(place, other)) + phase);
@@ -89,7 +89,7 @@ export function suggestedBy(
 ): number {
   const [a, b, c] = corners;
   const [ab, ac] = [mixed(b, 1, a, -1), mixed(c, 1, a, -1)];
-  // The gradient in the plane has the products with both edges that the bend asks for.
+  // The gradient in the plane, from its products with both edges.
   const [aa, bb, mid] = [dot(ab, ab), dot(ac, ac), dot(ab, ac)];
   const [x, y] = [bends[1] - bends[0], bends[2] - bends[0]];
   const determinant = aa * bb - mid * mid;
@@ -101,7 +101,7 @@ export function suggestedBy(
   return smoothly(20, 60, growth * smoothly(0.1, 0.35, vec3.length(w)));
 }
 
-/** How deep a triangle is beside a piece of contour on it. */
+/** The depth of a triangle beside a piece of contour on it. */
 export function depthBeside(corners: readonly Vec3[], start: Vec3, end: Vec3, toEye: Vec3): number {
   const along = unit(mixed(end, 1, start, -1));
   const depths = corners.map((corner) => {

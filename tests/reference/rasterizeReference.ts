@@ -6,7 +6,7 @@ export interface ReferenceCamera {
   projection: number[];
 }
 
-/** What is seen at a pixel centre. */
+/** The visible triangle at a pixel centre. */
 export interface ReferenceFragment {
   triangle: number;
   /** Perspective-correct. */
@@ -80,7 +80,7 @@ export function rasterizeReference(
   return fragments;
 }
 
-/** Pixels whose eight neighbours are all covered too: the silhouette, where rasterizers may differ, is left out. */
+/** Pixels whose eight neighbours are covered too: silhouettes are left out, where rasterizers may differ. */
 export function interiorPixels(
   fragments: readonly (ReferenceFragment | null)[],
   width: number,

@@ -5,8 +5,8 @@ export type Triangle = [Vec3, Vec3, Vec3];
 const key = (v: Vec3) => v.map((x) => (x === 0 ? 0 : x)).join(',');
 
 /**
- * The neighbour across each edge of each triangle, by brute force over strings: the slow and obvious way, for meshes in
- * which at most two triangles share an edge. Neighbours come oriented like the triangle that asks.
+ * The neighbour across each edge of each triangle, by brute force over strings, for meshes in which at most two triangles share an edge.
+ * Neighbours are oriented like the triangle itself.
  *
  * @returns per triangle, the triangles α, β, γ across the edges V0V1, V1V2, V2V0, or null at a border.
  */

@@ -1,6 +1,6 @@
 /**
- * The medium `stipple` at one fragment, in double precision, as documented: planes, a self-similar set of points, discs on the
- * screen. It shares no code with the shader, except for the table of the points.
+ * The medium `stipple` at one fragment, in double precision, by its documentation: planes, a self-similar point set, discs on the screen.
+ * Shares no code with the shader, except the table of points.
  */
 import { mat3, mat4, vec3 } from 'gl-matrix';
 import { STIPPLE_MAP_SIZE } from '../../src/material/tam/patternSizes.js';
@@ -25,13 +25,13 @@ const cross = (a: Vec3, b: Vec3) => vec3.cross([0, 0, 0], a, b) as Vec3;
 const unit = (a: Vec3) => vec3.normalize([0, 0, 0], a) as Vec3;
 const clamp01 = (x: number) => Math.min(1, Math.max(0, x));
 
-/** The thirteen axes of a cube: through its faces, edges and corners, one of each opposite two. */
+/** The thirteen axes of a cube: through its faces, edges and corners, one of each opposite pair. */
 const AXES: readonly Vec3[] = [-1, 0, 1]
   .flatMap((x) => [-1, 0, 1].flatMap((y) => [-1, 0, 1].map((z): Vec3 => [x, y, z])))
   .slice(14)
   .map(unit);
 
-/** The axes that are near enough to the normal of a surface, on its front side, and the share of each. */
+/** The axes near the normal of a surface, on its front side, with their shares. */
 function planesOf(normal: Vec3): { axis: Vec3; share: number }[] {
   const facing = AXES.map((axis) => Math.abs(dot(axis, normal)));
   const best = Math.max(...facing);
@@ -43,16 +43,16 @@ function planesOf(normal: Vec3): { axis: Vec3; share: number }[] {
   })).filter(({ share }) => share >= 0.02);
 }
 
-/** The share of the paper that dots cover: up to half tone the tone, and all of it from 0.85 on. */
+/** The share of paper that dots cover: the tone up to half tone, and all of it from 0.85 on. */
 const coverOf = (tone: number) => Math.min(1, tone + 0.05 * (Math.max(0, tone - 0.7) / 0.25) ** 2);
 
-/** The shift of the set along both axes of a plane, per axis of space and in tiles. */
+/** Offset of the point set along both axes of a plane, per axis of space, in tiles. */
 const SHIFTS: readonly Vec3[] = [
   [3.17, 7.71, 5.39],
   [7.71, 5.39, 3.17],
 ];
 
-/** The convention for two axes in a plane. */
+/** Two axes in a plane. */
 function acrossAxis(axis: Vec3): [Vec3, Vec3] {
   const u = unit(Math.abs(axis[0]) > Math.abs(axis[2]) ? [-axis[1], axis[0], 0] : [0, -axis[2], axis[1]]);
   return [u, cross(axis, u)];
@@ -60,14 +60,14 @@ function acrossAxis(axis: Vec3): [Vec3, Vec3] {
 
 const texels = stippleMap().image.data as Uint8Array;
 
-/** The share of an octave in which a dot grows. */
+/** The part of an octave over which a dot grows. */
 const GROWTH = 0.35;
 
-/** The area of a dot at a point of the octave, as a share of its full area. */
+/** The area of a dot during an octave, as a share of its full area. */
 const grownBy = (octave: number, birth: number): number =>
   birth === 0 ? 1 : clamp01((octave - birth * (1 - GROWTH)) / GROWTH);
 
-/** The mean area over all times of appearance. It is exact, because the area is linear in between. */
+/** The mean area over all times of appearance, exact since the area is linear between them. */
 function meanGrown(octave: number): number {
   const ends = [0, (octave - GROWTH) / (1 - GROWTH), octave / (1 - GROWTH), 1].map(clamp01).toSorted((a, b) => a - b);
   let sum = 0;
@@ -78,7 +78,7 @@ function meanGrown(octave: number): number {
   return sum;
 }
 
-/** The total area of all discs that gives a coverage at a point of the octave. Discs overlap, so it is larger than the coverage. */
+/** The total area of discs for a cover during an octave. Discs overlap, so it is larger than the cover. */
 function areaFor(covered: number, octave: number): number {
   if (covered <= 0.5) return covered;
   return (
@@ -87,7 +87,7 @@ function areaFor(covered: number, octave: number): number {
   );
 }
 
-/** The share of ink at a distance from the middle of a disc with a soft edge. Discs smaller than their edge become paler. */
+/** The ink of a disc with a soft edge, by the distance from its middle. Discs smaller than their edge become paler. */
 function discInk(away: number, area: number, edge: number): number {
   const squared = area / Math.PI;
   const radius = Math.sqrt(Math.max(squared - edge ** 2 / 12, edge ** 2 / 4));
@@ -103,7 +103,7 @@ export class StippleReference {
     const tone = reference.tone(reference.toWorld(place), unit(toneNormal));
     const n = unit(normal);
     const toViewer = unit(reference.toViewer(reference.toWorld(place)));
-    // None of the scenes shows the back of a surface.
+    // No scene shows a back face.
     const pull = Math.max(dot(n, toViewer), 0.5);
     const between = unit(n.map((x, i) => pull * x + toViewer[i]) as Vec3);
     const { toScreen, lie } = this.screenMap(place, n);
@@ -113,7 +113,7 @@ export class StippleReference {
     for (const { axis, share } of planesOf(between)) {
       const [u, v] = acrossAxis(axis);
       const moves = [u, v].map((side) => {
-        // This takes a step in the plane along the axis to the surface.
+        // A step in the plane, projected along the axis onto the surface.
         const lifted = side.map((x, i) => x - (axis[i] * dot(side, lie)) / dot(axis, lie)) as Vec3;
         return toScreen(lifted);
       }) as [Vec2, Vec2];
@@ -124,14 +124,14 @@ export class StippleReference {
     return 1 - blank * Math.min(1, (1 - cover) / 0.03);
   }
 
-  /** The ink of one plane, whose dots cover `own`. `moves` are the pixels for a step along each of its axes. */
+  /** The ink of one plane, whose dots cover `own`. `moves`: pixels per step along each of its axes. */
   private dots(at: Vec2, moves: [Vec2, Vec2], own: number): number {
     const { tilesPerUnit, strokeWidth, sizedOnScreen, edgePixels } = this.scene.settings;
     const pixelArea = Math.abs(moves[0][0] * moves[1][1] - moves[0][1] * moves[1][0]);
-    // A dot at half tone has 0.8 of its room as diameter. Dots per unit of length.
+    // The diameter of a dot at half tone is 0.8 of the distance between dots. Dots per unit of length.
     const onPaper = Math.sqrt(pixelArea) / (strokeWidth / 0.8);
     const onObject = Math.min(64 * tilesPerUnit, onPaper);
-    // Discs of one size that fall at random leave exp(−their area) blank. The number of dots is nearly that of these.
+    // Randomly placed discs of one size leave exp(−area) blank. The number of dots is close to theirs.
     const crowded = (Math.log(1 - Math.max(own, 0.02)) / Math.log(0.5)) ** 0.45;
     const octave = Math.log2(onObject ** (1 - sizedOnScreen) * onPaper ** sizedOnScreen * crowded);
     const cells = 2 ** (Math.floor(octave) + 1);
@@ -153,7 +153,7 @@ export class StippleReference {
     return Math.min(ink, 1);
   }
 
-  /** The number of pixels for a step in object space, from the derivatives of the whole projection, and the slant of the surface. */
+  /** Pixels per step in object space, from the derivatives of the whole projection, and the normal's components there. */
   private screenMap(place: Vec3, normal: Vec3): { toScreen: (step: Vec3) => Vec2; lie: Vec3 } {
     const { camera, matrixWorld, size } = this.scene;
     const objectToView = mat4.multiply(mat4.create(), camera.view as unknown as mat4, matrixWorld as unknown as mat4);
@@ -170,7 +170,7 @@ export class StippleReference {
       const inView = vec3.transformMat3([0, 0, 0], step, linear) as Vec3;
       return [moved(0, inView), moved(1, inView)];
     };
-    // The slant is limited: a cosine below 0.33 counts as 0.33. It is the cosine to a line of sight whose length is the depth.
+    // The angle is limited: a cosine below 0.33 counts as 0.33. It is the cosine to a line of sight whose length is the depth.
     const toObject = mat3.invert(mat3.create(), linear)!;
     const inView = unit(vec3.transformMat3([0, 0, 0], normal, mat3.transpose(mat3.create(), toObject)) as Vec3);
     const isPerspective = p[11] !== 0;

@@ -1,4 +1,4 @@
-/** Vectors as lists, and what shaders have as functions. */
+/** Vector functions on plain arrays, and functions that GLSL has built in. */
 import { type mat3, vec3 } from 'gl-matrix';
 import type { Vec3 } from './referenceAdjacency.js';
 

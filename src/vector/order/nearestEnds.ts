@@ -1,9 +1,9 @@
 /**
  * The nearest neighbours of each point, except the other point of its pair. A grid makes it nearly linear in time. Yields its progress.
  *
- * @param points x and y in turn; pairs are 0 and 1, 2 and 3 …
- * @param count how many are wanted
- * @returns `count` numbers of points per point, the nearest first; −1 where there are no more
+ * @param points x and y in turn; points 0 and 1 are a pair, and 2 and 3 …
+ * @param count number of neighbours
+ * @returns `count` indices per point, nearest first; −1 for none
  */
 export function* nearestEnds(points: Float64Array, count: number): Generator<number, Int32Array, void> {
   const total = points.length / 2;

@@ -8,7 +8,7 @@ import type { FeatureEdge, OutlineLook, OutlineMesh, OutlinePiece, PieceEnd } fr
 /**
  * Finds all pieces of outlines on a mesh, before light and visibility. Yields its progress.
  *
- * @param withHidden whether creases count that look away on both sides, and so are hidden for sure
+ * @param withHidden whether to include creases whose sides both face away, which are always hidden
  */
 export function* outlinePieces(
   mesh: OutlineMesh,

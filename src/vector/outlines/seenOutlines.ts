@@ -12,7 +12,7 @@ const { BESIDE, CUT_SLOPE } = OUTLINE_CONSTANTS;
  * A visibility test for an outline: it is lifted towards the eye so that its own surface does not hide it, and nothing may lie before it on
  * at least one side.
  *
- * @param leastHalf half the width, pixels, that it is lifted for at least
+ * @param leastHalf least half width, pixels, that the lift is computed for
  */
 export function outlineTest(chain: Chain, bvh: Bvh, projection: Projection, leastHalf = 0): SeenTest {
   const { pieces, radius } = chain.outline!;

@@ -75,8 +75,8 @@ export class ColourReader {
   /**
    * The paint at a place.
    *
-   * @param numbers its details
-   * @param footprint the width of what is taken together, world units
+   * @param numbers details of the place
+   * @param footprint width over which textures are averaged, world units
    */
   paintAt(numbers: ArrayLike<number>, footprint: number): Paint {
     return this.read(numbers, footprint, 'here');

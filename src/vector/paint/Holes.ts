@@ -15,8 +15,8 @@ export class Holes {
   /**
    * Whether there is a hole at a place of a triangle.
    *
-   * @param u and `v` are the weights of its second and third corner
-   * @param isForLight whether light may pass, not sight
+   * @param u and `v`: weights of its second and third corner
+   * @param isForLight whether the ray is one of light, not of sight
    */
   isOpen(triangle: number, u: number, v: number, place: Vec3, isForLight: boolean): boolean {
     const i = this.indexOf(triangle);

@@ -34,8 +34,8 @@ export function bentInObject(relief: Vec3, toWorld: Mat3, side: number): Vec3 {
  * The normal of a bump map (Mikkelsen, 2010). The steps lead one pixel to the right and up on the picture: heights are in pixels, whatever
  * the size of the surface.
  *
- * @param rises by which the height changes along both steps
- * @param side 1, or −1 where the back is seen
+ * @param rises changes of height along both steps
+ * @param side 1 on front faces, −1 on back faces
  */
 export function bentByHeights(
   normal: Vec3,

@@ -28,7 +28,7 @@ export const across = (axis: Vec3): Vec3 => normalize(cross(axis, Math.abs(axis[
 /**
  * The field of the first family.
  *
- * @param light as `fieldLight` gives it
+ * @param light a result of `fieldLight`
  * @param rotation of strokes from the tangent to the light, radians
  */
 export function firstField(lineField: CutField, { axis, bend }: Field, rotation: number): Field {

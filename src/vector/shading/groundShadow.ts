@@ -24,7 +24,7 @@ export interface GroundLook {
 /**
  * The tone of shadows on a ground.
  *
- * @param arriving radiance of a white surface there, and `shadowed`, what shadows have taken of it
+ * @param arriving radiance of a white surface there, and `shadowed`, the radiance that shadows take
  * @param left the share of the tone that has not dissolved
  */
 export function groundTone(
@@ -60,7 +60,7 @@ export function lineLeft(line: number, left: number): number {
  * The field across the light and along the ground, whose lines run away from the light.
  *
  * @param light towards it, unit, field space
- * @param normal of the ground, of any length: the axis that leans least from it stands for it
+ * @param normal of the ground, of any length; the coordinate axis nearest to it is used
  */
 export function awayField(light: Vec3, normal: Vec3): Field {
   const [x, y, z] = [Math.abs(normal[0]), Math.abs(normal[1]), Math.abs(normal[2])];

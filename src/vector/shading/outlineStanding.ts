@@ -19,8 +19,8 @@ export interface Standing {
  * The standing at a place. Along the outline the weight changes gradually with what lies behind it, and an accent grows towards such a
  * change.
  *
- * @param here how far behind the outline the surface beside it lies, in heights of the view, up to 1
- * @param gapAt the same so many steps along the outline, to either side; undefined beyond the picture
+ * @param here distance from the outline back to the surface beside it, in heights of the view, up to 1
+ * @param gapAt the same distance at a step along the outline, in either direction; undefined beyond the picture
  */
 export function standingAt(here: number, gapAt: (step: number) => number | undefined): Standing {
   let paper = paperness(here);

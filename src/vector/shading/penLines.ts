@@ -50,7 +50,7 @@ export function asideOf(value: number, spacing: number): number {
  * Above 0 where a line is drawn.
  *
  * @param rank the power of two in its value, as an exponent
- * @param isEven whether lines move aside; otherwise the ends of neighbours are spread as far as can be
+ * @param isEven whether lines move aside; otherwise the ends of neighbours are spread as far as possible
  */
 export function penMargin(value: number, rank: number, spacing: number, isEven: boolean): number {
   const top = topOf(spacing);

@@ -153,7 +153,7 @@ const mixed = (a: Stroke, b: Stroke, t: number): Stroke => ({
 /**
  * The stroke on a line at the place.
  *
- * @param share of the room of an old line that the line has: younger ones have thinner strokes, and fewer where the tone is light
+ * @param share of the room of an old line that the line has: new lines have thinner strokes, and fewer in light tones
  */
 export function strokeAt(pen: Pen, share: number, line: number): Stroke {
   // At full width new strokes would fill the room between the old ones. In the darks a missing stroke would be a hole.

@@ -57,7 +57,7 @@ function inCone({ axis, outer, inner }: NonNullable<Lamp['cone']>, direction: Ve
 /**
  * The response of a surface to light from a direction.
  *
- * @param toViewer unit, which a highlight depends on
+ * @param toViewer unit, for highlights
  */
 export function responseTo(model: ToneModel, normal: Vec3, direction: Vec3, toViewer: Vec3, shininess: number): number {
   const cosine = dot(normal, direction);

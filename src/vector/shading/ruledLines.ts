@@ -47,7 +47,7 @@ export interface LineSpacing {
 /**
  * The change of a function per pixel by which its lines are spaced: that of the smooth surface, within bounds of that on the flat triangle.
  *
- * @param smooth its change per pixel by the smooth normal
+ * @param smooth its change per pixel on the smooth surface
  * @param seen the same on the flat triangle
  */
 export function spacedBy(smooth: number, seen: number): number {
@@ -60,7 +60,7 @@ export function spacedBy(smooth: number, seen: number): number {
  *
  * @param rise of the function along the surface, per tile
  * @param perPixel its change from one pixel to the next
- * @param coarsest the octave of the lines that lie farthest apart
+ * @param coarsest the octave of the widest spacing
  */
 export function octaveOf(spacing: LineSpacing, rise: number, perPixel: number, coarsest: number): number {
   const { lineSpacing, finestSpacing, sizedOnScreen } = spacing;

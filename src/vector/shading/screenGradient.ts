@@ -38,8 +38,8 @@ export interface SeenPlace {
 /**
  * The screen map at a place of a surface.
  *
- * @param normal in the space of the places that functions are of, of any length
- * @param isFlat whether the normal is that of a flat triangle, whose slant is not held down
+ * @param normal of any length, in the space of the positions that functions take
+ * @param isFlat whether it is the normal of a flat triangle, whose angle is not limited
  */
 export function screenMap(normal: Vec3, viewToPlace: Mat3, seen: SeenPlace, isFlat = false): ScreenMap {
   const inView = timesMatrix(normal, viewToPlace);

@@ -84,7 +84,7 @@ export interface DotSize {
  * The logarithm to base 2 of cells per object unit.
  *
  * @param pixelArea object units² per pixel, above 0
- * @param own what the dots of the plane cover
+ * @param own the share that the plane's dots cover alone
  */
 export function dotOctave(pixelArea: number, own: number, { dotPixels, tilesPerUnit, sizedOnScreen }: DotSize): number {
   const onObject = Math.log2(tilesPerUnit * DOTS_PER_TILE);

@@ -34,7 +34,7 @@ type Pair = readonly [number, number];
 const crossed = (a: Pair, b: Pair): number => Math.abs(a[0] * b[1] - a[1] * b[0]);
 
 /**
- * @param place field space, tiles, where no hand strays
+ * @param place field space, tiles, before the hand displaces it
  * @param normal of any length
  * @param gradient of the family's function, of any length
  */
@@ -74,7 +74,7 @@ export function alongLines(
 /**
  * The amplitude of variation from line to line, as a share of the greatest: less if few lines lie between repeats of their numbers.
  *
- * @param octave of their distance
+ * @param octave of their spacing
  */
 export const differing = (octave: number, repeat: number): number =>
   Math.min(Math.max((octaves(repeat) - octave) / DIFFERING_OCTAVES, LEAST_DIFFERING), 1);

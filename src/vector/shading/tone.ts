@@ -77,7 +77,7 @@ export function shadedTone(radiance: number, occluded: number, look: ToneLook): 
 /**
  * The darkness of a colour beside white, as far as it becomes tone.
  *
- * @param luminance of the colour, and `emitted` of what the surface gives off, both in linear light
+ * @param luminance of the colour, and `emitted` of the emitted light, both linear
  */
 export const localDarkness = (luminance: number, emitted: number, localTone: number, colorExposure: number): number =>
   localTone * (1 - Math.min(colorExposure * lightness(clamp01(luminance)), 1)) * (1 - clamp01(emitted));

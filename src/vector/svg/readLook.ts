@@ -49,7 +49,7 @@ export function engravedLookOf(material: HatchingMaterial, hasForm: boolean): En
 /**
  * The properties of a material that its tone depends on.
  *
- * @param mesh that it draws
+ * @param mesh the mesh that it draws
  * @param fit of the exposure to the scene
  * @param emphasis of the object
  */

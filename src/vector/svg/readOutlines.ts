@@ -36,9 +36,9 @@ const CHUNK = 4096;
 /**
  * The look of outlines. Lines do not fade: half transparent ones are half as wide, which takes the same ink.
  *
- * @param surface what draws the surface
+ * @param surface material of the surface
  * @param geometry of the surface
- * @param hasMaterials whether the mesh has several, whose borders are drawn
+ * @param hasMaterials whether the mesh has several materials, whose borders are drawn
  * @param emphasis of the mesh
  */
 export function outlineLookOf(

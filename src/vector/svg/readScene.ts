@@ -62,8 +62,8 @@ const SHADOW_BIAS = 0.01;
 /**
  * Reads a scene as plain data, and lists what is not in it. Updates the world matrices of scene and camera. Yields its progress.
  *
- * @param shadows as of `DrawSVGOptions`
- * @param clippingPlanes that clip everything
+ * @param shadows as in `DrawSVGOptions`
+ * @param clippingPlanes planes that clip everything
  */
 export function* readScene(
   scene: Object3D,

@@ -153,8 +153,8 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
   /**
    * Writes the uniforms of one mesh.
    *
-   * @param viewport the part of the target that the camera draws into, pixels from the lower left
-   * @param look what says how much weight lines have where
+   * @param viewport the viewport in the render target, pixels from the lower left
+   * @param look the emphasis of the mesh
    * @internal
    */
   writeDraw(

@@ -30,7 +30,7 @@ const CHUNK = 4096;
 /**
  * Deforms the vertices of a mesh by its morph targets and its skin. Yields its progress.
  *
- * @param instance whose morph targets count, of a mesh whose instances have their own; −1 for others
+ * @param instance index of the instance, if instances have their own morph targets; otherwise −1
  */
 export function* posedVertices(mesh: Mesh, instance = -1): Generator<number, PosedVertices, void> {
   const { position, normal } = mesh.geometry.attributes;

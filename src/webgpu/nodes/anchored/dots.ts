@@ -75,7 +75,7 @@ const dotCover = (away: Value, squared: Value): Value =>
  * The share of the fragment that the dots of a plane cover.
  *
  * @param octave of the cells per object unit
- * @param share what all of its dots together cover
+ * @param share the share that all of its dots cover
  */
 export function dotsAt(at: Value, { gradientU, gradientV, area }: PlaneOnScreen, octave: Value, share: Value): Value {
   const cells = exp2(floor(octave).add(1)).toVar();

@@ -7,8 +7,8 @@ type WithUniforms = Material & { uniforms?: Record<string, IUniform> };
 /**
  * A node for a texture uniform of the material that is being drawn.
  *
- * @param blank stands in where there is none, and says what format those are of. Of its own: three.js 0.186 takes nodes that hold one
- *   texture while a shader is built for the same uniform
+ * @param blank placeholder, of the format that the texture has. Each node needs its own: three.js 0.186 merges nodes that hold the same
+ *   texture while a shader is built into one uniform
  */
 export const hatchingTexture = (name: string, blank: Texture): TextureValue =>
   threeNodes

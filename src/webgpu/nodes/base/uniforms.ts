@@ -9,7 +9,7 @@ const known = new Map<string, Value>();
 /**
  * A node for a uniform of the material that is being drawn, read from its `uniforms`. All materials share the node, and so share programs.
  *
- * @param type of a flag `float`: three.js keeps one of type `bool` where it is first asked for, in a branch too
+ * @param type `float` for a flag: three.js evaluates one of type `bool` where it is used first, even inside a branch
  */
 export function hatchingUniform(name: string, type: UniformType): Value {
   const key = `${name} ${type}`;

@@ -7,7 +7,7 @@ const { float, max, min } = tsl;
 /**
  * The part of a tone that a layer prints itself, if other layers cross it above the tone `from`.
  *
- * @param kept the share of the tone above that one which it still takes
+ * @param kept the share of the tone above `from` that it still prints
  */
 export const takenOf = (tone: Value, from: Value, kept: number = TONE_CONSTANTS.KEPT_SHARE): Value =>
   min(tone, from).add(max(tone.sub(from), 0).mul(kept));

@@ -24,7 +24,7 @@ const oneMinus = (x: Value): Value => float(1).sub(x);
 /**
  * The darkness ∈ [0, 1] of a dry medium for a field and a tone. As with ink, its mean is the tone.
  *
- * @param pixel of what is drawn to, counted from the lower left
+ * @param pixel of the render target, counted from the lower left
  */
 export function inkAt(field: HatchField, tone: Value, crowding: Value, pixel: Value): Value {
   const squared = tone.mul(tone).toVar();

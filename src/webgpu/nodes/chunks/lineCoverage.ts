@@ -6,7 +6,7 @@ const { clamp, max, min } = tsl;
 /**
  * The share of a pixel that a line covers; lengths in pixels.
  *
- * @param away from its centre
+ * @param away distance from its centre
  * @param fringe how far its edge fades beyond its width
  */
 export const lineCoverage = (away: Value, halfWidth: Value, fringe: Input): Value =>

@@ -76,7 +76,7 @@ function cubeShadow(map: ShadowMap, fromLight: Value, values: ShadowValues): Val
 /**
  * The soft shadow of one light at the fragment.
  *
- * @param filtered how much passes as other surfaces receive it
+ * @param filtered the light that passes with three.js' filter
  */
 export function readSoftShadow(
   light: Light & { shadow: LightShadow },

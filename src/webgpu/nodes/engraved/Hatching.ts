@@ -43,9 +43,9 @@ export interface HatchingParameters {
   /**
    * A family that crosses the first.
    *
-   * @param isB towards which side it leans
+   * @param isB the side towards which it leans
    * @param lean cosine and sine of the angle at which it crosses the first
-   * @param isOther whether that angle is the negative one
+   * @param isOther whether the sine is negative
    */
   crossingFamily(isB: boolean, lean: readonly [cosine: Value, sine: Value], isOther: boolean): Family;
 }

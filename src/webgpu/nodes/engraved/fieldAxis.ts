@@ -52,7 +52,7 @@ function acrossGround(light: Value): Value {
 /**
  * The gradient of the field at the origin, unit, and the reciprocal of the distance of its lamp: 0 for planes across the axis.
  *
- * @param light towards it, unit, and one over its distance, field space
+ * @param light unit direction towards it, and reciprocal of its distance, field space
  */
 export function firstField(light: Value, { lineField, runsAway }: LineCut): Value {
   if (runsAway) return vec4(acrossGround(light.xyz), 0);

@@ -109,7 +109,7 @@ const latenessOf = (chance: Value): Value => fract(chance.mul(LATE_HASH)).mul(LA
  * distances between lines.
  *
  * @param place in lengths of strokes
- * @param hash of the line, as are its turn and the bits that its strokes have by chance
+ * @param hash of the line; `turn` and `bits` too
  */
 function strokeOn(
   pen: Pen,
@@ -200,7 +200,7 @@ function strokesOn(pen: Pen, born: Value, line: Value): Value {
 }
 
 /**
- * @param away from the line, signed, in pixels
+ * @param away signed distance from the line, pixels
  * @param share of the room of old lines that the line has
  * @param spacing of old lines, pixels
  */

@@ -26,7 +26,7 @@ const LIFTED = 0.5;
  *
  * @param across 0 in the middle of the outline, 1 at its side
  * @param along a wave along it, from −1 to 1
- * @param pixel of what is drawn to, counted from the lower left
+ * @param pixel of the render target, counted from the lower left
  */
 export function dryInk(across: Value, along: Value, pixel: Value): Value {
   const side = min(tooth.div(SOFT_TOOTH), 1).mul(across).mul(across);

@@ -14,7 +14,7 @@ export const hiddenWeight = (weight: Value): Value => smoothstep(0, WHOLE_FROM, 
  * The share of a pixel that is drawn, by dashes and gaps. All in pixels.
  *
  * @param place along a piece that is `size` long
- * @param fromOrigin from the place of the object on the screen, so that dashes go along with it
+ * @param fromOrigin from the screen position of the object, so that dashes move with it
  */
 export function hiddenCoverage(place: Value, size: Value, along: Value, fromOrigin: Value, width: Value): Value {
   const coverage = float(FAINT).toVar();

@@ -18,7 +18,7 @@ const pull = /* @__PURE__ */ hatchingUniform('pull', 'float');
 /**
  * The distance, in view units, by which an end is moved towards the eye.
  *
- * @param halfWidth of the outline, in view units
+ * @param halfWidth of the outline, view units
  * @param pixel in view units
  * @param scale view units per object unit
  * @returns view units

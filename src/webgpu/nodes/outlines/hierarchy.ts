@@ -82,7 +82,7 @@ const paperness = (gap: Value): Value => smoothstep(BEGINS_AS_PAPER, IS_PAPER, g
 /**
  * The share of paper in what lies behind an outline at a point, and the share of an accent.
  *
- * @param halfWidth the most
+ * @param halfWidth greatest half width of the outline
  */
 export function standingAt(spine: Spine, place: Value, halfWidth: Value, builder: NodeBuilder): Value {
   const height = viewHeightAt(spineDepth(spine, place)).toVar();

@@ -41,7 +41,7 @@ const normalInView = (normal: Value, place: InstancePlace): Value =>
 /**
  * Multiplies the weights of an end by the effect of the light.
  *
- * @param light of unit length, or 0 where no light has a direction
+ * @param light unit, or 0 if no light has a direction
  * @param sight the direction to the eye. Both in view space.
  */
 function shadeEnd(end: PieceEnd, contour: Value, light: Value, sight: Value, place: InstancePlace): void {

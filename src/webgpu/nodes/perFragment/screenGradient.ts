@@ -41,7 +41,7 @@ function screenMapInView(normal: Value, viewToPlace: Value): ScreenMap {
 /**
  * The Jacobian of the map from pixels to positions on the tangent plane.
  *
- * @param n the normal, unit, in the space of the places that functions are of
+ * @param n unit normal, in the space of the positions that functions take
  * @param viewToPlace from the view to that space, linear part
  */
 export const screenMap = (n: Value, viewToPlace: Value): ScreenMap =>

@@ -15,7 +15,7 @@ function tentWeight(x: Value, y: Value, span: Value): Value {
  * The weighted mean of samples in a grid.
  *
  * @param radius of the grid, texels
- * @param passes how much light a sample lets pass, so many texels aside
+ * @param passes the light that passes at an offset, texels
  */
 export function steadily(radius: Value, passes: (x: Value, y: Value) => Value): Value {
   const n = samplesAside(radius).toVar();
