@@ -153,7 +153,7 @@ export class StippleReference {
     return Math.min(ink, 1);
   }
 
-  /** Pixels per step in object space, from the derivatives of the whole projection, and the normal's components there. */
+  /** Pixels per step in object space, from the derivatives of the whole projection, and the slant of the surface. */
   private screenMap(place: Vec3, normal: Vec3): { toScreen: (step: Vec3) => Vec2; lie: Vec3 } {
     const { camera, matrixWorld, size } = this.scene;
     const objectToView = mat4.multiply(mat4.create(), camera.view as unknown as mat4, matrixWorld as unknown as mat4);

@@ -82,7 +82,7 @@ export const outlines: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/vector/shading/outlines.test.ts',
-      title: 'what is its own surface, or beyond the picture, ends the search',
+      title: 'the search ends at the own surface, and at the rim of the picture',
     },
   },
   {

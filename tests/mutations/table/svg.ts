@@ -71,7 +71,7 @@ export const svg: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/vector/Bvh.test.ts',
-      title: 'what hides a place from an eye at the far end, and what shades it',
+      title: 'hits that hide a place from an eye at the far end, and hits that shade it',
     },
   },
   {

@@ -8,7 +8,7 @@ type Point = readonly [number, number, number];
 const random = randomNumbers(5);
 const point = (): Point => [random() - 0.5, random() - 0.5, random() - 0.5];
 
-/** Many small triangles and a few large ones, of every kind of side. */
+/** Many small triangles and a few large ones, with all combinations of sides. */
 function triangles(count: number): { corners: Float64Array; sides: Uint8Array } {
   const corners: number[] = [];
   const sides: number[] = [];
@@ -21,7 +21,10 @@ function triangles(count: number): { corners: Float64Array; sides: Uint8Array } 
   return { corners: Float64Array.from(corners), sides: Uint8Array.from(sides) };
 }
 
-/** How far along a ray each triangle is met, and whether at its front: by planes and areas, which the hierarchy does not use. */
+/**
+ * The distance of the hit with each triangle along a ray, and whether it is on the front: by planes and areas, which the hierarchy does not
+ * use.
+ */
 function metBy(corners: Float64Array, origin: Point, way: Point) {
   const met: { triangle: number; t: number; isFront: boolean }[] = [];
   const at = (t: number, k: number): Point => [
@@ -52,18 +55,18 @@ function metBy(corners: Float64Array, origin: Point, way: Point) {
   return met;
 }
 
-describe('rays meet what they meet one by one', async () => {
+describe('rays hit the same triangles as a test of all triangles', async () => {
   const { corners, sides } = triangles(600);
   const bvh = finished(Bvh.build(corners, sides));
   const counts = (triangle: number, isFront: boolean, front: number, back: number) =>
     (sides[triangle] & (isFront ? front : back)) !== 0;
 
-  test('what hides a place from an eye at the far end, and what shades it', () => {
+  test('hits that hide a place from an eye at the far end, and hits that shade it', () => {
     let hidden = 0;
     for (let i = 0; i < 2000; i++) {
       const [origin, way] = [point(), point()];
       const met = metBy(corners, origin, way).filter(({ t }) => t > 0.001 && t < 1);
-      // A front that is met from behind faces the far end.
+      // A front that is hit from behind faces the far end.
       const seen = met.filter(({ triangle, isFront }) => counts(triangle, isFront, SEEN_BACK, SEEN_FRONT));
       expect(bvh.isHidden(origin, way, 0.001, 1)).toBe(seen.length > 0);
       if (seen.length === 1) expect(bvh.isHidden(origin, way, 0.001, 1, seen[0].triangle)).toBe(false);
@@ -76,7 +79,7 @@ describe('rays meet what they meet one by one', async () => {
     expect(hidden).toBeLessThan(1800);
   });
 
-  test('the first that an eye sees', () => {
+  test('the first visible hit', () => {
     for (let i = 0; i < 1000; i++) {
       const [origin, way] = [point(), point()];
       const first = metBy(corners, origin, way)
@@ -89,7 +92,7 @@ describe('rays meet what they meet one by one', async () => {
   });
 });
 
-test('nothing hides anything where there is nothing, and flat boxes are met', () => {
+test('an empty scene hides nothing, and flat boxes are hit', () => {
   const empty = finished(Bvh.build(new Float64Array(), new Uint8Array()));
   expect(empty.firstMet([0, 0, 0], [0, 0, 1], 0)).toBe(Infinity);
   const flat = Float64Array.of(-1, -1, 0, 1, -1, 0, 0, 1, 0);

@@ -3,7 +3,7 @@ import { discRing, penDotRing, ringLength } from '../../../src/vector/dots/dotDa
 
 const PEN = 0.3;
 
-/** How far a place lies from a closed line of straight pieces. */
+/** The distance of a point from a closed polyline. */
 function distance(ring: readonly (readonly [number, number])[], x: number, y: number): number {
   return Math.min(
     ...ring.map(([ax, ay], i) => {
@@ -17,7 +17,7 @@ function distance(ring: readonly (readonly [number, number])[], x: number, y: nu
 }
 
 describe('a dot of a pen', () => {
-  test.each([0.1, 0.16, 0.2, 0.3, 0.35, 0.6, 1.3])('of radius %f is inked all over, and not beyond', (radius) => {
+  test.each([0.1, 0.16, 0.2, 0.3, 0.35, 0.6, 1.3])('of radius %f is inked all over, and not outside', (radius) => {
     const ring = penDotRing({ x: 20, y: 30, radius }, PEN);
     const drawn = Math.max(radius, PEN / 2 + 0.02);
     const step = drawn / 12;
@@ -25,7 +25,7 @@ describe('a dot of a pen', () => {
       for (let y = -1.5 * drawn; y <= 1.5 * drawn; y += step) {
         const away = Math.hypot(x, y);
         const isInked = distance(ring, 20 + x, 30 + y) <= PEN / 2;
-        // Its sides are straight, and lie up to a hundredth of a millimetre within and its corners half as much beyond.
+        // Its sides are chords, up to 0.01 mm inside the circle, and its corners half as much outside.
         if (away < drawn - 0.011) expect(isInked, `${away} of ${drawn}`).toBe(true);
         if (away > drawn + 0.005) expect(isInked, `${away} of ${drawn}`).toBe(false);
       }

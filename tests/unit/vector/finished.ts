@@ -1,4 +1,4 @@
-/** Runs a task that yields its progress to its end. */
+/** Runs a generator to its end and returns its result. */
 export function finished<Result>(task: Generator<number, Result, void>): Result {
   for (;;) {
     const step = task.next();

@@ -14,14 +14,14 @@ import type { HatchingMaterialParameters } from '../../../src/material/HatchingM
 import type { HatchingOutlineParameters } from '../../../src/material/outlines/HatchingOutlineMaterial.js';
 import { HatchingOutlines } from '../../../src/material/outlines/HatchingOutlines.js';
 
-/** Scenes that are drawn as lines. */
+/** Scenes for vector drawings. */
 
 export interface HatchedLook {
   material?: HatchingMaterialParameters;
   outlines?: HatchingOutlineParameters | false;
 }
 
-/** A mesh that is engraved, with outlines unless they are left out. */
+/** An engraved mesh, with outlines unless `outlines` is null. */
 export async function hatchedMesh(source: BufferGeometry, { material = {}, outlines = {} }: HatchedLook = {}) {
   const geometry = await prepareHatchingGeometry(source, { technique: 'engraved', outlines: outlines !== false });
   const mesh = new Mesh(geometry, new HatchingMaterial({ technique: 'engraved', ...material }));
@@ -38,7 +38,7 @@ export function sceneOf(...meshes: Mesh[]): Scene {
   return scene;
 }
 
-/** A camera that looks at the origin, where something of radius 1 fills its picture. */
+/** A camera that looks at the origin, with a picture of just over radius 1. */
 export function cameraAt(x: number, y: number, z: number, isOrthographic = false): Camera {
   const camera = isOrthographic
     ? new OrthographicCamera(-1.05, 1.05, 1.05, -1.05, 0.1, 50)
@@ -51,7 +51,7 @@ export function cameraAt(x: number, y: number, z: number, isOrthographic = false
   return camera;
 }
 
-/** A plane that faces the camera and prints one tone, with nothing of a hand. */
+/** A plane that faces the camera and prints one tone, without variation by hand. */
 export const planeOfTone = (tone: number, material: HatchingMaterialParameters = {}) =>
   hatchedMesh(new PlaneGeometry(3, 3, 8, 8), {
     outlines: false,

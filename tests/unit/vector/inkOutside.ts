@@ -1,17 +1,17 @@
 import { type Camera, type Mesh, type Object3D, Vector3 } from 'three';
 import { pathsOf, ringsOf } from './paths.js';
 
-/** A square sheet without margins, which the picture of a camera of the aspect 1 fills. Millimetres. */
+/** A square sheet without margins, filled by the picture of a camera with aspect 1. Millimetres. */
 export interface SquareSheet {
   side: number;
-  /** How far ink may lie beside a silhouette. */
+  /** Greatest distance of ink from a silhouette. */
   reach: number;
 }
 
-/** Pixels to a millimetre. */
+/** Pixels per millimetre. */
 const FINENESS = 8;
 
-/** Rows of pixels, each 1 where something is. */
+/** A bitmap, 1 where something is. */
 class Raster {
   readonly pixels: Uint8Array;
 
@@ -19,7 +19,7 @@ class Raster {
     this.pixels = new Uint8Array(size * size);
   }
 
-  /** Fills rings by the rule `nonzero`, where the middles of pixels lie. Coordinates in pixels. */
+  /** Fills rings by the rule `nonzero`, sampled at pixel centres. Coordinates in pixels. */
   fill(rings: readonly (readonly number[])[]): void {
     const { size, pixels } = this;
     const crossings = new Map<number, [number, number][]>();
@@ -49,14 +49,14 @@ class Raster {
     }
   }
 
-  /** All pixels within a distance of one that is filled, in pixels. */
+  /** All pixels within a distance of a filled one, in pixels. */
   grown(reach: number): Raster {
     const { size, pixels } = this;
     const grown = new Raster(size);
     for (let y = 0; y < size; y++) {
       for (let x = 0; x < size; x++) {
         if (pixels[y * size + x] === 0) continue;
-        // Those within a filled surface are grown by those at its rim.
+        // Pixels inside a filled area are within reach of those at its rim.
         const isInner =
           x > 0 &&
           y > 0 &&
@@ -107,7 +107,7 @@ function silhouettes(scene: Object3D, camera: Camera, size: number): Raster {
   return raster;
 }
 
-/** The share of the ink of some layers of a drawing that lies farther outside of silhouettes than it may. */
+/** The share of the ink of some layers that lies farther outside of silhouettes than it may. */
 export function inkOutside(
   svg: string,
   layers: RegExp,
@@ -118,7 +118,7 @@ export function inkOutside(
   const size = side * FINENESS;
   const ink = new Raster(size);
   for (const data of pathsOf(svg, layers)) ink.fill(ringsOf(data).map((ring) => ring.map((value) => value * FINENESS)));
-  // A triangle between the middles of pixels is filled nowhere.
+  // A margin of one pixel, since a triangle between pixel centres fills none.
   const inside = silhouettes(scene, camera, size).grown(reach * FINENESS + 1);
   let [all, outside] = [0, 0];
   for (const [i, isInk] of ink.pixels.entries()) {

@@ -82,7 +82,7 @@ describe('strokeOutline', () => {
 });
 
 describe('clipRing', () => {
-  test('leaves what lies within, and cuts areas where they are cut', () => {
+  test('keeps what lies inside, and cuts areas at the limits', () => {
     const square = [-1, -1, 3, -1, 3, 3, -1, 3];
     expect(Math.abs(areaOf(clipRing(square, 2, 2)))).toBeCloseTo(4, 12);
     expect(clipRing([0.5, 0.5, 1, 0.5, 1, 1], 2, 2)).toEqual([0.5, 0.5, 1, 0.5, 1, 1]);
@@ -93,12 +93,12 @@ describe('clipRing', () => {
 
 describe('clipRing, at slanted sides,', () => {
   test('cuts where a side meets the limit, whichever way it runs', () => {
-    // A side from inside to outside, and one back, each a quarter of its way.
+    // A side from inside to outside, and one back, each a quarter of its length.
     const triangle = [1, 1, 5, 1.8, 1, 1.9];
     const clipped = clipRing(triangle, 2, 2);
     expect(clipped).toHaveLength(8);
     for (const [i, value] of [1, 1, 2, 1.2, 2, 1.875, 1, 1.9].entries()) expect(clipped[i]).toBeCloseTo(value, 12);
-    // What crosses lies on the limit to the last bit.
+    // Crossings lie exactly on the limit.
     expect([clipped[2], clipped[4]]).toEqual([2, 2]);
   });
 });
@@ -126,7 +126,7 @@ describe('dashes', () => {
   });
 });
 
-/** All orders of paths, each path from either end. */
+/** All orders of paths, with each path in both directions. */
 function ordersOf(paths: readonly number[]): OrderedPath[][] {
   if (paths.length === 0) return [[]];
   return paths.flatMap((path) =>
@@ -176,7 +176,7 @@ test('path data comes back as the points it was written from, to hundredths of a
   const points = Array.from({ length: 80 }, () => 300 * random() - 20);
   const [read] = ringsOf(pathData(points, false, { scale: 0.3, left: 5, top: 5 }));
   expect(read.length).toBe(points.length);
-  // No error adds up along the path.
+  // Rounding errors do not add up along the path.
   for (const [i, x] of points.entries()) expect(Math.abs(read[i] - (5 + 0.3 * x))).toBeLessThan(0.0051);
   expect(pathData([1, 1, 2, 1, 2, 2], false, { scale: 1, left: 0, top: 0 })).toBe('M1 1l1 0 0 1');
   expect(pathData([1, 1, 2, 1, 2, 2], true, { scale: 1, left: 0, top: 0 })).toBe('M1 1l1 0 0 1z');
@@ -191,7 +191,7 @@ describe('walkSegments', () => {
     expect(walksOf([1, 3, 1], [2, 2, 0])).toEqual([[[2, 0, 1], false]]);
   });
 
-  test('knows rings', () => {
+  test('recognizes rings', () => {
     expect(walksOf([0, 1, 2], [1, 2, 0])[0][1]).toBe(true);
     expect(walksOf([0, 2, 2], [1, 1, 0])[0][1]).toBe(true);
   });

@@ -1,6 +1,6 @@
-/** What a file of vectors holds, read as plainly as it is written. */
+/** Reads SVG files, independently of the code that writes them. */
 
-/** Points of the subpaths of path data, x and y in turn, in the units of the file. */
+/** The points of each subpath of path data, x and y in turn, in the units of the file. */
 export function ringsOf(data: string): number[][] {
   const rings: number[][] = [];
   for (const [, subpath] of data.matchAll(/(M[^M]*)/g)) {
@@ -12,7 +12,7 @@ export function ringsOf(data: string): number[][] {
   return rings;
 }
 
-/** The path data of a drawing, of the layers whose names begin so or that a pattern fits. */
+/** The path data of a drawing, in layers whose names begin with a text or match a pattern. */
 export function pathsOf(svg: string, layer: string | RegExp = ''): string[] {
   const groups = [
     ...svg.matchAll(/<g id="[^"]*" inkscape:groupmode="layer" inkscape:label="\d+ ([^"]*)"[^>]*>([\s\S]*?)<\/g>/g),
@@ -22,7 +22,7 @@ export function pathsOf(svg: string, layer: string | RegExp = ''): string[] {
     .flatMap(([, , body]) => [...body.matchAll(/<path d="([^"]*)"\/>/g)].map(([, data]) => data));
 }
 
-/** The rings of paths that were asked about before: most drawings are measured at several places. */
+/** Parsed rings by path list, since most drawings are measured at several places. */
 const readPaths = new WeakMap<readonly string[], readonly number[][][]>();
 
 function shapesOf(paths: readonly string[]): readonly number[][][] {
@@ -32,7 +32,7 @@ function shapesOf(paths: readonly string[]): readonly number[][][] {
 }
 
 /**
- * The share of a rectangle that paths cover which are filled by the rule `nonzero`: rows of samples, each cut exactly.
+ * The share of a rectangle covered by paths under the rule `nonzero`: rows of samples, each cut exactly.
  *
  * @param box left, top, width and height, in the units of the file
  */
@@ -60,7 +60,7 @@ export function coverageOf(
   return sum / (rows * width);
 }
 
-/** Where the rings of a shape cross rows at even distances, by the number of the row, and which way each turns there. */
+/** The crossings of the rings of a shape with evenly spaced rows, by row, with their directions. */
 function crossingsOf(rings: readonly number[][], places: readonly number[]): Map<number, [number, number][]> {
   const crossings = new Map<number, [number, number][]>();
   const perRow = (places.length - 1) / (places[places.length - 1] - places[0]);
@@ -68,7 +68,7 @@ function crossingsOf(rings: readonly number[][], places: readonly number[]): Map
     for (let i = 0; i < points.length; i += 2) {
       const next = (i + 2) % points.length;
       const [y0, y1] = [points[i + 1], points[next + 1]];
-      // One row more on both sides, as the quotient is rounded; which of them it crosses is decided exactly.
+      // One row more on both sides, since the quotient is rounded; crossings themselves are exact.
       const first = Math.max(Math.floor((Math.min(y0, y1) - places[0]) * perRow) - 1, 0);
       const last = Math.min(Math.ceil((Math.max(y0, y1) - places[0]) * perRow) + 1, places.length - 1);
       for (let row = first; row <= last; row++) {

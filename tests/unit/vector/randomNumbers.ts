@@ -1,4 +1,4 @@
-/** Numbers in [0, 1), the same for the same seed. */
+/** Pseudorandom numbers in [0, 1), by seed. */
 export function randomNumbers(seed: number): () => number {
   let state = seed >>> 0;
   return () => {

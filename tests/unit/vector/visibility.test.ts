@@ -4,7 +4,7 @@ import { cases } from '../../selection.mjs';
 import { cameraAt, hatchedMesh, sceneOf } from './hatchedScene.js';
 import { wronglySeen } from './wronglySeen.js';
 
-/** Bodies that stand before one another and run into one another. */
+/** Bodies in front of one another and bodies that intersect. */
 const BODIES: Record<string, () => BufferGeometry[]> = {
   torus: () => [new TorusGeometry(0.7, 0.3, 24, 48)],
   'ball, ring and box that run into one another': () => [

@@ -7,10 +7,10 @@ import { placeOn, visibleRuns } from '../../../src/vector/visibleRuns.js';
 import { finished } from './finished.js';
 import { randomNumbers } from './randomNumbers.js';
 
-/** Whether a triangle that faces the eye lies between it and a place: by signed volumes, one triangle after the other. */
+/** Whether a triangle that faces the eye lies between the eye and a point: by signed volumes, one triangle after the other. */
 function isHiddenBy(corners: Float64Array, place: readonly number[], way: readonly number[], except: number): boolean {
   const size = Math.hypot(...way);
-  /** The corners of a triangle, from the place. */
+  /** The corners of a triangle, relative to the point. */
   const p = new Float64Array(9);
   for (let t = 0; 9 * t < corners.length; t++) {
     if (t === except) continue;
@@ -20,7 +20,7 @@ function isHiddenBy(corners: Float64Array, place: readonly number[], way: readon
       way[1] * (p[b + 2] * p[a] - p[b] * p[a + 2]) +
       way[2] * (p[b] * p[a + 1] - p[b + 1] * p[a]);
     const [u, v, w] = [volume(3, 6), volume(6, 0), volume(0, 3)];
-    // Its front looks at the far end of the ray.
+    // Its front faces the far end of the ray.
     if (!(u <= 0 && v <= 0 && w <= 0) || u + v + w === 0) continue;
     const along = (k: number) => (p[k] * way[0] + p[k + 1] * way[1] + p[k + 2] * way[2]) / size;
     const distance = (u * along(0) + v * along(3) + w * along(6)) / (u + v + w);
@@ -29,20 +29,20 @@ function isHiddenBy(corners: Float64Array, place: readonly number[], way: readon
   return false;
 }
 
-/** What is found at a place. */
+/** The finding at a point. */
 type Look = 'right' | 'visible' | 'hidden' | 'beyond';
 
-/** Shares of places on engraved lines. */
+/** Shares of points on engraved lines. */
 export interface WronglySeen {
-  /** Those that are drawn though hidden, those that are hidden though seen, and both. */
+  /** Shares drawn though hidden, hidden though visible, and both together. */
   visible: number;
   hidden: number;
   share: number;
-  /** Of how many pieces. */
+  /** Number of pieces. */
   pieces: number;
 }
 
-/** Which places on engraved lines, as far as they lie on the picture, are drawn or hidden wrongly. */
+/** The shares of points on engraved lines, within the picture, that are wrongly drawn or hidden. */
 export function wronglySeen(scene: Scene, camera: Camera, samples: number): WronglySeen {
   const { drawn } = finished(readScene(scene, camera, false));
   const projection = new Projection(drawn.camera, 400, 400);
@@ -60,7 +60,7 @@ export function wronglySeen(scene: Scene, camera: Camera, samples: number): Wron
         const look = (share: number): Look => {
           const place = piece + share;
           const { world, x, y } = placeOn(chain, piece, share, projection);
-          // What lies beyond the picture is not drawn, seen or not.
+          // Nothing is drawn beyond the picture.
           if (!projection.contains(x, y)) return 'beyond';
           const isDrawn = runs.some(([from, to]) => {
             const again = place + chain.count - 1;
@@ -75,7 +75,7 @@ export function wronglySeen(scene: Scene, camera: Camera, samples: number): Wron
       }
     }
   }
-  // By length: places that are spread evenly over all lines.
+  // By length, so that points are spread evenly over all lines.
   const total = pieces.reduce((sum, { length }) => sum + length, 0);
   const counts = { right: 0, visible: 0, hidden: 0, beyond: 0 };
   let [at, k] = [0, 0];

@@ -10,7 +10,7 @@ const names = Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
 
 describe('HatchingNodeMaterial', () => {
   test.each([undefined, 'engraving', 'woodcut', 'pencil'] as const)(
-    'has what the material in GLSL has: %s',
+    'has the properties of the material in GLSL: %s',
     (preset) => {
       const glsl = new HatchingMaterial(preset && { preset });
       const nodes = new HatchingNodeMaterial(preset && { preset });
@@ -28,7 +28,7 @@ describe('HatchingNodeMaterial', () => {
     expect(() => new HatchingNodeMaterial({ technique: 'etched' as 'engraved' })).toThrow(/etched/);
   });
 
-  test('is copied with all its values, and stays another', () => {
+  test('is copied with all its values, which stay independent', () => {
     const source = new HatchingNodeMaterial({
       preset: 'woodcut',
       ink: 0x123456,
@@ -45,7 +45,7 @@ describe('HatchingNodeMaterial', () => {
     expect(source.lineField).not.toBe('z');
   });
 
-  test('chooses a program by what choices draw, and by no number', () => {
+  test('selects a program by choices, never by numbers', () => {
     const key = (look: ConstructorParameters<typeof HatchingNodeMaterial>[0]): string =>
       new HatchingNodeMaterial({ technique: 'engraved', ...look }).customProgramCacheKey();
     expect(key({ lineSpacing: 9, ink: 0xff0000, handmade: 0 })).toBe(key({}));
@@ -59,14 +59,14 @@ describe('HatchingNodeMaterial', () => {
     expect(new Set(keys).size).toBe(keys.length);
   });
 
-  test('says once that it has no debug views', () => {
+  test('warns once that it has no debug views', () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
     for (const debugView of ['none', 'tone', 'frames'] as const) new HatchingNodeMaterial({ debugView });
     expect(warn.mock.calls.flat().filter((text) => /there are no nodes of debugView/.test(text))).toHaveLength(1);
     warn.mockRestore();
   });
 
-  test('says what WebGLRenderer does not draw', () => {
+  test('reports an error under WebGLRenderer', () => {
     const error = vi.spyOn(console, 'warn').mockImplementation(() => {});
     const material = new HatchingNodeMaterial();
     material.onBeforeRender({ isWebGLRenderer: true } as never);

@@ -25,7 +25,7 @@ interface Drawing {
   drawObject: unknown;
 }
 
-/** Of a renderer, what a pass needs, and what it was asked to draw. */
+/** A renderer for a pass, which records what it draws. */
 function recorder() {
   const drawings: Drawing[] = [];
   const state: { target: unknown[]; outputs: unknown; drawObject: unknown } = {
@@ -60,7 +60,7 @@ function recorder() {
   return { renderer, drawings, drawn, state };
 }
 
-/** A box on so many bones. */
+/** A box with a number of bones. */
 function onBones(count: number): SkinnedMesh {
   const mesh = new SkinnedMesh(new BoxGeometry(), new MeshBasicMaterial());
   const bones = Array.from({ length: count }, () => new Bone());

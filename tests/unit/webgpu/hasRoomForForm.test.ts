@@ -5,7 +5,7 @@ import { prepareHatchingGeometry } from '../../../src/material/geometry/prepareH
 
 const warn = vi.spyOn(console, 'warn');
 
-/** Anew for each test, since it says its sentence once. */
+/** Imported anew for each test, since it warns once. */
 let hasRoomForForm: typeof import('../../../src/webgpu/hasRoomForForm.js').hasRoomForForm;
 
 beforeEach(async () => {
@@ -17,7 +17,7 @@ afterEach(() => warn.mockReset());
 
 const WEBGPU = { device: { limits: { maxVertexBuffers: 8 } } };
 
-/** A tube with bones and a map that follows its form, and what a device builds it for. */
+/** A tube with bones and a map that follows its form, with the builder of a device. */
 async function skin(backend: object = WEBGPU) {
   const geometry: BufferGeometry = await prepareHatchingGeometry(new CylinderGeometry(1, 1, 2, 12, 4), { form: true });
   const { count } = geometry.attributes.position;
@@ -57,7 +57,7 @@ test('maps by another set of texture coordinates take another buffer', async () 
   expect(hasRoomForForm(builder, false)).toBe(false);
 });
 
-test('devices with more, and WebGL, have room', async () => {
+test('devices with more buffers, and WebGL, have room', async () => {
   for (const backend of [{ device: { limits: { maxVertexBuffers: 16 } } }, {}]) {
     const { builder, material } = await skin(backend);
     material.vertexColors = true;

@@ -4,10 +4,10 @@ import { expect, test } from 'vitest';
 
 const { dirname, join } = posix;
 
-/** What a module imports when it runs, at once or later. */
+/** The imports of a module that load when it runs, static or dynamic. */
 const IMPORT = /(?:^(?:import|export)\s+(?!type\b)[^'"`;]*?from\s*|^import\s*|\bimport\(\s*)['"]([^'"]+)['"]/gm;
 
-/** The modules that a module imports when it runs, itself included, and the packages that they name. */
+/** The modules that a module loads when it runs, itself included, and the packages that they name. */
 function closureOf(entry: string): { modules: string[]; packages: Set<string> } {
   const modules = [entry];
   const packages = new Set<string>();
@@ -26,7 +26,7 @@ function closureOf(entry: string): { modules: string[]; packages: Set<string> } 
   return { modules, packages };
 }
 
-/** Whether a module has GLSL: files that it takes by a pattern. */
+/** Whether a module loads GLSL, by a glob. */
 const hasGlsl = (path: string): boolean => readFileSync(path, 'utf8').includes('import.meta.glob');
 
 test('what draws with WebGPURenderer needs no GLSL, and no material that is written in it', () => {

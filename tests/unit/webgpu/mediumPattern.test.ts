@@ -5,7 +5,7 @@ import { eventually } from '../patience.js';
 
 const STIPPLE = { technique: 'anchored', medium: 'stipple' } as const;
 
-/** Anew for each test, with nothing fetched. */
+/** Imported anew for each test, with nothing fetched. */
 let pattern: typeof mediumPattern;
 
 beforeEach(async () => {

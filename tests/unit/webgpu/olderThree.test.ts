@@ -18,7 +18,7 @@ afterEach(() => {
 
 test.each(VERSIONS)('%s: importing the subpath is rejected with one sentence', async (name, revision) => {
   vi.resetModules();
-  // 0.170 asks for them when it is imported.
+  // 0.170 needs `self` when it is imported.
   vi.stubGlobal('self', globalThis);
   vi.stubGlobal('navigator', {});
   vi.doMock('three', () => import(name));
@@ -40,12 +40,12 @@ test.each(['185', '185dev', '99'])('0.%s is too old', (revision) => {
   expect(() => newEnough({}, revision)).toThrow(SENTENCE);
 });
 
-/** What modules import by name when they run. */
+/** The names that modules import at run time. */
 const IMPORTED = /^import \{([^}]*)\} from '(three\/\w+)';/gm;
 
 const sources = readdirSync('src/webgpu', { recursive: true, encoding: 'utf8' }).filter((path) => path.endsWith('.ts'));
 
-/** The names that a build of an older version exports. */
+/** The exports of a build of an older version. */
 function exportsOf(name: string): Set<string> {
   const { exports } = JSON.parse(readFileSync(`node_modules/${name}/package.json`, 'utf8'));
   const code = readFileSync(`node_modules/${name}/${exports['./webgpu']}`, 'utf8');

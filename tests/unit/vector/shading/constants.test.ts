@@ -12,7 +12,7 @@ import { fetchPart, partNameOf } from '../../../../src/material/parts/parts.js';
 import { hatchingShaders } from '../../../../src/material/shaders/hatchingShaders.js';
 import { MULTIPLES } from '../../../../src/mesh/form/phase/roundJumps.js';
 
-/** Every number that both shaders and the processor draw by stands in one of these tables, and nowhere else. */
+/** Every number that shaders and processor share is in one of these tables, and nowhere else. */
 type Value = number | readonly number[];
 const tables = import.meta.glob<Record<string, Record<string, Value>>>('../../../../src/look/constants/*.ts', {
   eager: true,
@@ -36,7 +36,7 @@ const textsIn = (folders: readonly string[], ending: RegExp): Record<string, str
 const shaders = textsIn(['shaders'], /\.(glsl|vert|frag)$/);
 const processor = textsIn(['src/vector', 'src/look'], /\.ts$/);
 
-/** What stands as `#define NAME value` or as `const float NAME = value;`, and in TypeScript as `const NAME = value;`. */
+/** Definitions such as `#define NAME value` or `const float NAME = value;`, and in TypeScript `const NAME = value;`. */
 const definitionsIn = (texts: Record<string, string>) =>
   Object.entries(texts).flatMap(([path, text]) =>
     [
@@ -54,13 +54,13 @@ const isUsed = (name: string, texts: Record<string, string>): boolean =>
   Object.values(texts).some((text) => new RegExp(`\\b${name}\\b`).test(text));
 
 describe('numbers that shaders and the processor share', () => {
-  test('have a name of their own', () => {
+  test('have unique names', () => {
     const names = constants.map(({ name }) => name);
     expect(names.filter((name, i) => names.indexOf(name) < i)).toEqual([]);
     expect(names.length).toBeGreaterThan(90);
   });
 
-  test.each(constants)('$name of $file is used by both, and written by neither', ({ name, value }) => {
+  test.each(constants)('$name of $file is used by both, and defined by neither', ({ name, value }) => {
     expect(isUsed(name, shaders), 'in shaders').toBe(true);
     expect(isUsed(name, processor), 'on the processor').toBe(true);
     expect(definitionsIn(shaders).filter((one) => one.name === name)).toEqual([]);
@@ -69,7 +69,7 @@ describe('numbers that shaders and the processor share', () => {
     expect(again).toEqual([]);
   });
 
-  test('stand in the tables if they have a name in both languages', () => {
+  test('are in the tables if both languages name them', () => {
     const onProcessor = definitionsIn(processor);
     const twice = definitionsIn(shaders).filter(
       ({ name, value }) =>
@@ -79,7 +79,7 @@ describe('numbers that shaders and the processor share', () => {
     expect(twice).toEqual([]);
   });
 
-  test('are known to every program that asks for them, once', async () => {
+  test('are defined exactly once in every program that uses them', async () => {
     const programs = [outlineShaders(), backgroundShaders()];
     for (const technique of Object.keys(HATCHING_TECHNIQUES) as HatchingTechnique[]) {
       for (const medium of HATCHING_PROPERTIES.medium.choices) {
@@ -100,7 +100,7 @@ describe('numbers that shaders and the processor share', () => {
     }
   });
 
-  test('of the form are those that its bake cuts it by', () => {
+  test('of the form are those of its bake', () => {
     expect(FORM_CONSTANTS.COARSEST_OCTAVES).toEqual(MULTIPLES.map(Math.log2));
   });
 });

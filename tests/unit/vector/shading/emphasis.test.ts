@@ -17,7 +17,7 @@ const FULL: Emphasis = {
 };
 const at = (depth: number) => ({ world: [0, 0, 0] as Vec3, depth, onPicture: [0.5, 0.5] as const });
 
-/** The weight by the reference: the tone of what no light reaches. */
+/** The weight by the reference: the tone of a surface without light. */
 function expectedWeight(
   material: Partial<ReferenceMaterial>,
   importance: number,
@@ -56,7 +56,7 @@ test('the weight of a place is that of the reference', () => {
       (row) => seen[row] * place[0] + seen[4 + row] * place[1] + seen[8 + row] * place[2] + seen[12 + row],
     );
     const depth = -(view[2] * place[0] + view[6] * place[1] + view[10] * place[2] + view[14]);
-    // As part of a larger sheet, it must come to the same.
+    // As a part of a larger sheet it must be the same.
     const [x, y] = [0.5 + (0.5 * clip[0]) / clip[2], 0.5 + (0.5 * clip[1]) / clip[2]];
     const found = emphasisAt(
       {
@@ -78,7 +78,7 @@ test('the weight of a place is that of the reference', () => {
 });
 
 describe('outlines', () => {
-  test('are 1.4 times as heavy in front where the back has none, and as usual without a fade', () => {
+  test('are 1.4 times as heavy in front if the back has none, and as usual without fading', () => {
     const fading: Emphasis = { ...FULL, depthFading: [2, 6, 1] };
     expect(outlineEmphasisAt(fading, at(2))).toBeCloseTo(1.4, 12);
     expect(outlineEmphasisAt(fading, at(6))).toBeCloseTo(0, 12);
@@ -86,7 +86,7 @@ describe('outlines', () => {
     expect(outlineEmphasisAt(FULL, at(5))).toBe(1);
   });
 
-  test('lose what surfaces lose', () => {
+  test('lose as much weight as surfaces', () => {
     expect(outlineEmphasisAt({ ...FULL, importance: 0.3 }, at(1))).toBeCloseTo(0.3, 12);
   });
 });

@@ -15,14 +15,14 @@ export interface SeenFamily {
   coarsest: number;
 }
 
-/** Where it is seen: tiles from the centre, where no hand strays. */
+/** A fragment: its position in tiles from the centre, before the hand displaces it. */
 export interface SeenFragment {
   map: ScreenMap;
   point: Vec3;
   normal: Vec3;
 }
 
-/** As `lineCoverage.glsl`. */
+/** As in `lineCoverage.glsl`. */
 const coverage = (away: number, half: number): number =>
   Math.min(Math.max(Math.max(half, 0.5) + 0.5 - away, 0), 1) * Math.min(2 * half, 1);
 
@@ -32,7 +32,7 @@ const rankOf = (line: number): number => {
   return rank;
 };
 
-/** The darkness of a family in its medium, put together from the functions of the processor. tone: as the hand presses. */
+/** The darkness of a family in its medium, from the functions of the processor. tone: with the pressure of the hand. */
 export function familyDarkness(
   { value, gradient, rise, coarsest }: SeenFamily,
   tone: number,

@@ -23,15 +23,15 @@ test('three neighbouring lines take turns at every octave', () => {
   }
 });
 
-describe('lots of lines', () => {
+describe('hashes of lines', () => {
   const OCTAVES = Array.from({ length: 40 }, (_, i) => i - 25);
   const STARTS = [1, 300, 5000, 70_000];
   const hashes = (start: number, octave: number) =>
     Array.from({ length: 1000 }, (_, i) => hash01((start + i) * 2 ** octave));
-  /** How far a number is from the nearest whole one. */
+  /** The distance of a number from the nearest integer. */
   const fromWhole = (x: number) => Math.abs(x - Math.round(x));
 
-  test('neighbours are never alike, and neither are those on both sides of a line', () => {
+  test('neighbours differ, and so do the two neighbours of a line', () => {
     let nearest = 1;
     for (const octave of OCTAVES) {
       for (const start of STARTS) {
@@ -47,14 +47,14 @@ describe('lots of lines', () => {
     for (const octave of OCTAVES) {
       for (const start of STARTS) {
         const sorted = hashes(start, octave).sort((a, b) => a - b);
-        // The largest difference between the share of hashes below a number and that number.
+        // The greatest difference between the share of hashes below a number and that number.
         const uneven = Math.max(...sorted.map((hash, i) => Math.abs(hash - (i + 0.5) / sorted.length)));
         expect(uneven, `from ${start} at octave ${octave}`).toBeLessThan(0.08);
       }
     }
   });
 
-  test('those below 0 are not those above it', () => {
+  test('lines below 0 have other hashes than lines above it', () => {
     for (let i = 1; i < 100; i++) expect(fromWhole(hash01(-i / 8) - hash01(i / 8))).toBe(0.5);
   });
 });
@@ -88,7 +88,7 @@ describe('rooms of lines', () => {
   test('all lines of a period together have all of it, at any octave', () => {
     for (let octave = -3; octave < 3; octave += 0.07) {
       const top = Math.ceil(octave);
-      // One old line and one young in each period.
+      // One old line and one new line in each period.
       expect(roomOf(top, octave) + roomOf(top - 1, octave)).toBeCloseTo(2 ** top, 12);
       expect(roomOf(top - 2, octave)).toBe(0);
     }

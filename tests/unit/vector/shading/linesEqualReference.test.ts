@@ -27,8 +27,8 @@ import { randomNumbers } from '../randomNumbers.js';
 import { familyDarkness } from './familyDarkness.js';
 
 /**
- * The darkness of a fragment, put together from the functions of the processor and compared with the reference: values, gradients, tones of
- * families, octaves, rooms, widths, strokes, the hand and the light of the field must all be right for it.
+ * Compares the darkness of a fragment, from the functions of the processor, with the reference. It depends on values, gradients, tones of
+ * families, octaves, rooms, widths, strokes, the hand and the light of the field.
  */
 
 const SIZE = 480;
@@ -57,7 +57,7 @@ const centre: Vec3 = [0.2, -0.1, 0.05];
 const sun: ReferenceLight = { type: 'directional', color: [3, 3, 3], position: [1, 2, 3], target: [0, 0, 0] };
 const lamp: ReferenceLight = { type: 'point', color: [4, 2, 1], position: [2, 1.5, 1], decay: 2 };
 
-/** In object space it is near the limit from which on what lies across it is not found by the world's up. */
+/** In object space it is near the limit beyond which the axis across it is not derived from the world's up. */
 const steep: ReferenceLight = {
   ...{ type: 'directional', color: [3, 3, 3], target: [0, 0, 0] },
   position: vec3.transformMat4([0, 0, 0], [0.4, 0.82, 0.41], matrixWorld) as [number, number, number],
@@ -86,7 +86,7 @@ const LEANS = (angle: number): Lean[] => {
 function fieldLamps(lights: readonly ReferenceLight[], tilesPerUnit: number) {
   const toObject = mat4.invert(mat4.create(), matrixWorld)!;
   return lights.map(({ type, position, color }) => {
-    // Less what a light that is switched off counts for, which the reference does not know.
+    // Without the least weight that a light has even when switched off, which the reference lacks.
     const luminance = 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2] - 1e-6;
     const isFar = type === 'directional';
     const start = vec3.transformMat4([0, 0, 0], isFar ? [0, 0, 0] : (position as vec3), toObject);
@@ -109,7 +109,7 @@ function arrivingLight(
   return arriving.length > 0 ? field : { axis: across(field.axis), bend: 0 };
 }
 
-/** The darkness of one fragment by the functions of the processor. */
+/** The darkness of one fragment, by the functions of the processor. */
 function darknessOf(
   given: EngravedSettings,
   { projection, isOrthographic }: (typeof cameras)[number],
@@ -157,7 +157,7 @@ interface Case {
   camera: (typeof cameras)[number];
   lineField: CutField;
   lights: ReferenceLight[];
-  /** Those that do not arrive, with lines that turn in shadows. */
+  /** Lights that do not arrive; lines turn in their shadows. */
   dark: ReferenceLight[];
   medium: 'ink' | 'pen' | 'woodcut';
 }

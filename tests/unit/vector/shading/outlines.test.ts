@@ -4,13 +4,13 @@ import { standingAt, strideOf } from '../../../../src/vector/shading/outlineStan
 import { suggestiveShare } from '../../../../src/vector/shading/suggestiveContour.js';
 
 describe('the standing of an outline', () => {
-  test('before the paper alone it is all paper, and has no accent', () => {
+  test('is all paper, without accent, where only paper lies behind', () => {
     expect(standingAt(1, () => 1)).toEqual({ paper: 1, accent: 0 });
     expect(standingAt(0.1, () => 0.1)).toEqual({ paper: 0, accent: 0 });
   });
 
   test('its accent grows towards the place where the depth behind it jumps', () => {
-    // The jump lies between two steps, farther and farther away: 7, 5, 3 and 1 eighths are left of the accent.
+    // The jump lies between two steps, farther and farther away: 7, 5, 3 and 1 eighths of the accent are left.
     for (const [i, left] of [7, 5, 3, 1].entries()) {
       const gapAt = (step: number) => (step > i ? 1 : 0.2);
       expect(standingAt(0.2, gapAt).accent).toBeCloseTo(left / 8, 12);
@@ -25,13 +25,13 @@ describe('the standing of an outline', () => {
     expect(jump(0.06)).toBeCloseTo(7 / 8, 12);
   });
 
-  test('what is its own surface, or beyond the picture, ends the search', () => {
+  test('the search ends at the own surface, and at the rim of the picture', () => {
     expect(standingAt(0.2, (step) => (step === 1 ? 0.01 : 1)).accent).toBeCloseTo(7 / 8, 12);
     expect(standingAt(0.2, (step) => (Math.abs(step) === 1 ? 0.01 : 1)).accent).toBe(0);
     expect(standingAt(0.2, () => undefined)).toEqual({ paper: 0, accent: 0 });
   });
 
-  test('the weight goes over from paper to surface along the way', () => {
+  test('the weight changes gradually from paper to surface', () => {
     const papers = [-4, -3, -2, -1, 0, 1, 2, 3, 4].map(
       (place) => standingAt(place > 0 ? 1 : 0.1, (step) => (place + step > 0 ? 1 : 0.1)).paper,
     );
@@ -40,13 +40,13 @@ describe('the standing of an outline', () => {
     expect(papers[8]).toBeGreaterThan(0.97);
   });
 
-  test('it looks eight widths of an outline to either side', () => {
+  test('the search reaches eight widths of an outline to either side', () => {
     expect(4 * strideOf(1.8)).toBeCloseTo(14.4, 12);
   });
 });
 
 describe('suggestive contours', () => {
-  // A triangle that faces (0, 0, 1), whose bend grows along x.
+  // A triangle that faces (0, 0, 1), with a curvature that grows along x.
   const normal: Vec3 = [0, 0, 1];
   const triangle = (growth: number) =>
     ([0, 1, 2] as const).map((k) => {
@@ -54,7 +54,7 @@ describe('suggestive contours', () => {
       return { position, normal, bend: growth * position[0] };
     }) as unknown as Parameters<typeof suggestiveShare>[0];
 
-  test('begin where the bend grows towards the eye, and are full from three times as much', () => {
+  test('begin where the curvature grows towards the eye, and have their full weight from three times that growth on', () => {
     const toEye: Vec3 = normalize([1, 0, 1]);
     expect(suggestiveShare(triangle(20), toEye, 1)).toBe(0);
     expect(suggestiveShare(triangle(40), toEye, 1)).toBeCloseTo(0.5, 9);
@@ -63,7 +63,7 @@ describe('suggestive contours', () => {
     expect(suggestiveShare(triangle(-60), toEye, 1)).toBe(0);
   });
 
-  test('say nothing of what is seen face on, nor of a bend that grows sideways', () => {
+  test('are absent face on, and where the curvature grows sideways', () => {
     expect(suggestiveShare(triangle(1000), [0, 0, 1], 1)).toBe(0);
     expect(suggestiveShare(triangle(1000), normalize([0, 1, 1]), 1)).toBe(0);
   });

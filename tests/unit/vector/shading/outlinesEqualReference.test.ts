@@ -33,7 +33,7 @@ const list3 = (reach: number): List3 => [between(-reach, reach), between(-reach,
 const unit3 = (): List3 => [...normalize(list3(1))];
 const same = (found: number, expected: number) => expect(Math.abs(found - expected)).toBeLessThan(1e-9);
 
-test('what an outline weighs is what the reference says', () => {
+test('weights of outlines are those of the reference', () => {
   let [lost, kept] = [0, 0];
   for (let i = 0; i < 500; i++) {
     const [bend, taper, weight, gap] = [between(-1, 2), i % 5 ? between(0.1, 1.5) : 0, random(), between(-0.2, 1.2)];
@@ -55,7 +55,7 @@ test('what an outline weighs is what the reference says', () => {
   expect(kept).toBeGreaterThan(20);
 });
 
-test('the part of an edge that is a contour is that of the reference', () => {
+test('parts of edges that are contours are those of the reference', () => {
   let [none, some] = [0, 0];
   for (let i = 0; i < 500; i++) {
     const [left, right] = [
@@ -95,7 +95,7 @@ test('lift, tolerance, stray and depth of an outline are those of the reference'
   }
 });
 
-test('a suggestive contour has the share of its weight that the reference says', () => {
+test('weights of suggestive contours are those of the reference', () => {
   let [none, part] = [0, 0];
   for (let i = 0; i < 500; i++) {
     const corners = [list3(0.1), list3(0.1), list3(0.1)] as const;

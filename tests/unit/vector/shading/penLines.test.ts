@@ -3,7 +3,7 @@ import { asideOf, penMargin } from '../../../../src/vector/shading/penLines.js';
 
 const rankOf = (value: number): number => (value === 0 ? 1000 : Math.log2(value & -value));
 
-/** Where the lines lie that are drawn at a spacing, up to a value. */
+/** The positions of the lines drawn at a spacing, up to a value. */
 function drawnAt(spacing: number, most = 1024): number[] {
   const lines: number[] = [];
   for (let value = 0; value <= most; value++) {
@@ -15,7 +15,7 @@ function drawnAt(spacing: number, most = 1024): number[] {
 describe('lines of a pen', () => {
   const spacings = Array.from({ length: 60 }, (_, i) => 2 ** (1 + i / 30));
 
-  test('are as many as the tone takes', () => {
+  test('are as many as the tone needs', () => {
     for (const spacing of spacings) {
       const drawn = drawnAt(spacing).length - 1;
       expect(Math.abs((drawn / 1024) * spacing - 1)).toBeLessThan(0.012);
@@ -28,7 +28,7 @@ describe('lines of a pen', () => {
       const gaps = lines.slice(1).map((line, i) => (line - lines[i]) / spacing);
       const spread = Math.sqrt(gaps.reduce((sum, gap) => sum + (gap - 1) ** 2, 0) / gaps.length);
       expect(spread).toBeLessThan(0.2);
-      // None lies on another, and none is left out.
+      // No two lines coincide, and none is missing.
       expect(Math.min(...gaps)).toBeGreaterThan(0.6);
       expect(Math.max(...gaps)).toBeLessThan(1.75);
     }

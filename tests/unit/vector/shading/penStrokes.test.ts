@@ -4,13 +4,13 @@ import { type Pen, penFor, strokeAt } from '../../../../src/vector/shading/penSt
 const SAMPLES = 200;
 const LINES = 200;
 
-/** A pen on plain parallel lines, strokes of length 1 along the second axis. */
+/** A pen on plain parallel lines, with strokes of length 1 along the second axis. */
 const penAt = (place: number, tone: number): Pen =>
   penFor(tone, { places: [0, place], share: 0, period: 1, longer: 0 }, 0, Infinity, 0);
 
 const widthAt = (place: number, tone: number, line: number): number => strokeAt(penAt(place, tone), 1, line).width;
 
-/** Where a stroke of the line ends and the next begins, lengths of strokes. */
+/** The position where a stroke of the line ends and the next begins, in lengths of strokes. */
 function endOn(line: number): number {
   const widths = Array.from({ length: 2 * SAMPLES }, (_, i) => widthAt(i / SAMPLES, 0.7, line));
   return widths.indexOf(Math.min(...widths)) / SAMPLES;

@@ -50,7 +50,7 @@ describe('shadows on a ground', () => {
   test('have the tone of the reference, and none with light ink', () => {
     let printed = 0;
     for (let i = 0; i < 200; i++) {
-      // In places the light is so little that a millionth of it counts.
+      // Every third place has so little light that the added millionth matters.
       const scale = i % 3 === 0 ? 1e-6 : 1;
       const [lit, taken, left, tone] = [scale * random(), scale * random(), random(), random()];
       const ground = { tone, fade: 1, softness: 0 };
@@ -83,7 +83,7 @@ describe('shadows on a ground', () => {
     for (let i = 0; i < 200; i++) {
       const vector = (): Vec3 => [between(-1, 1), between(-1, 1), between(-1, 1)];
       const normal = vector();
-      // Right overhead, hardly not, and from anywhere.
+      // Overhead, nearly overhead, and from a random direction.
       const sides = [[0, 1, 0], [...normalize([0.00103, 1, 0])], [...normalize(vector())]] as const;
       const light: Vec3 = [...sides[i % 3]];
       const { axis, bend } = awayField(light, normal);

@@ -32,7 +32,7 @@ const matrixWorld = mat4.fromRotation(mat4.create(), 0.7, [1, 2, 0.5])!;
 const texels = stippleMap().image.data as Uint8Array;
 const wrap = (cell: number) => ((cell % STIPPLE_MAP_SIZE) + STIPPLE_MAP_SIZE) % STIPPLE_MAP_SIZE;
 
-/** The ink of a disc with an edge as wide as a pixel, at a distance from its middle. */
+/** The ink of a disc with an edge one pixel wide, by the distance from its middle. */
 function discInk(away: number, area: number): number {
   const squared = area / Math.PI;
   const radius = Math.sqrt(Math.max(squared - 1 / 12, 0.25));
@@ -52,14 +52,14 @@ test.each([
   for (let i = 0; i < 300; i++) {
     const place = place3(1);
     const size = { dotPixels: between(1.5, 6), tilesPerUnit: between(0.1, 1), sizedOnScreen: random() };
-    // In the lightest tones dots lie no further apart.
+    // In the lightest tones the spacing of dots is constant.
     const tone = i % 4 === 0 ? between(0.002, 0.02) : between(0.02, 0.84);
     const seen = vec3.transformMat4([0, 0, 0], place, toView) as Vec3;
     const toViewer = vec3.normalize(
       [0, 0, 0],
       toObject(isOrthographic ? [0, 0, 1] : [-seen[0], -seen[1], -seen[2]]) as vec3,
     ) as Vec3;
-    // Of surfaces that are seen from the front.
+    // Front faces only.
     let normal = vec3.normalize([0, 0, 0], place3(1)) as Vec3;
     if (dot(normal, toViewer) < 0) normal = [-normal[0], -normal[1], -normal[2]];
     const reference = {

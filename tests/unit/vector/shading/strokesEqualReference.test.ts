@@ -17,8 +17,8 @@ import { randomNumbers } from '../randomNumbers.js';
 import { familyDarkness, type SeenFamily } from './familyDarkness.js';
 
 /**
- * The darkness of a fragment of lines that follow the form, in every medium, put together from the functions of the processor and compared with
- * the reference: values and gradients of the form, strokes of the pen, cuts of the gouge, their lengths, widths and hashes must all be right for it.
+ * Compares the darkness of a fragment of lines that follow the form, in every medium, from the functions of the processor, with the
+ * reference. It depends on values and gradients of the form, strokes of the pen, cuts of the gouge, their lengths, widths and hashes.
  */
 
 const SIZE = 480;
@@ -35,7 +35,7 @@ const matrixWorld = mat4.fromRotation(mat4.create(), 0.7, [1, 2, 0.5])!;
 const sun: ReferenceLight = { type: 'directional', color: [3, 3, 3], position: [1, 2, 3], target: [0, 0, 0] };
 const centre: Vec3 = [0.2, -0.1, 0.05];
 
-/** The darkness of one fragment by the functions of the processor. */
+/** The darkness of one fragment, by the functions of the processor. */
 function fragmentOf(
   given: EngravedSettings,
   { projection, isOrthographic }: (typeof cameras)[number],

@@ -57,7 +57,7 @@ const lamps = lights.map(({ type, color, position, target, distance = 0, decay =
   return { luminance: luminanceOf(color), at, isFar, distance, decay, cone, castsShadow: false };
 });
 
-/** The radiance of a white surface, of lamps alone. */
+/** The radiance of a white surface from lamps alone. */
 function radianceAt(
   point: Vec3,
   normal: Vec3,
@@ -96,13 +96,13 @@ describe('the tone at a place is that of the reference', () => {
       const radiance = radianceAt(point, normal, eye, toneModel, 12, reflectedLight, i % 2 === 1);
       const given: ToneLook = { ...look, curve, exposure: [exposure, 0], steps: toneModel === 'toon' ? 5 : 0 };
       const own = { ...given, toneEnds: [0, toneFromRadiance(0, given)] as const };
-      // The curve is kept in single precision.
+      // The curve is in single precision.
       const expected = reference.tone([...point], [...normal], true, i % 2 === 1);
       expect(Math.abs(shadedTone(radiance, 0, own) - expected)).toBeLessThan(1e-6);
     }
   });
 
-  test('under a sky and light from everywhere', () => {
+  test('under hemisphere and ambient light', () => {
     const random = randomNumbers(19);
     const color = (): [number, number, number] => [random(), random(), random()];
     for (let i = 0; i < 100; i++) {
@@ -145,10 +145,10 @@ describe('occlusion', () => {
     expect(openToLights(0.5, 0)).toBe(1);
   });
 
-  test('makes deep hollows as dark as it gets, whatever falls into them', () => {
+  test('makes deep hollows fully dark, whatever light falls into them', () => {
     expect(shadedTone(1, 0.8, look)).toBe(1);
     expect(shadedTone(1, 0.1, look)).toBe(0);
-    // Half way from where they begin to where they are deep.
+    // Half way between shallow and deep hollows.
     expect(shadedTone(1, 0.45, look)).toBeCloseTo(0.5, 9);
     expect(shadedTone(1, 0.8, { ...look, hollowTone: 0 })).toBe(0);
     // Chalk draws the lights: a hollow is bare paper.

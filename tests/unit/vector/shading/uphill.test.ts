@@ -21,7 +21,7 @@ test.each([false, true])(
       const view: Vec3 = [random() - 0.5, random() - 0.5, -1 - random()];
       const map = screenMap(normal, SAME, { view, isOrthographic, unitsPerPixel: 1e-3 }, true);
       const [cx, cy] = isOrthographic ? [0, 0] : [view[0] / view[2], view[1] / view[2]];
-      // The step on the surface that is seen as a step on the picture, which runs down.
+      // The rise of the function over a step on the surface that is the given step on the picture, whose y runs down.
       const rise = ([dx, dy]: readonly [number, number]): number => {
         const tz = -(dx * normal[0] - dy * normal[1]) / dot(normal, [cx, cy, 1]);
         return dot(gradient, [dx + cx * tz, -dy + cy * tz, tz]);

@@ -35,7 +35,7 @@ describe('the field behind a subject', () => {
     for (const points of lines) {
       const [x0, y0] = points;
       const [x1, y1] = points.slice(-2);
-      // The picture runs down.
+      // Picture coordinates run down.
       const angle = Math.atan2(y0 - y1, x1 - x0);
       expect(Math.abs(Math.sin(angle - Math.PI / 6))).toBeLessThan(0.02);
     }

@@ -9,7 +9,7 @@ const SHEET = { sheet: [60, 60] as const, margin: 0 };
 const draw = (mesh: Mesh, options: DrawSVGOptions = {}) =>
   drawSVG(sceneOf(mesh), cameraAt(0, 0, 1, true), { ...SHEET, ...options });
 
-/** What lies left of the middle is taken away. */
+/** Clips everything left of the middle. */
 const RIGHT_ALONE = () => new Plane(new Vector3(1, 0, 0), 0);
 const UPPER_ALONE = () => new Plane(new Vector3(0, 1, 0), 0);
 
@@ -45,7 +45,7 @@ describe('clipping planes', () => {
     );
   });
 
-  test('together take away only what lies beyond all of them', async () => {
+  test('with clipIntersection cut only what lies beyond all of them', async () => {
     const mesh = await planeOfTone(0.5);
     mesh.material.clippingPlanes = [RIGHT_ALONE(), UPPER_ALONE()];
     const quarters = async (): Promise<boolean[]> => {
@@ -110,7 +110,7 @@ describe('flat faces', () => {
     expect(other.leftOut).toEqual([]);
     expect(third.svg).toBe(other.svg);
     expect(other.svg).not.toBe(one.svg);
-    // The same as a body whose faces have normals of their own, but for where lines lie.
+    // A body with face normals as attributes gives the same, except for the positions of lines.
     const hard = await hatchedMesh(new SphereGeometry(0.9, 8, 6).toNonIndexed(), {
       outlines: false,
       material: { exposure: 1, lineField: 'z', handmade: 0, crossFrom: 1 },
@@ -121,9 +121,9 @@ describe('flat faces', () => {
     expect(Math.abs(tones[0] - tones[1])).toBeLessThan(0.01);
   });
 
-  test('of a plane are as it is', { tags: ['all'] }, async () => {
+  test('of a plane look like the plane', { tags: ['all'] }, async () => {
     const [plain, flat] = await Promise.all([planeOfTone(0.4), planeOfTone(0.4, { toneNormal: 'face' })]);
-    // But for points that lie on edges of triangles, twice there.
+    // Points on edges of triangles are written twice.
     expect((await draw(flat)).drawn / (await draw(plain)).drawn).toBeCloseTo(1, 2);
   });
 });

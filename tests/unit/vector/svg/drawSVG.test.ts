@@ -5,7 +5,7 @@ import { cases } from '../../../selection.mjs';
 import { cameraAt, hatchedMesh, planeOfTone, sceneOf } from '../hatchedScene.js';
 import { coverageOf, pathsOf, ringsOf } from '../paths.js';
 
-/** Outlines alone, all as heavy. */
+/** Outlines of one weight. */
 const ALIKE = { innerContours: 1, creases: 1, lostEdges: 0, shadeWeights: [1, 1] as [number, number] };
 const BLANK = {
   toneCurve: [
@@ -38,7 +38,7 @@ describe('outlines are joined', () => {
     const [points] = ringsOf(data);
     const [xs, ys] = [points.filter((_, i) => i % 2 === 0), points.filter((_, i) => i % 2 === 1)];
     const size = Math.max(...xs) - Math.min(...xs);
-    // It is a circle that fills what the camera sees.
+    // A circle that fills the camera's picture.
     expect(Math.abs(Math.max(...ys) - Math.min(...ys) - size)).toBeLessThan(0.3);
     expect(size).toBeGreaterThan(0.9 * 80);
   });
@@ -54,9 +54,9 @@ describe('outlines are joined', () => {
 
 describe('the tone is what is covered', () => {
   const side = 80;
-  // In the middle of the sheet, away from where lines end.
+  // The middle of the sheet, away from the ends of lines.
   const box = [8, 8, 64, 64] as const;
-  // Neither dashes nor their order count here, and both take time.
+  // Dashes and order do not matter here, and take time.
   const QUICK = { sheet: [side, side], margin: 0, leastWidth: 0, order: 'drawn' } as const;
 
   test.each(cases([0.2, 0.7], [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9]))(
@@ -109,7 +109,7 @@ describe('the sheet', () => {
     ['pen', 0],
     ['pen', 12],
   ] as const)('holds all ink: %s, margin %s', async (kind, margin) => {
-    // Larger than what the camera sees, and held to its picture.
+    // A body larger than the camera's picture, which clips it.
     const mesh = await hatchedMesh(new SphereGeometry(1.6, 32, 24), { material: { lineField: 'y' } });
     const { svg } = await drawSVG(sceneOf(mesh), cameraAt(0.3, 0.2, 1), {
       kind,
@@ -163,7 +163,7 @@ describe('a torus', () => {
       expect(new Set(names).size).toBe(names.length);
     }
     expect(open).toEqual([]);
-    // Nothing lies between the tags.
+    // There is no text between the tags.
     expect(svg.replace(/<[^<>]*>/g, '').trim()).toBe('');
     expect(svg).not.toMatch(/NaN|Infinity|undefined/);
   });
@@ -185,7 +185,7 @@ test('hard shadows darken what they fall on, and what receives none stays as it 
   expect((await drawSVG(scene, cameraAt(0, 0, 1), { kind: 'pen', sheet, shadows: false })).drawn).toBe(without);
 });
 
-test('what cannot leave as lines is named, and still hides what is behind it', async () => {
+test('what cannot be drawn as lines is listed, and still hides what is behind it', async () => {
   const behind = await hatchedMesh(new SphereGeometry(0.6, 32, 24));
   const before = new Mesh(new BoxGeometry(3, 3, 0.1), new MeshBasicMaterial());
   before.name = 'door';

@@ -39,15 +39,15 @@ describe('surfaces', () => {
     expect(await toneIn([0, 0, 8, 8], { vignette: 1 })).toBeLessThan(1e-9);
   });
 
-  test('fade by as much as their depth in what is seen of the scene asks for', { tags: ['all'] }, async () => {
-    // A box of which the plane is the middle: e^(−3/2) of the way through the air.
+  test('fade by their depth in the visible scene', { tags: ['all'] }, async () => {
+    // A box around the plane, which lies in its middle: half of the depth, with a factor of e^(−3/2).
     const extent = (mesh: Mesh) => new SceneExtent(mesh, new Box3(new Vector3(-1, -1, -1), new Vector3(1, 1, 1)));
     const faded = await toneIn(MIDDLE, { depthFade: 0.8 }, (mesh) => {
       (mesh.material as HatchingMaterial).extent = extent(mesh);
     });
     const air = (1 - Math.exp(-1.5)) / (1 - Math.exp(-3));
     expect(Math.abs(faded - TONE * (1 - 0.8 * air))).toBeLessThan(0.015);
-    // As deep as it is wide, it does not fade by itself.
+    // As deep as it is wide, a scene does not fade by default.
     const automatic = await toneIn(MIDDLE, { depthFade: 'auto' }, (mesh) => {
       (mesh.material as HatchingMaterial).extent = extent(mesh);
     });
@@ -82,13 +82,13 @@ test('outlines are thinner with their depth, and heavier in front than without a
   const expected = [0, air, 1].map((share) => 4 * (1 - 0.5 * share) * (1 + 0.2 * (1 - share)) * (25.4 / 96));
   for (const [i, width] of expected.entries()) {
     const left = 10 + (70 / 3) * i;
-    // Two borders, all the way down.
+    // Two borders, from top to bottom.
     const covered = coverageOf(pathsOf(svg), [left, 30, 70 / 3, 30]) * (70 / 3);
     expect(Math.abs(covered - 2 * width)).toBeLessThan(0.02);
   }
 });
 
-test('what does not matter is blank, and hides what is behind it', async () => {
+test('objects of importance 0 are blank, and hide what is behind them', async () => {
   const blank = await hatchedMesh(new PlaneGeometry(1, 1), { outlines: false });
   blank.userData.hatching = { importance: 0 };
   const behind = await planeOfTone(TONE);

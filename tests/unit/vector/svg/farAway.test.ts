@@ -4,10 +4,10 @@ import { drawSVG } from '../../../../src/vector/svg/drawSVG.js';
 import { cameraAt, hatchedMesh } from '../hatchedScene.js';
 import { pathsOf, ringsOf } from '../paths.js';
 
-/** Farther than single precision has halves for. */
+/** Beyond the range in which single precision has fractions. */
 const FAR = new Vector3(2 ** 24, 2 ** 23, -(2 ** 22));
 
-/** A ball that is cut above, before a box on a ground, in the light of a lamp, with one part in focus; all of it at a place. */
+/** A clipped ball in front of a box on a ground, lit by a lamp, with one part in focus, at a place. */
 async function drawnAt(place: Vector3) {
   const look = { technique: 'engraved', exposure: 1, vignette: 0.4, focusRadius: 0.8, lineSpacing: 9 } as const;
   const at = (x: number, y: number, z: number): Vector3 => new Vector3(x, y, z).add(place);

@@ -24,7 +24,7 @@ const SMALL = { sheet: [80, 80] as const, margin: 0 };
 
 const draw = (...meshes: Mesh[]) => drawSVG(sceneOf(...meshes), cameraAt(0, 0, 1), SMALL);
 
-/** All places of a drawing, sorted: where its ink is, in whatever order. */
+/** All coordinates of a drawing, sorted, so that their order does not matter. */
 const placesOf = (svg: string): number[] => pathsOf(svg).flatMap((data) => ringsOf(data).flat());
 
 describe('scenes that are hard to draw', () => {
@@ -45,7 +45,7 @@ describe('scenes that are hard to draw', () => {
     camera.lookAt(0, 0, -3);
     const { svg, drawn } = await drawSVG(sceneOf(mesh), camera, SMALL);
     expect(svg).not.toMatch(/NaN|Infinity/);
-    // Its near edge is on the picture too.
+    // The near edge is on the picture too.
     expect(Math.max(...placesOf(svg).filter((_, i) => i % 2 === 1))).toBeGreaterThan(78);
     expect(drawn).toBeGreaterThan(500);
   });
@@ -65,7 +65,7 @@ describe('scenes that are hard to draw', () => {
       ),
     );
     geometry.setIndex([0, 1, 2, 3, 4, 5, 0, 1, 6]);
-    // three.js says of such positions that they have no sphere.
+    // three.js reports that such positions have no bounding sphere.
     vi.spyOn(console, 'error').mockImplementation(() => {});
     const mesh = await planeOfTone(0.5);
     mesh.geometry = geometry;
@@ -147,12 +147,12 @@ describe('what is drawn of a mesh', () => {
     });
     const { paths, drawn } = await drawSVG(scene, cameraAt(0, 0, 1), { ...SMALL, kind: 'pen' });
     expect(paths).toBeGreaterThan(20);
-    // Cut at each seam, lines would be a few millimetres long.
+    // If they were cut at each seam, lines would be a few millimetres long.
     expect(drawn / paths).toBeGreaterThan(5);
   });
 });
 
-test('a scene that applyHatching has dressed is drawn as it stands', async () => {
+test('a scene hatched by applyHatching is drawn as it is', async () => {
   const mesh = await hatchedMesh(new SphereGeometry(0.8, 32, 24), { outlines: false });
   const scene = sceneOf(mesh);
   await applyHatching(scene, 'engraving');

@@ -17,7 +17,7 @@ const PEN = { kind: 'pen', penWidth: 0.2, sheet: [200, 200], margin: 5 } as cons
 const sceneWith = async (source: BufferGeometry, outlines: HatchingOutlineParameters) =>
   sceneOf(await hatchedMesh(source, { outlines, material: BLANK }));
 
-/** How long lines are together, millimetres. */
+/** The total length of lines, millimetres. */
 const lengthOf = (paths: string[]): number =>
   paths
     .flatMap((data) => ringsOf(data).map((xy) => ({ xy, isClosed: data.endsWith('z') })))
@@ -33,7 +33,7 @@ describe('hidden outlines', () => {
     expect(svg).not.toContain('hidden');
   });
 
-  test('of a cube are its three edges that look away, faint and whole', async () => {
+  test('of a cube are its three hidden edges, faint and whole', async () => {
     const scene = await sceneWith(new BoxGeometry(1.2, 1.2, 1.2), { hidden: 'faint', creases: 1 });
     const { svg } = await drawSVG(scene, cameraAt(2.2, 1.7, 2.9), PEN);
     const hidden = pathsOf(svg, 'hidden');
@@ -44,7 +44,7 @@ describe('hidden outlines', () => {
       (end) => ends.filter((one) => Math.hypot(one[0] - end[0], one[1] - end[1]) < 0.1).length === 3,
     );
     expect(meeting.length).toBe(3);
-    // What is seen stays as it is without them.
+    // Visible outlines are the same with and without hidden ones.
     const seen = pathsOf(svg, 'outlines');
     const without = pathsOf(
       (await drawSVG(scene, cameraAt(2.2, 1.7, 2.9), { ...PEN, hidden: 'none' })).svg,

@@ -7,14 +7,14 @@ import { drawSVG } from '../../../../src/vector/svg/drawSVG.js';
 import { cameraAt, sceneOf } from '../hatchedScene.js';
 import { coverageOf, pathsOf } from '../paths.js';
 
-/** Deep hollows grow out of the tones around them. Lengths in millimetres. */
+/** Deep hollows darken gradually from the tones around them. Lengths in millimetres. */
 
 const SIDE = 120;
 const PIXEL = 25.4 / 96;
-/** How wide a hollow is, and how deep, on a plate of side 1.1. */
+/** Width and depth of a hollow, on a plate of side 1.1. */
 const WIDTH = 0.2;
 const DEPTH = 0.4;
-/** The hollow reaches so far from its middle on the sheet. */
+/** Reach of the hollow from its middle, on the sheet. */
 const REACH = 28;
 const BOX = 1.4;
 const PRESETS: readonly PresetName[] = [
@@ -27,7 +27,7 @@ const PRESETS: readonly PresetName[] = [
   'woodcut',
 ];
 
-/** What is inked of rings around the middle of a hollow, from the innermost on, a millimetre apart. */
+/** The ink in rings around the middle of a hollow, from the innermost on, a millimetre apart. */
 async function profileOf(preset: PresetName): Promise<number[]> {
   const plate = new PlaneGeometry(1.1, 1.1, 64, 64);
   const { position } = plate.attributes;
@@ -61,12 +61,12 @@ for (const preset of PRESETS) {
     const { material } = presets[preset];
     const spacing = PIXEL * (material.lineSpacing ?? 4.4);
     expect(Math.max(...profile)).toBeGreaterThan(0.95);
-    // From the middle outwards: where it begins to be lighter than nearly black, and where hardly any ink is left.
+    // From the middle outwards: where it is no longer nearly black, and where hardly any ink is left.
     const dark = profile.findLastIndex((ink) => ink > 0.9);
     const light = profile.findIndex((ink, ring) => ring > dark && ink < 0.1);
     expect(light).toBeGreaterThan(dark);
     expect((light - dark) / spacing).toBeGreaterThan(6);
-    // And nowhere with a hard edge: a line farther on, there is never a fifth less of the ink.
+    // No hard edge: from one line to the next the ink never falls by a fifth.
     const rings = Math.round(spacing);
     for (let ring = 4; ring + rings < REACH; ring++) {
       const step = ((profile[ring] - profile[ring + rings]) * spacing) / rings;

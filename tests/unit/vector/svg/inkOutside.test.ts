@@ -16,11 +16,11 @@ import { cameraAt, sceneOf } from '../hatchedScene.js';
 import { inkOutside } from '../inkOutside.js';
 
 const SIDE = 90;
-/** The most of the ink that may lie outside. */
+/** The greatest share of ink that may lie outside. */
 const MOST = 0.001;
-/** An outline lies on both sides of the silhouette, and a hand strays: so far, in millimetres at 192 dots per inch. */
+/** Outlines lie on both sides of the silhouette, and wobble: their reach, in millimetres at 192 dots per inch. */
 const OUTLINE_REACH = 0.55;
-/** The lines of surfaces stay within, to half a pixel of the measurement. */
+/** Lines of surfaces stay inside, to half a pixel of the measurement. */
 const LINE_REACH = 0.05;
 const MOST_OF_LINES = 0.0001;
 
@@ -37,7 +37,7 @@ const MODELS: Readonly<Record<string, () => BufferGeometry>> = {
 };
 const PRESETS: readonly PresetName[] = ['pen', 'crossHatching', 'engraving', 'banknote', 'technical', 'woodcut'];
 
-/** The shares of the ink outside: of all, and of lines on surfaces. */
+/** The shares of ink outside: of all layers, and of lines on surfaces. */
 async function outside(model: string, preset: PresetName): Promise<{ all: number; lines: number }> {
   const scene = sceneOf(new Mesh(MODELS[model]()));
   await applyHatching(scene, preset);

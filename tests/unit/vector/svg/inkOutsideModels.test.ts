@@ -33,12 +33,12 @@ import { drawSVG } from '../../../../src/vector/svg/drawSVG.js';
 import { cameraAt, sceneOf } from '../hatchedScene.js';
 import { inkOutside } from '../inkOutside.js';
 
-/** The ink of every preset that leaves as lines or dots lies within the models of the playground. */
+/** The lines or dots of every preset lie within the models of the playground. */
 
 const SIDE = 60;
-/** The most of the ink that may lie outside. */
+/** The greatest share of ink that may lie outside. */
 const MOST = 0.001;
-/** An outline lies on both sides of the silhouette, and a hand strays: so far, in millimetres at 192 dots per inch. */
+/** Outlines lie on both sides of the silhouette, and wobble: their reach, in millimetres at 192 dots per inch. */
 const REACH = 0.55;
 
 function dragon(): Mesh {
@@ -53,7 +53,7 @@ function scan({ positions, cells }: { positions: number[][]; cells: number[][] }
   return joined(geometry);
 }
 
-/** As the playground has it: without texture coordinates, and smoothed. */
+/** As the playground prepares it: without texture coordinates, and smoothed. */
 function joined(geometry: BufferGeometry): Mesh {
   geometry.deleteAttribute('uv');
   geometry.deleteAttribute('normal');
@@ -100,7 +100,7 @@ function sceneWith(model: Object3D): Scene {
   return sceneOf().add(fitted) as Scene;
 }
 
-/** Every preset draws these, those of broad lines draw all models, and of the others one draws each. */
+/** Every preset draws these models; presets of broad lines draw all, and of the others one draws each. */
 const EVERY = ['teapot', 'fox', 'cube', 'sphere'];
 const BROAD: readonly PresetName[] = ['engraving', 'woodcut'];
 const FINE = PRESETS.filter((preset) => !BROAD.includes(preset));

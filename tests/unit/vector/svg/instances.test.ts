@@ -19,7 +19,7 @@ import { wronglySeen } from '../wronglySeen.js';
 const SHEET = { sheet: [100, 100] as const, margin: 0, order: 'drawn' as const };
 const draw = (scene: Scene) => drawSVG(scene, cameraAt(0.4, 0.5, 2), SHEET);
 
-/** Places of instances, stretched and turned; the last is mirrored by two axes, which is a turn. */
+/** Instance matrices with scales and rotations; the last mirrors two axes, which is a rotation. */
 const PLACES = [
   new Matrix4().makeRotationZ(0.3).setPosition(-0.5, 0.1, 0),
   new Matrix4().makeScale(1, 0.6, 1.3).premultiply(new Matrix4().makeRotationX(0.7)).setPosition(0.1, -0.2, 0.5),
@@ -28,7 +28,7 @@ const PLACES = [
 const torus = () => new TorusGeometry(0.3, 0.13, 16, 32);
 const material = { exposure: 1 };
 
-/** The same body as single meshes, one for each place. */
+/** The same body as single meshes, one for each matrix. */
 async function clones(source: () => BufferGeometry, places: readonly Matrix4[], outlines: boolean): Promise<Mesh[]> {
   const plain = await hatchedMesh(source(), { material, outlines: outlines ? {} : false });
   return places.map((place) => {
@@ -75,7 +75,7 @@ describe('instances', () => {
     expect(one.svg).toBe(other.svg);
   });
 
-  test('count as far as the mesh says, and stand in its own space', async () => {
+  test('are drawn up to the count of the mesh, in its own space', async () => {
     const mesh = await instanced(PLACES);
     mesh.count = 1;
     mesh.position.set(0.2, -0.1, 0);
@@ -128,7 +128,7 @@ describe('batches', () => {
     const one = await draw(shadowed(batch));
     const rings = await clones(torus, PLACES, false);
     const boxes = await clones(() => new BoxGeometry(0.5, 0.5, 0.5, 2, 2, 2), PLACES, false);
-    // One geometry of a batch has one origin of the field, that of all of them together.
+    // All geometries of a batch share one origin of the field, that of the whole batch.
     batch.geometry.computeBoundingSphere();
     for (const { geometry } of [...rings, ...boxes]) geometry.boundingSphere = batch.geometry.boundingSphere!.clone();
     const other = await draw(shadowed(rings[0], boxes[1], rings[2]));

@@ -12,7 +12,7 @@ import { drawSVG } from '../../../../src/vector/svg/drawSVG.js';
 import { cameraAt, hatchedMesh, sceneOf } from '../hatchedScene.js';
 import { pathsOf, ringsOf } from '../paths.js';
 
-/** Contours whose edges light takes. Lengths in millimetres. */
+/** Contours whose edges are lost in the light. Lengths in millimetres. */
 
 const BLANK = {
   toneCurve: [
@@ -44,7 +44,7 @@ const MODELS: Readonly<Record<string, () => BufferGeometry>> = {
 
 type Point = readonly [x: number, y: number];
 
-/** The lines of outlines, each as places a step apart. */
+/** The lines of outlines, sampled at even steps. */
 function linesOf(svg: string): Point[][] {
   return pathsOf(svg, 'outlines').map((data) => {
     const [points] = ringsOf(data);
@@ -66,7 +66,7 @@ const lengthOf = (line: readonly Point[]): number =>
 const isNear = ([x, y]: Point, places: readonly Point[], distance: number): boolean =>
   places.some(([px, py]) => Math.hypot(px - x, py - y) <= distance);
 
-/** Lengths of the stretches of lines where nothing is drawn. */
+/** The lengths of stretches of lines where nothing is drawn. */
 function gapsIn(lines: readonly Point[][], isDrawn: (place: Point) => boolean): number[] {
   const gaps: number[] = [];
   for (const line of lines) {
@@ -97,7 +97,7 @@ async function drawn(model: string, lostEdges: number, kind: 'pen' | 'print'): P
   return (await drawSVG(sceneOf(mesh), cameraAt(0.5, 0.45, 1), plan)).svg;
 }
 
-/** Whether a place lies within filled rings, by the rule `nonzero`. */
+/** Whether a point lies inside filled rings, by the rule `nonzero`. */
 const isWithin = ([x, y]: Point, rings: readonly (readonly number[])[]): boolean => {
   let winding = 0;
   for (const ring of rings) {
@@ -113,7 +113,7 @@ const isWithin = ([x, y]: Point, rings: readonly (readonly number[])[]): boolean
 
 const quick = (model: string) => ({ tags: model === 'boot' ? [] : ['all'] });
 
-describe('where all edges are lost that the light falls on', () => {
+describe('where all lit edges are lost', () => {
   for (const model of Object.keys(MODELS)) {
     test(
       `a pen leaves gaps of limited length in the outline of a ${model}, and no loose piece`,
@@ -124,11 +124,11 @@ describe('where all edges are lost that the light falls on', () => {
         const places = left.flat();
         const gaps = gapsIn(whole, (place) => isNear(place, places, 0.15));
         const size = sizeOf(whole);
-        // A fifth of a millimetre, as places at the ends of a gap count as drawn or not.
+        // Plus a fifth of a millimetre, the precision of the sampling.
         expect(Math.max(0, ...gaps)).toBeLessThan(0.1 * size + 0.2);
         const sum = (lengths: readonly number[]) => lengths.reduce((a, b) => a + b, 0);
         expect(sum(gaps)).toBeLessThan(sum(whole.map(lengthOf)) / 3);
-        // None is so short that it would look like a fault; where a piece of an outline that stood at a gap went with it, there may be less.
+        // No gap is so short that it would look like an error; it may be shorter where a loose piece was dropped beside it.
         for (const gap of gaps.filter((one) => one > 0.3)) expect(gap).toBeGreaterThan(0.9);
         if (model !== 'boat') expect(gaps.length).toBeGreaterThan(0);
         for (const [i, line] of left.entries()) {

@@ -5,12 +5,12 @@ import { cases } from '../../../selection.mjs';
 import { cameraAt, hatchedMesh, planeOfTone, sceneOf } from '../hatchedScene.js';
 import { coverageOf, pathsOf, ringsOf } from '../paths.js';
 
-/** The side of the sheet, millimetres, which the plane fills; and what lies away from where lines end. */
+/** Side of the sheet, millimetres, which the plane fills; and a box away from the ends of lines. */
 const SIDE = 80;
 const BOX = [5, 5, 70, 70] as const;
 const PIXEL = 25.4 / 96;
 
-/** The longest side of the bounds of a path. */
+/** The longer side of the bounding box of a path. */
 function extentOf(data: string): number {
   const points = ringsOf(data).flat();
   const sides = [0, 1].map((axis) => points.filter((_, i) => i % 2 === axis));
@@ -26,7 +26,7 @@ describe('a pen', () => {
   test.each(cases([0.5], [0.1, 0.5, 0.8]))('prints tone %s in strokes', { tags: ['more'] }, async (tone) => {
     const { svg, leftOut } = await draw(tone);
     expect(leftOut).toEqual([]);
-    // Strokes are few on so small a sheet, and in the darks they overlap.
+    // On so small a sheet strokes are few, and in the darks they overlap.
     expect(Math.abs(coverageOf(pathsOf(svg), BOX) - tone)).toBeLessThan(0.035);
   });
 
@@ -39,7 +39,7 @@ describe('a pen', () => {
     const lengths = pathsOf((await draw(0.25)).svg, 'engraved').map(extentOf);
     lengths.sort((a, b) => a - b);
     const pixels = (share: number) => lengths[Math.floor(share * lengths.length)] / PIXEL;
-    // They are 60 pixels long, or by half an octave longer or shorter; where two meet they are one path.
+    // Strokes are 60 pixels long, give or take half an octave; where two meet they form one path.
     expect(lengths.length).toBeGreaterThan(60);
     expect(pixels(0.5)).toBeGreaterThan(25);
     expect(pixels(0.5)).toBeLessThan(85);
@@ -47,7 +47,7 @@ describe('a pen', () => {
   });
 
   test('strays from its lines by hand, and not with a ruler', async () => {
-    /** How much strokes agree on a direction: 1 if all are parallel. */
+    /** The agreement of strokes on a direction: 1 if all are parallel. */
     const agreement = async (handmade: number) => {
       const { svg } = await draw(0.3, 'pen', handmade);
       const paths = pathsOf(svg, 'engraved').map((data) => {
@@ -81,7 +81,7 @@ describe('a woodcut', () => {
 
   test('is filled by the strokes of a plotter', { tags: ['all'] }, async () => {
     const side = 80;
-    // Rows lie a pen's width apart, or up to twice as close.
+    // Rows are a pen's width apart, or up to twice as close.
     const { drawn: all } = await draw(1, 'pen', side);
     expect((all * 0.3) / side ** 2).toBeGreaterThan(1);
     expect((all * 0.3) / side ** 2).toBeLessThan(2);
@@ -104,7 +104,7 @@ describe.each(['pen', 'woodcut'] as const)('a ring in the medium %s', (medium) =
   });
 
   test('stays within the surface', () => {
-    // 50 mm a unit: within a circle of 45 mm, and beyond one of 15.
+    // At 50 mm per unit: inside a circle of 45 mm, and outside one of 15.
     const away = paths.flatMap((data) =>
       ringsOf(data).flatMap((ring) =>
         ring.flatMap((x, i) => (i % 2 === 0 ? [Math.hypot(x - 52.5, ring[i + 1] - 52.5)] : [])),

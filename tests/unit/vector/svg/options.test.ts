@@ -39,7 +39,7 @@ describe('wrong options end in one sentence that names them', () => {
     expect((error as Error).message).toContain(sentence);
   });
 
-  test('a scene that is none, and a camera that is none', async () => {
+  test('an invalid scene, and an invalid camera', async () => {
     await expect(draw({}, {})).rejects.toThrow('drawSVG: scene must be an Object3D');
     await expect(draw({}, new Scene(), new Object3D())).rejects.toThrow('drawSVG: camera must be');
     await expect(draw({}, new Scene(), null)).rejects.toThrow('drawSVG: camera must be');

@@ -15,7 +15,7 @@ import { drawSVG } from '../../../../src/vector/svg/drawSVG.js';
 import { cameraAt, hatchedMesh, sceneOf } from '../hatchedScene.js';
 import { coverageOf, pathsOf, ringsOf } from '../paths.js';
 
-/** Outlines alone, all as heavy. */
+/** Outlines of one weight. */
 const ALIKE = { innerContours: 1, creases: 1, lostEdges: 0, accents: 0, shadeWeights: [1, 1] as [number, number] };
 const BLANK = {
   toneCurve: [
@@ -27,31 +27,31 @@ const BLANK = {
 const PIXEL = 25.4 / 96;
 
 describe('accents', () => {
-  /** A ball before the straight border of a sheet, and how wide its contour is left of it, at a height. */
+  /** A ball in front of the straight border of a sheet; returns the width of its left contour at four heights. */
   async function ballBeforeBorder(outlines: HatchingOutlineParameters): Promise<number[]> {
     const ball = await hatchedMesh(new SphereGeometry(0.6, 192, 128), {
       outlines: { ...ALIKE, outlineWidth: 4, ...outlines },
       material: BLANK,
     });
     const sheet = await hatchedMesh(new PlaneGeometry(4, 4), { outlines: false, material: BLANK });
-    // Its upper border lies at the height of the middle of the ball, far behind it.
+    // The sheet's upper border is at the height of the ball's middle, far behind it.
     sheet.position.set(0, -2, -1);
     const { svg } = await drawSVG(sceneOf(ball, sheet), cameraAt(0, 0, 1, true), { sheet: [105, 105], margin: 0 });
-    // The picture is 2.1 high: 50 mm a unit. The ball's left side lies at x = 22.5.
+    // The picture is 2.1 high, at 50 mm per unit. The ball's left side is at x = 22.5.
     return [0, 4, 8, 16].map((below) => coverageOf(pathsOf(svg), [17, 52.5 + below, 15, 0.2]) * 15);
   }
 
   test('make a contour heavier where another outline ends behind it, and nowhere else', async () => {
     const plain = await ballBeforeBorder({});
     const accented = await ballBeforeBorder({ accents: 0.5 });
-    // Where the border lies, within half a step of it, three quarters and more of the accent are left.
+    // At the border, within half a step, at least three quarters of the accent are left.
     expect(accented[0] / plain[0]).toBeGreaterThan(1.35);
     expect(accented[0] / plain[0]).toBeLessThan(1.5);
     expect(accented[1]).toBeLessThan(accented[0]);
     expect(accented[1]).toBeGreaterThan(1.05 * plain[1]);
     // 8 widths of 4 pixels are 8.5 mm.
     expect(accented[3]).toBeCloseTo(plain[3], 3);
-    // There it is cut at a slant.
+    // There the contour is cut at a slant.
     expect(plain[3]).toBeCloseTo((4 * PIXEL * 30) / Math.sqrt(30 ** 2 - 16 ** 2), 1);
   });
 });
@@ -68,7 +68,7 @@ test('outlines run on beyond corners by the overshoot, and end there', async () 
   expect(beyond.leftOut).toEqual([]);
   expect(plain.paths).toBe(9);
   expect(beyond.paths).toBe(9);
-  // A pixel is a millimetre. Both ends of nine edges run on, but for those that run on before or behind a face of the cube.
+  // A pixel is a millimetre. Nine edges overshoot at both ends, except where a face of the cube is in the way.
   const more = beyond.drawn - plain.drawn;
   expect(more).toBeGreaterThan(0.7 * 18 * 5);
   expect(more).toBeLessThan(1.01 * 18 * 5);
@@ -76,7 +76,7 @@ test('outlines run on beyond corners by the overshoot, and end there', async () 
 
 test('suggestive contours are drawn where they are asked for', async () => {
   const draw = async (suggestiveContours: number) => {
-    // Waves that are seen at a slant, from where none hides another.
+    // Waves at a slant, so that none hides another.
     const waves = new PlaneGeometry(2, 2, 128, 32);
     const { position } = waves.attributes;
     for (let v = 0; v < position.count; v++) position.setZ(v, 0.06 * Math.sin(9 * position.getX(v)));
@@ -87,7 +87,7 @@ test('suggestive contours are drawn where they are asked for', async () => {
   expect((await draw(0)).paths).toBe(0);
   const { leftOut, paths, svg } = await draw(0.8);
   expect(leftOut).toEqual([]);
-  // One a wave, from top to bottom: a line where the bend is 0, along the crest.
+  // One line per wave, from top to bottom, where the curvature is 0.
   expect(paths).toBeGreaterThanOrEqual(2);
   expect(paths).toBeLessThanOrEqual(4);
   for (const data of pathsOf(svg, 'outlines')) {
@@ -98,7 +98,7 @@ test('suggestive contours are drawn where they are asked for', async () => {
 });
 
 test('a contour of coarse triangles is hidden by what stands close before it', async () => {
-  // Its triangles are deep, so that its contour is lifted far towards the eye.
+  // Its triangles are deep, so its contour is lifted far towards the eye.
   const coarse = mergeVertices(new IcosahedronGeometry(0.9, 2).deleteAttribute('normal').deleteAttribute('uv'));
   const ball = await hatchedMesh(coarse, { outlines: { ...ALIKE, outlineWidth: 6 }, material: BLANK });
   const sheet = await hatchedMesh(new PlaneGeometry(4, 2), { outlines: false, material: BLANK });

@@ -18,7 +18,7 @@ import { drawSVG } from '../../../../src/vector/svg/drawSVG.js';
 import { cameraAt, hatchedMesh, sceneOf } from '../hatchedScene.js';
 import { coverageOf, pathsOf, ringsOf } from '../paths.js';
 
-/** Lines of a drawing are of the outlines that the canvas draws: whatever three.js asks of a mesh is asked of them. */
+/** Outlines follow the properties of meshes that three.js reads, as on the canvas. */
 
 const EVEN = {
   innerContours: 1,
@@ -56,7 +56,7 @@ test('they fade to the same ink, and are not there at 0', async () => {
   const { ink: whole } = await draw(mesh);
   Object.assign(mesh.material, { transparent: true, opacity: 0.5 });
   const { ink: half } = await draw(mesh);
-  // What lies behind is seen through the sides: twelve edges in the place of nine.
+  // The sides are see-through: twelve edges are visible instead of nine.
   expect(half / whole).toBeGreaterThan(0.5);
   expect(half / whole).toBeLessThan(0.75);
   mesh.material.opacity = 0;
@@ -128,7 +128,7 @@ test('the clipping planes of a material cut them', async () => {
 });
 
 describe('where a picture cuts the surface away', () => {
-  /** Whose left half is there. */
+  /** Opaque in its left half only. */
   const half = new DataTexture(Uint8Array.of(255, 255, 255, 255, 255, 255, 255, 0), 2, 1);
   const card = async (material = {}, outlines = {}) => {
     const mesh = await hatchedMesh(new PlaneGeometry(1.2, 1.2), {

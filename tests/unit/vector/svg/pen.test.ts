@@ -5,7 +5,7 @@ import { cases } from '../../../selection.mjs';
 import { cameraAt, hatchedMesh, planeOfTone, sceneOf } from '../hatchedScene.js';
 import { pathsOf, ringsOf } from '../paths.js';
 
-/** How long lines are within a square. */
+/** The length of lines inside a square. */
 function lengthWithin(lines: readonly number[][], left: number, top: number, size: number): number {
   let sum = 0;
   for (const points of lines) {
@@ -48,11 +48,11 @@ describe.each(cases([0.3], [0.2, 0.3, 0.5]))('a pen of %s mm', { tags: ['more'] 
       for (let column = 1; column < 4; column++) {
         for (let row = 1; row < 4; row++) {
           const drawn = (lengthWithin(lines, BLOCK * column, BLOCK * row, BLOCK) * penWidth) / BLOCK ** 2;
-          // A block has whole lines.
+          // A block holds a whole number of lines.
           expect(Math.abs(drawn - tone)).toBeLessThan(Math.max(0.02, (0.5 * penWidth) / BLOCK + 0.02));
         }
       }
-      // They are straight: where each lies across all of them.
+      // Lines are straight, so their positions across them are compared.
       const [x, y, toX, toY] = lines.reduce((longest, line) => (reachOf(line) > reachOf(longest) ? line : longest));
       const length = Math.hypot(toX - x, toY - y);
       const places = lines.map(([px, py]) => (px * (toY - y) - py * (toX - x)) / length).sort((a, b) => a - b);

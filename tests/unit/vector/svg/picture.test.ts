@@ -8,7 +8,7 @@ const PICTURE = 'data:image/png;base64,iVBORw0KGgo=';
 test('a picture lies below the lines, where the camera sees it', async () => {
   const mesh = await hatchedMesh(new PlaneGeometry(1, 1));
   const { svg } = await drawSVG(sceneOf(mesh), cameraAt(0, 0, 1), { sheet: [120, 200], margin: 10, picture: PICTURE });
-  // The picture of the camera is square: 100 mm, in the middle.
+  // The camera's picture is a square of 100 mm in the middle.
   expect(svg).toContain(`<image x="10" y="50" width="100" height="100" preserveAspectRatio="none" href="${PICTURE}"/>`);
   expect(svg.indexOf('<image')).toBeLessThan(svg.indexOf('1 outlines'));
 });

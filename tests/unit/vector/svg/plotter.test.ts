@@ -7,7 +7,7 @@ import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { drawSVG, type SVGDrawing } from '../../../../src/vector/svg/drawSVG.js';
 import { cameraAt, hatchedMesh, sceneOf } from '../hatchedScene.js';
 
-/** What others make of the files: programs of plotters, and parsers. They are tests only where these are installed. */
+/** Reads the files with programs of plotters and XML parsers, where these are installed. */
 
 const runs = (command: string): boolean => spawnSync(command, ['--version']).status === 0;
 const hasVpype = runs('vpype');
@@ -22,11 +22,11 @@ const fileOf = (name: keyof typeof drawings): string => join(folder, `${name}.sv
 
 beforeAll(async () => {
   const knot = await hatchedMesh(new TorusKnotGeometry(0.6, 0.22, 160, 32));
-  // The file in the order in which lines are found is for vpype alone.
+  // Only vpype needs the file in the order in which lines were found.
   for (const name of ['travel', 'print', ...(hasVpype ? (['drawn'] as const) : [])] as const) {
     const order = name === 'drawn' ? name : 'travel';
     const pen = name === 'print' ? {} : ({ kind: 'pen', penWidth: 0.2 } as const);
-    // No more is asked of the file of a press than that it can be read.
+    // The print file is only parsed, so it may be small.
     const sheet = name === 'print' ? ([60, 50] as const) : ([210, 190] as const);
     drawings[name] = await drawSVG(sceneOf(knot), cameraAt(0.4, 0.3, 1), { ...pen, order, sheet });
     writeFileSync(fileOf(name), drawings[name].svg);
@@ -41,7 +41,7 @@ function vpype(...args: string[]): string {
   return stdout;
 }
 
-/** The way of the lifted pen in all layers, after commands. */
+/** The travel of the lifted pen in all layers, after vpype commands. */
 function travelOf(name: keyof typeof drawings, ...commands: string[]): number {
   const told = vpype('read', fileOf(name), ...commands, 'stat');
   return Number(/^ {2}Pen-up length: ([\d.]+)$/m.exec(told.slice(told.indexOf('Totals')))![1]);

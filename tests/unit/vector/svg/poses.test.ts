@@ -19,12 +19,12 @@ import { cameraAt, type HatchedLook, hatchedMesh, sceneOf } from '../hatchedScen
 import { pathsOf, ringsOf } from '../paths.js';
 import { wronglySeen } from '../wronglySeen.js';
 
-// Dashes of hairlines belong to places at rest, and so differ from those of a baked pose.
+// No dashes of hairlines: they are fixed to places at rest, and differ from those of a baked pose.
 const SHEET = { sheet: [100, 100] as const, margin: 0, leastWidth: 0 };
 const camera = () => cameraAt(0.6, 0.4, 2);
 const draw = (...meshes: Mesh[]) => drawSVG(sceneOf(...meshes), camera(), SHEET);
 
-/** Weights of two bones: the second takes over from the height `from` to `to`. */
+/** Skin weights of two bones: the second takes over from the height `from` to `to`. */
 function bind(geometry: BufferGeometry, from: number, to: number): BufferGeometry {
   const { position } = geometry.attributes;
   const weights: number[] = [];
@@ -42,7 +42,7 @@ function bind(geometry: BufferGeometry, from: number, to: number): BufferGeometr
   return geometry.setAttribute('skinWeight', new Float32BufferAttribute(weights, 4));
 }
 
-/** A mesh with two bones, the first in the origin and the second above it. */
+/** A mesh with two bones, one at the origin and one above it. */
 async function skinned(source: BufferGeometry, look: HatchedLook = {}) {
   const plain = await hatchedMesh(source, { ...look, outlines: look.outlines ?? {} });
   const mesh = new SkinnedMesh(plain.geometry, plain.material);
@@ -69,7 +69,7 @@ function baked(mesh: Mesh, source: BufferGeometry): BufferGeometry {
   return geometry;
 }
 
-/** The share of places of one drawing that lie farther than so much from all of another. */
+/** The share of points of one drawing that are farther than a distance from all points of another. */
 function awayFrom(one: string, other: string, layer: string, distance: number): number {
   const pointsOf = (svg: string): number[][] =>
     pathsOf(svg, layer).flatMap((data) =>
@@ -84,7 +84,7 @@ function awayFrom(one: string, other: string, layer: string, distance: number): 
   return points.filter((point) => !isNear(point)).length / points.length;
 }
 
-/** How long lines are in all, nearly the same in both. */
+/** Expects two total lengths to be nearly equal. */
 function expectAlike(one: number, other: number, share: number): void {
   expect(Math.abs(one - other)).toBeLessThan(share * other);
 }
@@ -123,7 +123,7 @@ describe('skins', () => {
     const plain = await hatchedMesh(baked(mesh, column()), { material: still });
     const [one, other] = [await draw(mesh), await draw(plain)];
     expect(awayFrom(one.svg, other.svg, 'outlines', 0.5)).toBeLessThan(0.02);
-    // Its normals are computed anew, and differ at the seam.
+    // Its normals are recomputed, and differ at the seam.
     expect(awayFrom(other.svg, one.svg, 'outlines', 0.5)).toBeLessThan(0.05);
     const straight = await draw(await hatchedMesh(column(), { material: still }));
     expect(awayFrom(straight.svg, one.svg, 'outlines', 0.5)).toBeGreaterThan(0.1);
@@ -145,7 +145,7 @@ describe('skins', () => {
     expect(awayFrom(one.svg, other.svg, 'engraved', 0.3)).toBeLessThan(0.03);
     const inkOf = (svg: string): number => pathsOf(svg).reduce((sum, data) => sum + inkIn(ringsOf(data)), 0);
     expectAlike(inkOf(one.svg), inkOf(other.svg), 0.02);
-    // Lines at rest stretch and crowd as the skin does. The tone stays.
+    // Lines at rest stretch and crowd with the skin, but keep the tone.
     mesh.material.setValues({ strokeAnchor: 'rest' });
     const atRest = await draw(mesh);
     expect(awayFrom(atRest.svg, one.svg, 'engraved', 0.3)).toBeGreaterThan(0.1);
@@ -161,7 +161,7 @@ describe('skins', () => {
   });
 });
 
-/** The area of rings, signed: holes are taken away. */
+/** The signed area of rings, so that holes are subtracted. */
 function inkIn(rings: number[][]): number {
   let area = 0;
   for (const ring of rings) {
@@ -174,7 +174,7 @@ function inkIn(rings: number[][]): number {
 }
 
 describe('morph targets', () => {
-  /** A geometry whose morph target is another form of it. */
+  /** A geometry with another shape of itself as a morph target. */
   function morphing(source: BufferGeometry, other: BufferGeometry): BufferGeometry {
     source.morphAttributes.position = [other.attributes.position];
     source.morphAttributes.normal = [other.attributes.normal];
@@ -209,7 +209,7 @@ describe('morph targets', () => {
     const plain = await hatchedMesh(box(), { material });
     plain.translateX(0.3 * Math.cos(0.4)).translateZ(-0.3 * Math.sin(0.4));
     plain.rotation.y = 0.4;
-    // Targets count for the sphere whose centre is the origin of the field.
+    // Morph targets affect the bounding sphere, whose centre is the origin of the field.
     plain.geometry.boundingSphere = mesh.geometry.boundingSphere!.clone();
     const [one, other] = [await draw(mesh), await draw(plain)];
     expect(awayFrom(one.svg, other.svg, 'engraved', 0.1)).toBeLessThan(0.005);

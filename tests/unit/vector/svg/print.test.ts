@@ -5,7 +5,7 @@ import { cases } from '../../../selection.mjs';
 import { cameraAt, planeOfTone, sceneOf } from '../hatchedScene.js';
 import { coverageOf, pathsOf, ringsOf } from '../paths.js';
 
-/** In the middle of a sheet of 100 mm, away from where lines end. */
+/** The middle of a sheet of 100 mm, away from the ends of lines. */
 const BOX = [10, 10, 80, 80] as const;
 
 describe('tone 1 is solid', () => {
@@ -40,7 +40,7 @@ describe('lines that are thinner than a press holds', { tags: ['all'] }, () => {
     const mesh = await planeOfTone(tone, { lineField: 'y' });
     return pathsOf((await drawSVG(sceneOf(mesh), camera, { sheet: [105, 105], margin: 0, leastWidth })).svg);
   };
-  /** Of lines that run to the right: how far each reaches, and how high it is. */
+  /** The left end, length and height of lines that run to the right. */
   const sizesOf = (paths: readonly string[]) =>
     paths.map((data) => {
       const [points] = ringsOf(data);
@@ -75,7 +75,7 @@ describe('lines that are thinner than a press holds', { tags: ['all'] }, () => {
     const one = sizesOf(await draw(0.02, 0.12));
     const moved = cameraAt(0, 0, 1, true);
     moved.position.x += 0.1;
-    // A hundredth of what is seen is half a millimetre.
+    // A shift by a hundredth of the picture is half a millimetre.
     const other = sizesOf(await draw(0.02, 0.12, moved)).map((dash) => ({ ...dash, left: dash.left + 5 }));
     const inner = one.filter(({ left, length }) => left > 10 && left + length < 95);
     expect(inner.length).toBeGreaterThan(100);

@@ -24,7 +24,7 @@ const GROUND: HatchingMaterialParameters = {
   depthWrite: false,
 };
 
-/** A ground that shows shadows alone, in the light of a sun that casts them. */
+/** A ground that shows shadows alone, lit by a sun that casts them. */
 async function groundScene(material: HatchingMaterialParameters, caster: Mesh, radius = 1) {
   const ground = await hatchedMesh(new PlaneGeometry(2.4, 2.4, 5, 5), {
     outlines: false,
@@ -41,19 +41,19 @@ async function groundScene(material: HatchingMaterialParameters, caster: Mesh, r
   return { scene, ground, sun };
 }
 
-/** What casts a shadow, and is not seen itself. */
+/** An invisible mesh that casts a shadow. */
 function unseen(geometry: PlaneGeometry): Mesh {
   return new Mesh(geometry, new MeshBasicMaterial({ depthWrite: false, side: DoubleSide }));
 }
 
-/** A plate over the half of the ground where x is above 0. */
+/** A plate over the half of the ground with x above 0. */
 function plate(height: number): Mesh {
   const mesh = unseen(new PlaneGeometry(1.6, 3));
   mesh.position.set(0.8, 0, height);
   return mesh;
 }
 
-/** How much of each of the strips across a drawing is covered, from left to right, in the middle of its height. */
+/** The cover of strips across a drawing, from left to right, at half of its height. */
 async function strips(scene: Scene, options: DrawSVGOptions = {}, count = 70): Promise<number[]> {
   const { svg } = await drawSVG(scene, camera(), { ...SHEET, ...options });
   const paths = pathsOf(svg);
@@ -63,7 +63,7 @@ async function strips(scene: Scene, options: DrawSVGOptions = {}, count = 70): P
 
 const xOf = (strip: number, count = 70) => 1.05 * ((2 * (strip + 0.5)) / count - 1);
 
-/** How far it is from where values first exceed one share of their greatest to where they exceed the other. */
+/** The distance between where values first exceed one share of their maximum and where they exceed another. */
 function riseOf(values: readonly number[], from = 0.1, to = 0.9): number {
   const most = Math.max(...values);
   const placeOf = (share: number): number => {
@@ -73,7 +73,7 @@ function riseOf(values: readonly number[], from = 0.1, to = 0.9): number {
   return placeOf(to) - placeOf(from);
 }
 
-/** How much of a round lamp is hidden by the plate: the mean of rays to places all over it. */
+/** The share of a round lamp that the plate hides: the mean of rays to points all over the lamp. */
 function shadeOfPlate(x: number, sun: DirectionalLight, height: number, softness: number): number {
   const toLight = sun.position.clone().normalize();
   const side = new Vector3(0, 1, 0).cross(toLight).normalize();
@@ -108,7 +108,7 @@ describe('the shadow on a ground', () => {
     },
   );
 
-  test('is hard where it is asked to be', { tags: ['all'] }, async () => {
+  test('is hard with shadows: hard', { tags: ['all'] }, async () => {
     const { scene } = await groundScene({ shadowSoftness: 0.4 }, plate(0.6));
     expect(riseOf(await strips(scene, { shadows: 'hard' }))).toBeLessThan(2);
     expect(riseOf(await strips(scene))).toBeGreaterThan(5);
@@ -118,7 +118,7 @@ describe('the shadow on a ground', () => {
     'dissolves evenly with the distance of a leaning board: shadowFade %s',
     { tags: ['more'] },
     async (shadowFade) => {
-      // It stands on the line x = −0.6 and rises at 45°.
+      // The board stands on the line x = −0.6 and rises at 45°.
       const board = unseen(new PlaneGeometry(1.2 * Math.SQRT2, 3));
       board.rotation.y = -Math.PI / 4;
       board.position.z = 0.6;
@@ -134,17 +134,17 @@ describe('the shadow on a ground', () => {
         worst = Math.max(worst, Math.abs(tone - 0.5 * left));
       }
       expect(checked).toBeGreaterThan(14);
-      // Lines end one by one: of the few in a strip, one more or less counts.
+      // Lines end one by one: a strip holds few, and one line more or less matters.
       expect(worst).toBeLessThan(0.04);
     },
   );
 
   test.each(['ink', 'pen', 'woodcut'] as const)(
-    'has the tone that is left of it at five stages of dissolving, drawn with %s',
+    'has the right tone at five stages of dissolving, drawn with %s',
     { tags: ['more'] },
     async (medium) => {
       const { scene, ground, sun } = await groundScene({ medium, strokeLength: 30 }, plate(0.4), 0);
-      // So far a shadow loses all of its tone at a fade of 1: over the width of what the light's camera sees.
+      // The distance at which a shadow loses all of its tone at shadowFade 1: the width of the light's camera.
       const share = 0.4 / sun.position.clone().normalize().z / 4;
       for (const left of cases([0.8, 0.2], [0.9, 0.7, 0.5, 0.3, 0.1])) {
         ground.material.shadowFade = (1 - left) / share;
@@ -174,7 +174,7 @@ describe('the shadow on a ground', () => {
   });
 });
 
-test('lines turn in the shadow of the only light, and nowhere else', async () => {
+test('lines turn only in the shadow of the only light', async () => {
   const { scene, ground, sun } = await groundScene({ lineField: 'light', shadowStrokes: 'reorient' }, plate(0.2));
   ground.material.toneModel = 'lambert';
   ground.material.reflectedLight = 0;
@@ -190,11 +190,11 @@ test('lines turn in the shadow of the only light, and nowhere else', async () =>
     const [x, y, toX, toY] = [points[0], points[1], points[points.length - 2], points[points.length - 1]];
     const length = Math.hypot(toX - x, toY - y);
     if (length < 4) continue;
-    // The edge of the shadow lies where the ray past that of the plate meets the ground.
+    // The shadow ends where the ray past the plate's edge meets the ground.
     const edge = (SIZE / 2.1) * (1.05 - (0.2 * 0.9) / 2.2);
     const isLit = (x + toX) / 2 < edge;
     expect(isLit ? Math.max(x, toX) : -Math.min(x, toX)).toBeLessThan(isLit ? edge + 1 : 1 - edge);
-    // Across the light on the ground, whose picture runs down; and across both the light and what is up.
+    // In the light lines run across it on the ground, in picture coordinates; in shadow across both the light and up.
     const off = isLit ? Math.abs(toX - x - (toY - y)) / Math.SQRT2 : Math.abs(toX - x);
     expect(off / length).toBeLessThan(0.02);
     if (isLit) lit++;
@@ -223,7 +223,7 @@ test.each(cases([2], [0, 2, 4]))(
     ground.material.toneModel = 'lambert';
     ground.material.lineField = 'x';
     sun.shadow.mapSize.setScalar(64);
-    // A tent that reaches as far as its samples do, and one texel more; on the ground it is as much wider as the light leans.
+    // The filter is a tent as wide as its samples plus one texel; on the ground it is wider by the angle of the light.
     const texel = 4 / 64;
     const { x, y, z } = sun.position.clone().normalize();
     const width = (1.106 * (radius + 1) * texel) / (z / Math.hypot(z, x)) / Math.hypot(1, y);
@@ -235,7 +235,7 @@ test.each(cases([2], [0, 2, 4]))(
 );
 
 describe('lines of a shadow', () => {
-  /** The direction of the lines of a layer, as an angle from 0 to π: that of the longest. */
+  /** The direction of the longest line of a layer, as an angle from 0 to π. */
   function directionOf(svg: string, layer: string): number {
     const steps = pathsOf(svg, layer).map((data) => {
       const [points] = ringsOf(data);

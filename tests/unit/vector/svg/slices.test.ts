@@ -8,12 +8,12 @@ import { readScene } from '../../../../src/vector/svg/readScene.js';
 import { TriangleSplitter } from '../../../../src/vector/TriangleSplitter.js';
 import { cameraAt, hatchedMesh, sceneOf } from '../hatchedScene.js';
 
-/** What is counted in place of time: numbers that are read from the arrays of a scene. */
+/** Counts array reads in place of time. */
 class Counter {
   most = 0;
   private since = 0;
 
-  /** The same array, of which every reading counts. */
+  /** A proxy of an array that counts reads. */
   counted<Numbers extends object>(numbers: Numbers): Numbers {
     const note = () => {
       this.since++;
@@ -27,7 +27,7 @@ class Counter {
     });
   }
 
-  /** Runs a task to its end. Returns its progress. */
+  /** Runs a generator to its end, and returns its progress and result. */
   run<Result>(task: Generator<number, Result, void>): { progress: number[]; result: Result } {
     const progress: number[] = [];
     for (;;) {
@@ -81,7 +81,7 @@ describe('a drawing goes on in small steps', () => {
     const steps: number[] = [];
     const task = Bvh.build(corners, new Uint8Array(count).fill(1));
     for (let step = task.next(); !step.done; step = task.next()) steps.push(step.value);
-    // Each level looks at every triangle three times, 16,384 at once at most.
+    // Each level visits every triangle three times, at most 16,384 per step.
     expect(steps.length).toBeGreaterThan((3 * count * Math.log2(count / 16_384)) / 16_384);
     expect([...steps].sort((a, b) => a - b)).toEqual(steps);
     const splitter = new TriangleSplitter(100);

@@ -28,7 +28,7 @@ interface Circle {
   radius: number;
 }
 
-/** The dots of a drawing: polygons of their area, or of the area within a pen's line. */
+/** The dots of a drawing: polygons of their area, or of the area inside a pen's line. */
 const circlesOf = (svg: string): Circle[] => pathsOf(svg, 'stipple').flatMap((data) => ringsOf(data).map(discOf));
 
 function discOf(ring: readonly number[]): Circle {
@@ -67,7 +67,7 @@ describe('dots', () => {
     const { svg, leftOut, paths } = await draw(await stippledPlane(tone));
     expect(leftOut).toEqual([]);
     const circles = circlesOf(svg);
-    // Of squares of 10 mm.
+    // One path per square of 10 mm.
     expect(paths).toBe(36);
     const area = circles.reduce((sum, { radius }) => sum + Math.PI * radius ** 2, 0);
     expect(Math.abs(area / SIDE ** 2 - tone)).toBeLessThan(0.02);
@@ -81,7 +81,7 @@ describe('dots', () => {
       .map((one) =>
         Math.min(...circles.filter((other) => other !== one).map(({ x, y }) => Math.hypot(x - one.x, y - one.y))),
       );
-    // A dot is 0.53 mm wide at half tone, and 0.66 away from the next.
+    // A dot is 0.53 mm wide at half tone, and 0.66 mm from the next.
     expect(Math.min(...far)).toBeGreaterThan(0.15);
     far.sort((a, b) => a - b);
     expect(far[200]).toBeGreaterThan(0.4);
@@ -93,7 +93,7 @@ describe('dots', () => {
     const before = await hatchedMesh(new BoxGeometry(0.4, 0.4, 0.1), { outlines: false });
     before.position.z = 0.4;
     const { svg } = await drawSVG(sceneOf(plane, before), cameraAt(0, 0, 1, true), { sheet: [105, 105], margin: 0 });
-    // 50 mm a unit: within 30 mm around the middle, and nothing within 10.
+    // At 50 mm per unit: inside a radius of 30 mm, and nothing inside 10.
     const circles = circlesOf(svg);
     expect(circles.length).toBeGreaterThan(1000);
     for (const { x, y } of circles) {
@@ -104,7 +104,7 @@ describe('dots', () => {
   });
 
   test('of a pen are circles within the width of the dot, and fewer where dots are too small for it', async () => {
-    // Leaning, so that some dots are being born.
+    // At a slant, so that dots of all ages appear.
     const plane = await stippledPlane(0.3);
     plane.rotation.x = 0.9;
     const print = circlesOf((await draw(plane)).svg);
@@ -112,7 +112,7 @@ describe('dots', () => {
     const pen = circlesOf(svg);
     expect(pen.length).toBeLessThan(print.length);
     expect(pen.length).toBeGreaterThan(100);
-    // Half of the pen stays clear of the rim, so the picture is a little smaller.
+    // The picture is slightly smaller, so that the pen stays within the sheet.
     const large = print.filter(({ radius }) => 2 * radius > 0.7 * 0.65).length;
     expect(Math.abs(pen.length / large - 1)).toBeLessThan(0.03);
     for (const { radius } of pen) expect(radius).toBeGreaterThan(0.017);
@@ -141,7 +141,7 @@ describe('dots', () => {
   });
 });
 
-/** What dots within a rectangle of the sheet cover, as far as they do not overlap. */
+/** The area of dots inside a rectangle of the sheet, without overlaps. */
 const inkIn = (circles: readonly Circle[], left: number, right: number): number =>
   circles.filter(({ x }) => x > left && x < right).reduce((sum, { radius }) => sum + Math.PI * radius ** 2, 0) /
   ((right - left) * SIDE);
@@ -153,7 +153,7 @@ function halfBlack(alpha = 255): DataTexture {
   return texture;
 }
 
-describe('dots heed what differs from place to place', () => {
+describe('dots follow textures and colours', () => {
   const halves = async (material: HatchingMaterialParameters) => {
     const plane = await stippledPlane(0.2);
     plane.material.setValues(material);
@@ -178,7 +178,7 @@ describe('dots heed what differs from place to place', () => {
     expect(Math.abs(left - (white + 0.5 * (0.5 - white)))).toBeLessThan(0.02);
   });
 
-  test('what gives off light, light from all around and bent normals', { tags: ['all'] }, async () => {
+  test('emissive maps, ambient light and normal maps', { tags: ['all'] }, async () => {
     const linear: HatchingMaterialParameters = { exposure: 1, toneCurve: 'linear', localTone: 0, highlightTone: 0 };
     const [plain] = await halves(linear);
     const [dark, lit] = await halves({
@@ -226,7 +226,7 @@ describe('dots heed what differs from place to place', () => {
     const placeOf = ({ x, y }: Circle) => `${x.toFixed(2)} ${y.toFixed(2)}`;
     const before = new Set(one.map(placeOf));
     const several = circlesOf(svg);
-    // The first layer lies where one alone does, and the others elsewhere.
+    // The first layer is where a single one is, and the others elsewhere.
     const elsewhere = several.filter((dot) => !before.has(placeOf(dot))).length / several.length;
     expect(elsewhere).toBeGreaterThan(0.2);
     expect(elsewhere).toBeLessThan(0.7);

@@ -25,16 +25,16 @@ import { cases } from '../../../selection.mjs';
 import { cameraAt, hatchedMesh, planeOfTone, sceneOf } from '../hatchedScene.js';
 import { coverageOf, pathsOf } from '../paths.js';
 
-// Neither dashes nor their order count here, and both take time.
+// Dashes and order do not matter here, and take time.
 const SIDE = 60;
 const SHEET = { sheet: [SIDE, SIDE] as const, margin: 0, leastWidth: 0, order: 'drawn' as const };
 const draw = (...meshes: Mesh[]) => drawSVG(sceneOf(...meshes), cameraAt(0, 0, 1), SHEET);
 
-/** The plane is 3 wide, of which the camera sees 2.13: these are well within the left and the right half of it. */
+/** The plane is 3 wide, of which the camera sees 2.13: boxes in its left and its right half. */
 const LEFT = [5, 5, 20, 50] as const;
 const RIGHT = [35, 5, 20, 50] as const;
 
-/** A texture of pixels row by row from below, grey and alpha from 0 to 255. */
+/** A texture from pixels row by row from below, grey and alpha from 0 to 255. */
 function textureOf(columns: number, pixels: readonly (readonly [grey: number, alpha: number])[]): DataTexture {
   const data = Uint8Array.from(pixels.flatMap(([grey, alpha]) => [grey, grey, grey, alpha]));
   const texture = new DataTexture(data, columns, pixels.length / columns, RGBAFormat);
@@ -49,7 +49,7 @@ const BLACK_AND_WHITE = () =>
     [255, 255],
   ]);
 
-/** A plane whose light prints 0.2, darkened by its colour as far as that becomes tone. */
+/** A plane with tone 0.2 by its light, darkened by its colour. */
 const painted = (material: HatchingMaterialParameters) =>
   planeOfTone(0.2, {
     localTone: 0.6,
@@ -61,7 +61,7 @@ const painted = (material: HatchingMaterialParameters) =>
     ...material,
   });
 
-/** What the plane prints where a colour of that luminance darkens it, given what it prints where it is white. */
+/** The tone of the plane with a colour of that luminance, by its tone with white. */
 const darkened = (white: number, luminance: number): number => {
   const share = 0.6 * (1 - lightness(luminance));
   return white + share * (0.9 - white);
@@ -73,7 +73,7 @@ async function halves(mesh: Mesh): Promise<[left: number, right: number]> {
   return [coverageOf(pathsOf(svg), LEFT), coverageOf(pathsOf(svg), RIGHT)];
 }
 
-/** What the plane prints on both sides where it is white. */
+/** The tone of the plane on both sides with white. */
 let white = 0;
 
 beforeAll(async () => {
@@ -98,7 +98,7 @@ describe('a texture becomes tone', () => {
   });
 
   test('turned upside down, moved and repeated as three.js does', async () => {
-    // The halves change places by half a turn, and mirrored repetition.
+    // Half a turn and mirrored repetition swap the halves.
     const moved = BLACK_AND_WHITE();
     moved.wrapS = RepeatWrapping;
     moved.offset.set(0.5, 0);
@@ -125,7 +125,7 @@ describe('a texture becomes tone', () => {
     const { svg } = await draw(await painted({ map: stripes(42), lineField: 'y' }));
     const tones = Array.from({ length: 20 }, (_, i) => coverageOf(pathsOf(svg), [21 + i, 5, 1, 50]));
     expect(Math.max(...tones) - Math.min(...tones)).toBeGreaterThan(0.2);
-    // No line is lost in the middle, where rays run along an axis.
+    // No line is missing in the middle, where rays run along an axis.
     expect(Math.min(...tones)).toBeGreaterThan(0.5);
     const fine = stripes(2048);
     const [left] = await halves(await painted({ map: fine }));
@@ -161,7 +161,7 @@ function gray(luminance: number): DataTexture {
 }
 
 describe('other textures and colours', () => {
-  test('what gives off light is lighter there', async () => {
+  test('an emissive map lightens', async () => {
     const [left, right] = await halves(
       await planeOfTone(0, {
         exposure: 1,
@@ -174,7 +174,7 @@ describe('other textures and colours', () => {
     expect(Math.abs(left - right - 0.4)).toBeLessThan(0.02);
   });
 
-  test('maps of light and of occlusion change the light from all around', { tags: ['all'] }, async () => {
+  test('light maps and occlusion maps change ambient light', { tags: ['all'] }, async () => {
     const look: HatchingMaterialParameters = { exposure: 1, toneCurve: 'linear' };
     const map = BLACK_AND_WHITE();
     const lit = await planeOfTone(0, { ...look, lightMap: map, lightMapIntensity: 0.3 * Math.PI });
@@ -210,7 +210,7 @@ describe('other textures and colours', () => {
 });
 
 describe('a map of normals', () => {
-  /** A map of one normal. */
+  /** A normal map of one normal. */
   const slanted = (x: number, y: number): DataTexture => {
     const z = Math.sqrt(1 - x * x - y * y);
     const bytes = [x, y, z].map((component) => Math.round(127.5 * (component + 1)));
@@ -242,7 +242,7 @@ describe('a map of normals', () => {
     const one = await planeOfTone(0, { ...plain, normalMap: slanted(0.4, 0) });
     one.geometry.attributes.uv.applyMatrix4(new Matrix4().makeRotationZ(Math.PI / 2));
     const other = await planeOfTone(0, { ...plain, normalMap: slanted(0, 0.4) });
-    // u falls as the plane rises, so what leans along u leans down.
+    // u falls as the plane rises, so a slope along u is a slope downwards.
     expect(
       Math.abs(
         (await halves(one))[0] - (await halves(await planeOfTone(0, { ...plain, normalMap: slanted(0, -0.4) })))[0],
@@ -254,7 +254,7 @@ describe('a map of normals', () => {
   });
 });
 
-describe('other maps that bend normals', () => {
+describe('bump maps and object-space normal maps', () => {
   const SMALL = 40;
   const plain: HatchingMaterialParameters = { exposure: 1, toneCurve: 'linear', highlightTone: 0 };
   const toLight = new Vector3(-0.55, 0.75, 0.6).normalize();
@@ -280,7 +280,7 @@ describe('other maps that bend normals', () => {
       const bumpScale = (rise * 0.5 * pixels) / (2.1 / 3);
       const expected = 1 - Math.max(toLight.dot(new Vector3(-rise, 0, 1).normalize()), 0);
       expect(Math.abs((await toneOf({ bumpMap: map, bumpScale })) - expected)).toBeLessThan(0.02);
-      // Upwards, where the plane is turned.
+      // Upwards, since the plane is turned.
       const upwards = 1 - Math.max(toLight.dot(new Vector3(0, -rise, 1).normalize()), 0);
       expect(Math.abs((await toneOf({ bumpMap: map, bumpScale }, Math.PI / 2)) - upwards)).toBeLessThan(0.02);
     },
@@ -342,7 +342,7 @@ describe('cut-out surfaces', () => {
     expect(withShadow).not.toBe(without);
   });
 
-  test('what is blended by its texture is drawn where it is more than half there, and named', async () => {
+  test('a surface blended by its texture is drawn where alpha is above a half, and listed', async () => {
     const mesh = await painted({ map: HOLE(), transparent: true });
     const { svg, leftOut } = await draw(mesh);
     expect(coverageOf(pathsOf(svg), LEFT)).toBe(0);

@@ -6,7 +6,7 @@ import { cameraAt, planeOfTone, sceneOf } from '../hatchedScene.js';
 import { coverageOf, pathsOf } from '../paths.js';
 
 const SIDE = 40;
-/** 40 mm show 2.1 units: the middle third lies behind a pane of 0.8 units that is nearer, the rest beside it. */
+/** 40 mm show 2.1 units: the middle third is behind a nearer pane of 0.8 units, the rest beside it. */
 const BEHIND = [17, 17, 6, 6] as const;
 const BESIDE = [2, 2, 6, 36] as const;
 
@@ -19,14 +19,14 @@ const draw = async (...meshes: Mesh[]) => {
   return { behind: coverageOf(paths, BEHIND, 200), beside: coverageOf(paths, BESIDE, 200), paths };
 };
 
-/** A pane before the others that prints nothing itself. */
+/** A pane in front of the others that prints nothing itself. */
 function pane(material: ConstructorParameters<typeof MeshBasicMaterial>[0]): Mesh {
   const mesh = new Mesh(new PlaneGeometry(0.8, 0.8), new MeshBasicMaterial(material));
   mesh.position.z = 0.5;
   return mesh;
 }
 
-describe('surfaces that are seen through', () => {
+describe('see-through surfaces', () => {
   test.each([
     [{ transparent: true, opacity: 0.5 }, 0.5],
     [{ transparent: true, opacity: 0.25 }, 0.25],
@@ -85,7 +85,7 @@ describe('surfaces that are seen through', () => {
     const front = await planeOfTone(0.6, { transparent: true, opacity: 0.5, lineField: 'y' });
     front.position.z = 0.5;
     const { paths } = await draw(await planeOfTone(0.6, { lineField: 'x' }), front);
-    // One upon another they would cover 0.51.
+    // Printed over one another they would cover 0.51.
     expect(Math.abs(coverageOf(paths, [2, 2, 36, 36], 300) - 0.6)).toBeLessThan(0.025);
   });
 

@@ -8,9 +8,9 @@ import { disposeHatchingWorkers } from '../../../../src/worker/runTask.js';
 import { FakeWorker } from '../../worker/FakeWorker.js';
 import { cameraAt, hatchedMesh, sceneOf } from '../hatchedScene.js';
 
-/** Draws what it is asked for, from a copy as a real worker gets it. */
+/** A worker that draws, with a copy of its input as in a real worker. */
 class DrawingWorker extends FakeWorker {
-  /** @param isDeadly whether it dies of a request */
+  /** @param isDeadly whether it dies when it gets a request */
   constructor(private readonly isDeadly: () => boolean) {
     super();
     queueMicrotask(() => this.say({ type: 'ready' }));
