@@ -154,13 +154,13 @@ export class Bvh {
     return this.meet(start, end, except, true) < Infinity;
   }
 
-  /** The distance of the nearest hit within (start, end), or of any hit. tell: called for all hits, in no particular order. */
+  /** The distance of the nearest hit within (start, end), or of any hit. onHit: called for all hits, in no particular order. */
   private meet(
     start: number,
     end: number,
     except: number,
     isAnyEnough: boolean,
-    tell?: (triangle: number, place: number) => void,
+    onHit?: (triangle: number, place: number) => void,
   ): number {
     const { stack, nears, sorted } = this;
     const { child, leafCount, order } = this.nodes;
@@ -183,7 +183,7 @@ export class Bvh {
           this.lastMet = i;
           return t;
         }
-        if (tell) tell(order[i], t);
+        if (onHit) onHit(order[i], t);
         else best = far = t;
       }
       if (count > 0) continue;

@@ -18,7 +18,7 @@ export interface LampShadow {
 }
 
 /** The shadow of a lamp at a place, found by rays. */
-export interface ToldShadow {
+export interface ReceivedShadow {
   /** The share of the light that arrives. */
   passing: number;
   /** The share of the shadow's tone that has not dissolved; less than 1 only on a ground. */
@@ -33,7 +33,7 @@ const { EDGE_SAMPLES: RAYS, RIM_SAMPLES: RIM } = SHADOW_SAMPLES;
 /** Rays that start beside a place start in its tangent plane, unless its cosine to the light is less than this. */
 const LEAST_LEAN = 0.25;
 
-const LIT: ToldShadow = { passing: 1, left: 1 };
+const LIT: ReceivedShadow = { passing: 1, left: 1 };
 const MIDDLE: readonly [number, number] = [0, 0];
 
 /** Points on the unit disc in a sunflower pattern, outermost first, so that those of the rim lie evenly around it. */
@@ -96,26 +96,26 @@ export class ShadowRays {
    * @param direction towards the lamp, unit, and `length`, its distance; Infinity for directional lights
    * @param ground look of a ground that shows shadows alone; null for a body
    */
-  tell(
+  shadowOf(
     lamp: Lamp,
     shadow: LampShadow,
     place: { world: Vec3; normal: Vec3; direction: Vec3; length: number },
     ground: GroundLook | null,
-  ): ToldShadow {
+  ): ReceivedShadow {
     const { world, normal, direction, length } = place;
     const width = widthAt(lamp, shadow, direction, length);
     const from = ground ? world : combined(1, world, this.bias, normal);
     const bundle = bundleOf(from, normal, direction, length);
-    const told = ground ? this.onGround(bundle, shadow, ground, width) : this.onBody(bundle, shadow, width);
-    return { passing: 1 - shadow.intensity * (1 - told.passing), left: told.left };
+    const found = ground ? this.onGround(bundle, shadow, ground, width) : this.onBody(bundle, shadow, width);
+    return { passing: 1 - shadow.intensity * (1 - found.passing), left: found.left };
   }
 
-  private onBody(bundle: Bundle, shadow: LampShadow, width: number): ToldShadow {
+  private onBody(bundle: Bundle, shadow: LampShadow, width: number): ReceivedShadow {
     if (this.isSoft) return { passing: this.passing(bundle, mapSoftness(shadow, bundle.end, width), 0, 0), left: 1 };
     return this.isMet(bundle, MIDDLE, 0, 0, 0) ? { passing: 0, left: 1 } : LIT;
   }
 
-  private onGround(bundle: Bundle, shadow: LampShadow, { fade, softness }: GroundLook, width: number): ToldShadow {
+  private onGround(bundle: Bundle, shadow: LampShadow, { fade, softness }: GroundLook, width: number): ReceivedShadow {
     const texel = width / shadow.texels;
     const lift = LIFT * texel;
     const opening = this.isSoft ? 0.5 * softness : 0;

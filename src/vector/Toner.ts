@@ -4,7 +4,7 @@ import { combined, dot, normalize, type Vec3 } from '../look/vectors.js';
 import type { Bvh } from './Bvh.js';
 import type { SurfacePlace } from './LineSurface.js';
 import { emphasisedPlace, type Projection } from './Projection.js';
-import { type LampShadow, ShadowRays, type ToldShadow } from './ShadowRays.js';
+import { type LampShadow, type ReceivedShadow, ShadowRays } from './ShadowRays.js';
 import { type Emphasis, emphasisAt } from './shading/emphasis.js';
 import { type GroundLook, groundTone } from './shading/groundShadow.js';
 import { arriving, type Lamp, reflectedTo, responseTo, type ToneModel } from './shading/radiance.js';
@@ -59,8 +59,8 @@ export type Shadowing = 'traced' | 'none' | 'all';
 
 const { LEAST_RESPONSE } = TONE_CONSTANTS;
 
-const LIT: ToldShadow = { passing: 1, left: 1 };
-const SHADED: ToldShadow = { passing: 0, left: 1 };
+const LIT: ReceivedShadow = { passing: 1, left: 1 };
+const SHADED: ReceivedShadow = { passing: 0, left: 1 };
 
 /** Computes the tone of a surface under the lights of a scene. */
 export class Toner {
@@ -149,11 +149,11 @@ export class Toner {
     i: number,
     place: { world: Vec3; normal: Vec3; direction: Vec3; length: number },
     shadowing: Shadowing,
-  ): ToldShadow {
+  ): ReceivedShadow {
     const lamp = this.light.lamps[i];
     const shadow = this.light.shadows[i];
     if (!shadow || !lamp.castsShadow || !this.look.receivesShadows || shadowing === 'none') return LIT;
-    return shadowing === 'all' ? SHADED : this.rays.tell(lamp, shadow, place, this.look.ground);
+    return shadowing === 'all' ? SHADED : this.rays.shadowOf(lamp, shadow, place, this.look.ground);
   }
 }
 
