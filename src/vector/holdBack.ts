@@ -17,7 +17,7 @@ const HALVINGS = 3;
  * Limits both sides of a line to where its own surface is visible, so that no ink reaches beyond an outline. Changes the widths of the
  * path. Yields its progress.
  *
- * @param isSheer whether the surface is see-through and so not hit by rays
+ * @param isSheer whether the surface hides nothing, so that rays do not hit it
  */
 export function* holdBack(
   { path, depths }: CutRun,
