@@ -4,16 +4,16 @@ import { Worker } from 'node:worker_threads';
 import { readingTime } from '../viewer/files/readingTime.js';
 import type { DrawingOptions } from './DrawingOptions.js';
 
-/** A model to be drawn in a thread. */
+/** A model to draw in a worker thread. */
 export interface DrawTask {
-  /** The path of its file, or its name where the content is given. */
+  /** The path of the model's file, or its name where `content` is given. */
   model: string;
-  /** What is in it; left out, it is read from the file. */
+  /** The bytes of the file; read from `model` if left out. */
   content?: Uint8Array;
   options: DrawingOptions;
 }
 
-/** What was counted of a drawing. Lengths are in millimetres. */
+/** Counts of one drawing. Lengths are in millimetres. */
 export interface DrawingCounts {
   paths: number;
   drawn: number;
@@ -21,7 +21,7 @@ export interface DrawingCounts {
   travelAfter: number;
 }
 
-/** What a thread says: how far it is, a sentence for the user, a drawing, or how it ended. */
+/** A message from the thread: progress, a note for the user, a drawing, or the result. */
 export type DrawMessage =
   | { kind: 'progress'; stage: string; progress: number; bytes?: number | undefined }
   | { kind: 'note'; sentence: string }
@@ -29,19 +29,19 @@ export type DrawMessage =
   | { kind: 'done'; isWhole: boolean }
   | { kind: 'failed'; sentence: string };
 
-/** Readers that say nothing for so many times as long as they may take on a page are put aside. */
+/** A reader without progress is stopped after this multiple of its time limit on the page. */
 const PATIENCE = 4;
 
-/** The script of the threads, which lies beside the command. */
+/** The script of the threads, in the command's own folder. */
 const SCRIPT = join(dirname(fileURLToPath(import.meta.url)), 'draw.worker.js');
 
 /**
- * Draws a model in a thread of its own: some files keep a parser busy for minutes, or need all the memory there is. So it can be stopped at
- * any time, and what happens to one model is nothing to the others.
+ * Draws a model in a worker thread, because some files keep a parser busy for minutes or use up the memory. A thread can be stopped at any
+ * time, and its failure does not affect other models.
  *
  * @param bytes of the model's file
- * @param onMessage is given what the thread says, and what it asks for is done before it ends
- * @returns whether nothing is missing that belongs to the drawing
+ * @param onMessage receives the thread's messages; what it returns is awaited before this function ends
+ * @returns whether the drawing is complete
  * @throws Error whose message is a sentence about the model, or the reason of the signal
  */
 export async function drawInThread(
@@ -51,7 +51,7 @@ export async function drawInThread(
   onMessage: (message: DrawMessage) => void,
 ): Promise<boolean> {
   signal.throwIfAborted();
-  // What loaders write into the console is nothing to users.
+  // Keeps the loaders' console output from the user.
   const worker = new Worker(SCRIPT, { workerData: task, stdout: true, stderr: true });
   let timer: NodeJS.Timeout | undefined;
   let onAbort = (): void => {};

@@ -7,22 +7,21 @@ import { STANDARD, writeStandardOutput } from './standardStreams.js';
 import { UsageError } from './UsageError.js';
 
 /**
- * Writes drawings. Each file is there as a whole or not at all: it gets its name when all of it is written. The path `-` is the standard
- * output.
+ * Writes drawings. Each file is complete or absent: it gets its final name once all of it is written. The path `-` is the standard output.
  */
 export class DrawingFiles {
-  /** The folders that were created, the outermost first. */
+  /** The folders that were created, outermost first. */
   private readonly made: string[] = [];
-  /** Files that are being written, under names for the meantime. */
+  /** The temporary paths of files that are being written. */
   private readonly drafts = new Set<string>();
-  /** How many files were written. */
+  /** The number of files written. */
   written = 0;
 
-  /** @param mayReplace whether files that are there may be replaced */
+  /** @param mayReplace whether existing files may be replaced */
   constructor(private readonly mayReplace: boolean) {}
 
   /**
-   * Creates the folders of files, and looks whether the files may be written. Call `close` afterwards in any case.
+   * Creates the folders of the files, and checks that the files may be written. Call `close` afterwards in any case.
    *
    * @throws UsageError whose message is a single sentence
    */
@@ -35,7 +34,7 @@ export class DrawingFiles {
   /**
    * Writes a file.
    *
-   * @throws Error whose message is a single sentence, if it cannot be written; there is none of it then
+   * @throws Error whose message is a single sentence, if it cannot be written; no part of it is left then
    */
   async write(path: string, text: string): Promise<void> {
     if (path === STANDARD) await writeStandardOutput(text);
@@ -48,7 +47,7 @@ export class DrawingFiles {
     this.drafts.add(draft);
     try {
       await writeFile(draft, text);
-      // Another program may have written it meanwhile.
+      // Another program may have created it since `open`.
       await this.check(path);
       await rename(draft, path);
     } catch (error) {
@@ -59,11 +58,11 @@ export class DrawingFiles {
     }
   }
 
-  /** Removes what was not written to the end, and the folders that were created if nothing was written. */
+  /** Removes incomplete files, and the created folders if nothing was written. */
   async close(): Promise<void> {
     for (const draft of this.drafts) await rm(draft, { force: true }).catch(() => {});
     if (this.written > 0) return;
-    // A folder that is not empty is kept, because another program has used it.
+    // `rmdir` fails where another program has put files, and the folder stays.
     for (const folder of this.made.toReversed()) await rmdir(folder).catch(() => {});
   }
 

@@ -1,36 +1,36 @@
 import type { Sheet } from '../vector/svg/sheetSizes.js';
 
-/** A direction as degrees around the upright axis, from what faces the viewer to the right, and degrees above the horizon. */
+/** A direction in degrees: `azimuth` around the up axis, from the viewer's side to the right, and `elevation` above the horizon. */
 export interface DirectionInDegrees {
   azimuth: number;
   elevation: number;
 }
 
-/** What the command line says of how models are drawn: plain data, which goes to the thread that draws. Lengths are in millimetres. */
+/** The options of the command line that control the drawing: plain data, sent to the drawing thread. Lengths are in millimetres. */
 export interface DrawingOptions {
-  /** Undefined for that of the link, or of the playground at first. */
+  /** Undefined for the preset of the link, or else of the playground's first view. */
   preset: string | undefined;
-  /** The hash of a link of the playground. */
+  /** The hash of a playground link. */
   link: string | undefined;
   view: DirectionInDegrees | undefined;
-  /** The name of a camera of the model, or its number from 1 on. */
+  /** The name of a camera of the model, or its number, counted from 1. */
   camera: string | undefined;
-  /** How many times larger the picture is than one that the model fills. */
+  /** Enlargement of the picture; at 1, the model fills it. */
   zoom: number;
   orthographic: boolean;
   light: DirectionInDegrees | undefined;
-  /** Whether the lights of the model are used, if it has any. */
+  /** Whether the model's own lights are used, if it has any. */
   usesFileLights: boolean;
   shadows: boolean | undefined;
-  /** The axis of the model that points up; undefined to find it. */
+  /** The up axis of the model; undefined to detect it. */
   up: 'y' | 'z' | 'x' | '-y' | '-z' | '-x' | undefined;
-  /** The name of a variant of the model's materials, or its number from 1 on. */
+  /** The name of a material variant of the model, or its number, counted from 1. */
   variant: string | undefined;
-  /** The format of a model that neither its content nor its name tells, as an extension. */
+  /** The format of the model as a file extension, where neither content nor name tells it. */
   format: string | undefined;
-  /** The name of a clip of the model, or its number from 1 on. */
+  /** The name of a clip of the model, or its number, counted from 1. */
   clip: string | undefined;
-  /** So many pictures of a turn, or of the clip; undefined for one picture. */
+  /** The number of frames of a turn or of the clip; undefined for a single picture. */
   frames: number | undefined;
   kind: 'print' | 'pen';
   pen: number;
@@ -40,8 +40,8 @@ export interface DrawingOptions {
   /** `#rrggbb`, or undefined for none. */
   paper: string | undefined;
   order: 'travel' | 'drawn';
-  /** Outlines behind surfaces; undefined as the look has them. */
+  /** How hidden outlines are drawn; undefined for the setting of the look. */
   hidden: 'none' | 'dashed' | 'faint' | undefined;
-  /** Seconds in which a file draws itself on a web page; undefined if it does not. */
+  /** Seconds in which the SVG draws itself on a web page; undefined for a still drawing. */
   animate: number | undefined;
 }

@@ -6,24 +6,24 @@ import { makeFolder } from './makeFolder.js';
 import { sentenceOf } from './sentenceOf.js';
 import { UsageError } from './UsageError.js';
 
-/** Whether a file name is one of a saved map. */
+/** Whether a file name is one of those of a saved map. */
 const isMapFile = (name: string): boolean => /^(map\.json|(tone-\d+|thresholds)-level-\d+\.png)$/.test(name);
 
-/** The beginning of the name of the temporary folder, which holds the files until all are written. */
+/** Prefix of the temporary folder that holds the files until all are written. */
 const DRAFT = '.three-hatching-';
 
 /**
- * The folder that a map is written to. `open` finds most faults before anything is drawn. Either all files of a map are written or
- * none, and nothing else in the folder is touched. The folder itself is kept, since it may be a link or a mount point.
+ * The output folder of a map. `open` finds most faults before anything is drawn. `write` writes all files of a map or none, and leaves
+ * other files alone. The folder itself is never replaced, since it may be a link or a mount point.
  */
 export class OutputFolder {
-  /** The folders that were created, the outermost first. */
+  /** The folders that were created, outermost first. */
   private readonly made: string[] = [];
   private readonly draft: string;
   private isWritten = false;
 
   /**
-   * @param folder the path of the folder, which need not exist yet
+   * @param folder path of the folder, which need not exist
    * @param mayReplace whether an existing map may be replaced
    */
   constructor(
@@ -52,9 +52,9 @@ export class OutputFolder {
   }
 
   /**
-   * Writes all files, and removes those of the map before.
+   * Writes all files, and removes those of the previous map.
    *
-   * @throws the signal's reason when aborted, or an Error whose message is a single sentence. The folder has not changed then.
+   * @throws the signal's reason when aborted, or an Error whose message is a single sentence. The folder is unchanged then.
    */
   async write(files: readonly MapFile[], signal: AbortSignal): Promise<void> {
     const { folder, draft } = this;
@@ -66,7 +66,7 @@ export class OutputFolder {
         await writeFile(join(draft, name), bytes);
       }
       signal.throwIfAborted();
-      // Another program may have written files there while the map was drawn.
+      // Another program may have written files there since `open`.
       const replaced = await this.mapFilesThere();
       await moveAll([
         ...replaced.map((name) => [join(folder, name), join(old, name)] as const),
@@ -79,11 +79,11 @@ export class OutputFolder {
     }
   }
 
-  /** Removes temporary files, and also the folders that were created if nothing was written. */
+  /** Removes temporary files, and the created folders if nothing was written. */
   async close(): Promise<void> {
     await rm(this.draft, { recursive: true, force: true }).catch(() => {});
     if (this.isWritten) return;
-    // A folder that is not empty is kept, because another program has used it.
+    // `rmdir` fails where another program has put files, and the folder stays.
     for (const folder of this.made.toReversed()) await rmdir(folder).catch(() => {});
   }
 
@@ -106,7 +106,7 @@ export class OutputFolder {
   }
 }
 
-/** Moves all files, or none if one cannot be moved. */
+/** Moves all files, or none if one fails. */
 async function moveAll(moves: readonly (readonly [from: string, to: string])[]): Promise<void> {
   const done: (readonly [string, string])[] = [];
   try {

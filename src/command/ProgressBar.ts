@@ -1,6 +1,6 @@
 const WIDTH = 30;
 
-/** A progress bar in a terminal. It prints nothing if the stream is not a terminal, but a log for example. */
+/** A progress bar in a terminal. Prints nothing to streams that are no terminals, such as logs. */
 export class ProgressBar {
   private shown = -1;
 

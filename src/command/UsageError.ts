@@ -1,2 +1,2 @@
-/** A mistake in the command line, which is reported without a stack trace. */
+/** A mistake in the command line, reported without a stack trace. */
 export class UsageError extends Error {}

@@ -15,10 +15,10 @@ import { readStandardInput, STANDARD, STANDARD_INPUT } from './standardStreams.j
 import { UsageError } from './UsageError.js';
 
 /**
- * The command `draw`.
+ * Runs the command `draw`.
  *
  * @param args the arguments after its name
- * @returns how many models were not drawn, or not with all that belongs to them
+ * @returns how many models failed or were drawn incompletely
  * @throws UsageError if the arguments are not valid, or Interrupted
  */
 export async function draw(args: readonly string[], signal: AbortSignal, bar: ProgressBar): Promise<number> {
@@ -47,7 +47,7 @@ export async function draw(args: readonly string[], signal: AbortSignal, bar: Pr
   }
 }
 
-/** The models that names and patterns stand for, each once, however it is written. A file whose name looks like a pattern is a file. */
+/** The models that names and patterns refer to, without duplicates. A pattern that is the name of an existing file is that file. */
 async function filesOf(names: readonly string[]): Promise<string[]> {
   const models: string[] = [];
   for (const name of names) {
@@ -68,12 +68,12 @@ async function filesOf(names: readonly string[]): Promise<string[]> {
 
 const placeOf = (model: string): string => (model === STANDARD ? STANDARD : resolve(model));
 
-/** Draws several models, some of them at a time. */
+/** Draws several models in parallel. */
 class Draughtsmen {
-  /** How far each model is, in [0, 1]. */
+  /** Progress of each model, in [0, 1]. */
   private readonly done: number[];
   private failed = 0;
-  /** Where the lines about drawings go. */
+  /** The stream for the line printed about each drawing. */
   private readonly counts: NodeJS.WriteStream;
 
   constructor(
@@ -88,13 +88,13 @@ class Draughtsmen {
     this.counts = isPiped ? process.stderr : process.stdout;
   }
 
-  /** @returns how many models were not drawn as they should be */
+  /** @returns how many models failed or were drawn incompletely */
   async draw(jobs: number): Promise<number> {
     const waiting = [...this.planned.keys()];
     const work = async (): Promise<void> => {
       for (let next = waiting.shift(); next !== undefined; next = waiting.shift()) await this.drawOne(next);
     };
-    // All of them, so that none still writes when this has ended.
+    // Waits for all threads, so that none writes afterwards.
     await Promise.allSettled(Array.from({ length: Math.min(jobs, waiting.length) }, work));
     this.signal.throwIfAborted();
     return this.failed;
@@ -116,7 +116,7 @@ class Draughtsmen {
           this.tell(this.counts, `${nameOf(outputs[frame])}: ${describe(counts, (now - began) / 1000)}`);
           began = now;
         });
-        // It is awaited below; until then nothing is to be said of it.
+        // Marks the rejection as handled; the promise is awaited below.
         writing.catch(() => {});
       }
     };
@@ -134,7 +134,11 @@ class Draughtsmen {
     this.show(index, 'drawing', 1);
   }
 
-  /** What is drawn of a model in a thread, and how many bytes its file has. @throws Error with a sentence if there is no model */
+  /**
+   * The task for a thread, and the size of the model's file in bytes.
+   *
+   * @throws Error with a sentence if there is no model
+   */
   private async taskOf(model: string): Promise<{ task: DrawTask; bytes: number }> {
     const { options, signal } = this;
     if (model !== STANDARD) return { task: { model, options }, bytes: await sizeOf(model) };
@@ -151,12 +155,16 @@ class Draughtsmen {
 
   private tell(stream: NodeJS.WriteStream, line: string): void {
     this.bar.clear();
-    // Names of files and of parts of models may hold anything, also what moves the cursor.
+    // Names may contain control characters, which would move the cursor.
     stream.write(`${shownText(line)}\n`);
   }
 }
 
-/** The size of a model's file. @throws Error with a sentence if it is no file */
+/**
+ * The size of a model's file in bytes.
+ *
+ * @throws Error with a sentence if it is no file
+ */
 async function sizeOf(model: string): Promise<number> {
   const found = await stat(model).catch((error: NodeJS.ErrnoException) => {
     throw new Error(
@@ -171,7 +179,7 @@ async function sizeOf(model: string): Promise<number> {
   return found.size;
 }
 
-/** What may be the reason, beside a mistyped name. */
+/** Likely reasons for a missing file, other than a mistyped name. */
 function whyNotThere(model: string): string {
   if (/^https?:/i.test(model)) return ': nothing is fetched, so save the file first';
   return model.startsWith('~') ? ': shells know ~ outside of quotes alone' : '';
@@ -181,7 +189,7 @@ const inMetres = (millimetres: number): string => `${(millimetres / 1000).toFixe
 
 const nameOf = (output: string): string => (output === STANDARD ? 'the standard output' : output);
 
-/** @param seconds since the model was begun, or the frame before was written */
+/** @param seconds since the start of the model, or since the previous frame */
 function describe({ paths, drawn, travelBefore, travelAfter }: DrawingCounts, seconds: number): string {
   const count = `${paths.toLocaleString('en')} ${paths === 1 ? 'path' : 'paths'}`;
   return `${count}, ${inMetres(drawn)} drawn, ${inMetres(travelAfter)} of travel (${inMetres(travelBefore)} before ordering), ${seconds.toFixed(1)} s.`;

@@ -1,23 +1,23 @@
 import { readdir, stat } from 'node:fs/promises';
 import { join } from 'node:path';
 
-/** The most folders that `**` looks into. */
+/** The maximum number of folders that `**` searches. */
 const MANY_FOLDERS = 10_000;
 
-/** Whether a name is a pattern, and not one file. */
+/** Whether a name contains characters of a pattern. */
 export const isPattern = (name: string): boolean => /[*?[{]/.test(name);
 
 /**
- * The files that a pattern names, in the order of their names: `*` and `?` stand for characters of a name, `[abc]` for one of them,
- * `{a,b}` for one of the words, and `**` for any folders. Names that begin with a dot are left out unless the pattern says so. Shells of
- * Windows do not expand patterns.
+ * The files that match a pattern, sorted by name: `*` and `?` stand for characters of a name, `[abc]` for one of them, `{a,b}` for one of
+ * the words, and `**` for any folders. Names that begin with a dot match only a pattern that does too. Needed because Windows shells do not
+ * expand patterns.
  */
 export async function expandPattern(pattern: string): Promise<string[]> {
   const found = await Promise.all(alternatives(pattern.replaceAll('\\', '/')).map(filesOf));
   return [...new Set(found.flat())].sort();
 }
 
-/** A pattern for each of the words in braces. */
+/** The patterns that result from each choice of the words in braces. */
 function alternatives(pattern: string): string[] {
   const match = /^(.*?)\{([^{}]*)\}(.*)$/.exec(pattern);
   if (!match) return [pattern];
@@ -51,7 +51,7 @@ async function matching(folder: string, step: string): Promise<string[]> {
     .map((name) => join(folder, name));
 }
 
-/** A part of a pattern as one of a regular expression. */
+/** Translates a part of a pattern to the source of a regular expression. */
 function sourceOf(part: string): string {
   if (part === '*') return '.*';
   if (part === '?') return '.';
@@ -63,7 +63,7 @@ function sourceOf(part: string): string {
   return part.replace(/[\\^$.*+?()[\]{}|]/g, '\\$&');
 }
 
-/** Folders and all folders below them. Links are not followed, since they may lead back. */
+/** Folders and all folders below them. Symbolic links are not followed, since they may form a loop. */
 async function foldersBelow(folders: readonly string[]): Promise<string[]> {
   const all = [...folders];
   for (let i = 0; i < all.length && all.length < MANY_FOLDERS; i++) {

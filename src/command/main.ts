@@ -12,9 +12,9 @@ const MISUSED = 2;
 const INTERRUPTED = 130;
 
 const abort = new AbortController();
-// The last of them comes where a terminal is closed.
+// SIGHUP comes when the terminal is closed.
 for (const name of ['SIGINT', 'SIGTERM', 'SIGHUP'] as const) process.on(name, () => abort.abort());
-// Whoever reads may stop before the end.
+// The reader of a pipe may close it early.
 for (const stream of [process.stdout, process.stderr]) stream.on('error', () => {});
 const bar = new ProgressBar(process.stderr);
 

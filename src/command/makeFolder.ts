@@ -6,7 +6,7 @@ import { UsageError } from './UsageError.js';
 /**
  * Creates a folder and its parents. `mkdir` with `recursive` would never return below /proc.
  *
- * @param made gets the paths of those that were created, the outermost first
+ * @param made receives the paths of created folders, outermost first
  * @throws UsageError whose message is a single sentence
  */
 export async function makeFolder(path: string, made: string[]): Promise<void> {
@@ -31,7 +31,7 @@ async function isFolder(path: string): Promise<boolean> {
     if ((await stat(path)).isDirectory()) return true;
   } catch (error) {
     const { code } = error as NodeJS.ErrnoException;
-    // ENOTDIR means that the path lies below a file, which `makeFolder` finds on its way up.
+    // ENOTDIR: the path lies below a file, which `makeFolder` reports when it reaches it.
     if (code === 'ENOENT' || code === 'ENOTDIR') return false;
     throw new UsageError(sentenceOf(path, error));
   }

@@ -6,7 +6,7 @@ import { readHand } from './readHand.js';
 import { readOptions } from './readOptions.js';
 import { UsageError } from './UsageError.js';
 
-/** The task of the command. */
+/** A parsed command line. */
 export type Request =
   | { action: 'help' }
   | { action: 'version' }
@@ -89,7 +89,7 @@ export function parseArguments(args: readonly string[]): Request {
   return { action: 'draw', map, out: values.out, force: values.force ?? false };
 }
 
-/** The hand that is named, in place of a style. */
+/** The hand for `--hand`, which replaces a style. */
 function handOf({ hand, style, preset }: { hand?: string; style?: string; preset?: string }): MapDrawing {
   if (hand === undefined) return {};
   const other = style === undefined ? 'preset' : 'style';
@@ -99,7 +99,7 @@ function handOf({ hand, style, preset }: { hand?: string; style?: string; preset
   return { hand: readHand(hand) };
 }
 
-/** The options of the map of a preset. */
+/** The map options of a preset. */
 function mapOfPreset({ preset, style }: { preset?: string; style?: string }): MapDrawing {
   if (preset === undefined) return {};
   if (style !== undefined) throw new UsageError('--preset and --style exclude each other; pass only one of them.');

@@ -4,14 +4,14 @@ import type { DirectionInDegrees, DrawingOptions } from './DrawingOptions.js';
 import { readOptions } from './readOptions.js';
 import { UsageError } from './UsageError.js';
 
-/** A number in decimal notation; not a number for anything else, also where JavaScript reads one, as of `0x10` or of blanks. */
+/** A number in decimal notation; NaN for anything else, also where JavaScript's `Number` accepts it, such as `0x10` or blanks. */
 const numberOf = (text: string): number =>
   /^\s*[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?\s*$/i.test(text) ? Number(text) : Number.NaN;
 
-/** A value of the command line in a sentence: in quotes where it would not be seen to begin and to end. */
+/** A value for a message, in quotes if it is empty or contains white space. */
 const shown = (value = ''): string => (/^\S+$/.test(value) ? value : `"${value}"`);
 
-/** Directions by name. From the direction of the view `iso`, all three axes of the model are equally long. */
+/** Directions by name. `iso` is the isometric view. */
 const NAMED: Readonly<Record<string, DirectionInDegrees>> = {
   front: { azimuth: 0, elevation: 0 },
   back: { azimuth: 180, elevation: 0 },
@@ -25,7 +25,7 @@ const NAMED: Readonly<Record<string, DirectionInDegrees>> = {
 const NAMES = Object.keys(NAMED);
 
 /**
- * A direction after an option: a name, or degrees around the model and above it.
+ * Parses the direction after an option: a name, or azimuth and elevation in degrees.
  *
  * @throws UsageError if it is neither
  */
@@ -41,7 +41,7 @@ function directionOf(option: string, text: string | undefined): DirectionInDegre
   );
 }
 
-/** The task of the command `draw`. */
+/** A parsed command line of `draw`. */
 export type DrawRequest =
   | { action: 'help' }
   | { action: 'version' }
@@ -79,16 +79,16 @@ const OPTIONS = {
   version: { type: 'boolean' },
 } as const;
 
-/** Whether what is drawn so leaves as lines or dots. Other strokes are pictures. */
+/** Whether the technique and medium are drawn as lines or dots. All others are raster pictures, which SVG cannot hold. */
 const isLined = (technique: string | undefined, medium: string | undefined): boolean =>
   technique === 'engraved' || (technique === 'anchored' && medium === 'stipple');
 
-/** The presets that leave as lines or dots. */
+/** The presets that are drawn as lines or dots. */
 const LINED = Object.entries<HatchingPreset>(presets)
   .filter(([, { material }]) => isLined(material.technique, material.medium))
   .map(([name]) => name);
 
-/** The endings of the files that are read, as `--format` takes them. The readers themselves are loaded in the threads that draw. */
+/** The file extensions that are read, as `--format` takes them. Listed here because the readers are loaded in the drawing threads alone. */
 export const FORMAT_ENDINGS: readonly string[] = [
   ...['glb', 'gltf', 'obj', 'fbx', 'dae', 'usdz', 'usdc', 'usda', 'usd', '3mf', '3ds', 'wrl', 'ply', 'stl', 'off'],
   'zip',
@@ -140,7 +140,7 @@ Of an option that is given twice the last value counts.
 `;
 
 /**
- * Reads the command line of `draw`.
+ * Parses the command line of `draw`.
  *
  * @param args the arguments after the name of the command
  * @throws UsageError if they are not valid
@@ -202,7 +202,7 @@ function presetOf(text: string | undefined): string | undefined {
   throw new UsageError(`--preset is ${shown(name)}, ${reason}; use one of ${LINED.join(', ')}.`);
 }
 
-/** A format as an extension: in lower case and without a dot. */
+/** A format as a file extension: in lower case, without a dot. */
 function formatOf(text: string | undefined): string | undefined {
   const format = text?.trim().toLowerCase().replace(/^\./, '');
   if (format === undefined || FORMAT_ENDINGS.includes(format)) return format;
@@ -212,7 +212,7 @@ function formatOf(text: string | undefined): string | undefined {
   );
 }
 
-/** What a part of a file is chosen by. */
+/** The name or number after an option that selects a part of the file. */
 function nameOf(option: string, text: string | undefined): string | undefined {
   if (text === undefined || text.trim() !== '') return text;
   throw new UsageError(`--${option} is ${shown(text)}, but must be a name, or a number from 1 on.`);
@@ -225,7 +225,9 @@ function linkOf(link: string | undefined): string | undefined {
   throw new UsageError('--link holds no drawing; copy the whole address of the playground, in quotes.');
 }
 
-/** @throws UsageError if a link is drawn with strokes that are no lines. Technique and medium are those of its preset unless it names others */
+/**
+ * @throws UsageError if the link's look is not drawn as lines. Technique and medium are those of its preset unless the link overrides them
+ */
 function checkLines(link: string): void {
   const parameters = new URLSearchParams(link);
   const { material } =
@@ -273,9 +275,9 @@ function colour(text: string | undefined): string | undefined {
 }
 
 /**
- * The sheet after `--sheet`.
+ * The sheet for `--sheet`.
  *
- * @throws UsageError if there is none of that name
+ * @throws UsageError if none has that name
  */
 export function sheetOf(text: string): Sheet {
   const sheet = sheetNamed(text);

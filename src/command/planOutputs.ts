@@ -2,19 +2,19 @@ import { basename, extname, join, resolve } from 'node:path';
 import { STANDARD, STANDARD_INPUT } from './standardStreams.js';
 import { UsageError } from './UsageError.js';
 
-/** A model, and the files of its drawings: one, or one for each frame. */
+/** A model, and the paths of its drawings: one, or one for each frame. */
 export interface PlannedModel {
   model: string;
   outputs: readonly string[];
 }
 
 /**
- * Names the files of drawings.
+ * Chooses the paths of drawings.
  *
- * @param out what the command line says: a file, a folder, a name with `{name}` and `{frame}`, or `-` for the standard output
- * @param isFolder whether `out` is a folder that is there
- * @param frames of each model; undefined for one drawing without a number
- * @throws UsageError if two drawings would have the same name, a drawing that of a model, or a name that is not that of an SVG file
+ * @param out of the command line: a file, a folder, a name with `{name}` and `{frame}`, or `-` for the standard output
+ * @param isFolder whether `out` is an existing folder
+ * @param frames per model; undefined for one drawing without a number
+ * @throws UsageError if two drawings would have the same path, a drawing that of a model, or a path that does not end in .svg
  */
 export function planOutputs(
   models: readonly string[],
@@ -34,7 +34,7 @@ export function planOutputs(
   const planned = models.map((model) => ({
     model,
     outputs: Array.from({ length: frames ?? 1 }, (_, i) =>
-      // By functions, because names may hold what `replaceAll` takes for a group.
+      // Replacements are functions, because names may contain `$` patterns of `replaceAll`.
       pattern
         .replaceAll('{name}', () => nameOf(model, models))
         .replaceAll('{frame}', () => String(i + 1).padStart(digits, '0')),
@@ -59,7 +59,7 @@ export function planOutputs(
   return planned;
 }
 
-/** @param isFolder whether `out` is a folder for sure; where there are several models, a name without an ending is one too */
+/** @param isFolder whether `out` is known to be a folder; for several models, a name without an extension is one too */
 function patternOf(out: string, isFolder: boolean, areSeveral: boolean, hasFrames: boolean): string {
   const isNamed = out.includes('{name}') || (out.includes('{frame}') && hasFrames);
   const ending = isFolder && !isNamed ? '' : extname(out.replaceAll(/\{(name|frame)\}/g, '_'));
@@ -77,13 +77,13 @@ function patternOf(out: string, isFolder: boolean, areSeveral: boolean, hasFrame
   return `${pattern.slice(0, pattern.length - extension.length)}-{frame}${extension}`;
 }
 
-/** The name of a model in that of its drawing: without its extension, if no other model is named the same then. */
+/** The name of a model in that of its drawing: without its extension, unless another model has the same name then. */
 function nameOf(model: string, models: readonly string[]): string {
   const stem = stemOf(model);
   return models.some((other) => other !== model && stemOf(other) === stem) ? basename(model) : stem;
 }
 
-/** The name of a model without its folder and its extension. */
+/** The name of a model without folder and extension. */
 function stemOf(model: string): string {
   if (model === STANDARD) return STANDARD_INPUT;
   const name = basename(model).replace(/\.gz$/i, '');

@@ -3,10 +3,10 @@ import { checkHand } from '../strokes/hand/checkHand.js';
 import type { Hand } from '../strokes/hand/Hand.js';
 import { UsageError } from './UsageError.js';
 
-/** The largest file that is read, in bytes: 100,000 points take less than a tenth of it. */
+/** The maximum size of a file, in bytes: 100,000 points take less than a tenth of it. */
 const MAX_BYTES = 64 * 2 ** 20;
 
-/** For each error code of the file system a sentence part for someone who has named a file after --hand. */
+/** Messages for error codes of the file system, about the file after --hand. */
 const MEANINGS: Readonly<Record<string, string>> = {
   ENOENT: 'is not there; check the path after --hand',
   ENOTDIR: 'is not there; check the path after --hand',

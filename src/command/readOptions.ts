@@ -4,14 +4,14 @@ import { UsageError } from './UsageError.js';
 /** The options of a command, as Node's parser takes them. */
 type Options = NonNullable<ParseArgsConfig['options']>;
 
-/** A name counts as mistyped within so many changes of a letter. */
+/** The maximum number of changed letters for a suggestion. */
 const MISTYPED = 2;
 
 /**
- * Reads the options of a command. Of an option that is given twice the last value counts.
+ * Reads the options of a command. The last of repeated options counts.
  *
- * @param help what prints the help of the command
- * @throws UsageError whose message is a single sentence, with the option that may be meant
+ * @param help the command line that prints the help
+ * @throws UsageError whose message is a single sentence, with a suggestion for a mistyped option
  */
 export function readOptions<Known extends Options>(args: readonly string[], options: Known, help: string) {
   const joined = withValues(args, options);
@@ -22,7 +22,7 @@ export function readOptions<Known extends Options>(args: readonly string[], opti
   }
 }
 
-/** Joins options with values that begin with a dash, as angles and axes may. Node takes those for options. */
+/** Joins options to values that begin with a dash, such as angles and axes, which Node would take for options. */
 function withValues(args: readonly string[], options: Options): string[] {
   const joined: string[] = [];
   for (const [i, arg] of args.entries()) {
@@ -35,7 +35,7 @@ function withValues(args: readonly string[], options: Options): string[] {
   return joined;
 }
 
-/** What is wrong with the first option that is not as it should be, in a sentence. */
+/** Describes the first invalid option in a sentence. */
 function whyRefused(args: readonly string[], options: Options, help: string): string | undefined {
   const { tokens } = parseArgs({ args: [...args], options, strict: false, allowPositionals: true, tokens: true });
   for (const token of tokens) {
@@ -55,7 +55,7 @@ function whyRefused(args: readonly string[], options: Options, help: string): st
   return undefined;
 }
 
-/** The name that differs least from one that was typed, in its letters and without regard to their case; undefined if none is near. */
+/** The name with the fewest letters changed, regardless of case; undefined if none is near. */
 function nearest(typed: string, names: readonly string[]): string | undefined {
   const distances = names.map((name) => ({ name, distance: changesBetween(typed.toLowerCase(), name) }));
   const [best] = distances.sort((a, b) => a.distance - b.distance);
@@ -66,7 +66,7 @@ function nearest(typed: string, names: readonly string[]): string | undefined {
 const isBeginning = (typed: string, name: string): boolean =>
   Math.min(typed.length, name.length) > 2 && (name.startsWith(typed) || typed.startsWith(name));
 
-/** How many letters are to be added, left out, replaced or swapped to turn one word into another. */
+/** The edit distance between two words: letters added, left out, replaced or swapped. */
 function changesBetween(a: string, b: string): number {
   const rows = [Array.from({ length: b.length + 1 }, (_, j) => j)];
   for (let i = 1; i <= a.length; i++) {

@@ -1,4 +1,4 @@
-/** For each error code of the file system a sentence part for someone who has named a folder. */
+/** Messages for error codes of the file system, about a folder. */
 const MEANINGS: Readonly<Record<string, string>> = {
   EACCES: 'may not be written to; change its permissions, or choose another folder after --out',
   EPERM: 'may not be written to; change its permissions, or choose another folder after --out',

@@ -1,10 +1,10 @@
 import process from 'node:process';
 import { MAX_BYTES } from '../viewer/files/common/modelLimits.js';
 
-/** What the command line calls the standard input, as a model, and the standard output, as a drawing. */
+/** The argument for the standard input, as a model, and for the standard output, as a drawing. */
 export const STANDARD = '-';
 
-/** What messages and names of drawings call the standard input. */
+/** The name of the standard input in messages and file names. */
 export const STANDARD_INPUT = 'stdin';
 
 /**
@@ -42,7 +42,7 @@ export async function readStandardInput(signal: AbortSignal): Promise<Uint8Array
 /**
  * Writes a drawing to the standard output.
  *
- * @throws Error whose message is a single sentence, if whoever reads it does not take all of it
+ * @throws Error whose message is a single sentence, if the reader closes the pipe early
  */
 export function writeStandardOutput(text: string): Promise<void> {
   return new Promise((resolve, reject) => {

@@ -12,7 +12,7 @@ import type { ProgressBar } from './ProgressBar.js';
 import { HELP, parseArguments, styleList } from './parseArguments.js';
 
 /**
- * The command `tam`.
+ * Runs the command `tam`.
  *
  * @param args the arguments, without node and the script
  * @throws UsageError if they are not valid, or Error whose message is a sentence, or the reason of the signal
@@ -54,7 +54,7 @@ async function draw(map: MapDrawing, signal: AbortSignal, bar: ProgressBar): Pro
   );
 }
 
-/** The largest possible size of the files of a map, in bytes: that of its images and thresholds without compression. */
+/** An upper bound for the size of a map's files, in bytes: its images and thresholds without compression. */
 function maxBytes(map: MapDrawing): number {
   const { size, tones } = resolveMapDrawing(map);
   return Math.ceil((4 / 3) * size ** 2 * (tones + 3));

@@ -8,12 +8,15 @@ import { MAX_BYTES } from '../../viewer/files/common/modelLimits.js';
 import type { PictureSource, PictureWish, PixelPicture, Surroundings } from '../../viewer/files/common/Surroundings.js';
 import { decodePicture, UndecodedError } from './decodePicture.js';
 
-/** What models are read with where there is no browser: files beside the model, PNG, JPEG, WebP and Draco. Nothing is fetched. */
+/**
+ * What the readers need from Node in place of a browser: files beside the model, and decoders of PNG, JPEG, WebP and Draco. Fetches
+ * nothing.
+ */
 export class NodeSurroundings implements Surroundings {
-  /** The formats of pictures that were asked for and are not decoded here. */
+  /** The formats of pictures that were requested and cannot be decoded here. */
   readonly undecoded = new Set<string>();
 
-  /** @param folder of the model */
+  /** @param folder the folder of the model */
   constructor(private readonly folder: string) {}
 
   readonly decodePicture = async (source: PictureSource, wish: PictureWish): Promise<PixelPicture | undefined> => {
@@ -27,7 +30,10 @@ export class NodeSurroundings implements Surroundings {
     }
   };
 
-  /** Finds a file in the model's folder or below it, by its path or by its name alone. Others are not read, whatever a model says. */
+  /**
+   * Finds a file in the model's folder or below it, by its path or by its name. Never reads outside that folder, whatever the model's URIs
+   * say.
+   */
   readonly findFile = async (uri: string): Promise<Uint8Array | undefined> => {
     const path = plainPath(uri);
     for (const one of [path, baseName(path)]) {
@@ -40,7 +46,7 @@ export class NodeSurroundings implements Surroundings {
     return undefined;
   };
 
-  /** The decoder that comes with three.js: a script, which asks for what scripts of Node have. */
+  /** The Draco decoder that comes with three.js: a script, run with the globals that it expects of Node. */
   readonly loadDraco = async (): Promise<DecoderModule> => {
     const require = createRequire(import.meta.url);
     const script = require.resolve('three/addons/libs/draco/gltf/draco_wasm_wrapper.js');
@@ -50,7 +56,7 @@ export class NodeSurroundings implements Surroundings {
     const run = compileFunction(await readFile(script, 'utf8'), names, { filename: script });
     run(module, module.exports, require, dirname(script), script);
     const start = module.exports as (options: object) => Promise<DecoderModule>;
-    // Damaged parts are told in a sentence, and not in the console.
+    // Damaged parts are reported in a sentence, not on the console.
     return start({ wasmBinary, print: () => {}, printErr: () => {} });
   };
 }
@@ -63,7 +69,7 @@ function plainPath(uri: string): string {
   }
 }
 
-/** A picture in the size that is wished for, each pixel the mean of those in its place, and turned over if that is wished for. */
+/** Resizes a picture by averaging pixels, and flips it if asked to. */
 export function fitPixels(picture: Omit<PixelPicture, 'close'>, { width, height, flipY }: PictureWish): PixelPicture {
   const isFitting = picture.width === width && picture.height === height && !flipY;
   const data = isFitting ? picture.data : new Uint8ClampedArray(4 * width * height);
@@ -84,7 +90,7 @@ export function fitPixels(picture: Omit<PixelPicture, 'close'>, { width, height,
   return { data, width, height, close: () => {} };
 }
 
-/** The places from which one of `count` is made, of `given`: the first, and the one after the last. */
+/** The range of source pixels that one of `count` target pixels covers, of `given`: the first, and the one after the last. */
 function span(place: number, count: number, given: number): [number, number] {
   const from = Math.floor((place * given) / count);
   return [from, Math.max(from + 1, Math.floor(((place + 1) * given) / count))];

@@ -4,10 +4,10 @@ import type { PixelPicture } from '../../viewer/files/common/Surroundings.js';
 import { decodePng } from './decodePng.js';
 
 type Pixels = Omit<PixelPicture, 'close'>;
-/** What decoders write is nothing to users. */
+/** Silences the decoders' output. */
 const SILENT = { print: () => {}, printErr: () => {} };
 
-/** Formats of pictures, by how they begin. What has no decoder is decoded by browsers alone. */
+/** Formats of pictures by their signature. Those without `decode` are decoded by browsers alone. */
 const FORMATS: readonly { name: string; beginning: RegExp; decode?: (bytes: Uint8Array) => Promise<Pixels> }[] = [
   { name: 'JPEG', beginning: /^\xff\xd8/, decode: decodeJpeg },
   { name: 'WebP', beginning: /^RIFF....WEBP/s, decode: decodeWebp },
@@ -15,7 +15,7 @@ const FORMATS: readonly { name: string; beginning: RegExp; decode?: (bytes: Uint
   { name: 'BMP', beginning: /^BM/ },
 ];
 
-/** A picture in a format that is not decoded here. */
+/** The picture is in a format that cannot be decoded here. */
 export class UndecodedError extends Error {
   /** @param format its name */
   constructor(readonly format: string) {
@@ -44,24 +44,24 @@ export async function decodePicture(bytes: Uint8Array): Promise<Pixels> {
 }
 
 const START_OF_SCAN = 0xda;
-/** The end of a picture. */
+/** The end marker of a JPEG picture. */
 const END = Buffer.of(0xff, 0xd9);
-/** The colours of a picture for four inks. The decoder knows grey and three colours. */
+/** The number of components of a CMYK picture, which the decoder does not know. */
 const INKS = 4;
 
 async function decodeJpeg(bytes: Uint8Array): Promise<Pixels> {
   const { colours, scan } = readHeader(bytes);
   if (colours === INKS) throw new UndecodedError('CMYK JPEG');
-  // The decoder would make grey what is not there.
+  // The decoder would fill the missing part with grey.
   if (Buffer.from(bytes.buffer, bytes.byteOffset, bytes.length).indexOf(END, scan) === -1)
     throw new Error('JPEG: cut short');
   const { default: decode, init } = await import('@jsquash/jpeg/decode.js');
   await start('jpeg', init, '@jsquash/jpeg/codec/dec/mozjpeg_dec.wasm');
-  // As browsers turn pictures.
+  // Applies the EXIF orientation, as browsers do.
   return asPixels(() => decode(new Uint8Array(bytes).buffer, { preserveOrientation: true }));
 }
 
-/** How many colours the pixels of a JPEG picture have, and where they begin. */
+/** The number of components of a JPEG picture, and the offset of its first scan. */
 function readHeader(bytes: Uint8Array): { colours: number; scan: number } {
   let colours = 0;
   for (let at = 2; at + 3 < bytes.length && bytes[at] === 0xff; ) {
@@ -69,7 +69,7 @@ function readHeader(bytes: Uint8Array): { colours: number; scan: number } {
     if (marker === START_OF_SCAN) return { colours, scan: at };
     const startsFrame = marker >= 0xc0 && marker <= 0xcf && ![0xc4, 0xc8, 0xcc].includes(marker);
     if (startsFrame) colours = bytes[at + 9];
-    // Markers may be preceded by any number of such bytes.
+    // Any number of fill bytes may precede a marker.
     at += marker === 0xff ? 1 : 2 + ((bytes[at + 2] << 8) | bytes[at + 3]);
   }
   return { colours, scan: bytes.length };
@@ -83,7 +83,7 @@ async function decodeWebp(bytes: Uint8Array): Promise<Pixels> {
 
 const started = new Set<string>();
 
-/** Starts a decoder once. By itself it would fetch its code, which Node does not do of files. */
+/** Starts a decoder once. It is given its compiled code, because its own `fetch` cannot read files in Node. */
 async function start(
   name: string,
   init: (code: WebAssembly.Module, options: typeof SILENT) => Promise<void>,
@@ -95,7 +95,7 @@ async function start(
   started.add(name);
 }
 
-/** What decoders give their pixels in, which Node lacks. */
+/** Stands in for the browser's ImageData, which decoders return and Node lacks. */
 class PlainImageData {
   constructor(
     readonly data: Uint8ClampedArray,

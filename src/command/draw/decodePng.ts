@@ -3,7 +3,7 @@ import { LAST_PNG_FILTER, PNG_SAMPLES as SAMPLES, unfilter } from '../../strokes
 import type { PixelPicture } from '../../viewer/files/common/Surroundings.js';
 
 const PALETTE = 3;
-/** The passes of interlaced pictures (Adam7): where each begins, and its steps. */
+/** The seven passes of Adam7 interlacing: where each begins, and its steps. */
 const PASSES = [
   [0, 0, 8, 8],
   [4, 0, 8, 8],
@@ -14,31 +14,31 @@ const PASSES = [
   [0, 1, 1, 2],
 ] as const;
 const WHOLE = [[0, 0, 1, 1]] as const;
-/** The header, and the lengths and names of chunks. */
+/** Sizes of the signature and of the parts of chunks. */
 const SIGNATURE_BYTES = 8;
 const CHUNK_BYTES = 12;
 
 interface Header {
   width: number;
   height: number;
-  /** Bits of a sample. */
+  /** Bits per sample. */
   depth: number;
   type: number;
   isInterlaced: boolean;
 }
 
-/** What a PNG file holds beside its header, which tells how to read it. */
+/** The parts of a PNG file after its header that decoding needs. */
 interface Content {
   header: Header;
   data: Uint8Array;
-  /** RGB of each index. */
+  /** RGB of each palette index. */
   palette: Uint8Array;
-  /** The alpha of indices, or the grey or the colour that is transparent. */
+  /** The tRNS chunk: alpha per palette index, or the transparent grey or colour. */
   transparency: Uint8Array;
 }
 
 /**
- * Decodes a PNG picture of any kind. Checksums of chunks are not checked.
+ * Decodes a PNG picture of any colour type, depth and interlacing. Checksums of chunks are not checked.
  *
  * @throws Error if it is damaged
  */
@@ -107,7 +107,7 @@ function readChunks(bytes: Uint8Array): Content {
 
 type WritePixel = (line: Uint8Array, column: number, data: Uint8ClampedArray, at: number) => void;
 
-/** What writes a pixel of a row as RGBA. */
+/** Returns the function that writes one pixel of a row as RGBA. */
 function pixelWriter({ header: { depth, type }, palette, transparency }: Content): WritePixel {
   const samples = SAMPLES[type];
   const most = 2 ** depth - 1;

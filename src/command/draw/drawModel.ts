@@ -28,19 +28,19 @@ import { plainSentence } from './plainSentence.js';
 import { settingsFor } from './settingsFor.js';
 import { type StagedModel, stageModel } from './stageModel.js';
 
-/** The shares of the whole that reading, joining triangles and baking take; drawing takes the rest. */
+/** Progress at the end of reading, of adjacency and of baking; drawing takes the rest. */
 const READ = 0.08;
 const JOINED = 0.25;
 const BAKED = 0.5;
 
-/** So many things that a drawing lacks are named, one by one. */
+/** At most this many missing things are named one by one. */
 const NAMED = 12;
 
 /**
  * Draws a model, with all its frames.
  *
- * @param say is told what happens
- * @returns whether nothing is missing that belongs to the drawing
+ * @param say receives progress, notes and drawings
+ * @returns whether the drawing is complete
  * @throws ModelError or Error, whose message is a sentence about the model
  */
 export async function drawModel(
@@ -55,7 +55,7 @@ export async function drawModel(
   const file = { name, content: await contentOf(path, content), format: options.format };
   const asked = choiceOf(options.link);
   let read = await readFrom(file, surroundings, options.variant ?? asked.variant, say);
-  // An archive of the playground holds the look with the model.
+  // An archive saved by the playground contains the look along with the model.
   const link = options.link ?? read.drawing?.link;
   const linked = choiceOf(link);
   if (options.variant === undefined && linked.variant !== asked.variant) {
@@ -101,14 +101,14 @@ async function readFrom(
 
 const choiceOf = (link: string | undefined): ModelChoice => (link === undefined ? NO_CHOICE : readLink(link).choice);
 
-/** The angles by which the camera is turned for the frames, in radians. The clip takes the place of the turn. */
+/** The angles of the camera for the frames, in radians; all 0 where a clip moves the model instead. */
 function anglesOf({ frames = 1, clip }: DrawingOptions): number[] {
   return Array.from({ length: clip === undefined ? frames : 1 }, (_, i) => MathUtils.degToRad((360 * i) / frames));
 }
 
 function chooseClip({ motion }: HatchedModel, { clip }: DrawingOptions, linked: ModelChoice, name: string): void {
   if (clip === undefined) {
-    // A clip that is not there stands for the first.
+    // The link may name a clip that the file lacks; Motion then takes the first.
     if (motion && linked.clip !== undefined) motion.clip = linked.clip;
     return;
   }
@@ -119,7 +119,7 @@ function chooseClip({ motion }: HatchedModel, { clip }: DrawingOptions, linked: 
   motion.clip = index;
 }
 
-/** @throws ModelError if the model has no such camera, or no variants; glTF files have refused a variant that they lack already */
+/** @throws ModelError if the model has no such camera, or no variants. The glTF reader has already refused an unknown variant */
 function checkChosen({ extras }: HatchedModel, { camera, variant }: DrawingOptions, name: string): void {
   if (variant !== undefined && extras.variants.length === 0)
     throw new ModelError(`${name} has no variants of its materials.`);
@@ -130,7 +130,7 @@ function checkChosen({ extras }: HatchedModel, { camera, variant }: DrawingOptio
     throw new ModelError(`${name} has no camera ${camera}; it has ${names.join(', ')}.`);
 }
 
-/** What a model offers that nobody has asked for. */
+/** Sentences about cameras, lights, variants and clips of the model that no option selects. */
 function offersOf(
   { extras, motion }: HatchedModel,
   { camera, variant, clip, ...options }: DrawingOptions,
@@ -155,7 +155,7 @@ function offersOf(
   ];
 }
 
-/** A sentence on things that can be chosen, if there are any and none is. */
+/** A sentence that names the choices, if there are any and none was made. */
 function offer(option: string, names: readonly string[], chosen: string | number | undefined): string[] {
   if (chosen !== undefined || names.length === 0) return [];
   const list = names.length > NAMED ? [...names.slice(0, NAMED), '…'] : names;
@@ -163,7 +163,7 @@ function offer(option: string, names: readonly string[], chosen: string | number
   return [`has the ${option}${plural} ${list.join(', ')}: --${option} draws with ${one}`];
 }
 
-/** Tells what was wrong with a model: of each missing file in a line of its own. */
+/** Reports what is wrong with the model: one line per missing file. */
 function tellFaults(
   name: string,
   { missing, details }: ReadModel,
@@ -177,10 +177,10 @@ function tellFaults(
 }
 
 /**
- * Tells which pictures were left out because they are not decoded here.
+ * Reports which pictures were left out because they cannot be decoded here.
  *
  * @returns whether no picture is missing that the drawing would show
- * @throws ModelError if one cuts out surfaces: without it there would be leaves, say, as whole sheets
+ * @throws ModelError if a missing picture cuts out surfaces: leaves, for instance, would be drawn as whole sheets
  */
 function tellPictures(
   name: string,
@@ -206,7 +206,7 @@ function tellPictures(
 
 const PICTURES = ['map', 'emissiveMap', 'aoMap', 'lightMap', 'alphaMap', 'normalMap', 'bumpMap'] as const;
 
-/** Takes pictures off that are not there, which were told of once: each mesh would tell of them again. */
+/** Removes missing pictures from a material. They were reported once; each mesh would report them again. */
 function dropEmptyPictures(material: HatchingMaterial): void {
   for (const name of PICTURES) if (material[name] && !material[name].image) material[name] = null;
 }

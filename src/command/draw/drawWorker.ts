@@ -1,7 +1,7 @@
 import { parentPort, workerData } from 'node:worker_threads';
 import type { DrawMessage, DrawTask } from '../DrawThread.js';
 
-/** The thread that draws a model. What it needs is imported when it runs, so that it can say what is not installed. */
+/** The script of the drawing thread. Its modules are imported at run time, so that it can report one that is not installed. */
 const say = (message: DrawMessage): void => parentPort?.postMessage(message);
 
 const isInstalled = await import('three').then(

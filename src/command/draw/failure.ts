@@ -1,7 +1,7 @@
 import { basename } from 'node:path';
 import { plainSentence } from './plainSentence.js';
 
-/** What went wrong with a model, in a sentence that names it. */
+/** Describes an error in a sentence that names the model. */
 export function failure(model: string, error: unknown): string {
   const { code, name, message = String(error) } = error as NodeJS.ErrnoException;
   if (code === 'ERR_MODULE_NOT_FOUND')

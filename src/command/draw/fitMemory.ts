@@ -6,26 +6,26 @@ import type { ReadMesh } from '../../viewer/files/readModel.js';
 import { simplifyMesh } from '../../viewer/files/repair/simplifyMesh.js';
 
 /**
- * The memory that a triangle takes until its lines are written, along the form and with dark hollows. It was measured on scans of one and
- * of three million triangles.
+ * Bytes per triangle until its lines are written, with form lines and dark hollows. Measured on scans of one and of three million
+ * triangles.
  */
 const BYTES_PER_TRIANGLE = 1300;
-/** The share of the memory that a model may take. */
+/** The share of the memory that a model may use. */
 const SHARE = 0.75;
-/** Where meshoptimizer's simplifier lies if it is installed beside this package, whose optional peer it is. */
+/** The module of meshoptimizer's simplifier, an optional peer dependency. */
 const SIMPLIFIER = 'meshoptimizer/simplifier';
 
-/** How many triangles can be drawn, as a round number. @param bytes of memory */
+/** The number of triangles that can be drawn, rounded down. @param bytes of memory */
 export const mostTriangles = (bytes: number): number => Math.floor((SHARE * bytes) / BYTES_PER_TRIANGLE / 1e5) * 1e5;
 
-/** The bytes of memory that this process can get: those of the machine, or of a container. */
+/** The bytes of memory available to this process: the machine's, or its container's limit. */
 export function memoryHere(): number {
-  // Node 18 does not know the limits of a container, and says 0 where there is none.
+  // Node 18 does not know limits of containers, and other versions return 0 where there is none.
   return Math.min(totalmem(), process.constrainedMemory?.() || Infinity);
 }
 
 /**
- * A model that is drawn in the memory there is: as it is or, with more triangles than `most`, simplified. A note says so.
+ * Simplifies a model that has more triangles than `most`, and adds a note that says so.
  *
  * @param onProgress called with rising numbers in [0, 1]
  * @param simplifier the module of meshoptimizer's simplifier

@@ -1,4 +1,4 @@
-/** Words of the readers, who speak to whoever drops files on a page, and what they are to whoever names files. */
+/** Phrases of the readers' messages, which address a user who drops files on a page, and their replacements for the command line. */
 const WORDS: readonly [RegExp, string][] = [
   [/; drop both files together/, '; put both files into one folder'],
   [/no (pictures?) that a browser reads/, 'no $1 that can be read'],
@@ -14,7 +14,7 @@ const WORDS: readonly [RegExp, string][] = [
   ],
 ];
 
-/** A sentence of the readers for the command line. */
+/** Rewords a message of the readers for the command line. */
 export function plainSentence(sentence: string): string {
   return WORDS.reduce((text, [words, others]) => text.replace(words, others), sentence).replace(
     /which is not (unpack) here/,

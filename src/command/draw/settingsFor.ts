@@ -6,20 +6,20 @@ import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';
 import { readLink } from '../../viewer/settings/shareLink.js';
 import type { DrawingOptions } from '../DrawingOptions.js';
 
-/** What a model is drawn with. */
+/** The settings and the camera of a drawing. */
 export interface DrawnWith {
   settings: Settings;
-  /** The camera of a link; undefined if the model is to be framed. */
+  /** The camera of a link; undefined to frame the model. */
   camera: CameraView | undefined;
-  /** Whether somebody has placed the light, so that it is not to be found for the view. */
+  /** Whether an option or a link sets the light; if not, it is chosen for the view. */
   isLit: boolean;
 }
 
 /**
- * The settings of the playground that a command line stands for: those of a link or of its first view, and then what options say.
+ * The playground settings for a command line: those of the link or of the first view, overridden by options.
  *
  * @param link the hash of a link
- * @param upAxis that of the model
+ * @param upAxis up axis of the model
  */
 export function settingsFor(
   { preset, view, light, shadows, up }: DrawingOptions,
@@ -28,7 +28,7 @@ export function settingsFor(
 ): DrawnWith {
   const linked = link === undefined ? undefined : readLink(link);
   const settings: Settings = linked?.settings ?? firstView();
-  // A preset has the shadows of the playground beside its hand, unless a link says otherwise.
+  // A preset brings the playground's shadows along, unless a link sets its own.
   if (preset) Object.assign(settings, linked ? presetLook(preset as PresetName) : wholeLook(preset as PresetName));
   if (light) {
     const azimuth = MathUtils.euclideanModulo(light.azimuth + 180, 360) - 180;

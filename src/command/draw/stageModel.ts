@@ -30,30 +30,30 @@ import { formDrawn } from '../../viewer/settings/settingValues.js';
 import type { DrawingOptions } from '../DrawingOptions.js';
 import type { DrawnWith } from './settingsFor.js';
 
-/** How a model fills what the margins leave of a sheet, and leaves room for its shadow. */
+/** How a model fills the sheet within its margins, and how it leaves room for its shadow. */
 const ON_SHEET = { fill: 0.96, room: { model: 0.92, shadow: 0.93, smaller: 1.25 } } as const;
 const MILLIMETRES_PER_INCH = 25.4;
 const UP = new Vector3(0, 1, 0);
 
-/** Is told what is being done, and how far that is in [0, 1]. */
+/** Reports the current step, and its progress in [0, 1]. */
 export type Report = (stage: string, progress: number) => void;
 
-/** A model on its ground, under its lights, before a camera. */
+/** A model on its ground, with lights and a camera. */
 export interface StagedModel {
   scene: Scene;
   lights: LightRig;
   placed: PlacedCamera;
-  /** Places the lights for the camera where it is, and has the shadow on the ground end on the sheet. */
+  /** Places the lights for the camera's present position, and fades the shadow on the ground before it reaches the edge of the sheet. */
   placeLights(): void;
-  /** The sheet as it lies, millimetres. */
+  /** Size of the sheet in its orientation, millimetres. */
   sheet: readonly [width: number, height: number];
 }
 
 /**
- * Puts a model on the stage as the playground does: upright, on its ground, under lights that suit the view, before a camera that has all
- * of it in its picture; lines lie along its form and hollows are dark, as far as the settings ask for that.
+ * Sets up the scene of a model as the playground does: upright, on its ground, with lights that suit the view and a camera that frames all
+ * of it. Bakes form lines and occlusion where the settings ask for them.
  *
- * @param angles in radians by which the camera is turned for its pictures; the model is in all of them
+ * @param angles by which the camera is turned for its pictures, in radians; the model fits in all of them
  */
 export async function stageModel(
   model: HatchedModel,
@@ -64,7 +64,7 @@ export async function stageModel(
 ): Promise<StagedModel> {
   const scene = new Scene();
   const lights = new LightRig(scene);
-  // The scene has the order of the playground's, in which lines are found and joined: so the same link gives the same paths.
+  // The order of the playground's scene, in which lines are found and joined: the same link then gives the same paths.
   const { ground, isMade } = groundIn(scene);
   const upright = new Group().add(model.root);
   upright.rotation.set(...lookOf(settings).upright);
@@ -131,20 +131,20 @@ export async function stageModel(
 
 const namesOf = (named: readonly { name: string }[]): string[] => named.map(({ name }) => name);
 
-/** Where a camera of a file is, from what it looks at. */
+/** The direction from what a camera of a file looks at to its eye. */
 function eyeOfFile(fileCamera: FileCamera): EyeDirection {
   const { camera, target } = cameraOfFile(1, fileCamera, false);
   return { toEye: camera.position.clone().sub(target), up: camera.up };
 }
 
-/** Where the eye is: where the options say, or else a link, or else where the playground has it at first. */
+/** The direction to the eye: of the options, or else of a link, or else the playground's default. */
 function eyeOf({ view }: DrawingOptions, place: DrawnWith['camera']): EyeDirection {
   if (view) return eyeDirection(view.azimuth, view.elevation);
   const [position, target] = place ? [place.position, place.target] : [DEFAULT_VIEW, [0, 0, 0]];
   return { toEye: new Vector3(...position).sub(new Vector3(...target)), up: UP };
 }
 
-/** A ground, which is made when a look asks for it. */
+/** A ground whose parts are made when a look first needs them. */
 function groundIn(scene: Scene): { ground: Ground; isMade: Promise<void> } {
   let onReady = (): void => {};
   const isMade = new Promise<void>((resolve) => {
@@ -153,7 +153,7 @@ function groundIn(scene: Scene): { ground: Ground; isMade: Promise<void> } {
   return { ground: new Ground(scene, onReady), isMade };
 }
 
-/** Bakes what lines along the form and dark hollows are drawn from, if the settings ask for them. */
+/** Bakes form lines and occlusion, if the settings ask for them. */
 async function bake(
   model: HatchedModel,
   settings: DrawnWith['settings'],
@@ -169,13 +169,13 @@ async function bake(
       if (made !== former) former.dispose();
     });
   }
-  // Occlusion is stored per vertex, and all instances share their vertices.
+  // Occlusion is stored per vertex, and instances share their vertices.
   if (settings.occlusion === 0 || meshesOf(model.root).every((mesh) => 'isInstancedMesh' in mesh)) return;
   const onProgress = (progress: number): void => report('darkening hollows', 0.6 + 0.4 * progress);
   await bakeOcclusion(model.root, { signal, onProgress });
 }
 
-/** Points in the space of a group, in the world. */
+/** Transforms points from the space of a group to the world. */
 function turnedPoints(points: ArrayLike<number>, { matrixWorld }: Group): number[] {
   const point = new Vector3();
   const turned: number[] = [];
@@ -183,10 +183,10 @@ function turnedPoints(points: ArrayLike<number>, { matrixWorld }: Group): number
   return turned;
 }
 
-/** The most points that a camera is placed by. */
+/** The maximum number of points for placing a camera. */
 const MANY_POINTS = 200_000;
 
-/** Points as cameras that are turned about the upright axis by some angles see them: turned the other way. */
+/** Copies of the points as seen by cameras that are turned about the up axis: each turned by a negated angle. */
 function aroundUpright(points: readonly number[], angles: readonly number[]): readonly number[] {
   if (angles.length === 1 && angles[0] === 0) return points;
   const step = 3 * Math.ceil((points.length / 3) * (angles.length / MANY_POINTS));
