@@ -36,10 +36,10 @@ import { parameterSetter } from './parameterSetter.js';
 import { materialSizesIn, outlineSizesIn } from './picturedSizes.js';
 import { releaseGraphics, releaseMaterial } from './releaseGraphics.js';
 
-/** Leaves every pixel as it is. The surface still hides what is behind it. */
+/** Blending that leaves the colour unchanged. The surface still writes depth. */
 const NO_INK = { blending: CustomBlending, blendSrc: ZeroFactor, blendDst: OneFactor };
 
-/** What the bake found in a model. */
+/** Statistics of the bake, summed over a model. */
 export interface ModelStatistics {
   triangles: number;
   borderEdges: number;
@@ -55,17 +55,17 @@ interface Surface {
   map: Texture | null;
   vertexColors: boolean;
   alphaTest: number;
-  /** Whether what lies behind is seen through it. */
+  /** Whether the surface is see-through. */
   isGlass: boolean;
   blending: Blending;
   premultipliedAlpha: boolean;
 }
 
-/** A material of the model, its copy for the compared technique once there is one, and the surface of both. */
+/** A material of the model with its copies for other renderings. They share the model's surface. */
 interface MaterialPair {
   drawn: HatchingMaterial;
   compared: HatchingMaterial | undefined;
-  /** The twin for WebGPURenderer, while that draws the model. */
+  /** The node material, while WebGPURenderer draws the model. */
   nodes: HatchingNodeMaterial | undefined;
   surface: Surface;
   /** The stroke scale that gives one tile per world unit. */
@@ -74,41 +74,41 @@ interface MaterialPair {
 
 const WHITE = new Color('white');
 
-/** A curve that leaves everything blank. */
+/** A tone curve that draws no ink. */
 export const BLANK: readonly (readonly [number, number])[] = [
   [0, 0],
   [1, 0],
 ];
 
-/** The materials of a rendering: those of the settings, those of the technique that is compared with it, or those of nodes. */
+/** Which materials a rendering uses: those of the settings, of the compared technique, or of nodes. */
 export type MaterialKind = 'drawn' | 'compared' | 'nodes';
 
 /**
- * A model with hatching materials: one set that is drawn, from the first comparison on a copy of it for the compared technique, and a twin
- * of nodes while WebGPURenderer draws the model.
+ * A model with hatching materials: one set for the settings, copies for the compared technique from the first comparison on, and node
+ * materials while WebGPURenderer draws the model.
  */
 export class HatchedModel {
-  /** Whether its ambient occlusion came with it, so that none is to be baked. */
+  /** Whether the model came with ambient occlusion, so that none needs to be baked. */
   isOccluded = false;
-  /** What its file offers beside it, in the space of the root. */
+  /** Cameras, lights and variants of the file, in the space of the root. */
   extras: ModelExtras = NO_EXTRAS;
   private readonly pairs: readonly MaterialPair[];
   private readonly meshes: ({ mesh: Mesh } & Record<MaterialKind, Material | Material[]>)[];
-  /** The look that the materials have, as a text; undefined while they have another. */
+  /** Key of the look that the materials have; undefined if they were changed since. */
   private shown: string | undefined;
   private readonly outlineMaterials: Set<HatchingOutlineMaterial | HatchingOutlineNodeMaterial>;
-  /** The twins of the outlines; undefined while there are none. */
+  /** Outlines for WebGPURenderer; undefined without node materials. */
   private nodeOutlines: readonly NodeOutlines[] | undefined;
   private used: MaterialKind = 'drawn';
   private areOutlinesShown = true;
 
   /**
-   * @param root the model, centred, with a radius of 1. Its materials are hatching materials with the colours and maps
-   *   of the source, and strokes of one tile per world unit.
-   * @param bounds of what of the root stands on a ground
+   * @param root the model, centred, with a radius of 1. Its materials are hatching materials with the colours and maps of the source, and
+   *   strokes of one tile per world unit.
+   * @param bounds of the parts that stand on the ground
    * @param outline xyz of points on the outer parts of the root, in all poses
-   * @param stands which of its axes points up; undefined if no flat side shows that
-   * @param motion its clips and morph targets, if it has any
+   * @param stands the up axis suggested by a flat side; undefined if there is none
+   * @param motion clips and morph targets, if the model has any
    * @param outlines of its meshes; several may share a material
    * @param free called when the model is disposed
    */
@@ -138,12 +138,15 @@ export class HatchedModel {
     this.outlineMaterials = new Set(outlines.map(({ material }) => material));
   }
 
-  /** How far it reaches, by which all that is drawn measures depth. */
+  /** The extent of the model, by which all parts of the scene measure depth. */
   get extent(): SceneExtent | null {
     return this.pairs[0]?.drawn.extent ?? null;
   }
 
-  /** Whether a geometry has no triangle adjacency, so that no technique that asks for it can draw the model yet. Damaged meshes, which are hidden, do not count. */
+  /**
+   * Whether any geometry lacks triangle adjacency, so that techniques that need it cannot draw the model yet. Damaged meshes, which are
+   * hidden, do not count.
+   */
   get lacksAdjacency(): boolean {
     return this.meshes.some(({ mesh: { visible, geometry } }) => {
       const { layout } = (geometry.userData.hatching ?? {}) as Partial<HatchingStatistics>;
@@ -151,12 +154,15 @@ export class HatchedModel {
     });
   }
 
-  /** Gives the materials a look. While it lacks adjacency, techniques that ask for it are drawn as `anchored`. */
+  /** Applies a look to the materials. While adjacency is missing, techniques that need it are drawn as `anchored`. */
   apply(look: Look): void {
     for (const _ of this.applying(look));
   }
 
-  /** The same in steps, material by material: models have thousands. Does nothing to materials that have the look already. */
+  /**
+   * Applies a look step by step, one material per step, because models may have thousands. Materials that have the look already are
+   * skipped.
+   */
   *applying(asked: Look): Generator<void, void, void> {
     const look = this.lacksAdjacency ? withoutAdjacency(asked) : asked;
     const shown = materialKey(look);
@@ -183,7 +189,7 @@ export class HatchedModel {
     this.castShadows(true);
   }
 
-  /** Whether its meshes cast shadows, until a look is applied again. */
+  /** Sets whether the meshes cast shadows, until a look is applied again. */
   castShadows(areCast: boolean): void {
     for (const { mesh } of this.meshes) mesh.castShadow = areCast && !isGlass(mesh);
   }
@@ -200,10 +206,10 @@ export class HatchedModel {
   }
 
   /**
-   * Sets how wide strokes and outlines are.
+   * Sets the widths of strokes and outlines.
    *
-   * @param share of their width that they have on a small sheet
-   * @param scale of a picture whose size is not that of the page
+   * @param share of their full width, below 1 on small sheets
+   * @param scale of a picture relative to the page
    */
   setWidths(look: Look, share: number, scale = 1): void {
     const sizes = materialSizesIn(look, share, scale);
@@ -220,7 +226,7 @@ export class HatchedModel {
       for (const material of bothOf(pair)) {
         if (surface.isGlass) continue;
         material.paperOpacity = shown ? 1 : 0;
-        // Without blending, a near surface overwrites the strokes of those behind it, also between its own strokes.
+        // NoBlending makes a near surface overwrite strokes behind it, also in the gaps between its own strokes.
         material.blending = shown ? surface.blending : NoBlending;
         material.premultipliedAlpha = shown ? surface.premultipliedAlpha : true;
         material.needsUpdate = true;
@@ -229,9 +235,9 @@ export class HatchedModel {
   }
 
   /**
-   * Shows what the model gives to a layer of a picture, and hides what is behind it in every layer; or shows all of it again.
+   * Shows the model's part of one layer of a picture, which still hides what is behind the model; undefined shows all layers.
    *
-   * @param layer `shadow` is that of the ground, to which a model gives nothing
+   * @param layer `shadow` is the ground's layer, to which a model adds nothing
    */
   showLayer(layer: 'colour' | 'shadow' | 'strokes' | 'outline' | undefined, look: Look): void {
     this.apply(look);
@@ -239,7 +245,7 @@ export class HatchedModel {
     for (const pair of this.pairs) {
       for (const material of bothOf(pair)) {
         material.colorWrite = layer !== 'shadow';
-        // Without colorWrite it would have no outlines.
+        // Outlines are not drawn for a material with colorWrite: false.
         if (layer === 'outline') Object.assign(material, NO_INK);
         if (layer === 'colour') material.toneCurve = BLANK;
       }
@@ -253,7 +259,7 @@ export class HatchedModel {
     for (const entry of this.meshes) entry.mesh.material = entry[kind];
     if (kind === this.used) return;
     this.used = kind;
-    // The other renderer would build programs also for what is hidden.
+    // Nodes that are merely hidden would make the other renderer build programs for them.
     for (const outlines of this.nodeOutlines ?? []) {
       if (kind === 'nodes') outlines.mesh?.add(outlines);
       else outlines.removeFromParent();
@@ -261,7 +267,7 @@ export class HatchedModel {
     this.showOutlines(this.areOutlinesShown);
   }
 
-  /** Makes the twin of nodes in a look, if there is none. */
+  /** Makes node materials with a look, if there are none. */
   makeNodes(makers: NodeMakers, look: Look): void {
     if (this.nodeOutlines) return;
     for (const pair of this.pairs) pair.nodes = makers.material(pair.drawn);
@@ -273,12 +279,12 @@ export class HatchedModel {
     this.apply(look);
   }
 
-  /** Resolves when its twin of nodes has all that it draws with. */
+  /** Resolves when the node materials have all their textures. */
   async nodesReady(): Promise<void> {
     await Promise.all(this.pairs.map(({ nodes }) => nodes?.ready));
   }
 
-  /** Frees the twin of nodes, if there is one. */
+  /** Frees the node materials, if there are any. */
   dropNodes(): void {
     this.useMaterials('drawn');
     for (const pair of this.pairs) {
@@ -294,13 +300,13 @@ export class HatchedModel {
     this.nodeOutlines = undefined;
   }
 
-  /** Tells the materials which geometries they will draw, so that a renderer's `compile` builds the very programs for them. */
+  /** Tells the materials which geometries they will draw, so that a renderer's `compile` builds exactly those programs. */
   announce(): void {
     for (const { mesh } of this.meshes)
       for (const material of [mesh.material].flat()) (material as Partial<HatchingMaterial>).announce?.(mesh);
   }
 
-  /** As the function {@link releaseGraphics}, also for the materials and pictures that no mesh shows at the moment. */
+  /** As the function {@link releaseGraphics}, including materials and pictures that no mesh shows at the moment. */
   releaseGraphics(): void {
     releaseGraphics(this.root);
     for (const pair of this.pairs) {
@@ -318,14 +324,14 @@ export class HatchedModel {
     this.free();
   }
 
-  /** Copies the materials for a comparison, as they are drawn at present. Models have thousands, and few are compared. */
+  /** Copies the materials for a comparison. Made only on demand, because models may have thousands of materials. */
   private makeCopies(): void {
     if (this.pairs.every(({ compared }) => compared)) return;
     for (const pair of this.pairs) pair.compared = pair.drawn.clone();
     this.giveMaterials('compared');
   }
 
-  /** Has the meshes draw with those materials of a kind that the pairs have by now. */
+  /** Assigns the materials of a kind to the meshes, for as many pairs as have one. */
   private giveMaterials(kind: 'compared' | 'nodes'): void {
     const copies = new Map<Material, Material | undefined>(this.pairs.map((pair) => [pair.drawn, pair[kind]]));
     const copyOf = (material: Material): Material => copies.get(material) ?? material;
@@ -336,7 +342,7 @@ export class HatchedModel {
   }
 }
 
-/** A look with `anchored` in the place of techniques that ask for triangle adjacency. */
+/** A look with `anchored` in place of techniques that need triangle adjacency. */
 function withoutAdjacency(look: Look): Look {
   const { drawn, compared } = look;
   const without = (parameters: HatchingMaterialParameters): HatchingMaterialParameters =>
@@ -344,14 +350,14 @@ function withoutAdjacency(look: Look): Look {
   return { ...look, drawn: without(drawn), compared: compared && without(compared) };
 }
 
-/** What materials take of a look, as a text: two looks with the same text give equal materials. */
+/** A key for the part of a look that concerns materials: equal keys give equal materials. */
 const materialKey = ({ drawn, compared, outlines, showsSurfaceColors }: Look): string =>
   JSON.stringify([drawn, compared, outlines, showsSurfaceColors]);
 
-/** The material that is drawn, and its copy if there is one. */
+/** The drawn material, and its copy for comparison if there is one. */
 const bothOf = ({ drawn, compared }: MaterialPair): HatchingMaterial[] => (compared ? [drawn, compared] : [drawn]);
 
-/** The same, and the twin of nodes if there is one. */
+/** As {@link bothOf}, plus the node material if there is one. */
 const allOf = (pair: MaterialPair): EitherMaterial[] => (pair.nodes ? [...bothOf(pair), pair.nodes] : bothOf(pair));
 
 function surfaceOf(material: HatchingMaterial): Surface {
@@ -367,12 +373,12 @@ function surfaceOf(material: HatchingMaterial): Surface {
   };
 }
 
-/** Whether all of a mesh is seen through, so that it casts no shadow and takes none. */
+/** Whether all materials of a mesh are see-through, so that it neither casts nor receives shadows. */
 const isGlass = ({ material }: Mesh): boolean => [material].flat().every(({ transparent }) => transparent);
 
 function showSurface(material: EitherMaterial, surface: Surface, isShown: boolean): void {
   material.color.multiply(isShown ? surface.color : WHITE);
-  // The map of a cut-out (a leaf, say) is kept, because it holds the alpha that cuts it out.
+  // Cut-outs such as leaves keep their map, whose alpha cuts them out.
   const map = isShown || surface.alphaTest > 0 ? surface.map : null;
   const vertexColors = isShown && surface.vertexColors;
   if (map !== material.map || vertexColors !== material.vertexColors) material.needsUpdate = true;

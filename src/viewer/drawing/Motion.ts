@@ -2,14 +2,14 @@ import { type AnimationAction, type AnimationClip, AnimationMixer, type Mesh, ty
 import { distinctNames } from '../files/common/distinctNames.js';
 import { meshesOf } from './meshesOf.js';
 
-/** Longest step between two frames, in seconds. Longer pauses, as when the page was hidden, are cut to it. */
+/** The longest step between two frames, in seconds. Longer pauses, for instance in a hidden tab, are cut to it. */
 const LONGEST_STEP = 0.1;
 
-/** A morph target of one mesh. */
+/** One morph target of one mesh. */
 interface MorphTarget {
   mesh: Mesh;
   index: number;
-  /** Its influence in the file. */
+  /** Its influence as stored in the file. */
   rest: number;
 }
 
@@ -18,12 +18,12 @@ export class Motion {
   readonly clips: readonly string[];
   readonly morphs: readonly string[];
   isPlaying = false;
-  /** Factor on the speed of the clip. */
+  /** Speed factor of the clip. */
   speed = 1;
 
   private readonly mixer: AnimationMixer;
   private readonly morphTargets = new Map<string, MorphTarget[]>();
-  /** Influences that the user has set. They take precedence over the clip. */
+  /** Influences set by the user, which override the clip. */
   private readonly overrides = new Map<string, number>();
   private action: AnimationAction | undefined;
 
@@ -76,7 +76,7 @@ export class Motion {
     this.pose();
   }
 
-  /** Advances the clip, if it is playing. */
+  /** Advances the clip if it is playing. */
   advance(seconds: number): void {
     if (this.isPlaying) this.pose(Math.min(seconds, LONGEST_STEP) * this.speed);
   }
@@ -87,7 +87,7 @@ export class Motion {
     return target?.mesh.morphTargetInfluences?.[target.index] ?? 0;
   }
 
-  /** Sets the influence of a morph target, also against the clip. `undefined` returns it to the clip. */
+  /** Sets the influence of a morph target, overriding the clip. `undefined` returns it to the clip. */
   setInfluence(name: string, influence: number | undefined): void {
     if (influence === undefined) {
       this.overrides.delete(name);
@@ -111,7 +111,7 @@ export class Motion {
     }
   }
 
-  /** Morph targets of the same name are one entry, also on several meshes. A morph target without a name gets a number. */
+  /** Groups morph targets of the same name, also across meshes. Unnamed ones get a number. */
   private addMorphTargets(mesh: Mesh): void {
     for (const [key, index] of Object.entries(mesh.morphTargetDictionary ?? {})) {
       const name = /^\d*$/.test(key) ? `Shape ${index + 1}` : key;

@@ -1,2 +1,2 @@
-/** Reports the progress of a task: what it is doing, and how far it is in [0, 1] if that is known. */
+/** Reports progress: the current step and, if known, how far it is in [0, 1]. */
 export type Report = (stage: string, progress?: number) => void;

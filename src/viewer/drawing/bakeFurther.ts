@@ -2,23 +2,23 @@ import type { BufferGeometry, Object3D } from 'three';
 import { type HatchingStatistics, prepareHatchingGeometry } from 'three-hatching';
 import { meshesOf } from './meshesOf.js';
 
-/** The attributes of lines that follow the form. */
+/** The attributes of form lines. */
 const NAMES = ['formValue', 'formSlope', 'formCrossing'] as const;
 
-/** What the geometries of a model are to have, beyond what every technique draws with. */
+/** Data to bake beyond the attributes that every technique uses. */
 export interface Further {
-  /** What lines that follow the form are drawn from: the angle at which lines cross, in radians, and whether it is only for shapes that have a form. */
+  /** For form lines: the crossing angle in radians, and whether shapes without a clear form are left out. */
   form?: { crossAngle: number; auto: boolean } | undefined;
   /** Triangle adjacency. */
   adjacency?: boolean;
 }
 
 /**
- * Bakes more into the geometries of a hatched model, one after the other: each is drawn with it as soon as it is ready. Lines run across
- * what is up in the world.
+ * Bakes more data into the geometries of a hatched model, one at a time; each is drawn as soon as it is ready. Form lines run across the
+ * world's up direction.
  *
- * @param onBaked called before a geometry is drawn in the place of the former one. Both are the same where it only gets other attributes
- * @param onExchanged called when it is what will be drawn, with all attributes
+ * @param onBaked called before a new geometry replaces the former one. Both arguments are the same where attributes were added in place
+ * @param onExchanged called when the new geometry is in place with all its attributes
  */
 export async function bakeFurther(
   root: Object3D,
@@ -29,7 +29,7 @@ export async function bakeFurther(
 ): Promise<void> {
   root.updateMatrixWorld();
   const meshes = meshesOf(root);
-  // Damaged geometries could not be baked before either.
+  // Damaged geometries cannot be baked.
   const geometries = new Set(meshes.map(({ geometry }) => geometry).filter(isBaked));
   let done = 0;
   for (const geometry of geometries) {
@@ -38,7 +38,7 @@ export async function bakeFurther(
     const onProgress = (progress: number): void => options.onProgress((begun + progress) / geometries.size);
     const { elements } = sharing[0].matrixWorld;
     const up = [elements[1], elements[5], elements[9]] as const;
-    // A geometry without an index has adjacency, and gets no more than attributes.
+    // A geometry without an index has adjacency already, and only gets attributes.
     const isIndexed = geometry.index !== null;
     const addsAdjacency = adjacency && isIndexed;
     if (!form && !addsAdjacency) continue;
@@ -67,10 +67,10 @@ const statisticsOf = ({ userData }: BufferGeometry): HatchingStatistics => userD
 
 const isBaked = (geometry: BufferGeometry): boolean => statisticsOf(geometry) !== undefined;
 
-/** What lines follow on a geometry. */
+/** Which field the lines of a geometry follow. */
 const lineFieldOf = (geometry: BufferGeometry): 'form' | 'light' => statisticsOf(geometry).lineField;
 
-/** Copies the form of a geometry to one with the same vertices: each corner has one of its own. */
+/** Copies the form attributes to a geometry with one vertex per corner. */
 function copyForm(from: BufferGeometry, to: BufferGeometry): void {
   for (const name of NAMES) {
     if (from.hasAttribute(name)) to.setAttribute(name, from.getAttribute(name));
@@ -79,12 +79,12 @@ function copyForm(from: BufferGeometry, to: BufferGeometry): void {
   statisticsOf(to).lineField = lineFieldOf(from);
 }
 
-/** Copies what `bakeOcclusion` has written to the vertices of a geometry. The corners of both are the same. */
+/** Copies the attributes of `bakeOcclusion` between geometries with the same corners. */
 function copyOcclusion(from: BufferGeometry, to: BufferGeometry): void {
   const [source, target] = [from, to].map(({ attributes }) => attributes.hatchNormal.array);
   const vertices = from.index!.array;
   const newVertices = to.index?.array;
-  // Not by the methods of attributes, which would block the page for longer than a frame where there are millions of corners.
+  // Reads the array directly: attribute getters would block the page for longer than a frame with millions of corners.
   for (let corner = 0; corner < vertices.length; corner++)
     target[4 * (newVertices ? newVertices[corner] : corner) + 3] = source[4 * vertices[corner] + 3];
 }

@@ -3,24 +3,23 @@ import { type HatchingStatistics, prepareHatchingGeometry } from 'three-hatching
 import { type PlainMesh, triangleCount } from '../files/mesh/PlainMesh.js';
 import { isOpen } from './isOpen.js';
 
-/** Up to so many triangles get adjacency also where nothing asks for it: then every technique draws them at once. */
+/** Meshes with up to this many triangles always get adjacency, so that every technique can draw them at once. */
 const MOST_WITH_ADJACENCY = 200_000;
 
 /** A mesh baked for hatching. */
 export interface BakedMesh {
   geometry: BufferGeometry;
   statistics: HatchingStatistics;
-  /** Open surfaces are drawn from both sides. */
+  /** Open surfaces are double-sided. */
   side: Side;
 }
 
 /**
  * Bakes a mesh for hatching, in the library's worker. Missing normals are computed there, with creases kept.
  *
- * @param options.adjacency whether techniques that ask for adjacency draw it, which takes six times the memory. Small meshes have it
- *   all the same
- * @param options.outlines whether contours, borders and creases are to be drawn too
- * @param options.form whether lines are to follow the form
+ * @param options.adjacency whether to add triangle adjacency, which takes six times the memory. Small meshes always have it
+ * @param options.outlines whether to bake contours, borders and creases
+ * @param options.form whether to bake form lines
  */
 export async function bakeMesh(
   mesh: PlainMesh,

@@ -1,2 +1,2 @@
-/** A module of its own, which is fetched after the first drawing, when its hollows are darkened. */
+/** A chunk of its own, loaded after the first drawing. */
 export { bakeOcclusion } from 'three-hatching';

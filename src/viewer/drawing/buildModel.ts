@@ -7,10 +7,10 @@ import type { HatchedModel } from './HatchedModel.js';
 import type { Report } from './Report.js';
 
 /**
- * Makes a hatched model of what was read. `notes` is what the caption is to say of what was left out.
+ * Builds a hatched model from a file that was read. `notes` are sentences for the caption about what was left out.
  *
- * @param adjacency whether techniques that ask for triangle adjacency draw it (`bakeFurther` adds it later)
- * @throws ModelError with one sentence for the user, also if there is nothing to be seen of any triangle
+ * @param adjacency whether techniques that need triangle adjacency are drawn (`bakeFurther` adds it later)
+ * @throws ModelError with one sentence for the user, also if no triangle is visible
  */
 export async function buildModel(
   read: ReadModel | BuiltInScene,
@@ -21,7 +21,7 @@ export async function buildModel(
   const hatched = await hatch(read, report, signal, adjacency);
   const { model: made } = hatched;
   if ('extras' in read && read.extras) {
-    // The parts of a scene are fitted here, a mesh when it was read.
+    // A scene is scaled to radius 1 here; a mesh was when it was read.
     made.extras = read.kind === 'parts' ? movedExtras(read.extras, made.root.matrix) : read.extras;
   }
   const { triangles, degenerateTriangles } = hatched.model.statistics;

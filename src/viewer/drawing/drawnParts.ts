@@ -1,11 +1,11 @@
 import type { Material, Mesh, Object3D } from 'three';
 import { meshesOf } from './meshesOf.js';
 
-/** The meshes of which something is seen: neither hidden, nor clear. Parts that are seen through as glass is are seen. */
+/** The visible meshes: neither hidden nor fully transparent. Glass counts as visible. */
 export const drawnMeshes = (root: Object3D): Mesh[] =>
   meshesOf(root).filter((mesh) => isShown(mesh, root) && materialsOf(mesh).some(isSeen));
 
-/** Marks each vertex of which something is drawn: some triangle uses it, whose material is seen. */
+/** Marks the vertices of triangles whose material is visible. */
 export function drawnVertices({ geometry, material }: Mesh): Uint8Array {
   const { index, groups } = geometry;
   const count = geometry.getAttribute('position')?.count ?? 0;

@@ -1,6 +1,6 @@
 import type { ModelStatistics } from './HatchedModel.js';
 
-/** Whether the backs of triangles can be seen: the surface ends somewhere, or the windings contradict each other. */
+/** Whether back faces can be visible: the surface has borders, or its windings are inconsistent. */
 export const isOpen = ({
   borderEdges,
   unpairedEdges,

@@ -1,6 +1,6 @@
 import type { Mesh, Object3D } from 'three';
 
-/** Every mesh at or below an object. */
+/** All meshes at or below an object. */
 export function meshesOf(root: Object3D): Mesh[] {
   return root.getObjectsByProperty('isMesh', true) as Mesh[];
 }

@@ -11,15 +11,14 @@ import { meshesOf } from './meshesOf.js';
 import { outlineOf } from './outlineOf.js';
 import { statisticsOf } from './statisticsOf.js';
 
-/** The normalised 16-bit integer that stands for 1, and the byte that does. */
+/** The largest normalised values of a signed 16-bit and of an unsigned 8-bit integer, which stand for 1. */
 const [ONE, BYTE_ONE] = [0x7fff, 0xff];
 
 /**
- * Writes ambient occlusion that was baked before to a geometry that was prepared from a mesh, as `bakeOcclusion` does. The corners of both are
- * the same.
+ * Writes precomputed ambient occlusion to a geometry, in the format of `bakeOcclusion`. The geometry has the corners of the mesh.
  *
- * @param occlusion a byte for each vertex of the mesh, from 0 (sees the whole sky) to 255 (sees nothing of it); then four bytes for each corner
- *   that differs from its vertex, because a sharp edge goes through that: its number in three, the lowest first, and its occlusion
+ * @param occlusion one byte per vertex of the mesh, from 0 (open sky) to 255 (fully occluded); then four bytes for each corner on a sharp
+ *   edge that differs from its vertex: the index of the corner in three bytes, little-endian, and its occlusion
  */
 export function writeOcclusion({ index, attributes }: BufferGeometry, mesh: PlainMesh, occlusion: Uint8Array): void {
   const { array } = attributes.hatchNormal;
@@ -36,9 +35,9 @@ export function writeOcclusion({ index, attributes }: BufferGeometry, mesh: Plai
 }
 
 /**
- * Makes a hatched model of one mesh, with a material for each of its ranges. What is seen through is a mesh of its own, which casts no shadow.
+ * Makes a hatched model of one mesh, with a material per range. See-through ranges become a separate mesh, which casts no shadow.
  *
- * @param known of it: the pictures of its ranges, whose bitmaps the model owns from now on, which of its axes points up, and its occlusion
+ * @param known pictures of the ranges, whose bitmaps the model owns from now on, the up axis, and occlusion
  */
 export async function modelOfMesh(
   mesh: PlainMesh,
@@ -81,7 +80,7 @@ export async function modelOfMesh(
   const solid = boundsOf(meshesOf(root).filter(({ material }) => [material].flat().some((one) => !one.transparent)));
   const extent = new SceneExtent(root, bounds);
   for (const material of materials) material.extent = extent;
-  // An incomplete file does not fit.
+  // An incomplete occlusion file is ignored.
   const isOccluded = occlusion !== undefined && parts.length === 1 && occlusion.length >= mesh.positions.length / 3;
   if (isOccluded) writeOcclusion(meshesOf(root)[0].geometry, mesh, occlusion);
   const model = new HatchedModel(
@@ -105,7 +104,7 @@ export async function modelOfMesh(
 const boundsOf = (meshes: readonly Mesh[]): Box3 =>
   meshes.reduce((bounds, { geometry }) => bounds.union(geometry.boundingBox!), new Box3());
 
-/** What hides what is behind it, and what is seen through. */
+/** Splits a mesh into its opaque and its see-through ranges. */
 function partsOf(mesh: PlainMesh): PlainMesh[] {
   const clear = mesh.ranges?.filter(({ isSeeThrough }) => isSeeThrough) ?? [];
   if (clear.length === 0) return [mesh];
@@ -113,7 +112,7 @@ function partsOf(mesh: PlainMesh): PlainMesh[] {
   return [solid, clear].filter(({ length }) => length > 0).map((ranges) => partOf(mesh, ranges));
 }
 
-/** The ranges of a mesh as a mesh with vertices of its own. */
+/** A copy of some ranges of a mesh, with only the vertices they use. */
 function partOf(mesh: PlainMesh, ranges: readonly PictureRange[]): PlainMesh {
   const indices = new Uint32Array(ranges.reduce((sum, { count }) => sum + count, 0));
   let start = 0;
@@ -144,7 +143,7 @@ function materialsOf(
 
 function textureOf({ bitmap, wrapS, wrapT }: MeshPicture): Texture {
   const texture = new Texture(bitmap as ImageBitmap);
-  // The bitmap is the right way up already.
+  // The bitmap is already upright.
   texture.flipY = false;
   texture.colorSpace = SRGBColorSpace;
   texture.wrapS = wrapS;

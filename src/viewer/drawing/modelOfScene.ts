@@ -33,15 +33,15 @@ import { statisticsOf } from './statisticsOf.js';
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
 
 /**
- * What three's renderer of nodes rewrites in place when it uploads it, as integers of 32 bits, which WebGLRenderer cannot draw any more.
- * Those per instance no material of the page reads.
+ * Whether three's WebGPURenderer widens an attribute in place to 32-bit integers when it uploads it, which WebGLRenderer then cannot draw.
+ * Instanced ones are not used by the page's materials.
  */
 const isRewritten = (attribute: Attribute): boolean =>
   !attribute.normalized && attribute.array.BYTES_PER_ELEMENT < 4 && !('isInstancedBufferAttribute' in attribute);
 
-/** Gives all meshes of a scene floats in place of narrow integers, such as the numbers of bones, so that both renderers can draw them. */
+/** Converts narrow integer attributes, such as bone indices, to floats, so that both renderers can draw them. */
 export function widenIntegers(root: Object3D): void {
-  // Parts of a file often share attributes.
+  // Meshes of a file often share attributes.
   const floats = new Map<Attribute, BufferAttribute>();
   for (const { geometry } of meshesOf(root)) {
     for (const [name, attribute] of Object.entries(geometry.attributes)) {
@@ -62,19 +62,16 @@ function asFloats(attribute: Attribute): BufferAttribute {
   return floats;
 }
 
-/**
- * The most poses and vertices at which the bounds of a clip are measured. A skinned vertex takes about a microsecond.
- */
+/** The maximum numbers of poses and vertices for the bounds of a clip. A skinned vertex takes about a microsecond. */
 const MAX_POSES = 8;
 const MAX_POINTS = 20_000;
 
 /**
- * Makes a hatched model of a scene with its textures, skins, morph targets and clips. Lines and points are hidden, and
- * so are lights, because the page has its own.
+ * Makes a hatched model of a scene with its textures, skins, morph targets and clips. Lines, points and lights are hidden, because the page
+ * draws no lines and has its own lights.
  *
- * @param options with `usual`, the up axis that files of its format usually have; undefined if the file says its own
- * @returns the model, and the caption's notes about meshes and clips that were left out, for instance because of values that are
- *   no numbers
+ * @param options `usual` is the common up axis of the format; undefined if the file states it
+ * @returns the model, and notes for the caption about meshes and clips that were left out, for instance because of NaN values
  * @throws ModelError with one sentence for the user
  */
 export async function modelOfScene(
@@ -109,14 +106,14 @@ export async function modelOfScene(
   const stands = usual && findUpAxis(points, null, usual);
   await slices.next();
 
-  // One tile per world unit. The settings scale it.
+  // One tile per world unit, which the settings scale.
   const hatched = await applyHatching(root, { tonalArtMap: null, tilesPerWorldUnit: 1, outlines: true, ...options });
   // From here on, cancelling disposes of the model, which frees everything.
   const ending = new Slices();
   const damaged = hatched.skipped.filter(({ error }) => error);
   for (const { mesh } of damaged) mesh.visible = false;
   for (const mesh of meshesOf(root)) {
-    // Its bounding sphere is that of the rest pose.
+    // Its bounding sphere holds for the rest pose only.
     if ('isSkinnedMesh' in mesh || mesh.morphTargetInfluences) mesh.frustumCulled = false;
   }
   const statistics = statisticsOf(root);
@@ -133,7 +130,7 @@ export async function modelOfScene(
     () => {
       motion.dispose();
       hatched.dispose();
-      // The source materials are back, and with them every texture of the file.
+      // The source materials have been restored, and with them all textures of the file.
       freeGraphics(root);
     },
   );
@@ -155,7 +152,10 @@ function hideAllButMeshes(root: Object3D): void {
   });
 }
 
-/** A mesh without normals is flat to three's loader. As in every other format it gets normals later, with edges kept. */
+/**
+ * Removes the flat normals that three's loader makes up for meshes without normals. They are computed later, with creases kept, as for
+ * other formats.
+ */
 function leaveNormalsOpen(root: Object3D): void {
   for (const { geometry, material } of meshesOf(root)) {
     if (geometry.hasAttribute('normal')) continue;
@@ -163,7 +163,7 @@ function leaveNormalsOpen(root: Object3D): void {
   }
 }
 
-/** Puts plain objects in the place of meshes of which nothing is seen, so that they count for nothing. They keep what moves with them. */
+/** Replaces invisible meshes by plain objects, which keep their children. */
 function removeUnseen(root: Object3D): void {
   for (const mesh of meshesOf(root)) {
     if (!mesh.parent || [mesh.material].flat().some((material) => material?.visible)) continue;
@@ -176,10 +176,9 @@ function removeUnseen(root: Object3D): void {
 }
 
 /**
- * Moves and scales `holder` so that its content is centred and its farthest vertex lies at distance 1, in all sampled
- * poses of the clip.
+ * Centres the content of `holder` and scales it so that the farthest vertex in all sampled poses of the clip is at distance 1.
  *
- * @returns points of its outline in these poses, as xyz, and the box by which it stands on a ground
+ * @returns points of its outline in these poses, as xyz, and the box of the parts that stand on the ground
  */
 function fitScene(holder: Group, motion: Motion): { outline: Float32Array; standing: Box3 } {
   const vertices = countVertices(holder);
@@ -207,7 +206,7 @@ function fitScene(holder: Group, motion: Motion): { outline: Float32Array; stand
   return { outline, standing: standing.isEmpty() ? new Box3().setFromArray(outline) : standing };
 }
 
-/** Triangles chosen evenly from all of a scene, as xyz of their corners, and the share of the scene's triangles that they are. */
+/** An even sample of a scene's triangles, as xyz of their corners, and its share of all triangles. */
 function someTriangles(root: Object3D): { points: number[]; share: number } {
   const parts = meshesOf(root).map((mesh) => {
     const { index, attributes } = mesh.geometry;
@@ -233,20 +232,20 @@ function someTriangles(root: Object3D): { points: number[]; share: number } {
   return { points, share: 3 / step };
 }
 
-/** A mesh, and marks of its vertices that count. */
+/** A mesh, and flags of its visible vertices. */
 interface DrawnPart {
   mesh: Mesh;
   drawn: Uint8Array;
 }
 
-/** What is drawn of a scene; all of it, if that is nothing. */
+/** The visible parts of a scene, or all parts if none is visible. */
 function drawnPartsOf(holder: Group): DrawnPart[] {
   const parts = drawnMeshes(holder).map((mesh) => ({ mesh, drawn: drawnVertices(mesh) }));
   if (parts.some(({ drawn }) => drawn.includes(1))) return parts;
   return meshesOf(holder).map((mesh) => ({ mesh, drawn: drawnVertices(mesh).fill(1) }));
 }
 
-/** Adds the world position of every `step`th vertex of all parts, if it is drawn, in the current pose. */
+/** Appends the world positions of every `step`th visible vertex in the current pose. */
 function addPoints(parts: readonly DrawnPart[], step: number, points: number[]): void {
   const point = new Vector3();
   for (const { mesh, drawn } of parts) {
@@ -254,7 +253,7 @@ function addPoints(parts: readonly DrawnPart[], step: number, points: number[]):
       for (let i = 0; i < drawn.length; i += step) {
         if (drawn[i] === 0) continue;
         mesh.getVertexPosition(i, point).applyMatrix4(matrix);
-        // A mesh with such a vertex is left out later.
+        // A mesh with NaN coordinates is left out later.
         if (Number.isFinite(point.x + point.y + point.z)) points.push(point.x, point.y, point.z);
       }
     }

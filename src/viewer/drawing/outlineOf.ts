@@ -1,7 +1,7 @@
-/** This many points show well enough how far a model reaches. */
+/** The maximum number of points, enough to show the outline of a model. */
 const OUTLINE_POINTS = 20_000;
 
-/** Some of the points of a mesh, evenly chosen. */
+/** An even sample of a mesh's vertices. */
 export function outlineOf(positions: Float32Array): Float32Array {
   const count = positions.length / 3;
   const step = Math.ceil(count / OUTLINE_POINTS);

@@ -4,10 +4,8 @@ import { HATCHING_PROPERTIES } from 'three-hatching/facts';
 import type { EitherMaterial } from './NodeMakers.js';
 
 /**
- * Sets parameters of materials, one material after the other. `setValues` would warn of what the technique does not use, which the
- * page keeps for the next technique.
- *
- * @returns what sets them on a material: parameters are sorted by kind once for all materials
+ * Returns a function that sets these parameters on a material; they are sorted by kind once for all materials. Unlike `setValues`, it does
+ * not warn of properties that the present technique ignores, since the page keeps them for the next technique.
  */
 export function parameterSetter(parameters: HatchingMaterialParameters): (material: EitherMaterial) => void {
   const entries = Object.entries(parameters) as [HatchingPropertyName, unknown][];

@@ -7,8 +7,8 @@ const { finestSpacing } = HATCHING_DEFAULTS;
 /**
  * The sizes of materials on a sheet.
  *
- * @param share of their width that strokes have on a small sheet
- * @param scale of a picture whose size is not that of the page
+ * @param share of the full stroke width, below 1 on small sheets
+ * @param scale of a picture relative to the page
  */
 export function materialSizesIn(
   { sizes, drawn: { sizedOnScreen } }: Look,
@@ -18,7 +18,7 @@ export function materialSizesIn(
   return {
     ...sizes,
     ...scaledSizes({ ...sizes, sizedOnScreen }, share * scale),
-    // Where outlines become too close to be told apart, the sheet does not matter.
+    // The spacing below which lines merge does not depend on the size of the sheet.
     ...scaledSizes({ finestSpacing }, scale),
   };
 }

@@ -1,19 +1,18 @@
 import type { DirectionalLight, InstancedMesh, Material, Object3D, SkinnedMesh, Texture } from 'three';
 
 /**
- * Disposes of what objects have on the graphics card; they upload it again when they are drawn. To be called while the context is
- * lost. three.js remembers what it uploaded also when the context has come back: disposed of later, that would be deleted in a
- * context that has never seen it.
+ * Disposes of the GPU resources of objects while the context is lost; they are uploaded again when drawn. If they were disposed of after
+ * the context is restored, three.js would delete them in a context that never had them.
  */
 export function releaseGraphics(root: Object3D): void {
   root.traverse((object) => {
     const { geometry, material, skeleton } = object as Partial<SkinnedMesh>;
     geometry?.dispose();
     for (const one of material ? [material].flat() : []) releaseMaterial(one);
-    // The texture that it keeps its bones in is made again when they are drawn.
+    // The skeleton's bone texture is created again at the next rendering.
     skeleton?.dispose();
     if ('isLight' in object) (object as DirectionalLight).shadow?.dispose();
-    // The instances keep their data; the event only tells the renderer that uploaded them.
+    // The event makes the renderer free its copy; the instances keep their data.
     if ('isInstancedMesh' in object) (object as InstancedMesh).dispatchEvent({ type: 'dispose' });
   });
 }
@@ -24,7 +23,7 @@ export function releaseMaterial(material: Material): void {
   for (const texture of texturesOf(material)) texture.dispose();
 }
 
-/** As {@link releaseGraphics}, for objects that will not be drawn again: their pictures are given back at once. */
+/** As {@link releaseGraphics}, for objects that will not be drawn again: closes their bitmaps too. */
 export function freeGraphics(root: Object3D): void {
   releaseGraphics(root);
   root.traverse((object) => {

@@ -2,22 +2,21 @@ import { Box3, type Material, type Mesh, type Object3D, Vector3 } from 'three';
 import { placements } from '../files/scenes/placements.js';
 import { drawnMeshes, isSeen } from './drawnParts.js';
 
-/** The most vertices that are looked at. */
+/** The maximum number of sampled vertices. */
 const MOST_POINTS = 100_000;
-/** A pose may reach so much farther than the first one and still stand on the same ground, as a share of the extent. */
+/** Poses stand on the first pose's ground if they extend beyond its box by no more than this share of the extent. */
 const SAME_GROUND = 0.03;
 
-/**
- * The box of what carries a scene in its present pose: of what is drawn and hides what lies behind it. A hidden part or a pane of glass does
- * not, unless there is nothing else.
- */
+/** The box of the parts that carry a scene in its present pose: visible and opaque ones, or all if there are none. */
 export function carryingBox(root: Object3D): Box3 {
   const drawn = drawnMeshes(root);
   const solid = boxOf(drawn, isSolid);
   return solid.isEmpty() ? boxOf(drawn, isSeen) : solid;
 }
 
-/** The box by which a scene stands on a ground: that of its first pose, or of all if others reach much farther, as a jump does. */
+/**
+ * The box by which a scene stands on the ground: that of its first pose, or the union of all if others reach much farther, as in a jump.
+ */
 export function standingBox([first, ...others]: readonly Box3[]): Box3 {
   const all = others.reduce((box, other) => box.union(other), first.clone());
   const near = SAME_GROUND * all.min.distanceTo(all.max);
@@ -29,7 +28,7 @@ export function standingBox([first, ...others]: readonly Box3[]): Box3 {
   return box;
 }
 
-/** The box of the triangles whose material counts. */
+/** The box of the triangles whose material passes a test. */
 function boxOf(meshes: readonly Mesh[], counts: (material: Material) => boolean): Box3 {
   const box = new Box3();
   const point = new Vector3();
@@ -38,7 +37,7 @@ function boxOf(meshes: readonly Mesh[], counts: (material: Material) => boolean)
   for (const { mesh, start, count } of parts) {
     const { index } = mesh.geometry;
     for (const matrix of placements(mesh)) {
-      // A vertex that no triangle uses is not drawn.
+      // Unused vertices are not drawn.
       for (let corner = start; corner < start + count; corner += step) {
         mesh.getVertexPosition(index ? index.getX(corner) : corner, point).applyMatrix4(matrix);
         if (Number.isFinite(point.x + point.y + point.z)) box.expandByPoint(point);
@@ -48,7 +47,7 @@ function boxOf(meshes: readonly Mesh[], counts: (material: Material) => boolean)
   return box;
 }
 
-/** The corners of a mesh whose material counts. As in three.js, groups count only if there are several materials. */
+/** The ranges of a mesh whose material passes a test. As in three.js, groups count only with an array of materials. */
 function rangesOf(
   { geometry, material }: Mesh,
   counts: (material: Material) => boolean,

@@ -4,7 +4,7 @@ import { placements } from '../files/scenes/placements.js';
 import type { ModelStatistics } from './HatchedModel.js';
 import { meshesOf } from './meshesOf.js';
 
-/** Sums over all meshes. Instances and shared geometries count as often as they are drawn. */
+/** Sums over all meshes. Instances and shared geometries count each time they are drawn. */
 export function statisticsOf(root: Object3D): ModelStatistics {
   const sums: ModelStatistics = {
     triangles: 0,

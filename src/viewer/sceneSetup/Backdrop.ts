@@ -3,13 +3,13 @@ import { HatchingBackground, type SceneExtent } from 'three-hatching';
 import type { Look } from '../settings/lookOf.js';
 import type { Layer } from './layers.js';
 
-/** The hatched background behind the model, once a look asks for one. */
+/** The hatched background, created when a look first needs it. */
 export class Backdrop {
   private background: HatchingBackground | undefined;
 
   constructor(private readonly scene: Scene) {}
 
-  /** @param subject what it lies behind */
+  /** @param subject extent of the scene in front of it */
   apply({ background: wanted }: Look, subject: SceneExtent | null): void {
     if (wanted) {
       this.background ??= this.make();
@@ -20,7 +20,7 @@ export class Backdrop {
     if (this.background) this.background.visible = wanted !== undefined;
   }
 
-  /** Sets how far apart its lines lie. @param factor on their distance on the page */
+  /** Sets the spacing of the background's lines. @param factor on the spacing of the page */
   setWidths({ background }: Look, factor: number): void {
     if (this.background && background) this.background.spacing = background.spacing * factor;
   }
@@ -30,7 +30,7 @@ export class Backdrop {
     if (this.background) this.background.visible = false;
   }
 
-  /** Shows it if it is of a layer: that of what lies under the ink of the model. */
+  /** Shows the background in its layer: the one below the model's ink. */
   showLayer(layer: Layer | undefined, { background }: Look): void {
     if (this.background) this.background.visible = background !== undefined && (layer ?? 'shadow') === 'shadow';
   }

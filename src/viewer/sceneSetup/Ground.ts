@@ -9,14 +9,14 @@ import type { Look } from '../settings/lookOf.js';
 import type { Layer } from './layers.js';
 
 /**
- * The size of the ground in radii of the model: large enough for the longest shadow, and for a horizon. It is divided into this many
- * parts along each side, so that strokes follow perspective and lamps where a technique has a frame per triangle.
+ * The size of the ground in radii of the model: large enough for the longest shadow and a horizon. It is divided into parts, so that
+ * techniques with one frame per triangle follow perspective and lamps.
  */
 export const GROUND = { size: 40, parts: 40 } as const;
-/** After this many changes of the material, of which a look can take several, programs of earlier looks are freed. */
+/** After this many material versions, several of which one look may need, programs of earlier looks are freed. */
 const MANY_VERSIONS = 24;
 
-/** What the model stands on: a sheet that shows nothing but its shadow, or a floor. It is drawn with the strokes of the model. */
+/** The ground: a surface that shows only shadows, or a floor. It is drawn with the model's strokes. */
 export class Ground {
   private readonly holder = new Group();
   private isMade = false;
@@ -24,7 +24,7 @@ export class Ground {
   private kind: Look['ground'] = 'none';
 
   /**
-   * @param onReady called when the ground is made and can be drawn
+   * @param onReady called when the ground can be drawn
    * @param material for the renderer that draws it
    */
   constructor(
@@ -36,7 +36,7 @@ export class Ground {
     scene.add(this.holder);
   }
 
-  /** The height at which the ground lies, in world units. */
+  /** The height of the ground, in world units. */
   set height(y: number) {
     this.holder.position.y = y;
   }
@@ -45,7 +45,7 @@ export class Ground {
     return this.holder.position.y;
   }
 
-  /** What stands on it, by which it fades with its depth. */
+  /** The extent of the model, by which the ground fades with depth. */
   set extent(extent: SceneExtent | null) {
     this.material.extent = extent;
   }
@@ -70,7 +70,10 @@ export class Ground {
     this.holder.visible = false;
   }
 
-  /** Frees the programs of earlier looks: three.js keeps them until the material is disposed of, and this one is never replaced. */
+  /**
+   * Frees the programs of earlier looks. three.js keeps them until the material is disposed of, and this material lives as long as the
+   * page.
+   */
   private freePrograms(): void {
     if (this.material.version - this.freedVersion < MANY_VERSIONS) return;
     this.freedVersion = this.material.version;
@@ -78,19 +81,19 @@ export class Ground {
   }
 
   /**
-   * Sets how wide strokes are.
+   * Sets the stroke width.
    *
-   * @param share of their width that they have on a small sheet
-   * @param scale of a picture whose size is not that of the page
+   * @param share of the full width, below 1 on small sheets
+   * @param scale of a picture relative to the page
    */
   setWidths(look: Look, share: number, scale = 1): void {
     Object.assign(this.material, materialSizesIn(look, share, scale));
   }
 
   /**
-   * Has shadows dissolve before the edges of the sheet, unless they are not to dissolve at all.
+   * Fades shadows before the edges of the sheet, unless the look turns fading off.
    *
-   * @param fade how fast, at least
+   * @param fade the least fading
    */
   endShadows({ groundShadow }: Look, fade: number): void {
     if (this.kind !== 'shadow') return;
@@ -98,7 +101,7 @@ export class Ground {
     this.material.shadowFade = shadowFade > 0 ? Math.max(shadowFade, fade) : 0;
   }
 
-  /** Shows or hides the paper of a floor. The sheet that shows shadows has none. */
+  /** Shows or hides the paper of a floor. A ground that shows only shadows has none. */
   showPaper(shown: boolean): void {
     const { material } = this;
     const isClear = !shown || this.kind === 'shadow';
@@ -108,7 +111,7 @@ export class Ground {
     material.depthWrite = !isClear;
   }
 
-  /** Shows what a layer holds of the ground: `shadow` its strokes, `colour` the paper of a floor; or shows all of the ground again. */
+  /** Shows the ground's part of a layer: `shadow` its strokes, `colour` the paper of a floor; undefined shows all. */
   showLayer(layer: Layer | undefined, look: Look): void {
     if (layer === undefined) {
       this.apply(look);
@@ -120,7 +123,7 @@ export class Ground {
     if (layer === 'colour') this.material.toneCurve = BLANK;
   }
 
-  /** Frees its material and geometry, and takes it from the scene. */
+  /** Frees the material and geometry, and removes the ground from the scene. */
   dispose(): void {
     this.holder.removeFromParent();
     for (const { geometry } of meshesOf(this.holder)) geometry.dispose();
@@ -131,7 +134,7 @@ export class Ground {
     this.isMade = true;
     const plane = new PlaneGeometry(GROUND.size, GROUND.size, GROUND.parts, GROUND.parts).rotateX(-Math.PI / 2);
     const prepared = await prepareHatchingGeometry(plane, { adjacency: true }).catch((error) => {
-      // The next change tries it again.
+      // The next change tries again.
       this.isMade = false;
       throw error;
     });

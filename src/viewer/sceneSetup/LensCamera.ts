@@ -1,15 +1,15 @@
 import { MathUtils, OrthographicCamera, PerspectiveCamera } from 'three';
 import { type CameraLens, halfHeightOf } from '../settings/CameraView.js';
 
-/** The lens of both pages: its vertical field of view in degrees, and what it sees. */
+/** The page's and the command's lens: vertical field of view in degrees, and clipping planes. */
 export const LENS = { fieldOfView: 26, near: 0.05, far: 100 } as const;
 
-/** How much a lens without perspective may show, as half the height of its picture. */
+/** The range of half the picture height for an orthographic lens. */
 const [LEAST_HIGH, MOST_HIGH] = [0.01, 100];
 
-/** A camera for models with a radius of 1, with the lens of the page or one of a file, which may have no perspective. */
+/** A camera for models of radius 1, with the page's lens or one of a file, which may be orthographic. */
 export class LensCamera extends PerspectiveCamera {
-  /** The planes of a lens without perspective, as an OrthographicCamera has them. */
+  /** The planes of an orthographic lens, named as in OrthographicCamera. */
   left = -1;
   right = 1;
   top = 1;
@@ -21,7 +21,7 @@ export class LensCamera extends PerspectiveCamera {
     super(LENS.fieldOfView, 1, LENS.near, LENS.far);
   }
 
-  /** The lens of a file; undefined for that of the page. What is up in the picture goes with it. */
+  /** The lens of a file with its up direction; undefined for the page's lens. */
   get lens(): CameraLens | undefined {
     return this.own;
   }
@@ -29,7 +29,7 @@ export class LensCamera extends PerspectiveCamera {
   set lens(lens: CameraLens | undefined) {
     this.own = lens;
     const isFlat = lens?.isOrthographic === true;
-    // As renderers and controls tell the two kinds of cameras apart.
+    // Renderers and controls tell the two kinds of cameras apart by these flags.
     for (const [mark, isMarked] of Object.entries({ isOrthographicCamera: isFlat, isPerspectiveCamera: !isFlat })) {
       if (isMarked) Object.assign(this, { [mark]: true });
       else Reflect.deleteProperty(this, mark);
@@ -40,7 +40,7 @@ export class LensCamera extends PerspectiveCamera {
     this.updateProjectionMatrix();
   }
 
-  /** The sheet in the middle of the picture that the picture of a lens of a file is on, in shares of width and height. */
+  /** The part of the picture, in shares of width and height around its middle, that the picture of a file's lens covers. */
   get sheet(): readonly [number, number] {
     return this.ownSheet;
   }
@@ -50,7 +50,7 @@ export class LensCamera extends PerspectiveCamera {
     if (this.own) this.updateProjectionMatrix();
   }
 
-  /** Shows more or less of what a lens without perspective sees; nothing changes for others. */
+  /** Scales the view of an orthographic lens; perspective lenses stay unchanged. */
   widen(factor: number): void {
     if (!this.own?.isOrthographic) return;
     const high = MathUtils.clamp(this.own.high * factor, LEAST_HIGH, MOST_HIGH);
@@ -80,7 +80,7 @@ export class LensCamera extends PerspectiveCamera {
     return this;
   }
 
-  /** Takes over the lens of another camera, and the sheet that its picture is on. */
+  /** Copies the lens of another camera, and the part of the picture that it covers. */
   takeLens({ own, ownSheet, aspect, near, far, zoom }: LensCamera): void {
     this.ownSheet = ownSheet;
     Object.assign(this, { aspect, near, far });

@@ -15,15 +15,12 @@ import type { LightPlace } from '../settings/settingValues.js';
 import { fadeOnSheet, type GroundLight, type SheetPart } from './fadeOnSheet.js';
 import { shadowOnGround } from './shadowOnGround.js';
 
-/** Distance of a directional light, in radii of the model: outside of what casts shadows. */
+/** Distance of a directional light, in radii of the model: outside all casters of shadows. */
 export const SUN_DISTANCE = 1.45;
 
-/** The shadows of a model of radius 1 around the origin, from a light that lies outside. Their softness is in texels. */
+/** Shadow settings for a model of radius 1 around the origin and a light outside it. Softness is in texels. */
 export const SHADOWS = { reach: 1.05, near: 0.05, far: 7, mapSize: 2048, normalBias: 0.02, softness: 1 } as const;
-/**
- * How finely shadows are drawn, by the pixels of their maps: coarse while something moves on a slow machine, fine for pictures
- * that are larger than a screen.
- */
+/** Resolution of shadow maps: coarse while something moves on a slow machine, fine for pictures larger than a screen. */
 const SHADOW_MAP_SIZES = { coarse: 1024, usual: SHADOWS.mapSize, fine: 4096 } as const;
 export type ShadowQuality = keyof typeof SHADOW_MAP_SIZES;
 
@@ -34,7 +31,7 @@ const UP = new Vector3(0, 1, 0);
 const before = new Vector3();
 const secondBefore = new Vector3();
 
-/** The lights of the scene: the main light, of one of three kinds, and a second sun. */
+/** The lights of the scene: a main light of one of three kinds, and a second sun. */
 export class LightRig {
   /** The position of the main light, in world coordinates. The model's centre is the origin. */
   readonly position = new Vector3();
@@ -44,7 +41,7 @@ export class LightRig {
   private readonly main: Record<Lighting['kind'], CastingLight>;
   private readonly spot = new SpotLight();
   private readonly all: readonly CastingLight[];
-  /** Where the settings put the lights, before they go with the viewer. */
+  /** Position by the settings, before the lights follow the viewer. */
   private readonly settled = new Vector3();
   private readonly secondSettled = new Vector3(0, SUN_DISTANCE, 0);
   private isWithViewer = false;
@@ -79,7 +76,7 @@ export class LightRig {
     scene.add(...this.all);
   }
 
-  /** Gives the lights what a look says of them. */
+  /** Applies a look's lighting. */
   apply({ kind, place, intensity, spotAngle, spotPenumbra, second, castsShadows, isWithViewer }: Lighting): void {
     for (const light of this.all) light.castShadow = castsShadows;
     for (const [name, light] of Object.entries(this.main)) {
@@ -98,11 +95,11 @@ export class LightRig {
   }
 
   /**
-   * Sets how finely shadows are drawn. Coarse ones have one sample in the place of nine; their maps become smaller only if they are
-   * drawn anew, because for a large model that takes as long as a frame. Builds no program.
+   * Sets the quality of shadows. Coarse ones take one sample instead of nine; shadow maps are resized only when they are redrawn anyway,
+   * since redrawing a large model takes as long as a frame. Builds no program.
    *
-   * @param areDrawn whether the shadow maps are drawn anew in any case
-   * @returns whether the shadow maps must be drawn anew
+   * @param areDrawn whether the shadow maps are redrawn in any case
+   * @returns whether the shadow maps must be redrawn
    */
   setShadowQuality(quality: ShadowQuality, areDrawn: boolean): boolean {
     const radius = quality === 'coarse' ? 0 : SHADOWS.softness;
@@ -117,7 +114,7 @@ export class LightRig {
     return this.second.castShadow;
   }
 
-  /** Has the shadow maps drawn anew in the next frame, and from then on only if it is called again: for WebGPURenderer, which asks each light. */
+  /** Requests that shadow maps be redrawn in the next frame, and only then: WebGPURenderer asks each light. */
   outdateShadows(): void {
     for (const { shadow } of this.all) {
       shadow.autoUpdate = false;
@@ -126,10 +123,10 @@ export class LightRig {
   }
 
   /**
-   * Where the main light casts the shadows of points on level ground, as {@link shadowOnGround} tells.
+   * The shadows of points on level ground cast by the main light, as in {@link shadowOnGround}.
    *
-   * @param toEye direction to the viewer, with whom a light may move
-   * @param up what points up in the viewer's picture
+   * @param toEye direction to the viewer, whom a light may follow
+   * @param up up direction of the viewer's picture
    * @returns undefined if it casts none
    */
   shadowOf(points: ArrayLike<number>, height: number, toEye: Vector3, up: Vector3 = UP): number[] | undefined {
@@ -140,7 +137,7 @@ export class LightRig {
     return shadowOnGround(points, position, shining === this.main.directional, height);
   }
 
-  /** How fast the shadows of all lights must dissolve to end on the sheet, as {@link fadeOnSheet} tells. The lights must be placed. */
+  /** The fading that ends the shadows of all lights on the sheet, from {@link fadeOnSheet}. The lights must be placed. */
   fadeOf(
     casters: ArrayLike<number>,
     height: number,
@@ -163,22 +160,22 @@ export class LightRig {
     return undefined;
   }
 
-  /** What the camera of the main light's shadow sees at a place, across its light. */
+  /** The width at a place, across the light, that the main light's shadow camera sees. */
   private shadowWidth({ x, y, z }: Vector3): number {
     const { main, position, spot } = this;
     if (main.directional.visible) return 2 * SHADOWS.reach;
     const [dx, dy, dz] = [x - position.x, y - position.y, z - position.z];
     if (main.point.visible) return 2 * Math.max(Math.abs(dx), Math.abs(dy), Math.abs(dz));
-    // It shines on the middle of the model.
+    // The light aims at the middle of the model.
     const along = -(dx * position.x + dy * position.y + dz * position.z) / position.length();
     return 2 * Math.tan(spot.angle) * along;
   }
 
   /**
-   * Places the lights where the settings put them. Allocates nothing.
+   * Places the lights by the settings. Allocates nothing.
    *
-   * @param viewer the camera with which the lights move, if the settings say so
-   * @returns whether one has moved
+   * @param viewer the camera that lights follow, if the settings ask for it
+   * @returns whether a light has moved
    */
   place({ quaternion }: Camera): boolean {
     before.copy(this.position);

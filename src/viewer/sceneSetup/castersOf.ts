@@ -3,27 +3,32 @@ import type { Motion } from '../drawing/Motion.js';
 import { meshesOf } from '../drawing/meshesOf.js';
 import { placements } from '../files/scenes/placements.js';
 
-/** A model is cut into cubes of this size, in radii of it. */
+/** Size of the cells of a grid over the model, in radii. */
 const CELL = 1 / 32;
-/** The number of cubes along each side of what is cut. What a moving model has outside counts as in the outermost ones. */
+/** Number of cells along each side of the grid. Parts of a moving model outside it count in the outermost cells. */
 const CELLS = 80;
-/** Edges are cut into parts of at most this length, each of which counts as where its middle is, as triangles that are no longer do. */
+/**
+ * Edges are split into parts of at most this length, each represented by its midpoint. Shorter triangles are represented by their edges.
+ */
 const LONGEST = CELL / 2;
-/** How far a caster lies beside what it stands for at most: half the diagonal of a cube, and two thirds of such a triangle. */
+/**
+ * The largest horizontal distance between a caster and the geometry that it represents: half the diagonal of a cell, and two thirds of a
+ * triangle of that length.
+ */
 export const CASTER_ERROR = CELL * Math.SQRT1_2 + (2 / 3) * LONGEST;
-/** The most poses at which a clip is looked at, and the most corners of triangles in all of them. */
+/** The maximum number of sampled poses of a clip, and of corners in all of them. */
 const MOST_POSES = 8;
 const MOST_CORNERS = 60_000;
-/** The most corners of a model that does not move, as many as take some 30 ms; large meshes leave out triangles in equal steps. */
+/** The maximum number of corners of a still model, which take some 30 ms; larger meshes are sampled evenly. */
 const MOST_STILL_CORNERS = 450_000;
-/** A mesh of fewer corners than this leaves out none. */
+/** Meshes with fewer corners are never sampled. */
 const FEW_CORNERS = 3_000;
 
 /**
- * What of a model casts shadows, as upright pieces: of each x and z, and the heights of its foot and its top. They follow the edges of
- * triangles, for no triangle casts a shadow beyond that of its edges. What is hidden or seen through casts none.
+ * The parts of a model that cast shadows, as vertical segments: x, z, and the heights of bottom and top for each. They follow the edges of
+ * triangles, since no triangle's shadow extends beyond that of its edges. Hidden and see-through parts cast none.
  *
- * @param root the model as it stands in the world, with a radius of 1 around the origin
+ * @param root the model in the world, with a radius of 1 around the origin
  * @param motion of the model, all of whose poses count
  */
 export function castersOf(root: Object3D, motion?: Motion): Float32Array {
@@ -90,7 +95,7 @@ function addTriangle(a: Vector3, b: Vector3, c: Vector3, pieces: UprightPieces):
 
 function addEdge(from: Vector3, to: Vector3, pieces: UprightPieces): void {
   const parts = Math.ceil(from.distanceTo(to) / LONGEST);
-  // A mesh with a coordinate that is no number is not drawn.
+  // A mesh with NaN coordinates is not drawn.
   if (!(parts < Infinity)) return;
   if (parts <= 1) pieces.add(from, from.y, to.y);
   const rise = (to.y - from.y) / parts;
@@ -98,12 +103,12 @@ function addEdge(from: Vector3, to: Vector3, pieces: UprightPieces): void {
     pieces.add(place.lerpVectors(from, to, (i + 0.5) / parts), from.y + i * rise, from.y + (i + 1) * rise);
 }
 
-/** The heights between which a model fills each cube of a grid. */
+/** The height range that a model fills in each column of a grid. */
 class UprightPieces {
   private readonly lows = new Float32Array(CELLS ** 3).fill(Infinity);
   private readonly highs = new Float32Array(CELLS ** 3).fill(-Infinity);
 
-  /** Adds a place that stands for what lies between two heights there. */
+  /** Adds a point that represents the height range at its place. */
   add({ x, y, z }: Vector3, one: number, other: number): void {
     const { lows, highs } = this;
     const cell = (cellOf(x) * CELLS + cellOf(z)) * CELLS + cellOf(y);
@@ -111,7 +116,7 @@ class UprightPieces {
     highs[cell] = Math.max(highs[cell], one, other);
   }
 
-  /** The pieces, with one in the place of those that lie on one another. */
+  /** The vertical segments, with touching ones merged. */
   take(): Float32Array {
     const { lows, highs } = this;
     const pieces: number[] = [];

@@ -4,16 +4,16 @@ import { CASTER_ERROR } from './castersOf.js';
 /** A shadow ends at this share of the way from the middle of the sheet to its edges. */
 const END = 0.99;
 /**
- * One that is so long, as a share of the way from the foot of what casts it to there, begins to dissolve sooner: as if the way were so many
- * times longer as is left of it. One that is framed with its model hardly does.
+ * A shadow fades early if its length, relative to the distance from its caster's foot to END, exceeds NEARS_END: each remaining part of
+ * that distance then counts LEFT_COUNTS times. A shadow framed along with its model hardly fades early.
  */
 const NEARS_END = 0.7;
 const LEFT_COUNTS = 20;
-/** Of a model that comes so near to an edge itself, and then is cut by it, the shadow is cut by it too. */
+/** Where the model itself comes this near to the edge, and then is cut by it, the shadow is cut by the edge instead of faded. */
 const MODEL_NEARS = { from: 0.95, to: 1 } as const;
-/** A shadow dissolves no faster, so that something of it is left where a model touches the ground. */
+/** The fastest fading, which leaves some shadow where a model touches the ground. */
 const MOST_FADE = 50;
-/** The edges of the sheet, from its middle. */
+/** The directions of the sheet's edges from its middle. */
 const EDGES = [
   { right: 1, up: 0 },
   { right: -1, up: 0 },
@@ -26,17 +26,17 @@ export interface GroundLight {
   /** The position of a lamp, or the direction to a sun. */
   position: Vector3;
   isSun: boolean;
-  /** The width that its shadow's camera sees at a place, by which a shadow fades. */
+  /** The width that the shadow camera sees at a place, in which fading is measured. */
   widthAt(place: Vector3): number;
 }
 
-/** The part of the picture that counts as the sheet, around its middle, in shares of its width and height. */
+/** The part of the picture that counts as the sheet, around its middle, in shares of width and height. */
 export type SheetPart = readonly [number, number];
 
-/** A picture that is all sheet. */
+/** The whole picture as the sheet. */
 export const WHOLE_SHEET: SheetPart = [1, 1];
 
-/** From the world to the sheet: what lies on it has |x| and |y| of at most w. */
+/** From world to sheet coordinates, where points on the sheet have |x| and |y| ≤ w. */
 const toSheet = new Matrix4();
 const lightOnSheet = new Vector4();
 const upOnSheet = new Vector4();
@@ -46,21 +46,20 @@ const foot = new Vector4();
 const growth = new Vector4();
 const caster = new Vector3();
 const cast = new Vector3();
-/** Of each edge: how much of the way to it, in w, is lost by what casters are beside what they stand for. */
+/** For each edge: the error of casters' positions, measured towards it in w. */
 const errors = [0, 0, 0, 0];
-/** How near to it the model comes, and how fast shadows must dissolve before it. */
+/** For each edge: how near the model comes to it, and the fading it requires. */
 const nearness = [0, 0, 0, 0];
 const fades = [0, 0, 0, 0];
 
 /**
- * How fast a shadow on level ground must dissolve to end before the edges of the sheet, as `shadowFade` has it; 0 where it lies on the sheet.
- * Allocates nothing.
+ * The `shadowFade` at which a shadow on level ground ends before the edges of the sheet; 0 if it lies within them. Allocates nothing.
  *
- * The cast of a point is its perspective projection from the light onto the ground. In homogeneous coordinates of the sheet it moves along
- * a straight line as the point rises, so that each edge is met at one height.
+ * The shadow of a point is its perspective projection from the light onto the ground. In homogeneous coordinates of the sheet it moves
+ * along a straight line as the point rises, so that it meets each edge at one height.
  *
- * @param casters as `castersOf` finds them
- * @param ground its height
+ * @param casters from `castersOf`
+ * @param ground height of the ground
  */
 export function fadeOnSheet(
   casters: ArrayLike<number>,
@@ -86,7 +85,7 @@ export function fadeOnSheet(
     low.copy(foot).addScaledVector(upOnSheet, lowest);
     high.copy(foot).addScaledVector(upOnSheet, highest);
     foot.multiplyScalar(above);
-    // The heights from which, and up to which, a point there casts its shadow onto the sheet.
+    // The range of heights whose shadows fall on the sheet.
     let from = 0;
     let to = Infinity;
     let met = 0;
@@ -121,7 +120,7 @@ export function fadeOnSheet(
   return fade;
 }
 
-/** Without its view offset: the tiles of a picture have one shadow. */
+/** Without the view offset, so that all tiles of a picture have one shadow. */
 function setSheet(camera: PerspectiveCamera | OrthographicCamera, [wide, high]: SheetPart): void {
   camera.updateWorldMatrix(true, false);
   if ('isPerspectiveCamera' in camera) {
@@ -136,7 +135,7 @@ function setSheet(camera: PerspectiveCamera | OrthographicCamera, [wide, high]: 
   toSheet.multiply(camera.matrixWorldInverse);
 }
 
-/** How fast a place on the ground nears an edge of the sheet, in w, when it moves straight towards it. */
+/** How fast a ground point approaches an edge of the sheet, in w per unit of movement straight towards it. */
 function steepness({ right, up }: (typeof EDGES)[number]): number {
   const { elements } = toSheet;
   const along = (column: number): number =>
@@ -144,12 +143,12 @@ function steepness({ right, up }: (typeof EDGES)[number]): number {
   return Math.hypot(along(0), along(8));
 }
 
-/** How far a place is on the way from the middle of the sheet to one of its edges. */
+/** The position of a point between the middle of the sheet (0) and one of its edges (1). */
 function shareTo({ x, y, w }: Vector4, right: number, up: number): number {
   return w > 0 ? (right * x + up * y) / w : Infinity;
 }
 
-/** Casts the caster's shadow. @returns how far */
+/** Projects the caster to its shadow. @returns the distance between the two */
 function castFar(ground: number, { position, isSun }: GroundLight, above: number): number {
   const height = caster.y - ground;
   if (isSun) cast.copy(position);

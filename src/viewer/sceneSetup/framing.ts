@@ -1,44 +1,44 @@
 import { MathUtils, type PerspectiveCamera, Vector3 } from 'three';
 
-/** The share of the picture that points fill unless asked otherwise, of its width or its height. */
+/** Default share of the picture's width or height that points fill. */
 const POINTS_FILL = 0.94;
-/** How far a model and its shadow may go towards the edges, unless asked otherwise. */
+/** Default limits of a model and its shadow. */
 export const SHADOW_ROOM: ShadowRoom = { model: 0.88, shadow: 0.93, smaller: 1.25 };
-/** A model is drawn smaller before its middle moves aside by more than this share of the way to the edge. */
+/** The model is shrunk before its middle moves aside by more than this share of the way to the edge. */
 const CENTRED = 0.09;
-/** If it is as small as it may be, it moves aside by at most this share. What is left of a long shadow is cut. */
+/** Once the model is as small as allowed, it moves aside by at most this share. The rest of a long shadow is cut off. */
 const MAX_ASIDE = 0.4;
 const UP = new Vector3(0, 1, 0);
 
 /** How a model leaves room for its shadow. */
 export interface ShadowRoom {
-  /** The share of the picture that the model may fill to leave room for its shadow. */
+  /** The share of the picture that the model may fill while it leaves room. */
   model: number;
   /** The share of the picture that the shadow may fill. */
   shadow: number;
-  /** How many times smaller the model may be drawn. */
+  /** The largest factor by which the model may be shrunk. */
   smaller: number;
 }
 
 export interface Framing {
-  /** How many times larger the picture is than one that the points just fill; 1 by default. */
+  /** Enlargement of the picture relative to an exact fit; 1 by default. */
   zoom?: number;
-  /** The share of the picture that the points fill, of its width or its height; 0.94 by default. */
+  /** The share of the picture's width or height that the points fill; 0.94 by default. */
   fill?: number;
-  /** The part of the picture that counts as the picture, around its middle, in shares of its width and height; all of it by default. */
+  /** The part of the picture to fit points in, around its middle, in shares of its width and height; all by default. */
   part?: readonly [number, number];
-  /** xyz of points that are in the picture as well, as far as that leaves the others large enough. */
+  /** xyz of further points to include, as far as the others stay large enough. */
   shadow?: ArrayLike<number>;
-  /** How the points leave room for those; as {@link SHADOW_ROOM} by default. */
+  /** How the points leave room for those; {@link SHADOW_ROOM} by default. */
   room?: ShadowRoom;
 }
 
 /**
- * Places a camera so that points just fill its picture, seen from a given direction. What its `up` says points up in the picture.
+ * Places a camera so that points just fill its picture from a given direction. The camera's `up` is kept.
  *
  * @param positions xyz of each point
  * @param view direction from the points to the eye, of any length
- * @returns what the camera looks at: of its line of sight, the point nearest to the origin
+ * @returns the camera's target: the point on its line of sight nearest to the origin
  */
 export function fitCamera(
   camera: PerspectiveCamera,
@@ -72,10 +72,14 @@ export function fitCamera(
   return target;
 }
 
-/** Points whose proportion lies between this and its inverse are about as wide as high, and suit a sheet in either orientation. */
+/** Shapes with an aspect between this and its inverse count as square, and suit a sheet in either orientation. */
 export const ABOUT_SQUARE = 1.15;
 
-/** How many times wider than high points are, seen from a given direction. @param upwards what points up on the sheet, as near as can be */
+/**
+ * The aspect (width / height) of points seen from a given direction.
+ *
+ * @param upwards the preferred up direction
+ */
 export function proportionOf(positions: ArrayLike<number>, view: Vector3, upwards: Vector3 = UP): number {
   const { right, up } = viewAxes(view, upwards);
   const [wide, high] = [right, up].map((axis) => {
@@ -110,8 +114,8 @@ function viewAxes(view: Vector3, upwards: Vector3): Omit<FrustumAxes, 'slopes'> 
 }
 
 /**
- * How far points reach along one axis of the picture. A point is in the picture if |x − x₀| ≤ slope · (distance − depth), where
- * x₀ is what the camera looks at. For each side, only the point that is farthest out counts.
+ * How far points reach along one axis of the picture. A point is in the picture if |x − x₀| ≤ slope · (distance − depth), where x₀ is the
+ * camera's target. For each side, only the outermost point counts.
  */
 interface Span {
   /** The largest of −x + slope · depth. */
@@ -138,21 +142,21 @@ function spansOf(positions: ArrayLike<number>, { toEye, right, up, slopes }: Fru
   return spans;
 }
 
-/** The smallest distance at which the first span is in the picture at its high side and the second at its low side. */
+/** The least distance at which the first span's high side and the second span's low side are in the picture. */
 function nearest({ high, slope }: Span, other: Span): number {
   return (high + other.low) / (slope + other.slope);
 }
 
 /**
- * The smallest distances at which each side of a span is in the picture of a camera that looks at a place, or next to it.
+ * The least distances at which each side of a span is in the picture of a camera with the given target.
  *
- * @param aside how far next to it, by distance
+ * @param aside tolerance of the target per unit of distance
  */
 function nearestAround({ low, high, slope }: Span, place: number, aside: number): [number, number] {
   return [(high - place) / (slope + aside), (low + place) / (slope + aside)];
 }
 
-/** What the camera may look at from a distance so that a span is in the picture, next to `place`; its middle where it has no room. */
+/** The target nearest to `place` for which a span is in the picture at a distance; the middle of the span where it does not fit. */
 function within({ low, high, slope }: Span, distance: number, place: number): number {
   const least = high - slope * distance;
   const most = slope * distance - low;

@@ -1,3 +1,3 @@
-/** The layers that a picture can be saved in, the lowest first: what lies under the ink, then the ink. */
+/** The layers of a saved picture, bottom first. */
 export const LAYERS = ['colour', 'shadow', 'strokes', 'outline'] as const;
 export type Layer = (typeof LAYERS)[number];

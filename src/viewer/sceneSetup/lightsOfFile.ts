@@ -3,9 +3,9 @@ import type { FileLight } from '../files/common/ModelExtras.js';
 import { acceptSetting } from '../settings/acceptSetting.js';
 import { SETTINGS, type SettingKey, type Settings } from '../settings/settings.js';
 
-/** A light that sends less than this share of the brightest is left out. */
+/** Lights that send less than this share of the brightest light's are left out. */
 const LEAST_SHARE = 0.05;
-/** So many lights are drawn: the light, and a second sun. */
+/** The number of lights drawn: the main light and a second sun. */
 const MOST_LIGHTS = 2;
 
 type LightSettings = Pick<
@@ -23,11 +23,11 @@ type LightSettings = Pick<
 >;
 
 /**
- * The brightest lights of a file as settings: the light, and a second sun that shines from where the next one is. The model of radius 1
- * lies around the origin, where the light of each is compared.
+ * The brightest lights of a file as settings: the main light, and the next brightest as a second sun. Brightness is compared at the origin,
+ * the centre of the model of radius 1.
  *
  * @param lights in the world
- * @returns undefined if none of them shines on the model; and how many are left out
+ * @returns undefined settings if no light reaches the model; and how many lights are left out
  */
 export function lightsOfFile(lights: readonly FileLight[]): { settings: LightSettings; leftOut: number } | undefined {
   const [first, second] = [...lights].map(arriving).sort((a, b) => b.light - a.light);
@@ -51,7 +51,7 @@ export function lightsOfFile(lights: readonly FileLight[]): { settings: LightSet
   return { settings, leftOut: Math.max(0, lights.length - (hasSecond ? MOST_LIGHTS : 1)) };
 }
 
-/** How much light arrives in the middle of the model, and from where. */
+/** The light that arrives at the middle of the model, and its direction. */
 function arriving({ kind, intensity, position, forwards, angle }: FileLight): {
   kind: FileLight['kind'];
   light: number;
@@ -74,6 +74,6 @@ function placeOf(towards: Vector3): { azimuth: number; elevation: number } {
   return { azimuth: MathUtils.radToDeg(theta), elevation: 90 - MathUtils.radToDeg(phi) };
 }
 
-/** The allowed value of a setting that is nearest; its default for undefined. */
+/** The nearest allowed value of a setting; the default for undefined. */
 const accepted = (key: SettingKey, value: number | undefined): string | number | undefined =>
   acceptSetting(key, value ?? SETTINGS[key].default);

@@ -4,23 +4,23 @@ import { type CameraLens, type CameraView, halfHeightOf } from '../settings/Came
 import { type Framing, fitCamera } from './framing.js';
 import { LENS } from './LensCamera.js';
 
-/** The lens of a picture without perspective is found by one that sees almost none, in degrees. */
+/** Field of view, in degrees, of the nearly orthographic camera that fits an orthographic picture. */
 const NARROW = 0.2;
-/** How far a camera without perspective is from what it looks at, in radii of the model: outside of all that is drawn. */
+/** Distance of an orthographic camera from its target, in radii of the model: outside the scene. */
 const FAR_AWAY = 40;
 const UP = new Vector3(0, 1, 0);
 
-/** Where an eye is seen from a model, and what points up in its picture. */
+/** The direction to an eye, and the up direction of its picture. */
 export interface EyeDirection {
   /** From the model to the eye, of any length. */
   toEye: Vector3;
   up: Vector3;
 }
 
-/** The direction to a place around the upright axis, from what faces the viewer to the right, and above the horizon, in degrees. */
+/** The direction for an azimuth around the up axis, from the viewer's side to the right, and an elevation above the horizon, in degrees. */
 export function eyeDirection(azimuth: number, elevation: number): EyeDirection {
   const [around, above] = [azimuth, elevation].map(MathUtils.degToRad);
-  // From straight above or below nothing of it is left by rounding.
+  // The cosine of exactly 90° must be 0 in spite of rounding.
   const level = Math.abs(elevation) === 90 ? 0 : Math.cos(above);
   const [x, z] = [Math.sin(around), Math.cos(around)];
   return {
@@ -29,17 +29,17 @@ export function eyeDirection(azimuth: number, elevation: number): EyeDirection {
   };
 }
 
-/** A camera, and what it looks at. */
+/** A camera and its target. */
 export interface PlacedCamera {
   camera: PerspectiveCamera | OrthographicCamera;
   target: Vector3;
 }
 
 /**
- * A camera before a model of radius 1.
+ * A camera that frames a model of radius 1.
  *
  * @param aspect of the picture
- * @param outline xyz of points that are to be in the picture
+ * @param outline xyz of points that must be in the picture
  */
 export function framedCamera(
   aspect: number,
@@ -54,7 +54,9 @@ export function framedCamera(
   return { camera: isOrthographic ? withoutPerspective(camera, target) : camera, target };
 }
 
-/** A camera at the place that a link names. The middle of the page, as high as wide, is in its picture, or all that a lens of its own sees. */
+/**
+ * A camera with the view of a link. Its picture contains the largest square in the middle of the page, or all that a lens of its own shows.
+ */
 export function linkedCamera(aspect: number, view: CameraView, isOrthographic: boolean): PlacedCamera {
   const { position, target, lens } = view;
   if (lens) return cameraWithLens(aspect, { ...view, lens }, isOrthographic);
@@ -66,10 +68,10 @@ export function linkedCamera(aspect: number, view: CameraView, isOrthographic: b
   return { camera: isOrthographic ? withoutPerspective(camera, lookedAt) : camera, target: lookedAt };
 }
 
-/** What a camera of a file looks at lies so far before it at least, in radii of the model. */
+/** The least distance of a file camera's target, in radii of the model. */
 const LEAST_DISTANCE = 0.16;
 
-/** A camera of a file, in the world, as a view. It looks at the point nearest to the middle of the model, of its line of sight. */
+/** A camera of a file, in the world, as a view. Its target is the point on its line of sight nearest to the middle of the model. */
 export function viewOfCamera({ position, forwards, up, high, isOrthographic, aspect = 0 }: FileCamera): LensView {
   const eye = new Vector3().fromArray(position);
   const way = new Vector3().fromArray(forwards);
@@ -77,7 +79,7 @@ export function viewOfCamera({ position, forwards, up, high, isOrthographic, asp
   return { position, target: target.toArray(), lens: { isOrthographic, high, aspect, up } };
 }
 
-/** A camera of a file, in the world. All of its own picture is in that of the sheet. @param aspect of the sheet */
+/** A camera of a file, in the world. The sheet contains all of the file camera's own picture. @param aspect of the sheet */
 export const cameraOfFile = (aspect: number, camera: FileCamera, isOrthographic: boolean): PlacedCamera =>
   cameraWithLens(aspect, viewOfCamera(camera), isOrthographic);
 
@@ -97,7 +99,7 @@ function cameraWithLens(aspect: number, { position, target, lens }: LensView, is
   return { camera: isChanged ? withoutPerspective(camera, lookedAt) : camera, target: lookedAt };
 }
 
-/** A camera that sees as much of the plane through its target as another one. */
+/** An orthographic camera that shows the same part of the plane through the target. */
 function withoutPerspective({ position, up, fov, aspect }: PerspectiveCamera, target: Vector3): OrthographicCamera {
   const toEye = position.clone().sub(target);
   const high = toEye.length() * Math.tan(MathUtils.degToRad(fov) / 2);
@@ -108,7 +110,7 @@ function withoutPerspective({ position, up, fov, aspect }: PerspectiveCamera, ta
   return camera;
 }
 
-/** Turns a camera about the upright axis through the model. @param angle in radians */
+/** Turns a camera about the up axis through the model. @param angle in radians */
 export function turnCamera({ camera, target }: PlacedCamera, angle: number): void {
   camera.position.applyAxisAngle(UP, angle);
   target.applyAxisAngle(UP, angle);
@@ -117,10 +119,10 @@ export function turnCamera({ camera, target }: PlacedCamera, angle: number): voi
 }
 
 /**
- * The view of a framed model, as much smaller as it may be drawn to leave room for its shadow: a shadow that lies wholly in the picture is
- * wholly on the sheet when the model is framed with it, and leaves the model in the middle.
+ * The view of a framed model, shrunk as far as allowed to leave room for its shadow. A shadow that fits in this picture fits on the sheet
+ * when the model is framed with it, without moving the model aside.
  *
- * @param framed a camera with the lens and the aspect of the picture. It is changed
+ * @param framed a camera with the lens and aspect of the picture; it is changed
  */
 export function roomiestView(
   framed: PerspectiveCamera,

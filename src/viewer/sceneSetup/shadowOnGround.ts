@@ -1,14 +1,14 @@
 import type { Vector3 } from 'three';
 
-/** Shadows end here, in radii of the model: those of a low light have no end. */
+/** The maximum reach of shadows, in radii of the model; those of a low light would be endless. */
 const REACH = 12;
 
 /**
- * Where the shadows of points fall on level ground. Points as high as a lamp, and higher, cast none.
+ * The shadows of points on level ground. Points at or above a lamp's height cast none.
  *
  * @param points xyz of each point
  * @param light the position of a lamp, or the direction to a sun
- * @param isSun whether the light comes from everywhere along one direction
+ * @param isSun whether the light is directional
  * @param height of the ground
  * @returns xyz of each shadow
  */

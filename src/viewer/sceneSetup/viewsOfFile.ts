@@ -8,12 +8,12 @@ import { viewOfCamera } from './placeCamera.js';
 type Light = SavedView['light'];
 
 /**
- * Views of a file: one of each camera and, if it has lights, one with these and one with the light that suits the view.
+ * Views of a file: one per camera and, if it has lights, one with these and one with the light found for the view.
  *
  * @param cameras in the world, where the model of radius 1 lies around the origin
  * @param light at present
- * @param found the light that suits the view, if that of the file is another
- * @returns no more views than have keys, and how many cameras have none
+ * @param found the light chosen for the view, if it differs from the file's
+ * @returns at most {@link MAX_VIEWS} views, and the number of cameras left out
  */
 export function viewsOfFile(
   cameras: readonly FileCamera[],
@@ -34,7 +34,7 @@ export function viewsOfFile(
   return { views, leftOut: lit.length + cameras.length - views.length };
 }
 
-/** A view through the lens of a camera of a file; undefined if it is too far away. */
+/** A view through a file camera's lens; undefined if the camera is too far away. */
 function cameraViewOf(camera: FileCamera): CameraView | undefined {
   const view = inSingle(viewOfCamera(camera));
   return isCamera(view) ? view : undefined;

@@ -1,8 +1,8 @@
-/** Changes from one source that follow each other faster than this are one step: by keys or the wheel, say. */
+/** Changes from one source with shorter pauses than this make one step, as with keys or the wheel. */
 const PAUSE_MILLISECONDS = 900;
 const KEPT = 100;
 
-/** Keeps earlier states, for Undo, and those that were undone, for Redo. */
+/** The history behind Undo and Redo. */
 export class EditHistory<State> {
   private readonly past: State[] = [];
   private readonly future: State[] = [];
@@ -12,9 +12,9 @@ export class EditHistory<State> {
   private lastPress: number | undefined;
 
   /**
-   * @param read returns the present state, as an object that nothing will change
-   * @param isSame whether nobody could tell two states from each other
-   * @param press which press of a pointer lasts, by a number of its own; undefined if nothing is pressed
+   * @param read returns the present state, as an object that is never changed
+   * @param isSame whether two states look the same to the user
+   * @param press number of the pointer press in progress; undefined without one
    */
   constructor(
     private readonly read: () => State,
@@ -25,10 +25,10 @@ export class EditHistory<State> {
   }
 
   /**
-   * To be called after the user has changed something. What was undone before is gone then.
+   * Records a change by the user, and clears the redo steps.
    *
-   * @param source what was changed. Changes from the same source count as one step: during one press, however long it pauses, or
-   *   quick ones without. Without a source, the change is a step of its own.
+   * @param source what was changed. Changes from one source make one step if they come in one press, however long, or in quick succession.
+   *   Without a source, the change is a step of its own.
    */
   changed(source?: string): void {
     const time = performance.now();
@@ -46,25 +46,25 @@ export class EditHistory<State> {
     this.now = this.read();
   }
 
-  /** To be called after something has changed for a reason that is no step of its own. */
+  /** Takes the present state over without a step, after a change that is not the user's. */
   adopt(): void {
     this.now = this.read();
     this.lastSource = undefined;
   }
 
-  /** Forgets all steps: the present state is the first. */
+  /** Forgets all steps: the present state becomes the first. */
   clear(): void {
     this.past.length = 0;
     this.future.length = 0;
     this.adopt();
   }
 
-  /** The state before the last change, or undefined if there is none. The caller makes it the present one. */
+  /** The state before the last change, or undefined if there is none. The caller applies it. */
   undo(): State | undefined {
     return this.step(this.past, this.future);
   }
 
-  /** The state before the last Undo, or undefined if there is none. The caller makes it the present one. */
+  /** The state before the last Undo, or undefined if there is none. The caller applies it. */
   redo(): State | undefined {
     return this.step(this.future, this.past);
   }
@@ -80,7 +80,7 @@ export class EditHistory<State> {
   private step(from: State[], to: State[]): State | undefined {
     const present = this.read();
     for (let next = from.pop(); next !== undefined; next = from.pop()) {
-      // A model that could not be loaded, say, leaves a step to where the page is already.
+      // A step may lead to the present state, for instance where a model could not be loaded.
       if (this.isSame(next, present)) continue;
       to.push(present);
       this.now = next;

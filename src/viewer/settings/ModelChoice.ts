@@ -1,8 +1,8 @@
-/** What is chosen of what the file of a model offers, by indices from 0 on. */
+/** What is selected of a model's file, by indices from 0. */
 export interface ModelChoice {
-  /** Of the variants of its materials; undefined for the materials that it has without one. */
+  /** Index of the material variant; undefined for the file's default materials. */
   readonly variant: number | undefined;
-  /** Of its clips; undefined for the first. */
+  /** Index of the clip; undefined for the first. */
   readonly clip: number | undefined;
 }
 

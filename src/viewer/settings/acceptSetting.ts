@@ -17,10 +17,10 @@ export function acceptSetting(key: SettingKey, value: string | number): string |
   }
 }
 
-/** The nearest value that the control can show: its steps begin at the least one. */
+/** The nearest value that the slider can take; its steps count from the minimum. */
 function nearestStep({ min, max, step }: NumberSetting, number: number): number {
   const clamped = Math.min(max, Math.max(min, number));
   const stepped = min + Math.round((clamped - min) / step) * step;
-  // So that 0.1 + 2 × 0.1 is 0.3.
+  // Rounds off the error of floating point: 0.1 + 2 × 0.1 becomes 0.3.
   return Math.min(max, Number(stepped.toFixed(6)));
 }

@@ -1,20 +1,24 @@
 import type { CameraView } from './CameraView.js';
 
-/** A camera further away than this, in radii of the model, is none of ours. */
+/** The maximum distance of a camera, in radii of the model; the page writes none farther away. */
 const FARTHEST = 100;
-/** Half the height of a picture that a lens shows is in this range, and so is its proportion. */
+/** The allowed range of half the height of a lens's picture, and of its aspect. */
 const [LEAST, MOST] = [1e-3, 1e3];
 
 const KINDS: readonly string[] = ['perspective', 'orthographic'];
 const [PLACE, LENS] = [6, 5];
 
-/** A camera as parts of a text: six numbers of its place, and those of its lens after its kind, if it has one of its own. */
+/** A camera as parts of a text: six numbers for position and target, then the kind and the numbers of its own lens, if it has one. */
 export function cameraParts({ position, target, lens }: CameraView): (string | number)[] {
   const place = [...position, ...target];
   return lens ? [...place, KINDS[Number(lens.isOrthographic)], lens.high, lens.aspect, ...lens.up] : place;
 }
 
-/** Takes a camera from the begin of what {@link cameraParts} wrote, and leaves the rest. @returns undefined for anything else */
+/**
+ * Removes the parts written by {@link cameraParts} from the front, and returns their camera.
+ *
+ * @returns undefined if the parts are not a camera
+ */
 export function takeCamera(parts: string[]): CameraView | undefined {
   const [x, y, z, tx, ty, tz] = parts.splice(0, PLACE).map(readNumber);
   const view: CameraView = { position: [x, y, z], target: [tx, ty, tz] };
@@ -27,7 +31,7 @@ export function takeCamera(parts: string[]): CameraView | undefined {
   return isCamera(view) ? view : undefined;
 }
 
-/** Whether a camera is one that a link may ask for. */
+/** Whether the numbers of a camera are within the allowed ranges. */
 export function isCamera({ position, target, lens }: CameraView): boolean {
   if (![...position, ...target].every((value) => Math.abs(value) <= FARTHEST)) return false;
   if (!lens) return true;
@@ -38,7 +42,7 @@ export function isCamera({ position, target, lens }: CameraView): boolean {
   );
 }
 
-/** A camera in single precision, as the page has it. */
+/** Rounds a camera to single precision, as the page stores it. */
 export const inSingle = ({ position, target, lens }: CameraView): CameraView => ({
   position: singles(position),
   target: singles(target),

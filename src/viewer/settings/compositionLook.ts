@@ -2,14 +2,14 @@ import { MathUtils } from 'three';
 import type { HatchingBackgroundParameters, HatchingMaterialParameters } from 'three-hatching';
 import type { Settings } from './settings.js';
 
-/** What the material takes of the settings of composition that are no properties of its own. */
+/** The composition parameters of the material that are not properties of the settings' own name. */
 export const compositionLook = ({ depth, depthStrength, focus, focusX, focusY, focusZ }: Settings) =>
   ({
     depthFade: depth === 'auto' ? 'auto' : depth === 'on' ? depthStrength / 100 : 0,
     focus: focus === 'on' ? [focusX, focusY, focusZ] : null,
   }) satisfies HatchingMaterialParameters;
 
-/** The properties of the background, its spacing in pixels of the page; undefined if there is none. */
+/** The parameters of the background, with spacing in CSS pixels; undefined if there is no background. */
 export function backgroundLook(settings: Settings): Required<HatchingBackgroundParameters> | undefined {
   if (settings.background === 'none') return undefined;
   return {

@@ -13,7 +13,7 @@ import type { Setting } from './table/Setting.js';
 import { UNITS } from './table/units.js';
 
 /**
- * Whether a setting has an effect on what is drawn or saved.
+ * Whether a setting changes the drawing or the saved file.
  *
  * @param looks that are drawn
  */
@@ -29,14 +29,14 @@ export function hasEffect(
   );
 }
 
-/** Whether a setting counts for one look, as far as it is a matter of the material. */
+/** Whether a setting has an effect in one look, according to the library's table of properties. */
 function countsFor(look: HatchingLook, key: SettingKey): boolean {
   const { property, partOf = property, yieldsTo }: Setting = SETTINGS[key];
   if (yieldsTo && counts(look, yieldsTo)) return false;
   return partOf === undefined || counts(look, partOf);
 }
 
-/** Whether a choice means something to one of the techniques of these looks. */
+/** Whether one of the looks' techniques supports a choice. */
 export function isChoiceKnown(key: SettingKey, value: string, looks: readonly HatchingLook[]): boolean {
   const { property }: Setting = SETTINGS[key];
   if (property === undefined) return true;
@@ -44,7 +44,7 @@ export function isChoiceKnown(key: SettingKey, value: string, looks: readonly Ha
   return looks.some(({ technique }) => knowsChoice(technique as HatchingTechnique, row, value));
 }
 
-/** The unit that the number of a setting has at present; none where it is a mean of two. */
+/** The unit of a setting's number in the present look; none where the property is a weighted mean of two units. */
 export function presentUnit(key: SettingKey, [look]: readonly HatchingLook[]): string {
   const setting: Setting = SETTINGS[key];
   if (setting.kind !== 'number') return '';
@@ -54,10 +54,10 @@ export function presentUnit(key: SettingKey, [look]: readonly HatchingLook[]): s
   return measure ? UNITS[measure].name : '';
 }
 
-/** The properties that decide whether a look is drawn with a map. */
+/** The properties that decide whether a tonal art map is drawn. */
 const DECIDING = ['technique', ...[HATCHING_FACTS.tonalArtMap?.when ?? {}].flat().flatMap(Object.keys)];
 
-/** Whether a setting says which map is drawn with, or whether there is one at all. */
+/** Whether a setting decides which tonal art map is drawn, or whether one is. */
 export function choosesMap(key: SettingKey): boolean {
   const { property, partOf = property }: Setting = SETTINGS[key];
   return key === 'compare' || partOf === 'tonalArtMap' || DECIDING.includes(partOf ?? '');

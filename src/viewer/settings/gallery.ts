@@ -1,10 +1,10 @@
-/** A finished drawing of the gallery. Its picture lies in `public/gallery`, by its name. */
+/** A drawing of the gallery. Its picture is stored in `public/gallery` under its name. */
 export interface GalleryDrawing {
   name: string;
   title: string;
-  /** Who made the model, if it was not made by the code of this page. */
+  /** Credit of the model's author, for models that this page's code did not make. */
   credit?: string;
-  /** What opens it: a link without its address. */
+  /** The hash of the link that opens it. */
   link: string;
 }
 

@@ -3,18 +3,18 @@ import type { Settings } from './settings.js';
 import { UNITS } from './table/units.js';
 
 /**
- * The properties of a shadow on the ground that are settings of the same name, in percent. They are no twins of the material's: on the
- * page they belong to the ground, and the material of the model does not show them.
+ * The shadow properties whose settings have the same name, in percent. On the page they belong to the ground's material and not to the
+ * model's, so they are not material settings.
  */
 export const SHADOW_NUMBERS = ['shadowTone', 'shadowFade', 'shadowSoftness'] as const;
 
 type ShadowNumbers = Record<(typeof SHADOW_NUMBERS)[number], number>;
 
-/** What the material of the ground takes, from the settings. */
+/** The shadow parameters of the ground's material. */
 export const shadowNumbers = (settings: Settings): ShadowNumbers =>
   Object.fromEntries(SHADOW_NUMBERS.map((name) => [name, UNITS.share.toProperty(settings[name])])) as ShadowNumbers;
 
-/** The settings that give the ground's material these parameters. Others stay as they are. */
+/** The settings that correspond to shadow parameters of a material. Absent parameters give no setting. */
 export const settingsOfShadow = (parameters: HatchingMaterialParameters): Partial<Settings> =>
   Object.fromEntries(
     SHADOW_NUMBERS.flatMap((name) => {

@@ -4,14 +4,17 @@ import { settingsOfMaterial } from './materialLook.js';
 import { SETTINGS, type SettingKey, type Settings } from './settings.js';
 import { drawsWithMap } from './settingValues.js';
 
-/** The settings that show a hand of the user's own. Lines are drawn without a map, so that the technique becomes one that has strokes. */
+/**
+ * Settings that draw with the user's own hand. If the technique draws lines without a tonal art map, it changes to one that draws with
+ * strokes.
+ */
 export function handLook(settings: Settings, hand: Hand): Partial<Settings> {
   const look = { ...linesOfHand(settings, hand), mapStyle: 'ownHand' } as const;
   if (drawsWithMap({ ...settings, ...look })) return look;
   return { ...look, technique: 'anchored', medium: SETTINGS.medium.default };
 }
 
-/** The settings by which engraved lines and outlines come from the same hand, within the ranges of their controls. */
+/** Settings that make engraved lines and outlines match the hand, within the ranges of their controls. */
 export function linesOfHand(settings: Settings, hand: Hand): Partial<Settings> {
   const { material, outlines } = engravedHand(hand, settings);
   const lines: Partial<Settings> = {
@@ -23,6 +26,6 @@ export function linesOfHand(settings: Settings, hand: Hand): Partial<Settings> {
   return Object.fromEntries(entries.filter(([, value]) => value !== undefined));
 }
 
-/** The settings once there is no hand any more. */
+/** Settings for when the user's own hand is removed. */
 export const lookWithoutHand = ({ mapStyle }: Settings): Partial<Settings> =>
   mapStyle === 'ownHand' ? { mapStyle: SETTINGS.mapStyle.default } : {};

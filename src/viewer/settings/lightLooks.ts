@@ -1,6 +1,6 @@
 import type { Settings } from './settings.js';
 
-/** Lights that illustrators use, by label. They stay with the viewer. */
+/** Lighting presets that illustrators use, by label. The lights move with the viewer. */
 export const LIGHT_LOOKS: Readonly<Record<string, Partial<Settings>>> = {
   'From the upper left, as in plates': lookOf(-45, 45),
   'Raking from the side': lookOf(-78, 12),

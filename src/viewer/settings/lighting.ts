@@ -2,25 +2,29 @@ import { MathUtils } from 'three';
 import type { Settings } from './settings.js';
 import { type LightPlace, placeOfLight, placeOfSecondLight } from './settingValues.js';
 
-/** The lights of a drawing. Intensities are those of three.js, angles are in radians. */
+/** The lights of a drawing. Intensities are in three.js's units, angles in radians. */
 export interface Lighting {
   readonly kind: Settings['lightKind'];
   readonly place: LightPlace;
   readonly intensity: number;
-  /** Between the axis of a spot light and the edge of its cone. */
+  /** Angle between the axis of a spot light and the edge of its cone. */
   readonly spotAngle: number;
-  /** The share of the cone of a spot light that is soft. */
+  /** The soft share of a spot light's cone (three.js's `penumbra`). */
   readonly spotPenumbra: number;
   readonly second: { readonly place: LightPlace; readonly intensity: number } | undefined;
   readonly castsShadows: boolean;
-  /** Whether the lights stay with the viewer, and not with the model. */
+  /** Whether the lights move with the viewer instead of staying with the model. */
   readonly isWithViewer: boolean;
 }
 
-/** At an intensity of π, a white surface that faces the light gets tone 0: bare paper. @param strength in percent of that */
+/**
+ * At an intensity of π, a white surface that faces the light has tone 0: bare paper.
+ *
+ * @param strength percent of that intensity
+ */
 const intensityOf = (strength: number): number => (Math.PI * strength) / 100;
 
-/** The lights that settings ask for. */
+/** The lights for some settings. */
 export function lightingOf(settings: Settings): Lighting {
   const second = placeOfSecondLight(settings);
   return {

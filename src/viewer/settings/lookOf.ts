@@ -9,57 +9,57 @@ import { SETTING_KEYS, SETTINGS, type Settings } from './settings.js';
 import { UPRIGHT } from './settingValues.js';
 import { withBoldnessAndDensity } from './withBoldnessAndDensity.js';
 
-/** Values of settings that materials of nodes do not draw, and what that is in words. */
+/** Values of settings that the node materials do not draw, with a description of each. */
 const LACKS: readonly { [Key in keyof Settings]: [Key, readonly Settings[Key][], string] }[keyof Settings][] = [
   ['technique', ['adjacency', 'adjacencyCrisp', 'triangle'], 'this technique'],
   ['debugView', ['blendFactors', 'tone', 'frames'], 'views for checking'],
   ['background', ['on'], 'a hatched background'],
 ];
 
-/** What of a drawing materials of nodes do not draw yet, in words; undefined if they draw all of it. */
+/** Describes what the node materials do not draw yet of these settings; undefined if they draw all of it. */
 export function lackOfNodes(settings: Settings): string | undefined {
   if (settings.compare !== 'none') return 'a comparison';
   return LACKS.find(([key, values]) => values.some((value) => value === settings[key]))?.[2];
 }
 
-/** What settings say of a drawing, in the units of the library and of three.js. It is worked out once for each change. */
+/** A drawing in the units of the library and of three.js, derived from settings once per change. */
 export interface Look {
-  /** The parameters of the materials, without their sizes. */
+  /** The parameters of the materials, without sizes. */
   readonly drawn: HatchingMaterialParameters;
-  /** The same for the technique that is compared with it; undefined if none is. */
+  /** The same for the compared technique; undefined without a comparison. */
   readonly compared: HatchingMaterialParameters | undefined;
-  /** The sizes of the materials. Those that are measured in pixels are in CSS pixels. */
+  /** The sizes of the materials. Those in pixels are in CSS pixels. */
   readonly sizes: HatchingMaterialParameters;
   /** The parameters of outlines, in CSS pixels. */
   readonly outlines: OutlineLook;
   readonly showsOutlines: boolean;
-  /** Whether surfaces have the colours and pictures of the model, and not those of paper. */
+  /** Whether surfaces have the model's colours and pictures instead of plain paper. */
   readonly showsSurfaceColors: boolean;
-  /** What the model stands on, and whether that is to be seen: debug views look at the model. */
+  /** The kind of ground; none in debug views. */
   readonly ground: Settings['ground'];
   readonly showsGround: boolean;
   /** The properties of a ground that shows shadows alone. */
   readonly groundShadow: Readonly<
     Required<Pick<HatchingMaterialParameters, 'toneModel' | (typeof SHADOW_NUMBERS)[number]>>
   >;
-  /** The properties of the background, in CSS pixels; undefined if there is none to be seen. */
+  /** The parameters of the background, in CSS pixels; undefined if it is hidden. */
   readonly background: ReturnType<typeof backgroundLook>;
-  /** The colour of what nothing is drawn on. */
+  /** The colour of the empty paper. */
   readonly paper: string;
-  /** Rotations about x, y and z, in radians, that turn the model's up axis to the top. */
+  /** Rotations about x, y and z, in radians, that turn the model's up axis to +y. */
   readonly upright: readonly [number, number, number];
   readonly lights: Lighting;
   readonly needsMap: boolean;
-  /** What of it materials of nodes do not draw yet, as {@link lackOfNodes} says. */
+  /** What the node materials do not draw yet, from {@link lackOfNodes}. */
   readonly lackOfNodes: string | undefined;
-  /** A key of the programs that draw it: looks that differ in numbers and colours only have the same. */
+  /** Identifies the shader programs: looks that differ only in numbers and colours have the same key. */
   readonly programs: string;
 }
 
-/** The settings that programs depend on are among those that are chosen from a list. */
+/** Settings that shader programs can depend on: all with a list of choices. */
 const CHOICES = SETTING_KEYS.filter((name) => SETTINGS[name].kind === 'choice');
 
-/** The look that settings ask for. */
+/** Derives the look from settings. */
 export function lookOf(settings: Settings): Look {
   const shown = withBoldnessAndDensity(settings);
   const { compare, ground, paper, upAxis } = shown;
@@ -71,7 +71,7 @@ export function lookOf(settings: Settings): Look {
     compared,
     sizes: materialSizes(shown),
     outlines: outlineLook(shown),
-    // Both sides of a comparison have them, so that only the strokes differ. In debug views they would hide what is looked for.
+    // Both sides of a comparison have outlines, so that only the strokes differ. Debug views have none.
     showsOutlines: shown.outlines === 'on' && !isDebugView,
     showsSurfaceColors: shown.surfaceColors === 'shown',
     ground,

@@ -31,23 +31,23 @@ function nameOfCurve(curve: NonNullable<HatchingMaterialParameters['toneCurve']>
   throw new Error('nameOfCurve: the page has no name for this tone curve; give it one in TONE_CURVES.');
 }
 
-/** A setting that is a property of the material, in another unit perhaps. */
-interface Twin {
+/** A setting that stands for one property of the material, possibly in another unit. */
+interface PropertySetting {
   key: SettingKey;
   property: HatchingPropertyName;
 }
 
-/** All of them, in the order of the panel. */
-const TWINS: readonly Twin[] = SETTING_KEYS.flatMap((key) => {
+/** All settings of this kind, in the order of the panel. */
+const PROPERTY_SETTINGS: readonly PropertySetting[] = SETTING_KEYS.flatMap((key) => {
   const { property }: Setting = SETTINGS[key];
   return property ? [{ key, property }] : [];
 });
 
-/** Whether a property is measured in pixels of the picture, where it is sized on the screen. */
-const isSize = ({ property }: Twin): boolean => pixelPower({ sizedOnScreen: 1 }, property) > 0;
+/** Whether a property can be measured in screen pixels. */
+const isSize = ({ property }: PropertySetting): boolean => pixelPower({ sizedOnScreen: 1 }, property) > 0;
 
-const SIZES = TWINS.filter(isSize);
-const OTHERS = TWINS.filter((twin) => !isSize(twin));
+const SIZES = PROPERTY_SETTINGS.filter(isSize);
+const OTHERS = PROPERTY_SETTINGS.filter((setting) => !isSize(setting));
 
 function toProperty(property: HatchingPropertyName, value: string | number): unknown {
   if (typeof value === 'number') return unitOf(property).toProperty(value);
@@ -59,17 +59,17 @@ function toSetting(property: HatchingPropertyName, value: unknown): unknown {
   return typeof value === 'boolean' ? (value ? 'yes' : 'no') : value;
 }
 
-const propertiesOf = (twins: readonly Twin[], settings: Settings): HatchingMaterialParameters =>
+const propertiesOf = (twins: readonly PropertySetting[], settings: Settings): HatchingMaterialParameters =>
   Object.fromEntries(twins.map(({ key, property }) => [property, toProperty(property, settings[key])]));
 
-/** The technique of the material, which has crisp strokes as a property of their own. */
+/** The technique of the material. The settings' crisp strokes are a technique of their own; the material has a property for them. */
 export const techniqueOf = (technique: Settings['technique']): HatchingTechnique =>
   technique === 'adjacencyCrisp' ? 'adjacency' : technique;
 
 /**
- * What the material takes, from the settings; all but its sizes in pixels.
+ * The material parameters for some settings, without sizes in pixels.
  *
- * @param technique that of the settings or, for the other side of a comparison, another
+ * @param technique of the settings, or the compared one
  */
 export function materialLook(
   settings: Settings,
@@ -85,7 +85,7 @@ export function materialLook(
     toneCurve: TONE_CURVES[settings.toneCurve],
     ...compositionLook(settings),
     exposure: isFitted ? 'auto' : 1,
-    // The strength of the light alone would change nothing.
+    // Fitting would otherwise cancel the light's strength.
     exposureCompensation: isFitted ? settings.lightStrength / 100 : 1,
     ...propertiesOf(OTHERS, settings),
   };
@@ -99,13 +99,13 @@ function rotationOf({ strokeDirection, strokeAngle }: Settings, technique: Setti
   return strokeDirection === 'angle' ? MathUtils.degToRad(strokeAngle) : ROTATIONS[strokeDirection];
 }
 
-/** The sizes that the material takes, from the settings: where they are measured in pixels, in those of the page. */
+/** The sizes of the material for some settings; pixels are CSS pixels. */
 export const materialSizes = (settings: Settings): HatchingMaterialParameters => propertiesOf(SIZES, settings);
 
-/** The settings that give a material these parameters. Others stay as they are. */
+/** The settings that correspond to material parameters. Absent parameters give no setting. */
 export function settingsOfMaterial(parameters: HatchingMaterialParameters): Partial<Settings> {
   const { technique, crisp, strokeRotation, strokeOffset, toneCurve, exposure } = parameters;
-  const given = TWINS.filter(({ property }) => parameters[property] !== undefined);
+  const given = PROPERTY_SETTINGS.filter(({ property }) => parameters[property] !== undefined);
   return {
     ...(technique && { technique: technique === 'adjacency' && crisp ? 'adjacencyCrisp' : technique }),
     ...(strokeRotation !== undefined && directionOf(strokeRotation)),

@@ -4,19 +4,19 @@ import { techniqueOf } from './materialLook.js';
 import type { Settings } from './settings.js';
 
 /**
- * A hand that strays by more than this many pixels also runs on past corners, by so many pixels more for each. A lighter one
- * does not, because creases of scans have corners everywhere, and outlines would stand out from them like thorns.
+ * Outlines overshoot corners once the wobble exceeds this many pixels, by one pixel for each pixel beyond. Below it they do not, because
+ * creases of scans have corners everywhere, and overshoots would look like thorns.
  */
 const LIGHT_HAND = 1;
 const OVERSHOOT = 3;
-/** Weight that outlines lose in full light and gain in full shade, if the shade weight is 100 %. */
+/** The share of its weight that an outline loses in full light and gains in full shade, at a shade weight of 100 %. */
 const LOST_IN_LIGHT = 0.75;
 const GAINED_IN_SHADE = 1.75;
 
-/** The parameters of outlines that settings stand for. */
+/** The outline parameters for some settings. */
 export type OutlineLook = ReturnType<typeof outlineLook>;
 
-/** What the material of outlines takes, from the settings. Its sizes are in pixels of the page. */
+/** Derives the parameters of the outline material. Sizes are in CSS pixels. */
 export function outlineLook(settings: Settings) {
   const shade = settings.outlineShade / 100;
   const creases = settings.outlineCreases / 100;
@@ -34,7 +34,7 @@ export function outlineLook(settings: Settings) {
     shadeWeights: [1 - LOST_IN_LIGHT * shade, 1 + GAINED_IN_SHADE * shade] as const,
     wobble: settings.outlineHand,
     overshoot: OVERSHOOT * Math.max(0, settings.outlineHand - LIGHT_HAND),
-    // Outlines are drawn with what strokes are drawn with.
+    // Outlines use the medium of the strokes.
     tooth: counts({ technique: techniqueOf(settings.technique), medium: settings.medium }, 'tooth')
       ? settings.tooth / 100
       : 0,
@@ -43,7 +43,7 @@ export function outlineLook(settings: Settings) {
   };
 }
 
-/** The settings that give outlines these parameters. Their ink is that of the material, and creases weigh as much as borders of materials. */
+/** The settings that correspond to outline parameters. Ink is the material's, and creases weigh as much as borders of materials. */
 export function settingsOfOutlines(parameters: HatchingOutlineParameters): Partial<Settings> {
   const all = { ...HATCHING_OUTLINE_DEFAULTS, ...parameters };
   const percent = (weight: number): number => Math.round(100 * weight);

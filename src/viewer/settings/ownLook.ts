@@ -1,14 +1,14 @@
 import { acceptSetting } from './acceptSetting.js';
 import { SETTINGS, type Settings, settingsOf } from './settings.js';
 
-/** The settings that a look of one's own sets: more than a preset does, shadows and what the model stands on among them. */
+/** The settings that a user's saved look contains: those of a preset, plus shadows and the ground. */
 const LOOK_KEYS = settingsOf('hand', 'scene');
 
 export type OwnLook = Partial<Settings>;
 
 /**
- * A whole look by what is known of one: all settings, or what was stored. Values are those that the controls have, and unknown ones
- * their defaults. A map and a hand of the user's own stay with their drawing.
+ * A complete look from all settings, or from stored ones. Invalid or missing values become defaults. The user's own map and hand are not
+ * part of a look.
  */
 export function acceptLook(known: Readonly<Record<string, unknown>>): OwnLook {
   const entries = LOOK_KEYS.map((key) => {
@@ -20,6 +20,6 @@ export function acceptLook(known: Readonly<Record<string, unknown>>): OwnLook {
   return Object.fromEntries(entries);
 }
 
-/** Whether settings are those of a look. */
+/** Whether settings match a look. */
 export const hasLook = (settings: Settings, look: OwnLook): boolean =>
   LOOK_KEYS.every((key) => settings[key] === look[key]);

@@ -5,13 +5,13 @@ import { settingsOfOutlines } from './outlineLook.js';
 import { PRESET_NAMES } from './presetLabels.js';
 import { defaultSettings, SETTINGS, type Settings, settingsOf } from './settings.js';
 
-/** The settings that a preset sets. */
+/** The settings that belong to a preset. */
 const LOOK_KEYS = settingsOf('hand', 'check');
 
-/** The light that presets are made for: an intensity of π. */
+/** The light strength that presets are designed for, in percent: an intensity of π. */
 const LIGHT_STRENGTH = 100;
 
-/** All settings of a preset, also those at their default, so that nothing of the previous look remains. */
+/** All settings of a preset, including defaults, so that nothing of the previous look remains. */
 export function presetLook(name: PresetName): Partial<Settings> {
   const { material, outlines, tonalArtMap } = presets[name];
   return {
@@ -32,10 +32,10 @@ export function presetOf(settings: Settings): PresetName | undefined {
   });
 }
 
-/** What the page adds to a preset's hand: shadows, on the model and below it, and dark hollows. */
+/** Settings that the page adds to a preset: cast shadows, on the model and on the ground, and dark hollows. */
 const SHADED = { shadows: 'on', shadowStrokes: 'cross', ground: 'shadow', occlusion: 100 } as const;
 
-/** Composition, which is the model's own again. */
+/** Default composition. */
 const PLAIN = Object.fromEntries(
   settingsOf('scene')
     .filter((key) => SETTINGS[key].group === 'Composition')
@@ -43,10 +43,10 @@ const PLAIN = Object.fromEntries(
 );
 
 /**
- * What the button of a preset sets: its hand, and all else that makes the picture of a model under lights where they are. So it is
- * the same picture whatever was chosen before.
+ * The settings of a preset's button: the preset, the page's shadows, and default composition. The lights stay where they are. The result
+ * does not depend on the previous settings.
  */
 export const wholeLook = (name: PresetName) => ({ ...presetLook(name), ...SHADED, ...PLAIN });
 
-/** What the page shows at first, without a link: a print. */
+/** The page's settings without a link: an engraving. */
 export const firstView = (): Settings => ({ ...defaultSettings(), ...wholeLook('engraving') });

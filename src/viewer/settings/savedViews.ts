@@ -4,7 +4,7 @@ import { cameraParts, takeCamera } from './cameraNumbers.js';
 import { plainName } from './plainName.js';
 import type { SettingKey, Settings } from './settings.js';
 
-/** Where the lights are, and which there are. */
+/** The settings of kind and position of the lights. */
 const LIGHT_KEYS = [
   'lightKind',
   'lightFollows',
@@ -17,7 +17,7 @@ const LIGHT_KEYS = [
   'secondElevation',
 ] as const satisfies readonly SettingKey[];
 
-/** A view of a drawing that was kept to return to. */
+/** A saved view of a drawing. */
 export interface SavedView {
   name: string;
   /** Undefined if the model was framed. */
@@ -25,7 +25,7 @@ export interface SavedView {
   light: Pick<Settings, (typeof LIGHT_KEYS)[number]>;
 }
 
-/** So many views are kept with a drawing: one for each digit. */
+/** The maximum number of saved views: one per digit key. */
 export const MAX_VIEWS = 9;
 
 export function lightOf(settings: Settings): SavedView['light'] {
@@ -35,14 +35,14 @@ export function lightOf(settings: Settings): SavedView['light'] {
 export const isLitBy = (settings: Settings, light: SavedView['light']): boolean =>
   LIGHT_KEYS.every((key) => settings[key] === light[key]);
 
-/** A view as text of a link: the numbers of its camera, or `framed`; its light; its name. */
+/** A view as text for a link: camera numbers or `framed`, then the light, then the name. */
 export function writeView({ camera, light, name }: SavedView): string {
-  // To the last digit, so that the strokes are those of the view.
+  // Full precision, so that the strokes are exactly those of the view.
   const numbers = camera ? cameraParts(camera) : ['framed'];
   return [...numbers, ...LIGHT_KEYS.map((key) => light[key]), name].join('_');
 }
 
-/** Reads what {@link writeView} wrote. Undefined for anything else. */
+/** Reads the text of {@link writeView}. Undefined for anything else. */
 export function readView(text: string): SavedView | undefined {
   const parts = text.split('_');
   const isFramed = parts[0] === 'framed';

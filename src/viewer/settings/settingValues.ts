@@ -3,14 +3,14 @@ import { counts, followsForm, formOf, type HatchingLook, needsAdjacency, needsMa
 import { materialLook } from './materialLook.js';
 import type { Settings } from './settings.js';
 
-/** Where a light is, seen from the centre of the model: degrees around it, degrees high, and radii away if it is no sun. */
+/** Position of a light, seen from the centre of the model: azimuth and elevation in degrees, and distance in radii for lamps. */
 export interface LightPlace {
   azimuth: number;
   elevation: number;
   distance?: number;
 }
 
-/** Azimuth of a second sun that goes with the light, in degrees from it. */
+/** Azimuth of a second sun relative to the main light, in degrees. */
 const SECOND_LIGHT_AZIMUTH = { left: -90, right: 90, opposite: 180 } as const;
 
 export function placeOfLight(settings: Settings): LightPlace {
@@ -18,7 +18,7 @@ export function placeOfLight(settings: Settings): LightPlace {
   return settings.lightKind === 'directional' ? { azimuth, elevation } : { azimuth, elevation, distance };
 }
 
-/** Where the second sun is, or undefined if there is none. */
+/** The position of the second sun, or undefined if there is none. */
 export function placeOfSecondLight(settings: Settings): LightPlace | undefined {
   const { secondLight, lightAzimuth, lightElevation, secondAzimuth, secondElevation } = settings;
   if (secondLight === 'none') return undefined;
@@ -27,19 +27,19 @@ export function placeOfSecondLight(settings: Settings): LightPlace | undefined {
   return { azimuth: MathUtils.euclideanModulo(azimuth + 180, 360) - 180, elevation: lightElevation };
 }
 
-/** The looks that the page draws: of its technique and, where another is compared with it, of that. */
+/** The looks that the page draws: one, or two in a comparison. */
 export function looksOf(settings: Settings): HatchingLook[] {
   const { technique, compare } = settings;
   return [technique, compare].flatMap((shown) => (shown === 'none' ? [] : [materialLook(settings, shown)]));
 }
 
-/** Whether anything is drawn with a tonal art map, on either side of a comparison. */
+/** Whether a look, on either side of a comparison, draws with a tonal art map. */
 export const drawsWithMap = (settings: Settings): boolean => looksOf(settings).some(needsMap);
 
-/** Whether anything is drawn that asks for a prepared geometry. */
+/** Whether a look needs triangle adjacency. */
 export const drawsWithAdjacency = (settings: Settings): boolean => looksOf(settings).some(needsAdjacency);
 
-/** What is drawn that follows the form: how it is to be baked, and whether lines are among it, which cross as they were baked. */
+/** How form lines are baked, and whether lines whose crossing angle is baked are drawn; undefined if nothing follows the form. */
 export function formDrawn(settings: Settings): { auto: boolean; hasLines: boolean } | undefined {
   const looks = looksOf(settings).filter(followsForm);
   if (looks.length === 0) return undefined;
@@ -49,10 +49,10 @@ export function formDrawn(settings: Settings): { auto: boolean; hasLines: boolea
   };
 }
 
-/** What a picture is saved as: alone, or in layers. */
+/** The file format of a saved picture: PNG, or ZIP with one PNG per layer. */
 export const savedFormat = ({ pictureLayers }: Settings): 'PNG' | 'ZIP' => (pictureLayers === 'one' ? 'PNG' : 'ZIP');
 
-/** Rotations about x, y and z that turn an axis of the model to the top. */
+/** Rotations about x, y and z that turn each up axis to +y. */
 export const UPRIGHT: Readonly<Record<Settings['upAxis'], [number, number, number]>> = {
   y: [0, 0, 0],
   z: [-Math.PI / 2, 0, 0],

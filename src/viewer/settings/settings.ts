@@ -7,7 +7,7 @@ import type { Setting } from './table/Setting.js';
 import { STROKE_SETTINGS } from './table/strokeSettings.js';
 import { COLOUR_SETTINGS, TONE_SETTINGS } from './table/toneSettings.js';
 
-/** Everything the user can set, as one table of plain data. The panel, the link, the drawing and the copied code read it. */
+/** Every setting of the user, in one table of plain data. The panel, the link, the drawing and the copied code read it. */
 export const SETTINGS = {
   ...DRAWING_SETTINGS,
   ...STROKE_SETTINGS,
@@ -23,7 +23,7 @@ export const SETTINGS = {
 
 export type SettingKey = keyof typeof SETTINGS;
 
-/** The values: a number for a number setting, one of the choices for a choice, `#rrggbb` for a colour. */
+/** Values of all settings: a number, one of the choices, or a colour as `#rrggbb`. */
 export type Settings = {
   [Key in SettingKey]: (typeof SETTINGS)[Key] extends { kind: 'number' }
     ? number
@@ -34,7 +34,7 @@ export type Settings = {
 
 export const SETTING_KEYS = Object.keys(SETTINGS) as SettingKey[];
 
-/** The settings of some owners, as those of the hand that presets set. */
+/** The keys of settings with one of these owners. */
 export const settingsOf = (...owners: readonly Setting['owner'][]): readonly SettingKey[] =>
   SETTING_KEYS.filter((key) => owners.includes(SETTINGS[key].owner));
 

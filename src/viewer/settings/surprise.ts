@@ -2,11 +2,11 @@ import { PRESET_NAMES } from './presetLabels.js';
 import { presetLook, presetOf } from './presets.js';
 import { SETTINGS, type Settings } from './settings.js';
 
-/** Numbers that look random and are the same for the same seed (mulberry32). */
+/** Reproducible pseudo-random numbers (mulberry32). */
 export class Random {
   constructor(private state: number) {}
 
-  /** In [0, 1). */
+  /** A number in [0, 1). */
   next(): number {
     this.state = (this.state + 0x6d2b79f5) | 0;
     let t = Math.imul(this.state ^ (this.state >>> 15), 1 | this.state);
@@ -14,7 +14,7 @@ export class Random {
     return ((t ^ (t >>> 14)) >>> 0) / 2 ** 32;
   }
 
-  /** A whole number in [0, count). */
+  /** An integer in [0, count). */
   below(count: number): number {
     return Math.floor(this.next() * count);
   }
@@ -28,7 +28,7 @@ export class Random {
   }
 }
 
-/** Inks on papers that go together. */
+/** Matching pairs of ink and paper. */
 const COLOURS = [
   ['#1c1a17', '#f7f3e8'],
   ['#1c1a17', '#ffffff'],
@@ -39,9 +39,9 @@ const COLOURS = [
 ] as const;
 
 /**
- * Another hand and another light for the same drawing. The same seed and settings give the same.
+ * Random strokes and lights for the same subject, reproducible by seed and settings.
  *
- * @param seed a whole number
+ * @param seed an integer
  */
 export function surprise(settings: Settings, seed: number): Settings {
   const random = new Random(Math.imul(seed, 0x9e3779b1));
@@ -50,7 +50,7 @@ export function surprise(settings: Settings, seed: number): Settings {
     PRESET_NAMES.filter((name) => name !== presetOf({ ...settings, boldness: 100, density: 100 })),
   );
   const look = { ...settings, ...presetLook(preset) };
-  // White chalk stays on its board, and pencil on its paper.
+  // Looks with a paper of their own, such as chalk, keep their colours.
   const [ink, paper] = look.paper === SETTINGS.paper.default ? random.pick(COLOURS) : [look.ink, look.paper];
   const side = random.chance(0.7) ? -1 : 1;
   return {
@@ -59,7 +59,7 @@ export function surprise(settings: Settings, seed: number): Settings {
     paper,
     boldness: within(80, 130),
     density: within(90, 125),
-    // From above and from the side, where light shows a form best.
+    // From above and from the side, where light shows the form best.
     lightKind: 'directional',
     lightFollows: 'viewer',
     lightAzimuth: side * within(30, 80),

@@ -1,8 +1,8 @@
 import type { Settings } from './settings.js';
 
 /**
- * The settings as they are drawn: with the pair of controls, fine to bold and sparse to dense, worked into those that it scales.
- * Bold strokes are wider and farther apart, so that they cover as much; dense ones cover more, as in less light.
+ * Applies the controls Boldness and Density to the settings that they scale. Bolder strokes are wider and farther apart, so that coverage
+ * stays the same; density changes coverage as the strength of the light would.
  */
 export function withBoldnessAndDensity(settings: Settings): Settings {
   const size = settings.boldness / 100;

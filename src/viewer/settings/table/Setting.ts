@@ -3,17 +3,17 @@ import type { HatchingPropertyName } from 'three-hatching';
 interface RowBase<Value> {
   label: string;
   default: Value;
-  /** The property of the material that the setting is, in another unit perhaps. */
+  /** The material property that the setting controls, possibly in another unit. */
   property?: HatchingPropertyName;
-  /** The property of the material that several settings are together. */
+  /** The material property that several settings make up together. */
   partOf?: HatchingPropertyName;
-  /** A property that takes the place of the setting where it counts itself. */
+  /** A property that replaces the setting where that property has an effect. */
   yieldsTo?: HatchingPropertyName;
-  /** Other settings, and the values of theirs with which this one has an effect. */
+  /** Other settings, with those of their values for which this one has an effect. */
   when?: Readonly<Record<string, readonly string[]>>;
-  /** Whose it is, where that differs from the others of its group. */
+  /** The owner, where it differs from that of the group. */
   owner?: SettingOwner;
-  /** Disabled, and not hidden, where it has no effect: that depends on a slider, and rows must not jump while it is dragged. */
+  /** Disabled instead of hidden where it has no effect, because that depends on a slider and rows must not jump while it is dragged. */
   staysInPlace?: true;
 }
 
@@ -23,13 +23,13 @@ export interface NumberRow extends RowBase<number> {
   min: number;
   max: number;
   step: number;
-  /** What the least and the greatest value mean, in a word or two each, if the number alone does not say it. */
+  /** Words for the lowest and the highest value, if the number alone is unclear. */
   ends?: readonly [least: string, greatest: string];
 }
 
 export interface ChoiceRow extends RowBase<string> {
   kind: 'choice';
-  /** The label of each value. */
+  /** Labels by value. */
   choices: Readonly<Record<string, string>>;
 }
 
@@ -40,12 +40,12 @@ export interface ColorRow extends RowBase<string> {
 export type SettingRow = NumberRow | ChoiceRow | ColorRow;
 
 /**
- * Whose a setting is:
- * - `hand`: how strokes and lines are drawn, which presets and the user's own looks set
- * - `scene`: shadows, hollows and the colours of surfaces, which the user's own looks set, but presets leave alone
- * - `subject`: what is drawn and from where it is lit, which no look sets
- * - `check`: for looking into a drawing, which presets end
- * - `output`: the picture or the video that is saved
+ * The kind of a setting:
+ * - `hand`: how strokes and lines are drawn; part of presets and of the user's saved looks
+ * - `scene`: shadows, hollows and surface colours; part of saved looks, but not of presets
+ * - `subject`: the model and its lights; part of no look
+ * - `check`: debug views, reset by presets
+ * - `output`: settings of saved pictures and videos
  */
 export type SettingOwner = 'hand' | 'scene' | 'subject' | 'check' | 'output';
 
@@ -73,7 +73,7 @@ export type NumberSetting = NumberRow & Place;
 export type ChoiceSetting = ChoiceRow & Place;
 export type Setting = SettingRow & Place;
 
-/** Rows of one group of the panel. */
+/** Adds the group and the default owner to rows of the table. */
 export const inGroup = <const Rows extends Readonly<Record<string, SettingRow>>>(
   group: SettingGroup,
   owner: SettingOwner,

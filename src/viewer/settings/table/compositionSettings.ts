@@ -5,7 +5,7 @@ const FADING = { depth: ['on'] } as const;
 const FOCUSED = { focus: ['on'] } as const;
 const BACKED = { background: ['on'] } as const;
 
-/** A coordinate of the focus, from the middle of the model. */
+/** A slider for one coordinate of the focus, relative to the middle of the model. */
 const coordinate = (label: string, fallback: number): NumberRow & { owner: 'subject' } => ({
   kind: 'number',
   label,
@@ -19,7 +19,7 @@ const coordinate = (label: string, fallback: number): NumberRow & { owner: 'subj
   step: 0.01,
 });
 
-/** Where the drawing has weight, and where it is left out. */
+/** Where the drawing is emphasized, and where it fades. */
 export const COMPOSITION_SETTINGS = inGroup('Composition', 'scene', {
   depth: {
     kind: 'choice',

@@ -2,7 +2,7 @@ import type { HatchingTechnique, StrokeStyleName } from 'three-hatching';
 import { choiceOf } from './materialRows.js';
 import { inGroup } from './Setting.js';
 
-/** The techniques, as the page names them: crisp strokes, a property of their own, are offered as one of them. */
+/** Labels of the techniques. Crisp strokes, a property of the material, are offered as a technique. */
 const TECHNIQUES = {
   anchored: 'Anchored',
   engraved: 'Engraved',
@@ -54,7 +54,7 @@ const STYLES = {
   file: 'Your own',
 } as const satisfies Record<StrokeStyleName | 'ownHand' | 'file', string>;
 
-/** What is drawn, and the first choices of how. */
+/** The technique, and the main choices that go with it. */
 export const DRAWING_SETTINGS = inGroup('Drawing', 'hand', {
   model: { kind: 'choice', label: 'Model', owner: 'subject', default: 'dragon3', choices: MODELS },
   technique: { kind: 'choice', label: 'Technique', partOf: 'technique', default: 'anchored', choices: TECHNIQUES },

@@ -1,7 +1,7 @@
 import { choiceOf, numberOf } from './materialRows.js';
 import { inGroup, type NumberRow } from './Setting.js';
 
-/** Degrees around the model or above it. */
+/** A slider for an azimuth or an elevation, in degrees. */
 const degrees = (label: string, fallback: number, most: number, added: Partial<NumberRow> = {}): NumberRow => ({
   kind: 'number',
   label,
@@ -29,7 +29,7 @@ const SPOT = { lightKind: ['spot'] } as const;
 const SHADOWED = { shadows: ['on'] } as const;
 const ON_SHADOW = { ...SHADOWED, ground: ['shadow'] } as const;
 
-/** The lights, and the shadows that they cast. */
+/** The lights and their shadows. */
 export const LIGHT_SETTINGS = inGroup('Light', 'subject', {
   exposure: {
     kind: 'choice',

@@ -3,19 +3,19 @@ import { HATCHING_DEFAULTS, HATCHING_PROPERTIES } from 'three-hatching/facts';
 import type { ChoiceRow, ColorRow, NumberRow, SettingRow } from './Setting.js';
 import { unitOf } from './units.js';
 
-/** Properties of a kind. */
+/** Names of the properties of one kind. */
 type OfKind<Kind> = {
   [Name in HatchingPropertyName]: (typeof HATCHING_PROPERTIES)[Name] extends { kind: Kind } ? Name : never;
 }[HatchingPropertyName];
 
-/** What the table of properties knows of every row. */
+/** The fields of a row that come from the library's table of properties. */
 type Known = 'kind' | 'unit' | 'property';
 
-/** What the page adds to a row: all that the table does not know, and what it wants otherwise. */
+/** The fields that the page supplies: all that the table lacks, and any that it overrides. */
 type Added<Row extends SettingRow, Derived extends keyof Row = never> = Partial<Pick<Row, Derived | 'default'>> &
   Omit<Row, Derived | 'default' | Known>;
 
-/** A number of the material. What the page does not say is that of the table of properties, in the unit of the page. */
+/** The row of a numeric material property. Fields that the page does not supply come from the table of properties, in the page's unit. */
 export function numberOf(
   property: OfKind<'number'>,
   { min, max, ...added }: Added<NumberRow, 'min' | 'max' | 'step'>,
@@ -41,7 +41,7 @@ export function numberOf(
 }
 
 /**
- * A choice of the material, with the label of every value.
+ * The row of a material property with choices.
  *
  * @param leftOut values that the page does not offer
  */
@@ -57,7 +57,7 @@ export function choiceOf<
   return { kind: 'choice', property, default: fallback, ...added };
 }
 
-/** A colour of the material. */
+/** The row of a colour of the material. */
 export function colorOf(property: OfKind<'color'>, added: Added<ColorRow>): ColorRow {
   const fallback = `#${HATCHING_DEFAULTS[property].toString(16).padStart(6, '0')}`;
   return { kind: 'color', property, default: fallback, ...added };

@@ -2,7 +2,7 @@ import { inGroup, type NumberRow } from './Setting.js';
 
 const DRAWN = { outlines: ['on'] } as const;
 
-/** How much outlines of a kind weigh. */
+/** A slider for the weight of one kind of outline. */
 const weight = (label: string, fallback: number, added: Partial<NumberRow> = {}): NumberRow => ({
   kind: 'number',
   label,

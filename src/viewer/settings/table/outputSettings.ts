@@ -1,7 +1,7 @@
 import { choiceOf } from './materialRows.js';
 import { inGroup } from './Setting.js';
 
-/** What is looked at. */
+/** What the view shows. */
 export const VIEW_SETTINGS = inGroup('View', 'subject', {
   upAxis: {
     kind: 'choice',
@@ -16,7 +16,7 @@ export const VIEW_SETTINGS = inGroup('View', 'subject', {
   }),
 });
 
-/** Sheets of paper by name. */
+/** Labels of paper sizes. */
 const PAPER = {
   ...{ a6: 'A6 sheet', a5: 'A5 sheet', a4: 'A4 sheet', a3: 'A3 sheet', a2: 'A2 sheet', a1: 'A1 sheet', a0: 'A0 sheet' },
   ...{ letter: 'Letter sheet', legal: 'Legal sheet', tabloid: 'Tabloid sheet' },
@@ -27,7 +27,7 @@ const OWN_INCHES = { pictureSize: ['inches'] };
 const SHEETS = [...PAPER_SIZES, 'own', 'inches'];
 const INCHES = { kind: 'number', when: OWN_INCHES, default: 8, unit: 'in', min: 1, max: 48, step: 0.05 } as const;
 
-/** The picture that is saved. */
+/** The saved picture. */
 export const PICTURE_SETTINGS = inGroup('Picture', 'output', {
   pictureSize: {
     kind: 'choice',
@@ -125,7 +125,7 @@ export const PICTURE_SETTINGS = inGroup('Picture', 'output', {
   },
 });
 
-/** The video that is saved. */
+/** The saved video. */
 export const VIDEO_SETTINGS = inGroup('Video', 'output', {
   videoMotion: {
     kind: 'choice',

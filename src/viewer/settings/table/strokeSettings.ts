@@ -13,7 +13,7 @@ const offset = (label: string) =>
     step: 0.01,
   }) as const satisfies SettingRow;
 
-/** What strokes are like, and the map that they come from. */
+/** The strokes and their tonal art map. */
 export const STROKE_SETTINGS = inGroup('More', 'hand', {
   sizedOnScreen: numberOf('sizedOnScreen', {
     label: 'Stroke size',

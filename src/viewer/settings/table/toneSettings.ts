@@ -6,7 +6,7 @@ export const TONE_SETTINGS = inGroup('Tone', 'hand', {
   toneModel: choiceOf('toneModel', {
     label: 'Shading',
     choices: { lambert: 'Lambert', halfLambert: 'Half Lambert', phong: 'Phong', toon: 'Toon' },
-    // It is for what the model stands on.
+    // `shadow` is for the ground's material.
     leftOut: ['shadow'],
   }),
   toneNormal: choiceOf('toneNormal', {
@@ -35,7 +35,7 @@ export const TONE_SETTINGS = inGroup('Tone', 'hand', {
   localTone: numberOf('localTone', { label: 'Local tone', ends: ['white', 'by colour'] }),
 });
 
-/** Ink, paper and surfaces. */
+/** Colours of ink, paper and surfaces. */
 export const COLOUR_SETTINGS = inGroup('Colours', 'hand', {
   ink: colorOf('ink', { label: 'Ink', default: '#1c1a17' }),
   paper: colorOf('paper', { label: 'Paper', default: '#f7f3e8' }),

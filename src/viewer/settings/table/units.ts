@@ -2,16 +2,16 @@ import { MathUtils } from 'three';
 import type { HatchingPropertyName } from 'three-hatching';
 import { HATCHING_FACTS, type HatchingMeasure } from 'three-hatching/facts';
 
-/** How the page shows a number of the material. */
+/** How the page shows a numeric material property. */
 export interface Unit {
   name: string;
-  /** Of controls, where they are given none of their own. */
+  /** Default step of its slider. */
   step: number;
   toProperty(setting: number): number;
   toSetting(property: number): number;
 }
 
-/** So that 0.55 is 55 %, and not 55.00000000000001. */
+/** Rounds off the error of floating point: 55 % instead of 55.00000000000001 %. */
 const rounded = (value: number): number => Number(value.toFixed(6));
 
 const asIs = (name: string, step: number): Unit => ({
@@ -28,7 +28,7 @@ const PERCENT: Unit = {
   toSetting: (value) => rounded(100 * value),
 };
 
-/** By what a number of the material measures. */
+/** Units by the measure of a property. */
 export const UNITS: Readonly<Record<HatchingMeasure, Unit>> = {
   pixels: asIs('px', 0.1),
   gridPixels: asIs('px', 0.1),
@@ -50,7 +50,7 @@ export const UNITS: Readonly<Record<HatchingMeasure, Unit>> = {
   exponent: asIs('', 1),
 };
 
-/** The unit of a number of the material. One that is measured in pixels as far as it is sized on the screen is shown in these. */
+/** The unit of a property on the page. Properties that can be sized on the screen are shown in pixels. */
 export function unitOf(property: HatchingPropertyName): Unit {
   const { measure, measureOnScreen = measure } = HATCHING_FACTS[property] ?? {};
   if (measureOnScreen === undefined) throw new Error(`unitOf: ${property} is no number.`);
