@@ -4,7 +4,7 @@ import { settleBlendedPictures } from './gltf/blendedPictures.js';
 import { settleTransmittedPictures } from './gltf/transmittedPictures.js';
 import type { ReadModel } from './readModel.js';
 
-/** Decodes the pictures of a model. A worker should do it: a large one takes seconds. */
+/** Decodes the pictures of a model. Should run in a worker, since a large picture takes seconds. */
 export async function withPictures(
   model: ReadModel,
   onStage: (stage: string) => void,
@@ -13,7 +13,7 @@ export async function withPictures(
   if (model.kind === 'mesh') return model;
   const { parts } = model;
   const count = parts.pictures.filter(Boolean).length;
-  // One after the other, because each takes its full size for a moment.
+  // One at a time, because each briefly needs its full size in memory.
   let number = 0;
   let lost = 0;
   for (const [i, picture] of parts.pictures.entries()) {

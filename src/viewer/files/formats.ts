@@ -6,60 +6,60 @@ import type { NotedMesh } from './mesh/PlainMesh.js';
 import { is3ds } from './scenes/is3ds.js';
 import type { LoadedScene } from './scenes/LoadedScene.js';
 
-/** The beginning of a file, by which its format is recognised. */
+/** The beginning of a file, by which its format is detected. */
 export interface FileStart {
   /** The whole file. */
   bytes: Uint8Array;
-  /** Its first bytes, each as a character. */
+  /** Its first bytes, one character per byte. */
   head: string;
 }
 
-/** A file for the reader of its format. */
+/** The input of a format's reader. */
 export interface FormatFile {
   bytes: Uint8Array;
-  /** Its name as messages give it. */
+  /** The file's name for messages. */
   name: string;
-  /** Finds the files that it refers to. */
+  /** Finds the files that the model refers to. */
   findFile: FindFile;
   loadDraco: Surroundings['loadDraco'];
-  /** The variant of its materials: its index, or its name or its number from 1 on as text. */
+  /** The material variant: its index, or as text its name or its number counted from 1. */
   variant?: string | number | undefined;
 }
 
-/** The loader of three.js that copied code reads a format with. */
+/** The three.js loader of a format, for copied code. */
 export interface FormatLoader {
   name: string;
-  /** The name of its module, if that is another one. */
+  /** The name of its module, if that differs. */
   module?: string;
-  /** What it returns: an object, something with a `scene`, or a geometry. */
+  /** The result of the loader: an object, something with a `scene`, or a geometry. */
   gives: 'object' | 'scene' | 'geometry';
 }
 
-/** What the page knows of a format of models. */
+/** A model format. */
 export interface ModelFormat {
-  /** The name that users read. */
+  /** The name for users. */
   name: string;
-  /** Extensions of its files, in lower case and without the dot. */
+  /** File extensions, in lower case and without the dot. */
   extensions: readonly [string, ...string[]];
-  /** Extensions of files that such a model may refer to, beside pictures. */
+  /** Extensions of files that such a model may refer to, other than pictures. */
   companions?: readonly string[];
-  /** Recognises a file by what all files of the format begin with. */
+  /** Detects the format by a signature that all its files have. */
   hasSignature?: (start: FileStart) => boolean;
-  /** Recognises a file of a format without a signature. It is asked when nothing else was recognised. */
+  /** Detects a format without a signature. Called when no signature matched. */
   looksLike?: (start: FileStart) => boolean;
-  /** Whether a file with such an extension is read as this format when nothing was recognised. */
+  /** Whether the extension decides when nothing was detected. */
   isBelieved?: boolean;
-  /** Whether a ZIP archive with these files is a model of the format in itself. */
+  /** Whether a ZIP archive with these paths is a model of the format. */
   isPackage?: (paths: readonly string[]) => boolean;
-  /** The axis that points up in its files. */
+  /** The up axis of the format. */
   up: 'y' | 'z';
-  /** Whether files say which axis points up, so that it is not derived from the shape. */
+  /** Whether the files state their up axis, so that it is not guessed from the shape. */
   isUpCertain?: boolean;
-  /** Whether models lie on their flat side as a rule, as those for 3D printers do. */
+  /** Whether models usually lie flat, as those for 3D printers do. */
   liesFlat?: boolean;
-  /** Undefined if three.js has none. */
+  /** Undefined if three.js has no loader. */
   loader: FormatLoader | undefined;
-  /** Reads a file. @throws ModelError, or Error as the loader has it */
+  /** Reads a file. @throws ModelError, or the loader's Error */
   read: (file: FormatFile) => Promise<ReadGltf | LoadedScene | NotedMesh>;
 }
 
@@ -70,7 +70,7 @@ const GLTF = {
   loader: { name: 'GLTFLoader', gives: 'scene' },
 } as const;
 
-/** Every format that the page reads. Of several models in a drop the one is shown whose format comes first. */
+/** All formats that are read. If several models are dropped together, the one whose format comes first is shown. */
 export const FORMATS: readonly ModelFormat[] = [
   {
     ...GLTF,
@@ -118,7 +118,7 @@ export const FORMATS: readonly ModelFormat[] = [
     name: 'USDZ',
     extensions: ['usdz', 'usdc', 'usda', 'usd'],
     hasSignature: ({ head }) => /^PXR-USDC|^#usda\s/.test(head),
-    // The first file of a package is its outermost layer.
+    // The first file of a USDZ package is its root layer.
     isPackage: ([first = '']) => /\.usd[ac]?$/i.test(first),
     up: 'y',
     loader: { name: 'USDLoader', gives: 'object' },
@@ -178,10 +178,10 @@ export const FORMATS: readonly ModelFormat[] = [
   },
 ];
 
-/** Extensions of main files, in order of preference. Other files of a drop only belong to a main file. */
+/** Extensions of main files, in order of preference. All other dropped files are companions. */
 export const MODEL_EXTENSIONS: readonly string[] = [...FORMATS.flatMap(({ extensions }) => extensions), 'zip'];
 
-/** Extensions of pictures on models. */
+/** Extensions of pictures. */
 const PICTURES = ['png', 'jpg', 'jpeg', 'webp', 'bmp', 'gif', 'tga'];
 
 /** Extensions of files that models may refer to. */
@@ -190,12 +190,12 @@ export const COMPANION_EXTENSIONS: readonly string[] = [
   ...PICTURES,
 ];
 
-/** The names of all formats in a sentence. @param junction the word before the last of them */
+/** The names of all formats in a sentence. @param junction the word before the last name */
 export function formatNames(junction: 'and' | 'or'): string {
   const names = FORMATS.map(({ name }) => name);
   return `${names.slice(0, -1).join(', ')} ${junction} ${names.at(-1)}`;
 }
 
-/** The format of files with an extension, in lower case and without the dot. */
+/** The format for an extension, which is in lower case and without the dot. */
 export const formatOf = (extension: string): ModelFormat | undefined =>
   FORMATS.find(({ extensions }) => extensions.includes(extension));

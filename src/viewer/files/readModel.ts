@@ -33,30 +33,30 @@ import { sniffFormat } from './sniffFormat.js';
 
 export type { ModelFile };
 
-/** Is told what is being done, in a few words, and how many bytes it is done with, if they are more than those of the files. */
+/** Reports the current step in a few words, and its number of bytes if they exceed those of the files. */
 export type OnStage = (stage: string, bytes?: number) => void;
 
-/** A model that was read: one mesh, or the checked parts of a file that one mesh cannot show. */
+/** A model that was read: one mesh, or the checked parts of a file that must stay a scene. */
 export type ReadModel = ReadMesh | ReadParts;
 
 interface Read {
   /** The name of the main file. */
   name: string;
-  /** The up axis that is usual for the format. */
+  /** The usual up axis of the format. */
   upAxis: 'y' | 'z';
-  /** Notes for the caption: what is missing, chosen or left out, and why. The most important one comes first. */
+  /** Notes for the caption: what is missing, chosen or left out, and why. The most important comes first. */
   notes: string[];
-  /** Facts for the longer text that opens on request. */
+  /** Details for the longer text that opens on request. */
   details: string[];
-  /** The names of files that the model refers to and that were not dropped along. */
+  /** Names of files that were not dropped along. */
   missing: string[];
-  /** How many pictures are there but could not be read. */
+  /** The number of pictures that could not be read. */
   lostPictures?: number | undefined;
-  /** The files from the archive that was read, with those that were dropped along. Undefined if no archive was read. */
+  /** The files of the archive, with those dropped along. Undefined without an archive. */
   unpacked?: readonly ModelFile[];
-  /** How the model is drawn, if the archive has a description of it. */
+  /** The look of the drawing, if the archive is a bundle. */
   drawing?: BundledDrawing | undefined;
-  /** What the file offers beside its model: in the space of the mesh, or of the parts as they are. */
+  /** Cameras, lights and variants, in the space of the mesh or of the unscaled parts. */
   extras?: ModelExtras | undefined;
 }
 
@@ -65,32 +65,31 @@ export interface ReadMesh extends Read {
   mesh: PlainMesh;
   /** The pictures of the mesh's ranges; undefined for missing ones. */
   pictures: (MeshPicture | undefined)[];
-  /** Normals for a stand-in that is drawn until the mesh is baked; null if it needs none, or another mesh stands in for it. */
+  /** Normals for a placeholder that is drawn until the mesh is baked; null if none is needed, or a coarse copy is the placeholder. */
   plainNormals: Float32Array | null;
-  /** Whether the stand-in encloses something, so that the backs of its triangles are not seen. False if there are no `plainNormals`. */
+  /** Whether the placeholder is closed, so that its back faces are hidden. False without `plainNormals`. */
   isClosed: boolean;
-  /** The axis that points up by the model's flat side, if that is not the usual one of its format. */
+  /** The up axis by the model's flat side, if that differs from the format's usual one. */
   stands: UpAxis | undefined;
-  /** How it was simplified, if it was: the triangles of the file, and how far those that are left lie from them at most, in radii. */
+  /** The result of simplification: the number of triangles in the file, and the maximum deviation in radii. Undefined if not simplified. */
   simplified?: { triangles: number; error: number } | undefined;
-  /** The ambient occlusion, as `writeOcclusion` of src/viewer/drawing takes it, if it was baked already. */
+  /** Precomputed ambient occlusion, as `writeOcclusion` of src/viewer/drawing takes it. */
   occlusion?: Uint8Array<ArrayBuffer> | undefined;
 }
 
 export interface ReadParts extends Read {
   kind: 'parts';
-  /** What the format usually means for the axes, to find the one that points up; undefined if the file says it. */
+  /** The usual orientation of the format, for finding the up axis; undefined if the file states it. */
   usual: UsualUp | undefined;
   parts: GltfParts;
 }
 
 /**
- * Reads a model from one or several files: unpacks, detects the format, checks the header, parses, merges, removes
- * broken triangles and fits the rest into a unit sphere. A glTF file that is drawn as a scene is only checked and left
- * in its parts.
+ * Reads a model from one or several files: unpacks, detects the format, checks the header, parses, merges, removes broken triangles and
+ * fits the rest into a unit sphere. A glTF file that stays a scene is only checked and split into its parts.
  *
- * @param surroundings what decodes pictures and Draco; by default those of a browser, without Draco
- * @param variant of the materials of a glTF file: its index, or its name or its number from 1 on as text
+ * @param surroundings decoders of pictures and Draco; by default those of a browser, without Draco
+ * @param variant material variant of a glTF file: its index, or as text its name or its number counted from 1
  * @throws ModelError with one sentence for the user
  */
 export async function readModel(
@@ -115,7 +114,7 @@ export async function readModel(
   }
 }
 
-/** What a file is read with. */
+/** The options and platform functions of one reading. */
 interface Circumstances extends Surroundings {
   variant: string | number | undefined;
 }
@@ -140,7 +139,7 @@ async function readMain(
       companionExtensions: COMPANION_EXTENSIONS,
     });
     if ('files' in archive) {
-      // An archive can be made that contains itself.
+      // An archive could contain itself.
       if (isUnpacked) throw new ModelError(`${shown} is an archive in an archive, which this page does not unpack.`);
       const along = files.filter((file) => file !== main);
       return { ...(await readArchived(archive.files, name, along, onStage, surroundings)), drawing: archive.drawing };
@@ -199,7 +198,7 @@ async function readMain(
   };
 }
 
-/** A mesh in which some pictures are of something seen through: their ranges are glass, without them. */
+/** Marks the ranges with see-through pictures as glass, and removes those pictures. */
 function withClearRanges(mesh: PlainMesh, clear: ReadonlySet<number>): PlainMesh {
   if (clear.size === 0) return mesh;
   const ranges = mesh.ranges?.map((range) =>
@@ -212,7 +211,7 @@ function withClearRanges(mesh: PlainMesh, clear: ReadonlySet<number>): PlainMesh
 const fitOf = ([x, y, z]: readonly [number, number, number], radius: number): Matrix4 =>
   new Matrix4().makeScale(1 / radius, 1 / radius, 1 / radius).multiply(new Matrix4().makeTranslation(-x, -y, -z));
 
-/** Reads the model in an archive, whose files are `archived`, with those that were dropped along. */
+/** Reads the model in an archive with the files `archived`, together with those dropped along. */
 async function readArchived(
   archived: readonly ModelFile[],
   name: string,
@@ -228,13 +227,13 @@ async function readArchived(
   return count === 1 ? read : { ...read, notes: [`one of ${count} models in ${shownName(name)}`, ...read.notes] };
 }
 
-/** Says that a file is not of the format that it was said to be. A ZIP holds what it is read as. */
+/** A note that a file is not of the format given for it. A ZIP archive is judged by its content. */
 function otherFormatNote({ format: said }: ModelFile, { name, extensions }: ModelFormat): string[] {
   if (said === undefined || said === 'zip' || extensions.includes(said)) return [];
   return [`read as ${name}, which its content is, and not as ${said.toUpperCase()}`];
 }
 
-/** Says that models were dropped together, of which only one is shown. */
+/** A note that several models were dropped, of which one is shown. */
 function otherModelsNote(main: ModelFile, files: readonly ModelFile[]): string[] {
   const others = files.filter((file) => file !== main && rankOf(file) < MODEL_EXTENSIONS.length);
   if (others.length === 0) return [];
@@ -248,11 +247,11 @@ const brokenNote = (triangles: number): string[] =>
 const duplicateNote = (triangles: number): string[] =>
   triangles === 0 ? [] : [counted(triangles, 'duplicate triangle', 'left out')];
 
-/** Which axis a format usually has point up; undefined where files say it. */
+/** The usual orientation of a format; undefined where files state it. */
 const usualUp = ({ up, isUpCertain, liesFlat = false }: ModelFormat): UsualUp | undefined =>
   isUpCertain ? undefined : { up, liesFlat };
 
-/** What the reader of a format makes of a file. */
+/** The result of a format's reader. */
 interface Parsed extends Omit<ReadGltf, 'content'> {
   content: PlainMesh | GltfParts | Object3D;
 }
@@ -264,12 +263,12 @@ async function parse(format: ModelFormat, file: FormatFile): Promise<Parsed> {
   const notes = notesOn(read);
   const moving = await readMoving(read.root, file.name, file.findFile);
   if (moving) return { ...moving, notes: [...new Set([...moving.notes, ...notes])] };
-  // It is read again, because the first scene was used up.
+  // Read again, because the first scene was used up.
   const again = (await format.read(file)) as LoadedScene;
   return parsedOf({ ...again, notes: ['shown without its motion'] });
 }
 
-/** Completes what a reader returned: nothing is missing and there is nothing to note unless it says so. */
+/** Fills in a reader's missing fields: nothing missing, no notes. */
 function parsedOf(read: NotedMesh | LoadedScene): Parsed {
   const isScene = 'root' in read;
   const { missing = [] }: Partial<LoadedScene> = isScene ? read : {};
@@ -277,7 +276,7 @@ function parsedOf(read: NotedMesh | LoadedScene): Parsed {
   return { content, broken: 0, notes: isScene ? notesOn(read) : read.notes, details: [], missing };
 }
 
-/** What the caption is to say of a scene: what its reader says, and what is in it and not drawn. */
+/** Notes for the caption on a scene: the reader's, and those on objects that are not drawn. */
 function notesOn({ root, notes = [] }: LoadedScene): string[] {
   const all = new Set(notes);
   root.traverseVisible((object) => {
@@ -289,7 +288,7 @@ function notesOn({ root, notes = [] }: LoadedScene): string[] {
   return [...all];
 }
 
-/** A name as files are found by: readers may join blanks in it. */
+/** A file name for comparison, with blanks collapsed, as some readers do. */
 const comparedName = (path: string): string => baseName(path).toLowerCase().replace(/\s+/g, ' ');
 
 function safeDecode(uri: string): string {
@@ -306,7 +305,7 @@ function chooseMain(files: readonly ModelFile[]): ModelFile {
   return main;
 }
 
-/** The index of a file's extension in the order of preference; files that are no models come last. */
+/** The rank of a file's extension in the order of preference; files that are no models come last. */
 function rankOf({ name }: ModelFile): number {
   const at = MODEL_EXTENSIONS.indexOf(extensionOf(withoutGz(name)) ?? '');
   return at === -1 ? MODEL_EXTENSIONS.length : at;

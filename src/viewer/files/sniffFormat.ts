@@ -3,12 +3,12 @@ import { ModelError } from './common/ModelError.js';
 import { type FileStart, FORMATS, formatNames, formatOf, type ModelFormat } from './formats.js';
 
 /**
- * Detects the format of a file from its content, and from its name only if the content is ambiguous. A ZIP archive may be a model in
- * itself, or hold one.
+ * Detects the format of a file by its content, and by its name only if the content is ambiguous. A ZIP archive may be a model in itself, or
+ * contain one.
  *
  * @param name the file's name, without a `.gz`
- * @param extension what stands for that of the name
- * @throws ModelError saying what the file is instead
+ * @param extension used instead of the name's extension
+ * @throws ModelError that says what the file is instead
  */
 export function sniffFormat(name: string, bytes: Uint8Array, extension = extensionOf(name) ?? ''): ModelFormat | 'zip' {
   if (bytes.length === 0) throw new ModelError(`${name} is empty.`);
@@ -34,16 +34,16 @@ export function sniffFormat(name: string, bytes: Uint8Array, extension = extensi
   throw new ModelError(`${name} is not a model this page can read; it takes ${formatNames('and')}, also in a ZIP.`);
 }
 
-/** Biome takes a literal with these characters for a mistake. */
+/** Built from codes, because Biome reports control characters in literals. */
 const ZIP_SIGNATURE = `PK${String.fromCharCode(3, 4)}`;
 
-/** Formats of points, which have no surfaces, by how their files begin or are named. */
+/** Point formats, which have no surfaces, by signature or extension. */
 const POINTS: readonly [what: string, beginning: RegExp, extensions: readonly string[]][] = [
   ['Gaussian splats', /^NGSP/, ['splat', 'ksplat', 'spz', 'sog']],
   ['a cloud of points', /^(# \.PCD|LASF|ASTM-E57)/, ['pcd', 'las', 'laz', 'e57', 'xyz', 'pts', 'ptx']],
 ];
 
-/** Formats of models that the page does not read, by how their files begin. */
+/** Unsupported model formats, by signature. */
 const FOREIGN: readonly [what: string, beginning: RegExp][] = [
   ['a Blender file', /^BLENDER/],
   ['a STEP file', /^ISO-10303-21/],
@@ -52,7 +52,7 @@ const FOREIGN: readonly [what: string, beginning: RegExp][] = [
   ['an AMF file', /^\s*<[\s\S]*<amf\b/],
 ];
 
-/** Files that are often dropped by mistake, by how they begin. */
+/** Other files that are often dropped by mistake, by signature. */
 const OTHER_KINDS: readonly [what: string, beginning: RegExp][] = [
   ['a web page', /^\s*<(!doctype\s+html|html|head|body)/i],
   ['an XML file', /^\s*(<\?xml|<svg)/i],

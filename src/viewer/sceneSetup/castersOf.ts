@@ -7,9 +7,7 @@ import { placements } from '../files/scenes/placements.js';
 const CELL = 1 / 32;
 /** Number of cells along each side of the grid. Parts of a moving model outside it count in the outermost cells. */
 const CELLS = 80;
-/**
- * Edges are split into parts of at most this length, each represented by its midpoint. Shorter triangles are represented by their edges.
- */
+/** Edges are split into parts of at most this length, placed at their midpoints. Triangles with shorter edges are placed at their centres. */
 const LONGEST = CELL / 2;
 /**
  * The largest horizontal distance between a caster and the geometry that it represents: half the diagonal of a cell, and two thirds of a

@@ -3,29 +3,29 @@ import { ModelError } from '../common/ModelError.js';
 import type { ModelFile } from '../common/ModelFile.js';
 import type { ZipEntry } from './zip.js';
 
-/** The paths in a bundle, an archive of a model and its look: the description, the folder of the model, and that of the map's images. */
+/** The paths in a bundle, a ZIP archive of a model and its look: the description, the folder of the model, and that of the map's images. */
 export const BUNDLE = { description: 'three-hatching.json', model: 'model/', strokes: 'strokes/' } as const;
 
-/** The format and the version that the description names. A higher version is of a later page, and may mean something else. */
+/** The format and version in the description. A higher version was written by a later page, and cannot be read. */
 const FORMAT = 'three-hatching drawing';
 const VERSION = 1;
 const MAX_DESCRIPTION_BYTES = 64 * 1024;
 
-/** How a bundled model is drawn. It is not checked yet: it may say anything, as a link may. */
+/** The look of a bundled model. Unchecked: it may contain anything, as a link may. */
 export interface BundledDrawing {
-  /** Settings, camera and views, as a link has them. */
+  /** Settings, camera and views in the form of a link. */
   link: string;
-  /** The images of a map that the user brought along. */
+  /** The images of the user's own tonal art map. */
   strokes: ModelFile[];
 }
 
-/** The text of a bundle's description. */
+/** The JSON description of a bundle. */
 export const describeBundle = (link: string): string =>
   JSON.stringify({ format: FORMAT, version: VERSION, drawing: link }, undefined, 2);
 
 /**
- * The folder of an archive in which a bundle lies, with its slash; undefined if the archive is no bundle. Some programs pack the folder around
- * the files too.
+ * The folder of an archive that contains a bundle, with its slash; undefined if the archive is no bundle. Some programs add a top folder
+ * when they pack.
  */
 export function bundleFolder(entries: readonly ZipEntry[]): string | undefined {
   const { description } = BUNDLE;
@@ -35,7 +35,7 @@ export function bundleFolder(entries: readonly ZipEntry[]): string | undefined {
     .sort((a, b) => a.length - b.length)[0];
 }
 
-/** Whether a file in an archive belongs to the bundle in a folder of it. */
+/** Whether a file of an archive belongs to the bundle in the given folder. */
 export function isOfBundle({ path }: Pick<ZipEntry, 'path'>, folder: string): boolean {
   if (path === folder + BUNDLE.description) return true;
   if (baseName(path).startsWith('.')) return false;
@@ -44,9 +44,9 @@ export function isOfBundle({ path }: Pick<ZipEntry, 'path'>, folder: string): bo
 }
 
 /**
- * The model and the look of a bundle.
+ * Reads the model and the look of a bundle.
  *
- * @param unpacked its files, by their paths
+ * @param unpacked its files, by path
  * @throws ModelError if it has no model, or its description is damaged or of a later version
  */
 export function readBundle(
@@ -72,7 +72,7 @@ function readDescription(bytes: Uint8Array | undefined, name: string): string {
   try {
     if (bytes && bytes.length <= MAX_DESCRIPTION_BYTES) description = JSON.parse(new TextDecoder().decode(bytes));
   } catch {
-    // The description is damaged, and is refused below, as is one that is too long.
+    // A damaged or overlong description is refused below.
   }
   const { format, version, drawing } = description ?? {};
   if (format === FORMAT && typeof version === 'number' && version > VERSION) {

@@ -1,16 +1,16 @@
 import { ModelError } from '../common/ModelError.js';
 
-/** Every archive may unpack to so much, however small it is. */
+/** The unpacked size that is allowed for every archive, however small. */
 const SMALL_BYTES = 64 * 1024 * 1024;
-/** Models shrink to a tenth, the most regular ones to a fiftieth. An archive that shrank more was made to fill the memory. */
+/** The maximum compression ratio. Models shrink to a tenth, the most regular ones to a fiftieth; a higher ratio is a decompression bomb. */
 const MAX_RATIO = 64;
 
 /**
- * Unpacks bytes that begin with the gzip magic number, and returns others as they are. Some servers declare a `.gz`
- * file as content encoding, and the browser has unpacked it already.
+ * Unpacks bytes that begin with the gzip magic number, and returns others as they are. Some servers declare a `.gz` file as content
+ * encoding, and the browser has unpacked it already.
  *
  * @param maxBytes after unpacking
- * @throws ModelError if they are damaged, or as soon as they have unpacked to too much
+ * @throws ModelError if they are damaged, or as soon as the unpacked size exceeds the limits
  */
 export async function gunzip(bytes: Uint8Array, name: string, maxBytes: number): Promise<Uint8Array> {
   if (bytes[0] !== 0x1f || bytes[1] !== 0x8b) return bytes;

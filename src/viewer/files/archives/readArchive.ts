@@ -4,27 +4,27 @@ import type { ModelFile } from '../common/ModelFile.js';
 import { type BundledDrawing, bundleFolder, isOfBundle, readBundle } from './bundle.js';
 import { checkSizes, listZip, unzip, type ZipEntry } from './zip.js';
 
-/** A format that an archive may have in itself. */
+/** A model format that may be a ZIP archive itself. */
 interface Package {
-  /** Whether an archive with these files is a model of the format. */
+  /** Whether an archive with these paths is a model of the format. */
   isPackage?: (paths: readonly string[]) => boolean;
 }
 
-/** What an archive is searched for. Extensions are in lower case and without the dot. */
+/** The formats and extensions to look for. Extensions are in lower case and without the dot. */
 interface Wanted<Format extends Package> {
   formats: readonly Format[];
   modelExtensions: readonly string[];
-  /** Extensions of files that models may refer to. */
+  /** Extensions of files that models refer to. */
   companionExtensions: readonly string[];
 }
 
-/** A ZIP archive: itself a model, or a folder of files, which may come with how they are drawn. */
+/** A ZIP archive: a model in itself, or unpacked files, with their look if the archive is a bundle. */
 export type Archive<Format> = { format: Format } | { files: ModelFile[]; drawing?: BundledDrawing };
 
 /**
- * Looks into a ZIP archive, and unpacks it if it is not a model in itself.
+ * Inspects a ZIP archive, and unpacks it unless it is a model in itself.
  *
- * @throws ModelError if it is damaged or too large, or there is no model in it
+ * @throws ModelError if it is damaged or too large, or contains no model
  */
 export async function readArchive<Format extends Package>(
   bytes: Uint8Array,
@@ -43,7 +43,7 @@ export async function readArchive<Format extends Package>(
   }
   const paths = entries.map(({ path }) => path);
   const format = formats.find(({ isPackage }) => isPackage?.(paths));
-  // Loaders of such files unpack all that is in them.
+  // The loaders of these formats unpack all files.
   const wanted = format ? entries : entries.filter(isUseful);
   checkSizes(wanted, name);
   if (format) return { format };
@@ -62,6 +62,6 @@ type Named = Pick<ZipEntry, 'path'>;
 
 const typeOf = ({ path }: Named): string => extensionOf(withoutGz(path)) ?? '';
 
-/** macOS adds files of its own to archives, in the names of the others. Archives in archives are not unpacked. */
+/** Excludes the metadata files that macOS adds to archives, and archives in archives. */
 const isUsable = (entry: Named): boolean =>
   !/^__MACOSX\//.test(entry.path) && !baseName(entry.path).startsWith('.') && typeOf(entry) !== 'zip';

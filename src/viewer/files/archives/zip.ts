@@ -1,7 +1,7 @@
 import { ModelError } from '../common/ModelError.js';
 import { MAX_BYTES } from '../common/modelLimits.js';
 
-/** Every archive may unpack to so much, however small it is; larger ones to so many times their size. */
+/** The unpacked size that is allowed for every archive, however small; larger archives may unpack to MAX_RATIO times their size. */
 const SMALL_BYTES = 64 * 1024 * 1024;
 const MAX_RATIO = 64;
 const MAX_ENTRIES = 10_000;
@@ -9,15 +9,15 @@ const MAX_ENTRIES = 10_000;
 /** A file in an archive. */
 export interface ZipEntry {
   path: string;
-  /** Bytes after unpacking, as the archive announces them; no more are unpacked. */
+  /** Unpacked size in bytes according to the archive; no more bytes are unpacked. */
   size: number;
   packedSize: number;
 }
 
 /**
- * Lists the files in an archive, without unpacking them.
+ * Lists the files of an archive without unpacking them.
  *
- * @throws ModelError if it is damaged, or they are too many
+ * @throws ModelError if it is damaged, or there are too many
  */
 export async function listZip(bytes: Uint8Array, name: string): Promise<ZipEntry[]> {
   const entries: ZipEntry[] = [];
@@ -28,7 +28,7 @@ export async function listZip(bytes: Uint8Array, name: string): Promise<ZipEntry
   return entries;
 }
 
-/** @throws ModelError if files are too large together, or too large for the size they are packed to */
+/** @throws ModelError if the files are too large together, or their compression ratio is too high */
 export function checkSizes(entries: readonly ZipEntry[], name: string): void {
   const packed = entries.reduce((sum, entry) => sum + entry.packedSize, 0);
   const limit = Math.min(MAX_BYTES, Math.max(SMALL_BYTES, MAX_RATIO * packed));
@@ -38,7 +38,7 @@ export function checkSizes(entries: readonly ZipEntry[], name: string): void {
   );
 }
 
-/** Unpacks the files of an archive that are wanted, by their path. @throws ModelError if it is damaged */
+/** Unpacks the wanted files of an archive, by path. @throws ModelError if it is damaged */
 export async function unzip(
   bytes: Uint8Array,
   name: string,
@@ -48,7 +48,7 @@ export async function unzip(
   try {
     const files = unzipSync(bytes, {
       filter: ({ name: path, size: packedSize, originalSize }) =>
-        // A file that is stored without compression has the size it takes in the archive, whatever the archive announces.
+        // A file stored without compression takes its packed size, whatever size the archive states.
         !path.endsWith('/') && isWanted({ path, packedSize, size: Math.max(packedSize, originalSize) }),
     });
     return new Map(Object.entries(files));

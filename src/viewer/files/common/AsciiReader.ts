@@ -7,36 +7,36 @@ const ZERO = 0x30;
 const NINE = 0x39;
 const LINE_FEED = 0x0a;
 const CARRIAGE_RETURN = 0x0d;
-/** Integers below this are exact as doubles, and so is their product with or quotient by a power of ten in the table. */
+/** Integers below this are exact as doubles, and so is their product or quotient with a power of ten of the table. */
 const MAX_EXACT = 2 ** 53;
 const POWERS_OF_TEN = Array.from({ length: 23 }, (_, i) => 10 ** i);
 
 const isLineEnd = (byte: number): boolean => byte === LINE_FEED || byte === CARRIAGE_RETURN;
 
-/** Reads words and numbers that are separated by white space, without making a string of each number. */
+/** Reads words and numbers separated by white space, without creating a string per number. */
 export class AsciiReader {
   private readonly decoder = new TextDecoder('latin1');
 
-  /** @param at the byte to begin at */
+  /** @param at the byte offset to begin at */
   constructor(
     private readonly bytes: Uint8Array,
     private at = 0,
   ) {}
 
-  /** Skips white space. @returns whether nothing follows it */
+  /** Skips white space. @returns whether the end is reached */
   get isAtEnd(): boolean {
     while (this.at < this.bytes.length && this.bytes[this.at] <= SPACE) this.at++;
     return this.at >= this.bytes.length;
   }
 
-  /** Skips blanks within the line. @returns whether nothing follows in it, but for a comment after "#" */
+  /** Skips blanks within the line. @returns whether the line ends here, or continues with a comment after "#" */
   get isAtLineEnd(): boolean {
     const { bytes } = this;
     while (this.at < bytes.length && bytes[this.at] <= SPACE && !isLineEnd(bytes[this.at])) this.at++;
     return this.at >= bytes.length || isLineEnd(bytes[this.at]) || bytes[this.at] === HASH;
   }
 
-  /** How many bytes are left. */
+  /** The number of bytes left. */
   get bytesLeft(): number {
     return this.bytes.length - this.at;
   }
@@ -49,7 +49,7 @@ export class AsciiReader {
     return this.decoder.decode(this.bytes.subarray(start, this.at));
   }
 
-  /** The next word, which stays the next one. */
+  /** The next word, without consuming it. */
   peekWord(): string {
     const word = this.word();
     this.at -= word.length;
@@ -61,7 +61,7 @@ export class AsciiReader {
     this.at += bytes;
   }
 
-  /** The next word as a number; NaN if it is none. */
+  /** Reads the next word as a number; NaN if it is none. */
   number(): number {
     if (this.isAtEnd) return NaN;
     const { bytes } = this;
@@ -96,7 +96,7 @@ export class AsciiReader {
     while (this.at < bytes.length && !isLineEnd(bytes[this.at])) this.at++;
   }
 
-  /** Whether the next word begins with a text in ASCII. */
+  /** Whether the next word begins with an ASCII text. */
   isAt(text: string): boolean {
     if (this.isAtEnd) return false;
     for (let i = 0; i < text.length; i++) if (this.bytes[this.at + i] !== text.charCodeAt(i)) return false;

@@ -1,16 +1,16 @@
 import { errorMessage } from './errorMessage.js';
 import { shownName } from './shownText.js';
 
-/** A model that cannot be drawn. The message is one sentence for the user. */
+/** The model cannot be drawn. The message is one sentence for the user. */
 export class ModelError extends Error {
   override readonly name = 'ModelError';
 }
 
 /**
- * A sentence for an error that was thrown while a file was read. A ModelError is returned as it is. A loader's message is passed on; one
- * of JavaScript itself (`Cannot read properties of undefined`) is not: it means nothing to whoever dropped the file.
+ * Converts an error thrown while a file was read to a sentence for the user. A ModelError is returned as it is. A loader's message is
+ * included; one of the JavaScript engine (`Cannot read properties of undefined`) is not, since it means nothing to users.
  *
- * @param file the name of the file that was dropped
+ * @param file the name of the dropped file
  * @param part the part that was being read, as the subject of a sentence
  */
 export function toModelError(file: string, error: unknown, part = 'it'): ModelError {
@@ -29,12 +29,12 @@ export function toModelError(file: string, error: unknown, part = 'it'): ModelEr
   return new ModelError(`${name} could not be read; ${part} seems to be damaged${reason && ` (${reason})`}.`);
 }
 
-/** Whether a loader threw an error: errors of JavaScript and of the browser have names of their own. */
+/** Whether a loader threw the error: errors of the JavaScript engine and of the browser have other names than `Error`. */
 function isOfLoader(error: unknown): error is Error {
   return error instanceof Error && error.name === 'Error' && Object.getPrototypeOf(error) === Error.prototype;
 }
 
-/** A loader's message without the loader's name. */
+/** A loader's message without the prefix that names the loader. */
 const plain = (message: string): string =>
   message
     .replace(/^(THREE\.)?\w+(\.\w+)*(\(\))?:\s*/, '')

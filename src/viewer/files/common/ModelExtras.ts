@@ -6,39 +6,39 @@ type Vec3 = [x: number, y: number, z: number];
 export interface FileCamera {
   name: string;
   position: Vec3;
-  /** Unit: where it looks to, and what is up in its picture. */
+  /** Unit vectors: the viewing direction, and up in the picture. */
   forwards: Vec3;
   up: Vec3;
-  /** Half the height of its picture: at a distance of 1, or everywhere if it is orthographic. */
+  /** Half the height of the picture: at distance 1, or at any distance if it is orthographic. */
   high: number;
   isOrthographic: boolean;
-  /** How many times wider than high its picture is; undefined if that is left open. */
+  /** Aspect of the picture (width / height); undefined if the file leaves it open. */
   aspect: number | undefined;
 }
 
 /** A light of a file. */
 export interface FileLight {
   kind: 'directional' | 'point' | 'spot';
-  /** Luminance times intensity, as the file has it. */
+  /** Luminance of the colour times the intensity of the file. */
   intensity: number;
   position: Vec3;
-  /** Unit: where it shines to. */
+  /** Unit vector of the direction in which it shines. */
   forwards: Vec3;
-  /** Half the width of a spot, in radians. */
+  /** Half the cone angle of a spot light, in radians. */
   angle: number;
 }
 
-/** What a file offers beside its model. */
+/** Cameras, lights and material variants of a file. */
 export interface ModelExtras {
   cameras: readonly FileCamera[];
   lights: readonly FileLight[];
-  /** The names of the variants of its materials. */
+  /** Names of the material variants. */
   variants: readonly string[];
 }
 
 export const NO_EXTRAS: ModelExtras = { cameras: [], lights: [], variants: [] };
 
-/** Cameras and lights as their model is moved, turned and scaled evenly. */
+/** Transforms cameras and lights by the matrix of their model, which scales uniformly. */
 export function movedExtras(extras: ModelExtras, matrix: Matrix4): ModelExtras {
   const vector = new Vector3();
   const scale = matrix.getMaxScaleOnAxis();

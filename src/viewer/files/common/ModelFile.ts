@@ -1,7 +1,7 @@
-/** A file that was dropped or picked, or that holds a built-in model. */
+/** A file that was dropped or picked, or the file of a built-in model. */
 export interface ModelFile {
   name: string;
   content: Blob;
-  /** What its format is if its content does not tell, as an extension; left out, that of its name. */
+  /** The format as a file extension, used if the content does not tell it; by default that of the name. */
   format?: string | undefined;
 }

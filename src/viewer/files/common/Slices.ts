@@ -1,14 +1,14 @@
-/** Milliseconds of work after which the page gets its turn. */
+/** Milliseconds of work before the main thread is yielded. */
 const SLICE_MS = 8;
 
-/** Divides work on the main thread into slices: after each, the page can draw, show its progress and react to "Cancel". */
+/** Splits work on the main thread into time slices, between which the page can draw, show progress and react to "Cancel". */
 export class Slices {
   private end = performance.now() + SLICE_MS;
 
-  /** @param signal aborts the work; left out for work that must not be stopped any more */
+  /** @param signal aborts the work; left out for work that must not be aborted */
   constructor(private readonly signal?: AbortSignal) {}
 
-  /** To be awaited between units of work. Resolves in a later task if the slice is over. Rejects with the signal's reason. */
+  /** Await this between units of work. If the slice is over, it resolves in a later task. Rejects with the signal's reason. */
   async next(): Promise<void> {
     if (performance.now() >= this.end) {
       await laterTask();
@@ -18,7 +18,7 @@ export class Slices {
   }
 }
 
-/** Resolves in a later task. It takes a message, since timers wait longer than asked for, and seconds in a hidden tab. */
+/** Resolves in a later task. Uses a message, since timers wait longer than asked for, and seconds in a hidden tab. */
 const laterTask = (): Promise<void> =>
   new Promise((resolve) => {
     const { port1, port2 } = new MessageChannel();

@@ -1,45 +1,45 @@
 import type { DecoderModule } from 'draco3d';
 import type { FindFile } from './FindFile.js';
 
-/** A picture, decoded: a bitmap of the browser, or its pixels, as RGBA in rows from above. */
+/** A decoded picture: an ImageBitmap in browsers, or RGBA pixels in rows from the top. */
 export type DecodedPicture = ImageBitmap | PixelPicture;
 
-/** A picture as plain numbers, where there are no bitmaps. It has what is used of a bitmap. */
+/** A picture as RGBA bytes, for platforms without ImageBitmap. Has the members of ImageBitmap that are used here. */
 export interface PixelPicture {
   readonly data: Uint8ClampedArray;
   readonly width: number;
   readonly height: number;
-  /** Does nothing, as there is nothing to give back. */
+  /** Does nothing; ImageBitmap needs it. */
   close(): void;
 }
 
-/** How a picture is decoded. */
+/** Options for decoding a picture. */
 export interface PictureWish {
-  /** The size to decode it in, in pixels. */
+  /** Target size in pixels. */
   width: number;
   height: number;
-  /** Whether it is turned over. */
+  /** Whether to flip the picture vertically. */
   flipY: boolean;
 }
 
-/** A picture to be decoded: a file, or its pixels, of a format that no browser decodes. */
+/** A picture to decode: a file, or the pixels of a format that browsers do not decode. */
 export type PictureSource = Blob | Omit<PixelPicture, 'close'>;
 
-/** What readers of models ask of where they run. */
+/** Platform functions that the readers of models need: of a browser page, a worker or Node. */
 export interface Surroundings {
   /**
    * Decodes a picture.
    *
-   * @returns undefined if it cannot be decoded here, which the reader leaves to its surroundings to tell
+   * @returns undefined if this platform cannot decode it; the platform reports that itself
    * @throws Error if it is damaged
    */
   decodePicture(source: PictureSource, wish: PictureWish): Promise<DecodedPicture | undefined>;
   /**
-   * Draco's decoder.
+   * Loads the Draco decoder.
    *
-   * @throws Error if there is none
+   * @throws Error if it is not available
    */
   loadDraco(): Promise<DecoderModule>;
-  /** Finds a file that was not handed over with the model, by the URI that the model refers to it with. */
+  /** Finds a file that was not passed along with the model, by the URI in the model. */
   findFile?: FindFile;
 }

@@ -1,8 +1,7 @@
 /**
- * Names by which each of several things can be chosen: those without one are numbered, as `Clip 2`, and so are those after the first that have
- * the same.
+ * Makes names distinct: missing names become a number, such as `Clip 2`, and repeated names get one too.
  *
- * @param kind what things without a name are called
+ * @param kind the word for things without a name
  */
 export function distinctNames(names: readonly (string | undefined)[], kind: string): string[] {
   const taken = new Map<string, number>();

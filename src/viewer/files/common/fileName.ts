@@ -8,7 +8,7 @@ export function extensionOf(name: string): string | undefined {
   return /\.([a-z0-9]+)$/i.exec(name)?.[1]?.toLowerCase();
 }
 
-/** The name a gzipped file has once it is unpacked. */
+/** The name of a gzipped file once it is unpacked. */
 export function withoutGz(name: string): string {
   return name.replace(/\.gz$/i, '');
 }

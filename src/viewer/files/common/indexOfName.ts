@@ -1,7 +1,4 @@
-/**
- * The index of a name among others, in capitals or not where none is written the same, or of a number from 1 on if none is called so; −1 if
- * there is none.
- */
+/** The index of a name in a list: by exact match, or else regardless of case, or else as a number counted from 1; −1 if there is none. */
 export function indexOfName(names: readonly string[], wanted: string): number {
   const plain = wanted.trim().toLowerCase();
   for (const named of [names.indexOf(wanted), names.findIndex((name) => name.trim().toLowerCase() === plain)])

@@ -1,5 +1,2 @@
-/**
- * The most bytes that all files of a model may have together, also once they are unpacked. A model is held in memory several times while it
- * is read.
- */
+/** The maximum size of all files of a model together, also unpacked, in bytes. Reading holds several copies of a model in memory. */
 export const MAX_BYTES = 512 * 2 ** 20;

@@ -1,15 +1,13 @@
 import type { FindFile } from './FindFile.js';
 
-/**
- * The bytes of a data URI, or of a file that was dropped together with the model. Nothing is fetched from elsewhere.
- */
+/** Reads a data URI, or a file that was dropped along with the model. Nothing is fetched. */
 export async function readUri(uri: string, findFile: FindFile): Promise<Uint8Array | undefined> {
   return uri.startsWith('data:') ? dataOf(uri) : findFile(uri);
 }
 
 /**
- * The bytes in a data URI; undefined if it is damaged. They are not read by `fetch`, which a Content-Security-Policy without
- * `connect-src data:` forbids.
+ * Decodes a data URI; undefined if it is damaged. Does not use `fetch`, which a Content-Security-Policy without `connect-src data:`
+ * forbids.
  */
 export function dataOf(uri: string): Uint8Array<ArrayBuffer> | undefined {
   const comma = uri.indexOf(',');
@@ -27,7 +25,7 @@ export function dataOf(uri: string): Uint8Array<ArrayBuffer> | undefined {
   }
 }
 
-/** Bytes that are written as text, some of them as %XX. */
+/** Encodes text as bytes, and decodes %XX in it. */
 function unescapeBytes(text: string): Uint8Array<ArrayBuffer> {
   const plain = new TextEncoder().encode(text);
   const bytes = new Uint8Array(plain.length);
@@ -42,7 +40,7 @@ function unescapeBytes(text: string): Uint8Array<ArrayBuffer> {
 
 const PERCENT = 0x25;
 
-/** The byte that two hexadecimal digits stand for, or NaN. */
+/** The value of two hexadecimal digits, or NaN. */
 function hexByte(bytes: Uint8Array, at: number): number {
   const digits = String.fromCharCode(...bytes.subarray(at, at + 2));
   return /^[0-9a-f]{2}$/i.test(digits) ? Number.parseInt(digits, 16) : Number.NaN;

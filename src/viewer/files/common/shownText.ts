@@ -1,22 +1,22 @@
-/** The most characters that are shown of a file's name, and of a sentence. */
+/** The maximum numbers of characters shown of a file name and of a sentence. */
 const MAX_NAME = 60;
 const MAX_TEXT = 400;
 
-/** Characters that change the direction of text, join it, or are invisible; half of a surrogate pair; the blank of Braille. */
+/** Invisible characters: format controls, joiners, bidirectional controls, lone surrogates, and the Braille blank. */
 const UNSEEN = /[\p{Cf}\p{Cs}\p{Default_Ignorable_Code_Point}\u2800]/gu;
 const BLANKS = /[\s\p{Cc}]+/gu;
-/** More accents than any script sets on a letter: they would be drawn over the lines above. */
+/** More combining marks than any script puts on a letter; they would be drawn over the lines above. */
 const PILED_MARKS = /(\p{M}{3})\p{M}+/gu;
 
 /**
- * The name of a file as it is shown: in one line, in the order in which it is written, and with its middle left out where it is long,
- * so that neither its beginning nor its extension can be pushed out of sight. Files are found by their names as they are.
+ * A file name for display: in one line, without characters that reorder text, and shortened in the middle, so that neither its beginning
+ * nor its extension is hidden. Files are looked up by their original names.
  */
 export function shownName(name: string): string {
   return cut(plain(name), MAX_NAME) || 'a file without a name';
 }
 
-/** Text that may contain words of a file, as it is shown. */
+/** Text for display that may contain words of a file. */
 export function shownText(text: string): string {
   return cut(plain(text), MAX_TEXT);
 }

@@ -1,10 +1,7 @@
-/** The bytes of a file that are searched to tell whether it is text in UTF-16 without a byte order mark. */
+/** The number of bytes examined to detect UTF-16 without a byte order mark. */
 const SAMPLE_BYTES = 64;
 
-/**
- * Text in UTF-16, with or without a byte order mark, becomes UTF-8, and a mark at the beginning of UTF-8 is removed. Other bytes are
- * returned as they are.
- */
+/** Converts UTF-16, with or without a byte order mark, to UTF-8, and removes the mark of UTF-8. Other bytes are returned as they are. */
 export function toUtf8(bytes: Uint8Array): Uint8Array {
   const encoding = utf16Encoding(bytes);
   if (encoding) return new TextEncoder().encode(new TextDecoder(encoding).decode(bytes));
@@ -15,7 +12,7 @@ export function toUtf8(bytes: Uint8Array): Uint8Array {
 function utf16Encoding(bytes: Uint8Array): 'utf-16le' | 'utf-16be' | undefined {
   if (bytes[0] === 0xff && bytes[1] === 0xfe) return 'utf-16le';
   if (bytes[0] === 0xfe && bytes[1] === 0xff) return 'utf-16be';
-  // Text without a mark is recognised by its Latin letters, each of which has a zero beside it.
+  // UTF-16 without a mark is recognised by its Latin letters, one byte of which is zero.
   const sample = bytes.subarray(0, SAMPLE_BYTES);
   const isText = (first: number): boolean => {
     for (let i = 0; i + 1 < sample.length; i += 2) {

@@ -1,10 +1,10 @@
-/** The corners of triangles, in an array that grows: their number is not known at first. */
+/** A growing index array, for files that do not announce their number of triangles. */
 export class GrowingIndices {
   private array = new Uint32Array(3 * 1024);
-  /** The number of corners. */
+  /** The number of indices. */
   length = 0;
 
-  /** Makes room for so many corners more, where their number is known. */
+  /** Makes room for this many more indices. */
   reserve(count: number): void {
     if (this.length + count > this.array.length) this.lengthen(this.length + count);
   }
@@ -16,7 +16,7 @@ export class GrowingIndices {
     this.array[this.length++] = c;
   }
 
-  /** The corners, without a copy. */
+  /** The indices, without a copy. */
   values(): Uint32Array {
     return this.array.subarray(0, this.length);
   }

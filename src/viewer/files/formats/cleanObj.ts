@@ -1,31 +1,30 @@
 import { DISPLACEMENT_NOTE } from '../scenes/LoadedScene.js';
 
 /**
- * Keeps the lines of an OBJ file that triangles are drawn from, in the form that three's loader reads: vertices, faces, their smoothing and the
- * use of materials.
- * The loader takes words of a comment for corners, faces beside lines or points for lines, and minutes for many groups.
+ * Reduces an OBJ file to the lines of triangles that three's loader reads correctly: vertices, faces, smoothing groups and materials.
+ * Otherwise the loader takes words of comments for corners and faces next to lines or points for lines, and takes minutes for many groups.
  */
 export function cleanObj(text: string): string {
   return withAllColors(
     withLineFeeds(text)
       .replace(/\\[ \t]*\n/g, ' ')
-      // Names of materials may hold a "#".
+      // Names of materials may contain "#".
       .replace(/^([ \t]*(?:v[tn]?|f)[ \t][^#\n]*)#.*$/gm, '$1')
       .replace(/^[ \t]*usemtl[ \t]+/gm, 'usemtl ')
-      // Lines without their numbers count, too: faces would get the corners of others.
+      // Lines without numbers count too; without them, faces would get the wrong vertices.
       .replace(/^[ \t]*v[ \t]*$/gm, 'v nan nan nan')
       .replace(/^[ \t]*(v[tn])[ \t]*$/gm, '$1 0 0 0')
       .replace(/^(?![ \t]*(?:v[tn]?|f|s)[ \t]|usemtl ).+$/gm, ''),
   );
 }
 
-/** Makes vertices without a colour white where others have one. three's loader would give the colours to the wrong vertices. */
+/** Makes vertices without a colour white where others have one. Otherwise three's loader assigns colours to the wrong vertices. */
 function withAllColors(text: string): string {
   if (!/^[ \t]*v(?:[ \t]+\S+){6}/m.test(text)) return text;
   return withFractions(text).replace(/^([ \t]*v(?:[ \t]+\S+){3})(?:[ \t]+\S+){0,2}[ \t]*$/gm, '$1 1 1 1');
 }
 
-/** Colours as fractions, where they are whole numbers up to 255. */
+/** Divides integer colours by 255. */
 function withFractions(text: string): string {
   const colored = /^([ \t]*v(?:[ \t]+\S+){3})[ \t]+(\S+)[ \t]+(\S+)[ \t]+(\S+)/gm;
   let largest = 0;
@@ -40,29 +39,29 @@ function withFractions(text: string): string {
   });
 }
 
-/** The names of material files in an OBJ file, line by line. A line may have several, see {@link namesIn}. */
+/** The names of material files in an OBJ file, line by line. A line may contain several, see {@link namesIn}. */
 export function materialLibraries(text: string): string[] {
   return [...withLineFeeds(text).matchAll(/^[ \t]*mtllib[ \t]+(.+?)[ \t]*$/gm)].map(([, names]) => names ?? '');
 }
 
-/** The names in a line with several. They may contain spaces, and are told apart by their extension. */
+/** Splits the names of a line. They may contain spaces, and end with their extension. */
 export function namesIn(line: string): string[] {
   return line.match(/\S.*?\.mtl(?=\s|$)|\S.*/gi) ?? [];
 }
 
-/** Keeps the lines of an MTL file that a hatched surface shows: colours, their pictures, opacity, and cut-outs. */
+/** Reduces an MTL file to what hatched surfaces show: colours, colour maps, opacity and cut-outs. */
 export function cleanMtl(text: string): string {
   return (
     withDissolve(withLineFeeds(text).replace(/^[ \t]*(newmtl|Kd|map_Kd|map_d|d|Tr)[ \t]+/gim, '$1 '))
       .replace(/^(?!(?:newmtl|Kd|map_Kd|map_d|d) ).+$/gim, '')
-      // A colour may be one number, for all three, or a spectrum, which nothing reads.
+      // A single number is a grey; a spectrum is not supported.
       .replace(/^Kd ([-+.\de]+)[ \t]*$/gim, 'Kd $1 $1 $1')
       .replace(/^Kd (?:spectral|xyz).*$/gim, '')
       .replace(/^(map_\w+) (.*)$/gim, (_, word: string, rest: string) => `${word} ${plainMap(rest)}`)
   );
 }
 
-/** The names of materials whose pictures are not repeated. */
+/** The names of materials whose pictures are clamped. */
 export function clampedMaterials(text: string): Set<string> {
   const clamped = new Set<string>();
   let name = '';
@@ -75,14 +74,14 @@ export function clampedMaterials(text: string): Set<string> {
 }
 
 const NUMBERS = '(?:[ \\t]+[-+]?(?:\\d+\\.?\\d*|\\.\\d+)(?:e[-+]?\\d+)?)';
-/** An option of a picture, which has up to three numbers or a word: before the name of the file, or after it. */
+/** An option of a map, with up to three numbers or a word, before or after the file name. */
 const OPTION = `-(?:(s|o|t)(${NUMBERS}{1,3})|mm${NUMBERS}{2}|(?:blendu|blendv|boost|bm|cc|clamp|colorspace|imfchan|texres|type)[ \\t]+\\S+)`;
 const OPTION_BEFORE = new RegExp(`^${OPTION}[ \\t]+`, 'i');
 const OPTION_AFTER = new RegExp(`[ \\t]+${OPTION}$`, 'i');
 
 /**
- * The name of a picture, and before it what three's loader reads of the options: scale and offset, with three numbers each. It takes other
- * options for a part of the name, and a part of the name for numbers that are missing.
+ * Rewrites a map's options for three's loader: scale and offset with three numbers each, then the file name. The loader takes other options
+ * for a part of the name, and a part of the name for missing numbers.
  */
 function plainMap(text: string): string {
   const found = { s: [1, 1, 1], o: [0, 0, 0] };
@@ -104,7 +103,7 @@ function plainMap(text: string): string {
   return isPlain ? name : `-s ${found.s.join(' ')} -o ${found.o.join(' ')} ${name}`;
 }
 
-/** Notes on what an OBJ file and its materials hold beside surfaces of flat faces. */
+/** Notes on the parts of an OBJ file and its materials that are not drawn, such as lines, points and curves. */
 export function otherThanFaces(text: string, materials: string): string[] {
   const notes: string[] = [];
   if (/^[ \t]*(?:map_)?disp[ \t]+\S/im.test(withLineFeeds(materials))) notes.push(DISPLACEMENT_NOTE);
@@ -114,8 +113,8 @@ export function otherThanFaces(text: string, materials: string): string[] {
 }
 
 /**
- * Writes the opacity of each material as `d`, in the end of its lines. Some programs write it as `Tr`, which is the opposite, some write both
- * and mean `d`, and some write an option before it.
+ * Writes the opacity of each material as `d`, at the end of its lines. Some programs write `Tr`, which is the opposite, some write both and
+ * mean `d`, and some write an option before it.
  */
 const withDissolve = (text: string): string =>
   text

@@ -2,7 +2,7 @@ import type { GrowingIndices } from './GrowingIndices.js';
 import { PLY_BYTES, type PlyElement, type PlyProperty, type PlyType } from './plyHeader.js';
 import type { BinaryNumbers } from './plyRows.js';
 
-/** Where the numbers of a property go: to places of an array that are `step` apart, from `axis` on. */
+/** The target of a property's numbers: every `step`th entry of an array, from `axis` on. */
 export interface PlyColumn {
   property: PlyProperty;
   target: Float32Array | Float64Array;
@@ -11,10 +11,10 @@ export interface PlyColumn {
 }
 
 /**
- * Reads a binary element whose rows are all of one length, column by column: several times as fast as number by number. All of its
- * rows must be there. Columns that are not wanted are passed over.
+ * Reads a binary element with rows of equal length column by column, which is several times as fast as number by number. All rows must be
+ * present. Unwanted columns are skipped.
  *
- * @returns whether that can be done: not where a row has a list
+ * @returns false if a row contains a list, which prevents this
  */
 export function readColumns({ count, properties }: PlyElement, numbers: BinaryNumbers, columns: PlyColumn[]): boolean {
   if (properties.some(({ countType }) => countType)) return false;
@@ -38,7 +38,7 @@ function readColumn(
   { property, target, axis, step }: PlyColumn,
 ): void {
   const end = start + count * rowBytes;
-  // The type is asked for once, and not for every number.
+  // The type is tested once, not per number.
   if (property.type === 'float32') {
     for (let at = start, to = axis; at < end; at += rowBytes, to += step) target[to] = view.getFloat32(at, isLittle);
   } else if (property.type === 'uint8') {
@@ -61,10 +61,10 @@ const GETTERS: Readonly<Record<PlyType, (view: DataView, at: number, isLittle: b
 };
 
 /**
- * Reads the faces of a binary element that has nothing but lists of corners, as most programs write it, up to the first face that is
- * no triangle.
+ * Reads the faces of a binary element that contains only lists of corners, as most programs write it, up to the first face that is not a
+ * triangle.
  *
- * @returns the number of faces read; the others are still to be read
+ * @returns the number of faces read; the caller reads the others
  */
 export function readTriangles(
   { count, properties }: PlyElement,
@@ -78,7 +78,7 @@ export function readTriangles(
   indices.reserve(3 * faces);
   let { at } = numbers;
   let face = 0;
-  // A negative index becomes as large a one as where numbers are read one by one.
+  // A negative index wraps to the same large index as in the reader of single numbers.
   for (; face < faces && view.getUint8(at) === 3; face++, at += ROW_BYTES) {
     indices.add(view.getUint32(at + 1, isLittle), view.getUint32(at + 5, isLittle), view.getUint32(at + 9, isLittle));
   }
@@ -86,5 +86,5 @@ export function readTriangles(
   return face;
 }
 
-/** The bytes of a triangle: their number, and three corners. */
+/** The bytes of a triangle: a count and three indices. */
 const ROW_BYTES = 13;

@@ -1,9 +1,9 @@
 import { ModelError } from '../common/ModelError.js';
 
-/** The type of a number in a PLY file. */
+/** A number type of PLY. */
 export type PlyType = 'int8' | 'uint8' | 'int16' | 'uint16' | 'int32' | 'uint32' | 'float32' | 'float64';
 
-/** The types, by every name that they have. */
+/** The types by all their names. */
 const TYPES: Readonly<Record<string, PlyType>> = {
   char: 'int8',
   int8: 'int8',
@@ -23,7 +23,7 @@ const TYPES: Readonly<Record<string, PlyType>> = {
   float64: 'float64',
 };
 
-/** The bytes that a number takes in a binary file. */
+/** Size of each type in a binary file, in bytes. */
 export const PLY_BYTES: Readonly<Record<PlyType, number>> = {
   int8: 1,
   uint8: 1,
@@ -38,7 +38,7 @@ export const PLY_BYTES: Readonly<Record<PlyType, number>> = {
 export interface PlyProperty {
   name: string;
   type: PlyType;
-  /** Of a list, the type of the number of its items. */
+  /** For a list, the type of its length. */
   countType?: PlyType;
 }
 
@@ -50,11 +50,11 @@ export interface PlyElement {
 
 export interface PlyHeader {
   format: 'ascii' | 'little' | 'big';
-  /** The elements, in the order of the file. */
+  /** The elements in file order. */
   elements: PlyElement[];
-  /** The name of the picture that a comment speaks of, as several programs write it. */
+  /** The name of the texture from a comment, as several programs write it. */
   picture: string | undefined;
-  /** The byte where the data begin. */
+  /** The byte offset of the data. */
   end: number;
 }
 
@@ -66,13 +66,13 @@ const FORMATS: Readonly<Record<string, PlyHeader['format']>> = {
 };
 
 /**
- * Reads the header of a PLY file, with lines that end in any way, comments anywhere, and its parts in any order.
+ * Reads the header of a PLY file, with any kind of line end, comments anywhere, and its parts in any order.
  *
  * @throws ModelError
  */
 export function readPlyHeader(bytes: Uint8Array, name: string): PlyHeader {
   const head = new TextDecoder('latin1').decode(bytes.subarray(0, MAX_HEADER_BYTES));
-  // If lines end with a carriage return alone, a line feed after the last line is data.
+  // If lines end with CR alone, an LF after the last line belongs to the data.
   const lineEnd = /\r\n|\r|\n/.exec(head)?.[0] ?? '\n';
   const last = new RegExp(`(^|[\\r\\n])[ \\t]*end_header[ \\t]*(${lineEnd}|[\\r\\n]|$)`).exec(head);
   if (!last) throw new ModelError(`${name} is cut short: its PLY header has no end.`);

@@ -1,26 +1,26 @@
 import { AsciiReader } from '../common/AsciiReader.js';
 import { PLY_BYTES, type PlyElement, type PlyHeader, type PlyType } from './plyHeader.js';
 
-/** The words that begin a line without data. The format allows such lines in the header alone, but some programs write them between rows, too. */
+/** Words that begin a line without data. The format allows such lines only in the header, but some programs write them between rows. */
 const COMMENTS = ['comment', 'obj_info', '#'];
 
-/** Reads the numbers of a PLY file, one after the other. */
+/** Reads the numbers of a PLY file one at a time. */
 export interface PlyNumbers {
-  /** To be called before each row. */
+  /** Call this before each row. */
   startRow(): void;
   next(type: PlyType): number;
-  /** The number of bytes that are left. */
+  /** The number of bytes left. */
   readonly bytesLeft: number;
 }
 
-/** The numbers after the header. */
+/** Creates the reader of the numbers after the header. */
 export function plyNumbers(bytes: Uint8Array, { format, end }: PlyHeader): PlyNumbers {
   return format === 'ascii' ? new AsciiNumbers(bytes, end) : new BinaryNumbers(bytes, end, format === 'little');
 }
 
-/** The least number of bytes that a row takes. */
+/** The minimum size of a row, in bytes. */
 export function leastRowBytes({ properties }: PlyElement, format: PlyHeader['format']): number {
-  // A number takes a digit and a space.
+  // A number takes at least a digit and a space.
   if (format === 'ascii') return 2 * properties.length;
   return properties.reduce((sum, { type, countType }) => sum + PLY_BYTES[countType ?? type], 0);
 }
@@ -45,11 +45,11 @@ class AsciiNumbers implements PlyNumbers {
   }
 }
 
-/** The numbers of a binary file. */
+/** Reads the numbers of a binary file. */
 export class BinaryNumbers implements PlyNumbers {
   readonly view: DataView;
 
-  /** @param at the byte where the next number begins */
+  /** @param at byte offset of the first number */
   constructor(
     bytes: Uint8Array,
     public at: number,

@@ -5,8 +5,8 @@ import type { PlainMesh } from '../mesh/PlainMesh.js';
 import { triangulatePolygon } from '../mesh/triangulatePolygon.js';
 
 /**
- * Reads an ASCII STL file, in one pass: three's loader searches it with patterns that take minutes on some files. Loops of more
- * than three corners are cut into triangles; comments are skipped.
+ * Reads an ASCII STL file in one pass; three's loader uses regular expressions that take minutes on some files. Loops of more than three
+ * corners are triangulated; comments are skipped.
  */
 export function readAsciiStl(bytes: Uint8Array): PlainMesh {
   const reader = new AsciiReader(bytes);
@@ -40,7 +40,7 @@ export function readAsciiStl(bytes: Uint8Array): PlainMesh {
         break;
       case 'solid':
       case 'endsolid':
-        // The name of the solid follows, which may be any words.
+        // The name of the solid follows, which may be any text.
         reader.skipLine();
         break;
     }
@@ -50,7 +50,7 @@ export function readAsciiStl(bytes: Uint8Array): PlainMesh {
   return { positions: nearFloats(positions), normals: unitLengths(normals), colors: null, indices: null };
 }
 
-/** Scales normals to length 1. Those without a direction become zero, and are computed from the surface later. */
+/** Normalizes normals. Zero and NaN ones become zero, and are computed from the surface later. */
 function unitLengths(normals: readonly number[]): Float32Array {
   const scaled = Float32Array.from(normals);
   for (let i = 0; i < scaled.length; i += 3) {

@@ -9,7 +9,7 @@ import { withStandIns } from '../scenes/standIns.js';
 import { clampedMaterials, cleanMtl, cleanObj, materialLibraries, namesIn, otherThanFaces } from './cleanObj.js';
 import { writeFaces } from './writeFaces.js';
 
-/** Reads an OBJ file, with the materials of its MTL files if they were dropped together with it. */
+/** Reads an OBJ file, with the materials of its MTL files if they were dropped along. */
 export async function readObj(bytes: Uint8Array, findFile: FindFile): Promise<LoadedScene> {
   const decoder = new TextDecoder();
   const text = decoder.decode(bytes);
@@ -23,7 +23,7 @@ export async function readObj(bytes: Uint8Array, findFile: FindFile): Promise<Lo
   return { root, missing, notes: otherThanFaces(text, materials) };
 }
 
-/** Ends the pictures of some materials at their borders. */
+/** Clamps the pictures of some materials. */
 function clamp(root: Object3D, names: ReadonlySet<string>): void {
   if (names.size === 0) return;
   root.traverse((object) => {
@@ -33,7 +33,7 @@ function clamp(root: Object3D, names: ReadonlySet<string>): void {
   });
 }
 
-/** The text of all material files together, and the names of those that were not dropped along. */
+/** The concatenated text of all material files, and the names of those that are missing. */
 async function findMaterials(
   libraries: readonly string[],
   findFile: FindFile,
@@ -45,7 +45,7 @@ async function findMaterials(
     if (found) texts.push(new TextDecoder().decode(toUtf8(found)));
     return found !== undefined;
   };
-  /** The names that are missing of a text with spaces: it is one name, unless a file with one of its words as name was dropped. */
+  /** The missing names in a text with spaces: one name, unless a file named by one of its words was dropped. */
   const missingOf = async (name: string): Promise<string[]> => {
     const words = name.split(/\s+/);
     const absent: string[] = [];

@@ -9,26 +9,29 @@ import type { NotedMesh, PlainMesh } from '../mesh/PlainMesh.js';
 import { meanAlpha, rangesByAlpha } from '../mesh/rangesByAlpha.js';
 import { GrowingIndices } from './GrowingIndices.js';
 
-/** The word that files begin with: with texture coordinates (ST), colours (C), normals (N) or a fourth coordinate (4) of vertices. */
+/**
+ * The keyword at the beginning, with prefixes for texture coordinates (ST), colours (C), normals (N) and a fourth coordinate (4) of
+ * vertices.
+ */
 const KEYWORD = /^(ST)?(C)?(N)?(4)?(n)?OFF/;
-/** The fewest bytes that a number takes, with the blank after it. */
+/** The minimum size of a number, with the blank after it, in bytes. */
 const LEAST_NUMBER_BYTES = 2;
 
 interface Header {
   hasNormals: boolean;
-  /** Whether the fourth number of a colour is an alpha, and not a texture coordinate. */
+  /** Whether the fourth number of a colour is alpha; otherwise it is a texture coordinate. */
   hasAlpha: boolean;
-  /** The coordinates of a vertex. */
+  /** The number of coordinates of a vertex. */
   size: number;
   vertices: number;
   faces: number;
 }
 
 /**
- * Reads an OFF file (Object File Format) of text: faces with any number of corners, colours of faces or, before these, of vertices, as
- * whole numbers up to 255 or as fractions, and normals. A vertex may be followed by colours also where the first word does not say so.
+ * Reads a text OFF file (Object File Format): faces with any number of corners, normals, and colours of faces or, preferably, of vertices,
+ * as integers up to 255 or as fractions. Vertices may have colours even if the keyword has no C.
  *
- * @throws ModelError if it is binary, damaged or cut short
+ * @throws ModelError if it is binary, damaged or truncated
  */
 export function readOff(bytes: Uint8Array, name: string): NotedMesh {
   const reader = new AsciiReader(bytes);
@@ -59,7 +62,7 @@ export function readOff(bytes: Uint8Array, name: string): NotedMesh {
   return { mesh: rangesByAlpha(mesh, (triangle) => opacityOf(faces.alphas[triangle] / faceFull)), notes };
 }
 
-/** An alpha that is not given is that of an opaque face. */
+/** A missing alpha is opaque. */
 const opacityOf = (alpha: number): number => (Number.isFinite(alpha) ? alpha : 1);
 
 function readHeader(reader: AsciiReader, name: string): Header {
@@ -121,14 +124,14 @@ function readVertices(
   return { positions, normals, colors, alphas };
 }
 
-/** Reads a normal, of length 1; one without a direction becomes zero, and is computed later. */
+/** Reads and normalizes a normal; one without a direction becomes zero, and is computed later. */
 function writeNormal(reader: AsciiReader, normals: Float32Array, at: number): void {
   const normal = [reader.number(), reader.number(), reader.number()];
   const length = Math.hypot(...normal);
   for (let k = 0; k < 3; k++) normals[at + k] = length > 0 && length < Infinity ? normal[k] / length : 0;
 }
 
-/** Reads the faces as triangles, polygons as fans, with a colour and an alpha for each, which are not numbers where there is none. */
+/** Reads the faces as triangle fans, with a colour and an alpha for each; missing ones are NaN. */
 function readFaces(
   reader: AsciiReader,
   { faces }: Header,
@@ -162,7 +165,7 @@ function readFaces(
     }
     if (count > 3) polygons.push(before, indices.length);
     const rest = restOfLine(reader);
-    // A single number is a place in a list of colours, which is not in the file.
+    // A single number is an index into a colour map, which the file does not contain.
     const [red, green, blue, alpha = Number.NaN] = rest.length >= 3 ? rest : [Number.NaN, Number.NaN, Number.NaN];
     isColoured ||= rest.length >= 3;
     hasLines ||= count === 1 || count === 2;
@@ -183,14 +186,14 @@ function skipComments(reader: AsciiReader): void {
   while (reader.isAt('#')) reader.skipLine();
 }
 
-/** The numbers that follow in a line. */
+/** The remaining numbers of the line. */
 function restOfLine(reader: AsciiReader): number[] {
   const numbers: number[] = [];
   while (!reader.isAtLineEnd) numbers.push(reader.number());
   return numbers;
 }
 
-/** The value of full brightness: fractions go to 1, whole numbers to 255. */
+/** The value of full brightness: 1 for fractions, 255 for integers. */
 function fullValue(values: ArrayLike<number>): number {
   for (let i = 0; i < values.length; i++) if (values[i] > 1) return 255;
   return 1;

@@ -12,7 +12,7 @@ import { type PlyColumn, readColumns, readTriangles } from './plyBlocks.js';
 import { type PlyElement, type PlyHeader, type PlyProperty, readPlyHeader } from './plyHeader.js';
 import { BinaryNumbers, leastRowBytes, type PlyNumbers, plyNumbers } from './plyRows.js';
 
-/** The names that programs give to the properties that are drawn, in the order position, normal, colour, alpha. */
+/** Names of the properties that are drawn, in the order position, normal, colour, alpha. */
 const COLUMNS: readonly (readonly string[])[] = [
   ['x', 'px', 'posx'],
   ['y', 'py', 'posy'],
@@ -31,11 +31,11 @@ const ALPHA = 9;
 const CORNERS = /^vertex_?(indices|indexes|index)$/;
 
 /**
- * Reads a PLY file: ASCII or binary of either byte order, its elements in any order, faces with any number of corners, triangle
- * strips, and colours and alpha of vertices or, before these, of faces. three's own loader leaves out faces of more than four corners and triangle strips,
- * without a word.
+ * Reads a PLY file: ASCII or binary of either byte order, elements in any order, faces with any number of corners, triangle strips, and
+ * colours and alpha of vertices or, preferably, of faces. three's own loader silently drops triangle strips and faces of more than four
+ * corners.
  *
- * @throws ModelError if it holds points or splats only, or is cut short
+ * @throws ModelError if it contains only points or splats, or is truncated
  */
 export function readPly(bytes: Uint8Array, name: string): NotedMesh {
   const header = readPlyHeader(bytes, name);
@@ -68,16 +68,16 @@ export function readPly(bytes: Uint8Array, name: string): NotedMesh {
 }
 
 interface Points extends Pick<PlainMesh, 'normals' | 'colors'> {
-  /** In double precision where the file may hold more than single ones. */
+  /** In double precision where the file may need it. */
   positions: Float32Array | Float64Array;
-  /** From 0 to 1, one for each. */
+  /** Alpha per vertex, in [0, 1]. */
   alphas: Float32Array | null;
 }
 
-/** What triangles have, one for each, if any has it. */
+/** Data per triangle, where the file has them. */
 interface Faces {
   colors?: FaceColors | undefined;
-  /** From 0 to 1. */
+  /** Alpha in [0, 1]. */
   alphas?: Float32Array | undefined;
 }
 
@@ -118,7 +118,7 @@ function readPoints(element: PlyElement, numbers: PlyNumbers, name: string): Poi
   const slots = properties.map((property) => COLUMNS.findIndex((names) => names.includes(property.name)));
   const row = new Float64Array(COLUMNS.length);
   const has = (first: number): boolean => [0, 1, 2].every((i) => slots.includes(first + i));
-  // Text, doubles and large whole numbers may be places on a map, for which single precision is too coarse.
+  // Text, doubles and large integers may be map coordinates, for which single precision is too coarse.
   const isSingle =
     numbers instanceof BinaryNumbers &&
     properties.every(({ type }, i) => slots[i] < 0 || slots[i] >= NORMAL || !/64|32$/.test(type) || type === 'float32');
@@ -166,7 +166,7 @@ function readPoints(element: PlyElement, numbers: PlyNumbers, name: string): Poi
   return read();
 }
 
-/** Gives normals the length 1. Those without a length or a direction become zero. */
+/** Normalizes normals. Those without a direction become zero. */
 function normalize(normals: Float32Array): void {
   for (let i = 0; i < normals.length; i += 3) {
     const x = normals[i];
@@ -180,7 +180,7 @@ function normalize(normals: Float32Array): void {
   }
 }
 
-/** Reads faces. `polygons` receives where those of more corners than three begin. @returns what else they have */
+/** Reads faces. `polygons` receives the ranges of faces with more than three corners. @returns their other data */
 function readFaces(
   element: PlyElement,
   numbers: PlyNumbers,
@@ -230,7 +230,7 @@ function readPolygon(property: PlyProperty, numbers: PlyNumbers, indices: Growin
   }
 }
 
-/** Adds the triangles of strips. The winding of every other one is reversed; -1 begins a new strip. */
+/** Adds the triangles of strips. Every other triangle is reversed; -1 begins a new strip. */
 function readStrips(
   { count, properties }: PlyElement,
   numbers: PlyNumbers,
@@ -264,7 +264,7 @@ function readStrips(
 }
 
 function skipRows({ count, properties }: PlyElement, numbers: PlyNumbers, name: string): void {
-  // Rows without properties take no bytes, however many are announced.
+  // Rows without properties take no bytes, whatever their count.
   if (properties.length === 0) return;
   for (let row = 0; row < count; row++) {
     numbers.startRow();
@@ -275,7 +275,7 @@ function skipRows({ count, properties }: PlyElement, numbers: PlyNumbers, name: 
   }
 }
 
-/** The property that lists the corners: the one of that name, or else the first list. */
+/** The property with the corner indices: by name, or else the first list. */
 function cornerList(properties: readonly PlyProperty[]): number {
   const named = properties.findIndex(({ name, countType }) => countType && CORNERS.test(name));
   return named !== -1 ? named : properties.findIndex(({ countType }) => countType);
@@ -285,26 +285,26 @@ function skipList(property: PlyProperty, numbers: PlyNumbers, name: string): voi
   for (let left = listLength(property, numbers, name); left > 0; left--) numbers.next(property.type);
 }
 
-/** @throws ModelError if the list is longer than what is left of the file */
+/** @throws ModelError if the list is longer than the rest of the file */
 function listLength({ countType }: PlyProperty, numbers: PlyNumbers, name: string): number {
   const length = numbers.next(countType!);
   if (length >= 0 && length <= numbers.bytesLeft) return length;
   throw new ModelError(`${name} is cut short or damaged: one of its lists is longer than the file.`);
 }
 
-/** Converts sRGB values of a type to linear RGB from 0 to 1. Values that are not numbers become white. */
+/** Converts sRGB values of a type to linear RGB in [0, 1]. NaN becomes white. */
 function toLinear(values: ArrayLike<number>, { type }: PlyProperty): Float32Array {
   return linearColors(values, fullValue(values, type));
 }
 
-/** Divides values of a type by the largest, in place. Those that are not numbers are opaque. */
+/** Scales values of a type to [0, 1], in place. NaN becomes opaque. */
 function toShares(values: Float32Array, { type }: PlyProperty): Float32Array {
   const full = fullValue(values, type);
   for (let i = 0; i < values.length; i++) values[i] = Number.isFinite(values[i]) ? values[i] / full : 1;
   return values;
 }
 
-/** The value of full brightness. Floats go to 1, but some programs write 0 to 255. */
+/** The value of full brightness. Floats usually go to 1, but some programs write 0 to 255. */
 function fullValue(values: ArrayLike<number>, type: PlyProperty['type']): number {
   if (type === 'uint16' || type === 'int16') return 65535;
   if (!type.startsWith('float')) return 255;

@@ -9,6 +9,6 @@ import { readAsciiStl } from './readAsciiStl.js';
 export function readStl(bytes: Uint8Array): NotedMesh | LoadedScene {
   const length = binaryStlLength(bytes);
   if (length === undefined) return { mesh: readAsciiStl(bytes), notes: [] };
-  // Bytes after the triangles are cut off: with them, three's loader would take the file for text.
+  // Trailing bytes are cut off: with them, three's loader would take the file for text.
   return { root: new Mesh(new STLLoader().parse(bytes.slice(0, length).buffer)) };
 }

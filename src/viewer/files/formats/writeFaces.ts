@@ -4,16 +4,16 @@ import { fanNormal, isFan, triangulatePolygon } from '../mesh/triangulatePolygon
 const POLYGON = /^[ \t]*f(?:[ \t]+\S+){4}/m;
 /** A face with a corner that has no normal. */
 const PLAIN = /^[ \t]*f(?:[ \t]+\S+)*?[ \t]+-?\d+(?:\/-?\d*)?\/?(?:[ \t]|$)/m;
-/** The material of faces before the first one that the file names: three's loader would give them that one. */
+/** The material of faces before the first `usemtl`; three's loader would give them the first named material. */
 const NO_MATERIAL = 'usemtl (none)';
 const BLANKS = /[ \t]+/;
-/** Smoothing groups are told apart by up to so many numbers. */
+/** The maximum number of distinct smoothing groups. */
 const GROUPS = 2 ** 20;
 
 /**
- * Writes the faces of an OBJ file, as `cleanObj` leaves it, for three's loader, which cuts polygons as fans, over their notches, and takes
- * every face without normals for flat. Polygons with notches become triangles. Faces without normals are smooth within their smoothing group
- * and flat where smoothing is off; where the file says nothing their normals are zero, so that they are computed later, with edges kept.
+ * Rewrites the faces of an OBJ file, cleaned by `cleanObj`, for three's loader, which triangulates concave polygons wrongly as fans and
+ * makes every face without normals flat. Concave polygons become triangles. Faces without normals are smooth within their smoothing group
+ * and flat where smoothing is off; where the file does not say, their normals are zero, so that they are computed later with creases kept.
  */
 export function writeFaces(text: string): string {
   if (!POLYGON.test(text) && !PLAIN.test(text) && !beginsBare(text)) return text;
@@ -52,17 +52,17 @@ export function writeFaces(text: string): string {
   return [...data, ...smooth.lines(), 'vn 0 0 0', NO_MATERIAL, ...written].join('\n');
 }
 
-/** Whether faces come before the material of others. */
+/** Whether faces come before the first material. */
 function beginsBare(text: string): boolean {
   const named = text.search(/^usemtl /m);
   return named !== -1 && text.slice(0, named).search(/^[ \t]*f[ \t]/m) !== -1;
 }
 
-/** A file in parts: what faces refer to comes before all of them, and their numbers count from the beginning of the file. */
+/** An OBJ file split in two: vertex data first, then the faces, whose indices count from the beginning of the file. */
 interface ObjLines {
-  /** The vertices, texture coordinates and normals. */
+  /** Lines of vertices, texture coordinates and normals. */
   data: string[];
-  /** The faces, and what they are drawn with. */
+  /** Lines of faces and their materials. */
   drawn: string[];
   /** xyz of the vertices. */
   positions: number[];
@@ -92,7 +92,7 @@ function readLines(text: string): ObjLines {
   return { data, drawn, positions, normals: counts.vn };
 }
 
-/** Replaces numbers that count backwards from the last vertex before the face. */
+/** Replaces negative indices, which count backwards from the last vertex before the face. */
 function fromBeginning(line: string, { v, vt, vn }: Readonly<Record<'v' | 'vt' | 'vn', number>>): string {
   const totals = [v, vt, vn];
   const counted = (number: string, place: number): string =>
@@ -103,7 +103,7 @@ function fromBeginning(line: string, { v, vt, vn }: Readonly<Record<'v' | 'vt' |
 }
 
 /**
- * Calls back with each face and its smoothing group: 0 where smoothing is off, -1 where the file has said nothing. The face is one for all.
+ * Calls back with each face and its smoothing group: 0 where smoothing is off, -1 where the file does not say. The `Face` object is reused.
  *
  * @param onOther called with every other line
  */
@@ -123,7 +123,7 @@ function eachFace(
   }
 }
 
-/** Some programs write the word alone, and some `on`. */
+/** Some programs write `s` without a value, and some `s on`. */
 function groupOf(name: string): number {
   if (/^(?:0|off|null)$/i.test(name)) return 0;
   return 1 + ((Number.parseInt(name, 10) || 1) % (GROUPS - 1));
@@ -131,7 +131,7 @@ function groupOf(name: string): number {
 
 const cornersOf = (line: string): string[] => line.slice(1).trim().split(BLANKS);
 
-/** Whether a corner such as `1`, `1/2` or `1/2/` names no normal. */
+/** Whether a corner such as `1`, `1/2` or `1/2/` has no normal index. */
 function lacksNormal(corner: string): boolean {
   const second = corner.indexOf('/', corner.indexOf('/') + 1);
   return !corner.includes('/') || second === -1 || second === corner.length - 1;
@@ -144,12 +144,12 @@ function withNormal(corner: string, number: number): string {
 
 const [TAB, BLANK, SLASH, ZERO] = [9, 32, 47, 48];
 
-/** A face that is read again and again, since files have millions. */
+/** A parsed face, reused for each line since files have millions. */
 class Face {
-  /** The numbers of its vertices, from 0 on. */
+  /** The indices of its vertices, from 0. */
   readonly vertices: number[] = [];
   count = 0;
-  /** Whether a corner has no normal. */
+  /** Whether any corner has no normal. */
   lacksNormals = false;
 
   read(line: string): void {
@@ -180,14 +180,14 @@ class Face {
   }
 }
 
-/** The normals of vertices in their smoothing groups: the mean of the faces that meet there, by their angles. */
+/** Vertex normals by smoothing group: the mean of the adjacent faces' normals, weighted by angle. */
 class SmoothNormals {
   private readonly numbers = new Map<number, number>();
   private readonly sums: number[] = [];
-  /** Of the face that is added. */
+  /** Normal of the face being added. */
   private readonly normal: [number, number, number] = [0, 0, 0];
 
-  /** @param first the number of the first of them in the file */
+  /** @param first index of the first new normal in the file */
   constructor(
     private readonly positions: readonly number[],
     private readonly first: number,
@@ -209,7 +209,7 @@ class SmoothNormals {
     }
   }
 
-  /** The number of the normal of a vertex in the file. */
+  /** The index of a vertex's normal in the file. */
   numberOf(vertex: number, group: number): number {
     return this.first + this.placeOf(vertex, group);
   }

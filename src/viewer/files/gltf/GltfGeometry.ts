@@ -4,14 +4,14 @@ import type { GltfWriter } from './GltfWriter.js';
 import type { GltfMesh, GltfPrimitive } from './gltfDocument.js';
 import { drawsTriangles, toTriangles } from './gltfTriangles.js';
 
-/** WebGL 2 guarantees textures of 256 layers, and three.js keeps one morph target in each. */
+/** The maximum number of morph targets: WebGL 2 guarantees array textures of 256 layers, and three.js uses one layer per target. */
 const MAX_SHAPES = 256;
 const MAX_SHAPE_BYTES = 256 * 1024 * 1024;
-/** three.js keeps a morph target as four floats for the position of a vertex, and four for its normal. */
+/** three.js stores a morph target as four floats per vertex for the position, and four for the normal. */
 const SHAPE_VERTEX_BYTES = 32;
 const TRIANGLE_LIST = 4;
 
-/** Attributes that are drawn, and how many numbers they have per vertex. */
+/** The attributes that are drawn, with the allowed numbers of components. */
 const SIZES: Record<string, readonly number[]> = {
   POSITION: [3],
   NORMAL: [3],
@@ -30,7 +30,7 @@ interface Attribute {
   size: number;
 }
 
-/** A primitive that was read. */
+/** A primitive after reading. */
 interface Part {
   attributes: Map<string, Attribute>;
   indices: Uint32Array | undefined;
@@ -39,41 +39,41 @@ interface Part {
   material: number | undefined;
 }
 
-/** Where the values of a primitive come from. */
+/** The source of a primitive's values: accessors, or Draco. */
 interface PartSource {
   read(attribute: string): { values: Float32Array; size: number } | undefined;
   indices(): Uint32Array | undefined;
 }
 
-/** Unpacks a primitive that is packed with Draco. Its attributes have the names of glTF; their values are normalized. @throws ModelError */
+/** Decodes a Draco-compressed primitive. Its attributes have their glTF names, with normalized values. @throws ModelError */
 export type DracoSource = (
   packed: NonNullable<NonNullable<GltfPrimitive['extensions']>['KHR_draco_mesh_compression']>,
   primitive: GltfPrimitive,
 ) => Promise<DracoPart>;
 
-/** What was left out of the geometry. */
+/** Counts of what was left out of the geometry. */
 export interface LeftOut {
-  /** Triangles with a corner that is missing or not a number. */
+  /** Triangles with a corner that is missing or NaN. */
   triangles: number;
-  /** Attributes and morph targets whose values do not fit the vertices. */
+  /** Attributes and morph targets whose sizes do not fit the vertices. */
   attributes: number;
-  /** Morph targets beyond the most that can be drawn. */
+  /** Morph targets beyond the maximum number. */
   shapes: number;
-  /** Primitives that are points or lines. */
+  /** Primitives of points or lines. */
   lines: number;
 }
 
-/** A mesh in the document that is written. */
+/** A mesh in the written document. */
 export interface PlainGltfMesh {
   json: { name?: string | undefined; primitives: object[]; weights?: number[]; extras?: { targetNames: string[] } };
-  /** The triangles of all its primitives together. */
+  /** Counts over all its primitives. */
   vertices: number;
   triangles: number;
   shapes: number;
   isSkinned: boolean;
 }
 
-/** Unpacks the meshes of a document, and checks their values. */
+/** Unpacks and checks the meshes of a document. */
 export class GltfGeometry {
   readonly leftOut: LeftOut = { triangles: 0, attributes: 0, shapes: 0, lines: 0 };
   private readonly repaired = new Map<Float32Array, Repaired>();
@@ -88,9 +88,9 @@ export class GltfGeometry {
   /**
    * Writes a mesh.
    *
-   * @param joints of the skeleton that moves it; 0 for none
+   * @param joints number of joints of its skeleton; 0 without one
    * @returns undefined if no triangles are left
-   * @throws ModelError if its values are not all there
+   * @throws ModelError if data is missing
    */
   async writeMesh(mesh: GltfMesh, joints: number): Promise<PlainGltfMesh | undefined> {
     const parts: Part[] = [];
@@ -149,7 +149,7 @@ export class GltfGeometry {
     return { attributes, indices, vertexCount, targets, material };
   }
 
-  /** Sets the weights of joints to 0 that the skeleton does not have: reading them would fail. */
+  /** Sets the weights of joints that the skeleton lacks to 0, since reading such joints would fail. */
   private readJoints(
     { attributes }: GltfPrimitive,
     source: PartSource,
@@ -173,7 +173,7 @@ export class GltfGeometry {
     ];
   }
 
-  /** Moves vertices whose coordinates are not numbers to one that is valid, because even unused vertices count for the bounds. */
+  /** Moves vertices with NaN coordinates to a valid vertex, because even unused vertices count for the bounds. */
   private repair(values: Float32Array): Repaired {
     let repaired = this.repaired.get(values);
     if (!repaired) {
@@ -183,7 +183,7 @@ export class GltfGeometry {
     return repaired;
   }
 
-  /** The number of morph targets that all primitives of a mesh get. */
+  /** The number of morph targets that every primitive of a mesh gets. */
   private limitShapes(parts: readonly Part[]): number {
     const wanted = Math.max(...parts.map(({ targets }) => targets.length));
     const vertices = Math.max(...parts.map(({ vertexCount }) => vertexCount));
@@ -257,7 +257,7 @@ export class GltfGeometry {
 
 interface Repaired {
   positions: Float32Array;
-  /** 1 for every vertex whose coordinates are numbers; undefined if those of all vertices are. */
+  /** 1 for every vertex with finite coordinates; undefined if all are finite. */
   isUsable: Uint8Array | undefined;
 }
 
@@ -278,7 +278,7 @@ function repairPositions(values: Float32Array): Repaired {
   return { positions, isUsable };
 }
 
-/** The first `count` weights, filled up with zeros. */
+/** The first `count` weights, padded with zeros. */
 export const fitWeights = (weights: readonly number[], shapes: number): number[] =>
   Array.from({ length: shapes }, (_, i) => weights[i] ?? 0);
 

@@ -13,20 +13,20 @@ import {
   readInstances,
 } from './gltfInstances.js';
 
-/** A skeleton that was written; undefined if it is damaged. */
+/** A written skeleton; undefined if it is damaged. */
 export type PlainSkin = { joints: number[]; inverseBindMatrices?: number } | undefined;
 
 type NumberedMesh = PlainGltfMesh & { index: number };
 
-/** Writes the nodes of a document, with the meshes of those that are visible. */
+/** Writes the nodes of a document, with the meshes of visible ones. */
 export class GltfNodes {
   readonly nodes: object[] = [];
   readonly meshes: object[] = [];
-  /** The number of morph targets of each node's mesh, by the index of the node. */
+  /** The number of morph targets of each node's mesh, by node index. */
   readonly shapes: number[] = [];
-  /** What is drawn. Instances count as often as they are drawn. */
+  /** Totals of what is drawn. Instances count each. */
   readonly sums = { triangles: 0, vertices: 0, draws: 0 };
-  /** Whether a skeleton moves any mesh. */
+  /** Whether any mesh is skinned. */
   isSkinned = false;
   readonly leftOut = { skeletons: 0, instances: 0 };
   private readonly variants = new Map<string, Promise<NumberedMesh | undefined>>();
@@ -39,7 +39,7 @@ export class GltfNodes {
     private readonly writer: GltfWriter,
   ) {}
 
-  /** Writes the next node. @throws ModelError if its mesh is not all there, or there are too many triangles */
+  /** Writes the next node. @throws ModelError if data of its mesh is missing, or there are too many triangles */
   async write(node: GltfNode, isVisible: boolean): Promise<void> {
     const { name, children, matrix, translation, rotation, scale } = node;
     const plain: Record<string, unknown> = { name, matrix, translation, rotation, scale };
@@ -65,7 +65,7 @@ export class GltfNodes {
     this.sums.draws += mesh.json.primitives.length;
   }
 
-  /** Writes a mesh once for every number of joints: with a skeleton it has other attributes than without. */
+  /** Writes a mesh once per number of joints, since skinned meshes have more attributes. */
   private meshOf(mesh: number, joints: number): Promise<NumberedMesh | undefined> {
     const key = `${mesh} ${joints}`;
     let variant = this.variants.get(key);
@@ -78,7 +78,7 @@ export class GltfNodes {
     return variant;
   }
 
-  /** The instances of a mesh; undefined if it has none. They are counted before they are read. */
+  /** The instances of a mesh; undefined if it has none. Their triangles are counted before they are read. */
   private instancesOf(places: InstanceAccessors, { triangles }: PlainGltfMesh): Instances | undefined {
     const count = places.length > 0 ? instanceCount(places, this.values) : 1;
     checkReadTriangles(Math.max(1, this.sums.triangles + triangles * count));

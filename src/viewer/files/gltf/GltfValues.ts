@@ -8,7 +8,7 @@ import {
   TYPE_SIZES,
 } from './gltfDocument.js';
 
-/** The bytes that accessors may always take when they are unpacked. They may take four times the bytes of the file, too. */
+/** The unpacked size that is always allowed for accessors, in bytes. Larger files may use four times their own size. */
 const SPARE_BYTES = 256 * 1024 * 1024;
 
 type ComponentType = keyof typeof COMPONENT_BYTES;
@@ -22,12 +22,12 @@ const READ: Record<ComponentType, (view: DataView, at: number) => number> = {
   5126: (view, at) => view.getFloat32(at, true),
 };
 
-/** The largest values of the integer types, by which normalized values are divided. */
+/** The maximum of each integer type, by which normalized values are divided. */
 const NORMAL: Record<ComponentType, number> = { 5120: 127, 5121: 255, 5122: 32767, 5123: 65535, 5125: 1, 5126: 1 };
 
 const MESHOPT_BYTES_AT_MOST = 256;
 
-/** The values of a document's accessors, unpacked: without strides, sparse changes, quantization or meshopt's packing. */
+/** The values of a document's accessors, decoded from strides, sparse storage, quantization and meshopt compression. */
 export class GltfValues {
   private readonly floats = new Map<number, Float32Array>();
   private readonly integers = new Map<number, Uint32Array>();
@@ -43,7 +43,7 @@ export class GltfValues {
     this.bytesLeft = SPARE_BYTES + 4 * buffers.reduce((sum, { length }) => sum + length, 0);
   }
 
-  /** Loads meshopt's decoder if a buffer view is packed with it. */
+  /** Loads meshopt's decoder if a buffer view needs it. */
   async prepare(): Promise<void> {
     if (!this.document.bufferViews.some((view) => packingOf(view))) return;
     const { MeshoptDecoder } = await import('three/addons/libs/meshopt_decoder.module.js');
@@ -51,7 +51,7 @@ export class GltfValues {
     this.meshopt = MeshoptDecoder;
   }
 
-  /** Numbers per item of an accessor. */
+  /** The number of components per item of an accessor. */
   sizeOf(accessor: number): number {
     return TYPE_SIZES[this.document.accessors[accessor].type];
   }
@@ -61,7 +61,7 @@ export class GltfValues {
     return this.document.accessors[accessor].count;
   }
 
-  /** The values as numbers; normalized ones in [-1, 1]. Not to be changed. @throws ModelError if they are not all there */
+  /** The values as floats; normalized ones are in [-1, 1]. Read-only. @throws ModelError if data is missing */
   floatsOf(accessor: number): Float32Array {
     return remember(this.floats, accessor, () =>
       this.normalize(
@@ -71,7 +71,7 @@ export class GltfValues {
     );
   }
 
-  /** Divides whole numbers by the largest of their type, in place, if the accessor says so. */
+  /** Divides integers by the maximum of their type, in place, if the accessor is normalized. */
   normalize(accessor: number, values: Float32Array): Float32Array {
     const { componentType, normalized } = this.document.accessors[accessor];
     const largest = NORMAL[componentType];
@@ -81,7 +81,7 @@ export class GltfValues {
     return values;
   }
 
-  /** As {@link floatsOf}, or undefined if they are not all there. */
+  /** As {@link floatsOf}, or undefined if data is missing. */
   tryFloats(accessor: number): Float32Array | undefined {
     try {
       return this.floatsOf(accessor);
@@ -91,7 +91,7 @@ export class GltfValues {
     }
   }
 
-  /** The values as whole numbers. Not to be changed. @throws ModelError if they are not all there, or not whole numbers */
+  /** The values as integers. Read-only. @throws ModelError if data is missing or not integer */
   integersOf(accessor: number): Uint32Array {
     return remember(this.integers, accessor, () => {
       const { componentType } = this.document.accessors[accessor];
@@ -101,7 +101,7 @@ export class GltfValues {
     });
   }
 
-  /** The bytes of a buffer view. @throws ModelError if they are not all there */
+  /** The bytes of a buffer view. @throws ModelError if data is missing */
   viewOf(index: number): Uint8Array {
     return remember(this.views, index, () => {
       const view = this.document.bufferViews[index];
@@ -183,7 +183,7 @@ export class GltfValues {
     }
   }
 
-  /** Counts bytes that are about to be allocated, and throws if they are too many: a few bytes of text could ask for gigabytes. */
+  /** Counts bytes before they are allocated, and throws if they are too many: a few bytes of text could ask for gigabytes. */
   private spend(bytes: number): void {
     this.bytesLeft -= bytes;
     if (!(this.bytesLeft >= 0))

@@ -1,4 +1,4 @@
-/** An accessor as it is written: the whole of a buffer view of its own. */
+/** A written accessor, which covers a buffer view of its own. */
 export interface PlainAccessor {
   bufferView: number;
   componentType: number;
@@ -12,14 +12,14 @@ type Values = Float32Array | Uint16Array | Uint32Array;
 
 const TYPES: Record<number, string> = { 1: 'SCALAR', 2: 'VEC2', 3: 'VEC3', 4: 'VEC4', 16: 'MAT4' };
 
-/** Collects arrays of values for a new glTF document, every array once. */
+/** Collects the arrays of a new glTF document, each once. */
 export class GltfWriter {
   readonly accessors: PlainAccessor[] = [];
-  /** The arrays, by the index of their buffer view. */
+  /** The arrays, by index of their buffer view. */
   readonly arrays: ArrayBuffer[] = [];
   private readonly written = new Map<Values, number>();
 
-  /** @param size numbers per item @returns the index of the accessor */
+  /** @param size components per item @returns the index of the accessor */
   add(values: Values, size: number): number {
     let index = this.written.get(values);
     if (index === undefined) {
@@ -42,7 +42,7 @@ export class GltfWriter {
   }
 }
 
-/** The bounds of an accessor, by which loaders cull and warn. Those in the file may be missing or wrong. */
+/** The bounds of an accessor, which loaders use for culling. Those in the file may be missing or wrong. */
 function boundsOf(values: Values): { min: number[]; max: number[] } {
   const min = [Infinity, Infinity, Infinity];
   const max = [-Infinity, -Infinity, -Infinity];

@@ -1,7 +1,7 @@
 import { alphaOf, isHalfThere, isOpaque } from '../pictures/alphaOf.js';
 import type { GltfParts } from './parseGltf.js';
 
-/** A material with no less opacity is opaque. */
+/** Materials with at least this opacity count as opaque. */
 const ALMOST = 0.95;
 
 interface BlendedMaterial {
@@ -10,8 +10,8 @@ interface BlendedMaterial {
 }
 
 /**
- * Looks at the pictures of blended materials, now that they are decoded. The alpha of pictures that are half there goes to the material, in the
- * place of the picture; where a picture has none, the material is not blended by it.
+ * Examines the decoded pictures of blended materials. A mostly half-transparent picture is replaced by its mean alpha in the material; a
+ * picture without alpha makes its material opaque.
  */
 export function settleBlendedPictures({ json, textures, bitmaps }: GltfParts): void {
   for (const material of (json as { materials?: BlendedMaterial[] }).materials ?? []) {

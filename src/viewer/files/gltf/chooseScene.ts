@@ -8,21 +8,21 @@ const MAX_DEPTH = 500;
 /** The part of a glTF document that is shown. */
 export interface ChosenScene {
   name: string | undefined;
-  /** The indices of its topmost nodes. */
+  /** Indices of the root nodes. */
   roots: number[];
-  /** The indices of all its nodes that are visible. */
+  /** Indices of all visible nodes. */
   visible: number[];
-  /** What to say about the choice. */
+  /** Notes about the choice, for the caption. */
   notes: string[];
-  /** Facts for the longer text that opens on request. */
+  /** Details for the longer text that opens on request. */
   details: string[];
 }
 
 /**
- * Chooses the scene that a document calls its own, or else its first. Without a scene, all nodes are shown; without nodes,
- * every mesh, with a node that is added to the document.
+ * Chooses the document's default scene, or else its first. Without scenes, all nodes are shown; without nodes, every mesh, by a node added
+ * to the document.
  *
- * @throws ModelError if there is no mesh, or nodes contain themselves, or are too many
+ * @throws ModelError if there is no mesh, or nodes form a cycle, or are too many
  */
 export function chooseScene(document: GltfDocument, fileName: string): ChosenScene {
   const { scenes, nodes, meshes } = document;
@@ -43,8 +43,8 @@ export function chooseScene(document: GltfDocument, fileName: string): ChosenSce
 }
 
 /**
- * Leaves every node one parent at most: the loader would wait for ever for a node that lies below itself. Nodes of the scene keep a
- * parent that is in the scene too; a parent outside of the scene does not take them away.
+ * Leaves every node at most one parent: three's loader would wait forever for a node that is its own descendant. Nodes of the scene keep a
+ * parent within the scene, in preference to one outside.
  *
  * @param listed the nodes of the scene
  * @returns the nodes without a parent: those of the scene, and all others
@@ -77,7 +77,7 @@ function topmostNodes(
   return { roots, others };
 }
 
-/** Some nodes and all below them, each once. */
+/** Nodes and all their descendants, each once. */
 function nodesBelow(nodes: GltfDocument['nodes'], from: readonly number[]): Set<number> {
   const found = new Set<number>();
   const pending = [...from];
@@ -89,7 +89,7 @@ function nodesBelow(nodes: GltfDocument['nodes'], from: readonly number[]): Set<
   return found;
 }
 
-/** @throws ModelError unless all nodes lie below the topmost ones, and not too deep */
+/** @throws ModelError unless all nodes descend from the root nodes, at a moderate depth */
 function checkNesting(nodes: GltfDocument['nodes'], tops: readonly number[], fileName: string): void {
   const pending = tops.map((node) => ({ node, depth: 0 }));
   let count = 0;

@@ -1,7 +1,7 @@
 import type { Attribute, DecoderModule } from 'draco3d';
 import { checkReadTriangles } from '../mesh/checkTriangleCount.js';
 
-/** The typed array for each component type of glTF, and Draco's name of that type. */
+/** The typed array and Draco's name for each glTF component type. */
 const TYPES = {
   5120: [Int8Array, 'DT_INT8'],
   5121: [Uint8Array, 'DT_UINT8'],
@@ -11,19 +11,19 @@ const TYPES = {
   5126: [Float32Array, 'DT_FLOAT32'],
 } as const;
 
-/** What to unpack: Draco's id of an attribute, and the type of its values. */
+/** An attribute to decode: its Draco id, and its component type. */
 export interface DracoAttribute {
   id: number;
   componentType: keyof typeof TYPES;
 }
 
-/** Values per vertex; 0 if the attribute is missing, or its values have another type. */
+/** The number of components; 0 if the attribute is missing, or has another type. */
 export interface DracoValues {
   values: Float32Array;
   size: number;
 }
 
-/** A part that was packed with Draco. */
+/** A Draco-compressed primitive. */
 export interface DracoPart {
   indices: Uint32Array;
   attributes: Map<string, DracoValues>;
@@ -32,7 +32,7 @@ export interface DracoPart {
 const NONE: DracoValues = { values: new Float32Array(), size: 0 };
 
 /**
- * Unpacks triangles.
+ * Decodes triangles.
  *
  * @throws ModelError if they are too many
  * @throws Error if they are damaged
@@ -50,7 +50,7 @@ export function decodeDraco(
     const status = decoder.DecodeBufferToMesh(buffer, mesh);
     if (!status.ok()) throw new Error(`Draco: ${status.error_msg()}`);
     const triangles = mesh.num_faces();
-    // A part may be empty.
+    // A primitive may be empty.
     checkReadTriangles(Math.max(1, triangles));
     const indexBytes = 12 * triangles;
     const indices = copyOut(draco, indexBytes, (at) => decoder.GetTrianglesUInt32Array(mesh, indexBytes, at));
@@ -75,10 +75,10 @@ export function decodeDraco(
 }
 
 /**
- * Copies what Draco writes into its own memory.
+ * Copies data out of the decoder's memory.
  *
- * @param write is given the address to write to, and returns false if there was nothing to write
- * @throws Error if it can get no more memory
+ * @param write writes to the given address, and returns false if there was nothing to write
+ * @throws Error if the decoder's memory cannot grow
  */
 function copyOut(
   draco: DecoderModule,
@@ -89,7 +89,7 @@ function copyOut(
   if (address === 0) throw new Error('Draco: out of memory');
   try {
     if (write(address) === false) return undefined;
-    // Draco's memory may have grown, and moved, while it wrote.
+    // Reads HEAPU8 only now, since the decoder's memory may have been reallocated.
     return draco.HEAPU8.slice(address, address + byteLength).buffer as ArrayBuffer;
   } finally {
     draco._free(address);

@@ -3,16 +3,16 @@ import type { GltfWriter } from './GltfWriter.js';
 import type { GltfAnimationSampler, GltfChannel, GltfDocument } from './gltfDocument.js';
 
 const VALUES_PER_KEY = { translation: 3, rotation: 4, scale: 3 } as const;
-/** Values per key: a cubic spline has two tangents beside each value. */
+/** Values per key of a cubic spline: the value and two tangents. */
 const SPLINE_VALUES = 3;
 
 /**
- * Writes the animations of a document, without tracks that cannot be played: three's mixer would loop for ever over keys with the wrong
+ * Writes the animations of a document, without tracks that cannot be played: three's mixer would loop forever over keys with the wrong
  * number of values.
  *
  * @param inScene the nodes that are shown; tracks of others belong to other scenes
  * @param shapesOf the number of morph targets of a node's mesh
- * @returns the animations, and how many tracks were left out
+ * @returns the animations, and the number of tracks left out
  */
 export function writeAnimations(
   { animations }: GltfDocument,
@@ -31,7 +31,7 @@ export function writeAnimations(
     const channels: object[] = [];
     const samplers: object[] = [];
     for (const channel of animation.channels) {
-      // A channel without a node is valid: an extension names what it moves.
+      // A channel without a node is valid: an extension names its target.
       if (channel && !inScene.has(channel.target.node ?? -1)) continue;
       const sampler = channel && writeSampler(channel, animation.samplers[channel.sampler], values, writer, shapesOf);
       if (!sampler) {
@@ -65,7 +65,7 @@ function writeSampler(
   return { input: writer.add(times, 1), output: writer.add(keys, size), interpolation };
 }
 
-/** The values of an accessor, or undefined if they are not all there, finite, and so many per item. */
+/** The values of an accessor, or undefined if data is missing, not finite or of another size. */
 function readFinite(values: GltfValues, accessor: number, size: number): Float32Array | undefined {
   const floats = values.sizeOf(accessor) === size ? values.tryFloats(accessor) : undefined;
   return floats?.every(Number.isFinite) ? floats : undefined;

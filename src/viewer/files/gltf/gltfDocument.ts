@@ -23,11 +23,11 @@ export const TYPE_SIZES = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3:
 const GEOMETRY =
   '(KHR_draco|EXT_meshopt|KHR_meshopt)_(mesh_)?compression|KHR_mesh_quantization|EXT_mesh_gpu_instancing|KHR_node_visibility';
 const READABLE = new RegExp(`^(${GEOMETRY}|(KHR|EXT)_(texture|materials|lights)_\\w+)$`);
-/** Extensions that are read. */
+/** Supported extensions. */
 const READ = new RegExp(
   `^(${GEOMETRY}|KHR_lights_punctual|KHR_animation_pointer|(KHR|EXT)_texture_(transform|webp|avif|basisu)|KHR_materials_(emissive_strength|pbrSpecularGlossiness|transmission|variants))$`,
 );
-/** Extensions without which a drawing is the same: how surfaces shine, how light goes on within them, and who made the file. */
+/** Extensions that do not affect a drawing: gloss, light within surfaces, and authorship. */
 const NEEDLESS =
   /^(KHR_materials_(anisotropy|clearcoat|diffuse_transmission|dispersion|ior|iridescence|sheen|specular|subsurface|unlit|volume|volume_scatter)|KHR_xmp(_json_ld)?)$/;
 
@@ -206,7 +206,7 @@ const animationSampler = record({
   output: required(accessorIndex),
   interpolation: oneOf('LINEAR', 'STEP', 'CUBICSPLINE'),
 });
-/** An animation. Channels and samplers of a wrong shape become undefined, and are counted with those of wrong values. */
+/** An animation. Channels and samplers of a wrong shape become undefined, and are counted along with those of wrong values. */
 const animation = orNothing(
   record({
     name,
@@ -237,9 +237,9 @@ const LISTS = {
 
 type Lists = { [List in keyof typeof LISTS]: TypeOf<(typeof LISTS)[List]> };
 
-/** A glTF document in which every field has its type and every index is in range. Fields that nothing is drawn from are left out. */
+/** A glTF document in which every field has its type and every index is in range, reduced to the fields that affect the drawing. */
 export interface GltfDocument extends Lists {
-  /** The index of the scene to show, if the document names one. */
+  /** The index of the default scene, if there is one. */
   scene: number | undefined;
 }
 
@@ -258,11 +258,11 @@ export type GltfChannel = TypeOf<typeof channel>;
 export type GltfAnimationSampler = TypeOf<typeof animationSampler>;
 
 /**
- * Reads the text of a glTF document.
+ * Parses and checks the JSON of a glTF document.
  *
- * @returns the document; the number of values that were left out because they have the wrong type and a model can do
- *   without them, where those of animations are undefined and not counted; and the extensions in use that are not read
- * @throws ModelError with the first value that has the wrong type, if the model cannot do without it
+ * @returns the document; the number of optional values left out because of a wrong type (those of animations become undefined and are not
+ *   counted); and the unsupported extensions in use
+ * @throws ModelError that names the first indispensable value of a wrong type
  */
 export function readGltfDocument(
   source: string,

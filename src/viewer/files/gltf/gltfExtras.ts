@@ -7,15 +7,15 @@ import { shownName } from '../common/shownText.js';
 import type { ChosenScene } from './chooseScene.js';
 import type { GltfCamera, GltfDocument, GltfLight, GltfNode } from './gltfDocument.js';
 
-/** The angle of a spot that does not say its own, as the extension has it. */
+/** Default angle of a spot light, from KHR_lights_punctual. */
 const SPOT_ANGLE = Math.PI / 4;
-/** The luminance of a colour in linear light (Rec. 709). */
+/** Luminance weights of linear RGB (Rec. 709). */
 const [RED, GREEN, BLUE] = [0.2126, 0.7152, 0.0722];
-/** What a camera or a light looks along, and what is up for it, in its own space. */
+/** The viewing or lighting direction and the up direction, in the node's own space. */
 const FORWARDS = [0, 0, -1] as const;
 const UP = [0, 1, 0] as const;
 
-/** The cameras and lights of the scene that is shown, in its space and at rest, and the names of variants. */
+/** The cameras and lights of the shown scene, in its space and at rest, and the names of variants. */
 export function gltfExtras(document: GltfDocument, { roots, visible }: ChosenScene): ModelExtras {
   const shown = new Set(visible);
   const cameras: FileCamera[] = [];
@@ -47,7 +47,7 @@ export function gltfExtras(document: GltfDocument, { roots, visible }: ChosenSce
 const isSomewhere = ({ position, forwards }: FileCamera | FileLight): boolean =>
   [...position, ...forwards].every(Number.isFinite);
 
-/** The names of the variants of materials, in the order of the file. */
+/** The names of material variants, in file order. */
 const variantsOf = ({ variants = [] }: GltfDocument): string[] =>
   distinctNames(
     variants.map((variant) => variant?.name),
@@ -55,9 +55,9 @@ const variantsOf = ({ variants = [] }: GltfDocument): string[] =>
   );
 
 /**
- * Gives all primitives the materials of a variant; those that do not take part in it keep theirs.
+ * Gives all primitives the materials of a variant; those without one for it keep theirs.
  *
- * @param wanted its index, where one that is not there is none, or its name or its number from 1 on as text
+ * @param wanted its index, where an unknown one means none, or as text its name or its number counted from 1
  * @throws ModelError if there is no variant of this name
  */
 export function useVariant(document: GltfDocument, wanted: string | number, fileName: string): void {
@@ -78,7 +78,7 @@ export function useVariant(document: GltfDocument, wanted: string | number, file
   }
 }
 
-/** Cameras keep their size, however their nodes are scaled. */
+/** Removes scale from a matrix, since cameras are not scaled by their nodes. */
 function unscaled(matrix: Matrix4): Matrix4 {
   const [position, turn, scale] = [new Vector3(), new Quaternion(), new Vector3()];
   matrix.decompose(position, turn, scale);

@@ -1,34 +1,34 @@
 import type { GltfValues } from './GltfValues.js';
 import type { GltfNode } from './gltfDocument.js';
 
-/** The extension of nodes whose mesh is drawn many times. */
+/** The extension for instanced meshes. */
 export const INSTANCING = 'EXT_mesh_gpu_instancing';
-/** The numbers per instance of each attribute. */
+/** The number of components of each instance attribute. */
 export const INSTANCE_SIZES: Readonly<Record<string, number>> = { TRANSLATION: 3, ROTATION: 4, SCALE: 3, _COLOR_0: 3 };
 
-/** The accessors of the attributes of a node's instances; none if it has no instances. */
+/** The accessors of a node's instance attributes; empty without instances. */
 export type InstanceAccessors = readonly [name: string, accessor: number][];
 
 /** The instances of a node. */
 export interface Instances {
   count: number;
   attributes: [name: string, values: Float32Array][];
-  /** The number of instances that were left out. */
+  /** The number of instances left out. */
   leftOut: number;
 }
 
-/** The accessors of the attributes of a node's instances. */
+/** The accessors of a node's instance attributes. */
 export function instanceAccessors({ extensions }: GltfNode, values: GltfValues): InstanceAccessors {
   return Object.entries(extensions?.[INSTANCING]?.attributes ?? {}).filter(
     ([name, accessor]) => INSTANCE_SIZES[name] === values.sizeOf(accessor),
   );
 }
 
-/** How many instances a node has by its accessors. */
+/** The number of instances by a node's accessors. */
 export const instanceCount = (accessors: InstanceAccessors, values: GltfValues): number =>
   Math.min(...accessors.map(([, accessor]) => values.countOf(accessor)));
 
-/** Reads the first instances, without those whose values are not numbers. @param total how many are read */
+/** Reads the first instances, without those with NaN values. @param total how many are read */
 export function readInstances(accessors: InstanceAccessors, total: number, values: GltfValues): Instances {
   const read = accessors.map(([name, accessor]) => ({
     name,

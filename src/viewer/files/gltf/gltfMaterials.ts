@@ -4,7 +4,7 @@ import type { GltfDocument, GltfMaterial, GltfTextureUse } from './gltfDocument.
 /** The fields of a material whose textures can be drawn. */
 const TEXTURES = ['normalTexture', 'occlusionTexture', 'emissiveTexture'] as const;
 
-/** The index of a texture's image: of one in a format that can be read, if there are several. */
+/** The index of a texture's image, in a readable format if there are several. */
 export function textureSource({ textures }: GltfDocument, texture: number | undefined): number | undefined {
   const { source, extensions } = textures[texture ?? -1] ?? {};
   return (
@@ -15,7 +15,7 @@ export function textureSource({ textures }: GltfDocument, texture: number | unde
   );
 }
 
-/** The images that the materials of a document use, by their index. */
+/** Indices of the images that the materials of a document use. */
 export function usedImages(document: GltfDocument): Set<number> {
   const used = new Set<number>();
   for (const material of document.materials) {
@@ -29,10 +29,10 @@ export function usedImages(document: GltfDocument): Set<number> {
 }
 
 /**
- * Reduces the materials of a document to what a hatching material takes over: base colour, normals, occlusion, emitted light,
- * alpha and sides. What lets light through is see-through.
+ * Reduces the materials of a document to what a hatching material uses: base colour, normals, occlusion, emission, alpha and sides.
+ * Transmissive materials become see-through.
  *
- * @param hasImage whether there is a picture for an image; textures without one are left out
+ * @param hasImage whether an image is available; textures without one are left out
  */
 export function drawnMaterials(document: GltfDocument, hasImage: (image: number) => boolean): object[] {
   const drawn = (use: GltfTextureUse | undefined): GltfTextureUse | undefined => {
@@ -43,12 +43,12 @@ export function drawnMaterials(document: GltfDocument, hasImage: (image: number)
     const { name, alphaMode, alphaCutoff, doubleSided, emissiveFactor, extensions } = material ?? {};
     const { factor, texture } = baseColor(material);
     const transmitted = transmittedBy(material);
-    // A picture says of every triangle whether it is seen through, once it is decoded.
+    // A transmission texture decides per triangle, once it is decoded.
     const isGlass = transmitted !== undefined && !transmitted.texture;
     const picture = drawn(transmitted?.texture);
     const [r, g, b, a] = factor ?? [1, 1, 1, 1];
     const alpha = (alphaMode === 'BLEND' ? a : 1) * (1 - TRANSMITTED * (transmitted?.factor ?? 0));
-    // Without the picture that says where the surface emits light, all of it would, and none of it would be hatched.
+    // Without its emissive map, the whole surface would emit light, and none of it would be hatched.
     const hasGlow = !material?.emissiveTexture || drawn(material.emissiveTexture) !== undefined;
     const strength = extensions?.KHR_materials_emissive_strength;
     return {
@@ -68,7 +68,7 @@ export function drawnMaterials(document: GltfDocument, hasImage: (image: number)
   });
 }
 
-/** How much light a material lets through, and by which picture; undefined if none, or if it is cut out. */
+/** The transmission of a material and its texture; undefined if there is none, or the material is cut out. */
 function transmittedBy(
   material: GltfMaterial | undefined,
 ): { factor: number; texture?: GltfTextureUse | undefined } | undefined {
@@ -77,7 +77,7 @@ function transmittedBy(
   return { factor: Math.min(transmissionFactor, 1), texture: transmissionTexture };
 }
 
-/** The base colour of the older extension for gloss, if a material has no other. */
+/** The base colour of the older specular-glossiness extension, if the material has no other. */
 function baseColor(material: GltfMaterial | undefined): {
   factor?: number[] | undefined;
   texture?: GltfTextureUse | undefined;

@@ -8,22 +8,22 @@ import type { GltfValues } from './GltfValues.js';
 import type { GltfDocument } from './gltfDocument.js';
 import { usedImages } from './gltfMaterials.js';
 
-/** A picture to be decoded, and the size it is to be drawn in. */
+/** A picture to decode, and the size to draw it in. */
 export interface Picture extends PictureSize {
   content: Blob;
 }
 
-/** The pictures that are drawn, by the index of their image, and what to say about the others. */
+/** The pictures to draw, by image index, and what is missing. */
 export interface Pictures {
   pictures: (Picture | undefined)[];
-  /** The names of pictures that were not dropped along. */
+  /** Names of pictures that were not dropped along. */
   missing: string[];
-  /** How many others could not be read. */
+  /** The number of pictures that could not be read. */
   lostPictures: number;
   notes: string[];
 }
 
-/** Collects the pictures that materials use. They are judged by their headers alone, before anything is decoded. */
+/** Collects the pictures that materials use. Sizes are read from headers, before anything is decoded. */
 export async function collectPictures(
   document: GltfDocument,
   values: GltfValues,

@@ -1,16 +1,16 @@
 import { ModelError } from '../common/ModelError.js';
 
-/** What the reader of a type needs to know about the document. */
+/** The context of a check. */
 export interface ShapeContext {
-  /** The name of the file, for messages. */
+  /** The file name, for messages. */
   name: string;
-  /** The lengths of the document's lists, by their names, to check indices into them. */
+  /** The lengths of the document's lists by name, for index checks. */
   lengths: Readonly<Record<string, number>>;
-  /** The places of values that were left out, because they have the wrong type. */
+  /** Paths of optional values that were left out because of a wrong type. */
   leftOut: string[];
 }
 
-/** Reads a value of a JSON document as one of a known type. @throws ModelError if it has another type */
+/** Checks a JSON value against a type, and returns it typed. @throws ModelError if it has another type */
 export type Shape<Type> = (value: unknown, at: string, context: ShapeContext) => Type;
 
 const LONGEST_QUOTE = 40;
@@ -33,7 +33,7 @@ const isObject = (value: unknown): value is Record<string, unknown> =>
 
 export const text = simple<string>('a text', (value) => typeof value === 'string');
 export const flag = simple<boolean>('true or false', (value) => typeof value === 'boolean');
-/** Any number but an infinite one, which JSON can hold as `1e999`. */
+/** A finite number: JSON can encode infinity as `1e999`. */
 export const real = simple<number>('a number', Number.isFinite);
 export const whole = simple<number>(
   'a whole number from 0 on',
@@ -43,7 +43,7 @@ export const whole = simple<number>(
 export const oneOf = <Value extends string | number>(...values: readonly Value[]): Shape<Value> =>
   simple<Value>(`one of ${values.join(', ')}`, (value) => values.includes(value as Value));
 
-/** The index of an item in one of the document's lists. */
+/** An index into one of the document's lists. */
 export const indexIn =
   (list: string): Shape<number> =>
   (value, at, context) => {
@@ -61,14 +61,14 @@ export const listOf =
     return value.map((one, i) => item(one, `${at}[${i}]`, context));
   };
 
-/** A list of a fixed number of numbers. */
+/** A list with a fixed number of numbers. */
 export const reals = (length: number): Shape<number[]> =>
   simple<number[]>(
     `${length} numbers`,
     (value) => Array.isArray(value) && value.length === length && value.every(Number.isFinite),
   );
 
-/** An object with any names, and values of one shape. */
+/** An object with arbitrary keys, and values of one shape. */
 export const mapOf =
   <Value>(item: Shape<Value>): Shape<Record<string, Value>> =>
   (value, at, context) => {
@@ -76,14 +76,14 @@ export const mapOf =
     return Object.fromEntries(Object.entries(value).map(([key, one]) => [key, item(one, `${at}.${key}`, context)]));
   };
 
-/** The type that a shape reads. */
+/** The type that a shape returns. */
 export type TypeOf<Read> = Read extends Shape<infer Type> ? Type : never;
 
 interface RequiredShape<Type> extends Shape<Type> {
   isRequired: true;
 }
 
-/** A field that must be there. */
+/** A field that must be present. */
 export const required = <Type>(shape: Shape<Type>): RequiredShape<Type> =>
   Object.assign((...given: Parameters<Shape<Type>>) => shape(...given), { isRequired: true as const });
 
@@ -92,7 +92,7 @@ type RecordOf<All extends Fields> = {
   [Key in keyof All as All[Key] extends RequiredShape<unknown> ? Key : never]: TypeOf<All[Key]>;
 } & { [Key in keyof All as All[Key] extends RequiredShape<unknown> ? never : Key]?: TypeOf<All[Key]> | undefined };
 
-/** An object with these fields. Null counts as missing, and fields of other names are left out. */
+/** An object with these fields. Null counts as missing; unknown fields are left out. */
 export const record =
   <All extends Fields>(fields: All): Shape<RecordOf<All>> =>
   (value, at, context) => {
@@ -107,7 +107,7 @@ export const record =
     return result as RecordOf<All>;
   };
 
-/** A value that a model can do without: it is left out if it has the wrong type. */
+/** An optional value: left out if it has the wrong type. */
 export const orNothing =
   <Type>(shape: Shape<Type>): Shape<Type | undefined> =>
   (value, at, context) => {

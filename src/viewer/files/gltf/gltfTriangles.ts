@@ -2,16 +2,16 @@ const TRIANGLES = 4;
 const STRIP = 5;
 const FAN = 6;
 
-/** Whether a mode of drawing gives triangles, not points or lines. */
+/** Whether a primitive mode draws triangles. */
 export const drawsTriangles = (mode: number): boolean => mode === TRIANGLES || mode === STRIP || mode === FAN;
 
 /**
- * Makes a list of triangles of a list, strip or fan.
+ * Converts a triangle list, strip or fan to a list.
  *
- * @param indices as the file has them, or undefined if it uses vertex after vertex
+ * @param indices of the file, or undefined for vertices in order
  * @param isUsable whether a vertex may be used; undefined if all may
- * @returns the indices of the triangles, or undefined if every three vertices in a row make one; and how many triangles were
- *   left out, because a vertex is missing or not usable
+ * @returns the indices, or undefined if every three vertices in order make a triangle; and the number of triangles left out because a
+ *   vertex is missing or unusable
  */
 export function toTriangles(
   mode: number,
@@ -32,7 +32,7 @@ export function toTriangles(
     const a = vertexAt(i);
     const b = vertexAt(j);
     const c = vertexAt(k);
-    // Strips are joined by triangles without area.
+    // Strips are joined by degenerate triangles.
     if (mode !== TRIANGLES && (a === b || b === c || c === a)) continue;
     if (!(isGood(a) && isGood(b) && isGood(c))) {
       broken++;

@@ -21,21 +21,21 @@ import type { GltfSampler } from './gltfDocument.js';
 import type { Picture } from './gltfPictures.js';
 
 /**
- * Gives instanced meshes the influences of their morph targets, which three's loader forgets: the renderer throws an error where a geometry
- * has morph targets and its mesh has no influences. All instances of a mesh are in the same pose.
+ * Gives instanced meshes their morph target influences, which three's loader omits: the renderer throws an error where a geometry has morph
+ * targets and its mesh has no influences. All instances of a mesh share one pose.
  */
 class InstanceShapes implements GLTFLoaderPlugin {
   readonly name = 'instance shapes';
 
   constructor(private readonly parser: GLTFParser) {}
 
-  /** It runs before the loader binds clips to what they move. */
+  /** Runs before the loader binds clips to their targets. */
   async loadNode(index: number): Promise<Object3D> {
     const node = await this.parser.loadNode(index);
     const { nodes, meshes } = this.parser.json;
     const mesh = meshes[nodes[index].mesh];
     const names: string[] | undefined = mesh?.extras?.targetNames;
-    // A mesh of several primitives is a group. Objects below other nodes have their influences already.
+    // A mesh of several primitives is a group. Children of other nodes have influences already.
     for (const part of [node, ...node.children]) {
       if (!isShapeless(part)) continue;
       const shapes = Object.values(part.geometry.morphAttributes)[0]?.length ?? 0;
@@ -57,14 +57,14 @@ function isShapeless(object: Object3D): object is InstancedMesh {
 
 /** The checked parts of a glTF file, in a form that a worker can post. */
 export interface GltfParts {
-  /** A document without compression, whose buffer views are the arrays. */
+  /** An uncompressed document, whose buffer views are the arrays. */
   json: object;
   arrays: ArrayBuffer[];
   /** The image and sampler of each texture. */
   textures: { image: number; sampler: GltfSampler | undefined }[];
-  /** Pictures to decode, by the index of their image. */
+  /** Pictures to decode, by image index. */
   pictures: (Picture | undefined)[];
-  /** The decoded pictures, by the index of their image. */
+  /** Decoded pictures, by image index. */
   bitmaps: (DecodedPicture | undefined)[];
 }
 
@@ -74,7 +74,7 @@ export interface ModelScene {
   animations: AnimationClip[];
 }
 
-/** Makes a scene from the parts of a file, in slices. Nothing is fetched, and nothing is decoded. Rejects with the signal's reason. */
+/** Creates a scene from the parts of a file, in time slices. Fetches and decodes nothing. Rejects with the signal's reason. */
 export async function parseGltf(parts: GltfParts, signal?: AbortSignal): Promise<ModelScene> {
   const slices = new Slices(signal);
   const loader = new GLTFLoader()
@@ -84,10 +84,10 @@ export async function parseGltf(parts: GltfParts, signal?: AbortSignal): Promise
   return { root: scene, animations };
 }
 
-/** Gives three's loader the arrays and pictures that it would otherwise load. */
+/** Supplies three's loader with the arrays and pictures that it would otherwise load. */
 class PartsPlugin implements GLTFLoaderPlugin {
   readonly name = 'parts';
-  /** The mesh that was asked for last. */
+  /** The most recently requested mesh. */
   private latest: Promise<unknown> = Promise.resolve();
 
   constructor(
@@ -96,7 +96,7 @@ class PartsPlugin implements GLTFLoaderPlugin {
     private readonly slices: Slices,
   ) {}
 
-  /** Makes one mesh after another, with pauses: three's loader asks for thousands at once, and would make them in one task. */
+  /** Creates meshes one at a time with pauses; three's loader requests thousands at once, and would create them in one task. */
   loadMesh(index: number): ReturnType<GLTFParser['loadMesh']> {
     const mesh = this.latest.then(() => this.slices.next()).then(() => this.parser.loadMesh(index));
     this.latest = mesh.catch(() => {});
@@ -122,7 +122,7 @@ class PartsPlugin implements GLTFLoaderPlugin {
   }
 }
 
-/** WebGL's constants in a file, and those of three.js. */
+/** Maps WebGL's constants to those of three.js. */
 const MIN_FILTERS: Record<number, Texture['minFilter']> = {
   9728: NearestFilter,
   9729: LinearFilter,

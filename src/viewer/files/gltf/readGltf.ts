@@ -22,7 +22,7 @@ import { type PlainGltf, unpackGltf } from './unpackGltf.js';
 const GLB_JSON = 0x4e4f534a;
 const GLB_BINARY = 0x004e4942;
 
-/** Splits a GLB file into its document and its binary part. */
+/** Splits a GLB file into its JSON and its binary chunk. */
 function splitGlb(bytes: Uint8Array, name: string): { text: string; binary: Uint8Array | undefined } {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   if (bytes.length < 20) throw new ModelError(`${name} is cut short: it ends within its header.`);
@@ -48,31 +48,31 @@ function splitGlb(bytes: Uint8Array, name: string): { text: string; binary: Uint
   return { text, binary };
 }
 
-/** Larger scenes would block the main thread for too long. They are merged to one mesh, which does not move. */
+/** Larger scenes would block the main thread for too long; they are merged to one static mesh. */
 const MAX_SCENE = { vertices: 300_000, nodes: 5_000, draws: 2_000, channels: 20_000 };
 
-/** What was read of a glTF file. */
+/** The result of reading a glTF file. */
 export interface ReadGltf {
-  /** One merged mesh; or the checked parts of the file, if one mesh could not show what is in it. */
+  /** One merged mesh; or the checked parts of the file where a merged mesh would lose something, such as motion. */
   content: PlainMesh | GltfParts;
-  /** Number of triangles left out because a corner was missing or not a number. */
+  /** The number of triangles left out because a corner was missing or NaN. */
   broken: number;
   /** Notes for the caption: what was chosen, and what was left out. */
   notes: string[];
-  /** Facts for the longer text that opens on request. */
+  /** Details for the longer text that opens on request. */
   details: string[];
-  /** The names of pictures that the file refers to and that were not dropped along. */
+  /** Names of pictures that were not dropped along. */
   missing: string[];
-  /** What it offers beside its model, in the space of its content. */
+  /** Cameras, lights and variants, in the space of `content`. */
   extras?: ModelExtras;
-  /** How many pictures are there but could not be read. */
+  /** The number of pictures that could not be read. */
   lostPictures?: number;
 }
 
 /**
- * Reads GLB, or glTF with its files, also if compressed with Draco or meshopt. Nothing else is fetched.
+ * Reads GLB, or glTF with its files, with or without Draco or meshopt compression. Fetches nothing.
  *
- * @param variant of its materials: its index, or its name or its number from 1 on as text
+ * @param variant material variant: its index, or as text its name or its number counted from 1
  * @throws ModelError
  */
 export async function readGltf(
@@ -113,7 +113,7 @@ export async function readGltf(
   return { content, broken: plain.broken, notes, details, missing, lostPictures, extras: moved };
 }
 
-/** The most extensions that are named. */
+/** At most this many extensions are named. */
 const NAMED = 5;
 
 function unreadDetail(names: readonly string[]): string {
@@ -165,7 +165,7 @@ async function collectBuffers(
   const collected: Uint8Array[] = [];
   for (const [i, { uri, byteLength = 0, extensions }] of buffers.entries()) {
     if (uri === undefined && i === 0 && binary) collected.push(binary);
-    // The fallback of a compressed buffer has no bytes of its own.
+    // The fallback of a compressed buffer has no data of its own.
     else if (uri === undefined && extensions) collected.push(new Uint8Array(0));
     else if (uri === undefined) throw new ModelError(`${name} is cut short: its binary part is missing.`);
     else {

@@ -5,7 +5,7 @@ import { TRANSMITTED } from '../scenes/settleAlpha.js';
 import type { GltfSampler, GltfTextureUse } from './gltfDocument.js';
 import type { GltfParts } from './parseGltf.js';
 
-/** How much of the light a material lets through, by a picture; drawn materials hold it until the picture is decoded. */
+/** A transmission texture and factor, kept in the written material until the picture is decoded. */
 export interface TransmittedPicture {
   factor: number;
   texture: GltfTextureUse;
@@ -31,9 +31,9 @@ interface Json {
 }
 
 const UINT = 5125;
-/** A picture is looked at in this size at most. */
+/** Pictures are sampled at this size at most. */
 const SIDE = 512;
-/** The middles of the small triangles that a triangle is looked at by, as shares of its second and third corner. */
+/** Centres of the small triangles at which a triangle is sampled, as barycentric coordinates of its second and third corner. */
 const PLACES = Array.from({ length: 4 }, (_, i) => i).flatMap((row) =>
   Array.from({ length: 4 - row }, (_, column) => [row, column]).flatMap(([r, c]) => [
     [(r + 1 / 3) / 4, (c + 1 / 3) / 4],
@@ -42,8 +42,8 @@ const PLACES = Array.from({ length: 4 }, (_, i) => i).flatMap((row) =>
 );
 
 /**
- * Looks at the pictures of what materials let through, now that they are decoded. Triangles that are mostly see-through become a primitive of
- * their own, with a blended material; the others stay as they are.
+ * Examines the decoded transmission textures. Triangles that are mostly see-through become a primitive with a blended material; the others
+ * stay as they are.
  */
 export function settleTransmittedPictures(parts: GltfParts): void {
   const json = parts.json as Json;
@@ -81,7 +81,7 @@ export function settleTransmittedPictures(parts: GltfParts): void {
   }
 }
 
-/** How much light a picture lets through at a place, from 0 to 1: its red. Undefined where its pixels cannot be read. */
+/** Transmission at a texture coordinate, in [0, 1]: the red channel. Undefined if the pixels cannot be read. */
 function lightThrough(
   picture: GltfParts['bitmaps'][number],
   { wrapS, wrapT }: NonNullable<GltfSampler> = {},
@@ -104,7 +104,7 @@ function sizeOf(picture: NonNullable<GltfParts['bitmaps'][number]> | PixelPictur
 
 const [CLAMPED, MIRRORED] = [33071, 33648];
 
-/** A coordinate in [0, 1] as a sampler wraps it. */
+/** Wraps a texture coordinate to [0, 1] by the sampler's mode. */
 function wrapped(place: number, wrap: number | undefined): number {
   if (!Number.isFinite(place)) return 0;
   if (wrap === CLAMPED) return Math.min(Math.max(place, 0), 1);
@@ -113,7 +113,7 @@ function wrapped(place: number, wrap: number | undefined): number {
   return turn > 1 ? 2 - turn : turn;
 }
 
-/** The corners of a primitive's triangles that are mostly see-through, and of the others; undefined if none is. */
+/** Splits the corners of a primitive into those of mostly see-through triangles and the others; undefined if no triangle is see-through. */
 function splitBy(
   { arrays }: GltfParts,
   { accessors }: Json,
@@ -150,7 +150,7 @@ function splitBy(
   return clear.length > 0 ? { clear, solid, alpha } : undefined;
 }
 
-/** The index of a new accessor. */
+/** Adds an accessor for indices. @returns its index */
 function written({ arrays }: GltfParts, { accessors, bufferViews }: Json, indices: readonly number[]): number {
   const values = Uint32Array.from(indices);
   const bufferView = arrays.push(values.buffer) - 1;

@@ -13,9 +13,9 @@ import { writeAnimations } from './gltfAnimations.js';
 import type { GltfDocument } from './gltfDocument.js';
 import { INSTANCING } from './gltfInstances.js';
 
-/** A glTF document with one scene, whose values were all read and checked. */
+/** A glTF document with one scene, whose values have all been read and checked. */
 export interface PlainGltf {
-  /** Without its materials, textures and samplers. */
+  /** Without materials, textures and samplers. */
   json: {
     asset: { version: '2.0' };
     extensionsUsed: string[];
@@ -28,29 +28,29 @@ export interface PlainGltf {
     accessors: object[];
     bufferViews: object[];
   };
-  /** The values, by the index of their buffer view. */
+  /** The arrays, by buffer view index. */
   arrays: ArrayBuffer[];
-  /** The triangles that are drawn. Here and below, instances count as often as they are drawn. */
+  /** Counts of what is drawn, with each instance counted. */
   triangles: number;
   vertices: number;
   draws: number;
-  /** Whether anything moves: by clips, skeletons or morph targets. */
+  /** Whether anything moves, by clips, skeletons or morph targets. */
   moves: boolean;
-  /** The number of triangles that were left out. */
+  /** The number of triangles left out. */
   broken: number;
   /** Notes for the caption on what else was left out. */
   notes: string[];
-  /** Facts for the longer text that opens on request. */
+  /** Details for the longer text that opens on request. */
   details: string[];
 }
 
 const NO_TRIANGLES = 'holds no triangles; only surfaces can be hatched, not points or lines';
 
 /**
- * Unpacks the chosen part of a document: every accessor, primitive and track in use is read and checked, and written anew without
- * compression. What a model can do without is left out if it is damaged.
+ * Unpacks the chosen part of a document: reads, checks and rewrites every accessor, primitive and track in use without compression. Damaged
+ * optional parts are left out.
  *
- * @throws ModelError if its data is not all there, or there are no triangles, or too many
+ * @throws ModelError if data is missing, or there are no triangles, or too many
  */
 export async function unpackGltf(
   document: GltfDocument,
@@ -85,7 +85,7 @@ export async function unpackGltf(
       scenes: [{ name: chosen.name, nodes: chosen.roots }],
       nodes,
       meshes,
-      // Skins keep their places, for the nodes that refer to them.
+      // Damaged skins stay as empty ones, since nodes refer to skins by index.
       skins: skins.map((skin) => skin ?? { joints: [] }),
       animations,
       accessors: writer.accessors,
@@ -106,7 +106,7 @@ export async function unpackGltf(
   };
 }
 
-/** A skin with a matrix for each of its joints, or undefined. */
+/** Writes a skin with one matrix per joint; undefined if it is damaged. */
 function writeSkin(
   { joints, inverseBindMatrices }: NonNullable<GltfDocument['skins'][number]>,
   values: GltfValues,
@@ -130,7 +130,7 @@ function belowRoots({ nodes }: GltfDocument, roots: readonly number[]): Set<numb
   return found;
 }
 
-/** Unpacks the primitives of a document that are packed with Draco. The decoder is fetched for the first of them. */
+/** Returns the decoder of Draco-compressed primitives, which is loaded when the first needs it. */
 function dracoSource(
   document: GltfDocument,
   values: GltfValues,

@@ -1,30 +1,30 @@
-/** A triangle mesh as typed arrays, so that a worker can transfer it without a copy. */
+/** A triangle mesh as typed arrays, which a worker can transfer without a copy. */
 export interface PlainMesh {
-  /** Three numbers per vertex. */
+  /** Three components per vertex. */
   positions: Float32Array;
-  /** Three numbers per vertex, or null if the source has none. Those that are missing or zero are computed. */
+  /** Three components per vertex, or null if the source has none. Zero vectors are computed later. */
   normals: Float32Array | null;
-  /** Linear RGB, three numbers per vertex, or null if the source has none. */
+  /** Linear RGB, three components per vertex, or null if the source has none. */
   colors: Float32Array | null;
-  /** Three per triangle, or null if every three vertices in a row make one. */
+  /** Three per triangle, or null if every three vertices in order make one. */
   indices: Uint32Array | null;
-  /** Two numbers per vertex, only of meshes with pictures. */
+  /** Two components per vertex; only in meshes with pictures. */
   uvs?: Float32Array;
-  /** Ranges of corners by picture and opacity, without gaps between them; only of meshes with pictures or see-through parts. */
+  /** Contiguous ranges of corners by picture and opacity; only in meshes with pictures or see-through parts. */
   ranges?: PictureRange[];
 }
 
-/** Consecutive corners that are drawn with one picture and one opacity. */
+/** Consecutive corners with the same picture and opacity. */
 export interface PictureRange {
   start: number;
   count: number;
   /** The index of the picture, or -1 for none. */
   picture: number;
-  /** Whether what lies behind is seen through them, as through glass. */
+  /** Whether the range is see-through, as glass is. */
   isSeeThrough?: boolean;
 }
 
-/** A mesh, and what the caption is to say of what is not in it. */
+/** A mesh, with notes for the caption on what was left out. */
 export interface NotedMesh {
   mesh: PlainMesh;
   notes: string[];

@@ -1,4 +1,4 @@
-/** The least and the largest value of each coordinate. Without points, `low` is Infinity and `high` is -Infinity. */
+/** The lowest and highest value of each coordinate. Without points, `low` is Infinity and `high` is -Infinity. */
 export interface Bounds {
   low: [x: number, y: number, z: number];
   high: [x: number, y: number, z: number];

@@ -1,11 +1,11 @@
 import type { PlainMesh } from './PlainMesh.js';
 
-/** Places that count as one, along the radius of a fitted mesh. */
+/** Grid cells along the radius of a fitted mesh. */
 const CELLS = 96;
 
 /**
- * A coarse copy of a mesh that fits into the unit sphere: vertices in the same cell of a grid are one, in their mean place. It takes about
- * a second for ten million triangles, and keeps some hundred thousand of them.
+ * A coarse copy of a mesh in the unit sphere: vertices in one grid cell are merged at their mean position. Takes about a second for ten
+ * million triangles, and keeps some hundred thousand of them.
  */
 export function clusterMesh({ positions, colors, indices }: PlainMesh): PlainMesh {
   const { clusterOf, sizes } = findClusters(positions);
@@ -17,15 +17,15 @@ export function clusterMesh({ positions, colors, indices }: PlainMesh): PlainMes
   };
 }
 
-/** The cluster of each vertex, in the order of their first ones, and how many vertices each has. */
+/** The cluster of each vertex, in order of first appearance, and the number of vertices per cluster. */
 function findClusters(positions: Float32Array): { clusterOf: Uint32Array; sizes: Uint32Array } {
   const side = 2 * CELLS + 2;
   const numbers = new Int32Array(side ** 3);
   const clusterOf = new Uint32Array(positions.length / 3);
   let clusters = 0;
   for (let vertex = 0, i = 0; vertex < clusterOf.length; vertex++, i += 3) {
-    // Planes through the centre lie in the middle of cells: seams of made models often lie there, and two sides that rounding has put on either
-    // side of such a plane must not come apart.
+    // Planes through the centre run through the middle of cells: modelled objects often have seams there, and the two sides of a seam must
+    // not fall into different cells by rounding.
     const x = ((positions[i] + 1) * CELLS + 0.5) | 0;
     const y = ((positions[i + 1] + 1) * CELLS + 0.5) | 0;
     const z = ((positions[i + 2] + 1) * CELLS + 0.5) | 0;
@@ -38,7 +38,7 @@ function findClusters(positions: Float32Array): { clusterOf: Uint32Array; sizes:
   return { clusterOf, sizes };
 }
 
-/** The mean of three values over each cluster. */
+/** The mean of three-component values over each cluster. */
 function meansOf(values: Float32Array, clusterOf: Uint32Array, sizes: Uint32Array): Float32Array {
   const sums = new Float64Array(3 * sizes.length);
   for (let vertex = 0, i = 0; vertex < clusterOf.length; vertex++, i += 3) {
@@ -54,7 +54,7 @@ function meansOf(values: Float32Array, clusterOf: Uint32Array, sizes: Uint32Arra
   return means;
 }
 
-/** The triangles whose corners are three different vertices still. */
+/** The triangles that still have three different vertices. */
 function joinCorners(indices: Uint32Array | null, clusterOf: Uint32Array): Uint32Array {
   const count = indices?.length ?? clusterOf.length;
   let kept = new Uint32Array(1 << 16);

@@ -1,12 +1,12 @@
 import { isFan, triangulatePolygon } from './triangulatePolygon.js';
 
 /**
- * Replaces the triangles of polygons that were read as fans, so that notches stay open. As many triangles stay: those that are not needed have no
- * area, and are left out later.
+ * Retriangulates polygons that were read as fans, so that concave ones keep their notches. The number of triangles stays; surplus ones
+ * become degenerate and are left out later.
  *
  * @param positions xyz of the vertices
- * @param indices of the triangles, of which those of the polygons are overwritten
- * @param polygons for each, where its triangles begin in `indices`, and where they end
+ * @param indices of the triangles; those of the polygons are overwritten
+ * @param polygons start and end of each polygon's triangles in `indices`
  */
 export function cutPolygons(positions: ArrayLike<number>, indices: Uint32Array, polygons: readonly number[]): void {
   const corners: number[] = [];

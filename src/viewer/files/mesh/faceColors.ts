@@ -1,9 +1,9 @@
 import type { PlainMesh } from './PlainMesh.js';
 
-/** The linear RGB of every triangle. */
+/** Linear RGB per triangle. */
 export type FaceColors = Float32Array;
 
-/** Gives every corner a vertex of its own, in the colour of its face. */
+/** Gives every corner its own vertex, with the colour of its face. */
 export function withFaceColors({ positions, normals, indices }: PlainMesh, faceColors: FaceColors): PlainMesh {
   const pick = (source: Float32Array): Float32Array => {
     const picked = new Float32Array(3 * indices!.length);

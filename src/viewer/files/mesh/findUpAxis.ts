@@ -1,37 +1,35 @@
 import { boundsOf } from './boundsOf.js';
 import { standsFirmly } from './standsFirmly.js';
 
-/** Which axis of a model points up. */
+/** The up axis of a model. */
 export type UpAxis = 'x' | 'y' | 'z' | '-x' | '-y' | '-z';
 
 const AXES = ['x', 'y', 'z'] as const;
-/** How far a triangle may lie from the outermost plane and still belong to a flat side, as a share of the model's extent. */
+/** The maximum distance of a triangle on a flat side from the outermost plane, as a share of the model's extent. */
 const FLATNESS = 0.004;
-/**
- * A model may stand on a side if this share of it is flat, and if its flat area is so many times as large as that of any side across.
- */
+/** A model may stand on a side if this share of it is flat, and its flat area is this many times that of any perpendicular side. */
 const STAND_SHARE = 0.25;
 const DISTINCTNESS = 3;
-/** A model that would be so much lower than it is wide may as well hang on a wall: a relief or a board. */
+/** A model that would be lower than this share of its width may be a relief or a board that hangs on a wall. */
 const LOWEST = 0.4;
-/** A model that is so much thinner than it is long and wide is a plate, though its edges are flat, too. */
+/** A model that is thinner than this share of its length and width is a plate, even though its edges are flat too. */
 const PLATE = 0.25;
 
-/** What a format usually means for the axes of a model. */
+/** The usual orientation of a format's models. */
 export interface UsualUp {
-  /** The axis that usually points up. */
+  /** The usual up axis. */
   up: 'y' | 'z';
-  /** Whether models lie flat on the bed of a printer, so that no model hangs on a wall or stands on its edge. */
+  /** Whether models lie flat on a printer bed, so that none hangs on a wall or stands on its edge. */
   liesFlat: boolean;
 }
 
 /**
- * Finds the axis of a model that points up, by the flat side that it stands on. A model that stands firmly the way it is, as a vehicle
- * does on its wheels, is left that way, however flat another side is.
+ * Finds the up axis of a model by the flat side that it stands on. A model that stands firmly as it is, such as a vehicle on its wheels,
+ * stays so, however flat another side is.
  *
  * @param positions xyz of each vertex
  * @param indices three per triangle, or null if every three vertices make one
- * @returns undefined if it stands firmly, if no side is flat, or if more than one pair of sides is, so that nothing can be said
+ * @returns undefined if it stands firmly, if no side is flat, or if more than one pair of sides is, which leaves the axis open
  */
 export function findUpAxis(
   positions: ArrayLike<number>,
@@ -43,7 +41,7 @@ export function findUpAxis(
   const size = AXES.map((_, axis) => high[axis] - low[axis]);
   const tolerance = FLATNESS * Math.max(...size);
   const sides = outerSides(positions, low, high, tolerance);
-  /** Area that lies on the lower and on the upper side across each axis. */
+  /** The area on the lower and on the upper side across each axis. */
   const areas = AXES.map(() => [0, 0] as [number, number]);
   const corners = indices?.length ?? positions.length / 3;
   for (let corner = 0; corner + 2 < corners; corner += 3) {
@@ -51,7 +49,7 @@ export function findUpAxis(
     const b = 3 * (indices ? indices[corner + 1] : corner + 1);
     const c = 3 * (indices ? indices[corner + 2] : corner + 2);
     const side = sides[a / 3] & sides[b / 3] & sides[c / 3];
-    // Most triangles lie on no side: their areas are not wanted.
+    // Most triangles lie on no side and need no area.
     if (side === 0) continue;
     for (let axis = 0; axis < 3; axis++) {
       const ofAxis = (side >> (2 * axis)) & 3;
@@ -75,11 +73,11 @@ export function findUpAxis(
     if (!liesFlat && size[best] < LOWEST * width) return undefined;
   }
   const [below, above] = areas[best];
-  // A column has two pairs of such sides: it is left the way it is.
+  // A column has two pairs of flat sides and keeps its axis.
   return above > 1.1 * below ? `-${AXES[best]}` : AXES[best];
 }
 
-/** Of each vertex, which sides of the model it lies on: two bits an axis, 1 for the lower side and 2 for the upper one. */
+/** For each vertex, the sides of the model it lies on: two bits per axis, 1 for the lower side and 2 for the upper one. */
 function outerSides(
   positions: ArrayLike<number>,
   low: readonly number[],

@@ -2,18 +2,18 @@ import { ModelError } from '../common/ModelError.js';
 import { boundsOf } from './boundsOf.js';
 import type { PlainMesh } from './PlainMesh.js';
 
-/** The centre of the bounding box of some points, and the distance from there to the farthest point. */
+/** The centre of the bounding box of points, and the distance from there to the farthest point. */
 export interface Extent {
   centre: [number, number, number];
   radius: number;
 }
 
 /**
- * Moves and scales a mesh, in place, so that its bounding box is centred at the origin and its farthest vertex lies at
- * distance 1. Stroke scales then mean the same on every model, and coordinates far from the origin do not lose
- * precision. Broken triangles must have been removed before.
+ * Moves and scales a mesh, in place, so that its bounding box is centred at the origin and its farthest vertex lies at distance 1. Stroke
+ * scales then mean the same on every model, and coordinates far from the origin do not lose precision. Broken triangles must be removed
+ * first.
  *
- * @returns how far it reached before
+ * @returns the extent before
  * @throws ModelError if all vertices lie at one point
  */
 export function fitModel({ positions }: PlainMesh): Extent {
@@ -33,7 +33,7 @@ export function fitModel({ positions }: PlainMesh): Extent {
 /**
  * Measures the extent of points, given as xyz.
  *
- * @throws ModelError if all points lie at one place
+ * @throws ModelError if all points coincide
  */
 export function measureExtent(positions: ArrayLike<number>): Extent {
   const { low, high } = boundsOf(positions);

@@ -1,7 +1,7 @@
 import { Color, SRGBColorSpace } from 'three';
 
 /**
- * Converts sRGB values, three to a colour, to linear RGB from 0 to 1. Values that are not numbers become white.
+ * Converts sRGB triples to linear RGB in [0, 1]. NaN becomes white.
  *
  * @param full the value of full brightness
  */

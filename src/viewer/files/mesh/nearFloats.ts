@@ -1,11 +1,11 @@
-/** Points that lie so many times their size away from the origin are rounded to steps in single precision. */
+/** Points farther from the origin than this multiple of their size are visibly rounded in single precision. */
 export const FAR = 8;
 
 /**
- * Points in single precision. Those that lie far from the origin are moved there first; models are centred later anyway.
+ * Converts points to single precision. Points far from the origin are moved there first; models are centred later anyway.
  *
- * @param points xyz of each; those that are no numbers stay so
- * @param indices of the points that count; by default all do
+ * @param points xyz of each; NaN stays NaN
+ * @param indices of the points that count; by default all
  */
 export function nearFloats(points: ArrayLike<number>, indices?: ArrayLike<number>): Float32Array {
   const centre = farCentre(points, FAR, indices);
@@ -18,9 +18,9 @@ export function nearFloats(points: ArrayLike<number>, indices?: ArrayLike<number
 /**
  * The centre of points that lie far from the origin; undefined if they do not.
  *
- * @param points xyz of each; those that are no numbers do not count
- * @param far so many times their size
- * @param indices of the points that count; by default all do
+ * @param points xyz of each; NaN ones do not count
+ * @param far this multiple of their size
+ * @param indices of the points that count; by default all
  */
 export function farCentre(
   points: ArrayLike<number>,
@@ -33,7 +33,7 @@ export function farCentre(
   for (let i = 0; i < count; i++) {
     const at = 3 * (indices ? indices[i] : i);
     const sum = points[at] + points[at + 1] + points[at + 2];
-    // Infinite ones do not count either.
+    // Skips NaN and infinite points.
     if (sum - sum !== 0) continue;
     for (let axis = 0; axis < 3; axis++) {
       if (points[at + axis] < low[axis]) low[axis] = points[at + axis];

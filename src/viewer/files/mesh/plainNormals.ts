@@ -1,20 +1,26 @@
 import { type PlainMesh, triangleCount } from './PlainMesh.js';
 
-/** A mesh with fewer triangles is baked so fast that a stand-in would only flicker. */
+/** Meshes with fewer triangles bake so fast that a placeholder would only flicker. */
 const LEAST_TRIANGLES = 100_000;
-/** A mesh with more triangles takes long to be lit, uploaded and drawn: a coarse copy stands in for it. */
+/** Meshes with more triangles are slow to light, upload and draw; a coarse copy is their placeholder. */
 const MOST_TRIANGLES = 400_000;
 
-/** Whether a coarse copy of a mesh is drawn until it is baked. A mesh with pictures, which are decoded once, or with glass has none. */
+/**
+ * Whether a mesh needs a coarse copy as placeholder until it is baked. Meshes with pictures, which are decoded once, or with glass have
+ * none.
+ */
 export const needsCoarse = (mesh: PlainMesh): boolean => !mesh.ranges && triangleCount(mesh) > MOST_TRIANGLES;
 
-/** The normals of {@link meanNormals}; null for a mesh that does not stand in for itself: a small or a large one, or one with pictures or glass. */
+/**
+ * The normals of {@link meanNormals}; null for a mesh that is not its own placeholder: a small or a large one, or one with pictures or
+ * glass.
+ */
 export function plainNormals(mesh: PlainMesh): Float32Array | null {
   const isSmall = triangleCount(mesh) < LEAST_TRIANGLES;
   return isSmall || mesh.ranges || needsCoarse(mesh) ? null : meanNormals(mesh);
 }
 
-/** Normals to draw a mesh with until it is baked: its own, or the means of its triangles weighted by area where it has none. */
+/** Normals for drawing a mesh until it is baked: its own, or area-weighted vertex normals where it has none. */
 export function meanNormals({ positions, normals, indices }: PlainMesh): Float32Array {
   const cornerCount = indices?.length ?? positions.length / 3;
   if (normals && areAllSet(normals)) return normals;
@@ -50,7 +56,7 @@ export function meanNormals({ positions, normals, indices }: PlainMesh): Float32
     sums[i + 1] *= scale;
     sums[i + 2] *= scale;
   }
-  // Where the file has a normal, it counts, as it does in the bake.
+  // The file's own normals take precedence, as in the bake.
   if (!normals) return sums;
   for (let i = 0; i < sums.length; i += 3) {
     if (isSet(normals, i)) for (let k = i; k < i + 3; k++) sums[k] = normals[k];

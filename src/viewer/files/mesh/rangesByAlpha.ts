@@ -1,15 +1,15 @@
 import { type PictureRange, type PlainMesh, triangleCount } from './PlainMesh.js';
 
-/** A surface with less opacity is not seen. */
+/** Surfaces with lower opacity are invisible. */
 export const LEAST = 0.02;
-/** A surface with no less opacity hides what is behind it. */
+/** Surfaces with at least this opacity are opaque. */
 export const MOST = 0.95;
 
 /**
- * Settles how the triangles of a mesh without pictures are drawn, by their alpha: as opaque; as glass, in a range of its own; or not at all. Where
- * nothing would be seen, all is opaque: some programs write an alpha that they do not use.
+ * Sorts the triangles of a mesh without pictures by alpha into opaque, glass (in a range of its own) and invisible. If nothing would be
+ * visible, all is opaque: some programs write alpha that they do not use.
  *
- * @param alphaOf a triangle, from 0 to 1
+ * @param alphaOf a triangle, in [0, 1]
  */
 export function rangesByAlpha(mesh: PlainMesh, alphaOf: (triangle: number) => number): PlainMesh {
   const total = triangleCount(mesh);
@@ -33,7 +33,7 @@ export function rangesByAlpha(mesh: PlainMesh, alphaOf: (triangle: number) => nu
   return { ...mesh, indices: kept, ...(ranges.some(({ isSeeThrough }) => isSeeThrough) && { ranges }) };
 }
 
-/** The mean alpha of a triangle's vertices. A value that is not a number is opaque. */
+/** The mean alpha of a triangle's vertices. NaN counts as opaque. */
 export const meanAlpha =
   (alphas: ArrayLike<number>, indices: ArrayLike<number> | null) =>
   (triangle: number): number => {

@@ -1,20 +1,20 @@
 import { boundsOf } from './boundsOf.js';
 import { areaOf } from './triangleAreas.js';
 
-/** How far above the lowest point a vertex may lie and still touch the ground, as a share of the model's extent. */
+/** The maximum height of a contact vertex above the lowest point, as a share of the model's extent. */
 const CONTACT = 0.005;
-/** A model stands firmly if it can be tilted by 20 degrees in any direction and does not fall over. */
+/** The slope of the tilt, 20 degrees in any direction, that a firmly standing model must survive. */
 const TILT = Math.tan((20 * Math.PI) / 180);
-/** Of a larger mesh so many triangles are looked at, which are enough to know its centre. */
+/** Larger meshes are sampled by this many triangles, enough to find the centre. */
 const SAMPLED_TRIANGLES = 250_000;
-/** The number of directions in which it is tilted. */
+/** The directions of tilting. */
 const DIRECTIONS = Array.from({ length: 24 }, (_, i) => {
   const angle = (2 * Math.PI * i) / 24;
   return { cos: Math.cos(angle), sin: Math.sin(angle) };
 });
 
 /**
- * Whether a model, hollow and of one material, would stay standing on level ground: on its wheels or feet as well as on a flat side.
+ * Whether a hollow model of one material would stay standing on level ground, on wheels or feet as well as on a flat side.
  *
  * @param positions xyz of each vertex
  * @param indices three per triangle, or null if every three vertices make one
@@ -27,14 +27,14 @@ export function standsFirmly(positions: ArrayLike<number>, indices: ArrayLike<nu
   const lowest = low[height];
   const extent = Math.max(...high.map((value, axis) => value - low[axis]));
   const centre = centreOfArea(positions, indices);
-  /** How far the vertices on the ground reach in each direction, from the point below the centre. */
+  /** How far contact vertices reach in each direction from the point below the centre. */
   const reach = DIRECTIONS.map(() => -Infinity);
   const contact = CONTACT * extent;
   for (let i = 0; i < positions.length; i += 3) {
     if (positions[i + height] - lowest > contact) continue;
     const x = positions[i + u] - centre[u];
     const y = positions[i + v] - centre[v];
-    // A plain loop: in a large model many vertices are on the ground.
+    // A plain loop for speed: large models have many contact vertices.
     for (let k = 0; k < DIRECTIONS.length; k++) {
       const { cos, sin } = DIRECTIONS[k];
       reach[k] = Math.max(reach[k], cos * x + sin * y);
@@ -43,7 +43,7 @@ export function standsFirmly(positions: ArrayLike<number>, indices: ArrayLike<nu
   return Math.min(...reach) > TILT * (centre[height] - lowest);
 }
 
-/** The centre of the triangles, by their areas. */
+/** The area-weighted centre of the triangles. */
 function centreOfArea(positions: ArrayLike<number>, indices: ArrayLike<number> | null): number[] {
   let [x, y, z, total] = [0, 0, 0, 0];
   const count = indices?.length ?? positions.length / 3;

@@ -1,10 +1,10 @@
 import { isAreaLess } from './triangleAreas.js';
 
-/** A model with a radius of 1 and less surface than this is less than a pixel wide wherever it is seen. */
+/** A model of radius 1 with less surface area than this is thinner than a pixel everywhere. */
 const LEAST_AREA = 0.002;
 
 /**
- * Says of a model with a radius of 1 that its triangles are slivers or dust, which strokes cannot show.
+ * A note for a model of radius 1 whose triangles are slivers or dust that strokes cannot show.
  *
  * @param positions xyz of each vertex
  * @param indices three per triangle, or null if every three vertices make one

@@ -1,4 +1,4 @@
-/** Whether the area of all triangles together is less than this one. Of most meshes few have to be looked at. */
+/** Whether the total area of triangles is below a limit. Stops early for most meshes. */
 export function isAreaLess(positions: ArrayLike<number>, indices: ArrayLike<number> | null, least: number): boolean {
   let sum = 0;
   const count = indices?.length ?? positions.length / 3;
@@ -9,7 +9,7 @@ export function isAreaLess(positions: ArrayLike<number>, indices: ArrayLike<numb
   return sum < least;
 }
 
-/** The area of the triangle whose corners have their coordinates from these places on. */
+/** The area of a triangle. @param a offset of the first corner's coordinates, likewise `b` and `c` */
 export function areaOf(positions: ArrayLike<number>, a: number, b: number, c: number): number {
   const ux = positions[b] - positions[a];
   const uy = positions[b + 1] - positions[a + 1];

@@ -1,17 +1,17 @@
 import { ShapeUtils, Vector2 } from 'three';
 
-/** A polygon, or a corner between two others, that is flatter than this share of its size is degenerate. */
+/** The flatness below which a polygon, or a corner between two others, is degenerate, as a share of its size. */
 const FLAT = 1e-9;
-/** Fans around every corner are tried of polygons with up to so many. */
+/** Fans around every corner are tried for polygons with up to this many corners. */
 const FEW = 32;
 
 /**
- * Cuts a polygon into triangles in its plane. Notches and holes stay open, every corner stays one of a triangle, so that neighbours meet edge
- * to edge, and a polygon without an area has none.
+ * Triangulates a polygon in its plane. Notches and holes stay open; every corner stays a corner of a triangle, so that neighbours share
+ * edges; a polygon without area gives no triangles.
  *
- * @param points xyz of the corners: of its outline, and then of its holes
- * @param holes the number of the first corner of each hole
- * @returns the numbers of the corners of the triangles, three by three, in the winding of the polygon
+ * @param points xyz of the corners: of the outline, and then of the holes
+ * @param holes index of the first corner of each hole
+ * @returns three corner indices per triangle, in the winding of the polygon
  */
 export function triangulatePolygon(points: ArrayLike<number>, holes: readonly number[] = []): number[] {
   const count = points.length / 3;
@@ -21,7 +21,7 @@ export function triangulatePolygon(points: ArrayLike<number>, holes: readonly nu
   const normal: Normal = [0, 0, 0];
   fanNormal(points, all, holes[0] ?? count, normal);
   const length = Math.hypot(...normal);
-  // A corner that is no number makes triangles that are counted and left out later.
+  // A NaN corner makes triangles that are counted and left out later.
   if (!Number.isFinite(length)) return fanAround(0, count);
   const flat = FLAT * sizeOf(points) ** 2;
   if (length <= flat) return [];
@@ -37,10 +37,10 @@ export function triangulatePolygon(points: ArrayLike<number>, holes: readonly nu
 type Normal = [x: number, y: number, z: number];
 
 /**
- * Writes twice the area of a polygon, along its normal.
+ * Writes twice the area of a polygon times its normal.
  *
  * @param points xyz of the points
- * @param corners the numbers of the points that are its corners
+ * @param corners indices of the polygon's points
  * @param count of its corners
  */
 export function fanNormal(points: ArrayLike<number>, corners: ArrayLike<number>, count: number, normal: Normal): void {
@@ -63,11 +63,11 @@ export function fanNormal(points: ArrayLike<number>, corners: ArrayLike<number>,
 const whole: Normal = [0, 0, 0];
 
 /**
- * Whether the triangles around the first corner of a polygon all have an area, and turn as the polygon does: then they are the polygon. It
- * takes no memory, since files have millions of polygons.
+ * Whether the fan around the first corner triangulates the polygon: all its triangles have an area and the polygon's winding. Allocates
+ * nothing, since files have millions of polygons.
  *
  * @param points xyz of the points
- * @param corners the numbers of the points that are its corners
+ * @param corners indices of the polygon's points
  * @param count of its corners
  */
 export function isFan(points: ArrayLike<number>, corners: ArrayLike<number>, count: number): boolean {
@@ -92,10 +92,10 @@ function sizeOf(points: ArrayLike<number>): number {
   return size;
 }
 
-/** The corners as they are seen against their normal. */
+/** The corners projected along their normal. */
 function planePoints(points: ArrayLike<number>, [nx, ny, nz]: readonly number[], length: number): Vector2[] {
   const [x, y, z] = [nx / length, ny / length, nz / length];
-  // The axis that is most askew to the normal.
+  // The axis farthest from the normal.
   const [ax, ay, az] = Math.abs(x) < 0.6 ? [1, 0, 0] : [0, 1, 0];
   const [bx, by, bz] = [y * az - z * ay, z * ax - x * az, x * ay - y * ax];
   const scale = 1 / Math.hypot(bx, by, bz);
@@ -107,7 +107,7 @@ function planePoints(points: ArrayLike<number>, [nx, ny, nz]: readonly number[],
   });
 }
 
-/** Twice the area of a triangle: positive if it turns as the polygon does. */
+/** Twice the signed area of a triangle, positive in the polygon's winding. */
 const areaOf = (a: Vector2, b: Vector2, c: Vector2): number => (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 
 function fanAround(hub: number, count: number): number[] {
@@ -116,7 +116,7 @@ function fanAround(hub: number, count: number): number[] {
   return corners;
 }
 
-/** The numbers of the corners of the outline and of each hole. A last corner in the place of the first one is none. */
+/** Corner indices of the outline and of each hole, without a repeated last corner. */
 function ringsOf(plane: readonly Vector2[], holes: readonly number[]): number[][] {
   const starts = [0, ...holes, plane.length];
   return starts
@@ -129,7 +129,7 @@ function ringsOf(plane: readonly Vector2[], holes: readonly number[]): number[][
     .filter(({ length }, i) => i === 0 || length > 2);
 }
 
-/** The triangles that three's ear clipping cuts, as the polygon turns. */
+/** The triangles of three's ear clipping, in the polygon's winding. */
 function cut(plane: readonly Vector2[], rings: readonly number[][]): number[] {
   const [outline, ...holes] = rings.map((ring) => ring.map((corner) => plane[corner]));
   const numbers = rings.flat();
@@ -141,8 +141,7 @@ function cut(plane: readonly Vector2[], rings: readonly number[][]): number[] {
 }
 
 /**
- * Leaves out triangles without an area, and splits others at corners in the middle of their sides: those that ear clipping has left out, and
- * those of triangles without an area.
+ * Drops triangles without an area, and splits others at the corners that ear clipping or those triangles have left in the middle of a side.
  */
 function withAllCorners(plane: readonly Vector2[], corners: readonly number[], cut: number[], flat: number): number[] {
   let triangles: number[][] = [];
@@ -168,7 +167,7 @@ function withAllCorners(plane: readonly Vector2[], corners: readonly number[], c
   return triangles.flat();
 }
 
-/** The side of a triangle that a corner lies in the middle of; -1 for none. */
+/** The side of a triangle that contains a corner; -1 for none. */
 function sideAt(plane: readonly Vector2[], triangle: readonly number[], corner: number, flat: number): number {
   const place = plane[corner];
   return [0, 1, 2].findIndex((k) => {

@@ -18,21 +18,19 @@ const WRAPPINGS: Readonly<Record<number, number>> = { [ClampToEdgeWrapping]: 330
 const REPEAT = 10497;
 const TRANSFORM = 'KHR_texture_transform';
 
-/**
- * Writes the pictures of materials into glTF by their names alone. three's exporter would read their pixels, which are not decoded yet.
- */
+/** Writes the pictures of materials into glTF as URIs. three's exporter would need their pixels, which are not decoded yet. */
 export class GltfPictureWriter {
-  /** Pictures that are parts of the model, by their URIs. */
+  /** Embedded pictures, by URI. */
   readonly written = new Map<string, Blob>();
   private readonly maps = new Map<Material, Texture>();
   private readonly indices = new Map<string, number>();
 
-  /** Gives a material without a map this one in the file. */
+  /** Sets the map of a material that has none. */
   use(material: Material, map: Texture): void {
     this.maps.set(material, map);
   }
 
-  /** The plugin for three's exporter, which calls it for each material. */
+  /** The plugin that three's exporter calls for each material. */
   plugin({ json, extensionsUsed }: Writer): object {
     return {
       name: 'pictures',

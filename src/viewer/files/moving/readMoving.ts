@@ -4,17 +4,17 @@ import type { FindFile } from '../common/FindFile.js';
 import type { ReadGltf } from '../gltf/readGltf.js';
 import { farCentre } from '../mesh/nearFloats.js';
 
-/** Writing a larger scene as glTF would take too long, and it would not be drawn in motion anyway. */
+/** Larger scenes would take too long to convert to glTF, and would not be animated anyway. */
 const MAX_VERTICES = 300_000;
 
-/** Vertices that lie so many times the size of their mesh away from its origin are too coarse in single precision, as glTF has them. */
+/** Vertices farther from their mesh's origin than this multiple of its size are too coarse in glTF's single precision. */
 const MAX_DISTANCE = 1000;
 
 /**
- * Reads a scene that moves: it is written as glTF, whose reader checks motion and keeps it.
+ * Reads an animated scene by converting it to glTF, whose reader checks and keeps motion.
  *
- * @param root with its clips; it is of no use afterwards
- * @returns undefined if nothing moves, or its motion cannot be shown
+ * @param root with its clips; unusable afterwards
+ * @returns undefined if nothing moves, or the motion cannot be shown
  */
 export async function readMoving(root: Object3D, name: string, findFile: FindFile): Promise<ReadGltf | undefined> {
   if (root.animations.length === 0 || countVertices(root) > MAX_VERTICES || isFar(root)) return undefined;
@@ -30,14 +30,14 @@ export async function readMoving(root: Object3D, name: string, findFile: FindFil
     const notes = leftOut > 0 ? [counted(leftOut, 'damaged animation track', 'left out')] : [];
     return { ...read, notes: [...read.notes, ...notes] };
   } catch {
-    // The scene can still be shown at rest.
+    // The scene is then shown at rest.
     return undefined;
   }
 }
 
 const moves = (json: { animations?: unknown[] }): boolean => (json.animations?.length ?? 0) > 0;
 
-/** Whether a mesh has its vertices far from its origin. */
+/** Whether a mesh's vertices lie far from its origin. */
 function isFar(root: Object3D): boolean {
   let isFound = false;
   root.traverse((object) => {

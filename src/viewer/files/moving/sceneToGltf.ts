@@ -17,7 +17,7 @@ import {
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
 import { GltfPictureWriter } from './GltfPictureWriter.js';
 
-/** What three's exporter of glTF reads blobs with where there is no `FileReader`, as in Node. */
+/** Stands in for `FileReader`, which three's glTF exporter needs and Node lacks. */
 class BlobReader {
   result: ArrayBuffer | null = null;
   onloadend: (() => void) | null = null;
@@ -28,7 +28,7 @@ class BlobReader {
   }
 }
 
-/** Values of each property per key. */
+/** Values per key by animated property. */
 const VALUES_PER_KEY: Readonly<Record<string, number>> = {
   position: 3,
   quaternion: 4,
@@ -39,17 +39,17 @@ const VALUES_PER_KEY: Readonly<Record<string, number>> = {
 /** A scene as glTF. */
 export interface WrittenScene {
   glb: Uint8Array;
-  /** The pictures that are parts of the model, by the URIs that the document refers to them with. */
+  /** Embedded pictures, by the URIs in the document. */
   pictures: ReadonlyMap<string, Blob>;
-  /** Tracks that cannot be played. */
+  /** The number of tracks that cannot be played. */
   leftOut: number;
 }
 
 /**
- * Writes a scene of one of three's loaders, with its clips, as glTF, so that it is checked and drawn as glTF is. Its materials become those
- * of glTF; objects that show nothing are left out. The scene is changed and of no use afterwards.
+ * Converts a scene of one of three's loaders, with its clips, to glTF, so that it is checked and drawn in the same way. Materials are
+ * converted; invisible objects are left out. The scene is changed and unusable afterwards.
  *
- * @throws Error as the exporter has it
+ * @throws Error of the exporter
  */
 export async function sceneToGltf(root: Object3D): Promise<WrittenScene> {
   const holder = new Group().add(root);
@@ -72,7 +72,7 @@ export async function sceneToGltf(root: Object3D): Promise<WrittenScene> {
     clip.userData = {};
   }
   const animations: AnimationClip[] = root.animations.filter(({ tracks }) => tracks.length > 0);
-  // Loaders put the clips on several objects.
+  // Loaders attach clips to several objects.
   holder.traverse((object) => {
     object.animations = [];
   });
@@ -81,7 +81,7 @@ export async function sceneToGltf(root: Object3D): Promise<WrittenScene> {
   return { glb: new Uint8Array(glb as ArrayBuffer), pictures: pictures.written, leftOut };
 }
 
-/** Writes with a stand-in for the `FileReader` that the exporter asks for, where there is none. */
+/** Runs the exporter with a stand-in for `FileReader`, where there is none. */
 async function withReader<Result>(write: () => Promise<Result>): Promise<Result> {
   if ('FileReader' in globalThis) return write();
   Object.assign(globalThis, { FileReader: BlobReader });
@@ -100,7 +100,7 @@ function plainMaterial(material: MeshPhongMaterial, pictures: GltfPictureWriter)
   return plain;
 }
 
-/** Removes from an object what glTF cannot hold or a drawing does not show. The exporter would warn of it. */
+/** Removes what glTF cannot hold or a drawing does not show, since the exporter would warn of it. */
 function makePlain(object: Object3D): void {
   object.userData = {};
   if ('isLight' in object || 'isCamera' in object) object.visible = false;
@@ -115,7 +115,7 @@ function makePlain(object: Object3D): void {
   if (normal) {
     for (let i = 0; i < normal.count; i++) {
       const length = Math.hypot(normal.getX(i), normal.getY(i), normal.getZ(i));
-      // The normals are computed anew if one of them has no direction.
+      // All normals are recomputed if one has no direction.
       if (!(length > 0 && length < Infinity)) {
         geometry.deleteAttribute('normal');
         break;
@@ -130,7 +130,7 @@ function makePlain(object: Object3D): void {
   };
 }
 
-/** Gives a geometry attributes of single precision, as glTF has them. */
+/** Converts a geometry's attributes to single precision, as glTF requires. */
 function makeSingle({ attributes, morphAttributes }: BufferGeometry): void {
   for (const group of [attributes, ...Object.values(morphAttributes)] as Record<string, BufferAttribute>[]) {
     for (const [key, { array, itemSize, normalized }] of Object.entries(group)) {
@@ -140,7 +140,7 @@ function makeSingle({ attributes, morphAttributes }: BufferGeometry): void {
   }
 }
 
-/** Whether a track has all its values, and moves an object that is there. */
+/** Whether a track is complete and its target exists. */
 function isPlayable(track: KeyframeTrack, root: Object3D): boolean {
   const { nodeName, propertyName, propertyIndex } = PropertyBinding.parseTrackName(track.name);
   const node = PropertyBinding.findNode(root, nodeName);
@@ -150,7 +150,7 @@ function isPlayable(track: KeyframeTrack, root: Object3D): boolean {
     const { morphTargetDictionary } = node as Mesh;
     if (morphTargetDictionary?.[propertyIndex] === undefined) return false;
   }
-  // Of the interpolations that loaders use, glTF has only these two.
+  // glTF supports only these two of the loaders' interpolations.
   if (track.getInterpolation() !== InterpolateDiscrete) track.setInterpolation(InterpolateLinear);
   const { times, values } = track;
   return (

@@ -1,24 +1,21 @@
 import type { Texture } from 'three';
 
-/** A picture that a merged mesh asks for. */
+/** A picture needed by a merged mesh. */
 export interface WantedPicture {
   /** Its image is a {@link PictureLink}. */
   texture: Texture;
-  /**
-   * A picture of its own whose lightness is the alpha of the other, or its darkness where `userData.isInverted` says so; its image is a
-   * {@link PictureLink}, too.
-   */
+  /** A separate alpha map: lightness is alpha, or darkness where `userData.isInverted` is set. Its image is a {@link PictureLink}, too. */
   mask?: Texture | undefined;
-  /** The alpha below which nothing of the surface is there; 0 if all is. */
+  /** The alpha below which the surface is cut out; 0 without a cut-out. */
   cutOut: number;
-  /** Whether the surface is blended: one whose picture is half there is seen through instead. */
+  /** Whether the surface is blended; if its picture is mostly half-transparent, it becomes see-through. */
   isBlended?: boolean;
 }
 
-/** What a texture holds in place of its picture: where the picture lies. */
+/** The image of a texture before loading: the location of the picture. */
 export interface PictureLink {
   url: string;
-  /** The picture itself, if it is a part of the model. */
+  /** The picture itself, if it is embedded in the model. */
   content?: Blob | undefined;
   width: number;
   height: number;

@@ -1,23 +1,23 @@
 import type { DecodedPicture } from '../common/Surroundings.js';
 
-/** How much alpha a picture has, each from 0 to 1. */
+/** Statistics of a picture's alpha, in [0, 1]. */
 export interface PictureAlpha {
-  /** Over all of it. */
+  /** Mean alpha of all pixels. */
   mean: number;
-  /** The share of it that is half there, of what is there at all. */
+  /** The half-transparent share of the pixels that are not transparent. */
   half: number;
 }
 
-/** A picture more of which is half there is that of something seen through, and not one with clear parts. */
+/** Pictures with a larger half-transparent share count as see-through. */
 const MOST_HALF = 0.5;
-/** A picture with a greater mean alpha is opaque. */
+/** Pictures with a higher mean alpha are opaque. */
 const OPAQUE = 0.999;
-/** A pixel is not there with less alpha, and wholly with more. */
+/** Pixels with lower alpha are transparent, with higher alpha opaque. */
 const [CLEAR, SOLID] = [0.1, 0.9];
-/** A bitmap is looked at in this size at most. */
+/** The maximum width and height at which pictures are sampled. */
 const SIDE = 128;
 
-/** The alpha of a picture; undefined where its pixels cannot be read. */
+/** The alpha statistics of a picture; undefined if its pixels cannot be read. */
 export function alphaOf(picture: DecodedPicture): PictureAlpha | undefined {
   const scale = 'data' in picture ? 1 : Math.min(1, SIDE / Math.max(picture.width, picture.height));
   const [width, height] = [picture.width, picture.height].map((side) => Math.max(1, Math.round(scale * side)));
@@ -34,12 +34,12 @@ export function alphaOf(picture: DecodedPicture): PictureAlpha | undefined {
   return { mean: sum / count, half: count > clear ? 1 - solid / (count - clear) : 0 };
 }
 
-/** Whether a picture that is blended is that of something seen through, as a whole. */
+/** Whether a blended picture makes its surface see-through as a whole. */
 export const isHalfThere = ({ half, mean }: PictureAlpha): boolean => half > MOST_HALF || mean === 0;
 
 export const isOpaque = ({ mean }: PictureAlpha): boolean => mean > OPAQUE;
 
-/** The pixels of a picture in some size; undefined where they cannot be read. */
+/** The pixels of a picture resized to a width and height; undefined if they cannot be read. */
 export function pixelsOf(picture: DecodedPicture, width: number, height: number): Uint8ClampedArray | undefined {
   if ('data' in picture)
     return picture.width === width && picture.height === height ? picture.data : sampled(picture, width, height);
@@ -49,7 +49,7 @@ export function pixelsOf(picture: DecodedPicture, width: number, height: number)
   return context?.getImageData(0, 0, width, height).data;
 }
 
-/** The nearest pixel for each. */
+/** Nearest-neighbour sampling. */
 function sampled(
   { data, width: columns, height: rows }: Extract<DecodedPicture, { data: Uint8ClampedArray }>,
   width: number,

@@ -1,24 +1,24 @@
-/** The most pixels of one picture: a file of 44 kilobytes can decode to a gigabyte. */
+/** The maximum number of pixels of one picture: a file of 44 kilobytes can decode to a gigabyte. */
 const MAX_PIXELS = 2 ** 26;
-/** The most pixels of all pictures of a model together in their files. They are decoded one after the other. */
+/** The maximum number of pixels of all pictures of a model at file size. They are decoded one at a time. */
 const MAX_TOTAL_PIXELS = 2 ** 28;
-/** The most pixels of all pictures together as they are drawn: eight of 2,048 pixels square take 171 megabytes with their mipmaps. */
+/** The maximum number of pixels of all pictures as drawn: eight of 2,048 pixels square take 171 megabytes with their mipmaps. */
 const MAX_DRAWN_PIXELS = 2 ** 25;
 const MAX_DRAWN_SIDE = 4096;
 
-/** The size of a picture: at first that of the file, after {@link fitPictures} the one to draw it in. */
+/** The size of a picture: of the file, and after {@link fitPictures} the size to draw it in. */
 export interface PictureSize {
   width: number;
   height: number;
-  /** Whether it is to be drawn smaller than it is. */
+  /** Whether it is drawn smaller than in the file. */
   isReduced: boolean;
 }
 
-/** Adds up the pixels of pictures, and tells of each whether it can still be decoded. */
+/** Adds up pixels of pictures, and checks whether another may be decoded. */
 export class PixelBudget {
   private total = 0;
 
-  /** Counts a picture. @returns whether there is room for it */
+  /** Counts a picture. @returns whether it is within the limits */
   take(width: number, height: number): boolean {
     const pixels = width * height;
     if (pixels > MAX_PIXELS || this.total + pixels > MAX_TOTAL_PIXELS) return false;
@@ -27,7 +27,7 @@ export class PixelBudget {
   }
 }
 
-/** Makes the sizes of pictures smaller until they fit together. @returns what the caption is to say, if any was made smaller */
+/** Reduces the sizes of pictures until they fit together. @returns notes for the caption, if any was reduced */
 export function fitPictures(pictures: readonly PictureSize[]): string[] {
   const given = pictures.map((picture) => ({ picture, ...picture }));
   for (let side = MAX_DRAWN_SIDE; ; side /= 2) {

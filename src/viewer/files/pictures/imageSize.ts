@@ -1,4 +1,4 @@
-/** Width and height in pixels, read from the header of a PNG, JPEG, WebP, BMP or GIF image. Undefined for anything else. */
+/** Width and height in pixels, from the header of a PNG, JPEG, WebP, BMP or GIF image. Undefined for anything else. */
 export function imageSize(bytes: Uint8Array): [width: number, height: number] | undefined {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const text = (at: number): string => String.fromCharCode(...bytes.subarray(at, at + 4));
@@ -23,14 +23,14 @@ function webpSize(view: DataView, kind: string): [number, number] | undefined {
   return [(bits & 0x3fff) + 1, ((bits >>> 14) & 0x3fff) + 1];
 }
 
-/** Skips from marker to marker up to the start of a frame. */
+/** Skips JPEG markers up to the start of a frame. */
 function jpegSize(view: DataView): [number, number] | undefined {
   for (let at = 2; at + 9 < view.byteLength; ) {
     const marker = view.getUint16(at);
     const startsFrame = marker >= 0xffc0 && marker <= 0xffcf && ![0xffc4, 0xffc8, 0xffcc].includes(marker);
     if (startsFrame) return [view.getUint16(at + 7), view.getUint16(at + 5)];
     if (marker < 0xff00) return undefined;
-    // Markers may be preceded by any number of such bytes.
+    // Any number of fill bytes may precede a marker.
     at += marker === 0xffff ? 1 : 2 + view.getUint16(at + 2);
   }
   return undefined;

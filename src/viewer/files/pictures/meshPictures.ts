@@ -10,17 +10,17 @@ import { imageSize } from './imageSize.js';
 import { decodeTga, tgaSize } from './tgaPicture.js';
 import type { PictureLink, WantedPicture } from './WantedPicture.js';
 
-/** A mask with a mean alpha below this says by that what is there. */
+/** A mask with a lower mean alpha uses alpha as mask. */
 const OPAQUE = 0.99;
 const GREEN = 1;
 const ALPHA = 3;
 
 /**
- * A picture with the lightness of another as its alpha, or with its alpha if that says anything.
+ * A picture with a mask as its alpha: the mask's alpha where that varies, or else its lightness.
  *
  * @param picture undefined for plain white
- * @param isInverted whether the mask says what is not there
- * @returns undefined where pixels cannot be read
+ * @param isInverted whether the mask marks what is transparent
+ * @returns undefined if pixels cannot be read
  */
 async function masked(
   picture: DecodedPicture | undefined,
@@ -39,45 +39,44 @@ async function masked(
   return decodePicture({ data, width, height }, { width, height, flipY: false });
 }
 
-/** A picture of a mesh, decoded and the right way up. */
+/** A decoded, upright picture of a mesh. */
 export interface MeshPicture {
   bitmap: DecodedPicture;
   wrapS: Wrapping;
   wrapT: Wrapping;
-  /** The alpha below which nothing of the surface is there; 0 if all is. */
+  /** The alpha below which the surface is cut out; 0 without a cut-out. */
   cutOut: number;
 }
 
-/** The most names that a note gives. */
+/** At most this many names are listed in a note. */
 const NAMED = 2;
 
-/** The pictures of a mesh, by their index in its ranges, and what to say about those that are not there. */
+/** The pictures of a mesh, by index in its ranges, and what is missing. */
 export interface MeshPictures {
   pictures: (MeshPicture | undefined)[];
-  /** Those that are of something seen through. */
+  /** Indices of see-through pictures. */
   clear: ReadonlySet<number>;
-  /** The names of pictures that were not dropped along. */
+  /** Names of pictures that were not dropped along. */
   missing: string[];
-  /** How many others could not be read. */
+  /** The number of pictures that could not be read. */
   lostPictures: number;
   notes: string[];
 }
 
-/** A file with a picture, and the size it is to be drawn in. */
+/** A picture file, and the size to draw it in. */
 interface Source extends PictureSize {
   name: string;
   bytes: Uint8Array;
-  /** Whether it is a TGA file, which is known by its name alone. */
+  /** Whether it is a TGA file, which only its name tells. */
   isTga: boolean;
   flipY: boolean;
   bitmap?: DecodedPicture | undefined;
 }
 
 /**
- * Finds and decodes the pictures that a mesh asks for, each once, in sizes that can be drawn together. Before anything is decoded,
- * they are judged by their headers.
+ * Finds and decodes the pictures of a mesh, each once, in sizes that fit together. Sizes are read from headers before anything is decoded.
  *
- * @param decodePicture decodes one of them
+ * @param decodePicture decodes one picture
  * @param onPicture called before each is decoded
  */
 export async function readMeshPictures(
@@ -115,7 +114,7 @@ export async function readMeshPictures(
     sources.push({ colors: await find(texture), mask: mask && (await find(mask)) });
   const distinct = [...shared.values()];
   const reduced = fitPictures(distinct);
-  // One after the other, because each takes its full size for a moment.
+  // One at a time, because each briefly needs its full size in memory.
   for (const [i, source] of distinct.entries()) {
     onPicture(i + 1, distinct.length);
     try {
@@ -128,7 +127,7 @@ export async function readMeshPictures(
   const clear = new Set<number>();
   for (const [i, { texture, mask: alphaMap, cutOut, isBlended }] of wanted.entries()) {
     const { colors, mask } = sources[i];
-    // A texture that is its own mask has no colours.
+    // A texture that serves as its own mask has no colours.
     const own = alphaMap === texture ? undefined : colors?.bitmap;
     const { isInverted } = alphaMap?.userData ?? {};
     const bitmap = (mask?.bitmap && (await masked(own, mask.bitmap, decodePicture, isInverted))) ?? colors?.bitmap;
@@ -155,7 +154,7 @@ export async function readMeshPictures(
   return { pictures, clear, missing: [...lacks.missing], lostPictures, notes };
 }
 
-/** A note on files that a model refers to and that were not dropped along, and what to do about it. */
+/** A note on missing files, and what to do about them. */
 export function missingNote(names: readonly string[]): string[] {
   if (names.length === 0) return [];
   return [
@@ -163,7 +162,7 @@ export function missingNote(names: readonly string[]): string[] {
   ];
 }
 
-/** All names, if the note gives only some of them. */
+/** All missing names, if the note lists only some of them. */
 export function missingDetail(names: readonly string[]): string[] {
   return names.length > NAMED ? [`missing: ${names.map(shownName).join(', ')}`] : [];
 }

@@ -1,10 +1,10 @@
 import type { PixelPicture } from '../common/Surroundings.js';
 
 const HEADER_BYTES = 18;
-/** Types from this one on pack their pixels in runs. */
+/** Image types from this one on are run-length encoded. */
 const FIRST_PACKED = 9;
 
-/** Width and height in the header of a TGA file, which has no signature. */
+/** Width and height from the header of a TGA file, which has no signature. */
 export function tgaSize(bytes: Uint8Array): [width: number, height: number] | undefined {
   if (bytes.length < HEADER_BYTES) return undefined;
   const view = viewOf(bytes);
@@ -12,9 +12,9 @@ export function tgaSize(bytes: Uint8Array): [width: number, height: number] | un
 }
 
 /**
- * Decodes TGA, which older programs write and browsers do not read.
+ * Decodes TGA, which older programs write and browsers do not decode.
  *
- * @throws Error if the file is cut short
+ * @throws Error if the file is truncated
  */
 export async function decodeTga(bytes: Uint8Array): Promise<Omit<PixelPicture, 'close'>> {
   if (!isWhole(bytes)) throw new Error('TGA: cut short');
@@ -27,7 +27,7 @@ export async function decodeTga(bytes: Uint8Array): Promise<Omit<PixelPicture, '
   return { data: new Uint8ClampedArray(data), width, height };
 }
 
-/** Whether a file holds all its pixels. The loader makes those black that are not there. */
+/** Whether a file contains all its pixels. The loader would make missing ones black. */
 function isWhole(bytes: Uint8Array): boolean {
   const [width, height] = tgaSize(bytes) ?? [0, 0];
   const [idBytes, hasPalette, type] = bytes;

@@ -2,10 +2,10 @@ import { ModelError } from '../common/ModelError.js';
 import { type PictureRange, type PlainMesh, triangleCount } from '../mesh/PlainMesh.js';
 
 /**
- * Removes what three's loaders let through: triangles with a vertex that is missing, infinite or not a number, and
- * vertices that no triangle uses, which would spoil the fit.
+ * Removes faults that three's loaders pass on: triangles with a missing, infinite or NaN vertex, and unused vertices, which would spoil the
+ * fit.
  *
- * @returns the mesh, and how many triangles were left out
+ * @returns the mesh, and the number of triangles left out
  * @throws ModelError when nothing is left
  */
 export function cleanMesh(mesh: PlainMesh): { mesh: PlainMesh; broken: number } {
@@ -41,7 +41,7 @@ export function cleanMesh(mesh: PlainMesh): { mesh: PlainMesh; broken: number } 
   return { mesh: mesh.ranges ? { ...cleaned, ranges } : cleaned, broken: total - length / 3 };
 }
 
-/** Whether there is nothing to remove, as in most files: then nothing is copied. */
+/** Whether nothing needs to be removed, as in most files, so that nothing is copied. */
 function isClean({ positions, normals, colors, uvs, indices, ranges }: PlainMesh): boolean {
   const vertexCount = positions.length / 3;
   if (!indices?.length || indices.byteLength !== indices.buffer.byteLength || indices.length % 3 || ranges)
@@ -61,7 +61,7 @@ function isClean({ positions, normals, colors, uvs, indices, ranges }: PlainMesh
   return used === vertexCount;
 }
 
-/** Removes the vertices that are not in use and renumbers the others. */
+/** Removes unused vertices and renumbers the others. */
 function compact(mesh: PlainMesh, indices: Uint32Array): PlainMesh {
   const vertexCount = mesh.positions.length / 3;
   const renumbered = new Uint32Array(vertexCount);

@@ -1,26 +1,26 @@
 import { type PictureRange, type PlainMesh, triangleCount } from '../mesh/PlainMesh.js';
 
 /**
- * If duplicates are less than this share of the triangles, they stay: they cost little, and scans have some beside triangles of the
- * opposite winding, where the majority decides which side is outside.
+ * Below this share of the triangles, duplicates stay: they cost little, and in scans some lie next to triangles of opposite winding, where
+ * the majority decides which side is outside.
  */
 const HARMLESS_SHARE = 0.1;
-/** Of a large mesh, one triangle in so many is tested first. */
+/** Large meshes are tested by one triangle in this many first. */
 const SAMPLE = 16;
 const FEW = 100_000;
 
 /**
- * Leaves out triangles that equal an earlier one: the same corners in the same winding, with the same colours and pictures.
- * Thousands of them in one place would keep a graphics card busy for a minute, and nobody could see it.
+ * Leaves out duplicate triangles: same corners, winding, colours and pictures. Thousands of them in one place would occupy a graphics card
+ * for a minute without any visible effect.
  *
- * @returns the mesh, with the first of each, and how many were left out
+ * @returns the mesh, with the first of each, and the number left out
  */
 export function dropDuplicates(mesh: PlainMesh): { mesh: PlainMesh; duplicates: number } {
   const total = triangleCount(mesh);
   const corners = new Corners(mesh);
   if (total > FEW) {
     const { looked, kept } = distinct(mesh, corners, SAMPLE);
-    // If fewer were tested than expected, many copies of one triangle may have been passed over together.
+    // If far fewer were tested than expected, the sample may have missed many copies of one triangle.
     const isEven = looked > (1 - HARMLESS_SHARE / 2) * (total / SAMPLE);
     if (isEven && looked - kept.length / 3 < (HARMLESS_SHARE / 2) * looked) return { mesh, duplicates: 0 };
   }
@@ -31,10 +31,10 @@ export function dropDuplicates(mesh: PlainMesh): { mesh: PlainMesh; duplicates: 
 }
 
 /**
- * The first of each triangle, turned so that equal ones begin with the same corner.
+ * The first of each set of equal triangles, rotated so that equal ones begin with the same corner.
  *
- * @param sample looks at those alone whose mix of corners it divides: at one in so many, duplicates together. A power of two
- * @returns how many were looked at, and the vertices and ranges of those that are kept
+ * @param sample tests only triangles whose corner mix is divisible by it, which keeps duplicates together. A power of two
+ * @returns the number tested, and the vertices and ranges of those kept
  */
 function distinct(
   mesh: PlainMesh,
@@ -42,12 +42,12 @@ function distinct(
   sample: number,
 ): { looked: number; kept: Uint32Array; ranges: PictureRange[] } {
   const total = triangleCount(mesh);
-  // The factor is for hashes that are not spread quite evenly.
+  // The factor allows for uneven hashes.
   const room = sample === 1 ? total : Math.ceil((2 * total) / sample);
   const table = new Int32Array(2 ** Math.ceil(Math.log2(2 * room + 2))).fill(-1);
   const mask = table.length - 1;
   const kept = new Uint32Array(3 * room);
-  /** Of the kept triangles: most that meet in a slot of the table differ in it. */
+  /** Hashes of the kept triangles, which tell most triangles apart that share a table slot. */
   const hashes = new Int32Array(room);
   const ranges: PictureRange[] = [];
   let looked = 0;
@@ -75,12 +75,12 @@ function distinct(
   return { looked, kept: kept.subarray(0, length), ranges };
 }
 
-/** The corners of a mesh, by all that is drawn of them. */
+/** The corners of a mesh, compared by everything that is drawn of them. */
 class Corners {
   private readonly indices: Uint32Array | null;
-  /** By vertex. */
+  /** Hash per vertex. */
   private readonly hashes: Uint32Array;
-  /** The bits of each attribute, and its numbers per vertex. */
+  /** The bits of each attribute, and its components per vertex. */
   private readonly values: readonly { bits: Uint32Array; size: number }[];
 
   constructor({ positions, colors, uvs, indices }: PlainMesh) {
@@ -107,18 +107,18 @@ class Corners {
     return this.indices ? this.indices[corner] : corner;
   }
 
-  /** Which corner of a triangle begins it: the same for the same triangle, whichever comes first in the file. */
+  /** The corner with which a triangle begins: the same for equal triangles, whatever their order in the file. */
   firstOf(corner: number): number {
     const a = this.hashes[this.vertexAt(corner)];
     const b = this.hashes[this.vertexAt(corner + 1)];
     const c = this.hashes[this.vertexAt(corner + 2)];
-    // If two are equal and smallest, it is the one that the other follows.
+    // If two are equal and lowest, the triangle begins with the one that comes before the other.
     if (a <= b && a < c) return 0;
     if (b <= c && b < a) return 1;
     return c <= a && c < b ? 2 : 0;
   }
 
-  /** A number that is the same for triangles of the same corners, in any order. It takes a fraction of the time of a hash. */
+  /** A checksum of a triangle's corners that does not depend on their order. Takes a fraction of the time of a hash. */
   mixOf(corner: number): number {
     const { indices, hashes } = this;
     const sum = indices

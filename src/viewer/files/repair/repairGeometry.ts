@@ -2,14 +2,13 @@ import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute, Mesh,
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
 
-/** Vertex colours that are not numbers become white: the paper shows, and strokes are drawn as anywhere else. */
+/** NaN vertex colours become white, so that strokes are drawn on bare paper as elsewhere. */
 const WHITE = 1;
 
 /**
- * Repairs what a file holds but no picture can be drawn from, in place: colours, texture coordinates, tangents, skin weights and
- * morph targets that are not numbers. Colours become white, all others zero; morph targets that hold whole positions or
- * normals take the value of the unmorphed vertex. Normals that are zero or not numbers become zero: the library computes
- * these from the surface, with its creases.
+ * Repairs non-finite values in place: colours, texture coordinates, tangents, skin weights and morph targets. Colours become white, all
+ * others zero; morph targets with absolute positions or normals take the unmorphed vertex's value. Normals that are zero or not finite
+ * become zero: the library computes them from the surface, with its creases.
  *
  * @returns whether anything was repaired
  */
@@ -30,7 +29,7 @@ export function repairGeometry({ attributes, morphAttributes, morphTargetsRelati
   return repaired > 0;
 }
 
-/** Repairs the geometry of every mesh at or below an object, each once, and morph target influences that are not numbers. */
+/** Repairs each geometry at or below an object once, and non-finite morph target influences. */
 export function repairScene(root: Object3D): void {
   const seen = new Set<BufferGeometry>();
   root.traverse((object) => {
@@ -45,12 +44,12 @@ export function repairScene(root: Object3D): void {
   });
 }
 
-/** Whether an attribute may hold values that are not finite: integers always are. */
+/** Whether an attribute can hold non-finite values; integers cannot. */
 function canHoldBadValues(attribute: Attribute): boolean {
   return attribute.array instanceof Float32Array || attribute.array instanceof Float64Array;
 }
 
-/** Sets vectors to zero that have a component which is not a number: they have no direction. @returns how many */
+/** Sets vectors with a non-finite component to zero. @returns how many */
 function zeroBadVectors(attribute: Attribute): number {
   let zeroed = 0;
   for (let vertex = 0; vertex < attribute.count; vertex++) {
@@ -67,7 +66,7 @@ function replaceBadValues(attribute: Attribute, valueFor: (vertex: number, compo
   let replaced = 0;
   for (let vertex = 0; vertex < count; vertex++) {
     for (let component = 0; component < itemSize; component++) {
-      // Faster than Number.isFinite, on millions of values.
+      // Faster than Number.isFinite on millions of values.
       const value = attribute.getComponent(vertex, component);
       if (value - value === 0) continue;
       const instead = valueFor(vertex, component);

@@ -2,29 +2,32 @@ import type { Simplifier } from '../../../mesh/detail/loadSimplifier.js';
 import { type SimplifiableMesh, simplifyTriangles } from '../../../mesh/detail/simplifyTriangles.js';
 import type { PlainMesh } from '../mesh/PlainMesh.js';
 
-/** A mesh of more triangles is simplified. A sheet shows no more of them. */
+/** Meshes with more triangles are simplified, since a sheet cannot show more. */
 const MOST_TRIANGLES = 1_500_000;
-/** How far a simpler mesh lies from the file's at most, in radii, if that is simple enough: half a pixel on a sheet of 1,000. */
+/** The first error limit, in radii: half a pixel on a sheet of 1,000 pixels. It is raised if the result has too many triangles. */
 const FIRST_ERROR = 2 ** -10;
-/** Two passes: the second simplifies where cells met in the first. The first leaves twice what is wanted, so that both do their part. */
+/**
+ * Two passes: the second simplifies across the borders of the first one's cells. The first leaves twice the target, so that both
+ * contribute.
+ */
 const PASSES = [
   { shift: 0, leaves: 2 },
   { shift: 0.5, leaves: 1 },
 ];
-/** How far a vertex may move for a whole colour. */
+/** The distance that counts as much as a full change of colour. */
 const COLOR_WEIGHT = 0.05;
 
-/** A mesh with fewer triangles, and how far they lie from those of the file, in radii. */
+/** A simplified mesh, and its maximum deviation from the original in radii. */
 export interface SimplifiedMesh {
   mesh: PlainMesh;
   error: number;
 }
 
 /**
- * Simplifies a mesh of radius 1 until it has no more triangles than a sheet shows, each of its ranges for itself. It has no pictures.
+ * Simplifies a mesh of radius 1 without pictures to at most `most` triangles, each of its ranges separately.
  *
  * @param onProgress called with rising numbers in [0, 1]
- * @param most triangles of the result
+ * @param most maximum number of triangles
  */
 export function simplifyMesh(
   mesh: PlainMesh,
@@ -51,7 +54,7 @@ export function simplifyMesh(
       parts = parts.map((part, i) => {
         const task = simplifyTriangles(source, part, allowed / 2, simplifier, shift, share);
         let step = task.next();
-        // Nobody knows how many passes it takes; each is shorter than the one before.
+        // The number of passes is unknown; each is shorter than the previous one.
         for (; !step.done; step = task.next())
           onProgress(progress + (0.5 * (1 - progress) * (i + step.value)) / parts.length);
         farthest = Math.max(farthest, step.value.error);
@@ -64,7 +67,7 @@ export function simplifyMesh(
   return { mesh: joined(mesh, parts), error };
 }
 
-/** A mesh of the triangles that are left of each range of another. */
+/** A mesh of the remaining triangles of each range. */
 function joined(mesh: PlainMesh, parts: readonly Uint32Array[]): PlainMesh {
   const indices = new Uint32Array(parts.reduce((sum, { length }) => sum + length, 0));
   let start = 0;
@@ -76,7 +79,7 @@ function joined(mesh: PlainMesh, parts: readonly Uint32Array[]): PlainMesh {
   return { ...compacted(mesh, indices), ...(mesh.ranges && { ranges }) };
 }
 
-/** A mesh of some triangles of another, with their vertices alone. */
+/** A mesh of some triangles of another, without unused vertices. */
 function compacted({ positions, normals, colors }: PlainMesh, indices: Uint32Array): PlainMesh {
   const numbers = new Uint32Array(positions.length / 3);
   let count = 0;

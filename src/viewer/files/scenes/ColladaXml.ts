@@ -6,8 +6,8 @@ import { XmlElement, XmlParser } from './XmlElement.js';
 const PRIMITIVES = ['polygons', 'polylist', 'tristrips', 'trifans'];
 
 /**
- * Parses COLLADA for three's loader, with triangles alone: of `polygons` the loader reads the last one and no holes, it cuts all of four corners
- * along one line, whatever their shape, and leaves out strips and fans.
+ * Parses COLLADA for three's loader, with triangles only. Of several `polygons` the loader reads only the last and ignores holes, it splits
+ * all quads along the same diagonal, and it skips strips and fans.
  */
 export class ColladaXml extends XmlParser {
   override parseFromString(text: string): ReturnType<XmlParser['parseFromString']> {
@@ -22,13 +22,10 @@ export class ColladaXml extends XmlParser {
   }
 }
 
-/** The places of pictures that are not drawn. In the first goes one of opacity, in the second one of transparency. */
+/** The map slots that are not drawn: the first receives an opacity map, the second a transparency map. */
 const UNDRAWN = ['ambient', 'specular'];
 
-/**
- * Puts the picture of a surface's transparency in the place of another that is not drawn, since three's loader leaves it out. That of its colours
- * has its alpha already.
- */
+/** Moves a transparency map, which three's loader drops, to an unused slot. A colour map already contains its alpha. */
 function placeMask(shader: XmlElement): void {
   const childOf = (name: string): XmlElement | undefined => shader.childNodes.find((child) => child.nodeName === name);
   const [transparent, texture, colours] = [
@@ -46,7 +43,7 @@ function placeMask(shader: XmlElement): void {
   shader.childNodes.push(mask);
 }
 
-/** Makes the pictures of transparency that {@link ColladaXml} has placed the alpha of their materials. */
+/** Turns the transparency maps that {@link ColladaXml} has moved into alpha maps of their materials. */
 export function takeMasks(root: Object3D): void {
   root.traverse((object) => {
     for (const material of [(object as Partial<Mesh>).material ?? []].flat() as MeshPhongMaterial[]) {
@@ -58,7 +55,7 @@ export function takeMasks(root: Object3D): void {
   });
 }
 
-/** The coordinates of a mesh, and how many numbers each point takes. */
+/** The coordinates of a mesh, and the number of inputs per corner. */
 interface Points {
   values: number[];
   stride: number;
@@ -78,7 +75,7 @@ function pointsOf(mesh: XmlElement): Points {
 const numbersIn = (element: XmlElement | null | undefined): number[] =>
   element ? (element.textContent.match(/\S+/g) ?? []).map(Number) : [];
 
-/** The element of triangles with the same corners. */
+/** Converts an element to triangles with the same corners. */
 function asTriangles(element: XmlElement, points: Points): XmlElement {
   const inputs = element.childNodes.filter(({ nodeName }) => nodeName === 'input');
   const offsetOf = (input: XmlElement | undefined): number => Number(input?.getAttribute('offset') ?? 0);
@@ -102,10 +99,10 @@ function asTriangles(element: XmlElement, points: Points): XmlElement {
   return triangles;
 }
 
-/** A corner: the numbers of its vertex and of what else it has. */
+/** Indices of a corner: its vertex, then its other inputs. */
 type Corner = number[];
 
-/** The outline of each polygon, and its holes. */
+/** The outline of each polygon, followed by its holes. */
 function polygonsOf(element: XmlElement, stride: number): Corner[][][] {
   const named = (name: string): XmlElement[] => element.childNodes.filter(({ nodeName }) => nodeName === name);
   const lists = named('p').map((p) => cornersIn(p, stride));

@@ -1,7 +1,7 @@
 import { BackSide, Loader, type Material, type Mesh, type MeshBasicMaterial, type Object3D } from 'three';
 import { ModelError } from '../common/ModelError.js';
 
-/** Hides the sky and the ground that three's loader for VRML builds around a scene: the model would be a dot in them. */
+/** Hides the sky and ground that three's VRML loader adds, in which the model would be a dot. */
 function withoutBackground<Root extends Object3D>(root: Root): Root {
   root.traverse((object) => {
     const { material } = object as Partial<Mesh>;
@@ -13,23 +13,23 @@ function withoutBackground<Root extends Object3D>(root: Root): Root {
 const isBackground = ({ side, depthTest, depthWrite }: Material): boolean =>
   side === BackSide && !depthTest && !depthWrite;
 
-/** What one of three's loaders made of a file. Its textures hold links to their pictures. */
+/** The result of one of three's loaders. The images of its textures are links to pictures. */
 export interface LoadedScene {
   root: Object3D;
-  /** The names of files that it asks for and that were not dropped. */
+  /** Names of files that were not dropped along. */
   missing?: string[];
-  /** What else the caption is to say. */
+  /** Further notes for the caption. */
   notes?: string[];
 }
 
-/** Says that surfaces are drawn without the pictures that move their points. */
+/** Note that displacement maps are not drawn. */
 export const DISPLACEMENT_NOTE = 'displacement left out';
 
 /**
- * The scene of a loader, without a background and the colours that it makes up.
+ * Wraps a loader's scene, without backgrounds and made-up colours.
  *
- * @param root what the loader returned: some return nothing for a damaged file
- * @throws ModelError if there is none
+ * @param root the loader's result, which may be undefined for a damaged file
+ * @throws ModelError if it is
  */
 export function sceneOf(root: Object3D | undefined, name: string): LoadedScene {
   if (!root) throw new ModelError(`${name} could not be read; its outline seems to be damaged.`);
@@ -37,7 +37,7 @@ export function sceneOf(root: Object3D | undefined, name: string): LoadedScene {
   return { root: withoutBackground(root) };
 }
 
-/** Surfaces without a material are white: three's loaders paint them in colours of their own, black or magenta. */
+/** Makes surfaces without a material white; three's loaders make them black or magenta. */
 function whiteWithoutMaterial(object: Object3D): void {
   const { isMesh, material } = object as Partial<Mesh>;
   if (!isMesh) return;

@@ -1,24 +1,24 @@
 import { type XmlElement, XmlParser } from './XmlElement.js';
 
-/** The settings of an object, or of a part of it. */
+/** A slicer's setting for an object or a part of it. */
 interface Setting {
-  /** The number of its filament, from 0 on; undefined for that of the whole, or the first. */
+  /** The index of its filament, from 0; undefined for the default. */
   filament: number | undefined;
-  /** Whether it is no part of the model: what is cut out, changed or supported while it is printed. */
+  /** Whether it is a helper: a cut-out, modifier or support. */
   isHelper: boolean;
 }
 
 const COLOUR = /^#[\da-f]{6}/i;
 
-/** What the settings of a slicer, in files beside the model of a 3MF package, say of the model: colours, and what is not printed. */
+/** What a slicer's files in a 3MF package say about the model: filament colours, and helpers that are not printed. */
 export class SlicerSettings {
-  /** The colours of the filaments, as 3MF has them; none if all that is printed has one colour. */
+  /** The filament colours as in 3MF; empty if everything has one colour. */
   readonly colours: readonly string[];
   private readonly settings = new Map<string, Setting>();
 
   /**
-   * @param objects an XML file with the filaments of objects and their parts
-   * @param project a JSON file with the colours of filaments
+   * @param objects an XML file with the filaments of objects and parts
+   * @param project a JSON file with filament colours
    */
   constructor(objects: string | undefined, project: string | undefined) {
     for (const object of objects === undefined ? [] : elementsOf(objects, 'object')) {
@@ -33,7 +33,7 @@ export class SlicerSettings {
     this.colours = used.size > 1 ? colours : [];
   }
 
-  /** The number of the filament of an object or a part of it, from 0 on; undefined if it has no colour. */
+  /** The index of the filament of an object or part, from 0; undefined if it has none. */
   filamentOf(object: string, part?: string): number | undefined {
     const filament = this.settings.get(`${object} ${part}`)?.filament ?? this.settings.get(object)?.filament ?? 0;
     return filament < this.colours.length ? filament : undefined;
@@ -44,7 +44,7 @@ export class SlicerSettings {
   }
 }
 
-/** The elements of a name; none if the text is damaged. */
+/** The elements with a name; none if the text is damaged. */
 function elementsOf(text: string, name: string): XmlElement[] {
   try {
     return new XmlParser().parseFromString(text).getElementsByTagName(name);

@@ -1,7 +1,7 @@
 import { type BufferGeometry, type Material, type Mesh, MeshPhongMaterial } from 'three';
 import { TDSLoader } from 'three/addons/loaders/TDSLoader.js';
 
-/** A part of a file, as three's loader reads it. */
+/** A chunk of a file, as three's loader represents it. */
 interface Chunk {
   readonly id: number;
   readonly endOfChunk: boolean;
@@ -15,21 +15,21 @@ const MATERIAL_GROUP = 0x4130;
 const SMOOTHING = 0x4150;
 
 /**
- * three's loader for 3DS, with its faces: that loader takes the first ones for those of the first material, whichever they are, leaves out
- * faces without one, and knows no smoothing groups.
+ * three's loader for 3DS with its handling of faces corrected: it assigns materials to faces by position instead of index, drops faces
+ * without a material, and ignores smoothing groups.
  */
 export class TdsFaces extends TDSLoader {
-  /** The smoothing groups of triangles, where the file says them: a bit for each. */
+  /** The smoothing groups of triangles, where the file has them: one bit per group. */
   readonly smoothing = new Map<BufferGeometry, Uint32Array>();
 
-  /** @param part really a {@link Chunk} */
+  /** @param part actually a {@link Chunk} */
   override readFaceArray(part: DataView, mesh: Mesh): void {
     const chunk = part as unknown as Chunk;
     const count = chunk.readWord();
     const corners: number[][] = [];
     for (let face = 0; face < count; face++) {
       corners.push([chunk.readWord(), chunk.readWord(), chunk.readWord()]);
-      // Which of its edges are seen.
+      // The visibility of edges, which is not used.
       chunk.readWord();
     }
     const groups = new Map<string, number[]>();

@@ -1,4 +1,4 @@
-/** An attribute of an element, with the members that three's loaders read. */
+/** An attribute of an element, with the members that three's loaders use. */
 interface XmlAttribute {
   readonly name: string;
   readonly value: string;
@@ -9,8 +9,8 @@ const MAX_DEPTH = 500;
 const ATTRIBUTE = /([^\s=/>]+)\s*=\s*(?:"([^"]*)"|'([^']*)')/g;
 
 /**
- * An element of an XML document: as much of the DOM as three's loaders for COLLADA and 3MF read, which workers lack. Names are
- * looked up without their prefix, in any namespace. Child nodes are elements only.
+ * An XML element: the part of the DOM that three's loaders for COLLADA and 3MF use, which workers lack. Names are looked up without their
+ * namespace prefix. Children are elements only.
  */
 export class XmlElement {
   readonly nodeType = 1;
@@ -27,7 +27,7 @@ export class XmlElement {
     return this.childNodes;
   }
 
-  /** The text of the element and of all below it, trimmed. */
+  /** The trimmed text of the element and its descendants. */
   get textContent(): string {
     return [this.ownText, ...this.childNodes.map((child) => child.textContent)].join('').trim();
   }
@@ -36,7 +36,7 @@ export class XmlElement {
     return this.attributes.find((attribute) => attribute.name === name)?.value ?? null;
   }
 
-  /** three's loader for COLLADA gives identities to nodes without one. */
+  /** three's COLLADA loader assigns ids to nodes without one. */
   setAttribute(name: string, value: string): void {
     const at = this.attributes.findIndex((attribute) => attribute.name === name);
     const attribute = { name, value, specified: true } as const;
@@ -73,7 +73,7 @@ export class XmlElement {
     return this.querySelectorAll(selector)[0] ?? null;
   }
 
-  /** Adds a child. Only the parser calls it. */
+  /** Adds a child. For the parser only. */
   addText(text: string): void {
     this.ownText += text;
   }
@@ -89,7 +89,7 @@ export class XmlElement {
   }
 }
 
-/** A document: an element that holds the outermost one. */
+/** A document: the parent of the root element. */
 class XmlDocument extends XmlElement {
   constructor() {
     super('#document');
@@ -101,7 +101,7 @@ class XmlDocument extends XmlElement {
 }
 
 /**
- * Parses XML, without definitions of entities of its own, so that a short text stays short.
+ * Parses XML, without custom entities, which could make a short text huge.
  *
  * @throws Error if elements do not close in order, or are nested too deep
  */
@@ -121,7 +121,7 @@ export class XmlParser {
   }
 }
 
-/** Reads what begins with `<`. @returns where it ends */
+/** Reads markup that begins with `<`. @returns its end */
 function readMarkup(text: string, start: number, open: XmlElement[]): number {
   if (text.startsWith('<!--', start)) return after(text, '-->', start + 4);
   if (text.startsWith('<![CDATA[', start)) {
@@ -156,7 +156,7 @@ function after(text: string, mark: string, from: number): number {
   return at + mark.length;
 }
 
-/** The end of a tag, whose attributes may hold `>`. */
+/** The end of a tag, whose attributes may contain `>`. */
 function afterTag(text: string, start: number): number {
   let quote = '';
   for (let at = start + 1; at < text.length; at++) {
@@ -169,7 +169,7 @@ function afterTag(text: string, start: number): number {
   throw new Error('its XML is cut short');
 }
 
-/** The end of a declaration, which may hold others in brackets. */
+/** The end of a declaration, which may contain others in brackets. */
 function afterDeclaration(text: string, start: number): number {
   const bracket = text.indexOf('[', start);
   const end = after(text, '>', start);

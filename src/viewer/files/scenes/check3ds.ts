@@ -1,24 +1,22 @@
 import { ModelError } from '../common/ModelError.js';
 
 const HEADER_BYTES = 6;
-/** Chunks whose content is other chunks: the file, its models, a material, its pictures, a mesh. */
+/** Chunks that contain chunks: the file, its models, a material, its pictures, a mesh. */
 const CONTAINERS = new Set([0x4d4d, 0x3d3d, 0xafff, 0xa200, 0xa204, 0xa210, 0xa230, 0x4100]);
 const OBJECT = 0x4000;
 const HIDDEN = 0x4010;
 const FACES = 0x4120;
 const AXES = 0x4160;
 const AMBIENT = 0xa010;
-/** The id of a chunk that nothing reads. */
+/** An id that three's loader skips. */
 const UNREAD = 0x3fff;
-/** The axes and the place of a mesh: as they are, or with the first axis turned round. */
+/** The local axes of a mesh: identity, or with x mirrored. */
 const [SAME, MIRRORED] = [1, -1].map((x) => [x, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0]);
 
 /**
- * Checks that every chunk of a 3DS file has a length and lies within the one that holds it. three's loader would read one
- * without a length for ever.
- *
- * In the bytes it takes away what that loader reads and should not: objects that are hidden, the colour of ambient light, which it takes for that of
- * the surface, and the axes of meshes, whose points lie in the world as they are. Of these only stays whether they are mirrored.
+ * Checks that every chunk of a 3DS file has a length and lies within its parent; three's loader would loop forever on a chunk of length 0.
+ * Also hides data in the bytes that the loader misreads: hidden objects, the ambient colour, which it takes for the surface colour, and the
+ * axes of meshes, whose points are in world space already. Of the axes only mirroring is kept.
  *
  * @throws ModelError
  */
@@ -50,7 +48,7 @@ function plainAxes(view: DataView, at: number, end: number): void {
   for (const [i, value] of (turn < 0 ? MIRRORED : SAME).entries()) view.setFloat32(at + 4 * i, value, true);
 }
 
-/** The byte where the chunks within a chunk begin; undefined if it holds none. */
+/** The offset of the first chunk within a chunk; undefined if it has none. */
 function firstChild(bytes: Uint8Array, view: DataView, id: number, at: number, end: number): number | undefined {
   if (CONTAINERS.has(id)) return at;
   if (id === OBJECT) {

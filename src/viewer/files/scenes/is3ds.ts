@@ -1,7 +1,7 @@
-/** The chunks of which one comes first within the main chunk. */
+/** The chunks that can come first within the main chunk. */
 const FIRST_CHUNKS = [0x0001, 0x0002, 0x3d3d, 0x3d3e, 0xb000];
 
-/** Whether bytes begin as a 3DS file does: with the main chunk, which holds all others, and one that can be the first in it. */
+/** Whether bytes begin with the main chunk of a 3DS file and one of the possible first chunks. */
 export function is3ds(bytes: Uint8Array): boolean {
   if (bytes.length < 12 || bytes[0] !== 0x4d || bytes[1] !== 0x4d) return false;
   const view = new DataView(bytes.buffer, bytes.byteOffset);

@@ -4,7 +4,7 @@ import { ModelError } from '../common/ModelError.js';
 import { toUtf8 } from '../common/toUtf8.js';
 import { SlicerSettings } from './SlicerSettings.js';
 
-/** How long the units of a model are, in millimetres. */
+/** The units of models, in millimetres. */
 const UNITS: Readonly<Record<string, number>> = {
   micron: 0.001,
   millimeter: 1,
@@ -14,7 +14,7 @@ const UNITS: Readonly<Record<string, number>> = {
   meter: 1000,
 };
 const MODEL = '3D/3dmodel.model';
-/** The ids of resources that are added: a white material, and the colours of filaments. */
+/** Ids of added resources: a white material, and the filament colours. */
 const WHITE = 'white';
 const FILAMENTS = 'filaments';
 const IDENTITY = '1 0 0 0 1 0 0 0 1 0 0 0';
@@ -22,22 +22,22 @@ const IDENTITY = '1 0 0 0 1 0 0 0 1 0 0 0';
 /** A model file of a package. */
 interface Part {
   text: string;
-  /** What its ids begin with once all files are one: each counts its own. */
+  /** The prefix of its ids in the joined model, since each file has its own ids. */
   prefix: string;
-  /** The length of its unit, in millimetres. */
+  /** Its unit, in millimetres. */
   unit: number;
-  /** The ids of objects that are no part of the model, such as supports. */
+  /** Ids of objects that are not part of the model, such as supports. */
   helpers: ReadonlySet<string>;
 }
 
 /**
- * Joins the model files of a 3MF package to one, as three's loader reads it: that loader looks for every component in the root file, takes
- * objects with one id in several files for one, and knows no units. It draws triangles without a colour twice where others have one,
- * and leaves out those with a property that is no colour.
+ * Joins the model files of a 3MF package for three's loader. That loader looks for all components in the root file, mixes up objects with
+ * the same id in several files, and ignores units. It draws triangles without a colour twice where others have one, and drops those whose
+ * property is not a colour.
  *
  * @param files the content of the package, by path
  * @returns the package, and notes on what was left out
- * @throws ModelError if its list of parts is missing, or names no model
+ * @throws ModelError if its relationships are missing, or name no model
  */
 export function join3mf(files: ReadonlyMap<string, Uint8Array>, name: string): { bytes: Uint8Array; notes: string[] } {
   const parts = new Parts(files);
@@ -56,7 +56,7 @@ export function join3mf(files: ReadonlyMap<string, Uint8Array>, name: string): {
   return { bytes, notes: parts.notes() };
 }
 
-/** The path of the model that the package is about. */
+/** The path of the root model. */
 function rootOf(files: ReadonlyMap<string, Uint8Array>, name: string): string {
   const list = [...files].find(([path]) => /^_rels\/\.rels$/i.test(path));
   if (!list) throw new ModelError(`${name} is damaged or cut short: its list of parts is missing.`);
@@ -66,7 +66,7 @@ function rootOf(files: ReadonlyMap<string, Uint8Array>, name: string): string {
   return root;
 }
 
-/** The file at a path; capitals make no difference in packages. */
+/** The file at a path; paths in packages ignore case. */
 function fileAt(files: ReadonlyMap<string, Uint8Array>, path: string): Uint8Array | undefined {
   const wanted = path.replace(/^\//, '').toLowerCase();
   return files.get(path) ?? [...files].find(([other]) => other.toLowerCase() === wanted)?.[1];
@@ -74,11 +74,11 @@ function fileAt(files: ReadonlyMap<string, Uint8Array>, path: string): Uint8Arra
 
 const decoded = (bytes: Uint8Array): string => new TextDecoder().decode(toUtf8(bytes));
 
-/** The model files of a package that are used, one after the other. */
+/** The model files of a package that are used. */
 class Parts {
   private readonly parts = new Map<string, Part>();
   private readonly settings: SlicerSettings;
-  /** The number of the filament of each object, by its id in the joined model. */
+  /** The filament index of each object, by its id in the joined model. */
   private readonly filaments = new Map<string, number>();
   private readonly leftOut = { missing: 0, helpers: 0, mixed: 0, painted: 0 };
 
@@ -98,12 +98,12 @@ class Parts {
     ].filter(Boolean);
   }
 
-  /** The text of one model with all that is used. */
+  /** The text of a model joined with all models that it uses. */
   join(path: string): string {
     const root = this.partAt(path)!;
     const own = this.withPaths(root);
     const others: string[] = [];
-    // Parts that parts refer to are added while they are gone through.
+    // The loop also visits parts that are added while it runs.
     for (const part of this.parts.values()) if (part !== root) others.push(resourcesOf(this.withPaths(part)));
     const base = (colour: string): string => `<base name="" displaycolor="${colour}"/>`;
     const colours = [
@@ -132,7 +132,7 @@ class Parts {
     return part;
   }
 
-  /** The text of a part whose components and items name objects of the joined model, in their units. */
+  /** The text of a part with the references of components and items changed to the ids and units of the joined model. */
   private withPaths({ text, unit, prefix, helpers }: Part): string {
     let object = '';
     return text.replace(OBJECT_OR_USE, (tag, use?: 'component' | 'item') => {
@@ -152,7 +152,7 @@ class Parts {
         this.leftOut.helpers++;
         return '';
       }
-      // Settings name the objects of the root file, and the components of these.
+      // Slicer settings refer to objects of the root file and their components.
       if (use === 'component' && prefix === '') {
         if (this.settings.isHelper(object, plainId)) {
           this.leftOut.helpers++;
@@ -191,19 +191,19 @@ class Parts {
 }
 
 const OBJECT = /<(?:\w+:)?object\b[^>]*>/g;
-/** Whether an object's tag says that it is no part of the model. */
+/** Whether an object's type marks it as not part of the model. */
 const isHelper = (tag: string): boolean => /^(?:support|solidsupport|other)$/i.test(attributeOf(tag, 'type') ?? '');
 
-/** An object's tag; or a whole component or item. */
+/** An object's start tag; or a whole component or item. */
 const OBJECT_OR_USE =
   /<(?:\w+:)?(?:object\b[^>]*>|(component|item)\b[^>]*?(?:\/>|>[\s\S]*?<\/(?:\w+:)?(?:component|item)\s*>))/g;
-/** What gives colours to triangles, with its id. */
+/** A resource with colours, with its id. */
 const COLOURS = /<(?:\w+:)?(?:basematerials|colorgroup|texture2dgroup)\b[^>]*?\sid\s*=\s*["']([^"']*)["']/g;
 
-/** A triangle that a slicer has painted in a colour. Paint for supports and seams is none. */
+/** A triangle with a slicer's paint colour. Paint for supports and seams does not count. */
 const PAINTED = /<(?:\w+:)?triangle\b[^>]*?\s(?:paint_color|(?:\w+:)?mmu_segmentation)\s*=\s*["'][^"']/;
 
-/** Makes groups of colours with an alpha materials, of which a triangle has one: three's loader reads no alpha in groups of colours. */
+/** Converts colour groups with alpha to base materials: three's loader ignores the alpha of colour groups. */
 const withoutClearGroups = (text: string): string =>
   text.replace(
     /<(?:\w+:)?colorgroup\b([^>]*)>([\s\S]*?)<\/(?:\w+:)?colorgroup\s*>/g,
@@ -221,11 +221,11 @@ const attributeOf = (tag: string, name: string): string | undefined =>
     ?.slice(1)
     .find((value) => value !== undefined);
 
-/** A text in which all ids, and what refers to them, begin so. */
+/** Prefixes all ids of a text, and the references to them. */
 const withPrefix = (text: string, prefix: string): string =>
   text.replace(/(\s(?:id|pid|objectid|texid|displaypropertiesid)\s*=\s*["'])/g, `$1${prefix}`);
 
-/** What lies in the resources of a model. */
+/** The content of a model's resources element. */
 function resourcesOf(text: string): string {
   const [start = ''] = /<(?:\w+:)?resources\b[^>]*>/.exec(text) ?? [];
   if (!start || start.endsWith('/>')) return '';
@@ -234,7 +234,7 @@ function resourcesOf(text: string): string {
   return end ? text.slice(from, text.indexOf(end, from)) : '';
 }
 
-/** A model with more resources. */
+/** Adds resources to a model. */
 const withResources = (text: string, more: string): string =>
   text.replace(/<((?:\w+:)?resources)\b[^>]*>/, (tag, name: string) =>
     tag.endsWith('/>') ? `<${name}>${more}</${name}>` : tag + more,

@@ -1,15 +1,15 @@
 import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute, Mesh, Object3D } from 'three';
 import { triangulatePolygon } from '../mesh/triangulatePolygon.js';
 
-/** Triangles lie in one plane if the cosine of the angle between them is no less, in either direction. */
+/** The least cosine of the angle between coplanar triangles, in either direction. */
 const SAME_PLANE = 0.999;
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
 type Point = readonly [number, number, number];
 
 /**
- * Mends polygons of a loaded scene that three's loaders have cut as fans, over their notches: triangles in a row that make a fan in one plane
- * and do not all turn one way are cut anew.
+ * Retriangulates concave polygons that three's loaders have cut as fans: consecutive triangles that form a fan in one plane with
+ * inconsistent winding.
  */
 export function mendFans(root: Object3D): void {
   const seen = new Set<BufferGeometry>();
@@ -44,20 +44,23 @@ function mend(geometry: BufferGeometry): void {
   for (let i = 0; i < mended.length; i += 2) turnNormals(geometry, mended[i], mended[i + 1]);
 }
 
-/** The corners around a fan of triangles, and whether one of these turns the other way than all of them. */
+/** The outline of a fan of triangles, and whether one of them has the opposite winding. */
 interface Fan {
   polygon: number[];
   turnsBack: boolean;
 }
 
-/** The longest fan in one plane that begins with a triangle: around its first corner or, of two triangles, around the corner that they share last. */
+/**
+ * The longest coplanar fan that begins with a triangle: around its first corner or, of two triangles, around the corner that they share
+ * last.
+ */
 function fanAt(vertices: Uint32Array, first: number, pointOf: (vertex: number) => Point): Fan {
   const triangle = (at: number): [number, number, number] => [vertices[at], vertices[at + 1], vertices[at + 2]];
   const areSame = (a: number, b: number): boolean => a === b || pointOf(a).every((value, k) => value === pointOf(b)[k]);
   const [a, b, c] = triangle(first);
   const normals = [normalOf(pointOf(a), pointOf(b), pointOf(c))];
   const polygon = [a, b, c];
-  // Two halves of a quadrilateral that share the line from its second to its last corner.
+  // Two halves of a quad split from its second to its last corner.
   const isHalf = (next: readonly number[]): boolean =>
     areSame(next[0], b) && areSame(next[2], c) && !areSame(next[1], a);
   for (let at = first + 3; at < vertices.length; at += 3) {
@@ -81,7 +84,7 @@ function fanAt(vertices: Uint32Array, first: number, pointOf: (vertex: number) =
   return { polygon, turnsBack };
 }
 
-/** Twice the area of a triangle, along its normal. */
+/** Twice the area of a triangle times its normal. */
 function normalOf([ax, ay, az]: Point, [bx, by, bz]: Point, [cx, cy, cz]: Point): Point {
   const [ux, uy, uz, vx, vy, vz] = [bx - ax, by - ay, bz - az, cx - ax, cy - ay, cz - az];
   return [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
@@ -90,7 +93,7 @@ function normalOf([ax, ay, az]: Point, [bx, by, bz]: Point, [cx, cy, cz]: Point)
 const areInPlane = (a: Point, b: Point): boolean =>
   Math.abs(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) >= SAME_PLANE * Math.hypot(...a) * Math.hypot(...b);
 
-/** Gives every corner of a geometry without an index the values of another vertex. */
+/** Copies vertices of a geometry without an index in a new order. */
 function rearrange({ attributes, morphAttributes }: BufferGeometry, vertices: Uint32Array): void {
   for (const attribute of [...Object.values(attributes), ...Object.values(morphAttributes).flat()] as Attribute[]) {
     const { itemSize } = attribute;
@@ -100,7 +103,7 @@ function rearrange({ attributes, morphAttributes }: BufferGeometry, vertices: Ui
   }
 }
 
-/** Turns the normals of corners round that lie on the back of their triangle: they were computed for the fan. */
+/** Flips the normals of corners that point to the back of their triangle: they were computed for the fan. */
 function turnNormals({ index, attributes }: BufferGeometry, first: number, end: number): void {
   const { position, normal } = attributes;
   if (!normal) return;

@@ -2,7 +2,7 @@ import type { BufferGeometry, Mesh } from 'three';
 import { DISPLACEMENT_NOTE } from './LoadedScene.js';
 import { replace } from './standIns.js';
 
-/** What a path of a USD layer holds: a prim, or a property of one. */
+/** A spec of a USD layer: a prim, or a property of one. */
 interface Spec {
   specType: number;
   fields?: {
@@ -16,7 +16,7 @@ interface Spec {
 
 type Specs = Record<string, Spec>;
 
-/** What is used of three's composer of USD, which has no types. */
+/** The used members of three's USD composer, which has no types. */
 export interface UsdComposer {
   compose(data: { specsByPath: Specs }, ...others: unknown[]): unknown;
   _buildMesh(path: string, spec: Spec): Mesh;
@@ -28,7 +28,7 @@ export interface UsdComposer {
   _resolveReference(reference: string, ...others: unknown[]): unknown;
 }
 
-/** Faces of a mesh with a material of their own. */
+/** Faces of a mesh with their own material. */
 interface Subset {
   name: string;
   indices: ArrayLike<number>;
@@ -38,7 +38,7 @@ interface Subset {
 const PRIM = 6;
 const RGB = 3;
 const LINES = ['BasisCurves', 'HermiteCurves', 'NurbsCurves', 'Points'];
-/** Prims that are not drawn, and what the caption is to say of them. */
+/** Prims that are not drawn, and their notes for the caption. */
 const LEFT_OUT: Readonly<Record<string, string>> = {
   ...Object.fromEntries(LINES.map((name) => [name, 'points and lines left out'])),
   NurbsPatch: 'curved surfaces left out',
@@ -48,11 +48,11 @@ const LEFT_OUT: Readonly<Record<string, string>> = {
 };
 
 /**
- * Has three's composer of USD draw what a file says where it would not: it shows what is invisible or a stand-in, turns left-handed meshes
- * inside out, and leaves out the faces that no subset has. Meshes without normals get zeros, so that they are computed later, with edges kept.
+ * Patches three's USD composer where it misreads files: it shows invisible and proxy prims, turns left-handed meshes inside out, and drops
+ * faces outside of all subsets. Meshes without normals get zeros, so that normals are computed later with creases kept.
  *
- * @param notes receives what the caption is to say
- * @returns a function that ends it
+ * @param notes receives notes for the caption
+ * @returns a function that removes the patch
  */
 export function mendUsd(prototype: UsdComposer, notes: Set<string>): () => void {
   const { compose, _buildMesh, _getGeomSubsets, _getReferences, _resolveReference } = prototype;
@@ -94,13 +94,13 @@ export function mendUsd(prototype: UsdComposer, notes: Set<string>): () => void 
   });
 }
 
-/** A text of USD as three's parser reads it: prims that are not active are none, and references are what others are added to. */
+/** Rewrites a USD text for three's parser: inactive prims become `over`, and references are written as `prepend references`. */
 export const plainUsda = (text: string): string =>
   text
     .replace(/\bdef((?:\s+\w+)?\s+"[^"]*"\s*\([^)]*\bactive\s*=\s*false\b)/g, 'over$1')
     .replace(/\b(?:(?:prepend|append|add)\s+)?references(\s*=)/g, 'prepend references$1');
 
-/** Takes away the prims that are not to be seen, with all below them: invisible and inactive ones, guides, and stand-ins for what is there itself. */
+/** Removes invisible and inactive prims, guides and proxies, with all below them. */
 function dropHidden(specs: Specs): void {
   const prims = Object.entries(specs).filter(([, { specType }]) => specType === PRIM);
   const given = (path: string, name: string): unknown => specs[`${path}.${name}`]?.fields?.default;
@@ -121,14 +121,14 @@ function dropHidden(specs: Specs): void {
 
 function noteOn(path: string, { specType, fields = {} }: Spec, notes: Set<string>): void {
   const { typeName = '' } = fields;
-  // What three's parser of text makes of variants.
+  // The form in which three's text parser returns variants.
   const note = specType === PRIM ? LEFT_OUT[typeName] : typeName === 'variantSet' ? 'variants left out' : undefined;
   if (note) notes.add(note);
   const isMoved = fields.connectionPaths?.length || Number(fields.default) > 0;
   if (path.endsWith('.inputs:displacement') && isMoved) notes.add(DISPLACEMENT_NOTE);
 }
 
-/** Turns the triangles of a geometry round. */
+/** Reverses the triangles of a geometry. */
 function turnTriangles(geometry: BufferGeometry): void {
   const { index } = geometry;
   const count = index?.count ?? geometry.getAttribute('position').count;

@@ -19,12 +19,11 @@ import { placements } from './placements.js';
 import { settleAlpha } from './settleAlpha.js';
 
 /**
- * Merges every mesh below `root`, in its place and in the pose it was saved in, to one mesh, which takes one bake and one draw call. The
- * colours of materials and vertices become vertex colours; values that are not numbers are repaired. What is seen through has ranges of its own.
+ * Merges all meshes below `root`, in their places and saved poses, to one mesh, which needs one bake and one draw call. Colours of
+ * materials and vertices become vertex colours; non-finite values are repaired. See-through parts get their own ranges.
  *
- * @param pictures if given, it receives the textures of base colours, and the mesh is drawn in one range for each; otherwise textures
- *   are left out
- * @param toMesh if given, it receives the matrix that takes the space of the scene to that of the mesh
+ * @param pictures if given, receives the textures of base colours, and the mesh has one range per texture; otherwise textures are left out
+ * @param toMesh if given, receives the matrix from scene space to mesh space
  * @throws ModelError if there are no triangles, or too many
  */
 export function mergeScene(root: Object3D, pictures?: WantedPicture[], toMesh?: Matrix4): PlainMesh {
@@ -54,7 +53,7 @@ export function mergeScene(root: Object3D, pictures?: WantedPicture[], toMesh?: 
   const indices = new Uint32Array(cornerCount);
   const ranges: PictureRange[] = [];
   let corner = 0;
-  // Sorted, so that the triangles of each picture lie in one range.
+  // Sorted, so that the triangles of each picture form one range.
   for (const { part, piece } of pieces.sort((a, b) => rangeOf(a.piece) - rangeOf(b.piece))) {
     const end = writeIndices(part, piece, indices, corner);
     const last = ranges.at(-1);
@@ -67,7 +66,7 @@ export function mergeScene(root: Object3D, pictures?: WantedPicture[], toMesh?: 
   return { positions, normals, colors, indices, ...(uvs && { uvs }), ...(hasRanges && { ranges }) };
 }
 
-/** Corners of a mesh that are drawn with one material. */
+/** Corners of a mesh with one material. */
 interface Piece {
   start: number;
   count: number;
@@ -79,7 +78,7 @@ interface Piece {
   first: number;
 }
 
-/** What is seen through comes last. */
+/** See-through pieces come last. */
 const rangeOf = ({ picture, isSeeThrough }: Piece): number => (isSeeThrough ? Number.MAX_SAFE_INTEGER : picture);
 
 /** A mesh with one of its matrices. */
@@ -87,7 +86,7 @@ interface Part {
   mesh: Mesh;
   matrix: Matrix4;
   pieces: Piece[];
-  /** Whether every corner has a vertex of its own, because materials that share vertices may differ in colour. */
+  /** Whether every corner has its own vertex, because materials that share vertices may differ in colour. */
   isUnshared: boolean;
   firstVertex: number;
   vertexCount: number;
@@ -111,7 +110,7 @@ function placedParts(root: Object3D, pictures: WantedPicture[] | undefined): Par
   return parts;
 }
 
-/** The corners that are drawn, by material. As in three.js, groups count only if there are several materials. */
+/** The drawn corners by material. As in three.js, groups count only with an array of materials. */
 function piecesOf({ geometry, material }: Mesh, pictures: WantedPicture[] | undefined): Piece[] {
   const drawn = drawnCorners(geometry);
   const materials = Array.isArray(material) ? material : [material];
@@ -143,7 +142,7 @@ function pictureOf(
   pictures: WantedPicture[] | undefined,
 ): number {
   const texture = pictured(material);
-  // Glass is drawn in its outlines, without what is printed on it.
+  // Glass is drawn by its outlines, without its picture.
   if (!pictures || !texture || material!.transparent || !geometry.getAttribute(uvName(texture))) return -1;
   const cutOut = material!.alphaTest;
   const mask = cutOut > 0 ? maskOf(material) : undefined;
@@ -154,22 +153,22 @@ function pictureOf(
   return known === -1 ? pictures.push(wanted) - 1 : known;
 }
 
-/** A key that differs for pictures which need textures of their own. Offsets and scales are written into texture coordinates. */
+/** A key for pictures that can share a texture. Offset and scale are written into texture coordinates. */
 function pictureKey({ texture, mask, cutOut, isBlended }: WantedPicture): string {
   const { flipY, wrapS, wrapT } = texture;
   const { isInverted } = mask?.userData ?? {};
   return [linkOf(texture)?.url, mask && linkOf(mask)?.url, isInverted, flipY, wrapS, wrapT, cutOut, isBlended].join();
 }
 
-/** The texture that a material is drawn with: that of its colour or, if it has none, that of its alpha. */
+/** The texture of a material: its colour map or, without one, its alpha map. */
 const pictured = (material: Material | undefined): Texture | undefined => mapOf(material) ?? maskOf(material);
 
 const linkOf = ({ image }: Texture): Partial<PictureLink> | null => image as Partial<PictureLink> | null;
 
-/** The texture of a material's colour, if it links to its picture. */
+/** The colour map of a material, if it is linked. */
 const mapOf = (material: Material | undefined): Texture | undefined => linked((material as Maps | undefined)?.map);
 
-/** The texture of a material's alpha, if that is a picture of its own. */
+/** The alpha map of a material, if it is a separate picture. */
 function maskOf(material: Material | undefined): Texture | undefined {
   const { map, alphaMap } = (material ?? {}) as Maps;
   const mask = linked(alphaMap);
@@ -188,15 +187,12 @@ function isDeformed(mesh: Mesh): boolean {
   return 'isSkinnedMesh' in mesh || (mesh.morphTargetInfluences?.some((influence) => influence !== 0) ?? false);
 }
 
-/** The normals of a skinned or morphed mesh are not deformed here. They are computed from the surface later. */
+/** Normals of skinned or morphed meshes are not deformed here, and are computed from the surface later. */
 function hasUsableNormals(mesh: Mesh): boolean {
   return mesh.geometry.getAttribute('normal') !== undefined && !isDeformed(mesh);
 }
 
-/**
- * The colour of a piece. Black becomes white under a picture: some programs write it there, and it would hide the picture. A value that is not
- * a number becomes 1.
- */
+/** The colour of a piece. Black becomes white under a picture: some programs write it, and it would hide the picture. NaN becomes 1. */
 function pieceColor({ material, picture }: Piece): [number, number, number] {
   const color = (material as { color?: Color } | undefined)?.color;
   if (!color || (picture !== -1 && color.r + color.g + color.b === 0)) return [1, 1, 1];
@@ -211,7 +207,7 @@ function vertexColors({ geometry }: Mesh): ReturnType<BufferGeometry['getAttribu
 const isColored = (mesh: Mesh, piece: Piece): boolean =>
   vertexColors(mesh) !== undefined || pieceColor(piece).some((value) => value !== 1);
 
-/** Calls back with every vertex that is written, and its number in the geometry. */
+/** Calls back with every written vertex and its index in the geometry. */
 function forEachVertex({ mesh, pieces, isUnshared, firstVertex, vertexCount }: Part, write: VertexWriter): void {
   if (!isUnshared) {
     for (let i = 0; i < vertexCount; i++) write(firstVertex + i, i, pieces[0]);
@@ -279,7 +275,7 @@ function drawnCorners(geometry: BufferGeometry): { start: number; count: number 
   return { start, count: count - (count % 3) };
 }
 
-/** Copies the indices. A mirroring matrix turns triangles inside out, so that their winding must be reversed. */
+/** Copies the indices. A mirroring matrix reverses the winding, which is corrected. */
 function writeIndices(
   { mesh: { geometry }, matrix, isUnshared, firstVertex }: Part,
   { start, count, first }: Piece,
@@ -296,7 +292,7 @@ function writeIndices(
         continue;
       }
       const vertex = geometry.index ? geometry.index.getX(start + corner + k) : start + corner + k;
-      // An index out of range must not refer to a vertex of the next mesh: it becomes one that is out of range in the merged mesh too.
+      // An index out of range must not refer to a vertex of the next mesh, so it stays out of range in the merged mesh.
       indices[to++] = vertex < vertexCount ? firstVertex + vertex : 0xffffffff;
     }
   }

@@ -1,4 +1,4 @@
-/** The types of three.js leave it out. */
+/** Missing from three's types. */
 declare module 'three/addons/loaders/usd/USDComposer.js' {
   export class USDComposer {}
 }

@@ -1,12 +1,12 @@
 import { type BufferGeometry, Matrix4, type Mesh, Vector3 } from 'three';
 import { FAR } from '../mesh/nearFloats.js';
 
-/** Models of other sizes are too coarse in single precision. */
+/** The maximum size of a model, and the inverse of the minimum, in single precision. */
 const MAX_SIZE = 1e20;
 
 /**
- * A matrix that moves meshes to the origin and scales them to a size of 1, or undefined if they do not need it. Without it, the
- * positions of tiny models collapse to one point, and those of models far away are rounded to steps.
+ * A matrix that moves meshes to the origin and scales them to a size of 1; undefined if not needed. Without it, tiny models would collapse
+ * to a point, and distant ones would be rounded visibly.
  */
 export function nearOrigin(placed: readonly { mesh: Mesh; matrix: Matrix4 }[]): Matrix4 | undefined {
   const low = new Vector3().setScalar(Infinity);
@@ -30,7 +30,7 @@ export function nearOrigin(placed: readonly { mesh: Mesh; matrix: Matrix4 }[]): 
   return new Matrix4().makeScale(1 / size, 1 / size, 1 / size).multiply(new Matrix4().makeTranslation(centre.negate()));
 }
 
-/** The corners of the bounding box of all vertices that are drawn and finite; none if there are none. */
+/** The corners of the bounding box of all drawn, finite vertices; empty if there are none. */
 function cornersOf({ index, attributes: { position } }: BufferGeometry): Vector3[] {
   const low = new Vector3().setScalar(Infinity);
   const high = new Vector3().setScalar(-Infinity);

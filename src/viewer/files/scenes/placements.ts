@@ -1,9 +1,6 @@
 import { type InstancedMesh, Matrix4, type Mesh } from 'three';
 
-/**
- * The matrices from object to world space that a mesh is drawn with: one, or one per instance. World matrices must be
- * up to date.
- */
+/** The world matrices of a mesh: one, or one per instance. World matrices must be up to date. */
 export function placements(mesh: Mesh): Matrix4[] {
   if (!('isInstancedMesh' in mesh)) return [mesh.matrixWorld];
   const instanced = mesh as InstancedMesh;

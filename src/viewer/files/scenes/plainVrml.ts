@@ -1,4 +1,4 @@
-/** A word, a text in quotes, or the numbers of a list; or what lies between brackets. */
+/** A token: a word, a quoted text, or the numbers of a list; or the content of brackets. */
 type Item = string | Group;
 
 interface Group {
@@ -11,21 +11,21 @@ type Field = { at: number; numbers: number[] };
 const MAX_DEPTH = 500;
 const CLOSES = { '{': '}', '[': ']' } as const;
 const TOKEN = /"(?:[^"\\]|\\.)*"|#[^\n\r]*|[{}[\]]|[^\s,{}[\]"#]+/g;
-/** A list of numbers, of which files have millions. */
+/** A list of numbers, of which files contain millions. */
 const NUMBERS = /[-+.\d\s,eE]*\]/y;
-/** Nodes that are not drawn, and what the caption is to say of them. */
+/** Nodes that are not drawn, and their notes for the caption. */
 const LEFT_OUT: Readonly<Record<string, string>> = {
   Inline: 'parts in other files left out',
   Text: 'text left out',
 };
-/** What three's loader reads otherwise than it is meant, or not at all. */
+/** Nodes and fields that three's loader misreads or ignores. */
 const ODD = /\b(?:Billboard|ElevationGrid|Inline|LOD|Switch|Text|center|scaleOrientation)\b/;
 
 /**
- * Writes a file of VRML for three's loader, which leaves out nodes that choose among others, and the centres of turns and scales, and mirrors grids
- * of heights.
+ * Rewrites a VRML file for three's loader, which ignores LOD, switch and inline nodes and the centres and orientations of transforms, and
+ * mirrors elevation grids.
  *
- * @returns the text, and what the caption is to say of nodes that are not drawn
+ * @returns the text, and notes for the caption on nodes that are not drawn
  */
 export function plainVrml(text: string): { text: string; notes: string[] } {
   const items = ODD.test(text) ? itemsOf(text) : undefined;
@@ -35,7 +35,7 @@ export function plainVrml(text: string): { text: string; notes: string[] } {
   return { text: `${head}\n${written(plainItems(items, notes))}`, notes: [...notes] };
 }
 
-/** The content of a file; undefined if its brackets do not match, or are nested too deep. */
+/** Parses the content of a file; undefined if its brackets do not match, or are nested too deep. */
 function itemsOf(text: string): Item[] | undefined {
   const open: Group[] = [{ open: '[', items: [] }];
   const token = new RegExp(TOKEN);
@@ -103,7 +103,7 @@ function plainNode(name: string, body: Item[]): Item[] {
 const node = (name: string, items: Item[]): Item[] => [name, { open: '{', items }];
 const list = (items: Item[]): Group => ({ open: '[', items });
 
-/** The nodes in a field, of which each may have a name. */
+/** The nodes in a field, with or without names. */
 function nodesOf(body: readonly Item[], field: string): Item[][] {
   const at = body.findIndex((item) => item === field || item === 'children');
   const value = at === -1 ? undefined : body[at + 1];
@@ -126,14 +126,14 @@ function fieldOf(body: readonly Item[], name: string, count: number): Field | un
   return at !== -1 && numbers.length === count && numbers.every(Number.isFinite) ? { at, numbers } : undefined;
 }
 
-/** Takes the numbers of a field out of a node. */
+/** Removes a field's numbers from a node and returns them. */
 function takeNumbers(body: Item[], name: string, count: number): number[] | undefined {
   const field = fieldOf(body, name, count);
   if (field) body.splice(field.at, count + 1);
   return field?.numbers;
 }
 
-/** The fields of transforms within one another, in which a centre and the axes of a scale are told by their places and turns. */
+/** Splits a transform with centre and scale orientation into nested transforms without them. */
 function plainTransform(body: Item[]): Item[] {
   if (!fieldOf(body, 'center', 3) && !fieldOf(body, 'scaleOrientation', 4)) return body;
   const inner = [...body];
@@ -160,7 +160,7 @@ function plainTransform(body: Item[]): Item[] {
   return around([...placed, ...words('rotation', turn)], scaled);
 }
 
-/** The faces of a grid of heights: rows along x, one behind the other along z. */
+/** The faces of an elevation grid: rows along x, stacked along z. */
 function facesOfGrid(body: Item[]): Item[] {
   const fields = [...body];
   const take = (name: string, otherwise: number): number => takeNumbers(fields, name, 1)?.[0] ?? otherwise;

@@ -5,7 +5,7 @@ import { smoothByGroups } from './smoothByGroups.js';
 import { withStandIns } from './standIns.js';
 import { TdsFaces } from './TdsFaces.js';
 
-/** Reads a 3DS file. @throws ModelError if it is damaged; Error as the loader has it */
+/** Reads a 3DS file. @throws ModelError if it is damaged; Error of the loader */
 export function read3ds(bytes: Uint8Array, name: string): LoadedScene {
   const plain = bytes.slice();
   check3ds(plain, name);
@@ -16,8 +16,8 @@ export function read3ds(bytes: Uint8Array, name: string): LoadedScene {
 }
 
 /**
- * Gives a mesh the normals of its smoothing groups. The loader's own are smooth across every edge; without them, they are computed later, with
- * edges kept.
+ * Gives a mesh the normals of its smoothing groups, or none: the loader's are smooth across every edge, and missing ones are computed later
+ * with creases kept.
  */
 function setNormals(object: Object3D, { smoothing }: TdsFaces): void {
   const mesh = object as Mesh;

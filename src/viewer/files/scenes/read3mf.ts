@@ -5,7 +5,7 @@ import { join3mf } from './join3mf.js';
 import { type LoadedScene, sceneOf } from './LoadedScene.js';
 import { withStandIns } from './standIns.js';
 
-/** Reads a 3MF file. @throws ModelError if it is damaged; Error as the loader has it */
+/** Reads a 3MF file. @throws ModelError if it is damaged; Error of the loader */
 export async function read3mf(bytes: Uint8Array, name: string): Promise<LoadedScene> {
   const joined = join3mf(await unzip(bytes, name, () => true), name);
   const scene = sceneOf(
@@ -16,7 +16,7 @@ export async function read3mf(bytes: Uint8Array, name: string): Promise<LoadedSc
   return { ...scene, notes: joined.notes };
 }
 
-/** Has materials blend whose colour has an alpha: the loader reads it as an opacity, which opaque materials do not show. */
+/** Makes materials with an alpha colour transparent: the loader sets only their opacity. */
 function showAlpha(root: Object3D): void {
   root.traverse((object) => {
     for (const material of [(object as Partial<Mesh>).material ?? []].flat())

@@ -3,7 +3,7 @@ import { ColladaXml, takeMasks } from './ColladaXml.js';
 import { type LoadedScene, sceneOf } from './LoadedScene.js';
 import { withStandIns } from './standIns.js';
 
-/** Reads a COLLADA file (DAE), with its clips. @throws Error as the loader has it */
+/** Reads a COLLADA file (DAE), with its clips. @throws Error of the loader */
 export function readCollada(bytes: Uint8Array, name: string): LoadedScene {
   const text = new TextDecoder().decode(bytes);
   const root = withStandIns(() => new ColladaLoader().parse(text, '')?.scene, ColladaXml);

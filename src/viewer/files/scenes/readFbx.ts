@@ -3,12 +3,12 @@ import { ModelError } from '../common/ModelError.js';
 import { type LoadedScene, sceneOf } from './LoadedScene.js';
 import { withStandIns } from './standIns.js';
 
-/** The version of an FBX file is looked for in so many bytes. */
+/** The number of bytes that are searched for the version. */
 const HEAD_BYTES = 65536;
-/** FBX before these versions is laid out differently. */
+/** The oldest versions that three's loader reads. */
 const MIN_VERSION = { ascii: 7000, binary: 6400 };
 
-/** Reads an FBX file, with its clips. @throws ModelError if it is older than what three's loader reads; Error as the loader has it */
+/** Reads an FBX file, with its clips. @throws ModelError if it is older than what three's loader reads; Error of the loader */
 export function readFbx(bytes: Uint8Array, name: string): LoadedScene {
   checkVersion(bytes, name);
   return sceneOf(

@@ -6,7 +6,7 @@ import { withStandIns } from './standIns.js';
 
 const SIGNATURE = '#usda';
 
-/** Reads a USD file, as text, binary or in a package (USDZ). @throws Error as the loader has it */
+/** Reads a USD file: text, binary or package (USDZ). @throws Error of the loader */
 export async function readUsd(bytes: Uint8Array, name: string): Promise<LoadedScene> {
   const notes = new Set<string>();
   const restore = await mendComposer(notes);
@@ -21,7 +21,7 @@ export async function readUsd(bytes: Uint8Array, name: string): Promise<LoadedSc
   }
 }
 
-/** A version of three.js whose composer lies elsewhere composes as it does. */
+/** Versions of three.js without this composer module are left unpatched. */
 async function mendComposer(notes: Set<string>): Promise<() => void> {
   try {
     const { USDComposer } = await import('three/addons/loaders/usd/USDComposer.js');

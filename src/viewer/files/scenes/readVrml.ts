@@ -6,7 +6,7 @@ import { mendFans } from './mendFans.js';
 import { plainVrml } from './plainVrml.js';
 import { withStandIns } from './standIns.js';
 
-/** Reads a file of VRML 2. @throws ModelError if it holds what is not read; Error as the loader has it */
+/** Reads a VRML 2 file. @throws ModelError if it contains unsupported nodes; Error of the loader */
 export function readVrml(bytes: Uint8Array, name: string): LoadedScene {
   const text = new TextDecoder().decode(bytes);
   if (/^[^#"\n\r]*\b(?:EXTERN)?PROTO\b/m.test(text))
@@ -19,7 +19,10 @@ export function readVrml(bytes: Uint8Array, name: string): LoadedScene {
   return { ...sceneOf(root, name), notes: plain.notes };
 }
 
-/** A face set without normals and without an angle of its own is flat to the loader. It gets normals later, with edges kept. */
+/**
+ * Removes the flat normals that the loader computes for face sets without normals and crease angle. They are computed later, with creases
+ * kept.
+ */
 function withoutNormals(object: Object3D): void {
   const { geometry } = object as Partial<Mesh>;
   if ((geometry as (BufferGeometry & { _type?: string }) | undefined)?._type === 'mesh')

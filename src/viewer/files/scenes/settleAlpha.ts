@@ -1,18 +1,18 @@
 import type { BufferAttribute, Material, Mesh, Object3D, Texture } from 'three';
 import { LEAST, MOST } from '../mesh/rangesByAlpha.js';
 
-/** The most that a surface loses of its opacity by letting light through: glass is clear, and yet there. */
+/** The largest loss of opacity by transmission: clear glass still counts as visible. */
 export const TRANSMITTED = 0.8;
-/** The alpha from which on a picture that is blended is drawn. */
+/** The alpha threshold for cutting out blended pictures. */
 const HALF = 0.5;
 
-/** What materials of three.js may have beyond `Material` that says how far they are seen through. */
+/** The fields of three's materials that affect transparency. */
 type Surface = Material & { map?: Texture | null; alphaMap?: Texture | null; transmission?: number };
 
 /**
- * Settles how the surfaces of a scene are drawn. Ink knows no half opacity, so that each is one of four: opaque; cut out by its picture
- * (`alphaTest`); seen through as glass is (`transparent`); or not there (`visible` is false). Triangles whose vertices have no alpha are
- * left out, and others of one mesh are told apart by theirs. Of a scene of which nothing would be seen, all is opaque: some programs write opacity the wrong way round.
+ * Decides how the surfaces of a scene are drawn. Ink has no half opacity, so each surface is opaque, cut out by its picture (`alphaTest`),
+ * see-through (`transparent`) or invisible (`visible` is false). Triangles with transparent vertices are left out, and others are split by
+ * vertex alpha. If nothing would be visible, all is opaque: some programs write opacity inverted.
  */
 export function settleAlpha(root: Object3D): void {
   const drawn: Surface[] = [];
@@ -28,7 +28,7 @@ export function settleAlpha(root: Object3D): void {
   for (const material of drawn) Object.assign(material, { visible: true, transparent: false, depthWrite: true });
 }
 
-/** How opaque a material is where its picture and its vertices are. */
+/** The opacity of a material without its picture and vertices. */
 const opacityOf = ({ opacity, transmission = 0 }: Surface): number =>
   (Number.isFinite(opacity) ? opacity : 1) * (1 - TRANSMITTED * transmission);
 
@@ -48,16 +48,16 @@ function settle(material: Surface, alpha = 1): void {
     if (opacity < MOST) Object.assign(material, plain, { transparent: true, depthWrite: false, opacity });
     else {
       Object.assign(material, plain, { alphaTest: picture?.image ? HALF : 0 });
-      // Its picture says more, once it is decoded.
+      // The picture decides once it is decoded.
       material.userData.isBlended = material.alphaTest > 0;
     }
   }
 }
 
 /**
- * Settles a mesh whose vertices have an alpha: its triangles are opaque, seen through or not there, each by the alpha of its corners.
+ * Splits a mesh by vertex alpha into opaque, see-through and invisible triangles.
  *
- * @returns whether that was done
+ * @returns whether vertices have an alpha
  */
 function settleVertices(mesh: Mesh, material: Surface): boolean {
   const { geometry } = mesh;
@@ -94,7 +94,7 @@ function settleVertices(mesh: Mesh, material: Surface): boolean {
   return true;
 }
 
-/** A copy of a material, settled for vertices of some alpha. */
+/** A copy of a material, settled for a vertex alpha. */
 function settled(material: Surface, alpha: number): Surface {
   const copy = material.clone();
   settle(copy, alpha);

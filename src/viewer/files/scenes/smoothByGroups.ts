@@ -1,16 +1,16 @@
 import { BufferAttribute, type BufferGeometry } from 'three';
 
-/** The sum of the normals of faces around a point that are in the same smoothing groups. */
+/** The sum of face normals around a point for one set of smoothing groups. */
 interface Sum {
   groups: number;
   normal: [x: number, y: number, z: number];
 }
 
 /**
- * A geometry without an index, with normals by smoothing groups: a corner has the mean of the faces around its place, by their angles, that
- * share a group with its own face. Faces in no group are flat. Points in one place count as one, since pictures split them.
+ * Returns a geometry without an index, with normals by smoothing groups: each corner has the angle-weighted mean of adjacent faces that
+ * share a group with its own face. Faces without a group are flat. Points at one place count as one, since texture seams split them.
  *
- * @param groups of each triangle, one bit for each group
+ * @param groups per triangle, one bit per group
  */
 export function smoothByGroups(geometry: BufferGeometry, groups: ArrayLike<number>): BufferGeometry {
   const smooth = geometry.index ? geometry.toNonIndexed() : geometry.clone();
@@ -49,7 +49,7 @@ export function smoothByGroups(geometry: BufferGeometry, groups: ArrayLike<numbe
   return smooth;
 }
 
-/** Writes the normal of a triangle, of length 1; zero if it has no area. */
+/** Writes the unit normal of a triangle; zero if it has no area. */
 function faceNormal(points: ArrayLike<number>, at: number, normal: [number, number, number]): void {
   const [ux, uy, uz] = [3, 4, 5].map((k) => points[at + k] - points[at + k - 3]);
   const [vx, vy, vz] = [6, 7, 8].map((k) => points[at + k] - points[at + k - 6]);

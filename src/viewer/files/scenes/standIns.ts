@@ -4,9 +4,9 @@ import { XmlParser } from './XmlElement.js';
 
 /**
  * Runs one of three's loaders without a document, as in a worker, and without loading anything: every texture gets a {@link PictureLink}.
- * While it runs, stand-ins replace the loaders of pictures and files, which need a document and would fetch files that were not dropped;
- * blob URLs, which some pages forbid; the XML parser and the size of the window, which workers lack; the arrays of single precision, which
- * are too coarse for a place on a map; and the console, where loaders report what the user cannot change.
+ * Meanwhile, stand-ins replace the image and file loaders, which need a document and would fetch files that were not dropped; blob URLs,
+ * which some pages forbid; the XML parser and the window size, which workers lack; Float32Array, which is too coarse for map coordinates;
+ * and the console, where loaders report what the user cannot change.
  *
  * @param parse must be synchronous
  * @param Parser of XML
@@ -14,7 +14,7 @@ import { XmlParser } from './XmlElement.js';
 export function withStandIns<Result>(parse: () => Result, Parser: new () => XmlParser = XmlParser): Result {
   const blobs = new Map<string, Blob>();
   const link = (url: string): PictureLink => ({ url, content: blobs.get(url), width: 1, height: 1 });
-  // The window of a page cannot be replaced.
+  // A page's own window cannot be replaced.
   const isPage = 'window' in globalThis;
   const restore = [
     replace(ImageLoader.prototype, {
@@ -47,13 +47,13 @@ export function withStandIns<Result>(parse: () => Result, Parser: new () => XmlP
   }
 }
 
-/** Makes arrays of double precision in the place of single ones, but for those that view a buffer, whose bytes are single. */
+/** Creates double-precision arrays in place of single-precision ones, except for views of buffers. */
 const DOUBLES = new Proxy(Float32Array, {
   construct: (single, given) =>
     given[0] instanceof ArrayBuffer ? Reflect.construct(single, given) : new Float64Array(given[0]),
 });
 
-/** Replaces properties of an object. @returns a function that puts the former ones back */
+/** Replaces properties of an object. @returns a function that restores them */
 export function replace(target: object, values: Readonly<Record<string, unknown>>): () => void {
   const former = Object.keys(values).map((key) => [key, Object.getOwnPropertyDescriptor(target, key)] as const);
   for (const [key, value] of Object.entries(values)) {
