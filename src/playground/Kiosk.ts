@@ -1,7 +1,7 @@
-/** After so long without an action, the visitor has left. */
+/** A visitor without any input for this long has left. */
 const PATIENCE_MILLISECONDS = 60_000;
 
-/** Restores the first drawing when a visitor has left. */
+/** Restores the first drawing after a visitor has left. */
 export class Kiosk {
   private timer: ReturnType<typeof setTimeout> | undefined;
 

@@ -11,8 +11,8 @@ export class PageState {
   private fetchesRest = false;
 
   /**
-   * @param hasLights whether the lights have their handles, without which the page is not ready
-   * @param isAwaited whether something of the drawing is still to be baked
+   * @param hasLights whether the light handles exist, without which the page is not ready
+   * @param isAwaited whether a part of the drawing is still to be baked
    */
   constructor(
     private readonly session: Session,
@@ -32,21 +32,21 @@ export class PageState {
     page.canvas.addEventListener('webglcontextrestored', () => this.restore());
   }
 
-  /** To be called when the last task has ended. */
+  /** Call this when the last task has ended. */
   tasksEnded(): void {
     this.showIfFailed();
     this.session.viewport.frames.refine();
   }
 
-  /** Shows it if there is nothing to draw, and nothing is being loaded that could be drawn. */
+  /** Shows the state `failed` if there is nothing to draw and nothing is loading. */
   showIfFailed(): void {
     const { viewport } = this.session;
     if (this.tasks.isIdle && !this.opener.isOpening && !viewport.isComplete && !viewport.isLost) setPageState('failed');
   }
 
-  /** Fetches the parts of the page that nobody has opened yet, once: when the first drawing is complete, which they would delay. */
+  /** Fetches the unopened parts of the page, once, after the first drawing is complete, which they would delay. */
   private fetchRest(): void {
-    // In a frame of another page, there is little to open.
+    // An embedded page offers few parts to open.
     if (this.fetchesRest || pageForm === 'embed' || this.isAwaited()) return;
     this.fetchesRest = true;
     // A part that fails is fetched again when it is opened.

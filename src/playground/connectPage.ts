@@ -11,7 +11,7 @@ import type { LaterParts } from './tasks/LaterParts.js';
 import type { Status } from './tasks/Status.js';
 import { sentenceFor } from './tasks/sentenceFor.js';
 
-/** What the buttons, the keys and dropped files of the page work on. */
+/** The objects that the page's buttons, keys and dropped files act on. */
 export interface PageHandlers {
   session: Session;
   card: Card;
@@ -22,7 +22,7 @@ export interface PageHandlers {
   fillScreen: () => void;
 }
 
-/** Connects the buttons of the page, its keys and the files that are dropped on it. */
+/** Connects the page's buttons, keys and dropped files. */
 export function connectPage(handlers: PageHandlers): void {
   connectButtons(handlers);
   connectSteps(handlers.session);

@@ -28,14 +28,14 @@ import { Viewport } from './viewport/Viewport.js';
 declare global {
   interface Window {
     /**
-     * For tests: the number of frames drawn since the page was opened, and whether the drawing stays as it is: no model, map, part of the
-     * page or frame is being waited for, and nothing fades. An idle page draws no frames.
+     * For tests: the number of frames drawn since the page was opened, and whether the drawing is final: no model, map, script or frame is
+     * pending, and nothing fades. An idle page draws no frames.
      */
     __playground?: { readonly framesDrawn: number; readonly isIdle: boolean };
   }
 }
 
-/** Creates the parts of the page, connects them, and opens the drawing that the page's address asks for. */
+/** Creates and connects the parts of the page, and opens the drawing of the page's address. */
 export function createPlayground(context: WebGL2RenderingContext, status: Status): void {
   const address = new PageAddress();
   const linked = readLink(address.read());
@@ -58,7 +58,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   };
   session.listen({ applied: update });
 
-  // What the page shows.
+  // Everything that the page shows over the drawing.
   const overlays = new Overlays(session, parts);
   const dialogs = new Dialogs(session, keeper, opener, parts);
   const exports = new Exports(session, address, status, tasks, geometries, parts);
@@ -89,7 +89,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     state.showIfFailed();
   };
   if (pageForm === 'kiosk') parts.whenFetched(import('./Kiosk.js'), ({ Kiosk }) => new Kiosk(opener.follow));
-  // The wheel scrolls the page around the frame until the drawing has the focus.
+  // The wheel scrolls the surrounding page until the drawing has the focus.
   if (pageForm === 'embed') viewport.view.zoomsWhenFocused(page.canvas);
   const isIdle = (): boolean =>
     tasks.isIdle && viewport.frames.isSettled && !isAwaited() && !parts.isFetching && !opener.isOpening;
@@ -99,8 +99,8 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
 }
 
 /**
- * Has the browser keep the drawing, by the page's address and with its files if it has any. Not to be called within another page or at an
- * exhibition, because the address there belongs to the drawing that its visitors are shown.
+ * Stores the drawing in the browser, with its address and the user's own files. Must not be called in embed or kiosk form, whose address
+ * belongs to the drawing that visitors are shown.
  */
 function keepDrawing({
   session,
@@ -124,7 +124,7 @@ function keepDrawing({
     return new KeptPicture(viewport, isSettled, (picture) => keeper.pictured(picture));
   });
   viewport.frames.onFrame(() => keptPicture.present?.frameDrawn());
-  // A drawing is kept without a thumbnail if the script cannot be fetched.
+  // Without the script, a drawing is stored without a thumbnail.
   const wantPicture = (): void =>
     parts.whenFetched(
       keptPicture.fetch().catch(() => undefined),
@@ -133,7 +133,7 @@ function keepDrawing({
   return new AddressWriter(session, address, keeper, wantPicture, () => opener.isOpening);
 }
 
-/** Opens the first drawing. @param kept the id of the drawing that the browser has kept for this entry of its history, if there is one */
+/** Opens the first drawing. @param kept the id of the stored drawing of the present history entry, if there is one */
 function openFirst(
   { camera, address, choice }: LinkedDrawing,
   session: Session,
@@ -152,7 +152,7 @@ function openFirst(
   void mapLoader.showChosen();
 }
 
-/** Shows the settings that belong to the page itself: its colours, and the format in which a picture is saved. */
+/** Shows the settings that affect the page itself: its colours, and the format of saved pictures. */
 function showSettings(settings: Settings): void {
   page.sheet.style.setProperty('--paper', settings.paper);
   page.sheet.style.setProperty('--ink', settings.ink);
@@ -171,7 +171,7 @@ function showFrameTime({ milliseconds, isCoarse }: FrameQuality): void {
     : time;
 }
 
-/** Shows the button that lists the kept drawings, if there are any. */
+/** Shows the button of recent drawings, if there are any. */
 async function showRecent(keeper: DrawingStore): Promise<void> {
   page.recent.hidden = (await keeper.list()).length === 0;
 }
@@ -189,7 +189,7 @@ function showToTests(viewport: Viewport, isIdle: () => boolean): void {
   });
 }
 
-/** Lets an element fill the screen, or takes it back. Rejects where the browser does not allow it. */
+/** Toggles full screen for an element. Rejects where the browser does not allow it. */
 async function toggleFullScreen(element: HTMLElement): Promise<void> {
   if (document.fullscreenElement) await document.exitFullscreen();
   else await element.requestFullscreen();

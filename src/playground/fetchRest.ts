@@ -1,13 +1,13 @@
-/** Calls back when the browser is idle, which may be never. Browsers that cannot tell wait for a moment. */
+/** Calls back when the browser is idle, or after a moment in browsers without requestIdleCallback. */
 const whenIdle = (run: () => void): unknown =>
   'requestIdleCallback' in window ? requestIdleCallback(run) : setTimeout(run, 200);
 
 /**
- * Fetches the parts of the page that are not there yet, one after the other while it is idle, so that they open without a connection.
- * They are not run. A part that fails is fetched again when it is needed.
+ * Fetches the remaining scripts of the page one at a time while the page is idle, so that they open without a connection. Does not run
+ * them. A script that fails is fetched again when it is needed.
  */
 export async function fetchRest(): Promise<void> {
-  // Users who save data get only the parts that they use.
+  // In data-saving mode, only the parts in use are fetched.
   if ((navigator as { connection?: { saveData?: boolean } }).connection?.saveData) return;
   const response = await fetch('parts.json').catch(() => undefined);
   if (!response?.ok) return;

@@ -7,14 +7,14 @@ import { Status } from './tasks/Status.js';
 import { drawsInSoftware } from './viewport/drawsInSoftware.js';
 import { rendererAhead } from './viewport/rendererAhead.js';
 
-// What a developer would do by mistake visitors choose: a weak light, strokes as wide as the model. And paper is shown until a map is drawn.
+// Silences warnings meant for developers: users choose weak lights or huge strokes on purpose, and paper is shown until a map is drawn.
 HatchingMaterial.silent = true;
 
 function open(renderer: string | undefined): void {
   const status = new Status(page.status);
   const context = page.canvas.getContext('webgl2', {
     alpha: true,
-    // A software renderer needs as long for it as for everything else, and strokes and lines have soft edges of their own.
+    // On a software renderer, antialiasing takes as long as everything else, and strokes and lines have soft edges of their own.
     antialias: !drawsInSoftware(renderer),
     depth: true,
     powerPreference: 'high-performance',

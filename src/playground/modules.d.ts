@@ -4,19 +4,19 @@ declare module 'bunny' {
   export const cells: [number, number, number][];
 }
 
-/** The bust, in few triangles. The package has no types of its own. */
+/** The low-poly bust. The package has no types of its own. */
 declare module 'snowden/lo.js' {
   export const positions: [number, number, number][];
   export const cells: [number, number, number][];
 }
 
-/** The functions of `models` that make forms, as JavaScript for copied code. The build writes them: see tools/building/formSources.ts. */
+/** The functions of `models` that make forms, as JavaScript for copied code. Written by the build: see tools/building/formSources.ts. */
 declare module 'virtual:form-sources' {
-  /** JavaScript that a model is made by, with all that it calls. */
+  /** The JavaScript of a model function, with everything it calls. */
   export interface FormSource {
-    /** Import declarations, but for those from `three`. */
+    /** Import declarations, except those from `three`. */
     imports: string[];
-    /** What it takes from `three`. */
+    /** Its imports from `three`. */
     classes: string[];
     /** Declarations, among them the function. */
     code: string;
@@ -31,7 +31,7 @@ declare module 'virtual:form-sources' {
   export default sources;
 }
 
-/** The address of the ambient occlusion of a model; undefined where none was baked. See tools/building/occlusionAhead.ts. */
+/** The URL of a model's ambient occlusion; undefined if none was baked. See tools/building/occlusionAhead.ts. */
 declare module '*?occlusion' {
   const url: string | undefined;
   export default url;

@@ -1,7 +1,4 @@
-/**
- * Whether a key was pressed as a shortcut of the page: without a modifier, and outside of fields and lists that take letters. Under an
- * open dialog the page has no shortcuts.
- */
+/** Whether a key press is a shortcut of the page: without modifiers, outside text fields and lists, and without an open dialog. */
 export function isShortcut({ key, target, ctrlKey, metaKey, altKey }: KeyboardEvent, ...keys: string[]): boolean {
   if (ctrlKey || metaKey || altKey || !keys.includes(key.toLowerCase())) return false;
   const takesLetters = target instanceof Element && target.closest('input:not([type="range"]), select, textarea');
@@ -10,13 +7,13 @@ export function isShortcut({ key, target, ctrlKey, metaKey, altKey }: KeyboardEv
 
 const isDialogOpen = (): boolean => document.querySelector('dialog[open]') !== null;
 
-/** What the keys of the page do, wherever the focus is. */
+/** The actions of the page's keys. */
 export interface PageKeys {
   close(): void;
   fillScreen(): void;
-  /** Lists the keys, if the page has a list. */
+  /** Opens the list of keys, if the page has one. */
   openKeys: (() => void) | undefined;
-  /** @param index the index of a saved view */
+  /** @param index of a saved view */
   showView(index: number): void;
   undo(): void;
   redo(): void;
@@ -42,7 +39,7 @@ export function listenToKeys(keys: PageKeys): void {
   });
 }
 
-/** Whether keys ask for Undo or Redo. Text fields have an Undo of their own, and under an open dialog the drawing must not change. */
+/** Whether keys mean Undo or Redo. Text fields have their own Undo, and the drawing must not change below an open dialog. */
 function stepOf({ key, target, ctrlKey, metaKey, altKey, shiftKey }: KeyboardEvent): 'undo' | 'redo' | undefined {
   const isTyping = target instanceof HTMLInputElement && target.type !== 'range';
   if (!(ctrlKey || metaKey) || altKey || isTyping || isDialogOpen()) return undefined;

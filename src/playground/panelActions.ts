@@ -7,7 +7,7 @@ import type { PanelAction } from './panel/SettingsPanel.js';
 import type { Session } from './session/Session.js';
 import type { LaterParts } from './tasks/LaterParts.js';
 
-/** The buttons of the panel, by the group of settings that they stand in. */
+/** The buttons of the panel by group of settings. */
 export function panelActions(
   session: Session,
   exports: Exports,

@@ -1,6 +1,6 @@
 import type { TonalArtMap } from 'three-hatching';
 
-/** Texels per side that are shown of an image. Coarse levels are shown whole, and of finer ones a corner. */
+/** Texels per side that are shown of an image: all of coarse levels, and a corner of finer ones. */
 const CELL = 64;
 const GAP = 6;
 
@@ -12,21 +12,21 @@ export interface ContactSheetElements {
 }
 
 /**
- * Shows the hatch images of the map in use, one pixel per texel: tones grow darker to the right, levels coarser
- * downwards. Each tone is drawn in a task of its own, so that frames are not delayed.
+ * Shows the hatch images of the present tonal art map, one pixel per texel: tones darken to the right, levels coarsen downwards. Each tone
+ * is drawn in a task of its own, so that frames are not delayed.
  */
 export class ContactSheet {
   private readonly canvas = document.createElement('canvas');
   private map: TonalArtMap | undefined;
   private name = '';
   private opener: Element | null = null;
-  /** Counts the calls of {@link draw}. A call that is not the latest one stops. */
+  /** Counts the calls of {@link draw}; only the latest call continues. */
   private drawing = 0;
 
   constructor(private readonly elements: ContactSheetElements) {
     const { sheet, scroller, close } = elements;
     this.canvas.setAttribute('role', 'img');
-    // It takes the focus, so that it can be scrolled with the keyboard.
+    // Focusable, so that it can be scrolled with the keyboard.
     scroller.tabIndex = 0;
     scroller.append(this.canvas);
     close.addEventListener('click', () => this.close());

@@ -8,7 +8,7 @@ import type { Gallery } from './Gallery.js';
 import type { KeysDialog } from './KeysDialog.js';
 import type { RecentDialog } from './RecentDialog.js';
 
-/** What opens over the drawing. The scripts for it are fetched when it is first opened. */
+/** The dialogs of the page. Their scripts are fetched when they are first opened. */
 export class Dialogs {
   private readonly gallery: LaterPart<Gallery>;
   private readonly keys: LaterPart<KeysDialog>;
@@ -56,7 +56,7 @@ export class Dialogs {
     this.recent.use((recent) => recent.open());
   }
 
-  /** Shows the images of the map, even if the technique in use draws without a map. */
+  /** Shows the images of the map, even if the present technique draws without one. */
   showMap(): void {
     this.contactSheet.use((sheet) => {
       this.fill(sheet);

@@ -1,9 +1,9 @@
 import { GALLERY, type GalleryDrawing } from '../../viewer/settings/gallery.js';
 
-/** The side of the pictures in pixels. */
+/** The size of the pictures in pixels. */
 const SIDE = 256;
 
-/** Shows finished drawings as small pictures over the sheet. A click opens a drawing live. */
+/** Shows finished drawings as thumbnails over the sheet. A click opens a drawing. */
 export class Gallery {
   private opener: Element | null = null;
 
@@ -19,7 +19,7 @@ export class Gallery {
 
   open(): void {
     const { sheet, drawings, close } = this.elements;
-    // The pictures are created now, so that a page on which the gallery stays closed fetches none of them.
+    // Pictures are created on opening, so that a page with a closed gallery fetches none.
     if (drawings.childElementCount === 0) drawings.append(...GALLERY.map((drawing) => this.button(drawing)));
     this.opener = document.activeElement;
     sheet.hidden = false;

@@ -1,6 +1,6 @@
 import { findElement } from '../page/findElement.js';
 
-/** What keys, mouse and fingers do, grouped by where they do it. All keys of a row do the same, which `text` describes. */
+/** Keys and gestures, grouped by where they work. All keys of a row do what `text` says. */
 const KEYS: readonly { about: string; rows: readonly (readonly [keys: string, text: string])[] }[] = [
   {
     about: 'Mouse and fingers',
@@ -43,7 +43,7 @@ const KEYS: readonly { about: string; rows: readonly (readonly [keys: string, te
   },
 ];
 
-/** Lists what keys, mouse and fingers do. */
+/** The list of keys and gestures. */
 export class KeysDialog {
   private readonly dialog = findElement('keys') as HTMLDialogElement;
 

@@ -4,7 +4,7 @@ import { findElement } from '../page/findElement.js';
 import type { DrawingStore } from '../session/DrawingStore.js';
 import type { KeptDrawing } from '../storage/KeptDrawings.js';
 
-/** Lists the kept drawings, each of which can be opened or forgotten. */
+/** The list of stored drawings, each of which can be opened or deleted. */
 export class RecentDialog {
   private readonly dialog = findElement('recent') as HTMLDialogElement;
   private readonly rows = findElement('recent-list');

@@ -1,4 +1,4 @@
-/** A value of a model that a slider shows and sets. */
+/** A number that a slider shows and sets. */
 export interface SliderValue {
   name: string;
   /** The tooltip of the slider. */
@@ -13,7 +13,7 @@ export interface SliderValue {
   reset?: () => void;
 }
 
-/** A labelled slider that can be set to show another value. */
+/** A labelled slider, which can be reused for another value. */
 export class ValueSlider {
   readonly label = document.createElement('label');
   private readonly name = document.createElement('span');
@@ -35,7 +35,7 @@ export class ValueSlider {
     this.show(undefined);
   }
 
-  /** Shows a value, or nothing. */
+  /** Shows a value; undefined hides the slider. */
   show(value: SliderValue | undefined): void {
     this.value = value;
     this.label.hidden = value === undefined;

@@ -1,6 +1,6 @@
 import { findElement } from '../page/findElement.js';
 
-/** The elements of index.html that the scripts work on. */
+/** The elements of index.html that the scripts use. */
 export const page = {
   sheet: findElement('sheet'),
   viewport: findElement('viewport'),

@@ -1,6 +1,6 @@
 /**
- * What the page is used as, which its query says: `?embed` in a frame of another page, `?kiosk` on a screen of an exhibition. Both show
- * nothing but the drawing and its lamp.
+ * The form of the page by its query: `?embed` in a frame of another page, `?kiosk` on a public screen. Both show only the drawing and its
+ * light handles.
  */
 export type PageForm = 'playground' | 'embed' | 'kiosk';
 
@@ -12,6 +12,6 @@ function formOf(query: string): PageForm {
   return parameters.has('embed') ? 'embed' : 'playground';
 }
 
-// The style sheet reads these.
+// Read by the style sheet.
 document.documentElement.dataset.form = pageForm;
 document.documentElement.classList.toggle('is-bare', pageForm !== 'playground');

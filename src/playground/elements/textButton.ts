@@ -1,4 +1,4 @@
-/** Creates a button of a dialog that looks like text. @param name what screen readers call it, if not by its label */
+/** Creates a dialog button that looks like text. @param name accessible name, by default the label */
 export function textButton(label: string, run: () => void, name?: string): HTMLButtonElement {
   const button = Object.assign(document.createElement('button'), { type: 'button', textContent: label });
   button.className = 'text-button';

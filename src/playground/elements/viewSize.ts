@@ -9,7 +9,7 @@ export function viewSize(): { width: number; height: number } {
   return { width, height };
 }
 
-/** The viewport, and the orientation of a sheet for the model: that of the model or, if the model suits either, of the viewport. */
+/** The viewport's size, and the orientation of a sheet that suits the model; if either does, that of the viewport. */
 export function drawnView({ view: { proportion } }: Viewport): DrawnView {
   const size = viewSize();
   const isSquare = Math.max(proportion, 1 / proportion) < ABOUT_SQUARE;

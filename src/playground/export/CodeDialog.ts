@@ -6,7 +6,7 @@ import { copyText } from './copyText.js';
 import { download } from './download.js';
 import { fileStem } from './fileStem.js';
 
-/** Shows the drawing as code, in one of several forms, to be copied or saved. */
+/** Shows the drawing as code in several forms, to copy or save. */
 export class CodeDialog {
   private readonly dialog = findElement('code') as HTMLDialogElement;
   private readonly form = findElement('code-form') as HTMLSelectElement;
@@ -38,13 +38,13 @@ export class CodeDialog {
     };
   }
 
-  /** The address of this page in the form for other pages, with the drawing in it. */
+  /** The address of this page in embed form, with the drawing. */
   private get embedAddress(): string {
     return new URL(`?embed#${this.session.link}`, location.href).href;
   }
 
   private async show(): Promise<void> {
-    // The script is fetched when it is needed, because few users ask for code.
+    // Loaded on demand, because few users ask for code.
     const { codeForms } = await import('../code/codeForms.js');
     const { isModelInLink } = this.session;
     const make = codeForms[this.form.value as keyof typeof codeForms];

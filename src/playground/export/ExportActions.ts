@@ -10,10 +10,10 @@ import { download } from './download.js';
 import { fileStem } from './fileStem.js';
 import type { SaveDrawing } from './SaveDrawing.js';
 
-/** How far a picture of a simplified model may lie from one of the whole without a word, in pixels. */
+/** A picture of a simplified model may deviate by this many pixels from the full model without a note. */
 const MOST_PIXELS = 1 / 3;
 
-/** The actions that export the drawing, as a picture, a video, an archive or a link, and the map. */
+/** The actions that export the drawing as a picture, video, archive or link, and the map. */
 export class ExportActions {
   constructor(
     private readonly session: Session,
@@ -23,7 +23,7 @@ export class ExportActions {
     private readonly geometries: Pick<GeometryLoader, 'settled'>,
   ) {}
 
-  /** Saves the picture that the settings ask for: one PNG, or its layers in an archive. */
+  /** Saves the picture by the settings: one PNG, or its layers in an archive. */
   readonly savePng = async (): Promise<void> => {
     const again = { label: 'Save it again', run: this.savePng };
     const saved = await this.draw(async () => (await import('./savePicture.js')).savePicture, again);
@@ -38,7 +38,7 @@ export class ExportActions {
     }
   };
 
-  /** Saves the picture that the settings ask for from more triangles than the page draws. */
+  /** Saves the picture from more triangles than the page draws. */
   private readonly saveFiner = (): Promise<void> => {
     const { shownFiles, variant } = this.session.modelLoader;
     return this.save(async () => (await import('./saveFiner.js')).saveFiner(shownFiles.files, variant), {
@@ -47,18 +47,18 @@ export class ExportActions {
     });
   };
 
-  /** Saves the drawing as lines, for print or for a plotter. */
+  /** Saves the drawing as vector lines, for print or a plotter. */
   readonly saveSvg = (): Promise<void> =>
     this.save(async () => (await import('./saveSvg.js')).saveSvg, { label: 'Save it again', run: this.saveSvg });
 
-  /** Records the video that the settings ask for, frame by frame. */
+  /** Records the video frame by frame, by the settings. */
   readonly saveVideo = (): Promise<void> =>
     this.save(async () => (await import('./saveVideo.js')).saveVideo, {
       label: 'Record it again',
       run: this.saveVideo,
     });
 
-  /** The picture that the settings ask for, as one PNG. @throws Error if there is none; the status line says why */
+  /** Draws the picture by the settings as one PNG. @throws Error if that fails; the status line says why */
   readonly drawPicture = async (): Promise<Blob> => {
     const picture = await this.draw(async () => (await import('./savePicture.js')).drawForClipboard);
     if (!picture) throw new Error('There is no picture; the status line says why.');
@@ -70,7 +70,9 @@ export class ExportActions {
     if (sentence !== undefined) this.status.say(sentence);
   }
 
-  /** Runs the function that `fetchDraw` fetches, when all is baked that it is drawn with. No other picture is drawn meanwhile. Undefined if it fails. */
+  /**
+   * Runs the function that `fetchDraw` imports once everything has been baked. Only one picture is drawn at a time. Undefined if it fails.
+   */
   private async draw<Result>(
     fetchDraw: () => Promise<SaveDrawing<Result>>,
     again?: Remedy,
@@ -96,7 +98,7 @@ export class ExportActions {
     return undefined;
   }
 
-  /** Saves the model together with its look and its view. The page opens the file as this drawing. */
+  /** Saves the model, look and view in one archive, which the page can open. */
   readonly saveDrawing = async (): Promise<void> => {
     const { session, status } = this;
     const { modelLoader } = session;
@@ -106,7 +108,7 @@ export class ExportActions {
       return;
     }
     const link = new URLSearchParams(session.link);
-    // The archive has the model itself.
+    // The archive contains the model itself.
     link.delete('model');
     try {
       const { zipDrawing } = await import('./zipDrawing.js');
@@ -137,7 +139,7 @@ export class ExportActions {
     }
   };
 
-  /** Opens the system's dialog for sharing, with the link. Copies the link if that fails. */
+  /** Opens the system's share dialog with the link. Copies the link if that fails. */
   readonly share = async (): Promise<void> => {
     try {
       await navigator.share({ title: document.title, url: this.link });
@@ -161,7 +163,7 @@ export class ExportActions {
     this.status.say(`${where} ${this.missing}`.trim());
   };
 
-  /** Copies what a report of a bug should say about the page, the machine and the drawing, but no name of a file. */
+  /** Copies facts for a bug report on the page, the machine and the drawing. File names are left out. */
   readonly copyFacts = async (): Promise<void> => {
     const { session, status } = this;
     const { factsOf } = await import('./factsOf.js');
@@ -173,7 +175,7 @@ export class ExportActions {
     }
   };
 
-  /** What a link leaves behind, in a sentence or two. */
+  /** A sentence or two on what a link does not include. */
   private get missing(): string {
     const { isModelInLink, isHandInLink } = this.session;
     return [

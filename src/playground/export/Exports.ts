@@ -8,10 +8,10 @@ import type { CodeDialog } from './CodeDialog.js';
 import type { ExportActions } from './ExportActions.js';
 
 /**
- * Copies a picture to the clipboard, and tells the user whether that was possible. To be called while a click is handled: the clipboard
- * gets a promise at once, because some browsers, such as Safari, refuse later requests.
+ * Copies a picture to the clipboard and reports the result. Must be called while a click is handled: the clipboard gets a promise at once,
+ * because some browsers, such as Safari, refuse later requests.
  *
- * @param draw draws the picture as PNG. If it rejects, the user has been told why
+ * @param draw draws the picture as PNG; if it rejects, it has reported the reason itself
  */
 async function copyPicture(draw: () => Promise<Blob>, status: Status): Promise<void> {
   const refuse = (): void =>
@@ -27,14 +27,14 @@ async function copyPicture(draw: () => Promise<Blob>, status: Status): Promise<v
   else status.say('The picture is on the clipboard, as PNG.');
 }
 
-/** Rejects where older browsers throw, which do not take promises. */
+/** Turns the exception of older browsers, which do not accept promises, into a rejection. */
 const write = async (picture: Promise<Blob>): Promise<void> =>
   navigator.clipboard.write([new ClipboardItem({ 'image/png': picture })]);
 
-/** The actions of {@link ExportActions} that buttons run. */
+/** The actions of {@link ExportActions} with buttons. */
 type Action = 'savePng' | 'saveSvg' | 'saveDrawing' | 'saveVideo' | 'saveMap' | 'share' | 'copyLink' | 'copyFacts';
 
-/** The ways in which the user takes the drawing away. The scripts for them are fetched when they are first used. */
+/** The exports of the page. Their scripts are fetched on first use. */
 export class Exports {
   private readonly actions: LaterPart<ExportActions>;
   private readonly codeDialog: LaterPart<CodeDialog>;
@@ -57,14 +57,14 @@ export class Exports {
     });
   }
 
-  /** Saves or hands on the drawing in one of several ways. */
+  /** Runs an export. */
   run(action: Action): void {
     this.actions.use((actions) => void actions[action]());
   }
 
-  /** Puts the picture on the clipboard. To be called while a click is handled. */
+  /** Copies the picture to the clipboard. Must be called while a click is handled. */
   copy(): void {
-    // Shows it in the status line if the script cannot be fetched.
+    // Reports in the status line if the script cannot be fetched.
     this.actions.use(() => {});
     void copyPicture(() => this.actions.fetch().then((actions) => actions.drawPicture()), this.status);
   }

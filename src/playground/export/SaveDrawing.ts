@@ -3,9 +3,9 @@ import type { Settings } from '../../viewer/settings/settings.js';
 import type { Viewport } from '../viewport/Viewport.js';
 
 /**
- * Draws a picture or a video, and has the browser download it unless the caller takes the result.
+ * A function that draws a picture or a video, and downloads it unless the caller takes the result.
  *
- * @param name the name of the file without its extension
+ * @param name file name without extension
  * @returns a sentence about what was saved, or the result
  * @throws Error with a sentence for the user
  */

@@ -9,7 +9,9 @@ import { raiseCurtain } from './raiseCurtain.js';
 const LOST =
   'The graphics card let go of the drawing while it was being saved. There is no picture; save it again when the drawing is back, smaller if that fails too.';
 
-/** Holds frames behind a curtain while a picture is drawn. @param draw gets the plan of the picture: its part of the view and its size */
+/**
+ * Draws a picture behind a curtain, with frames on hold. @param draw receives the plan of the picture: its part of the view and its size
+ */
 export async function behindCurtain<Result>(
   viewport: Viewport,
   settings: Settings,

@@ -2,26 +2,26 @@ import type { ModelStatistics } from '../../viewer/drawing/HatchedModel.js';
 import { extensionOf, withoutGz } from '../../viewer/files/common/fileName.js';
 import { FORMATS } from '../../viewer/files/formats.js';
 
-/** What a report of a bug should say about the page, the machine and the drawing. */
+/** The facts in a bug report on the page, the machine and the drawing. */
 export interface Facts {
-  /** The versions of this library and of three.js, such as `0.1.0` and `187`. */
+  /** Versions of this library and of three.js, such as `0.1.0` and `187`. */
   versions: { hatching: string; three: string };
-  /** The name by which the browser introduces itself to servers. */
+  /** The user agent string. */
   browser: string;
-  /** The name of the graphics card and its driver, as far as the browser tells it. */
+  /** Name of the graphics card and its driver, as far as the browser tells it. */
   graphics: string;
-  /** The size of the drawing in CSS pixels, and how many device pixels one of them is wide. */
+  /** Size of the drawing in CSS pixels, and device pixels per CSS pixel. */
   sheet: { width: number; height: number; pixelRatio: number };
-  /** The built-in model by its name, or the names of the user's own files, of which only their formats are told. */
+  /** The name of a built-in model, or the names of the user's files, of which only the extensions are reported. */
   model: string | readonly string[];
   statistics: ModelStatistics | undefined;
-  /** How many meshes the model has, and how many of them have been baked for lines that follow the form. */
+  /** The number of meshes, and of those baked with form lines. */
   meshes: { all: number; formed: number };
-  /** The settings as the text of a link, without the address of a model and without names that the user has given. */
+  /** The settings as the text of a link, without the address of a model and the user's names for views. */
   settings: string;
 }
 
-/** The facts as lines of text, which can be pasted into a report. */
+/** Formats the facts as lines of text for a report. */
 export function describeFacts({
   versions,
   browser,

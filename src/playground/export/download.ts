@@ -1,4 +1,4 @@
-/** Saves a file through the browser's download. */
+/** Downloads a file. */
 export function download(content: Blob, name: string): void {
   const link = document.createElement('a');
   link.href = URL.createObjectURL(content);

@@ -5,7 +5,7 @@ import type { Session } from '../session/Session.js';
 import { rendererName } from '../viewport/rendererName.js';
 import { describeFacts } from './describeFacts.js';
 
-/** What a report of a bug should say about the page, the machine and the drawing of a session. */
+/** Collects the facts for a bug report on a session. */
 export function factsOf({ viewport, settings, modelLoader }: Session): string {
   const { canvas, context, view, model } = viewport;
   const meshes = model ? meshesOf(model.root) : [];
@@ -18,7 +18,7 @@ export function factsOf({ viewport, settings, modelLoader }: Session): string {
     model: modelLoader.ownFiles?.map(({ name }) => name) ?? settings.model,
     statistics: model?.statistics,
     meshes: { all: meshes.length, formed: formed.length },
-    // Neither the address of a model nor the names of views.
+    // Leaves out the address of a model and the names of views.
     settings: writeLink(settings, view.ownPlace),
   });
 }

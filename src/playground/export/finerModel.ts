@@ -10,20 +10,20 @@ import { drawsWithAdjacency, formDrawn } from '../../viewer/settings/settingValu
 import { loadModelFiles } from '../reading/loadModelFiles.js';
 import type { Viewport } from '../viewport/Viewport.js';
 
-/** The most triangles of a model that is read again for a picture: the page holds those of its frames beside them. */
+/** The maximum number of triangles for a picture, besides those that the page already holds. */
 const MOST_TRIANGLES = 4_000_000;
 
-/** A model as it was read again. */
+/** A model that was read again for a picture. */
 export interface FinerModel extends Pick<ReadMesh, 'simplified'> {
-  /** Baked, with all that the settings ask for. */
+  /** The baked geometry, with everything the settings ask for. */
   geometry: BufferGeometry;
   triangles: number;
 }
 
 /**
- * Reads a simplified model again, with as many of its triangles as there is memory for, and bakes what the settings draw it with.
+ * Reads a simplified model again with as many triangles as memory allows, and bakes it for the settings.
  *
- * @param variant the index of the variant of its materials, if one was chosen
+ * @param variant index of the material variant, if one was chosen
  * @throws ModelError with one sentence for the user
  */
 export async function finerModel(
@@ -60,7 +60,7 @@ export async function finerModel(
   return { geometry: drawn.geometry, triangles, simplified };
 }
 
-/** Bakes lines along the form and dark hollows into the geometry of a mesh, if the settings ask for them. */
+/** Bakes form lines and occlusion for a mesh, if the settings ask for them. */
 async function bakeLook(drawn: Mesh, settings: Settings, report: Report, signal: AbortSignal): Promise<void> {
   const root = new Group().add(drawn);
   root.rotation.set(...lookOf(settings).upright);

@@ -1,24 +1,24 @@
 import { page } from '../elements/page.js';
 import type { Viewport } from '../viewport/Viewport.js';
 
-/** A copy of the drawing that covers it while it is saved. */
+/** A copy of the drawing that covers the canvas during an export. */
 interface Curtain {
-  /** Shows another picture instead of the drawing, all of it, on paper. */
+  /** Shows another picture instead, whole, on paper. */
   show(picture: HTMLCanvasElement): void;
-  /** Takes the curtain away. */
+  /** Removes the curtain. */
   lower(): void;
 }
 
 /**
- * Covers the drawing with a copy of it and disables everything but Cancel, while a picture is drawn in tiles on the same canvas, or a
- * video frame by frame.
+ * Covers the drawing with a copy and disables everything but Cancel, while a picture is drawn in tiles, or a video frame by frame, on the
+ * same canvas.
  */
 export function raiseCurtain(viewport: Viewport, paper: string): Curtain {
   const { card, bar } = page;
   const copy = document.createElement('canvas');
   copy.className = 'curtain';
   copy.setAttribute('aria-hidden', 'true');
-  // The drawing is copied in the same task, because the canvas does not keep its content for longer.
+  // Drawn and copied in one task, because the canvas does not keep its content.
   viewport.frames.draw();
   const { canvas } = viewport.frames;
   const { width, height } = Object.assign(copy, { width: canvas.width, height: canvas.height });

@@ -5,10 +5,10 @@ import type { SaveDrawing } from './SaveDrawing.js';
 import { savePicture } from './savePicture.js';
 
 /**
- * Saves the picture as `savePicture` does, from more triangles than the page draws. They are let go afterwards.
+ * Saves the picture as `savePicture` does, from more triangles than the page draws, which are freed afterwards.
  *
- * @param files the model, which was simplified
- * @param variant the index of the variant of its materials, if one was chosen
+ * @param files of the simplified model
+ * @param variant index of the material variant, if one was chosen
  */
 export const saveFiner =
   (files: readonly ModelFile[], variant?: number): SaveDrawing =>
@@ -19,7 +19,7 @@ export const saveFiner =
       if (viewport.model !== model) throw new Error('another model was opened meanwhile.');
       viewport.finer = geometry;
       const { kind, size, pixelsPerRadius } = await savePicture(viewport, settings, name, report, signal);
-      // The form of a finer mesh has singular points of its own.
+      // Form lines of the finer mesh have other singular points.
       const anew = formDrawn(settings) ? ', lines laid anew' : '';
       if (!simplified) return `Saved as ${kind} from all triangles${anew}: ${size}.`;
       const millions = (triangles / 1e6).toFixed(1);

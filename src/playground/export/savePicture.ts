@@ -7,19 +7,19 @@ import { behindCurtain } from './behindCurtain.js';
 import { download } from './download.js';
 import type { SaveDrawing } from './SaveDrawing.js';
 
-/** The most pixels of a picture that other programs can be expected to paste from the clipboard. */
+/** The maximum number of pixels of a clipboard picture; other programs may fail to paste more. */
 const MOST_COPIED_PIXELS = 64_000_000;
 
 /** A saved picture. */
 export interface SavedPicture {
-  /** As what it was saved. */
+  /** The kind of file. */
   kind: string;
   size: string;
-  /** How many pixels a radius of the model is where it is nearest. */
+  /** Pixels per radius of the model at its nearest point. */
   pixelsPerRadius: number;
 }
 
-/** Saves the picture that the settings ask for: one PNG, or its layers in an archive. */
+/** Saves the picture by the settings: one PNG, or its layers in an archive. */
 export const savePicture: SaveDrawing<SavedPicture> = (viewport, settings, name, report, signal) =>
   behindCurtain(viewport, settings, signal, async (session, plan) => {
     const saved = { size: describePrint(plan), pixelsPerRadius: nearestRadius(viewport.camera, plan) };
@@ -37,7 +37,7 @@ export const savePicture: SaveDrawing<SavedPicture> = (viewport, settings, name,
     return { kind: `${LAYERS.length} PNG images in a ZIP`, ...saved };
   });
 
-/** Draws the picture that the settings ask for as one PNG, for the clipboard. */
+/** Draws the picture as one PNG for the clipboard. */
 export const drawForClipboard: SaveDrawing<Blob> = (viewport, settings, _name, report, signal) =>
   behindCurtain(viewport, settings, signal, (session, plan) => {
     if (plan.width * plan.height > MOST_COPIED_PIXELS)

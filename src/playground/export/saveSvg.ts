@@ -8,15 +8,15 @@ import { behindCurtain } from './behindCurtain.js';
 import { download } from './download.js';
 import type { SaveDrawing } from './SaveDrawing.js';
 
-/** The share of the progress in which the picture below the lines is drawn. */
+/** The share of the progress for drawing the raster picture below the lines. */
 const PICTURE = 0.5;
 
-/** Where the strokes of a saved drawing are. */
+/** How strokes appear in the file: as lines, in the raster picture below, or not at all. */
 type Strokes = 'lines' | 'picture' | 'nowhere';
 
 /**
- * Saves the drawing as lines: an SVG file of the size that the settings ask for, filled for print or for one pen. Strokes that come from a
- * map are no lines: in a print they lie below the others as a picture.
+ * Saves the drawing as SVG in the size of the settings, with fills for print or with lines for one pen. Strokes from a tonal art map are
+ * not lines: in print they are a raster picture below the lines.
  */
 export const saveSvg: SaveDrawing = (viewport, settings, name, report, signal) =>
   behindCurtain(viewport, settings, signal, async (session, plan) => {
@@ -32,7 +32,7 @@ export const saveSvg: SaveDrawing = (viewport, settings, name, report, signal) =
     const drawing = await drawSVG(viewport.scenery.scene, camera, {
       kind: settings.pictureSvg,
       ...(isPen && { penWidth: settings.picturePen }),
-      // A pen would draw the border of the paper.
+      // A plotter would draw the border of the paper.
       ...(!isPen && settings.pictureGround === 'paper' && { paper: settings.paper }),
       ...{ sheet, margin, picture, signal },
       dpi: within.dpi / within.scale,
@@ -51,20 +51,20 @@ export const saveSvg: SaveDrawing = (viewport, settings, name, report, signal) =
 
 const NO_LINES_OF_MAPS = 'there are no lines: the strokes come from a map, which a pen cannot draw.';
 
-/** What is said of strokes first, as lines of the status are short. */
+/** Sentences about the strokes. They come first, because the status line is short. */
 const SAVED: Readonly<Record<Strokes, string>> = {
   lines: '',
   picture: ', its strokes as a picture',
   nowhere: ' without its strokes, which a pen cannot draw',
 };
 
-/** Where the strokes of a look leave: those of a map are images, which a pen does not draw. */
+/** How the strokes of a look are saved: those of a map are images, which a plotter cannot draw. */
 function strokesOf(settings: Settings): Strokes {
   if (!needsMap(materialLook(settings))) return 'lines';
   return settings.pictureSvg === 'pen' ? 'nowhere' : 'picture';
 }
 
-/** The strokes of the canvas without what is drawn as lines over them, on the ground of saved pictures. */
+/** Draws the strokes of the canvas, without those saved as lines, on the background of saved pictures. */
 const drawStrokes = (
   session: PictureSession,
   { pictureGround: ground }: Settings,
@@ -82,11 +82,11 @@ function dataUrlOf(picture: Blob): Promise<string> {
   });
 }
 
-/** What the file shows otherwise than the page does. */
+/** Sentences on how the file differs from the page. */
 function remarksOn({ leftOut }: SVGDrawing, { compare }: Settings, strokes: Strokes): string[] {
   const remarks: string[] = [];
   if (compare !== 'none') remarks.push('It shows one technique, without the comparison.');
-  // The reasons of meshes are those of strokes, which were named above.
+  // The reasons of meshes concern strokes, which are covered above.
   const reasons = leftOut
     .filter(({ object }) => strokes === 'lines' || !('isMesh' in object))
     .map(({ reason }) => reason);

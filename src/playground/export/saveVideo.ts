@@ -5,7 +5,7 @@ import { download } from './download.js';
 import { raiseCurtain } from './raiseCurtain.js';
 import type { SaveDrawing } from './SaveDrawing.js';
 
-/** Records the video that the settings ask for, and shows its frames meanwhile. */
+/** Records the video by the settings, and shows its frames meanwhile. */
 export const saveVideo: SaveDrawing = async (viewport, settings, name, report, signal) => {
   const view = viewSize();
   const curtain = raiseCurtain(viewport, settings.paper);

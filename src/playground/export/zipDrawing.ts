@@ -3,16 +3,16 @@ import { baseName } from '../../viewer/files/common/fileName.js';
 import type { ModelFile } from '../../viewer/files/readModel.js';
 import { ZipWriter } from '../print/ZipWriter.js';
 
-/** The parts of a drawing of the user's own model. */
+/** The parts of a drawing with the user's own model. */
 export interface DrawingFiles {
   model: readonly ModelFile[];
-  /** The images of the map, if it is the user's own. */
+  /** The images of the user's own map, if there is one. */
   strokes: readonly ModelFile[];
   /** Settings, camera and views, as the text of a link. */
   link: string;
 }
 
-/** Packs a model and its look into one archive, which the page opens as it opens a model. */
+/** Packs a model and its look into one archive, which the page opens like a model. */
 export async function zipDrawing({ model, strokes, link }: DrawingFiles): Promise<Blob> {
   const zip = new ZipWriter();
   await zip.add(BUNDLE.description, new Blob([describeBundle(link)]));

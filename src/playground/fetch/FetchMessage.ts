@@ -1,12 +1,12 @@
-/** A message from the page that fetches a file to the playground. */
+/** A message from the fetching page to the playground. */
 export type FetchMessage =
   | { kind: 'ready' }
   | { kind: 'progress'; bytes: number; total: number | undefined }
   | { kind: 'done'; content: Blob }
-  /** The server has answered, but not with a file. */
+  /** The server answered with an HTTP error. */
   | { kind: 'refused'; status: number }
   | { kind: 'too large' }
-  /** The server has redirected to another site, to which the user has not agreed. */
+  /** The server redirected to another site, to which the user has not agreed. */
   | { kind: 'redirected' }
-  /** The request has failed. Browsers do not tell scripts why. */
+  /** The request failed. Browsers do not tell scripts why. */
   | { kind: 'failed' };

@@ -1,17 +1,17 @@
 import type { FetchMessage } from './FetchMessage.js';
 
 /**
- * Fetches one file for the playground, which shows this page in a hidden frame. The Content-Security-Policy of this page allows requests
- * to other sites; that of the playground does not.
+ * Fetches one file for the playground, which loads this page in a hidden frame. The Content-Security-Policy of this page allows requests to
+ * other sites; that of the playground does not.
  */
 
-/** The size of the largest model that the playground reads. */
+/** The maximum size of a model. */
 const MAX_BYTES = 512 * 2 ** 20;
 
 addEventListener('message', ({ origin, source, data }: MessageEvent<{ address: string }>) => {
   if (origin === location.origin && source === parent) void answer(data.address);
 });
-/** Whether the policy of this page has blocked a request. */
+/** Whether this page's policy has blocked a request. */
 let isForbidden = false;
 addEventListener('securitypolicyviolation', () => {
   isForbidden = true;
@@ -22,7 +22,7 @@ function say(message: FetchMessage): void {
   parent.postMessage(message, location.origin);
 }
 
-/** Forbids this page, for good, requests to all sites but one, because the user has not agreed to sites that it may redirect to. */
+/** Limits all later requests of this page to one site, because the user has not agreed to sites that it may redirect to. */
 function keepTo(site: string): void {
   const policy = Object.assign(document.createElement('meta'), {
     httpEquiv: 'Content-Security-Policy',
@@ -38,7 +38,7 @@ async function answer(address: string): Promise<void> {
     if (!response.ok || !response.body) say({ kind: 'refused', status: response.status });
     else await read(response.body, Number(response.headers.get('Content-Length')) || undefined);
   } catch {
-    // The event that tells of the policy comes in a task of its own.
+    // The event about the policy violation comes in a task of its own.
     await new Promise((resolve) => setTimeout(resolve));
     say({ kind: isForbidden ? 'redirected' : 'failed' });
   }

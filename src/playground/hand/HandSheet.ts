@@ -16,10 +16,10 @@ import { changedNumbers, LEAST_STROKES, learnOwnHand, withNumbers } from './lear
 import { SwatchCanvas, type SwatchTool } from './SwatchCanvas.js';
 import { SWATCHES } from './swatches.js';
 
-/** How long the map waits for another stroke or step of a slider, in milliseconds. */
+/** Pause before the map is redrawn, in milliseconds, in case another stroke or slider step follows. */
 const PAUSE = 150;
 
-/** What the given hands are called. */
+/** Labels of the example hands. */
 const GIVEN_HANDS: Readonly<Record<ExampleHandName, string>> = {
   finePen: 'a fine pen',
   brush: 'a brush',
@@ -31,7 +31,7 @@ const GIVEN_HANDS: Readonly<Record<ExampleHandName, string>> = {
 
 const NONE: OwnHand = { strokes: [], hand: undefined, changed: {}, link: undefined, files: undefined };
 
-/** The sheet beside the drawing on which users draw a hand of their own: a few strokes, with which the model is hatched at once. */
+/** The sheet beside the drawing, on which users draw a few strokes of their own hand. The model is hatched with them at once. */
 export class HandSheet {
   private readonly swatches: SwatchCanvas;
   private readonly said = element('p', { className: 'hand-said' });
@@ -45,9 +45,9 @@ export class HandSheet {
   private readonly numbers = element('fieldset', { className: 'motion hand-numbers', hidden: true });
   private readonly sliders: readonly ValueSlider[];
   private shown: OwnHand | undefined;
-  /** The strokes of the shown hand, laid out on the sheet. */
+  /** The strokes of the present hand, laid out on the sheet. */
   private strokes: readonly HandStroke[] = [];
-  /** The hand that was chosen from the given ones, as long as it is as it was given. */
+  /** The example hand that was chosen, as long as it is unchanged. */
   private chosen: OwnHand | undefined;
   private opener: Element | null = null;
 
@@ -96,7 +96,7 @@ export class HandSheet {
     return this.session.mapLoader.hand ?? NONE;
   }
 
-  /** The numbers that stay as they are when more strokes are drawn. */
+  /** The numbers that stay when more strokes are drawn. */
   private get changed(): Partial<HandNumbers> {
     const { changed, hand } = this.own;
     return changed ?? (hand ? changedNumbers(hand) : {});
@@ -152,7 +152,7 @@ export class HandSheet {
     page.toggleCard.addEventListener('click', () => this.close());
   }
 
-  /** Takes a picture that is dropped on the sheet; all else is for the page. */
+  /** Accepts a picture dropped on the sheet; other drops are left to the page. */
   private dropped(event: DragEvent): void {
     const [file, ...others] = event.dataTransfer?.files ?? [];
     if (!file || others.length > 0 || !/\.(png|jpe?g)$/i.test(file.name)) return;
@@ -170,7 +170,7 @@ export class HandSheet {
     });
   }
 
-  /** Begins from one of the given hands, or from nothing. */
+  /** Starts from an example hand, or from an empty sheet. */
   private choose(): void {
     const name = exampleHandNames.find((given) => given === this.given.value);
     const hand = name && exampleHand(name);
@@ -196,11 +196,11 @@ export class HandSheet {
   private rub(x: number, y: number, radius: number): void {
     const { strokes } = this;
     const left = eraseStrokes(strokes, x, y, radius);
-    // All that is rubbed out in one go is one step.
+    // One rubbing gesture is one step.
     if (left !== strokes) this.change(left, 'hand rubber');
   }
 
-  /** Takes over other strokes, as a step. */
+  /** Changes the strokes as a step of the history. */
   private change(strokes: readonly HandStroke[], source?: string): void {
     this.takeOver(learnOwnHand(strokes, strokes.length > 0 ? this.changed : {}), source);
   }
@@ -222,7 +222,7 @@ export class HandSheet {
     session.mapLoader.showChosenAfter(PAUSE);
   }
 
-  /** Shows the hand that the page has now, and whether it is drawn with. */
+  /** Shows the page's present hand, and whether the drawing uses it. */
   private refresh(): void {
     if (!this.isOpen) return;
     const { own, session } = this;
@@ -266,14 +266,14 @@ function filePicker(label: string, accept: string, onFile: (file: File) => void)
   const input = element('input', { type: 'file', accept, hidden: true });
   input.addEventListener('change', () => {
     const [file] = input.files ?? [];
-    // Otherwise there would be no event when the same file is picked again.
+    // Otherwise, picking the same file again would fire no event.
     input.value = '';
     if (file) onFile(file);
   });
   return [textButton(label, () => input.click()), input];
 }
 
-/** What screen readers say of the sheet. */
+/** The accessible description of the sheet. */
 function describe(strokes: readonly HandStroke[]): string {
   const counts = SWATCHES.map(({ tone, label }) => {
     const count = strokes.filter(({ swatch = 'middle' }) => swatch === tone).length;
@@ -294,7 +294,7 @@ function sentenceAbout({ strokes, hand }: OwnHand): string {
   return 'These are dots: draw strokes that are longer than wide.';
 }
 
-/** The strokes without those that a rubber at a point touches; the same array if it touches none. Lengths are in millimetres. */
+/** Removes the strokes that a rubber at a point touches; returns the same array if it touches none. Lengths are in millimetres. */
 export function eraseStrokes(
   strokes: readonly HandStroke[],
   x: number,

@@ -1,13 +1,13 @@
 import type { HandStroke } from 'three-hatching';
 import { SHEET, swatchAt } from './swatches.js';
 
-/** A sample of a pointer, in millimetres on the sheet. */
+/** A pointer sample, in millimetres on the sheet. */
 export interface PenSample {
   pointerId: number;
   kind: 'mouse' | 'pen' | 'touch';
   x: number;
   y: number;
-  /** From 0 to 1. Only a pen's is used: mice and most screens know no pressure, and say 0.5, 0 or 1. */
+  /** From 0 to 1. Used for pens only: mice and most screens report a constant 0.5, 0 or 1. */
   pressure: number;
   /** The angle between the pointer and the normal of the sheet, in degrees. */
   tilt: number;
@@ -15,61 +15,61 @@ export interface PenSample {
   time: number;
 }
 
-/** Samples nearer to the one before than this, in millimetres, are left out: they tell the noise of the device. */
+/** Samples closer than this to the previous one, in millimetres, are noise and left out. */
 const LEAST_STEP = 0.15;
-/** So many points has one stroke at most: a scribble of three metres. */
+/** The maximum number of points per stroke: a scribble of three metres. */
 const MOST_POINTS = 20_000;
-/** Shorter strokes are a tap, in millimetres. */
+/** Shorter strokes count as taps, in millimetres. */
 const SHORTEST = 0.8;
-/** After a pen was used, fingers and the palm are ignored for so many milliseconds. */
+/** Fingers and the palm are ignored for this long after pen input, in milliseconds. */
 const PALM_MILLISECONDS = 1000;
 
-/** Widths as shares of that of the pen: with no pressure and with all of it. */
+/** Stroke width relative to the pen's, at no pressure and at full pressure. */
 const LIGHTEST = 0.25;
 const HEAVIEST = 1.9;
-/** A tilted pen is wider, from so many degrees on, up to so many times at the greatest tilt. */
+/** A pen tilted by more than this many degrees draws wider, up to this factor at full tilt. */
 const TILTED_FROM = 35;
 const TILTED_TO = 75;
 const TILTED_WIDTH = 1.8;
 
-/** Without pressure, the width follows the speed: as wide as this at rest, and this thin at so many millimetres in a second. */
+/** Without pressure, the width depends on the speed: the factor at rest, and at this many millimetres per second. */
 const AT_REST = 1.25;
 const AT_SPEED = 0.55;
 const FULL_SPEED = 250;
-/** The distance in millimetres over which the speed is averaged. */
+/** The distance over which the speed is averaged, in millimetres. */
 const SPEED_REACH = 1.5;
 
-/** A stroke while it is drawn. */
+/** A stroke in progress. */
 interface Recording {
   pointerId: number;
   points: number[];
   widths: number[];
-  /** The mean speed so far, in millimetres in a second. */
+  /** The mean speed so far, in millimetres per second. */
   speed: number;
   length: number;
   last: PenSample;
 }
 
 /**
- * Turns the samples of pointers into strokes, one at a time. A pen has precedence: while it draws, and for a moment after, fingers and the
- * palm are ignored. A second finger ends the stroke of the first without a trace, because two fingers mean something else.
+ * Turns pointer samples into strokes, one at a time. While a pen draws, and shortly after, fingers and the palm are ignored. A second
+ * finger cancels the stroke of the first, because two fingers are another gesture.
  */
 export class StrokeRecorder {
   private recording: Recording | undefined;
   private penTime = Number.NEGATIVE_INFINITY;
-  /** The fingers that lie on the sheet. */
+  /** The fingers on the sheet. */
   private readonly fingers = new Set<number>();
 
   /** @param penWidth the width of the pen at half pressure, in millimetres */
   constructor(private readonly penWidth: () => number) {}
 
-  /** The points of the stroke that is being drawn, and its widths. */
+  /** The points and widths of the stroke in progress. */
   get drawn(): HandStroke | undefined {
     const { recording } = this;
     return recording && recording.widths.length > 1 ? strokeOf(recording) : undefined;
   }
 
-  /** Whether a stroke is being drawn by this pointer. */
+  /** Whether this pointer is drawing a stroke. */
   isDrawing(pointerId: number): boolean {
     return this.recording?.pointerId === pointerId;
   }
@@ -79,7 +79,7 @@ export class StrokeRecorder {
     const { kind, time, pointerId } = sample;
     if (kind === 'pen') {
       this.penTime = time;
-      // What the palm has begun before the pen came down is no stroke.
+      // The palm may have begun a stroke before the pen came down.
       this.fingers.clear();
       this.recording = undefined;
     } else if (kind === 'touch') {
@@ -111,7 +111,7 @@ export class StrokeRecorder {
     this.add(recording, sample);
   }
 
-  /** @returns the stroke, if the pointer has drawn one that is more than a tap */
+  /** @returns the stroke, if the pointer has drawn more than a tap */
   end(pointerId: number): HandStroke | undefined {
     this.fingers.delete(pointerId);
     const { recording } = this;
@@ -120,7 +120,7 @@ export class StrokeRecorder {
     return recording.length >= SHORTEST ? strokeOf(recording) : undefined;
   }
 
-  /** The browser has taken the pointer away: there is no stroke. */
+  /** Cancels the stroke, because the browser has cancelled the pointer. */
   cancel(pointerId: number): void {
     this.fingers.delete(pointerId);
     if (this.isDrawing(pointerId)) this.recording = undefined;
@@ -136,7 +136,7 @@ export class StrokeRecorder {
   }
 }
 
-/** The width of a pen as a share of that at half pressure, upright. */
+/** The width of a pen relative to half pressure and upright. */
 function widthByPressure({ pressure, tilt }: PenSample): number {
   const tilted = Math.min(1, Math.max(0, (tilt - TILTED_FROM) / (TILTED_TO - TILTED_FROM)));
   const pressed = LIGHTEST + (HEAVIEST - LIGHTEST) * Math.min(1, Math.max(0, pressure));
@@ -153,5 +153,5 @@ const strokeOf = ({ points, widths }: Recording): HandStroke => ({
   swatch: swatchAt(middle(points)),
 });
 
-/** The height at the middle point of a stroke, which says in which field it lies. */
+/** The height of a stroke's middle point, which determines its field. */
 const middle = (points: readonly number[]): number => points[2 * Math.floor(points.length / 4) + 1];

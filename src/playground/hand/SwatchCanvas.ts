@@ -5,20 +5,20 @@ import { SHEET, SWATCHES } from './swatches.js';
 
 /** The radius of the rubber, in millimetres. */
 const RUBBER = 1.2;
-/** The button of a pen's other end, among the buttons of a pointer. */
+/** The bit of a pen's eraser in `buttons`. */
 const PEN_RUBBER = 32;
 
 export type SwatchTool = 'pen' | 'rubber';
 
-/** What is done on the sheet. */
+/** Receives what is drawn on the sheet. */
 export interface SwatchListener {
   /** A stroke was drawn. */
   drawn(stroke: HandStroke): void;
-  /** A rubber of this radius lies at a point of the sheet, in millimetres. */
+  /** The rubber is at this point of the sheet, in millimetres. */
   rubbed(x: number, y: number, radius: number): void;
 }
 
-/** The sheet that a hand is drawn on, with mouse, pen or finger, in three fields from light to dark. */
+/** The canvas on which a hand is drawn, with mouse, pen or finger, in three fields from light to dark. */
 export class SwatchCanvas {
   readonly element: HTMLElement;
   tool: SwatchTool = 'pen';
@@ -27,11 +27,11 @@ export class SwatchCanvas {
   private readonly canvas = element('canvas', { className: 'hand-canvas' });
   private readonly recorder = new StrokeRecorder(() => this.penWidth);
   private strokes: readonly HandStroke[] = [];
-  /** The pointer that rubs, if one does. */
+  /** The pointer that rubs, if any. */
   private rubbing: number | undefined;
-  /** The latest pressure of the pointer that draws. */
+  /** The latest pressure of the drawing pointer. */
   private pressure = 0;
-  /** How many points of the stroke that is being drawn are on the canvas. */
+  /** The number of painted points of the stroke in progress. */
   private painted = 0;
 
   constructor(private readonly listener: SwatchListener) {
@@ -54,14 +54,14 @@ export class SwatchCanvas {
     new ResizeObserver(() => this.paint()).observe(canvas);
   }
 
-  /** Shows strokes in the place of those before. @param label what screen readers say of them */
+  /** Shows strokes instead of the previous ones. @param label accessible description */
   show(strokes: readonly HandStroke[], label: string): void {
     this.strokes = strokes;
     this.canvas.setAttribute('aria-label', label);
     this.paint();
   }
 
-  /** Draws all anew: after a change of size or colours, too. */
+  /** Repaints everything, also after a change of size or colours. */
   paint(): void {
     const { canvas, strokes } = this;
     const context = canvas.getContext('2d');
@@ -82,7 +82,7 @@ export class SwatchCanvas {
     const { canvas, recorder, tool } = this;
     const isRubber = tool === 'rubber' || (event.buttons & PEN_RUBBER) !== 0;
     if (event.button > 0 && !isRubber) return;
-    // Neither the focus nor a selection begins here.
+    // Prevents focus changes and selection.
     event.preventDefault();
     if (isRubber) {
       if (this.rubbing !== undefined) return;
@@ -91,7 +91,7 @@ export class SwatchCanvas {
     } else {
       this.pressure = event.pressure;
       const hasBegun = recorder.start(this.sample(event));
-      // A stroke of a finger ends without a trace when another comes down.
+      // A second finger has cancelled the stroke.
       this.paint();
       if (!hasBegun) return;
     }
@@ -102,7 +102,7 @@ export class SwatchCanvas {
     const { recorder } = this;
     if (event.pointerId === this.rubbing) this.rub(event);
     if (!recorder.isDrawing(event.pointerId)) return;
-    // A pen is sampled more often than frames are drawn. Events of scripts have no list.
+    // A pen is sampled more often than frames are drawn. Synthetic events have no list.
     const samples = event.getCoalescedEvents?.() ?? [];
     for (const one of samples.length > 0 ? samples : [event]) recorder.move(this.sample(one));
     this.pressure = event.pressure;
@@ -111,7 +111,7 @@ export class SwatchCanvas {
 
   private up(event: PointerEvent): void {
     if (event.pointerId === this.rubbing) this.rubbing = undefined;
-    // The last stretch was drawn before the pen was lifted, which has no pressure any more.
+    // The lifted pen has no pressure; the last segment keeps the previous one.
     this.recorder.move({ ...this.sample(event), pressure: this.pressure });
     const stroke = this.recorder.end(event.pointerId);
     if (stroke) this.listener.drawn(stroke);
@@ -160,13 +160,13 @@ export class SwatchCanvas {
   }
 }
 
-/** The angle to the normal of the sheet, in degrees, of a pen that is tilted by so many degrees in two planes. */
+/** The angle between a pen and the normal of the sheet, from its tilts in two planes, in degrees. */
 function tiltOf(tiltX: number, tiltY: number): number {
   const [x, y] = [tiltX, tiltY].map((degrees) => Math.tan((degrees * Math.PI) / 180));
   return (Math.atan(Math.hypot(x, y)) * 180) / Math.PI;
 }
 
-/** Paints the segments of a stroke from the one that ends at the point `from`. */
+/** Paints the segments of a stroke, beginning with the one that ends at point `from`. */
 function paintStroke(context: CanvasRenderingContext2D, { points, widths }: HandStroke, from: number): void {
   for (let i = from; i < widths.length; i++) {
     context.beginPath();

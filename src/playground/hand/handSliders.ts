@@ -1,18 +1,18 @@
 import type { HandNumbers } from 'three-hatching';
 
-/** How a number of a hand is shown and changed. */
+/** A slider for a number of a hand. */
 export interface HandSlider {
   label: string;
-  /** What it says, for a tooltip. */
+  /** Text of the tooltip. */
   about: string;
   unit: 'mm' | '%' | '°';
-  /** The range and the step, in the unit that is shown. */
+  /** Range and step, in the displayed unit. */
   min: number;
   max: number;
   step: number;
 }
 
-/** The sliders of what is learnt from a hand, in the order in which they are shown. */
+/** Sliders for the numbers learnt from a hand, in display order. */
 export const HAND_SLIDERS = {
   length: { label: 'Length', about: 'how long a stroke is', unit: 'mm', min: 0.5, max: 60, step: 0.1 },
   lengthSpread: {
@@ -112,20 +112,20 @@ export const HAND_NUMBER_NAMES = Object.keys(HAND_SLIDERS) as (keyof HandNumbers
 
 const factorOf = ({ unit }: HandSlider): number => (unit === '%' ? 100 : 1);
 
-/** The number of a hand as a slider shows it: within its range. */
+/** A hand's number in the displayed unit, within the slider's range. */
 export function shownNumber(name: keyof HandNumbers, value: number): number {
   const slider: HandSlider = HAND_SLIDERS[name];
   return Math.min(slider.max, Math.max(slider.min, value * factorOf(slider)));
 }
 
-/** The number of a hand for what a slider shows. */
+/** A hand's number from a slider's value. */
 export const numberOfShown = (name: keyof HandNumbers, shown: number): number => shown / factorOf(HAND_SLIDERS[name]);
 
 /** A number with its unit, with as many decimals as its step has. */
 export function inUnit(name: keyof HandNumbers, shown: number): string {
   const { step, unit }: HandSlider = HAND_SLIDERS[name];
   const decimals = step >= 1 ? 0 : step >= 0.1 ? 1 : 2;
-  // So that −0.3 is not −0.
+  // Avoids −0.
   const text = (Number(shown.toFixed(decimals)) + 0).toFixed(decimals).replace('-', '−');
   return unit === '°' ? `${text}°` : `${text} ${unit}`;
 }

@@ -1,10 +1,10 @@
 import type { HandStroke, SwatchTone } from 'three-hatching';
 import { SHEET, SWATCHES, swatchAt } from './swatches.js';
 
-/** The edge of a field that is left free, in millimetres. */
+/** The free margin of a field, in millimetres. */
 const MARGIN = 1;
 
-/** The least and the greatest coordinates of strokes. */
+/** The bounding box of strokes. */
 interface Bounds {
   left: number;
   top: number;
@@ -13,8 +13,8 @@ interface Bounds {
 }
 
 /**
- * Lays strokes out on the sheet: those of each swatch into the middle of its field, all of them made smaller by the same factor if one
- * swatch is larger than that. Strokes that lie there already stay where they are, and are the same array.
+ * Centres the strokes of each swatch in its field, and shrinks all by one factor if a swatch is too large. Returns the same array if the
+ * strokes fit already.
  */
 export function layOut(strokes: readonly HandStroke[]): readonly HandStroke[] {
   if (strokes.every(isInPlace)) return strokes;

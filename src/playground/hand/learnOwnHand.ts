@@ -2,12 +2,12 @@ import { type Hand, type HandNumbers, type HandStroke, learnHand } from 'three-h
 import { ownHandOf } from '../maps/linkedHand.js';
 import type { OwnHand } from '../maps/OwnHand.js';
 
-/** Fewer strokes are no hand yet. */
+/** The least number of strokes that make a hand. */
 export const LEAST_STROKES = 5;
 
 /**
- * The user's own hand with other strokes: learnt anew from five on, but for the numbers that the user has changed. Undefined if nothing is
- * drawn.
+ * The user's own hand with other strokes: learnt anew from {@link LEAST_STROKES} strokes on, except for numbers that the user has changed.
+ * Undefined without strokes.
  */
 export function learnOwnHand(strokes: readonly HandStroke[], changed: Partial<HandNumbers>): OwnHand | undefined {
   if (strokes.length === 0) return undefined;
@@ -16,17 +16,17 @@ export function learnOwnHand(strokes: readonly HandStroke[], changed: Partial<Ha
   try {
     return withNumbers({ ...none, hand: learnHand(strokes) }, changed);
   } catch (error) {
-    // Of dots alone nothing can be learnt.
+    // Nothing can be learnt from dots alone.
     if (error instanceof RangeError) return none;
     throw error;
   }
 }
 
-/** So far may a number that was learnt again, from strokes that were rounded, be from the one before. */
+/** The relative tolerance within which a number counts as learnt: strokes are rounded in storage. */
 const CHANGED_SHARE = 0.1;
 const CHANGED_STEPS = 0.02;
 
-/** The numbers of a hand that its strokes do not tell: someone has changed them. */
+/** The numbers of a hand that differ from those learnt from its strokes, because the user changed them. */
 export function changedNumbers({ strokes, numbers }: Hand): Partial<HandNumbers> {
   const learnt = learnHand(strokes).numbers;
   const names = Object.keys(numbers) as (keyof HandNumbers)[];
@@ -35,7 +35,7 @@ export function changedNumbers({ strokes, numbers }: Hand): Partial<HandNumbers>
   return Object.fromEntries(names.filter(isChanged).map((name) => [name, numbers[name]]));
 }
 
-/** The hand with some of its numbers changed. */
+/** The hand with some numbers changed. */
 export function withNumbers(own: OwnHand, changed: Partial<HandNumbers>): OwnHand {
   if (!own.hand) return { ...own, changed };
   const hand = { ...own.hand, numbers: { ...own.hand.numbers, ...changed } };

@@ -7,15 +7,15 @@ import type { OwnHand } from '../maps/OwnHand.js';
 import { layOut } from './layOut.js';
 import { LEAST_STROKES, learnOwnHand } from './learnOwnHand.js';
 
-/** A larger file is no picture of a few strokes, in bytes. */
+/** The maximum size of a picture file, in bytes. */
 const MOST_BYTES = 64 * 1024 * 1024;
-/** Pictures are made smaller than this, in pixels: strokes are still several pixels wide. */
+/** Larger pictures are reduced to this many pixels, at which strokes are still several pixels wide. */
 const MOST_PIXELS = 3_000_000;
 
-/** What a library's message says after the name of its function. */
+/** A message of the library without the leading function name. */
 const withoutCaller = (message: string): string => message.replace(/^\w+: /, '');
 
-/** The hand whose strokes are in the picture of a swatch. Undefined if there are none. @throws ModelError with a sentence for the user, if there are none */
+/** The hand with the strokes in the picture of a swatch. @throws ModelError with a sentence for the user, if there are none */
 export async function readPicture(file: File, report: Report, signal: AbortSignal): Promise<OwnHand | undefined> {
   report('reading the picture', 0);
   const image = await decode(file);
@@ -43,7 +43,7 @@ async function decode(file: File): Promise<ImageData> {
   const size = [width, height].map((side) => Math.max(1, Math.round(scale * side))) as [number, number];
   const context = new OffscreenCanvas(...size).getContext('2d', { willReadFrequently: true });
   if (!context) throw new ModelError(`${name} needs more memory than this page can get.`);
-  // Transparent pictures lie on white.
+  // Transparent pictures are drawn on white.
   context.fillStyle = 'white';
   context.fillRect(0, 0, ...size);
   context.imageSmoothingQuality = 'high';

@@ -8,9 +8,9 @@ import { extrasInWorld } from '../maps/extrasInWorld.js';
 import type { Viewport } from '../viewport/Viewport.js';
 import type { lightModel } from './lightModel.js';
 
-/** Lights models, and makes views of the cameras and the lights of their files. */
+/** Lights models, and creates views from the cameras and lights of their files. */
 export class FileViews {
-  /** The lights of the shown model's file, if it is lit by these: those before it, its own, and the light that suits its view. */
+  /** If the shown model is lit by its file's lights: the previous lights, the file's, and the light that suits the view. */
   private lit: Record<'before' | 'given' | 'found', SavedView['light']> | undefined;
 
   constructor(
@@ -18,7 +18,7 @@ export class FileViews {
     private readonly settings: Settings,
   ) {}
 
-  /** Lights the shown model. The lights of the file before it were those of its model alone. */
+  /** Lights the shown model, after removing the lights of the previous file. */
   light(light: typeof lightModel): void {
     const { settings, viewport, lit } = this;
     if (lit && isLitBy(settings, lit.given)) Object.assign(settings, lit.before);
@@ -27,7 +27,7 @@ export class FileViews {
     this.lit = found && { before, given: lightOf(settings), found };
   }
 
-  /** The views of the file of the model that was lit last, and notes on cameras and lights that are left out. */
+  /** The views of the most recently lit model's file, and notes on cameras and lights left out. */
   of(model: HatchedModel): { views: SavedView[]; notes: string[] } {
     const { cameras, lights } = extrasInWorld(model);
     const { views, leftOut } = viewsOfFile(cameras, lightOf(this.settings), this.lit?.found);

@@ -5,28 +5,28 @@ import { drawsWithAdjacency, formDrawn } from '../../viewer/settings/settingValu
 import type { TaskRunner } from '../tasks/TaskRunner.js';
 import type { Viewport } from '../viewport/Viewport.js';
 
-/** How long settings stay as they are before a form is baked anew, in milliseconds: a slider moves on. */
+/** Pause before a form is baked again, in milliseconds, since a slider may move on. */
 const REST = 150;
 
 const ADJACENCY = 'joining triangles';
 const LINES = 'laying lines along the form';
 const STROKES = 'laying strokes along the form';
 
-/** How a form is baked: across which axis, at which angle lines cross, and whether only for shapes that have one. */
+/** Parameters of a form bake: the up axis, the crossing angle, and whether only shapes with a clear form get lines. */
 interface FormWay extends Pick<Settings, 'upAxis' | 'crossAngle'> {
   auto: boolean;
 }
 
 /**
- * Bakes what the settings ask for into the geometries of the model: what lines and strokes that follow the form are drawn from, and
- * triangle adjacency. Until then lines and strokes go by the light, and techniques with adjacency are drawn as `anchored`.
+ * Bakes form lines and triangle adjacency into the model's geometries when the settings need them. Until then, lines follow the light, and
+ * techniques with adjacency are drawn as `anchored`.
  */
 export class GeometryLoader {
-  /** The model for which a bake was started, and of what, even if it failed or was cancelled. */
+  /** The model that was baked last, and for what, even if that failed or was cancelled. */
   private model: HatchedModel | undefined;
   private form: FormWay | undefined;
   private adjacency = false;
-  /** The geometries that were made for the model, and are drawn. */
+  /** The baked geometries in use. */
   private readonly made = new Set<BufferGeometry>();
 
   constructor(
@@ -35,17 +35,17 @@ export class GeometryLoader {
     private readonly tasks: TaskRunner,
   ) {}
 
-  /** Whether a bake will start as soon as the model has been drawn without it. */
+  /** Whether a bake will start once the model has been drawn without it. */
   get isAwaited(): boolean {
     const { model, shown, isLost } = this.viewport;
     if (model === undefined || shown.isStandIn || isLost) return false;
     return this.isFormAwaited || this.isAdjacencyAwaited(model);
   }
 
-  /** Starts a bake if one is needed. To be called when the model or the settings have changed, and when a picture is on the page. */
+  /** Starts a bake if one is needed. Call this after a change of model or settings, and when a picture is on the page. */
   update(): void {
     if (this.model && this.viewport.model !== this.model) this.letGo();
-    // Who asks for it again after it was cancelled, gets it.
+    // Asking again after a cancelled bake starts it again.
     if (!drawsWithAdjacency(this.settings)) this.adjacency = false;
     if (this.isAwaited && this.viewport.quality.isOnPage) this.start();
   }
@@ -55,7 +55,7 @@ export class GeometryLoader {
     const drawn = formDrawn(settings);
     if (!drawn) return false;
     const isBaked = this.viewport.model === this.model && form?.upAxis === settings.upAxis && form.auto === drawn.auto;
-    // Strokes cross by turning.
+    // Only lines have a baked crossing angle; strokes cross by rotation.
     return !isBaked || (drawn.hasLines && form.crossAngle !== settings.crossAngle);
   }
 
@@ -64,9 +64,9 @@ export class GeometryLoader {
     return !isAsked && drawsWithAdjacency(this.settings) && model.lacksAdjacency;
   }
 
-  /** For a picture, which lasts: resolves when lines lie as the settings ask, or when they could not be laid so. */
+  /** For a saved picture: resolves when the form lines are baked for the settings, or have failed. */
   async settled(signal: AbortSignal): Promise<void> {
-    // Another model may be opened meanwhile.
+    // The model may change in the meantime.
     while ((this.isAwaited || this.tasks.isRunning('form')) && !signal.aborted) {
       if (this.isAwaited) this.start();
       await this.tasks.ended('form', signal);
@@ -81,7 +81,7 @@ export class GeometryLoader {
     const drawn = formDrawn(settings);
     this.model = model;
     const { upAxis, crossAngle } = settings;
-    // Geometries that get adjacency keep a form that was baked before.
+    // Geometries that get adjacency keep an earlier form.
     if (drawn) this.form = { upAxis, crossAngle, auto: drawn.auto };
     else if (!isAnew) this.form = undefined;
     this.adjacency ||= adjacency;
@@ -101,7 +101,7 @@ export class GeometryLoader {
           { form, adjacency },
           { signal, onProgress },
           (former, made) => this.exchange(former, made),
-          // Lines along the form have programs of their own, for which a frame would wait.
+          // Form lines need other programs, for which a frame would wait.
           () => this.viewport.rebuildPrograms(),
         );
         if (adjacency) viewport.reapply();
@@ -111,7 +111,7 @@ export class GeometryLoader {
     });
   }
 
-  /** Draws with another geometry in the next frame, or with the same one that has other lines. */
+  /** Draws another geometry from the next frame on, or the same one with other lines. */
   private exchange(former: BufferGeometry, made: BufferGeometry): void {
     this.viewport.frames.fadeIntoNext();
     if (made === former) return;
@@ -119,7 +119,7 @@ export class GeometryLoader {
     if (this.made.delete(former)) former.dispose();
   }
 
-  /** Stops the bake and disposes of what it made, because the model is gone. */
+  /** Stops the bake and disposes of its results, because the model is gone. */
   private letGo(): void {
     this.tasks.stop('form');
     for (const geometry of this.made) geometry.dispose();

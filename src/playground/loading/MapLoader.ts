@@ -9,15 +9,15 @@ import type { Viewport } from '../viewport/Viewport.js';
 
 /** Loads tonal art maps and draws with them. A map is generated from the settings or read from the user's files. */
 export class MapLoader {
-  /** The files from which the user's own map was read. */
+  /** The files of the user's own map. */
   ownFiles: readonly ModelFile[] | undefined;
-  /** The user's own hand, with which the style `ownHand` draws. */
+  /** The user's own hand, for the style `ownHand`. */
   hand: OwnHand | undefined;
-  /** How many tiles of the map in use stand for one, because they are smaller: so strokes are as large as they will be. */
+  /** Scale of the present map: above 1 for a small preview, whose strokes then have their final size. */
   tileScale = 1;
-  /** The cache is fetched with the first map, because engraved lines and dots are drawn without one. */
+  /** Fetched with the first map, because engraved lines and dots need none. */
   private cache: TonalArtMapCache | undefined;
-  /** The settings of the map in use. */
+  /** The settings of the present map. */
   private shown: MapSettings | undefined;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
@@ -27,17 +27,16 @@ export class MapLoader {
     readonly tasks: TaskRunner,
     /** Called when another map is in use. */
     private readonly onMap: () => void,
-    /** Called when the settings have been set to the user's own map. */
+    /** Called when the settings have been changed to the user's own map. */
     private readonly onOwnMap: (isRestored: boolean) => void,
-    /** Called when the settings have been set back to those of the map in use. */
+    /** Called when the settings have been reset to the present map. */
     private readonly onPutBack: () => void,
   ) {}
 
   /**
-   * Draws with the map that the settings ask for. If that fails or is cancelled, the settings are set back to those of the map in
-   * use.
+   * Draws with the map of the settings. If that fails or is cancelled, the settings are reset to the present map.
    *
-   * @param isWanted whether the map is needed: for the drawing, or because the user wants to look at it
+   * @param isWanted whether the map is needed, for the drawing or for the contact sheet
    */
   async showChosen(isWanted = drawsWithMap(this.settings)): Promise<void> {
     if (!isWanted) return;
@@ -60,7 +59,7 @@ export class MapLoader {
     this.onPutBack();
   }
 
-  /** Draws with the map that the settings ask for by the end of a pause, which begins anew with each call. @param pause in milliseconds */
+  /** Calls {@link showChosen} after a pause, which restarts with each call. @param pause in milliseconds */
   showChosenAfter(pause: number): void {
     clearTimeout(this.timer);
     this.timer = setTimeout(() => {
@@ -74,7 +73,9 @@ export class MapLoader {
     return this.timer !== undefined;
   }
 
-  /** Draws with a map or a hand from files. @param isRestored whether the page goes back to the map, so that it is no change by the user */
+  /**
+   * Draws with a map or a hand from files. @param isRestored whether the page returns to the map, so that this is not a change by the user
+   */
   async showFiles(files: readonly ModelFile[], isRestored = false): Promise<void> {
     await this.tasks.run('map', async (report, signal) => {
       const onProgress = (progress: number): void => report('reading your images', progress);
@@ -94,12 +95,12 @@ export class MapLoader {
     });
   }
 
-  /** The label of the style of the map in use. */
+  /** Label of the present map's style. */
   get shownStyle(): string {
     return SETTINGS.mapStyle.choices[(this.shown ?? this.settings).mapStyle];
   }
 
-  /** Releases the textures of all maps. To be called while the graphics context is lost. */
+  /** Releases the textures of all maps. Call this while the graphics context is lost. */
   releaseGraphics(): void {
     this.cache?.releaseGraphics();
   }
@@ -110,14 +111,14 @@ export class MapLoader {
     return this.cache;
   }
 
-  /** The map in use. */
+  /** The present map. */
   get map(): TonalArtMap | undefined {
     return this.viewport.tonalArtMap;
   }
 
   /**
-   * @param settings that say which map it is
-   * @param tileScale how many of its tiles stand for one
+   * @param settings of the map
+   * @param tileScale factor on its tiles, above 1 for a preview
    */
   use(map: TonalArtMap, { mapStyle, mapSize, mapTones, mapSeed }: MapSettings = this.settings, tileScale = 1): void {
     this.shown = { mapStyle, mapSize, mapTones, mapSeed };

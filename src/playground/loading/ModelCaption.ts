@@ -1,10 +1,10 @@
 import type { ModelStatistics } from '../../viewer/drawing/HatchedModel.js';
 import { shownName, shownText } from '../../viewer/files/common/shownText.js';
 
-/** The most characters of notes in the caption. Its button shows the rest. */
+/** The maximum length of notes in the caption. Its button shows the rest. */
 const MAX_NOTES = 100;
 
-/** Joins as many notes as fit, always the first, and says how many more there are. */
+/** Joins as many notes as fit, at least the first, and adds the number of the others. */
 export function shortNotes(notes: readonly string[]): string {
   let text = '';
   for (const [i, note] of notes.entries()) {
@@ -15,17 +15,17 @@ export function shortNotes(notes: readonly string[]): string {
   return text;
 }
 
-/** What the page says about a model. */
+/** The caption of a model. */
 export interface CaptionContent {
   title: string;
   statistics: ModelStatistics;
-  /** Notes that the user should see at once, the most important first. */
+  /** Notes to show at once, the most important first. */
   notes: readonly string[];
-  /** Notes for users who look closer. */
+  /** Notes for the longer text. */
   details: readonly string[];
 }
 
-/** The caption of a model: its name and its most important notes, with a button that shows all notes and the statistics. */
+/** The caption of a model: its name and its most important notes, with a button for all notes and the statistics. */
 export class ModelCaption {
   content: CaptionContent | undefined;
 
@@ -43,7 +43,7 @@ export class ModelCaption {
       about.open = false;
       about.querySelector('summary')!.focus();
     });
-    // It closes as a menu does, when the user presses anything else.
+    // Closes like a menu, when the user presses anything else.
     addEventListener('pointerdown', ({ target }) => {
       if (!about.contains(target as Node)) about.open = false;
     });
@@ -59,7 +59,7 @@ export class ModelCaption {
       return;
     }
     const all = [...content.notes, ...content.details];
-    // The elements are replaced, because new text in the old ones would count as a layout shift.
+    // Replaces the elements, because new text in the old ones would count as a layout shift.
     caption.replaceChildren(
       element('em', 'model-name', shownName(content.title)),
       ' ',
@@ -75,7 +75,7 @@ function element(tag: string, id: string, textContent: string): HTMLElement {
   return Object.assign(document.createElement(tag), { ...(id && { id }), textContent });
 }
 
-/** Puts the statistics into words. Counts of zero are left out. */
+/** Describes the statistics. Zero counts are left out. */
 function describe({ triangles, borderEdges, nonManifoldEdges, degenerateTriangles }: ModelStatistics): string {
   return [
     count(triangles, 'triangle'),

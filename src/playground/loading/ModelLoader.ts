@@ -32,56 +32,56 @@ interface LoadedModel {
   read: ReadModel | BuiltInScene;
   shown?: ShownFiles;
   drawing?: BundledDrawing | undefined;
-  /** Lights the model for its view; undefined if its light is known. */
+  /** Lights the model for its view; undefined if its light is given. */
   light?: typeof lightModel | undefined;
 }
 
-/** A model by the value of its setting, with its files if it is the user's own. */
+/** A model by its setting, with its files if it is the user's own. */
 interface WantedModel {
   model: Settings['model'];
   files?: readonly ModelFile[] | undefined;
-  /** The variant and the clip of its file. */
+  /** The variant and clip of its file. */
   choice: ModelChoice;
 }
 
 /** How a model is shown. */
 interface WayToShow {
-  /** Whether the camera is placed so that the whole model is in the picture. */
+  /** Whether the camera frames the model. */
   isFramed: boolean;
-  /** Whether the settings ask for the model, so that showing it changes none of them. */
+  /** Whether the settings already name the model, so that showing it changes none of them. */
   isRestored: boolean;
-  /** Whether the user has asked for something else of the shown model, which is a step. */
+  /** Whether the user chose another variant or clip, which is a step of the history. */
   isChosen?: boolean;
 }
 
-/** A model that the user has opened. */
+/** A model that the user opened. */
 export interface OpenedModel {
-  /** Whether it is another model than before, and not the same one with pictures that were missing. */
+  /** Whether it differs from the previous model, rather than completing it with missing pictures. */
   isOther: boolean;
-  /** The look, the camera and the strokes that came with the model, if any did. */
+  /** The look, camera and strokes that came with the model, if any. */
   drawing: BundledDrawing | undefined;
   /** Views of its cameras and lights. */
   views: readonly SavedView[];
 }
 
-/** How loading has ended: with files that the user has opened, with a model that the settings ask for, or with the previous model. */
+/** The result of loading: files opened by the user, a model named by the settings, or still the previous model. */
 export type ModelEnd = 'opened' | 'restored' | 'failed';
 
 /** Loads models and shows them. While one is loading, and if it fails, the previous one stays. */
 export class ModelLoader {
-  /** The name of the model that is shown. */
+  /** The name of the shown model. */
   title = '';
-  /** The radius that a model drawn as a scene had before it was fitted. Undefined for a single mesh. */
+  /** The original radius of a model drawn as a scene. Undefined for a single mesh. */
   sceneRadius: number | undefined;
-  /** Whether the model is a single mesh with border edges, whose surfaces are drawn from both sides. */
+  /** Whether the model is a single mesh with border edges, whose surfaces are double-sided. */
   isOpen = false;
   /** How the shown model was simplified, if it was. */
   simplified: ReadMesh['simplified'];
-  /** The files from which the shown model was read. Built-in models have none. */
+  /** The files of the shown model. Built-in models have none. */
   shownFiles: ShownFiles = { files: [], missing: [] };
-  /** The index of the variant of the shown model's materials, if one was chosen. */
+  /** Index of the shown material variant, if one was chosen. */
   private shownVariant: number | undefined;
-  /** The state of the page that a stand-in has changed. */
+  /** The page's state before a placeholder was shown. */
   private beforeStandIn:
     | {
         settings: Pick<Settings, 'upAxis' | 'lightAzimuth' | 'lightElevation'>;
@@ -90,13 +90,13 @@ export class ModelLoader {
         place: CameraView | undefined;
       }
     | undefined;
-  /** The model for which a stand-in was shown last. */
+  /** The model for which the latest placeholder was shown. */
   private stoodInFor: WantedModel | undefined;
-  /** Where the light was put for a model. */
+  /** Where this page has put the light for a model. */
   private lit: Pick<Settings, 'lightAzimuth' | 'lightElevation'> | undefined;
   /** The shown model, as the value of its setting. */
   private shownModel: Settings['model'];
-  /** The model that is shown or being loaded, if there is one. */
+  /** The model that is shown or being loaded, if any. */
   private wanted: WantedModel | undefined;
   private readonly caption = new ModelCaption(page.modelCaption);
   private readonly fileViews: FileViews;
@@ -113,23 +113,23 @@ export class ModelLoader {
     this.fileViews = new FileViews(viewport, settings);
   }
 
-  /** Shows the built-in model that the settings ask for. */
+  /** Shows the built-in model of the settings. */
   showChosen(choice = NO_CHOICE): void {
     const { settings } = this;
-    // It is not framed, because a link may have placed the camera.
+    // Not framed, because a link may have placed the camera.
     if (settings.model !== 'file') void this.showBuiltIn(settings.model, { isFramed: false, choice });
   }
 
-  /** As {@link showChosen}, if nothing is shown or being loaded, so that the page is not left empty. */
+  /** As {@link showChosen}, but only if nothing is shown or being loaded. */
   showSomething(): void {
     if (!this.viewport.model && !this.isLoading) this.showChosen();
   }
 
   /**
-   * Shows a model that was shown before, or that a link asks for. The settings have been changed to it already.
+   * Shows an earlier model, or one of a link, which the settings name already.
    *
-   * @param files the files of the user's own model
-   * @param isFramed whether the camera is placed so that the whole model is in the picture
+   * @param files of the user's own model
+   * @param isFramed whether the camera frames the model
    */
   restore({ model, files, choice }: WantedModel, isFramed: boolean): void {
     const { wanted } = this;
@@ -141,9 +141,9 @@ export class ModelLoader {
   }
 
   /**
-   * Shows the built-in model that the settings ask for, after the user has chosen another one. Resets the up axis.
+   * Shows the built-in model of the settings after the user has chosen it. Resets the up axis.
    *
-   * @param isFramed whether the camera is placed so that the whole model is in the picture
+   * @param isFramed whether the camera frames the model
    */
   changeModel(isFramed = true): void {
     const { settings } = this;
@@ -161,7 +161,7 @@ export class ModelLoader {
     return this.shownModel === 'file' ? this.shownFiles.files : undefined;
   }
 
-  /** The shown model as the code that draws it elsewhere needs it. */
+  /** The shown model in the form that copied code needs. */
   get codeModel(): CodeModel {
     const { shownModel: model, title, sceneRadius, isOpen } = this;
     const { root, motion } = this.viewport.model ?? {};
@@ -201,36 +201,36 @@ export class ModelLoader {
     return this.ownFiles && this.addresses.get(this.ownFiles);
   }
 
-  /** Remembers the URL from which files came that the browser has kept. */
+  /** Sets the URL from which stored files came. */
   cameFrom(files: readonly ModelFile[], address: string): void {
     this.addresses.set(files, address);
   }
 
-  /** The names of the variants of the shown model's materials. */
+  /** Names of the shown model's material variants. */
   get variants(): readonly string[] {
     return this.shownModel === 'file' ? (this.viewport.model?.extras.variants ?? []) : [];
   }
 
-  /** Shows the user's own model with a variant of its materials, by its index, or with those that it has without one. */
+  /** Shows a material variant of the user's own model, by index; undefined shows the default materials. */
   showVariant(variant: number | undefined): void {
     const { shownFiles, choice } = this;
     const way: WayToShow = { isFramed: false, isRestored: true, isChosen: true };
     void this.showOwn(shownFiles.files, way, { ...choice, variant });
   }
 
-  /** The index of the variant of the shown model's materials, if one was chosen. */
+  /** Index of the shown material variant, if one was chosen. */
   get variant(): number | undefined {
     return this.choice.variant;
   }
 
-  /** Poses the shown model by one of its clips. */
+  /** Selects a clip of the shown model. */
   set clip(clip: number) {
     const choice = { ...this.choice, clip: clip || undefined };
     if (this.wanted && !this.isLoading) this.wanted.choice = choice;
     this.poseClip(choice);
   }
 
-  /** The variant and the clip of the file of the shown model. */
+  /** The variant and clip of the shown model. */
   get choice(): ModelChoice {
     const { clip = 0 } = this.viewport.model?.motion ?? {};
     return { variant: this.shownVariant, clip: clip > 0 ? clip : undefined };
@@ -243,9 +243,9 @@ export class ModelLoader {
     this.viewport.frames.invalidate();
   }
 
-  /** Shows a model of the user's own. */
+  /** Shows the user's own model. */
   showFiles(files: readonly ModelFile[]): Promise<void> {
-    // The same model with pictures that were missing is not framed again.
+    // A model completed with missing pictures is not framed again.
     const isFramed = !files.some((file) => this.shownFiles.files.includes(file));
     return this.showOwn(files, { isFramed, isRestored: false }, isFramed ? NO_CHOICE : this.choice);
   }
@@ -257,7 +257,7 @@ export class ModelLoader {
       const lightOf = async ({ drawing }: ReadModel): Promise<LoadedModel['light']> =>
         way.isRestored || !way.isFramed || drawing ? undefined : lighting;
       const onCoarse = async (read: ReadModel): Promise<void> => {
-        // It is lit as the model will be, or else all of its strokes would turn later.
+        // The placeholder needs the light of the final model, since all strokes would turn otherwise.
         const light = await lightOf(read).catch(() => undefined);
         if (!signal.aborted) this.showStandIn({ title: read.name, read, light }, way);
       };
@@ -269,7 +269,7 @@ export class ModelLoader {
     });
   }
 
-  /** Whether nobody has placed the light: it is where it was at first, or where this page has put it for a model. */
+  /** Whether the light is where the page put it, at the start or for a model, and not where the user put it. */
   private get isLightOfPage(): boolean {
     const { settings, lit } = this;
     const places = [
@@ -308,7 +308,7 @@ export class ModelLoader {
     this.wanted = wanted;
     if (!viewport.isLost) setPageState('loading');
     const end = await this.tasks.run('model', async (report, signal) => {
-      // Every technique draws from here on in the very frame in which it is chosen.
+      // Preloads all techniques, so that each is drawn in the very frame in which it is chosen.
       const techniques = HatchingMaterial.preload();
       if (!viewport.shown.drawn) void techniques.then(() => viewport.buildAhead());
       const [loaded] = await Promise.all([load(report, signal), techniques]);
@@ -327,7 +327,7 @@ export class ModelLoader {
     });
     if (end === 'failed') {
       this.takeStandInAway();
-      // The previous model stays, so the setting goes back to it.
+      // The previous model stays, so its setting is restored.
       settings.model = this.shownModel;
       this.wanted = { model: this.shownModel, files: this.ownFiles, choice: this.choice };
       this.onChange('failed');
@@ -357,11 +357,11 @@ export class ModelLoader {
     if (!isRestored && !hasStandIn) settings.upAxis = read.upAxis;
     if (viewport.shown.isStandIn) viewport.frames.fadeIntoNext();
     viewport.shown.set(next, view, hasStandIn);
-    // The user may have moved the camera while the stand-in was shown.
+    // The user may have moved the camera while the placeholder was shown.
     if (isFramed && !hasStandIn) viewport.view.frame();
     if (!hasStandIn) this.light(light);
     const ofFile = isRestored ? { views: [], notes: [] } : this.fileViews.of(next);
-    // Notes on what was left out matter for the user's own models only.
+    // Notes on omissions matter for the user's own models only.
     const isOwn = model === 'file';
     const details = isOwn && 'details' in read ? read.details : [];
     this.name({ title, statistics, notes: isOwn ? [...notes, ...ofFile.notes] : [], details });
@@ -370,13 +370,13 @@ export class ModelLoader {
     page.lamp.hidden = false;
   }
 
-  /** Draws a large mesh at once, as well as it can be drawn before it is prepared, or a coarse copy of it. */
+  /** Shows a placeholder for a large mesh: the mesh itself as far as it can be drawn before baking, or a coarse copy. */
   private showStandIn({ read, title, view, light }: LoadedModel, { isFramed, isRestored }: WayToShow): void {
     const { viewport, settings } = this;
     const standIn = standInOf(read, settings);
     if (!standIn) return;
     const { upAxis, lightAzimuth, lightElevation } = settings;
-    // Where the stand-in of a model that was given up is shown, the page before that one is what may come back.
+    // If the placeholder belongs to a model that was given up, the state before that one is what may be restored.
     if ('extras' in read && read.extras) standIn.extras = read.extras;
     this.beforeStandIn ??= {
       settings: { upAxis, lightAzimuth, lightElevation },
@@ -393,7 +393,7 @@ export class ModelLoader {
     this.light(light);
   }
 
-  /** Whether a stand-in for the model that is being loaded is shown. */
+  /** Whether a placeholder for the loading model is shown. */
   private get hasStandIn(): boolean {
     return this.viewport.shown.isStandIn && this.stoodInFor === this.wanted;
   }
@@ -405,7 +405,7 @@ export class ModelLoader {
     this.lit = { lightAzimuth, lightElevation };
   }
 
-  /** Restores the page to how it was before the stand-in, because its model could not be loaded. */
+  /** Restores the page to its state before the placeholder, because its model could not be loaded. */
   private takeStandInAway(): void {
     const { viewport, settings, beforeStandIn: before } = this;
     if (!before) return;
@@ -424,21 +424,21 @@ export class ModelLoader {
   }
 }
 
-/** How long a frame is waited for at most until it is handed over: a page in the background draws none. */
+/** The maximum wait for a frame to be submitted, in milliseconds: a hidden page draws none. */
 const FRAME_MILLISECONDS = 100;
-/** How long it is waited for at most until it is drawn. */
+/** The maximum wait for a frame to be drawn, in milliseconds. */
 const DRAWING_MILLISECONDS = 1000;
 
 /**
- * Resolves when the next frame is on the page. Long work waits for it: on a machine without a graphics card the two would share its
- * processor, and the frame would take twice as long.
+ * Resolves when the next frame is on the page. Long tasks wait for it: without a graphics card both would share the processor, and the
+ * frame would take twice as long.
  */
 async function afterFrame(context: WebGL2RenderingContext): Promise<void> {
   await within(FRAME_MILLISECONDS, new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve))));
   await within(DRAWING_MILLISECONDS, whenDrawn(context));
 }
 
-/** Resolves as soon as something does, or after some milliseconds. */
+/** Resolves with a task, or after a timeout in milliseconds. */
 async function within(milliseconds: number, task: Promise<unknown>): Promise<void> {
   let timer: ReturnType<typeof setTimeout> | undefined;
   await Promise.race([task, new Promise((resolve) => (timer = setTimeout(resolve, milliseconds)))]);

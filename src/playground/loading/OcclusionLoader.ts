@@ -7,9 +7,9 @@ import type { Viewport } from '../viewport/Viewport.js';
 
 const STAGE = 'darkening hollows';
 
-/** Bakes the ambient occlusion of the shown model, once, when the settings first ask for it. */
+/** Bakes the ambient occlusion of the shown model once, when the settings first need it. */
 export class OcclusionLoader {
-  /** The model for which a bake was started, even if it failed or was cancelled. */
+  /** The model that was baked last, even if that failed or was cancelled. */
   private model: HatchedModel | undefined;
   private bake: OcclusionBake | undefined;
 
@@ -19,23 +19,23 @@ export class OcclusionLoader {
     private readonly tasks: TaskRunner,
   ) {}
 
-  /** Whether a bake will start as soon as the model has been drawn without occlusion. */
+  /** Whether a bake will start once the model has been drawn without occlusion. */
   get isAwaited(): boolean {
     const { model, isLost } = this.viewport;
     return model !== undefined && model !== this.model && !model.isOccluded && this.settings.occlusion > 0 && !isLost;
   }
 
   /**
-   * Starts a bake if one is needed. To be called when the model or the settings have changed, and when a picture is on the page,
-   * because the bake must not delay the first frame.
+   * Starts a bake if one is needed. Call this after a change of model or settings, and when a picture is on the page, because the bake must
+   * not delay the first frame.
    */
   update(): void {
-    // A stand-in is replaced before a bake of it could end.
+    // A placeholder is replaced before its bake could end.
     const model = this.viewport.shown.isStandIn ? undefined : this.viewport.model;
     if (model !== this.model) this.letGo();
     if (!model || !this.isAwaited || !this.viewport.quality.isOnPage) return;
     this.model = model;
-    // Occlusion is stored per vertex, and all instances share their vertices.
+    // Occlusion is stored per vertex, and instances share their vertices.
     if (meshesOf(model.root).every((mesh) => 'isInstancedMesh' in mesh)) return;
     void this.tasks.run('occlusion', async (report, signal) => {
       report(STAGE);
@@ -47,7 +47,7 @@ export class OcclusionLoader {
         onPass: () => {
           if (!this.viewport.quality.isSlow) this.viewport.frames.refine();
         },
-        // Other tasks are more urgent, and a picture that is being saved must not change.
+        // Other tasks are more urgent, and a picture being saved must not change.
         pause: () => this.tasks.others('occlusion', signal),
       });
       if (signal.aborted) bake.dispose();
@@ -56,7 +56,7 @@ export class OcclusionLoader {
     });
   }
 
-  /** Stops the bake and disposes its result, because the model is gone. */
+  /** Stops the bake and disposes of its result, because the model is gone. */
   private letGo(): void {
     this.tasks.stop('occlusion');
     this.bake?.dispose();

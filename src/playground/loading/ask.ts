@@ -1,7 +1,7 @@
 import { shownName } from '../../viewer/files/common/shownText.js';
 import { describeAddress } from './fetchModel.js';
 
-/** For so long the first answer is disabled, so that a click meant for what lay there before agrees to nothing. */
+/** The first answer is disabled for this long, in milliseconds, so that a click meant for something else agrees to nothing. */
 const READING_MILLISECONDS = 600;
 
 interface Question {
@@ -9,18 +9,18 @@ interface Question {
   lines: readonly (string | HTMLElement)[];
   yes: string;
   no: string;
-  /** Whether the first answer has consequences and must not be given by mistake. */
+  /** Whether agreeing has consequences, so that it must not happen by mistake. */
   isGrave?: boolean;
 }
 
-/** Withdraws the question that is open. */
+/** Withdraws the open question. */
 let withdrawOpen = (): void => {};
 
 /**
- * Asks a question with two answers. Escape means the second answer, and so does a later question, because only one is open at a time.
- * Each question has a dialog of its own, so that its answer cannot be taken for the answer to another one.
+ * Asks a question with two answers. Escape gives the second answer, and so does a later question, because only one is open at a time. Each
+ * question has its own dialog, so that no answer is taken for another question's.
  *
- * @param signal when it is aborted, the question is withdrawn, which means the second answer
+ * @param signal withdraws the question when aborted, which gives the second answer
  */
 async function ask({ lines, yes, no, isGrave = false }: Question, signal?: AbortSignal): Promise<boolean> {
   withdrawOpen();
@@ -67,7 +67,7 @@ function answer(label: string, value: string): HTMLButtonElement {
   return made;
 }
 
-/** Disables a button for a moment, and again when the window comes back to the front. */
+/** Disables a button for a moment, and again when the window returns to the front. */
 function holdBack(button: HTMLButtonElement, end: AbortSignal): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   const hold = (): void => {
@@ -82,7 +82,7 @@ function holdBack(button: HTMLButtonElement, end: AbortSignal): void {
   end.addEventListener('abort', () => clearTimeout(timer));
 }
 
-/** Asks whether dropped pictures are strokes to draw with, which cannot be told from the pictures. */
+/** Asks whether dropped pictures are a tonal art map, which cannot be told from the pictures. */
 export function askForStrokes(names: readonly string[]): Promise<boolean> {
   const question =
     names.length === 1
@@ -91,7 +91,7 @@ export function askForStrokes(names: readonly string[]): Promise<boolean> {
   return ask({ lines: [question], yes: 'Draw strokes', no: 'Leave the drawing' });
 }
 
-/** Asks whether a model may be fetched from another site, which will learn about the visit. */
+/** Asks whether a model may be fetched from another site, which will learn of the visit. */
 export function askToFetch(address: string, signal: AbortSignal): Promise<boolean> {
   const { name, site } = describeAddress(address);
   const lines = [
@@ -103,6 +103,6 @@ export function askToFetch(address: string, signal: AbortSignal): Promise<boolea
   return ask({ lines, yes: 'Fetch it', no: 'Leave it', isGrave: true }, signal);
 }
 
-/** A line with text from elsewhere, which must not look like part of the question. */
+/** Text from an untrusted source, which must not look like part of the question. */
 const part = (className: string, textContent: string): HTMLElement =>
   Object.assign(document.createElement('bdi'), { className, textContent, dir: 'ltr' });

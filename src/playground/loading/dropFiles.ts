@@ -1,8 +1,8 @@
 import type { ModelFile } from '../../viewer/files/readModel.js';
 
 /**
- * Takes files that are dropped anywhere on the page or picked with a button. `overlay` is shown while files are dragged
- * over the page; `onFailure` is called where a folder cannot be read.
+ * Receives files that are dropped anywhere on the page or picked with a button. `overlay` is shown while files are dragged over the page;
+ * `onFailure` is called if a folder cannot be read.
  */
 export function dropFiles(
   elements: { overlay: HTMLElement; input: HTMLInputElement; buttons: readonly HTMLElement[] },
@@ -20,7 +20,7 @@ export function dropFiles(
     event.dataTransfer!.dropEffect = 'copy';
   });
   addEventListener('dragleave', (event) => {
-    // The event has a related target unless the pointer has left the page.
+    // `relatedTarget` is null when the pointer leaves the page.
     if (event.relatedTarget === null) overlay.hidden = true;
   });
   addEventListener('drop', (event) => {
@@ -31,14 +31,14 @@ export function dropFiles(
   });
   input.addEventListener('change', () => {
     const files = [...(input.files ?? [])].map((file) => ({ name: file.name, content: file }));
-    // Otherwise there would be no event when the same file is picked again.
+    // Otherwise, picking the same file again would fire no event.
     input.value = '';
     if (files.length > 0) onFiles(files);
   });
   for (const button of buttons) button.addEventListener('click', () => input.click());
 }
 
-/** The files of a drop, including those in folders. */
+/** The dropped files, including those in folders. */
 async function droppedFiles(transfer: DataTransfer): Promise<ModelFile[]> {
   // Both are read before the first await, because the browser empties the transfer after the event.
   const entries = [...transfer.items].map((item) => item.webkitGetAsEntry?.() ?? null);

@@ -4,7 +4,7 @@ import { shownName } from '../../viewer/files/common/shownText.js';
 import type { ModelFile } from '../../viewer/files/readModel.js';
 import type { FetchMessage } from '../fetch/FetchMessage.js';
 
-/** The name of the file at a URL, and the host of its site in ASCII form, in which no letters look alike. */
+/** The file name of a URL, and its host in ASCII form, which has no look-alike letters. */
 export function describeAddress(address: string): { name: string; site: string } {
   const { host, pathname } = new URL(address);
   let name = baseName(pathname);
@@ -17,7 +17,7 @@ export function describeAddress(address: string): { name: string; site: string }
 }
 
 /**
- * Fetches a model from another site, through a page in a hidden frame whose policy allows that. The caller has asked the user.
+ * Fetches a model from another site, through a page in a hidden frame whose policy allows that. The caller must have asked the user.
  *
  * @throws ModelError with one sentence for the user
  */
@@ -33,7 +33,7 @@ export function fetchModel(
   return new Promise<ModelFile>((resolve, reject) => {
     const end = (error?: unknown, content?: Blob): void => {
       removeEventListener('message', onMessage);
-      // This ends the request, too.
+      // This also cancels the request.
       frame.remove();
       if (content) resolve({ name, content });
       else reject(error);

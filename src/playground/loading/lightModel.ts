@@ -9,13 +9,12 @@ import { extrasInWorld } from '../maps/extrasInWorld.js';
 import type { Viewport } from '../viewport/Viewport.js';
 
 /**
- * Lights the shown model for its view or, if its file has lights, as these do, and applies the settings with that. A module of its own, which
- * is fetched with the first file.
+ * Lights the shown model for its view, or by its file's lights, and applies the settings. A module of its own, loaded with the first file.
  *
- * @returns the view with the light that suits it, if the model is lit by its file
+ * @returns the light that suits the view, if the model is lit by its file instead
  */
 export function lightModel(viewport: Viewport, settings: Settings): SavedView['light'] | undefined {
-  // The model is seen upright from here on.
+  // Turns the model upright before it is lit.
   viewport.apply(lookOf(settings));
   if (!viewport.model) return undefined;
   const { view } = viewport;
@@ -31,7 +30,7 @@ export function lightModel(viewport: Viewport, settings: Settings): SavedView['l
   const ofFile = lightsOfFile(extrasInWorld(viewport.model).lights);
   if (ofFile) Object.assign(settings, ofFile.settings);
   viewport.apply(lookOf(settings));
-  // The shadow is another one now.
+  // The shadow has changed.
   if (view.isFramed) view.frame();
   return ofFile && found;
 }

@@ -6,7 +6,7 @@ import { readHandFile } from '../maps/readHandFile.js';
 import type { MapOptions, TonalArtMapCache } from '../maps/TonalArtMapCache.js';
 import { type MapUser, showHandMap } from './showHandMap.js';
 
-/** Reads dropped files as a map. @throws Error with a message for the user */
+/** Reads dropped files as a tonal art map. @throws Error with a message for the user */
 export async function loadMapFiles(
   files: readonly ModelFile[],
   options: { signal: AbortSignal; onProgress: (progress: number) => void },
@@ -24,9 +24,9 @@ export async function loadMapFiles(
 }
 
 /**
- * Draws with a hand, if files are that of one.
+ * Draws with a hand, if the files contain one.
  *
- * @returns whether they are
+ * @returns whether they do
  * @throws ModelError with a sentence for the user, if it is damaged
  */
 export async function showHandFile(
@@ -47,7 +47,7 @@ export async function showHandFile(
   return true;
 }
 
-/** Packs all files of a map into one archive. PNG images are compressed already, so they are stored as they are. */
+/** Packs the files of a map into one archive. PNG images are compressed already, so they are stored. */
 export async function zipMap(map: TonalArtMap): Promise<Blob> {
   const { ZipWriter } = await import('../print/ZipWriter.js');
   const zip = new ZipWriter();

@@ -4,7 +4,7 @@ import type { MapLoader } from './MapLoader.js';
 import type { ModelLoader } from './ModelLoader.js';
 import { sortDrop } from './sortDrop.js';
 
-/** Shows dropped files as a model, or draws with them as a map. Asks the user where they could be either. */
+/** Shows dropped files as a model, or draws with them as a map. Asks the user if they could be either. */
 export async function openDropped(
   dropped: readonly ModelFile[],
   { modelLoader, mapLoader }: { modelLoader: ModelLoader; mapLoader: MapLoader },

@@ -5,27 +5,27 @@ import { readLinkedHand } from '../maps/linkedHand.js';
 import type { OwnHand } from '../maps/OwnHand.js';
 import type { MapOptions, MapSettings, TonalArtMapCache } from '../maps/TonalArtMapCache.js';
 
-/** Where the last map by a hand took longer than this, in milliseconds, a small one is drawn first. */
+/** If the previous map of a hand took longer than this, in milliseconds, a preview is drawn first. */
 const SOON = 500;
-/** The size of a map that is there soon, and the number of its tones. */
+/** Size and tones of the preview. */
 const QUICK = { mapSize: '128', mapTones: 4 } as const;
 
-/** What draws with the maps. */
+/** Receives the maps. */
 export interface MapUser {
   readonly settings: Settings;
   hand: OwnHand | undefined;
   readonly map: TonalArtMap | undefined;
   /**
-   * @param settings that say which map it is
-   * @param tileScale how many of its tiles stand for one
+   * @param settings of the map
+   * @param tileScale factor on its tiles, above 1 for a preview
    */
   use(map: TonalArtMap, settings: MapSettings, tileScale?: number): void;
 }
 
 /**
- * Draws with the user's own hand: with a small map first, if the last one took long. A hand that came with a link is read now.
+ * Draws with the user's own hand, with a small preview first if the previous map took long. A hand from a link is read here.
  *
- * @throws ModelError with a sentence for the user, if that is damaged
+ * @throws ModelError with a sentence for the user, if it is damaged
  */
 export async function showHandMap(
   cache: TonalArtMapCache,
@@ -38,7 +38,7 @@ export async function showHandMap(
   const own = before && readLinkedHand(before);
   const hand = own?.hand;
   if (!hand) {
-    // There is a drawing all the same.
+    // Draws in the default style, so that there is a drawing at all.
     const plain = { ...chosen, mapStyle: SETTINGS.mapStyle.default };
     if (!user.map) user.use(await cache.get(plain, options, undefined), plain);
     throw new ModelError('The hand in this link is damaged: ask for the link again, or for the hand as a file.');

@@ -1,7 +1,7 @@
 import { baseName } from '../../viewer/files/common/fileName.js';
 import type { ModelFile } from '../../viewer/files/readModel.js';
 
-/** The files from which the shown model was read, and the names of files that it refers to and that were missing. */
+/** The files of the shown model, and the names of missing ones. */
 export interface ShownFiles {
   files: readonly ModelFile[];
   missing: readonly string[];
@@ -9,14 +9,14 @@ export interface ShownFiles {
   unpacked?: readonly ModelFile[] | undefined;
 }
 
-/** What files are for. `pictures` may be the images of a map, or may have been dropped by mistake. */
+/** The purpose of files. `pictures` may be the images of a map, or may have been dropped by mistake. */
 export type DropKind = 'model' | 'map' | 'pictures';
 
 /**
- * Tells what dropped files are for.
+ * Determines the purpose of dropped files.
  *
- * @param isAtMap whether the images of the map are open, so that pictures belong to it
- * @returns what the files are for, and the files to read, which include those of the shown model if the dropped files were missing
+ * @param isAtMap whether the contact sheet is open, so that pictures belong to the map
+ * @returns the purpose, and the files to read, including those of the shown model if the dropped files were missing from it
  */
 export function sortDrop(
   files: readonly ModelFile[],

@@ -1,7 +1,7 @@
 import type { Hand, TonalArtMap } from 'three-hatching';
 import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';
 
-/** The settings that say which map is drawn. */
+/** The settings that determine a tonal art map. */
 export type MapSettings = Pick<Settings, 'mapStyle' | 'mapSize' | 'mapTones' | 'mapSeed'>;
 
 export interface MapOptions {
@@ -9,27 +9,27 @@ export interface MapOptions {
   onProgress: (progress: number) => void;
 }
 
-/** Generates tonal art maps for settings. Keeps the latest few, and the user's own. */
+/** Generates tonal art maps for settings. Caches the latest few, and the user's own. */
 export class TonalArtMapCache {
   private static readonly kept = 6;
   private readonly maps = new Map<string, TonalArtMap>();
   private own: TonalArtMap | undefined;
-  /** How long the latest map by a hand took to draw, in milliseconds. */
+  /** Duration of the latest map of a hand, in milliseconds. */
   handTime = 0;
-  /** Numbers for the keys of hands. */
+  /** Numbers that identify hands in cache keys. */
   private readonly hands = new WeakMap<Hand, number>();
   private handCount = 0;
 
-  /** Keeps the user's own map, for the style `file`, and disposes the previous one. */
+  /** Stores the user's own map, for the style `file`, and disposes of the previous one. */
   keep(map: TonalArtMap): void {
     this.own?.dispose();
     this.own = map;
   }
 
   /**
-   * Resolves at once for a map that is kept. The map in use must be passed as `inUse`, so that it is not disposed.
+   * Returns a cached map at once, or generates it. The present map must be passed as `inUse`, so that it is not disposed of.
    *
-   * @param hand that the map is drawn with, if the settings ask for one
+   * @param hand for the style `ownHand`
    */
   async get(
     settings: MapSettings,
@@ -54,7 +54,7 @@ export class TonalArtMapCache {
     return map;
   }
 
-  /** Whether the map is kept. */
+  /** Whether a map is cached. */
   has(settings: MapSettings, hand?: Hand): boolean {
     return this.maps.has(this.keyOf(settings, hand));
   }
@@ -65,7 +65,7 @@ export class TonalArtMapCache {
     return `${hand ? this.hands.get(hand) : styleOf(settings)} ${size} ${tones} ${seed}`;
   }
 
-  /** Disposes of what all maps have on the graphics card, where those in use are uploaded again. */
+  /** Disposes of the GPU textures of all maps; those in use are uploaded again. */
   releaseGraphics(): void {
     for (const map of this.maps.values()) map.dispose();
     this.own?.dispose();

@@ -1,4 +1,4 @@
 import { TonalArtMap } from 'three-hatching';
 
-/** Draws a map. In a module of its own, so that a drawing without a map does not fetch the code. */
+/** Generates a map. A module of its own, so that a drawing without a map does not load it. */
 export const generateMap: typeof TonalArtMap.generate = (options) => TonalArtMap.generate(options);

@@ -2,7 +2,7 @@ import type { Hand, HandNumbers, HandStroke } from 'three-hatching';
 import { readHand, writeHand } from '../../viewer/settings/handLink.js';
 import { HAND_FILE, type OwnHand } from './OwnHand.js';
 
-/** The user's own hand with what is needed to keep it: as a text for links, and as a file. */
+/** Creates the user's own hand, with its text for links and its file. */
 export const ownHandOf = (
   hand: Hand,
   strokes: readonly HandStroke[] = hand.strokes,
@@ -13,7 +13,7 @@ export const ownHandOf = (
   files: [{ name: HAND_FILE, content: new Blob([JSON.stringify(hand)], { type: 'application/json' }) }],
 });
 
-/** A hand whose text from a link is read. Undefined if that is damaged. */
+/** Reads a hand from a link. Undefined if it is damaged. */
 export function readLinkedHand(own: OwnHand): OwnHand | undefined {
   if (own.hand || own.link === undefined) return own;
   const hand = readHand(own.link);

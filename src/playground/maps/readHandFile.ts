@@ -5,13 +5,13 @@ import { shownName } from '../../viewer/files/common/shownText.js';
 import { ownHandOf } from './linkedHand.js';
 import type { OwnHand } from './OwnHand.js';
 
-/** A file of a hand is far smaller: it has 100,000 points at most. */
+/** The maximum size of a hand's file, far above that of the maximum of 100,000 points. */
 const MOST_BYTES = 8 * 1024 * 1024;
 
-/** What the JSON of a hand has, and no other file that the page reads. */
+/** Keys that the JSON of a hand has, and no other file that the page reads. */
 const SIGNS = ['strokes', 'numbers'];
 
-/** Reads the file of a hand. Undefined if it is one of something else. @throws ModelError with a sentence for the user, if it is damaged */
+/** Reads the file of a hand. Undefined for other files. @throws ModelError with a sentence for the user, if it is damaged */
 export async function readHandFile({ name, content }: ModelFile): Promise<OwnHand | undefined> {
   if (content.size > MOST_BYTES) return undefined;
   let value: unknown;

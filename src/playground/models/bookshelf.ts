@@ -1,13 +1,13 @@
 import type { BufferGeometry } from 'three';
 import { box, type Parts } from './solids.js';
 
-/** What a bookshelf is made of: its boards, and books in three colours. */
+/** The materials of a bookshelf: boards, and books in three colours. */
 export type ShelfSubstance = 'wood' | 'darkBook' | 'middleBook' | 'lightBook';
 
 const BOOKS = ['darkBook', 'middleBook', 'lightBook'] as const;
 const BOARD = 0.035;
 
-/** The size of a bookshelf and how many shelves it has. */
+/** Size of a bookshelf, and its number of shelves. */
 export interface Shelving {
   width: number;
   height: number;
@@ -15,7 +15,7 @@ export interface Shelving {
   shelves: number;
 }
 
-/** A bookshelf that stands on y = 0 before the plane z = 0, with books of different sizes: some lean, some lie. */
+/** A bookshelf that stands on y = 0 in front of the plane z = 0, with books of different sizes, some leaning and some lying. */
 export function bookshelf({ width, height, depth, shelves }: Shelving): Parts<ShelfSubstance> {
   const parts: Record<ShelfSubstance, BufferGeometry[]> = { wood: [], darkBook: [], middleBook: [], lightBook: [] };
   const foot = 0.08;
@@ -33,7 +33,7 @@ export function bookshelf({ width, height, depth, shelves }: Shelving): Parts<Sh
     parts.wood.push(box(inner, BOARD, depth - 0.015, 0, y, depth / 2 + 0.0075));
     let x = -inner / 2 + 0.012;
     const end = inner / 2 - 0.012;
-    // Each shelf has a gap at another place.
+    // Each shelf has its gap at another place.
     const gap = -inner / 2 + inner * (0.3 + 0.5 * next());
     let isPassed = false;
     while (x < end - 0.03) {
@@ -57,7 +57,7 @@ export function bookshelf({ width, height, depth, shelves }: Shelving): Parts<Sh
   return parts;
 }
 
-/** A pile of books that lie, from `x` on. @returns how wide it is */
+/** A pile of lying books, starting at `x`. @returns its width */
 function pile(
   parts: Record<ShelfSubstance, BufferGeometry[]>,
   x: number,
@@ -78,7 +78,7 @@ function pile(
   return width + 0.02;
 }
 
-/** Numbers in [0, 1), always the same ones. */
+/** A reproducible generator of numbers in [0, 1). */
 function chances(seed: number): () => number {
   let state = seed;
   return () => {

@@ -1,4 +1,4 @@
-/** Models that are made by code. All stand on a plane of constant y, or float. */
+/** Models made by code. All stand on a plane of constant y, or float. */
 import {
   BufferAttribute,
   BufferGeometry,
@@ -41,10 +41,10 @@ export const sphere = (): BufferGeometry => new IcosahedronGeometry(1, 12);
 export const knot = (): BufferGeometry => new TorusKnotGeometry(0.7, 0.24, 320, 40, 2, 3);
 
 const WHORLS = 4.5;
-/** The size of each whorl divided by that of the one before. */
+/** The ratio of the sizes of consecutive whorls. */
 const GROWTH = 1.9;
 
-/** A sea snail: a tube that grows as it winds around an axis that leans, with ribs across it. */
+/** A sea snail: a growing tube that winds around a leaning axis, with ribs across it. */
 export const shell = (): BufferGeometry =>
   grid(72, 520, (u, v) => {
     const turn = TURN * WHORLS * v;
@@ -59,7 +59,7 @@ export const shell = (): BufferGeometry =>
     return [x * Math.cos(lean) - y * Math.sin(lean), x * Math.sin(lean) + y * Math.cos(lean), z];
   });
 
-/** A vase with a wall, its foot, belly and lip in one line. */
+/** A vase with a wall; foot, belly and lip in one profile. */
 export function vase(): BufferGeometry {
   const outer = [
     [0.001, 0],
@@ -94,7 +94,7 @@ export function vase(): BufferGeometry {
 }
 
 const FLUTES = 20;
-/** Radius of the column without its flutes, by height. */
+/** Radius of the column by height, without flutes. */
 const COLUMN: readonly (readonly [radius: number, height: number])[] = [
   [0.001, 0],
   [0.46, 0],
@@ -117,7 +117,7 @@ const COLUMN: readonly (readonly [radius: number, height: number])[] = [
   [0.001, 2.94],
 ];
 
-/** A column with a base, a fluted shaft that narrows, and a plain capital. */
+/** A column with a base, a tapering fluted shaft and a plain capital. */
 export function column(): BufferGeometry {
   const rings = COLUMN.flatMap(([radius, height], i) => {
     const next = COLUMN[i + 1];
@@ -139,10 +139,10 @@ export function column(): BufferGeometry {
   });
 }
 
-/** Two wheels whose teeth mesh. */
+/** Two meshing gear wheels. */
 export function gears(): BufferGeometry {
   const wheel = (): BufferGeometry => mergeGeometries(gearWheel())!;
-  // The second wheel is twice the radius at the middle of a tooth away, and turned by half a tooth.
+  // The second wheel is two pitch radii away, and turned by half a tooth.
   const other = wheel()
     .rotateZ(TURN * (0.3 / 20))
     .translate(1.76, 0, 0);
@@ -151,11 +151,11 @@ export function gears(): BufferGeometry {
 
 const HILLS = 150;
 
-/** A block cut out of the mountains: ridges, valleys and a lake. */
+/** A block of mountains: ridges, valleys and a lake. */
 export function landscape(): BufferGeometry {
   const floor = -0.34;
   return grid(HILLS, HILLS, (u, v) => {
-    // The outermost rows go down to the floor, as the sides of the block.
+    // The outermost rows go down to the floor and form the sides of the block.
     const [x, z] = [u, v].map((w) => MathUtils.clamp((w * HILLS - 1) / (HILLS - 2), 0, 1));
     const isSide = u === 0 || v === 0 || u === 1 || v === 1;
     return [2 * x - 1, isSide ? floor : heightAt(x, z), 1 - 2 * z];
@@ -174,7 +174,7 @@ function heightAt(x: number, z: number): number {
   return Math.max(-0.08, 0.95 * sum - 0.3);
 }
 
-/** Smooth noise in [0, 1] on a lattice of whole numbers. */
+/** Smooth noise in [0, 1] on an integer lattice. */
 function noise(x: number, z: number): number {
   const [i, j] = [Math.floor(x), Math.floor(z)];
   const [s, t] = [x - i, z - j].map((w) => MathUtils.smootherstep(w, 0, 1));
@@ -182,7 +182,7 @@ function noise(x: number, z: number): number {
   return lerp(lerp(chance(i, j), chance(i + 1, j), s), lerp(chance(i, j + 1), chance(i + 1, j + 1), s), t);
 }
 
-/** A number in [0, 1) for a point of the lattice, always the same. */
+/** A reproducible number in [0, 1) for a point of the lattice. */
 function chance(i: number, j: number): number {
   let bits = Math.imul(i, 0x27d4eb2d) ^ Math.imul(j, 0x165667b1);
   bits = Math.imul(bits ^ (bits >>> 15), 0x85ebca6b);

@@ -21,7 +21,7 @@ function withHoles(shape: Shape, holes: Path[]): Shape {
 
 const disc = (radius: number): Shape => new Shape().absarc(0, 0, radius, 0, 2 * Math.PI, false) as Shape;
 
-/** The outline with its teeth: trapezes whose flanks lean. */
+/** The outline with its trapezoidal teeth. */
 function rim(): Shape {
   const shape = new Shape();
   const pitch = (2 * Math.PI) / TEETH;
@@ -37,7 +37,7 @@ function rim(): Shape {
   return shape;
 }
 
-/** Openings between the spokes, with the bore. */
+/** The openings between the spokes, with the bore. */
 function spokeHoles(): Path[] {
   const holes = [bore()];
   const share = (2 * Math.PI) / SPOKES;

@@ -4,7 +4,7 @@ import type { PlainMesh } from '../../viewer/files/mesh/PlainMesh.js';
 import { mergeScene } from '../../viewer/files/scenes/mergeScene.js';
 import handUrl from './assets/hand.glb?url';
 
-/** A right hand, its fingers up and its back to the viewer, in its rest pose. */
+/** A right hand in its rest pose, with fingers up and its back to the viewer. */
 export async function loadHand(): Promise<PlainMesh> {
   const { scene } = await new GLTFLoader().loadAsync(handUrl);
   const mesh = mergeScene(scene);

@@ -13,20 +13,20 @@ import {
 } from 'three';
 import type { ModelScene } from '../../viewer/files/gltf/parseGltf.js';
 
-/** Half the side of the cloth, the radius of the table, and of the bend at its edge. */
+/** Half the side of the cloth, the radius of the table, and the radius of the bend at its edge. */
 const HALF = 1.24;
 const TABLE = 0.6;
 const BEND = 0.1;
-/** Squares along a side of the cloth. */
+/** The number of squares along a side of the cloth. */
 const SQUARES = 88;
 const FOLDS = 10;
-/** The band along the hem: from where, and to where, as shares of half the side. */
+/** Start and end of the band along the hem, as shares of half the side. */
 const BAND = [0.82, 0.92] as const;
 
 const LINEN = '#f1ebdd';
 const BLUE = '#2a3a5e';
 
-/** A square cloth draped over a round table, with a jug and two fruits on it. Its white linen has a dark band. */
+/** A square white tablecloth with a dark band over a round table, with a jug and two fruits on it. */
 export function makeDrapery(): ModelScene {
   const root = new Group();
   const add = (name: string, geometry: BufferGeometry, material: MeshStandardMaterial): void => {
@@ -48,7 +48,7 @@ export function makeDrapery(): ModelScene {
   return { root, animations: [] };
 }
 
-/** The cloth as a square of threads: those beyond the edge of the table hang down in folds. */
+/** The cloth as a square grid; points beyond the edge of the table hang down in folds. */
 function cloth(): BufferGeometry {
   const count = (SQUARES + 1) ** 2;
   const positions = new Float32Array(3 * count);
@@ -74,7 +74,7 @@ function cloth(): BufferGeometry {
   return geometry;
 }
 
-/** Where a thread of the cloth at x, z lies. The top of the table is y = 0. */
+/** The position of the cloth's point x, z. The top of the table is y = 0. */
 function draped(x: number, z: number): [x: number, y: number, z: number] {
   const far = Math.hypot(x, z);
   const beyond = far - TABLE;
@@ -82,11 +82,11 @@ function draped(x: number, z: number): [x: number, y: number, z: number] {
   const angle = Math.atan2(z, x);
   const bend = Math.min(beyond / BEND, Math.PI / 2);
   const hanging = Math.max(beyond - (BEND * Math.PI) / 2, 0);
-  // A ring of cloth is longer than the edge it hangs from by as much as it lies beyond: folds as deep as take it up.
+  // A ring of cloth is longer than the table's edge by as much as it lies beyond it; folds of this depth take that up.
   const depth = ((2.6 * TABLE) / FOLDS) * Math.sqrt(hanging / TABLE);
   const fold = Math.cos(FOLDS * angle) * (0.75 + 0.25 * Math.sin(3 * angle + 1)) + 0.22 * Math.cos(15 * angle + 2);
   const out = TABLE + BEND * Math.sin(bend) + depth * (0.75 + 0.75 * fold) + 0.1 * hanging;
-  // Cloth is gathered where it stands out, so that the folds are round and the valleys between them narrow.
+  // Gathers the cloth where it stands out, so that folds are round and the valleys between them narrow.
   const turned = angle - ((0.35 * depth) / TABLE) * Math.sin(FOLDS * angle);
   const drop = BEND * (1 - Math.cos(bend)) + 0.95 * hanging;
   return [out * Math.cos(turned), -drop, out * Math.sin(turned)];

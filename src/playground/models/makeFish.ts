@@ -20,10 +20,10 @@ import type { ModelScene } from '../../viewer/files/gltf/parseGltf.js';
 const RINGS = 96;
 const SIDES = 48;
 const BONES = 10;
-/** Keyframes of a clip, not counting the last, which repeats the first. */
+/** Keyframes of a clip, without the last, which repeats the first. */
 const KEYS = 24;
 
-/** Half heights above and below the spine and half thickness, at places from nose (0) to tail (1). */
+/** Half heights above and below the spine and half thickness, from nose (0) to tail (1). */
 const PROFILE: readonly (readonly [place: number, above: number, below: number, thickness: number])[] = [
   [0, 0.02, 0.02, 0.02],
   [0.04, 0.1, 0.09, 0.08],
@@ -40,10 +40,7 @@ const PROFILE: readonly (readonly [place: number, above: number, below: number, 
   [1, 0.36, 0.32, 0.004],
 ];
 
-/**
- * A swimming fish, made from a profile. It is skinned to a chain of bones and has the clips `Swim` and `Dart` and the
- * morph target `Puffed up`.
- */
+/** A swimming fish made from a profile, skinned to a chain of bones, with the clips `Swim` and `Dart` and the morph target `Puffed up`. */
 export function makeFish(): ModelScene {
   const mesh = named(new SkinnedMesh(bodyGeometry(), new MeshStandardMaterial()));
   const bones = Array.from({ length: BONES }, (_, i) => {
@@ -113,7 +110,7 @@ function bodyGeometry(): BufferGeometry {
     for (let side = 0; side < (isEnd ? 1 : SIDES); side++) {
       const angle = (2 * Math.PI * side) / SIDES;
       const [y, z] = isEnd ? [0, 0] : [Math.sin(angle), Math.cos(angle)];
-      // The body is thinner towards the top and bottom, so that fins end in an edge.
+      // The body becomes thinner towards top and bottom, so that fins have sharp edges.
       const height = y * (y > 0 ? above : below);
       const width = z * thickness * (1 - 0.35 * Math.abs(y) ** 1.5);
       positions.push(2 * place - 1, height, width);

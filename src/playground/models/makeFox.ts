@@ -11,13 +11,13 @@ type Substance = keyof typeof COLOURS;
 type Parts = PartsOf<Substance>;
 type Faces = Partial<Record<Substance, readonly (readonly number[])[]>>;
 
-/** A fox that sits, of few flat triangles. It looks along z; its left half mirrors its right one. */
+/** A sitting fox of few flat triangles, symmetric about x = 0. It looks along z. */
 export function makeFox(): ModelScene {
   const parts = [torso(), ...both(frontLeg), ...both(haunch), head(), ...both(ear), ...both(eye), tail()];
   return sceneOf(COLOURS, together<Substance>(...parts));
 }
 
-/** A part on the right, x > 0, and its mirror on the left. */
+/** A part on the right, x > 0, and its mirror image on the left. */
 const both = (part: (side: number) => Parts): Parts[] => [part(1), part(-1)];
 
 function part(corners: readonly Point[], faces: Faces, inside: Point): Parts {
@@ -25,7 +25,7 @@ function part(corners: readonly Point[], faces: Faces, inside: Point): Parts {
   return Object.fromEntries(entries.map(([substance, some]) => [substance, [facets(corners, some, inside)]])) as Parts;
 }
 
-/** Corners of a ring of six: front, right in front, right behind, back, left behind, left in front. */
+/** The corners of a ring of six: front, right in front, right behind, back, left behind, left in front. */
 const ring = (front: Point, fore: Point, hind: Point, back: Point): Point[] => [
   front,
   fore,
@@ -50,7 +50,7 @@ function torso(): Parts {
     for (let i = 0; i < 6; i++) {
       const a = 6 * band + i;
       const b = 6 * band + ((i + 1) % 6);
-      // Quads are split so that both halves of the body mirror each other.
+      // Quads are split symmetrically on both halves of the body.
       const halves =
         i < 3
           ? [
@@ -70,7 +70,7 @@ function torso(): Parts {
 function frontLeg(side: number): Parts {
   const at = (x: number, y: number, z: number): Point => [side * x, y, z];
   const corners = [
-    // In the chest, at the middle and at the ankle: outside in front, inside in front, behind.
+    // At the chest, the middle and the ankle: outside in front, inside in front, behind.
     ...[at(0.17, 0.68, 0.2), at(0.05, 0.66, 0.29), at(0.15, 0.62, 0.06)],
     ...[at(0.18, 0.28, 0.27), at(0.06, 0.28, 0.29), at(0.14, 0.28, 0.14)],
     ...[at(0.17, 0, 0.26), at(0.07, 0, 0.28), at(0.13, 0, 0.17)],
@@ -86,7 +86,7 @@ function frontLeg(side: number): Parts {
   );
 }
 
-/** A wedge on the ground. @param across, along where it lies on x and z @param height at its hind end */
+/** A wedge on the ground. @param across, along its extents on x and z @param height at its rear end */
 function paw(
   at: (x: number, y: number, z: number) => Point,
   across: readonly [number, number],
@@ -127,7 +127,7 @@ function haunch(side: number): Parts {
   );
 }
 
-/** The head: from the nape to the tip of the nose. */
+/** The head, from the nape to the tip of the nose. */
 function head(): Parts {
   const half: Point[] = [
     [0, 1.5, 0.14],
@@ -189,7 +189,7 @@ function ear(side: number): Parts {
   return part(corners, faces, at(0.15, 1.5, 0.05));
 }
 
-/** An eye, which lies just before the fold of the cheek. */
+/** An eye, just in front of the fold of the cheek. */
 function eye(side: number): Parts {
   const at = (x: number, y: number, z: number): Point => [side * x, y, z];
   return part(
@@ -199,7 +199,7 @@ function eye(side: number): Parts {
   );
 }
 
-/** The tail lies around the right side and ends in a white tip. */
+/** The tail, around the right side, with a white tip. */
 function tail(): Parts {
   const rings: Point[][] = [
     square([0.05, 0.12, -0.46], 0.07, 0.2),
@@ -226,7 +226,7 @@ function tail(): Parts {
   );
 }
 
-/** Four corners around a place: above, outside, below, inside. @param turn where its outside lies, from −z towards x */
+/** Four corners around a place: above, outside, below, inside. @param turn direction of the outside, from −z towards x */
 function square([x, y, z]: Point, radius: number, turn: number): Point[] {
   const [side, along] = [radius * Math.sin(turn), -radius * Math.cos(turn)];
   return [

@@ -32,14 +32,14 @@ const DEPTH = 1.5;
 const EAVES = 1.3;
 const RIDGE = 2.1;
 const WALL = 0.1;
-/** Edges are no longer than this, so that the shade of the eaves finds vertices to lie on. */
+/** The maximum edge length, so that the occlusion under the eaves has vertices to be stored at. */
 const LONGEST_EDGE = 0.25;
 
 const sash = (x: number, y: number): Opening => ({ x, y, width: 0.3, height: 0.5 });
 const DOORWAY: Opening = { x: -0.05, y: 0, width: 0.36, height: 0.86 };
 const SHUTTER = 0.15;
 
-/** A cottage of plaster and timber, with a tiled roof, windows with shutters and a door. Each part has a colour of its own. */
+/** A half-timbered cottage with a tiled roof, windows with shutters and a door. Each part has its own colour. */
 export function makeHouse(): ModelScene {
   const front = frontWall();
   const back = backWall();
@@ -57,7 +57,7 @@ export function makeHouse(): ModelScene {
   return sceneOf(COLOURS, together(...parts), LONGEST_EDGE);
 }
 
-/** Parts of a wall whose outer face is z = 0, turned about the upright and moved outwards. */
+/** Turns a wall's parts, whose outer face is z = 0, about the up axis and moves them outwards. */
 const placed = (parts: Parts, turn: number, out: number): Parts =>
   moved(parts, (geometry) => geometry.translate(0, 0, out).rotateY(turn));
 
@@ -77,7 +77,7 @@ function backWall(): Parts {
   return together({ plaster: [slab(oblong(LENGTH), windows, WALL)] }, ...windows.map(windowOf));
 }
 
-/** A gable between the long walls. Its slopes lie just below the roof. */
+/** A gable between the long walls, just below the roof. */
 function gableWall(): Parts {
   const half = DEPTH / 2 - WALL;
   const shoulder = EAVES + ((RIDGE - EAVES) * WALL) / (DEPTH / 2);
@@ -88,7 +88,7 @@ function gableWall(): Parts {
   return together({ plaster: [slab(outline, windows, WALL)], timber: [tie] }, ...windows.map(windowOf));
 }
 
-/** A frame with bars, behind it the glass, a sill below, and shutters on both sides if it is a large one. */
+/** A window: a frame with bars, the glass behind it, a sill, and shutters if it is large. */
 function windowOf(opening: Opening): Parts {
   const { x, y, width, height } = opening;
   const inner = { x, y: y + 0.03, width: width - 0.06, height: height - 0.06 };
@@ -112,7 +112,7 @@ function shutterOf(x: number, { y, height }: Opening): BufferGeometry[] {
   return [box(SHUTTER - 0.012, height, 0.026, x, y, 0.014), ...boards];
 }
 
-/** A door with two panels, in a frame, below a canopy and above two steps. */
+/** A framed door with two panels, a canopy and two steps. */
 function doorOf({ x, y, width, height }: Opening): Parts {
   const leaf = width - 0.08;
   const panels = [0.08, 0.46].map((place) => box(0.66 * leaf, 0.3, 0.02, x, y + place, -0.045));
@@ -135,7 +135,7 @@ function corners(): Parts {
   return { timber: posts };
 }
 
-/** Two slopes of tiles in courses: each ends in an edge above the next. */
+/** Two slopes of tiles in courses, each ending in an edge above the next. */
 function roof(): Parts {
   const courses = 9;
   const pitch = Math.atan2(RIDGE - EAVES, DEPTH / 2);

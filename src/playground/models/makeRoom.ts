@@ -20,7 +20,7 @@ const COLOURS = {
 type Substance = keyof typeof COLOURS;
 type Parts = PartsOf<Substance>;
 
-/** The room from inside: its front is open. The middle of its floor is the origin. */
+/** The size of the room. Its front is open, and the middle of its floor is the origin. */
 const WIDTH = 3.4;
 const HEIGHT = 2.75;
 const DEPTH = 3.9;
@@ -30,7 +30,7 @@ const LONGEST_EDGE = 0.3;
 const WINDOW: Opening = { x: -0.35, y: 0.85, width: 1.1, height: 1.4 };
 const DOORWAY: Opening = { x: 0.55, y: 0, width: 0.85, height: 2.05 };
 
-/** A room from inside: a window, a door, a table with a chair, a bookshelf, a picture and a rug. */
+/** An interior: a window, a door, a table with a chair, a bookshelf, a picture and a rug. */
 export function makeRoom(): ModelScene {
   const shelf = moved(bookshelf({ width: 1.05, height: 2.05, depth: 0.3, shelves: 5 }), (geometry) =>
     geometry.translate(WIDTH / 2 - 0.62, 0, -DEPTH / 2 + 0.005),
@@ -63,7 +63,7 @@ function walls(): Parts {
   };
 }
 
-/** Boards that run to the back, and a rug. */
+/** Floorboards that run to the back, and a rug. */
 function floor(): Parts {
   const count = 10;
   const each = (WIDTH + 2 * WALL) / count;
@@ -73,7 +73,7 @@ function floor(): Parts {
   return { board: boards, rug: [box(1.9, 0.015, 1.35, -0.25, 0, 0.75)] };
 }
 
-/** A window with bars, a sill and curtainless light. */
+/** A window with bars and a sill. */
 function window(): Parts {
   const { x, y, width, height } = WINDOW;
   const inner = { x, y: y + 0.06, width: width - 0.12, height: height - 0.12 };
@@ -138,7 +138,7 @@ function table(): Parts {
   };
 }
 
-/** A chair with a straight back, turned a little from the table. */
+/** A chair with a straight back, turned a little away from the table. */
 function seat(): Parts {
   const [half, seatTop] = [0.19, 0.45];
   const parts: Parts = {

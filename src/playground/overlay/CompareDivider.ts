@@ -1,9 +1,9 @@
 const STEP = 0.02;
 const LARGE_STEP = 0.1;
 
-/** The vertical line between two drawings of the same view. The user moves it by dragging or with the arrow keys. */
+/** The vertical divider between two drawings of the same view, moved by dragging or with the arrow keys. */
 export class CompareDivider {
-  /** The position of the line, as a share of the width from the left. */
+  /** The position of the divider, as a share of the width from the left. */
   share = 0.5;
   private readonly left = document.createElement('span');
   private readonly right = document.createElement('span');
@@ -44,7 +44,7 @@ export class CompareDivider {
     this.place();
   }
 
-  /** Moves the line to its share of the viewport, which may have changed its size. */
+  /** Moves the divider to its share of the viewport after a resize. */
   place(): void {
     this.element.style.transform = `translateX(${(this.share * this.viewport.clientWidth).toFixed(1)}px)`;
     this.element.setAttribute('aria-valuenow', (100 * this.share).toFixed(0));

@@ -5,7 +5,7 @@ import { page } from '../elements/page.js';
 import { LightHandle } from '../viewport/light/LightHandle.js';
 import type { Viewport } from '../viewport/Viewport.js';
 
-/** The handles of the light and of the second light. Dragging them changes the settings. */
+/** The handles of the two lights. Dragging them changes the settings. */
 export class LightHandles {
   private readonly first: LightHandle;
   private readonly second: LightHandle;
@@ -17,7 +17,7 @@ export class LightHandles {
     onChange: (source: string) => void,
   ) {
     const change = (source: string, values: Partial<Settings>): void => {
-      // The values are rounded as controls and links round them, so that a link gives back exactly this drawing.
+      // Rounds like controls and links, so that a link restores exactly this drawing.
       for (const [key, value] of Object.entries(values))
         Object.assign(settings, { [key]: acceptSetting(key as keyof Settings, value) });
       onChange(source);
@@ -62,7 +62,7 @@ export class LightHandles {
     });
   }
 
-  /** Moves the handles to where the lights are in the picture. To be called after each frame, and while one has to wait. */
+  /** Moves the handles to the lights' positions in the picture. Call this after each frame, and while one is delayed. */
   update(): void {
     page.secondLamp.hidden = page.lamp.hidden || this.settings.secondLight === 'none';
     this.first.update();

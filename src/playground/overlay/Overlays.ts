@@ -8,9 +8,9 @@ import type { CompareDivider } from './CompareDivider.js';
 import type { LightHandles } from './LightHandles.js';
 import type { SheetFrame } from './SheetFrame.js';
 
-/** Asks whether a model is the wrong way up, if its flat side suggests so, and turns it if the user agrees. */
+/** Suggests turning a model upright if its flat side indicates another up axis, and turns it if the user agrees. */
 class TurnHint {
-  /** The up axis that the flat side of the model suggests. Undefined if there is none, or if the user has closed the hint. */
+  /** The up axis suggested by the model's flat side. Undefined if there is none, or the user has closed the hint. */
   private stands: UpAxis | undefined;
 
   /** @param onTurn called when the user has turned the model by changing the settings */
@@ -26,7 +26,7 @@ class TurnHint {
     elements.leave.addEventListener('click', () => this.about(undefined));
   }
 
-  /** Takes over the suggested up axis of another model, or removes the hint. */
+  /** Shows the suggested up axis of another model, or removes the hint. */
   about(stands: UpAxis | undefined): void {
     this.stands = stands;
     this.refresh();
@@ -37,7 +37,7 @@ class TurnHint {
   }
 }
 
-/** Compares two techniques side by side, with a divider between them, while the settings ask for that. */
+/** Compares two techniques side by side with a divider, while the settings ask for that. */
 class Comparison {
   private readonly divider: LaterPart<CompareDivider>;
 
@@ -52,7 +52,7 @@ class Comparison {
     });
   }
 
-  /** To be called when the settings have changed. */
+  /** Call this when the settings have changed. */
   refresh(): void {
     const { viewport, divider } = this;
     const { compare, technique } = this.settings;
@@ -66,16 +66,13 @@ class Comparison {
     divider.present?.show(isCompared ? { left: choices[compare], right: choices[technique] } : undefined);
   }
 
-  /** To be called after each frame, because the viewport may have another size. */
+  /** Call this after each frame, because the viewport may have been resized. */
   place(): void {
     if (!page.divider.hidden) this.divider.present?.place();
   }
 }
 
-/**
- * What lies over the drawing: the handles of the lights, the divider of a comparison, the frame of a sheet, and the hint that a model is
- * the wrong way up.
- */
+/** The overlays of the drawing: light handles, comparison divider, sheet frame, and the hint that a model is the wrong way up. */
 export class Overlays {
   private readonly lights: LaterPart<LightHandles>;
   private readonly sheetFrame: LaterPart<SheetFrame>;
@@ -109,12 +106,12 @@ export class Overlays {
     this.lights.use(() => viewport.frames.invalidate());
   }
 
-  /** Whether the lights have their handles. */
+  /** Whether the light handles exist. */
   get hasLights(): boolean {
     return this.lights.present !== undefined;
   }
 
-  /** Shows or hides the frame of the sheet on which a picture will be saved. It is seen only if the settings ask for a sheet. */
+  /** Shows or hides the frame of the sheet for a saved picture. It is visible only if the settings ask for a sheet. */
   showSheet(isShown: boolean): void {
     this.sheetFrame.use((frame) => frame.show(isShown));
   }

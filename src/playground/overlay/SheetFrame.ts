@@ -5,8 +5,7 @@ import { sheetOnView } from '../print/printPlan.js';
 import type { Viewport } from '../viewport/Viewport.js';
 
 /**
- * A frame over the drawing that shows the sheet on which a picture will be saved, and dims what lies outside of it. While the frame is
- * shown, a framed model is composed for the sheet.
+ * A frame that shows the sheet of a saved picture, and dims what lies outside. While it is shown, a framed model is composed for the sheet.
  */
 export class SheetFrame {
   private readonly element = Object.assign(document.createElement('div'), { className: 'sheet-frame', hidden: true });
@@ -21,13 +20,13 @@ export class SheetFrame {
     new ResizeObserver(() => this.refresh()).observe(page.viewport);
   }
 
-  /** Shows or hides the frame. It is seen only if the settings ask for a sheet. */
+  /** Shows or hides the frame. It is visible only if the settings ask for a sheet. */
   show(isWanted: boolean): void {
     this.isWanted = isWanted;
     this.refresh();
   }
 
-  /** To be called when the settings have changed. */
+  /** Call this when the settings have changed. */
   refresh(): void {
     const { element, viewport } = this;
     const sheet = this.isWanted ? sheetOnView(this.settings, drawnView(viewport)) : undefined;

@@ -1,6 +1,6 @@
 /**
- * Sets the state of the page, which style sheets and tests read: `lost` means that the graphics context is lost, `failed` that there is
- * nothing to draw.
+ * Sets the state of the page for style sheets and tests: `lost` means that the graphics context is lost, `failed` that there is nothing to
+ * draw.
  */
 export function setPageState(state: 'loading' | 'ready' | 'lost' | 'failed'): void {
   const { dataset } = document.documentElement;

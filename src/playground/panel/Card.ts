@@ -14,7 +14,7 @@ import type { Status } from '../tasks/Status.js';
 import type { MotionPanel } from './MotionPanel.js';
 import type { PanelAction, SettingsPanel } from './SettingsPanel.js';
 
-/** A row of buttons, one per preset. The one that the settings match is pressed. */
+/** A row of buttons, one per preset. The one that matches the settings is pressed. */
 class PresetBar {
   private readonly buttons: readonly (readonly [PresetName, HTMLButtonElement])[];
 
@@ -40,15 +40,15 @@ class PresetBar {
   }
 }
 
-/** The card beside the drawing: presets, the user's own looks and views, the controls of the settings and those of a model that moves. */
+/** The card beside the drawing: presets, the user's looks and views, the settings, and the controls of animated models. */
 export class Card {
   readonly savedLooks: LaterPart<SavedLooks>;
   private readonly motion: LaterPart<MotionPanel>;
   private panel: SettingsPanel | undefined;
 
   /**
-   * @param createActions fetches the buttons of the panel
-   * @param onFold called when a group of settings is unfolded or folded
+   * @param createActions imports the buttons of the panel
+   * @param onFold called when a group of settings is folded or unfolded
    */
   constructor(
     private readonly session: Session,
@@ -73,12 +73,13 @@ export class Card {
       const invalidate = (): void => viewport.frames.invalidate();
       return new MotionPanel(page.motion, page.canvas, invalidate, (clip) => session.chooseClip(clip));
     });
-    // The panel is fetched later, because it would delay the first drawing. The savedLooks lies above it and comes first, so that nothing moves.
+    // The panel is fetched later, because it would delay the first drawing. The saved looks are above it and come first, so that nothing
+    // moves.
     void Promise.all([import('./SettingsPanel.js'), createActions(), this.savedLooks.fetch()])
       .then(
         ([{ SettingsPanel }, actions]) => {
           const onChange = session.settingChanged.bind(session);
-          // Files are opened, not chosen.
+          // The value `file` is set by opening files, not chosen here.
           const hasOwn = (value: string) => value === 'ownHand' && session.mapLoader.hand?.hand !== undefined;
           const folded = (group: SettingGroup, isOpen: boolean): void => {
             onFold(group, isOpen);
@@ -113,7 +114,7 @@ export class Card {
     viewport.frames.onFrame(() => this.motion.present?.update());
   }
 
-  /** Shows the controls of the model if it is animated. */
+  /** Shows the controls of an animated model. */
   private showMotion(): void {
     const { viewport } = this.session;
     if (!this.motion.present && !viewport.model?.motion) return;

@@ -2,12 +2,12 @@ import type { Motion } from '../../viewer/drawing/Motion.js';
 import { shownName } from '../../viewer/files/common/shownText.js';
 import { type SliderValue, ValueSlider } from '../elements/ValueSlider.js';
 
-/** Only the first morph targets of a model get sliders. */
+/** The maximum number of morph target sliders. */
 const MAX_MORPH_SLIDERS = 64;
 
 /**
- * The controls of an animated model: play and pause, clip, time, speed, and morph targets. They are created once and show one model after
- * the other, because browsers keep controls that were removed from a page in memory, and with them the models.
+ * The controls of an animated model: play and pause, clip, time, speed, and morph targets. They are created once and reused for every
+ * model, because browsers keep removed controls in memory, and with them their models.
  */
 export class MotionPanel {
   private motion: Motion | undefined;
@@ -26,7 +26,7 @@ export class MotionPanel {
     private readonly container: HTMLElement,
     drawing: HTMLElement,
     private readonly onChange: () => void,
-    /** Shows a clip, by its index. */
+    /** Called with the index of the clip that the user has chosen. */
     private readonly onChoose: (clip: number) => void,
   ) {
     this.row.className = 'motion-clip';
@@ -44,7 +44,7 @@ export class MotionPanel {
     });
   }
 
-  /** Shows the controls for a model, or none. Its clip starts playing unless the user prefers reduced motion. */
+  /** Shows the controls of a model, or none. Its clip starts playing unless the user prefers reduced motion. */
   show(motion: Motion | undefined): void {
     this.motion = motion;
     this.container.hidden = motion === undefined;
@@ -62,7 +62,7 @@ export class MotionPanel {
     this.update();
   }
 
-  /** Updates the controls to the state of the model. To be called after each frame. */
+  /** Updates the controls to the state of the model. Call this after each frame. */
   update(): void {
     if (!this.motion) return;
     const clip = String(this.motion.clip);

@@ -11,14 +11,14 @@ import {
 import { withBoldnessAndDensity } from '../../viewer/settings/withBoldnessAndDensity.js';
 import { type DrawnView, millimetresPerPixel } from '../print/printPlan.js';
 
-/** Choices that stand for something of the user's own. */
+/** Choices that refer to the user's own hand or files. */
 type OwnChoice = 'ownHand' | 'file';
 const isOwn = (value: string): value is OwnChoice => value === 'ownHand' || value === 'file';
 
-/** Widths that the panel shows in millimetres of the print, too. */
+/** Widths that are also shown in millimetres of the print. */
 const PRINTED = ['strokeWidth', 'outlineWidth'] as const;
 
-/** An action for which the panel has a button. */
+/** A button of the panel. */
 export interface PanelAction {
   /** A function is called at each change of the settings, for a label that depends on them. */
   label: string | (() => string);
@@ -26,13 +26,13 @@ export interface PanelAction {
   run: () => void;
 }
 
-/** The controls, created from the table of settings. Each has a label and a unit, and a double-click resets it. */
+/** The controls, created from the table of settings. Each has a label and a unit, and is reset by a double-click. */
 export class SettingsPanel {
   private readonly controllers = new Map<SettingKey, Controller>();
   private readonly units = new Map<SettingKey, HTMLElement>();
   private readonly changingLabels: (() => void)[] = [];
   private readonly rendererNote = note('');
-  /** Show the widths of strokes and lines in a print of the chosen size. */
+  /** Notes with the widths of strokes and lines in print. */
   private readonly printNotes = { strokeWidth: note(''), outlineWidth: note('') };
 
   constructor(
@@ -43,19 +43,19 @@ export class SettingsPanel {
     private readonly drawnView: () => DrawnView,
     /** Called when a group is unfolded or folded. */
     onFold: (group: SettingGroup, isOpen: boolean) => void,
-    /** Whether there is something of the user's own that can be chosen. */
+    /** Whether the user has a hand or a map that can be chosen. */
     private readonly hasOwn: (value: OwnChoice) => boolean,
-    /** Whether there is a choice of renderers, and what is to be said of it. */
+    /** Whether renderers can be chosen, and a note on the choice. */
     private readonly renderers: { readonly isOffered: boolean; readonly note: string },
   ) {
-    // The page's own style sheet styles the panel, because the Content-Security-Policy forbids style elements.
+    // Uses the page's style sheet, because the Content-Security-Policy forbids style elements.
     const gui = new GUI({ container, injectStyles: false, title: 'Settings' });
     const folders = SETTING_GROUPS.map((group, i) => {
       const folder = i === 0 ? gui : gui.addFolder(group).close();
       // Without lil-gui's own style sheet, its opening animation would never end.
       folder.openAnimated = (open) => {
         folder.open(open);
-        // The content of an opened fold comes into sight: all of it, or its beginning if it is longer than the panel.
+        // Scrolls to the content of an opened fold: all of it, or its beginning if it is longer than the panel.
         if (open) {
           folder.domElement.scrollIntoView({ block: 'nearest' });
           folder.$title.scrollIntoView({ block: 'nearest' });
@@ -82,7 +82,7 @@ export class SettingsPanel {
       if (typeof label === 'string') controller.name(label);
       else this.changingLabels.push(() => controller.name(label()));
     }
-    // The folders stand behind the settings of the first group.
+    // Puts the folders after the settings of the first group.
     const children = gui.$children;
     children.append(...[...children.children].filter((child) => child.classList.contains('lil-gui')));
     this.refresh();
@@ -121,7 +121,7 @@ export class SettingsPanel {
     }
   }
 
-  /** Shows how wide strokes and lines are in print. */
+  /** Shows the widths of strokes and lines in print. */
   private notePrintedWidths(): void {
     const { settings } = this;
     const millimetres = millimetresPerPixel(settings, this.drawnView());
@@ -171,7 +171,7 @@ export class SettingsPanel {
 const isPrinted = (key: SettingKey): key is (typeof PRINTED)[number] =>
   (PRINTED as readonly SettingKey[]).includes(key);
 
-/** Gives screen readers the value, the range and the unit of a number, because lil-gui uses a plain text field. */
+/** Gives screen readers the value, range and unit of a number, because lil-gui uses a plain text field. */
 function sayValue(controller: Controller, { min, max }: NumberSetting, value: number, unit: string): void {
   const said = {
     role: 'spinbutton',

@@ -1,7 +1,7 @@
-/** The bytes that are collected before they are handed to the browser, which may keep them on disk. */
+/** Bytes are collected to parts of this size and handed to the browser, which may store them on disk. */
 const PART_BYTES = 4 << 20;
 
-/** Collects a file in parts. The script itself holds a few megabytes of it at most. */
+/** Collects a file in parts. The script itself holds a few megabytes at most. */
 export class BlobWriter {
   private readonly whole: Blob[] = [];
   private parts: Uint8Array<ArrayBuffer>[] = [];

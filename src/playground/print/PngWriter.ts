@@ -1,7 +1,7 @@
 import { PNG_COLOR_TYPE, PNG_SIGNATURE, pngChunk, pngHeader } from '../../strokes/mapFiles/pngFormat.js';
 
 const INCHES_PER_METRE = 1 / 0.0254;
-/** The filter of a row stores differences to the row above. Rows of plain paper become zeros. */
+/** The Up filter stores differences to the row above. Rows of plain paper become zeros. */
 const UP = 2;
 /** Compressed bytes per chunk. */
 const CHUNK_BYTES = 1 << 18;
@@ -9,15 +9,14 @@ const CHUNK_BYTES = 1 << 18;
 export interface PngHeader {
   width: number;
   height: number;
-  /** Three for red, green and blue; four with alpha, with which the colours are not multiplied. */
+  /** Three for RGB; four with straight alpha. */
   channels: 3 | 4;
-  /** Dots per inch, from which programs take the size in print. */
+  /** Dots per inch, which give the size in print. */
   dpi: number;
 }
 
 /**
- * Writes a PNG row by row, so that a picture of any size takes little memory: `rows` resolves when there is room for more. Colours
- * are sRGB.
+ * Writes a PNG row by row, so that a picture of any size takes little memory: `rows` resolves when more can be written. Colours are sRGB.
  */
 export class PngWriter {
   private readonly compression = new CompressionStream('deflate');
@@ -25,7 +24,7 @@ export class PngWriter {
   private readonly output: Promise<void>;
   private readonly before: Uint8Array;
 
-  /** @param write called with the parts of the file, in order */
+  /** @param write receives the parts of the file, in order */
   constructor(
     { width, height, channels, dpi }: PngHeader,
     private readonly write: (part: Uint8Array<ArrayBuffer>) => void,
@@ -36,7 +35,7 @@ export class PngWriter {
     write(pngChunk('sRGB', Uint8Array.of(0)));
     write(pngChunk('pHYs', physicalSize(dpi)));
     this.output = this.writeCompressed();
-    // Writing rows or the end rejects with this error; until then it must not count as uncaught.
+    // Marks the rejection as handled; writing rows or the end rejects with it.
     this.output.catch(() => {});
   }
 
@@ -91,7 +90,7 @@ export class PngWriter {
   }
 }
 
-/** Dots per metre in both directions. */
+/** The pHYs data: dots per metre in both directions. */
 function physicalSize(dpi: number): Uint8Array {
   const view = new DataView(new ArrayBuffer(9));
   const dotsPerMetre = Math.round(dpi * INCHES_PER_METRE);

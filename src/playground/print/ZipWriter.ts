@@ -1,7 +1,7 @@
 import { Zip, ZipPassThrough } from 'three/addons/libs/fflate.module.js';
 import { BlobWriter } from './BlobWriter.js';
 
-/** Packs files into an archive, one after the other and without compression: PNG is compressed already. */
+/** Packs files into an archive one at a time and without compression, since PNG is compressed already. */
 export class ZipWriter {
   private readonly blob = new BlobWriter();
   private readonly zip = new Zip((error, part) => {

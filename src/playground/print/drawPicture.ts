@@ -3,13 +3,13 @@ import { BlobWriter } from './BlobWriter.js';
 import { PngWriter } from './PngWriter.js';
 import { type Bounds, coarsePlan, cutPlan, type PrintPlan } from './printPlan.js';
 
-/** The size of a tile in pixels, which graphics cards limit. It is even, because cards draw two by two pixels, from the lower left. */
+/** Tile size in pixels, below the limits of graphics cards. Even, because cards shade blocks of two by two pixels, from the lower left. */
 const TILE_SIZE = 2048;
 /** Bytes of the band of rows that is held in memory. */
 const BAND_BYTES = 32 << 20;
-/** Pixels of the longer side of the small picture in which the drawing is found. */
+/** The longer side of the small picture in which the bounds of the drawing are found, in pixels. */
 const COARSE = 640;
-/** The margin around the drawing, in pixels of the small picture, for strokes that are too fine for that picture. */
+/** The margin around the drawing, in pixels of the small picture, for strokes that are too fine for it. */
 const MARGIN = 2;
 
 export interface DrawOptions {
@@ -18,8 +18,8 @@ export interface DrawOptions {
 }
 
 /**
- * Draws the view as PNG, in tiles. Rows are packed as they come, so that a picture of any size takes a few dozen megabytes. The
- * session must hold the frames of the page meanwhile.
+ * Draws the view as PNG, in tiles. Rows are compressed as they come, so that a picture of any size takes a few dozen megabytes. The session
+ * must hold the page's frames meanwhile.
  *
  * @throws Error with a sentence for the user
  */
@@ -44,7 +44,7 @@ export async function drawPicture(
 }
 
 /**
- * The part of a picture that holds the drawing. It is found in a small version of the picture.
+ * Crops a picture to the drawing, whose bounds are found in a small version of it.
  *
  * @throws Error with a sentence for the user, if nothing is drawn
  */
@@ -74,7 +74,7 @@ export async function cutToDrawing(session: PictureSession, plan: PrintPlan, sig
   });
 }
 
-/** Draws tile by tile, and hands over bands of whole rows from the top, as RGBA with colours that are not multiplied with alpha. */
+/** Draws tile by tile, and outputs bands of whole rows from the top, as RGBA with straight alpha. */
 async function drawBands(
   session: PictureSession,
   plan: PrintPlan,
@@ -94,7 +94,7 @@ async function drawBands(
       // The number of rows below the band is even, too.
       rows = Math.min(bandHeight - ((height - y - bandHeight) % 2), height - y);
       for (let x = 0; x < width; x += tileWidth) {
-        // Between two tiles the page handles its events, Cancel among them.
+        // Lets the page handle events between two tiles, Cancel among them.
         await new Promise((resolve) => setTimeout(resolve));
         signal.throwIfAborted();
         const columns = Math.min(tileWidth, width - x);
@@ -110,7 +110,7 @@ async function drawBands(
   }
 }
 
-/** Copies a tile, whose rows come from the bottom and are multiplied with alpha, to its place in a band. */
+/** Copies a tile, whose rows come from the bottom with premultiplied alpha, to its place in a band. */
 function copyTile(tile: Uint8Array, columns: number, rows: number, band: Uint8Array, x: number, width: number): void {
   for (let row = 0; row < rows; row++) {
     const from = 4 * columns * (rows - 1 - row);

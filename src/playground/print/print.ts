@@ -1,22 +1,22 @@
 import { type PerspectiveCamera, Vector3 } from 'three';
 import { type PrintPlan, toMillimetres } from './printPlan.js';
 
-/** Everything that drawing a picture needs. It is fetched when the first picture is saved. */
+/** The functions for drawing pictures, fetched when the first picture is saved. */
 export { cutToDrawing, drawPicture } from './drawPicture.js';
 export { type PrintPlan, planPrint, sheetOnView } from './printPlan.js';
 export { planSvg, printablePlan, type SvgPlan } from './svgPlan.js';
 export { ZipWriter } from './ZipWriter.js';
 
-/** The size of a picture in words. */
+/** Describes the size of a picture. */
 export function describePrint({ width, height, dpi }: PrintPlan): string {
   const [wide, high] = [width, height].map((pixels) => Math.round(toMillimetres(pixels, dpi)));
   return `${width.toLocaleString('en')} × ${height.toLocaleString('en')} px, ${wide} × ${high} mm, ${dpi.toLocaleString('en')} dpi`;
 }
 
 /**
- * How many pixels of a picture a radius of the model is where it is nearest.
+ * Pixels per radius of the model at its nearest point.
  *
- * @param camera of the whole view, turned to a model that lies about the origin, with a radius of 1
+ * @param camera of the whole view, which looks at a model of radius 1 around the origin
  */
 export function nearestRadius(camera: PerspectiveCamera, { viewHeight }: Pick<PrintPlan, 'viewHeight'>): number {
   const scale = 0.5 * viewHeight * camera.projectionMatrix.elements[5];

@@ -2,30 +2,30 @@ import { MILLIMETRES_PER_INCH, SHEET_SIZES, type SheetName } from '../../vector/
 import { strokeShare } from '../../viewer/sceneSetup/strokeShare.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 
-/** Dots per inch of pictures in the size of the page. The panel measures strokes in print with it. */
+/** Dots per inch of pictures in page size; the panel converts widths to print with it. */
 const PAGE_DPI = 300;
 
 type PaperFormat = Extract<Settings['pictureSize'], Lowercase<SheetName>>;
 
-/** Sheets of paper by the settings that ask for them, upright, in millimetres. */
+/** Paper sizes by setting, in portrait orientation, in millimetres. */
 export const PAPER_FORMATS = Object.fromEntries(
   Object.entries(SHEET_SIZES).map(([name, size]) => [name.toLowerCase(), size]),
 ) as Record<PaperFormat, readonly [number, number]>;
 
-/** The margin of the view around a sheet, on every side, in CSS pixels. */
+/** The margin of the view around a sheet, in CSS pixels. */
 const SHEET_MARGIN = 12;
 
-/** Where a picture lies on the view of the page, in pixels of the picture. */
+/** The place of a picture on the view of the page, in pixels of the picture. */
 export interface PrintPlan {
   /** The size of the picture in pixels. */
   width: number;
   height: number;
-  /** The size of the whole view of the page, and where the picture begins in it: at negative places if the picture is larger. */
+  /** The size of the whole view, and the offset of the picture in it, which is negative if the picture is larger. */
   viewWidth: number;
   viewHeight: number;
   left: number;
   top: number;
-  /** Pixels of the picture per CSS pixel of the page, by which strokes and lines are sized. */
+  /** Pixels of the picture per CSS pixel of the page, which scale strokes and lines. */
   scale: number;
   dpi: number;
 }
@@ -38,7 +38,7 @@ export interface Size {
 
 /** The page's view. */
 export interface DrawnView extends Size {
-  /** Whether a sheet should be wider than high to suit what the view shows. */
+  /** Whether a landscape sheet suits the view. */
   isWide: boolean;
 }
 
@@ -54,7 +54,7 @@ const toPixels = (millimetres: number, dpi: number): number => Math.round((milli
 
 export const toMillimetres = (pixels: number, dpi: number): number => (pixels / dpi) * MILLIMETRES_PER_INCH;
 
-/** The sides of the sheet that the settings ask for, a format's as it stands upright, in millimetres; undefined for the size of the page. */
+/** The sides of the sheet of the settings in millimetres, in portrait orientation for a paper format; undefined for page size. */
 export function sheetSides(settings: Settings): readonly [number, number] | undefined {
   const { pictureSize, pictureWidth, pictureHeight, pictureWidthInches, pictureHeightInches } = settings;
   if (pictureSize === 'own') return [pictureWidth, pictureHeight];
@@ -63,7 +63,7 @@ export function sheetSides(settings: Settings): readonly [number, number] | unde
   return pictureSize in PAPER_FORMATS ? PAPER_FORMATS[pictureSize as PaperFormat] : undefined;
 }
 
-/** The sheet that the settings ask for, in millimetres; undefined for the size of the page. */
+/** The sheet of the settings in millimetres, in its orientation; undefined for page size. */
 function sheetOf(settings: Settings, view: DrawnView): readonly [number, number] | undefined {
   const { pictureSize, pictureTurn } = settings;
   const sides = sheetSides(settings);
@@ -74,9 +74,9 @@ function sheetOf(settings: Settings, view: DrawnView): readonly [number, number]
 }
 
 /**
- * Where the sheet that the settings ask for lies on the view of the page: in its middle, as large as possible.
+ * Where the sheet of the settings lies on the view: in the middle, as large as possible.
  *
- * @returns the shares of the view's width and height that it takes; undefined for a picture of the page itself
+ * @returns its shares of the view's width and height; undefined for page size
  */
 export function sheetOnView(settings: Settings, view: DrawnView): readonly [number, number] | undefined {
   const sheet = sheetOf(settings, view);
@@ -86,7 +86,7 @@ export function sheetOnView(settings: Settings, view: DrawnView): readonly [numb
   return [(pixels * sheet[0]) / view.width, (pixels * sheet[1]) / view.height];
 }
 
-/** The picture that the settings ask for: in the size of the page, in a multiple of it, or on a sheet of paper. */
+/** The plan of the picture by the settings: in page size, in a multiple of it, or on a sheet of paper. */
 export function planPrint(settings: Settings, view: DrawnView): PrintPlan {
   const sheet = sheetOf(settings, view);
   const onView = sheetOnView(settings, view);
@@ -100,12 +100,12 @@ export function planPrint(settings: Settings, view: DrawnView): PrintPlan {
   return { ...placeAt({ width, height }, view, width / (onView[0] * view.width)), dpi };
 }
 
-/** Places the whole view of the page in the middle of a picture, as large as possible. The picture's size is in pixels. */
+/** Centres the whole view in a picture, as large as possible. The picture's size is in pixels. */
 export function placeView({ width, height }: Size, view: Size): Omit<PrintPlan, 'dpi'> {
   return placeAt({ width, height }, view, Math.min(width / view.width, height / view.height));
 }
 
-/** Places the middle of the view in the middle of a picture. @param fit pixels of the picture per CSS pixel of the page */
+/** Centres the view in a picture. @param fit pixels of the picture per CSS pixel of the page */
 function placeAt({ width, height }: Size, view: Size, fit: number): Omit<PrintPlan, 'dpi'> {
   const [viewWidth, viewHeight] = [view.width * fit, view.height * fit];
   return {
@@ -117,16 +117,16 @@ function placeAt({ width, height }: Size, view: Size, fit: number): Omit<PrintPl
 }
 
 /**
- * The factor on the widths of strokes and lines in a picture. They grow with the drawing, but are never finer than on a screen of as
- * many pixels: there they are as fine as pixels can show, and finer ones would become moiré.
+ * The factor on the widths of strokes and lines in a picture. They scale with the drawing, but are never finer than on a screen of as many
+ * pixels: they are as fine as pixels can show there, and finer ones would cause moiré.
  *
  * @param fit pixels of the picture per CSS pixel of the page
- * @param shown the drawing in pixels of the picture
+ * @param shown size of the drawing in pixels of the picture
  */
 export const strokeScale = (fit: number, shown: Size, view: Size): number =>
   Math.max(fit, strokeShare(shown.width, shown.height) / strokeShare(view.width, view.height));
 
-/** A small version of a picture, in which the drawing is looked for. @param most pixels of its longer side */
+/** A small version of a picture, for finding the bounds of the drawing. @param most pixels of its longer side */
 export function coarsePlan(plan: PrintPlan, most: number): PrintPlan {
   const factor = Math.min(1, most / Math.max(plan.width, plan.height));
   const { viewWidth, viewHeight, left, top, scale, dpi } = plan;
@@ -143,8 +143,8 @@ export function coarsePlan(plan: PrintPlan, most: number): PrintPlan {
 }
 
 /**
- * A picture that is cut to the bounds of the drawing, which are in shares of its width and height. Graphics cards draw two by two
- * pixels together, counted from the lower left. These stay together; otherwise the strokes would change.
+ * Crops a picture to bounds in shares of its width and height. Graphics cards shade blocks of two by two pixels, counted from the lower
+ * left; the crop keeps these blocks, since strokes would change otherwise.
  */
 export function cutPlan(plan: PrintPlan, bounds: Bounds): PrintPlan {
   const left = toEven(Math.max(0, Math.floor(bounds.left * plan.width)));
@@ -157,7 +157,7 @@ export function cutPlan(plan: PrintPlan, bounds: Bounds): PrintPlan {
 
 const toEven = (pixels: number): number => pixels - (pixels % 2);
 
-/** How many millimetres a CSS pixel of the page becomes in print. */
+/** Millimetres in print per CSS pixel of the page. */
 export function millimetresPerPixel(settings: Settings, view: DrawnView): number {
   const { scale, dpi } = planPrint(settings, view);
   return toMillimetres(scale, dpi);

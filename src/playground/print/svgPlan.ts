@@ -2,30 +2,30 @@ import { hasEffect } from '../../viewer/settings/effects.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import { type PrintPlan, sheetSides, toMillimetres } from './printPlan.js';
 
-/** CSS pixels to an inch, by which a drawing in the size of the page is measured. */
+/** CSS pixels per inch, for drawings in page size. */
 const CSS_DPI = 96;
 const MILLIMETRES_PER_INCH = 25.4;
-/** The most pixels of a picture within a vector file: an A2 sheet at 300 dpi. Programs hold such a file in memory as a whole. */
+/** The maximum number of pixels of a raster picture in a vector file: an A2 sheet at 300 dpi. Programs hold the whole file in memory. */
 const MOST_PIXELS = 36_000_000;
 
-/** How a drawing that leaves as lines lies on its sheet. Lengths are in millimetres. */
+/** The layout of a vector drawing on its sheet. Lengths are in millimetres. */
 export interface SvgPlan {
   sheet: readonly [width: number, height: number];
   margin: number;
-  /** What lies within the margins. Its dots per inch are those of the sheet. */
+  /** The picture within the margins. Its dots per inch are those of the sheet. */
   within: PrintPlan;
 }
 
 /**
- * Lays a picture on the sheet of a vector file. Within margins it is smaller, strokes and all, and as wide and high as they leave room:
- * where that has other proportions than the sheet, it shows a little more of the view.
+ * Lays a picture out on the sheet of a vector file. It is shrunk, strokes included, to fit within the margins; if their proportions differ
+ * from the sheet's, it shows a little more of the view.
  *
  * @throws Error with a sentence for the user, if the margins leave no room
  */
 export function planSvg(settings: Settings, plan: PrintPlan): SvgPlan {
   const isSheet = hasEffect('pictureMargin', settings);
   const dpi = Number.isFinite(Number(settings.pictureSize)) ? CSS_DPI : plan.dpi;
-  // A picture is a whole number of pixels, and so up to half of one smaller or larger than its sheet.
+  // A picture has a whole number of pixels, so it differs from its sheet by up to half a pixel.
   const exact = [plan.width, plan.height].map((pixels) => toMillimetres(pixels, dpi));
   const sides = isSheet ? sheetSides(settings) : undefined;
   const [width, height] = exact.map((side) => (sides ? nearest(sides, side) : Math.round(10 * side) / 10));
@@ -51,11 +51,11 @@ export function planSvg(settings: Settings, plan: PrintPlan): SvgPlan {
 const nearest = ([one, other]: readonly [number, number], side: number): number =>
   Math.abs(one - side) <= Math.abs(other - side) ? one : other;
 
-/** The same picture in other pixels, as fine as a print of it should be: `dpi`, or as fine as a file can hold. */
+/** The same picture at another resolution: `dpi`, or the finest that a file can hold. */
 export function printablePlan(plan: PrintPlan, dpi: number): PrintPlan {
   const factor = Math.min(dpi / plan.dpi, Math.sqrt(MOST_PIXELS / (plan.width * plan.height)));
   const [width, height] = [plan.width, plan.height].map((pixels) => Math.round(pixels * factor));
-  // By whole pixels, so that the picture shows the same to its very edges.
+  // Whole pixels keep the picture's edges in place.
   const [wide, high] = [width / plan.width, height / plan.height];
   return {
     ...{ width, height },

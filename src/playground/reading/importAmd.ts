@@ -1,12 +1,12 @@
-/** The exports of scripts, by their addresses: a script hands them out when it runs, and it runs only once. */
+/** The exports of scripts by address; a script runs, and delivers them, only once. */
 const imported = new Map<string, Promise<unknown>>();
 
-/** Scripts are imported one at a time, since a script does not say which one it is. */
+/** Scripts are imported one at a time, since a script does not identify itself. */
 let last: Promise<unknown> = Promise.resolve();
 
 /**
- * The exports of a script that offers them to a loader of AMD modules. It is imported as a module: that works in pages and in module
- * workers alike, and wherever a Content-Security-Policy allows the page's own scripts.
+ * Imports a script with AMD exports. It is imported as a module, which works in pages and module workers alike, and under any
+ * Content-Security-Policy that allows the page's own scripts.
  *
  * @throws Error if it cannot be fetched, or exports nothing
  */

@@ -6,12 +6,12 @@ import { importAmd } from './importAmd.js';
 
 type StartDraco = (options: object) => Promise<DecoderModule>;
 
-/** Keeps the decoder from reporting damaged parts in the console. Whoever dropped the file is told in a sentence instead. */
+/** Silences the decoder's console output about damaged parts, which are reported in a sentence instead. */
 const QUIET = { print: () => {}, printErr: () => {} };
 
 /**
- * Draco's decoder, which works on the thread that calls it. In WebAssembly, or where a page may not use that, in JavaScript, which
- * takes three times as long.
+ * Loads Draco's decoder, which runs on the calling thread: in WebAssembly or, where a page may not use that, in JavaScript, which takes
+ * three times as long.
  *
  * @throws Error if it cannot be fetched
  */

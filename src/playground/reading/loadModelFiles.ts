@@ -8,29 +8,29 @@ import type { ReadAhead } from './readAhead.js';
 export interface LoadOptions {
   /** Aborting terminates the worker at once and rejects with the signal's reason. */
   signal: AbortSignal;
-  /** Called with a few words on what is being done. */
+  /** Called with a description of the current step. */
   onStage: (viewport: string) => void;
-  /** Called with a coarse copy of a large model, before that is ready. */
+  /** Called with a coarse copy of a large model before that is ready. */
   onCoarse?: ((model: ReadModel) => void) | undefined;
-  /** The most triangles of a model whose triangles are simplified, if it is not to have those that a sheet shows. */
+  /** The maximum number of triangles after simplification; by default as many as a sheet shows. */
   most?: number | undefined;
-  /** The index of the variant of its materials. */
+  /** Index of the material variant. */
   variant?: number | undefined;
 }
 
-/** Only smaller files are read on the main thread: it does nothing else meanwhile, and reading cannot be stopped. */
+/** Only smaller files are read on the main thread, which is blocked meanwhile and cannot be cancelled. */
 const MAX_BYTES_WITHOUT_WORKER = 4 * 2 ** 20;
 
 /** The worker did not start: its script is missing, or a Content-Security-Policy forbids workers. */
 class NotStarted extends Error {}
 
 /**
- * Reads a model in a worker of its own, which is terminated if the caller aborts or it is silent for too long: some files
- * keep a parser busy for minutes. Where no worker starts, small files are read on the main thread.
+ * Reads a model in a worker of its own, which is terminated if the caller aborts or it is silent for too long: some files keep a parser
+ * busy for minutes. Where no worker starts, small files are read on the main thread.
  *
  * @param files the files, or a promise of them: the worker starts meanwhile
  * @param ahead a worker that was given the same files already
- * @throws ModelError with one sentence for the user, or what the promise is rejected with
+ * @throws ModelError with one sentence for the user, or the promise's reason
  */
 export async function loadModelFiles(
   files: readonly ModelFile[] | Promise<readonly ModelFile[]>,
@@ -95,7 +95,7 @@ async function readInWorker(
       let hasSpoken = false;
       const fail = (event: Event): void => {
         event.preventDefault();
-        // The error of a worker that did not load has no message. Other messages are JavaScript's, and not for users.
+        // The error of a worker that failed to load has no message. Other messages are the engine's, and not for users.
         const isLoaded = hasSpoken || ('message' in event && Boolean(event.message));
         reject(isLoaded ? new ModelError('The file could not be read: the reader stopped.') : new NotStarted());
       };

@@ -13,23 +13,23 @@ import {
 import { PAGE_SURROUNDINGS } from './pageSurroundings.js';
 import { coarseModel, isTooFine, simplified, withoutHeavyPictures } from './readLarge.js';
 
-/** What the worker is given if a model is to be read otherwise than a sheet shows it. */
+/** Options for reading a model with other than default detail or materials. */
 export interface FineRequest {
   files: readonly ModelFile[];
-  /** The most triangles that it is to have; undefined for those that a sheet shows. */
+  /** The maximum number of triangles; undefined for as many as a sheet shows. */
   most: number | undefined;
-  /** The index of the variant of its materials. */
+  /** Index of the material variant. */
   variant: number | undefined;
 }
 
-/** Messages of the worker: its progress, its result, or the sentence of its error. */
+/** A message from the worker: progress, result, or an error's sentence. */
 export type ModelWorkerMessage =
   | { kind: 'stage'; viewport: string; bytes: number | undefined }
   | { kind: 'coarse'; model: ReadModel }
   | { kind: 'done'; model: ReadModel }
   | { kind: 'failed'; sentence: string };
 
-/** How often the worker says how far it is, in milliseconds. */
+/** The interval between progress messages, in milliseconds. */
 const STAGE_MS = 500;
 
 const post = (message: ModelWorkerMessage, transfer: Transferable[] = []): void => postMessage(message, { transfer });
@@ -38,7 +38,7 @@ const post = (message: ModelWorkerMessage, transfer: Transferable[] = []): void 
 function transferables(model: ReadModel): Transferable[] {
   if (model.kind === 'mesh') {
     const bitmaps = model.pictures.flatMap((picture) => (picture ? [picture.bitmap] : []));
-    // The stand-in may share the normals of the mesh.
+    // The placeholder may share the mesh's normals.
     const buffers = new Set([...meshBuffers(model.mesh), ...(model.plainNormals ? [model.plainNormals.buffer] : [])]);
     return [...buffers, ...new Set(bitmaps)] as Transferable[];
   }
@@ -46,13 +46,13 @@ function transferables(model: ReadModel): Transferable[] {
   return [...arrays, ...(bitmaps.filter((bitmap) => bitmap !== undefined) as Transferable[])];
 }
 
-/** Hands over a coarse copy of a model, to be drawn at once. */
+/** Posts a coarse copy of a model, to be drawn at once. */
 function postCoarse(model: ReadMesh): void {
   const coarse = coarseModel(model);
   post({ kind: 'coarse', model: coarse }, transferables(coarse));
 }
 
-/** Simplifies a model. Where that fails, it is drawn as it is, if it can be. */
+/** Simplifies a model. If that fails, the full model is used if it can be drawn. */
 async function lessOf(model: ReadMesh, onStage: OnStage, most?: number): Promise<ReadMesh> {
   const viewport = `simplifying ${triangleCount(model.mesh).toLocaleString('en')} triangles`;
   onStage(viewport);

@@ -1,7 +1,7 @@
 import { BITMAPS } from '../../viewer/files/common/bitmaps.js';
 import type { Surroundings } from '../../viewer/files/common/Surroundings.js';
 
-/** What a page or its worker reads models with. Draco's decoder is fetched for the first part that is packed with it. */
+/** The platform functions for reading models on a page or in its worker. Draco's decoder is fetched when it is first needed. */
 export const PAGE_SURROUNDINGS: Surroundings = {
   ...BITMAPS,
   loadDraco: async () => (await import('./loadDraco.js')).loadDraco(),

@@ -1,14 +1,14 @@
 import type { ModelFile } from '../../viewer/files/readModel.js';
 import type { ModelWorkerMessage } from './model.worker.js';
 
-/** A file that is read already: the built page has begun it before its first script, as tools/building/fetchedAhead.ts says. */
+/** A file that the built page has begun to read before its first script: see tools/building/fetchedAhead.ts. */
 export interface ReadAhead {
-  /** The whole address of the file. */
+  /** The absolute URL of the file. */
   url: string;
   /** Rejects if the file could not be fetched. */
   files: Promise<readonly ModelFile[]>;
   worker: Worker;
-  /** What the worker has said so far. */
+  /** The worker's messages so far. */
   messages: ModelWorkerMessage[];
   /** Whether the worker has stopped, or did not start. */
   hasFailed: boolean;
@@ -18,7 +18,7 @@ declare global {
   var hatchingReadAhead: ReadAhead | undefined;
 }
 
-/** Takes what was begun for the file at an address, once; undefined if nothing was, or if it has failed. */
+/** Returns, once, the reading in progress for a URL; undefined if there is none, or it has failed. */
 export function takeReadAhead(url: string): ReadAhead | undefined {
   const ahead = globalThis.hatchingReadAhead;
   globalThis.hatchingReadAhead = undefined;

@@ -6,17 +6,17 @@ import { triangleCount } from '../../viewer/files/mesh/PlainMesh.js';
 import { meanNormals, plainNormals } from '../../viewer/files/mesh/plainNormals.js';
 import type { ReadMesh, ReadModel } from '../../viewer/files/readModel.js';
 
-/** Meshes of more triangles are simplified before they are baked. */
+/** Meshes with more triangles are simplified before they are baked. */
 const MANY_TRIANGLES = 2_000_000;
 
 /**
- * Whether a model has more triangles than are drawn, by default than a sheet shows. Pictures keep theirs: corners of one place have several
- * coordinates there.
+ * Whether a model has too many triangles, by default more than a sheet shows. Models with pictures are not simplified, since vertices at
+ * one place have several texture coordinates there.
  */
 export const isTooFine = (model: ReadModel, most = MANY_TRIANGLES): model is ReadMesh =>
   model.kind === 'mesh' && !model.mesh.uvs && triangleCount(model.mesh) > most;
 
-/** The model, without its pictures if it has more triangles than can be drawn with them. */
+/** The model, without its pictures if it has too many triangles to be drawn with them. */
 export function withoutHeavyPictures(model: ReadModel): ReadModel {
   if (model.kind !== 'mesh' || !model.mesh.uvs || canDraw(triangleCount(model.mesh))) return model;
   const { uvs: _, ranges = [], ...plain } = model.mesh;
@@ -32,7 +32,7 @@ export function coarseModel(model: ReadMesh): ReadMesh {
 }
 
 /**
- * Up to how many pixels across a model may be drawn until it lies farther than can be seen from the whole one, rounded down to two digits.
+ * The size in pixels up to which the deviation of a simplified model is invisible, rounded down to two digits.
  *
  * @param error in radii
  */
@@ -42,7 +42,7 @@ export function exactPixels(error: number): number {
   return Math.floor(pixels / unit) * unit;
 }
 
-/** The model with no more triangles than `most`, by default than a sheet shows, and with a note that says so. */
+/** Simplifies the model to at most `most` triangles, by default as many as a sheet shows, and adds a note that says so. */
 export async function simplified(
   model: ReadMesh,
   onProgress: (progress: number) => void,

@@ -1,15 +1,15 @@
 import type { BarItems } from './NamedBar.js';
 import type { NamedItem } from './NamedList.js';
 
-/** What shows variants of a model. */
+/** Shows variants of a model. */
 interface VariantShower {
   readonly variants: readonly string[];
-  /** The index of the one that is shown, if one was chosen. */
+  /** Index of the shown variant, if one was chosen. */
   readonly variant: number | undefined;
   showVariant(variant: number | undefined): void;
 }
 
-/** The variants of the materials of the model that is shown. */
+/** The material variants of the shown model. */
 export class ModelVariants implements BarItems {
   constructor(private readonly loader: VariantShower) {}
 
@@ -17,7 +17,7 @@ export class ModelVariants implements BarItems {
     return this.loader.variants.map((name) => ({ name }));
   }
 
-  /** Shows a variant; the one that is shown is given up for the materials that the file has without one. */
+  /** Shows a variant; choosing the shown one again returns to the file's default materials. */
   choose(index: number): void {
     this.loader.showVariant(this.isShown(index) ? undefined : index);
   }

@@ -1,10 +1,10 @@
 import { shownName } from '../../viewer/files/common/shownText.js';
 import type { NamedItem, NamedList } from './NamedList.js';
 
-/** What a bar shows of a list. */
+/** The part of a list that a bar shows. */
 export type BarItems = Pick<NamedList, 'items' | 'choose' | 'isShown'>;
 
-/** A row of buttons, one for each item of a list. The button of the item that is shown is pressed. An empty row is hidden. */
+/** A row of buttons, one for each item of a list. The button of the shown item is pressed. An empty row is hidden. */
 export class NamedBar {
   private shown = '';
 

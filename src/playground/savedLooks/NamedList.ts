@@ -1,4 +1,4 @@
-/** A look or a view to which the user has given a name. */
+/** A look or a view named by the user. */
 export interface NamedItem {
   name: string;
   /** A thumbnail, as a data URL. */
@@ -7,13 +7,13 @@ export interface NamedItem {
   key?: string;
 }
 
-/** A list of named items. Methods that change it return a sentence for the user if there is something to say. */
+/** A list of named items. Methods that change it may return a sentence for the user. */
 export interface NamedList {
   readonly items: readonly NamedItem[];
   readonly isFull: boolean;
-  /** A name that no item has. */
+  /** An unused name. */
   readonly freeName: string;
-  /** Adds what is shown. */
+  /** Adds the present look or view. */
   add(name: string): string | undefined;
   choose(index: number): void;
   rename(index: number, name: string): string | undefined;

@@ -3,11 +3,11 @@ import { textButton } from '../elements/textButton.js';
 import { findElement } from '../page/findElement.js';
 import type { NamedItem, NamedList } from './NamedList.js';
 
-/** The words of the dialog for a list. */
+/** The texts of a list's dialog. */
 export interface ListWords {
   title: string;
   about: string;
-  /** The label of the button that adds what is shown. */
+  /** The label of the button that adds the present look or view. */
   add: string;
   full: string;
 }

@@ -5,7 +5,7 @@ import { KeptLooks, MOST_LOOKS } from '../storage/KeptLooks.js';
 import { newId } from '../storage/newId.js';
 import { freeName, type NamedItem, type NamedList } from './NamedList.js';
 
-/** The looks of the user's own, which this browser keeps. */
+/** The user's saved looks, stored by this browser. */
 export class OwnLooks implements NamedList {
   private readonly kept = new KeptLooks(() => localStorage);
 

@@ -24,7 +24,7 @@ const WORDS = {
   },
 } as const satisfies Record<string, ListWords>;
 
-/** The user's own looks and views, as buttons beside the presets and in a dialog, and the variants of the model. */
+/** The user's looks and views, as buttons beside the presets and in a dialog, and the variants of the model. */
 export class SavedLooks {
   private readonly looks: OwnLooks;
   private readonly bars: readonly NamedBar[];
@@ -47,7 +47,7 @@ export class SavedLooks {
     ];
   }
 
-  /** To be called when settings or the view have changed. */
+  /** Call this when settings or the view have changed. */
   refresh(): void {
     for (const bar of this.bars) bar.refresh();
   }

@@ -5,9 +5,9 @@ import type { Settings } from '../../viewer/settings/settings.js';
 import type { Viewport } from '../viewport/Viewport.js';
 import { freeName, type NamedItem, type NamedList } from './NamedList.js';
 
-/** The views that belong to the drawing, each with a camera and lights. */
+/** The saved views of the drawing, each with a camera and lights. */
 export class SavedViews implements NamedList {
-  /** The array is replaced and never changed in place, because Undo goes back to earlier ones. */
+  /** Immutable, because Undo returns to earlier lists. */
   list: readonly SavedView[] = [];
 
   constructor(
@@ -39,7 +39,7 @@ export class SavedViews implements NamedList {
     if (!view) return;
     const { viewport, settings } = this;
     Object.assign(settings, view.light);
-    // The settings are applied first, because a model is framed together with its shadow, which depends on the lights.
+    // Settings are applied first, because a model is framed together with its shadow, which depends on the lights.
     viewport.apply(lookOf(settings));
     if (view.camera) viewport.view.place = view.camera;
     else viewport.view.frame();

@@ -5,8 +5,7 @@ import type { Session } from './Session.js';
 const DELAY_MILLISECONDS = 400;
 
 /**
- * Keeps the page's address up to date, so that a reload or a bookmark brings the drawing back, and has the browser keep the files of
- * the user's own.
+ * Keeps the page's address up to date, so that a reload or a bookmark restores the drawing, and stores the user's own files in the browser.
  */
 export class AddressWriter {
   private timer: ReturnType<typeof setTimeout> | undefined;
@@ -15,20 +14,20 @@ export class AddressWriter {
     private readonly session: Session,
     private readonly address: PageAddress,
     private readonly keeper: DrawingStore,
-    /** Asks for a thumbnail of the drawing. */
+    /** Requests a thumbnail of the drawing. */
     private readonly wantPicture: () => void,
     /** Whether another drawing is being opened. */
     private readonly isOpening: () => boolean,
   ) {
     const update = (): void => this.update();
     session.listen({ applied: update, moved: update });
-    // Changes of the last moment are written, too.
+    // Writes changes of the last moment, too.
     addEventListener('pagehide', () => {
       if (this.timer !== undefined) this.write();
     });
   }
 
-  /** Writes the address soon. To be called when the drawing, or what is being opened, has changed. */
+  /** Schedules writing the address. Call this when the drawing, or what is being opened, has changed. */
   update(): void {
     clearTimeout(this.timer);
     this.timer = setTimeout(() => this.write(), DELAY_MILLISECONDS);
@@ -39,7 +38,7 @@ export class AddressWriter {
     this.timer = undefined;
     const { session, address } = this;
     const { modelLoader } = session;
-    // The address waits for the model: until then, the page shows one drawing and its settings describe another.
+    // While a model loads, the page still shows the previous drawing, so the address waits.
     if (this.isOpening() || address.isFollowed || modelLoader.isLoading) return;
     const files = {
       model: session.settings.model === 'file' ? modelLoader.ownFiles : undefined,

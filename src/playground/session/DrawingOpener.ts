@@ -6,9 +6,9 @@ import type { LinkFollower } from './LinkFollower.js';
 import type { PageAddress } from './PageAddress.js';
 import type { Session } from './Session.js';
 
-/** Opens drawings that take a while, and tells whether one is being opened, because the page's address is not written meanwhile. */
+/** Opens drawings asynchronously. The page's address is not written while one is being opened. */
 export class DrawingOpener {
-  /** Called when a drawing has been opened, or could not be. */
+  /** Called when opening has ended, successfully or not. */
   onEnd: () => void = () => {};
   private opening = 0;
   /** The script is fetched when the first drawing is opened. */
@@ -21,17 +21,17 @@ export class DrawingOpener {
     private readonly status: Status,
   ) {}
 
-  /** Whether a drawing is being opened: the user is asked, or a kept drawing is read. */
+  /** Whether a drawing is being opened: the user is being asked, or a stored drawing is being read. */
   get isOpening(): boolean {
     return this.opening > 0;
   }
 
-  /** Opens the drawing that the page's address asks for. */
+  /** Opens the drawing of the page's address. */
   readonly follow = (): void => {
     void this.open((links) => links.follow());
   };
 
-  /** Opens a drawing that the browser has kept. */
+  /** Opens a stored drawing. */
   openKept(id: string): Promise<void> {
     return this.open((links) => links.openKept(id));
   }

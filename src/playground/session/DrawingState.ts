@@ -8,10 +8,10 @@ import type { ViewState } from '../viewport/view/View.js';
 /** The state of a drawing without its model. */
 export interface LookState {
   settings: Settings;
-  /** Undefined if the model is to be framed. */
+  /** Undefined to frame the model. */
   camera: ViewState | undefined;
   views: readonly SavedView[];
-  /** The user's own hand, if there is one, whether it is drawn with or not. */
+  /** The user's own hand, if there is one, in use or not. */
   hand: OwnHand | undefined;
 }
 
@@ -19,7 +19,7 @@ export interface LookState {
 export interface DrawingState extends LookState {
   /** The files of the model, if it is the user's own. */
   files: readonly ModelFile[] | undefined;
-  /** The variant and the clip of its file. */
+  /** The variant and clip of its file. */
   choice: ModelChoice;
 }
 
@@ -29,7 +29,7 @@ export const isSameState = (a: DrawingState, b: DrawingState): boolean =>
   isSameChoice(a.choice, b.choice) &&
   isSameHand(a.hand, b.hand) &&
   JSON.stringify(a.views) === JSON.stringify(b.views) &&
-  // A framed model is placed anew in every viewport, so its camera does not matter.
+  // A framed model is framed again in every viewport, so its camera is ignored.
   ((isFramed(a) && isFramed(b)) || JSON.stringify(a.camera) === JSON.stringify(b.camera));
 
 /** A hand from a link becomes another object when it is read. */

@@ -9,12 +9,12 @@ import type { PageAddress } from './PageAddress.js';
 const sizeOf = (files: readonly ModelFile[] = []): number => files.reduce((sum, { content }) => sum + content.size, 0);
 
 /**
- * Has the browser keep drawings that need files of the user's own, so that they survive a reload, the Back button and a crash. The entry
- * of the browser's history says which of them the page shows.
+ * Stores drawings with the user's own files in the browser, so that they survive a reload, the Back button and a crash. The history entry
+ * names the stored drawing.
  */
 export class DrawingStore {
   private fetched: Promise<KeptDrawings> | undefined;
-  /** The files of the drawing that is shown. */
+  /** The files of the shown drawing. */
   private files: KeptFiles = {};
   private id: string | undefined;
   /** Writes are queued, so that the latest one wins. */
@@ -35,9 +35,9 @@ export class DrawingStore {
   }
 
   /**
-   * To be called when the drawing has changed. For a drawing without files of the user's own, the page's address is enough.
+   * Call this when the drawing has changed. A drawing without the user's own files needs no storage besides the page's address.
    *
-   * @param link the settings and the camera, as the text of a link
+   * @param link settings and camera, as the text of a link
    */
   shown(files: KeptFiles, title: string, link: string, camera: CameraView | undefined): void {
     if (!files.model && !files.map) {
@@ -64,11 +64,11 @@ export class DrawingStore {
     });
   }
 
-  /** Keeps a thumbnail of the drawing that is shown now, also if the page shows another one by the time the thumbnail is there. */
+  /** Stores a thumbnail of the present drawing, even if the page shows another one by the time the thumbnail is ready. */
   pictured(pending: Promise<string>): void {
     const { id } = this;
     if (id === undefined) return;
-    // If this fails, writing the drawing has failed as well, and the user was told.
+    // If this fails, storing the drawing has failed too, and the user was told.
     void pending.then((picture) => {
       this.queue = this.queue
         .then(() => this.drawings)
@@ -78,9 +78,9 @@ export class DrawingStore {
   }
 
   /**
-   * Reads a kept drawing, which is the shown one from now on. Undefined if it was deleted or `signal` is aborted.
+   * Reads a stored drawing, which then is the shown one. Undefined if it was deleted or `signal` is aborted.
    *
-   * @throws Error if the browser does not give it back
+   * @throws Error if the browser cannot read it
    */
   async open(id: string, signal: AbortSignal): Promise<{ drawing: KeptDrawing; files: KeptFiles } | undefined> {
     const found = await (await this.drawings).read(id);
@@ -90,7 +90,7 @@ export class DrawingStore {
     return found;
   }
 
-  /** The kept drawings, the latest first. The list is empty if the browser keeps nothing. */
+  /** The stored drawings, latest first; empty if the browser stores nothing. */
   list(): Promise<KeptDrawing[]> {
     return this.queue
       .then(() => this.drawings)
@@ -105,7 +105,7 @@ export class DrawingStore {
     this.onChange();
   }
 
-  /** Writes into the page's address what is shown. */
+  /** Writes the shown drawing to the page's address. */
   private note(link: string): void {
     if (this.address.write(link, this.id) || this.hasSaidNoAddress) return;
     this.hasSaidNoAddress = true;

@@ -2,7 +2,7 @@ import { thumbnailWhen } from '../storage/thumbnailOf.js';
 import type { Viewport } from '../viewport/Viewport.js';
 import { whenDrawn } from '../viewport/whenDrawn.js';
 
-/** Takes a thumbnail of the drawing when nothing moves any more and the drawing is complete. */
+/** Takes a thumbnail once the drawing is complete and nothing moves. */
 export class KeptPicture {
   private isWanted = false;
 
@@ -10,7 +10,7 @@ export class KeptPicture {
     private readonly viewport: Viewport,
     /** Whether no task is running that will change the drawing. */
     private readonly isSettled: () => boolean,
-    /** Called in the task of a frame, with the thumbnail that will be read of it later. */
+    /** Receives the thumbnail, whose pixels are read later; called in the task of a frame. */
     private readonly take: (picture: Promise<string>) => void,
   ) {}
 
@@ -19,14 +19,14 @@ export class KeptPicture {
     if (this.isAtRest && this.viewport.frames.redraw()) this.frameDrawn();
   }
 
-  /** To be called after each frame, in the same task. */
+  /** Call this after each frame, in the same task. */
   frameDrawn(): void {
     if (!this.isWanted || !this.isAtRest) return;
     this.isWanted = false;
     this.take(thumbnailWhen(this.whenStill(), this.viewport.frames.canvas));
   }
 
-  /** Resolves when the graphics card has nothing to draw: reading the copy waits for later frames too. */
+  /** Resolves when the graphics card is idle, since reading the copy would wait for later frames too. */
   private async whenStill(): Promise<void> {
     const { context, frames } = this.viewport;
     let count: number;
@@ -36,7 +36,7 @@ export class KeptPicture {
     } while (frames.count !== count);
   }
 
-  /** Whether the drawing is final. If not, another frame follows: after a sketch, after a coarse frame, or with the result of a task. */
+  /** Whether the drawing is final: no further frame will follow a sketch, a coarse frame or a task. */
   private get isAtRest(): boolean {
     const { viewport } = this;
     return (

@@ -7,7 +7,7 @@ import type { DrawingStore } from './DrawingStore.js';
 import type { PageAddress } from './PageAddress.js';
 import type { Session } from './Session.js';
 
-/** Runs one request at a time. A later request replaces the one before, whose signal is aborted. */
+/** Runs one request at a time. A later request replaces the previous one and aborts its signal. */
 export class LatestRequest {
   private controller: AbortController | undefined;
 
@@ -34,10 +34,7 @@ export class LatestRequest {
   }
 }
 
-/**
- * Shows drawings that take a while, because the user is asked first or the browser has to read them. The latest one is shown: what was
- * asked for before is dropped.
- */
+/** Opens drawings that need the user's consent or have to be read from storage. The latest request replaces earlier ones. */
 export class LinkFollower {
   private readonly asked = new LatestRequest();
 
@@ -47,10 +44,10 @@ export class LinkFollower {
     private readonly keeper: DrawingStore,
   ) {}
 
-  /** Shows what the page's address asks for. Resolves when loading has begun. */
+  /** Shows the drawing of the page's address. Resolves when loading has begun. */
   async follow(): Promise<void> {
     const { session } = this;
-    // A question about an earlier address must not be answered any more.
+    // Withdraws a question about an earlier address.
     this.asked.drop();
     const { drawing } = this.address;
     const linked = session.linked(this.address.read());
@@ -58,14 +55,17 @@ export class LinkFollower {
     if (drawing !== undefined) return this.openKept(drawing);
     const { ownFiles, choice: before } = session.modelLoader;
     if (!namesModel && ownFiles) session.showState({ ...linked, ...this.onOwnModel(linked, before), files: ownFiles });
-    // The shown model stays until the user has agreed and the model from the web has come.
+    // The shown model stays until the user has agreed and the model has been fetched.
     else if (address === undefined) session.showState({ ...linked, files: undefined });
     else session.showLook({ settings: { ...next, model: session.settings.model }, camera, views, hand });
     session.recordChange();
     if (address !== undefined) await this.showAddress(address, camera === undefined, choice);
   }
 
-  /** A link that names no model, for the user's own one, which stands as it stood and is drawn in the variant and pose in which it was unless the link asks for others. */
+  /**
+   * The state for a link without a model: the present model in its present orientation, and with its variant and clip unless the link names
+   * others.
+   */
   private onOwnModel(
     { settings: next, choice }: Pick<DrawingState, 'settings' | 'choice'>,
     before: ModelChoice,
@@ -85,7 +85,7 @@ export class LinkFollower {
     else if (isAgreed === false) modelLoader.showSomething();
   }
 
-  /** Shows a kept drawing. @throws ModelError with one sentence for the user, if there is none */
+  /** Shows a stored drawing. @throws ModelError with one sentence for the user, if there is none */
   async openKept(id: string): Promise<void> {
     const { session, keeper } = this;
     const { modelLoader, mapLoader } = session;

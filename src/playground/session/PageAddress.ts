@@ -1,34 +1,34 @@
-/** The state of the page's entry in the browser's history. */
+/** The state object of the page's history entry. */
 interface EntryState {
-  /** The id of the kept drawing that the entry shows. */
+  /** The id of the stored drawing of the entry. */
   drawing?: string | undefined;
 }
 
-/** The address of the page and its entry in the browser's history, which bring back the drawing after a reload. */
+/** The page's address and history entry, which restore the drawing after a reload. */
 export class PageAddress {
   /** The hash that the page has written or read last. */
   private known = location.hash;
 
-  /** The id of the kept drawing that the entry asks for. */
+  /** The id of the stored drawing of the present entry. */
   get drawing(): string | undefined {
     return (history.state as EntryState | null)?.drawing;
   }
 
-  /** Whether the hash was changed by a link, of which the page has not been told yet. Such a hash must not be overwritten. */
+  /** Whether a link has changed the hash and the page has not read it yet. Such a hash must not be overwritten. */
   get isFollowed(): boolean {
     return location.hash !== this.known;
   }
 
-  /** Reads the hash, which the page is going to show. */
+  /** Reads the hash, which the page is about to show. */
   read(): string {
     this.known = location.hash;
     return this.known;
   }
 
   /**
-   * Replaces the entry by one for the drawing that is shown.
+   * Replaces the history entry by one for the shown drawing.
    *
-   * @returns whether the browser has allowed it: some limit how often a page may do so, some forbid it in frames
+   * @returns whether the browser allowed it: some limit the rate, some forbid it in frames
    */
   write(link: string, drawing: string | undefined): boolean {
     try {

@@ -3,9 +3,9 @@ import type { Status } from '../tasks/Status.js';
 import type { Screen } from '../viewport/Screen.js';
 import type { Session } from './Session.js';
 
-/** Has frames drawn by WebGPURenderer while the settings ask for it, and goes back to WebGL where that fails. */
+/** Draws frames with WebGPURenderer while the settings ask for it, and returns to WebGL if that fails. */
 export class RendererChoice {
-  /** Whether the browser has WebGPU and a graphics card for it; undefined until somebody has asked. */
+  /** Whether the browser offers WebGPU with a graphics card; undefined until asked. */
   private isThere: boolean | undefined;
   private isWanted = false;
   private screen: Screen | undefined;
@@ -18,12 +18,12 @@ export class RendererChoice {
     session.listen({ applied: () => this.update() });
   }
 
-  /** Whether there is something to choose: in a link it may have been chosen where there is. */
+  /** Whether the choice is shown: if WebGPU is available, or a link chose it. */
   get isOffered(): boolean {
     return this.isThere === true || this.session.settings.renderer === 'webgpu';
   }
 
-  /** What WebGL draws although WebGPU is chosen, in a sentence; empty if it is not chosen. */
+  /** A sentence on what WebGL draws although WebGPU is chosen; empty if it is not chosen. */
   get note(): string {
     const { settings, viewport } = this.session;
     if (settings.renderer !== 'webgpu') return '';
@@ -32,7 +32,7 @@ export class RendererChoice {
     return `WebGL draws this, because WebGPU lacks ${lack}.`;
   }
 
-  /** Finds out whether there is WebGPU. It is not asked for before, because some browsers start a process for it. */
+  /** Checks for WebGPU. Called on demand, because some browsers start a process for it. */
   async ask(): Promise<boolean> {
     this.isThere ??= (await navigator.gpu?.requestAdapter().catch(() => null)) != null;
     return this.isThere;
@@ -60,7 +60,7 @@ export class RendererChoice {
         refine: () => viewport.frames.refine(),
         onLost: () => this.leave('The graphics card has let go of WebGPU; WebGL draws on.'),
       });
-      // It may have been left meanwhile, or chosen once more.
+      // The choice may have changed while the renderer was created.
       if (!this.isWanted || this.screen) screen.dispose();
       else this.use(screen);
     } catch {
@@ -77,11 +77,11 @@ export class RendererChoice {
   private stop(): void {
     if (!this.screen) return;
     this.use(undefined);
-    // The painter has freed its own.
+    // The painter has freed its programs.
     this.session.viewport.rebuildPrograms();
   }
 
-  /** Goes back to WebGL, which is no step of the user. */
+  /** Returns to WebGL, without a step in the history. */
   private leave(sentence: string): void {
     if (!this.isWanted) return;
     this.session.settings.renderer = 'webgl';

@@ -13,23 +13,23 @@ import type { Viewport } from '../viewport/Viewport.js';
 import { type DrawingState, isSameState, type LookState } from './DrawingState.js';
 import { watchPresses } from './watchPresses.js';
 
-/** The events of a session that a part of the page listens to. */
+/** Events of a session. */
 export interface SessionListener {
-  /** Called when the settings have been applied to the viewport. */
+  /** The settings have been applied to the viewport. */
   applied?(): void;
-  /** Called when the user has moved the camera. */
+  /** The user has moved the camera. */
   moved?(): void;
-  /** Called when there may be other steps to undo or redo. */
+  /** The steps to undo or redo may have changed. */
   stepped?(): void;
-  /** Called when another model is shown, before its settings are applied. */
+  /** Another model is shown; its settings are not applied yet. */
   modelShown?(): void;
-  /** Called when another map is drawn with. */
+  /** Another map is in use. */
   mapShown?(): void;
 }
 
 type SessionEvent = keyof SessionListener;
 
-/** The drawing that the user works on: its settings, its model, its map and its views, and the steps that led to it. */
+/** The user's drawing: settings, model, map, views and history. */
 export class Session {
   readonly modelLoader: ModelLoader;
   readonly mapLoader: MapLoader;
@@ -60,7 +60,7 @@ export class Session {
     };
   }
 
-  /** Listeners are called in the order in which they were added. */
+  /** Adds a listener. Listeners are called in the order in which they were added. */
   listen(listener: SessionListener): void {
     this.listeners.push(listener);
   }
@@ -74,7 +74,7 @@ export class Session {
   // ── Changes by the user ──
 
   /**
-   * Applies settings that the user has changed, and keeps the earlier ones for Undo.
+   * Applies settings that the user has changed, and records the earlier ones for Undo.
    *
    * @param source see {@link EditHistory.changed}
    */
@@ -85,39 +85,39 @@ export class Session {
     this.tell('stepped');
   }
 
-  /** Takes over settings that need no other map, as a step of its own. */
+  /** Changes settings that need no other map, as one step. */
   change(values: Partial<Settings>): void {
     Object.assign(this.settings, values);
     this.recordChange();
   }
 
-  /** Takes over settings, as a step of its own, and loads the map that they ask for. */
+  /** Changes settings as one step, and loads the map that they need. */
   useLook(look: Partial<Settings>): void {
     this.change(look);
     void this.mapLoader.showChosen();
   }
 
-  /** Shows a clip of the model that the user has chosen, by its index. */
+  /** Shows the clip that the user has chosen, by index. */
   chooseClip(index: number): void {
     this.modelLoader.clip = index;
     this.recordChange();
   }
 
-  /** To be called when the user has changed one setting with its control. */
+  /** Call this when the user has changed one setting with its control. */
   settingChanged(key: SettingKey): void {
     if (key === 'model') this.modelLoader.changeModel();
     if (choosesMap(key)) void this.mapLoader.showChosen();
     this.recordChange(key);
   }
 
-  /** Shows the drawing that a link describes, as a step of its own. */
+  /** Shows the drawing of a link, as one step. */
   useLink(link: string): void {
     this.showState({ ...this.linked(link), files: undefined });
     this.recordChange();
   }
 
   /**
-   * Takes over the user's own hand, with the settings that it needs.
+   * Sets the user's own hand, with the settings that it needs.
    *
    * @param source see {@link EditHistory.changed}
    */
@@ -145,7 +145,7 @@ export class Session {
     this.step(this.history.redo());
   }
 
-  /** Forgets all steps, so that nothing can be undone. */
+  /** Clears the history. */
   forgetSteps(): void {
     this.history.clear();
     this.tell('stepped');
@@ -178,30 +178,30 @@ export class Session {
     return writeLink(this.settings, this.viewport.view.ownPlace, address, views.list, mapLoader.hand?.link, choice);
   }
 
-  /** Whether a link to the drawing brings back its model. */
+  /** Whether a link to the drawing includes its model. */
   get isModelInLink(): boolean {
     return this.settings.model !== 'file' || this.modelLoader.address !== undefined;
   }
 
-  /** Whether a link to the drawing brings back the hand that it is drawn with. */
+  /** Whether a link to the drawing includes the hand that it is drawn with. */
   get isHandInLink(): boolean {
     return this.settings.mapStyle !== 'ownHand' || this.mapLoader.hand?.link !== undefined;
   }
 
-  /** What a link describes, of which the hand is not read yet. */
+  /** The state of a link, whose hand is not read yet. */
   linked(link: string): LinkedDrawing & LookState {
     const drawing = readLink(link);
-    // A link without a hand leaves the user's own one: it can be chosen again.
+    // A link without a hand keeps the user's own one, so that it can be chosen again.
     return { ...drawing, hand: linkedHand(drawing.handText) ?? this.mapLoader.hand };
   }
 
-  /** The images of the user's own map, or the user's own hand, if they are drawn with. */
+  /** The files of the user's own map or hand, if the drawing uses them. */
   get ownStrokes(): readonly ModelFile[] | undefined {
     const { hand, ownFiles } = this.mapLoader;
     return { ownHand: hand?.files, file: ownFiles }[this.settings.mapStyle as string];
   }
 
-  /** Takes over settings, camera and views, and loads the model and the map that they ask for. */
+  /** Applies settings, camera and views, and loads their model and map. */
   showState(state: DrawingState): void {
     const { settings: next, camera: place, files, choice } = state;
     // Files that are gone cannot be shown again.
@@ -211,7 +211,7 @@ export class Session {
     this.modelLoader.restore({ model: this.settings.model, files, choice }, isFramed);
   }
 
-  /** Takes over settings, camera and views, and loads the map that they ask for. */
+  /** Applies settings, camera and views, and loads their map. */
   showLook({ settings: next, camera: place, views: kept, hand }: LookState): void {
     const { viewport, settings } = this;
     Object.assign(settings, next);
@@ -230,7 +230,7 @@ export class Session {
   }
 
   private mapShown(): void {
-    // Its tiles may be smaller than those of the map before.
+    // Its tiles may be smaller than those of the previous map.
     this.viewport.apply(this.look);
     this.tell('mapShown');
   }
@@ -253,7 +253,7 @@ export class Session {
     else this.adopt();
   }
 
-  /** Draws a model with the look that came with it. Its look is checked as that of a link is; an address in it means nothing. */
+  /** Applies the look that came with a model. It is checked like that of a link; an address in it is ignored. */
   private takeOver({ isOther, drawing, views: ofFile }: OpenedModel): void {
     if (isOther) this.views.list = ofFile;
     if (!drawing) return;

@@ -1,7 +1,7 @@
 /**
- * Counts how often a pointer was pressed on the page.
+ * Numbers the pointer presses on the page.
  *
- * @returns a function that returns the number of the present press, or undefined if nothing is pressed
+ * @returns a function that returns the number of the present press, or undefined without one
  */
 export function watchPresses(): () => number | undefined {
   let count = 0;

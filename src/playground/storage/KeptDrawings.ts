@@ -5,10 +5,10 @@ const TURNS = 8;
 const TURN_MILLISECONDS = 250;
 
 /**
- * Waits two seconds for an answer. The time is counted in turns of a timer, so that it does not run out while the page is busy: the answer
- * may have arrived by then, and wait for the page.
+ * Waits two seconds for an answer. The time is counted in timer ticks, so that it does not run out while the page is busy and the answer
+ * cannot be delivered.
  *
- * @throws the reason for which the answer rejects, or an Error if none comes in time
+ * @throws the answer's reason, or an Error if none comes in time
  */
 async function inTime<Result>(answer: Promise<Result>): Promise<Result> {
   const settled = answer.then(
@@ -22,11 +22,11 @@ async function inTime<Result>(answer: Promise<Result>): Promise<Result> {
   throw new Error('The browser does not answer.');
 }
 
-/** What is stored of a drawing that needs files of the user's own, apart from the files themselves. */
+/** The stored record of a drawing with the user's own files, apart from the files themselves. */
 export interface KeptDrawing {
   id: string;
   title: string;
-  /** The time at which the drawing last changed, in milliseconds since 1970. */
+  /** The time of the last change, in milliseconds since 1970. */
   at: number;
   /** The size of all its files together. */
   bytes: number;
@@ -34,11 +34,11 @@ export interface KeptDrawing {
   link: string;
   /** The camera, in full precision. Undefined if the model is framed. */
   camera: CameraView | undefined;
-  /** A thumbnail, as a data URL. Undefined until the drawing has come to rest once, and for drawings of earlier versions. */
+  /** A thumbnail, as a data URL. Undefined until the drawing has been complete once, and for drawings of earlier versions. */
   picture?: string;
 }
 
-/** The user's own files that a drawing needs. */
+/** The user's own files of a drawing. */
 export interface KeptFiles {
   model?: readonly ModelFile[] | undefined;
   map?: readonly ModelFile[] | undefined;
@@ -48,18 +48,18 @@ const DATABASE = 'three-hatching';
 const DRAWINGS = 'drawings';
 /** The files have a store of their own, so that changing a setting does not write the model again. */
 const FILES = 'files';
-/** How many drawings are kept. When another one comes, the oldest is deleted. */
+/** The maximum number of stored drawings. The oldest is deleted for a new one. */
 const MOST = 12;
 
 /**
- * The drawings that the browser keeps for the page in IndexedDB, with the files they need. Every call may reject, for example in a
- * private window. Reading rejects after two seconds without an answer, and so does writing if the browser does not open the database.
- * Once the database is open, writing may take as long as large files need.
+ * The drawings that the browser stores in IndexedDB, with their files. Every call may reject, for instance in a private window. Reading
+ * rejects after two seconds without an answer, and so does writing if the database does not open. Once it is open, writing may take as long
+ * as large files need.
  */
 export class KeptDrawings {
   private opened: Promise<IDBDatabase> | undefined;
 
-  /** All drawings, the latest first. */
+  /** All drawings, latest first. */
   async list(): Promise<KeptDrawing[]> {
     const all = await this.run<KeptDrawing[]>('readonly', (store) => store(DRAWINGS).getAll());
     return all.sort((a, b) => b.at - a.at);
@@ -72,8 +72,8 @@ export class KeptDrawings {
   }
 
   /**
-   * Keeps a drawing with its files. Deletes older drawings: those beyond the number that is kept; those of the same title and
-   * size, because they are of the same model, opened earlier; and as many as the browser's quota requires.
+   * Stores a drawing with its files. Deletes older drawings: those beyond the maximum number; those of the same title and size, which are
+   * earlier openings of the same model; and as many as the browser's quota requires.
    */
   async keep(drawing: KeptDrawing, files: KeptFiles): Promise<void> {
     const others = (await this.list()).filter(({ id }) => id !== drawing.id);
@@ -92,7 +92,7 @@ export class KeptDrawings {
     }
   }
 
-  /** Changes what is stored of a drawing, apart from its files. Does nothing if the drawing was deleted. */
+  /** Updates the record of a drawing, without its files. Does nothing if the drawing was deleted. */
   async update(drawing: Pick<KeptDrawing, 'id'> & Partial<KeptDrawing>): Promise<void> {
     const known = await this.run<KeptDrawing | undefined>('readonly', (store) => store(DRAWINGS).get(drawing.id));
     if (known) await this.run('readwrite', (store) => store(DRAWINGS).put({ ...known, ...drawing }));
@@ -116,7 +116,7 @@ export class KeptDrawings {
     });
   }
 
-  /** Runs requests in one transaction. Resolves, when it is complete, to the result of the request that is returned. */
+  /** Runs requests in one transaction. Resolves, when it is complete, to the result of the returned request. */
   private async run<Result = void>(
     mode: IDBTransactionMode,
     ask: (store: (name: string) => IDBObjectStore) => IDBRequest | undefined,

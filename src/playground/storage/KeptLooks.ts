@@ -1,23 +1,23 @@
 import { acceptLook, type OwnLook } from '../../viewer/settings/ownLook.js';
 import { plainName } from '../../viewer/settings/plainName.js';
 
-/** A look to which the user has given a name. */
+/** A look named by the user. */
 export interface KeptLook {
   id: string;
   name: string;
   look: OwnLook;
-  /** A thumbnail of the drawing from which the look was kept, as a data URL. */
+  /** A thumbnail of the drawing from which the look was saved, as a data URL. */
   picture: string | undefined;
 }
 
 const STORED = 'three-hatching looks';
-/** How many looks are kept. If more are stored, the rest is ignored. */
+/** The maximum number of stored looks. Further ones are ignored. */
 export const MOST_LOOKS = 60;
-/** The most characters that a stored thumbnail may have. Those that the page makes have about a tenth of that. */
+/** The maximum length of a stored thumbnail. Those of the page have about a tenth of that. */
 const LONGEST_PICTURE = 100_000;
 
 /**
- * The looks that the browser keeps for the page in its local storage. Where it cannot, they last until the page is closed.
+ * The looks stored in the browser's local storage. Where that fails, they last until the page is closed.
  *
  * @param storage returns the local storage. Calling it, reading and writing may throw.
  */
@@ -40,7 +40,7 @@ export class KeptLooks {
     try {
       this.looks = readLooks(this.storage().getItem(STORED));
     } catch {
-      // Where nothing can be read, nothing was stored.
+      // Without readable storage there are no looks.
     }
   }
 
@@ -58,7 +58,7 @@ export class KeptLooks {
   }
 }
 
-/** Reads looks from text that may have been written by anything. Entries that are no looks are left out. */
+/** Parses looks from untrusted text. Invalid entries are left out. */
 function readLooks(text: string | null): KeptLook[] {
   let stored: unknown;
   try {

@@ -1,3 +1,3 @@
-/** A random id that is not used twice. `crypto.randomUUID` is missing in pages that are not served over HTTPS. */
+/** A random unique id. `crypto.randomUUID` is missing in pages that are not served over HTTPS. */
 export const newId = (): string =>
   [...crypto.getRandomValues(new Uint32Array(4))].map((part) => part.toString(36)).join('-');

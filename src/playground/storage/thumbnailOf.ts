@@ -1,7 +1,7 @@
-/** The side of a thumbnail in pixels. It is shown half as large, so that it is sharp on dense screens. */
+/** The size of a thumbnail in pixels. It is shown at half size, so that it is sharp on dense screens. */
 const SIDE = 128;
 
-/** A thumbnail of the middle of the drawing, as a data URL. To be called in the task in which the drawing was drawn. */
+/** A thumbnail of the middle of the drawing, as a data URL. Call this in the task in which the drawing was drawn. */
 export const thumbnailOf = (drawing: HTMLCanvasElement): string => addressOf(smallCopyOf(drawing));
 
 /** As {@link thumbnailOf}, but reads pixels only when `drawn` resolves, so that the page does not wait for the graphics card. */

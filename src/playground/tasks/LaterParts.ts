@@ -2,20 +2,20 @@ import type { Status } from './Status.js';
 import { sentenceFor } from './sentenceFor.js';
 
 /**
- * Fetches parts of the page when they are first asked for, because everything that is fetched at once delays the first drawing. The
- * status line shows what could not be fetched.
+ * Loads parts of the page on demand, because everything loaded at the start delays the first drawing. Failures are shown in the status
+ * line.
  */
 export class LaterParts {
   private fetching = 0;
 
   constructor(private readonly status: Status) {}
 
-  /** Whether a part that was asked for is still being fetched. */
+  /** Whether a requested part is still loading. */
   get isFetching(): boolean {
     return this.fetching > 0;
   }
 
-  /** Calls `use` with what is fetched. Shows it in the status line if either fails. */
+  /** Calls `use` with the loaded part. Reports in the status line if either fails. */
   whenFetched<Part>(part: Promise<Part>, use: (part: Part) => unknown): void {
     this.fetching++;
     part
@@ -24,15 +24,15 @@ export class LaterParts {
       .finally(() => this.fetching--);
   }
 
-  /** @param create fetches the script of the part and creates the part */
+  /** @param create imports the script of the part and creates the part */
   later<Part>(create: () => Promise<Part>): LaterPart<Part> {
     return new LaterPart(this, create);
   }
 }
 
-/** A part of the page that is created once, when it is first asked for. */
+/** A part of the page that is created once, on demand. */
 export class LaterPart<Part> {
-  /** The part, once it has been fetched. */
+  /** The part, once it is loaded. */
   present: Part | undefined;
   private pending: Promise<Part> | undefined;
 
@@ -41,7 +41,7 @@ export class LaterPart<Part> {
     private readonly create: () => Promise<Part>,
   ) {}
 
-  /** The part. Rejects if it cannot be fetched, and fetches it again when it is next asked for. */
+  /** Loads the part. Rejects if that fails, and tries again at the next call. */
   fetch(): Promise<Part> {
     this.pending ??= this.create().then(
       (part) => {

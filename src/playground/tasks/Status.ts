@@ -1,6 +1,6 @@
 import { shownText } from '../../viewer/files/common/shownText.js';
 
-/** An action that solves a problem, or does more than was done. */
+/** An action that solves a problem or continues a result. */
 export interface Remedy {
   /** The label of the button. */
   label: string;
@@ -12,15 +12,15 @@ interface Problem {
   remedy: Remedy | undefined;
 }
 
-/** The status line, with a progress bar, a button that cancels the task, and one that solves a problem. */
+/** The status line, with a progress bar, a Cancel button, and a button for a remedy. */
 export class Status {
   private cancelTask: (() => void) | undefined;
-  /** The task whose viewport was shown last, by the function that cancels it. */
+  /** The cancelling function of the task that was shown last; it identifies the task. */
   private shownTask: (() => void) | undefined;
   private clearTimer: ReturnType<typeof setTimeout> | undefined;
-  /** Whether a message is shown that only a task which the user starts, a problem or another message may replace. */
+  /** Whether a message is shown that only a task of the user, a problem or another message may replace. */
   private isSaying = false;
-  /** The problems of the page by their subject, the latest last. */
+  /** The problems of the page by subject, latest last. */
   private readonly problems = new Map<string, Problem>();
   private remedy: Remedy | undefined;
 
@@ -38,11 +38,11 @@ export class Status {
   }
 
   /**
-   * Shows the viewport of a task, or a problem that is not solved. A message that was said during the task stays for its seconds.
+   * Shows the step of a task, or an unsolved problem. A message from during the task stays for its seconds.
    *
    * @param progress in [0, 1], or undefined if it is unknown
    * @param cancel the same function as long as it is the same task
-   * @param isByItself whether the page has started the task without being asked: then messages said before it stay too
+   * @param isByItself whether the page has started the task by itself: then earlier messages stay too
    */
   working(viewport: string, progress: number | undefined, cancel: () => void, isByItself = false): void {
     const isSameTask = cancel === this.shownTask;
@@ -56,7 +56,7 @@ export class Status {
     progressLine.style.transform = `scaleX(${progress ?? 0.04})`;
   }
 
-  /** No task is running any more. A message on how the last one ended stays. */
+  /** Ends progress when no task is running any more. A message about the last task stays. */
   idle(): void {
     const wasWorking = this.cancelTask !== undefined;
     this.finish();
@@ -78,7 +78,7 @@ export class Status {
     this.clearTimer = setTimeout(() => this.rest(), 6000);
   }
 
-  /** Shows a message with a button that does something more, until the next message, or until the user starts a task. */
+  /** Shows a message with a button for a further action, until the next message, or until the user starts a task. */
   offer(sentence: string, more: Remedy): void {
     this.finish();
     this.write(sentence, false, more);
@@ -86,11 +86,11 @@ export class Status {
   }
 
   /**
-   * Shows a problem until it is solved: other tasks that go on do not hide it, and it comes back after a message. Only one with a remedy lies over
-   * it, or a later one.
+   * Shows a problem until it is solved: it stays while other tasks run, and returns after a message. Only a problem with a remedy, or a
+   * later one, has precedence.
    *
    * @param about the subject, which has one problem at most
-   * @param remedy offered as long as no task runs
+   * @param remedy offered while no task runs
    */
   addProblem(about: string, sentence: string, remedy?: Remedy): void {
     this.problems.delete(about);
@@ -98,7 +98,7 @@ export class Status {
     this.rest();
   }
 
-  /** Removes a problem, because it is solved. @param news a message that is shown if there are no other problems */
+  /** Removes a solved problem. @param news a message that is shown if there are no other problems */
   solveProblem(about: string, news?: string): void {
     if (!this.problems.delete(about)) return;
     if (news && this.problems.size === 0) this.say(news);
@@ -111,7 +111,7 @@ export class Status {
     this.elements.cancel.hidden = true;
   }
 
-  /** Shows the latest problem of those with a remedy, or else of all, or `text` if there is none. */
+  /** Shows the latest problem with a remedy, or else the latest, or else `text`. */
   private rest(text = ''): void {
     const problems = [...this.problems.values()];
     const problem = problems.findLast(({ remedy }) => remedy) ?? problems.at(-1);
@@ -128,7 +128,7 @@ export class Status {
     mend.hidden = !remedy || this.cancelTask !== undefined;
     mend.textContent = remedy?.label ?? '';
     message.classList.toggle('is-error', isError);
-    // The text is written only when it changes, because screen readers would read it again.
+    // Written only when it changes, because screen readers would read it again.
     if (message.textContent !== text) message.textContent = text;
   }
 }

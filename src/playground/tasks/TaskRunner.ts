@@ -7,15 +7,15 @@ type Slot = 'model' | 'map' | 'form' | 'occlusion' | 'picture';
 type TaskEnd = 'done' | 'failed' | 'replaced';
 
 /**
- * Runs the page's long tasks: at most one for the model, one for the map, one for lines along the form, one for occlusion and one for a saved picture. The status line
- * shows them and can cancel them.
+ * Runs the page's long tasks, at most one per slot: model, map, form lines, occlusion and saved picture. The status line shows them and can
+ * cancel them.
  */
 export class TaskRunner {
   private readonly running = new Map<
     Slot,
     { controller: AbortController; viewport: string; progress: number | undefined; cancel: () => void }
   >();
-  /** Functions that are called when a task has ended. */
+  /** Functions called when a task has ended. */
   private readonly waiting = new Set<() => void>();
 
   constructor(
@@ -37,24 +37,27 @@ export class TaskRunner {
   }
 
   /**
-   * For a task that is not urgent: resolves when all other tasks have ended, because the user waits for those, or when the task itself is
-   * aborted. Undefined if there are no other tasks.
+   * For a background task: resolves when all other tasks have ended, or when the task itself is aborted. Undefined if there are no other
+   * tasks.
    */
   others(slot: Slot, signal: AbortSignal): Promise<void> | undefined {
     return this.until(() => [...this.running.keys()].every((running) => running === slot), signal);
   }
 
-  /** For a task that draws what another makes: as `others`, for the task in one slot. */
+  /**
+   * Resolves when the task in a slot has ended, for a task that needs its result, or when that one is aborted. Undefined if it is not
+   * running.
+   */
   ended(slot: Slot, signal: AbortSignal): Promise<void> | undefined {
     return this.until(() => !this.running.has(slot), signal);
   }
 
   /**
-   * Runs a task. A task that is still running in the same slot is aborted. A failure is shown in the status line until the task is run
-   * again or, if there is a drawing all the same, until any task is run.
+   * Runs a task. A running task in the same slot is aborted. A failure is shown in the status line until the task is run again or, if there
+   * is a drawing anyway, until any task is run.
    *
    * @param again offered if the task failed because the graphics context was lost, so that it may succeed the next time
-   * @returns how it ended: `replaced` if a later task took its slot, `failed` also if the user cancelled it
+   * @returns the result: `replaced` if a later task took its slot, `failed` also if the user cancelled it
    */
   async run(
     slot: Slot,
@@ -63,7 +66,7 @@ export class TaskRunner {
   ): Promise<TaskEnd> {
     const { status, page } = this;
     this.running.get(slot)?.controller.abort();
-    // The page bakes occlusion without being asked, so that a failure on the status line still matters.
+    // The page bakes occlusion by itself, so an earlier failure on the status line still matters.
     if (slot !== 'occlusion' && page.hasDrawing()) for (const about of SLOTS) status.solveProblem(about);
     status.solveProblem(slot);
     const controller = new AbortController();
@@ -99,7 +102,7 @@ export class TaskRunner {
     return finished ? 'done' : 'failed';
   }
 
-  /** Stops a task that is not needed any more, without a message. */
+  /** Stops an obsolete task without a message. */
   stop(slot: Slot): void {
     this.running.get(slot)?.controller.abort();
     if (!this.running.delete(slot)) return;
@@ -107,7 +110,7 @@ export class TaskRunner {
     this.show();
   }
 
-  /** Resolves when the tasks that run are as they shall be, or when the waiting task is aborted. Undefined if they are so now. */
+  /** Resolves when a condition on the running tasks holds, or when the waiting task is aborted. Undefined if it holds now. */
   private until(isReached: () => boolean, signal: AbortSignal): Promise<void> | undefined {
     const isOver = (): boolean => signal.aborted || isReached();
     if (isOver()) return undefined;

@@ -1,10 +1,10 @@
 import { errorMessage } from '../../viewer/files/common/errorMessage.js';
 import { ModelError } from '../../viewer/files/common/ModelError.js';
 
-/** The messages of Chromium, Firefox and Safari for a dynamic import that has failed. */
+/** The messages of Chromium, Firefox and Safari for a failed dynamic import. */
 const MISSING_SCRIPT = /dynamically imported module|importing a module script/i;
 
-/** The sentence about an error for the status line. */
+/** Describes an error for the status line. */
 export function sentenceFor(error: unknown): string {
   if (error instanceof ModelError) return error.message;
   const message = errorMessage(error);

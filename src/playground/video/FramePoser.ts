@@ -4,10 +4,10 @@ import { lookOf } from '../../viewer/settings/lookOf.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import type { Viewport } from '../viewport/Viewport.js';
 
-/** The number of turns: with so many, a model is hardly wider between two of them than in one. */
+/** The number of sampled turns: between two of them, a model is hardly wider than in one. */
 const TURNS = 24;
 
-/** The points of a model in all its turns about the upright axis. @param positions xyz of each point */
+/** The points of a model at all sampled turns about the up axis. @param positions xyz of each point */
 export function turnedOutlines(positions: ArrayLike<number>): Float32Array {
   const all = new Float32Array(TURNS * positions.length);
   for (let turn = 0; turn < TURNS; turn++) {
@@ -20,25 +20,25 @@ export function turnedOutlines(positions: ArrayLike<number>): Float32Array {
   return all;
 }
 
-/** How a frame of a video differs from what the page shows. */
+/** The pose of a video frame relative to the page. */
 export interface FramePose {
-  /** The angle by which the model is turned, together with the ground and the lights, in degrees. */
+  /** Rotation of the model, with ground and lights, in degrees. */
   turn: number;
-  /** The angle by which the light is moved around the model, in degrees. */
+  /** Rotation of the light around the model, in degrees. */
   light: number;
-  /** The time in the model's clip, in seconds; undefined leaves it as it is. */
+  /** Time in the model's clip, in seconds; undefined leaves it as it is. */
   clipTime: number | undefined;
 }
 
 const UP = new Vector3(0, 1, 0);
 
-/** Moves the camera, the light and the model's clip for the frames of a video. To turn the model, the camera goes around it. */
+/** Moves the camera, the light and the model's clip for the frames of a video. To turn the model, the camera orbits it. */
 export class FramePoser {
   private readonly clipTime: number | undefined;
   private readonly position = new Vector3();
   private readonly quaternion = new Quaternion();
   private readonly up = new Vector3();
-  /** The position of the camera in the first frame, and the point that it looks at. */
+  /** Position and target of the camera in the first frame. */
   private readonly first = new Vector3();
   private readonly target: Vector3;
 
@@ -77,7 +77,7 @@ export class FramePoser {
     viewport.outdateShadows();
   }
 
-  /** Puts everything back that was moved. The viewport itself sets the camera's aspect when frames go on. */
+  /** Restores everything that was moved. The viewport itself sets the camera's aspect when frames resume. */
   restore(): void {
     const { camera, model, scenery } = this.viewport;
     camera.position.copy(this.position);
@@ -89,7 +89,7 @@ export class FramePoser {
   }
 }
 
-/** @returns what the camera looks at */
+/** @returns the camera's target */
 function frame({ view }: Viewport, camera: PerspectiveCamera, aspect: number, turns: boolean): Vector3 {
   const { outline, first, fill, shadow } = view.framing;
   camera.aspect = aspect;

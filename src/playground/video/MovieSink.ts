@@ -10,14 +10,14 @@ import {
 import type { FrameSink } from './FrameSink.js';
 import { stampOf, type VideoPlan } from './videoPlan.js';
 
-/** The codecs, those first that most programs can play. */
+/** The codecs, the most widely supported first. */
 const CODECS = ['avc', 'vp9', 'vp8'] as const;
 const NAMES = { avc: 'H.264 in MP4', vp9: 'VP9 in WebM', vp8: 'VP8 in WebM' } as const;
 
 /** Low quality would harm thin strokes first. */
 const QUALITY = new Quality('very-high');
 
-/** Records frames as a video that the browser encodes. Each frame has its own time, however long it took to draw. */
+/** Records frames as a video that the browser encodes. Each frame has a fixed time, however long it took to draw. */
 export class MovieSink implements FrameSink {
   readonly extension: string;
   readonly kind: string;
@@ -39,7 +39,7 @@ export class MovieSink implements FrameSink {
   }
 
   /**
-   * Begins a video with the first codec in which the browser can encode frames of this size.
+   * Starts a video with the first codec in which the browser can encode frames of this size.
    *
    * @returns undefined if there is no such codec
    */

@@ -9,7 +9,7 @@ import type { FrameSink } from './FrameSink.js';
 import { MovieSink } from './MovieSink.js';
 import { placeOnFrame, planVideo, poseOf, type VideoPlan } from './videoPlan.js';
 
-/** Saves frames as numbered PNG pictures in an archive. Every program that makes videos can read them. */
+/** Saves frames as numbered PNG pictures in an archive, which every video program can read. */
 class PicturesSink implements FrameSink {
   readonly extension = '.zip';
   readonly kind = 'PNG pictures in a ZIP';
@@ -39,7 +39,7 @@ class PicturesSink implements FrameSink {
 export interface RecordOptions {
   /** Size of the page's view, in CSS pixels. */
   view: Size;
-  /** The name of the pictures, if frames are saved as pictures. */
+  /** The base name of the pictures, if frames are saved as pictures. */
   name: string;
   signal: AbortSignal;
   onProgress: (progress: number) => void;
@@ -55,8 +55,8 @@ export interface Recording {
 }
 
 /**
- * Records the video that the settings ask for, frame by frame, however long each takes. The frames of the page are held meanwhile.
- * Where the browser cannot encode video, the frames are saved as pictures.
+ * Records the video of the settings frame by frame, however long each takes. The page's frames are held meanwhile. If the browser cannot
+ * encode video, the frames are saved as pictures.
  *
  * @throws Error with a sentence for the user
  */
@@ -77,7 +77,7 @@ export async function recordVideo(
   const { width, height } = plan;
   const place = placeOnFrame(plan, view, viewport.view.isFramed);
   let drawn = 0;
-  // The graphics context may be lost and restored between two checks, and leave a blank frame.
+  // The graphics context may be lost and restored between two checks, which leaves a blank frame.
   let wasLost = false;
   const onLost = (): void => {
     wasLost = true;
@@ -91,7 +91,7 @@ export async function recordVideo(
     const movie = settings.videoForm === 'video' ? await MovieSink.begin(plan, canvas) : undefined;
     sink = movie ?? new PicturesSink(plan, name);
     while (drawn < plan.frames) {
-      // Between two frames the page handles its events, Cancel among them.
+      // Lets the page handle events between two frames, Cancel among them.
       await nextTask();
       signal.throwIfAborted();
       poser.pose(poseOf(plan, drawn, videoMotion, start));

@@ -2,24 +2,24 @@ import type { Settings } from '../../viewer/settings/settings.js';
 import { type PrintPlan, placeView, type Size, strokeScale } from '../print/printPlan.js';
 import type { FramePose } from './FramePoser.js';
 
-/** How far a swinging light goes to either side, in degrees. It stays in front of the model. */
+/** The amplitude of a swinging light, in degrees. It stays in front of the model. */
 const SWING = 60;
 
-/** The frames of a video: their size in pixels, their number, and how many there are in a second. */
+/** The frames of a video: size in pixels, number, and rate per second. */
 export interface VideoPlan extends Size {
   frames: number;
   rate: number;
 }
 
-/** The clip of a model that is playing. */
+/** The playing clip of a model. */
 export interface PlayingClip {
-  /** The length of the clip and the time in it, in seconds. */
+  /** Length of the clip and time in it, in seconds. */
   duration: number;
   time: number;
   speed: number;
 }
 
-/** The video that the settings ask for. @param view size of the page's view, in CSS pixels */
+/** The video of the settings. @param view size of the page's view, in CSS pixels */
 export function planVideo({ videoSize, videoSeconds, videoRate }: Settings, view: Size): VideoPlan {
   const [width, height] = videoSize === 'page' ? [view.width, view.height] : videoSize.split('x').map(Number);
   const rate = Number(videoRate);
@@ -29,12 +29,12 @@ export function planVideo({ videoSize, videoSeconds, videoRate }: Settings, view
 /** Sizes are even, because video formats halve the resolution of colours. */
 const toEven = (pixels: number): number => Math.max(2, 2 * Math.round(pixels / 2));
 
-/** When a frame is shown and for how long, in seconds. */
+/** The time and duration of a frame, in seconds. */
 export const stampOf = ({ rate }: VideoPlan, frame: number) => ({ time: frame / rate, duration: 1 / rate });
 
 /**
- * What a frame shows. The frame after the last one would equal the first, so that the video can be looped without a jump. For the same
- * reason a clip is played a whole number of times, the one that is nearest to its speed.
+ * The pose of a frame. The frame after the last one would equal the first, so that the video loops without a jump. A clip therefore plays a
+ * whole number of times, the nearest to its speed.
  */
 export function poseOf(
   { frames, rate }: VideoPlan,
@@ -57,7 +57,7 @@ function clipTime({ duration, time, speed }: PlayingClip, seconds: number, share
   return (time + share * rounds * duration) % duration;
 }
 
-/** Where the view lies on a frame. @param isFramed whether the camera was placed to frame the model in the video */
+/** The place of the view on a frame. @param isFramed whether the camera was placed to frame the model in the video */
 export function placeOnFrame(plan: VideoPlan, view: Size, isFramed: boolean): Omit<PrintPlan, 'dpi'> {
   if (!isFramed) return placeView(plan, view);
   const { width, height } = plan;

@@ -4,9 +4,9 @@ import type { LastPicture } from './LastPicture.js';
 import type { Painter } from './Painter.js';
 import type { Scenery } from './Scenery.js';
 
-/** Frees what lies in a graphics context that is lost, and shows the last picture on the page until the context is restored. */
+/** Frees the resources of a lost graphics context, and shows the last picture until the context is restored. */
 export class ContextLoss {
-  /** Pictures are kept from the first loss on: a page that has lost its context once is likely to lose it again. */
+  /** Pictures are copied from the first loss on: a page that has lost its context once is likely to lose it again. */
   private lastPicture: LastPicture | undefined;
 
   constructor(
@@ -49,7 +49,7 @@ export class ContextLoss {
 
   private async keepLastPicture(): Promise<void> {
     const { frames } = this;
-    // Where this part cannot be fetched, the page works without a last picture.
+    // If this part cannot be fetched, the page works without a last picture.
     const part = await import('./LastPicture.js').catch(() => undefined);
     if (!part || this.lastPicture) return;
     this.lastPicture = new part.LastPicture(this.painter.canvas, () => !frames.screen && frames.redraw());

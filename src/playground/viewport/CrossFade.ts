@@ -1,14 +1,14 @@
-/** How long the earlier picture takes to fade, in milliseconds. */
+/** Duration of the fade, in milliseconds. */
 const DURATION = 350;
 
-/** Lets one picture fade into the next: a copy of the earlier picture lies over the drawing and becomes transparent. */
+/** Fades one picture into the next: a copy of the earlier picture lies over the drawing and becomes transparent. */
 export class CrossFade {
   private readonly copy = document.createElement('canvas');
   private readonly context = this.copy.getContext('2d');
   private isKept = false;
 
   /**
-   * @param under the canvas that it lies over
+   * @param under the canvas below the copy
    * @param drawn returns the canvas that shows the drawing
    */
   constructor(
@@ -21,17 +21,17 @@ export class CrossFade {
     under.after(this.copy);
   }
 
-  /** Whether an earlier picture is kept, or fades. */
+  /** Whether an earlier picture is stored or fading. */
   get isBusy(): boolean {
     return this.isKept || this.isFading;
   }
 
-  /** Whether an earlier picture fades. */
+  /** Whether an earlier picture is fading. */
   get isFading(): boolean {
     return !this.copy.hidden;
   }
 
-  /** Has the browser set up what copies pictures. While it draws, that would wait for the picture. */
+  /** Makes the browser set up copying in advance, since during a frame that would wait for the picture. */
   prepare(): void {
     const { copy, context } = this;
     Object.assign(copy, { width: 1, height: 1 });
@@ -39,8 +39,8 @@ export class CrossFade {
   }
 
   /**
-   * Copies the picture, unless an earlier one fades: that one would jump. To be called in the task in which the picture was drawn, because
-   * the canvas does not keep it for longer.
+   * Copies the picture, unless an earlier one is fading, which would jump. Call this in the task in which the picture was drawn, because
+   * the canvas does not keep its content.
    */
   keep(): void {
     const { copy, context } = this;
@@ -53,12 +53,12 @@ export class CrossFade {
     this.isKept = true;
   }
 
-  /** Discards the copied picture, if it does not fade already. */
+  /** Discards the copied picture, unless it is fading already. */
   forgetKept(): void {
     if (this.isKept && !this.isFading) this.forget();
   }
 
-  /** Lets the copied picture, if there is one, fade into the drawing. */
+  /** Fades the copied picture, if there is one, into the drawing. */
   start(): void {
     const { copy } = this;
     if (!this.isKept) return;

@@ -3,20 +3,20 @@ import { AdaptiveResolution } from 'three-hatching';
 import { whenDrawn } from './whenDrawn.js';
 
 /**
- * The first frame of a model is a sketch, so that there is something to see early on a slow machine: in a lower resolution, by this
- * factor per side, without outlines and ground, whose programs are built later.
+ * The resolution of a sketch per side. The first frame of a model is a sketch, so that slow machines show something early: in lower
+ * resolution, without outlines and ground, whose programs are built later.
  */
 const SKETCH_SHARE = 0.5;
-/** A sketch of a stand-in that takes longer stays until the model itself is there. */
+/** If a placeholder's sketch takes longer than this, it stays until the model itself is ready. */
 const LONG_MILLISECONDS = 500;
-/** Frames that take no longer may follow each other at once. */
+/** Frames that take no longer than this may follow each other at once. */
 const QUICK_MILLISECONDS = 50;
-/** A frame that takes longer is drawn only for what can be seen clearly. */
+/** If a frame takes longer than this, barely visible changes get no frame of their own. */
 const SLOW_MILLISECONDS = 150;
 
-/** What the quality of frames needs to know of its surroundings, and whom it tells. */
+/** What FrameQuality needs from its owner. */
 interface FrameQualityHost {
-  /** Whether the model that is drawn only stands in for one that is being baked. */
+  /** Whether the present model is a placeholder for one that is being baked. */
   isStandIn(): boolean;
   /** Requests one frame in full resolution, because nothing moves any more. */
   refine(): void;
@@ -24,11 +24,11 @@ interface FrameQualityHost {
   onSketched(): void;
 }
 
-/** Measures frames, and tells how finely the next is drawn: coarsely while something moves on a slow machine, or as a sketch. */
+/** Measures frames, and chooses the quality of the next: coarse while something moves on a slow machine, or a sketch. */
 export class FrameQuality {
   private isSketching = false;
   private hasBeenSketched = false;
-  /** How many frames are being drawn that take long, as far as is known. */
+  /** The number of known slow frames that are being drawn. */
   private underway = 0;
   private readonly context: WebGL2RenderingContext;
   private readonly resolution: AdaptiveResolution;
@@ -45,7 +45,7 @@ export class FrameQuality {
     });
   }
 
-  /** Draws a frame and measures it. @param isMoving whether it shows a movement: in one, frames may be drawn coarsely */
+  /** Draws a frame and measures it. @param isMoving whether it shows a movement, in which frames may be coarse */
   measure(draw: () => void, isMoving: boolean): void {
     this.resolution.frame(draw, isMoving);
     const { milliseconds } = this;
@@ -55,14 +55,14 @@ export class FrameQuality {
   }
 
   /**
-   * Whether the graphics card still draws a frame that takes long. Another one would wait in its queue, and the page with it as soon as it
-   * asks the card for anything, be it only for a canvas of another size.
+   * Whether the graphics card is still drawing a slow frame. Another one would be queued, and the page would block as soon as it asks the
+   * card for anything, even a canvas of another size.
    */
   get isBusy(): boolean {
     return this.underway > 0;
   }
 
-  /** Whether frames take so long that those which would show little more are better left out. */
+  /** Whether frames are so slow that barely visible ones are better left out. */
   get isSlow(): boolean {
     return this.milliseconds !== undefined && this.milliseconds >= SLOW_MILLISECONDS;
   }
@@ -72,39 +72,39 @@ export class FrameQuality {
     this.listeners.push(listener);
   }
 
-  /** The time a frame takes, or undefined before one was measured. */
+  /** The duration of a frame, or undefined before one was measured. */
   get milliseconds(): number | undefined {
     return this.resolution.milliseconds;
   }
 
-  /** The share of the full resolution that the next frame is drawn in. */
+  /** The share of the full resolution for the next frame. */
   get share(): number {
     return this.isSketching ? SKETCH_SHARE : this.resolution.scale;
   }
 
-  /** Whether frames are drawn in a lower resolution, because the machine is too slow for the movement. */
+  /** Whether frames have a lower resolution, because the machine is too slow for the movement. */
   get isCoarse(): boolean {
     return this.resolution.scale < 1;
   }
 
-  /** Whether frames are sketches, because the first one of the model is still to be drawn or measured. */
+  /** Whether frames are sketches, because the model's first frame is still to be drawn or measured. */
   get isSketch(): boolean {
     return this.isSketching;
   }
 
-  /** Whether a picture of what is drawn is on the page, be it a sketch: from then on, other work delays no first picture. */
+  /** Whether a picture of the present model is on the page, even a sketch, so that other work no longer delays it. */
   get isOnPage(): boolean {
     return this.hasBeenSketched || (!this.isSketching && this.milliseconds !== undefined);
   }
 
-  /** Forgets how long frames took, because something else is drawn from now on. @param isSketch whether it begins with a sketch */
+  /** Forgets the measured duration, because another scene is drawn from now on. @param isSketch whether it begins with a sketch */
   restart(isSketch = this.isSketching): void {
     this.isSketching = isSketch;
     this.hasBeenSketched = false;
     this.resolution.reset();
   }
 
-  /** Has the whole model drawn from now on, if only its sketch was. */
+  /** Draws the whole model from now on, if only its sketch was drawn. */
   finishSketch(): void {
     if (!this.isSketching) return;
     this.restart(false);
@@ -112,7 +112,7 @@ export class FrameQuality {
     this.host.onSketched();
   }
 
-  /** To be called when a whole frame was drawn that is not measured: its time is unknown. */
+  /** Call this when a whole frame was drawn without being measured. */
   drawnUnmeasured(): void {
     this.restart(false);
     this.hasBeenSketched = true;
@@ -121,7 +121,7 @@ export class FrameQuality {
 
   private measured(): void {
     if (this.isSketching) {
-      // A whole frame of a stand-in that takes long would only delay the model itself.
+      // A whole frame of a slow placeholder would only delay the model itself.
       if (this.host.isStandIn() && this.milliseconds! >= LONG_MILLISECONDS) return;
       this.finishSketch();
     }

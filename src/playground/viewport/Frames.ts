@@ -8,11 +8,11 @@ const MAX_PIXEL_RATIO = 2;
 /** On very large screens the pixel ratio is lowered to stay below this. */
 const MAX_PIXELS = 8_000_000;
 
-/** How many pixels are drawn per CSS pixel of a viewport while nothing moves. `width` and `height` are its size in CSS pixels. */
+/** Device pixels per CSS pixel while nothing moves. `width` and `height` are the size of the viewport in CSS pixels. */
 const fullPixelRatio = (width: number, height: number): number =>
   Math.min(devicePixelRatio, MAX_PIXEL_RATIO, Math.sqrt(MAX_PIXELS / Math.max(1, width * height)));
 
-/** Calls for frames on demand, at most once per refresh of the screen. An idle page draws no frames. */
+/** Schedules frames on demand, at most one per refresh of the screen. An idle page draws no frames. */
 export class FrameScheduler {
   /** Number of frames drawn so far. */
   frames = 0;
@@ -20,7 +20,7 @@ export class FrameScheduler {
 
   /**
    * @param draw draws a frame
-   * @param mustWait whether a frame that was requested has to wait: it is asked for anew with the next refresh
+   * @param mustWait whether a requested frame has to be postponed to the next refresh
    */
   constructor(
     private readonly draw: () => void,
@@ -32,7 +32,7 @@ export class FrameScheduler {
     this.request ||= requestAnimationFrame(this.onFrame);
   }
 
-  /** Whether a frame was requested and is not drawn yet. */
+  /** Whether a requested frame is not drawn yet. */
   get isWaiting(): boolean {
     return this.request !== 0;
   }
@@ -48,20 +48,20 @@ export class FrameScheduler {
   };
 }
 
-/** Draws frames into the viewport: on demand, and one after the other while the model moves by itself. */
+/** Draws frames into the viewport: on demand, and continuously while the model is animated. */
 export class Frames {
-  /** Whether no frames are drawn, because a picture is drawn in tiles: nothing may move, and the canvas holds the latest tile. */
+  /** Whether frames are suspended while a picture is drawn in tiles: nothing may move, and the canvas holds the latest tile. */
   isHeld = false;
-  /** How many works go on, each of which will exchange something that is drawn. */
+  /** The number of tasks in progress that will change what is drawn. */
   private exchanging = 0;
-  /** Whether what is drawn has been exchanged since the last frame, into which the kept picture fades. */
+  /** Whether such a change has happened since the last frame; the stored picture then fades into the next one. */
   private isExchanged = false;
-  /** Whether the next frame shows a movement, and does not only add to what is drawn. */
+  /** Whether the next frame shows a movement, instead of only adding detail. */
   private isMoving = false;
   private lastFrame = 0;
-  /** What frames are drawn on where the painter does not draw them. */
+  /** The screen that draws frames in place of the painter. */
   private wanted: Screen | undefined;
-  /** That which shows the last frame; undefined if the painter has drawn it. */
+  /** The screen that shows the last frame; undefined for the painter. */
   private shownOn: Screen | undefined;
   private readonly scheduler: FrameScheduler;
   private readonly crossFade: CrossFade;
@@ -75,11 +75,11 @@ export class Frames {
     private readonly viewport: HTMLElement,
   ) {
     this.crossFade = new CrossFade(painter.canvas, () => this.canvas);
-    // Before the first model, the page waits for others.
+    // Deferred, because the page waits for other resources before the first model.
     setTimeout(() => this.crossFade.prepare());
     this.scheduler = new FrameScheduler(
       () => {
-        // Until the programs are built, the last frame stays on the page.
+        // While programs compile, the last frame stays on the page.
         if (!this.isBuilding) this.draw();
       },
       () => this.mustWait(),
@@ -92,7 +92,7 @@ export class Frames {
     this.scheduler.invalidate();
   }
 
-  /** Requests one frame that adds to what is drawn where nothing moves. It is drawn in full resolution however long frames take. */
+  /** Requests one frame that adds detail without movement, in full resolution however long frames take. */
   refine(): void {
     this.scheduler.invalidate();
   }
@@ -102,12 +102,12 @@ export class Frames {
     return (this.shownOn ?? this.painter).canvas;
   }
 
-  /** Where the next frame is drawn; undefined if the painter draws it. */
+  /** The screen for the next frame; undefined for the painter. */
   get screen(): Screen | undefined {
     return this.wanted?.canDraw ? this.wanted : undefined;
   }
 
-  /** Has frames drawn on a screen, as far as it can, or by the painter alone. The screen before is disposed of when it is not seen any more. */
+  /** Draws frames on a screen as far as it can, or with the painter alone. The previous screen is disposed of once it is hidden. */
   drawOn(screen: Screen | undefined): void {
     const before = this.wanted;
     this.wanted = screen;
@@ -120,62 +120,62 @@ export class Frames {
     this.listeners.push(listener);
   }
 
-  /** Calls back with each refresh of the screen in which a frame has to wait: what lies over the drawing need not. The lights are placed by then. */
+  /** Calls back at each refresh in which a frame is postponed, so that overlays can move on. The lights are placed by then. */
   onWait(listener: () => void): void {
     this.waiting.push(listener);
   }
 
-  /** The number of frames that were requested and drawn. */
+  /** The number of requested frames that were drawn. */
   get count(): number {
     return this.scheduler.frames;
   }
 
-  /** Whether what frames are drawn with is being built. Meanwhile the page shows an earlier frame. */
+  /** True while programs compile. The page shows an earlier frame meanwhile. */
   get isBuilding(): boolean {
     return this.painter.isBuilding || this.screen?.isBuilding === true;
   }
 
-  /** Whether a frame was requested and is not drawn yet, or a model was drawn as a sketch only. */
+  /** Whether a requested frame is not drawn yet, or the model is drawn as a sketch only. */
   get isWaiting(): boolean {
     const { painter, quality } = this;
     return this.scheduler.isWaiting || this.isBuilding || (quality.isSketch && !painter.isLost);
   }
 
   /**
-   * Whether what the page shows stays as it is: no frame is awaited or being drawn, none in full resolution will follow a coarse one, and
-   * no picture fades.
+   * Whether the page's picture is final: no frame is pending or being drawn, no full resolution will follow a coarse frame, and nothing
+   * fades.
    */
   get isSettled(): boolean {
     const { quality, crossFade } = this;
     return !this.isWaiting && !quality.isBusy && !quality.isCoarse && !crossFade.isFading;
   }
 
-  /** Discards the picture of a stand-in, which would have faded into that of the model. */
+  /** Discards the copied picture of a placeholder, which would have faded into the model's. */
   forgetStandIn(): void {
     this.crossFade.forget();
   }
 
   /**
-   * Has each picture copied from now on, because {@link fadeIntoNext} will be called: a picture that is to be copied later has to be
-   * drawn a second time, for which a slow machine takes a second.
+   * Copies each picture from now on, because {@link fadeIntoNext} will be called: copying later would require drawing it again, which takes
+   * a second on a slow machine.
    */
   keepPictures(): void {
     this.exchanging++;
   }
 
-  /** Ends what {@link keepPictures} began: to be called as often. */
+  /** Ends {@link keepPictures}; call it as often. */
   leavePictures(): void {
     this.exchanging--;
     if (this.exchanging === 0 && !this.isExchanged && !this.scenery.shown.isStandIn) this.crossFade.forgetKept();
   }
 
-  /** Lets the picture that is shown fade into the next one, unless another fades at the moment. To be called before what is drawn changes. */
+  /** Fades the present picture into the next one, unless another is fading. Call this before the scene changes. */
   fadeIntoNext(): void {
     this.isExchanged = true;
     if (!this.crossFade.isBusy && this.redraw()) this.crossFade.keep();
   }
 
-  /** Gives the canvas the size of the viewport. It is drawn at once and not in the next frame, because resizing clears it. */
+  /** Resizes the canvas to the viewport and draws at once, because resizing clears it. */
   resize(width: number, height: number): void {
     const { painter, quality } = this;
     if (!this.screen) {
@@ -198,7 +198,7 @@ export class Frames {
       this.show(undefined);
     }
     this.isMoving = false;
-    // A stand-in fades into what takes its place, be it another stand-in.
+    // A placeholder fades into what replaces it, even another placeholder.
     if ((scenery.shown.isStandIn || this.exchanging > 0) && !this.isExchanged) crossFade.keep();
     else crossFade.start();
     this.isExchanged = false;
@@ -208,7 +208,7 @@ export class Frames {
   }
 
   /**
-   * Draws the picture that is shown once more, so that it can be copied in the same task. This frame is not measured.
+   * Draws the present picture again, so that it can be copied in the same task. This frame is not measured.
    *
    * @returns whether there is a picture
    */
@@ -221,7 +221,7 @@ export class Frames {
     return true;
   }
 
-  /** Whether a frame has to wait for an earlier one that takes long. */
+  /** Whether a frame has to wait for an earlier slow one. */
   private mustWait(): boolean {
     const { quality, painter } = this;
     if (this.isHeld || !quality.isBusy) return false;
@@ -230,7 +230,7 @@ export class Frames {
     return true;
   }
 
-  /** The viewport's size in CSS pixels; undefined where no frame can be drawn into it. */
+  /** The viewport's size in CSS pixels; undefined if no frame can be drawn into it. */
   private get drawableSize(): { width: number; height: number } | undefined {
     const { clientWidth: width, clientHeight: height } = this.viewport;
     return this.isHeld || this.painter.isLost || width === 0 || height === 0 ? undefined : { width, height };
@@ -240,7 +240,7 @@ export class Frames {
     const { painter, scenery, quality } = this;
     this.advanceMotion();
     painter.placeLights(quality.isCoarse ? 'coarse' : 'usual');
-    // A ground alone would be no drawing, and its programs would be built before those of the model.
+    // Without a model, the ground is left out: it is no drawing by itself, and its programs would be built before the model's.
     if (quality.isSketch || !scenery.shown.model) scenery.showSketch();
     painter.pixelRatio = fullPixelRatio(width, height) * quality.share;
     painter.drawTile({ viewWidth: width, x: 0, width, height });
@@ -257,7 +257,7 @@ export class Frames {
     quality.drawnUnmeasured();
   }
 
-  /** Has the page show what a screen has drawn, or the painter. */
+  /** Shows the canvas of a screen, or the painter's. */
   private show(screen: Screen | undefined): void {
     const before = this.shownOn;
     if (before === screen) return;

@@ -2,19 +2,17 @@
 const INTERVAL_MILLISECONDS = 1000;
 
 /**
- * Keeps a copy of the latest picture, which is shown while the graphics context is lost. The copy lies behind the drawing, and in main
- * memory, because what the graphics card holds is lost with the context.
- *
- * Copying takes time, so pictures are copied only after a first loss.
+ * Keeps a copy of the latest picture, which is shown while the graphics context is lost. The copy lies behind the drawing and in main
+ * memory, because GPU memory is lost with the context. Copying takes time, so it starts only after a first loss.
  */
 export class LastPicture {
   private copy = document.createElement('canvas');
-  /** The pixels themselves are kept too: when the GPU process ends, browsers blank canvases of every kind. */
+  /** The pixels are kept too: when the GPU process ends, browsers blank canvases of every kind. */
   private pixels: ImageData | undefined;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private keptAt = -Infinity;
 
-  /** @param draw draws the picture once more, and returns whether there is one */
+  /** @param draw draws the picture again, and returns whether there is one */
   constructor(
     private readonly drawing: HTMLCanvasElement,
     private readonly draw: () => boolean,
@@ -34,7 +32,7 @@ export class LastPicture {
     return this.pixels !== undefined;
   }
 
-  /** To be called after each frame. The last frame of a movement is copied too, a little later. */
+  /** Call this after each frame. The last frame of a movement is copied too, a little later. */
   frameDrawn(): void {
     if (this.timer !== undefined) return;
     const wait = Math.max(0, this.keptAt + INTERVAL_MILLISECONDS - performance.now());
@@ -48,7 +46,7 @@ export class LastPicture {
   lost(): void {
     this.stop();
     if (this.pixels) {
-      // A canvas that was blanked stays blank, so a new one takes its place.
+      // A canvas that was blanked stays blank, so a new one replaces it.
       const canvas = this.copy.cloneNode() as HTMLCanvasElement;
       this.copy.replaceWith(canvas);
       this.copy = canvas;
@@ -71,7 +69,7 @@ export class LastPicture {
 
   private keep(): void {
     const { copy, context, drawing } = this;
-    // Drawn and copied in one task, because the canvas does not keep its content for longer.
+    // Drawn and copied in one task, because the canvas does not keep its content.
     if (!this.draw()) return;
     this.keptAt = performance.now();
     if (copy.width !== drawing.width || copy.height !== drawing.height) {

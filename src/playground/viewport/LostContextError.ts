@@ -1,2 +1,2 @@
-/** The graphics card has let go of the drawing. Who was saving it says what that means. */
+/** The graphics context was lost. The caller that was saving the drawing explains what that means. */
 export class LostContextError extends Error {}

@@ -17,7 +17,10 @@ import type { FrameSize, Screen } from './Screen.js';
 
 const NAMES = Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
 
-/** A material of nodes with the properties of another one. What equals a default of the technique stays one, and changes with the technique. */
+/**
+ * A node material with the properties of another material. Values that equal a default of the technique stay defaults, and change with the
+ * technique.
+ */
 function nodesLike(drawn: HatchingMaterial): HatchingNodeMaterial {
   const nodes = new HatchingNodeMaterial();
   Material.prototype.copy.call(nodes, drawn);
@@ -38,19 +41,19 @@ const nodeMakers: NodeMakers = {
   outlines: (mesh, material) => new HatchingOutlines(mesh, material),
 };
 
-/** What a {@link NodeScreen} needs to know of the page, and whom it tells. */
+/** What a {@link NodeScreen} needs from the page. */
 interface NodeScreenHost {
   painter: Painter;
   scenery: Scenery;
   /** Requests a frame. */
   refine(): void;
-  /** Called when the device is lost. The screen is of no use any more. */
+  /** Called when the device is lost. The screen is unusable then. */
   onLost(): void;
 }
 
 /**
- * Draws the scenery with WebGPURenderer and materials of nodes. The model is lent by the scenery; camera, lights and ground are of its own, because
- * each kind of renderer writes to these what the other cannot read.
+ * Draws the scenery with WebGPURenderer and node materials. It borrows the model from the scenery, but has its own camera, lights and
+ * ground, because each renderer writes data to these that the other cannot read.
  */
 export class NodeScreen implements Screen {
   readonly canvas = document.createElement('canvas');
@@ -61,24 +64,24 @@ export class NodeScreen implements Screen {
   private readonly ground: Ground;
   private readonly renderer: WebGPURenderer;
   private look: Look | undefined;
-  /** The model and the programs that were built last. */
+  /** The model and programs of the last build. */
   private builtModel: HatchedModel | undefined;
   private builtFor = '';
   private builds = 0;
-  /** What is being built: the programs, or what else the first frame needs. */
+  /** What is being built: the programs, or other resources of the first frame. */
   private building: 'programs' | 'rest' | undefined;
   /** Whether no frame was drawn since programs were built. */
   private isFirst = false;
   private isDisposed = false;
-  /** The shadows that were drawn last, by the painter's number. */
+  /** The painter's count of shadow changes when shadows were drawn last. */
   private shadows = -1;
   /** The size of the canvas. */
   private readonly size: FrameSize = { width: 0, height: 0, ratio: 0 };
 
   /**
-   * Sets up the renderer, on a canvas over that of the painter.
+   * Creates the renderer, on a canvas over the painter's.
    *
-   * @throws Error if the browser gives no device
+   * @throws Error if the browser provides no device
    */
   static async create(host: NodeScreenHost): Promise<NodeScreen> {
     const screen = new NodeScreen(host);
@@ -95,7 +98,7 @@ export class NodeScreen implements Screen {
 
   private constructor(private readonly host: NodeScreenHost) {
     const { canvas, groundMaterial } = this;
-    // Until its first frame, the painter's last one is seen.
+    // Hidden until its first frame, so that the painter's last frame stays visible.
     canvas.hidden = true;
     canvas.className = 'node-screen';
     canvas.setAttribute('aria-hidden', 'true');
@@ -109,7 +112,7 @@ export class NodeScreen implements Screen {
     this.ground = new Ground(this.scene, () => this.outdate(), groundMaterial);
   }
 
-  /** The graphics card; undefined if the renderer has fallen back to WebGL. */
+  /** The WebGPU device; undefined if the renderer has fallen back to WebGL. */
   private get device(): GPUDevice | undefined {
     return (this.renderer.backend as { device?: GPUDevice }).device;
   }
@@ -136,14 +139,14 @@ export class NodeScreen implements Screen {
   draw({ width, height, ratio }: FrameSize): void {
     const { renderer, size } = this;
     this.follow(width, height);
-    // Either gives the canvas new memory.
+    // Both calls reallocate the canvas.
     if (size.ratio !== ratio) renderer.setPixelRatio(ratio);
     if (size.width !== width || size.height !== height) renderer.setSize(width, height, false);
     Object.assign(size, { width, height, ratio });
     try {
       renderer.render(this.scene, this.camera);
     } catch (error) {
-      // Where the browser's graphics process has fallen over, three.js is not told of the lost device.
+      // When the browser's GPU process crashes, three.js is not told of the lost device.
       console.error(error);
       this.host.onLost();
       return;
@@ -158,23 +161,23 @@ export class NodeScreen implements Screen {
     host.scenery.dropNodes();
     ground.dispose();
     canvas.remove();
-    // It waits for what was not set up, which whoever creates the screen has been told of.
+    // Disposal waits for a set-up that may have failed, which was reported to the creator.
     Promise.resolve(renderer.dispose()).catch(() => {});
   }
 
-  /** Has the next frame wait for programs, because there is more to draw. */
+  /** Makes the next frame wait for programs, because there is more to draw. */
   private outdate(): void {
     this.builtFor = '';
     this.host.refine();
   }
 
-  /** Builds what the next frame is drawn with, and requests it then. The canvas keeps the last frame meanwhile. */
+  /** Builds the resources of the next frame, then requests it. The canvas keeps the last frame meanwhile. */
   private async build(): Promise<void> {
     const { host, renderer, groundMaterial, lights } = this;
     const build = ++this.builds;
     this.building = 'programs';
     this.follow(this.size.width, this.size.height);
-    // What cannot be fetched or built is missing in the frame, and the console says why.
+    // Anything that cannot be fetched or built is missing in the frame, and the console says why.
     try {
       await Promise.all([host.scenery.shown.model?.nodesReady(), groundMaterial.ready]);
       if (!this.isDisposed) await renderer.compileAsync(this.scene, this.camera);
@@ -189,21 +192,21 @@ export class NodeScreen implements Screen {
   }
 
   /**
-   * Waits for the first frame. The graphics card builds the programs of shadows for it, and that which puts it on the canvas. Until then, the
-   * page shows the frame before, and further ones would wait as well.
+   * Waits for the first frame, for which the graphics card builds the programs of shadows and of the output. Until then, the page shows the
+   * previous frame, and further frames would wait as well.
    */
   private async buildRest(): Promise<void> {
     const { builds } = this;
     this.isFirst = false;
     this.building = 'rest';
-    // A card that is let go of meanwhile does not finish it.
+    // A device lost meanwhile does not finish it.
     await this.device?.queue.onSubmittedWorkDone().catch(() => {});
     if (builds !== this.builds || this.isDisposed) return;
     this.building = undefined;
     this.host.refine();
   }
 
-  /** Takes over what is shown, on a sheet of this size in CSS pixels. */
+  /** Synchronizes with the scenery, on a sheet of this size in CSS pixels. */
   private follow(width: number, height: number): void {
     const { camera, ground, host, lights, renderer } = this;
     const { painter, scenery } = host;
@@ -231,7 +234,7 @@ export class NodeScreen implements Screen {
   }
 }
 
-/** Gives a camera the place and the lens of another one. */
+/** Copies position and lens of another camera. */
 function placeLike(camera: LensCamera, other: LensCamera): void {
   const { position, quaternion, aspect, lens, sheet } = other;
   camera.position.copy(position);
@@ -240,7 +243,7 @@ function placeLike(camera: LensCamera, other: LensCamera): void {
 }
 
 /**
- * Makes a renderer draw straight to its canvas, in sRGB colours that every material writes itself, as WebGLRenderer does. By itself WebGPURenderer
+ * Makes a renderer draw straight to its canvas, in sRGB colours encoded by each material, as WebGLRenderer does. By default WebGPURenderer
  * blends in a linear picture and encodes it afterwards, which makes half-covered pixels lighter. The renderer's clear color is not encoded.
  */
 function encodeInMaterials(renderer: WebGPURenderer): void {

@@ -8,22 +8,22 @@ import { ProgramBuilder } from './ProgramBuilder.js';
 import type { Scenery } from './Scenery.js';
 import { SideBySide, sidesOf, type Tile } from './SideBySide.js';
 
-/** Draws the scenery into the canvas, as the camera sees it. */
+/** Draws the scenery into the canvas with WebGLRenderer. */
 export class Painter {
   readonly renderer: WebGLRenderer;
   readonly camera = createCamera();
   readonly sides: SideBySide;
   private readonly builder: ProgramBuilder;
-  /** The key of the programs that were built last; empty if none were. */
+  /** The key of the programs that were built last; empty without any. */
   private builtFor = '';
-  /** Whether there may be something of the scenery on the graphics card. */
+  /** Whether the scenery may have resources on the graphics card. */
   private isUsed = false;
   /** The part of the picture that is the sheet. */
   sheetOf: () => SheetPart = () => WHOLE_SHEET;
-  /** How often the shadow maps were outdated. */
+  /** The number of times the shadow maps were outdated. */
   shadowChanges = 0;
 
-  /** @param onBuilt called when programs that were being built are ready */
+  /** @param onBuilt called when programs are ready */
   constructor(
     readonly canvas: HTMLCanvasElement,
     readonly context: WebGL2RenderingContext,
@@ -32,7 +32,7 @@ export class Painter {
     onBuilt: () => void,
   ) {
     const renderer = new WebGLRenderer({ canvas, context });
-    // Shadows cost nothing while no light casts them. Their maps are drawn anew when a light or the model moves, not with the camera.
+    // Shadows cost nothing while no light casts them. Their maps are redrawn when a light or the model moves, not with the camera.
     renderer.shadowMap.enabled = true;
     renderer.shadowMap.autoUpdate = false;
     this.renderer = renderer;
@@ -44,17 +44,17 @@ export class Painter {
     );
   }
 
-  /** Whether the graphics context is lost. What is changed meanwhile is drawn when it comes back. */
+  /** Whether the graphics context is lost. Changes meanwhile are drawn when it is restored. */
   get isLost(): boolean {
     return this.context.isContextLost();
   }
 
-  /** Pixels of the canvas per CSS pixel. */
+  /** Device pixels per CSS pixel. */
   get pixelRatio(): number {
     return this.renderer.getPixelRatio();
   }
 
-  /** Does nothing if the ratio is the same, because setting it gives the canvas new memory. */
+  /** Does nothing if the ratio is the same, because setting it reallocates the canvas. */
   set pixelRatio(ratio: number) {
     if (ratio !== this.pixelRatio) this.renderer.setPixelRatio(ratio);
   }
@@ -67,7 +67,7 @@ export class Painter {
   /**
    * Draws one tile of a picture, or a whole frame.
    *
-   * @param scale of a picture whose size is not that of the page; the widths of strokes and outlines go with it
+   * @param scale of a picture relative to the page, which scales the widths of strokes and outlines
    */
   drawTile(tile: Tile, scale = 1): void {
     this.scenery.takeBack();
@@ -76,13 +76,13 @@ export class Painter {
     this.sides.drawTile(tile);
   }
 
-  /** Has the shadow maps drawn anew in the next frame, because a light or the model has moved. */
+  /** Makes the next frame redraw the shadow maps, because a light or the model has moved. */
   outdateShadows(): void {
     this.renderer.shadowMap.needsUpdate = true;
     this.shadowChanges++;
   }
 
-  /** Places the lights, and has the shadow maps drawn anew if they or the model have moved. */
+  /** Places the lights, and outdates the shadow maps if they or the model have moved. */
   placeLights(quality: ShadowQuality): void {
     const { scenery } = this;
     const hasMoved = scenery.look !== undefined && scenery.lights.place(this.camera);
@@ -90,17 +90,17 @@ export class Painter {
     this.setShadowQuality(quality, this.renderer.shadowMap.needsUpdate);
   }
 
-  /** Sets how finely shadows are drawn, as {@link LightRig.setShadowQuality} does. */
+  /** Sets the quality of shadows, as {@link LightRig.setShadowQuality} does. */
   setShadowQuality(quality: ShadowQuality, areDrawn: boolean): void {
     if (this.scenery.lights.setShadowQuality(quality, areDrawn)) this.outdateShadows();
   }
 
-  /** Whether programs are being built. */
+  /** True while programs compile. */
   get isBuilding(): boolean {
     return this.builder.isBuilding;
   }
 
-  /** Has the programs built that a look asks for, where they differ from those of the last time: numbers and colours build none. */
+  /** Builds the programs of a look where they differ from the last ones: changed numbers and colours need none. */
   buildPrograms(look: Look): void {
     const { scenery, renderer, camera } = this;
     const { drawn } = scenery.shown;
@@ -109,7 +109,7 @@ export class Painter {
     this.builtFor = look.programs;
     scenery.takeBack();
     this.isUsed = true;
-    // Lines that are not drawn by hand have a program of their own.
+    // Lines without hand-drawn wobble have a program of their own.
     this.setWidths();
     this.builder.build(() => {
       for (const side of sidesOf(look)) {
@@ -120,7 +120,7 @@ export class Painter {
     });
   }
 
-  /** To be called when the same look needs other programs: those of another model, or of a restored context. */
+  /** Call this when the same look needs other programs: those of another model, or of a restored context. */
   forgetPrograms(): void {
     this.builtFor = '';
   }
@@ -129,7 +129,7 @@ export class Painter {
     this.builder.stop();
   }
 
-  /** Frees all that it has on the graphics card but the context, because another renderer draws frames. What it draws next is uploaded again. */
+  /** Frees all GPU resources except the context, because another renderer draws frames. They are uploaded again when needed. */
   release(): void {
     if (!this.isUsed || this.isLost) return;
     this.isUsed = false;
@@ -142,7 +142,7 @@ export class Painter {
     this.renderer.setSize(1, 1, false);
   }
 
-  /** Sets how wide strokes and outlines are, and where the shadow on the ground ends. @param scale of a picture whose size is not that of the page */
+  /** Sets the widths of strokes and outlines, and the end of the shadow on the ground. @param scale of a picture relative to the page */
   setWidths(scale = 1): void {
     const { clientWidth, clientHeight } = this.viewport;
     this.scenery.setWidths(strokeShare(clientWidth, clientHeight), scale);

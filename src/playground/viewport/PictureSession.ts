@@ -6,16 +6,16 @@ import { LostContextError } from './LostContextError.js';
 import { MARGIN } from './SideBySide.js';
 import type { Viewport } from './Viewport.js';
 
-/** Pixels of the longer side of a picture that is larger than a screen. */
+/** The longer side, in pixels, from which a picture counts as larger than a screen. */
 const LARGE = 2048;
 
-/** A picture that is drawn in tiles: where it lies on the whole view of the page, in pixels of the picture. */
+/** A picture that is drawn in tiles: its place on the whole view of the page, in pixels of the picture. */
 export interface TiledPicture {
   viewWidth: number;
   viewHeight: number;
   left: number;
   top: number;
-  /** Pixels of the picture per CSS pixel of the page, by which strokes and outlines are sized. */
+  /** Pixels of the picture per CSS pixel of the page, which scale strokes and outlines. */
   scale: number;
 }
 
@@ -27,22 +27,22 @@ interface Part {
   height: number;
 }
 
-/** How a picture is drawn: on which background, and whether all of it. */
+/** The content of a picture: its background, and all or one of its layers. */
 export interface PictureLook {
   ground: Settings['pictureGround'];
-  /** The one layer that is drawn, on a transparent background. */
+  /** The only layer that is drawn, on a transparent background. */
   layer?: Layer;
-  /** Whether it lies below the lines of a vector file: what leaves as lines is left out, and so is a comparison. */
+  /** Whether it lies below the lines of a vector file: elements that are saved as lines are left out, and so is a comparison. */
   isUnderLines?: boolean;
 }
 
-/** Draws pictures in tiles, or videos frame by frame, on the canvas of the page. The frames of the page are held meanwhile. */
+/** Draws pictures in tiles, or videos frame by frame, on the canvas of the page. The page's frames are held meanwhile. */
 export class PictureSession {
-  /** The changes of the viewport when its frames were held: after another change, further tiles would not fit the earlier ones. */
+  /** The viewport's change count when frames were held: after a further change, new tiles would not fit the earlier ones. */
   private changes = 0;
   /** Whether a comparison is left out. */
   private isUndivided = false;
-  /** Gives the model the geometry back that frames show. */
+  /** Restores the model's usual geometry. */
   private leaveFiner: () => void = () => {};
 
   constructor(private readonly viewport: Viewport) {}
@@ -62,17 +62,17 @@ export class PictureSession {
     painter.setShadowQuality(size > LARGE ? 'fine' : 'usual', true);
   }
 
-  /** Goes on with frames. One is drawn at once, so that the page never shows a tile. */
+  /** Resumes frames. One is drawn at once, so that the page never shows a tile. */
   release(): void {
     this.leaveFiner();
     this.viewport.frames.isHeld = false;
     this.viewport.resize();
   }
 
-  /** Shows what the picture is to hold, until {@link end}. Frames must be held. */
+  /** Sets the scene up for the picture, until {@link end}. Frames must be held. */
   begin({ ground, layer, isUnderLines = false }: PictureLook): void {
     const { painter, scenery } = this.viewport;
-    // Tiles are measured in pixels.
+    // Tiles are measured in device pixels.
     painter.pixelRatio = 1;
     if (ground !== 'paper' || layer) painter.renderer.setClearAlpha(0);
     if (layer) scenery.showLayer(layer);
@@ -87,7 +87,7 @@ export class PictureSession {
     painter.renderer.setClearAlpha(1);
   }
 
-  /** Gives the scene the sizes, shadows and technique of the page, for whoever reads it: tiles and small pictures had those of their own. */
+  /** Restores the sizes, shadows and technique of the page after tiles and small pictures, for readers of the scene. */
   restoreScene(): void {
     const { painter, scenery } = this.viewport;
     painter.setWidths();
@@ -96,7 +96,7 @@ export class PictureSession {
   }
 
   /**
-   * Draws one tile of a picture that was begun into the canvas, which keeps it until the end of the task.
+   * Draws one tile of the present picture into the canvas, which keeps it until the end of the task.
    *
    * @param tile its place in the picture, in pixels
    * @throws Error with a sentence for the user
@@ -106,7 +106,7 @@ export class PictureSession {
       throw new Error('The drawing was changed while it was being saved; save it again.');
     const { painter } = this.viewport;
     const { canvas, camera } = painter;
-    // Setting the size gives the canvas new memory, even if it is the same.
+    // Setting the size reallocates the canvas, even if it is the same.
     if (canvas.width !== width || canvas.height !== height) painter.renderer.setSize(width, height, false);
     camera.setViewOffset(viewWidth, viewHeight, left + x, top + y, width, height);
     painter.drawTile({ viewWidth, x: left + x, width, height, isUndivided: this.isUndivided }, scale);
@@ -115,7 +115,7 @@ export class PictureSession {
   }
 
   /**
-   * Draws one tile of a picture that was begun, and reads its pixels: RGBA multiplied with alpha, the lowest row first.
+   * Draws one tile of the present picture, and reads its pixels: RGBA with premultiplied alpha, the lowest row first.
    *
    * @param tile its place in the picture, in pixels
    * @param pixels to be filled
@@ -150,8 +150,8 @@ export class PictureSession {
 }
 
 /**
- * The start and the length of a part with a margin before and after it, as far as the view reaches. Margins are even: pixels are shaded in
- * pairs, which stay the same ones.
+ * Start and length of a part with a margin on both sides, clipped to the view. Margins are even: pixels are shaded in pairs, which must
+ * stay the same.
  *
  * @param origin of starts, in the view
  */

@@ -2,10 +2,10 @@ import type { WebGLInfo, WebGLRenderer } from 'three';
 
 const POLL_MILLISECONDS = 10;
 
-/** Has the programs of a scene built in the background, so that the first frame that needs them does not block the page. */
+/** Compiles the programs of a scene in the background, so that the first frame that needs them does not block the page. */
 export class ProgramBuilder {
   private readonly gl: WebGL2RenderingContext;
-  /** A fence that is passed when the browser has handed the programs to the driver. */
+  /** A fence that is signalled when the browser has passed the programs to the driver. */
   private fence: WebGLSync | null = null;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
@@ -64,7 +64,7 @@ export class ProgramBuilder {
         return;
       }
       this.stop();
-      // three.js asks for the uniforms of a program once. In the middle of a frame that would wait for what was drawn before.
+      // three.js queries the uniforms of a program once. During a frame, that would wait for earlier draw calls.
       for (const program of this.programs) program.getUniforms();
       this.onBuilt();
     }, POLL_MILLISECONDS);

@@ -12,26 +12,26 @@ import type { Look } from '../../viewer/settings/lookOf.js';
 import { UPRIGHT } from '../../viewer/settings/settingValues.js';
 import { ShownModel } from './ShownModel.js';
 
-/** What is drawn: the model, turned so that its up axis is y, the ground that it stands on, and the lights. */
+/** The scene: the model, turned so that its up axis is y, the ground, and the lights. */
 export class Scenery {
   readonly scene = new Scene();
   readonly lights = new LightRig(this.scene);
   readonly ground: Ground;
   private readonly backdrop: Backdrop;
   readonly shown: ShownModel;
-  /** How everything is drawn; undefined until the first look is applied. */
+  /** The present look; undefined until the first one is applied. */
   look: Look | undefined;
   private readonly upright = new Group();
   private turn: Look['upright'] = UPRIGHT.y;
   private map: TonalArtMap | undefined;
-  /** What of the model casts shadows as it stands; undefined until a shadow falls on the ground. */
+  /** The model's shadow casters in its present orientation; undefined until a shadow falls on the ground. */
   private casters: Float32Array | undefined;
-  /** Whether the model casts a shadow on the ground. Framing leaves room for that. */
+  /** Whether the model casts a shadow on the ground, for which framing leaves room. */
   private showsShadow = false;
 
   /**
-   * @param onGround called when a frame with the ground can be drawn
-   * @param onModel called when another model is shown, as {@link ShownModel} says
+   * @param onGround called when the ground can be drawn
+   * @param onModel called when another model is shown, see {@link ShownModel}
    */
   constructor(onGround: () => void, onModel: ConstructorParameters<typeof ShownModel>[1]) {
     this.ground = new Ground(this.scene, onGround);
@@ -41,9 +41,9 @@ export class Scenery {
   }
 
   /**
-   * Gives a look to the lights, the model and the ground. Shadow maps are not drawn anew.
+   * Applies a look to the lights, the model and the ground. Does not redraw shadow maps.
    *
-   * @returns whether the model was turned, and whether its shadow has appeared or disappeared: both ask for another framing
+   * @returns whether the model was turned, and whether its shadow has appeared or disappeared; both require another framing
    */
   apply(look: Look): { isTurned: boolean; hasOtherShadow: boolean } {
     const { shown, lights, ground, upright } = this;
@@ -59,7 +59,7 @@ export class Scenery {
     return { isTurned, hasOtherShadow: this.showsShadow !== hadShadow };
   }
 
-  /** Lends the model to a scene of nodes, until {@link takeBack}. Does nothing if it is there already. */
+  /** Lends the model to a node scene, until {@link takeBack}. Does nothing if it is there already. */
   lend(scene: Scene, makers: NodeMakers): void {
     const { shown, look, upright } = this;
     if (look) shown.model?.makeNodes(makers, look);
@@ -67,20 +67,20 @@ export class Scenery {
     if (upright.parent !== scene) scene.add(upright);
   }
 
-  /** Has the model in its own scene, for WebGLRenderer. */
+  /** Returns the model to its own scene, for WebGLRenderer. */
   takeBack(): void {
     if (this.upright.parent === this.scene) return;
     this.shown.drawn?.useMaterials('drawn');
     this.scene.add(this.upright);
   }
 
-  /** Takes the model back for good, and frees what it has for a renderer of nodes. */
+  /** Takes the model back for good, and frees its node materials. */
   dropNodes(): void {
     this.takeBack();
     this.shown.dropNodes();
   }
 
-  /** Puts the ground under the model. @returns xyz of points of the model, enough of them to frame it; undefined without a model */
+  /** Puts the ground under the model. @returns xyz of points that suffice to frame the model; undefined without a model */
   standOnGround(): ArrayLike<number> | undefined {
     const { shown, ground, upright } = this;
     upright.updateMatrix();
@@ -92,15 +92,16 @@ export class Scenery {
     return turned(shown.model.outline, upright.matrix);
   }
 
-  /** The shadow that points (as xyz) cast on the ground, seen from a direction, as xyz; undefined if there is no shadow. */
+  /** The shadow of points (xyz) on the ground, seen from a direction, as xyz; undefined without a shadow. */
   shadowOf(outline: ArrayLike<number>, toEye: Vector3): number[] | undefined {
     return this.showsShadow ? this.lights.shadowOf(outline, this.ground.height, toEye) : undefined;
   }
 
   /**
-   * Has the shadow on a ground end on the sheet that a camera sees, a part of its picture. The lights must be placed.
+   * Fades the shadow on a ground before it reaches the edges of the sheet, which is a part of the camera's picture. The lights must be
+   * placed.
    *
-   * @param ground and lights of whoever draws the scenery: its own, or copies of them
+   * @param ground and lights of the renderer in use: the scenery's own, or copies of them
    */
   endShadow(
     camera: PerspectiveCamera,
@@ -129,10 +130,10 @@ export class Scenery {
   }
 
   /**
-   * Sets how wide strokes and outlines are.
+   * Sets the widths of strokes and outlines.
    *
-   * @param share of their width that they have on a small sheet
-   * @param scale of a picture whose size is not that of the page
+   * @param share of the full width, below 1 on small sheets
+   * @param scale of a picture relative to the page
    */
   setWidths(share: number, scale: number): void {
     if (!this.look) return;
@@ -149,7 +150,7 @@ export class Scenery {
     this.backdrop.hide();
   }
 
-  /** Hides what leaves as lines of its own beside strokes, until {@link showLayer} shows all again. */
+  /** Hides the elements that a vector file contains as lines besides strokes, until {@link showLayer} shows all again. */
   hideLines(): void {
     this.shown.model?.showOutlines(false);
     this.backdrop.hide();
@@ -161,7 +162,7 @@ export class Scenery {
     this.ground.showPaper(isShown);
   }
 
-  /** Shows one layer alone, on a transparent background; or all of them again. */
+  /** Shows one layer alone, on a transparent background; undefined shows all. */
   showLayer(layer: Layer | undefined): void {
     if (!this.look) return;
     this.shown.model?.showLayer(layer, this.look);
@@ -169,7 +170,7 @@ export class Scenery {
     this.backdrop.showLayer(layer, this.look);
   }
 
-  /** Disposes of what everything has on the graphics card. To be called while the context is lost. */
+  /** Disposes of all GPU resources. Call this while the context is lost. */
   releaseGraphics(): void {
     this.shown.releaseGraphics();
     releaseGraphics(this.scene);

@@ -1,18 +1,18 @@
-/** The size of a frame in CSS pixels, and the pixels of the canvas for each of them. */
+/** Size of a frame in CSS pixels, and device pixels per CSS pixel. */
 export interface FrameSize {
   width: number;
   height: number;
   ratio: number;
 }
 
-/** Draws frames with another renderer than the painter's, on a canvas of its own that lies over the painter's. */
+/** Draws frames with another renderer, on its own canvas over the painter's. */
 export interface Screen {
   readonly canvas: HTMLCanvasElement;
-  /** Whether its renderer draws all that is shown at present. If not, the painter does. */
+  /** Whether its renderer supports the present look. If not, the painter draws. */
   readonly canDraw: boolean;
-  /** Whether what frames are drawn with is being built, be it by the first of them. A frame is requested when it is there. */
+  /** True while programs compile, also for the first frame. A frame is requested when they are ready. */
   readonly isBuilding: boolean;
-  /** Whether a frame can be drawn now. If not, what it needs is built, and a frame is requested then. */
+  /** Whether a frame can be drawn now. If not, starts building what it needs; a frame is requested afterwards. */
   prepare(): boolean;
   draw(size: FrameSize): void;
   dispose(): void;

@@ -8,28 +8,25 @@ import type { Look } from '../../viewer/settings/lookOf.js';
 /** The direction from a model to the eye when the model is framed. */
 type ViewDirection = readonly [number, number, number];
 
-/**
- * What has changed: another model or its stand-in is drawn for the first time, a model has taken its stand-in's place, or an earlier model
- * is back.
- */
+/** The kind of change: another model or its placeholder is shown, a model has replaced its placeholder, or an earlier model is back. */
 export type ModelChange = 'another' | 'completed' | 'back';
 
-/** The model that is shown. A stand-in may take its place until the next model is baked; if that fails, the earlier model comes back. */
+/** The shown model. A placeholder may replace it until the next model is baked; if that fails, the earlier model returns. */
 export class ShownModel {
   private current: HatchedModel | undefined;
   private forerunner: HatchedModel | undefined;
   private firstView: ViewDirection = DEFAULT_VIEW;
   private isTemporary = false;
-  /** The model that a stand-in has replaced. It comes back if the next model is not baked. */
+  /** The model that a placeholder has replaced, which returns if the next model fails. */
   private replaced: { model: HatchedModel | undefined; firstView: ViewDirection } | undefined;
-  /** Earlier models are kept until the new one has been drawn, so that programs which both use are not compiled again. */
+  /** Earlier models are kept until the new one has been drawn, so that shared programs are not compiled again. */
   private previous: HatchedModel[] = [];
   private map: TonalArtMap | undefined;
   private look: Look | undefined;
 
   /**
-   * @param holder the object that the model is put into
-   * @param onChange called when another model is shown, with the direction to the eye when it is framed
+   * @param holder the parent object of the model
+   * @param onChange called when another model is shown, with the direction to the eye for framing
    */
   constructor(
     private readonly holder: Group,
@@ -40,17 +37,17 @@ export class ShownModel {
     return this.current;
   }
 
-  /** What is drawn: the model or, before there is one, its forerunner. */
+  /** The object to draw: the model or, before there is one, the triangle of {@link makeForerunner}. */
   get drawn(): HatchedModel | undefined {
     return this.current ?? this.forerunner;
   }
 
-  /** Whether the model only stands in for one that is still being baked. */
+  /** Whether the model is a placeholder for one that is still being baked. */
   get isStandIn(): boolean {
     return this.isTemporary;
   }
 
-  /** Draws something until the first model is shown. It is disposed of as an earlier model is. */
+  /** Draws a substitute until the first model is shown, which then is disposed of like an earlier model. */
   setForerunner(forerunner: HatchedModel): void {
     this.forerunner = forerunner;
     this.holder.add(forerunner.root);
@@ -59,7 +56,7 @@ export class ShownModel {
   /**
    * Replaces the model. The previous one is disposed of when the new one has been drawn.
    *
-   * @param hasStandIn whether the model that is shown stands in for this one, and not for another that was given up
+   * @param hasStandIn whether the shown placeholder belongs to this model, and not to one that was given up
    */
   set(next: HatchedModel, firstView: ViewDirection = DEFAULT_VIEW, hasStandIn = this.isTemporary): void {
     this.disposePrevious();
@@ -71,7 +68,7 @@ export class ShownModel {
     this.report(change, firstView);
   }
 
-  /** Shows a model until {@link set} sets the one that is being baked, or {@link removeStandIn} brings back the earlier one. */
+  /** Shows a placeholder until {@link set} sets the baked model, or {@link removeStandIn} brings back the earlier one. */
   setStandIn(next: HatchedModel, firstView: ViewDirection = DEFAULT_VIEW): void {
     this.disposePrevious();
     const before = this.exchange(next);
@@ -81,7 +78,7 @@ export class ShownModel {
     this.report('another', firstView);
   }
 
-  /** Takes away the stand-in, if one is shown. */
+  /** Removes the placeholder, if one is shown. */
   removeStandIn(): void {
     const { replaced } = this;
     if (!this.isTemporary || !replaced) return;
@@ -94,8 +91,8 @@ export class ShownModel {
   }
 
   /**
-   * Gives a model the present look before it is set, in slices, so that {@link set} has little to do. Rejects with the reason of
-   * the signal.
+   * Applies the present look to a model before it is set, in time slices, so that {@link set} has little to do. Rejects with the signal's
+   * reason.
    */
   async dress(next: HatchedModel, signal: AbortSignal): Promise<void> {
     const slices = new Slices(signal);
@@ -104,7 +101,7 @@ export class ShownModel {
     signal.throwIfAborted();
   }
 
-  /** Gives the model a look. */
+  /** Applies a look to the model. */
   apply(look: Look): void {
     this.look = look;
     this.drawn?.apply(look);
@@ -115,7 +112,7 @@ export class ShownModel {
     if (this.current) this.current.tonalArtMap = map;
   }
 
-  /** Frees what models have for a renderer of nodes. */
+  /** Frees the node materials of models. */
   dropNodes(): void {
     for (const model of [this.drawn, this.replaced?.model, ...this.previous]) model?.dropNodes();
   }
@@ -125,7 +122,7 @@ export class ShownModel {
     this.previous = [];
   }
 
-  /** Disposes of what the models have on the graphics card. To be called while the context is lost. */
+  /** Disposes of the models' GPU resources. Call this while the context is lost. */
   releaseGraphics(): void {
     this.disposePrevious();
     this.replaced?.model?.releaseGraphics();

@@ -12,7 +12,7 @@ import { Scenery } from './Scenery.js';
 import type { ModelChange, ShownModel } from './ShownModel.js';
 import { View } from './view/View.js';
 
-/** The drawing on the page: what is drawn, where the camera is, and the frames and pictures that are drawn of it. */
+/** The drawing on the page: scenery, camera, frames, and pictures of it. */
 export class Viewport {
   readonly scenery: Scenery;
   readonly camera: LensCamera;
@@ -20,13 +20,13 @@ export class Viewport {
   readonly frames: Frames;
   readonly quality: FrameQuality;
   readonly painter: Painter;
-  /** How often the view, the model or the look has changed, or the size of the viewport. */
+  /** The number of changes of view, model, look or viewport size. */
   changes = 0;
-  /** A finer geometry of the model, of which pictures are drawn instead of what frames show. The model is a single mesh then. */
+  /** A finer geometry of a single-mesh model, used for pictures instead of the frames' geometry. */
   finer: BufferGeometry | undefined;
   private readonly contextLoss: ContextLoss;
 
-  /** Sets up the viewport. A frame is drawn when one was requested, and when the viewport changes its size. */
+  /** Sets up the viewport. A frame is drawn on request, and when the viewport is resized. */
   constructor(
     readonly canvas: HTMLCanvasElement,
     readonly context: WebGL2RenderingContext,
@@ -62,7 +62,7 @@ export class Viewport {
     this.resize();
   }
 
-  /** The model that is shown, and how another one takes its place. */
+  /** The shown model and its replacements. */
   get shown(): ShownModel {
     return this.scenery.shown;
   }
@@ -71,7 +71,7 @@ export class Viewport {
     return this.scenery.shown.model;
   }
 
-  /** Draws in another look. This is cheap: at most a program is compiled, where the look needs another one. */
+  /** Applies another look. This is cheap: at most one program is compiled. */
   apply(look: Look): void {
     this.scenery.look = look;
     this.changes++;
@@ -79,7 +79,7 @@ export class Viewport {
     this.painter.outdateShadows();
   }
 
-  /** Draws in the same look again, because the geometries of the model can be drawn otherwise now, with other programs. */
+  /** Applies the same look again, because the model's geometries have changed and may need other programs. */
   reapply(): void {
     const { look } = this.scenery;
     if (!look) return;
@@ -97,16 +97,13 @@ export class Viewport {
     this.frames.invalidate();
   }
 
-  /**
-   * Shows the compared technique left of a divider. `share` returns its place in every frame; undefined ends the
-   * comparison.
-   */
+  /** Shows the compared technique left of a divider. `share` returns its position in every frame; undefined ends the comparison. */
   compareWith(share: (() => number) | undefined): void {
     this.painter.sides.divider = share;
     this.frames.invalidate();
   }
 
-  /** Has the shadow maps drawn anew in the next frame, because a light or the model has moved. */
+  /** Makes the next frame redraw the shadow maps, because a light or the model has moved. */
   outdateShadows(): void {
     this.painter.outdateShadows();
   }
@@ -116,7 +113,7 @@ export class Viewport {
     return this.scenery.isComplete;
   }
 
-  /** Whether the graphics context is lost. What is changed meanwhile is drawn when it comes back. */
+  /** Whether the graphics context is lost. Changes meanwhile are drawn when it is restored. */
   get isLost(): boolean {
     return this.painter.isLost;
   }
@@ -127,11 +124,11 @@ export class Viewport {
   }
 
   /**
-   * Builds the programs of the first model while it is loaded. To be called when all techniques can be drawn. Programs that draw with a map
-   * are not built without one.
+   * Compiles the programs of the first model while it is loaded. Call this when all techniques are loaded. Programs that need a map are not
+   * built without one.
    */
   async buildAhead(): Promise<void> {
-    // Without this part, the first frame builds its programs itself.
+    // Without this module, the first frame builds its programs itself.
     const part = await import('./makeForerunner.js').catch(() => undefined);
     const { shown, look } = this.scenery;
     if (!part || shown.drawn || this.isLost || !look || look.needsMap) return;
@@ -139,7 +136,7 @@ export class Viewport {
     this.show();
   }
 
-  /** Draws a frame when the programs are built that other geometries of the model ask for. */
+  /** Draws a frame once the programs of changed geometries are built. */
   rebuildPrograms(): void {
     const { painter, scenery, quality } = this;
     painter.forgetPrograms();
@@ -147,7 +144,7 @@ export class Viewport {
     this.frames.refine();
   }
 
-  /** Shows the scenery in its look. */
+  /** Applies the look to the scenery. */
   private show(): void {
     const { scenery, painter, view } = this;
     const { look } = scenery;
@@ -169,7 +166,7 @@ export class Viewport {
     painter.forgetPrograms();
     // A sketch has no shadows.
     const hasShadows = change === 'completed' && !this.quality.isSketch;
-    // After a stand-in, no sketch is needed: programs are those of the model already, and shadows if it was drawn whole.
+    // After a placeholder, no sketch is needed: its programs are the model's, and so are its shadows if it was drawn whole.
     this.quality.restart(change === 'another' && !painter.isLost);
     if (!hasShadows) painter.outdateShadows();
     if (change === 'back') frames.forgetStandIn();
@@ -178,13 +175,13 @@ export class Viewport {
     frames.invalidate();
   }
 
-  /** Puts the ground under the model, and frames it if the one before was framed. */
+  /** Puts the ground under the model, and frames the model if the previous one was framed. */
   private placeModel(firstView?: readonly [number, number, number]): void {
     const outline = this.scenery.standOnGround();
     if (outline) this.view.setOutline(outline, firstView);
   }
 
-  /** Gives the canvas the size of the viewport and draws a frame at once, unless frames are held. */
+  /** Resizes the canvas to the viewport and draws a frame at once, unless frames are held. */
   resize(): void {
     const { clientWidth: width, clientHeight: height } = this.viewport;
     if (width === 0 || height === 0) return;

@@ -3,9 +3,9 @@ import { rendererName } from './rendererName.js';
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 
 /**
- * Whether the browser draws WebGL 2 on the processor, because there is no graphics card or no driver for it.
+ * Whether the browser draws WebGL 2 in software, without a graphics card or a driver for it.
  *
- * @param renderer its name, if it is known: else a context is made to ask for it
+ * @param renderer its name, if known; otherwise a context is created to find out
  */
 export function drawsInSoftware(renderer?: string): boolean {
   if (renderer !== undefined) return SOFTWARE.test(renderer);

@@ -3,8 +3,8 @@ import { HatchingMaterial } from 'three-hatching';
 import { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
 
 /**
- * A triangle without an area, with the attributes and the material of a closed scan. It is drawn while the first model is loaded, so that its
- * programs are built by then: browsers compile part of a program in the first frame that draws with it.
+ * A degenerate triangle with the attributes and the material of a closed scan. It is drawn while the first model loads, so that its
+ * programs are ready by then: browsers compile a part of a program in the first frame that uses it.
  */
 export function makeForerunner(): HatchedModel {
   const geometry = new BufferGeometry();

@@ -1,8 +1,8 @@
 const POLL_MILLISECONDS = 10;
 
 /**
- * Resolves when the graphics card has drawn everything that it was asked for so far, or the context was lost. Whoever reads pixels
- * earlier blocks the page until then.
+ * Resolves when the graphics card has finished all commands so far, or the context was lost. Reading pixels earlier would block the page
+ * until then.
  */
 export function whenDrawn(gl: WebGL2RenderingContext): Promise<void> {
   const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
@@ -10,7 +10,7 @@ export function whenDrawn(gl: WebGL2RenderingContext): Promise<void> {
   gl.flush();
   return new Promise((resolve) => {
     const poll = (): void => {
-      // A fence is no longer valid once its context was lost, even if the context has come back since.
+      // A fence is invalid once its context was lost, even if the context has been restored since.
       if (fence && gl.isSync(fence) && gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) {
         setTimeout(poll, POLL_MILLISECONDS);
         return;

@@ -7,40 +7,39 @@ import { Silhouette } from './Silhouette.js';
 
 const STEP = 5;
 const FINE_STEP = 1;
-/** The lamp stays at least this far from the edges of the viewport, in pixels, so that it can always be grabbed. */
+/** The minimum distance of the handle from the viewport's edges, in pixels, so that it can always be grabbed. */
 const MARGIN = 26;
-/** Nearer to an edge than this, the hint above the lamp would be cut off. It is moved then. In pixels. */
+/** Closer to an edge than this, in pixels, the hint above the handle is moved so that it is not cut off. */
 const HINT_MARGIN = { beside: 44, above: 64 };
-/** The radius around a lamp that is kept free of the model, and how far the lamp moves for that at most. In pixels. */
+/** The radius around a handle that is kept clear of the model, and the maximum move to achieve that, in pixels. */
 const CLEAR = { radius: 27, way: 200 };
-/**
- * Distances from the model's centre count as at least this, in pixels: the distance of the light is scaled by their
- * ratio.
- */
+/** The minimum distance from the model's centre, in pixels, since the light's distance is scaled by a ratio of such distances. */
 const MIN_REACH = 32;
-/** How far past the outline or the edge of the sheet a drag must go, in pixels, before the lamp goes behind the model: hands waver. */
+/**
+ * How far past the outline or the edge of the sheet a drag must go before the light moves behind the model, in pixels, since hands waver.
+ */
 const PAST_OUTLINE = 14;
-/** A sun has no distance: its handle moves over the largest sphere in these limits whose outline lies on the sheet. */
+/** A sun has no distance: its handle moves over the largest sphere within these limits whose outline is on the sheet. */
 const SUN_RADIUS = { min: 0.45, max: 1.45 };
 
-/** What the handle works on. */
+/** What the handle needs from its owner. */
 export interface LightHandleHost {
-  /** The element the handle lies over. Its client size is the size of the picture. */
+  /** The element below the handle. Its client size is the size of the picture. */
   viewport: HTMLElement;
   camera: PerspectiveCamera;
-  /** What the light is called, as the accessible name. */
+  /** The accessible name of the light. */
   name: string;
   /** The position of the light, in world coordinates. The model's centre is the origin. */
   lightPosition: Vector3;
   /** xyz of points of the model. */
   outline(): ArrayLike<number>;
-  /** How often the model was framed; 0 while it is not. */
+  /** The number of framings; 0 while the model is not framed. */
   framedCount(): number;
-  /** Whether the place of the light is counted from the viewer, and not from the model. */
+  /** Whether the light's position is relative to the viewer instead of the model. */
   isWithViewer(): boolean;
-  /** Where the light is. A sun has no distance. */
+  /** The position of the light. A sun has no distance. */
   place(): LightPlace;
-  /** Where it goes on a double click. */
+  /** The position after a double click. */
   home(): LightPlace;
   /** Moves the light. */
   onMove(place: Partial<LightPlace>): void;
@@ -49,20 +48,17 @@ export interface LightHandleHost {
 }
 
 /**
- * The handle of a light. Dragging moves it over a sphere around the model; past the sphere's outline, or the edge of
- * the sheet where the outline lies beyond it, and back takes it behind the model. Shift or a second finger changes the
- * distance of a point light or spot light. Arrow keys move it
- * by 5°, with Shift by 1°.
- *
- * A sun is nowhere in particular: its handle goes beside a model that was framed anew, so that it does not hide what it is to light.
+ * The handle of a light. Dragging moves it over a sphere around the model; past the sphere's outline, or the edge of the sheet if that is
+ * nearer, and back takes it behind the model. Shift or a second finger changes the distance of a point or spot light. Arrow keys move it by
+ * 5°, with Shift by 1°. A sun has only a direction, so its handle moves aside from a newly framed model instead of covering it.
  */
 export class LightHandle {
   private readonly projection: ViewportProjection;
-  /** Where the handle is, in world coordinates: the light's direction, at its distance if it has one. */
+  /** The handle's position in world coordinates: in the light's direction, at its distance if it has one. */
   private readonly shown = new Vector3();
-  /** The offset of the handle from where the light's direction is seen, in pixels. */
+  /** The offset of the handle from the projected position of the light, in pixels. */
   private readonly aside = new Vector2();
-  /** The count of framings for which that offset was found. */
+  /** The framing count for which that offset was computed. */
   private framedCount = 0;
   private behind = false;
   private beyondOutline = false;
@@ -89,7 +85,7 @@ export class LightHandle {
     element.addEventListener('dblclick', this.onDoubleClick);
   }
 
-  /** Moves the handle to where the light is seen. To be called with every frame. */
+  /** Moves the handle to the light's place in the picture. Call this in every frame. */
   update(): void {
     const { camera } = this.host;
     const { azimuth, elevation, distance } = this.host.place();
@@ -119,7 +115,7 @@ export class LightHandle {
     event.preventDefault();
     this.element.focus({ preventScroll: true });
     this.element.setPointerCapture(event.pointerId);
-    // The lamp keeps its offset from the pointer, so that it does not jump.
+    // The handle keeps its offset from the pointer, so that it does not jump.
     const grip = this.placeOnSheet().sub(this.projection.pointer(event));
     this.pointer = { id: event.pointerId, grip };
     this.beyondOutline = false;
@@ -147,7 +143,7 @@ export class LightHandle {
     this.host.onDrag(false);
   };
 
-  /** A second finger changes the distance of the light as it moves away from the model's centre or towards it. */
+  /** A second finger changes the distance of the light by moving away from the model's centre or towards it. */
   private readonly onSecondPointer = (event: PointerEvent): void => {
     const { distance } = this.host.place();
     if (event.pointerId === this.pointer?.id || this.second || distance === undefined) return;
@@ -216,7 +212,7 @@ export class LightHandle {
     this.scaleDistance(next / now);
   }
 
-  /** Moves the light to where the line of sight through `place` meets its sphere, or else to the sphere's outline. */
+  /** Moves the light to where the ray through `place` meets its sphere, or else to the sphere's outline. */
   private moveOverSphere(place: Vector2): void {
     const seen = place.clone().sub(this.aside);
     const ray = this.projection.ray(seen);
@@ -239,7 +235,7 @@ export class LightHandle {
     });
   }
 
-  /** The radius of the sphere that the handle of a sun moves over. */
+  /** The radius of the sphere over which a sun's handle moves. */
   private sunRadius(): number {
     const { camera } = this.host;
     const { width, height } = this.projection.size;
@@ -251,7 +247,7 @@ export class LightHandle {
     return MathUtils.clamp(radius, SUN_RADIUS.min, SUN_RADIUS.max);
   }
 
-  /** Moves the handle beside a model that was framed anew. A handle stays where it is once the user has placed it or turned the model. */
+  /** Moves the handle beside a newly framed model. A handle stays once the user has placed it or turned the model. */
   private goAside(isSun: boolean): void {
     const count = this.host.framedCount();
     if (!isSun) this.aside.set(0, 0);
@@ -265,7 +261,7 @@ export class LightHandle {
     this.aside.copy(silhouette.wayAround(this.placeOnSheet(), CLEAR.radius, sheet, CLEAR.way));
   }
 
-  /** Where the handle is seen. */
+  /** The handle's position in the picture. */
   private placeOnSheet(): Vector2 {
     const { width, height } = this.projection.size;
     const place = this.projection.project(this.shown).add(this.aside);
@@ -274,13 +270,13 @@ export class LightHandle {
     return place;
   }
 
-  /** How far a place lies beyond those where the handle can be, in pixels; 0 for one of them. */
+  /** The distance of a place from the allowed area of the handle, in pixels; 0 within it. */
   private pastSheet({ x, y }: Vector2): number {
     const { width, height } = this.projection.size;
     return Math.max(0, MARGIN - x, MARGIN - y, x - (width - MARGIN), y - (height - MARGIN));
   }
 
-  /** How far a pointer is from the model's centre, in pixels. */
+  /** The distance of a pointer from the model's centre, in pixels. */
   private reach(event: PointerEvent): number {
     return Math.max(MIN_REACH, this.projection.pointer(event).distanceTo(this.projection.project(new Vector3())));
   }

@@ -1,6 +1,6 @@
 import { type Box2, Matrix4, type PerspectiveCamera, Vector2, Vector3 } from 'three';
 
-/** The directions in the picture in which the reach of the points is measured, and in which a way around them is looked for. */
+/** The directions in which the extent of points is measured, and in which a way around them is searched. */
 const DIRECTIONS = Array.from({ length: 16 }, (_, i) =>
   new Vector2(1, 0).rotateAround(new Vector2(), (i * Math.PI) / 8),
 );
@@ -8,7 +8,7 @@ const DIRECTIONS = Array.from({ length: 16 }, (_, i) =>
 /** Lengths below this count as zero, in pixels. */
 const NEAR = 1e-6;
 
-/** Where points are seen in a picture: how far they reach in each of several directions, in pixels from its upper left. */
+/** The projected extent of points in several directions, in pixels from the picture's upper left. */
 export class Silhouette {
   private readonly reaches: readonly number[];
 
@@ -34,10 +34,10 @@ export class Silhouette {
   }
 
   /**
-   * The shortest way found for a disc to a place where none of the points is behind it.
+   * The shortest move of a disc to a place where it covers none of the points.
    *
-   * @param within where the middle of the disc may lie
-   * @param most how long the way may be, in pixels
+   * @param within allowed positions of the disc's centre
+   * @param most maximum length of the move, in pixels
    * @returns an offset of length 0 if the disc covers no point already, or if there is no such place
    */
   wayAround(disc: Vector2, radius: number, within: Box2, most: number): Vector2 {
@@ -51,7 +51,7 @@ export class Silhouette {
   }
 }
 
-/** A place near another one that lies as far out in a direction, along the edge of where it may lie if need be. */
+/** A place near another one that lies this far out in a direction, moved along the edge of the allowed area if necessary. */
 function beyond(from: Vector2, direction: Vector2, reach: number, within: Box2): Vector2 | undefined {
   const missing = Math.max(0, reach - from.dot(direction));
   const place = within.clampPoint(from.clone().addScaledVector(direction, missing), new Vector2());

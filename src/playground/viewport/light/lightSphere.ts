@@ -9,7 +9,7 @@ export function intersectSphere(ray: Ray, radius: number): { near: Vector3; far:
 }
 
 /**
- * The radius of a sphere around the origin whose outline is seen at a given size.
+ * The radius of a sphere around the origin whose outline has a given projected size.
  *
  * @param distance of the eye from the origin
  * @param size of the outline's radius, in focal lengths
@@ -22,7 +22,7 @@ export function radiusWithin(distance: number, size: number): number {
 export function nearestOutlinePoint(ray: Ray, radius: number): Vector3 {
   const distance = ray.origin.length();
   if (distance <= radius) return ray.direction.clone().setLength(radius);
-  // The outline is the circle where the cone of tangents from the eye touches the sphere.
+  // The outline is the circle where the tangent cone from the eye touches the sphere.
   const axis = ray.origin.clone().divideScalar(distance);
   const height = (radius * radius) / distance;
   const plane = new Plane(axis, 0);

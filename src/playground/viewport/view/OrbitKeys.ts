@@ -6,9 +6,7 @@ const TURN = MathUtils.degToRad(5);
 const FINE_TURN = MathUtils.degToRad(1);
 const ZOOM = 1.1;
 
-/**
- * Moves the camera by keyboard: arrows orbit (with Shift finely), plus and minus zoom, WASD pan, Home frames the model.
- */
+/** Moves the camera by keyboard: arrows orbit (with Shift in small steps), plus and minus zoom, WASD pan, Home frames the model. */
 export class OrbitKeys {
   constructor(
     element: HTMLElement,

@@ -9,53 +9,56 @@ import type { CameraLens, CameraView } from '../../../viewer/settings/CameraView
 import { OrbitKeys } from './OrbitKeys.js';
 import { turnedView } from './turnedView.js';
 
-/** The smallest distance from the point that the camera orbits, in radii of the model: near enough to look into a room. */
+/** The minimum distance of the camera from its target, in radii of the model: near enough to look into a room. */
 const MIN_DISTANCE = 0.15;
-/** The greatest one, unless the camera of a file is farther away. */
+/** The maximum distance, unless the camera of a file is farther away. */
 const MAX_DISTANCE = 30;
-/** Share of the viewport that a model fills, of its width or its height: about two thirds of the sheet with its caption. */
+/** The share of the viewport's width or height that a model fills: about two thirds of the sheet with its caption. */
 const FILL = 0.76;
 /** The same share for a sheet of paper, which holds nothing but the drawing. */
 const ON_SHEET = { fill: 0.86, room: SHADOW_ROOM };
-/** On a phone that is held upright, models go nearer to the sides. */
+/** On a phone in portrait orientation, models come nearer to the sides. */
 const UPRIGHT = { aspect: 0.65, fill: 0.9, room: { model: 0.94, shadow: 0.93, smaller: 1.18 } };
-/** The shares of its width and height that they fill there at least, with room for their shadow. Those that are wide are turned for it. */
+/** The minimum shares of width and height that models fill there, with room for their shadow. Wide models are turned to achieve that. */
 const UPRIGHT_LEAST = { width: 0.56, height: 0.41 };
-/** What is framed before there is a model. */
+/** The outline that is framed before there is a model. */
 const NO_OUTLINE = [-1, -1, -1, 1, 1, 1];
 
-/** The view as Undo goes back to it. */
+/** The view as Undo restores it. */
 export interface ViewState extends CameraView {
-  /** The viewport and the sheet that the model was framed for, in words of the view; none if the user has placed the camera. */
+  /** A key of the viewport and the sheet for which the model was framed; undefined if the user has placed the camera. */
   framedFor?: string | undefined;
 }
 
-/** How a model is framed: points on its outer parts as xyz, the direction to the eye, and what {@link fitCamera} takes. */
+/** How a model is framed: points on its outer parts as xyz, the direction to the eye, and the options of {@link fitCamera}. */
 interface ModelFraming extends Framing {
   outline: ArrayLike<number>;
   first: Vector3;
 }
 
-/** Controls the camera: orbited by the user, or placed so that the whole model is in the picture. */
+/** Controls the camera: orbited by the user, or placed to frame the model. */
 export class View {
   readonly controls: OrbitControls;
-  /** How many times wider than high the model is where it is framed. */
+  /** The aspect of the model in the direction in which it is framed. */
   proportion = 1;
   /** Called when the user has moved the camera. */
   onMoved: () => void = () => {};
-  /** The viewport and the sheet that the model was framed for, empty before it was; undefined if the user has placed the camera. */
+  /**
+   * A key of the viewport and the sheet for which the model was framed, empty before the first framing; undefined if the user has placed
+   * the camera.
+   */
   private framedFor: string | undefined = '';
   private frames = 0;
   private isPlacing = false;
   private readonly first = new Vector3(...DEFAULT_VIEW);
   private outline: ArrayLike<number> = NO_OUTLINE;
-  /** The shape of the viewport: that of the camera is another one while pictures are drawn. */
+  /** The aspect of the viewport; the camera's differs while pictures are drawn. */
   private aspect = 1;
   private shownSheet: readonly [number, number] | undefined;
 
   /**
    * @param onChange called when a frame must be drawn
-   * @param shadowOf xyz of points of the shadow that an outline casts by now, seen from a direction; undefined without one
+   * @param shadowOf xyz of the shadow of an outline, seen from a direction; undefined without a shadow
    */
   constructor(
     canvas: HTMLCanvasElement,
@@ -86,13 +89,13 @@ export class View {
     this.onChange();
   };
 
-  /** As {@link frame}, because the user has asked for it. */
+  /** Calls {@link frame} on the user's request. */
   readonly frameForUser = (): void => {
     this.frame();
     this.onMoved();
   };
 
-  /** Zooms with the wheel only while an element has the focus, so that a page around it can be scrolled. */
+  /** Lets the wheel zoom only while an element has the focus, so that a surrounding page can be scrolled. */
   zoomsWhenFocused(element: HTMLElement): void {
     this.controls.enableZoom = false;
     element.addEventListener('focus', () => {
@@ -103,12 +106,12 @@ export class View {
     });
   }
 
-  /** Whether the camera is where {@link frame} put it. If so, it is placed again for another shape of the viewport, or another sheet. */
+  /** Whether the camera is where {@link frame} put it. If so, it is placed again for another viewport size or sheet. */
   get isFramed(): boolean {
     return this.framedFor !== undefined;
   }
 
-  /** How often a model was framed; 0 while the camera is where the user has placed it. */
+  /** The number of framings; 0 while the camera is where the user has placed it. */
   get framedCount(): number {
     return this.isFramed ? this.frames : 0;
   }
@@ -118,7 +121,7 @@ export class View {
     return this.outline;
   }
 
-  /** Places the camera so that the whole model is in the picture, and its shadow if that is not long. */
+  /** Frames the whole model, and its shadow unless that is long. */
   readonly frame = (): void => {
     this.setLens(undefined);
     this.controls.target.copy(this.fit(this.camera));
@@ -128,7 +131,7 @@ export class View {
     this.onChange();
   };
 
-  /** Frames a framed model anew where the viewport or the sheet asks for it. Otherwise the view stays: its lights may have moved since. */
+  /** Frames a framed model again if the viewport or the sheet has changed. Otherwise the view stays: its lights may have moved since. */
   private frameAnew(): void {
     if (this.isFramed && this.framedFor !== this.frameFor(this.aspect)) this.frame();
   }
@@ -139,8 +142,8 @@ export class View {
   }
 
   /**
-   * The view of a framed model, as much smaller as it may be drawn to leave room for its shadow: a shadow that lies wholly in the picture
-   * is wholly on the sheet when the model is framed with it, and leaves the model in the middle.
+   * The view of a framed model, shrunk as far as allowed to leave room for its shadow. A shadow that fits in this picture fits on the sheet
+   * when the model is framed with it, without moving the model aside.
    */
   get roomiest(): LensCamera {
     const { outline, first, room = SHADOW_ROOM, ...framing } = this.framing;
@@ -150,8 +153,8 @@ export class View {
   }
 
   /**
-   * The sheet in the middle of the viewport that a framed model is composed for, in shares of the viewport's width and height;
-   * undefined for the viewport itself.
+   * The sheet in the middle of the viewport for which a framed model is composed, in shares of the viewport's width and height; undefined
+   * for the viewport itself.
    */
   get sheet(): readonly [number, number] | undefined {
     return this.shownSheet;
@@ -166,7 +169,7 @@ export class View {
   /**
    * Composes a framed model for a sheet that the page does not show.
    *
-   * @returns goes back to the sheet of the page, and to the very view before unless it was changed meanwhile
+   * @returns a function that restores the sheet of the page, and the exact view before unless it was changed meanwhile
    */
   composeFor(sheet: readonly [number, number] | undefined): () => void {
     const { shownSheet, state, frames } = this;
@@ -181,7 +184,7 @@ export class View {
     };
   }
 
-  /** What the model is framed by, as {@link fitCamera} takes it. */
+  /** The arguments of {@link fitCamera} for the model. */
   get framing(): ModelFraming {
     const { outline, first } = this;
     const framing = { outline, first, fill: FILL, ...this.framingForSheet };
@@ -198,7 +201,7 @@ export class View {
    * Sets the outline of a new model, or of one that was turned.
    *
    * @param outline xyz of points on its outer parts
-   * @param first direction to the eye when the model is framed; undefined keeps the current one
+   * @param first direction to the eye when the model is framed; undefined keeps the present one
    */
   setOutline(outline: ArrayLike<number>, first?: readonly [number, number, number]): void {
     this.outline = outline;
@@ -207,7 +210,7 @@ export class View {
     if (this.isFramed) this.frame();
   }
 
-  /** To be called when the viewport has changed its size. */
+  /** Call this when the viewport was resized. */
   resized(aspect: number): void {
     this.aspect = aspect;
     this.camera.aspect = aspect;
@@ -220,7 +223,7 @@ export class View {
     return { position: position.toArray(), target: this.controls.target.toArray(), ...(lens && { lens }) };
   }
 
-  /** As {@link place}; undefined if the camera is where {@link frame} would put it, as whoever frames the same model will see it. */
+  /** As {@link place}; undefined if the camera is where {@link frame} would put it, so that anyone who frames the model sees the same. */
   get ownPlace(): CameraView | undefined {
     if (!this.isFramed) return this.place;
     const camera = this.camera.clone();
@@ -236,7 +239,7 @@ export class View {
     this.controls.maxDistance = Math.max(MAX_DISTANCE, this.camera.position.distanceTo(this.controls.target));
     this.update();
     if (lens) {
-      // Controls turn a camera a little that looks straight down.
+      // The controls turn a camera slightly that looks straight down.
       this.camera.position.fromArray(position);
       this.camera.lookAt(this.controls.target);
     }
@@ -258,7 +261,7 @@ export class View {
     if (lens !== this.camera.lens) this.camera.lens = lens;
   }
 
-  /** Controls zoom a camera without perspective by its lens, which then is another one. */
+  /** The controls zoom an orthographic camera by its lens, which then changes. */
   private takeZoom(): void {
     const { zoom } = this.camera;
     if (zoom !== 1) this.camera.widen(1 / zoom);
@@ -268,7 +271,7 @@ export class View {
     return [aspect, ...(this.shownSheet ?? [])].join();
   }
 
-  /** Takes over where the camera was put. */
+  /** Applies the camera's new position. */
   private update(): void {
     this.isPlacing = true;
     this.controls.update();
@@ -276,7 +279,7 @@ export class View {
     this.round();
   }
 
-  /** Keeps the view to single precision, as links do: whoever opens one sees the very same. @returns whether it was finer */
+  /** Rounds the view to single precision, as links do, so that a link shows exactly the same view. @returns whether this changed it */
   private round(): boolean {
     const { camera, controls } = this;
     before.position.copy(camera.position);

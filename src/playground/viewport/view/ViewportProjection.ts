@@ -1,6 +1,6 @@
 import { type PerspectiveCamera, type Ray, Raycaster, Vector2, type Vector3 } from 'three';
 
-/** Converts between world space and the pixels of an element that shows it, counted from the top left. */
+/** Converts between world space and pixels of an element that shows it, counted from the top left. */
 export class ViewportProjection {
   private readonly raycaster = new Raycaster();
 
@@ -19,14 +19,14 @@ export class ViewportProjection {
     return new Vector2(event.clientX - left, event.clientY - top);
   }
 
-  /** The position at which a point in world space is seen. */
+  /** The projected position of a world point. */
   project(world: Vector3): Vector2 {
     const { width, height } = this.size;
     const projected = world.clone().project(this.camera);
     return new Vector2(((projected.x + 1) / 2) * width, ((1 - projected.y) / 2) * height);
   }
 
-  /** The line of sight through a position, in world space. It is overwritten by the next call. */
+  /** The ray through a position, in world space. It is overwritten by the next call. */
   ray(position: Vector2): Ray {
     const { width, height } = this.size;
     this.raycaster.setFromCamera(new Vector2((position.x / width) * 2 - 1, 1 - (position.y / height) * 2), this.camera);

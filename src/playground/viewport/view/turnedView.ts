@@ -1,21 +1,20 @@
 import { MathUtils, Spherical, Vector3 } from 'three';
 import { proportionOf } from '../../../viewer/sceneSetup/framing.js';
 
-/** How far the view may be turned about the upright and raised, in degrees and in steps, and which turns are as bad as each other. */
+/** The range and step by which the view may be turned about the up axis and raised, in degrees, and the turn with the highest cost. */
 const TURN = { most: 75, step: 5, bad: 45 };
 const RISE = { most: 30, step: 5, bad: 20 };
-/** No view comes nearer to that from straight above, in degrees. */
+/** The minimum angle of a view from straight above, in degrees. */
 const LEAST_POLAR = 30;
-/** So many points tell how wide a model is. */
+/** The number of points that suffice to measure a model's width. */
 const ENOUGH_POINTS = 1500;
 
 /**
- * The view nearest to a given one in which points are not wider than asked for; the one in which they are narrowest, if they are wider in
- * all.
+ * The view nearest to a given one in which the aspect of points does not exceed `most`; if none exists, the one with the lowest aspect.
  *
  * @param outline xyz of each point
  * @param first direction to the eye
- * @param most how many times wider than high they may be
+ * @param most maximum aspect (width / height)
  */
 export function turnedView(outline: ArrayLike<number>, first: Vector3, most: number): Vector3 {
   const points = someOf(outline);
@@ -31,10 +30,10 @@ export function turnedView(outline: ArrayLike<number>, first: Vector3, most: num
   return best;
 }
 
-/** What one unit of proportion too many costs: more than any turn. */
+/** The cost of one unit of excess aspect: more than any turn. */
 const WIDE = 100;
 
-/** Views around a given one, which comes first. @returns with the cost of each */
+/** The candidate views around a given one, which comes first. @returns with the cost of each */
 function* views(first: Vector3): Generator<{ view: Vector3; cost: number }, void, void> {
   const { theta, phi } = new Spherical().setFromVector3(first);
   for (let rise = 0; rise <= RISE.most; rise += RISE.step) {
