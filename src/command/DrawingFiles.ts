@@ -1,10 +1,9 @@
 import { randomBytes } from 'node:crypto';
 import { rename, rm, rmdir, stat, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
-import { makeFolder } from './makeFolder.js';
-import { sentenceOf } from './sentenceOf.js';
+import { UsageError } from './errors.js';
+import { makeFolder, sentenceOf } from './makeFolder.js';
 import { STANDARD, writeStandardOutput } from './standardStreams.js';
-import { UsageError } from './UsageError.js';
 
 /**
  * Writes drawings. Each file is complete or absent: it gets its final name once all of it is written. The path `-` is the standard output.

@@ -2,9 +2,8 @@ import { randomBytes } from 'node:crypto';
 import { mkdir, readdir, rename, rm, rmdir, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import type { MapFile } from '../strokes/mapFiles/mapFiles.js';
-import { makeFolder } from './makeFolder.js';
-import { sentenceOf } from './sentenceOf.js';
-import { UsageError } from './UsageError.js';
+import { UsageError } from './errors.js';
+import { makeFolder, sentenceOf } from './makeFolder.js';
 
 /** Whether a file name is one of those of a saved map. */
 const isMapFile = (name: string): boolean => /^(map\.json|(tone-\d+|thresholds)-level-\d+\.png)$/.test(name);

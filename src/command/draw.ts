@@ -6,13 +6,12 @@ import { shownText } from '../viewer/files/common/shownText.js';
 import { DrawingFiles } from './DrawingFiles.js';
 import type { DrawingOptions } from './DrawingOptions.js';
 import { type DrawingCounts, type DrawMessage, type DrawTask, drawInThread } from './DrawThread.js';
+import { Interrupted, UsageError } from './errors.js';
 import { expandPattern, isPattern } from './expandPattern.js';
-import { Interrupted } from './Interrupted.js';
 import type { ProgressBar } from './ProgressBar.js';
 import { DRAW_HELP, parseDrawing } from './parseDrawing.js';
 import { type PlannedModel, planOutputs } from './planOutputs.js';
 import { readStandardInput, STANDARD, STANDARD_INPUT } from './standardStreams.js';
-import { UsageError } from './UsageError.js';
 
 /**
  * Runs the command `draw`.

@@ -1,10 +1,9 @@
 #!/usr/bin/env node
 import process from 'node:process';
 import { draw } from './draw.js';
-import { Interrupted } from './Interrupted.js';
+import { Interrupted, UsageError } from './errors.js';
 import { ProgressBar } from './ProgressBar.js';
 import { tam } from './tam.js';
-import { UsageError } from './UsageError.js';
 
 /** Exit codes: 0 done, 1 failed, 2 called wrongly, 130 interrupted. */
 const FAILED = 1;

@@ -1,7 +1,6 @@
 import { mkdir, stat } from 'node:fs/promises';
 import { dirname } from 'node:path';
-import { sentenceOf } from './sentenceOf.js';
-import { UsageError } from './UsageError.js';
+import { UsageError } from './errors.js';
 
 /**
  * Creates a folder and its parents. `mkdir` with `recursive` would never return below /proc.
@@ -36,4 +35,26 @@ async function isFolder(path: string): Promise<boolean> {
     throw new UsageError(sentenceOf(path, error));
   }
   throw new UsageError(`${path} is not a folder; choose another name after --out.`);
+}
+
+/** Messages for error codes of the file system, about a folder. */
+const MEANINGS: Readonly<Record<string, string>> = {
+  EACCES: 'may not be written to; change its permissions, or choose another folder after --out',
+  EPERM: 'may not be written to; change its permissions, or choose another folder after --out',
+  EROFS: 'lies on a read-only disk; choose another folder after --out',
+  ENOSPC: 'lies on a disk that is full; make room there, or choose another folder after --out',
+  EDQUOT: 'lies where there is no room left for you; make room there, or choose another folder after --out',
+  ENOENT: 'cannot be made there; choose another folder after --out',
+  ENOTDIR: 'is not a folder; choose another name after --out',
+  EEXIST: 'is a link that leads nowhere, or not a folder; choose another name after --out',
+  ENAMETOOLONG: 'has too long a name; choose a shorter one after --out',
+  ELOOP: 'is a link that leads to itself; choose another name after --out',
+};
+
+/** Describes an error of the file system in a sentence. Other errors keep their messages. */
+export function sentenceOf(path: string, error: unknown): string {
+  const { code, message } = error as NodeJS.ErrnoException;
+  if (code === undefined) return message;
+  const shown = path.length > 160 ? `${path.slice(0, 80)}…${path.slice(-60)}` : path;
+  return `${shown} ${MEANINGS[code] ?? `could not be written (${code}); choose another folder after --out`}.`;
 }

@@ -2,9 +2,9 @@ import { type HatchingPreset, presets } from '../scene/presets.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
 import { strokeStyles } from '../strokes/strokeStyles.js';
 import { type MapDrawing, resolveMapDrawing } from '../strokes/tamImages/hatchImageOptions.js';
+import { UsageError } from './errors.js';
 import { readHand } from './readHand.js';
 import { readOptions } from './readOptions.js';
-import { UsageError } from './UsageError.js';
 
 /** A parsed command line. */
 export type Request =

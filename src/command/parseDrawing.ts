@@ -1,8 +1,8 @@
 import { type HatchingPreset, presets } from '../scene/presets.js';
 import { SHEET_SIZES, SHEET_WORDS, type Sheet, sheetNamed } from '../vector/svg/sheetSizes.js';
 import type { DirectionInDegrees, DrawingOptions } from './DrawingOptions.js';
+import { UsageError } from './errors.js';
 import { readOptions } from './readOptions.js';
-import { UsageError } from './UsageError.js';
 
 /** A number in decimal notation; NaN for anything else, also where JavaScript's `Number` accepts it, such as `0x10` or blanks. */
 const numberOf = (text: string): number =>

@@ -1,6 +1,6 @@
 import { basename, extname, join, resolve } from 'node:path';
+import { UsageError } from './errors.js';
 import { STANDARD, STANDARD_INPUT } from './standardStreams.js';
-import { UsageError } from './UsageError.js';
 
 /** A model, and the paths of its drawings: one, or one for each frame. */
 export interface PlannedModel {

@@ -1,7 +1,7 @@
 import { readFileSync, statSync } from 'node:fs';
 import { checkHand } from '../strokes/hand/checkHand.js';
 import type { Hand } from '../strokes/hand/Hand.js';
-import { UsageError } from './UsageError.js';
+import { UsageError } from './errors.js';
 
 /** The maximum size of a file, in bytes: 100,000 points take less than a tenth of it. */
 const MAX_BYTES = 64 * 2 ** 20;

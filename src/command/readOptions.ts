@@ -1,5 +1,5 @@
 import { type ParseArgsConfig, parseArgs } from 'node:util';
-import { UsageError } from './UsageError.js';
+import { UsageError } from './errors.js';
 
 /** The options of a command, as Node's parser takes them. */
 type Options = NonNullable<ParseArgsConfig['options']>;

@@ -1,5 +1,5 @@
 import process from 'node:process';
-import { MAX_BYTES } from '../viewer/files/common/modelLimits.js';
+import { MAX_BYTES } from '../viewer/files/common/ModelFile.js';
 
 /** The argument for the standard input, as a model, and for the standard output, as a drawing. */
 export const STANDARD = '-';

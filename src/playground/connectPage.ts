@@ -1,4 +1,4 @@
-import { errorMessage } from '../viewer/files/common/errorMessage.js';
+import { errorMessage } from '../viewer/files/common/ModelError.js';
 import type { Dialogs } from './dialogs/Dialogs.js';
 import { page } from './elements/page.js';
 import { pageForm } from './elements/pageForm.js';

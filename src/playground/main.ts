@@ -1,5 +1,5 @@
 import { HatchingMaterial } from 'three-hatching';
-import { errorMessage } from '../viewer/files/common/errorMessage.js';
+import { errorMessage } from '../viewer/files/common/ModelError.js';
 import { createPlayground } from './createPlayground.js';
 import { page } from './elements/page.js';
 import { setPageState } from './page/setPageState.js';

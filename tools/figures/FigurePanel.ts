@@ -1,4 +1,4 @@
-import { errorMessage } from '../../src/viewer/files/common/errorMessage.js';
+import { errorMessage } from '../../src/viewer/files/common/ModelError.js';
 import { FigureDrawing, type TechniqueChoice } from './FigureDrawing.js';
 import type { FigurePainter } from './FigurePainter.js';
 import type { Figure, Panel } from './figures.js';

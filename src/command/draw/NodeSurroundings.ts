@@ -4,7 +4,7 @@ import { dirname, join, relative } from 'node:path';
 import { compileFunction } from 'node:vm';
 import type { DecoderModule } from 'draco3d';
 import { baseName } from '../../viewer/files/common/fileName.js';
-import { MAX_BYTES } from '../../viewer/files/common/modelLimits.js';
+import { MAX_BYTES } from '../../viewer/files/common/ModelFile.js';
 import type { PictureSource, PictureWish, PixelPicture, Surroundings } from '../../viewer/files/common/Surroundings.js';
 import { decodePicture, UndecodedError } from './decodePicture.js';
 

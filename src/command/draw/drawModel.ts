@@ -7,12 +7,11 @@ import { drawSVG } from 'three-hatching/svg';
 import { buildModel } from '../../viewer/drawing/buildModel.js';
 import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
 import { meshesOf } from '../../viewer/drawing/meshesOf.js';
-import { counted } from '../../viewer/files/common/counted.js';
 import { extensionOf } from '../../viewer/files/common/fileName.js';
-import { indexOfName } from '../../viewer/files/common/indexOfName.js';
 import { ModelError } from '../../viewer/files/common/ModelError.js';
 import type { ModelFile } from '../../viewer/files/common/ModelFile.js';
-import { shownName } from '../../viewer/files/common/shownText.js';
+import { indexOfName } from '../../viewer/files/common/names.js';
+import { counted, shownName } from '../../viewer/files/common/shownText.js';
 import { withPictures } from '../../viewer/files/decodePictures.js';
 import { missingDetail, missingNote } from '../../viewer/files/pictures/meshPictures.js';
 import { type ReadModel, readModel } from '../../viewer/files/readModel.js';
@@ -22,9 +21,9 @@ import { type ModelChoice, NO_CHOICE } from '../../viewer/settings/ModelChoice.j
 import { readLink } from '../../viewer/settings/shareLink.js';
 import type { DrawingOptions } from '../DrawingOptions.js';
 import type { DrawingCounts, DrawMessage, DrawTask } from '../DrawThread.js';
+import { plainSentence } from './failure.js';
 import { fitMemory, memoryHere, mostTriangles } from './fitMemory.js';
 import { NodeSurroundings } from './NodeSurroundings.js';
-import { plainSentence } from './plainSentence.js';
 import { settingsFor } from './settingsFor.js';
 import { type StagedModel, stageModel } from './stageModel.js';
 

@@ -1,4 +1,4 @@
-import type { Report } from '../../viewer/drawing/Report.js';
+import type { Report } from '../../viewer/drawing/buildModel.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import type { Viewport } from '../viewport/Viewport.js';
 

@@ -1,4 +1,4 @@
-import type { Report } from '../../viewer/drawing/Report.js';
+import type { Report } from '../../viewer/drawing/buildModel.js';
 import { LAYERS } from '../../viewer/sceneSetup/layers.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import { describePrint, drawPicture, nearestRadius, type PrintPlan, ZipWriter } from '../print/print.js';

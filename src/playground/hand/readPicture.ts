@@ -1,5 +1,5 @@
 import { learnHandAsync, traceStrokes } from 'three-hatching';
-import type { Report } from '../../viewer/drawing/Report.js';
+import type { Report } from '../../viewer/drawing/buildModel.js';
 import { ModelError } from '../../viewer/files/common/ModelError.js';
 import { shownName } from '../../viewer/files/common/shownText.js';
 import { ownHandOf } from '../maps/linkedHand.js';

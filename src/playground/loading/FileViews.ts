@@ -1,5 +1,5 @@
 import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
-import { counted } from '../../viewer/files/common/counted.js';
+import { counted } from '../../viewer/files/common/shownText.js';
 import { lightsOfFile } from '../../viewer/sceneSetup/lightsOfFile.js';
 import { viewsOfFile } from '../../viewer/sceneSetup/viewsOfFile.js';
 import { isLitBy, lightOf, type SavedView } from '../../viewer/settings/savedViews.js';

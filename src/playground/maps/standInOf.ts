@@ -1,6 +1,6 @@
 import { Box3, BufferAttribute, BufferGeometry, DoubleSide, FrontSide, Group, Mesh, Vector3 } from 'three';
 import { HatchingMaterial } from 'three-hatching';
-import type { BuiltInScene } from '../../viewer/drawing/BuiltInScene.js';
+import type { BuiltInScene } from '../../viewer/drawing/buildModel.js';
 import { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
 import { outlineOf } from '../../viewer/drawing/outlineOf.js';
 import { boundsOf } from '../../viewer/files/mesh/boundsOf.js';

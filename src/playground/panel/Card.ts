@@ -1,5 +1,5 @@
 import type { PresetName } from 'three-hatching';
-import { errorMessage } from '../../viewer/files/common/errorMessage.js';
+import { errorMessage } from '../../viewer/files/common/ModelError.js';
 import { PRESET_LABELS, PRESET_NAMES } from '../../viewer/settings/presetLabels.js';
 import { presetOf, wholeLook } from '../../viewer/settings/presets.js';
 import type { Settings } from '../../viewer/settings/settings.js';

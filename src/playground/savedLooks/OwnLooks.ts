@@ -1,5 +1,5 @@
 import { acceptLook, hasLook, type OwnLook } from '../../viewer/settings/ownLook.js';
-import { plainName } from '../../viewer/settings/plainName.js';
+import { plainName } from '../../viewer/settings/savedViews.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import { KeptLooks, MOST_LOOKS } from '../storage/KeptLooks.js';
 import { newId } from '../storage/newId.js';

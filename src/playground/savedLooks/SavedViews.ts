@@ -1,6 +1,5 @@
 import { lookOf } from '../../viewer/settings/lookOf.js';
-import { plainName } from '../../viewer/settings/plainName.js';
-import { isLitBy, lightOf, MAX_VIEWS, type SavedView } from '../../viewer/settings/savedViews.js';
+import { isLitBy, lightOf, MAX_VIEWS, plainName, type SavedView } from '../../viewer/settings/savedViews.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import type { Viewport } from '../viewport/Viewport.js';
 import { freeName, type NamedItem, type NamedList } from './NamedList.js';

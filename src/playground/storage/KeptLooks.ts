@@ -1,5 +1,5 @@
 import { acceptLook, type OwnLook } from '../../viewer/settings/ownLook.js';
-import { plainName } from '../../viewer/settings/plainName.js';
+import { plainName } from '../../viewer/settings/savedViews.js';
 
 /** A look named by the user. */
 export interface KeptLook {

@@ -1,4 +1,4 @@
-import type { Report } from '../../viewer/drawing/Report.js';
+import type { Report } from '../../viewer/drawing/buildModel.js';
 import { LostContextError } from '../viewport/LostContextError.js';
 import type { Remedy, Status } from './Status.js';
 import { sentenceFor } from './sentenceFor.js';

@@ -1,5 +1,4 @@
-import { errorMessage } from '../../viewer/files/common/errorMessage.js';
-import { ModelError } from '../../viewer/files/common/ModelError.js';
+import { errorMessage, ModelError } from '../../viewer/files/common/ModelError.js';
 
 /** The messages of Chromium, Firefox and Safari for a failed dynamic import. */
 const MISSING_SCRIPT = /dynamically imported module|importing a module script/i;

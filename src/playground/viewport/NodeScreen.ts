@@ -4,7 +4,7 @@ import type { HatchingMaterial, HatchingPropertyName } from 'three-hatching';
 import { HATCHING_PROPERTIES } from 'three-hatching/facts';
 import { HatchingNodeMaterial, HatchingOutlineNodeMaterial, HatchingOutlines } from 'three-hatching/webgpu';
 import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
-import type { NodeMakers } from '../../viewer/drawing/NodeMakers.js';
+import type { NodeMakers } from '../../viewer/drawing/materials.js';
 import { createCamera } from '../../viewer/sceneSetup/createCamera.js';
 import { Ground } from '../../viewer/sceneSetup/Ground.js';
 import type { LensCamera } from '../../viewer/sceneSetup/LensCamera.js';

@@ -1,6 +1,6 @@
 import { Group, type Matrix4, type PerspectiveCamera, Scene, Vector3 } from 'three';
 import type { TonalArtMap } from 'three-hatching';
-import type { NodeMakers } from '../../viewer/drawing/NodeMakers.js';
+import type { NodeMakers } from '../../viewer/drawing/materials.js';
 import { releaseGraphics } from '../../viewer/drawing/releaseGraphics.js';
 import { Backdrop } from '../../viewer/sceneSetup/Backdrop.js';
 import { castersOf } from '../../viewer/sceneSetup/castersOf.js';

@@ -30,10 +30,9 @@ import { type ModelExtras, NO_EXTRAS } from '../files/common/ModelExtras.js';
 import type { UpAxis } from '../files/mesh/findUpAxis.js';
 import type { Look } from '../settings/lookOf.js';
 import type { Motion } from './Motion.js';
+import type { EitherMaterial, NodeMakers } from './materials.js';
+import { materialSizesIn, outlineSizesIn, parameterSetter } from './materials.js';
 import { meshesOf } from './meshesOf.js';
-import type { EitherMaterial, NodeMakers } from './NodeMakers.js';
-import { parameterSetter } from './parameterSetter.js';
-import { materialSizesIn, outlineSizesIn } from './picturedSizes.js';
 import { releaseGraphics, releaseMaterial } from './releaseGraphics.js';
 
 /** Blending that leaves the colour unchanged. The surface still writes depth. */

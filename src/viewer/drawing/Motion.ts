@@ -1,5 +1,5 @@
 import { type AnimationAction, type AnimationClip, AnimationMixer, type Mesh, type Object3D } from 'three';
-import { distinctNames } from '../files/common/distinctNames.js';
+import { distinctNames } from '../files/common/names.js';
 import { meshesOf } from './meshesOf.js';
 
 /** The longest step between two frames, in seconds. Longer pauses, for instance in a hidden tab, are cut to it. */

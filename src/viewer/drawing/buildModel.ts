@@ -1,10 +1,20 @@
 import { ModelError, toModelError } from '../files/common/ModelError.js';
 import { movedExtras } from '../files/common/ModelExtras.js';
+import type { ModelScene } from '../files/gltf/parseGltf.js';
 import { triangleCount } from '../files/mesh/PlainMesh.js';
 import type { ReadModel } from '../files/readModel.js';
-import type { BuiltInScene } from './BuiltInScene.js';
 import type { HatchedModel } from './HatchedModel.js';
-import type { Report } from './Report.js';
+
+/** Reports progress: the current step and, if known, how far it is in [0, 1]. */
+export type Report = (stage: string, progress?: number) => void;
+
+/** A built-in model that is made by code as a scene, instead of read from a file. */
+export interface BuiltInScene {
+  kind: 'scene';
+  name: string;
+  upAxis: 'y';
+  scene: ModelScene;
+}
 
 /**
  * Builds a hatched model from a file that was read. `notes` are sentences for the caption about what was left out.

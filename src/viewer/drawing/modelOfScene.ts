@@ -12,13 +12,13 @@ import {
   Vector3,
 } from 'three';
 import { applyHatching } from 'three-hatching';
-import { counted } from '../files/common/counted.js';
 import { Slices } from '../files/common/Slices.js';
+import { counted } from '../files/common/shownText.js';
 import type { ModelScene } from '../files/gltf/parseGltf.js';
 import { checkTriangleCount } from '../files/mesh/checkTriangleCount.js';
 import { findUpAxis, type UsualUp } from '../files/mesh/findUpAxis.js';
 import { measureExtent } from '../files/mesh/fitModel.js';
-import { thinNote } from '../files/mesh/thinNote.js';
+import { thinNote } from '../files/mesh/triangleAreas.js';
 import { repairScene } from '../files/repair/repairGeometry.js';
 import { placements } from '../files/scenes/placements.js';
 import { settleAlpha } from '../files/scenes/settleAlpha.js';

@@ -1,5 +1,5 @@
-import { counted } from './common/counted.js';
 import type { Surroundings } from './common/Surroundings.js';
+import { counted } from './common/shownText.js';
 import { settleBlendedPictures } from './gltf/blendedPictures.js';
 import { settleTransmittedPictures } from './gltf/transmittedPictures.js';
 import type { ReadModel } from './readModel.js';

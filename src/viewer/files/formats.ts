@@ -1,9 +1,7 @@
-import type { FindFile } from './common/FindFile.js';
-import type { Surroundings } from './common/Surroundings.js';
+import type { FindFile, Surroundings } from './common/Surroundings.js';
 import { binaryStlLength } from './formats/binaryStlLength.js';
 import type { ReadGltf } from './gltf/readGltf.js';
 import type { NotedMesh } from './mesh/PlainMesh.js';
-import { is3ds } from './scenes/is3ds.js';
 import type { LoadedScene } from './scenes/LoadedScene.js';
 
 /** The beginning of a file, by which its format is detected. */
@@ -199,3 +197,13 @@ export function formatNames(junction: 'and' | 'or'): string {
 /** The format for an extension, which is in lower case and without the dot. */
 export const formatOf = (extension: string): ModelFormat | undefined =>
   FORMATS.find(({ extensions }) => extensions.includes(extension));
+
+/** The chunks that can come first within the main chunk. */
+const FIRST_CHUNKS = [0x0001, 0x0002, 0x3d3d, 0x3d3e, 0xb000];
+
+/** Whether bytes begin with the main chunk of a 3DS file and one of the possible first chunks. */
+export function is3ds(bytes: Uint8Array): boolean {
+  if (bytes.length < 12 || bytes[0] !== 0x4d || bytes[1] !== 0x4d) return false;
+  const view = new DataView(bytes.buffer, bytes.byteOffset);
+  return view.getUint32(2, true) <= bytes.length && FIRST_CHUNKS.includes(view.getUint16(6, true));
+}

@@ -1,10 +1,9 @@
 import { Group, Mesh, PlaneGeometry, type Scene } from 'three';
 import { HatchingMaterial, prepareHatchingGeometry, type SceneExtent, type TonalArtMap } from 'three-hatching';
 import { BLANK } from '../drawing/HatchedModel.js';
+import type { EitherMaterial } from '../drawing/materials.js';
+import { materialSizesIn, parameterSetter } from '../drawing/materials.js';
 import { meshesOf } from '../drawing/meshesOf.js';
-import type { EitherMaterial } from '../drawing/NodeMakers.js';
-import { parameterSetter } from '../drawing/parameterSetter.js';
-import { materialSizesIn } from '../drawing/picturedSizes.js';
 import type { Look } from '../settings/lookOf.js';
 import type { Layer } from './layers.js';
 

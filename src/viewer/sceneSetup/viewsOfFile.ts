@@ -1,8 +1,7 @@
 import type { FileCamera } from '../files/common/ModelExtras.js';
 import type { CameraView } from '../settings/CameraView.js';
 import { inSingle, isCamera } from '../settings/cameraNumbers.js';
-import { plainName } from '../settings/plainName.js';
-import { MAX_VIEWS, type SavedView } from '../settings/savedViews.js';
+import { MAX_VIEWS, plainName, type SavedView } from '../settings/savedViews.js';
 import { viewOfCamera } from './placeCamera.js';
 
 type Light = SavedView['light'];

@@ -1,7 +1,6 @@
 import { acceptSetting } from './acceptSetting.js';
 import type { CameraView } from './CameraView.js';
 import { cameraParts, takeCamera } from './cameraNumbers.js';
-import { plainName } from './plainName.js';
 import type { SettingKey, Settings } from './settings.js';
 
 /** The settings of kind and position of the lights. */
@@ -54,4 +53,12 @@ export function readView(text: string): SavedView | undefined {
   if (!isFramed && !camera) return undefined;
   const light = Object.fromEntries(LIGHT_KEYS.map((key, i) => [key, values[i]])) as SavedView['light'];
   return { name, camera, light };
+}
+
+const MOST = 40;
+
+/** A user's name for something, in one line, without control characters, and shortened to the maximum length. */
+export function plainName(text: string): string {
+  const visible = text.replace(/[\p{Cc}\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069]+/gu, ' ').replace(/\s+/g, ' ');
+  return [...visible.trim()].slice(0, MOST).join('').trim();
 }

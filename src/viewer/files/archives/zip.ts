@@ -1,5 +1,5 @@
 import { ModelError } from '../common/ModelError.js';
-import { MAX_BYTES } from '../common/modelLimits.js';
+import { MAX_BYTES } from '../common/ModelFile.js';
 
 /** The unpacked size that is allowed for every archive, however small; larger archives may unpack to MAX_RATIO times their size. */
 const SMALL_BYTES = 64 * 1024 * 1024;

@@ -1,4 +1,3 @@
-import { errorMessage } from './errorMessage.js';
 import { shownName } from './shownText.js';
 
 /** The model cannot be drawn. The message is one sentence for the user. */
@@ -40,3 +39,8 @@ const plain = (message: string): string =>
     .replace(/^(THREE\.)?\w+(\.\w+)*(\(\))?:\s*/, '')
     .replace(/[.\s]+$/, '')
     .slice(0, 200);
+
+/** The message of an error, or of anything else that was thrown. */
+export function errorMessage(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}

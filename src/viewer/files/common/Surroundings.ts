@@ -1,5 +1,4 @@
 import type { DecoderModule } from 'draco3d';
-import type { FindFile } from './FindFile.js';
 
 /** A decoded picture: an ImageBitmap in browsers, or RGBA pixels in rows from the top. */
 export type DecodedPicture = ImageBitmap | PixelPicture;
@@ -43,3 +42,6 @@ export interface Surroundings {
   /** Finds a file that was not passed along with the model, by the URI in the model. */
   findFile?: FindFile;
 }
+
+/** Returns the bytes of a dropped file by the URI that another file refers to, or undefined. */
+export type FindFile = (uri: string) => Promise<Uint8Array | undefined>;

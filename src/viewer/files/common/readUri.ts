@@ -1,4 +1,4 @@
-import type { FindFile } from './FindFile.js';
+import type { FindFile } from './Surroundings.js';
 
 /** Reads a data URI, or a file that was dropped along with the model. Nothing is fetched. */
 export async function readUri(uri: string, findFile: FindFile): Promise<Uint8Array | undefined> {

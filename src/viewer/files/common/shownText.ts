@@ -29,3 +29,8 @@ function cut(text: string, most: number): string {
   const half = (most - 1) / 2;
   return `${characters.slice(0, Math.ceil(half)).join('')}…${characters.slice(-Math.floor(half)).join('')}`;
 }
+
+/** A count in words, such as "3 shapes left out"; empty for a count of 0. */
+export function counted(count: number, noun: string, rest: string): string {
+  return count === 0 ? '' : `${count.toLocaleString('en')} ${noun}${count === 1 ? '' : 's'} ${rest}`;
+}

@@ -1,8 +1,8 @@
 import { ClampToEdgeWrapping, type Mesh, type MeshPhongMaterial, type Object3D } from 'three';
 import { MTLLoader } from 'three/addons/loaders/MTLLoader.js';
 import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
-import type { FindFile } from '../common/FindFile.js';
 import { baseName } from '../common/fileName.js';
+import type { FindFile } from '../common/Surroundings.js';
 import { toUtf8 } from '../common/toUtf8.js';
 import type { LoadedScene } from '../scenes/LoadedScene.js';
 import { withStandIns } from '../scenes/standIns.js';

@@ -1,12 +1,11 @@
 import { AsciiReader } from '../common/AsciiReader.js';
 import { ModelError } from '../common/ModelError.js';
 import { checkReadTriangles } from '../mesh/checkTriangleCount.js';
-import { cutPolygons } from '../mesh/cutPolygons.js';
-import { withFaceColors } from '../mesh/faceColors.js';
-import { linearColors } from '../mesh/linearColors.js';
 import { nearFloats } from '../mesh/nearFloats.js';
 import type { NotedMesh, PlainMesh } from '../mesh/PlainMesh.js';
 import { meanAlpha, rangesByAlpha } from '../mesh/rangesByAlpha.js';
+import { cutPolygons } from '../mesh/triangulatePolygon.js';
+import { linearColors, withFaceColors } from '../mesh/vertexColors.js';
 import { GrowingIndices } from './GrowingIndices.js';
 
 /**

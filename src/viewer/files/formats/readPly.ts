@@ -1,12 +1,11 @@
 import { ModelError } from '../common/ModelError.js';
 import { shownName } from '../common/shownText.js';
 import { checkReadTriangles } from '../mesh/checkTriangleCount.js';
-import { cutPolygons } from '../mesh/cutPolygons.js';
-import { type FaceColors, withFaceColors } from '../mesh/faceColors.js';
-import { linearColors } from '../mesh/linearColors.js';
 import { nearFloats } from '../mesh/nearFloats.js';
 import type { NotedMesh, PlainMesh } from '../mesh/PlainMesh.js';
 import { meanAlpha, rangesByAlpha } from '../mesh/rangesByAlpha.js';
+import { cutPolygons } from '../mesh/triangulatePolygon.js';
+import { type FaceColors, linearColors, withFaceColors } from '../mesh/vertexColors.js';
 import { GrowingIndices } from './GrowingIndices.js';
 import { type PlyColumn, readColumns, readTriangles } from './plyBlocks.js';
 import { type PlyElement, type PlyHeader, type PlyProperty, readPlyHeader } from './plyHeader.js';

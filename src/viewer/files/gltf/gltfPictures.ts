@@ -1,7 +1,7 @@
-import type { FindFile } from '../common/FindFile.js';
 import { baseName } from '../common/fileName.js';
 import { ModelError } from '../common/ModelError.js';
 import { readUri } from '../common/readUri.js';
+import type { FindFile } from '../common/Surroundings.js';
 import { fitPictures, type PictureSize, PixelBudget } from '../pictures/fitPictures.js';
 import { imageSize } from '../pictures/imageSize.js';
 import type { GltfValues } from './GltfValues.js';

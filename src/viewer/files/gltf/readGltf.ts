@@ -1,13 +1,11 @@
 import { Matrix4 } from 'three';
 import { BITMAPS } from '../common/bitmaps.js';
-import { counted } from '../common/counted.js';
-import type { FindFile } from '../common/FindFile.js';
 import { baseName } from '../common/fileName.js';
 import { ModelError } from '../common/ModelError.js';
 import { type ModelExtras, movedExtras } from '../common/ModelExtras.js';
 import { readUri } from '../common/readUri.js';
-import type { Surroundings } from '../common/Surroundings.js';
-import { shownName } from '../common/shownText.js';
+import type { FindFile, Surroundings } from '../common/Surroundings.js';
+import { counted, shownName } from '../common/shownText.js';
 import type { PlainMesh } from '../mesh/PlainMesh.js';
 import { mergeScene } from '../scenes/mergeScene.js';
 import { chooseScene } from './chooseScene.js';

@@ -1,7 +1,7 @@
 import type { DecoderModule } from 'draco3d';
-import { counted } from '../common/counted.js';
 import { ModelError } from '../common/ModelError.js';
 import type { Surroundings } from '../common/Surroundings.js';
+import { counted } from '../common/shownText.js';
 import type { ChosenScene } from './chooseScene.js';
 import { type DracoAttribute, type DracoPart, decodeDraco } from './decodeDraco.js';
 import type { DracoSource } from './GltfGeometry.js';

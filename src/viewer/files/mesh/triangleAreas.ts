@@ -23,3 +23,17 @@ export function areaOf(positions: ArrayLike<number>, a: number, b: number, c: nu
   // Math.hypot takes several times as long.
   return Math.sqrt(x * x + y * y + z * z) / 2;
 }
+
+/** A model of radius 1 with less surface area than this is thinner than a pixel everywhere. */
+const LEAST_AREA = 0.002;
+
+/**
+ * A note for a model of radius 1 whose triangles are slivers or dust that strokes cannot show.
+ *
+ * @param positions xyz of each vertex
+ * @param indices three per triangle, or null if every three vertices make one
+ * @param share of all triangles that these are
+ */
+export function thinNote(positions: ArrayLike<number>, indices: ArrayLike<number> | null, share = 1): string[] {
+  return isAreaLess(positions, indices, LEAST_AREA * share) ? ['its triangles are too thin to be hatched'] : [];
+}

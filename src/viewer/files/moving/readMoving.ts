@@ -1,6 +1,6 @@
 import type { Mesh, Object3D } from 'three';
-import { counted } from '../common/counted.js';
-import type { FindFile } from '../common/FindFile.js';
+import type { FindFile } from '../common/Surroundings.js';
+import { counted } from '../common/shownText.js';
 import type { ReadGltf } from '../gltf/readGltf.js';
 import { farCentre } from '../mesh/nearFloats.js';
 

@@ -1,8 +1,7 @@
 import type { Texture, Wrapping } from 'three';
-import type { FindFile } from '../common/FindFile.js';
 import { baseName, extensionOf } from '../common/fileName.js';
 import { readUri } from '../common/readUri.js';
-import type { DecodedPicture, Surroundings } from '../common/Surroundings.js';
+import type { DecodedPicture, FindFile, Surroundings } from '../common/Surroundings.js';
 import { shownName } from '../common/shownText.js';
 import { alphaOf, isHalfThere, isOpaque, pixelsOf } from './alphaOf.js';
 import { fitPictures, type PictureSize, PixelBudget } from './fitPictures.js';

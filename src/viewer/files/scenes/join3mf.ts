@@ -1,6 +1,6 @@
 import { strToU8, zipSync } from 'three/addons/libs/fflate.module.js';
-import { counted } from '../common/counted.js';
 import { ModelError } from '../common/ModelError.js';
+import { counted } from '../common/shownText.js';
 import { toUtf8 } from '../common/toUtf8.js';
 import { SlicerSettings } from './SlicerSettings.js';
 

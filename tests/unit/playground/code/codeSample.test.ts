@@ -8,7 +8,7 @@ import { codeForms } from '../../../../src/playground/code/codeForms.js';
 import { lookSample } from '../../../../src/playground/code/lookSample.js';
 import { applyHatching } from '../../../../src/scene/applyHatching.js';
 import { presets } from '../../../../src/scene/presets.js';
-import { parameterSetter } from '../../../../src/viewer/drawing/parameterSetter.js';
+import { parameterSetter } from '../../../../src/viewer/drawing/materials.js';
 import { LightRig } from '../../../../src/viewer/sceneSetup/LightRig.js';
 import { lookOf } from '../../../../src/viewer/settings/lookOf.js';
 import { outlineLook } from '../../../../src/viewer/settings/outlineLook.js';

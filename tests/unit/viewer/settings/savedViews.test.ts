@@ -1,6 +1,12 @@
 import { expect, test } from 'vitest';
-import { plainName } from '../../../../src/viewer/settings/plainName.js';
-import { lightOf, MAX_VIEWS, readView, type SavedView, writeView } from '../../../../src/viewer/settings/savedViews.js';
+import {
+  lightOf,
+  MAX_VIEWS,
+  plainName,
+  readView,
+  type SavedView,
+  writeView,
+} from '../../../../src/viewer/settings/savedViews.js';
 import { defaultSettings } from '../../../../src/viewer/settings/settings.js';
 import { readLink, writeLink } from '../../../../src/viewer/settings/shareLink.js';
 

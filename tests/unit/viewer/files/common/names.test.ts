@@ -1,6 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { distinctNames } from '../../../../../src/viewer/files/common/distinctNames.js';
-import { indexOfName } from '../../../../../src/viewer/files/common/indexOfName.js';
+import { distinctNames, indexOfName } from '../../../../../src/viewer/files/common/names.js';
 
 test('things of one name, or of none, have names that differ', () => {
   expect(distinctNames(['Up', undefined, 'Up', '', 'Down', 'Up'], 'Clip')).toEqual([

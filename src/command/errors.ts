@@ -1,3 +1,6 @@
+/** A mistake in the command line, reported without a stack trace. */
+export class UsageError extends Error {}
+
 /** The user interrupted the command. The message says how many files were written. */
 export class Interrupted extends Error {
   /** @param written number of files written before the interruption */

@@ -1,2 +1,0 @@
-/** A mistake in the command line, reported without a stack trace. */
-export class UsageError extends Error {}

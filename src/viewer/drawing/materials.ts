@@ -1,0 +1,64 @@
+import type { Mesh } from 'three';
+import { type Color, type ColorRepresentation, Vector2 } from 'three';
+import type { HatchingMaterial, HatchingMaterialParameters, HatchingPropertyName } from 'three-hatching';
+import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, scaledSizes } from 'three-hatching/facts';
+import type { HatchingNodeMaterial, HatchingOutlineNodeMaterial, HatchingOutlines } from 'three-hatching/webgpu';
+import type { Look } from '../settings/lookOf.js';
+
+/** A material for either renderer; both kinds have the same properties. */
+export type EitherMaterial = HatchingMaterial | HatchingNodeMaterial;
+
+/** Creates what WebGPURenderer needs to draw a model. This room imports only types, so that the renderer is loaded on demand. */
+export interface NodeMakers {
+  /** A node material that looks like a material for WebGLRenderer. */
+  material(like: HatchingMaterial): HatchingNodeMaterial;
+  outlineMaterial(): HatchingOutlineNodeMaterial;
+  outlines(mesh: Mesh | null, material: HatchingOutlineNodeMaterial): HatchingOutlines;
+}
+
+/**
+ * Returns a function that sets these parameters on a material; they are sorted by kind once for all materials. Unlike `setValues`, it does
+ * not warn of properties that the present technique ignores, since the page keeps them for the next technique.
+ */
+export function parameterSetter(parameters: HatchingMaterialParameters): (material: EitherMaterial) => void {
+  const entries = Object.entries(parameters) as [HatchingPropertyName, unknown][];
+  const colors = entries.filter(([name]) => HATCHING_PROPERTIES[name].kind === 'color');
+  const vectors = entries.filter(([, value]) => value instanceof Vector2);
+  const others = Object.fromEntries(entries.filter((entry) => !colors.includes(entry) && !vectors.includes(entry)));
+  return (material) => {
+    Object.assign(material, others);
+    for (const [name, value] of vectors) (material[name] as Vector2).copy(value as Vector2);
+    for (const [name, value] of colors) (material[name] as Color).set(value as ColorRepresentation);
+  };
+}
+
+const { finestSpacing } = HATCHING_DEFAULTS;
+
+/**
+ * The sizes of materials on a sheet.
+ *
+ * @param share of the full stroke width, below 1 on small sheets
+ * @param scale of a picture relative to the page
+ */
+export function materialSizesIn(
+  { sizes, drawn: { sizedOnScreen } }: Look,
+  share: number,
+  scale = 1,
+): HatchingMaterialParameters {
+  return {
+    ...sizes,
+    ...scaledSizes({ ...sizes, sizedOnScreen }, share * scale),
+    // The spacing below which lines merge does not depend on the size of the sheet.
+    ...scaledSizes({ finestSpacing }, scale),
+  };
+}
+
+/** The sizes of outlines. @param factor on all of them */
+export function outlineSizesIn({ outlines }: Look, factor: number) {
+  return {
+    outlineWidth: outlines.outlineWidth * factor,
+    wobble: outlines.wobble * factor,
+    overshoot: outlines.overshoot * factor,
+    toothSize: outlines.toothSize * factor,
+  };
+}
