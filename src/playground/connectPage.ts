@@ -9,7 +9,7 @@ import type { Card } from './panel/Card.js';
 import type { Session } from './session/Session.js';
 import type { LaterParts } from './tasks/LaterParts.js';
 import type { Status } from './tasks/Status.js';
-import { sentenceFor } from './tasks/sentenceFor.js';
+import { sentenceFor } from './tasks/Status.js';
 
 /** The objects that the page's buttons, keys and dropped files act on. */
 export interface PageHandlers {

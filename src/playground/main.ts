@@ -4,8 +4,7 @@ import { createPlayground } from './createPlayground.js';
 import { page } from './elements/page.js';
 import { setPageState } from './page/setPageState.js';
 import { Status } from './tasks/Status.js';
-import { drawsInSoftware } from './viewport/drawsInSoftware.js';
-import { rendererAhead } from './viewport/rendererAhead.js';
+import { drawsInSoftware, rendererAhead } from './viewport/graphicsCard.js';
 
 // Silences warnings meant for developers: users choose weak lights or huge strokes on purpose, and paper is shown until a map is drawn.
 HatchingMaterial.silent = true;

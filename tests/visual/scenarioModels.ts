@@ -5,12 +5,12 @@ import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
-import { FOUR_TRIANGLES, FOUR_TRIANGLES_POSITIONS } from '../../src/playground/models/fourTriangles.js';
 import { makeFox } from '../../src/playground/models/makeFox.js';
 import { makeRoom } from '../../src/playground/models/makeRoom.js';
 import { makeStairs } from '../../src/playground/models/makeStairs.js';
 import { makeStreet } from '../../src/playground/models/makeStreet.js';
 import { shellChair } from '../../src/playground/models/shellChair.js';
+import { FOUR_TRIANGLES, FOUR_TRIANGLES_POSITIONS } from '../../tools/figures/fourTriangles.js';
 import type { ScenarioModel, SceneModel } from './scenarios.js';
 
 const scenes = { stairs: makeStairs, room: makeRoom, fox: makeFox, street: makeStreet };

@@ -10,8 +10,8 @@ import {
   TonalArtMap,
 } from 'three-hatching';
 import { needsMap } from 'three-hatching/facts';
-import { createCamera } from '../../src/viewer/sceneSetup/createCamera.js';
 import { fitCamera } from '../../src/viewer/sceneSetup/framing.js';
+import { createCamera } from '../../src/viewer/sceneSetup/LensCamera.js';
 import { figureModel } from './figureModels.js';
 import { PIXEL_RATIO } from './figurePixels.js';
 import type { Figure, Look, Panel } from './figures.js';

@@ -1,7 +1,6 @@
 import { Box3, BufferAttribute, BufferGeometry, DoubleSide, type Side, Vector3 } from 'three';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import { prepareHatchingGeometry } from 'three-hatching';
-import { FOUR_TRIANGLES, FOUR_TRIANGLES_POSITIONS } from '../../src/playground/models/fourTriangles.js';
 import { BUILT_IN_MODELS, type BuiltInModel } from '../../src/playground/models/models.js';
 import { shellChair } from '../../src/playground/models/shellChair.js';
 import { bakeMesh } from '../../src/viewer/drawing/bakeMesh.js';
@@ -9,6 +8,7 @@ import type { BuiltInScene } from '../../src/viewer/drawing/buildModel.js';
 import { ModelError } from '../../src/viewer/files/common/ModelError.js';
 import type { PlainMesh } from '../../src/viewer/files/mesh/PlainMesh.js';
 import type { ReadModel } from '../../src/viewer/files/readModel.js';
+import { FOUR_TRIANGLES, FOUR_TRIANGLES_POSITIONS } from './fourTriangles.js';
 import { memoize } from './memoize.js';
 
 /** A model of a figure, with a radius of about 1 around the origin, in parts that may have different materials. */

@@ -228,7 +228,6 @@ export const OFFERS = {
     'files/scenes/mergeScene.ts',
     'sceneSetup/Backdrop.ts',
     'sceneSetup/castersOf.ts',
-    'sceneSetup/createCamera.ts',
     'sceneSetup/fadeOnSheet.ts',
     'sceneSetup/framing.ts',
     'sceneSetup/Ground.ts',

@@ -6,7 +6,7 @@ import { loadModelFiles } from '../../src/playground/reading/loadModelFiles.js';
 import { buildModel } from '../../src/viewer/drawing/buildModel.js';
 import type { HatchedModel } from '../../src/viewer/drawing/HatchedModel.js';
 import { meshesOf } from '../../src/viewer/drawing/meshesOf.js';
-import { createCamera, DEFAULT_VIEW } from '../../src/viewer/sceneSetup/createCamera.js';
+import { createCamera, DEFAULT_VIEW } from '../../src/viewer/sceneSetup/LensCamera.js';
 import { LightRig } from '../../src/viewer/sceneSetup/LightRig.js';
 import { lookOf } from '../../src/viewer/settings/lookOf.js';
 import { presetLook } from '../../src/viewer/settings/presets.js';

@@ -22,8 +22,8 @@ import {
   scalePreset,
 } from 'three-hatching';
 import { type ExampleHandName, exampleHand } from 'three-hatching/hands';
-import { createCamera } from '../../src/viewer/sceneSetup/createCamera.js';
 import { fitCamera } from '../../src/viewer/sceneSetup/framing.js';
+import { createCamera } from '../../src/viewer/sceneSetup/LensCamera.js';
 import { drawSwatches } from './drawSwatches.js';
 import { loadSubject, type SubjectName } from './subjects.js';
 

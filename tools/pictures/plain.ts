@@ -14,8 +14,8 @@ import {
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
 import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
-import { createCamera, DEFAULT_VIEW } from '../../src/viewer/sceneSetup/createCamera.js';
 import { fitCamera } from '../../src/viewer/sceneSetup/framing.js';
+import { createCamera, DEFAULT_VIEW } from '../../src/viewer/sceneSetup/LensCamera.js';
 
 /** Files by name, in base64. The first one is the model, the others are what it asks for. */
 export type PlainFiles = readonly { name: string; content: string }[];

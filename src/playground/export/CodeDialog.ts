@@ -2,9 +2,7 @@ import type { CodeDrawing } from '../code/CodeModel.js';
 import type { CodeForm } from '../code/codeForms.js';
 import { findElement } from '../page/findElement.js';
 import type { Session } from '../session/Session.js';
-import { copyText } from './copyText.js';
-import { download } from './download.js';
-import { fileStem } from './fileStem.js';
+import { copyText, download, fileStem } from './download.js';
 
 /** Shows the drawing as code in several forms, to copy or save. */
 export class CodeDialog {

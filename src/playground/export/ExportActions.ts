@@ -3,11 +3,9 @@ import { zipMap } from '../loading/mapFiles.js';
 import type { PageAddress } from '../session/PageAddress.js';
 import type { Session } from '../session/Session.js';
 import type { Remedy, Status } from '../tasks/Status.js';
-import { sentenceFor } from '../tasks/sentenceFor.js';
+import { sentenceFor } from '../tasks/Status.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
-import { copyText } from './copyText.js';
-import { download } from './download.js';
-import { fileStem } from './fileStem.js';
+import { copyText, download, fileStem } from './download.js';
 import type { SaveDrawing } from './SaveDrawing.js';
 
 /** A picture of a simplified model may deviate by this many pixels from the full model without a note. */

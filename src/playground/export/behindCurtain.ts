@@ -1,7 +1,7 @@
 import type { Settings } from '../../viewer/settings/settings.js';
 import { drawnView } from '../elements/viewSize.js';
 import { cutToDrawing, type PrintPlan, planPrint, sheetOnView } from '../print/print.js';
-import { LostContextError } from '../viewport/LostContextError.js';
+import { LostContextError } from '../viewport/ContextLoss.js';
 import { PictureSession } from '../viewport/PictureSession.js';
 import type { Viewport } from '../viewport/Viewport.js';
 import { raiseCurtain } from './raiseCurtain.js';

@@ -7,3 +7,22 @@ export function download(content: Blob, name: string): void {
   // The browser needs the URL for a moment after the click.
   setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }
+
+/** Copies text to the clipboard. Resolves to false if the browser does not allow that. */
+export async function copyText(text: string): Promise<boolean> {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+/** Turns the title of a drawing into a file name without an extension. */
+export function fileStem(title: string): string {
+  const stem = title
+    .replace(/\.\w+$/, '')
+    .replace(/\W+/g, '-')
+    .toLowerCase();
+  return stem || 'drawing';
+}

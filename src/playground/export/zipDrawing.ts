@@ -1,7 +1,7 @@
 import { BUNDLE, describeBundle } from '../../viewer/files/archives/bundle.js';
 import { baseName } from '../../viewer/files/common/fileName.js';
 import type { ModelFile } from '../../viewer/files/readModel.js';
-import { ZipWriter } from '../print/ZipWriter.js';
+import { ZipWriter } from '../print/BlobWriter.js';
 
 /** The parts of a drawing with the user's own model. */
 export interface DrawingFiles {

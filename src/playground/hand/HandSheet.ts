@@ -2,19 +2,17 @@ import type { HandNumbers, HandStroke } from 'three-hatching';
 import { type ExampleHandName, exampleHand, exampleHandNames } from 'three-hatching/hands';
 import { handLook, linesOfHand, lookWithoutHand } from '../../viewer/settings/handLook.js';
 import { drawsWithMap } from '../../viewer/settings/settingValues.js';
+import { element, textButton } from '../elements/createElement.js';
 import { page } from '../elements/page.js';
-import { textButton } from '../elements/textButton.js';
 import { type SliderValue, ValueSlider } from '../elements/ValueSlider.js';
 import { download } from '../export/download.js';
-import { ownHandOf } from '../maps/linkedHand.js';
 import type { OwnHand } from '../maps/OwnHand.js';
+import { ownHandOf } from '../maps/readOwnHand.js';
 import type { Session } from '../session/Session.js';
-import { element } from './element.js';
 import { HAND_NUMBER_NAMES, HAND_SLIDERS, inUnit, numberOfShown, shownNumber } from './handSliders.js';
-import { layOut } from './layOut.js';
 import { changedNumbers, LEAST_STROKES, learnOwnHand, withNumbers } from './learnOwnHand.js';
 import { SwatchCanvas, type SwatchTool } from './SwatchCanvas.js';
-import { SWATCHES } from './swatches.js';
+import { eraseStrokes, layOut, SWATCHES } from './swatches.js';
 
 /** Pause before the map is redrawn, in milliseconds, in case another stroke or slider step follows. */
 const PAUSE = 150;
@@ -292,28 +290,4 @@ function sentenceAbout({ strokes, hand }: OwnHand): string {
     return `${had}${strokes.length === 0 ? `${LEAST_STROKES} strokes are enough` : `${missing} more`} to begin with.`;
   }
   return 'These are dots: draw strokes that are longer than wide.';
-}
-
-/** Removes the strokes that a rubber at a point touches; returns the same array if it touches none. Lengths are in millimetres. */
-export function eraseStrokes(
-  strokes: readonly HandStroke[],
-  x: number,
-  y: number,
-  radius: number,
-): readonly HandStroke[] {
-  const left = strokes.filter((stroke) => !touches(stroke, x, y, radius));
-  return left.length === strokes.length ? strokes : left;
-}
-
-function touches({ points, widths }: HandStroke, x: number, y: number, radius: number): boolean {
-  for (let i = 0; i + 1 < widths.length; i++) {
-    const [fromX, fromY, toX, toY] = [points[2 * i], points[2 * i + 1], points[2 * i + 2], points[2 * i + 3]];
-    const [dx, dy] = [toX - fromX, toY - fromY];
-    const square = dx * dx + dy * dy;
-    const along = square > 0 ? ((x - fromX) * dx + (y - fromY) * dy) / square : 0;
-    const share = Math.min(1, Math.max(0, along));
-    const width = widths[i] + share * (widths[i + 1] - widths[i]);
-    if (Math.hypot(fromX + share * dx - x, fromY + share * dy - y) <= radius + width / 2) return true;
-  }
-  return false;
 }

@@ -1,6 +1,6 @@
 import { type Hand, type HandNumbers, type HandStroke, learnHand } from 'three-hatching';
-import { ownHandOf } from '../maps/linkedHand.js';
 import type { OwnHand } from '../maps/OwnHand.js';
+import { ownHandOf } from '../maps/readOwnHand.js';
 
 /** The least number of strokes that make a hand. */
 export const LEAST_STROKES = 5;

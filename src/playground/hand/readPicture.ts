@@ -2,10 +2,10 @@ import { learnHandAsync, traceStrokes } from 'three-hatching';
 import type { Report } from '../../viewer/drawing/buildModel.js';
 import { ModelError } from '../../viewer/files/common/ModelError.js';
 import { shownName } from '../../viewer/files/common/shownText.js';
-import { ownHandOf } from '../maps/linkedHand.js';
 import type { OwnHand } from '../maps/OwnHand.js';
-import { layOut } from './layOut.js';
+import { ownHandOf } from '../maps/readOwnHand.js';
 import { LEAST_STROKES, learnOwnHand } from './learnOwnHand.js';
+import { layOut } from './swatches.js';
 
 /** The maximum size of a picture file, in bytes. */
 const MOST_BYTES = 64 * 1024 * 1024;

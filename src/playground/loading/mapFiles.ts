@@ -2,7 +2,7 @@ import { TonalArtMap } from 'three-hatching';
 import { shownName } from '../../viewer/files/common/shownText.js';
 import type { ModelFile } from '../../viewer/files/readModel.js';
 import { handLook } from '../../viewer/settings/handLook.js';
-import { readHandFile } from '../maps/readHandFile.js';
+import { readHandFile } from '../maps/readOwnHand.js';
 import type { MapOptions, TonalArtMapCache } from '../maps/TonalArtMapCache.js';
 import { type MapUser, showHandMap } from './showHandMap.js';
 
@@ -49,7 +49,7 @@ export async function showHandFile(
 
 /** Packs the files of a map into one archive. PNG images are compressed already, so they are stored. */
 export async function zipMap(map: TonalArtMap): Promise<Blob> {
-  const { ZipWriter } = await import('../print/ZipWriter.js');
+  const { ZipWriter } = await import('../print/BlobWriter.js');
   const zip = new ZipWriter();
   for (const file of await map.save()) await zip.add(file.name, file);
   return zip.end();

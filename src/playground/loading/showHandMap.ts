@@ -1,8 +1,8 @@
 import type { TonalArtMap } from 'three-hatching';
 import { ModelError } from '../../viewer/files/common/ModelError.js';
 import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';
-import { readLinkedHand } from '../maps/linkedHand.js';
 import type { OwnHand } from '../maps/OwnHand.js';
+import { readLinkedHand } from '../maps/readOwnHand.js';
 import type { MapOptions, MapSettings, TonalArtMapCache } from '../maps/TonalArtMapCache.js';
 
 /** If the previous map of a hand took longer than this, in milliseconds, a preview is drawn first. */

@@ -1,3 +1,5 @@
+import { Zip, ZipPassThrough } from 'three/addons/libs/fflate.module.js';
+
 /** Bytes are collected to parts of this size and handed to the browser, which may store them on disk. */
 const PART_BYTES = 4 << 20;
 
@@ -18,5 +20,27 @@ export class BlobWriter {
 
   end(type: string): Blob {
     return new Blob([...this.whole, ...this.parts], { type });
+  }
+}
+
+/** Packs files into an archive one at a time and without compression, since PNG is compressed already. */
+export class ZipWriter {
+  private readonly blob = new BlobWriter();
+  private readonly zip = new Zip((error, part) => {
+    if (error) throw error;
+    this.blob.write(part as Uint8Array<ArrayBuffer>);
+  });
+
+  async add(name: string, content: Blob): Promise<void> {
+    const entry = new ZipPassThrough(name);
+    this.zip.add(entry);
+    const reader = content.stream().getReader();
+    for (let part = await reader.read(); !part.done; part = await reader.read()) entry.push(part.value.slice());
+    entry.push(new Uint8Array(), true);
+  }
+
+  end(): Blob {
+    this.zip.end();
+    return this.blob.end('application/zip');
   }
 }

@@ -1,11 +1,11 @@
 import { type PerspectiveCamera, Vector3 } from 'three';
 import { type PrintPlan, toMillimetres } from './printPlan.js';
 
+export { ZipWriter } from './BlobWriter.js';
 /** The functions for drawing pictures, fetched when the first picture is saved. */
 export { cutToDrawing, drawPicture } from './drawPicture.js';
 export { type PrintPlan, planPrint, sheetOnView } from './printPlan.js';
 export { planSvg, printablePlan, type SvgPlan } from './svgPlan.js';
-export { ZipWriter } from './ZipWriter.js';
 
 /** Describes the size of a picture. */
 export function describePrint({ width, height, dpi }: PrintPlan): string {

@@ -1,5 +1,5 @@
 import { shownName } from '../../viewer/files/common/shownText.js';
-import { textButton } from '../elements/textButton.js';
+import { textButton } from '../elements/createElement.js';
 import { findElement } from '../page/findElement.js';
 import type { NamedItem, NamedList } from './NamedList.js';
 

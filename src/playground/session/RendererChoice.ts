@@ -1,6 +1,6 @@
 import type { LaterParts } from '../tasks/LaterParts.js';
 import type { Status } from '../tasks/Status.js';
-import type { Screen } from '../viewport/Screen.js';
+import type { Screen } from '../viewport/Frames.js';
 import type { Session } from './Session.js';
 
 /** Draws frames with WebGPURenderer while the settings ask for it, and returns to WebGL if that fails. */

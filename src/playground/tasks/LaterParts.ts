@@ -1,5 +1,5 @@
 import type { Status } from './Status.js';
-import { sentenceFor } from './sentenceFor.js';
+import { sentenceFor } from './Status.js';
 
 /**
  * Loads parts of the page on demand, because everything loaded at the start delays the first drawing. Failures are shown in the status

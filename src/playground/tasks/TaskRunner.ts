@@ -1,7 +1,7 @@
 import type { Report } from '../../viewer/drawing/buildModel.js';
-import { LostContextError } from '../viewport/LostContextError.js';
+import { LostContextError } from '../viewport/ContextLoss.js';
 import type { Remedy, Status } from './Status.js';
-import { sentenceFor } from './sentenceFor.js';
+import { sentenceFor } from './Status.js';
 
 type Slot = 'model' | 'map' | 'form' | 'occlusion' | 'picture';
 type TaskEnd = 'done' | 'failed' | 'replaced';

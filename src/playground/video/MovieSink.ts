@@ -7,7 +7,6 @@ import {
   Quality,
   WebMOutputFormat,
 } from 'mediabunny';
-import type { FrameSink } from './FrameSink.js';
 import { stampOf, type VideoPlan } from './videoPlan.js';
 
 /** The codecs, the most widely supported first. */
@@ -69,4 +68,17 @@ export class MovieSink implements FrameSink {
 
 function giveUp(cause: unknown): never {
   throw new Error('The browser gave up encoding the video; choose smaller frames, or pictures in a ZIP.', { cause });
+}
+
+/** Writes the frames of a video to a file. */
+export interface FrameSink {
+  /** The file extension, with its dot. */
+  readonly extension: string;
+  /** The kind of the file, for the user. */
+  readonly kind: string;
+  /** Adds the canvas as drawn in this task, and resolves when the next frame can be added. */
+  add(canvas: HTMLCanvasElement, frame: number): Promise<void>;
+  end(): Promise<Blob>;
+  /** Call this instead of `end` to discard the video. */
+  abort(): Promise<void>;
 }

@@ -1,11 +1,11 @@
 import type { Settings } from '../../viewer/settings/settings.js';
+import { ZipWriter } from '../print/BlobWriter.js';
 import type { Size } from '../print/printPlan.js';
-import { ZipWriter } from '../print/ZipWriter.js';
-import { LostContextError } from '../viewport/LostContextError.js';
+import { LostContextError } from '../viewport/ContextLoss.js';
 import type { PictureSession } from '../viewport/PictureSession.js';
 import type { Viewport } from '../viewport/Viewport.js';
 import { FramePoser } from './FramePoser.js';
-import type { FrameSink } from './FrameSink.js';
+import type { FrameSink } from './MovieSink.js';
 import { MovieSink } from './MovieSink.js';
 import { placeOnFrame, planVideo, poseOf, type VideoPlan } from './videoPlan.js';
 

@@ -56,3 +56,6 @@ export class ContextLoss {
     frames.invalidate();
   }
 }
+
+/** The graphics context was lost. The caller that was saving the drawing explains what that means. */
+export class LostContextError extends Error {}

@@ -5,15 +5,15 @@ import { HATCHING_PROPERTIES } from 'three-hatching/facts';
 import { HatchingNodeMaterial, HatchingOutlineNodeMaterial, HatchingOutlines } from 'three-hatching/webgpu';
 import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
 import type { NodeMakers } from '../../viewer/drawing/materials.js';
-import { createCamera } from '../../viewer/sceneSetup/createCamera.js';
 import { Ground } from '../../viewer/sceneSetup/Ground.js';
 import type { LensCamera } from '../../viewer/sceneSetup/LensCamera.js';
+import { createCamera } from '../../viewer/sceneSetup/LensCamera.js';
 import { LightRig } from '../../viewer/sceneSetup/LightRig.js';
 import { strokeShare } from '../../viewer/sceneSetup/strokeShare.js';
 import type { Look } from '../../viewer/settings/lookOf.js';
+import type { FrameSize, Screen } from './Frames.js';
 import type { Painter } from './Painter.js';
 import type { Scenery } from './Scenery.js';
-import type { FrameSize, Screen } from './Screen.js';
 
 const NAMES = Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
 

@@ -1,6 +1,6 @@
 import { WebGLRenderer } from 'three';
-import { createCamera } from '../../viewer/sceneSetup/createCamera.js';
 import { type SheetPart, WHOLE_SHEET } from '../../viewer/sceneSetup/fadeOnSheet.js';
+import { createCamera } from '../../viewer/sceneSetup/LensCamera.js';
 import type { ShadowQuality } from '../../viewer/sceneSetup/LightRig.js';
 import { strokeShare } from '../../viewer/sceneSetup/strokeShare.js';
 import type { Look } from '../../viewer/settings/lookOf.js';

@@ -2,7 +2,7 @@ import type { BufferGeometry } from 'three';
 import { meshesOf } from '../../viewer/drawing/meshesOf.js';
 import type { Layer } from '../../viewer/sceneSetup/layers.js';
 import type { Settings } from '../../viewer/settings/settings.js';
-import { LostContextError } from './LostContextError.js';
+import { LostContextError } from './ContextLoss.js';
 import { MARGIN } from './SideBySide.js';
 import type { Viewport } from './Viewport.js';
 

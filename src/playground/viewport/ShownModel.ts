@@ -2,7 +2,7 @@ import type { Group } from 'three';
 import type { TonalArtMap } from 'three-hatching';
 import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
 import { Slices } from '../../viewer/files/common/Slices.js';
-import { DEFAULT_VIEW } from '../../viewer/sceneSetup/createCamera.js';
+import { DEFAULT_VIEW } from '../../viewer/sceneSetup/LensCamera.js';
 import type { Look } from '../../viewer/settings/lookOf.js';
 
 /** The direction from a model to the eye when the model is framed. */

@@ -1,9 +1,9 @@
 import { MathUtils, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { DEFAULT_VIEW } from '../../../viewer/sceneSetup/createCamera.js';
 import { WHOLE_SHEET } from '../../../viewer/sceneSetup/fadeOnSheet.js';
 import { type Framing, fitCamera, proportionOf, SHADOW_ROOM } from '../../../viewer/sceneSetup/framing.js';
 import type { LensCamera } from '../../../viewer/sceneSetup/LensCamera.js';
+import { DEFAULT_VIEW } from '../../../viewer/sceneSetup/LensCamera.js';
 import { roomiestView } from '../../../viewer/sceneSetup/placeCamera.js';
 import type { CameraLens, CameraView } from '../../../viewer/settings/CameraView.js';
 import { OrbitKeys } from './OrbitKeys.js';

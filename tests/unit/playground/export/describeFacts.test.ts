@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { describeFacts, type Facts } from '../../../../src/playground/export/describeFacts.js';
+import { describeFacts, type Facts } from '../../../../src/playground/export/factsOf.js';
 
 const FACTS: Facts = {
   versions: { hatching: '0.1.0', three: '187' },

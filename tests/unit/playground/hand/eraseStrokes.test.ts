@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { eraseStrokes } from '../../../../src/playground/hand/HandSheet.js';
+import { eraseStrokes } from '../../../../src/playground/hand/swatches.js';
 
 const level = { points: [0, 0, 10, 0, 20, 0], widths: [0.2, 2, 0.2] };
 const steep = { points: [15, -10, 15, 10], widths: [0.4, 0.4] };

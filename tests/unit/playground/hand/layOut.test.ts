@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { layOut } from '../../../../src/playground/hand/layOut.js';
+import { layOut } from '../../../../src/playground/hand/swatches.js';
 import type { HandStroke } from '../../../../src/strokes/hand/Hand.js';
 
 const line = (x: number, y: number, length: number, swatch?: HandStroke['swatch']): HandStroke => ({

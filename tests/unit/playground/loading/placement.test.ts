@@ -7,7 +7,7 @@ import { BUILT_IN_MODELS, type BuiltInModel } from '../../../../src/playground/m
 import { View } from '../../../../src/playground/viewport/view/View.js';
 import type { HatchedModel } from '../../../../src/viewer/drawing/HatchedModel.js';
 import { NO_EXTRAS } from '../../../../src/viewer/files/common/ModelExtras.js';
-import { createCamera, DEFAULT_VIEW } from '../../../../src/viewer/sceneSetup/createCamera.js';
+import { createCamera, DEFAULT_VIEW } from '../../../../src/viewer/sceneSetup/LensCamera.js';
 import { shadowOnGround } from '../../../../src/viewer/sceneSetup/shadowOnGround.js';
 import { GALLERY } from '../../../../src/viewer/settings/gallery.js';
 import { type Look, lookOf } from '../../../../src/viewer/settings/lookOf.js';

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import { TaskRunner } from '../../../../src/playground/tasks/TaskRunner.js';
-import { LostContextError } from '../../../../src/playground/viewport/LostContextError.js';
+import { LostContextError } from '../../../../src/playground/viewport/ContextLoss.js';
 import { ModelError } from '../../../../src/viewer/files/common/ModelError.js';
 import { fakeStatus } from './fakeStatus.js';
 

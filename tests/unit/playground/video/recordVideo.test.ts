@@ -1,10 +1,10 @@
 import { Vector3 } from 'three';
 import { describe, expect, test, vi } from 'vitest';
 import { recordVideo } from '../../../../src/playground/video/recordVideo.js';
-import { LostContextError } from '../../../../src/playground/viewport/LostContextError.js';
+import { LostContextError } from '../../../../src/playground/viewport/ContextLoss.js';
 import type { PictureSession } from '../../../../src/playground/viewport/PictureSession.js';
 import type { Viewport } from '../../../../src/playground/viewport/Viewport.js';
-import { createCamera } from '../../../../src/viewer/sceneSetup/createCamera.js';
+import { createCamera } from '../../../../src/viewer/sceneSetup/LensCamera.js';
 import { defaultSettings, type Settings } from '../../../../src/viewer/settings/settings.js';
 
 /** A viewport without a browser. @param drawPart what drawing the nth frame does */

@@ -1,8 +1,8 @@
 import { TorusKnotGeometry, Vector3 } from 'three';
 import { expect, test } from 'vitest';
 import { turnedOutlines } from '../../../../src/playground/video/FramePoser.js';
-import { createCamera } from '../../../../src/viewer/sceneSetup/createCamera.js';
 import { fitCamera } from '../../../../src/viewer/sceneSetup/framing.js';
+import { createCamera } from '../../../../src/viewer/sceneSetup/LensCamera.js';
 
 const FILL = 0.7;
 

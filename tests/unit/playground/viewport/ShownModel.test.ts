@@ -2,7 +2,7 @@ import { Group } from 'three';
 import { expect, test, vi } from 'vitest';
 import { ShownModel } from '../../../../src/playground/viewport/ShownModel.js';
 import type { HatchedModel } from '../../../../src/viewer/drawing/HatchedModel.js';
-import { DEFAULT_VIEW } from '../../../../src/viewer/sceneSetup/createCamera.js';
+import { DEFAULT_VIEW } from '../../../../src/viewer/sceneSetup/LensCamera.js';
 import { lookOf } from '../../../../src/viewer/settings/lookOf.js';
 import { defaultSettings } from '../../../../src/viewer/settings/settings.js';
 

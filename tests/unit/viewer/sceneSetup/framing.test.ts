@@ -1,7 +1,7 @@
 import { type PerspectiveCamera, TorusKnotGeometry, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { createCamera } from '../../../../src/viewer/sceneSetup/createCamera.js';
 import { fitCamera, proportionOf } from '../../../../src/viewer/sceneSetup/framing.js';
+import { createCamera } from '../../../../src/viewer/sceneSetup/LensCamera.js';
 import { shadowOnGround } from '../../../../src/viewer/sceneSetup/shadowOnGround.js';
 
 const FILL = 0.7;

@@ -1,8 +1,8 @@
 import { Box2, BoxGeometry, Vector2, Vector3 } from 'three';
 import { expect, test } from 'vitest';
 import { Silhouette } from '../../../../../src/playground/viewport/light/Silhouette.js';
-import { createCamera } from '../../../../../src/viewer/sceneSetup/createCamera.js';
 import { fitCamera } from '../../../../../src/viewer/sceneSetup/framing.js';
+import { createCamera } from '../../../../../src/viewer/sceneSetup/LensCamera.js';
 
 const size = { width: 374, height: 720 };
 const RADIUS = 26;

@@ -1,7 +1,7 @@
 import { BoxGeometry, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
 import { View } from '../../../../../src/playground/viewport/view/View.js';
-import { createCamera } from '../../../../../src/viewer/sceneSetup/createCamera.js';
+import { createCamera } from '../../../../../src/viewer/sceneSetup/LensCamera.js';
 import type { CameraLens, CameraView } from '../../../../../src/viewer/settings/CameraView.js';
 import { defaultSettings } from '../../../../../src/viewer/settings/settings.js';
 import { readLink, writeLink } from '../../../../../src/viewer/settings/shareLink.js';

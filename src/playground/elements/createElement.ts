@@ -6,3 +6,14 @@ export function textButton(label: string, run: () => void, name?: string): HTMLB
   button.addEventListener('click', run);
   return button;
 }
+
+/** Creates an element with properties and children. */
+export function element<Tag extends keyof HTMLElementTagNameMap>(
+  tag: Tag,
+  properties: Partial<HTMLElementTagNameMap[Tag]> = {},
+  ...children: (Node | string)[]
+): HTMLElementTagNameMap[Tag] {
+  const created = Object.assign(document.createElement(tag), properties);
+  created.append(...children);
+  return created;
+}

@@ -1,0 +1,38 @@
+declare global {
+  /** The name of the WebGL 2 renderer, which a script ahead of the page's own asks for in a worker: see tools/building/fetchedAhead.ts. */
+  var hatchingRenderer: Promise<string | undefined> | undefined;
+  /** Whether the page's own script runs. The script ahead does nothing if it comes later. */
+  var hatchingHasBegun: boolean | undefined;
+}
+
+/**
+ * The name of the graphics card and its driver, once the browser has set up its graphics, after which a context is created at once.
+ * Undefined if unknown, or if it takes too long.
+ */
+export async function rendererAhead(): Promise<string | undefined> {
+  globalThis.hatchingHasBegun = true;
+  return globalThis.hatchingRenderer;
+}
+
+/** The name of a context's graphics card and driver, as far as the browser tells it. */
+export function rendererName(gl: WebGL2RenderingContext): string {
+  const names = gl.getExtension('WEBGL_debug_renderer_info');
+  return String(gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+}
+
+const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
+
+/**
+ * Whether the browser draws WebGL 2 in software, without a graphics card or a driver for it.
+ *
+ * @param renderer its name, if known; otherwise a context is created to find out
+ */
+export function drawsInSoftware(renderer?: string): boolean {
+  if (renderer !== undefined) return SOFTWARE.test(renderer);
+  const gl = new OffscreenCanvas(1, 1).getContext('webgl2');
+  if (!gl) return false;
+  const name = rendererName(gl);
+  // Browsers allow a page few contexts.
+  gl.getExtension('WEBGL_lose_context')?.loseContext();
+  return SOFTWARE.test(name);
+}
