@@ -42,7 +42,7 @@ export const consent: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/playground/loading/ask.test.ts',
-      title: 'a grave question cannot be agreed to at once, nor as soon as the window is in front again',
+      title: 'a grave question cannot be accepted at once, nor right after the window returns to the front',
     },
   },
   {
@@ -53,7 +53,7 @@ export const consent: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/playground/loading/ask.test.ts',
-      title: 'a grave question cannot be agreed to at once, nor as soon as the window is in front again',
+      title: 'a grave question cannot be accepted at once, nor right after the window returns to the front',
     },
   },
   {
@@ -75,7 +75,7 @@ export const consent: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/playground/session/LinkFollower.test.ts',
-      title: 'an agreement that comes after the address asks for something else is none',
+      title: 'an agreement is ignored once the address has changed',
     },
   },
   {
@@ -97,7 +97,7 @@ export const consent: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/playground/loading/fetchModel.test.ts',
-      title: 'what another window or another site says is not heard',
+      title: 'messages of other windows and sites are ignored',
     },
   },
   {
@@ -108,7 +108,7 @@ export const consent: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/playground/loading/fetchModel.test.ts',
-      title: 'what another window or another site says is not heard',
+      title: 'messages of other windows and sites are ignored',
     },
   },
   {
@@ -119,7 +119,7 @@ export const consent: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/playground/loading/fetchModel.test.ts',
-      title: 'an abort takes the frame away, and with it the request',
+      title: 'an abort removes the frame, and with it the request',
     },
   },
   {
@@ -130,7 +130,7 @@ export const consent: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/playground/loading/fetchModel.test.ts',
-      title: 'an address is described by its file and by the host in letters that look like no others',
+      title: 'an address is described by its file and by its host in ASCII',
     },
   },
   {
@@ -141,7 +141,7 @@ export const consent: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/playground/fetch/fetchMain.test.ts',
-      title: 'before it asks, the page forbids itself every other site',
+      title: 'before a request, the page blocks every other site',
     },
   },
   {
@@ -152,7 +152,7 @@ export const consent: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/playground/fetch/fetchMain.test.ts',
-      title: 'a file is fetched without cookies and without saying from where, and told in parts',
+      title: 'a file is fetched without cookies and referrer, and posted in parts',
     },
   },
   {

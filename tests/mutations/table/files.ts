@@ -126,7 +126,7 @@ export const files: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/playground/reading/simplifyMesh.test.ts',
-      title: 'a simpler mesh lies as near as it says, keeps its colours and has no vertex to spare',
+      title: 'a simplified mesh is within its stated error, keeps its colours and has no unused vertices',
     },
   },
   {

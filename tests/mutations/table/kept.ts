@@ -9,7 +9,7 @@ export const kept: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/playground/storage/KeptLooks.test.ts',
-      title: 'of damaged or hostile storage, what is a look is read, in values that the controls have',
+      title: 'valid looks are read from damaged or hostile storage, with allowed values only',
     },
   },
   {
@@ -64,7 +64,7 @@ export const kept: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/playground/session/KeptPicture.test.ts',
-      title: 'what is not at rest yet waits for a later frame, and is read once',
+      title: 'a drawing that is not final waits for a later frame, and is read once',
     },
   },
   {

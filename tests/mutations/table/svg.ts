@@ -104,7 +104,7 @@ export const svg: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/playground/export/saveSvg.test.ts',
-      title: 'strokes of a map are left out for a pen, in so many words; if there is nothing else, nothing is saved',
+      title: 'strokes of a map are left out for a pen with a message; without anything else, nothing is saved',
     },
   },
   {

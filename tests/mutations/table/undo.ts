@@ -31,7 +31,7 @@ export const undo: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/playground/session/Session.test.ts',
-      title: 'what the view does by itself while settings are applied belongs to the same step',
+      title: 'changes of the view caused by settings belong to the same step',
     },
   },
   {
@@ -54,7 +54,7 @@ export const undo: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/playground/session/LatestRequest.test.ts',
-      title: 'of two things that are asked for, only the later is given, in whatever order they come',
+      title: 'only the later of two requests has a result, in whatever order they end',
     },
   },
   {

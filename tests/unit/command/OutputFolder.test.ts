@@ -68,13 +68,13 @@ const tree = (): string[] => readdirSync(work, { recursive: true }).map(String).
 const contentOf = (...path: string[]): string => readFileSync(join(...path), 'utf8');
 
 describe('the folder of a map', () => {
-  test('is made with all above it, and holds the files and nothing else', async () => {
+  test('is created with its parents, and holds only the files of the map', async () => {
     await run(out);
     expect(tree()).toEqual(['a', 'a/b', 'a/b/map.json', 'a/b/tone-0-level-0.png']);
     expect(contentOf(out, 'map.json')).toBe('new map.json');
   });
 
-  test('may be there, and may hold a map that is to be replaced', async () => {
+  test('may exist, and may hold a map that is replaced', async () => {
     mkdirSync(out, { recursive: true });
     for (const name of ['map.json', 'tone-7-level-0.png']) writeFileSync(join(out, name), 'old');
     await expect(run(out)).rejects.toThrow(/holds a map already; add --force to replace it/);
@@ -105,13 +105,13 @@ describe('the folder of a map', () => {
     await expect(run(out, { force: true })).rejects.toThrow(/holds other files \(map\.json\)/);
   });
 
-  test('keeps what others put there while the map was drawn', async () => {
+  test('keeps files that others wrote while the map was drawn', async () => {
     const meanwhile = (): void => writeFileSync(join(out, 'letter.txt'), 'Dear');
     await expect(run(out, { meanwhile })).rejects.toThrow(/holds other files \(letter\.txt\)/);
     expect(tree()).toEqual(['a', 'a/b', 'a/b/letter.txt']);
   });
 
-  test('is gone again with all above it that was made, if the drawing is aborted', async () => {
+  test('is removed with its created parents if the drawing is aborted', async () => {
     const folder = new OutputFolder(out, false);
     await folder.open(1000);
     await expect(folder.write(MAP, AbortSignal.abort(new Error('enough')))).rejects.toThrow('enough');
@@ -120,7 +120,7 @@ describe('the folder of a map', () => {
   });
 });
 
-describe('what stands in the way is told before anything is drawn, in one sentence', () => {
+describe('obstacles are reported before anything is drawn, in one sentence', () => {
   const refused = async (path: string): Promise<string> => {
     const meanwhile = vi.fn();
     const error = await run(path, { meanwhile }).catch((reason) => reason);

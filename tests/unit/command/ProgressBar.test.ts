@@ -8,7 +8,7 @@ function stream(isTTY: boolean): NodeJS.WriteStream & { written: string[] } {
 }
 
 describe('ProgressBar', () => {
-  it('fills from left to right, once for each per cent, and goes away', () => {
+  it('fills from left to right, once per per cent, and is erased', () => {
     const terminal = stream(true);
     const bar = new ProgressBar(terminal);
     for (const progress of [0, 0.5, 0.501, 1]) bar.show('drawing', progress);
@@ -20,7 +20,7 @@ describe('ProgressBar', () => {
     expect(terminal.written.at(-1)).toBe('\r\x1b[K');
   });
 
-  it('says nothing into a log', () => {
+  it('prints nothing to a log', () => {
     const log = stream(false);
     const bar = new ProgressBar(log);
     bar.show('drawing', 0.5);

@@ -78,7 +78,7 @@ test('draws the same bytes as its source', { tags: ['all'] }, async () => {
 });
 
 describe('standard input and output', () => {
-  test('- takes a model and gives its drawing; all else is said beside it', async () => {
+  test('- reads a model and writes its drawing; messages go to the standard error', async () => {
     const { code, stdout, stderr } = await run(['draw', '-', '--out', '-', ...SMALL], undefined, octahedronGlb());
     expect(code).toBe(0);
     expect(stdout).toMatch(/^<svg [\s\S]*<\/svg>\n$/);
@@ -119,7 +119,7 @@ describe('standard input and output', () => {
 });
 
 describe('several models', { tags: ['all'] }, () => {
-  test('are drawn by pattern, some at a time; those that cannot be are named, and the code is 1', async () => {
+  test('are drawn by pattern and in parallel; failed ones are named, and the exit code is 1', async () => {
     writeFileSync(join(work, 'b.ply'), octahedronPly);
     writeFileSync(join(work, 'c.glb'), octahedronGlb());
     writeFileSync(join(work, 'broken.glb'), octahedronGlb().subarray(0, 500));
@@ -232,7 +232,7 @@ describe('how it ends', () => {
   });
 });
 
-test('what names hold does not move the cursor', { tags: ['all'] }, async () => {
+test('control characters in names do not move the cursor', { tags: ['all'] }, async () => {
   const name = 'a\u001b[2Jb.obj';
   writeFileSync(join(work, name), '');
   const { stderr } = await draw(name, '--out', 'a.svg');

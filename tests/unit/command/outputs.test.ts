@@ -61,7 +61,7 @@ describe('names of drawings', () => {
     expect(names(['m/a$&.obj'], 'out/{name}!.svg', false, undefined)).toEqual(['out/a$&!.svg']);
   });
 
-  test('several give one each, told apart by their extensions if need be', () => {
+  test('several models give one file each, distinguished by extension if necessary', () => {
     expect(names(['a.obj', 'b.stl', 'b.glb'], 'out', false, undefined)).toEqual([
       'out/a.svg',
       'out/b.stl.svg',
@@ -87,7 +87,7 @@ describe('names of drawings', () => {
     expect(() => names(['a.obj', 'b.obj'], 'out/{frame}.svg', false, 2)).toThrow(UsageError);
   });
 
-  test('a drawing does not take the place of a model', () => {
+  test('a drawing does not overwrite a model', () => {
     expect(() => names(['a.svg'], './a.svg', false, undefined)).toThrow('which is a model');
   });
 
@@ -122,7 +122,7 @@ describe('names of drawings', () => {
 describe('the files of drawings', () => {
   const tree = (): string[] => readdirSync(work, { recursive: true }).map(String).sort();
 
-  test('are there when they are written, in folders that are made for them', async () => {
+  test('are written to folders that are created for them', async () => {
     const files = new DrawingFiles(false);
     const path = join(work, 'a/b/1.svg');
     await files.open([path]);
@@ -134,14 +134,14 @@ describe('the files of drawings', () => {
     expect(tree()).toEqual(['a', 'a/b', 'a/b/1.svg']);
   });
 
-  test('leave nothing if none is written, not even folders', async () => {
+  test('leave nothing behind if none is written, not even folders', async () => {
     const files = new DrawingFiles(false);
     await files.open([join(work, 'a/b/1.svg')]);
     await files.close();
     expect(tree()).toEqual([]);
   });
 
-  test('replace others only by force, also such as came later', async () => {
+  test('replace existing files only with --force, also files that appear later', async () => {
     const path = join(work, '1.svg');
     const files = new DrawingFiles(false);
     await files.open([path]);
@@ -156,7 +156,7 @@ describe('the files of drawings', () => {
     expect(readFileSync(path, 'utf8')).toBe('drawing');
   });
 
-  test('do not take the place of folders', async () => {
+  test('do not replace folders', async () => {
     mkdirSync(join(work, '1.svg'));
     await expect(new DrawingFiles(true).open([join(work, '1.svg')])).rejects.toThrow(/1\.svg is no file/);
     await expect(new DrawingFiles(true).open([join(work, '1.svg/a/2.svg')])).resolves.toBeUndefined();

@@ -19,7 +19,7 @@ const refusal = (...args: string[]): string => {
 };
 const OUT = ['a.obj', '--out', 'a.svg'];
 
-describe('what the command line says', () => {
+describe('the command line of draw', () => {
   test('the example of the help', () => {
     const line = 'model.glb --preset engraving --sheet A4 --margin 12 --pen 0.3 --out drawing.svg'.split(' ');
     const { models, out, options } = drawing(...line, '--view', '25 8', '--light', '-45 40');
@@ -52,7 +52,7 @@ describe('what the command line says', () => {
     );
   });
 
-  test('names of presets, kinds and axes in capitals or not; of two values the last; what follows -- is a model', () => {
+  test('names ignore case, the last of two values counts, and arguments after -- are models', () => {
     const line = ['--preset', 'CROSSHATCHING', '--kind', 'Pen', '--up', '-Z', '--pen', '1', '--pen', '2'];
     const { models, options } = drawing(...OUT, ...line, '--', '-1.obj');
     expect(models).toEqual(['a.obj', '-1.obj']);
@@ -98,14 +98,14 @@ describe('what the command line says', () => {
     expect([models, out, options.format]).toEqual([['-'], '-', 'stl']);
   });
 
-  test('without a pen it is for print, and shadows are drawn or not', () => {
+  test('without a pen the drawing is for print, with or without shadows', () => {
     expect(drawing(...OUT).options).toMatchObject({ kind: 'print', pen: 0.3 });
     expect(drawing(...OUT, '--kind', 'pen').options.kind).toBe('pen');
     expect(drawing(...OUT, '--no-shadows').options.shadows).toBe(false);
     expect(drawing(...OUT, '--shadows').options.shadows).toBe(true);
   });
 
-  test('a link is known by its hash', () => {
+  test('a link may be given as its hash alone', () => {
     expect(drawing(...OUT, '--link', 'https://example.org/p/#technique=engraved&ink=%23203080').options.link).toBe(
       'technique=engraved&ink=%23203080',
     );

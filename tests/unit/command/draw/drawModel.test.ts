@@ -117,7 +117,7 @@ describe('a model of every format is drawn', () => {
     for (const [svg] of [draco, meshopt]) expect(Math.abs(lengthOf(svg) / lengthOf(plain[0]) - 1)).toBeLessThan(0.05);
   });
 
-  test('files beside it are found, by their path or by their name', async () => {
+  test('finds files beside the model by path or by name', async () => {
     mkdirSync(join(work, 'parts'));
     writeFileSync(join(work, 'parts/a b.bin'), octahedronBin());
     expect((await draw('a.gltf', octahedronGltf('parts/a%20b.bin'), ...SMALL)).svgs).toHaveLength(1);
@@ -125,7 +125,7 @@ describe('a model of every format is drawn', () => {
     expect((await draw('b.gltf', octahedronGltf('C:\\models\\c.bin'), ...SMALL)).svgs).toHaveLength(1);
   });
 
-  test('files outside of its folder are not, whatever it says, and nothing is fetched', async () => {
+  test('reads no files outside the model’s folder, and fetches nothing', async () => {
     mkdirSync(join(work, 'inner'));
     writeFileSync(join(work, 'out.bin'), octahedronBin());
     const sentence = 'inner/a.gltf needs out.bin; put both files into one folder.';
@@ -248,7 +248,7 @@ describe('the stage', () => {
     }
   });
 
-  test('lays a sheet as suits the model, unless it is said', async () => {
+  test('chooses the orientation of the sheet by the model, unless an option does', async () => {
     const wide = 'v -3 0 0\nv 3 0 0\nv 0 1 0.2\nv 0 0 -0.3\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n';
     const high = wide.replaceAll(/v (\S+) (\S+)/g, 'v $2 $1');
     const sizeOf = async (content: string, sheet: string): Promise<string> => {
@@ -312,19 +312,19 @@ describe('the stage', () => {
       }
   });
 
-  test('has eye and light where the options say', async () => {
+  test('places eye and light by the options', async () => {
     const { placed, lights } = await staged(['--view', '25 8', '--light', '-45 40']);
     expect(degrees(placed.camera.position.clone().sub(placed.target))).toEqual([25, 8]);
     expect(degrees(lights.position)).toEqual([-45, 40]);
   });
 
-  test('lights the model for its view if nothing says where the light is', async () => {
+  test('lights the model for its view if no option or link places the light', async () => {
     const [front, back] = [await staged(['--view', '0 10']), await staged(['--view', '180 10'])];
     expect(front.lights.position.z).toBeGreaterThan(0);
     expect(back.lights.position.z).toBeLessThan(0);
   });
 
-  test('has all of the model in the picture, with and without perspective, on any sheet', {
+  test('shows all of the model, with and without perspective, on any sheet', {
     tags: ['all'],
   }, async () => {
     for (const args of [[], ['--orthographic'], ['--sheet', '50x200'], ['--sheet', '200x50', '--orthographic']]) {
@@ -343,7 +343,7 @@ describe('the stage', () => {
     }
   });
 
-  test('is that of a link: look, view and light, but not its model', async () => {
+  test('takes look, view and light from a link, but not its model', async () => {
     const link = 'model=dragon1&technique=engraved&lineSpacing=9&lightAzimuth=12&camera=3,1,2,0.5,0,0&ink=%23203080';
     const { placed, lights, settings } = await staged([], link);
     expect(placed.camera.position.toArray()).toEqual([3, 1, 2]);
@@ -361,7 +361,7 @@ describe('the stage', () => {
     expect(svgs[0]).toContain('background"');
   });
 
-  test('turns the axis up that the options or the link name', () => {
+  test('uses the up axis of the options or of the link', () => {
     const upAxis = (args: readonly string[], link?: string): string =>
       settingsFor(optionsOf(...args), link, 'z').settings.upAxis;
     expect(upAxis([])).toBe('z');
@@ -380,7 +380,7 @@ describe('the stage', () => {
 });
 
 describe('--format', () => {
-  test('of another format than the content is not believed, which a sentence says', async () => {
+  test('is overruled by the content, and a sentence says so', async () => {
     const said = async (...args: string[]): Promise<string[]> =>
       (await draw('a.dat', octahedronBinaryStl(), ...SMALL, ...args)).notes;
     expect(await said()).toEqual([]);
@@ -388,7 +388,7 @@ describe('--format', () => {
     expect(await said('--format', 'obj')).toEqual(['a.dat: read as STL, which its content is, and not as OBJ.']);
   });
 
-  test('is no part of the name of a file that cannot be read', async () => {
+  test('is not part of the file name in error messages', async () => {
     expect(await refusal('a.dat', '', '--format', 'stl')).toBe('a.dat is empty.');
     expect(await refusal('b.dat', 'solid', '--format', 'stl')).toBe(
       'b.dat is not an STL file inside, or it was cut short.',
@@ -416,7 +416,7 @@ describe('pictures', () => {
     ]);
   });
 
-  test('without one that cuts out a surface, nothing is drawn', async () => {
+  test('draws nothing if a picture that cuts out a surface is missing', async () => {
     const json = JSON.parse(octahedronGltf());
     const uri = `data:image/gif;base64,${GIF.toString('base64')}`;
     json.images = [{ uri }];
@@ -428,7 +428,7 @@ describe('pictures', () => {
     );
   });
 
-  test('each that is missing or damaged is told once, whatever shows it, and what is drawn is not whole', async () => {
+  test('reports each missing or damaged picture once, and the drawing as incomplete', async () => {
     const json = JSON.parse(octahedronGltf());
     json.images = [{ uri: 'a.png' }, { uri: 'b.jpg' }, { uri: 'c.jpg' }];
     json.textures = [0, 1, 2].map((source) => ({ source }));
@@ -449,7 +449,7 @@ describe('pictures', () => {
     ]);
   });
 
-  test('one of a glTF that is no picture at all is told, and what is drawn is not whole', async () => {
+  test('reports a glTF image that is not a picture, and the drawing as incomplete', async () => {
     const json = JSON.parse(octahedronGltf());
     json.images = [{ uri: 'a.png' }];
     json.textures = [{ source: 0 }];
@@ -490,7 +490,7 @@ test('hidden outlines and an animation are those of drawSVG', async () => {
 });
 
 describe('frames', () => {
-  test('go around the model: each is drawn from another side, the light stays with the model', {
+  test('orbit the model, and the light stays with the model', {
     tags: ['all'],
   }, async () => {
     const args = ['--frames', '4', '--view', '0 0', '--light', '0 60', '--sheet', '40x40'];
@@ -522,7 +522,7 @@ describe('frames', () => {
     for (const length of drawn) expect(Math.abs(length / drawn[0] - 1)).toBeLessThan(0.04);
   });
 
-  test('show a clip in the place of a turn, which must be there', async () => {
+  test('show a clip instead of a turn, and an unknown clip is an error', async () => {
     const glb = columnGlb();
     expect(await refusal('a.glb', glb, '--clip', 'Dance', '--frames', '2')).toMatch(
       /a\.glb has no clip(s\.| Dance; it has )/,
@@ -578,7 +578,7 @@ describe('what a glTF file offers', () => {
     return builder.glb();
   };
 
-  test('is said where nobody asks for it', async () => {
+  test('is reported if no option selects it', async () => {
     expect((await draw('a.glb', named(), ...SMALL)).notes).toEqual([
       'a.glb has the camera hero: --camera draws with it.',
       'a.glb has the variants white, black: --variant draws with one.',
@@ -615,7 +615,7 @@ describe('what a glTF file offers', () => {
     expect((await draws('variant=9&clip=9')).drawn).toEqual(white.drawn);
   });
 
-  test('is drawn where somebody does', async () => {
+  test('is drawn if an option selects it', async () => {
     const chosen = ['--camera', '1', '--variant', 'black', '--clip', '2'];
     const white = await draw('a.glb', named(), ...SMALL, ...chosen.with(3, '1'));
     const black = await draw('a.glb', named(), ...SMALL, ...chosen);

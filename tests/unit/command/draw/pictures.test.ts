@@ -157,7 +157,7 @@ describe('JPEG and WebP', () => {
 describe('pictures in the size that is asked for', () => {
   const rows = (values: readonly number[]) => Uint8ClampedArray.from(values.flatMap((value) => [value, 0, 0, 255]));
 
-  test('are the means of their pixels, and turned over', () => {
+  test('are averaged and flipped', () => {
     const given = { data: rows([10, 20, 30, 40, 50, 60, 70, 80]), width: 4, height: 2 };
     expect(fitPixels(given, { width: 2, height: 1, flipY: false }).data).toEqual(rows([35, 55]));
     expect(fitPixels(given, { width: 4, height: 2, flipY: true }).data).toEqual(rows([50, 60, 70, 80, 10, 20, 30, 40]));

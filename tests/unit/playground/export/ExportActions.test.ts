@@ -57,7 +57,7 @@ function makePage(
 
 const drawn = vi.mocked(drawForClipboard);
 
-test('a picture waits until lines lie along the form, and shows how far they are', async () => {
+test('a picture waits for form lines, and shows their progress', async () => {
   const { line, form, actions } = makePage();
   form.update();
   const picture = actions.drawPicture();
@@ -99,7 +99,7 @@ test('a picture for which another model was opened waits for the lines of that o
   expect(drawn).toHaveBeenCalledOnce();
 });
 
-test('a picture is drawn if lines cannot be laid along the form, and not if the user cancels', async () => {
+test('a picture is drawn even if form lines fail, but not if the user cancels', async () => {
   const failing = makePage();
   vi.mocked(bakeFurther).mockRejectedValueOnce(new Error('no field'));
   await failing.actions.drawPicture();

@@ -38,7 +38,7 @@ test('a model that is read again has lines along the form and dark hollows, if t
   expect(vi.mocked(loadModelFiles).mock.lastCall![1].most).toBe(4_000_000);
 });
 
-test('it has nothing that the settings do not ask for', async () => {
+test('bakes nothing that the settings do not need', async () => {
   const baked = await finer({ technique: 'anchored', strokeField: 'light', occlusion: 0 });
   expect(baked.geometry.hasAttribute('formValue')).toBe(false);
   expect(baked.hollows).toBe(1);

@@ -40,7 +40,7 @@ beforeEach(() => {
   vi.mocked(savePicture).mockResolvedValue(SAVED);
 });
 
-test('a picture is drawn of the finer geometry, which is let go when frames go on', async () => {
+test('a picture uses the finer geometry, which is freed when frames resume', async () => {
   const { viewport, mesh, geometry, dispose, save } = makeStage({ triangles: 10_000_000, error: 0.0006 });
   const shown = mesh.geometry;
   vi.mocked(savePicture).mockImplementation(async () => {
@@ -80,7 +80,7 @@ test('without a finer geometry, pictures are drawn of the one that frames show',
   expect(viewport.outdateShadows).not.toHaveBeenCalled();
 });
 
-test('the finer geometry is let go if there is no picture, and if another model was opened meanwhile', async () => {
+test('the finer geometry is freed if the picture fails, or another model was opened', async () => {
   const failing = makeStage();
   vi.mocked(savePicture).mockRejectedValueOnce(new Error('lost'));
   await expect(failing.save()).rejects.toThrow('lost');

@@ -40,7 +40,7 @@ test('a print has filled paths on its paper, and a pen has lines of its width on
   expect(pen.asked).not.toHaveProperty('paper');
 });
 
-test('strokes of a map are left out for a pen, in so many words; if there is nothing else, nothing is saved', async () => {
+test('strokes of a map are left out for a pen with a message; without anything else, nothing is saved', async () => {
   const { said, asked } = await saved({ technique: 'anchored', pictureSvg: 'pen' });
   expect(said).toMatch(/^Saved as SVG without its strokes, which a pen cannot draw: /);
   expect(asked.picture).toBeUndefined();

@@ -42,7 +42,7 @@ const ask = (source: object = parent, origin = ORIGIN) =>
 
 const kinds = () => said.map(({ kind }) => kind);
 
-test('a file is fetched without cookies and without saying from where, and told in parts', async () => {
+test('a file is fetched without cookies and referrer, and posted in parts', async () => {
   fetched.mockResolvedValue(new Response('ply', { headers: { 'Content-Length': '3' } }));
   expect(kinds()).toEqual(['ready']);
   ask();
@@ -52,7 +52,7 @@ test('a file is fetched without cookies and without saying from where, and told 
   expect(await (said[2] as { content: Blob }).content.text()).toBe('ply');
 });
 
-test('before it asks, the page forbids itself every other site', async () => {
+test('before a request, the page blocks every other site', async () => {
   let before: string[] = [];
   fetched.mockImplementation(async () => {
     before = [...policies];
@@ -69,7 +69,7 @@ test('only the page around it may ask', () => {
   expect([fetched.mock.calls, policies]).toEqual([[], []]);
 });
 
-test('what goes wrong is told: an answer that is no file, a request that fails, and one to a site that nobody agreed to', async () => {
+test('reports HTTP errors, failed requests, and redirects to other sites', async () => {
   fetched.mockResolvedValueOnce(new Response('no', { status: 404 }));
   ask();
   await eventually(() => expect(said.at(-1)).toEqual({ kind: 'refused', status: 404 }));

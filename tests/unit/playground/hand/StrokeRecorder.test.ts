@@ -62,7 +62,7 @@ test('a tap is no stroke, and a trembling pen at rest adds no points', () => {
   expect(recorder.end(1)).toBeUndefined();
 });
 
-test('what lies beyond the sheet is drawn at its edge', () => {
+test('points beyond the sheet are drawn at its edge', () => {
   const recorder = record();
   recorder.start(sample({ x: -5, y: 60 }));
   recorder.move(sample({ x: 500, y: 500, time: 10 }));
@@ -85,7 +85,7 @@ test('the palm is ignored while a pen draws and for a moment after', () => {
   expect(draw(recorder, { ...finger, pointerId: 10, time: 2000 })).toBeDefined();
 });
 
-test('a second finger ends the stroke of the first without a trace, until both are gone', () => {
+test('a second finger cancels the stroke of the first, until both are lifted', () => {
   const recorder = record();
   const finger = (pointerId: number, x: number, time: number) => sample({ kind: 'touch', pointerId, x, time });
   expect(recorder.start(finger(1, 10, 0))).toBe(true);
@@ -96,7 +96,7 @@ test('a second finger ends the stroke of the first without a trace, until both a
   expect(draw(recorder, { kind: 'touch', pointerId: 3 })).toBeDefined();
 });
 
-test('a pointer that the browser takes away leaves nothing, and the next one draws', () => {
+test('a pointer cancelled by the browser leaves no stroke, and the next one draws', () => {
   const recorder = record();
   recorder.start(sample({}));
   recorder.move(sample({ x: 30, time: 10 }));

@@ -13,7 +13,7 @@ test('a rubber takes the strokes that it touches, with their width, and no other
   expect(eraseStrokes([level], 0, 1.4, 0.5)).toEqual([level]);
 });
 
-test('what nothing was taken from is the same list', () => {
+test('strokes that the rubber does not touch stay the same array', () => {
   const strokes = [level, steep];
   expect(eraseStrokes(strokes, 30, 30, 1)).toBe(strokes);
   expect(eraseStrokes([], 0, 0, 1)).toEqual([]);

@@ -26,7 +26,7 @@ test('swatches beside each other come to lie in their fields, in their middles, 
   expect(layOut(laid)).toBe(laid);
 });
 
-test('what is larger than its field is made smaller, widths too, and all swatches alike', () => {
+test('strokes larger than their field are shrunk with their widths, in all swatches alike', () => {
   const strokes = [line(0, 0, 148, 'light'), line(0, 100, 10, 'dark')];
   expect(layOut(strokes)).toEqual([
     { points: [1, 12, 75, 12], widths: [0.2, 0.1], swatch: 'light' },

@@ -20,12 +20,12 @@ test('from five strokes on there is a hand; the strokes stay as they were drawn'
   expect([own.link, own.files]).not.toContain(undefined);
 });
 
-test('of dots nothing is learnt', () => {
+test('nothing is learnt from dots', () => {
   const dots = Array.from({ length: 6 }, (_, i) => ({ points: [5 * i, 30, 5 * i + 0.1, 30], widths: [1, 1] }));
   expect(learnOwnHand(dots, {})!.hand).toBeUndefined();
 });
 
-test('numbers that were changed stay when more is drawn, and are known again in a hand that was read', () => {
+test('changed numbers stay when more is drawn, and are recognised in a hand that was read', () => {
   const own = withNumbers(learnOwnHand(strokes.slice(0, 6), {})!, { wobble: 0.5, crossingAngle: 40 });
   const more = learnOwnHand(strokes, own.changed!)!;
   expect(more.hand!.numbers).toMatchObject({ wobble: 0.5, crossingAngle: 40 });

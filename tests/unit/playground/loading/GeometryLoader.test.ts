@@ -39,7 +39,7 @@ function makePage(changes: Partial<Settings>) {
   return { change, viewport, form };
 }
 
-test('strokes that follow the form have it baked whatever the shape is, and those that go by the light do not', async () => {
+test('form strokes are baked for every shape, and strokes that follow the light are not', async () => {
   const { change } = makePage({ technique: 'anchored', lineField: 'auto' });
   expect(await change({})).toBe(0);
   expect(await change({ strokeField: 'form' })).toBe(1);
@@ -59,7 +59,7 @@ test('at another angle lines are baked again, and strokes are not', async () => 
   expect(begun.mock.lastCall![1].form?.crossAngle).toBeCloseTo((80 / 180) * Math.PI);
 });
 
-test('beside lines that leave it to the shape, strokes have the form baked for all', async () => {
+test('strokes have the form baked for all shapes, even next to lines that do so only for some', async () => {
   const { change } = makePage({ technique: 'engraved', lineField: 'auto' });
   expect(await change({})).toBe(1);
   expect(begun.mock.lastCall![1].form?.auto).toBe(true);
@@ -92,7 +92,7 @@ test('each geometry fades into the next one, which frees what was made before it
   expect(freed).toEqual([1, 2, 3]);
 });
 
-test('while a slider moves nothing is baked, and then once', async () => {
+test('bakes once after a slider has stopped', async () => {
   const { change, form, viewport } = makePage({ technique: 'engraved', lineField: 'form', crossAngle: 60 });
   expect(await change({})).toBe(1);
   const changes = [70, 75, 80].map((crossAngle) => change({ crossAngle }));
@@ -133,7 +133,7 @@ describe('adjacency', () => {
     expect(await change({ technique: 'engraved', crossAngle: 60 })).toBe(2);
   });
 
-  test('is tried once, and again when it is asked for again', async () => {
+  test('is baked once, and again after another request', async () => {
     const { change } = pageWithout({ technique: 'adjacency' });
     begun.mockRejectedValue(new Error('no memory'));
     expect(await change({})).toBe(1);

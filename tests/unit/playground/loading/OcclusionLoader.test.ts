@@ -26,13 +26,13 @@ function bakesOf(...meshes: Mesh[]): number {
 
 const box = new BoxGeometry();
 
-test('occlusion is baked once, and not for models of instances alone, which have no place to keep it', () => {
+test('occlusion is baked once, and not for models of instances alone, which cannot store it', () => {
   expect(bakesOf(new Mesh(box))).toBe(1);
   expect(bakesOf(new InstancedMesh(box, undefined, 2), new Mesh(box))).toBe(1);
   expect(bakesOf(new InstancedMesh(box, undefined, 2))).toBe(0);
 });
 
-test('hollows wait for what was wished for later', async () => {
+test('the occlusion bake waits for tasks that were started later', async () => {
   const tasks = new TaskRunner(fakeStatus().status, { hasDrawing: () => true, onIdle: () => {} });
   const model = { root: new Group().add(new Mesh(box)) };
   const viewport = { model, shown: { isStandIn: false }, quality: { isOnPage: true } };
@@ -48,7 +48,7 @@ test('hollows wait for what was wished for later', async () => {
   expect(pause!()).toBeUndefined();
 });
 
-test('finer hollows are drawn as they come where frames are quick, and once at the end where they are slow', async () => {
+test('finer occlusion is drawn step by step with quick frames, and once at the end with slow ones', async () => {
   const framesOf = async (isSlow: boolean): Promise<number[]> => {
     const refine = vi.fn();
     const viewport = {

@@ -96,7 +96,7 @@ test('a later question takes the place of an earlier one, whose answer is no', a
   expect(await second).toBe(true);
 });
 
-test('a grave question cannot be agreed to at once, nor as soon as the window is in front again', async () => {
+test('a grave question cannot be accepted at once, nor right after the window returns to the front', async () => {
   const answer = ask();
   const [yes, no] = answers();
   expect([yes.value, yes.disabled, no.value, no.disabled]).toEqual(['yes', true, 'no', false]);

@@ -42,7 +42,7 @@ function ask(signal = new AbortController().signal) {
   return { model, frame, say, onProgress };
 }
 
-test('the page in the frame is told the address, and nobody else is; what it fetches is a file of that name', async () => {
+test('only the page in the frame is told the address, and its response is a file of that name', async () => {
   const { model, frame, say, onProgress } = ask();
   expect(frame.src).toBe(`${ORIGIN}/playground/fetch/`);
   say({ kind: 'ready' });
@@ -56,7 +56,7 @@ test('the page in the frame is told the address, and nobody else is; what it fet
   expect(frames).toEqual([]);
 });
 
-test('what another window or another site says is not heard', () => {
+test('messages of other windows and sites are ignored', () => {
   const { frame, say } = ask();
   say({ kind: 'ready' }, {});
   say({ kind: 'ready' }, frame.contentWindow, 'https://evil.test');
@@ -76,7 +76,7 @@ test.each([
   expect(frames).toEqual([]);
 });
 
-test('an abort takes the frame away, and with it the request', async () => {
+test('an abort removes the frame, and with it the request', async () => {
   const controller = new AbortController();
   const { model } = ask(controller.signal);
   controller.abort(new Error('enough'));
@@ -84,7 +84,7 @@ test('an abort takes the frame away, and with it the request', async () => {
   expect(frames).toEqual([]);
 });
 
-test('an address is described by its file and by the host in letters that look like no others', () => {
+test('an address is described by its file and by its host in ASCII', () => {
   expect(describeAddress('https://аррӏе.com/a/b%20c.glb?x#y')).toEqual({ name: 'b c.glb', site: 'xn--80ak6aa92e.com' });
   expect(describeAddress('https://trusted.test:x@evil.test:8443/%E0%A4%A')).toEqual({
     name: '%E0%A4%A',

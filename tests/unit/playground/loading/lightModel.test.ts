@@ -44,7 +44,7 @@ test('the settings get a light from the upper front of the view, in steps of the
   expect(viewport.view.frame).toHaveBeenCalledTimes(1);
 });
 
-test('a model is lit by its file, as it stands; the light that suits the view is told', () => {
+test('a model is lit by its file’s lights, turned upright, and the light that suits the view is returned', () => {
   // From in front, before the model is turned upright.
   const sun = { kind: 'directional', intensity: 2, position: [0, 0, 0], forwards: [0, 0, -1], angle: 0 } as const;
   const lamp = { ...sun, kind: 'point', position: [-2, 0, 0], intensity: 4 } as const;
@@ -60,7 +60,7 @@ test('a model is lit by its file, as it stands; the light that suits the view is
   expect(createStage().light(defaultSettings())).toBe(undefined);
 });
 
-test('a light that goes with the viewer gets the same place', () => {
+test('a light that follows the viewer gets the same place', () => {
   const withModel = defaultSettings();
   const withViewer: Settings = { ...defaultSettings(), lightFollows: 'viewer', lightKind: 'point', lightDistance: 3 };
   createStage().light(withModel);
@@ -73,7 +73,7 @@ test('a light that goes with the viewer gets the same place', () => {
   expect(viewport.view.frame).not.toHaveBeenCalled();
 });
 
-test('the model is lit as it stands, not as its file has it', () => {
+test('the model is lit in its upright position, not in that of its file', () => {
   const lit = (upAxis: Settings['upAxis']): Settings => {
     const { root, light } = createStage();
     root.geometry = new ConeGeometry(0.8, 2, 48) as never;

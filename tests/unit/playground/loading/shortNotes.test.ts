@@ -3,7 +3,7 @@ import { shortNotes } from '../../../../src/playground/loading/ModelCaption.js';
 
 const LONG = 'a note of fifty letters, or so, which takes a line…';
 
-test('as many notes as fit stand in the caption, and the others are counted', () => {
+test('the caption shows as many notes as fit, and counts the others', () => {
   expect(shortNotes([])).toBe('');
   expect(shortNotes(['one', 'two', 'three'])).toBe('one; two; three');
   expect(shortNotes([LONG, 'two', LONG, 'four'])).toBe(`${LONG}; two; 2 more behind “i”`);

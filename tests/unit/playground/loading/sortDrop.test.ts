@@ -12,7 +12,7 @@ test('pictures that belong to nothing are asked about', () => {
   expect(kindOf(['1.png', '2.PNG'])).toBe('pictures');
 });
 
-test('not where the map is looked at, nor with the description of a saved map', () => {
+test('pictures belong to the map if its contact sheet is open, or with the JSON of a saved map', () => {
   expect(kindOf(['photo.png'], true)).toBe('map');
   expect(kindOf(['tone-0-level-0.png', 'map.json'])).toBe('map');
 });

@@ -51,7 +51,7 @@ describe('reading in a worker', () => {
     vi.unstubAllGlobals();
   });
 
-  test('takes over a worker that was given the files already, and what it has said', async () => {
+  test('takes over a worker that is reading the files already, with its messages', async () => {
     const post = vi.spyOn(FakeWorker.prototype, 'postMessage');
     const worker = new FakeWorker();
     const read = { kind: 'mesh', name: 'a' } as ReadModel;
@@ -111,7 +111,7 @@ describe('reading in a worker', () => {
     expect(FakeWorker.started.at(-1)!.isAlive).toBe(false);
   });
 
-  test('is given up after twenty seconds of silence, and its worker with it', async () => {
+  test('fails after twenty seconds without a message, and terminates its worker', async () => {
     const state = start();
     await vi.advanceTimersByTimeAsync(20_500);
     expect(state.end).toBe('reading');
@@ -121,7 +121,7 @@ describe('reading in a worker', () => {
     expect(start().worker).not.toBe(state.worker);
   });
 
-  test('may go on for as long as it gives signs of life', async () => {
+  test('may take any time while messages arrive', async () => {
     const state = start();
     for (let i = 0; i < 10; i++) {
       await vi.advanceTimersByTimeAsync(20_000);
@@ -134,7 +134,7 @@ describe('reading in a worker', () => {
     expect(state.worker.isAlive).toBe(false);
   });
 
-  test('gets longer for what is large, also once it is unpacked', async () => {
+  test('may take longer for large files, also once they are unpacked', async () => {
     const large = start(100 * MEGABYTE);
     const packed = start(MEGABYTE);
     packed.worker.say({ kind: 'stage', viewport: 'reading', bytes: 100 * MEGABYTE });
@@ -145,7 +145,7 @@ describe('reading in a worker', () => {
     expect(packed.end).toMatch(/no progress for 70 seconds/);
   });
 
-  test('ends with its sentence, when it fails or does not start', async () => {
+  test('rejects with the worker’s sentence if it fails or does not start', async () => {
     const failed = start();
     failed.worker.say({ kind: 'failed', sentence: 'It is empty.' });
     const broken = start();

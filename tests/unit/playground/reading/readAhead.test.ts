@@ -15,14 +15,14 @@ function begin(changes: Partial<ReadAhead> = {}): { ahead: ReadAhead; terminate:
   return { ahead, terminate };
 }
 
-test('what was begun ahead is taken once, by whoever asks for that file', () => {
+test('a reading begun ahead is taken once, for its own file', () => {
   const { ahead, terminate } = begin();
   expect(takeReadAhead('./assets/dragon.gz')).toBe(ahead);
   expect(takeReadAhead('./assets/dragon.gz')).toBeUndefined();
   expect(terminate).not.toHaveBeenCalled();
 });
 
-test('another file, or a worker that has stopped, ends it', () => {
+test('a reading begun ahead ends for another file, or if its worker has stopped', () => {
   const other = begin();
   expect(takeReadAhead('./assets/bunny.gz')).toBeUndefined();
   const failed = begin({ hasFailed: true });

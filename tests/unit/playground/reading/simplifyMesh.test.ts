@@ -73,7 +73,7 @@ function deepest({ positions, indices }: PlainMesh): number {
   return depth;
 }
 
-test('a simpler mesh lies as near as it says, keeps its colours and has no vertex to spare', () => {
+test('a simplified mesh is within its stated error, keeps its colours and has no unused vertices', () => {
   const mesh = ball(150);
   const progress: number[] = [];
   const { mesh: simple, error } = simplifyMesh(mesh, MeshoptSimplifier, (share) => progress.push(share), 60_000);
@@ -90,7 +90,7 @@ test('a simpler mesh lies as near as it says, keeps its colours and has no verte
   expect(progress.every((share, i) => share >= (progress[i - 1] ?? 0) && share <= 1)).toBe(true);
 });
 
-test('no point of a scan lies farther from its simpler mesh than that says', { tags: ['all'] }, () => {
+test('no point of a scan is farther from its simplified mesh than the stated error', { tags: ['all'] }, () => {
   const scan = { ...scannedTorus(400), normals: null, colors: null };
   const { mesh, error } = simplifyMesh(scan, MeshoptSimplifier, () => {}, 60_000);
   const distance = distanceFrom(mesh.positions, mesh.indices!);
@@ -136,7 +136,7 @@ test('a coarse copy of a made model is closed at its seams, which lie on planes 
   expect(isClosed(clusterMesh(torus))).toBe(true);
 });
 
-test('a model with fewer triangles knows what it had, and how far it lies from that', async () => {
+test('a simplified model states its original triangles and its error', async () => {
   const { mesh, details, simplified: how } = await simplified(readOf(ball(100)), () => {}, 60_000);
   expect(mesh.indices!.length).toBeLessThanOrEqual(3 * 60_000);
   expect(how!.triangles).toBe(120_000);
@@ -152,7 +152,7 @@ test('only meshes of more than two million triangles without pictures are simpli
   expect(isTooFine(readOf({ ...fine, indices: new Uint32Array(3 * 2_000_000) }))).toBe(false);
 });
 
-test('large meshes have a coarse copy, which is drawn however small, and medium ones stand in for themselves', () => {
+test('large meshes have a coarse copy as placeholder, and medium ones are their own placeholder', () => {
   const mesh = ball(1);
   const withTriangles = (count: number): PlainMesh => ({ ...mesh, indices: new Uint32Array(3 * count) });
   const [small, medium, large] = [99_000, 400_000, 400_001].map(withTriangles);
@@ -186,7 +186,7 @@ test.each([
   expect((exactPixels(error) / 2) * error).toBeLessThanOrEqual(1 / 3);
 });
 
-test('of a simplified model glass stays glass, and of one that loses its pictures too', async () => {
+test('glass stays glass in simplified models, also without their pictures', async () => {
   const mesh = ball(40);
   const { length } = mesh.indices!;
   const ranges = [

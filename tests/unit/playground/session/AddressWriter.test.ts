@@ -34,7 +34,7 @@ function createWriter() {
   return { session, modelLoader, address, state, written, want, change: () => listeners[0].applied?.() };
 }
 
-test('changes that follow each other are written once, when they have come to rest', () => {
+test('successive changes are written once, after the last', () => {
   const { change, written, want } = createWriter();
   for (let i = 0; i < 5; i++) {
     change();
@@ -75,7 +75,7 @@ test('a change of the last moment is written when the page is left, and nothing 
   expect(written).toHaveLength(1);
 });
 
-test('of a drawing with files of the user, a thumbnail is kept', () => {
+test('a thumbnail is stored of a drawing with the user’s files', () => {
   const { session, modelLoader, change, want } = createWriter();
   session.settings.model = 'file';
   modelLoader.ownFiles = [];

@@ -43,7 +43,7 @@ test('the drawing is copied in the task of its frame, and read only when the gra
   expect([toDataURL.mock.calls.length, taken]).toEqual([1, [PICTURE]]);
 });
 
-test('what is not at rest yet waits for a later frame, and is read once', async () => {
+test('a drawing that is not final waits for a later frame, and is read once', async () => {
   const { gl, viewport, drawImage, taken, picture } = createPicture();
   gl.finish();
   viewport.quality.isCoarse = true;

@@ -16,7 +16,7 @@ function open() {
   return { resolve, reject, task, isAborted: () => signals[0].aborted };
 }
 
-test('of two things that are asked for, only the later is given, in whatever order they come', async () => {
+test('only the later of two requests has a result, in whatever order they end', async () => {
   const request = new LatestRequest();
   const [first, second] = [open(), open()];
   const results = [request.run(first.task), request.run(second.task)];
@@ -26,7 +26,7 @@ test('of two things that are asked for, only the later is given, in whatever ord
   expect(await Promise.all(results)).toEqual([undefined, 'second']);
 });
 
-test('what fails is thrown, unless nobody waits for it any more', async () => {
+test('a failed request throws, unless it was replaced', async () => {
   const request = new LatestRequest();
   const [first, second] = [open(), open()];
   const dropped = request.run(first.task);

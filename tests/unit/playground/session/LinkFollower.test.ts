@@ -64,7 +64,7 @@ test('a model of another site is fetched if the user agrees; if not, something e
   ]);
 });
 
-test('an agreement that comes after the address asks for something else is none', async () => {
+test('an agreement is ignored once the address has changed', async () => {
   const { follower, modelLoader, session } = onPage();
   let agree = (_: boolean): void => {};
   vi.mocked(askToFetch).mockImplementationOnce(() => new Promise((resolve) => (agree = resolve)));

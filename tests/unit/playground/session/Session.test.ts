@@ -75,7 +75,7 @@ test('a change is applied before it becomes a step, and undone and redone as a w
   expect(events.slice(2)).toEqual(['applied', 'stepped false true', 'applied', 'stepped true false']);
 });
 
-test('what the view does by itself while settings are applied belongs to the same step', () => {
+test('changes of the view caused by settings belong to the same step', () => {
   const { session, view } = createSession();
   const near = { ...view.state };
   const far = { position: [0, 0, 9], target: [0, 0, 0], framedFor: 'sheet' };

@@ -28,7 +28,7 @@ const lookNamed = (name: string): KeptLook => ({
 const add = (name: string) => (looks: readonly KeptLook[]) => [...looks, lookNamed(name)];
 const namesOf = (kept: KeptLooks) => kept.list.map(({ name }) => name);
 
-test('looks are there again in the next page, with every value', () => {
+test('looks are restored on the next page, with every value', () => {
   const storage = fakeStorage();
   expect(new KeptLooks(() => storage as never).change(add('soft'))).toBe(true);
   const later = new KeptLooks(() => storage as never);
@@ -39,7 +39,7 @@ test('looks are there again in the next page, with every value', () => {
   expect(hasLook({ ...settings, ink: '#123456' }, later.list[0].look)).toBe(false);
 });
 
-test('what two tabs keep is there in both', () => {
+test('looks saved in two tabs are in both', () => {
   const storage = fakeStorage();
   const [one, other] = [new KeptLooks(() => storage as never), new KeptLooks(() => storage as never)];
   one.change(add('a'));
@@ -48,7 +48,7 @@ test('what two tabs keep is there in both', () => {
   expect(namesOf(one)).toEqual(['a', 'b']);
 });
 
-test('nothing is lost where the browser keeps nothing or has no more room', () => {
+test('nothing is lost if the browser stores nothing or is out of space', () => {
   const storage = fakeStorage();
   const kept = new KeptLooks(() => storage as never);
   kept.change(add('kept'));
@@ -67,7 +67,7 @@ test('nothing is lost where the browser keeps nothing or has no more room', () =
   expect(namesOf(none)).toEqual(['only here']);
 });
 
-test('of damaged or hostile storage, what is a look is read, in values that the controls have', () => {
+test('valid looks are read from damaged or hostile storage, with allowed values only', () => {
   const storage = fakeStorage();
   const read = (text: string) => {
     storage.damage(text);

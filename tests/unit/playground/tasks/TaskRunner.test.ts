@@ -44,7 +44,7 @@ describe('the status line', () => {
     },
   );
 
-  test('leaves a message its seconds: the task that runs and one that nobody asked for do not take its place, the next wish does', async () => {
+  test('shows a message for its seconds: only a new task of the user replaces it', async () => {
     const { line, tasks } = makePage({ hasDrawing: true });
     const reports: ((viewport: string) => void)[] = [];
     const begin = (slot: 'map' | 'occlusion') => {
@@ -78,7 +78,7 @@ describe('the status line', () => {
     expect([line.text, line.isWorking]).toEqual(['Copied.', false]);
   });
 
-  test('keeps what failed at the start, whatever the other tasks report', async () => {
+  test('keeps an initial failure, whatever other tasks report', async () => {
     const { line, state, tasks } = makePage();
     const map = openTask();
     let report = (_stage: string): void => {};
@@ -101,7 +101,7 @@ describe('the status line', () => {
     ]);
   });
 
-  test('keeps it over another choice that does not mend it, and drops it with one that does', async () => {
+  test('keeps a failure until a choice solves it', async () => {
     const { line, tasks } = makePage();
     await tasks.run('model', () => Promise.reject(new ModelError('No model.')));
     await tasks.run('map', async () => {});
@@ -118,7 +118,7 @@ describe('the status line', () => {
     expect([line.text, line.isError]).toEqual(['', false]);
   });
 
-  test('says both of two failures, one after the other', async () => {
+  test('shows two failures, one after the other', async () => {
     const { line, tasks } = makePage();
     await tasks.run('model', () => Promise.reject(new ModelError('No model.')));
     await tasks.run('map', () => Promise.reject(new Error('seed is 1.5')));
@@ -127,7 +127,7 @@ describe('the status line', () => {
     expect(line.text).toBe('No model.');
   });
 
-  test('where there is a drawing all the same, forgets a failure with the next task, but not with one that the page begins', async () => {
+  test('with a drawing, forgets a failure at the user’s next task, but not at one of the page', async () => {
     const { line, tasks } = makePage({ hasDrawing: true });
     await tasks.run('model', () => Promise.reject(new ModelError('letter.txt is no model.')));
     await tasks.run('occlusion', async () => {});
@@ -148,7 +148,7 @@ describe('the status line', () => {
     expect(line.text).toMatch(/^Cancelled, so there is no drawing yet/);
   });
 
-  test('says nothing of a task that is stopped because nobody needs it', async () => {
+  test('shows no message about an obsolete task that is stopped', async () => {
     const { line, tasks } = makePage({ hasDrawing: true });
     const occlusion = openTask();
     let signal: AbortSignal | undefined;
@@ -165,7 +165,7 @@ describe('the status line', () => {
     expect(line.text).toBe('');
   });
 
-  test('names no address of a script that is missing', async () => {
+  test('does not show the URL of a missing script', async () => {
     const { line, tasks } = makePage();
     await tasks.run('map', () =>
       Promise.reject(new TypeError('Failed to fetch dynamically imported module: http://x/a.js')),
@@ -173,7 +173,7 @@ describe('the status line', () => {
     expect(line.text).toMatch(/^A part of this page could not be fetched\./);
   });
 
-  test('offers again what failed with the graphics card, as soon as no task runs, and nothing else', async () => {
+  test('offers to repeat a task that failed with a lost context, once no task runs', async () => {
     const { line, tasks } = makePage({ hasDrawing: true });
     let tries = 0;
     const again = { label: 'Save it again', run: () => void tries++ };
@@ -198,7 +198,7 @@ describe('the status line', () => {
     expect([line.text, line.remedy]).toEqual(['', undefined]);
   });
 
-  test('a lost context is said until it is back, whatever ends meanwhile', async () => {
+  test('a lost context is shown until it is restored, whatever ends meanwhile', async () => {
     const { line, tasks } = makePage({ hasDrawing: true });
     line.status.addProblem('context', 'Lost.');
     await tasks.run('model', async (report) => report('joining'));
@@ -208,7 +208,7 @@ describe('the status line', () => {
   });
 });
 
-describe('a task that nobody waits for', () => {
+describe('a background task', () => {
   const settled = async (promise: Promise<void> | undefined): Promise<boolean> => {
     let isSettled = false;
     void promise?.then(() => {
@@ -218,7 +218,7 @@ describe('a task that nobody waits for', () => {
     return isSettled;
   };
 
-  test('goes on when the last of the others has ended, not when one is replaced by the next', async () => {
+  test('resumes when the last of the others has ended, not when one is replaced', async () => {
     const { tasks } = makePage();
     const own = new AbortController().signal;
     const [occlusion, first, second, model] = [openTask(), openTask(), openTask(), openTask()];

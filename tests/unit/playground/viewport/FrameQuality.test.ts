@@ -39,7 +39,7 @@ test('the graphics card is busy while it draws a frame of unknown length, or a l
   expect(quality.isBusy).toBe(false);
 });
 
-test('what is drawn anew does not make the graphics card idle', async () => {
+test('a restart does not count the graphics card as idle', async () => {
   const { gl, quality } = createQuality();
   quality.measure(() => {}, false);
   quality.restart();
@@ -50,7 +50,7 @@ test('what is drawn anew does not make the graphics card idle', async () => {
   expect(quality.isBusy).toBe(false);
 });
 
-test('a lost context keeps no frame waiting', async () => {
+test('a lost context does not block frames', async () => {
   const { gl, quality } = createQuality();
   quality.measure(() => {}, false);
   gl.lose();

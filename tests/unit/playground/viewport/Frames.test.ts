@@ -96,7 +96,7 @@ test('a picture that was copied for nothing does not fade into a later one', () 
   expect([drawImage.mock.calls.length, animate.mock.calls.length]).toEqual([1, 0]);
 });
 
-test('a frame that only adds to the drawing is none of a movement', () => {
+test('a frame that only adds detail is not part of a movement', () => {
   const { sheet, moving, next } = makeFrames();
   sheet.refine();
   next();
@@ -108,7 +108,7 @@ test('a frame that only adds to the drawing is none of a movement', () => {
   expect(moving).toEqual([false, true, false]);
 });
 
-test('while a screen builds what frames are drawn with, be it by the first of them, frames are waited for and not drawn', () => {
+test('while a screen compiles programs, frames are pending and not drawn', () => {
   const { sheet, next } = makeFrames();
   const screen = {
     canvas: { hidden: true },
@@ -145,7 +145,7 @@ test('before there is a model, no ground is drawn', () => {
   expect(scenery.showSketch).toHaveBeenCalledTimes(1);
 });
 
-test('a frame waits while the graphics card draws one that takes long, and is drawn then without being asked for again', () => {
+test('a frame waits for a slow one on the graphics card, and is drawn without another request', () => {
   const { sheet, quality, painter, drawTile, next } = makeFrames();
   const onWait = vi.fn();
   sheet.onWait(onWait);
@@ -160,7 +160,7 @@ test('a frame waits while the graphics card draws one that takes long, and is dr
   expect([drawTile.mock.calls.length, sheet.isWaiting, sheet.count]).toEqual([1, false, 1]);
 });
 
-test('what is seen stays as it is once nothing is awaited, being drawn or coarse, and nothing fades', async () => {
+test('the picture is final once no frame is pending, being drawn or coarse, and nothing fades', async () => {
   const { sheet, quality, painter, next } = makeFrames();
   expect(sheet.isSettled).toBe(true);
   sheet.refine();

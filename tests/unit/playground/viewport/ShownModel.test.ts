@@ -37,7 +37,7 @@ function stageOf(...names: string[]) {
 
 const nameOf = ({ root }: FakeModel): string => root.name;
 
-test('a model stays until the one in its place has been drawn', () => {
+test('a model is kept until its replacement has been drawn', () => {
   const { shown, models, onChange, seen, disposed } = stageOf('first', 'second', 'third');
   const [first, second, third] = models.map(asModel);
   shown.set(first);
@@ -54,7 +54,7 @@ test('a model stays until the one in its place has been drawn', () => {
   expect(shown.model).toBe(third);
 });
 
-test('the model that was waited for takes the place of its stand-in, and of the model before', () => {
+test('a baked model replaces its placeholder and the previous model', () => {
   const { shown, models, onChange, seen, disposed } = stageOf('before', 'stand-in', 'other stand-in', 'model');
   const [before, standIn, other, model] = models.map(asModel);
   shown.set(before);
@@ -75,7 +75,7 @@ test('the model that was waited for takes the place of its stand-in, and of the 
   expect(disposed()).toEqual(['before', 'stand-in', 'other stand-in']);
 });
 
-test('another model than the one whose stand-in is shown does not complete it', () => {
+test('a model does not complete another model’s placeholder', () => {
   const { shown, models, onChange, disposed } = stageOf('stand-in', 'other');
   shown.setStandIn(asModel(models[0]));
   shown.set(asModel(models[1]), DEFAULT_VIEW, false);
@@ -85,7 +85,7 @@ test('another model than the one whose stand-in is shown does not complete it', 
   expect(disposed()).toEqual(['stand-in']);
 });
 
-test('without the model that was waited for, the one before is back as it was framed, and has the map that came meanwhile', () => {
+test('if a bake fails, the previous model returns with its framing and the latest map', () => {
   const { shown, models, onChange, seen, disposed } = stageOf('before', 'stand-in');
   const [before, standIn] = models.map(asModel);
   shown.removeStandIn();
@@ -105,7 +105,7 @@ test('without the model that was waited for, the one before is back as it was fr
   expect(disposed()).toEqual(['stand-in']);
 });
 
-test('a stand-in for the first model leaves nothing behind', () => {
+test('a failed placeholder of the first model leaves nothing behind', () => {
   const { shown, models, seen, disposed } = stageOf('stand-in');
   shown.setStandIn(asModel(models[0]));
   shown.removeStandIn();
@@ -115,7 +115,7 @@ test('a stand-in for the first model leaves nothing behind', () => {
   expect(disposed()).toEqual(['stand-in']);
 });
 
-test('a model is dressed before it is shown, until that is cancelled', async () => {
+test('a model gets its look before it is shown, unless that is cancelled', async () => {
   const { shown, models } = stageOf('first', 'second');
   const [first, second] = models;
   const map = {} as never;
@@ -130,7 +130,7 @@ test('a model is dressed before it is shown, until that is cancelled', async () 
   await expect(shown.dress(asModel(second), AbortSignal.abort(new Error('enough')))).rejects.toThrow('enough');
 });
 
-test('what is drawn before the first model goes when that is there, and is kept until it has been drawn', () => {
+test('the object before the first model is disposed of once the model has been drawn', () => {
   const { shown, models, seen, disposed } = stageOf('forerunner', 'first', 'second');
   const [forerunner, first, second] = models.map(asModel);
   shown.setForerunner(forerunner);

@@ -54,7 +54,7 @@ function makeFrames() {
   return { frames, replace };
 }
 
-test('a stand-in fades into another one, and that into the model', async () => {
+test('a placeholder fades into the next one, and that into the model', async () => {
   const { frames, replace } = makeFrames();
   replace('first', true);
   expect(copy.hidden).toBe(true);
@@ -70,7 +70,7 @@ test('a stand-in fades into another one, and that into the model', async () => {
   expect([copy.hidden, copy.copied.at(-1)]).toEqual([false, 'other']);
 });
 
-test('where motion is to be reduced, nothing fades', () => {
+test('nothing fades with reduced motion', () => {
   isMotionReduced = true;
   const { replace } = makeFrames();
   replace('first', true);

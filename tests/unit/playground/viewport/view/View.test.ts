@@ -28,7 +28,7 @@ function viewOf(
 }
 
 describe('a view that a link brings back', () => {
-  test('is the very same, to the last bit, after all ways of moving', () => {
+  test('is identical to the last bit after every kind of movement', () => {
     const { view, camera, press } = viewOf();
     for (const key of ['ArrowLeft', 'ArrowLeft', 'ArrowUp', '+', 'w', 'd', '-', 'ArrowRight', 'ArrowDown', 'a']) {
       press(key);
@@ -41,7 +41,7 @@ describe('a view that a link brings back', () => {
     expect(view.isFramed).toBe(false);
   });
 
-  test('is left out only where framing gives it', () => {
+  test('is left out only if framing restores it', () => {
     let shadow: number[] | undefined = [3, -0.5, 0, 3, -0.5, 1];
     const { view } = viewOf(() => shadow);
     const framed = view.place;
@@ -61,7 +61,7 @@ describe('a view through the camera of a file', () => {
   // From straight above, where controls alone would turn it.
   const above: CameraView = { position: [0, 50, 0], target: [0, 0, 0], lens };
 
-  test('is the very view of the file, however far away, and in links', () => {
+  test('is exactly the view of the file, at any distance and in links', () => {
     const { view, camera } = viewOf();
     view.place = above;
     expect([view.place, view.isFramed]).toEqual([above, false]);
@@ -182,7 +182,7 @@ describe('a view, after the light has moved', () => {
     expect([view.state, view.framedCount, view.sheet]).toEqual([state, framedCount, undefined]);
   });
 
-  test('stays where it was put while a picture was composed', () => {
+  test('keeps the user’s camera from while a picture was composed', () => {
     const { view, press } = litAnew();
     const goBack = view.composeFor([0.5, 0.9]);
     press('ArrowLeft');
