@@ -77,9 +77,9 @@ export class KeptDrawings {
    */
   async keep(drawing: KeptDrawing, files: KeptFiles): Promise<void> {
     const others = (await this.list()).filter(({ id }) => id !== drawing.id);
-    const isTwin = ({ title, bytes }: KeptDrawing) => title === drawing.title && bytes === drawing.bytes;
-    await this.forget(...others.filter((other, i) => isTwin(other) || i >= MOST - 1).map(({ id }) => id));
-    const rest = others.filter((other, i) => !isTwin(other) && i < MOST - 1);
+    const isSameModel = ({ title, bytes }: KeptDrawing) => title === drawing.title && bytes === drawing.bytes;
+    await this.forget(...others.filter((other, i) => isSameModel(other) || i >= MOST - 1).map(({ id }) => id));
+    const rest = others.filter((other, i) => !isSameModel(other) && i < MOST - 1);
     for (;;) {
       try {
         await this.write(drawing, files);

@@ -271,9 +271,9 @@ export class HatchedModel {
     if (this.nodeOutlines) return;
     for (const pair of this.pairs) pair.nodes = makers.material(pair.drawn);
     this.giveMaterials('nodes');
-    const twins = new Map([...this.outlineMaterials].map((material) => [material, makers.outlineMaterial()]));
-    this.nodeOutlines = this.outlines.map(({ mesh, material }) => makers.outlines(mesh, twins.get(material)!));
-    for (const twin of twins.values()) this.outlineMaterials.add(twin);
+    const copies = new Map([...this.outlineMaterials].map((material) => [material, makers.outlineMaterial()]));
+    this.nodeOutlines = this.outlines.map(({ mesh, material }) => makers.outlines(mesh, copies.get(material)!));
+    for (const copy of copies.values()) this.outlineMaterials.add(copy);
     this.shown = undefined;
     this.apply(look);
   }

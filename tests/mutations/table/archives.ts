@@ -9,7 +9,7 @@ export const archives: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/viewer/files/archives/bundle.test.ts',
-      title: 'a damaged or hostile one is refused in one sentence',
+      title: 'rejects a damaged or hostile one with one sentence',
     },
   },
   {
@@ -42,7 +42,7 @@ export const archives: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/viewer/files/scenes/readScene.test.ts',
-      title: 'what would fill the memory is not unpacked',
+      title: 'decompression bombs are not unpacked',
     },
   },
 ];

@@ -71,7 +71,7 @@ export const files: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/viewer/files/scenes/readScene.test.ts',
-      title: 'what stands in for a page is taken away again',
+      title: 'stand-ins for page objects are removed again',
     },
   },
   {
@@ -203,7 +203,7 @@ export const files: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/viewer/files/sentences.test.ts',
-      title: 'a tiny part that instances spread is no point',
+      title: 'a tiny mesh that instances spread is not a point',
     },
   },
   {
@@ -258,7 +258,7 @@ export const files: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/viewer/files/scenes/mergeScene.test.ts',
-      title: 'instances stand where their mesh puts them',
+      title: 'instances are placed relative to their mesh',
     },
   },
   {
@@ -269,7 +269,7 @@ export const files: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/viewer/files/gltf/decodeDraco.test.ts',
-      title: 'a colour that is not in the packed part is left out; without places there is nothing to draw',
+      title: 'a colour missing in the Draco data is left out; without positions there is nothing to draw',
     },
   },
 ];

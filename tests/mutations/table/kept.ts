@@ -15,8 +15,8 @@ export const kept: readonly Mutation[] = [
   {
     name: 'one drawing more is kept',
     file: 'src/playground/storage/KeptDrawings.ts',
-    find: 'isTwin(other) || i >= MOST - 1)',
-    replace: 'isTwin(other) || i >= MOST)',
+    find: 'isSameModel(other) || i >= MOST - 1)',
+    replace: 'isSameModel(other) || i >= MOST)',
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/playground/storage/KeptDrawings.test.ts',

@@ -9,7 +9,7 @@ export const links: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/viewer/settings/shareLink.test.ts',
-      title: 'carries the variant and the clip of a file, by numbers from 1 on',
+      title: 'includes the variant and the clip of a file, as numbers counted from 1',
     },
   },
   {
@@ -42,7 +42,7 @@ export const links: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/viewer/settings/shareLink.test.ts',
-      title: 'gives back a view to the last bit of single precision, in as few digits as that takes',
+      title: 'restores a view to the last bit of single precision, from the fewest digits possible',
     },
   },
   {
@@ -64,7 +64,7 @@ export const links: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/viewer/settings/shareLink.test.ts',
-      title: 'carries no name and password, which may look like a site, and no host that is none',
+      title: 'drops name and password of a URL, and rejects invalid hosts',
     },
   },
   {
@@ -75,7 +75,7 @@ export const links: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/viewer/settings/shareLink.test.ts',
-      title: 'gives back a view to the last bit of single precision, in as few digits as that takes',
+      title: 'restores a view to the last bit of single precision, from the fewest digits possible',
     },
   },
   {
@@ -117,7 +117,7 @@ export const links: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/viewer/settings/withBoldnessAndDensity.test.ts',
-      title: 'bold strokes are wider and farther apart, all alike; nothing else changes',
+      title: 'boldness scales widths and spacings alike, and nothing else',
     },
   },
   {
@@ -150,7 +150,7 @@ export const links: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/viewer/settings/shareLink.test.ts',
-      title: 'of nothing but defaults is not the first view',
+      title: 'with nothing but defaults is not the first view',
     },
   },
   {

@@ -10,7 +10,7 @@ export const meaning: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/viewer/files/scenes/settleAlpha.test.ts',
-      title: 'of a merged scene glass has ranges of its own, and what is not there counts for nothing',
+      title: 'in a merged scene, glass has its own ranges, and invisible parts are ignored',
     },
   },
   {
@@ -21,7 +21,7 @@ export const meaning: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/viewer/drawing/glass.test.ts',
-      title: 'is glass: it hides nothing, and casts and takes no shadow',
+      title: 'is glass: it hides nothing, and casts and receives no shadow',
     },
   },
   {

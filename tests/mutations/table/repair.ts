@@ -20,7 +20,7 @@ export const repair: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/viewer/files/repair/dropDuplicates.test.ts',
-      title: 'so is one with other colours, texture coordinates or another picture',
+      title: 'triangles that differ in colours, texture coordinates or pictures are kept',
     },
   },
   {
@@ -42,7 +42,7 @@ export const repair: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/viewer/files/repair/repairGeometry.test.ts',
-      title: 'a morph target keeps the vertex in its place where it is not a number',
+      title: 'a NaN in a morph target leaves the vertex in place',
     },
   },
   {

@@ -42,7 +42,7 @@ export const shadows: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/viewer/sceneSetup/shadowOnGround.test.ts',
-      title: 'a lamp casts longer shadows of what is farther from below it, and none of what is as high as itself',
+      title: 'a lamp casts longer shadows of more distant points, and none of points at its own height',
     },
   },
   {

@@ -9,7 +9,7 @@ export const undo: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/viewer/settings/EditHistory.test.ts',
-      title: 'keys and the wheel change in one step what they change without a pause',
+      title: 'quick changes by keys or the wheel are one step',
     },
   },
   {
@@ -98,7 +98,7 @@ export const undo: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/viewer/settings/EditHistory.test.ts',
-      title: 'steps to where the page is already are passed over',
+      title: 'steps that lead to the present state are skipped',
     },
   },
   {

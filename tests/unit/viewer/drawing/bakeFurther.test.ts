@@ -36,7 +36,7 @@ function occlusionOf({ attributes: { hatchNormal }, index }: BufferGeometry): nu
 }
 
 describe('triangle adjacency', () => {
-  test('is not in a scene at first: a technique that asks for it is drawn as anchored, and then as itself', async () => {
+  test('is missing in a scene at first: a technique that needs it is drawn as anchored until it is baked', async () => {
     const model = await someModel();
     const techniques = () => meshesOf(model.root).map(({ material }) => (material as HatchingMaterial).technique);
     const look = lookOf({ ...defaultSettings(), technique: 'adjacencyCrisp' });
@@ -50,7 +50,7 @@ describe('triangle adjacency', () => {
     model.dispose();
   });
 
-  test('comes with the form that is asked for beside it, and with the occlusion of before', async () => {
+  test('is baked along with the requested form, and keeps earlier occlusion', async () => {
     const model = await someModel();
     const [torus] = meshesOf(model.root);
     const { hatchNormal } = torus.geometry.attributes;

@@ -15,7 +15,7 @@ const sideOf = async (triangles: number[]) => {
   return (await bakeMesh(mesh)).side;
 };
 
-test('what is closed is drawn from its front alone, with flaps of two triangles back to back too', async () => {
+test('closed meshes are single-sided, also with flaps of two triangles back to back', async () => {
   expect(await sideOf(TETRAHEDRON)).toBe(FrontSide);
   // The back of a flap would lie on its front, dark in the light.
   expect(await sideOf([...TETRAHEDRON, 1, 2, 4, 4, 2, 1])).toBe(FrontSide);

@@ -29,7 +29,7 @@ test('a model whose triangles are all lines or points is refused, also one that 
   }
 });
 
-test('a part of glTF without normals gets those of every other format, with edges kept', async () => {
+test('a glTF primitive without normals gets computed ones, with creases kept, as in other formats', async () => {
   const builder = tetrahedron();
   const times = builder.accessor(Float32Array.of(0, 1), 'SCALAR');
   addTrack(builder, 'translation', times, builder.accessor(Float32Array.of(0, 0, 0, 1, 0, 0), 'VEC3'));
@@ -40,7 +40,7 @@ test('a part of glTF without normals gets those of every other format, with edge
   model.dispose();
 });
 
-describe('a model is as large as what is seen of it', () => {
+describe('the size of a model is that of its visible parts', () => {
   /** The tetrahedron beside one of nine times its size in another material, and whether it moves. */
   async function radiusOf(material: object, isMoving: boolean, colour?: readonly number[]): Promise<number> {
     const builder = tetrahedron();
@@ -71,7 +71,7 @@ describe('a model is as large as what is seen of it', () => {
     return Math.sqrt(8) / one.distanceTo(other);
   }
 
-  test('not with the triangles of a part whose vertices are clear', async () => {
+  test('not with triangles of a part whose vertices are transparent', async () => {
     const builder = tetrahedron();
     const { json } = builder;
     const [part] = json.meshes[0].primitives;

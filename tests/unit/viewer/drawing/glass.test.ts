@@ -109,7 +109,7 @@ describe('a shell', () => {
     },
   );
 
-  test.each(shells(1))('in %s is glass: it hides nothing, and casts and takes no shadow', async (_format, files) => {
+  test.each(shells(1))('in %s is glass: it hides nothing, and casts and receives no shadow', async (_format, files) => {
     const model = await build(...files);
     const meshes = meshesOf(model.root);
     expect(meshes.map(({ castShadow }) => castShadow).sort()).toEqual([false, true]);

@@ -65,7 +65,7 @@ describe('what a scene has on the graphics card', () => {
     expect(disposed.sort()).toEqual(['map', 'own']);
   });
 
-  test('gives back its pictures only where it is not drawn again', () => {
+  test('closes its bitmaps only if it will not be drawn again', () => {
     let closed = 0;
     const map = new Texture({ close: () => closed++ } as never);
     const root = new Group().add(new Mesh(new BoxGeometry(), new MeshStandardMaterial({ map })));

@@ -47,7 +47,7 @@ test('interleaved integers become floats without what lies between them', () => 
   expect([...attribute.array.slice(0, 6)]).toEqual([1, 2, 3, 5, 6, 7]);
 });
 
-test('what both renderers draw stays as it is', () => {
+test('attributes that both renderers draw stay unchanged', () => {
   for (const attribute of [
     new BufferAttribute(new Int16Array(3 * VERTICES), 3, true),
     new BufferAttribute(new Float32Array(3 * VERTICES), 3),
@@ -57,7 +57,7 @@ test('what both renderers draw stays as it is', () => {
     expect(widened(attribute)).toBe(attribute);
 });
 
-test('what parts of a file share, they share afterwards', () => {
+test('shared attributes stay shared', () => {
   const shared = new BufferAttribute(new Uint8Array(4 * VERTICES), 4);
   const parts = [new BoxGeometry(), new BoxGeometry()];
   for (const part of parts) part.setAttribute('skinIndex', shared);

@@ -28,14 +28,14 @@ function expectWritten({ geometry }: Pick<Mesh, 'geometry'>): void {
     expect(-255 * hatchNormal.getW(i)).toBeCloseTo(byteOf(position.getX(i), position.getY(i)), 1);
 }
 
-test('known occlusion comes to every corner of the vertex that it belongs to', async () => {
+test('precomputed occlusion is written to every corner of its vertex', async () => {
   const mesh = someMesh();
   const model = await modelOfMesh(mesh, OPTIONS, { occlusion: bytesOf(mesh) });
   expect(model.isOccluded).toBe(true);
   expectWritten(meshesOf(model.root)[0]);
 });
 
-test('it also comes to vertices that several corners share', async () => {
+test('it is also written to shared vertices', async () => {
   const mesh = someMesh();
   const { geometry } = await bakeMesh(mesh, OPTIONS);
   const shared = mergeVertices(geometry.clone());

@@ -30,7 +30,7 @@ const textured = (property: string, moves = false): string =>
 	}`,
     );
 
-test.each([false, true])('displacement of FBX is said, whether it moves: %s', async (moves) => {
+test.each([false, true])('reports displacement maps of FBX, animated: %s', async (moves) => {
   const { readModel } = await import('../../../../src/viewer/files/readModel.js');
   const content = new Blob([textured('DisplacementColor', moves)]);
   const { notes, kind } = await readModel([{ name: 'box.fbx', content }], () => {});

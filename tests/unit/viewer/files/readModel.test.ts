@@ -12,7 +12,7 @@ describe('what the caption says', () => {
     expect([three.name, three.notes]).toEqual(['a.obj', ['one of 3 models: drop another by itself to see it']]);
   });
 
-  test('what is missing comes first, and all of its names are to be found', async () => {
+  test('missing files come first in the notes, and all their names are listed', async () => {
     const faces = box.slice(box.indexOf('usemtl'));
     const libraries = ['a', 'b', 'c'].map((name) => `mtllib ${name}.mtl`);
     const { notes, details } = await read(

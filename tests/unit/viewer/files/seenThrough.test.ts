@@ -68,7 +68,7 @@ describe.each<[string, Writer]>([
   ['OFF, vertices, fractions', off('COFF', true, 255)],
   ['OFF, faces', off('OFF', false, 1)],
 ])('%s with an alpha', (_, write) => {
-  test('are seen through, hide what they are round, or are not there', async () => {
+  test('are see-through, opaque or invisible', async () => {
     const glass = await read(write(64));
     expect(triangles(glass)).toBe(24);
     expect(glass.mesh.ranges).toEqual([
@@ -139,7 +139,7 @@ test.each<[string, Record<string, string | Uint8Array>, string]>([
   expect(model.notes).toEqual([]);
 });
 
-test('an alpha by which nothing would be seen does not count', async () => {
+test('alpha that would hide everything is ignored', async () => {
   const rows = BOX_FACES.map((face) => [face, 255, 0, 0, 0]);
   const properties = [CORNER_LIST, ...RGBA.map((name) => `uchar ${name}`)];
   const tables = [
@@ -150,7 +150,7 @@ test('an alpha by which nothing would be seen does not count', async () => {
   expect([triangles(box), box.mesh.ranges]).toEqual([12, undefined]);
 });
 
-test('lines and pictures that are not drawn are said', async () => {
+test('reports lines and pictures that are not drawn', async () => {
   const tables = [
     { name: 'vertex', properties: XYZ, rows: BOX_CORNERS },
     { name: 'face', properties: [CORNER_LIST], rows: BOX_FACES.map((face) => [face]) },

@@ -8,7 +8,7 @@ import { cleanMesh } from '../../../../src/viewer/files/repair/cleanMesh.js';
 import { mergeScene } from '../../../../src/viewer/files/scenes/mergeScene.js';
 
 describe('the sentence of an error', () => {
-  test('passes on what a loader says, without its name', () => {
+  test('includes a loader’s message, without the loader’s name', () => {
     expect(toModelError('a.fbx', new Error('THREE.FBXLoader: Unknown format.')).message).toBe(
       'a.fbx could not be read; it seems to be damaged (Unknown format).',
     );
@@ -54,7 +54,7 @@ describe('the sentence of an error', () => {
   });
 });
 
-describe('a name that a file has, or has in it, cannot take over the sentence', () => {
+describe('names from files cannot disguise a message', () => {
   const hostile = `start\u202e${'from trusted.test '.repeat(60)}\n\u0007end`;
   const shown = /start[^\p{Cc}\p{Cf}]{1,30}…[^\p{Cc}\p{Cf}]{1,30}end/u;
   const gltf = (rest: object) => JSON.stringify({ asset: { version: '2.0' }, ...rest });
@@ -114,7 +114,7 @@ describe('models of any size', () => {
     return mesh.positions;
   }
 
-  test('a tiny part that instances spread is no point', () => {
+  test('a tiny mesh that instances spread is not a point', () => {
     const usual = fitted(1);
     for (const size of [1e-12, 1e-40]) {
       fitted(size).forEach((value, i) => {

@@ -43,7 +43,7 @@ describe('a camera with the lens of a file', () => {
     expect(top.y).toBeCloseTo(0.3, 5);
   });
 
-  test('is told apart as three tells cameras apart, also when it goes back and when it is cloned', () => {
+  test('has the flags by which three tells cameras apart, also after a reset and a clone', () => {
     const camera = placed(flat, 1);
     expect(['isOrthographicCamera' in camera, 'isPerspectiveCamera' in camera]).toEqual([true, false]);
     const ray = new Raycaster();

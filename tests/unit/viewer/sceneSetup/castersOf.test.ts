@@ -34,7 +34,7 @@ describe('what casts shadows', () => {
     }
   });
 
-  test('is nothing that is hidden, not drawn, or seen through', () => {
+  test('excludes hidden, unused and see-through parts', () => {
     const hidden = box([1, 1, 1]);
     hidden.visible = false;
     const inner = box([1, 1, 1]);
@@ -46,7 +46,7 @@ describe('what casts shadows', () => {
     expect(piecesOf(box([1, 1, 1]))).not.toEqual([]);
   });
 
-  test('is each instance; what lies far outside counts as at the rim, and what is no number does not count', () => {
+  test('includes each instance; points far outside count in the outermost cells, and NaN ones are ignored', () => {
     const instances = new InstancedMesh(new BoxGeometry(0.01, 0.5, 0.01), new MeshBasicMaterial(), 3);
     for (const [i, x] of [-0.5, 9, Number.NaN].entries())
       instances.setMatrixAt(i, new Matrix4().makeTranslation(x, 0, 0));

@@ -168,7 +168,7 @@ test('a slowly sinking light changes it slowly', () => {
   }
 });
 
-test('of a model that an edge cuts, the shadow is cut too; coming nearer to it changes that steadily', () => {
+test('if an edge cuts the model, it cuts the shadow too; the transition is continuous', () => {
   const surface = surfaceOf(LAMP);
   const casters = castersOf(LAMP);
   const { perspective } = camerasFor(surface, 1, [1, 1], 0.8);
@@ -183,7 +183,7 @@ test('of a model that an edge cuts, the shadow is cut too; coming nearer to it c
   for (const [i, fade] of fades.slice(1).entries()) expect(Math.abs(fade - fades[i])).toBeLessThan(5);
 });
 
-test('the tiles of a picture have the shadow of all of it', () => {
+test('all tiles of a picture have the same shadow', () => {
   const { perspective } = camerasFor(surfaceOf(LAMP), 1, [1, 1], 0.8);
   const fadeSeen = (): number => fadeOnSheet(castersOf(LAMP), -0.9, lightAt(90, 8, true), perspective, [1, 1]);
   const whole = fadeSeen();
@@ -191,7 +191,7 @@ test('the tiles of a picture have the shadow of all of it', () => {
   expect(fadeSeen()).toBe(whole);
 });
 
-test('a shadow that runs to the horizon ends nowhere on the sheet, and what is framed with its shadow hardly dissolves sooner', () => {
+test('a shadow that runs to the horizon fades before the edge of the sheet, and one framed with its model hardly fades early', () => {
   const level = new PerspectiveCamera(60, 1);
   level.position.set(0, 0, 6);
   level.updateMatrixWorld();
@@ -219,7 +219,7 @@ test('a shadow that runs to the horizon ends nowhere on the sheet, and what is f
   expect(fadeOnSheet(castersOf(LAMP), -0.9, light, perspective, [1, 1])).toBeLessThan(1.2 * LEAST_FADE);
 });
 
-test('without anything to cast it, or with a light from below, there is nothing to end', () => {
+test('there is no fading without casters, or with a light from below', () => {
   const { perspective } = camerasFor(surfaceOf(LAMP), 1, [1, 1], 0.8);
   expect(fadeOnSheet([], -0.9, lightAt(90, 8, true), perspective, [1, 1])).toBe(0);
   for (const isSun of [true, false])

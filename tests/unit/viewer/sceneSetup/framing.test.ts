@@ -49,7 +49,7 @@ describe.each([0.5, 1, 2.5])('a picture with the aspect %s', (aspect) => {
 
   const aside = new Vector3(-1, 1.2, 0.4);
 
-  test('holds a shadow as well, and the points are smaller for it by a quarter at most', () => {
+  test('includes the shadow, and shrinks the points for it by a quarter at most', () => {
     const shadow = shadowOnGround(points, aside, true, -1.5);
     const alone = camera.position.distanceTo(fitCamera(camera, points, VIEW, { fill: FILL }));
     // Only a wide picture has room for it without any doing.
@@ -92,7 +92,7 @@ describe.each([0.5, 1, 2.5])('a picture with the aspect %s', (aspect) => {
   });
 });
 
-test('points are so many times wider than high as they are seen', () => {
+test('the aspect of points is that of their projection', () => {
   const plank = [0, 0, 0, 0, 0, 3, 0, 1.5, 0];
   expect(proportionOf(plank, new Vector3(1, 0, 0))).toBeCloseTo(2, 6);
   expect(proportionOf(plank, new Vector3(0, 0, 1))).toBeCloseTo(0, 6);

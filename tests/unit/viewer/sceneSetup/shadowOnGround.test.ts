@@ -15,7 +15,7 @@ test('a sun casts shadows along its direction, as long as points are high', () =
   ]);
 });
 
-test('a lamp casts longer shadows of what is farther from below it, and none of what is as high as itself', () => {
+test('a lamp casts longer shadows of more distant points, and none of points at its own height', () => {
   const lamp = new Vector3(0, 3, 0);
   expectPoints(shadowOnGround([0, 0, 0, 1, 0, 0, 2, 0, -1, 1, 3, 0, 1, 4, 0], lamp, false, -1), [
     ...[0, -1, 0],

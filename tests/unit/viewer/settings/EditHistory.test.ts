@@ -55,7 +55,7 @@ test('one press that changes two things is two steps', () => {
   expect(undone()).toEqual([1, 0]);
 });
 
-test('keys and the wheel change in one step what they change without a pause', () => {
+test('quick changes by keys or the wheel are one step', () => {
   const { change, undone } = counter();
   change('camera');
   change('camera', 300);
@@ -73,7 +73,7 @@ test('a change after Undo leaves nothing to redo', () => {
   expect([history.canRedo, history.redo()]).toEqual([false, undefined]);
 });
 
-test('steps to where the page is already are passed over', () => {
+test('steps that lead to the present state are skipped', () => {
   let value = 0;
   const history = new EditHistory(
     () => value,

@@ -24,7 +24,7 @@ describe('a setting from a link', () => {
     expect(acceptSetting('mapSeed', text)).toBeUndefined();
   });
 
-  test('of any number is one that its control can show, and the nearest', () => {
+  test('the accepted value of any number is the nearest that its slider can take', () => {
     for (const key of SETTING_KEYS) {
       const setting = settingOf(key);
       if (setting.kind !== 'number') continue;

@@ -128,7 +128,7 @@ test.each([
   expect(presentUnit('handmade', looksOf(settings))).toBe('%');
 });
 
-test('the map is chosen again with what says which it is, or whether there is one', () => {
+test('settings that determine the map, or whether there is one, choose it again', () => {
   expect(SETTING_KEYS.filter(choosesMap).sort()).toEqual(
     ['technique', 'compare', 'medium', 'mapStyle', 'mapSize', 'mapTones', 'mapSeed'].sort(),
   );

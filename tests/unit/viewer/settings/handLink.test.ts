@@ -66,7 +66,7 @@ test('a thin stroke stays visible', () => {
   ]);
 });
 
-test('damaged texts are no hands: each cut, 2,000 changed letters, other versions, and none', () => {
+test('damaged texts are rejected: every truncation, 2,000 changed letters, other versions, and empty text', () => {
   const text = writeHand(handOf(8))!;
   for (let length = 0; length < text.length; length++) expect(readHand(text.slice(0, length))).toBeUndefined();
   const random = new Random(5);

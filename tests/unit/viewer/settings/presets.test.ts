@@ -96,7 +96,7 @@ describe('the presets of the page', () => {
     expect(presetOf({ ...settings, outlineWidth: settings.outlineWidth + 1 })).toBeUndefined();
   });
 
-  test('engraving leaves it to the shape what lines follow, and links that say so keep the light', () => {
+  test('engraving chooses the field of lines by the shape, and links that ask for it follow the light', () => {
     expect(settingsOf('engraving').lineField).toBe('auto');
     expect(readLink('preset=engraving').settings.lineField).toBe('auto');
     expect(readLink('preset=engraving&lineField=light').settings.lineField).toBe('light');
@@ -104,7 +104,7 @@ describe('the presets of the page', () => {
     expect(readLink('technique=engraved&lineSpacing=4.5&handmade=40').settings.lineField).toBe('light');
   });
 
-  test('leave nothing of the look before, and the model, the place of the light and the camera alone', () => {
+  test('reset the previous look, and keep the model, the position of the light and the camera', () => {
     const before = {
       ...defaultSettings(),
       model: 'bunny',
@@ -162,7 +162,7 @@ describe('the first view', () => {
     for (const hash of ['', '#']) expect(readLink(hash).settings).toEqual(firstView());
   });
 
-  test('does not stand in for a link at its defaults, nor for one that names a model alone', () => {
+  test('is not mistaken for a link with defaults, nor for one that names a model alone', () => {
     const link = writeLink(defaultSettings(), undefined);
     expect(readLink(link).settings).toEqual(defaultSettings());
     expect(readLink('#model=bunny').settings).toEqual({ ...defaultSettings(), model: 'bunny' });

@@ -24,7 +24,7 @@ test('views come back from a link, in their order, with camera, light and name',
   expect(readLink('#model=cube').views).toEqual([]);
 });
 
-test('what is no view is left out, however it came into a link', () => {
+test('invalid views of a link are left out', () => {
   const good = writeView(near);
   const bad = [
     '',
@@ -51,7 +51,7 @@ test('no more views are read than there are keys for', () => {
   expect(MAX_VIEWS).toBe(9);
 });
 
-test('a name is one line that turns no text round, and not long', () => {
+test('a name is one short line without characters that reorder text', () => {
   expect(plainName('  a\n\tb\u202Emoc.elpmaxe\u2066 ')).toBe('a b moc.elpmaxe');
   expect([...plainName('😀'.repeat(200))]).toHaveLength(40);
   expect(plainName('\u202E\u0000 ')).toBe('');

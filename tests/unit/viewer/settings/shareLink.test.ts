@@ -6,7 +6,7 @@ import { readLink, writeLink } from '../../../../src/viewer/settings/shareLink.j
 import { Random } from '../../../../src/viewer/settings/surprise.js';
 
 describe('a link', () => {
-  test('of nothing but defaults is not the first view', () => {
+  test('with nothing but defaults is not the first view', () => {
     const link = writeLink(defaultSettings(), undefined);
     expect(readLink(link).settings).toEqual(defaultSettings());
     expect(readLink('').settings).not.toEqual(defaultSettings());
@@ -30,7 +30,7 @@ describe('a link', () => {
     expect(writeLink(readLink(link.toString()).settings, undefined)).toBe(writeLink(settings, undefined));
   });
 
-  test('gives back a view to the last bit of single precision, in as few digits as that takes', () => {
+  test('restores a view to the last bit of single precision, from the fewest digits possible', () => {
     const random = new Random(22);
     for (let i = 0; i < 500; i++) {
       const numbers = Array.from({ length: 6 }, () =>
@@ -51,7 +51,7 @@ describe('a link', () => {
     );
   });
 
-  test('carries the variant and the clip of a file, by numbers from 1 on', () => {
+  test('includes the variant and the clip of a file, as numbers counted from 1', () => {
     const choice = { variant: 0, clip: 11 };
     const link = writeLink(defaultSettings(), undefined, undefined, [], undefined, choice);
     expect(link).toContain('variant=1&clip=12');
@@ -83,7 +83,7 @@ describe('a link', () => {
     }
   });
 
-  test('carries no name and password, which may look like a site, and no host that is none', () => {
+  test('drops name and password of a URL, and rejects invalid hosts', () => {
     const read = (address: string) => readLink(`model=${encodeURIComponent(address)}`).address;
     expect(read('https://trusted.test:x@evil.test:8443/a.glb')).toBe('https://evil.test:8443/a.glb');
     expect(read('https://trusted.test\\@evil.test/a.glb')).toBe('https://trusted.test/@evil.test/a.glb');

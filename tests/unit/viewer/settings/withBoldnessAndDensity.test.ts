@@ -9,7 +9,7 @@ const changedBy = (look: Parameters<typeof withBoldnessAndDensity>[0]): Record<s
   );
 };
 
-test('bold strokes are wider and farther apart, all alike; nothing else changes', () => {
+test('boldness scales widths and spacings alike, and nothing else', () => {
   expect(changedBy({ ...defaultSettings(), boldness: 200 })).toEqual({
     strokeWidth: 2,
     lineSpacing: 2,
@@ -22,6 +22,6 @@ test('dense strokes cover more, as in less light; nothing else changes', () => {
   expect(changedBy({ ...defaultSettings(), density: 200 })).toEqual({ lightStrength: 0.5, secondStrength: 0.5 });
 });
 
-test('in the middle, settings are drawn as they are', () => {
+test('at 100 %, settings are unchanged', () => {
   expect(changedBy(defaultSettings())).toEqual({});
 });

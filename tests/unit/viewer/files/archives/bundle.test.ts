@@ -16,7 +16,7 @@ const model = { 'model/box.obj': colouredBoxObj, 'model/box.mtl': colouredBoxMtl
 const description = 'three-hatching.json';
 const bytesOf = async (blob: Blob): Promise<Uint8Array> => new Uint8Array(await blob.arrayBuffer());
 
-test('a model comes back with its files, its look and its strokes, also from what was read from an archive', async () => {
+test('a bundle restores a model with its files, look and strokes, also if it came from an archive', async () => {
   const files = [file('parts/box.obj', colouredBoxObj), file('box.mtl', colouredBoxMtl), file('Box.mtl', 'rubbish')];
   const strokes = [file('map.json', '{}'), file('tone-0.png', 'a picture')];
   const bundle = await bytesOf(await zipDrawing({ model: files, strokes, link: LINK }));
@@ -52,7 +52,7 @@ test('an archive without a look has none', async () => {
   expect(box.unpacked?.map(({ name }) => name)).toEqual(['box.obj']);
 });
 
-test('a damaged or hostile one is refused in one sentence', async () => {
+test('rejects a damaged or hostile one with one sentence', async () => {
   const of = (text: string, rest: object = model) => refusal(['b.zip', zip({ [description]: text, ...rest })]);
   const damaged = 'b.zip could not be read; what says how its model is drawn (three-hatching.json) is damaged.';
   const whole = describeBundle(LINK);

@@ -6,7 +6,7 @@ import { gunzip } from '../../../../../src/viewer/files/archives/gunzip.js';
 const MEGABYTE = 2 ** 20;
 const ALL = 512 * MEGABYTE;
 
-test('what is packed is unpacked, and what is not is left as it is', async () => {
+test('gzipped bytes are unpacked, and others are returned as they are', async () => {
   const content = randomBytes(100_000);
   expect(Buffer.from(await gunzip(gzipSync(content), 'a.gz', ALL)).equals(content)).toBe(true);
   expect(await gunzip(content, 'a', ALL)).toBe(content);

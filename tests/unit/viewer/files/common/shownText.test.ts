@@ -24,7 +24,7 @@ const hostileName = fc
   .map((parts) => parts.join(''));
 
 describe('a name as it is shown', () => {
-  test('has nothing hidden, is one short line, and stays as it is when it is shown again', () => {
+  test('shows no hidden characters, is one short line, and stays the same when processed again', () => {
     fc.assert(
       fc.property(hostileName, (name) => {
         const shown = shownName(name);

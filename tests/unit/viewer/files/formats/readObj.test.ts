@@ -124,7 +124,7 @@ describe('OBJ', () => {
     expect(notes).toEqual([]);
   });
 
-  test('a vertex without numbers moves no other: faces keep their corners', async () => {
+  test('a vertex without coordinates keeps its index, so that faces keep their corners', async () => {
     const [a, b, c, d] = ['v 0 0 0', 'v 2 0 0', 'v 0 3 0', 'v 0 0 4'];
     const whole = await read(['a.obj', [a, b, c, d, 'vn 0 0 1', 'f 1//1 2//1 3//1', 'f 1 2 4'].join('\n')]);
     const obj = [a, 'v', b, c, 'v ', d, 'vn', 'vn 0 0 1', 'f 1//2 3//2 4//2', 'f 1 3 6', 'f 1 2 6'].join('\n');
@@ -189,7 +189,7 @@ describe('OBJ with pictures', () => {
     expect(Math.max(...corners.map(([, v]) => v))).toBe(3);
   });
 
-  test('a picture of alpha cuts out the picture beside it, or the surface alone, by its lightness or by its alpha', async () => {
+  test('an alpha map cuts out the colour map or the surface, by its lightness or its alpha', async () => {
     const pngOf = (...pixels: number[][]): Buffer => {
       const png = new PNG({ width: pixels.length, height: 1 });
       png.data = Buffer.from(pixels.flat());

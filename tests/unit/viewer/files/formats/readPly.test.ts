@@ -37,7 +37,7 @@ describe.each(FORMATS)('PLY, %s', (format) => {
     expect(prism.notes).toEqual([]);
   });
 
-  test('triangles before and after a face of more corners, and indices that are negative', async () => {
+  test('reads triangles before and after a polygon, and negative indices', async () => {
     const [first, second, ...others] = BOX_FACES;
     const corners = (face: readonly number[]): number[][] => [face.slice(0, 3), [face[0], face[2], face[3]]];
     const rows = [...corners(first), second, ...others.flatMap(corners), [0, 1, -1]].map((face) => [face]);

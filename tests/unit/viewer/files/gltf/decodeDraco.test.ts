@@ -74,7 +74,7 @@ test('triangles are unpacked with the values of their vertices, as their types h
   asked.mockRestore();
 });
 
-test('what was made is freed, also where a part is damaged', () => {
+test('created geometries are freed, also if a part is damaged', () => {
   const allocated = { now: 0 };
   const counting = {
     ...decoder,
@@ -125,7 +125,7 @@ test('a glTF file gets them with its colours', async () => {
   expect([...notes, ...details]).toEqual([]);
 });
 
-test('a colour that is not in the packed part is left out; without places there is nothing to draw', async () => {
+test('a colour missing in the Draco data is left out; without positions there is nothing to draw', async () => {
   const { mesh, details } = await read(packed.bytes, { ...packed.ids, COLOR_0: 77 });
   expect(mesh.colors).toBeNull();
   expect(details).toEqual(['values that do not fit its vertices left out']);

@@ -79,7 +79,7 @@ describe('values of the wrong type are refused with the place where they are', (
 });
 
 describe('memory', () => {
-  test('values that no data stands for are limited, also where Draco is required', async () => {
+  test('values without data are limited, also with required Draco compression', async () => {
     for (const extensionsRequired of [[], ['KHR_draco_mesh_compression']]) {
       const builder = changed((json) => {
         json.accessors.push({ componentType: 5126, count: 1e9, type: 'VEC3' });
@@ -90,7 +90,7 @@ describe('memory', () => {
     }
   });
 
-  test('views that overlap do not multiply the file', { tags: ['all'] }, async () => {
+  test('overlapping buffer views do not multiply the size of the file', { tags: ['all'] }, async () => {
     const builder = tetrahedron();
     const bytes = new Uint8Array(4_000_000);
     const view = builder.view(bytes);
@@ -287,7 +287,7 @@ describe('skeletons', () => {
     return builder;
   };
 
-  test('a joint that the skeleton lacks moves nothing', async () => {
+  test('weights of joints that the skeleton lacks have no effect', async () => {
     const { root } = await scene(skinned([0, 0, 0, 200], 1));
     const mesh = root.getObjectByProperty('isSkinnedMesh', true) as SkinnedMesh;
     expect([...mesh.geometry.getAttribute('skinIndex').array]).toEqual(new Array(16).fill(0));
@@ -311,7 +311,7 @@ describe('skeletons', () => {
 });
 
 describe('shapes', () => {
-  test('of three thousand, those are kept that WebGL can hold', async () => {
+  test('of three thousand, as many are kept as WebGL can store', async () => {
     const builder = tetrahedron();
     const shape = builder.accessor(new Float32Array(12), 'VEC3');
     builder.json.meshes[0].primitives[0].targets = Array.from({ length: 3000 }, () => ({ POSITION: shape }));
@@ -321,7 +321,7 @@ describe('shapes', () => {
     expect(notes).toEqual(['2,744 shapes left out: too many']);
   });
 
-  test('without a place, or of another size, move nothing', async () => {
+  test('morph targets without positions or of another size have no effect', async () => {
     const builder = tetrahedron();
     const shape = builder.accessor(
       Float32Array.from({ length: 12 }, () => 1),
@@ -451,7 +451,7 @@ describe('instances', () => {
     expect(single.morphTargetInfluences).toEqual([0.75, 0]);
   });
 
-  test('that spread a part too small to be seen have a size', async () => {
+  test('instances that spread a tiny part have a size', async () => {
     const model = await read(instanced([0, 0, 0, 1e9, 0, 0, 0, 1e9, 0]));
     if (model.kind !== 'mesh') throw new Error('not merged');
     expect(Math.max(...model.mesh.positions)).toBeCloseTo(Math.SQRT1_2, 5);
@@ -459,7 +459,7 @@ describe('instances', () => {
     expect(model.notes).toEqual(['its triangles are too thin to be hatched']);
   });
 
-  test('of more triangles than can be drawn: a sentence, before they are made', async () => {
+  test('too many triangles are refused with a sentence, before they are created', async () => {
     const builder = instanced([]);
     const { json } = builder;
     json.accessors[2] = { componentType: 5126, count: 6_000_000, type: 'VEC3' };
@@ -495,7 +495,7 @@ describe('pictures', () => {
     expect(material.map).toMatchObject({ wrapS: 1001, wrapT: 1002, minFilter: 1004, magFilter: 1003, flipY: false });
   });
 
-  test('of light that were not dropped leave a surface dark, that it can be hatched', async () => {
+  test('missing emissive maps leave a surface dark, so that it can be hatched', async () => {
     const builder = tetrahedron();
     builder.json.images = [{ uri: 'lamp.png' }];
     builder.json.textures = [{ source: 0 }];

@@ -51,7 +51,7 @@ async function surfaces(glb: Uint8Array): Promise<[triangles: number, alpha: num
   });
 }
 
-test('what a picture lets through is seen through, and nothing else', async () => {
+test('a transmission texture makes only its transmissive triangles see-through', async () => {
   expect(await surfaces(squares(halves(255, 0), {}))).toEqual([
     [2, 'OPAQUE'],
     [2, 0.2],

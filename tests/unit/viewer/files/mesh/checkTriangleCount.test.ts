@@ -14,7 +14,7 @@ test('three million triangles are let through, and those that a gigabyte cannot 
   expect(() => checkTriangleCount(0)).toThrow('The file holds no triangles');
 });
 
-test('a large mesh takes the bytes that the limit is made of', async () => {
+test('a large mesh takes the bytes per triangle of the limit', async () => {
   const knot = new TorusKnotGeometry(1, 0.3, 200, 50);
   const source = new BufferGeometry().setIndex(knot.index);
   for (const name of ['position', 'normal']) source.setAttribute(name, knot.getAttribute(name));

@@ -75,7 +75,7 @@ describe('the axis that points up', () => {
     expect(upOf(geometry.clone().rotateX(quarter), Z_UP)).toBeUndefined();
   });
 
-  test('is not believed of a vehicle that stands on nothing', () => {
+  test('is not assumed for a vehicle without ground contact', () => {
     expect(upOf(vehicle().rotateX(Math.PI))).toBe('-x');
   });
 

@@ -96,7 +96,7 @@ describe('a polygon', () => {
     }
   });
 
-  test('with holes keeps them open, whichever way these turn', () => {
+  test('keeps holes open, in either winding', () => {
     const hole = [
       [1, 1],
       [2, 1],
@@ -142,7 +142,7 @@ describe('a polygon', () => {
     }
   });
 
-  test('without an area has no triangles, and one with a corner that is no number those of a fan', () => {
+  test('a polygon without area gives no triangles, and one with a NaN corner gives a fan', () => {
     expect(triangulatePolygon([0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3])).toEqual([]);
     expect(triangulatePolygon([5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5])).toEqual([]);
     expect(triangulatePolygon([0, 0, 0, 1, 1, 1])).toEqual([]);

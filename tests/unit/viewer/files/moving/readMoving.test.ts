@@ -93,7 +93,7 @@ describe("a model of three's other loaders that moves", () => {
     expect(xs[1] - xs[0]).toBeCloseTo(4, 5);
   });
 
-  test('poses bones and shapes as it did, and leaves out what drives nothing that is drawn', async () => {
+  test('keeps the poses of bones and morph targets, and drops tracks without a visible target', async () => {
     const { root, clip } = tube();
     const expected = placesAt(root, [clip], [0, 0.4, 1]);
     // Of a camera that is not there.

@@ -23,7 +23,7 @@ test.each([
   expect(alpha.half).toBeCloseTo(half, 2);
 });
 
-test('a blended picture that is half there, or not at all, gives its alpha to the material; others cut it out', () => {
+test('a mostly half-transparent or transparent picture passes its alpha to the material; other blended pictures cut it out', () => {
   const factorsWith = (alphaMode: string, factor: number, ...alphas: number[]): unknown => {
     const pbrMetallicRoughness = { baseColorFactor: [1, 1, 1, factor], baseColorTexture: { index: 0 } };
     const material = { alphaMode, pbrMetallicRoughness };

@@ -32,7 +32,7 @@ describe('cleanMesh', () => {
     expect(cleaned.broken).toBe(broken);
   });
 
-  test('an array that is part of a longer one is copied, since the whole one would go to the page with it', () => {
+  test('a view of a longer array is copied, since the whole buffer would be transferred', () => {
     const longer = new Uint32Array([0, 1, 2, 0, 2, 3, 0, 0, 0]);
     const { mesh: kept } = cleanMesh({ ...mesh(POSITIONS, []), indices: longer.subarray(0, 6) });
     expect(kept.indices!.buffer.byteLength).toBe(24);

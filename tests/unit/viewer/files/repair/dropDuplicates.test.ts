@@ -15,7 +15,7 @@ const B = [1, 0, 0];
 const C = [0, 1, 0];
 const D = [0, 0, 1];
 
-test('of triangles with the same corners in the same sense one is left', () => {
+test('one of several triangles with the same corners and winding is kept', () => {
   const { mesh: left, duplicates } = dropDuplicates(mesh([A, B, C, B, C, A, C, A, B, A, B, D].flat()));
   expect(duplicates).toBe(2);
   const corners = [...left.indices!].map((vertex) =>
@@ -27,12 +27,12 @@ test('of triangles with the same corners in the same sense one is left', () => {
   expect([second, third]).toEqual([(first + 1) % 3, (first + 2) % 3]);
 });
 
-test('the other side of a triangle is another one', () => {
+test('a triangle with the opposite winding is another one', () => {
   const twoSided = mesh([A, B, C, A, C, B].flat());
   expect(dropDuplicates(twoSided)).toEqual({ mesh: twoSided, duplicates: 0 });
 });
 
-test('so is one with other colours, texture coordinates or another picture', () => {
+test('triangles that differ in colours, texture coordinates or pictures are kept', () => {
   const positions = [A, B, C, A, B, C].flat();
   const colors = Float32Array.from({ length: 18 }, (_, i) => (i === 17 ? 0.5 : 1));
   expect(dropDuplicates(mesh(positions, { colors })).duplicates).toBe(0);
@@ -85,7 +85,7 @@ test('a few duplicates, as scans have, stay: the mesh is as it was', () => {
   expect(dropDuplicates(mesh)).toEqual({ mesh, duplicates: 0 });
 });
 
-test('of many triangles duplicates are found too, be they spread or copies of one', () => {
+test('duplicates are found in large meshes too, whether spread or copies of one triangle', () => {
   const random = new Random(3);
   const distinct = Float32Array.from({ length: 9 * 90_000 }, () => random.next());
   const withCopies = (count: number, from: (i: number) => number): PlainMesh => {

@@ -21,7 +21,7 @@ test('colours that are not numbers become white, other values zero, and good one
   expect(repairGeometry(geometry)).toBe(false);
 });
 
-test('a morph target keeps the vertex in its place where it is not a number', () => {
+test('a NaN in a morph target leaves the vertex in place', () => {
   const absolute = triangle();
   absolute.morphAttributes.position = [floats(3, 5, 5, 5, NaN, 7, 7, 8, 8, 8)];
   repairGeometry(absolute);

@@ -22,7 +22,7 @@ test('a mirrored part is not turned inside out', () => {
   expect(volumeOf(mergeScene(new Group().add(parts)))).toBeCloseTo(6);
 });
 
-test('instances stand where their mesh puts them', () => {
+test('instances are placed relative to their mesh', () => {
   const boxes = new InstancedMesh(new BoxGeometry(2, 2, 2), new MeshBasicMaterial(), 2);
   boxes.setMatrixAt(0, new Matrix4());
   boxes.setMatrixAt(1, new Matrix4().makeTranslation(10, 0, 0));

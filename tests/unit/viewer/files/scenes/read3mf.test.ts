@@ -118,7 +118,7 @@ describe('3MF', () => {
     expect(await Promise.all(['40', 'FF'].map(seenThrough))).toEqual([true, false]);
   });
 
-  test('a group of colours with an alpha has one colour for each triangle, and is seen through', async () => {
+  test('a colour group with alpha has one colour per triangle, and is see-through', async () => {
     const colours = '<m:colorgroup id="9"><m:color color="#0000FF40"/><m:color color="#FF0000"/></m:colorgroup>';
     const painted = box(1, [1, 1, 1], 'pid="9" pindex="1"', (face) =>
       face === 0 ? ' pid="9" p1="0" p2="0" p3="0"' : '',

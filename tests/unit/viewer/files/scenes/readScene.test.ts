@@ -107,7 +107,7 @@ describe('pictures and motion', () => {
     });
   });
 
-  test('what stands in for a page is taken away again', async () => {
+  test('stand-ins for page objects are removed again', async () => {
     const { load } = ImageLoader.prototype;
     const { createObjectURL } = URL;
     await read(['box.dae', dae()]);
@@ -125,7 +125,7 @@ function announcing(archive: Uint8Array, size: number): Uint8Array {
   return archive;
 }
 
-test('a part of 3DS without a length is no endless loop', async () => {
+test('a 3DS chunk of length 0 causes no endless loop', async () => {
   const box = tds();
   // The chunk of materials is the third: after the outermost and the version.
   for (const at of [6 + 10, 6 + 10 + 6, 6 + 10 + 6 + 6]) {
@@ -167,7 +167,7 @@ describe('archives', () => {
     );
   });
 
-  test('what would fill the memory is not unpacked', async () => {
+  test('decompression bombs are not unpacked', async () => {
     const bomb = announcing(zip({ 'box.obj': colouredBoxObj }), 100_000_000);
     expect(await refusal(['a.zip', bomb])).toBe('a.zip unpacks to more than 64 MB, which is too much for its size.');
     const threeMfBomb = announcing(zip({ '3D/a.model': '<model/>' }), 100_000_000);

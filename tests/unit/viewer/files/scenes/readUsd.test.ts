@@ -41,7 +41,7 @@ describe('USD', () => {
     expect([triangles(seen), seen.notes]).toEqual([2, []]);
   });
 
-  test('stand-ins are drawn where there is nothing else', async () => {
+  test('proxy prims are drawn if there is nothing else', async () => {
     const proxy = square('b', 2, 'uniform token purpose = "proxy"');
     expect(triangles(await usd(proxy))).toBe(4);
     expect(triangles(await usd(proxy, square('c', 4, 'uniform token purpose = "render"')))).toBe(4);
@@ -101,7 +101,7 @@ describe('USD', () => {
     expect([triangles(packed), packed.notes]).toEqual([2, []]);
   });
 
-  test('a file of which nothing is seen is refused', async () => {
+  test('a file with nothing visible is refused', async () => {
     const hidden = layer(square('b', 2, 'token visibility = "invisible"'));
     expect(await refusal(['a.usda', hidden])).toMatch(/^The file holds no triangles/);
   });

@@ -70,7 +70,7 @@ test.each([
   expect(pane.geometry.index!.count / 3).toBe(triangles);
 });
 
-test('vertices of one mesh make what is opaque, what is seen through and what is not there', () => {
+test('vertex alpha splits one mesh into opaque, see-through and invisible parts', () => {
   const geometry = new PlaneGeometry(3, 1, 3, 1).toNonIndexed();
   const alphas = [1, 0.3, 0].flatMap((alpha) => Array<number>(6).fill(alpha));
   const colors = alphas.flatMap((alpha) => [1, 1, 1, alpha]);
@@ -99,7 +99,7 @@ test('where nothing would be seen all is opaque', () => {
   expect(kindOf(material)).toBe('opaque');
 });
 
-test('of a merged scene glass has ranges of its own, and what is not there counts for nothing', () => {
+test('in a merged scene, glass has its own ranges, and invisible parts are ignored', () => {
   const glass = new MeshStandardMaterial({ transparent: true, opacity: 0.3 });
   const nothing = new MeshStandardMaterial({ transparent: true, opacity: 0 });
   const root = new Group().add(
