@@ -70,7 +70,7 @@ export class DrawingFiles {
       if (error.code === 'ENOENT') return undefined;
       throw new UsageError(sentenceOf(path, error));
     });
-    if (found && !found.isFile()) throw new UsageError(`${path} is no file; choose another name after --out.`);
+    if (found && !found.isFile()) throw new UsageError(`${path} is not a file; choose another name after --out.`);
     if (found && !this.mayReplace)
       throw new UsageError(`${path} is there already; add --force to replace it, or choose another name after --out.`);
   }

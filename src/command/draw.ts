@@ -59,7 +59,7 @@ async function filesOf(names: readonly string[]): Promise<string[]> {
       () => false,
     );
     const found = isThere || !isPattern(name) ? [name] : await expandPattern(name);
-    if (found.length === 0) throw new UsageError(`${name} stands for no file; look after its folder.`);
+    if (found.length === 0) throw new UsageError(`${name} matches no file; check its folder.`);
     models.push(...found);
   }
   return [...new Map(models.toReversed().map((model) => [placeOf(model), model])).values()].toReversed();
@@ -181,7 +181,7 @@ async function sizeOf(model: string): Promise<number> {
 /** Likely reasons for a missing file, other than a mistyped name. */
 function whyNotThere(model: string): string {
   if (/^https?:/i.test(model)) return ': nothing is fetched, so save the file first';
-  return model.startsWith('~') ? ': shells know ~ outside of quotes alone' : '';
+  return model.startsWith('~') ? ': shells expand ~ only outside of quotes' : '';
 }
 
 const inMetres = (millimetres: number): string => `${(millimetres / 1000).toFixed(2)} m`;

@@ -26,7 +26,7 @@ export function readHand(path: string): Hand {
   try {
     hand = JSON.parse(text);
   } catch {
-    throw new UsageError(`${path} is no JSON; --hand needs a file with { version, strokes, numbers }.`);
+    throw new UsageError(`${path} is not JSON; --hand needs a file with { version, strokes, numbers }.`);
   }
   try {
     checkHand(path, hand);
@@ -39,7 +39,7 @@ export function readHand(path: string): Hand {
 function readText(path: string): string {
   try {
     const { size } = statSync(path);
-    if (size > MAX_BYTES) throw new UsageError(`${path} is larger than 64 MB, which no hand is.`);
+    if (size > MAX_BYTES) throw new UsageError(`${path} is larger than 64 MB, more than any hand needs.`);
     return readFileSync(path, 'utf8');
   } catch (error) {
     if (error instanceof UsageError) throw error;

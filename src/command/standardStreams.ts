@@ -14,7 +14,7 @@ export const STANDARD_INPUT = 'stdin';
  */
 export async function readStandardInput(signal: AbortSignal): Promise<Uint8Array> {
   const { stdin } = process;
-  if (stdin.isTTY) throw new Error('The model - is the standard input, and nothing is piped into it.');
+  if (stdin.isTTY) throw new Error('The model - reads the standard input, but nothing is piped into it.');
   const parts: Buffer[] = [];
   let bytes = 0;
   const onAbort = (): void => void stdin.destroy();

@@ -86,7 +86,7 @@ function connectDrops({ session, parts, status }: PageHandlers): void {
         openDropped(files, session).catch((error) => status.fail(sentenceFor(error)));
       });
     },
-    (error) => status.fail(`What was dropped could not be read: ${errorMessage(error)}`),
+    (error) => status.fail(`The dropped files could not be read: ${errorMessage(error)}`),
   );
 }
 

@@ -145,7 +145,7 @@ test('where no video is encoded, its frames are saved as pictures; what is lost 
   await page.getByRole('combobox', { name: 'Motion' }).selectOption('The model’s own');
   await page.getByRole('button', { name: 'Record a video' }).press('Enter');
   const error = page.locator('#status');
-  await expect(error).toContainText('This model does not move by itself just now; choose another motion');
+  await expect(error).toContainText('No clip of this model is playing; choose another motion');
   expect((await error.boundingBox())!.width).toBeGreaterThan(200);
   await page.getByRole('combobox', { name: 'Motion' }).selectOption('The light swings');
   // Long enough to be cancelled on any machine.

@@ -170,7 +170,7 @@ function tellFaults(
   note: (sentence: string) => void,
 ): void {
   const files = new Set(missing);
-  for (const file of files) note(`${name}: ${shownName(file)} is missing, and belongs beside the model.`);
+  for (const file of files) note(`${name}: ${shownName(file)} is missing; put it beside the model.`);
   const ofFiles = [...missingNote(missing), ...missingDetail(missing)];
   for (const one of [...notes, ...details]) if (!ofFiles.includes(one)) note(`${name}: ${plainSentence(one)}.`);
 }
@@ -242,7 +242,7 @@ async function drawFrames(
     const fresh = reasons.filter((reason) => !told.has(reason));
     for (const reason of fresh) told.add(reason);
     for (const reason of fresh.slice(0, NAMED)) to.note(`${name}: ${reason}`);
-    if (fresh.length > NAMED) to.note(`${name}: so it is with ${fresh.length - NAMED} more.`);
+    if (fresh.length > NAMED) to.note(`${name}: the same applies to ${fresh.length - NAMED} more.`);
     to.say({ kind: 'drawing', frame, svg, counts: countsOf(counts) });
   }
 }

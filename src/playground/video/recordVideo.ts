@@ -70,7 +70,7 @@ export async function recordVideo(
   const motion = viewport.model?.motion;
   const clip = motion?.isPlaying && motion.duration > 0 ? motion : undefined;
   if (videoMotion === 'clip' && !clip)
-    throw new Error('This model does not move by itself just now; choose another motion for the video.');
+    throw new Error('No clip of this model is playing; choose another motion for the video.');
   const plan = planVideo(settings, view);
   const start = clip && { duration: clip.duration, time: clip.time, speed: clip.speed };
   const { canvas } = viewport;

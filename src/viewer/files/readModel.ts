@@ -299,7 +299,7 @@ function safeDecode(uri: string): string {
 
 function chooseMain(files: readonly ModelFile[]): ModelFile {
   const [main] = [...files].sort((a, b) => rankOf(a) - rankOf(b));
-  if (!main) throw new ModelError('There was no file in what was dropped.');
+  if (!main) throw new ModelError('No file was dropped.');
   return main;
 }
 

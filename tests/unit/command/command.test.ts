@@ -144,7 +144,7 @@ describe('several models', { tags: ['all'] }, () => {
     expect(stderr.split('\n').filter((line) => line.startsWith('three-hatching: '))).toEqual([
       'three-hatching: sub is a folder; name models in it, as "sub/*.glb" in quotes.',
       'three-hatching: https://example.org/c.glb is not there: nothing is fetched, so save the file first.',
-      'three-hatching: ~/d.obj is not there: shells know ~ outside of quotes alone.',
+      'three-hatching: ~/d.obj is not there: shells expand ~ only outside of quotes.',
     ]);
   });
 
@@ -168,7 +168,7 @@ describe('how it ends', () => {
   test.each([
     [['draw', 'a.obj'], '--out is missing'],
     [['draw', 'a.obj', '--out', 'a.svg', '--pen', 'x'], '--pen is x'],
-    [['draw', '*.zip', '--out', 'a.svg'], '*.zip stands for no file'],
+    [['draw', '*.zip', '--out', 'a.svg'], '*.zip matches no file'],
     [['draw', 'a.obj', '--out', 'a.dxf'], 'only SVG is written'],
     [['draw', 'a.obj', '-', '--out', 'one.svg'], 'one file, but there are several models'],
     [['draw', 'a.obj', '--out', '-', '--frames', '2'], 'the standard output takes one drawing'],

@@ -158,7 +158,7 @@ describe('the files of drawings', () => {
 
   test('do not replace folders', async () => {
     mkdirSync(join(work, '1.svg'));
-    await expect(new DrawingFiles(true).open([join(work, '1.svg')])).rejects.toThrow(/1\.svg is no file/);
+    await expect(new DrawingFiles(true).open([join(work, '1.svg')])).rejects.toThrow(/1\.svg is not a file/);
     await expect(new DrawingFiles(true).open([join(work, '1.svg/a/2.svg')])).resolves.toBeUndefined();
   });
 });

@@ -34,7 +34,7 @@ describe('tam --hand', () => {
   it.each<[string[], string]>([
     [['none.json'], 'none.json is not there; check the path after --hand.'],
     [['.'], 'is a folder; name the JSON file of a hand after --hand.'],
-    [['text.json'], 'text.json is no JSON; --hand needs a file with { version, strokes, numbers }.'],
+    [['text.json'], 'text.json is not JSON; --hand needs a file with { version, strokes, numbers }.'],
     [['list.json'], 'list.json: hand is an array, but must be { version, strokes, numbers }'],
     [['empty.json'], 'empty.json: hand: there are no strokes; draw at least one.'],
     [['hand.json', '--style', 'ruled'], '--hand and --style exclude each other; pass only one of them.'],

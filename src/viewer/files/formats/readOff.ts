@@ -73,7 +73,7 @@ function readHeader(reader: AsciiReader, name: string): Header {
     throw new ModelError(`${name} is a binary OFF file, which this page does not read; save it as text, or as PLY.`);
   }
   if (keyword.includes('n') && reader.number() !== 3) {
-    throw new ModelError(`${name} has other than three coordinates to a point, which cannot be drawn.`);
+    throw new ModelError(`${name} has points with other than three coordinates, which cannot be drawn.`);
   }
   skipComments(reader);
   const [vertices, faces] = [reader.number(), reader.number()];

@@ -10,7 +10,7 @@ import { withStandIns } from './standIns.js';
 export function readVrml(bytes: Uint8Array, name: string): LoadedScene {
   const text = new TextDecoder().decode(bytes);
   if (/^[^#"\n\r]*\b(?:EXTERN)?PROTO\b/m.test(text))
-    throw new ModelError(`${name} makes nodes of its own (PROTO), which this page does not read.`);
+    throw new ModelError(`${name} defines nodes of its own (PROTO), which this page does not read.`);
   const plain = plainVrml(text);
   const root = withStandIns(() => new VRMLLoader().parse(plain.text, ''));
   if (!root) return sceneOf(root, name);

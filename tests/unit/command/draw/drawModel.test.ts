@@ -443,8 +443,8 @@ describe('pictures', () => {
     expect(svgs).toHaveLength(1);
     expect(isWhole).toBe(false);
     expect(notes.filter((note) => /a\.png|b\.jpg|picture|map/.test(note))).toEqual([
-      'parts.glb: a.png is missing, and belongs beside the model.',
-      'parts.glb: b.jpg is missing, and belongs beside the model.',
+      'parts.glb: a.png is missing; put it beside the model.',
+      'parts.glb: b.jpg is missing; put it beside the model.',
       expect.stringMatching(/^parts\.glb: 1 (damaged )?picture left out/),
     ]);
   });
@@ -463,7 +463,7 @@ describe('pictures', () => {
   test('a texture of an OBJ that is missing is told, and without its colours nothing is missing', async () => {
     writeFileSync(join(work, 'square.mtl'), squareMtl);
     const { notes, isWhole } = await draw('a.obj', squareObj, ...SMALL);
-    expect([notes, isWhole]).toEqual([['a.obj: sky.png is missing, and belongs beside the model.'], false]);
+    expect([notes, isWhole]).toEqual([['a.obj: sky.png is missing; put it beside the model.'], false]);
   });
 });
 

@@ -86,7 +86,7 @@ describe('OFF', () => {
       'a.off is damaged: it does not say how many points and faces it holds.',
     );
     expect(await refusal(['a.off', '4nOFF\n5\n1 1 0\n0 0 0 0 0 1'])).toMatch(
-      /^a\.off has other than three coordinates/,
+      /^a\.off has points with other than three coordinates/,
     );
     expect(await refusal(['a.off', 'OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n'])).toMatch(/^The file holds no triangles/);
   });

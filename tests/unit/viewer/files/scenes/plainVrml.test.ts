@@ -103,7 +103,7 @@ describe('VRML', () => {
 
   test('nodes of a file of its own are refused', async () => {
     expect(await refusal(['a.wrl', `${HEAD}PROTO Thing [ ] { ${at(0)} }\nThing { }`])).toBe(
-      'a.wrl makes nodes of its own (PROTO), which this page does not read.',
+      'a.wrl defines nodes of its own (PROTO), which this page does not read.',
     );
     expect(triangles(await vrml('# PROTO', at(0)))).toBe(12);
   });
