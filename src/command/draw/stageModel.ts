@@ -8,11 +8,10 @@ import { type FileCamera, movedExtras } from '../../viewer/files/common/ModelExt
 import { indexOfName } from '../../viewer/files/common/names.js';
 import { Backdrop } from '../../viewer/sceneSetup/Backdrop.js';
 import { castersOf } from '../../viewer/sceneSetup/castersOf.js';
-import { DEFAULT_VIEW } from '../../viewer/sceneSetup/LensCamera.js';
 import { WHOLE_SHEET } from '../../viewer/sceneSetup/fadeOnSheet.js';
 import { ABOUT_SQUARE, proportionOf } from '../../viewer/sceneSetup/framing.js';
 import { Ground } from '../../viewer/sceneSetup/Ground.js';
-import { LENS } from '../../viewer/sceneSetup/LensCamera.js';
+import { DEFAULT_VIEW, LENS } from '../../viewer/sceneSetup/LensCamera.js';
 import { LightRig } from '../../viewer/sceneSetup/LightRig.js';
 import { lightsOfFile } from '../../viewer/sceneSetup/lightsOfFile.js';
 import {
