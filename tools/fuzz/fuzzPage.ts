@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
-import { Random } from '../../src/viewer/settings/surprise.js';
+import { Random } from '../../src/viewer/settings/Random.js';
 import { follow, idle, ready } from '../browser/playground.js';
 import { askForModel } from '../soak/askForModel.js';
 import { checkSentence, checkWords } from './checkWords.js';

@@ -2,7 +2,7 @@ import { gzipSync } from 'node:zlib';
 import { MeshoptEncoder } from 'meshoptimizer';
 import { PNG } from 'pngjs';
 import { describeBundle } from '../../src/viewer/files/archives/bundle.js';
-import type { Random } from '../../src/viewer/settings/surprise.js';
+import type { Random } from '../../src/viewer/settings/Random.js';
 import { encodeDraco } from '../modelFiles/encodeDraco.js';
 import { addTrack, GltfBuilder } from '../modelFiles/GltfBuilder.js';
 import { type PlyFormat, ply } from '../modelFiles/modelWriters.js';

@@ -1,5 +1,5 @@
 import type { ModelFile } from '../../src/viewer/files/readModel.js';
-import type { Random } from '../../src/viewer/settings/surprise.js';
+import type { Random } from '../../src/viewer/settings/Random.js';
 import type { Json } from '../modelFiles/GltfBuilder.js';
 import type { GoodDrop, GoodFile } from './goodFiles.js';
 

@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
+import type { Random } from '../../src/viewer/settings/Random.js';
 import { SETTINGS } from '../../src/viewer/settings/settings.js';
-import type { Random } from '../../src/viewer/settings/surprise.js';
 import { drop, framesDrawn, idle, savePicture } from '../browser/playground.js';
 import { columnGlb } from '../modelFiles/columnModel.js';
 import {

@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test';
-import type { Random } from '../../src/viewer/settings/surprise.js';
+import type { Random } from '../../src/viewer/settings/Random.js';
 import { idle } from '../browser/playground.js';
 import { octahedronPly } from '../modelFiles/modelFiles.js';
 

@@ -1,5 +1,5 @@
 import type { Browser, Page } from '@playwright/test';
-import { Random } from '../../src/viewer/settings/surprise.js';
+import { Random } from '../../src/viewer/settings/Random.js';
 import { countObjects } from '../browser/liveObjects.js';
 import { follow, idle } from '../browser/playground.js';
 import { watchProblems } from '../browser/watchProblems.js';

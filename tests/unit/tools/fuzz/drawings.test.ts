@@ -11,7 +11,7 @@ import {
 import { applyHatching } from 'three-hatching';
 import { drawSVG } from 'three-hatching/svg';
 import { afterAll, expect, test } from 'vitest';
-import type { Random } from '../../../../src/viewer/settings/surprise.js';
+import type { Random } from '../../../../src/viewer/settings/Random.js';
 import { NUMBERS, oddOptions, oddScene, outcome } from './oddThings.js';
 import { FUZZ_TIMEOUT, type FuzzReport, runCases, seedsOf, writeReport } from './report.js';
 

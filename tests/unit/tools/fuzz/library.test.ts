@@ -2,7 +2,7 @@ import type { BufferAttribute, BufferGeometry } from 'three';
 import { applyHatching, bakeOcclusion, HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
 import { afterAll, describe, expect, test } from 'vitest';
 import { HATCHING_PROPERTIES } from '../../../../src/look/hatchingProperties.js';
-import type { Random } from '../../../../src/viewer/settings/surprise.js';
+import type { Random } from '../../../../src/viewer/settings/Random.js';
 import { mutateBytes, mutateText } from '../../../../tools/fuzz/mutate.js';
 import { checkRefusal, oddGeometry, oddOptions, oddScene, outcome } from './oddThings.js';
 import { consoleDuring, FUZZ_TIMEOUT, type FuzzReport, runCases, seedsOf, writeReport } from './report.js';

@@ -10,7 +10,7 @@ import {
   type Object3D,
   type TypedArray,
 } from 'three';
-import type { Random } from '../../../../src/viewer/settings/surprise.js';
+import type { Random } from '../../../../src/viewer/settings/Random.js';
 import { NASTY } from '../../../../tools/fuzz/mutate.js';
 
 /** Geometries, scenes and options that nobody would make on purpose. */

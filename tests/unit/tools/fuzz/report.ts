@@ -1,7 +1,7 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { vi } from 'vitest';
-import { Random } from '../../../../src/viewer/settings/surprise.js';
+import { Random } from '../../../../src/viewer/settings/Random.js';
 
 /** 300 in `npm test`; `npm run fuzz` asks for more, and may begin elsewhere. */
 const CASES = Number(process.env.FUZZ_CASES ?? 300);

@@ -1,7 +1,7 @@
 import { afterAll, expect, test } from 'vitest';
 import { learnHand } from '../../../../src/strokes/hand/learnHand.js';
 import type { ScannedImage } from '../../../../src/strokes/strokeTracing/ScannedImage.js';
-import type { Random } from '../../../../src/viewer/settings/surprise.js';
+import type { Random } from '../../../../src/viewer/settings/Random.js';
 import { traceStrokes } from '../../../../src/worker/traceStrokes.js';
 import { photograph, straight } from '../../strokes/strokeTracing/paper.js';
 import { NUMBERS, outcome } from './oddThings.js';

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import type { Hand, HandStroke } from '../../../../src/strokes/hand/Hand.js';
 import { LONGEST_HAND_LINK, readHand, writeHand } from '../../../../src/viewer/settings/handLink.js';
-import { Random } from '../../../../src/viewer/settings/surprise.js';
+import { Random } from '../../../../src/viewer/settings/Random.js';
 
 const NUMBERS: Hand['numbers'] = {
   ...{ length: 12.345, lengthSpread: 0.2, curvature: -0.031, taperStart: 0.1, taperEnd: 0.25, width: 0.4 },

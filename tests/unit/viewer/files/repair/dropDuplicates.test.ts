@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import type { PlainMesh } from '../../../../../src/viewer/files/mesh/PlainMesh.js';
 import { dropDuplicates } from '../../../../../src/viewer/files/repair/dropDuplicates.js';
-import { Random } from '../../../../../src/viewer/settings/surprise.js';
+import { Random } from '../../../../../src/viewer/settings/Random.js';
 
 const mesh = (positions: number[], more: Partial<PlainMesh> = {}): PlainMesh => ({
   positions: Float32Array.from(positions),
