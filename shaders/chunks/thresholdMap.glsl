@@ -3,7 +3,7 @@
 // "High-Performance By-Example Noise", 2018).
 //
 // Its levels are those of the tonal art map, whose strokes are equally wide in texels. They lie side by side in one texture
-// (src/material/tam/packThresholds.ts). The green channel of each holds the next coarser level, so that one fetch reads two levels.
+// (src/material/tam/ThresholdTexture.ts). The green channel of each holds the next coarser level, so that one fetch reads two levels.
 
 uniform highp sampler2D thresholdMap;
 uniform float thresholdMapSize; // texels per side of level 0

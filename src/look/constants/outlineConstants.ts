@@ -1,4 +1,4 @@
-/** Constants of outlines, for the processor and, as defines, for the shaders (src/material/outlines/outlineConventions.ts). */
+/** Constants of outlines, for the processor and, as defines, for the shaders (src/material/outlines/HatchingOutlineMaterial.ts). */
 export const OUTLINE_CONSTANTS = {
   /** Bounds of (1 − N·L) / 2: up to the first, an outline has the weight of the lit side, from the second on that of the shade. */
   LIT: 0.15,
