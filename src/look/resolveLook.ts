@@ -12,10 +12,10 @@ import {
   formOf,
   type HatchingLook,
   isUsedBy,
-  knowsChoice,
   propertyOf,
   runsAway,
   techniqueOf,
+  valueIn,
 } from './queries.js';
 
 /** The choices that are drawn on a mesh; one that does not count for the technique is at its default. */
@@ -38,13 +38,8 @@ const AWAY: Partial<Record<HatchingPropertyName, string>> = {
 };
 
 /** The direction of lines that would follow the form, by their medium, on meshes that were prepared without it. */
-const WITHOUT_FORM: Readonly<Record<Medium, LineField>> = {
-  ink: 'light',
-  dry: 'light',
-  stipple: 'light',
-  pen: 'slant',
-  woodcut: 'towards',
-};
+const withoutForm = (medium: unknown): LineField =>
+  medium === 'pen' ? 'slant' : medium === 'woodcut' ? 'towards' : 'light';
 
 /**
  * The value of a property that a look is drawn with: its own where it counts for the technique, or else the technique's default. Lines and
@@ -55,13 +50,11 @@ const WITHOUT_FORM: Readonly<Record<Medium, LineField>> = {
  */
 export function drawnValue(look: HatchingLook, name: HatchingPropertyName, hasForm: boolean): unknown {
   const technique = techniqueOf(look);
-  const property = propertyOf(name);
-  const chosen = look[name];
-  const counts = chosen !== undefined && isUsedBy(technique, property) && knowsChoice(technique, property, chosen);
-  const value = (runsAway(look) && AWAY[name]) || (counts ? chosen : defaultOf(name, technique));
+  const counts = isUsedBy(technique, propertyOf(name));
+  const value = (runsAway(look) && AWAY[name]) || (counts ? valueIn(look, name) : defaultOf(name, technique));
   if (name !== formFieldOf(look)) return value;
   const form = formOf(look);
-  if (form === 'auto') return hasForm ? 'form' : WITHOUT_FORM[drawnValue(look, 'medium', hasForm) as Medium];
+  if (form === 'auto') return hasForm ? 'form' : withoutForm(drawnValue(look, 'medium', hasForm));
   return form && !hasForm ? 'light' : value;
 }
 

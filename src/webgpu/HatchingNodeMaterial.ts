@@ -218,7 +218,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
   override onBeforeRender(renderer: WebGLRenderer | WebGPURenderer): void {
     if (!('isWebGLRenderer' in renderer)) return;
     warnOnce(
-      "WebGLRenderer draws no materials of nodes. Draw the scene with WebGPURenderer, from 'three/webgpu', or take HatchingMaterial of 'three-hatching'.",
+      "WebGLRenderer draws no node materials. Use WebGPURenderer of 'three/webgpu', or HatchingMaterial of 'three-hatching'.",
     );
   }
 

@@ -16,7 +16,7 @@ export function hasRoomForForm(builder: NodeBuilder, isAnchored: boolean): boole
   const count = countBuffers(builder, isAnchored);
   if (count <= maxVertexBuffers) return true;
   warnOnce(
-    `a mesh that follows its form takes ${count} vertex buffers, and the device has ${maxVertexBuffers}: it is drawn without its form. Leave out vertex colors or a second set of texture coordinates, or ask for more buffers, which some devices have: new WebGPURenderer({ requiredLimits: { maxVertexBuffers: ${count} } }).`,
+    `a mesh that follows its form takes ${count} vertex buffers, and the device has ${maxVertexBuffers}: it is drawn without its form. Leave out vertex colors or a second set of texture coordinates, or ask for more buffers: new WebGPURenderer({ requiredLimits: { maxVertexBuffers: ${count} } }).`,
   );
   return false;
 }

@@ -1,10 +1,10 @@
 import { warn } from '../material/diagnostics/warn.js';
 
-const receivedShadows = new Set<string>();
+const warned = new Set<string>();
 
 /** Warns once about HatchingNodeMaterial. */
 export function warnOnce(sentence: string): void {
-  if (receivedShadows.has(sentence)) return;
-  receivedShadows.add(sentence);
+  if (warned.has(sentence)) return;
+  warned.add(sentence);
   warn(`HatchingNodeMaterial: ${sentence}`);
 }

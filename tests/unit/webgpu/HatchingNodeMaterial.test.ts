@@ -72,7 +72,7 @@ describe('HatchingNodeMaterial', () => {
     material.onBeforeRender({ isWebGLRenderer: true } as never);
     material.onBeforeRender({ isWebGLRenderer: true } as never);
     expect(
-      error.mock.calls.flat().filter((text) => /WebGLRenderer draws no materials of nodes/.test(text)),
+      error.mock.calls.flat().filter((text) => /WebGLRenderer draws no node materials/.test(text)),
     ).toHaveLength(1);
     error.mockRestore();
   });

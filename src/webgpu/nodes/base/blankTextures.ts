@@ -25,7 +25,7 @@ export const blankIntegers = (): DataTexture =>
 export const blankFloats = (): DataTexture => blank(new DataTexture(new Float32Array(4), 1, 1, RGBAFormat, FloatType));
 
 /**
- * Placeholder for a texture that poses are rendered into: some versions of three.js flip render targets, as receivedShadows by the first texture that
+ * Placeholder for a texture that poses are rendered into: some versions of three.js flip render targets, as told by the first texture that
  * a node holds.
  */
 export const blankPoses = (): Texture =>
