@@ -71,9 +71,9 @@ describe('HatchingNodeMaterial', () => {
     const material = new HatchingNodeMaterial();
     material.onBeforeRender({ isWebGLRenderer: true } as never);
     material.onBeforeRender({ isWebGLRenderer: true } as never);
-    expect(
-      error.mock.calls.flat().filter((text) => /WebGLRenderer draws no node materials/.test(text)),
-    ).toHaveLength(1);
+    expect(error.mock.calls.flat().filter((text) => /WebGLRenderer draws no node materials/.test(text))).toHaveLength(
+      1,
+    );
     error.mockRestore();
   });
 });
