@@ -5,7 +5,7 @@ import { backgroundPaths } from './backgroundPaths.js';
 import type { Chain } from './Chain.js';
 import { type CutRun, cutRun } from './cutRun.js';
 import type { DrawnScene, EngravedSurface, OutlinedMesh } from './DrawnScene.js';
-import { type Casters, castersOf, dropLit } from './dropLit.js';
+import { type CastingSphere, castingSphere, dropLit } from './dropLit.js';
 import { Engraver, type FamilyName } from './Engraver.js';
 import { dashed, endHairlines } from './hairlines.js';
 import { holdBack } from './holdBack.js';
@@ -90,7 +90,7 @@ export class LineDrawer {
   /** Height above a surface at which rays start, world units. */
   readonly above: number;
   readonly fading: Fading;
-  private casters: Casters | null | undefined;
+  private casters: CastingSphere | null | undefined;
 
   /**
    * @param pen its width, pixels; null where widths are the tone
@@ -258,7 +258,7 @@ export class LineDrawer {
   private *dropUnshaded({ surface, look: { ground } }: EngravedSurface): Generator<number, void, void> {
     if (!ground) return;
     const { corners, sides, illumination } = this.scene;
-    if (this.casters === undefined) this.casters = yield* castersOf(corners, sides);
+    if (this.casters === undefined) this.casters = yield* castingSphere(corners, sides);
     yield* dropLit(surface, this.casters, illumination, ground);
   }
 

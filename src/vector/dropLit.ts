@@ -11,13 +11,16 @@ const SPREAD = 0.05;
 const CHUNK = 4096;
 
 /** The bounding sphere of all occluders, world space. */
-export interface Casters {
+export interface CastingSphere {
   centre: Vec3;
   radius: number;
 }
 
 /** The bounding sphere of all triangles that cast shadows; null for none. */
-export function* castersOf(corners: Float64Array, sides: Uint8Array): Generator<number, Casters | null, void> {
+export function* castingSphere(
+  corners: Float64Array,
+  sides: Uint8Array,
+): Generator<number, CastingSphere | null, void> {
   const least = [Infinity, Infinity, Infinity];
   const most = [-Infinity, -Infinity, -Infinity];
   for (let t = 0; t < sides.length; t++) {
@@ -38,7 +41,7 @@ export function* castersOf(corners: Float64Array, sides: Uint8Array): Generator<
 /** Removes the triangles of a ground that no shadow can reach, which have no lines. Changes the surface. Yields meanwhile. */
 export function* dropLit(
   surface: LineSurface,
-  casters: Casters | null,
+  casters: CastingSphere | null,
   { lamps, shadows }: Illumination,
   { softness }: GroundLook,
 ): Generator<number, void, void> {

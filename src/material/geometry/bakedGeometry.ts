@@ -36,12 +36,9 @@ export function applyIndexed(
     setKeptAttribute(geometry, attribute, appendVertices(attribute, result.addedVertices));
   }
   geometry.setAttribute(hatchNormal.name, new BufferAttribute(result.hatchNormals, hatchNormal.itemSize, true));
-  setForm(geometry, result.form);
-  if (result.normals) setNormals(geometry, result.normals);
+  setFields(geometry, result);
   finishGeometry(geometry, 'indexed', result);
 }
-
-/** Builds the prepared geometry from the results of a bake. This module is fetched while the worker bakes. */
 
 /** Fills the geometry with the baked corners, the kept attributes, the bounds and the statistics. */
 export function applyCorners(
@@ -58,8 +55,7 @@ export function applyCorners(
   }
   geometry.setAttribute(hatchNormal.name, new BufferAttribute(result.hatchNormals, hatchNormal.itemSize, true));
   for (const [i, attribute] of kept.entries()) setKeptAttribute(geometry, attribute, result.attributes[i]);
-  setForm(geometry, result.form);
-  if (result.normals) setNormals(geometry, result.normals);
+  setFields(geometry, result);
   finishGeometry(geometry, 'corner', result);
 }
 
@@ -72,16 +68,19 @@ export function applyPull(
   geometry.setAttribute('position', new BufferAttribute(result.positions, 3));
   geometry.setAttribute(hatchNormal.name, new BufferAttribute(result.hatchNormals, hatchNormal.itemSize, true));
   for (const [i, attribute] of kept.entries()) setKeptAttribute(geometry, attribute, result.attributes[i]);
-  setForm(geometry, result.form);
-  if (result.normals) setNormals(geometry, result.normals);
+  setFields(geometry, result);
   const { triangleVertices, vertexPositions } = result;
   finishGeometry(geometry, 'pull', result, triangleVertices.byteLength + vertexPositions.byteLength);
   setPulledVertices(geometry, new PulledVertices(result));
 }
 
-/** Sets the attributes of the form field, if it was baked. */
-function setForm(geometry: BufferGeometry, form: PackedForm | null): void {
-  if (form === null) return;
+/** Sets the attributes of the form field and the normals, if they were baked. */
+function setFields(geometry: BufferGeometry, { form, normals }: Pick<BakeCornersResult, 'form' | 'normals'>): void {
+  if (form) setForm(geometry, form);
+  if (normals) setNormals(geometry, normals);
+}
+
+function setForm(geometry: BufferGeometry, form: PackedForm): void {
   const { value, slope, crossing } = formLayout;
   geometry.setAttribute(value.name, new BufferAttribute(form.values, value.itemSize));
   const gradients = new InterleavedBuffer(form.gradients, GRADIENTS_STRIDE);

@@ -1,6 +1,6 @@
 import { Box3, type Material, type Mesh, type Object3D, Vector3 } from 'three';
 import { placements } from '../files/scenes/placements.js';
-import { drawnMeshes, isSeen } from './drawnParts.js';
+import { drawnMeshes, isSeen, isSolid, rangesOf } from './drawnParts.js';
 
 /** The maximum number of sampled vertices. */
 const MOST_POINTS = 100_000;
@@ -46,19 +46,3 @@ function boxOf(meshes: readonly Mesh[], counts: (material: Material) => boolean)
   }
   return box;
 }
-
-/** The ranges of a mesh whose material passes a test. As in three.js, groups count only with an array of materials. */
-function rangesOf(
-  { geometry, material }: Mesh,
-  counts: (material: Material) => boolean,
-): { start: number; count: number }[] {
-  const { index, attributes, groups } = geometry;
-  const corners = index?.count ?? attributes.position?.count ?? 0;
-  if (!Array.isArray(material)) return counts(material) ? [{ start: 0, count: corners }] : [];
-  return groups
-    .filter(({ materialIndex = 0 }) => material[materialIndex] && counts(material[materialIndex]))
-    .map(({ start, count }) => ({ start, count: Math.min(count, corners - start) }));
-}
-
-const isSolid = (material: Material & { transmission?: number }): boolean =>
-  isSeen(material) && !material.transparent && (material.transmission ?? 0) === 0;

@@ -1,6 +1,6 @@
 import { MathUtils, type Mesh, type Object3D, Vector3 } from 'three';
+import { drawnMeshes, isSolid, rangesOf } from '../drawing/drawnParts.js';
 import type { Motion } from '../drawing/Motion.js';
-import { meshesOf } from '../drawing/meshesOf.js';
 import { placements } from '../files/scenes/placements.js';
 
 /** Size of the cells of a grid over the model, in radii. */
@@ -32,7 +32,7 @@ const FEW_CORNERS = 3_000;
 export function castersOf(root: Object3D, motion?: Motion): Float32Array {
   const pieces = new UprightPieces();
   root.updateWorldMatrix(true, true);
-  const casting = meshesOf(root).filter((mesh) => castsShadow(mesh, root));
+  const casting = drawnMeshes(root);
   const corners = casting.reduce((sum, mesh) => sum + cornersOf(mesh), 0);
   if (!motion) {
     const step = Math.ceil(corners / MOST_STILL_CORNERS);
@@ -52,15 +52,7 @@ export function castersOf(root: Object3D, motion?: Motion): Float32Array {
   return pieces.take();
 }
 
-function castsShadow(mesh: Mesh, root: Object3D): boolean {
-  for (let object: Object3D | null = mesh; object; object = object === root ? null : object.parent) {
-    if (!object.visible) return false;
-  }
-  return [mesh.material].flat().some(({ visible, transparent }) => visible && !transparent);
-}
-
-const cornersOf = ({ geometry: { index, attributes } }: Mesh): number =>
-  index?.count ?? attributes.position?.count ?? 0;
+const cornersOf = (mesh: Mesh): number => rangesOf(mesh, isSolid).reduce((sum, { count }) => sum + count, 0);
 
 const ends = [new Vector3(), new Vector3(), new Vector3()];
 const place = new Vector3();
@@ -68,14 +60,16 @@ const place = new Vector3();
 /** Adds the edges of every `step`th triangle, in the present pose. */
 function addEdges(mesh: Mesh, step: number, pieces: UprightPieces): void {
   const { index } = mesh.geometry;
-  const corners = cornersOf(mesh);
+  const ranges = rangesOf(mesh, isSolid);
   for (const matrix of placements(mesh)) {
-    for (let first = 0; first + 2 < corners; first += 3 * step) {
-      for (const [i, end] of ends.entries()) {
-        const corner = first + i;
-        mesh.getVertexPosition(index ? index.getX(corner) : corner, end).applyMatrix4(matrix);
+    for (const { start, count } of ranges) {
+      for (let first = start; first + 2 < start + count; first += 3 * step) {
+        for (let i = 0; i < 3; i++) {
+          const corner = first + i;
+          mesh.getVertexPosition(index ? index.getX(corner) : corner, ends[i]).applyMatrix4(matrix);
+        }
+        addTriangle(ends[0], ends[1], ends[2], pieces);
       }
-      addTriangle(ends[0], ends[1], ends[2], pieces);
     }
   }
 }

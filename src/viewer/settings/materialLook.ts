@@ -59,8 +59,8 @@ function toSetting(property: HatchingPropertyName, value: unknown): unknown {
   return typeof value === 'boolean' ? (value ? 'yes' : 'no') : value;
 }
 
-const propertiesOf = (twins: readonly PropertySetting[], settings: Settings): HatchingMaterialParameters =>
-  Object.fromEntries(twins.map(({ key, property }) => [property, toProperty(property, settings[key])]));
+const propertiesOf = (chosen: readonly PropertySetting[], settings: Settings): HatchingMaterialParameters =>
+  Object.fromEntries(chosen.map(({ key, property }) => [property, toProperty(property, settings[key])]));
 
 /** The technique of the material. The settings' crisp strokes are a technique of their own; the material has a property for them. */
 export const techniqueOf = (technique: Settings['technique']): HatchingTechnique =>

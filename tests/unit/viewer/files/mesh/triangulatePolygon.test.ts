@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { triangulatePolygon } from '../../../../../src/viewer/files/mesh/triangulatePolygon.js';
+import { COMB } from '../comb.js';
 
 type Point = readonly number[];
 
@@ -69,24 +70,7 @@ describe('a polygon', () => {
       ],
       7,
     ],
-    [
-      'a comb',
-      [
-        [0, 0],
-        [6, 0],
-        [6, 4],
-        [5, 4],
-        [5, 1],
-        [4, 1],
-        [4, 4],
-        [2, 4],
-        [2, 1],
-        [1, 1],
-        [1, 4],
-        [0, 4],
-      ],
-      18,
-    ],
+    ['a comb', COMB, 18],
   ])('with notches keeps them open: %s', (_what, points, area) => {
     for (let first = 0; first < points.length; first++) {
       const turned = [...points.slice(first), ...points.slice(0, first)];

@@ -9,6 +9,7 @@ import {
   triangles,
   XYZ,
 } from '../../../../../tools/modelFiles/modelWriters.js';
+import { COMB } from '../comb.js';
 
 type Point = readonly [number, number];
 
@@ -39,20 +40,6 @@ const ARROW: Point[] = [
   [0, 4],
   [1, 2],
   [0, 0],
-];
-const COMB: Point[] = [
-  [0, 0],
-  [6, 0],
-  [6, 4],
-  [5, 4],
-  [5, 1],
-  [4, 1],
-  [4, 4],
-  [2, 4],
-  [2, 1],
-  [1, 1],
-  [1, 4],
-  [0, 4],
 ];
 
 const lists = (rows: readonly (readonly number[])[], end = ''): string =>
