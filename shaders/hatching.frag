@@ -46,7 +46,7 @@ varying vec3 vViewPosition;
 #include "lightness"
 #include "tone"
 #include "localColor"
-#include "technique/emphasised"
+#include "technique/faded"
 #include "hatch"
 #include "shadowStrokes"
 #include "printedColor"
@@ -79,15 +79,15 @@ void main() {
   addIndirectRadiance(material);
   addReflectedRadiance(geometryPosition, material);
   material.radiance += luminance(totalEmissiveRadiance);
-  noteEmphasis();
-  PerToneNormal tone = emphasised(shadedTone(material));
+  computeFading();
+  PerToneNormal tone = faded(shadedTone(material));
   HatchingParameters parameters = readHatchingParameters();
   // For frames per vertex; frames per fragment depend on the shadows already.
   #ifdef TURNS_IN_SHADOW
     parameters = turnedInShadow(parameters);
   #endif // TURNS_IN_SHADOW
 
-  vec3 ground = paper * emphasisedColor(filledColor(diffuseColor.rgb));
+  vec3 ground = paper * fadedColor(filledColor(diffuseColor.rgb));
   vec4 printed = printedColor(ground, inked * hatchInShadow(parameters, tone, material));
   diffuseColor.a *= printed.a;
   #include <alphatest_fragment>

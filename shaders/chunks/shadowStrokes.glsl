@@ -8,7 +8,7 @@ float hatchInShadow(const in HatchingParameters h, const in PerToneNormal tone, 
   #if defined(TELLS_SHADOWS) && SHADOW_STROKES == SHADOW_STROKES_CROSS && MEDIUM != MEDIUM_STIPPLE
     // The strokes of the light run on through the shadow, which is a layer over them that adds what the tone lacks: 1 − (1 − T)/(1 −
     // T_unshadowed).
-    PerToneNormal unshadowed = emphasised(unshadowedTone(surface));
+    PerToneNormal unshadowed = faded(unshadowedTone(surface));
     return 1.0 - (1.0 - hatch(h, unshadowed)) * (1.0 - shadowLayer(h, leftOf(tone, unshadowed)));
   #else
     return hatch(h, tone);

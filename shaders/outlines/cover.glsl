@@ -117,7 +117,7 @@ void coverPiece(const in Piece piece, const in int corner) {
     }
   }
 
-  float reach = max(mostOutlineEmphasis() * max(halves.x, halves.y), 0.5) + FRINGE;
+  float reach = max(mostOutlineFading() * max(halves.x, halves.y), 0.5) + FRINGE;
   #ifdef WOBBLE
     reach += wobble;
     vAnchorStart = from.anchor;

@@ -11,7 +11,7 @@ uniform mat4 projectionMatrix;
 #include <common>
 #include <dithering_pars_fragment>
 #include "lineCoverage"
-#include "emphasis"
+#include "fading"
 #include "outlines/surroundings"
 #include "outlines/sceneDepth"
 #include "outlines/hierarchy"
@@ -42,7 +42,7 @@ void main() {
 
   vec3 viewPosition = mix(vStart.xyz, vEnd.xyz, alongLine(t));
   // Per fragment, not at the ends: an edge may run across the whole sheet.
-  vec2 halves = outlineEmphasisAt(viewPosition, gl_FragCoord.xy) * mix(vHalfWidths.xz, vHalfWidths.yw, t);
+  vec2 halves = outlineFadingAt(viewPosition, gl_FragCoord.xy) * mix(vHalfWidths.xz, vHalfWidths.yw, t);
   float halfWidth = halves.x;
   if (away > max(max(halves.x, halves.y) * (1.0 + accents), 0.5) + 0.5) discard;
   if (hasSceneDepth) {

@@ -16,7 +16,7 @@
 #include "outlines/featureEdge"
 #include "outlines/shade"
 #include "outlines/hiding"
-#include "emphasis"
+#include "fading"
 #include "outlines/sceneDepth"
 #include "outlines/hierarchy"
 #ifdef HIDDEN

@@ -1,6 +1,6 @@
 // The width of an outline at an end of a piece.
 
-// Half widths before paper and before a surface, pixels, without the factor of emphasis.
+// Half widths before paper and before a surface, pixels, without the factor of fading.
 vec2 halfWidthsAt(const in PieceEnd end) {
   #ifdef HIDDEN
     return vec2(0.5 * outlineWidth * hiddenWeight(max(end.weight, end.innerWeight)));

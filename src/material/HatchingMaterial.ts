@@ -28,7 +28,7 @@ import { checkChoice, checkValues, warnOfUnused } from './checkValues.js';
 import { vertexLayoutOf } from './deformation/vertexLayoutOf.js';
 import { silence } from './diagnostics/warn.js';
 import { FrameStamp } from './FrameStamp.js';
-import { takesWeight, writeEmphasis, writeImportance } from './fading/emphasis.js';
+import { takesWeight, writeFading, writeImportance } from './fading/fading.js';
 import { DrawnMeshes } from './firstDraw/DrawnMeshes.js';
 import type { ToneCurve } from './fitToneCurve.js';
 import { fittingMap } from './fittingMap.js';
@@ -386,7 +386,7 @@ export class HatchingMaterial extends PropertyFields {
     writeMapUniforms(map, isOfThresholds, u);
     u.inked.value = Number(map !== null || !this.drawsWithMap);
     writeComputedUniforms(this, u);
-    writeEmphasis(this, u, renderer, camera);
+    writeFading(this, u, renderer, camera);
   }
 
   /** The map to draw with, once it is ready. The shared map of a style is requested only when a renderer draws or compiles. */

@@ -14,7 +14,7 @@ import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatching
 import { runsAway } from '../look/queries.js';
 import { blankThresholdMap } from './blankThresholdMap.js';
 import { isFitted } from './exposure/isFitted.js';
-import { createEmphasisUniforms } from './fading/emphasis.js';
+import { createFadingUniforms } from './fading/fading.js';
 import { curveEnds, fittedCurve, type ToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 import type { TonalArtMap } from './tam/TonalArtMap.js';
@@ -40,7 +40,7 @@ export function createHatchingUniforms(): Uniforms {
   const uniforms: Uniforms = UniformsUtils.merge([
     UniformsLib.lights,
     UniformsLib.fog,
-    createEmphasisUniforms(),
+    createFadingUniforms(),
     {
       alphaTest: { value: 0 },
       inked: { value: 1 },

@@ -1,5 +1,5 @@
 import type { Vec3 } from '../look/vectors.js';
-import type { EmphasisedPlace } from './shading/emphasis.js';
+import type { FadedPlace } from './shading/fading.js';
 
 /** A matrix of 16 numbers, column-major. */
 export type Matrix = ArrayLike<number>;
@@ -99,8 +99,8 @@ export class Projection {
   }
 }
 
-/** The properties of a place that emphasis depends on. */
-export function emphasisedPlace(world: Vec3, projection: Projection): EmphasisedPlace {
+/** The properties of a place that fading depends on. */
+export function fadedPlace(world: Vec3, projection: Projection): FadedPlace {
   const view = projection.toView(world);
   const [x, y] = projection.project(...view);
   return { world, depth: -view[2], onPicture: [x / projection.width, 1 - y / projection.height] };

@@ -3,9 +3,9 @@ import { radianceAround, type Surroundings } from '../look/surroundings.js';
 import { combined, dot, normalize, type Vec3 } from '../look/vectors.js';
 import type { Bvh } from './Bvh.js';
 import type { SurfacePlace } from './LineSurface.js';
-import { emphasisedPlace, type Projection } from './Projection.js';
+import { fadedPlace, type Projection } from './Projection.js';
 import { type LampShadow, type ReceivedShadow, ShadowRays } from './ShadowRays.js';
-import { type Emphasis, emphasisAt } from './shading/emphasis.js';
+import { fadingAt, type ObjectFading } from './shading/fading.js';
 import { type GroundLook, groundTone } from './shading/groundShadow.js';
 import { arriving, type Lamp, reflectedTo, responseTo, type ToneModel } from './shading/radiance.js';
 import { openToLights, openToSky, shadedTone, type ToneLook } from './shading/tone.js';
@@ -24,7 +24,7 @@ export interface SurfaceLook extends ToneLook {
   /** The share of their tone that see-through surfaces print; 1 for others. */
   opacity: number;
   /** Null where everything has its full weight. */
-  emphasis: Emphasis | null;
+  fading: ObjectFading | null;
 }
 
 /** The lights of a scene. */
@@ -132,7 +132,7 @@ export class Toner {
     const emitted = paint?.emitted ?? look.emitted;
     const rest = sky * (around + (look.reflectedLight * reflected) / Math.PI) + emitted;
     const painted = paint ? { ...look, darkness: paint.darkness } : look;
-    const standing = look.emphasis === null ? 1 : emphasisAt(look.emphasis, emphasisedPlace(world, projection));
+    const standing = look.fading === null ? 1 : fadingAt(look.fading, fadedPlace(world, projection));
     const weight = look.opacity * standing;
     const left = taken > 0 ? 1 - lost / taken : 1;
     if (look.ground) {

@@ -3,7 +3,7 @@ import type { DrawnScene } from './DrawnScene.js';
 import { type LineSurface, STRIDE, WORLD } from './LineSurface.js';
 import type { Matrix } from './Projection.js';
 import type { Clip, ClipPlane } from './paint/Clip.js';
-import type { Emphasis } from './shading/emphasis.js';
+import type { ObjectFading } from './shading/fading.js';
 
 /** Distance from the origin, in sizes of the scene, from which on a scene is moved. */
 const FAR = 100;
@@ -20,11 +20,11 @@ export function moveToOrigin(scene: DrawnScene): DrawnScene {
   for (let i = 0; i < corners.length; i++) corners[i] += back[i % 3];
   for (const { vertices } of new Set<LineSurface>([...surfaces, ...stippled].map(({ surface }) => surface)))
     for (let o = WORLD; o < vertices.length; o += STRIDE) for (let k = 0; k < 3; k++) vertices[o + k] += back[k];
-  const movedLook = <Look extends { emphasis: Emphasis | null }>(look: Look): Look => ({
+  const movedLook = <Look extends { fading: ObjectFading | null }>(look: Look): Look => ({
     ...look,
-    emphasis: movedEmphasis(look.emphasis, back),
+    fading: movedFading(look.fading, back),
   });
-  const moved = <Drawn extends { look: { emphasis: Emphasis | null }; clip: Clip | null }>(drawn: Drawn): Drawn => ({
+  const moved = <Drawn extends { look: { fading: ObjectFading | null }; clip: Clip | null }>(drawn: Drawn): Drawn => ({
     ...drawn,
     look: movedLook(drawn.look),
     clip: movedClip(drawn.clip, centre),
@@ -85,5 +85,5 @@ function movedClip(clip: Clip | null, centre: Vec3): Clip | null {
   return clip && { each: clip.each.map(moved), together: clip.together.map(moved) };
 }
 
-const movedEmphasis = (emphasis: Emphasis | null, way: Vec3): Emphasis | null =>
-  emphasis?.focus ? { ...emphasis, focus: { ...emphasis.focus, at: sum(emphasis.focus.at, way) } } : emphasis;
+const movedFading = (fading: ObjectFading | null, way: Vec3): ObjectFading | null =>
+  fading?.focus ? { ...fading, focus: { ...fading.focus, at: sum(fading.focus.at, way) } } : fading;

@@ -30,7 +30,7 @@ import { resolveLook } from '../look/resolveLook.js';
 import type { HatchingMap } from '../material/checkTonalArtMap.js';
 import { checkChoice, checkValues } from '../material/checkValues.js';
 import { FrameStamp } from '../material/FrameStamp.js';
-import { takesWeight, writeEmphasis, writeImportance } from '../material/fading/emphasis.js';
+import { takesWeight, writeFading, writeImportance } from '../material/fading/fading.js';
 import type { SceneExtent } from '../material/fading/SceneExtent.js';
 import { fittedCurve, type ToneCurve } from '../material/fitToneCurve.js';
 import { fittingMap } from '../material/fittingMap.js';
@@ -60,7 +60,7 @@ import { darknessOf, emitVertex, pixelFromBelow } from './hatchSurface.js';
 import { maxTextureSize } from './maxTextureSize.js';
 import { dotLayerOf, patternReady, writePattern } from './mediumPattern.js';
 import { tsl, type Value } from './nodes/base/values.js';
-import { emphasisAt } from './nodes/chunks/emphasis.js';
+import { fadingAt } from './nodes/chunks/fading.js';
 import { lightLuminance } from './nodes/chunks/lightLuminance.js';
 import { filledColor, localDarkness } from './nodes/chunks/localColor.js';
 import { paper, printedColor } from './nodes/chunks/printedColor.js';
@@ -274,7 +274,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     u.inked.value = Number(hasPattern && (map !== null || !needsMap(this)));
     writeCurveUniforms(this.toneCurve, u);
     writeComputedUniforms(look, u);
-    writeEmphasis(look, u, renderer, camera);
+    writeFading(look, u, renderer, camera);
     writeExposure(look, renderer, scene, camera, u);
     const target = renderer.getRenderTarget();
     if (target) viewport.copy(target.viewport);
@@ -376,12 +376,12 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const radiance = lit.radiance.add(lightLuminance(emitted)).toVar();
     const surface = { ...lit, radiance, darkness: localDarkness(diffuseColor.xyz, emitted) };
     const rules = { toneModel, curve: curveOf(this.toneCurve) };
-    const emphasis = emphasisAt(positionView, pixelFromBelow()).toVar();
-    const tone = shadedTone(surface, rules).mul(emphasis).toVar();
+    const fading = fadingAt(positionView, pixelFromBelow()).toVar();
+    const tone = shadedTone(surface, rules).mul(fading).toVar();
     // Dots cannot cross one another: two sets of them would clump.
     const crosses = lit.shadowed && resolveLook(look, false).shadowStrokes === 'cross' && medium !== 'stipple';
-    const unshadowed = crosses ? unshadowedTone(surface, rules).mul(emphasis).toVar() : null;
-    const color = mix(vec3(1), filledColor(diffuseColor.xyz), emphasis);
+    const unshadowed = crosses ? unshadowedTone(surface, rules).mul(fading).toVar() : null;
+    const color = mix(vec3(1), filledColor(diffuseColor.xyz), fading);
     const isOpaque = !(material as Material).transparent;
     const ground = paper.mul(color).toVar();
     const printed = printedColor(

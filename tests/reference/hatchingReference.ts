@@ -343,11 +343,11 @@ export class HatchingReference {
     const darkness = material.localTone * (1 - lightness(luminance(material.color)));
     const printed =
       (1 - darkness) * this.printedTone((material.exposure ?? 1) * radiance) + darkness * this.printedTone(0);
-    return this.emphasis(position) * printed;
+    return this.fading(position) * printed;
   }
 
   /** A factor on the tone. */
-  private emphasis(position: Vec3): number {
+  private fading(position: Vec3): number {
     const { camera, material, importance = 1 } = this.scene;
     const { depthFade = 0, depthNear = 0, depthFar = 1, focus, focusRadius = 1, vignette = 0 } = material;
     let left = importance;

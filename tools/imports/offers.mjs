@@ -127,7 +127,7 @@ export const OFFERS = {
     'exposure/openToLamps.ts',
     'exposure/sceneExposure.ts',
     'exposure/ToneFit.ts',
-    'fading/emphasis.ts',
+    'fading/fading.ts',
     'fading/SceneExtent.ts',
     'fading/seenDepths.ts',
     'geometry/checkGeometry.ts',

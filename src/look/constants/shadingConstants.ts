@@ -57,7 +57,7 @@ export const SHADOW_CONSTANTS = {
 export const SHADOW_SAMPLES = { EDGE_SAMPLES: 24, RIM_SAMPLES: 6 } as const;
 
 /** Constants of fading with distance, focus and vignette, for the processor and, as defines, for the shaders. */
-export const EMPHASIS_CONSTANTS = {
+export const FADING_CONSTANTS = {
   /** Exponent of the fading with distance: e^−AIR is left at the far end. */
   AIR: 3,
   /** Additional weight of outlines in front; outlines at the back lose theirs. */

@@ -26,7 +26,7 @@ import {
 } from '../../mesh/features/edgeFlags.js';
 import { checkColor } from '../checkValues.js';
 import { FrameStamp } from '../FrameStamp.js';
-import { type EmphasisLook, takesWeight, writeEmphasis, writeImportance } from '../fading/emphasis.js';
+import { type FadingLook, takesWeight, writeFading, writeImportance } from '../fading/fading.js';
 import { MeshUniforms } from '../MeshUniforms.js';
 import { writePictureOffset, writeSheet } from '../pictureOffset.js';
 import { definesOf } from '../shaders/definesOf.js';
@@ -57,7 +57,7 @@ const outlineConventionsChunk = (): string =>
 const files: Readonly<Record<string, string>> = import.meta.glob(
   [
     '../../../shaders/outlines/*',
-    '../../../shaders/chunks/{emphasis,lightLuminance,lineCoverage,meanLight,normalDistribution,tooth}.glsl',
+    '../../../shaders/chunks/{fading,lightLuminance,lineCoverage,meanLight,normalDistribution,tooth}.glsl',
     '../../../shaders/perTriangle/turns.glsl',
   ],
   { query: '?raw', import: 'default', eager: true },
@@ -84,7 +84,7 @@ export function outlineShaders(): Shaders {
   return made;
 }
 
-/** The id of the emphasis material if there is none. */
+/** The id where no material decides what fades. */
 const NO_LOOK = -1;
 
 /** The parameters of `new HatchingOutlineMaterial()` and `setValues()`. */
@@ -161,7 +161,7 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
   readonly ofMesh: MeshUniforms;
 
   private hiddenLines: HiddenOutlines = HATCHING_OUTLINE_DEFAULTS.hidden;
-  /** The frame that the uniforms were written for, and the id of the emphasis material: a reference would keep the material alive. */
+  /** The frame that the uniforms were written for, and the id of the fading material: a reference would keep the material alive. */
   private readonly written = new FrameStamp();
   private writtenLook = NO_LOOK;
 
@@ -244,7 +244,7 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
    * Allocates nothing.
    *
    * @param viewport the part of the render target that the camera draws into, in pixels
-   * @param look the emphasis material, which decides the weight of lines
+   * @param look the material that decides where the outlines fade
    * @internal
    */
   writeDraw(
@@ -252,7 +252,7 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
     camera: Camera,
     mesh: Mesh,
     viewport: Vector4,
-    look: (Material & EmphasisLook) | null,
+    look: (Material & FadingLook) | null,
     isDeformed: boolean,
   ): void {
     const u = this.uniforms;
@@ -272,7 +272,7 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
       (u.viewport.value as Vector4).copy(viewport);
       this.writeUniforms(isDeformed, hasMaterials, renderer.getPixelRatio());
       u.nearDistance.value = (camera as PerspectiveCamera).near ?? 0;
-      writeEmphasis(look, u, renderer, camera);
+      writeFading(look, u, renderer, camera);
       writeSheet(u.sheet.value, camera, viewport);
       writePictureOffset(u.toothOffset.value, camera, viewport);
     }

@@ -14,7 +14,7 @@ import { warnOfRenderer } from '../warnOfRenderer.js';
 import { HatchingOutlineMaterial, type HatchingOutlineParameters } from './HatchingOutlineMaterial.js';
 import { HiddenPass } from './HiddenPass.js';
 import { InstanceList } from './InstanceList.js';
-import { emphasisOf, isInFrustum, MeshOutlines, meanScale } from './MeshOutlines.js';
+import { fadingLookOf, isInFrustum, MeshOutlines, meanScale } from './MeshOutlines.js';
 import type { OutlinePart } from './OutlineParts.js';
 import { type SceneDepth, sceneDepthOf } from './SceneDepth.js';
 import { isClipped, isCutOut, isDrawnBefore } from './surfaceRules.js';
@@ -178,7 +178,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
     const { viewport } = camera as Camera & { viewport?: Vector4 };
     if (viewport) drawnInto.copy(viewport);
     else renderer.getCurrentViewport(drawnInto);
-    this.material.writeDraw(renderer, camera, mesh, drawnInto, emphasisOf(mesh), this.isDeformed);
+    this.material.writeDraw(renderer, camera, mesh, drawnInto, fadingLookOf(mesh), this.isDeformed);
     this.bindSceneDepth(renderer, camera);
   }
 

@@ -20,7 +20,7 @@ import type { Deformations } from '../deformation/Deformations.js';
 import { describeObject } from '../diagnostics/describeObject.js';
 import { warn } from '../diagnostics/warn.js';
 import { FrameStamp } from '../FrameStamp.js';
-import type { EmphasisLook } from '../fading/emphasis.js';
+import type { FadingLook } from '../fading/fading.js';
 import type { OutlineData } from '../geometry/OutlineData.js';
 import { pulledVerticesOf } from '../geometry/pulledVerticesOf.js';
 import { ContourList } from './ContourList.js';
@@ -333,10 +333,10 @@ const isHatching = (material: Material | null | undefined): boolean =>
   material !== undefined &&
   ('isHatchingMaterial' in material || 'isHatchingNodeMaterial' in material);
 
-/** The emphasis material of a mesh: its first hatching material, which decides how much weight its lines and outlines have where. */
-export function emphasisOf({ material }: Mesh): (Material & EmphasisLook) | null {
+/** The first hatching material of a mesh, which decides where its lines and outlines fade. */
+export function fadingLookOf({ material }: Mesh): (Material & FadingLook) | null {
   const found = Array.isArray(material) ? material.find(isHatching) : isHatching(material) && material;
-  return found ? (found as Material & EmphasisLook) : null;
+  return found ? (found as Material & FadingLook) : null;
 }
 
 /** The bounding sphere by which three.js sorts and culls a mesh; null until it is computed. */

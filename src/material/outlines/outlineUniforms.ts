@@ -1,5 +1,5 @@
 import { type IUniform, UniformsLib, UniformsUtils, Vector2, Vector4 } from 'three';
-import { createEmphasisUniforms } from '../fading/emphasis.js';
+import { createFadingUniforms } from '../fading/fading.js';
 import { keptFromProxies } from '../hatchingUniforms.js';
 import { OUTLINE_NUMBER_NAMES } from './outlineProperties.js';
 
@@ -28,7 +28,7 @@ export const createOutlineUniforms = (): Record<string, IUniform> =>
     UniformsUtils.merge([
       UniformsLib.lights,
       UniformsLib.fog,
-      createEmphasisUniforms(),
+      createFadingUniforms(),
       Object.fromEntries(OUTLINE_NUMBER_NAMES.map((name) => [name, { value: 0 }])),
       {
         ink: { value: null },

@@ -1,6 +1,6 @@
 import { ShaderChunk } from 'three';
 import {
-  EMPHASIS_CONSTANTS,
+  FADING_CONSTANTS,
   SHADOW_CONSTANTS,
   SHADOW_SAMPLES,
   TONE_CONSTANTS,
@@ -30,7 +30,7 @@ export const conventionsChunk = (): string =>
     ),
     ...numbered('TONE_CURVE', TONE_CURVES),
     ...numbered('VERTEX_LAYOUT', VERTEX_LAYOUTS),
-    definesOf({ ...TONE_CONSTANTS, ...SHADOW_CONSTANTS, ...EMPHASIS_CONSTANTS }),
+    definesOf({ ...TONE_CONSTANTS, ...SHADOW_CONSTANTS, ...FADING_CONSTANTS }),
     definesOf({ TONE_CURVE_SPANS, ...SHADOW_SAMPLES }, ''),
     lightCountDefines(),
   ].join('\n');

@@ -1,7 +1,7 @@
 import type { HiddenOutlines } from '../../look/hiddenOutlines.js';
 import type { Vec3 } from '../../look/vectors.js';
 import type { Matrix } from '../Projection.js';
-import type { Emphasis } from '../shading/emphasis.js';
+import type { ObjectFading } from '../shading/fading.js';
 
 /** The mesh whose outlines are drawn. */
 export interface OutlineMesh {
@@ -68,7 +68,7 @@ export interface OutlineLook {
   /** Whether parts of the surface may be cut out, where there are no outlines. */
   isCutOut: boolean;
   /** Null where everything has its full weight. */
-  emphasis: Emphasis | null;
+  fading: ObjectFading | null;
 }
 
 /** An end of a piece of outline. */

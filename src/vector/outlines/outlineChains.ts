@@ -1,8 +1,8 @@
 import { combined, dot, normalize, type Vec3 } from '../../look/vectors.js';
 import { asPhase } from '../../mesh/phases.js';
 import { type Chain, ChainBuilder } from '../Chain.js';
-import { emphasisedPlace, type Projection, transformed } from '../Projection.js';
-import { outlineEmphasisAt } from '../shading/emphasis.js';
+import { fadedPlace, type Projection, transformed } from '../Projection.js';
+import { outlineFadingAt } from '../shading/fading.js';
 import { meanLightAt } from '../shading/meanLight.js';
 import { type LiftedPiece, shadeWeight, wobbleAt } from '../shading/outlines.js';
 import type { Illumination } from '../Toner.js';
@@ -221,8 +221,8 @@ class OutlineDrawing {
 
   /** Half the width before paper, and before a surface. */
   private halvesAt({ weight, innerWeight }: PieceEnd, world: Vec3): readonly [number, number] {
-    const { width, emphasis } = this.look;
-    const factor = emphasis === null ? 1 : outlineEmphasisAt(emphasis, emphasisedPlace(world, this.projection));
+    const { width, fading } = this.look;
+    const factor = fading === null ? 1 : outlineFadingAt(fading, fadedPlace(world, this.projection));
     return [0.5 * width * factor * weight, 0.5 * width * factor * innerWeight];
   }
 

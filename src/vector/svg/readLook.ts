@@ -7,7 +7,7 @@ import { fittedCurve } from '../../material/fitToneCurve.js';
 import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
 import { createHatchingUniforms, writeComputedUniforms, writeSizeUniforms } from '../../material/hatchingUniforms.js';
 import type { EngravedLook } from '../Engraver.js';
-import type { Emphasis } from '../shading/emphasis.js';
+import type { ObjectFading } from '../shading/fading.js';
 import type { GroundLook } from '../shading/groundShadow.js';
 import { type CurveCubics, localDarkness } from '../shading/tone.js';
 import type { SurfaceLook } from '../Toner.js';
@@ -51,13 +51,13 @@ export function engravedLookOf(material: HatchingMaterial, hasForm: boolean): En
  *
  * @param mesh the mesh that it draws
  * @param fit of the exposure to the scene
- * @param emphasis of the object
+ * @param fading of the object
  */
 export function surfaceLookOf(
   material: HatchingMaterial,
   { geometry, receiveShadow: receivesShadows }: Mesh,
   fit: ToneFit,
-  emphasis: Emphasis | null,
+  fading: ObjectFading | null,
 ): SurfaceLook {
   const uniforms = uniformsOf(material);
   const { color, emissive, emissiveIntensity, localTone, toneModel, toneCurve } = material;
@@ -77,7 +77,7 @@ export function surfaceLookOf(
     ground: toneModel === 'shadow' ? groundOf(material) : null,
     darkness: localTone > 0 ? localDarkness(luminanceOf(color), emitted, localTone, isFit ? 1 / fit.white : 1) : 0,
     opacity: opacityOf(material, geometry),
-    ...{ shininess, reflectedLight, emitted, receivesShadows, emphasis },
+    ...{ shininess, reflectedLight, emitted, receivesShadows, fading },
   };
 }
 

@@ -22,7 +22,7 @@ import {
 } from '../../mesh/features/edgeFlags.js';
 import { asPhase } from '../../mesh/phases.js';
 import type { FeatureEdge, OutlineLook, OutlineMesh } from '../outlines/OutlineMesh.js';
-import type { Emphasis } from '../shading/emphasis.js';
+import type { ObjectFading } from '../shading/fading.js';
 import { alphaTestOf } from './PaintReader.js';
 import { bothPlaces, placesOf } from './placesOf.js';
 import type { PosedVertices } from './pose/posedVertices.js';
@@ -39,14 +39,14 @@ const CHUNK = 4096;
  * @param surface material of the surface
  * @param geometry of the surface
  * @param hasMaterials whether the mesh has several materials, whose borders are drawn
- * @param emphasis of the mesh
+ * @param fading of the mesh
  */
 export function outlineLookOf(
   material: HatchingOutlineMaterial,
   surface: Material,
   geometry: BufferGeometry,
   hasMaterials: boolean,
-  emphasis: Emphasis | null,
+  fading: ObjectFading | null,
 ): OutlineLook {
   const { outlineWidth, contours, innerContours, borders, creases, materialBorders, suggestiveContours } = material;
   const { taper, lostEdges, accents, overshoot, wobble, hidden } = material;
@@ -55,7 +55,7 @@ export function outlineLookOf(
     materialBorders: hasMaterials ? materialBorders : 0,
     shadeWeights: material.shadeWeights.toArray() as [number, number],
     ...{ contours, innerContours, borders, creases, suggestiveContours, taper, lostEdges },
-    ...{ accents, overshoot, wobble, emphasis, hidden },
+    ...{ accents, overshoot, wobble, fading, hidden },
     isCutOut: alphaTestOf(surface) > 0 && surface.depthWrite && leftBehind(surface, geometry) === 0,
   };
 }

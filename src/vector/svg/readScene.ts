@@ -47,7 +47,7 @@ import { type PosedVertices, posedVertices } from './pose/posedVertices.js';
 import { readBackground } from './readBackground.js';
 import type { TriangleRange } from './readDetails.js';
 import { type DetailSource, firstCoordinate, readDetails } from './readDetails.js';
-import { readEmphasis, readOutlineEmphasis } from './readEmphasis.js';
+import { readFading, readOutlineFading } from './readFading.js';
 import { fieldOf, hasTooManyTurns, turnedLinesOf } from './readField.js';
 import { readLights, type SceneLights } from './readLights.js';
 import { engravedLookOf, surfaceLookOf } from './readLook.js';
@@ -271,7 +271,7 @@ class SceneReader {
   ): Generator<number, void, void> {
     const { camera, lights, fit, paints } = this;
     const { mesh, copy, paint } = source;
-    const look = surfaceLookOf(material, mesh, fit, readEmphasis(mesh, material, camera));
+    const look = surfaceLookOf(material, mesh, fit, readFading(mesh, material, camera));
     const clip = clipOf(material, this.clippingPlanes);
     const ink = colorOf(material);
     if (isStippled(material)) {
@@ -324,7 +324,7 @@ class SceneReader {
             surface,
             mesh.geometry,
             Array.isArray(mesh.material),
-            readOutlineEmphasis(mesh, this.camera),
+            readOutlineFading(mesh, this.camera),
           ),
           clip: clipOf(isClipped(material) ? material : surface, this.clippingPlanes),
           ink: colorOf(material),

@@ -14,7 +14,7 @@ import {
 import { type NodeBuilder, NodeMaterial, type WebGPURenderer } from 'three/webgpu';
 import type { HiddenOutlines } from '../../look/hiddenOutlines.js';
 import { checkColor } from '../../material/checkValues.js';
-import { type EmphasisLook, takesWeight, writeEmphasis, writeImportance } from '../../material/fading/emphasis.js';
+import { type FadingLook, takesWeight, writeFading, writeImportance } from '../../material/fading/fading.js';
 import type {
   HatchingOutlineMaterial,
   HatchingOutlineParameters,
@@ -154,7 +154,7 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
    * Writes the uniforms of one mesh.
    *
    * @param viewport the viewport in the render target, pixels from the lower left
-   * @param look the emphasis of the mesh
+   * @param look the fading of the mesh
    * @internal
    */
   writeDraw(
@@ -162,7 +162,7 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
     camera: Camera,
     mesh: Mesh,
     viewport: Vector4,
-    look: (Material & EmphasisLook) | null,
+    look: (Material & FadingLook) | null,
   ): void {
     const u = this.uniforms;
     this.writeLook(renderer.getPixelRatio());
@@ -171,7 +171,7 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
     (u.viewport.value as Vector4).copy(viewport);
     u.nearDistance.value = (camera as PerspectiveCamera).near ?? 0;
     // It uses only what both renderers have.
-    writeEmphasis(look, u, renderer as unknown as WebGLRenderer, camera);
+    writeFading(look, u, renderer as unknown as WebGLRenderer, camera);
     writeSheet(u.sheet.value, camera, viewport);
     writePictureOffset(u.toothOffset.value, camera, viewport);
     writeImportance(mesh, takesWeight(look), u);

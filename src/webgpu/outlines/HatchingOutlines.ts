@@ -14,7 +14,7 @@ import type { ClippingGroup, Renderer, WebGPURenderer } from 'three/webgpu';
 import { warn } from '../../material/diagnostics/warn.js';
 import { outlineDataOf } from '../../material/geometry/OutlineData.js';
 import type { HatchingOutlineParameters } from '../../material/outlines/HatchingOutlineMaterial.js';
-import { emphasisOf, isInFrustum, MeshOutlines, meanScale } from '../../material/outlines/MeshOutlines.js';
+import { fadingLookOf, isInFrustum, MeshOutlines, meanScale } from '../../material/outlines/MeshOutlines.js';
 import type { OutlinePart } from '../../material/outlines/OutlineParts.js';
 import { isCutOut, isDrawnBefore } from '../../material/outlines/surfaceRules.js';
 import { hasFloatTargets, nodeDeformations } from '../deformation/nodeDeformations.js';
@@ -145,7 +145,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
     this.writeEye(uniforms.eye.value, camera, mesh);
     uniforms.objectScale.value = meanScale(mesh.matrixWorld);
     writeViewport(renderer, drawnInto);
-    this.material.writeDraw(renderer, camera, mesh, drawnInto, emphasisOf(mesh));
+    this.material.writeDraw(renderer, camera, mesh, drawnInto, fadingLookOf(mesh));
     // Suggestive contours may lie anywhere on surfaces that face the eye.
     const isAnywhere = this.isDeformed || suggestiveContours > 0;
     const list = isAnywhere ? null : this.listFor(camera, part, mesh, uniforms.eye.value);

@@ -8,10 +8,10 @@ import { command } from './command.js';
 import { consent } from './consent.js';
 import { detail } from './detail.js';
 import { element } from './element.js';
-import { emphasis } from './emphasis.js';
 import { engraved } from './engraved.js';
 import { exports } from './exports.js';
 import { exposure } from './exposure.js';
+import { fading } from './fading.js';
 import { files } from './files.js';
 import { form } from './form.js';
 import { frames } from './frames.js';
@@ -53,7 +53,7 @@ export const table: Readonly<Record<string, readonly Mutation[]>> = {
   consent,
   detail,
   element,
-  emphasis,
+  fading,
   engraved,
   exports,
   exposure,

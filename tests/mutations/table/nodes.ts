@@ -46,7 +46,7 @@ export const nodes: readonly Mutation[] = [
   },
   {
     name: 'a focus of nodes is everywhere',
-    file: 'src/webgpu/nodes/chunks/emphasis.ts',
+    file: 'src/webgpu/nodes/chunks/fading.ts',
     find: 'float(1), focused)',
     replace: 'float(1), float(1))',
     caughtBy: {

@@ -33,7 +33,7 @@ const REASONS: readonly [chunks: RegExp, reason: string][] = [
     'its nodes are HatchingLightingModel.ts, hatchSurface.ts and anchored/hatch.ts',
   ],
   [
-    /^(perFragment|techniques\/(anchored|engraved))\/(emphasised|faceNormals|varyings|vertex|hatchLayer|layers)\.glsl$/,
+    /^(perFragment|techniques\/(anchored|engraved))\/(faded|faceNormals|varyings|vertex|hatchLayer|layers)\.glsl$/,
     'it declares or composes what hatchSurface.ts does for nodes',
   ],
   [/^outlines\/surroundings\.glsl$/, 'three.js fogs outlines of nodes, and outlines/clipping.ts clips them'],

@@ -19,7 +19,7 @@ const coordinate = (label: string, fallback: number): NumberRow & { owner: 'subj
   step: 0.01,
 });
 
-/** Where the drawing is emphasized, and where it fades. */
+/** Where the drawing fades. */
 export const COMPOSITION_SETTINGS = inGroup('Composition', 'scene', {
   depth: {
     kind: 'choice',

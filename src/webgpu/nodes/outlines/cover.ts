@@ -3,7 +3,7 @@ import type { NodeBuilder } from 'three/webgpu';
 import { isOrthographic } from '../base/isOrthographic.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
-import { mostOutlineEmphasis } from '../chunks/emphasis.js';
+import { mostOutlineFading } from '../chunks/fading.js';
 import { lifted, liftOf, toleranceOf } from './hiding.js';
 import { accents, isSeen, SHORT, type Spine, standingAt } from './hierarchy.js';
 import type { OutlineDefines } from './OutlineDefines.js';
@@ -171,7 +171,7 @@ export function coverPiece(
       varyings.vTolerance.assign(tolerance);
       varyings.vStandings.assign(standings);
       if (defines.HIDDEN) varyings.vOrigin.assign(originOf(place));
-      const reach = max(mostOutlineEmphasis().mul(larger(halves)), 0.5)
+      const reach = max(mostOutlineFading().mul(larger(halves)), 0.5)
         .add(FRINGE)
         .toVar();
       if (defines.WOBBLE) {

@@ -5,7 +5,7 @@
 
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
-import { outlineEmphasisAt } from '../chunks/emphasis.js';
+import { outlineFadingAt } from '../chunks/fading.js';
 import { lineCoverage } from '../chunks/lineCoverage.js';
 import { dryInk } from './dryOutline.js';
 import { hiddenCoverage } from './hidden.js';
@@ -85,7 +85,7 @@ export const fragments = (defines: OutlineDefines): Value =>
     spinePosition.assign(mix(vStart.xyz, vEnd.xyz, alongLine(t, spine)));
     // Per fragment, not at the ends: an edge may run across the whole sheet.
     const usual = mix(vHalfWidths.xz, vHalfWidths.yw, t);
-    const halves = outlineEmphasisAt(spinePosition, drawnPixel()).mul(usual).toVar();
+    const halves = outlineFadingAt(spinePosition, drawnPixel()).mul(usual).toVar();
     const most = max(halves.x, halves.y).toVar();
     const coverage = float(0).toVar();
     If(away.lessThanEqual(max(most.mul(accents.add(1)), 0.5).add(0.5)), () => {

@@ -7,6 +7,6 @@ import type { PieceEnd } from './piece.js';
 
 const { max, vec2 } = tsl;
 
-/** Half widths before paper and before a surface, pixels, without the factor of emphasis. */
+/** Half widths before paper and before a surface, pixels, without the factor of fading. */
 export const halfWidthsAt = ({ weight, innerWeight }: PieceEnd, { HIDDEN }: OutlineDefines): Value =>
   (HIDDEN ? vec2(hiddenWeight(max(weight, innerWeight))) : vec2(weight, innerWeight)).mul(outlineWidth).mul(0.5);

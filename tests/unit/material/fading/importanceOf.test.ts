@@ -1,6 +1,6 @@
 import { Group, Object3D } from 'three';
 import { expect, test } from 'vitest';
-import { importanceOf } from '../../../../src/material/fading/emphasis.js';
+import { importanceOf } from '../../../../src/material/fading/fading.js';
 
 test('the importance of an object is its own, or that of the nearest object above it', () => {
   const mesh = new Object3D();

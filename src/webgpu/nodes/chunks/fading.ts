@@ -1,10 +1,10 @@
-/** Counterpart of shaders/chunks/emphasis.glsl: the weight of the drawing at a place, 1 as usual, 0 none. */
-import { EMPHASIS_CONSTANTS } from '../../../look/constants/shadingConstants.js';
+/** Counterpart of shaders/chunks/fading.glsl: the share of ink that fading leaves at a place, 1 where nothing fades. */
+import { FADING_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 
 const { cameraViewMatrix, clamp, dot, exp, float, length, select, sin, smoothstep, vec3 } = tsl;
-const { AIR, FOCUS_END, FRONT_GAIN, UNEVEN, VIGNETTE_START } = EMPHASIS_CONSTANTS;
+const { AIR, FOCUS_END, FRONT_GAIN, UNEVEN, VIGNETTE_START } = FADING_CONSTANTS;
 
 /** Depths at which fading begins and ends, view units, and its strength. */
 const depthFading = /* @__PURE__ */ hatchingUniform('depthFading', 'vec3');
@@ -53,19 +53,19 @@ function onSheet(pixel: Value): Value {
 }
 
 /** A factor on the tone. @param pixel of the render target, counted from the lower left */
-export const emphasisAt = (viewPosition: Value, pixel: Value): Value =>
+export const fadingAt = (viewPosition: Value, pixel: Value): Value =>
   importance
     .mul(inFocus(viewPosition))
     .mul(onSheet(pixel))
     .mul(float(1).sub(depthFading.z.mul(airBefore(viewPosition))));
 
 /** A factor on the width of outlines. */
-export const outlineEmphasisAt = (viewPosition: Value, pixel: Value): Value =>
-  emphasisAt(viewPosition, pixel).mul(
+export const outlineFadingAt = (viewPosition: Value, pixel: Value): Value =>
+  fadingAt(viewPosition, pixel).mul(
     depthFading.z
       .mul(FRONT_GAIN)
       .mul(float(1).sub(airBefore(viewPosition)))
       .add(1),
   );
 
-export const mostOutlineEmphasis = (): Value => depthFading.z.mul(FRONT_GAIN).add(1);
+export const mostOutlineFading = (): Value => depthFading.z.mul(FRONT_GAIN).add(1);

@@ -98,7 +98,7 @@ test('objects of importance 0 are blank, and hide what is behind them', async ()
   expect(coverageOf(pathsOf(svg), [12, 12, 10, 70])).toBeGreaterThan(0.4);
 });
 
-test('a mesh without a hatching material has no emphasis', async () => {
+test('a mesh without a hatching material has no fading', async () => {
   const mesh = await hatchedMesh(new PlaneGeometry(1, 1), { outlines: { borders: 1, lostEdges: 0 } });
   (mesh as Mesh).material = new MeshBasicMaterial();
   mesh.userData.hatching = { importance: 0 };

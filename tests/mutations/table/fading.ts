@@ -1,9 +1,9 @@
 import type { Mutation } from '../Mutation.js';
 
-export const emphasis: readonly Mutation[] = [
+export const fading: readonly Mutation[] = [
   {
     name: 'the vignette lies aside',
-    file: 'shaders/chunks/emphasis.glsl',
+    file: 'shaders/chunks/fading.glsl',
     find: '2.0 * (pixel - sheet.xy) / sheet.zw - 1.0',
     replace: '(pixel - sheet.xy) / sheet.zw',
     caughtBy: {
@@ -15,7 +15,7 @@ export const emphasis: readonly Mutation[] = [
   },
   {
     name: 'air lies before what is near',
-    file: 'shaders/chunks/emphasis.glsl',
+    file: 'shaders/chunks/fading.glsl',
     find: '(-viewPosition.z - depthFading.x)',
     replace: '(-viewPosition.z - depthFading.y)',
     caughtBy: {

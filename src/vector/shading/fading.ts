@@ -1,11 +1,11 @@
-/** The weight of the drawing at a place, as in emphasis.glsl: 1 as usual, 0 none. */
-import { EMPHASIS_CONSTANTS } from '../../look/constants/shadingConstants.js';
+/** The share of ink that fading leaves at a place, as in fading.glsl: 1 where nothing fades. */
+import { FADING_CONSTANTS } from '../../look/constants/shadingConstants.js';
 import { clamp01, combined, dot, lengthOf, smoothstep, type Vec3 } from '../../look/vectors.js';
 
-const { AIR, FRONT_GAIN, FOCUS_END, VIGNETTE_START, UNEVEN } = EMPHASIS_CONSTANTS;
+const { AIR, FRONT_GAIN, FOCUS_END, VIGNETTE_START, UNEVEN } = FADING_CONSTANTS;
 
-/** The emphasis of an object. */
-export interface Emphasis {
+/** The fading of an object. */
+export interface ObjectFading {
   /** Depths at which fading begins and ends, world units, and its strength. */
   depthFading: readonly [from: number, to: number, strength: number];
   /** The point in focus, world space, and its radius; null for none. */
@@ -19,7 +19,7 @@ export interface Emphasis {
 }
 
 /** A place that is drawn. */
-export interface EmphasisedPlace {
+export interface FadedPlace {
   world: Vec3;
   /** Distance before the camera, along its axis. */
   depth: number;
@@ -27,7 +27,7 @@ export interface EmphasisedPlace {
   onPicture: readonly [number, number];
 }
 
-function airBefore(depth: number, [from, to, strength]: Emphasis['depthFading']): number {
+function airBefore(depth: number, [from, to, strength]: ObjectFading['depthFading']): number {
   if (strength === 0) return 0;
   return (1 - Math.exp(-AIR * clamp01((depth - from) / (to - from)))) / (1 - Math.exp(-AIR));
 }
@@ -39,13 +39,13 @@ function uneven(p: Vec3): number {
   return UNEVEN * (0.65 * a + 0.35 * b);
 }
 
-function inFocus(world: Vec3, focus: Emphasis['focus']): number {
+function inFocus(world: Vec3, focus: ObjectFading['focus']): number {
   if (focus === null) return 1;
   const away = combined(1 / focus.radius, world, -1 / focus.radius, focus.at);
   return 1 - smoothstep(1, FOCUS_END, lengthOf(away) * (1 + uneven(away)));
 }
 
-function onSheet([x, y]: readonly [number, number], { vignette, sheet }: Emphasis): number {
+function onSheet([x, y]: readonly [number, number], { vignette, sheet }: ObjectFading): number {
   if (vignette === 0) return 1;
   const away: Vec3 = [(2 * (x - sheet[0])) / sheet[2] - 1, (2 * (y - sheet[1])) / sheet[3] - 1, 0];
   const wavering = 1 + uneven(combined(2, away, 0, away));
@@ -53,14 +53,14 @@ function onSheet([x, y]: readonly [number, number], { vignette, sheet }: Emphasi
 }
 
 /** A factor on the tone. */
-export function emphasisAt(emphasis: Emphasis, { world, depth, onPicture }: EmphasisedPlace): number {
-  const { importance, focus, depthFading } = emphasis;
+export function fadingAt(fading: ObjectFading, { world, depth, onPicture }: FadedPlace): number {
+  const { importance, focus, depthFading } = fading;
   const inAir = 1 - depthFading[2] * airBefore(depth, depthFading);
-  return importance * inFocus(world, focus) * onSheet(onPicture, emphasis) * inAir;
+  return importance * inFocus(world, focus) * onSheet(onPicture, fading) * inAir;
 }
 
 /** A factor on the width of outlines, up to 1.4. */
-export function outlineEmphasisAt(emphasis: Emphasis, place: EmphasisedPlace): number {
-  const { depthFading } = emphasis;
-  return emphasisAt(emphasis, place) * (1 + FRONT_GAIN * depthFading[2] * (1 - airBefore(place.depth, depthFading)));
+export function outlineFadingAt(fading: ObjectFading, place: FadedPlace): number {
+  const { depthFading } = fading;
+  return fadingAt(fading, place) * (1 + FRONT_GAIN * depthFading[2] * (1 - airBefore(place.depth, depthFading)));
 }

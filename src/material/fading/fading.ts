@@ -7,13 +7,13 @@ import { automaticDepthFade, type SeenDepths } from './seenDepths.js';
 type Uniforms = Record<string, IUniform>;
 
 /** The properties that decide how much weight the drawing has where: those of a HatchingMaterial. */
-export type EmphasisLook = Pick<
+export type FadingLook = Pick<
   HatchingMaterialProperties,
   'technique' | 'depthFade' | 'depthNear' | 'depthFar' | 'focus' | 'focusRadius' | 'vignette'
 > & { readonly extent: SceneExtent | null };
 
-/** The uniforms of shaders/chunks/emphasis.glsl. */
-export const createEmphasisUniforms = (): Uniforms => ({
+/** The uniforms of shaders/chunks/fading.glsl. */
+export const createFadingUniforms = (): Uniforms => ({
   depthFading: { value: new Vector3(0, 1, 0) },
   focusing: { value: new Vector4() },
   importance: { value: 1 },
@@ -22,7 +22,7 @@ export const createEmphasisUniforms = (): Uniforms => ({
 });
 
 /** Whether a look fades anything anywhere, as the techniques of the paper by Suarez et al. do not. */
-export const takesWeight = (look: EmphasisLook | null): look is EmphasisLook =>
+export const takesWeight = (look: FadingLook | null): look is FadingLook =>
   look !== null && isUsedBy(look.technique, propertyOf('depthFade'));
 
 /**
@@ -31,7 +31,7 @@ export const takesWeight = (look: EmphasisLook | null): look is EmphasisLook =>
  * @param look null for full weight everywhere
  * @param camera undefined before the first frame
  */
-export function writeEmphasis(look: EmphasisLook | null, u: Uniforms, renderer?: WebGLRenderer, camera?: Camera): void {
+export function writeFading(look: FadingLook | null, u: Uniforms, renderer?: WebGLRenderer, camera?: Camera): void {
   const focusing = u.focusing.value as Vector4;
   if (!takesWeight(look)) {
     (u.depthFading.value as Vector3).set(0, 1, 0);
@@ -60,7 +60,7 @@ export function writeEmphasis(look: EmphasisLook | null, u: Uniforms, renderer?:
  * @param seen the depth range of the scene; null if it was not measured: depths are then in view units
  */
 export function writeDepthFading(
-  { depthFade, depthNear, depthFar }: EmphasisLook,
+  { depthFade, depthNear, depthFar }: FadingLook,
   seen: Readonly<SeenDepths> | null,
   camera: Camera | undefined,
   fading: Vector3,

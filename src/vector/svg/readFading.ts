@@ -1,11 +1,11 @@
 import { type Camera, type Material, type Mesh, type Object3D, Vector3, Vector4 } from 'three';
-import { type EmphasisLook, importanceOf, takesWeight, writeDepthFading } from '../../material/fading/emphasis.js';
+import { type FadingLook, importanceOf, takesWeight, writeDepthFading } from '../../material/fading/fading.js';
 import { type SeenBox, seenBox } from '../../material/fading/seenDepths.js';
 import { writeSheet } from '../../material/pictureOffset.js';
-import type { Emphasis } from '../shading/emphasis.js';
+import type { ObjectFading } from '../shading/fading.js';
 
-/** The emphasis of an object; null where everything has its full weight. */
-export function readEmphasis(object: Object3D, look: EmphasisLook | null, camera: Camera): Emphasis | null {
+/** The fading of an object; null where everything has its full weight. */
+export function readFading(object: Object3D, look: FadingLook | null, camera: Camera): ObjectFading | null {
   if (!takesWeight(look)) return null;
   const { focus, focusRadius, vignette } = look;
   const depthFading = new Vector3();
@@ -25,14 +25,14 @@ export function readEmphasis(object: Object3D, look: EmphasisLook | null, camera
   };
 }
 
-/** The emphasis of the outlines of a mesh, which is that of its first hatching material. */
-export function readOutlineEmphasis(mesh: Mesh, camera: Camera): Emphasis | null {
+/** The fading of the outlines of a mesh, which is that of its first hatching material. */
+export function readOutlineFading(mesh: Mesh, camera: Camera): ObjectFading | null {
   const materials: Material[] = Array.isArray(mesh.material) ? mesh.material : [mesh.material];
   const found = materials.find((material) => 'isHatchingMaterial' in material);
-  return readEmphasis(mesh, (found ?? null) as (Material & EmphasisLook) | null, camera);
+  return readFading(mesh, (found ?? null) as (Material & FadingLook) | null, camera);
 }
 
-function seenOf({ box, frame }: NonNullable<EmphasisLook['extent']>, camera: Camera): SeenBox | null {
+function seenOf({ box, frame }: NonNullable<FadingLook['extent']>, camera: Camera): SeenBox | null {
   const seen: SeenBox = { front: 0, back: 1, left: -1, right: 1, bottom: -1, top: 1 };
   return seenBox(box, frame.matrixWorld, camera, seen) ? seen : null;
 }

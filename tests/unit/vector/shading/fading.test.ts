@@ -1,14 +1,14 @@
 import { mat4 } from 'gl-matrix';
 import { describe, expect, test } from 'vitest';
 import type { Vec3 } from '../../../../src/look/vectors.js';
-import { type Emphasis, emphasisAt, outlineEmphasisAt } from '../../../../src/vector/shading/emphasis.js';
+import { fadingAt, type ObjectFading, outlineFadingAt } from '../../../../src/vector/shading/fading.js';
 import { HatchingReference, type ReferenceMaterial } from '../../../reference/hatchingReference.js';
 import { randomNumbers } from '../randomNumbers.js';
 
 const random = randomNumbers(23);
 const between = (from: number, to: number): number => from + (to - from) * random();
 
-const FULL: Emphasis = {
+const FULL: ObjectFading = {
   depthFading: [0, 1, 0],
   focus: null,
   vignette: 0,
@@ -58,7 +58,7 @@ test('the weight of a place is that of the reference', () => {
     const depth = -(view[2] * place[0] + view[6] * place[1] + view[10] * place[2] + view[14]);
     // As a part of a larger sheet it must be the same.
     const [x, y] = [0.5 + (0.5 * clip[0]) / clip[2], 0.5 + (0.5 * clip[1]) / clip[2]];
-    const found = emphasisAt(
+    const found = fadingAt(
       {
         depthFading: [material.depthNear, material.depthFar, material.depthFade],
         focus: { at: material.focus, radius: material.focusRadius },
@@ -79,14 +79,14 @@ test('the weight of a place is that of the reference', () => {
 
 describe('outlines', () => {
   test('are 1.4 times as heavy in front if the back has none, and as usual without fading', () => {
-    const fading: Emphasis = { ...FULL, depthFading: [2, 6, 1] };
-    expect(outlineEmphasisAt(fading, at(2))).toBeCloseTo(1.4, 12);
-    expect(outlineEmphasisAt(fading, at(6))).toBeCloseTo(0, 12);
-    expect(outlineEmphasisAt({ ...FULL, depthFading: [2, 6, 0.5] }, at(1))).toBeCloseTo(1.2, 12);
-    expect(outlineEmphasisAt(FULL, at(5))).toBe(1);
+    const fading: ObjectFading = { ...FULL, depthFading: [2, 6, 1] };
+    expect(outlineFadingAt(fading, at(2))).toBeCloseTo(1.4, 12);
+    expect(outlineFadingAt(fading, at(6))).toBeCloseTo(0, 12);
+    expect(outlineFadingAt({ ...FULL, depthFading: [2, 6, 0.5] }, at(1))).toBeCloseTo(1.2, 12);
+    expect(outlineFadingAt(FULL, at(5))).toBe(1);
   });
 
   test('lose as much weight as surfaces', () => {
-    expect(outlineEmphasisAt({ ...FULL, importance: 0.3 }, at(1))).toBeCloseTo(0.3, 12);
+    expect(outlineFadingAt({ ...FULL, importance: 0.3 }, at(1))).toBeCloseTo(0.3, 12);
   });
 });

@@ -1,4 +1,4 @@
-// The weight of the drawing at a place: 1 as usual, 0 none.
+// The share of ink that fading leaves at a place: 1 where nothing fades.
 uniform vec3 depthFading; // depths at which fading begins and ends, view units; its strength
 uniform vec4 focusing; // point in focus, view space, and its radius; radius 0 for none
 uniform float vignette; // strength of the falloff towards the rim
@@ -33,15 +33,15 @@ float onSheet(const in vec2 pixel) {
 }
 
 // A factor on the tone. pixel: of the render target.
-float emphasisAt(const in vec3 viewPosition, const in vec2 pixel) {
+float fadingAt(const in vec3 viewPosition, const in vec2 pixel) {
   return importance * inFocus(viewPosition) * onSheet(pixel) * (1.0 - depthFading.z * airBefore(viewPosition));
 }
 
 // A factor on the width of outlines.
-float outlineEmphasisAt(const in vec3 viewPosition, const in vec2 pixel) {
-  return emphasisAt(viewPosition, pixel) * (1.0 + FRONT_GAIN * depthFading.z * (1.0 - airBefore(viewPosition)));
+float outlineFadingAt(const in vec3 viewPosition, const in vec2 pixel) {
+  return fadingAt(viewPosition, pixel) * (1.0 + FRONT_GAIN * depthFading.z * (1.0 - airBefore(viewPosition)));
 }
 
-float mostOutlineEmphasis() {
+float mostOutlineFading() {
   return 1.0 + FRONT_GAIN * depthFading.z;
 }

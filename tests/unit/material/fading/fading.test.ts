@@ -1,11 +1,11 @@
 import { Box3, Group, PerspectiveCamera, Vector3, Vector4, type WebGLRenderer } from 'three';
 import { expect, test } from 'vitest';
 import {
-  createEmphasisUniforms,
+  createFadingUniforms,
   takesWeight,
-  writeEmphasis,
+  writeFading,
   writeImportance,
-} from '../../../../src/material/fading/emphasis.js';
+} from '../../../../src/material/fading/fading.js';
 import { SceneExtent } from '../../../../src/material/fading/SceneExtent.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import type { HatchingMaterialParameters } from '../../../../src/material/HatchingMaterialParameters.js';
@@ -19,9 +19,9 @@ const extent = new SceneExtent(frame, new Box3(new Vector3(-0.5, -0.5, -12), new
 const camera = new PerspectiveCamera(40);
 
 function fading(parameters: HatchingMaterialParameters): number[] {
-  const uniforms = createEmphasisUniforms();
+  const uniforms = createFadingUniforms();
   renderer.info.render.frame++;
-  writeEmphasis(new HatchingMaterial(parameters), uniforms, renderer, camera);
+  writeFading(new HatchingMaterial(parameters), uniforms, renderer, camera);
   return (uniforms.depthFading.value as Vector3).toArray();
 }
 
@@ -55,8 +55,8 @@ test('a fade whose end lies before its start is an edge', () => {
 test.each(['triangle', 'adjacency'] as const)('%s never fades, nor do its outlines', (technique) => {
   const material = new HatchingMaterial({ technique, extent });
   material.depthFade = 1;
-  const uniforms = createEmphasisUniforms();
-  writeEmphasis(material, uniforms, renderer, camera);
+  const uniforms = createFadingUniforms();
+  writeFading(material, uniforms, renderer, camera);
   expect((uniforms.depthFading.value as Vector3).z).toBe(0);
 });
 
@@ -70,15 +70,15 @@ test('a copy fades as its original, and JSON keeps what is not at its default', 
 });
 
 test('the focus is handed over as the camera sees it, and none without a point', () => {
-  const uniforms = createEmphasisUniforms();
+  const uniforms = createFadingUniforms();
   const eye = new PerspectiveCamera();
   eye.position.set(0, 0, 5);
   eye.updateMatrixWorld();
   const material = new HatchingMaterial({ technique: 'engraved', focus: [1, 2, 3], focusRadius: 0.5 });
-  writeEmphasis(material, uniforms, renderer, eye);
+  writeFading(material, uniforms, renderer, eye);
   expect(uniforms.focusing.value.toArray()).toEqual([1, 2, -2, 0.5]);
   material.focus = null;
-  writeEmphasis(material, uniforms, renderer, eye);
+  writeFading(material, uniforms, renderer, eye);
   expect(uniforms.focusing.value.w).toBe(0);
 });
 
@@ -97,7 +97,7 @@ test('a copy has a point of its own', () => {
 });
 
 test('the sheet of a picture in tiles is the whole picture', () => {
-  const uniforms = createEmphasisUniforms();
+  const uniforms = createFadingUniforms();
   const eye = new PerspectiveCamera();
   writeSheet(uniforms.sheet.value, eye, new Vector4(10, 20, 300, 200));
   expect(uniforms.sheet.value.toArray()).toEqual([10, 20, 300, 200]);
@@ -108,7 +108,7 @@ test('the sheet of a picture in tiles is the whole picture', () => {
 });
 
 test('three.js is told to upload another importance, and not the same again', () => {
-  const uniforms = createEmphasisUniforms();
+  const uniforms = createFadingUniforms();
   const object = new Group();
   const isOther = (technique: HatchingMaterial['technique']) =>
     writeImportance(object, takesWeight(new HatchingMaterial({ technique })), uniforms);
