@@ -14,11 +14,11 @@ import {
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
 import { mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
 import { makeFish } from '../../src/playground/models/makeFish.js';
-import { FileReaderStandIn } from '../../tools/modelFiles/FileReaderStandIn.js';
+import { NodeFileReader } from '../../tools/modelFiles/NodeFileReader.js';
 
 /** The models by file name, as GLB. */
 export async function makeModels(): Promise<Record<string, Uint8Array>> {
-  Object.assign(globalThis, { FileReader: FileReaderStandIn });
+  Object.assign(globalThis, { FileReader: NodeFileReader });
   const { root, animations } = makeFish();
   root.traverse((object) => {
     if ('geometry' in object) shorten(object.geometry as BufferGeometry);

@@ -270,7 +270,7 @@ test('a file that cannot be read gives one clear sentence and leaves the drawing
 test('joining the triangles of a large model can be cancelled', { tag: '@all' }, async ({ page }) => {
   await openPlayground(page, SMALL);
   const before = await readDrawing(page);
-  // In the page, because the bake does not wait; and after the stand-in was drawn, which has to go again.
+  // In the page, because the bake does not wait; and after the placeholder was drawn, which has to go again.
   const shown = await page.evaluate(
     () =>
       new Promise<string>((resolve) => {
@@ -279,7 +279,7 @@ test('joining the triangles of a large model can be cancelled', { tag: '@all' },
         const look = (): void => {
           const name = document.querySelector('#model-name')!.textContent!;
           const { framesDrawn } = window.__playground!;
-          // The frame of the stand-in may be drawn by the time its name is seen.
+          // The frame of the placeholder may be drawn by the time its name is seen.
           if (name === 'Cube') framesBefore = framesDrawn;
           const isJoining = /^Joining 871,414 triangles/.test(document.querySelector('#status')!.textContent!);
           if (!isJoining || name === 'Cube' || framesDrawn <= framesBefore) {
@@ -316,7 +316,7 @@ test('a large model is drawn at once, before it is baked, and stays where it was
       const look = (): void => {
         const { framesDrawn, isIdle } = window.__playground!;
         const isNamed = document.title.includes('torus');
-        // The frame of the stand-in may be drawn by the time its name is seen.
+        // The frame of the placeholder may be drawn by the time its name is seen.
         if (!isNamed) framesBefore = framesDrawn;
         if (document.documentElement.dataset.state === 'ready' && isIdle && framesDrawn > before) resolve(0);
         else if (isNamed && framesDrawn > framesBefore && document.documentElement.dataset.state === 'loading')

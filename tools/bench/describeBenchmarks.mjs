@@ -65,7 +65,7 @@ map, \`compileAsync\`, the first frame. Together: \`applyHatching\` with \`rende
 The built playground is opened with nothing fetched, compiled or started, over the loopback and over 10 Mbit/s with 40 ms of latency: \`context\` is when it has
 its graphics context, \`read\` when its model is read, \`sketch\` when that was drawn first, in half the resolution and without outlines, \`whole\` when it was drawn
 as it is, and \`complete\` when the last frame was drawn, with lines along the form and with dark hollows.`,
-  drop: `A file is dropped on the built playground. \`read\` is the time until a worker has read it, \`first\` the time until the first frame that shows it can be read: as a stand-in if the bake takes
+  drop: `A file is dropped on the built playground. \`read\` is the time until a worker has read it, \`first\` the time until the first frame that shows it can be read: as a placeholder if the bake takes
 long, of more than 400,000 triangles a coarse copy; \`baked\` is the time until it is shown baked, with its lines. Cold is the first file of a page, warm the following ones. The longest task is that of the
 page's main thread, 0 if none took 50 ms; the browser draws in a process of its own. All are medians with their 95 % intervals.`,
   vector: `A model is drawn as lines (SVG) in a worker: it is baked, and then drawn with lines by the light or along the form, with hard or soft shadows, or for a

@@ -4,7 +4,7 @@ import { type Luminances, luminances } from './luminances.js';
 
 /** The greatest number of rows of an image that are sampled, and of columns. */
 const MAX_ROWS = 128;
-/** The stand-in for an environment that cannot be read, because it is on the GPU only: three's `RoomEnvironment`, as measured. */
+/** Used for an environment that cannot be read because it is on the GPU only: `RoomEnvironment` of three.js, as measured. */
 const ROOM = /* @__PURE__ */ Float64Array.of(3.71, 1.7, 1.56, 0.25, 0.1, 0.78, 1.17, -0.32, -0.69);
 
 const known = new WeakMap<Texture, { version: number; harmonics: Harmonics }>();

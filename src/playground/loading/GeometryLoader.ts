@@ -38,7 +38,7 @@ export class GeometryLoader {
   /** Whether a bake will start once the model has been drawn without it. */
   get isAwaited(): boolean {
     const { model, shown, isLost } = this.viewport;
-    if (model === undefined || shown.isStandIn || isLost) return false;
+    if (model === undefined || shown.isPlaceholder || isLost) return false;
     return this.isFormAwaited || this.isAdjacencyAwaited(model);
   }
 

@@ -13,7 +13,7 @@ import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';
 import { drawsWithAdjacency } from '../../viewer/settings/settingValues.js';
 import type { CodeModel } from '../code/CodeModel.js';
 import { page } from '../elements/page.js';
-import { standInOf } from '../maps/standInOf.js';
+import { placeholderOf } from '../maps/placeholderOf.js';
 import { BUILT_IN_MODELS, type BuiltInModel } from '../models/models.js';
 import { setPageState } from '../page/setPageState.js';
 import { loadModelFiles } from '../reading/loadModelFiles.js';
@@ -81,7 +81,7 @@ export class ModelLoader {
   /** Index of the shown material variant, if one was chosen. */
   private shownVariant: number | undefined;
   /** The page's state before a placeholder was shown. */
-  private beforeStandIn:
+  private beforePlaceholder:
     | {
         settings: Pick<Settings, 'upAxis' | 'lightAzimuth' | 'lightElevation'>;
         title: string;
@@ -90,7 +90,7 @@ export class ModelLoader {
       }
     | undefined;
   /** The model for which the latest placeholder was shown. */
-  private stoodInFor: WantedModel | undefined;
+  private placeholderFor: WantedModel | undefined;
   /** Where this page has put the light for a model. */
   private lit: Pick<Settings, 'lightAzimuth' | 'lightElevation'> | undefined;
   /** The shown model, as the value of its setting. */
@@ -186,7 +186,7 @@ export class ModelLoader {
       wanted.files = files;
       this.addresses.set(files, address);
       const onCoarse = (read: ReadModel): void => {
-        if (!signal.aborted) this.showStandIn({ title: read.name, read }, { isFramed, isRestored: true });
+        if (!signal.aborted) this.showPlaceholder({ title: read.name, read }, { isFramed, isRestored: true });
       };
       const { variant } = choice;
       const read = await loadModelFiles(files, { signal, onStage: report, onCoarse, variant });
@@ -258,7 +258,7 @@ export class ModelLoader {
       const onCoarse = async (read: ReadModel): Promise<void> => {
         // The placeholder needs the light of the final model, since all strokes would turn otherwise.
         const light = await lightOf(read).catch(() => undefined);
-        if (!signal.aborted) this.showStandIn({ title: read.name, read, light }, way);
+        if (!signal.aborted) this.showPlaceholder({ title: read.name, read, light }, way);
       };
       const reading = loadModelFiles(files, { signal, onStage: report, onCoarse, variant });
       const [read] = await Promise.all([reading, lighting]);
@@ -291,7 +291,7 @@ export class ModelLoader {
       const lighting = isLit ? fetchLight() : undefined;
       const onCoarse = async (read: ReadModel): Promise<void> => {
         const light = await lighting?.catch(() => undefined);
-        if (!signal.aborted) this.showStandIn({ title, view, read, light }, { isFramed, isRestored: true });
+        if (!signal.aborted) this.showPlaceholder({ title, view, read, light }, { isFramed, isRestored: true });
       };
       const [read, light] = await Promise.all([load({ signal, onStage: report, onCoarse }), lighting]);
       return { title, view, read, light };
@@ -311,8 +311,8 @@ export class ModelLoader {
       const techniques = HatchingMaterial.preload();
       if (!viewport.shown.drawn) void techniques.then(() => viewport.buildAhead());
       const [loaded] = await Promise.all([load(report, signal), techniques]);
-      this.showStandIn(loaded, way);
-      if (this.hasStandIn) await afterFrame(viewport.context);
+      this.showPlaceholder(loaded, way);
+      if (this.hasPlaceholder) await afterFrame(viewport.context);
       signal.throwIfAborted();
       const built = await buildModel(loaded.read, report, signal, drawsWithAdjacency(settings));
       try {
@@ -325,7 +325,7 @@ export class ModelLoader {
       this.showLoaded(wanted, loaded, built, way);
     });
     if (end === 'failed') {
-      this.takeStandInAway();
+      this.removePlaceholder();
       // The previous model stays, so its setting is restored.
       settings.model = this.shownModel;
       this.wanted = { model: this.shownModel, files: this.ownFiles, choice: this.choice };
@@ -341,8 +341,8 @@ export class ModelLoader {
   ): void {
     const { settings, viewport } = this;
     const { title, read, view, drawing, light } = loaded;
-    const { hasStandIn } = this;
-    this.beforeStandIn = undefined;
+    const { hasPlaceholder } = this;
+    this.beforePlaceholder = undefined;
     this.shownModel = model;
     this.title = title;
     this.shownFiles = loaded.shown ?? { files: [], missing: [] };
@@ -353,12 +353,12 @@ export class ModelLoader {
     const { statistics } = next;
     this.isOpen = read.kind === 'mesh' && isOpen(statistics);
     settings.model = model;
-    if (!isRestored && !hasStandIn) settings.upAxis = read.upAxis;
-    if (viewport.shown.isStandIn) viewport.frames.fadeIntoNext();
-    viewport.shown.set(next, view, hasStandIn);
+    if (!isRestored && !hasPlaceholder) settings.upAxis = read.upAxis;
+    if (viewport.shown.isPlaceholder) viewport.frames.fadeIntoNext();
+    viewport.shown.set(next, view, hasPlaceholder);
     // The user may have moved the camera while the placeholder was shown.
-    if (isFramed && !hasStandIn) viewport.view.frame();
-    if (!hasStandIn) this.light(light);
+    if (isFramed && !hasPlaceholder) viewport.view.frame();
+    if (!hasPlaceholder) this.light(light);
     const ofFile = isRestored ? { views: [], notes: [] } : this.fileViews.of(next);
     // Notes on omissions matter for the user's own models only.
     const isOwn = model === 'file';
@@ -370,31 +370,31 @@ export class ModelLoader {
   }
 
   /** Shows a placeholder for a large mesh: the mesh itself as far as it can be drawn before baking, or a coarse copy. */
-  private showStandIn({ read, title, view, light }: LoadedModel, { isFramed, isRestored }: WayToShow): void {
+  private showPlaceholder({ read, title, view, light }: LoadedModel, { isFramed, isRestored }: WayToShow): void {
     const { viewport, settings } = this;
-    const standIn = standInOf(read, settings);
-    if (!standIn) return;
+    const placeholder = placeholderOf(read, settings);
+    if (!placeholder) return;
     const { upAxis, lightAzimuth, lightElevation } = settings;
     // If the placeholder belongs to a model that was given up, the state before that one is what may be restored.
-    if ('extras' in read && read.extras) standIn.extras = read.extras;
-    this.beforeStandIn ??= {
+    if ('extras' in read && read.extras) placeholder.extras = read.extras;
+    this.beforePlaceholder ??= {
       settings: { upAxis, lightAzimuth, lightElevation },
       title: document.title,
       caption: this.caption.content,
       place: viewport.view.ownPlace,
     };
-    this.stoodInFor = this.wanted;
+    this.placeholderFor = this.wanted;
     if (!isRestored) settings.upAxis = read.upAxis;
-    this.name({ title, statistics: standIn.statistics, notes: [], details: [] });
-    if (viewport.shown.isStandIn) viewport.frames.fadeIntoNext();
-    viewport.shown.setStandIn(standIn, view);
+    this.name({ title, statistics: placeholder.statistics, notes: [], details: [] });
+    if (viewport.shown.isPlaceholder) viewport.frames.fadeIntoNext();
+    viewport.shown.setPlaceholder(placeholder, view);
     if (isFramed) viewport.view.frame();
     this.light(light);
   }
 
   /** Whether a placeholder for the loading model is shown. */
-  private get hasStandIn(): boolean {
-    return this.viewport.shown.isStandIn && this.stoodInFor === this.wanted;
+  private get hasPlaceholder(): boolean {
+    return this.viewport.shown.isPlaceholder && this.placeholderFor === this.wanted;
   }
 
   private light(light: LoadedModel['light']): void {
@@ -405,12 +405,12 @@ export class ModelLoader {
   }
 
   /** Restores the page to its state before the placeholder, because its model could not be loaded. */
-  private takeStandInAway(): void {
-    const { viewport, settings, beforeStandIn: before } = this;
+  private removePlaceholder(): void {
+    const { viewport, settings, beforePlaceholder: before } = this;
     if (!before) return;
-    this.beforeStandIn = undefined;
+    this.beforePlaceholder = undefined;
     Object.assign(settings, before.settings);
-    viewport.shown.removeStandIn();
+    viewport.shown.removePlaceholder();
     document.title = before.title;
     this.caption.show(before.caption);
     if (before.place) viewport.view.place = before.place;

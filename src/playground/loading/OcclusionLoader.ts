@@ -31,7 +31,7 @@ export class OcclusionLoader {
    */
   update(): void {
     // A placeholder is replaced before its bake could end.
-    const model = this.viewport.shown.isStandIn ? undefined : this.viewport.model;
+    const model = this.viewport.shown.isPlaceholder ? undefined : this.viewport.model;
     if (model !== this.model) this.letGo();
     if (!model || !this.isAwaited || !this.viewport.quality.isOnPage) return;
     this.model = model;

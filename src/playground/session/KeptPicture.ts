@@ -43,7 +43,7 @@ export class KeptPicture {
       viewport.isComplete &&
       !viewport.frames.isWaiting &&
       !viewport.quality.isCoarse &&
-      !viewport.shown.isStandIn &&
+      !viewport.shown.isPlaceholder &&
       this.isSettled()
     );
   }

@@ -17,7 +17,7 @@ const SLOW_MILLISECONDS = 150;
 /** What FrameQuality needs from its owner. */
 interface FrameQualityHost {
   /** Whether the present model is a placeholder for one that is being baked. */
-  isStandIn(): boolean;
+  isPlaceholder(): boolean;
   /** Requests one frame in full resolution, because nothing moves any more. */
   refine(): void;
   /** Called when the sketch of a model is on the page: the rest is added in the next frame. */
@@ -122,7 +122,7 @@ export class FrameQuality {
   private measured(): void {
     if (this.isSketching) {
       // A whole frame of a slow placeholder would only delay the model itself.
-      if (this.host.isStandIn() && this.milliseconds! >= LONG_MILLISECONDS) return;
+      if (this.host.isPlaceholder() && this.milliseconds! >= LONG_MILLISECONDS) return;
       this.finishSketch();
     }
     for (const listener of this.listeners) listener();

@@ -150,7 +150,7 @@ export class Frames {
   }
 
   /** Discards the copied picture of a placeholder, which would have faded into the model's. */
-  forgetStandIn(): void {
+  forgetPlaceholder(): void {
     this.crossFade.forget();
   }
 
@@ -165,7 +165,7 @@ export class Frames {
   /** Ends {@link keepPictures}; call it as often. */
   leavePictures(): void {
     this.exchanging--;
-    if (this.exchanging === 0 && !this.isExchanged && !this.scenery.shown.isStandIn) this.crossFade.forgetKept();
+    if (this.exchanging === 0 && !this.isExchanged && !this.scenery.shown.isPlaceholder) this.crossFade.forgetKept();
   }
 
   /** Fades the present picture into the next one, unless another is fading. Call this before the scene changes. */
@@ -198,7 +198,7 @@ export class Frames {
     }
     this.isMoving = false;
     // A placeholder fades into what replaces it, even another placeholder.
-    if ((scenery.shown.isStandIn || this.exchanging > 0) && !this.isExchanged) crossFade.keep();
+    if ((scenery.shown.isPlaceholder || this.exchanging > 0) && !this.isExchanged) crossFade.keep();
     else crossFade.start();
     this.isExchanged = false;
     if (!quality.isSketch) scenery.shown.disposePrevious();

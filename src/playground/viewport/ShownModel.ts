@@ -43,7 +43,7 @@ export class ShownModel {
   }
 
   /** Whether the model is a placeholder for one that is still being baked. */
-  get isStandIn(): boolean {
+  get isPlaceholder(): boolean {
     return this.isTemporary;
   }
 
@@ -56,11 +56,11 @@ export class ShownModel {
   /**
    * Replaces the model. The previous one is disposed of when the new one has been drawn.
    *
-   * @param hasStandIn whether the shown placeholder belongs to this model, and not to one that was given up
+   * @param hasPlaceholder whether the shown placeholder belongs to this model, and not to one that was given up
    */
-  set(next: HatchedModel, firstView: ViewDirection = DEFAULT_VIEW, hasStandIn = this.isTemporary): void {
+  set(next: HatchedModel, firstView: ViewDirection = DEFAULT_VIEW, hasPlaceholder = this.isTemporary): void {
     this.disposePrevious();
-    const change = hasStandIn ? 'completed' : 'another';
+    const change = hasPlaceholder ? 'completed' : 'another';
     const before = this.exchange(next);
     this.previous.push(...[before, this.replaced?.model].filter((model) => model !== undefined));
     this.isTemporary = false;
@@ -68,8 +68,8 @@ export class ShownModel {
     this.report(change, firstView);
   }
 
-  /** Shows a placeholder until {@link set} sets the baked model, or {@link removeStandIn} brings back the earlier one. */
-  setStandIn(next: HatchedModel, firstView: ViewDirection = DEFAULT_VIEW): void {
+  /** Shows a placeholder until {@link set} sets the baked model, or {@link removePlaceholder} brings back the earlier one. */
+  setPlaceholder(next: HatchedModel, firstView: ViewDirection = DEFAULT_VIEW): void {
     this.disposePrevious();
     const before = this.exchange(next);
     if (!this.isTemporary) this.replaced = { model: before, firstView: this.firstView };
@@ -79,12 +79,12 @@ export class ShownModel {
   }
 
   /** Removes the placeholder, if one is shown. */
-  removeStandIn(): void {
+  removePlaceholder(): void {
     const { replaced } = this;
     if (!this.isTemporary || !replaced) return;
     this.disposePrevious();
-    const standIn = this.exchange(replaced.model);
-    if (standIn) this.previous.push(standIn);
+    const placeholder = this.exchange(replaced.model);
+    if (placeholder) this.previous.push(placeholder);
     this.isTemporary = false;
     this.replaced = undefined;
     this.report('back', replaced.firstView);

@@ -40,7 +40,7 @@ export class Viewport {
     this.camera = painter.camera;
     this.quality = new FrameQuality(painter.renderer, {
       refine: () => this.frames.refine(),
-      isStandIn: () => scenery.shown.isStandIn,
+      isPlaceholder: () => scenery.shown.isPlaceholder,
       onSketched: () => {
         painter.outdateShadows();
         this.show();
@@ -169,7 +169,7 @@ export class Viewport {
     // After a placeholder, no sketch is needed: its programs are the model's, and so are its shadows if it was drawn whole.
     this.quality.restart(change === 'another' && !painter.isLost);
     if (!hasShadows) painter.outdateShadows();
-    if (change === 'back') frames.forgetStandIn();
+    if (change === 'back') frames.forgetPlaceholder();
     this.show();
     this.placeModel(firstView);
     frames.invalidate();

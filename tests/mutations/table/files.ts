@@ -71,7 +71,7 @@ export const files: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/viewer/files/scenes/readScene.test.ts',
-      title: 'stand-ins for page objects are removed again',
+      title: 'the objects of a page are restored afterwards',
     },
   },
   {

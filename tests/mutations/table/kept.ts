@@ -59,7 +59,7 @@ export const kept: readonly Mutation[] = [
   {
     name: 'a picture is taken while a model stands in',
     file: 'src/playground/session/KeptPicture.ts',
-    find: '!viewport.shown.isStandIn &&',
+    find: '!viewport.shown.isPlaceholder &&',
     replace: '',
     caughtBy: {
       layer: 'unit',

@@ -5,7 +5,7 @@ import { baseName } from '../common/fileName.js';
 import type { FindFile } from '../common/Surroundings.js';
 import { toUtf8 } from '../common/toUtf8.js';
 import type { LoadedScene } from '../scenes/LoadedScene.js';
-import { withStandIns } from '../scenes/standIns.js';
+import { withoutDocument } from '../scenes/withoutDocument.js';
 import { clampedMaterials, cleanMtl, cleanObj, materialLibraries, namesIn, otherThanFaces } from './cleanObj.js';
 import { writeFaces } from './writeFaces.js';
 
@@ -15,7 +15,7 @@ export async function readObj(bytes: Uint8Array, findFile: FindFile): Promise<Lo
   const text = decoder.decode(bytes);
   const { materials, missing } = await findMaterials(materialLibraries(text), findFile);
   const loader = new OBJLoader();
-  const root = withStandIns(() => {
+  const root = withoutDocument(() => {
     if (materials) loader.setMaterials(new MTLLoader().parse(cleanMtl(materials), ''));
     return loader.parse(writeFaces(cleanObj(text)));
   });

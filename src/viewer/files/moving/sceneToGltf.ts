@@ -81,7 +81,7 @@ export async function sceneToGltf(root: Object3D): Promise<WrittenScene> {
   return { glb: new Uint8Array(glb as ArrayBuffer), pictures: pictures.written, leftOut };
 }
 
-/** Runs the exporter with a stand-in for `FileReader`, where there is none. */
+/** Runs the exporter with a `FileReader` of our own where there is none. */
 async function withReader<Result>(write: () => Promise<Result>): Promise<Result> {
   if ('FileReader' in globalThis) return write();
   Object.assign(globalThis, { FileReader: BlobReader });

@@ -1,6 +1,6 @@
 import type { BufferGeometry, Mesh } from 'three';
 import { DISPLACEMENT_NOTE } from './LoadedScene.js';
-import { replace } from './standIns.js';
+import { replace } from './withoutDocument.js';
 
 /** A spec of a USD layer: a prim, or a property of one. */
 interface Spec {
@@ -108,8 +108,8 @@ function dropHidden(specs: Specs): void {
   const hidden = new Set<string>();
   for (const [path, { fields }] of prims) {
     const purpose = given(path, 'purpose');
-    const isStandIn = purpose === 'guide' || (purpose === 'proxy' && isRendered);
-    if (isStandIn || given(path, 'visibility') === 'invisible' || fields?.active === false) hidden.add(path);
+    const isLeftOut = purpose === 'guide' || (purpose === 'proxy' && isRendered);
+    if (isLeftOut || given(path, 'visibility') === 'invisible' || fields?.active === false) hidden.add(path);
   }
   if (hidden.size === 0) return;
   for (const path of Object.keys(specs)) {

@@ -2,15 +2,15 @@ import type { Mesh, Object3D } from 'three';
 import { check3ds } from './check3ds.js';
 import { type LoadedScene, sceneOf } from './LoadedScene.js';
 import { smoothByGroups } from './smoothByGroups.js';
-import { withStandIns } from './standIns.js';
 import { TdsFaces } from './TdsFaces.js';
+import { withoutDocument } from './withoutDocument.js';
 
 /** Reads a 3DS file. @throws ModelError if it is damaged; Error of the loader */
 export function read3ds(bytes: Uint8Array, name: string): LoadedScene {
   const plain = bytes.slice();
   check3ds(plain, name);
   const loader = new TdsFaces();
-  const root = withStandIns(() => loader.parse(plain.buffer, ''));
+  const root = withoutDocument(() => loader.parse(plain.buffer, ''));
   root?.traverse((object) => setNormals(object, loader));
   return sceneOf(root, name);
 }

@@ -3,13 +3,13 @@ import { ThreeMFLoader } from 'three/addons/loaders/3MFLoader.js';
 import { unzip } from '../archives/zip.js';
 import { join3mf } from './join3mf.js';
 import { type LoadedScene, sceneOf } from './LoadedScene.js';
-import { withStandIns } from './standIns.js';
+import { withoutDocument } from './withoutDocument.js';
 
 /** Reads a 3MF file. @throws ModelError if it is damaged; Error of the loader */
 export async function read3mf(bytes: Uint8Array, name: string): Promise<LoadedScene> {
   const joined = join3mf(await unzip(bytes, name, () => true), name);
   const scene = sceneOf(
-    withStandIns(() => new ThreeMFLoader().parse(joined.bytes.slice().buffer)),
+    withoutDocument(() => new ThreeMFLoader().parse(joined.bytes.slice().buffer)),
     name,
   );
   showAlpha(scene.root);

@@ -2,7 +2,7 @@ import { USDLoader } from 'three/addons/loaders/USDLoader.js';
 import { type LoadedScene, sceneOf } from './LoadedScene.js';
 import { mendFans } from './mendFans.js';
 import { mendUsd, plainUsda, type UsdComposer } from './mendUsd.js';
-import { withStandIns } from './standIns.js';
+import { withoutDocument } from './withoutDocument.js';
 
 const SIGNATURE = '#usda';
 
@@ -13,7 +13,7 @@ export async function readUsd(bytes: Uint8Array, name: string): Promise<LoadedSc
   try {
     const isText = new TextDecoder('latin1').decode(bytes.subarray(0, SIGNATURE.length)) === SIGNATURE;
     const content = isText ? plainUsda(new TextDecoder().decode(bytes)) : bytes.slice().buffer;
-    const root = withStandIns(() => new USDLoader().parse(content));
+    const root = withoutDocument(() => new USDLoader().parse(content));
     if (root) mendFans(root);
     return { ...sceneOf(root, name), notes: [...notes] };
   } finally {

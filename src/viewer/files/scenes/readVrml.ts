@@ -4,7 +4,7 @@ import { ModelError } from '../common/ModelError.js';
 import { type LoadedScene, sceneOf } from './LoadedScene.js';
 import { mendFans } from './mendFans.js';
 import { plainVrml } from './plainVrml.js';
-import { withStandIns } from './standIns.js';
+import { withoutDocument } from './withoutDocument.js';
 
 /** Reads a VRML 2 file. @throws ModelError if it contains unsupported nodes; Error of the loader */
 export function readVrml(bytes: Uint8Array, name: string): LoadedScene {
@@ -12,7 +12,7 @@ export function readVrml(bytes: Uint8Array, name: string): LoadedScene {
   if (/^[^#"\n\r]*\b(?:EXTERN)?PROTO\b/m.test(text))
     throw new ModelError(`${name} defines nodes of its own (PROTO), which this page does not read.`);
   const plain = plainVrml(text);
-  const root = withStandIns(() => new VRMLLoader().parse(plain.text, ''));
+  const root = withoutDocument(() => new VRMLLoader().parse(plain.text, ''));
   if (!root) return sceneOf(root, name);
   mendFans(root);
   if (!/\b(?:creaseAngle|Normal)\b/.test(text)) root.traverse(withoutNormals);

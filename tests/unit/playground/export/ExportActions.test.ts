@@ -47,7 +47,7 @@ function makePage(
   const model = { root: new Group() };
   const quality = { isOnPage };
   const frames = { invalidate: () => {}, keepPictures: () => {}, leavePictures: () => {} };
-  const viewport = { model, shown: { isStandIn: false }, quality, isComplete: true, frames };
+  const viewport = { model, shown: { isPlaceholder: false }, quality, isComplete: true, frames };
   const settings = { ...defaultSettings(), technique: 'engraved' as const, lineField };
   const session = { viewport, settings, modelLoader: { title: 'A model', simplified, shownFiles: { files: FILES } } };
   const form = new GeometryLoader(viewport as never, settings, tasks);

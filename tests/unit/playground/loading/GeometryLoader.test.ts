@@ -22,7 +22,7 @@ function makePage(changes: Partial<Settings>) {
   const frames = { fadeIntoNext: vi.fn(), invalidate: vi.fn(), keepPictures: vi.fn(), leavePictures: vi.fn() };
   const viewport = {
     model: { root: new Group(), lacksAdjacency: false },
-    shown: { isStandIn: false },
+    shown: { isPlaceholder: false },
     quality: { isOnPage: true },
     frames,
     rebuildPrograms: vi.fn(),

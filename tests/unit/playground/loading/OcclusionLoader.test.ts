@@ -14,7 +14,7 @@ vi.mock('../../../../src/viewer/drawing/bakeOcclusion.js', () => ({
 function bakesOf(...meshes: Mesh[]): number {
   const run = vi.fn();
   const quality = { isOnPage: false };
-  const viewport = { model: { root: new Group().add(...meshes) }, shown: { isStandIn: false }, quality };
+  const viewport = { model: { root: new Group().add(...meshes) }, shown: { isPlaceholder: false }, quality };
   const loader = new OcclusionLoader(viewport as never, { occlusion: 50 } as never, { run, stop: vi.fn() } as never);
   loader.update();
   expect(run, 'before the model was drawn').not.toHaveBeenCalled();
@@ -35,7 +35,7 @@ test('occlusion is baked once, and not for models of instances alone, which cann
 test('the occlusion bake waits for tasks that were started later', async () => {
   const tasks = new TaskRunner(fakeStatus().status, { hasDrawing: () => true, onIdle: () => {} });
   const model = { root: new Group().add(new Mesh(box)) };
-  const viewport = { model, shown: { isStandIn: false }, quality: { isOnPage: true } };
+  const viewport = { model, shown: { isPlaceholder: false }, quality: { isOnPage: true } };
   new OcclusionLoader(viewport as never, { occlusion: 50 } as never, tasks).update();
   await eventually(() => expect(bakeOcclusion).toHaveBeenCalled());
   const { pause } = vi.mocked(bakeOcclusion).mock.lastCall![1]!;
@@ -53,7 +53,7 @@ test('finer occlusion is drawn step by step with quick frames, and once at the e
     const refine = vi.fn();
     const viewport = {
       model: { root: new Group().add(new Mesh(box)) },
-      shown: { isStandIn: false },
+      shown: { isPlaceholder: false },
       quality: { isOnPage: true, isSlow },
       frames: { refine },
     };

@@ -20,7 +20,7 @@ function createPicture() {
     isComplete: true,
     frames: { isWaiting: false, redraw: () => true, canvas: { width: 300, height: 200 }, count: 0 },
     quality: { isCoarse: false },
-    shown: { isStandIn: false },
+    shown: { isPlaceholder: false },
     context: gl.context,
   };
   const taken: string[] = [];
@@ -51,10 +51,10 @@ test('a drawing that is not final waits for a later frame, and is read once', as
   picture.frameDrawn();
   expect(drawImage).not.toHaveBeenCalled();
   viewport.quality.isCoarse = false;
-  viewport.shown.isStandIn = true;
+  viewport.shown.isPlaceholder = true;
   picture.frameDrawn();
   expect(drawImage).not.toHaveBeenCalled();
-  viewport.shown.isStandIn = false;
+  viewport.shown.isPlaceholder = false;
   picture.frameDrawn();
   picture.frameDrawn();
   await vi.advanceTimersByTimeAsync(1000);

@@ -9,7 +9,7 @@ afterEach(() => void vi.useRealTimers());
 function createQuality() {
   const gl = fakeFences();
   const renderer = { getContext: () => gl.context, getPixelRatio: () => 1, setPixelRatio: () => {} };
-  const host = { isStandIn: () => false, refine: vi.fn(), onSketched: () => {} };
+  const host = { isPlaceholder: () => false, refine: vi.fn(), onSketched: () => {} };
   const quality = new FrameQuality(renderer as never, host);
   /** Draws a frame that takes so many milliseconds. */
   const draw = async (milliseconds: number): Promise<void> => {

@@ -48,7 +48,7 @@ function makeFrames() {
     isBuilding: false,
     isLost: false,
   };
-  const scenery = { shown: { model: {}, isStandIn: false, disposePrevious: () => {} }, showSketch: vi.fn() };
+  const scenery = { shown: { model: {}, isPlaceholder: false, disposePrevious: () => {} }, showSketch: vi.fn() };
   const sheet = new Frames(
     painter as never,
     scenery as never,

@@ -1,7 +1,7 @@
 import { PNG } from 'pngjs';
 import { FileLoader, ImageLoader, TextureLoader } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
-import { withStandIns } from '../../../../../src/viewer/files/scenes/standIns.js';
+import { withoutDocument } from '../../../../../src/viewer/files/scenes/withoutDocument.js';
 import { XmlParser } from '../../../../../src/viewer/files/scenes/XmlElement.js';
 import {
   type Content,
@@ -101,13 +101,13 @@ describe('pictures and motion', () => {
 
   test('no loader of three can fetch', () => {
     vi.stubGlobal('fetch', () => expect.unreachable('nothing is fetched'));
-    withStandIns(() => {
+    withoutDocument(() => {
       new FileLoader().load('https://example.org/a.bin', () => {});
       new TextureLoader().load('https://example.org/a.png');
     });
   });
 
-  test('stand-ins for page objects are removed again', async () => {
+  test('the objects of a page are restored afterwards', async () => {
     const { load } = ImageLoader.prototype;
     const { createObjectURL } = URL;
     await read(['box.dae', dae()]);

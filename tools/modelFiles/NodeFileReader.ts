@@ -1,5 +1,5 @@
 /** Node has no `FileReader`, which three's exporter of glTF reads blobs with. */
-export class FileReaderStandIn {
+export class NodeFileReader {
   result: ArrayBuffer | null = null;
   onloadend: (() => void) | null = null;
 

@@ -13,7 +13,7 @@ import { drawsWithAdjacency } from '../../viewer/settings/settingValues.js';
  * A placeholder that is drawn while `read` is baked: with plain normals and without outlines. Undefined if the bake is short, or the
  * settings cannot be drawn without it.
  */
-export function standInOf(read: ReadModel | BuiltInScene, settings: Settings): HatchedModel | undefined {
+export function placeholderOf(read: ReadModel | BuiltInScene, settings: Settings): HatchedModel | undefined {
   if (read.kind !== 'mesh' || !read.plainNormals) return undefined;
   if (drawsWithAdjacency(settings)) return undefined;
   const { mesh, plainNormals, isClosed } = read;

@@ -4,14 +4,14 @@ import { XmlParser } from './XmlElement.js';
 
 /**
  * Runs one of three's loaders without a document, as in a worker, and without loading anything: every texture gets a {@link PictureLink}.
- * Meanwhile, stand-ins replace the image and file loaders, which need a document and would fetch files that were not dropped; blob URLs,
+ * Until it returns, it replaces the image and file loaders, which need a document and would fetch files that were not dropped; blob URLs,
  * which some pages forbid; the XML parser and the window size, which workers lack; Float32Array, which is too coarse for map coordinates;
  * and the console, where loaders report what the user cannot change.
  *
  * @param parse must be synchronous
  * @param Parser of XML
  */
-export function withStandIns<Result>(parse: () => Result, Parser: new () => XmlParser = XmlParser): Result {
+export function withoutDocument<Result>(parse: () => Result, Parser: new () => XmlParser = XmlParser): Result {
   const blobs = new Map<string, Blob>();
   const link = (url: string): PictureLink => ({ url, content: blobs.get(url), width: 1, height: 1 });
   // A page's own window cannot be replaced.

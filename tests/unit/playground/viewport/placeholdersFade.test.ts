@@ -34,7 +34,7 @@ afterEach(() => void vi.unstubAllGlobals());
 
 /** Frames of a viewport, and a way to put another model on it. */
 function makeFrames() {
-  const shown = { isStandIn: false, name: '', disposePrevious: () => {}, model: {} };
+  const shown = { isPlaceholder: false, name: '', disposePrevious: () => {}, model: {} };
   const canvas = { width: 100, height: 100, shows: '', after: () => {} };
   const painter = {
     canvas,
@@ -46,9 +46,9 @@ function makeFrames() {
   const quality = { measure: (draw: () => void) => draw(), share: 1 };
   const viewport = { clientWidth: 100, clientHeight: 100 };
   const frames = new Frames(painter as never, { shown } as never, quality as never, viewport as never);
-  const replace = (name: string, isStandIn: boolean): void => {
-    if (shown.isStandIn) frames.fadeIntoNext();
-    Object.assign(shown, { name, isStandIn });
+  const replace = (name: string, isPlaceholder: boolean): void => {
+    if (shown.isPlaceholder) frames.fadeIntoNext();
+    Object.assign(shown, { name, isPlaceholder });
     frames.draw();
   };
   return { frames, replace };
@@ -65,7 +65,7 @@ test('a placeholder fades into the next one, and that into the model', async () 
   expect(copy.copied).not.toContain('other');
   endFading();
   await eventually(() => expect(copy.hidden).toBe(true));
-  // No frame was drawn since: the stand-in is drawn once more, to be copied.
+  // No frame was drawn since: the placeholder is drawn once more, to be copied.
   replace('model', false);
   expect([copy.hidden, copy.copied.at(-1)]).toEqual([false, 'other']);
 });
