@@ -9,7 +9,7 @@ struct HatchingSurface {
   vec3 smoothNormal; // unit, view space
   ToneNormals normals; // unit, view space
   PerToneNormal radiance;
-  PerToneNormal shadowed; // radiance that shadows take, where TELLS_SHADOWS
+  PerToneNormal shadowed; // radiance that shadows take, where SEPARATES_SHADOWS
   float darkness; // darkness of its own colour, as far as it becomes tone
   float plane; // 1 on plane surfaces, 0 on round ones
 };
@@ -43,23 +43,23 @@ void addDirectRadiance(const in IncidentLight light, const in vec3 toViewer, ino
     response += step(0.0, cosine) * pow(max(mirrored, 1e-6), PerToneNormal(shininess));
   #endif // TONE_MODEL
   PerToneNormal arriving = luminance(light.color) * RECIPROCAL_PI * response;
-  #ifdef TELLS_SHADOWS
+  #ifdef SEPARATES_SHADOWS
     surface.shadowed += (1.0 - lightShadow) * arriving;
     arriving *= lightShadow;
     #ifdef DISSOLVES_SHADOWS
       float takes = luminance(light.color) * max(dot(light.direction, surface.smoothNormal), 0.0) * (1.0 - lightShadow);
       shadowTaken += takes;
-      shadowLost += takes * (1.0 - toneLeft[lightsMet]);
+      shadowLost += takes * (1.0 - toneLeft[lightsVisited]);
     #endif // DISSOLVES_SHADOWS
     #ifdef REORIENTS_IN_SHADOW
       float taken = max(dot(light.direction, surface.smoothNormal), 0.0) * (1.0 - 2.0 * lightShadow);
-      isLightShadowed[lightsMet] = taken > LEAST_RESPONSE;
+      isLightShadowed[lightsVisited] = taken > LEAST_RESPONSE;
       lightSent += luminance(light.color);
       lightTaken += luminance(light.color) * taken;
     #endif // REORIENTS_IN_SHADOW
     lightShadow = 1.0;
-    lightsMet++;
-  #endif // TELLS_SHADOWS
+    lightsVisited++;
+  #endif // SEPARATES_SHADOWS
   surface.radiance += arriving;
 }
 // three.js also passes arguments for its own materials. One is named reflectedLight, and does not exist here.

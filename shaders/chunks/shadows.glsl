@@ -1,18 +1,18 @@
 // Separates a light from its shadow, since strokes depend on both. three.js' chunks multiply the two.
 #if defined(USE_SHADOWMAP) && (SHADOW_STROKES != SHADOW_STROKES_TONE || TONE_MODEL == TONE_MODEL_SHADOW)
-  #define TELLS_SHADOWS
+  #define SEPARATES_SHADOWS
 
   float lightShadow = 1.0; // of the current light: 1 where all of it arrives, 0 where nothing does
-  int lightsMet = 0; // lights visited so far by three.js' chunk
+  int lightsVisited = 0; // lights visited so far by three.js' chunk
 
-  float tellShadow(const in float shadow) {
+  float separateShadow(const in float shadow) {
     lightShadow = shadow;
     return 1.0;
   }
 
   // The shadow of the current light, from three.js' function unless it is known already.
   #if TONE_MODEL == TONE_MODEL_SHADOW
-    #define KNOWN_SHADOW(shadow) (passing[lightsMet] < 0.0 ? shadow : passing[lightsMet])
+    #define KNOWN_SHADOW(shadow) (passing[lightsVisited] < 0.0 ? shadow : passing[lightsVisited])
   #else
     #define KNOWN_SHADOW(shadow) shadow
   #endif // TONE_MODEL

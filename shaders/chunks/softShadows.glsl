@@ -1,5 +1,5 @@
 // Shadows whose edges widen and whose tone dissolves with the distance from the occluder.
-#if defined(TELLS_SHADOWS) && TONE_MODEL == TONE_MODEL_SHADOW
+#if defined(SEPARATES_SHADOWS) && TONE_MODEL == TONE_MODEL_SHADOW
   #define DISSOLVES_SHADOWS
 
   uniform float shadowTone; // tone of a full shadow where it touches its occluder
@@ -101,4 +101,4 @@
       #include "eachCubeShadow"
     #endif // CUBE_SHADOW_MAP
   }
-#endif // TELLS_SHADOWS
+#endif // SEPARATES_SHADOWS

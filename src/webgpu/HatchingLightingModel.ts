@@ -9,7 +9,7 @@ import { tsl, type Value } from './nodes/base/values.js';
 import { lightLuminance } from './nodes/chunks/lightLuminance.js';
 import { fallOff, valuesFor } from './nodes/chunks/meanLight.js';
 import { openToLights, openToSky } from './nodes/chunks/occlude.js';
-import { hasShadows, type ShadowedLight, tellShadow } from './nodes/chunks/shadows.js';
+import { hasShadows, type ShadowedLight, separateShadow } from './nodes/chunks/shadows.js';
 import { shadowLeft } from './nodes/chunks/softShadows.js';
 
 const { cameraViewMatrix, cross, dot, float, fwidth, length, max, normalView, positionView, positionViewDirection } =
@@ -96,7 +96,7 @@ export class HatchingLightingModel extends LightingModel {
     const context = builder.context as LightingContext;
     // An application may have set one of its own.
     context.getShadow ??= (lit) => {
-      const shadow = tellShadow(builder, lit, this.dissolves);
+      const shadow = separateShadow(builder, lit, this.dissolves);
       if (!isTold) return lit.baseColorNode.mul(shadow.shadow);
       this.shadow = shadow;
       return lit.baseColorNode;

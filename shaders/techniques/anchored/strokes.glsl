@@ -51,7 +51,7 @@ float foreshortenedOctaves(const in vec3 lean) {
 }
 
 // Layers that cross from some tone on, and those of shadows, are blank in most places.
-#if STROKE_LAYERS == STROKE_LAYERS_TONE || defined(TELLS_SHADOWS)
+#if STROKE_LAYERS == STROKE_LAYERS_TONE || defined(SEPARATES_SHADOWS)
   #define MAY_BE_BLANK true
 #else
   #define MAY_BE_BLANK false

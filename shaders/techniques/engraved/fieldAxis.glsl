@@ -44,7 +44,7 @@ Field firstField(const in vec4 light) {
 
 // The value at a point, 0 at the origin: |P_L| − |P − P_L| in a form that holds at any distance, P·axis in the limit. gradient: unit.
 float fieldAt(const in Field field, const in vec3 point, out vec3 gradient) {
-  #if !defined(TURNS_WITH_LIGHT) || LIGHTS_AT_PLACES == 0
+  #if !defined(TURNS_WITH_LIGHT) || POSITIONAL_LIGHTS == 0
     // A plane field.
     gradient = field.axis;
     return dot(point, field.axis);

@@ -85,7 +85,7 @@ export function lightCountDefines(): string {
   const known = knownKinds();
   return [
     `#define LIGHTS_WITH_DIRECTION ${sum(known.filter(({ from }) => from !== 'sky'))}`,
-    `#define LIGHTS_AT_PLACES ${sum(known.filter(({ from }) => from === 'place'))}`,
+    `#define POSITIONAL_LIGHTS ${sum(known.filter(({ from }) => from === 'place'))}`,
   ].join('\n');
 }
 
@@ -100,7 +100,7 @@ export function lightCountDefines(): string {
  * - `eachSky` visits hemisphere lights. Their number has no meaning.
  *
  * `lightShadows` is not a loop: it wraps three's shadow map functions, so that calls go through `KNOWN_SHADOW` and results through
- * `tellShadow`.
+ * `separateShadow`.
  */
 export function lightChunks(): Record<string, string> {
   const kinds = knownKinds();
@@ -114,7 +114,7 @@ export function lightChunks(): Record<string, string> {
     eachSky: walk('sky') + end,
     // A macro does not expand within itself, so that the wrapped function can have its own name.
     lightShadows: kinds
-      .map(({ shadow }) => (shadow ? `#define ${shadow} tellShadow(KNOWN_SHADOW(${shadow}))\n` : ''))
+      .map(({ shadow }) => (shadow ? `#define ${shadow} separateShadow(KNOWN_SHADOW(${shadow}))\n` : ''))
       .join(''),
   };
 }

@@ -116,7 +116,7 @@ function filtered(builder: NodeBuilder, lit: ShadowedLight, map: ShadowMap | nul
 }
 
 /** @param dissolves whether shadows alone are drawn, with edges that widen and a tone that dissolves */
-export function tellShadow(
+export function separateShadow(
   builder: NodeBuilder,
   lit: ShadowedLight,
   dissolves: boolean,

@@ -50,7 +50,7 @@ describe('the walks over lights', () => {
     }
     expect(lightCountDefines().split('\n')).toEqual([
       `#define LIGHTS_WITH_DIRECTION (${counts.join(' + ')})`,
-      '#define LIGHTS_AT_PLACES (NUM_POINT_LIGHTS + NUM_SPOT_LIGHTS)',
+      '#define POSITIONAL_LIGHTS (NUM_POINT_LIGHTS + NUM_SPOT_LIGHTS)',
     ]);
   });
 
