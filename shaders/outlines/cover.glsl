@@ -13,7 +13,7 @@ void clearVaryings() {
   vStart = vec4(0.0);
   vEnd = vec4(0.0);
   vOvershoots = vec2(0.0);
-  vStandings = vec4(0.0);
+  vLineWeights = vec4(0.0);
   vContour = 0.0;
   vTolerance = 0.0;
   #ifdef HIDDEN
@@ -96,9 +96,9 @@ void coverPiece(const in Piece piece, const in int corner) {
   vOvershoots = vec2(from.overshoot, to.overshoot);
   vContour = piece.contour;
   vTolerance = toleranceOf(piece, max(pixels.x, pixels.y), scale);
-  vStandings = piece.contour > 0.0 ? vec4(-1.0) : vec4(1.0, 0.0, 1.0, 0.0);
+  vLineWeights = piece.contour > 0.0 ? vec4(-1.0) : vec4(1.0, 0.0, 1.0, 0.0);
   #ifdef HIDDEN
-    vStandings = vec4(1.0, 0.0, 1.0, 0.0);
+    vLineWeights = vec4(1.0, 0.0, 1.0, 0.0);
     vec4 origin = projectionMatrix * objectToView() * vec4(0.0, 0.0, 0.0, 1.0);
     vOrigin = pixelOf(vec4(origin.xyz, max(origin.w, 1e-3)));
   #endif // HIDDEN
@@ -111,9 +111,9 @@ void coverPiece(const in Piece piece, const in int corner) {
     #else
       if (!any(seen)) return;
     #endif // HIDDEN
-    if (vStandings.x < 0.0) {
-      vStandings.xy = standingAt(spine, a, max(halfStart.x, halfStart.y));
-      vStandings.zw = standingAt(spine, b, max(halfEnd.x, halfEnd.y));
+    if (vLineWeights.x < 0.0) {
+      vLineWeights.xy = lineWeightAt(spine, a, max(halfStart.x, halfStart.y));
+      vLineWeights.zw = lineWeightAt(spine, b, max(halfEnd.x, halfEnd.y));
     }
   }
 

@@ -53,7 +53,7 @@ float paperness(const in float gap) {
 }
 
 // The share of paper in what lies behind an outline at a point on its spine, and the share of an accent.
-vec2 standingAt(const in Spine spine, const in vec2 place, const in float halfWidth) {
+vec2 lineWeightAt(const in Spine spine, const in vec2 place, const in float halfWidth) {
   float height = viewHeightAt(spineDepth(spine, place));
   vec2 beside = (halfWidth + BEYOND) * vec2(-spine.along.y, spine.along.x);
   float left = gapAt(spine, place + beside);
@@ -83,6 +83,6 @@ vec2 standingAt(const in Spine spine, const in vec2 place, const in float halfWi
 }
 
 // Half the width at a point. halves: before paper, and before a surface.
-float halfWidthAs(const in vec2 standing, const in vec2 halves) {
-  return mix(halves.y, halves.x, standing.x) * (1.0 + vContour * accents * standing.y);
+float halfWidthAs(const in vec2 lineWeight, const in vec2 halves) {
+  return mix(halves.y, halves.x, lineWeight.x) * (1.0 + vContour * accents * lineWeight.y);
 }

@@ -52,9 +52,9 @@ void main() {
       isDrawn = !isDrawn;
     #endif // HIDDEN
     if (!isDrawn || isCutAway(spine, seen)) discard;
-    vec2 standing = mix(vStandings.xy, vStandings.zw, t);
-    if (vStandings.x < 0.0) standing = standingAt(spine, seen, max(halves.x, halves.y));
-    halfWidth = halfWidthAs(standing, halves);
+    vec2 lineWeight = mix(vLineWeights.xy, vLineWeights.zw, t);
+    if (vLineWeights.x < 0.0) lineWeight = lineWeightAt(spine, seen, max(halves.x, halves.y));
+    halfWidth = halfWidthAs(lineWeight, halves);
   }
   // Round ends fill the joints. Their edges lie inside, or two fading edges would add up beside each joint.
   float fringe = place == onOutline ? 0.5 : 0.0;

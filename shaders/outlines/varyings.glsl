@@ -4,7 +4,7 @@ varying vec4 vHalfWidths; // half widths of start and end before paper, and of b
 varying vec4 vStart; // view space, and the distance of its depth, which is nearer
 varying vec4 vEnd;
 varying vec2 vOvershoots; // lengths of the overshoots at start and end, pixels
-varying vec4 vStandings; // standings of start and end (hierarchy.glsl); negative where they are computed per fragment
+varying vec4 vLineWeights; // line weights at start and end (hierarchy.glsl); negative where they are computed per fragment
 varying float vContour; // share of an outline that is a contour or a border, not a crease
 varying float vTolerance; // distance by which a surface may lie before its own outline, view units
 #ifdef HIDDEN

@@ -15,7 +15,7 @@ import { loseEdges, type SeenOutline } from './outlines/loseEdges.js';
 import { outlineChains } from './outlines/outlineChains.js';
 import { hiddenLook, outlinePieces, weighHidden } from './outlines/outlinePieces.js';
 import { cutTest, outlineTest } from './outlines/seenOutlines.js';
-import { weighByStanding } from './outlines/weighByStanding.js';
+import { weighOutline } from './outlines/weighOutline.js';
 import type { Projection } from './Projection.js';
 import { type Clip, isClipped } from './paint/Clip.js';
 import { Fading, VeilTone } from './paint/Fading.js';
@@ -137,7 +137,7 @@ export class LineDrawer {
       const [from, to] = [0.5 + (0.5 * i) / chains.length, 0.5 + (0.5 * (i + 1)) / chains.length];
       this.segments += chain.count - 1;
       yield from;
-      yield* asPhase(weighByStanding(chain, bvh, projection), from, (from + to) / 2);
+      yield* asPhase(weighOutline(chain, bvh, projection), from, (from + to) / 2);
       const isSeen = clipped(uncut(outlineTest(chain, bvh, projection), cutTest(chain, bvh, projection)), clip);
       for (const { faded, left, isLeft } of yield* this.fadedParts(chain, isSeen)) {
         if (least > 0) endHairlines(faded, least);

@@ -132,8 +132,8 @@ export class Toner {
     const emitted = paint?.emitted ?? look.emitted;
     const rest = sky * (around + (look.reflectedLight * reflected) / Math.PI) + emitted;
     const painted = paint ? { ...look, darkness: paint.darkness } : look;
-    const standing = look.fading === null ? 1 : fadingAt(look.fading, fadedPlace(world, projection));
-    const weight = look.opacity * standing;
+    const faded = look.fading === null ? 1 : fadingAt(look.fading, fadedPlace(world, projection));
+    const weight = look.opacity * faded;
     const left = taken > 0 ? 1 - lost / taken : 1;
     if (look.ground) {
       const tone = weight * groundTone(open * direct + rest, open * shadowed, left, look, look.ground);

@@ -5,7 +5,7 @@ import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 import { mostOutlineFading } from '../chunks/fading.js';
 import { lifted, liftOf, toleranceOf } from './hiding.js';
-import { accents, isSeen, SHORT, type Spine, standingAt } from './hierarchy.js';
+import { accents, isSeen, lineWeightAt, SHORT, type Spine } from './hierarchy.js';
 import type { OutlineDefines } from './OutlineDefines.js';
 import type { Piece, PieceEnd } from './piece.js';
 import type { InstancePlace } from './primitives.js';
@@ -44,8 +44,8 @@ const FRINGE = 1;
 const BEHIND_NEAR = 1.0001;
 
 export function clearVaryings({ HIDDEN, WOBBLE }: OutlineDefines): void {
-  const { vContour, vEnd, vEnds, vHalfWidths, vOvershoots, vStandings, vStart, vTolerance } = varyings;
-  for (const varying of [vEnds, vHalfWidths, vStart, vEnd, vStandings]) varying.assign(vec4(0));
+  const { vContour, vEnd, vEnds, vHalfWidths, vOvershoots, vLineWeights, vStart, vTolerance } = varyings;
+  for (const varying of [vEnds, vHalfWidths, vStart, vEnd, vLineWeights]) varying.assign(vec4(0));
   vOvershoots.assign(vec2(0));
   vContour.assign(0);
   vTolerance.assign(0);
@@ -141,7 +141,7 @@ export function coverPiece(
     const middle = a.add(b).mul(0.5).toVar();
     const tolerance = toleranceOf(piece, max(pixelAtStart, pixelAtEnd), scale).toVar();
     const whole = vec4(1, 0, 1, 0);
-    const standings = (defines.HIDDEN ? whole : select(piece.contour.greaterThan(0), vec4(-1), whole)).toVar();
+    const weights = (defines.HIDDEN ? whole : select(piece.contour.greaterThan(0), vec4(-1), whole)).toVar();
 
     if (hasSceneDepth(builder)) {
       If(size.lessThan(SHORT), () => {
@@ -153,10 +153,10 @@ export function coverPiece(
           drawn.assign(drawn.or(defines.HIDDEN ? seen.not() : seen));
         }
         isDrawn.assign(drawn);
-        If(drawn.and(standings.x.lessThan(0)), () => {
-          const atStart = standingAt(spine, a, larger(halfStart), builder).toVar();
-          const atEnd = standingAt(spine, b, larger(halfEnd), builder).toVar();
-          standings.assign(vec4(atStart, atEnd));
+        If(drawn.and(weights.x.lessThan(0)), () => {
+          const atStart = lineWeightAt(spine, a, larger(halfStart), builder).toVar();
+          const atEnd = lineWeightAt(spine, b, larger(halfEnd), builder).toVar();
+          weights.assign(vec4(atStart, atEnd));
         });
       });
     }
@@ -169,7 +169,7 @@ export function coverPiece(
       varyings.vOvershoots.assign(vec2(from.overshoot, to.overshoot));
       varyings.vContour.assign(piece.contour);
       varyings.vTolerance.assign(tolerance);
-      varyings.vStandings.assign(standings);
+      varyings.vLineWeights.assign(weights);
       if (defines.HIDDEN) varyings.vOrigin.assign(originOf(place));
       const reach = max(mostOutlineFading().mul(larger(halves)), 0.5)
         .add(FRINGE)

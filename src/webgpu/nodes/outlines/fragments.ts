@@ -15,9 +15,9 @@ import {
   halfWidthAs,
   isCutAway,
   isSeen,
+  lineWeightAt,
   outlineWidth,
   type Spine,
-  standingAt,
 } from './hierarchy.js';
 import type { OutlineDefines } from './OutlineDefines.js';
 import { hasSceneDepth } from './sceneDepth.js';
@@ -28,9 +28,9 @@ import {
   vEnd,
   vEnds,
   vHalfWidths,
+  vLineWeights,
   vOrigin,
   vOvershoots,
-  vStandings,
   vStart,
   vTolerance,
 } from './varyings.js';
@@ -96,11 +96,11 @@ export const fragments = (defines: OutlineDefines): Value =>
         const isBefore = isSeen(spine, seen, builder);
         isDrawn.assign((defines.HIDDEN ? isBefore.not() : isBefore).and(isCutAway(spine, seen, builder).not()));
         If(isDrawn, () => {
-          const standing = mix(vStandings.xy, vStandings.zw, t).toVar();
-          If(vStandings.x.lessThan(0), () => {
-            standing.assign(standingAt(spine, seen, most, builder));
+          const lineWeight = mix(vLineWeights.xy, vLineWeights.zw, t).toVar();
+          If(vLineWeights.x.lessThan(0), () => {
+            lineWeight.assign(lineWeightAt(spine, seen, most, builder));
           });
-          halfWidth.assign(halfWidthAs(standing, halves, vContour));
+          halfWidth.assign(halfWidthAs(lineWeight, halves, vContour));
         });
       }
       // Round ends fill the joints. Their edges lie inside, or two fading edges would add up beside each joint.

@@ -84,7 +84,7 @@ const paperness = (gap: Value): Value => smoothstep(BEGINS_AS_PAPER, IS_PAPER, g
  *
  * @param halfWidth greatest half width of the outline
  */
-export function standingAt(spine: Spine, place: Value, halfWidth: Value, builder: NodeBuilder): Value {
+export function lineWeightAt(spine: Spine, place: Value, halfWidth: Value, builder: NodeBuilder): Value {
   const height = viewHeightAt(spineDepth(spine, place)).toVar();
   const beside = vec2(spine.along.y.negate(), spine.along.x).mul(halfWidth.add(BEYOND)).toVar();
   const left = gapAt(spine, place.add(beside), builder);
@@ -120,5 +120,5 @@ export function standingAt(spine: Spine, place: Value, halfWidth: Value, builder
  * Half the width at a point. @param halves before paper, and before a surface. @param contour share of the outline that is a contour or
  * border
  */
-export const halfWidthAs = (standing: Value, halves: Value, contour: Value): Value =>
-  mix(halves.y, halves.x, standing.x).mul(contour.mul(accents).mul(standing.y).add(1));
+export const halfWidthAs = (lineWeight: Value, halves: Value, contour: Value): Value =>
+  mix(halves.y, halves.x, lineWeight.x).mul(contour.mul(accents).mul(lineWeight.y).add(1));

@@ -12,8 +12,8 @@ export const vStart: Value = /* @__PURE__ */ varyingProperty('vec4', 'vStart');
 export const vEnd: Value = /* @__PURE__ */ varyingProperty('vec4', 'vEnd');
 /** Lengths of the overshoots at start and end, pixels. */
 export const vOvershoots: Value = /* @__PURE__ */ varyingProperty('vec2', 'vOvershoots');
-/** Standings of start and end (hierarchy.ts); negative where they are computed per fragment. */
-export const vStandings: Value = /* @__PURE__ */ varyingProperty('vec4', 'vStandings');
+/** Line weights at start and end (hierarchy.ts); negative where they are computed per fragment. */
+export const vLineWeights: Value = /* @__PURE__ */ varyingProperty('vec4', 'vLineWeights');
 /** The share of an outline that is a contour or a border, not a crease. */
 export const vContour: Value = /* @__PURE__ */ varyingProperty('float', 'vContour');
 /** Distance by which a surface may lie before its own outline, view units. */

@@ -2,14 +2,14 @@ import { OUTLINE_CONSTANTS } from '../../look/constants/outlineConstants.js';
 import type { Bvh } from '../Bvh.js';
 import type { Chain } from '../Chain.js';
 import type { Projection } from '../Projection.js';
-import { standingAt, strideOf } from '../shading/outlineStanding.js';
+import { lineWeightAt, strideOf } from '../shading/lineWeight.js';
 import { type ChainPlace, placeOn } from '../visibleRuns.js';
 
 /**
  * Sets the width of an outline by what lies behind it, paper or a surface, and widens it where another one ends behind it. Changes the
  * widths of the chain. Yields its progress.
  */
-export function* weighByStanding(chain: Chain, bvh: Bvh, projection: Projection): Generator<number, void, void> {
+export function* weighOutline(chain: Chain, bvh: Bvh, projection: Projection): Generator<number, void, void> {
   const { innerHalves, accents, contours, lefts, width, pieces } = chain.outline!;
   const { screen, halves, count, margins } = chain;
   const placeAt = (i: number): ChainPlace => placeOn(chain, Math.min(i, count - 2), i < count - 1 ? 0 : 1, projection);
@@ -25,7 +25,7 @@ export function* weighByStanding(chain: Chain, bvh: Bvh, projection: Projection)
     // A straight edge may run away from the eye. Contours are taken to keep their depth.
     const slope = pieces[i].isSmooth ? 0 : (depthAt(after) - depthAt(before)) / length;
     const gaps = new GapReader({ ...placeAt(i), along: [dx / length, dy / length], slope }, bvh, projection);
-    const { paper, accent } = gaps.standing(Math.max(outer, inner) + OUTLINE_CONSTANTS.BEYOND, strideOf(width));
+    const { paper, accent } = gaps.lineWeight(Math.max(outer, inner) + OUTLINE_CONSTANTS.BEYOND, strideOf(width));
     const whole = inner + paper * (outer - inner);
     const lost = paper * outer * (1 - lefts[i]);
     halves[i] = (whole - lost) * (1 + accents[i] * accent);
@@ -60,10 +60,10 @@ class GapReader {
   }
 
   /** @param stride distance between steps along the outline, pixels */
-  standing(reach: number, stride: number): { paper: number; accent: number } {
+  lineWeight(reach: number, stride: number): { paper: number; accent: number } {
     const [left, right] = [this.gapAt(reach, 0), this.gapAt(-reach, 0)];
     const outside = left > right ? reach : -reach;
-    return standingAt(Math.max(left, right), (step) => {
+    return lineWeightAt(Math.max(left, right), (step) => {
       const away = stride * step;
       return this.isInView(outside, away) ? this.gapAt(outside, away) : undefined;
     });

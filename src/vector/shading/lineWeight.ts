@@ -1,4 +1,4 @@
-/** The standing of an outline, as in shaders/outlines/hierarchy.glsl: the share of paper in what lies behind it, and of an accent. */
+/** The line weight of an outline, as in shaders/outlines/hierarchy.glsl: the share of paper in what lies behind it, and of an accent. */
 import { ACCENT_STEPS, OUTLINE_CONSTANTS } from '../../look/constants/outlineConstants.js';
 import { smoothstep } from '../../look/vectors.js';
 import { paperness } from './outlines.js';
@@ -8,7 +8,7 @@ const { ACCENT_REACH, LEAST_JUMP, FULL_JUMP } = OUTLINE_CONSTANTS;
 /** Distance between steps, in the unit of the width. */
 export const strideOf = (outlineWidth: number): number => (ACCENT_REACH * outlineWidth) / ACCENT_STEPS;
 
-export interface Standing {
+export interface LineWeight {
   /** The share of paper in what lies behind. */
   paper: number;
   /** 1 where another outline begins, 0 where none is near. */
@@ -16,13 +16,13 @@ export interface Standing {
 }
 
 /**
- * The standing at a place. Along the outline the weight changes gradually with what lies behind it, and an accent grows towards such a
+ * The line weight at a place. Along the outline the weight changes gradually with what lies behind it, and an accent grows towards such a
  * change.
  *
  * @param here distance from the outline back to the surface beside it, in heights of the view, up to 1
  * @param gapAt the same distance at a step along the outline, in either direction; undefined beyond the picture
  */
-export function standingAt(here: number, gapAt: (step: number) => number | undefined): Standing {
+export function lineWeightAt(here: number, gapAt: (step: number) => number | undefined): LineWeight {
   let paper = paperness(here);
   let sum = 1;
   let accent = 0;
