@@ -29,18 +29,21 @@ const OPTIONS = {
   version: { type: 'boolean' },
 } as const;
 
+/** The map that is drawn without any option. */
+const MAP = resolveMapDrawing();
+
 export const HELP = `three-hatching tam: draws a tonal art map into a folder of PNG images and a map.json.
 
   npx three-hatching tam --style woodcut --out maps/woodcut
 
-  --style <name>          the style of the strokes; --list prints all (default hatching)
+  --style <name>          the style of the strokes; --list prints all (default ${MAP.style})
   --preset <name>         draws the map of a preset instead of a style
   --hand <file>           draws with the strokes of a hand, a JSON file, instead of a style
   --out <folder>          the folder to write to; it is created, and must not hold a map yet
-  --size <texels>         side of the finest level: 64, 128, 256, 512 or 1024 (default 256)
-  --tones <count>         number of tones including blank paper, 4 to 16 (default 8)
+  --size <texels>         side of the finest level: 64, 128, 256, 512 or 1024 (default ${MAP.size})
+  --tones <count>         number of tones including blank paper, 4 to 16 (default ${MAP.tones})
   --levels <count>        number of levels, each half as large as the previous (default: down to 16 texels)
-  --seed <number>         a whole number; each places the strokes differently (default 1)
+  --seed <number>         a whole number; each places the strokes differently (default ${MAP.seed})
   --stroke-texels <count> width of the strokes in texels (default: that of the style)
   --force                 replaces an existing map
   --list                  prints the names of the styles

@@ -96,6 +96,9 @@ export const FORMAT_ENDINGS: readonly string[] = [
 
 const AXES = ['y', 'z', 'x', '-y', '-z', '-x'] as const;
 
+/** What is drawn where an option is left out. */
+const DEFAULTS = { zoom: 1, pen: 0.3, sheet: 'A4', margin: 10, dpi: 96, order: 'travel', jobs: 1 } as const;
+
 export const DRAW_HELP = `three-hatching draw: draws models as SVG files, for print or for a plotter's pen.
 
   npx three-hatching draw model.glb --preset engraving --view "25 8" --light "-45 40" --sheet A4 --out drawing.svg
@@ -109,20 +112,20 @@ It reads GLB, glTF, OBJ, PLY, STL, FBX, DAE, USDZ, 3MF, 3DS, VRML and OFF files,
   --view "<around> <up>"   where the eye is: degrees around the model and above it (default "31.8 17");
                            or front, back, left, right, top, bottom or iso
   --camera <name>          draws from this camera of a glTF file; its number will do
-  --zoom <factor>          how much larger than to fill the sheet (default 1)
+  --zoom <factor>          how much larger than to fill the sheet (default ${DEFAULTS.zoom})
   --orthographic           without perspective
   --light "<around> <up>"  where the light is, as the eye (default: as the file has it, or else where it suits the view)
   --no-file-lights         puts the light where it suits the view also where a glTF file has lights
   --shadows, --no-shadows  whether the light casts shadows (default: as the look has it, which is yes)
   --up <axis>              the axis that points up: y, z, x, -y, -z or -x (default: as the format has it)
   --kind <print|pen>       filled lines, or lines for one pen (default print)
-  --pen <mm>               the width of the pen; draws for a pen (default 0.3)
+  --pen <mm>               the width of the pen; draws for a pen (default ${DEFAULTS.pen})
   --sheet <size>           ${Object.keys(SHEET_SIZES).join(', ')}, turned to suit the model;
-                           "A4 landscape" or "A4 portrait"; or as 200x150 in millimetres or 8.5x11in (default A4)
-  --margin <mm>            what stays blank on all sides (default 10)
-  --dpi <number>           CSS pixels to an inch: more makes finer lines (default 96)
+                           "A4 landscape" or "A4 portrait"; or as 200x150 in millimetres or 8.5x11in (default ${DEFAULTS.sheet})
+  --margin <mm>            what stays blank on all sides (default ${DEFAULTS.margin})
+  --dpi <number>           CSS pixels to an inch: more makes finer lines (default ${DEFAULTS.dpi})
   --paper <#rrggbb>        a rectangle of this colour below the drawing, in print
-  --order <travel|drawn>   paths for a short way of the pen, or as they were found (default travel)
+  --order <travel|drawn>   paths for a short way of the pen, or as they were found (default ${DEFAULTS.order})
   --hidden <kind>          outlines behind surfaces: none, dashed or faint (default: as the look has them)
   --animate <seconds>      files that draw themselves on a web page
   --frames <count>         numbered files of a turn of the model, or of its clip
@@ -132,7 +135,7 @@ It reads GLB, glTF, OBJ, PLY, STL, FBX, DAE, USDZ, 3MF, 3DS, VRML and OFF files,
   --out <file>             the SVG file to write to; - is the standard output;
                            for several models a folder, or a name with {name} and {frame}
   --force                  replaces files
-  --jobs <count>           how many models are drawn at a time (default 1)
+  --jobs <count>           how many models are drawn at a time (default ${DEFAULTS.jobs})
   --help                   prints this text
   --version                prints the version of three-hatching
 
@@ -160,8 +163,8 @@ export function parseDrawing(args: readonly string[]): DrawRequest {
     throw new UsageError('--paper is for print; a pen would draw the border of the sheet.');
   if (values.shadows && values['no-shadows'])
     throw new UsageError('--shadows and --no-shadows exclude each other; pass only one of them.');
-  const sheet = sheetOf(values.sheet ?? 'A4');
-  const margin = number('margin', values.margin, { least: 0, most: 1000 }) ?? 10;
+  const sheet = sheetOf(values.sheet ?? DEFAULTS.sheet);
+  const margin = number('margin', values.margin, { least: 0, most: 1000 }) ?? DEFAULTS.margin;
   if (2 * margin >= Math.min(...sheet.size))
     throw new UsageError(`--margin is ${margin}, which leaves nothing of a sheet of ${sheet.size.join(' × ')} mm.`);
   const link = linkOf(values.link);
@@ -170,7 +173,7 @@ export function parseDrawing(args: readonly string[]): DrawRequest {
     preset: presetOf(values.preset),
     view: directionOf('view', values.view),
     camera: nameOf('camera', values.camera),
-    zoom: number('zoom', values.zoom, { least: 0.05, most: 100 }) ?? 1,
+    zoom: number('zoom', values.zoom, { least: 0.05, most: 100 }) ?? DEFAULTS.zoom,
     orthographic: values.orthographic ?? false,
     light: directionOf('light', values.light),
     usesFileLights: !values['no-file-lights'],
@@ -180,15 +183,15 @@ export function parseDrawing(args: readonly string[]): DrawRequest {
     format: formatOf(values.format),
     clip: nameOf('clip', values.clip),
     frames: whole('frames', values.frames, 9999),
-    pen: number('pen', values.pen, { least: 0.01, most: 20 }) ?? 0.3,
-    dpi: number('dpi', values.dpi, { least: 10, most: 1200 }) ?? 96,
+    pen: number('pen', values.pen, { least: 0.01, most: 20 }) ?? DEFAULTS.pen,
+    dpi: number('dpi', values.dpi, { least: 10, most: 1200 }) ?? DEFAULTS.dpi,
     paper: colour(values.paper),
-    order: choice('order', values.order, ['travel', 'drawn']) ?? 'travel',
+    order: choice('order', values.order, ['travel', 'drawn']) ?? DEFAULTS.order,
     hidden: choice('hidden', values.hidden, ['none', 'dashed', 'faint']),
     animate: number('animate', values.animate, { least: 0.1, most: 3600 }),
     ...{ link, kind, sheet, margin },
   };
-  const jobs = whole('jobs', values.jobs, 64) ?? 1;
+  const jobs = whole('jobs', values.jobs, 64) ?? DEFAULTS.jobs;
   return { action: 'draw', models, out: values.out, force: values.force ?? false, jobs, options };
 }
 

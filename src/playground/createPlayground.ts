@@ -1,7 +1,7 @@
 import type { Settings } from '../viewer/settings/settings.js';
 import { savedFormat } from '../viewer/settings/settingValues.js';
 import { type LinkedDrawing, readLink } from '../viewer/settings/shareLink.js';
-import type { SettingGroup } from '../viewer/settings/table/Setting.js';
+import type { SettingGroup } from '../viewer/settings/table/rows.js';
 import { connectPage } from './connectPage.js';
 import { Dialogs } from './dialogs/Dialogs.js';
 import { page } from './elements/page.js';

@@ -257,7 +257,7 @@ export const OFFERS = {
     'settings/settingValues.ts',
     'settings/shareLink.ts',
     'settings/surprise.ts',
-    'settings/table/Setting.ts',
+    'settings/table/rows.ts',
     'settings/withBoldnessAndDensity.ts',
   ],
 };

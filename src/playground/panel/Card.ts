@@ -3,7 +3,7 @@ import { errorMessage } from '../../viewer/files/common/ModelError.js';
 import { PRESET_LABELS, PRESET_NAMES } from '../../viewer/settings/presetLabels.js';
 import { presetOf, wholeLook } from '../../viewer/settings/presets.js';
 import type { Settings } from '../../viewer/settings/settings.js';
-import type { SettingGroup } from '../../viewer/settings/table/Setting.js';
+import type { SettingGroup } from '../../viewer/settings/table/rows.js';
 import { page } from '../elements/page.js';
 import { drawnView } from '../elements/viewSize.js';
 import type { SavedLooks } from '../savedLooks/SavedLooks.js';

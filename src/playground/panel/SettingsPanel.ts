@@ -7,7 +7,7 @@ import {
   SETTING_GROUPS,
   type Setting,
   type SettingGroup,
-} from '../../viewer/settings/table/Setting.js';
+} from '../../viewer/settings/table/rows.js';
 import { withBoldnessAndDensity } from '../../viewer/settings/withBoldnessAndDensity.js';
 import { type DrawnView, millimetresPerPixel } from '../print/printPlan.js';
 

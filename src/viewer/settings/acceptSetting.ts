@@ -1,5 +1,5 @@
 import { SETTINGS, type SettingKey } from './settings.js';
-import type { NumberSetting, Setting } from './table/Setting.js';
+import type { NumberSetting, Setting } from './table/rows.js';
 
 /** The allowed value of a setting that is nearest to `value`, or undefined if there is none. */
 export function acceptSetting(key: SettingKey, value: string | number): string | number | undefined {

@@ -10,11 +10,12 @@ export const compositionLook = ({ depth, depthStrength, focus, focusX, focusY, f
   }) satisfies HatchingMaterialParameters;
 
 /** The parameters of the background, with spacing in CSS pixels; undefined if there is no background. */
-export function backgroundLook(settings: Settings): Required<HatchingBackgroundParameters> | undefined {
+export function backgroundLook(
+  settings: Settings,
+): Omit<Required<HatchingBackgroundParameters>, 'contrast'> | undefined {
   if (settings.background === 'none') return undefined;
   return {
     tone: settings.backgroundTone / 100,
-    contrast: 0.75,
     spacing: settings.backgroundSpacing,
     direction: MathUtils.degToRad(settings.backgroundDirection),
     extent: settings.backgroundExtent / 100,

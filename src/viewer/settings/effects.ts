@@ -9,8 +9,7 @@ import {
 } from 'three-hatching/facts';
 import { SETTINGS, type SettingKey, type Settings } from './settings.js';
 import { looksOf } from './settingValues.js';
-import type { Setting } from './table/Setting.js';
-import { UNITS } from './table/units.js';
+import { type Setting, UNITS } from './table/rows.js';
 
 /**
  * Whether a setting changes the drawing or the saved file.

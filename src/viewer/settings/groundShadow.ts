@@ -1,6 +1,6 @@
 import type { HatchingMaterialParameters } from 'three-hatching';
 import type { Settings } from './settings.js';
-import { UNITS } from './table/units.js';
+import { UNITS } from './table/rows.js';
 
 /**
  * The shadow properties whose settings have the same name, in percent. On the page they belong to the ground's material and not to the

@@ -4,8 +4,8 @@ import { type PresetName, presets } from 'three-hatching';
 import { counts, HATCHING_PROPERTIES, pixelPower } from 'three-hatching/facts';
 import { compositionLook } from './compositionLook.js';
 import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from './settings.js';
-import type { Setting } from './table/Setting.js';
-import { unitOf } from './table/units.js';
+import { type Setting, unitOf } from './table/rows.js';
+import { STROKE_ROTATIONS, strokeDirectionOf } from './table/strokeSettings.js';
 
 const curveOf = (name: PresetName) => presets[name].material.toneCurve ?? 'linear';
 
@@ -91,12 +91,10 @@ export function materialLook(
   };
 }
 
-const ROTATIONS = { along: 0, towards: Math.PI / 2 } as const;
-
 function rotationOf({ strokeDirection, strokeAngle }: Settings, technique: Settings['technique']): number {
   const { yieldsTo }: Setting = SETTINGS.strokeDirection;
   if (yieldsTo && counts({ technique: techniqueOf(technique) }, yieldsTo)) return 0;
-  return strokeDirection === 'angle' ? MathUtils.degToRad(strokeAngle) : ROTATIONS[strokeDirection];
+  return strokeDirection === 'angle' ? MathUtils.degToRad(strokeAngle) : STROKE_ROTATIONS[strokeDirection];
 }
 
 /** The sizes of the material for some settings; pixels are CSS pixels. */
@@ -122,8 +120,7 @@ function offsetOf(offset: Vector2Like): Partial<Settings> {
 }
 
 function directionOf(strokeRotation: number): Partial<Settings> {
-  for (const [strokeDirection, rotation] of Object.entries(ROTATIONS)) {
-    if (rotation === strokeRotation) return { strokeDirection: strokeDirection as keyof typeof ROTATIONS };
-  }
-  return { strokeDirection: 'angle', strokeAngle: unitOf('strokeRotation').toSetting(strokeRotation) };
+  const strokeDirection = strokeDirectionOf(strokeRotation);
+  if (strokeDirection !== 'angle') return { strokeDirection };
+  return { strokeDirection, strokeAngle: unitOf('strokeRotation').toSetting(strokeRotation) };
 }

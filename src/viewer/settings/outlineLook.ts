@@ -2,6 +2,7 @@ import type { HatchingOutlineParameters } from 'three-hatching';
 import { counts, HATCHING_OUTLINE_DEFAULTS } from 'three-hatching/facts';
 import { techniqueOf } from './materialLook.js';
 import type { Settings } from './settings.js';
+import { outlineShadeOf, SHADE } from './table/strokeSettings.js';
 
 /**
  * Outlines overshoot corners once the wobble exceeds this many pixels, by one pixel for each pixel beyond. Below it they do not, because
@@ -9,10 +10,6 @@ import type { Settings } from './settings.js';
  */
 const LIGHT_HAND = 1;
 const OVERSHOOT = 3;
-/** The share of its weight that an outline loses in full light and gains in full shade, at a shade weight of 100 %. */
-const LOST_IN_LIGHT = 0.75;
-const GAINED_IN_SHADE = 1.75;
-
 /** The outline parameters for some settings. */
 export type OutlineLook = ReturnType<typeof outlineLook>;
 
@@ -31,7 +28,7 @@ export function outlineLook(settings: Settings) {
     lostEdges: settings.outlineLost / 100,
     accents: settings.outlineAccents / 100,
     hidden: settings.outlineHidden,
-    shadeWeights: [1 - LOST_IN_LIGHT * shade, 1 + GAINED_IN_SHADE * shade] as const,
+    shadeWeights: [1 - SHADE.lost * shade, 1 + SHADE.gained * shade] as const,
     wobble: settings.outlineHand,
     overshoot: OVERSHOOT * Math.max(0, settings.outlineHand - LIGHT_HAND),
     // Outlines use the medium of the strokes.
@@ -47,7 +44,6 @@ export function outlineLook(settings: Settings) {
 export function settingsOfOutlines(parameters: HatchingOutlineParameters): Partial<Settings> {
   const all = { ...HATCHING_OUTLINE_DEFAULTS, ...parameters };
   const percent = (weight: number): number => Math.round(100 * weight);
-  const [inLight] = all.shadeWeights as readonly number[];
   return {
     outlines: 'on',
     outlineWidth: all.outlineWidth,
@@ -59,7 +55,7 @@ export function settingsOfOutlines(parameters: HatchingOutlineParameters): Parti
     outlineLost: percent(all.lostEdges),
     outlineAccents: percent(all.accents),
     outlineHidden: all.hidden,
-    outlineShade: percent((1 - inLight) / LOST_IN_LIGHT),
+    outlineShade: outlineShadeOf(all.shadeWeights as readonly number[]),
     outlineHand: all.wobble,
   };
 }

@@ -1,11 +1,7 @@
-import { COMPOSITION_SETTINGS } from './table/compositionSettings.js';
-import { DRAWING_SETTINGS } from './table/drawingSettings.js';
-import { LIGHT_SETTINGS } from './table/lightSettings.js';
-import { OUTLINE_SETTINGS } from './table/outlineSettings.js';
 import { PICTURE_SETTINGS, VIDEO_SETTINGS, VIEW_SETTINGS } from './table/outputSettings.js';
-import type { Setting } from './table/Setting.js';
-import { STROKE_SETTINGS } from './table/strokeSettings.js';
-import { COLOUR_SETTINGS, TONE_SETTINGS } from './table/toneSettings.js';
+import type { Setting } from './table/rows.js';
+import { DRAWING_SETTINGS, OUTLINE_SETTINGS, STROKE_SETTINGS } from './table/strokeSettings.js';
+import { COLOUR_SETTINGS, COMPOSITION_SETTINGS, LIGHT_SETTINGS, TONE_SETTINGS } from './table/toneSettings.js';
 
 /** Every setting of the user, in one table of plain data. The panel, the link, the drawing and the copied code read it. */
 export const SETTINGS = {

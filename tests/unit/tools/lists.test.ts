@@ -22,7 +22,7 @@ const LISTS: Record<string, Kept> = {
       'src/look/hatchingProperties.ts',
       'src/material/HatchingMaterialProperties.ts',
       // Their labels on the page. The compiler misses one that is left out.
-      'src/viewer/settings/table/drawingSettings.ts',
+      'src/viewer/settings/table/strokeSettings.ts',
       // What is measured: a technique with a layout or as a look.
       'tools/bench/frame/measureFrames.ts',
       'tools/bench/compare.mjs',

@@ -1,5 +1,4 @@
-import { choiceOf } from './materialRows.js';
-import { inGroup } from './Setting.js';
+import { choiceOf, inGroup } from './rows.js';
 
 /** What the view shows. */
 export const VIEW_SETTINGS = inGroup('View', 'subject', {

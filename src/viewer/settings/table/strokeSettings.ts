@@ -1,5 +1,155 @@
-import { choiceOf, numberOf } from './materialRows.js';
-import { inGroup, type SettingRow } from './Setting.js';
+import type { HatchingTechnique, StrokeStyleName } from 'three-hatching';
+import { HATCHING_DEFAULTS, HATCHING_OUTLINE_DEFAULTS } from 'three-hatching/facts';
+import { resolveMapDrawing } from '../../../strokes/tamImages/hatchImageOptions.js';
+import { PAGE_DEFAULTS } from './pageDefaults.js';
+import { choiceOf, inGroup, libraryDefault, numberOf, outlineOf, type SettingRow } from './rows.js';
+
+/** The library's map. */
+const MAP = resolveMapDrawing();
+
+/** Labels of the techniques. Crisp strokes, a property of the material, are offered as a technique. */
+const TECHNIQUES = {
+  anchored: 'Anchored',
+  engraved: 'Engraved',
+  adjacency: 'Adjacency',
+  adjacencyCrisp: 'Adjacency, crisp',
+  triangle: 'Per triangle',
+} as const satisfies Record<HatchingTechnique | 'adjacencyCrisp', string>;
+
+const MODELS = {
+  dragon4: 'Dragon, 11 thousand',
+  dragon3: 'Dragon, 48 thousand',
+  dragon2: 'Dragon, 202 thousand',
+  dragon1: 'Dragon, 871 thousand',
+  bunny: 'Bunny',
+  suzanne: 'Suzanne',
+  teapot: 'Teapot',
+  fish: 'Fish, swimming',
+  hand: 'Hand',
+  bust: 'Bust',
+  shell: 'Shell',
+  vase: 'Vase',
+  column: 'Column',
+  gears: 'Gears',
+  landscape: 'Landscape',
+  knot: 'Knot',
+  house: 'House',
+  drapery: 'Draped cloth',
+  stairs: 'Staircase',
+  room: 'Room',
+  street: 'Street',
+  fox: 'Fox, low polygons',
+  cube: 'Cube',
+  sphere: 'Sphere',
+  file: 'Your own',
+} as const satisfies Record<string, string>;
+
+const STYLES = {
+  hatching: 'Hatching',
+  crossHatching: 'Cross-hatching',
+  tripleHatching: 'Three layers',
+  ruled: 'Ruled lines',
+  contours: 'Long lines',
+  dashes: 'Dashes',
+  stippling: 'Stippling',
+  pencil: 'Pencil',
+  charcoal: 'Charcoal',
+  woodcut: 'Woodcut',
+  ownHand: 'Your own hand',
+  file: 'Your own',
+} as const satisfies Record<StrokeStyleName | 'ownHand' | 'file', string>;
+
+/** The values of `strokeRotation` that have a name on the page. */
+export const STROKE_ROTATIONS = { along: 0, towards: Math.PI / 2 } as const;
+
+/** The name of a `strokeRotation`. */
+export const strokeDirectionOf = (rotation: unknown): keyof typeof STROKE_ROTATIONS | 'angle' =>
+  rotation === STROKE_ROTATIONS.along ? 'along' : rotation === STROKE_ROTATIONS.towards ? 'towards' : 'angle';
+
+/** The technique, and the main choices that go with it. */
+export const DRAWING_SETTINGS = inGroup('Drawing', 'hand', {
+  model: { kind: 'choice', label: 'Model', owner: 'subject', default: 'dragon3', choices: MODELS },
+  technique: {
+    kind: 'choice',
+    label: 'Technique',
+    partOf: 'technique',
+    default: HATCHING_DEFAULTS.technique,
+    choices: TECHNIQUES,
+  },
+  compare: {
+    kind: 'choice',
+    label: 'Compare with',
+    owner: 'subject',
+    default: 'none',
+    choices: { none: 'Nothing', ...TECHNIQUES },
+  },
+  mapStyle: { kind: 'choice', label: 'Style', partOf: 'tonalArtMap', default: MAP.style, choices: STYLES },
+  boldness: {
+    kind: 'number',
+    label: 'Strokes',
+    default: 100,
+    unit: '%',
+    min: 50,
+    max: 200,
+    step: 1,
+    ends: ['fine', 'bold'],
+  },
+  density: {
+    kind: 'number',
+    label: 'Cover',
+    default: 100,
+    unit: '%',
+    min: 50,
+    max: 200,
+    step: 1,
+    ends: ['sparse', 'dense'],
+  },
+  strokeField: choiceOf('strokeField', {
+    label: 'Strokes follow',
+    choices: { light: 'The light', form: 'The form', acrossForm: 'Across the form', sheet: 'The sheet' },
+  }),
+  lineField: choiceOf('lineField', {
+    label: 'Lines follow',
+    choices: {
+      auto: 'The form, if there is one',
+      light: 'The light',
+      towards: 'Towards the light',
+      x: 'An axis: x',
+      y: 'An axis: y',
+      z: 'An axis: z',
+      slant: 'A slant',
+      form: 'The form',
+      acrossForm: 'Across the form',
+    },
+  }),
+  strokeDirection: {
+    kind: 'choice',
+    label: 'Direction',
+    partOf: 'strokeRotation',
+    yieldsTo: 'lineField',
+    default: strokeDirectionOf(libraryDefault('strokeRotation')),
+    choices: { along: 'Around the light', towards: 'Towards the light', angle: 'At an angle' },
+  },
+  strokeAngle: {
+    kind: 'number',
+    label: 'Angle',
+    partOf: 'strokeRotation',
+    yieldsTo: 'lineField',
+    when: { strokeDirection: ['angle'] },
+    default: 45,
+    unit: '°',
+    min: 0,
+    max: 180,
+    step: 1,
+  },
+  lightKind: {
+    kind: 'choice',
+    label: 'Light',
+    owner: 'subject',
+    default: 'directional',
+    choices: { directional: 'Sun', point: 'Lamp', spot: 'Spot' },
+  },
+});
 
 const offset = (label: string) =>
   ({
@@ -17,29 +167,26 @@ const offset = (label: string) =>
 export const STROKE_SETTINGS = inGroup('More', 'hand', {
   sizedOnScreen: numberOf('sizedOnScreen', {
     label: 'Stroke size',
-    default: 0,
     ends: ['on the object', 'on the screen'],
   }),
-  strokeWidth: numberOf('strokeWidth', { label: 'Stroke width', default: 1.5, min: 0.5, max: 8 }),
+  strokeWidth: numberOf('strokeWidth', { label: 'Stroke width', min: 0.5, max: 8 }),
   tilesPerUnit: numberOf('tilesPerUnit', {
     label: 'Stroke scale',
-    default: 2.5,
     min: 0.5,
     max: 8,
     staysInPlace: true,
   }),
-  lineSpacing: numberOf('lineSpacing', { label: 'Spacing', default: 4, min: 2, max: 20 }),
+  lineSpacing: numberOf('lineSpacing', { label: 'Spacing', min: 2, max: 20 }),
   strokeLength: numberOf('strokeLength', { label: 'Length', min: 10, max: 300 }),
   strokeLayers: choiceOf('strokeLayers', {
     label: 'Layers',
-    default: 'lights',
     choices: { single: 'One', lights: 'Where lights cross', tone: 'More in the darks' },
     leftOut: ['auto'],
   }),
   crossFrom: numberOf('crossFrom', { label: 'Crossing from' }),
   crossAngle: numberOf('crossAngle', { label: 'Crossing at', min: 10 }),
   handmade: numberOf('handmade', { label: 'Handmade' }),
-  anchorSpacing: numberOf('anchorSpacing', { label: 'Anchors', default: 0.4, min: 0.1, max: 1 }),
+  anchorSpacing: numberOf('anchorSpacing', { label: 'Anchors', min: 0.1, max: 1 }),
   edge: numberOf('edgePixels', { label: 'Soft edge', max: 4 }),
   medium: choiceOf('medium', {
     label: 'Medium',
@@ -65,7 +212,7 @@ export const STROKE_SETTINGS = inGroup('More', 'hand', {
     kind: 'number',
     label: 'Tones',
     partOf: 'tonalArtMap',
-    default: 8,
+    default: MAP.tones,
     unit: '',
     min: 4,
     max: 16,
@@ -75,15 +222,67 @@ export const STROKE_SETTINGS = inGroup('More', 'hand', {
     kind: 'choice',
     label: 'Tile size',
     partOf: 'tonalArtMap',
-    default: '256',
+    default: String(MAP.size),
     choices: { 64: '64 px', 128: '128 px', 256: '256 px', 512: '512 px' },
   },
-  mapSeed: { kind: 'number', label: 'Seed', partOf: 'tonalArtMap', default: 1, unit: '', min: 1, max: 99, step: 1 },
+  mapSeed: {
+    kind: 'number',
+    label: 'Seed',
+    partOf: 'tonalArtMap',
+    default: MAP.seed,
+    unit: '',
+    min: 1,
+    max: 99,
+    step: 1,
+  },
   renderer: {
     kind: 'choice',
     label: 'Renderer',
     owner: 'subject',
     default: 'webgl',
     choices: { webgl: 'WebGL', webgpu: 'WebGPU, experimental' },
+  },
+});
+
+/** The share of its weight that an outline loses in full light and gains in full shade, at a shade weight of 100 %. */
+export const SHADE = { lost: 0.75, gained: 1.75 } as const;
+
+/** The setting for two weights in light and in shade. */
+export const outlineShadeOf = ([inLight]: readonly number[]): number => Math.round((100 * (1 - inLight)) / SHADE.lost);
+
+const DRAWN = { outlines: ['on'] } as const;
+
+/** Contours, creases and the like. */
+export const OUTLINE_SETTINGS = inGroup('Outlines', 'hand', {
+  outlines: { kind: 'choice', label: 'Outlines', default: 'on', choices: { on: 'Drawn', off: 'None' } },
+  outlineWidth: outlineOf('outlineWidth', 'px', { label: 'Outline width', min: 0.4 }),
+  outlineContours: outlineOf('contours', '%', { label: 'Contours' }),
+  outlineInner: outlineOf('innerContours', '%', { label: 'Inner contours', max: 100 }),
+  outlineBorders: outlineOf('borders', '%', { label: 'Borders' }),
+  outlineCreases: outlineOf('creases', '%', { label: 'Creases' }),
+  outlineSuggestive: outlineOf('suggestiveContours', '%', { label: 'Suggestive', ends: ['none', 'in folds'] }),
+  outlineShade: {
+    kind: 'number',
+    label: 'Shade',
+    when: DRAWN,
+    default: outlineShadeOf(HATCHING_OUTLINE_DEFAULTS.shadeWeights),
+    unit: '%',
+    min: 0,
+    max: 100,
+    step: 1,
+    ends: ['even', 'thin in light'],
+  },
+  outlineLost: outlineOf('lostEdges', '%', { label: 'Lost edges', max: 100, ends: ['closed', 'open in light'] }),
+  outlineAccents: outlineOf('accents', '%', { label: 'Accents', ends: ['none', 'where forms overlap'] }),
+  outlineHidden: {
+    kind: 'choice',
+    label: 'Hidden',
+    when: DRAWN,
+    default: HATCHING_OUTLINE_DEFAULTS.hidden,
+    choices: { none: 'Not drawn', dashed: 'Dashed', faint: 'Faint' },
+  },
+  outlineHand: {
+    ...outlineOf('wobble', 'px', { label: 'Hand', max: 4, ends: ['ruled', 'loose'] }),
+    default: PAGE_DEFAULTS.outlineHand,
   },
 });

@@ -8,7 +8,7 @@ import {
   type Settings,
 } from '../../../../src/viewer/settings/settings.js';
 import { looksOf } from '../../../../src/viewer/settings/settingValues.js';
-import type { Setting } from '../../../../src/viewer/settings/table/Setting.js';
+import type { Setting } from '../../../../src/viewer/settings/table/rows.js';
 
 const used = (key: SettingKey, changes: Partial<Settings>): boolean =>
   hasEffect(key, { ...defaultSettings(), ...changes });

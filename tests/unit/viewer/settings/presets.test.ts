@@ -19,7 +19,7 @@ import {
   type Settings,
 } from '../../../../src/viewer/settings/settings.js';
 import { readLink, writeLink } from '../../../../src/viewer/settings/shareLink.js';
-import type { Setting } from '../../../../src/viewer/settings/table/Setting.js';
+import type { Setting } from '../../../../src/viewer/settings/table/rows.js';
 
 const settingsOf = (name: (typeof PRESET_NAMES)[number]): Settings => ({ ...defaultSettings(), ...presetLook(name) });
 

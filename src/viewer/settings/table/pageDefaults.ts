@@ -1,0 +1,22 @@
+/**
+ * The settings whose default is not the library's, in the units of the page. All others that stand for a property of the library have its
+ * default.
+ */
+export const PAGE_DEFAULTS = {
+  ink: '#1c1a17',
+  paper: '#f7f3e8',
+  // Strokes lie on the object, as in the paper by Suarez et al., and cross where lights do.
+  sizedOnScreen: 0,
+  tilesPerUnit: 2.5,
+  strokeLayers: 'lights',
+  outlineHand: 0.5,
+  // The tone is that of the light, under lights that anybody may turn up.
+  toneCurve: 'linear',
+  exposure: 'auto',
+  reflectedLight: 43,
+  lightStrength: 115,
+  // Baking takes seconds, so that it waits until it is asked for.
+  occlusion: 0,
+  hollowTone: 0,
+  focusRadius: 0.5,
+} as const;
