@@ -151,7 +151,7 @@ test.describe('the tarball', () => {
     expect(readFileSync(join(libraryFolder, 'dist/react.js'), 'utf8')).toMatch(/^["']use client["'];\n/);
     for (const name of importsOf('command.js')) expect(name).toMatch(/^node:/);
     for (const name of withImports('draw.worker.js').flatMap(importsOf))
-      expect(name).toMatch(/^(node:|\.\/|three($|\/addons\/)|@jsquash\/(jpeg|webp)\/decode\.js$)/);
+      expect(name).toMatch(/^(node:|\.\/|three($|\/addons\/)|@jsquash\/(jpeg|png|webp)\/decode\.js$)/);
   });
 
   test('draws a model from the command line, with the three of the project', () => {

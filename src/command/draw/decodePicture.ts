@@ -1,7 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
+import { PNG_SIGNATURE, pngChunk } from '../../strokes/mapFiles/pngFormat.js';
 import type { PixelPicture } from '../../viewer/files/common/Surroundings.js';
-import { decodePng } from './decodePng.js';
 
 type Pixels = Omit<PixelPicture, 'close'>;
 /** Silences the decoders' output. */
@@ -9,6 +9,7 @@ const SILENT = { print: () => {}, printErr: () => {} };
 
 /** Formats of pictures by their signature. Those without `decode` are decoded by browsers alone. */
 const FORMATS: readonly { name: string; beginning: RegExp; decode?: (bytes: Uint8Array) => Promise<Pixels> }[] = [
+  { name: 'PNG', beginning: /^\x89PNG/, decode: decodePng },
   { name: 'JPEG', beginning: /^\xff\xd8/, decode: decodeJpeg },
   { name: 'WebP', beginning: /^RIFF....WEBP/s, decode: decodeWebp },
   { name: 'GIF', beginning: /^GIF8/ },
@@ -26,12 +27,12 @@ export class UndecodedError extends Error {
 /**
  * Decodes a picture in PNG, JPEG or WebP.
  *
- * @throws UndecodedError for other formats, also if a decoder is not installed; Error if the picture is damaged
+ * @throws UndecodedError for GIF, BMP and four inks, also if a decoder is not installed; Error if the picture is damaged
  */
 export async function decodePicture(bytes: Uint8Array): Promise<Pixels> {
   const beginning = String.fromCharCode(...bytes.subarray(0, 16));
   const format = FORMATS.find((one) => one.beginning.test(beginning));
-  if (!format) return decodePng(bytes);
+  if (!format) throw new Error('The content is no picture.');
   if (!format.decode) throw new UndecodedError(format.name);
   try {
     return await format.decode(bytes);
@@ -41,6 +42,23 @@ export async function decodePicture(bytes: Uint8Array): Promise<Pixels> {
     );
     throw isMissing ? new UndecodedError(format.name) : error;
   }
+}
+
+async function decodePng(bytes: Uint8Array): Promise<Pixels> {
+  const { default: decode, init } = await import('@jsquash/png/decode.js');
+  await start('png', init, '@jsquash/png/codec/pkg/squoosh_png_bg.wasm');
+  return asPixels(() => decode(chunksOfPixels(bytes).buffer));
+}
+
+/** A PNG file with only the chunks that its pixels need, so that damage to others does not matter, and with an end. */
+function chunksOfPixels(bytes: Uint8Array): Uint8Array<ArrayBuffer> {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const parts = [bytes.subarray(0, PNG_SIGNATURE.length)];
+  for (let at = PNG_SIGNATURE.length; at + 12 <= bytes.length; at += 12 + view.getUint32(at)) {
+    const name = String.fromCharCode(...bytes.subarray(at + 4, at + 8));
+    if (['IHDR', 'PLTE', 'tRNS', 'IDAT'].includes(name)) parts.push(bytes.subarray(at, at + 12 + view.getUint32(at)));
+  }
+  return new Uint8Array(Buffer.concat([...parts, pngChunk('IEND')]));
 }
 
 const START_OF_SCAN = 0xda;
@@ -86,7 +104,7 @@ const started = new Set<string>();
 /** Starts a decoder once. It is given its compiled code, because its own `fetch` cannot read files in Node. */
 async function start(
   name: string,
-  init: (code: WebAssembly.Module, options: typeof SILENT) => Promise<void>,
+  init: (code: WebAssembly.Module, options: typeof SILENT) => Promise<unknown>,
   path: string,
 ): Promise<void> {
   if (started.has(name)) return;

@@ -72,8 +72,8 @@ test('the library depends on nothing but three.js, and its components on React w
     peerDependenciesMeta: Record<string, { optional: boolean }>;
   };
   expect(dependencies).toBeUndefined();
-  // Of the command alone: without them it reads PNG.
-  expect(Object.keys(optionalDependencies)).toEqual(['@jsquash/jpeg', '@jsquash/webp']);
+  // Of the command alone: without them it draws no pictures but TGA.
+  expect(Object.keys(optionalDependencies)).toEqual(['@jsquash/jpeg', '@jsquash/png', '@jsquash/webp']);
   const needed = Object.keys(peerDependencies).filter((name) => !peerDependenciesMeta[name]?.optional);
   expect(needed).toEqual(['three']);
   expect(Object.keys(peerDependencies)).toEqual(['@react-three/fiber', 'meshoptimizer', 'react', 'three']);
